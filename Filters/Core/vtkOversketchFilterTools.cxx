@@ -1,0 +1,243 @@
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace oversketch
+{
+
+namespace
+{
+
+Eigen::Matrix4d MatrixOf(vtkDataArray* array)
+{
+  Eigen::Matrix4d m;
+  for (int i = 0; i < 16; ++i)
+  {
+    m(i / 4, i % 4) = array->GetComponent(0, i);
+  }
+  return m;
+}
+
+// vtkAlgorithm keeps SetErrorCode to its heirs; naming it through one makes it reachable from a free function.
+struct ErrorCodeAccess : vtkAlgorithm
+{
+  static void Set(vtkAlgorithm* self, unsigned long code) { (self->*&ErrorCodeAccess::SetErrorCode)(code); }
+};
+
+void Fail(vtkAlgorithm* self, Failure failure, const std::string& message)
+{
+  if (failure != Failure::Cancelled)
+  {
+    vtkErrorWithObjectMacro(self, << message);
+  }
+  ErrorCodeAccess::Set(self, vtkErrorCode::UserError + static_cast<unsigned long>(failure));
+  for (int port = 0; port < self->GetNumberOfOutputPorts(); ++port)
+  {
+    if (vtkDataObject* output = self->GetOutputDataObject(port))
+    {
+      output->Initialize();
+    }
+  }
+}
+
+} // namespace
+
+int RunFilter(vtkAlgorithm* self, const std::function<void()>& body)
+{
+  ErrorCodeAccess::Set(self, vtkErrorCode::NoError);
+  try
+  {
+    body();
+    if (!self->GetAbortExecute())
+    {
+      return 1;
+    }
+    // A body that never looked at AbortExecute has still been asked to stop: half the callers rely on it.
+    Fail(self, Failure::Cancelled, "cancelled");
+  }
+  catch (const Error& error)
+  {
+    Fail(self, error.failure(), error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    Fail(self, Failure::Unexpected, "Out of memory; use a smaller mesh.");
+  }
+  catch (const std::exception& error)
+  {
+    Fail(self, Failure::Unexpected, std::string("Unexpected failure: ") + error.what());
+  }
+  return 0;
+}
+
+Context ContextOf(vtkAlgorithm* self, double from, double to)
+{
+  Context context;
+  context.parallelFor = [](int count, const Context::Body& body)
+  {
+    vtkSMPTools::For(0, count,
+      [&body](vtkIdType begin, vtkIdType end) { body(static_cast<int>(begin), static_cast<int>(end)); });
+  };
+  context.progress = [self, from, to](double done) { self->UpdateProgress(from + done * (to - from)); };
+  context.cancelled = [self] { return self->GetAbortExecute() != 0; };
+  return context;
+}
+
+Mesh MeshOf(vtkPolyData* polyData)
+{
+  Mesh mesh;
+  const vtkIdType points = polyData->GetNumberOfPoints();
+  if (polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() + polyData->GetNumberOfStrips() > 0)
+  {
+    throw Error(Failure::BadMesh,
+      "The mesh holds vertices, lines or strips besides polygons; pass it through vtkTriangleFilter with PassVerts and "
+      "PassLines off.");
+  }
+  mesh.points.resize(static_cast<std::size_t>(points));
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    polyData->GetPoint(i, mesh.points[static_cast<std::size_t>(i)].data());
+    if (!mesh.points[static_cast<std::size_t>(i)].allFinite())
+    {
+      std::ostringstream message;
+      message << "Point " << i << " of the mesh is not finite; repair or remove it.";
+      throw Error(Failure::BadMesh, message.str());
+    }
+  }
+  vtkCellArray* polys = polyData->GetPolys();
+  mesh.triangles.reserve(static_cast<std::size_t>(polys->GetNumberOfCells()));
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(polys->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    const bool triangle = size == 3;
+    if (!triangle ||
+      std::any_of(ids, ids + size, [points](vtkIdType id) { return id < 0 || id >= points; }))
+    {
+      std::ostringstream message;
+      message << "Cell " << it->GetCurrentCellId() << " of the mesh "
+              << (triangle ? "names a point that does not exist; repair the mesh."
+                           : "is not a triangle; pass the mesh through vtkTriangleFilter.");
+      throw Error(Failure::BadMesh, message.str());
+    }
+    mesh.triangles.push_back({ static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]) });
+  }
+  return mesh;
+}
+
+std::vector<Vector3> NormalsOf(vtkPolyData* polyData, const Mesh& mesh)
+{
+  vtkDataArray* array = polyData->GetPointData()->GetNormals();
+  if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != mesh.vertexCount())
+  {
+    return vertexNormals(mesh);
+  }
+  std::vector<Vector3> normals(mesh.points.size());
+  for (int i = 0; i < mesh.vertexCount(); ++i)
+  {
+    array->GetTuple(i, normals[i].data());
+    const double length = normals[i].norm();
+    if (!std::isfinite(length))
+    {
+      std::ostringstream message;
+      message << "Normal " << i << " of the mesh is not finite; remove the point normals or recompute them.";
+      throw Error(Failure::BadMesh, message.str());
+    }
+    if (length > 0.0)
+    {
+      normals[i] /= length;
+    }
+  }
+  return normals;
+}
+
+View ViewOf(vtkPolyData* stroke)
+{
+  const vtkIdType cells = stroke->GetNumberOfCells();
+  if (cells == 0)
+  {
+    throw Error(Failure::BadStroke, "There is no stroke: the stroke input holds no polyline.");
+  }
+  const std::string remedy = "a stroke carries the view it was drawn in, see the stroke format";
+  vtkCellData* data = stroke->GetCellData();
+  vtkDataArray* arrays[3] = { RequireArray(data, "ViewTransform", 16, cells, "stroke", remedy),
+    RequireArray(data, "ProjectionTransform", 16, cells, "stroke", remedy),
+    RequireArray(data, "ViewportSize", 2, cells, "stroke", remedy) };
+  for (vtkDataArray* array : arrays)
+  {
+    for (vtkIdType cell = 1; cell < cells; ++cell)
+    {
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        if (array->GetComponent(cell, c) != array->GetComponent(0, c))
+        {
+          std::ostringstream message;
+          message << "Strokes 0 and " << cell << " carry different views (array " << array->GetName()
+                  << "); give strokes of one view.";
+          throw Error(Failure::BadStroke, message.str());
+        }
+      }
+    }
+  }
+  return View(MatrixOf(arrays[0]), MatrixOf(arrays[1]), static_cast<int>(arrays[2]->GetComponent(0, 0)),
+    static_cast<int>(arrays[2]->GetComponent(0, 1)));
+}
+
+vtkDataArray* RequireArray(vtkDataSetAttributes* attributes, const char* name, int components, vtkIdType tuples,
+  const std::string& holder, const std::string& remedy)
+{
+  vtkDataArray* array = attributes->GetArray(name);
+  std::ostringstream message;
+  if (!array)
+  {
+    message << "The " << holder << " has no array " << name << ": " << remedy << ".";
+    throw Error(Failure::MissingArray, message.str());
+  }
+  if (array->GetNumberOfComponents() != components || (tuples >= 0 && array->GetNumberOfTuples() != tuples))
+  {
+    message << "Array " << name << " of the " << holder << " has " << array->GetNumberOfTuples() << " tuples of "
+            << array->GetNumberOfComponents() << " components";
+    if (tuples >= 0)
+    {
+      message << "; " << tuples << " of " << components << " are needed";
+    }
+    else
+    {
+      message << "; tuples of " << components << " are needed";
+    }
+    message << ": " << remedy << ".";
+    throw Error(Failure::MissingArray, message.str());
+  }
+  return array;
+}
+
+MeshKey::MeshKey(vtkPolyData* mesh, const std::vector<vtkDataArray*>& arrays)
+{
+  const auto add = [this](vtkObject* object)
+  { this->Key.emplace_back(object, object ? object->GetMTime() : vtkMTimeType(0)); };
+  add(mesh->GetPoints());
+  add(mesh->GetPolys());
+  for (vtkDataArray* array : arrays)
+  {
+    add(array);
+  }
+}
+
+} // namespace oversketch

@@ -1,0 +1,73 @@
+// What a running kernel needs from its caller: threads, a progress sink, a way to be cancelled; and how
+// it reports that it could not do its work.
+#ifndef oversketch_context_h
+#define oversketch_context_h
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace oversketch
+{
+
+// Why a step could not do its work. A filter's error code is one of these values added to
+// vtkErrorCode::UserError.
+enum class Failure : int
+{
+  BadMesh = 1,        // not triangles, non-finite points, an id out of range
+  MissingArray = 2,   // an input array is absent or has the wrong shape
+  BadStroke = 3,      // a stroke that must be refused: closed, too short, non-finite, two views
+  NoMatch = 4,        // no silhouette section fits the stroke
+  BadRegion = 5,      // the region is empty or reaches the whole mesh
+  NoDevice = 6,       // the requested device is not there
+  SolveFailed = 7,    // a linear system could not be factored
+  Cancelled = 8,      // the caller asked to stop
+  InnerStep = 9,      // a step inside a system failed
+  Unexpected = 10     // out of memory or a fault of a library
+};
+
+// Thrown by kernels. The message names the array, cell or point and the remedy.
+class Error : public std::runtime_error
+{
+public:
+  Error(Failure failure, const std::string& message)
+    : std::runtime_error(message)
+    , failure_(failure)
+  {
+  }
+  Failure failure() const { return this->failure_; }
+
+private:
+  Failure failure_;
+};
+
+// A default-constructed context runs serially and cannot be cancelled.
+struct Context
+{
+  using Body = std::function<void(int begin, int end)>;
+
+  // Calls body on disjoint ranges that cover [0, count), on as many threads as the caller likes. A body
+  // writes only to places that its own indices name, so results do not depend on the number of threads,
+  // and it does not throw: it stops early when cancelled() is true.
+  std::function<void(int count, const Body& body)> parallelFor = [](int count, const Body& body)
+  { if (count > 0) body(0, count); };
+
+  // Takes progress in [0, 1]. Called by the kernel's own thread only.
+  std::function<void(double)> progress = [](double) {};
+
+  // True once the caller wants to stop. Cheap, callable from any thread.
+  std::function<bool()> cancelled = [] { return false; };
+
+  // Reports progress and throws Error(Failure::Cancelled) if the caller wants to stop.
+  void checkpoint(double done) const
+  {
+    this->progress(done);
+    if (this->cancelled())
+    {
+      throw Error(Failure::Cancelled, "cancelled");
+    }
+  }
+};
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,77 @@
+// A triangle mesh as the kernels see it, its adjacency, vertex normals and edge-path distances.
+// Adjacency is lists, not half-edges: non-manifold edges, borders and loose points are legal everywhere.
+#ifndef oversketch_mesh_h
+#define oversketch_mesh_h
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace oversketch
+{
+
+using Vector2 = Eigen::Vector2d;
+using Vector3 = Eigen::Vector3d;
+using Triangle = std::array<int, 3>;
+
+struct Mesh
+{
+  std::vector<Vector3> points;
+  std::vector<Triangle> triangles; // vertex indices, counter-clockwise seen from outside
+  int vertexCount() const { return static_cast<int>(this->points.size()); }
+  int triangleCount() const { return static_cast<int>(this->triangles.size()); }
+};
+
+// Lists of lists in two arrays: list i is values[offsets[i]] .. values[offsets[i + 1] - 1].
+struct Lists
+{
+  std::vector<int> offsets; // #lists + 1
+  std::vector<int> values;
+  const int* begin(int i) const { return this->values.data() + this->offsets[i]; }
+  const int* end(int i) const { return this->values.data() + this->offsets[i + 1]; }
+  int size(int i) const { return this->offsets[i + 1] - this->offsets[i]; }
+};
+
+struct MeshEdge
+{
+  int v0, v1;            // v0 < v1
+  int firstTriangle = 0; // into Adjacency::edgeTriangles
+  int triangleCount = 0; // 1 on a border, 2 inside, more where the mesh is not manifold
+};
+
+struct Adjacency
+{
+  Lists vertexTriangles;                       // ascending triangle ids
+  Lists vertexVertices;                        // ascending vertex ids, each neighbour once
+  std::vector<MeshEdge> edges;                 // ascending by (v0, v1)
+  std::vector<int> edgeTriangles;              // ascending per edge
+  std::vector<std::array<int, 3>> triangleEdges; // edge k of a triangle joins its corners k and (k + 1) % 3
+  std::vector<char> borderVertex;              // 1 where an edge with exactly one triangle ends
+
+  // The edge between a and b, or -1.
+  int findEdge(int a, int b) const;
+  const int* trianglesBegin(int edge) const { return this->edgeTriangles.data() + this->edges[edge].firstTriangle; }
+  const int* trianglesEnd(int edge) const { return this->trianglesBegin(edge) + this->edges[edge].triangleCount; }
+};
+
+// Triangles with a repeated vertex add no edge to that vertex pair.
+Adjacency buildAdjacency(const Mesh& mesh);
+
+// Unit vertex normals, each incident triangle weighted by its angle at the vertex; zero for a vertex without
+// a triangle of positive area.
+std::vector<Vector3> vertexNormals(const Mesh& mesh);
+
+// Unit facet normal, zero for a degenerate triangle.
+Vector3 facetNormal(const Mesh& mesh, int triangle);
+
+double boundingDiagonal(const Mesh& mesh);
+
+// Length of the shortest edge path from the nearest source [model length], infinity beyond limit.
+std::vector<double> edgeDistances(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& sources,
+  double limit = std::numeric_limits<double>::infinity());
+
+} // namespace oversketch
+#endif

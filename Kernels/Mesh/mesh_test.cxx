@@ -1,0 +1,105 @@
+#include "Mesh/context.h"
+#include "Mesh/mesh.h"
+#include "Mesh/view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace oversketch;
+
+namespace
+{
+
+Mesh octahedron()
+{
+  return { { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
+    { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 }, { 0, 3, 5 } } };
+}
+
+} // namespace
+
+TEST(Adjacency, OctahedronHasTwelveEdgesOfTwoTriangles)
+{
+  const Mesh mesh = octahedron();
+  const Adjacency adjacency = buildAdjacency(mesh);
+  EXPECT_EQ(adjacency.edges.size(), 12u);
+  for (const MeshEdge& e : adjacency.edges)
+  {
+    EXPECT_EQ(e.triangleCount, 2);
+    EXPECT_LT(e.v0, e.v1);
+  }
+  for (int v = 0; v < 6; ++v)
+  {
+    EXPECT_EQ(adjacency.vertexVertices.size(v), 4);
+    EXPECT_TRUE(std::is_sorted(adjacency.vertexVertices.begin(v), adjacency.vertexVertices.end(v)));
+    EXPECT_EQ(adjacency.vertexTriangles.size(v), 4);
+    EXPECT_FALSE(adjacency.borderVertex[v]);
+  }
+  EXPECT_EQ(adjacency.findEdge(0, 1), -1);
+  EXPECT_EQ(adjacency.edges[adjacency.findEdge(4, 2)].v0, 2);
+}
+
+TEST(Adjacency, ToleratesAFinAndADegenerateTriangle)
+{
+  Mesh mesh = octahedron();
+  mesh.points.push_back({ 2, 2, 2 });
+  mesh.triangles.push_back({ 0, 2, 6 });
+  mesh.triangles.push_back({ 1, 1, 3 });
+  const Adjacency adjacency = buildAdjacency(mesh);
+  EXPECT_EQ(adjacency.edges[adjacency.findEdge(0, 2)].triangleCount, 3);
+  EXPECT_TRUE(adjacency.borderVertex[6]);
+  EXPECT_EQ(adjacency.vertexTriangles.size(1), 5);
+}
+
+TEST(VertexNormals, OctahedronNormalsArePositions)
+{
+  const Mesh mesh = octahedron();
+  const auto normals = vertexNormals(mesh);
+  for (int v = 0; v < 6; ++v)
+  {
+    EXPECT_LT((normals[v] - mesh.points[v]).norm(), 1e-15);
+  }
+}
+
+TEST(EdgeDistances, FollowEdgesAndStopAtTheLimit)
+{
+  const Mesh mesh = octahedron();
+  const auto distance = edgeDistances(mesh, buildAdjacency(mesh), { 0 });
+  EXPECT_DOUBLE_EQ(distance[1], 2.0 * std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(distance[4], std::sqrt(2.0));
+  EXPECT_TRUE(std::isinf(edgeDistances(mesh, buildAdjacency(mesh), { 0 }, 2.0)[1]));
+}
+
+TEST(View, DisplayAndWorldAreInverse)
+{
+  Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+  view(2, 3) = -5.0;
+  for (const bool perspective : { false, true })
+  {
+    Eigen::Matrix4d projection = Eigen::Matrix4d::Identity();
+    if (perspective)
+    {
+      projection.row(3) << 0, 0, -1, 0;
+    }
+    const View v(view, projection, 800, 600);
+    EXPECT_EQ(v.perspective(), perspective);
+    EXPECT_LT((v.normal() - Vector3(0, 0, 1)).norm(), 1e-15);
+    EXPECT_LT((v.eye() - Vector3(0, 0, 5)).norm(), 1e-15);
+    const Vector3 world(0.3, -0.2, 0.7);
+    const Vector3 display = v.toDisplay(world);
+    EXPECT_NEAR(display[2], -4.3, 1e-14);
+    EXPECT_NEAR(display[0], (0.3 / (perspective ? 4.3 : 1.0) + 1.0) * 400.0, 1e-12);
+    EXPECT_LT((v.toWorld(display.head<2>(), display[2]) - world).norm(), 1e-14);
+  }
+}
+
+TEST(View, RefusesSingularAndNonFiniteMatrices)
+{
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  Eigen::Matrix4d bad = identity;
+  bad(0, 0) = std::nan("");
+  EXPECT_THROW(View(bad, identity, 8, 6), Error);
+  EXPECT_THROW(View(Eigen::Matrix4d::Zero(), identity, 8, 6), Error);
+  EXPECT_THROW(View(identity, identity, 0, 6), Error);
+}

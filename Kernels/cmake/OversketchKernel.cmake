@@ -1,0 +1,65 @@
+# Warnings that our own sources must be free of. VTK's and OpenCV's headers come in as system headers.
+set(oversketch_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+# VTK 9.1's own macros leave a semicolon that -Wpedantic refuses.
+set(oversketch_filter_warnings ${oversketch_warnings})
+list(REMOVE_ITEM oversketch_filter_warnings -Wpedantic)
+
+# oversketch_kernel(<Name> SOURCES <file>... HEADERS <file>... [PUBLIC <target>...] [PRIVATE <target>...])
+# A kernel library Oversketch::Kernels<Name>: plain C++17, no VTK. Installed and exported.
+function (oversketch_kernel name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE")
+  set(target OversketchKernels${name})
+  add_library(${target} ${arg_SOURCES} ${arg_HEADERS})
+  add_library(Oversketch::Kernels${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME Kernels${name}
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    CXX_VISIBILITY_PRESET default) # kernels are small and wholly public
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Kernels>
+    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/Kernels>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/oversketch/Kernels>)
+  target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  target_compile_options(${target} PRIVATE ${oversketch_warnings})
+  install(TARGETS ${target} EXPORT Oversketch
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/oversketch/Kernels/${name})
+endfunction ()
+
+# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>...): one GoogleTest program, its tests under ctest.
+# Tests of the specification's facts are named after stage and place: TEST(A3_2, ...).
+function (oversketch_gtest name)
+  if (NOT OVERSKETCH_BUILD_TESTING)
+    return()
+  endif ()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
+  target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+endfunction ()
+
+# oversketch_filter_module(<module> CLASSES <class>... [KERNELS <target>...] [PRIVATE_SOURCES ...] [HEADERS ...]):
+# a VTK module whose filters are thin shells over the named kernels.
+macro (oversketch_filter_module module)
+  cmake_parse_arguments(oversketch "" "" "CLASSES;KERNELS;SOURCES;HEADERS" ${ARGN})
+  vtk_module_add_module(${module}
+    CLASSES ${oversketch_CLASSES} SOURCES ${oversketch_SOURCES} HEADERS ${oversketch_HEADERS})
+  vtk_module_link(${module} PRIVATE ${oversketch_KERNELS})
+  vtk_module_compile_options(${module} PRIVATE ${oversketch_filter_warnings})
+endmacro ()
+
+# oversketch_pytest(<name> <file.py>): one pytest file under ctest, against the package in the build tree, on a virtual
+# display where it needs one (xvfb-run).
+function (oversketch_pytest name file)
+  if (NOT OVERSKETCH_BUILD_TESTING OR NOT OVERSKETCH_WRAP_PYTHON)
+    return()
+  endif ()
+  add_test(NAME ${name}
+    COMMAND xvfb-run -a -s "-screen 0 1280x1024x24" ${Python3_EXECUTABLE} -m pytest -q -rs -p no:cacheprovider
+      ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600
+    ENVIRONMENT "PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
+endfunction ()
