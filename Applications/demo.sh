@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and pulls a leg of the dog long with one drawn line: pictures and mesh in demo/.
+set -euo pipefail
+. "$(dirname "$0")/setup.sh"
+cd "$oversketch_root"
+oversketch_install
+oversketch_build release
+mkdir -p demo
+oversketch_display build/release/bin/oversketch one-stroke Data/Models/dog.ply Data/Strokes/dog_longer_leg.vtp \
+  -o demo/dog_longer_leg.ply --picture demo/after.png --report demo/report.json
+echo "Picture: $oversketch_root/demo/after.png"
+echo "Mesh:    $oversketch_root/demo/dog_longer_leg.ply"

@@ -1,0 +1,46 @@
+# Sourced by Applications/demo.sh and Testing/test.sh: installs what is missing, configures and builds a preset.
+# Debian 12 and 13. Everything comes from Debian's own packages; nothing is downloaded at configure time.
+
+oversketch_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+oversketch_packages=(
+  g++ cmake ninja-build ccache
+  libvtk9-dev python3-vtk9 python3-numpy libeigen3-dev libcgal-dev libembree-dev libopencv-dev
+  ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd libsuitesparse-dev libtbb-dev
+  libgtest-dev libbenchmark-dev python3-dev python3-pytest xvfb xauth libgl1-mesa-dri)
+
+# Installs the packages that are not there, as root; asks for root once, says what it installs, is quiet otherwise.
+oversketch_install() {
+  local missing=() package
+  for package in "${oversketch_packages[@]}"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return 0
+  echo "Installing Debian packages: ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "oversketch: these packages need root, and there is no sudo" >&2; return 1; }
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" sh -c 'apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@"' \
+    sh "${missing[@]}" >/dev/null || { echo "oversketch: could not install ${missing[*]}" >&2; return 1; }
+}
+
+# oversketch_build PRESET: configures and builds, quietly; the log is shown when it fails.
+oversketch_build() {
+  local preset=$1 log
+  log=$oversketch_root/build/$preset.log
+  mkdir -p "$oversketch_root/build"
+  echo "Building preset $preset (log: build/$preset.log)"
+  (cd "$oversketch_root" && cmake --preset "$preset" && cmake --build --preset "$preset") >"$log" 2>&1 ||
+    { tail -n 60 "$log" >&2; echo "oversketch: the build failed" >&2; return 1; }
+}
+
+# oversketch_display COMMAND...: runs it, on a virtual display where there is none.
+oversketch_display() {
+  if [ -n "${DISPLAY:-}" ]; then
+    "$@"
+  else
+    xvfb-run -a -s '-screen 0 1280x1024x24' "$@"
+  fi
+}
