@@ -98,16 +98,21 @@ Context ContextOf(vtkAlgorithm* self, double from, double to)
   return context;
 }
 
-Mesh MeshOf(vtkPolyData* polyData)
+void RequirePolygonsOnly(vtkPolyData* polyData)
 {
-  Mesh mesh;
-  const vtkIdType points = polyData->GetNumberOfPoints();
   if (polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() + polyData->GetNumberOfStrips() > 0)
   {
     throw Error(Failure::BadMesh,
       "The mesh holds vertices, lines or strips besides polygons; pass it through vtkTriangleFilter with PassVerts and "
       "PassLines off.");
   }
+}
+
+Mesh MeshOf(vtkPolyData* polyData)
+{
+  RequirePolygonsOnly(polyData);
+  Mesh mesh;
+  const vtkIdType points = polyData->GetNumberOfPoints();
   mesh.points.resize(static_cast<std::size_t>(points));
   for (vtkIdType i = 0; i < points; ++i)
   {

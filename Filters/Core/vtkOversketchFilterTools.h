@@ -40,6 +40,11 @@ OVERSKETCHFILTERSCORE_EXPORT int RunFilter(vtkAlgorithm* self, const std::functi
 OVERSKETCHFILTERSCORE_EXPORT Context ContextOf(vtkAlgorithm* self, double from = 0.0, double to = 1.0);
 
 /**
+ * Throws Error(BadMesh) when the mesh holds lines, vertices or strips besides its polygons (remedy: vtkTriangleFilter).
+ */
+OVERSKETCHFILTERSCORE_EXPORT void RequirePolygonsOnly(vtkPolyData* polyData);
+
+/**
  * The mesh as kernels see it; vertex i is point i, triangle i is polygon i. Throws Error(BadMesh) naming the first
  * offending cell or point when a polygon is not a triangle, an id is out of range, a point is not finite, or there are
  * lines, vertices or strips besides the polygons (remedy: vtkTriangleFilter).

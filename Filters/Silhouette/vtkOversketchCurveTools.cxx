@@ -1,17 +1,26 @@
 #include "vtkOversketchCurveTools.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace oversketch
 {
 
-void WriteCurves(const std::vector<Curve>& curves, const std::vector<double>& normalDotView, vtkPolyData* output)
+void WriteCurves(const std::vector<Curve>& curves, const View& view, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -33,7 +42,6 @@ void WriteCurves(const std::vector<Curve>& curves, const std::vector<double>& no
     const vtkIdType first = points->GetNumberOfPoints();
     for (const CurvePoint& p : curve.points)
     {
-      dots->InsertNextValue(normalDotView[static_cast<std::size_t>(points->GetNumberOfPoints())]);
       lines->InsertCellPoint(points->InsertNextPoint(p.position.data()));
       for (int k = 0; k < 3; ++k)
       {
@@ -41,6 +49,7 @@ void WriteCurves(const std::vector<Curve>& curves, const std::vector<double>& no
         meshWeights->InsertNextValue(p.binding.weights[k]);
       }
       normals->InsertNextTuple(p.normal.data());
+      dots->InsertNextValue(p.normal.dot(view.towardsViewer(p.position).normalized()));
     }
     if (curve.closed)
     {
@@ -53,6 +62,113 @@ void WriteCurves(const std::vector<Curve>& curves, const std::vector<double>& no
   output->GetPointData()->AddArray(meshWeights);
   output->GetPointData()->SetNormals(normals);
   output->GetPointData()->AddArray(dots);
+}
+
+CurveSet ReadCurves(vtkPolyData* input, int meshVertices, const std::string& holder, bool allowUnbound)
+{
+  const std::string remedy = "vtkOversketchSilhouette and the filters after it make it";
+  const auto refuse = [&](const char* what, vtkIdType index, const char* problem)
+  {
+    std::ostringstream message;
+    message << what << ' ' << index << " of the " << holder << ' ' << problem;
+    throw Error(Failure::BadMesh, message.str());
+  };
+  const vtkIdType pointCount = input->GetNumberOfPoints();
+  const vtkIdType cellCount = input->GetNumberOfLines();
+  CurveSet set;
+  if (input->GetNumberOfCells() != cellCount)
+  {
+    throw Error(Failure::BadMesh,
+      "The " + holder + " hold cells that are not polylines; connect the output of a silhouette filter.");
+  }
+  if (cellCount == 0)
+  {
+    return set;
+  }
+  vtkPointData* pointData = input->GetPointData();
+  vtkDataArray* vertices = RequireArray(pointData, "MeshVertices", 3, pointCount, holder, remedy);
+  vtkDataArray* weights = RequireArray(pointData, "MeshWeights", 3, pointCount, holder, remedy);
+  vtkDataArray* normals = RequireArray(pointData, "Normals", 3, pointCount, holder, remedy);
+  std::vector<CurvePoint> points(static_cast<std::size_t>(pointCount));
+  for (vtkIdType i = 0; i < pointCount; ++i)
+  {
+    CurvePoint& p = points[static_cast<std::size_t>(i)];
+    input->GetPoint(i, p.position.data());
+    normals->GetTuple(i, p.normal.data());
+    weights->GetTuple(i, p.binding.weights.data());
+    if (!p.position.allFinite() || !p.normal.allFinite())
+    {
+      refuse("Point", i, "or its normal is not finite; run the silhouette filter again.");
+    }
+    bool unbound = allowUnbound;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double v = vertices->GetComponent(i, k);
+      if (!(v >= -1.0 && v < meshVertices))
+      {
+        refuse("Point",
+          i,
+          "names a vertex that the mesh does not have (array MeshVertices); give the mesh the curves "
+          "were made from.");
+      }
+      p.binding.vertices[k] = static_cast<int>(v);
+      unbound = unbound && p.binding.vertices[k] == -1;
+    }
+    const auto& w = p.binding.weights;
+    if (!unbound && (std::min({ p.binding.vertices[0], p.binding.vertices[1], p.binding.vertices[2] }) < 0 ||
+                      !(std::abs(w[0] + w[1] + w[2] - 1.0) < 1e-6)))
+    {
+      refuse("Point",
+        i,
+        "hangs on no mesh vertex or has weights that do not sum to 1 (arrays MeshVertices and "
+        "MeshWeights); run the silhouette filter again.");
+    }
+  }
+  vtkCellArray* lines = input->GetLines();
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(lines->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    Curve curve;
+    curve.closed = size > 2 && ids[0] == ids[size - 1];
+    for (vtkIdType k = 0; k < (curve.closed ? size - 1 : size); ++k)
+    {
+      if (ids[k] < 0 || ids[k] >= pointCount)
+      {
+        refuse("Cell",
+          it->GetCurrentCellId(),
+          "names a point that does not exist; run the silhouette filter again.");
+      }
+      curve.points.push_back(points[static_cast<std::size_t>(ids[k])]);
+    }
+    set.Curves.push_back(std::move(curve));
+  }
+  set.Visible.assign(set.Curves.size(), 1);
+  for (int i = 0; i < static_cast<int>(cellCount); ++i)
+  {
+    set.Ids.push_back(i);
+  }
+  vtkCellData* cellData = input->GetCellData();
+  const bool withIds = cellData->HasArray("CurveId") != 0;
+  const bool withVisible = cellData->HasArray("Visible") != 0;
+  vtkDataArray* curveIds =
+    withIds ? RequireArray(cellData, "CurveId", 1, cellCount, holder, remedy) : nullptr;
+  vtkDataArray* visible =
+    withVisible ? RequireArray(cellData, "Visible", 1, cellCount, holder, remedy) : nullptr;
+  for (vtkIdType i = 0; i < cellCount; ++i)
+  {
+    if (curveIds)
+    {
+      set.Ids[static_cast<std::size_t>(i)] = static_cast<int>(curveIds->GetComponent(i, 0));
+    }
+    if (visible)
+    {
+      set.Visible[static_cast<std::size_t>(i)] = visible->GetComponent(i, 0) != 0.0;
+    }
+  }
+  return set;
 }
 
 } // namespace oversketch
