@@ -27,6 +27,22 @@ function (oversketch_kernel name)
   install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/oversketch/Kernels/${name})
 endfunction ()
 
+# oversketch_embed_cl(<target> <file.cl>...): makes each OpenCL source a string of the target, at build time. Kernels/Ray/
+# rays.cl becomes the constant oversketch::rays_cl in the header "Ray/rays_cl.h".
+set(oversketch_embed_script "${CMAKE_CURRENT_LIST_DIR}/embed_cl.cmake")
+function (oversketch_embed_cl target)
+  foreach (file IN LISTS ARGN)
+    cmake_path(GET file STEM name)
+    set(header "${CMAKE_CURRENT_BINARY_DIR}/${name}_cl.h")
+    add_custom_command(OUTPUT "${header}"
+      COMMAND ${CMAKE_COMMAND} -D "input=${CMAKE_CURRENT_SOURCE_DIR}/${file}" -D "output=${header}"
+        -D "name=${name}_cl" -P "${oversketch_embed_script}"
+      DEPENDS "${file}" "${oversketch_embed_script}"
+      COMMENT "Embedding ${file}" VERBATIM)
+    target_sources(${target} PRIVATE "${header}")
+  endforeach ()
+endfunction ()
+
 # oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>...): one GoogleTest program, its tests under ctest.
 # Tests of the specification's facts are named after stage and place: TEST(A3_2, ...).
 function (oversketch_gtest name)
@@ -38,7 +54,9 @@ function (oversketch_gtest name)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+  # PoCL caches programs under HOME, which a test machine may lack.
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600
+    ENVIRONMENT "POCL_CACHE_DIR=${CMAKE_BINARY_DIR}/Testing/Temporary/pocl")
 endfunction ()
 
 # oversketch_filter_module(<module> CLASSES <class>... [KERNELS <target>...] [PRIVATE_SOURCES ...] [HEADERS ...]):
@@ -61,5 +79,5 @@ function (oversketch_pytest name file)
     COMMAND xvfb-run -a -s "-screen 0 1280x1024x24" ${Python3_EXECUTABLE} -m pytest -q -rs -p no:cacheprovider
       ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600
-    ENVIRONMENT "PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
+    ENVIRONMENT "POCL_CACHE_DIR=${CMAKE_BINARY_DIR}/Testing/Temporary/pocl;PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()

@@ -1,0 +1,138 @@
+#include "OpenCL/device.h"
+
+#include <cstdlib>
+#include <cstring>
+
+namespace oversketch
+{
+
+Device::Device(const cl::Device& device)
+  : device_(device)
+  , context_(device)
+  , queue_(this->context_, device)
+{
+  const auto text = [](std::string value)
+  {
+    value.resize(std::strlen(value.c_str())); // some drivers count the terminating zero
+    return value;
+  };
+  this->info_.platform = text(cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>());
+  this->info_.device = text(device.getInfo<CL_DEVICE_NAME>());
+  this->info_.version = text(device.getInfo<CL_DEVICE_VERSION>());
+  this->info_.maxWorkGroupSize = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+  this->info_.localMemory = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+  this->info_.maxAllocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+  this->info_.computeUnits = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+  this->info_.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+  this->info_.cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+  this->options_ = "-cl-std=CL1.2";
+  if (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
+  {
+    this->options_ += " -cl-fp32-correctly-rounded-divide-sqrt";
+  }
+}
+
+std::shared_ptr<Device> Device::find()
+{
+  try
+  {
+    std::vector<cl::Platform> platforms;
+    cl::Platform::get(&platforms);
+    for (const cl_device_type type : { CL_DEVICE_TYPE_GPU, CL_DEVICE_TYPE_ACCELERATOR, CL_DEVICE_TYPE_CPU })
+    {
+      for (const cl::Platform& platform : platforms)
+      {
+        std::vector<cl::Device> devices;
+        try
+        {
+          platform.getDevices(type, &devices);
+        }
+        catch (const cl::Error&)
+        {
+          // A platform without a device of this type; another one may have it.
+        }
+        for (const cl::Device& device : devices)
+        {
+          if (device.getInfo<CL_DEVICE_AVAILABLE>() && device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>() &&
+              device.getInfo<CL_DEVICE_ENDIAN_LITTLE>())
+          {
+            return std::shared_ptr<Device>(new Device(device));
+          }
+        }
+      }
+    }
+  }
+  catch (const cl::Error&)
+  {
+    // No platform at all, or one that cannot make a context: as good as no device.
+  }
+  return nullptr;
+}
+
+std::shared_ptr<Device> Device::instance()
+{
+  const char* off = std::getenv("OVERSKETCH_OPENCL");
+  if (off && std::strcmp(off, "off") == 0)
+  {
+    return nullptr;
+  }
+  // Never released: drivers unload before static objects are destroyed, and would then be called.
+  static const auto* device = new std::shared_ptr<Device>(Device::find());
+  return *device;
+}
+
+std::shared_ptr<Device> Device::choose(Backend wanted, std::string& warning)
+{
+  warning.clear();
+  if (wanted == Backend::Host)
+  {
+    return nullptr;
+  }
+  std::shared_ptr<Device> device = Device::instance();
+  if (!device)
+  {
+    warning = "There is no OpenCL device; the host computes instead.";
+  }
+  return device;
+}
+
+cl::Program Device::program(const std::string& name, const std::string& source, const std::string& options)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  const std::string key = name + ' ' + options;
+  const auto known = this->programs_.find(key);
+  if (known != this->programs_.end())
+  {
+    return known->second;
+  }
+  cl::Program program;
+  try
+  {
+    program = cl::Program(this->context_, source);
+    program.build({ this->device_ }, (this->options_ + ' ' + options).c_str());
+  }
+  catch (const cl::BuildError& error)
+  {
+    std::string log;
+    for (const auto& entry : error.getBuildLog())
+    {
+      log += entry.second;
+    }
+    throw Error(
+      Failure::NoDevice, this->describe(("building program " + name).c_str(), error.err()) + '\n' + log);
+  }
+  catch (const cl::Error& error)
+  {
+    throw Error(Failure::NoDevice, this->describe(error.what(), error.err()));
+  }
+  this->programs_.emplace(key, program);
+  return program;
+}
+
+std::string Device::describe(const char* call, int code) const
+{
+  return "OpenCL device " + this->info_.device + " failed: " + call + " gave error " + std::to_string(code) +
+         '.';
+}
+
+} // namespace oversketch
