@@ -69,14 +69,12 @@ Adjacency buildAdjacency(const Mesh& mesh)
   {
     for (int t = 0; t < triangles; ++t)
     {
-      for (int k = 0; k < 3; ++k)
+      const Triangle& v = mesh.triangles[t];
+      // A collapsed triangle has no edges: the two that remain of it are one, and the triangles on either side of it
+      // are true neighbours.
+      for (int k = 0; k < 3 && v[0] != v[1] && v[1] != v[2] && v[2] != v[0]; ++k)
       {
-        const int a = mesh.triangles[t][k];
-        const int b = mesh.triangles[t][(k + 1) % 3];
-        if (a != b)
-        {
-          visit(std::min(a, b), Half{ std::max(a, b), t, k });
-        }
+        visit(std::min(v[k], v[(k + 1) % 3]), Half{ std::max(v[k], v[(k + 1) % 3]), t, k });
       }
     }
   };
@@ -97,7 +95,7 @@ Adjacency buildAdjacency(const Mesh& mesh)
     const auto end = halves.begin() + offsets[v0 + 1];
     std::sort(begin, end,
       [](const Half& a, const Half& b)
-      { return a.v1 != b.v1 ? a.v1 < b.v1 : a.triangle != b.triangle ? a.triangle < b.triangle : a.corner < b.corner; });
+      { return a.v1 != b.v1 ? a.v1 < b.v1 : a.triangle < b.triangle; });
     for (auto it = begin; it != end;)
     {
       MeshEdge edge{ v0, it->v1, static_cast<int>(adjacency.edgeTriangles.size()), 0 };
@@ -105,11 +103,8 @@ Adjacency buildAdjacency(const Mesh& mesh)
       for (; it != end && it->v1 == edge.v1; ++it)
       {
         adjacency.triangleEdges[it->triangle][it->corner] = id;
-        if (edge.triangleCount == 0 || adjacency.edgeTriangles.back() != it->triangle)
-        {
-          adjacency.edgeTriangles.push_back(it->triangle);
-          ++edge.triangleCount;
-        }
+        adjacency.edgeTriangles.push_back(it->triangle);
+        ++edge.triangleCount;
       }
       if (edge.triangleCount == 1)
       {

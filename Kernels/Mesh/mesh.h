@@ -57,7 +57,7 @@ struct Adjacency
   const int* trianglesEnd(int edge) const { return this->trianglesBegin(edge) + this->edges[edge].triangleCount; }
 };
 
-// Triangles with a repeated vertex add no edge to that vertex pair.
+// A triangle with a repeated vertex has no edges (-1 in triangleEdges); it stays in the lists of its vertices.
 Adjacency buildAdjacency(const Mesh& mesh);
 
 // Unit vertex normals, each incident triangle weighted by its angle at the vertex; zero for a vertex without

@@ -50,6 +50,8 @@ TEST(Adjacency, ToleratesAFinAndADegenerateTriangle)
   EXPECT_EQ(adjacency.edges[adjacency.findEdge(0, 2)].triangleCount, 3);
   EXPECT_TRUE(adjacency.borderVertex[6]);
   EXPECT_EQ(adjacency.vertexTriangles.size(1), 5);
+  EXPECT_EQ(adjacency.edges[adjacency.findEdge(1, 3)].triangleCount, 2);
+  EXPECT_EQ(adjacency.triangleEdges.back(), (std::array<int, 3>{ -1, -1, -1 }));
 }
 
 TEST(VertexNormals, OctahedronNormalsArePositions)

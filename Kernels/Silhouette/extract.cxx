@@ -6,111 +6,150 @@
 namespace oversketch
 {
 
-std::vector<Curve> extractSilhouette(
-  const Mesh& mesh, const Adjacency& adjacency, const std::vector<Vector3>& normals, const View& view)
+namespace
 {
-  const int vertices = mesh.vertexCount();
-  std::vector<double> g(vertices);
-  double largest = 0.0;
-  for (int v = 0; v < vertices; ++v)
+
+struct Extraction
+{
+  const Mesh& mesh;
+  const Adjacency& adjacency;
+  const std::vector<Vector3>& normals;
+  std::vector<double> g;
+  double zero = 0.0;         // |g| up to this counts as on the silhouette
+  std::vector<char> visited; // triangles
+
+  bool crossed(int edge) const
   {
-    g[v] = normals[v].dot(view.towardsViewer(mesh.points[v]));
-    largest = std::max(largest, std::abs(g[v]));
+    const MeshEdge& e = this->adjacency.edges[edge];
+    return (this->g[e.v0] >= 0.0) != (this->g[e.v1] >= 0.0);
   }
-  const auto crossed = [&](int edge)
-  { return (g[adjacency.edges[edge].v0] >= 0.0) != (g[adjacency.edges[edge].v1] >= 0.0); };
-  // The other crossed edge of a triangle.
-  const auto across = [&](int triangle, int edge)
+
+  // The other crossed edge of a triangle that has one.
+  int across(int triangle, int edge) const
   {
-    for (int other : adjacency.triangleEdges[triangle])
+    for (int other : this->adjacency.triangleEdges[triangle])
     {
-      if (other >= 0 && other != edge && crossed(other))
+      if (other != edge && this->crossed(other))
       {
         return other;
       }
     }
-    return -1;
-  };
-  const double zero = 1e-9 * largest;
-  const auto pointOn = [&](int edge)
+    return edge;
+  }
+
+  CurvePoint pointOn(int edge) const
   {
-    const MeshEdge& e = adjacency.edges[edge];
+    const MeshEdge& e = this->adjacency.edges[edge];
+    const double g0 = this->g[e.v0], g1 = this->g[e.v1];
+    // Of two ends on the silhouette the one that counts as + is taken, so that a run round it is one run.
+    const int plus = g0 >= 0.0 ? e.v0 : e.v1, minus = g0 >= 0.0 ? e.v1 : e.v0;
     CurvePoint p;
-    if (std::abs(g[e.v0]) <= zero)
-      p.binding = Binding::vertex(e.v0);
-    else if (std::abs(g[e.v1]) <= zero)
-      p.binding = Binding::vertex(e.v1);
+    if (std::abs(this->g[plus]) <= this->zero)
+      p.binding = Binding::vertex(plus);
+    else if (std::abs(this->g[minus]) <= this->zero)
+      p.binding = Binding::vertex(minus);
     else
-      p.binding = Binding::edge(e.v0, e.v1, g[e.v1] / (g[e.v1] - g[e.v0]));
-    p.position = p.binding.of(mesh.points);
-    p.normal = p.binding.of(normals).normalized();
+      p.binding = Binding::edge(e.v0, e.v1, g1 / (g1 - g0));
+    p.position = p.binding.of(this->mesh.points);
+    p.normal = p.binding.of(this->normals).normalized();
     return p;
-  };
+  }
 
-  std::vector<char> visited(adjacency.edges.size(), 0);
-  // From an edge through one of its triangles until the curve ends or closes.
-  const auto walk = [&](int edge, int triangle, std::vector<int>& chain)
+  // Follows the crossed edges from an edge through one of its triangles and appends them, until the curve
+  // ends or is back at the edge it started from; true for the latter.
+  bool walk(int start, int triangle, std::vector<int>& chain)
   {
-    while (true)
+    for (int edge = start; !this->visited[triangle];)
     {
-      const int next = across(triangle, edge);
-      if (next < 0 || visited[next])
+      this->visited[triangle] = 1;
+      edge = this->across(triangle, edge);
+      if (edge == start)
       {
-        return;
+        return true;
       }
-      visited[next] = 1;
-      chain.push_back(next);
-      const int* begin = adjacency.trianglesBegin(next);
-      if (adjacency.edges[next].triangleCount != 2)
+      chain.push_back(edge);
+      if (this->adjacency.edges[edge].triangleCount != 2)
       {
-        return;
+        break;
       }
-      triangle = begin[0] == triangle ? begin[1] : begin[0];
-      edge = next;
+      const int* sides = this->adjacency.trianglesBegin(edge);
+      triangle = sides[0] == triangle ? sides[1] : sides[0];
     }
-  };
+    return false;
+  }
 
-  std::vector<Curve> curves;
-  for (int seed = 0; seed < static_cast<int>(adjacency.edges.size()); ++seed)
+  void emit(const std::vector<int>& chain, bool closed, std::vector<Curve>& curves) const
   {
-    if (visited[seed] || !crossed(seed) || adjacency.edges[seed].triangleCount > 2)
-    {
-      continue;
-    }
-    visited[seed] = 1;
-    std::vector<int> chain{ seed };
-    const int* triangles = adjacency.trianglesBegin(seed);
-    walk(seed, triangles[0], chain);
-    bool closed = false;
-    if (adjacency.edges[seed].triangleCount == 2)
-    {
-      closed = chain.size() > 2 && across(triangles[1], seed) == chain.back();
-      if (!closed)
-      {
-        std::reverse(chain.begin(), chain.end());
-        walk(seed, triangles[1], chain);
-      }
-    }
+    const auto sameVertex = [](const CurvePoint& a, const CurvePoint& b) {
+      return a.binding.onVertex() && b.binding.onVertex() && a.binding.vertices[0] == b.binding.vertices[0];
+    };
     Curve curve;
-    curve.closed = closed;
     for (int edge : chain)
     {
-      CurvePoint p = pointOn(edge);
-      if (curve.points.empty() || !p.binding.onVertex() || !curve.points.back().binding.onVertex() ||
-        curve.points.back().binding.vertices[0] != p.binding.vertices[0])
+      const CurvePoint p = this->pointOn(edge);
+      if (curve.points.empty() || !sameVertex(curve.points.back(), p))
       {
         curve.points.push_back(p);
       }
     }
-    if (curve.closed && curve.points.size() > 1 && curve.points.front().binding.onVertex() &&
-      curve.points.back().binding.onVertex() &&
-      curve.points.front().binding.vertices[0] == curve.points.back().binding.vertices[0])
+    if (closed && curve.points.size() > 1 && sameVertex(curve.points.front(), curve.points.back()))
     {
       curve.points.pop_back();
     }
+    curve.closed = closed && curve.points.size() > 2; // two points go to and fro on one edge
     if (curve.points.size() > 1)
     {
       curves.push_back(std::move(curve));
+    }
+  }
+};
+
+} // namespace
+
+std::vector<Curve> extractSilhouette(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const View& view)
+{
+  Extraction extraction{ mesh,
+    adjacency,
+    normals,
+    std::vector<double>(mesh.points.size()),
+    0.0,
+    std::vector<char>(mesh.triangles.size(), 0) };
+  double largest = 0.0;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    extraction.g[v] = normals[v].dot(view.towardsViewer(mesh.points[v]));
+    largest = std::max(largest, std::abs(extraction.g[v]));
+  }
+  extraction.zero = 1e-9 * largest;
+
+  std::vector<Curve> curves;
+  std::vector<int> chain;
+  for (int seed = 0; seed < static_cast<int>(adjacency.edges.size()); ++seed)
+  {
+    if (!extraction.crossed(seed))
+    {
+      continue;
+    }
+    const int* sides = adjacency.trianglesBegin(seed);
+    const bool through = adjacency.edges[seed].triangleCount == 2;
+    // One curve runs through a usual edge; at any other, every triangle starts a curve of its own.
+    for (int side = 0; side < (through ? 1 : adjacency.edges[seed].triangleCount); ++side)
+    {
+      if (extraction.visited[sides[side]])
+      {
+        continue;
+      }
+      chain.assign(1, seed);
+      const bool closed = extraction.walk(seed, sides[side], chain);
+      if (through && !closed)
+      {
+        std::reverse(chain.begin(), chain.end());
+        extraction.walk(seed, sides[1], chain);
+      }
+      extraction.emit(chain, closed, curves);
     }
   }
   return curves;
