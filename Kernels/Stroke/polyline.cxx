@@ -1,0 +1,133 @@
+#include "Stroke/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch
+{
+
+std::vector<double> arcLengths(const Polyline& points, bool closed)
+{
+  std::vector<double> lengths;
+  lengths.reserve(points.size() + 1);
+  double length = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    length += i == 0 ? 0.0 : (points[i] - points[i - 1]).norm();
+    lengths.push_back(length);
+  }
+  if (closed && !points.empty())
+  {
+    lengths.push_back(length + (points.front() - points.back()).norm());
+  }
+  return lengths;
+}
+
+Blend placeAt(const std::vector<double>& lengths, int pointCount, double length)
+{
+  const auto next = std::upper_bound(lengths.begin(), lengths.end(), length);
+  if (next == lengths.begin())
+  {
+    return Blend::point(0);
+  }
+  if (next == lengths.end())
+  {
+    return Blend::point(static_cast<int>(lengths.size() - 1) % pointCount);
+  }
+  const int segment = static_cast<int>(next - lengths.begin()) - 1;
+  // upper_bound makes the segment's length positive: coincident points are passed over.
+  const double t = (length - lengths[segment]) / (lengths[segment + 1] - lengths[segment]);
+  return { segment, (segment + 1) % pointCount, t };
+}
+
+std::vector<Blend> uniformPlaces(const Polyline& points, double spacing)
+{
+  const std::vector<double> lengths = arcLengths(points);
+  const int count = static_cast<int>(points.size());
+  const int steps = std::max(1, static_cast<int>(std::lround(lengths.back() / spacing)));
+  std::vector<Blend> places{ Blend::point(0) };
+  for (int i = 1; i < steps; ++i)
+  {
+    places.push_back(placeAt(lengths, count, lengths.back() * i / steps));
+  }
+  places.push_back(Blend::point(count - 1));
+  return places;
+}
+
+Polyline uniformPolyline(const Polyline& points, double spacing)
+{
+  Polyline samples;
+  for (const Blend& place : uniformPlaces(points, spacing))
+  {
+    samples.push_back(place.of(points));
+  }
+  return samples;
+}
+
+NearestPlace::NearestPlace(const Polyline& points, bool closed)
+{
+  const int count = static_cast<int>(points.size());
+  // A single point is a polyline of one segment without length.
+  const int segments = closed || count == 1 ? count : count - 1;
+  constexpr int blockSize = 16;
+  for (int i = 0; i < segments; ++i)
+  {
+    const Vector2& start = points[i];
+    const Vector2& end = points[(i + 1) % count];
+    if (i % blockSize == 0)
+    {
+      this->blocks_.push_back({ Eigen::AlignedBox2d(), i, i });
+    }
+    this->starts_.push_back(start);
+    this->steps_.push_back(end - start);
+    Block& block = this->blocks_.back();
+    block.box.extend(start);
+    block.box.extend(end);
+    block.end = i + 1;
+  }
+}
+
+NearestPlace::Answer NearestPlace::operator()(const Vector2& point, double limit) const
+{
+  Answer answer;
+  double best = limit * limit;
+  for (const Block& block : this->blocks_)
+  {
+    if (block.box.squaredExteriorDistance(point) > best)
+    {
+      continue;
+    }
+    for (int i = block.begin; i < block.end; ++i)
+    {
+      const Vector2 offset = point - this->starts_[i];
+      const double squaredLength = this->steps_[i].squaredNorm();
+      const double t =
+        squaredLength > 0.0 ? std::clamp(offset.dot(this->steps_[i]) / squaredLength, 0.0, 1.0) : 0.0;
+      const double squared = (offset - t * this->steps_[i]).squaredNorm();
+      if (squared < best || (squared == best && answer.segment < 0))
+      {
+        best = squared;
+        answer.segment = i;
+        answer.t = t;
+      }
+    }
+  }
+  answer.distance = answer.segment < 0 ? std::numeric_limits<double>::infinity() : std::sqrt(best);
+  if (answer.segment >= 0)
+  {
+    answer.place = this->starts_[answer.segment] + answer.t * this->steps_[answer.segment];
+  }
+  return answer;
+}
+
+double NearestPlace::meanDistance(const Polyline& points) const
+{
+  double sum = 0.0;
+  for (const Vector2& point : points)
+  {
+    sum += (*this)(point).distance;
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+} // namespace oversketch

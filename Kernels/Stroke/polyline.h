@@ -1,0 +1,69 @@
+// Polylines in the image plane: lengths, places on them, the nearest place, uniform sampling.
+#ifndef oversketch_polyline_h
+#define oversketch_polyline_h
+
+#include "Mesh/mesh.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+using Polyline = std::vector<Vector2>;
+
+// The place (1 - t) from + t to between two points of a polyline; from == to names a point itself.
+struct Blend
+{
+  int from = 0, to = 0;
+  double t = 0.0;
+
+  static Blend point(int i) { return { i, i, 0.0 }; }
+  template <typename Value>
+  Value of(const std::vector<Value>& values) const
+  {
+    return (1.0 - this->t) * values[this->from] + this->t * values[this->to];
+  }
+};
+
+// Length from the first point to each point; a closed polyline (its first point not repeated) has one entry more, its
+// whole length.
+std::vector<double> arcLengths(const Polyline& points, bool closed = false);
+
+// The place at a length along the polyline, clamped to its ends. lengths comes from arcLengths.
+Blend placeAt(const std::vector<double>& lengths, int pointCount, double length);
+
+// Places at equal lengths, as near to spacing as an integer number of steps allows; both ends are among them.
+std::vector<Blend> uniformPlaces(const Polyline& points, double spacing);
+Polyline uniformPolyline(const Polyline& points, double spacing);
+
+// Answers which place of a polyline is nearest to a point. Segments are kept in blocks of consecutive ones with their
+// bounding boxes, since neighbours on a curve are neighbours in the plane: most blocks are ruled out by their box.
+class NearestPlace
+{
+public:
+  struct Answer
+  {
+    int segment = -1;       // from point `segment` to the next
+    double t = 0.0;         // in [0, 1] along it
+    double distance = 0.0;  // infinite for an empty polyline
+    Vector2 place = Vector2::Zero();
+  };
+
+  explicit NearestPlace(const Polyline& points, bool closed = false);
+  // Of several nearest places, the first along the polyline; no place farther than `limit` is found (segment -1).
+  Answer operator()(const Vector2& point, double limit = std::numeric_limits<double>::infinity()) const;
+  // Mean distance of the points to the polyline.
+  double meanDistance(const Polyline& points) const;
+
+private:
+  struct Block
+  {
+    Eigen::AlignedBox2d box;
+    int begin, end; // segments
+  };
+  std::vector<Vector2> starts_, steps_;
+  std::vector<Block> blocks_;
+};
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,91 @@
+#include "Stroke/stroke.h"
+
+#include "Mesh/context.h"
+
+#include <sstream>
+
+namespace oversketch
+{
+
+namespace
+{
+
+template <typename... Parts>
+[[noreturn]] void refuse(const Parts&... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  throw Error(Failure::BadStroke, message.str());
+}
+
+} // namespace
+
+bool isClosedStroke(const Polyline& samples, const StrokeRules& rules)
+{
+  const std::vector<double> lengths = arcLengths(samples);
+  const double length = lengths.back();
+  const double gap = (samples.back() - samples.front()).norm();
+  if (gap < 2.0 * rules.minimumSpacing)
+  {
+    return true;
+  }
+  const int count = static_cast<int>(samples.size());
+  const auto at = [&](double r) { return placeAt(lengths, count, r * length).of(samples); };
+  const Vector2 leaves = at(0.1) - samples.front();
+  const Vector2 arrives = samples.back() - at(0.9);
+  return gap < rules.closedFraction * length && leaves.dot(arrives) > 0.0;
+}
+
+std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules)
+{
+  if (samples.size() < 2)
+  {
+    refuse("it has ", samples.size(), samples.size() == 1 ? " sample" : " samples",
+      "; at least 2 are needed: draw a longer stroke.");
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (!samples[i].allFinite())
+    {
+      refuse("sample ", i, " is not finite; remove it or record the stroke again.");
+    }
+  }
+  std::vector<int> kept{ 0 };
+  const int last = static_cast<int>(samples.size()) - 1;
+  for (int i = 1; i <= last; ++i)
+  {
+    const double step = (samples[i] - samples[kept.back()]).norm();
+    if (step > 0.0 && step >= rules.minimumSpacing)
+    {
+      kept.push_back(i);
+    }
+  }
+  if (kept.back() != last && kept.size() > 1)
+  {
+    kept.back() = last; // the pen's lift counts, the jitter before it does not
+  }
+  Polyline clean;
+  for (const int i : kept)
+  {
+    clean.push_back(samples[i]);
+  }
+  const double length = arcLengths(clean).back();
+  if (!(length >= rules.minimumLength) || !(length > 0.0))
+  {
+    refuse("it is ", length, " px long; at least ", rules.minimumLength, " px are needed: draw a longer stroke.");
+  }
+  if (isClosedStroke(clean, rules))
+  {
+    refuse("it is closed: its ends are ", (clean.back() - clean.front()).norm(), " px apart and it is ", length,
+      " px long; draw an open stroke.");
+  }
+  std::vector<Blend> places = uniformPlaces(clean, rules.spacing);
+  for (Blend& place : places)
+  {
+    place.from = kept[place.from];
+    place.to = kept[place.to];
+  }
+  return places;
+}
+
+} // namespace oversketch

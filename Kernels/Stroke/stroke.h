@@ -1,0 +1,29 @@
+// What is done to a stroke before anything looks at it.
+#ifndef oversketch_stroke_h
+#define oversketch_stroke_h
+
+#include "Stroke/polyline.h"
+
+namespace oversketch
+{
+
+struct StrokeRules
+{
+  double minimumSpacing = 2.0; // px: a sample nearer to the last one kept is jitter
+  double spacing = 2.0;        // px between samples of the result
+  double minimumLength = 10.0; // px: shorter ones are a click, not a stroke
+  double closedFraction = 0.1; // of the length: nearer ends that run on into each other close the stroke
+};
+
+// True when the stroke comes back to its start: its ends are nearer than two minimum spacings, or nearer than
+// closedFraction of its length while the direction it ends in is within 90 degrees of the one it started in. A U round
+// the tip of a limb comes back in the opposite direction and is open.
+bool isClosedStroke(const Polyline& samples, const StrokeRules& rules);
+
+// Where the samples of the cleaned stroke lie on the given ones: jitter dropped (both ends kept), then uniform in arc
+// length. Throws Error(Failure::BadStroke) for fewer than two samples, one that is not finite, and for a stroke that is
+// too short or closed.
+std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules = {});
+
+} // namespace oversketch
+#endif
