@@ -7,6 +7,8 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace oversketch
@@ -203,6 +206,40 @@ View ViewOf(vtkPolyData* stroke)
   }
   return View(MatrixOf(arrays[0]), MatrixOf(arrays[1]), static_cast<int>(arrays[2]->GetComponent(0, 0)),
     static_cast<int>(arrays[2]->GetComponent(0, 1)));
+}
+
+std::vector<Vector2> StrokeOf(vtkPolyData* stroke)
+{
+  std::ostringstream message;
+  if (stroke->GetNumberOfCells() != 1 || stroke->GetNumberOfLines() != 1)
+  {
+    message << "The stroke input holds " << stroke->GetNumberOfLines() << " polylines and "
+            << stroke->GetNumberOfCells() - stroke->GetNumberOfLines()
+            << " other cells; exactly one polyline is needed.";
+    throw Error(Failure::BadStroke, message.str());
+  }
+  vtkNew<vtkIdList> ids;
+  stroke->GetLines()->GetCellAtId(0, ids);
+  std::vector<Vector2> samples;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    Vector3 p = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+    if (ids->GetId(i) >= 0 && ids->GetId(i) < stroke->GetNumberOfPoints())
+    {
+      stroke->GetPoint(ids->GetId(i), p.data());
+    }
+    samples.push_back(p.head<2>());
+    if (!samples.back().allFinite())
+    {
+      message << "Sample " << i << " of the stroke is not finite or does not exist; record the stroke again.";
+      throw Error(Failure::BadStroke, message.str());
+    }
+  }
+  if (samples.size() < 2)
+  {
+    throw Error(Failure::BadStroke, "The stroke has fewer than two samples; draw a longer one.");
+  }
+  return samples;
 }
 
 vtkDataArray* RequireArray(vtkDataSetAttributes* attributes, const char* name, int components, vtkIdType tuples,

@@ -65,6 +65,12 @@ OVERSKETCHFILTERSCORE_EXPORT std::vector<Vector3> NormalsOf(vtkPolyData* polyDat
 OVERSKETCHFILTERSCORE_EXPORT View ViewOf(vtkPolyData* stroke);
 
 /**
+ * The samples of the one stroke [display px], its z left out. Throws Error(BadStroke) when the polydata does not hold
+ * exactly one polyline, when that has fewer than two samples, or a sample is not finite.
+ */
+OVERSKETCHFILTERSCORE_EXPORT std::vector<Vector2> StrokeOf(vtkPolyData* stroke);
+
+/**
  * The array by name with the given number of components (and, where tuples >= 0, that number of tuples), or throws
  * Error(MissingArray) naming it, what holds it ("mesh", "handles") and the filter that makes it.
  */

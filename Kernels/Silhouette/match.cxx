@@ -13,14 +13,17 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The places from one point of a polyline to another, in its own direction; a closed one may pass its first point.
-std::vector<Blend> placesBetween(
-  const MatchCandidate& candidate, const NearestPlace::Answer& from, const NearestPlace::Answer& to)
+// The places from one point of a polyline to another, in its own direction; a closed one may pass its first
+// point.
+std::vector<Blend> placesBetween(const MatchCandidate& candidate,
+  const NearestPlace::Answer& from,
+  const NearestPlace::Answer& to)
 {
   const int count = static_cast<int>(candidate.display.size());
   const auto next = [count](int i) { return (i + 1) % count; };
   std::vector<Blend> places{ { from.segment, next(from.segment), from.t } };
-  const bool wraps = candidate.closed && (to.segment < from.segment || (to.segment == from.segment && to.t < from.t));
+  const bool wraps =
+    candidate.closed && (to.segment < from.segment || (to.segment == from.segment && to.t < from.t));
   const int points = to.segment - from.segment + (wraps ? count : 0);
   for (int k = 1; k <= points; ++k)
   {
@@ -68,16 +71,19 @@ bool runsAlong(const Polyline& samples, const std::vector<NearestPlace>& outline
   int along = 0;
   for (const Vector2& p : samples)
   {
-    along += std::any_of(
-      outlines.begin(), outlines.end(), [&](const NearestPlace& outline) { return outline(p, near).segment >= 0; });
+    along += std::any_of(outlines.begin(),
+      outlines.end(),
+      [&](const NearestPlace& outline) { return outline(p, near).segment >= 0; });
   }
   return along >= share * static_cast<double>(samples.size());
 }
 
 } // namespace
 
-MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates, const Polyline& stroke,
-  const MatchRules& rules, const Context& context)
+MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
+  const Polyline& stroke,
+  const MatchRules& rules,
+  const Context& context)
 {
   const Polyline samples = uniformPolyline(stroke, rules.spacing);
   const NearestPlace onStroke(samples);
@@ -112,8 +118,7 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates, const 
     {
       continue;
     }
-    const bool inOrder =
-      start.segment < end.segment || (start.segment == end.segment && start.t <= end.t);
+    const bool inOrder = start.segment < end.segment || (start.segment == end.segment && start.t <= end.t);
     double leastBack = infinity;
     for (const bool forward : { true, false })
     {
@@ -128,7 +133,8 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates, const 
         std::reverse(places.begin(), places.end());
       }
       const Polyline section = displayOf(candidate, places);
-      const auto bound = std::count_if(places.begin(), places.end(),
+      const auto bound = std::count_if(places.begin(),
+        places.end(),
         [&](const Blend& place) { return place.from == place.to && candidate.bound[place.from]; });
       if (bound < 2 || arcLengths(section).back() < rules.spacing)
       {
@@ -160,14 +166,17 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates, const 
   if (match.candidate < 0)
   {
     throw Error(Failure::NoMatch,
-      "No visible silhouette section fits the stroke: both its ends fall on one place of every curve, or fewer than two "
+      "No visible silhouette section fits the stroke: both its ends fall on one place of every curve, or "
+      "fewer than two "
       "control points lie between them. Draw the stroke along the outline that it is to replace.");
   }
   if (rules.maximumDistance > 0.0 && match.distance > rules.maximumDistance)
   {
     std::ostringstream message;
-    message << "The nearest silhouette section is " << match.distance << " px from the stroke on average, more than "
-            << "MaximumDistance = " << rules.maximumDistance << " px. Draw nearer to the outline or raise the limit.";
+    message << "The nearest silhouette section is " << match.distance
+            << " px from the stroke on average, more than "
+            << "MaximumDistance = " << rules.maximumDistance
+            << " px. Draw nearer to the outline or raise the limit.";
     throw Error(Failure::NoMatch, message.str());
   }
   return match;

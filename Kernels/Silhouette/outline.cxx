@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-// Written here because what libraries offer (cv::findContours, marching squares on a mask) follows pixel centres or
-// the stairs between pixels: half a pixel of bias or of noise, which the targets would hand on to the result.
+// Written here because what libraries offer (cv::findContours, marching squares on a mask) follows pixel
+// centres or the stairs between pixels: half a pixel of bias or of noise, which the targets would hand on to
+// the result.
 
 namespace oversketch
 {
@@ -47,15 +48,19 @@ Picture project(const Mesh& mesh, const View& view)
 
 using Interval = std::array<double, 2>;
 
-// The covered part of every pixel row (axis 1) or column (axis 0), measured along the line through the pixel centres:
-// disjoint intervals in ascending order.
-std::vector<std::vector<Interval>> coveredIntervals(
-  const Picture& picture, int axis, int firstLine, int lineCount, const Context& context)
+// The covered part of every pixel row (axis 1) or column (axis 0), measured along the line through the pixel
+// centres: disjoint intervals in ascending order.
+std::vector<std::vector<Interval>> coveredIntervals(const Picture& picture,
+  int axis,
+  int firstLine,
+  int lineCount,
+  const Context& context)
 {
   const int along = 1 - axis;
   const auto lineRange = [&](const Triangle& t)
   {
-    const double a = picture.points[t[0]][axis], b = picture.points[t[1]][axis], c = picture.points[t[2]][axis];
+    const double a = picture.points[t[0]][axis], b = picture.points[t[1]][axis],
+                 c = picture.points[t[2]][axis];
     // Lines with low <= centre < high; clamped before the cast, since a point near the eye may be anywhere.
     const double low = std::ceil(std::min({ a, b, c }) - 0.5) - firstLine;
     const double high = std::ceil(std::max({ a, b, c }) - 0.5) - firstLine;
@@ -169,8 +174,8 @@ public:
   }
   bool operator()(int i, int j) const { return this->inside(i, j) && this->covered_[this->index(i, j)]; }
 
-  // Where the boundary crosses the line from the centre of covered pixel (i, j) to that of its neighbour in direction
-  // 0..3 = +x, +y, -x, -y, which is not covered.
+  // Where the boundary crosses the line from the centre of covered pixel (i, j) to that of its neighbour in
+  // direction 0..3 = +x, +y, -x, -y, which is not covered.
   Vector2 crossing(int i, int j, int direction) const
   {
     const bool horizontal = direction % 2 == 0;
@@ -178,9 +183,12 @@ public:
     Vector2 place(this->window_.x + i + 0.5, this->window_.y + j + 0.5);
     double& x = place[horizontal ? 0 : 1];
     const double towards = direction < 2 ? 1.0 : -1.0;
-    const auto next = std::upper_bound(intervals.begin(), intervals.end(), x,
+    const auto next = std::upper_bound(intervals.begin(),
+      intervals.end(),
+      x,
       [](double value, const Interval& interval) { return value < interval[0]; });
-    // Rows decide which pixels are covered; a column may disagree by a rounding error, then the centre serves.
+    // Rows decide which pixels are covered; a column may disagree by a rounding error, then the centre
+    // serves.
     const bool found = next != intervals.begin() && (*(next - 1))[1] >= x;
     const double end = !found ? x : direction < 2 ? (*(next - 1))[1] : (*(next - 1))[0];
     x += towards * std::clamp((end - x) * towards, 0.0, 1.0);
@@ -252,8 +260,10 @@ PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& st
   return window;
 }
 
-std::vector<OutlineLoop> traceOutline(
-  const Mesh& mesh, const View& view, const PixelWindow& window, const Context& context)
+std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
+  const View& view,
+  const PixelWindow& window,
+  const Context& context)
 {
   std::vector<OutlineLoop> loops;
   if (window.width <= 0 || window.height <= 0)
@@ -265,8 +275,8 @@ std::vector<OutlineLoop> traceOutline(
   const Coverage covered(picture, window, context);
   context.checkpoint(0.8);
 
-  // A crack is a covered pixel and the direction of an uncovered neighbour. Walking along it, covered on the left, the
-  // next one is found from the two pixels ahead.
+  // A crack is a covered pixel and the direction of an uncovered neighbour. Walking along it, covered on the
+  // left, the next one is found from the two pixels ahead.
   std::vector<std::uint8_t> visited(static_cast<std::size_t>(window.width) * window.height, 0);
   for (int startY = 0; startY < window.height; ++startY)
   {
@@ -287,8 +297,7 @@ std::vector<OutlineLoop> traceOutline(
         std::vector<char> cut; // the crack is the window's edge, not the mesh's
         while (!(visited[covered.index(x, y)] >> side & 1))
         {
-          visited[covered.index(x, y)] =
-            static_cast<std::uint8_t>(visited[covered.index(x, y)] | 1 << side);
+          visited[covered.index(x, y)] = static_cast<std::uint8_t>(visited[covered.index(x, y)] | 1 << side);
           points.push_back(covered.crossing(x, y, side));
           cut.push_back(!covered.inside(x + stepX[side], y + stepY[side]));
           const int heading = (side + 1) % 4;
@@ -367,8 +376,9 @@ Polyline smoothLoop(const Polyline& points, bool closed)
   return smooth;
 }
 
-std::vector<std::vector<OutlineStation>> attachSilhouette(
-  const std::vector<OutlineLoop>& loops, const std::vector<VisibleCurve>& curves, double attachDistance)
+std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<OutlineLoop>& loops,
+  const std::vector<VisibleCurve>& curves,
+  double attachDistance)
 {
   struct Track
   {
@@ -382,7 +392,8 @@ std::vector<std::vector<OutlineStation>> attachSilhouette(
   for (const OutlineLoop& loop : loops)
   {
     const Polyline smooth = smoothLoop(loop.points, loop.closed);
-    tracks.push_back({ smooth, arcLengths(smooth, loop.closed), NearestPlace(smooth, loop.closed), loop.closed });
+    tracks.push_back(
+      { smooth, arcLengths(smooth, loop.closed), NearestPlace(smooth, loop.closed), loop.closed });
   }
   struct Attachment
   {
@@ -408,9 +419,12 @@ std::vector<std::vector<OutlineStation>> attachSilhouette(
         {
           const std::vector<double>& lengths = tracks[l].lengths;
           limit = place.distance;
-          found[i] = { l, place,
+          found[i] = { l,
+            place,
             lengths[place.segment] + place.t * (lengths[place.segment + 1] - lengths[place.segment]),
-            curve.display[i] - place.place, c, i };
+            curve.display[i] - place.place,
+            c,
+            i };
         }
       }
     }

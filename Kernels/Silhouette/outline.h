@@ -22,23 +22,25 @@ struct PixelWindow
   }
 };
 
-// The pixels the mesh's picture may touch, at most 4096 a side: of a larger picture the part round the stroke (or round
-// the viewport, without a stroke). Triangles with a corner at or behind the eye have no picture.
+// The pixels the mesh's picture may touch, at most 4096 a side: of a larger picture the part round the stroke
+// (or round the viewport, without a stroke). Triangles with a corner at or behind the eye have no picture.
 PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& stroke);
 
 struct OutlineLoop
 {
-  Polyline points;     // covered pixels on the left; the first is not repeated at the end
-  bool closed = true;  // false where the window cuts the loop
-  bool hole = false;   // a closed loop round pixels the mesh does not cover
+  Polyline points;    // covered pixels on the left; the first is not repeated at the end
+  bool closed = true; // false where the window cuts the loop
+  bool hole = false;  // a closed loop round pixels the mesh does not cover
 };
 
-// Boundary loops of the pixels whose centre a triangle covers, outer loops and holes, in the order of their lowest row.
-// Which pixels are covered decides only how the loop runs; its points lie exactly where the boundary of the covered area
-// crosses the lines between pixel centres, so the loop has no stairs and no bias. Pixels that touch at a corner are
-// joined.
-std::vector<OutlineLoop> traceOutline(
-  const Mesh& mesh, const View& view, const PixelWindow& window, const Context& context = {});
+// Boundary loops of the pixels whose centre a triangle covers, outer loops and holes, in the order of their
+// lowest row. Which pixels are covered decides only how the loop runs; its points lie exactly where the
+// boundary of the covered area crosses the lines between pixel centres, so the loop has no stairs and no
+// bias. Pixels that touch at a corner are joined.
+std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
+  const View& view,
+  const PixelWindow& window,
+  const Context& context = {});
 
 // Each point replaced by the (1, 4, 6, 4, 1) / 16 mean of its neighbours along the loop; open ends stay.
 Polyline smoothLoop(const Polyline& points, bool closed);
@@ -53,15 +55,18 @@ struct VisibleCurve
 // A point of an outline: a loop point, or the place where a silhouette point is attached.
 struct OutlineStation
 {
-  Vector2 display;                  // on the smoothed loop
-  Vector2 offset = Vector2::Zero(); // silhouette point minus display; interpolated between attached points elsewhere
-  int curve = -1, point = -1;       // the attached silhouette point, -1 for a loop point
+  Vector2 display; // on the smoothed loop
+  Vector2 offset =
+    Vector2::Zero(); // silhouette point minus display; interpolated between attached points elsewhere
+  int curve = -1, point = -1; // the attached silhouette point, -1 for a loop point
 };
 
-// Inserts the silhouette points that lie within attachDistance px of a (smoothed) loop in their order along it. A curve
-// that leaves the loop sideways, or runs back along it, is not attached where it does. Result i belongs to loop i.
+// Inserts the silhouette points that lie within attachDistance px of a (smoothed) loop in their order along
+// it. A curve that leaves the loop sideways, or runs back along it, is not attached where it does. Result i
+// belongs to loop i.
 std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<OutlineLoop>& loops,
-  const std::vector<VisibleCurve>& curves, double attachDistance);
+  const std::vector<VisibleCurve>& curves,
+  double attachDistance);
 
 } // namespace oversketch
 #endif

@@ -15,7 +15,8 @@ Vector2 directionAt(const Polyline& points, const std::vector<double>& lengths, 
 {
   const double reach = std::min(4.0, 0.1 * lengths.back()); // px
   const int count = static_cast<int>(points.size());
-  return placeAt(lengths, count, length + reach).of(points) - placeAt(lengths, count, length - reach).of(points);
+  return placeAt(lengths, count, length + reach).of(points) -
+         placeAt(lengths, count, length - reach).of(points);
 }
 
 } // namespace
@@ -33,8 +34,10 @@ double mergeRatio(double r, double omega)
   return 1.0;
 }
 
-std::vector<Handle> mapTargets(
-  const std::vector<SectionPoint>& section, const Polyline& stroke, const View& view, double omega)
+std::vector<Handle> mapTargets(const std::vector<SectionPoint>& section,
+  const Polyline& stroke,
+  const View& view,
+  double omega)
 {
   Polyline curve;
   for (const SectionPoint& p : section)
@@ -48,7 +51,8 @@ std::vector<Handle> mapTargets(
   if (bound < 2 || !(along.back() > 0.0))
   {
     throw Error(Failure::NoMatch,
-      "The section has fewer than two control points on the mesh, or no length in the image plane; match the stroke to "
+      "The section has fewer than two control points on the mesh, or no length in the image plane; match the "
+      "stroke to "
       "another curve.");
   }
   if (stroke.size() < 2 || !(strokeAlong.back() > 0.0))
@@ -71,7 +75,8 @@ std::vector<Handle> mapTargets(
     {
       // The offset stands across the curve: where the stroke bends the limb, it turns along.
       const Vector2 from = directionAt(curve, along, along[j]), to = directionAt(stroke, strokeAlong, length);
-      const double cosine = from.dot(to), sine = from[0] * to[1] - from[1] * to[0], norm = std::hypot(cosine, sine);
+      const double cosine = from.dot(to), sine = from[0] * to[1] - from[1] * to[0],
+                   norm = std::hypot(cosine, sine);
       if (norm > 0.0)
       {
         offset = Vector2(cosine * offset[0] - sine * offset[1], sine * offset[0] + cosine * offset[1]) / norm;
@@ -91,8 +96,11 @@ std::vector<Handle> mapTargets(
   return handles;
 }
 
-std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles, const std::vector<SectionPoint>& section,
-  const Mesh& mesh, const Adjacency& adjacency, const View& view)
+std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles,
+  const std::vector<SectionPoint>& section,
+  const Mesh& mesh,
+  const Adjacency& adjacency,
+  const View& view)
 {
   const int count = static_cast<int>(handles.size());
   const auto binding = [&](int h) -> const Binding& { return section[handles[h].point].binding; };
@@ -140,7 +148,8 @@ std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles, const std::
     }
   }
 
-  // Lengths along the section in the image plane; a pixel's size in the world turns gaps into geodesic lengths.
+  // Lengths along the section in the image plane; a pixel's size in the world turns gaps into geodesic
+  // lengths.
   Polyline curve;
   for (const SectionPoint& p : section)
   {
@@ -169,7 +178,8 @@ std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles, const std::
   {
     return handles;
   }
-  const int main = *std::max_element(layers.begin(), layers.end(), [&](int a, int b) { return covers[a] < covers[b]; });
+  const int main =
+    *std::max_element(layers.begin(), layers.end(), [&](int a, int b) { return covers[a] < covers[b]; });
 
   double edge = 0.0, pixel = 0.0;
   int edges = 0;
@@ -185,7 +195,8 @@ std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles, const std::
       }
     }
     const double depth = view.depth(q.position);
-    pixel += (view.toWorld(q.display + Vector2(1.0, 0.0), depth) - view.toWorld(q.display, depth)).norm() / count;
+    pixel +=
+      (view.toWorld(q.display + Vector2(1.0, 0.0), depth) - view.toWorld(q.display, depth)).norm() / count;
   }
   edge = edges > 0 ? edge / edges : 0.0;
 
@@ -195,7 +206,8 @@ std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles, const std::
     kept[h] = find(h) == main;
   }
   std::vector<int> open;
-  std::copy_if(layers.begin(), layers.end(), std::back_inserter(open), [main](int layer) { return layer != main; });
+  std::copy_if(
+    layers.begin(), layers.end(), std::back_inserter(open), [main](int layer) { return layer != main; });
   while (!open.empty())
   {
     // Gap of each open layer to what is kept, along the section.

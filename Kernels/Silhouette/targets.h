@@ -22,26 +22,31 @@ struct SectionPoint
 
 struct Handle
 {
-  int point = -1;          // of the section
-  double relative = 0.0;   // r_j
+  int point = -1;           // of the section
+  double relative = 0.0;    // r_j
   Vector3 unmerged, target; // p*_j, p'_j
 };
 
 // f(r) of Eq. 7 with g = sqrt: 0 at both ends, 1 from omega to 1 - omega.
 double mergeRatio(double r, double omega);
 
-// One handle per bound point of the section, in its order. Lengths are taken in the image plane on both curves; an
-// offset is added back turned by the angle between section and stroke; targets lie on the plane through the section
-// point parallel to the image plane. Throws Error(Failure::NoMatch) when fewer than two points are bound or the section
-// has no length, Error(Failure::BadStroke) when the stroke has none.
-std::vector<Handle> mapTargets(
-  const std::vector<SectionPoint>& section, const Polyline& stroke, const View& view, double omega);
+// One handle per bound point of the section, in its order. Lengths are taken in the image plane on both
+// curves; an offset is added back turned by the angle between section and stroke; targets lie on the plane
+// through the section point parallel to the image plane. Throws Error(Failure::NoMatch) when fewer than two
+// points are bound or the section has no length, Error(Failure::BadStroke) when the stroke has none.
+std::vector<Handle> mapTargets(const std::vector<SectionPoint>& section,
+  const Polyline& stroke,
+  const View& view,
+  double omega);
 
-// Of handles on several layers, those of the layer that covers most of the section. A layer is a set of handles joined
-// by mesh edges; further layers stay when they are geodesically within 2.5 times their gap along the section + 6 edges
-// of what is kept.
-std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles, const std::vector<SectionPoint>& section,
-  const Mesh& mesh, const Adjacency& adjacency, const View& view);
+// Of handles on several layers, those of the layer that covers most of the section. A layer is a set of
+// handles joined by mesh edges; further layers stay when they are geodesically within 2.5 times their gap
+// along the section + 6 edges of what is kept.
+std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles,
+  const std::vector<SectionPoint>& section,
+  const Mesh& mesh,
+  const Adjacency& adjacency,
+  const View& view);
 
 } // namespace oversketch
 #endif

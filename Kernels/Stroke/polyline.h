@@ -25,8 +25,8 @@ struct Blend
   }
 };
 
-// Length from the first point to each point; a closed polyline (its first point not repeated) has one entry more, its
-// whole length.
+// Length from the first point to each point; a closed polyline (its first point not repeated) has one entry
+// more, its whole length.
 std::vector<double> arcLengths(const Polyline& points, bool closed = false);
 
 // The place at a length along the polyline, clamped to its ends. lengths comes from arcLengths.
@@ -36,21 +36,23 @@ Blend placeAt(const std::vector<double>& lengths, int pointCount, double length)
 std::vector<Blend> uniformPlaces(const Polyline& points, double spacing);
 Polyline uniformPolyline(const Polyline& points, double spacing);
 
-// Answers which place of a polyline is nearest to a point. Segments are kept in blocks of consecutive ones with their
-// bounding boxes, since neighbours on a curve are neighbours in the plane: most blocks are ruled out by their box.
+// Answers which place of a polyline is nearest to a point. Segments are kept in blocks of consecutive ones
+// with their bounding boxes, since neighbours on a curve are neighbours in the plane: most blocks are ruled
+// out by their box.
 class NearestPlace
 {
 public:
   struct Answer
   {
-    int segment = -1;       // from point `segment` to the next
-    double t = 0.0;         // in [0, 1] along it
-    double distance = 0.0;  // infinite for an empty polyline
+    int segment = -1;      // from point `segment` to the next
+    double t = 0.0;        // in [0, 1] along it
+    double distance = 0.0; // infinite for an empty polyline
     Vector2 place = Vector2::Zero();
   };
 
   explicit NearestPlace(const Polyline& points, bool closed = false);
-  // Of several nearest places, the first along the polyline; no place farther than `limit` is found (segment -1).
+  // Of several nearest places, the first along the polyline; no place farther than `limit` is found (segment
+  // -1).
   Answer operator()(const Vector2& point, double limit = std::numeric_limits<double>::infinity()) const;
   // Mean distance of the points to the polyline.
   double meanDistance(const Polyline& points) const;

@@ -40,7 +40,9 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
 {
   if (samples.size() < 2)
   {
-    refuse("it has ", samples.size(), samples.size() == 1 ? " sample" : " samples",
+    refuse("it has ",
+      samples.size(),
+      samples.size() == 1 ? " sample" : " samples",
       "; at least 2 are needed: draw a longer stroke.");
   }
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -72,11 +74,15 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
   const double length = arcLengths(clean).back();
   if (!(length >= rules.minimumLength) || !(length > 0.0))
   {
-    refuse("it is ", length, " px long; at least ", rules.minimumLength, " px are needed: draw a longer stroke.");
+    refuse(
+      "it is ", length, " px long; at least ", rules.minimumLength, " px are needed: draw a longer stroke.");
   }
   if (isClosedStroke(clean, rules))
   {
-    refuse("it is closed: its ends are ", (clean.back() - clean.front()).norm(), " px apart and it is ", length,
+    refuse("it is closed: its ends are ",
+      (clean.back() - clean.front()).norm(),
+      " px apart and it is ",
+      length,
       " px long; draw an open stroke.");
   }
   std::vector<Blend> places = uniformPlaces(clean, rules.spacing);

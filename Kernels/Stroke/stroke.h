@@ -16,13 +16,13 @@ struct StrokeRules
 };
 
 // True when the stroke comes back to its start: its ends are nearer than two minimum spacings, or nearer than
-// closedFraction of its length while the direction it ends in is within 90 degrees of the one it started in. A U round
-// the tip of a limb comes back in the opposite direction and is open.
+// closedFraction of its length while the direction it ends in is within 90 degrees of the one it started in.
+// A U round the tip of a limb comes back in the opposite direction and is open.
 bool isClosedStroke(const Polyline& samples, const StrokeRules& rules);
 
-// Where the samples of the cleaned stroke lie on the given ones: jitter dropped (both ends kept), then uniform in arc
-// length. Throws Error(Failure::BadStroke) for fewer than two samples, one that is not finite, and for a stroke that is
-// too short or closed.
+// Where the samples of the cleaned stroke lie on the given ones: jitter dropped (both ends kept), then
+// uniform in arc length. Throws Error(Failure::BadStroke) for fewer than two samples, one that is not finite,
+// and for a stroke that is too short or closed.
 std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules = {});
 
 } // namespace oversketch

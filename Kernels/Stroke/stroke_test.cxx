@@ -124,7 +124,8 @@ TEST(Stroke, RefusalsNameTheCause)
 {
   EXPECT_NE(refusal({}).find("0 samples"), std::string::npos);
   EXPECT_NE(refusal({ { 1, 1 } }).find("1 sample;"), std::string::npos);
-  EXPECT_NE(refusal({ { 0, 0 }, { 5, 0 }, { std::nan(""), 3 }, { 30, 0 } }).find("sample 2"), std::string::npos);
+  EXPECT_NE(
+    refusal({ { 0, 0 }, { 5, 0 }, { std::nan(""), 3 }, { 30, 0 } }).find("sample 2"), std::string::npos);
   EXPECT_NE(refusal({ { 0, 0 }, { 9, 0 } }).find("9 px long"), std::string::npos);
   EXPECT_NE(refusal({ { 3, 3 }, { 3, 3 }, { 3, 3 } }).find("0 px long"), std::string::npos);
   EXPECT_EQ(refusal({ { 0, 0 }, { 10, 0 } }), "");

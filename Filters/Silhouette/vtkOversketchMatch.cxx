@@ -1,0 +1,244 @@
+#include "vtkOversketchMatch.h"
+
+#include "Silhouette/match.h"
+#include "vtkOversketchCurveTools.h"
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <limits>
+
+using namespace oversketch;
+
+namespace
+{
+
+// A curve with what the match needs of it beside its picture.
+struct Source
+{
+  Curve Line;
+  Polyline Offsets;
+  int CurveId, Connection;
+};
+
+// The values of an array of points along a cell, as many as the curve has points.
+Polyline AlongCell(vtkDataArray* array, vtkPolyData* curves, vtkIdType cell, std::size_t count)
+{
+  vtkNew<vtkIdList> ids;
+  curves->GetLines()->GetCellAtId(cell, ids);
+  Polyline values(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    array->GetTuple(ids->GetId(static_cast<vtkIdType>(i)), values[i].data());
+    if (!values[i].allFinite())
+    {
+      throw Error(Failure::BadMesh,
+        std::string("Array ") + array->GetName() + " of the curves holds a value that is not finite; run " +
+          "vtkOversketchOutline again.");
+    }
+  }
+  return values;
+}
+
+// The bindings joined where one triangle's worth of vertices carries both, else none.
+Binding BlendBindings(const Binding& a, const Binding& b, double t)
+{
+  Binding result;
+  int used = 0;
+  for (const auto& [binding, share] : { std::pair(&a, 1.0 - t), std::pair(&b, t) })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const double weight = share * binding->weights[k];
+      if (binding->vertices[k] < 0)
+      {
+        return Binding();
+      }
+      if (weight == 0.0)
+      {
+        continue;
+      }
+      int slot = 0;
+      while (slot < used && result.vertices[slot] != binding->vertices[k])
+      {
+        ++slot;
+      }
+      if (slot == 3)
+      {
+        return Binding();
+      }
+      used = std::max(used, slot + 1);
+      result.vertices[slot] = binding->vertices[k];
+      result.weights[slot] += weight;
+    }
+  }
+  for (int k = used; k < 3; ++k)
+  {
+    result.vertices[k] = result.vertices[0];
+  }
+  return result;
+}
+
+CurvePoint BlendPoints(const CurvePoint& a, const CurvePoint& b, double t)
+{
+  CurvePoint p;
+  p.binding = BlendBindings(a.binding, b.binding, t);
+  p.position = (1.0 - t) * a.position + t * b.position;
+  p.normal = ((1.0 - t) * a.normal + t * b.normal).normalized();
+  return p;
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkOversketchMatch);
+
+vtkOversketchMatch::vtkOversketchMatch()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkOversketchMatch::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+void vtkOversketchMatch::SetStrokeData(vtkPolyData* stroke)
+{
+  this->SetInputData(1, stroke);
+}
+
+int vtkOversketchMatch::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      const int connections = inputs[0]->GetNumberOfInformationObjects();
+      vtkIdType points = 0;
+      for (int c = 0; c < connections; ++c)
+      {
+        points += vtkPolyData::GetData(inputs[0], c)->GetNumberOfPoints();
+      }
+      if (points == 0)
+      {
+        return;
+      }
+      vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
+      const View view = ViewOf(stroke);
+      const Polyline samples = StrokeOf(stroke);
+
+      std::vector<Source> sources;
+      std::vector<MatchCandidate> candidates;
+      for (int c = 0; c < connections; ++c)
+      {
+        vtkPolyData* input = vtkPolyData::GetData(inputs[0], c);
+        CurveSet set = ReadCurves(input, std::numeric_limits<int>::max(), "curves", true);
+        vtkPointData* pointData = input->GetPointData();
+        const auto optional = [&](const char* name)
+        {
+          return pointData->HasArray(name) ? RequireArray(pointData,
+                                               name,
+                                               2,
+                                               input->GetNumberOfPoints(),
+                                               "curves",
+                                               "vtkOversketchOutline makes it")
+                                           : nullptr;
+        };
+        vtkDataArray* displays = optional("Display");
+        vtkDataArray* offsets = optional("Offset");
+        for (std::size_t i = 0; i < set.Curves.size(); ++i)
+        {
+          Curve& curve = set.Curves[i];
+          const std::size_t count = curve.points.size();
+          MatchCandidate candidate;
+          candidate.closed = curve.closed;
+          candidate.outline = input->GetCellData()->HasArray("Hole") != 0;
+          bool seen = set.Visible[i] != 0;
+          for (const CurvePoint& p : curve.points)
+          {
+            seen = seen && view.inFront(p.position);
+            candidate.bound.push_back(p.binding.vertices[0] >= 0);
+            candidate.display.push_back(
+              seen ? Vector2(view.toDisplay(p.position).head<2>()) : Vector2::Zero());
+          }
+          if (!seen)
+          {
+            continue;
+          }
+          const vtkIdType cell = static_cast<vtkIdType>(i);
+          if (displays)
+          {
+            candidate.display = AlongCell(displays, input, cell, count);
+          }
+          const Polyline offset =
+            offsets ? AlongCell(offsets, input, cell, count) : Polyline(count, Vector2::Zero());
+          candidates.push_back(std::move(candidate));
+          sources.push_back({ std::move(curve), offset, set.Ids[i], c });
+        }
+      }
+
+      MatchRules rules;
+      rules.amendedScore = this->AmendedScore;
+      rules.maximumDistance = this->MaximumDistance;
+      const MatchedSection match = matchStroke(candidates, samples, rules, ContextOf(this));
+      const Source& source = sources[match.candidate];
+      Curve section;
+      vtkNew<vtkDoubleArray> displays, offsets;
+      displays->SetName("Display");
+      displays->SetNumberOfComponents(2);
+      offsets->SetName("Offset");
+      offsets->SetNumberOfComponents(2);
+      for (const Blend& place : match.places)
+      {
+        section.points.push_back(
+          place.from == place.to
+            ? source.Line.points[place.from]
+            : BlendPoints(source.Line.points[place.from], source.Line.points[place.to], place.t));
+        displays->InsertNextTuple(place.of(candidates[match.candidate].display).data());
+        offsets->InsertNextTuple(place.of(source.Offsets).data());
+      }
+      WriteCurves({ section }, view, output);
+      output->GetPointData()->AddArray(displays);
+      output->GetPointData()->AddArray(offsets);
+      vtkNew<vtkIntArray> id;
+      id->SetName("CurveId");
+      id->InsertNextValue(source.CurveId);
+      output->GetCellData()->AddArray(id);
+      for (const auto& [name, value] :
+        { std::pair("Distance", match.distance), std::pair("Score", match.score) })
+      {
+        vtkNew<vtkDoubleArray> figure;
+        figure->SetName(name);
+        figure->InsertNextValue(value);
+        output->GetFieldData()->AddArray(figure);
+      }
+      vtkNew<vtkIntArray> connection;
+      connection->SetName("Candidate");
+      connection->InsertNextValue(source.Connection);
+      output->GetFieldData()->AddArray(connection);
+    });
+}
+
+void vtkOversketchMatch::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AmendedScore: " << (this->AmendedScore ? "on" : "off") << '\n';
+  os << indent << "MaximumDistance: " << this->MaximumDistance << '\n';
+}

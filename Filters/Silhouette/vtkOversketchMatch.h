@@ -1,0 +1,87 @@
+/**
+ * @class vtkOversketchMatch
+ * @brief the section of the silhouette that a stroke is drawn over
+ *
+ * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 3.3, Eq. 3: of the visible curves
+ * the one of least D = mean image-plane distance of the stroke's samples to their nearest points on it; the
+ * section is its part between the points nearest to the stroke's ends. Departures: samples are taken at 2 px,
+ * so that D does not depend on the pen; of a closed curve the arc with the smaller mean distance back to the
+ * stroke counts; the section runs along the stroke. With AmendedScore (specification 13.2) the section of
+ * least score is taken instead: mean distance of the stroke to the section + mean distance of the section to
+ * the stroke + half the sum of the gaps at its two ends; both arcs of closed curves compete; and a silhouette
+ * curve of which four fifths run within 3 px of a loop from vtkOversketchOutline is left to that loop, so
+ * that its offsets are kept.
+ *
+ * Input 0, repeatable: curves from vtkOversketchVisibility and, optionally, loops from vtkOversketchOutline:
+ * point arrays MeshVertices, MeshWeights, Normals and, optionally, Display and Offset; cells with Visible 0
+ * are ignored, cells that carry Hole are loops. Input 1: exactly one stroke with its view (cell arrays
+ * ViewTransform, ProjectionTransform, ViewportSize).
+ *
+ * Output 0: one open polyline, from the place nearest to the stroke's first sample to the one nearest to its
+ * last; its ends are interpolated, and hang on the mesh where the points they lie between share a triangle.
+ * Point arrays: MeshVertices, MeshWeights, Normals, NormalDotView as in vtkOversketchSilhouette (MeshVertices
+ * -1: hangs on nothing), Display, double[2] [px] and Offset, double[2] [px] as in vtkOversketchOutline (the
+ * point's picture and zero on a plain curve). Cell array CurveId, int: of the matched curve. Field data
+ * Distance, double [px]: D of the matched curve; Score, double [px]: what was minimised; Candidate, int:
+ * index of the connection on port 0 that the section came from.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray, BadStroke; BadMesh for unusable
+ * curves; NoMatch when no section of at least 2 px with two points on the mesh fits, or D exceeds
+ * MaximumDistance. Curves without points give an empty output silently.
+ *
+ * Deterministic. Cost: curve points plus stroke samples, times a search over blocks of the other.
+ *
+ * @sa vtkOversketchVisibility, vtkOversketchOutline, vtkOversketchTargets
+ */
+#ifndef vtkOversketchMatch_h
+#define vtkOversketchMatch_h
+
+#include "OversketchFiltersSilhouetteModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchMatch : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchMatch* New();
+  vtkTypeMacro(vtkOversketchMatch, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The stroke with its view, on port 1.
+   */
+  void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
+  void SetStrokeData(vtkPolyData* stroke);
+
+  ///@{
+  /**
+   * Choose by the amended score; off: by D alone, as published [default on].
+   */
+  vtkSetMacro(AmendedScore, bool);
+  vtkGetMacro(AmendedScore, bool);
+  vtkBooleanMacro(AmendedScore, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Strokes whose D is larger are refused [px, >= 0, default 0: no limit, as published].
+   */
+  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
+
+protected:
+  vtkOversketchMatch();
+  ~vtkOversketchMatch() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchMatch(const vtkOversketchMatch&) = delete;
+  void operator=(const vtkOversketchMatch&) = delete;
+
+  bool AmendedScore = true;
+  double MaximumDistance = 0.0;
+};
+
+#endif

@@ -1,0 +1,94 @@
+/**
+ * @class vtkOversketchOutline
+ * @brief outline of a mesh's picture, with the visible silhouette attached to it
+ *
+ * Source: an amendment to Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 3.3
+ * (specification 13.1): toes, fingers, cusps and T-junctions cut the silhouette, and no single piece of it
+ * can carry a stroke round a limb's tip. So the boundary loops (outer ones and holes) of the pixels that the
+ * mesh covers are candidates for matching too; visible silhouette points within AttachDistance of a loop are
+ * inserted in their order along it. A curve that leaves the loop sideways or runs back along it is not
+ * attached there. The loop's points lie exactly on the boundary of the covered area, where it crosses the
+ * lines between pixel centres, and are smoothed by five taps.
+ *
+ * Input 0: triangle mesh; triangles with a corner at or behind the eye of a perspective view have no picture.
+ * Input 1: stroke polydata, for the view it carries (cell arrays ViewTransform, ProjectionTransform,
+ * ViewportSize); where the mesh's picture is larger than 4096 pixels, the part round the stroke is traced and
+ * loops are open at its edges. Input 2: curves from vtkOversketchVisibility; cells with Visible 0 are
+ * ignored.
+ *
+ * Output 0: one polyline per loop in world space; a closed one repeats its first point id at the end. Point
+ * arrays:
+ * - MeshVertices, vtkIdType[3], and MeshWeights, double[3]: of the attached silhouette point; -1 and 0 where
+ * the point hangs on nothing,
+ * - Normals, double[3], and NormalDotView, double: of the attached silhouette point, zero elsewhere,
+ * - Display, double[2] [px]: the place on the smoothed loop,
+ * - Offset, double[2] [px]: the silhouette point's own place minus Display; interpolated between attached
+ * points. A point that hangs on nothing lies at Display + Offset, its depth interpolated between attached
+ * points. Cell arrays: CurveId, int: the cell's index; Visible, unsigned char: 1; Hole, unsigned char: 1 for
+ * a loop round uncovered pixels.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. A mesh without
+ * points gives an empty output silently.
+ *
+ * Deterministic, for any number of threads. Cost: triangles times their height in pixels; the loops are kept
+ * while mesh and view stand (GetTraceCount).
+ *
+ * @sa vtkOversketchVisibility, vtkOversketchMatch
+ */
+#ifndef vtkOversketchOutline_h
+#define vtkOversketchOutline_h
+
+#include "OversketchFiltersSilhouetteModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
+
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchOutline : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchOutline* New();
+  vtkTypeMacro(vtkOversketchOutline, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The stroke whose view is used, on port 1.
+   */
+  void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
+  void SetStrokeData(vtkPolyData* stroke);
+
+  /**
+   * The curves to attach, on port 2.
+   */
+  void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(2, curves); }
+  void SetCurvesData(vtkPolyData* curves);
+
+  ///@{
+  /**
+   * Silhouette points farther than this from every loop are not attached [px, >= 0, default 3].
+   */
+  vtkSetClampMacro(AttachDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AttachDistance, double);
+  ///@}
+
+  /**
+   * How often the loops have been traced since the filter was made.
+   */
+  vtkIdType GetTraceCount();
+
+protected:
+  vtkOversketchOutline();
+  ~vtkOversketchOutline() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchOutline(const vtkOversketchOutline&) = delete;
+  void operator=(const vtkOversketchOutline&) = delete;
+
+  double AttachDistance = 3.0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
+};
+
+#endif

@@ -1,0 +1,197 @@
+#include "vtkOversketchTargets.h"
+
+#include "Silhouette/targets.h"
+#include "vtkOversketchCurveTools.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+using namespace oversketch;
+
+// Keeps the mesh's adjacency between strokes.
+struct vtkOversketchTargets::Cache
+{
+  std::shared_ptr<const MeshData> Data;
+};
+
+namespace
+{
+
+std::vector<SectionPoint> ReadSection(vtkPolyData* input, const Mesh& mesh, const View& view)
+{
+  const CurveSet set = ReadCurves(input, mesh.vertexCount(), "section", true);
+  if (set.Curves.size() != 1 || set.Curves[0].closed)
+  {
+    throw Error(Failure::BadMesh,
+      "The section must be exactly one open polyline; connect the output of vtkOversketchMatch.");
+  }
+  vtkPointData* pointData = input->GetPointData();
+  const auto optional = [&](const char* name)
+  {
+    return pointData->HasArray(name)
+             ? RequireArray(
+                 pointData, name, 2, input->GetNumberOfPoints(), "section", "vtkOversketchMatch makes it")
+             : nullptr;
+  };
+  vtkDataArray* displays = optional("Display");
+  vtkDataArray* offsets = optional("Offset");
+  vtkNew<vtkIdList> ids;
+  input->GetLines()->GetCellAtId(0, ids);
+  std::vector<SectionPoint> section;
+  for (const CurvePoint& p : set.Curves[0].points)
+  {
+    SectionPoint q;
+    q.binding = p.binding;
+    q.position = p.position;
+    if (!view.inFront(q.position))
+    {
+      throw Error(
+        Failure::NoMatch, "The section reaches behind the eye of the stroke's view; match the stroke again.");
+    }
+    const vtkIdType id = ids->GetId(static_cast<vtkIdType>(section.size()));
+    if (offsets)
+    {
+      offsets->GetTuple(id, q.offset.data());
+    }
+    q.display = view.toDisplay(q.position).head<2>() - q.offset;
+    if (displays)
+    {
+      displays->GetTuple(id, q.display.data());
+    }
+    if (!q.display.allFinite() || !q.offset.allFinite())
+    {
+      throw Error(Failure::BadMesh,
+        "Array Display or Offset of the section holds a value that is not finite; match the stroke again.");
+    }
+    section.push_back(q);
+  }
+  return section;
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkOversketchTargets);
+
+vtkOversketchTargets::vtkOversketchTargets()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+vtkOversketchTargets::~vtkOversketchTargets() = default;
+
+void vtkOversketchTargets::SetStrokeData(vtkPolyData* stroke)
+{
+  this->SetInputData(1, stroke);
+}
+
+void vtkOversketchTargets::SetMeshData(vtkPolyData* mesh)
+{
+  this->SetInputData(2, mesh);
+}
+
+int vtkOversketchTargets::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* meshData = vtkPolyData::GetData(inputs[2]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (input->GetNumberOfPoints() == 0 || meshData->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
+      const View view = ViewOf(stroke);
+      const Polyline samples = StrokeOf(stroke);
+      this->Internals->Data = SharedMesh(meshData);
+      const MeshData& mesh = *this->Internals->Data;
+      const std::vector<SectionPoint> section = ReadSection(input, mesh.Surface, view);
+      std::vector<Handle> handles = mapTargets(section, samples, view, this->Omega);
+      if (this->SingleLayer)
+      {
+        handles = keepOneLayer(handles, section, mesh.Surface, mesh.Neighbours, view);
+        if (handles.size() < 2)
+        {
+          throw Error(Failure::NoMatch,
+            "Fewer than two control points of the section lie on one layer of the mesh; turn SingleLayer off "
+            "or draw "
+            "along another outline.");
+        }
+      }
+
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      vtkNew<vtkCellArray> vertices;
+      vtkNew<vtkIdTypeArray> handleIds, meshVertices;
+      vtkNew<vtkDoubleArray> meshWeights, targets, unmerged, relative;
+      handleIds->SetName("HandleId");
+      meshVertices->SetName("MeshVertices");
+      meshVertices->SetNumberOfComponents(3);
+      meshWeights->SetName("MeshWeights");
+      meshWeights->SetNumberOfComponents(3);
+      targets->SetName("Target");
+      targets->SetNumberOfComponents(3);
+      unmerged->SetName("UnmergedTarget");
+      unmerged->SetNumberOfComponents(3);
+      relative->SetName("RelativePosition");
+      double sectionLength = 0.0, targetLength = 0.0;
+      for (std::size_t h = 0; h < handles.size(); ++h)
+      {
+        const SectionPoint& q = section[handles[h].point];
+        const vtkIdType id = points->InsertNextPoint(q.position.data());
+        vertices->InsertNextCell(1, &id);
+        handleIds->InsertNextValue(id);
+        for (int k = 0; k < 3; ++k)
+        {
+          meshVertices->InsertNextValue(q.binding.vertices[k]);
+          meshWeights->InsertNextValue(q.binding.weights[k]);
+        }
+        targets->InsertNextTuple(handles[h].target.data());
+        unmerged->InsertNextTuple(handles[h].unmerged.data());
+        relative->InsertNextValue(handles[h].relative);
+        if (h > 0)
+        {
+          sectionLength += (q.position - section[handles[h - 1].point].position).norm();
+          targetLength += (handles[h].target - handles[h - 1].target).norm();
+        }
+      }
+      output->SetPoints(points);
+      output->SetVerts(vertices);
+      for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
+             handleIds, meshVertices, meshWeights, targets, unmerged, relative })
+      {
+        output->GetPointData()->AddArray(array);
+      }
+      for (const auto& [name, value] :
+        { std::pair("SectionLength", sectionLength), std::pair("TargetLength", targetLength) })
+      {
+        vtkNew<vtkDoubleArray> length;
+        length->SetName(name);
+        length->InsertNextValue(value);
+        output->GetFieldData()->AddArray(length);
+      }
+    });
+}
+
+void vtkOversketchTargets::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Omega: " << this->Omega << '\n';
+  os << indent << "SingleLayer: " << (this->SingleLayer ? "on" : "off") << '\n';
+}
