@@ -2,7 +2,7 @@
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 WIDTH, HEIGHT = 800, 600
 
@@ -296,3 +296,11 @@ def save(image, path):
 def halve(image):
     height, width = image.shape[0] // 2 * 2, image.shape[1] // 2 * 2
     return image[:height, :width].reshape(height // 2, 2, width // 2, 2, 3).mean((1, 3))
+
+
+def load(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    columns, rows, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, -1)[:, :, :3] / 255.0

@@ -307,7 +307,8 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
         if len(made) == count:
             break
         kind = kinds[(len(made) + number + (turn - len(made))) % 4]
-        perspective = (len(made) + number) % 2 == 1
+        turn_number = len(made) + number
+        perspective = (turn_number + turn_number // 4) % 2 == 1  # not tied to the kind
         order = sorted(range(len(candidates)), key=lambda k: (
             used_tips.count(candidates[k]["tip"]), candidates[k]["perspective"] != perspective,
             used_views.count((candidates[k]["view_number"], candidates[k]["tip"])), -candidates[k]["merit"]))

@@ -1,0 +1,178 @@
+"""Judges what a stroke did to a mesh: the outline it has now against the stroke, and what must not have changed."""
+import numpy as np
+
+import meshes
+import picture
+
+# The bounds of the specification (stage 12) and of the project's acceptance: largest value that holds, or least.
+MEAN, WORST, BACK, FOLDS, UNTOUCHED, OVERLAP = 1.0, 2.5, 3.0, 10, 0.5, 0.95
+FOLD_ANGLE = 100.0  # degrees between the normals of two neighbours, above which their edge counts as folded
+
+
+# ----------------------------------------------------------------------------------------------- the outline
+
+def part(line, start, end):
+    """The part of a polyline between two arc lengths."""
+    s = picture.lengths(line)
+    keep = (s > start) & (s < end)
+    ends = [[np.interp(t, s, line[:, 0]), np.interp(t, s, line[:, 1])] for t in (start, end)]
+    return np.vstack([ends[:1], line[keep], ends[1:]])
+
+
+def outline_distances(view, points, triangles, stroke):
+    """mean, worst: px from the stroke's middle 60 % to the mesh's outline; back: largest px from the outline between
+    the points nearest to the stroke's 20 % and 80 % points to the stroke (inf where no outline joins these two)."""
+    xy, _ = view.display(points)
+    loops = picture.outline(xy, triangles)
+    total = picture.lengths(stroke)[-1]
+    middle = picture.resample(part(stroke, 0.2 * total, 0.8 * total), 0.5)
+    distance, which, where = picture.distance_to(middle, loops)
+    back = np.inf
+    if which[0] == which[-1]:
+        loop = loops[which[0]]
+        around = picture.lengths(loop)[-1]
+        arcs = []
+        for a, b in ((where[0], where[-1]), (where[-1], where[0])):
+            if b >= a:
+                arc = part(loop, a, b)
+            else:
+                arc = np.vstack([part(loop, a, around), part(loop, 0, b)])
+            gap, _, _ = picture.distance_to(picture.resample(arc, 1.0), [stroke])
+            arcs.append((gap.mean(), gap.max()))
+        back = min(arcs)[1]  # a loop has two ways between two points: the one along the stroke
+    return float(distance.mean()), float(distance.max()), float(back)
+
+
+# ----------------------------------------------------------------------------------------------- the surface
+
+def folded_edges(points, triangles):
+    """Edges of two triangles whose normals are more than 100 degrees apart."""
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    size = np.linalg.norm(normal, axis=1)
+    good = size > 0
+    normal[good] /= size[good, None]
+    _, count, edge = meshes.edges_of(triangles)
+    order = np.argsort(edge.ravel(), kind="stable")
+    triangle = np.repeat(np.arange(len(triangles)), 3)[order]
+    start = np.cumsum(count) - count
+    pair = start[count == 2]
+    p, q = triangle[pair], triangle[pair + 1]
+    both = good[p] & good[q]
+    cosine = (normal[p[both]] * normal[q[both]]).sum(1)
+    return int((cosine < np.cos(np.radians(FOLD_ANGLE))).sum())
+
+
+def degenerate_triangles(points, triangles):
+    """Triangles with a repeated vertex or an area of at most 1e-7 of the longest edge squared."""
+    corners = points[triangles]
+    longest = (np.roll(corners, -1, axis=1) - corners) ** 2
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    return int((area <= 1e-7 * longest.sum(2).max(1)).sum())
+
+
+def topology(triangles):
+    """(border edges, edges with more than two triangles, vertices with more than one fan of triangles)."""
+    pairs, count, edge = meshes.edges_of(triangles)
+    # Fans: join a triangle's corner with the neighbour's corner at the same vertex across each shared edge.
+    corner = np.arange(3 * len(triangles))
+    parent = corner.copy()
+
+    def root(i):
+        while parent[i] != i:
+            parent[i] = parent[parent[i]]
+            i = parent[i]
+        return i
+
+    order = np.argsort(edge.ravel(), kind="stable")
+    start = np.cumsum(count) - count
+    for e in np.flatnonzero(count >= 2):
+        users = order[start[e]:start[e] + count[e]]
+        for v in pairs[e]:
+            at = [3 * (u // 3) + int(np.flatnonzero(triangles[u // 3] == v)[0]) for u in users]
+            for other in at[1:]:
+                parent[root(other)] = root(at[0])
+    roots = {(int(v), root(i)) for i, v in enumerate(triangles.ravel())}
+    fans = np.bincount([v for v, _ in roots])
+    return int((count == 1).sum()), int((count > 2).sum()), int((fans > 1).sum())
+
+
+def areas(points, triangles):
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def surviving(before, after):
+    """Which rows of before are found, bit for bit, among the rows of after."""
+    key = lambda p: np.ascontiguousarray(p + 0.0).view([("", float)] * 3).ravel()
+    return np.isin(key(before), key(after))
+
+
+def capsule_limb(points, triangles, at):
+    """Triangles of capsule_figure nearer to the capsule at a point than to any other, as a mask; and its name."""
+    def gaps(p):
+        columns = []
+        for _, a, b, radius in meshes.CAPSULES:
+            a, d = np.array(a, float), np.subtract(b, a)
+            t = np.clip((p - a) @ d / (d @ d), 0, 1)
+            columns.append(np.linalg.norm(p - a - np.outer(t, d), axis=1) - radius)
+        return np.array(columns)
+
+    own = int(gaps(np.atleast_2d(at)).argmin(0)[0])
+    return gaps(points[triangles].mean(1)).argmin(0) == own, meshes.CAPSULES[own][0]
+
+
+# ------------------------------------------------------------------------------------------------- all of it
+
+def judge(before, after, stroke, view, region=None, note=None):
+    """Measures of one result. before, after: (points, triangles) as read; region: byte per point of before, or None;
+    note: what the stroke's maker knows (other_tips, tip, model). Returns a dict with every measure and `holds`."""
+    result = {}
+    p0, t0, to_welded = meshes.weld(*before)
+    p1, t1, _ = meshes.weld(*after)
+    result["finite"] = bool(np.isfinite(after[0]).all())
+    if not result["finite"]:
+        result["fails"], result["holds"] = ["not finite"], False
+        return result
+    result["mean"], result["worst"], result["back"] = outline_distances(view, p1, t1, stroke)
+    start = outline_distances(view, p0, t0, stroke)
+    result["mean before"], result["worst before"] = start[0], start[1]
+    result["folds"] = folded_edges(p1, t1) - folded_edges(p0, t0)
+    stays = surviving(p0, p1)
+    area = areas(p0, t0)
+    result["untouched"] = float(area[stays[t0].all(1)].sum() / area.sum())
+    top0, top1 = topology(t0), topology(t1)
+    result["closed"] = not (top0[0] == 0 and top1[0] > 0)
+    result["manifold"] = not (top0[1] == 0 and top0[2] == 0 and (top1[1] > 0 or top1[2] > 0))
+    result["degenerate"] = degenerate_triangles(p1, t1) - degenerate_triangles(p0, t0)
+    if region is not None:
+        chosen = np.zeros(len(p0), bool)
+        chosen[to_welded[np.asarray(region) != 0]] = True
+        result["outside changed"] = int((~stays & ~chosen).sum())
+        result["region area"] = float(area[chosen[t0].all(1)].sum() / area.sum())
+        if note and note.get("model") == "capsule_figure":
+            limb, result["capsule"] = capsule_limb(p0, t0, note["tip"])
+            inside = chosen[t0].sum(1) >= 2
+            result["overlap"] = float(area[inside & limb].sum() / area[inside | limb].sum())
+    if note and note.get("other_tips"):
+        # A limb's tip stays when the points about it do, within 2 % of the model's size.
+        tips = np.array(note["other_tips"])
+        size = np.linalg.norm(np.ptp(p0, axis=0))
+        about = [np.linalg.norm(p0 - tip, axis=1) < 0.02 * size for tip in tips]
+        result["other limbs moved"] = int(sum(not stays[near].all() for near in about))
+    result["fails"] = failures(result)
+    result["holds"] = not result["fails"]
+    return result
+
+
+CHECKS = (
+    ("mean", lambda v: v <= MEAN), ("worst", lambda v: v <= WORST), ("back", lambda v: v <= BACK),
+    ("folds", lambda v: v <= FOLDS), ("untouched", lambda v: v >= UNTOUCHED), ("closed", bool), ("manifold", bool),
+    ("degenerate", lambda v: v <= 0), ("outside changed", lambda v: v == 0), ("overlap", lambda v: v >= OVERLAP),
+    ("other limbs moved", lambda v: v == 0),
+)
+
+
+def failures(result):
+    """The names of the measures that do not hold."""
+    return [name for name, holds in CHECKS if name in result and not holds(result[name])]

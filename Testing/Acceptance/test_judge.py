@@ -1,0 +1,186 @@
+"""The judge is judged: analytic outlines, known displacements, meshes made to be folded, torn or degenerate."""
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import judge  # noqa: E402
+import meshes  # noqa: E402
+import picture  # noqa: E402
+import strokes  # noqa: E402
+
+
+def sphere(rings=120):
+    """A unit sphere of rings x 2 rings quads, split."""
+    theta = np.linspace(0, np.pi, rings + 1)[1:-1]
+    phi = np.linspace(0, 2 * np.pi, 2 * rings, endpoint=False)
+    grid = np.stack([np.outer(np.sin(theta), np.cos(phi)), np.outer(np.sin(theta), np.sin(phi)),
+                     np.repeat(np.cos(theta)[:, None], len(phi), 1)], -1).reshape(-1, 3)
+    points = np.vstack([grid, [0, 0, 1], [0, 0, -1]])
+    n, m = len(theta), len(phi)
+    at = lambda i, j: i * m + j % m
+    i, j = (a.ravel() for a in np.meshgrid(np.arange(n - 1), np.arange(m), indexing="ij"))
+    triangles = np.vstack([np.c_[at(i, j), at(i + 1, j), at(i + 1, j + 1)], np.c_[at(i, j), at(i + 1, j + 1), at(i, j + 1)],
+                           [[n * m, at(0, k), at(0, k + 1)] for k in range(m)],
+                           [[n * m + 1, at(n - 1, k + 1), at(n - 1, k)] for k in range(m)]])
+    return points, triangles
+
+
+@pytest.mark.parametrize("perspective", [False, True])
+def test_outline_of_a_sphere_is_a_circle(perspective):
+    points, triangles = sphere()
+    view = picture.View.looking(points, (0.3, 0.5, 0.8), (0, 1, 0), perspective, 0.7)
+    loops = picture.outline(view.display(points)[0], triangles)
+    assert len(loops) == 1
+    centre, z = view.display(np.zeros((1, 3)))
+    focal = view.projection[1, 1] * view.height / 2
+    radius = focal / np.sqrt(z[0] ** 2 - 1) if perspective else focal
+    gap = np.linalg.norm(loops[0] - centre, axis=1) - radius
+    sagitta = radius * (1 - np.cos(np.pi / 240))  # the sphere is a polyhedron: its outline lies inside by at most this
+    assert gap.max() < 0.01 and gap.min() > -2 * sagitta - 0.01
+    assert np.abs(gap).max() < 0.15
+
+
+def test_outline_has_the_hole_of_a_ring_and_is_exact_on_straight_sides():
+    outer, inner = np.array([[10.3, 10.7], [90.6, 10.7], [90.6, 50.2], [10.3, 50.2]]), \
+        np.array([[30.1, 20.4], [70.9, 20.4], [70.9, 40.8], [30.1, 40.8]])
+    points = np.vstack([outer, inner])
+    triangles = np.array([t for k in range(4) for t in ((k, (k + 1) % 4, 4 + k), ((k + 1) % 4, 4 + (k + 1) % 4, 4 + k))])
+    loops = picture.outline(points, triangles)
+    assert len(loops) == 2
+    square = lambda p: np.vstack([p, p[:1]])
+    for loop in loops:
+        gap, _, _ = picture.distance_to(loop, [square(outer), square(inner)])
+        assert gap.max() < 1e-9
+    area = sorted(0.5 * np.sum(l[:-1, 0] * l[1:, 1] - l[1:, 0] * l[:-1, 1]) for l in loops)
+    assert area[0] == pytest.approx(-40.8 * 20.4, abs=1) and area[1] == pytest.approx(80.3 * 39.5, abs=1)
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.8, 5.0])
+def test_distance_of_a_displaced_arc(offset):
+    points, triangles = sphere()
+    view = picture.View.looking(points, (0, 0, 1), (0, 1, 0), False, 0.7)
+    centre, _ = view.display(np.zeros((1, 3)))
+    radius = view.projection[1, 1] * view.height / 2
+    angle = np.radians(np.linspace(-60, 60, 200))
+    stroke = centre + (radius + offset) * np.c_[np.cos(angle), np.sin(angle)]
+    mean, worst, back = judge.outline_distances(view, points, triangles, stroke)
+    assert mean == pytest.approx(offset, abs=0.06) and worst == pytest.approx(offset, abs=0.1)
+    assert back == pytest.approx(offset, abs=0.1)
+
+
+def test_way_back_sees_what_the_way_there_does_not():
+    # A comb: the stroke runs along its back, but the outline between has a tooth 30 px deep.
+    points = np.array([[100, 100], [300, 100], [300, 200], [205, 200], [200, 230], [195, 200], [100, 200]], float)
+    triangles = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 5], [0, 5, 6], [3, 4, 5]])
+    flat = picture.View(np.eye(4), np.diag([2 / 800, 2 / 600, -1, 1.0]))
+    stroke = np.array([[110.0, 200], [290, 200]])
+    world = np.c_[points - (400, 300), np.zeros(len(points))]
+    mean, worst, back = judge.outline_distances(flat, world, triangles, stroke)
+    assert worst < 5.1 and back == pytest.approx(30, abs=1.0)  # a sharp tip is cut by the grid
+
+
+def test_folded_edges_are_counted():
+    points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0.5, 0]], float)
+    triangles = np.array([[0, 1, 2], [0, 2, 3], [1, 4, 2]])
+    assert judge.folded_edges(points, triangles) == 0
+    folded = points.copy()
+    folded[4] = (0.2, 0.5, 0.05)  # turned back over the first triangle
+    assert judge.folded_edges(folded, triangles) == 1
+    upright = points.copy()
+    upright[4] = (1.0, 0.5, 1.0)  # 90 degrees is no fold
+    assert judge.folded_edges(upright, triangles) == 0
+
+
+def test_topology_and_degenerate_triangles():
+    points, triangles = sphere(12)
+    assert judge.topology(triangles) == (0, 0, 0)
+    assert judge.topology(triangles[1:])[0] == 3
+    fin = np.vstack([triangles, [triangles[0, 0], triangles[0, 1], len(points)]])
+    assert judge.topology(fin)[1] == 1
+    twin = np.vstack([triangles, np.where(triangles == 0, 0, triangles + len(points))])  # joined in vertex 0 alone
+    assert judge.topology(twin) == (0, 0, 1)
+    assert judge.degenerate_triangles(points, triangles) == 0
+    flat = points.copy()
+    flat[triangles[0, 2]] = (flat[triangles[0, 0]] + flat[triangles[0, 1]]) / 2
+    assert judge.degenerate_triangles(flat, triangles) >= 1
+    assert judge.degenerate_triangles(points, np.vstack([triangles, [1, 1, 2]])) == 1
+
+
+def bump(points, height):
+    """The sphere with a smooth bump on +x, for strokes seen along z."""
+    pull = height * np.clip((points[:, 0] - 0.6) / 0.4, 0, 1) ** 2
+    moved = points.copy()
+    moved[:, 0] += pull
+    return moved, pull > 0
+
+
+def test_judge_holds_for_a_true_result_and_names_what_fails():
+    points, triangles = sphere(60)
+    view = picture.View.looking(points, (0, 0, 1), (0, 1, 0), False, 0.5)
+    moved, region = bump(points, 0.4)
+    loop = picture.outline(view.display(moved)[0], triangles)[0]
+    right = loop[loop[:, 0] > view.display(np.array([[0.62, 0, 0]]))[0][0, 0]]
+    order = np.argsort(np.arctan2(right[:, 1] - 300, right[:, 0] - 400))
+    stroke = right[order]
+    good = judge.judge((points, triangles), (moved, triangles), stroke, view, region)
+    assert good["holds"] and good["mean"] < 0.05 and good["outside changed"] == 0
+    assert good["mean before"] > 10
+
+    nothing = judge.judge((points, triangles), (points, triangles), stroke, view, region)
+    assert {"mean", "worst"} <= set(nothing["fails"]) and nothing["untouched"] == pytest.approx(1)
+
+    stray = moved.copy()
+    stray[np.flatnonzero(~region)[0]] += 1e-12
+    assert judge.judge((points, triangles), (stray, triangles), stroke, view, region)["fails"] == ["outside changed"]
+
+    torn = judge.judge((points, triangles), (moved, triangles[:-1]), stroke, view, region)
+    assert "closed" in torn["fails"]
+
+    everything = judge.judge((points, triangles), (moved * 1.0000001, triangles), stroke, view, np.ones(len(points)))
+    assert everything["fails"] == ["untouched"]
+
+    tips = {"other_tips": [[1.0, 0, 0], [-1.0, 0, 0]]}
+    assert judge.judge((points, triangles), (moved, triangles), stroke, view, region, tips)["other limbs moved"] == 1
+
+
+def test_capsule_limb_is_the_leg():
+    t = np.linspace(0, 1, 30)[:, None]
+    leg = (1 - t) * np.array([0.22, 0.16, -0.3]) + t * np.array([0.22, 0.16, -1.4])
+    arm = (1 - t) * np.array([0.6, 0.11, 1.25]) + t * np.array([1.3, 0.11, 1.25])
+    points = np.vstack([leg, arm])
+    triangles = np.array([[k, k + 1, k + 1] for k in range(59) if k != 29])
+    mask, name = judge.capsule_limb(points, triangles, (0.22, 0, -1.66))
+    assert name == "leg +x" and mask[:29].all() and not mask[29:].any()
+
+
+def test_stroke_files_keep_every_bit(tmp_path):
+    points, triangles = sphere(12)
+    view = picture.View.looking(points, (1, 2, 3), (0, 1, 0), True, 0.6)
+    samples = np.random.default_rng(1).uniform(0, 600, (30, 2))
+    strokes.write(strokes.stroke_polydata(samples, view, {"name": "n"}), tmp_path / "s.vtp")
+    _, back, seen, note = strokes.read(tmp_path / "s.vtp")
+    assert (back == samples).all() and (seen.view == view.view).all() and (seen.projection == view.projection).all()
+    assert note == {"name": "n"} and (seen.width, seen.height) == (800, 600)
+
+
+def test_a_stroke_for_a_capsule_goes_from_base_to_base():
+    # A ball with one rod: the only limb is the rod, and every stroke made holds what a stroke must hold.
+    points, triangles = sphere(24)
+    x = points[:, 0]
+    rod = x > np.cos(np.radians(25))
+    points = points.copy()
+    points[rod, 0] += 1.5 * np.clip((x[rod] - np.cos(np.radians(25))) / (1 - np.cos(np.radians(20))), 0, 1)
+    made = strokes.strokes_for("rod", meshes.to_polydata(points, triangles), "+y", count=2)
+    assert len(made) == 2
+    for polydata, note in made:
+        assert note["tip"][0] > 2
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        samples = vtk_to_numpy(polydata.GetPoints().GetData())[:, :2]
+        steps = np.linalg.norm(np.diff(samples, axis=0), axis=1)
+        assert 2 < steps.min() and steps.max() < 6.5
+        assert (samples > 0).all() and (samples < (800, 600)).all()
+        section = np.array(note["section"])
+        assert np.linalg.norm(samples[[0, -1]] - section[[0, -1]], axis=1).max() < 4
