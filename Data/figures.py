@@ -4,6 +4,19 @@ import numpy as np
 from implicit import Ellipsoid, Field, Tube
 
 
+def finer_near(places):
+    """Factor on the edge length: for each (centre, inner radius, outer radius, factor), `factor` within the inner one."""
+
+    def scale(p):
+        result = np.ones(len(p))
+        for centre, inner, outer, factor in places:
+            t = np.clip((np.linalg.norm(p - np.asarray(centre), axis=1) - inner) / (outer - inner), 0.0, 1.0)
+            np.minimum(result, factor + (1.0 - factor) * t * t * (3.0 - 2.0 * t), out=result)
+        return result
+
+    return scale
+
+
 def dog():
     """A young hound in mid-stride: each leg stands alone when seen from the side."""
     f = Field()
@@ -76,7 +89,7 @@ def hand():
             rows.append((*at, (1.0, 0.93, 0.76)[i] * radius))
         finger.add(Tube(rows))
         back = np.array([0.0, 0.0, 1.0]) * np.cos(bend) - np.array([np.sin(lean), np.cos(lean), 0]) * np.sin(bend)
-        nail = at - 0.05 * step - 0.60 * radius * back
+        nail = at - 0.03 * step - 0.62 * radius * back
         finger.add(Ellipsoid(nail, (0.62 * radius, 0.95 * radius, 0.28 * radius), [np.cross(step, back), step, back]), 0.012)
         return finger
 
@@ -107,7 +120,7 @@ def person():
     for side in (-1, 1):
         head.add(Ellipsoid((0.152 * side, 1.715, -0.005), (0.022, 0.046, 0.034)), 0.02)  # ear
         head.add(Ellipsoid((0.058 * side, 1.745, 0.140), (0.026, 0.034, 0.020)), 0.012)  # eye
-    head.add(Tube([(-0.035, 1.632, 0.135, 0.011), (0.0, 1.626, 0.142, 0.013), (0.035, 1.632, 0.135, 0.011)]), 0.02)  # lips
+    head.add(Tube([(-0.052, 1.648, 0.122, 0.014), (0.0, 1.632, 0.134, 0.022), (0.052, 1.648, 0.122, 0.014)]), 0.03)  # smile
     # hair: a cap with a parting and a tuft
     hair = Field()
     hair.add(Ellipsoid((0, 1.80, -0.030), (0.168, 0.165, 0.168)))
@@ -142,7 +155,7 @@ def person():
 def dinosaur():
     """A long-necked sauropod in mid-stride, tail off the ground."""
     f = Field()
-    f.add(Ellipsoid((0.02, 1.00, 0), (0.52, 0.345, 0.315), [(1, 0.10, 0), (-0.10, 1, 0), (0, 0, 1)]))
+    f.add(Ellipsoid((0.02, 0.98, 0), (0.53, 0.36, 0.33), [(1, 0.10, 0), (-0.10, 1, 0), (0, 0, 1)]))
     f.add(Tube([(0.34, 1.08, 0, 0.27), (0.0, 1.06, 0, 0.30), (-0.40, 0.98, 0, 0.25)]), 0.15)
     # neck, rising in one long curve, and head
     f.add(Tube([(0.30, 1.10, 0, 0.27), (0.60, 1.30, 0, 0.185), (0.85, 1.58, 0, 0.135), (1.05, 1.90, 0, 0.112),
@@ -157,14 +170,14 @@ def dinosaur():
         head.add(Ellipsoid((1.80, 2.275, 0.036 * side), (0.026, 0.022, 0.020)), 0.02)  # nostril
     f.add(head, 0.05)
     # tail
-    f.add(Tube([(-0.38, 0.98, 0, 0.25), (-0.72, 0.92, 0, 0.175), (-1.05, 0.84, 0, 0.125), (-1.40, 0.80, 0, 0.090),
-                (-1.75, 0.86, 0, 0.062), (-2.08, 1.02, 0, 0.040)]), 0.12)
+    f.add(Tube([(-0.38, 0.98, 0, 0.25), (-0.72, 0.92, 0, 0.175), (-1.05, 0.84, 0, 0.125), (-1.40, 0.80, 0, 0.088),
+                (-1.75, 0.86, 0, 0.058), (-2.10, 1.03, 0, 0.034)]), 0.12)
 
     def toes(leg, x, z, radius):
         leg.add(Ellipsoid((x + 0.02, 0.055, z), (1.22 * radius, 0.060, 1.15 * radius)), 0.04)
         for turn in (-0.75, 0.0, 0.75):
-            leg.add(Ellipsoid((x + 0.02 + 1.14 * radius * np.cos(turn), 0.040, z + 1.08 * radius * np.sin(turn)), (0.045, 0.042, 0.042)),
-                    0.014)
+            leg.add(Ellipsoid((x + 0.02 + 1.08 * radius * np.cos(turn), 0.038, z + 1.05 * radius * np.sin(turn)), (0.055, 0.040, 0.042)),
+                    0.025)
 
     for side, elbow, foot in ((1, (0.42, 0.55), 0.56), (-1, (0.20, 0.55), 0.10)):
         leg, z = Field(), 0.185 * side
@@ -182,22 +195,30 @@ def dinosaur():
 def octopus():
     """An octopus resting on eight spread arms, their tips curling up."""
     f = Field()
-    f.add(Tube([(0, 0.62, -0.02, 0.36), (0, 0.82, -0.06, 0.41), (0, 1.06, -0.16, 0.39), (0, 1.24, -0.26, 0.28)], flat=((1, 0, 0), 0.97)))
-    f.add(Ellipsoid((0, 0.34, 0.0), (0.37, 0.25, 0.36)), 0.20)
+    f.add(Tube([(0, 0.52, 0.0, 0.29), (0, 0.74, -0.04, 0.35), (0, 0.98, -0.16, 0.43), (0, 1.14, -0.30, 0.39), (0, 1.20, -0.44, 0.26)]))
+    f.add(Ellipsoid((0, 0.34, 0.0), (0.37, 0.25, 0.36)), 0.22)
     for side in (-1, 1):
-        f.add(Ellipsoid((0.235 * side, 0.66, 0.265), (0.125, 0.125, 0.110)), 0.06)  # eye
-        f.add(Ellipsoid((0.265 * side, 0.675, 0.335), (0.072, 0.080, 0.060)), 0.010)
-    f.add(Tube([(0.0, 0.42, 0.34, 0.065), (0.0, 0.40, 0.42, 0.060)]), 0.04)  # siphon
+        f.add(Ellipsoid((0.230 * side, 0.66, 0.225), (0.130, 0.130, 0.115)), 0.06)  # socket
+        f.add(Ellipsoid((0.255 * side, 0.665, 0.295), (0.088, 0.088, 0.078)), 0.012)  # eye
+        f.add(Ellipsoid((0.245 * side, 0.735, 0.262), (0.112, 0.078, 0.098)), 0.030)  # lid
     for i in range(8):
         turn = np.pi * (2 * i + 1) / 8
         bow = (0.22, -0.18, 0.20, -0.24)[i % 4] * (1 if i < 4 else -1)
         rows = []
         for reach, sideways, height, radius in ((0.18, 0.0, 0.32, 0.165), (0.46, 0.05, 0.17, 0.135), (0.80, 0.35, 0.10, 0.105),
-                                                (1.12, 0.70, 0.09, 0.082), (1.42, 0.55, 0.11, 0.062), (1.64, 0.0, 0.19, 0.047),
-                                                (1.72, -0.50, 0.30, 0.034)):
+                                                (1.12, 0.70, 0.09, 0.084), (1.42, 0.55, 0.11, 0.067), (1.64, 0.0, 0.19, 0.055),
+                                                (1.72, -0.50, 0.30, 0.045)):
             angle = turn + bow * sideways
             rows.append((reach * np.cos(angle), height, reach * np.sin(angle), radius))
-        arm = Field()
-        arm.add(Tube(rows))
-        f.add(arm, 0.07)
+        f.add(Tube(rows), 0.07)
     return f
+
+
+# What makes each model: the figure, its edge length in its own unit, and where that is scaled down for detail.
+FIGURES = {
+    "dog": (dog, 0.021, finer_near([((0.97, 1.36, 0.0), 0.16, 0.40, 0.62)])),
+    "person": (person, 0.019, finer_near([((0.0, 1.72, 0.10), 0.12, 0.36, 0.60)])),
+    "hand": (hand, 0.025, None),
+    "dinosaur": (dinosaur, 0.032, finer_near([((1.62, 2.27, 0.0), 0.20, 0.70, 0.55), ((-2.1, 1.03, 0.0), 0.1, 0.7, 0.65)])),
+    "octopus": (octopus, 0.031, finer_near([((0.0, 0.68, 0.30), 0.25, 0.60, 0.60)])),
+}

@@ -15,9 +15,6 @@ from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 import figures
 import remesh
 
-# Edge length of each model, in its own unit; the figures are about two units across.
-EDGES = {"dog": 0.020, "hand": 0.025}
-
 
 def polydata(points, triangles):
     mesh = vtk.vtkPolyData()
@@ -32,18 +29,19 @@ def polydata(points, triangles):
 
 def make(name, coarser=1.0):
     """The model as vtkPolyData; `coarser` scales its edge length."""
-    return polydata(*remesh.even(getattr(figures, name)(), coarser * EDGES[name]))
+    figure, edge, finer = figures.FIGURES[name]
+    return polydata(*remesh.even(figure(), coarser * edge, finer))
 
 
 def main():
     here = os.path.dirname(os.path.abspath(__file__))
     parser = argparse.ArgumentParser(description="Makes the models of Data/Models.")
-    parser.add_argument("--only", choices=sorted(EDGES), help="make one model")
+    parser.add_argument("--only", choices=sorted(figures.FIGURES), help="make one model")
     parser.add_argument("--coarser", type=float, default=1.0, help="factor on the edge length")
     parser.add_argument("--to", default=os.path.join(here, "Models"), help="folder to write to")
     options = parser.parse_args()
     os.makedirs(options.to, exist_ok=True)
-    for name in [options.only] if options.only else EDGES:
+    for name in [options.only] if options.only else figures.FIGURES:
         mesh = make(name, options.coarser)
         writer = vtk.vtkPLYWriter()
         writer.SetFileName(os.path.join(options.to, name + ".ply"))
