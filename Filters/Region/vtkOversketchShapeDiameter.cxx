@@ -1,0 +1,105 @@
+#include "vtkOversketchShapeDiameter.h"
+
+#include "Ray/shape_diameter.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <tuple>
+
+using namespace oversketch;
+
+static_assert(int(vtkOversketchShapeDiameter::BACKEND_AUTO) == int(Backend::Auto) &&
+                int(vtkOversketchShapeDiameter::BACKEND_OPENCL) == int(Backend::OpenCL) &&
+                int(vtkOversketchShapeDiameter::BACKEND_EMBREE) == int(Backend::Host),
+  "the filter's numbers are the kernel's");
+
+// The array and what it was made from.
+struct vtkOversketchShapeDiameter::Cache
+{
+  using Parameters = std::tuple<int, double, bool, int>;
+
+  MeshKey Key;
+  Parameters Values{};
+  std::shared_ptr<const MeshData> Mesh; // kept for the steps that follow on the same mesh
+  vtkSmartPointer<vtkDoubleArray> Array;
+};
+
+vtkStandardNewMacro(vtkOversketchShapeDiameter);
+
+vtkOversketchShapeDiameter::vtkOversketchShapeDiameter()
+  : Internals(new Cache)
+{
+}
+
+vtkOversketchShapeDiameter::~vtkOversketchShapeDiameter() = default;
+
+int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (input->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      RequirePolygonsOnly(input); // the key does not see other cells
+      const MeshKey key(input, { input->GetPointData()->GetNormals() });
+      const Cache::Parameters values(
+        this->RayCount, this->ConeAngle, this->InverseAngleWeights, this->Backend);
+      Cache& cache = *this->Internals;
+      if (!cache.Array || cache.Key != key || cache.Values != values)
+      {
+        cache.Array = nullptr;
+        cache.Mesh = SharedMesh(input);
+        ShapeDiameterOptions options;
+        options.rayCount = this->RayCount;
+        options.coneAngle = this->ConeAngle;
+        options.inverseAngleWeights = this->InverseAngleWeights;
+        options.backend = static_cast<oversketch::Backend>(this->Backend);
+        ++this->RayCastCount;
+        const ShapeDiameter result = computeShapeDiameter(
+          cache.Mesh->Surface, cache.Mesh->Neighbours, cache.Mesh->Normals, options, ContextOf(this));
+        if (!result.warning.empty())
+        {
+          vtkWarningMacro(<< result.warning);
+        }
+        this->BackendUsed = static_cast<int>(result.used);
+        this->TracedRayCount = static_cast<vtkIdType>(result.raysTraced);
+        auto array = vtkSmartPointer<vtkDoubleArray>::New();
+        array->SetName("ShapeDiameter");
+        array->SetNumberOfTuples(input->GetNumberOfPoints());
+        std::copy(result.diameter.begin(), result.diameter.end(), array->GetPointer(0));
+        cache.Key = key;
+        cache.Values = values;
+        cache.Array = array;
+      }
+      output->ShallowCopy(input);
+      output->GetPointData()->AddArray(cache.Array);
+    });
+}
+
+void vtkOversketchShapeDiameter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RayCount: " << this->RayCount << "\n"
+     << indent << "ConeAngle: " << this->ConeAngle << "\n"
+     << indent << "InverseAngleWeights: " << this->InverseAngleWeights << "\n"
+     << indent << "Backend: " << this->Backend << "\n"
+     << indent << "BackendUsed: " << this->BackendUsed << "\n"
+     << indent << "RayCastCount: " << this->RayCastCount << "\n"
+     << indent << "TracedRayCount: " << this->TracedRayCount << "\n";
+}

@@ -1,0 +1,435 @@
+#include "Harness/shapes.h"
+#include "Ray/bvh.h"
+#include "Ray/ray_caster.h"
+#include "Ray/shape_diameter.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+#include <thread>
+
+using namespace oversketch;
+using namespace oversketch_test;
+
+namespace
+{
+
+ShapeDiameterOptions on(Backend backend)
+{
+  ShapeDiameterOptions options;
+  options.backend = backend;
+  return options;
+}
+
+std::vector<ConeHit> hitsOf(const Mesh& mesh,
+  const std::vector<Vector3>& normals,
+  const ShapeDiameterOptions& options)
+{
+  std::vector<ConeHit> hits;
+  const ShapeDiameter result =
+    computeShapeDiameter(mesh, buildAdjacency(mesh), normals, options, Context(), &hits);
+  if (options.backend == Backend::OpenCL && Device::instance())
+  {
+    EXPECT_EQ(result.used, Backend::OpenCL) << result.warning;
+  }
+  return hits;
+}
+
+// Every triangle tried, in double precision.
+ConeHit bruteForce(const Mesh& mesh, int origin, const Vector3& direction)
+{
+  ConeHit best;
+  for (int i = 0; i < mesh.triangleCount(); ++i)
+  {
+    const Triangle& t = mesh.triangles[i];
+    if (std::count(t.begin(), t.end(), origin) > 0 || !(facetNormal(mesh, i).dot(direction) > 0.0))
+    {
+      continue;
+    }
+    Eigen::Matrix3d m;
+    m << mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]], -direction;
+    const Vector3 x = m.fullPivLu().solve(mesh.points[origin] - mesh.points[t[0]]);
+    if (x[0] >= 0.0 && x[1] >= 0.0 && x[0] + x[1] <= 1.0 && x[2] > 0.0 &&
+        (best.triangle < 0 || x[2] < best.length))
+    {
+      best = { x[2], i };
+    }
+  }
+  return best;
+}
+
+// Spiky and self-intersecting: random displacements along the normals of a sphere.
+Mesh spikySphere(int levels, double amount)
+{
+  Mesh mesh = icosphere(levels);
+  std::mt19937 random(7);
+  for (Vector3& p : mesh.points)
+  {
+    p *= 1.0 + amount * (static_cast<double>(random() % 1001) / 500.0 - 1.0);
+  }
+  return mesh;
+}
+
+// A unit box of n x n quads a side, whose corners are not shared between sides: cracks of no width.
+Mesh box(int n)
+{
+  Mesh mesh;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { -0.5, 0.5 })
+    {
+      const Mesh face = gridSurface(n,
+        n,
+        false,
+        false,
+        [&](double u, double v)
+        {
+          Vector3 p;
+          p[axis] = side;
+          p[(axis + 1) % 3] = side > 0 ? u - 0.5 : 0.5 - u;
+          p[(axis + 2) % 3] = v - 0.5;
+          return p;
+        });
+      const int first = mesh.vertexCount();
+      mesh.points.insert(mesh.points.end(), face.points.begin(), face.points.end());
+      for (const Triangle& t : face.triangles)
+      {
+        mesh.triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+      }
+    }
+  }
+  return mesh;
+}
+
+std::vector<Mesh> shapes()
+{
+  // Turned, so that no ray runs along a side from edge to edge, where hit and miss are both right.
+  Mesh turned = box(6);
+  for (Vector3& p : turned.points)
+  {
+    p = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()) * p;
+  }
+  return { icosphere(3), torus(1.0, 0.4, 60, 30), cylinder(0.5, 4.0, 40, 40), spikySphere(3, 0.3), turned };
+}
+
+} // namespace
+
+TEST(Ray, ConeDirectionsFillTheConeEvenly)
+{
+  for (const double angle : { 60.0, 120.0 })
+  {
+    const double beta = angle * pi / 360.0;
+    const auto cone = coneDirections(1000, angle);
+    Vector3 mean = Vector3::Zero();
+    for (const Vector3& d : cone)
+    {
+      EXPECT_NEAR(d.norm(), 1.0, 1e-14);
+      EXPECT_GT(d[2], std::cos(beta));
+      mean += d / 1000.0;
+    }
+    EXPECT_NEAR(mean[2], 0.5 * (1.0 + std::cos(beta)), 1e-12); // of the cap of half-angle beta
+    EXPECT_NEAR(mean.head<2>().norm(), 0.0, 1e-3);
+  }
+}
+
+TEST(Ray, FramesAreRightHandedAndOrthonormal)
+{
+  for (const Mesh& mesh : { icosphere(2), box(1) })
+  {
+    for (const Vector3& p : mesh.points)
+    {
+      const Vector3 axis = p.normalized();
+      const Eigen::Matrix3d frame = frameAround(axis);
+      EXPECT_LT((frame.transpose() * frame - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+      EXPECT_NEAR(frame.determinant(), 1.0, 1e-14);
+      EXPECT_EQ(Vector3(frame.col(2)), axis);
+    }
+  }
+}
+
+TEST(Ray, SummaryDropsOutliersAndWeighs)
+{
+  const auto hits = [](const std::vector<double>& lengths)
+  {
+    std::vector<ConeHit> list;
+    for (const double length : lengths)
+    {
+      list.push_back({ length, length < 0.0 ? -1 : 0 });
+    }
+    return list;
+  };
+  const std::vector<double> even(6, 1.0);
+  EXPECT_DOUBLE_EQ(summarise(hits({ 1, 1.2, -1, 1.1, 0.9, 50 }).data(), even), 1.05);
+  EXPECT_DOUBLE_EQ(summarise(hits({ -1, -1, -1, 3, -1, -1 }).data(), even), 3.0);
+  EXPECT_DOUBLE_EQ(
+    summarise(hits({ 0.1, 0.7, -1, -1, -1, -1 }).data(), even), 0.4); // both exactly one deviation off
+  EXPECT_EQ(summarise(hits({ -1, -1, -1, -1, -1, -1 }).data(), even), -1.0);
+  EXPECT_DOUBLE_EQ(summarise(hits({ 1, 2, -1, -1, -1, -1 }).data(), { 3, 1, 9, 9, 9, 9 }), 1.25);
+}
+
+TEST(Ray, TreeHoldsEveryTriangleOnceWithinItsBounds)
+{
+  std::vector<Mesh> meshes = shapes();
+  meshes.push_back(icosphere(0));
+  Mesh pile; // all centres coincide: the heuristic cannot part them
+  pile.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  pile.triangles.assign(1000, { 0, 1, 2 });
+  meshes.push_back(pile);
+  for (const Mesh& mesh : meshes)
+  {
+    const RayScene scene(mesh);
+    const Bvh bvh = buildBvh(scene, Context());
+    std::multiset<int> seen;
+    int deepest = 0;
+    const std::function<void(int, int)> walk = [&](int at, int waiting)
+    {
+      const Bvh::Node& node = bvh.nodes[at];
+      int children = 0;
+      for (const int child : node.child)
+      {
+        children += child != -1;
+      }
+      deepest = std::max(deepest, waiting + children);
+      for (int i = 0; i < 4; ++i)
+      {
+        if (node.child[i] >= 0)
+        {
+          walk(node.child[i], waiting + children - 1);
+        }
+        else if (node.child[i] < -1)
+        {
+          const int leaf = -2 - node.child[i];
+          int held = 0;
+          for (int p = leaf / 4; p <= leaf / 4 + leaf % 4; ++p)
+          {
+            for (int k = 0; k < 4; ++k)
+            {
+              const int t = bvh.packs[p].triangle[k];
+              if (t >= 0)
+              {
+                seen.insert(t);
+                ++held;
+                for (int corner = 0; corner < 3; ++corner)
+                {
+                  for (int axis = 0; axis < 3; ++axis)
+                  {
+                    const float x = bvh.packs[p].corner[corner][axis][k];
+                    EXPECT_EQ(x, scene.points[mesh.triangles[t][corner]][axis]);
+                    EXPECT_LE(node.lower[axis][i], x);
+                    EXPECT_GE(node.upper[axis][i], x);
+                  }
+                }
+              }
+            }
+          }
+          EXPECT_LE(held, Bvh::leafSize);
+        }
+      }
+    };
+    walk(0, 0);
+    EXPECT_EQ(static_cast<int>(seen.size()), mesh.triangleCount());
+    EXPECT_EQ(static_cast<int>(std::set<int>(seen.begin(), seen.end()).size()), mesh.triangleCount());
+    EXPECT_LE(deepest, bvh.stackSize);
+  }
+}
+
+TEST(Ray, BothBackendsFindWhatTryingEveryTriangleFinds)
+{
+  for (const Mesh& mesh : { icosphere(2), torus(1.0, 0.4, 24, 12), spikySphere(2, 0.3) })
+  {
+    const auto normals = vertexNormals(mesh);
+    const auto cone = coneDirections(32, 60.0);
+    for (const Backend backend : { Backend::OpenCL, Backend::Host })
+    {
+      const auto hits = hitsOf(mesh, normals, on(backend));
+      int differing = 0;
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+      {
+        const Eigen::Matrix3d frame = frameAround(-normals[v]);
+        for (int k = 0; k < 32; ++k)
+        {
+          const ConeHit expected = bruteForce(mesh, v, frame * cone[k]);
+          const ConeHit& hit = hits[v * 32 + k];
+          // A ray through an edge may land on either side of it.
+          differing += (hit.triangle < 0) != (expected.triangle < 0) ||
+                       std::abs(hit.length - expected.length) > 1e-5 * expected.length;
+        }
+      }
+      EXPECT_EQ(differing, 0);
+    }
+  }
+}
+
+TEST(Ray, SeamsChangeNothing)
+{
+  // The same box with its sides joined: rays from an edge pass through the side that they start on.
+  Mesh split = box(6), joined = split;
+  for (Triangle& t : joined.triangles)
+  {
+    for (int& corner : t)
+    {
+      const auto same = [&](const Vector3& p) { return p == split.points[corner]; };
+      corner =
+        static_cast<int>(std::find_if(split.points.begin(), split.points.end(), same) - split.points.begin());
+    }
+  }
+  const auto normals = vertexNormals(split);
+  for (const Backend backend : { Backend::OpenCL, Backend::Host })
+  {
+    const auto a = hitsOf(split, normals, on(backend)), b = hitsOf(joined, normals, on(backend));
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      EXPECT_EQ(a[i].triangle, b[i].triangle);
+    }
+  }
+}
+
+TEST(Ray, HitsDoNotDependOnThreadsOrOrder)
+{
+  const Mesh mesh = spikySphere(4, 0.2);
+  const auto normals = vertexNormals(mesh);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  Context threaded;
+  threaded.parallelFor = [](int count, const Context::Body& body)
+  {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 3; ++i)
+    {
+      threads.emplace_back([=, &body] { body(count * i / 3, count * (i + 1) / 3); });
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  };
+  for (const Backend backend : { Backend::OpenCL, Backend::Host })
+  {
+    const auto one = computeShapeDiameter(mesh, adjacency, normals, on(backend), Context());
+    const auto three = computeShapeDiameter(mesh, adjacency, normals, on(backend), threaded);
+    EXPECT_EQ(one.diameter, three.diameter);
+  }
+}
+
+TEST(A6_5, DeviceHitLengthsEqualEmbrees)
+{
+  if (!Device::instance())
+  {
+    GTEST_SKIP() << "no OpenCL device";
+  }
+  double worst = 0.0;
+  long long rays = 0, hitCount = 0, apart = 0;
+  for (const Mesh& mesh : shapes())
+  {
+    const auto normals = vertexNormals(mesh);
+    const auto device = hitsOf(mesh, normals, on(Backend::OpenCL));
+    const auto embree = hitsOf(mesh, normals, on(Backend::Host));
+    ASSERT_EQ(device.size(), mesh.points.size() * 32);
+    rays += static_cast<long long>(device.size());
+    for (std::size_t i = 0; i < device.size(); ++i)
+    {
+      ASSERT_EQ(device[i].triangle < 0, embree[i].triangle < 0) << "ray " << i;
+      hitCount += device[i].triangle >= 0;
+      apart += device[i].triangle != embree[i].triangle;
+      if (device[i].triangle >= 0)
+      {
+        worst = std::max(worst, std::abs(device[i].length / embree[i].length - 1.0));
+      }
+    }
+  }
+  EXPECT_GT(hitCount, rays / 2);
+  EXPECT_LT(worst, 1e-4);
+  fact("A6_5",
+    "device against Embree, " + std::to_string(rays) + " rays on 5 meshes: same misses, lengths within " +
+      std::to_string(worst * 1e9) + "e-9 relative, other facet (on a shared edge) " + std::to_string(apart) +
+      " times");
+}
+
+TEST(Ray, UnmeasuredVerticesTakeTheirNeighboursValues)
+{
+  // An open sheet beside a sphere: no ray from the sheet finds a facet to leave through.
+  Mesh mesh = icosphere(2);
+  const int sphere = mesh.vertexCount();
+  const Mesh sheet = gridSurface(3, 3, false, false, [](double u, double v) { return Vector3(u, v, 5.0); });
+  mesh.points.insert(mesh.points.end(), sheet.points.begin(), sheet.points.end());
+  mesh.points.push_back({ 9, 9, 9 }); // a loose point
+  for (const Triangle& t : sheet.triangles)
+  {
+    mesh.triangles.push_back({ t[0] + sphere, t[2] + sphere, t[1] + sphere }); // its back to the sphere
+  }
+  const auto normals = vertexNormals(mesh);
+  const auto result = computeShapeDiameter(mesh, buildAdjacency(mesh), normals, on(Backend::Host), Context());
+  double mean = 0.0;
+  for (int v = 0; v < sphere; ++v)
+  {
+    EXPECT_TRUE(result.measured[v]);
+    mean += result.diameter[v] / sphere;
+  }
+  for (int v = sphere; v < mesh.vertexCount(); ++v)
+  {
+    EXPECT_FALSE(result.measured[v]);
+    EXPECT_NEAR(result.diameter[v], mean, 1e-12);
+  }
+  EXPECT_EQ(result.raysTraced, 32 * (mesh.vertexCount() - 1)); // the loose point has no normal
+  // The sheet alone.
+  const auto alone =
+    computeShapeDiameter(sheet, buildAdjacency(sheet), vertexNormals(sheet), on(Backend::Host), Context());
+  EXPECT_EQ(alone.diameter, std::vector<double>(16, boundingDiagonal(sheet)));
+  // Points without a triangle, and nothing at all.
+  const Mesh points{ { { 0, 0, 0 }, { 3, 4, 0 } }, {} };
+  EXPECT_EQ(
+    computeShapeDiameter(points, buildAdjacency(points), vertexNormals(points), on(Backend::Auto), Context())
+      .diameter,
+    std::vector<double>(2, 5.0));
+}
+
+TEST(Ray, FillingGoesRingByRing)
+{
+  const Mesh mesh = spikySphere(2, 0.2);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  auto normals = vertexNormals(mesh);
+  const auto ringOf = [&](int v)
+  { return std::vector<int>(adjacency.vertexVertices.begin(v), adjacency.vertexVertices.end(v)); };
+  const int centre = 100;
+  std::set<int> hole{ centre };
+  for (const int n : ringOf(centre))
+  {
+    hole.insert(n);
+  }
+  for (const int v : hole)
+  {
+    normals[v].setZero(); // no normal, no axis, no ray
+  }
+  const auto result = computeShapeDiameter(mesh, adjacency, normals, on(Backend::Host), Context());
+  EXPECT_EQ(result.raysTraced, 32 * (mesh.vertexCount() - static_cast<int>(hole.size())));
+  for (const int v : hole)
+  {
+    EXPECT_FALSE(result.measured[v]);
+    double sum = 0.0;
+    int count = 0;
+    for (const int n : ringOf(v))
+    {
+      if (v == centre || hole.count(n) == 0) // the inner ring knows only what was measured
+      {
+        sum += result.diameter[n];
+        ++count;
+      }
+    }
+    EXPECT_DOUBLE_EQ(result.diameter[v], sum / count);
+  }
+}
+
+TEST(Ray, CancelStopsBetweenBlocksOnBothBackends)
+{
+  const Mesh mesh = icosphere(5); // 10242 vertices: two blocks
+  const auto normals = vertexNormals(mesh);
+  for (const Backend backend : { Backend::OpenCL, Backend::Host })
+  {
+    Context context;
+    double reached = 0.0;
+    context.progress = [&](double done) { reached = done; };
+    context.cancelled = [&] { return reached > 0.0; };
+    EXPECT_THROW(computeShapeDiameter(mesh, buildAdjacency(mesh), normals, on(backend), context), Error);
+    EXPECT_LT(reached, 1.0);
+  }
+}
