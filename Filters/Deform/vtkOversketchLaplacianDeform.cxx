@@ -1,0 +1,320 @@
+#include "vtkOversketchLaplacianDeform.h"
+
+#include "Sparse/laplacian.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+using namespace oversketch;
+
+namespace
+{
+
+struct Handles
+{
+  std::vector<Binding> Bindings;
+  std::vector<Vector3> Displacements;
+};
+
+[[noreturn]] void RefuseHandle(vtkIdType handle, const char* problem)
+{
+  std::ostringstream message;
+  message << "Handle " << handle << ' ' << problem;
+  throw Error(Failure::BadMesh, message.str());
+}
+
+Handles HandlesOf(vtkPolyData* polyData, int vertexCount)
+{
+  const std::string remedy = "vtkOversketchTargets makes it";
+  const vtkIdType count = polyData->GetNumberOfPoints();
+  if (count == 0)
+  {
+    throw Error(Failure::BadRegion, "There is no handle: the handles input holds no point.");
+  }
+  vtkPointData* data = polyData->GetPointData();
+  vtkDataArray* vertices = RequireArray(data, "MeshVertices", 3, count, "handles", remedy);
+  vtkDataArray* weights = RequireArray(data, "MeshWeights", 3, count, "handles", remedy);
+  vtkDataArray* targets = RequireArray(data, "Target", 3, count, "handles", remedy);
+  Handles handles;
+  for (vtkIdType h = 0; h < count; ++h)
+  {
+    Binding binding;
+    Vector3 position, target;
+    polyData->GetPoint(h, position.data());
+    targets->GetTuple(h, target.data());
+    weights->GetTuple(h, binding.weights.data());
+    if (!position.allFinite() || !target.allFinite())
+    {
+      RefuseHandle(h, "has a position or a Target that is not finite; compute the targets again.");
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const double v = vertices->GetComponent(h, k);
+      if (!(v >= 0.0 && v < vertexCount))
+      {
+        RefuseHandle(h,
+          "names a vertex that the mesh does not have (array MeshVertices); give the mesh the handles were "
+          "made from.");
+      }
+      binding.vertices[k] = static_cast<int>(v);
+    }
+    if (!(std::abs(binding.weights[0] + binding.weights[1] + binding.weights[2] - 1.0) < 1e-6))
+    {
+      RefuseHandle(h, "has weights that do not sum to 1 (array MeshWeights); compute the targets again.");
+    }
+    handles.Bindings.push_back(binding);
+    handles.Displacements.push_back(target - position);
+  }
+  return handles;
+}
+
+std::vector<char> RegionOf(vtkPolyData* mesh)
+{
+  vtkDataArray* array = RequireArray(mesh->GetPointData(),
+    "Region",
+    1,
+    mesh->GetNumberOfPoints(),
+    "mesh",
+    "vtkOversketchMixtureRegion or another region filter makes it");
+  std::vector<char> region(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    region[static_cast<std::size_t>(i)] = array->GetComponent(i, 0) != 0.0;
+  }
+  return region;
+}
+
+bool SameBindings(const std::vector<Binding>& a, const std::vector<Binding>& b)
+{
+  return std::equal(a.begin(),
+    a.end(),
+    b.begin(),
+    b.end(),
+    [](const Binding& p, const Binding& q) { return p.vertices == q.vertices && p.weights == q.weights; });
+}
+
+// A copy of normals with the listed tuples overwritten; a normal without length is left as it was.
+vtkSmartPointer<vtkDataArray> WithNormals(vtkDataArray* normals,
+  const std::vector<std::pair<int, Vector3>>& changed)
+{
+  auto copy = vtkSmartPointer<vtkDataArray>::Take(normals->NewInstance());
+  copy->DeepCopy(normals);
+  for (const auto& [index, normal] : changed)
+  {
+    if (normal.squaredNorm() > 0.0)
+    {
+      copy->SetTuple(index, normal.data());
+    }
+  }
+  return copy;
+}
+
+bool UsableNormals(vtkDataArray* normals, vtkIdType count)
+{
+  return normals && normals->GetNumberOfComponents() == 3 && normals->GetNumberOfTuples() == count;
+}
+
+} // namespace
+
+// The factor, and what was written last, with what each was made from.
+struct vtkOversketchLaplacianDeform::Cache
+{
+  MeshKey SystemKey;
+  std::vector<char> Region;
+  std::vector<Binding> Bindings;
+  double HandleWeight = 0.0;
+  bool AdjustNormals = false;
+  bool BorderRows = false;
+  std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
+  std::unique_ptr<LaplacianSystem> System;
+
+  MeshKey OutputKey;
+  std::vector<Vector3> Displacements;
+  vtkSmartPointer<vtkPoints> Points;
+  vtkSmartPointer<vtkDataArray> PointNormals;
+  vtkSmartPointer<vtkDataArray> CellNormals;
+
+  void Write(vtkPolyData* input, const std::vector<Vector3>& moves);
+};
+
+vtkStandardNewMacro(vtkOversketchLaplacianDeform);
+
+vtkOversketchLaplacianDeform::vtkOversketchLaplacianDeform()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchLaplacianDeform::~vtkOversketchLaplacianDeform() = default;
+
+void vtkOversketchLaplacianDeform::SetHandlesData(vtkPolyData* handles)
+{
+  this->SetInputData(1, handles);
+}
+
+// Makes Points, PointNormals and CellNormals from the input and the displacement of each vertex.
+void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input, const std::vector<Vector3>& moves)
+{
+  const Mesh& before = this->Data->Surface;
+  Mesh after = before;
+  this->Points = vtkSmartPointer<vtkPoints>::New();
+  this->Points->SetDataType(input->GetPoints()->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
+  this->Points->DeepCopy(input->GetPoints());
+  std::vector<char> moved(moves.size(), 0);
+  for (int v = 0; v < before.vertexCount(); ++v)
+  {
+    if (moves[v] != Vector3::Zero())
+    {
+      moved[v] = 1;
+      after.points[v] += moves[v];
+      this->Points->SetPoint(v, after.points[v].data());
+    }
+  }
+  this->PointNormals = nullptr;
+  this->CellNormals = nullptr;
+  vtkDataArray* pointNormals = input->GetPointData()->GetNormals();
+  vtkDataArray* cellNormals = input->GetCellData()->GetNormals();
+  std::vector<char> touched(moves.size(), 0);
+  std::vector<std::pair<int, Vector3>> changed;
+  for (int t = 0; t < after.triangleCount(); ++t)
+  {
+    const Triangle& c = after.triangles[t];
+    if (moved[c[0]] || moved[c[1]] || moved[c[2]])
+    {
+      touched[c[0]] = touched[c[1]] = touched[c[2]] = 1;
+      changed.emplace_back(t, facetNormal(after, t));
+    }
+  }
+  if (UsableNormals(cellNormals, after.triangleCount()))
+  {
+    this->CellNormals = WithNormals(cellNormals, changed);
+  }
+  if (UsableNormals(pointNormals, after.vertexCount()))
+  {
+    const std::vector<Vector3> normals = vertexNormals(after);
+    changed.clear();
+    for (int v = 0; v < after.vertexCount(); ++v)
+    {
+      if (touched[v])
+      {
+        changed.emplace_back(v, normals[v]);
+      }
+    }
+    this->PointNormals = WithNormals(pointNormals, changed);
+  }
+}
+
+int vtkOversketchLaplacianDeform::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return port < 2;
+}
+
+int vtkOversketchLaplacianDeform::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      if (input->GetNumberOfPoints() > 0)
+      {
+        this->Deform(input, vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(outputs));
+      }
+    });
+}
+
+void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handlesInput, vtkPolyData* output)
+{
+  Cache& cache = *this->Internals;
+  RequirePolygonsOnly(input); // the keys do not see other cells
+  const MeshKey systemKey(input);
+  const MeshKey outputKey(input, { input->GetPointData()->GetNormals(), input->GetCellData()->GetNormals() });
+  const std::vector<char> region = RegionOf(input);
+  const Handles handles = HandlesOf(handlesInput, static_cast<int>(input->GetNumberOfPoints()));
+  const Context context = ContextOf(this);
+
+  if (!cache.System || cache.SystemKey != systemKey || cache.Region != region ||
+      !SameBindings(cache.Bindings, handles.Bindings) || cache.HandleWeight != this->HandleWeight ||
+      cache.AdjustNormals != this->AdjustNormals || cache.BorderRows != this->BorderRows)
+  {
+    cache.System.reset();
+    cache.Points = nullptr;
+    cache.Data = SharedMesh(input);
+    LaplacianOptions options;
+    options.handleWeight = this->HandleWeight;
+    options.borderRows = this->BorderRows;
+    options.adjustNormals = this->AdjustNormals;
+    auto system = std::make_unique<LaplacianSystem>(
+      cache.Data->Surface, cache.Data->Neighbours, region, handles.Bindings, options, context);
+    ++this->FactorizationCount;
+    cache.System = std::move(system);
+    cache.SystemKey = systemKey;
+    cache.Region = region;
+    cache.Bindings = handles.Bindings;
+    cache.HandleWeight = this->HandleWeight;
+    cache.AdjustNormals = this->AdjustNormals;
+    cache.BorderRows = this->BorderRows;
+  }
+  if (!cache.Points || cache.OutputKey != outputKey || cache.Displacements != handles.Displacements)
+  {
+    cache.Points = nullptr;
+    const std::vector<Vector3> moves = cache.System->solve(handles.Displacements, context);
+    ++this->SolveCount;
+    this->MovableCount = cache.System->movableCount();
+    this->ActiveHandleCount = 0;
+    this->MeanHandleResidual = this->MaximumHandleResidual = 0.0;
+    for (int h = 0; h < static_cast<int>(handles.Bindings.size()); ++h)
+    {
+      if (cache.System->handleActive(h))
+      {
+        const double residual = (handles.Bindings[h].of(moves) - handles.Displacements[h]).norm();
+        this->MeanHandleResidual += residual;
+        this->MaximumHandleResidual = std::max(this->MaximumHandleResidual, residual);
+        ++this->ActiveHandleCount;
+      }
+    }
+    this->MeanHandleResidual /= static_cast<double>(this->ActiveHandleCount);
+    cache.Write(input, moves);
+    cache.OutputKey = outputKey;
+    cache.Displacements = handles.Displacements;
+  }
+  output->ShallowCopy(input);
+  output->SetPoints(cache.Points);
+  if (cache.PointNormals)
+  {
+    output->GetPointData()->SetNormals(cache.PointNormals);
+  }
+  if (cache.CellNormals)
+  {
+    output->GetCellData()->SetNormals(cache.CellNormals);
+  }
+}
+
+void vtkOversketchLaplacianDeform::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AdjustNormals: " << this->AdjustNormals << endl;
+  os << indent << "HandleWeight: " << this->HandleWeight << endl;
+  os << indent << "BorderRows: " << this->BorderRows << endl;
+  os << indent << "FactorizationCount: " << this->FactorizationCount << endl;
+  os << indent << "SolveCount: " << this->SolveCount << endl;
+  os << indent << "MeanHandleResidual: " << this->MeanHandleResidual << endl;
+  os << indent << "MaximumHandleResidual: " << this->MaximumHandleResidual << endl;
+  os << indent << "MovableCount: " << this->MovableCount << endl;
+  os << indent << "ActiveHandleCount: " << this->ActiveHandleCount << endl;
+}
