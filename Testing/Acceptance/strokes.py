@@ -136,7 +136,7 @@ def limbs_in(view, points, triangles):
     whole = np.concatenate([outer, outer])
     limbs = []
     i = np.arange(0, n, 2)
-    steps = np.arange(int(90 / SPACING), int(0.45 * n), 2)
+    steps = np.arange(int(64 / SPACING), int(0.45 * n), 2)
     chord = np.linalg.norm(whole[i[:, None] + steps] - outer[i][:, None], axis=2)
     ratio = np.where((chord > 10) & (chord < 260), steps * SPACING / np.maximum(chord, 1e-9), 0)
     ratio[ratio < 2.7] = 0
@@ -164,16 +164,23 @@ def limbs_in(view, points, triangles):
             continue
         section = whole[a:b + 1]
         base = (p + q) / 2
-        tip = section[np.argmax(np.linalg.norm(section - base, axis=1))]
-        length = np.linalg.norm(tip - base)
+        far = int(np.argmax(np.linalg.norm(section - base, axis=1)))
+        tip = section[far]
+        length = float(np.linalg.norm(tip - base))
+        if length < max(32, 1.1 * width) or not 0.36 < far / len(span) < 0.64:
+            continue
+        # One limb, not two or a head with horns: out along one side, back along the other, from a base across it.
+        axis = (tip - base) / length
+        if np.abs(np.diff((section - base) @ axis)).sum() > 2.35 * length or abs((q - p) @ axis) > 0.5 * width:
+            continue
         body = picture.inside_polygon(section)
-        pixels = body & covered
-        if length < 45 or length < 1.1 * width or not 0.004 < pixels.sum() / total < 0.33:
+        pixels = (body & covered).sum()
+        if width > 2.2 * pixels / length or not 0.003 < pixels / total < 0.33:
             continue
         if (count[body] == 2).mean() < 0.965:
             continue
-        limbs.append({"ids": span % n, "span": len(span), "section": section, "length": float(length), "body": body,
-                      "width": float(pixels.sum() / length), "base": base, "tip": tip, "outer": outer})
+        limbs.append({"ids": span % n, "span": len(span), "section": section, "length": length, "body": body,
+                      "width": float(pixels / length), "base": base, "tip": tip, "outer": outer})
         if len(limbs) == 12:
             break
     return limbs, xy, depth, covered
