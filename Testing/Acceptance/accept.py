@@ -61,33 +61,36 @@ def run(stroke_file, mesh_file, modes, backend, pictures):
         one_stroke.Update()
         seconds = time.perf_counter() - start
         output = one_stroke.GetOutput()
-        region = None
-        inner = {name: one_stroke.GetInnerOutput(name) for name in ("RegionBorder", "Match")}
-        if inner["RegionBorder"] is not None:
-            region = inner["RegionBorder"].GetPointData().GetArray("Region")
+        match, border = one_stroke.GetInnerOutput("Match"), one_stroke.GetInnerOutput("RegionBorder")
+        region = region_of(border, before[0]) if border.GetNumberOfPoints() else np.zeros(len(before[0]), bool)
         if output.GetNumberOfCells() == 0:
             result = {"fails": ["no result"], "holds": False}
             after = before
         else:
             after = meshes.arrays(output)
-            on_input = region is not None and region.GetNumberOfTuples() == len(before[0])
-            result = judge.judge(before, after, samples, view, vtk_to_numpy(region) if on_input else None, note)
-            if not on_input:
-                result["fails"].append("no region")
-                result["holds"] = False
+            result = judge.judge(before, after, samples, view, region, note)
+            result["remeshed"] = bool(one_stroke.GetRemeshed())
         result["seconds"], result["messages"] = seconds, messages
         results[mode] = result
         if pictures:
-            image = show(view, before, after, samples, inner, region)
+            image = show(view, before, after, samples, match, region)
             label = f"{Path(stroke_file).stem} {mode}"
             if "mean" in result:
                 label += f"  {result['mean']:.2f} {result['worst']:.2f} {result['back']:.2f} folds {result['folds']}" \
-                         f"  untouched {result['untouched']:.2f}"
+                         f"  untouched {result['untouched']:.2f}{'  remeshed' if result['remeshed'] else ''}"
             picture.write_text(image, label, 6, 6, 15)
             if result["fails"]:
                 picture.write_text(image, "FAILS " + ", ".join(result["fails"]), 6, 24, 15, picture.RED)
             picture.save(image, Path(pictures) / f"{Path(stroke_file).stem}-{mode}.png")
     return results
+
+
+def region_of(border, points):
+    """The final region as a byte per input point, found by position (the system computes on a welded mesh); no region
+    at all is an error of the system, so it is not passed over here."""
+    inner = meshes.arrays(border)[0]
+    chosen = vtk_to_numpy(border.GetPointData().GetArray("Region")) != 0
+    return judge.surviving(points, inner[chosen])
 
 
 def listener(messages):
@@ -97,14 +100,12 @@ def listener(messages):
     return hear
 
 
-def show(view, before, after, samples, inner, region):
+def show(view, before, after, samples, match, region):
     """Before with the region orange, the matched section blue and the stroke red; after with the stroke red."""
     points, triangles, welded = meshes.weld(*before)
     colours = np.tile(picture.GREY, (len(points), 1))
-    if region is not None and region.GetNumberOfTuples() == len(welded):
-        colours[welded[vtk_to_numpy(region) != 0]] = picture.ORANGE
+    colours[welded[region]] = picture.ORANGE
     left = picture.shaded(view, points, triangles, colours)
-    match = inner["Match"]
     if match is not None and match.GetNumberOfPoints() > 1:
         xy, _ = view.display(vtk_to_numpy(match.GetPoints().GetData()).astype(float))
         picture.draw(left, xy, picture.BLUE, 2.5)

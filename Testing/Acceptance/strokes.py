@@ -5,6 +5,7 @@ base, and displace that smoothly so that the limb grows longer, shorter, thicker
 """
 import json
 import sys
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +24,7 @@ KINDS = {  # amounts to try, the boldest first
     "thicken": (0.50, 0.35, 0.22),
     "shorten": (0.28, 0.22, 0.16),
 }
-PER_MODEL = 5
+PER_MODEL = 4
 SPACING = 2.0  # px between the outline points that limbs are searched on
 
 
@@ -139,7 +140,7 @@ def limbs_in(view, points, triangles):
     steps = np.arange(int(64 / SPACING), int(0.45 * n), 2)
     chord = np.linalg.norm(whole[i[:, None] + steps] - outer[i][:, None], axis=2)
     ratio = np.where((chord > 10) & (chord < 260), steps * SPACING / np.maximum(chord, 1e-9), 0)
-    ratio[ratio < 2.7] = 0
+    ratio[ratio < 2.4] = 0
     block = 5  # of each 5 x 5 candidates only the best one is looked at
     ratio = np.pad(ratio, [(0, -k % block) for k in ratio.shape])
     tiles = ratio.reshape(ratio.shape[0] // block, block, -1, block).swapaxes(1, 2).reshape(-1, block * block)
@@ -167,7 +168,7 @@ def limbs_in(view, points, triangles):
         far = int(np.argmax(np.linalg.norm(section - base, axis=1)))
         tip = section[far]
         length = float(np.linalg.norm(tip - base))
-        if length < max(32, 1.1 * width) or not 0.36 < far / len(span) < 0.64:
+        if length < max(32, 0.9 * width) or not 0.36 < far / len(span) < 0.64:
             continue
         # One limb, not two or a head with horns: out along one side, back along the other, from a base across it.
         axis = (tip - base) / length
@@ -177,7 +178,7 @@ def limbs_in(view, points, triangles):
         pixels = (body & covered).sum()
         if width > 2.2 * pixels / length or not 0.003 < pixels / total < 0.33:
             continue
-        if (count[body] == 2).mean() < 0.965:
+        if (count[body] == 2).mean() < 0.98:
             continue
         limbs.append({"ids": span % n, "span": len(span), "section": section, "length": length, "body": body,
                       "width": float(pixels / length), "base": base, "tip": tip, "outer": outer})
@@ -233,8 +234,10 @@ def crosses_itself(line):
     return bool(np.triu(hit, 2).any())
 
 
-def drawable(limb, stroke, covered):
+def drawable(limb, kind, stroke, covered):
     """Whether a person could draw this: inside the picture, not over itself, clear of everything but its own limb."""
+    if kind in ("lengthen", "shorten") and picture.lengths(limb["section"])[-1] / 2 > 1.2 * limb["length"] + limb["width"] / 2:
+        return False  # a curled limb: along which line?
     if (stroke < 10).any() or (stroke > (picture.WIDTH - 10, picture.HEIGHT - 10)).any() or crosses_itself(stroke):
         return False
     swept = picture.inside_polygon(stroke) & ~limb["body"] & covered
@@ -302,6 +305,9 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
                 continue
             own = [t for t in all_tips if within[t]]
             near = points[at_tip].mean(0)
+            spread = max([np.linalg.norm(xy[t] - limb["tip"]) for t in own], default=0.0)
+            if spread > max(0.3 * limb["length"], 0.6 * limb["width"]):  # a hand's fingers, but not a head's ears
+                continue
             which = min(own or all_tips, key=lambda t: np.linalg.norm(points[t] - near))
             merit = np.sqrt(limb["length"]) * min(limb["length"] / limb["width"], 3) * (1.2 - slant) \
                 * (1.0 if view_number < 12 else 0.9)
@@ -325,7 +331,7 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
                 continue
             amounts = KINDS[kind] if kind != "bend" or (k % 2 == 0) else tuple(-a for a in KINDS[kind])
             amounts = amounts[len(made) % 2:] if kind != "bend" else amounts
-            amount = next((a for a in amounts if drawable(c["limb"], displaced(c["limb"], kind, a), c["covered"])), None)
+            amount = next((a for a in amounts if drawable(c["limb"], kind, displaced(c["limb"], kind, a), c["covered"])), None)
             if amount is None:
                 continue
             line = displaced(c["limb"], kind, amount)
@@ -340,19 +346,33 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
     return made
 
 
-def make_all(folder, only=None):
-    """Writes every model's strokes and an index; returns the index."""
+def _make_for_model(job):
+    folder, number, name, path, up = job
+    entries = []
+    for stroke, note in strokes_for(name, meshes.read(path), up, number):
+        write(stroke, folder / f"{note['name']}.vtp")
+        entries.append({"name": note["name"], "model": name, "mesh": str(path), "kind": note["kind"],
+                        "projection": note["projection"]})
+    print(f"{name}: {len(entries)} strokes", flush=True)
+    return entries
+
+
+def make_all(folder, only=(), workers=2):
+    """Writes every model's strokes and an index, the shipped strokes first; returns the index."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     index = []
-    for number, (name, path, up) in enumerate(meshes.models()):
-        if only and name not in only:
-            continue
-        for stroke, note in strokes_for(name, meshes.read(path), up, number):
-            write(stroke, folder / f"{note['name']}.vtp")
-            index.append({"name": note["name"], "model": name, "mesh": str(path), "kind": note["kind"],
-                          "projection": note["projection"]})
-            print(f"{note['name']}: {note['projection']}, {note['amount']}", flush=True)
+    for path in sorted((meshes.DATA / "Strokes").glob("*.vtp")):
+        model = path.stem.split("_")[0]
+        if not only or model in only:
+            stroke, _, view, _ = read(path)
+            write(stroke, folder / path.name)
+            index.append({"name": path.stem, "model": model, "mesh": str(meshes.DATA / "Models" / f"{model}.ply"),
+                          "kind": "shipped", "projection": "perspective" if view.perspective else "orthographic"})
+    jobs = [(folder, n, *model) for n, model in enumerate(meshes.models()) if not only or model[0] in only]
+    with ProcessPoolExecutor(workers) as pool:
+        for entries in pool.map(_make_for_model, jobs):
+            index += entries
     (folder / "index.json").write_text(json.dumps(index, indent=1))
     return index
 
@@ -374,7 +394,7 @@ def main():
     for entry in index:
         _, samples, view, note = read(folder / f"{entry['name']}.vtp")
         image = picture.halve(preview(meshes.read(entry["mesh"]), samples, view, note))
-        picture.write_text(image, f"{entry['name']} {note['amount']} {note['projection'][:5]}", 6, 6, 13)
+        picture.write_text(image, f"{entry['name']} {note['amount'] if note else ''} {entry['projection'][:5]}", 6, 6, 13)
         pictures.append(image)
     sheets.write(pictures, folder / "sheet", columns=4, rows=4)
 

@@ -1,0 +1,26 @@
+"""The shipped strokes through the whole system, against the bounds of the specification (stage 12, first fact)."""
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import accept  # noqa: E402
+import meshes  # noqa: E402
+
+STROKES = sorted((meshes.DATA / "Strokes").glob("*.vtp"))
+
+
+def test_every_model_has_strokes():
+    assert len(STROKES) == 10 and len({path.stem.split("_")[0] for path in STROKES}) == 5
+
+
+@pytest.mark.parametrize("stroke", STROKES, ids=lambda path: path.stem)
+def test_result_holds_every_bound(stroke):
+    mesh = meshes.DATA / "Models" / f"{stroke.stem.split('_')[0]}.ply"
+    results = accept.run(stroke, mesh, ["off", "default"], "auto", None)
+    for mode, result in results.items():
+        print(f"FACT A12_1 {stroke.stem} {mode}: mean {result['mean']:.2f} worst {result['worst']:.2f} back {result['back']:.2f} "
+              f"folds {result['folds']} untouched {result['untouched']:.2f}")
+        assert result["mean before"] > 2, "the stroke asks for a change that can be seen"
+        assert result["holds"], (mode, result)
