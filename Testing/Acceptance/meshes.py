@@ -19,7 +19,7 @@ SHARED_MODELS = {
     "spot_5k9.obj": "+y", "spot_1k6.off": "+y", "spot_uv.obj": "+y", "armadillo_29k.obj": "+y", "man.ply": "+y",
     "human_parts_uv.obj": "+y", "cat.off": "+y", "cow_nc.stl": "+y", "koala.stl": "+y", "scorpion.ply": "+y",
     "penguin.obj": "+y", "hand_closed.obj": "+y", "hand_open_wrist.off": "+y", "bunny_5k.obj": "+y",
-    "bunny_30k.ply": "+y", "fish_uv.obj": "+y", "capsule_figure.obj": "+z", "dumbbell.off": "+z",
+    "bunny_30k.ply": "+y", "fish_uv.obj": "+y", "capsule_figure.obj": "+z",
 }
 
 # The capsules that capsule_figure.obj is the union of: part, from, to, radius.

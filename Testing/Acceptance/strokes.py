@@ -25,6 +25,7 @@ KINDS = {  # amounts to try, the boldest first
     "shorten": (0.28, 0.22, 0.16),
 }
 PER_MODEL = 4
+PER_KNOWN_MODEL = 8  # of capsule_figure, whose limbs are known exactly
 SPACING = 2.0  # px between the outline points that limbs are searched on
 
 
@@ -349,7 +350,8 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
 def _make_for_model(job):
     folder, number, name, path, up = job
     entries = []
-    for stroke, note in strokes_for(name, meshes.read(path), up, number):
+    count = PER_KNOWN_MODEL if name == "capsule_figure" else PER_MODEL
+    for stroke, note in strokes_for(name, meshes.read(path), up, number, count):
         write(stroke, folder / f"{note['name']}.vtp")
         entries.append({"name": note["name"], "model": name, "mesh": str(path), "kind": note["kind"],
                         "projection": note["projection"]})
