@@ -131,6 +131,7 @@ private:
   // Parts the range where the heuristic is least; -1 where a leaf is no worse, or all centres coincide.
   int partition(int begin, int end, const Box& box, const Box& centres)
   {
+    const int binsUsed = std::min(binCount, end - begin); // most nodes are small
     float best = std::numeric_limits<float>::max();
     int bestAxis = -1, bestBin = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -145,14 +146,14 @@ private:
       for (int i = begin; i < end; ++i)
       {
         const Box& b = this->boxes_[this->order_[i]];
-        const int bin = binOf(b.centre(axis), centres.low[axis], extent);
+        const int bin = binOf(b.centre(axis), centres.low[axis], extent, binsUsed);
         bins[bin].add(b);
         ++counts[bin];
       }
       float rightCost[binCount];
       Box right;
       int rightCount = 0;
-      for (int bin = binCount - 1; bin > 0; --bin)
+      for (int bin = binsUsed - 1; bin > 0; --bin)
       {
         right.add(bins[bin]);
         rightCount += counts[bin];
@@ -160,7 +161,7 @@ private:
       }
       Box left;
       int leftCount = 0;
-      for (int bin = 1; bin < binCount; ++bin)
+      for (int bin = 1; bin < binsUsed; ++bin)
       {
         left.add(bins[bin - 1]);
         leftCount += counts[bin - 1];
@@ -183,7 +184,7 @@ private:
     const float low = centres.low[bestAxis], extent = centres.high[bestAxis] - low;
     const auto middle = std::stable_partition(this->order_.begin() + begin,
       this->order_.begin() + end,
-      [&](int t) { return binOf(this->boxes_[t].centre(bestAxis), low, extent) < bestBin; });
+      [&](int t) { return binOf(this->boxes_[t].centre(bestAxis), low, extent, binsUsed) < bestBin; });
     return static_cast<int>(middle - this->order_.begin());
   }
 
@@ -209,9 +210,9 @@ private:
     return middle;
   }
 
-  static int binOf(float centre, float low, float extent)
+  static int binOf(float centre, float low, float extent, int bins)
   {
-    return std::min(binCount - 1, static_cast<int>(static_cast<float>(binCount) * ((centre - low) / extent)));
+    return std::min(bins - 1, static_cast<int>(static_cast<float>(bins) * ((centre - low) / extent)));
   }
 
   // Fills wide node `wide` from a binary node; returns the stack entries that a walk below it can need.

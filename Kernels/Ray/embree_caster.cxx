@@ -134,7 +134,7 @@ private:
     ray.ray.org_x = o[0];
     ray.ray.org_y = o[1];
     ray.ray.org_z = o[2];
-    ray.ray.tnear = 0.0f;
+    ray.ray.tnear = nearestExit;
     ray.ray.dir_x = direction[0];
     ray.ray.dir_y = direction[1];
     ray.ray.dir_z = direction[2];

@@ -220,13 +220,15 @@ std::vector<Vector3> coneDirections(int rayCount, double coneAngle)
 
 Eigen::Matrix3d frameAround(const Vector3& axis)
 {
-  // Without a branch on a nearly vanishing cross product: the reflection that carries +-z to the axis.
-  const double sign = std::copysign(1.0, axis[2]);
-  const double a = -1.0 / (sign + axis[2]);
-  const double b = axis[0] * axis[1] * a;
+  // No plane of symmetry of an upright model holds this direction, so that rounding cannot turn its frames.
+  Vector3 reference(0.4169, 0.5411, 0.7303);
+  if (reference.cross(axis).squaredNorm() < 1e-6)
+  {
+    reference = Vector3(0.7303, -0.4169, 0.5411);
+  }
   Eigen::Matrix3d frame;
-  frame.col(0) << 1.0 + sign * axis[0] * axis[0] * a, sign * b, -sign * axis[0];
-  frame.col(1) << b, sign + axis[1] * axis[1] * a, -axis[1];
+  frame.col(0) = reference.cross(axis).normalized();
+  frame.col(1) = axis.cross(frame.col(0));
   frame.col(2) = axis;
   return frame;
 }

@@ -40,8 +40,8 @@ struct ConeHit
 // the opening, azimuth k times the golden angle.
 std::vector<Vector3> coneDirections(int rayCount, double coneAngle);
 
-// A right-handed frame (columns) whose third axis is `axis`, a unit vector; a continuous function of it but
-// across z = 0.
+// A right-handed frame (columns) whose third axis is `axis`, a unit vector. A continuous function of the axis
+// but at two opposite directions that upright models do not have.
 Eigen::Matrix3d frameAround(const Vector3& axis);
 
 // The summary of one cone: hits farther than one standard deviation from the median are dropped, the rest
