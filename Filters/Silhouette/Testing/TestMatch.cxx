@@ -1,132 +1,13 @@
-#include "Harness/polydata.h"
-#include "vtkOversketchMatch.h"
-#include "vtkOversketchOutline.h"
-#include "vtkOversketchSilhouette.h"
-#include "vtkOversketchTargets.h"
+#include "match_chain.h"
 
-#include "Mesh/context.h"
 #include "Silhouette/targets.h"
 
-#include "vtkErrorCode.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 
 using namespace oversketch;
 using namespace oversketch_test;
-
-namespace
-{
-
-const Vector3 up(0, 1, 0), front(0, 0, 1);
-
-std::vector<Vector2> arc(const View& view,
-  double radius,
-  double from,
-  double to,
-  const Vector3& centre = Vector3::Zero())
-{
-  std::vector<Vector2> samples;
-  const int count = 400;
-  for (int i = 0; i <= count; ++i)
-  {
-    const double a = (from + (to - from) * i / count) * pi / 180.0;
-    samples.push_back(view.toDisplay(centre + radius * Vector3(std::cos(a), std::sin(a), 0.0)).head<2>());
-  }
-  return samples;
-}
-
-std::vector<Vector3> sphereNormals(const Mesh& mesh)
-{
-  std::vector<Vector3> normals = mesh.points;
-  for (Vector3& n : normals)
-    n.normalize();
-  return normals;
-}
-
-vtkSmartPointer<vtkPolyData> sphere(int levels = 5)
-{
-  const Mesh mesh = icosphere(levels);
-  const std::vector<Vector3> normals = sphereNormals(mesh);
-  return toPolyData(mesh, &normals);
-}
-
-Vector3 pointOf(vtkPolyData* data, vtkIdType i)
-{
-  Vector3 p;
-  data->GetPoint(i, p.data());
-  return p;
-}
-
-Vector3 tuple(vtkPolyData* data, const char* name, vtkIdType i)
-{
-  Vector3 p;
-  data->GetPointData()->GetArray(name)->GetTuple(i, p.data());
-  return p;
-}
-
-double field(vtkPolyData* data, const char* name)
-{
-  return data->GetFieldData()->GetArray(name)->GetComponent(0, 0);
-}
-
-double angleOf(const Vector3& p)
-{
-  return std::atan2(p[1], p[0]) * 180.0 / pi;
-}
-
-// Two meshes side by side.
-Mesh joined(const Mesh& a, const Mesh& b, const Vector3& shift)
-{
-  Mesh m = a;
-  for (const Vector3& p : b.points)
-    m.points.push_back(p + shift);
-  for (const Triangle& t : b.triangles)
-    m.triangles.push_back({ t[0] + a.vertexCount(), t[1] + a.vertexCount(), t[2] + a.vertexCount() });
-  return m;
-}
-
-struct Chain
-{
-  vtkNew<vtkOversketchSilhouette> silhouette;
-  vtkNew<vtkOversketchOutline> outline;
-  vtkNew<vtkOversketchMatch> match;
-  vtkNew<vtkOversketchTargets> targets;
-  vtkNew<vtkPolyData> stroke;
-
-  Chain(vtkPolyData* mesh, vtkPolyData* strokeData, bool withOutline = false)
-  {
-    this->stroke->ShallowCopy(strokeData);
-    this->silhouette->SetInputData(mesh);
-    this->silhouette->SetStrokeData(this->stroke);
-    this->outline->SetInputData(mesh);
-    this->outline->SetStrokeData(this->stroke);
-    this->outline->SetCurvesConnection(this->silhouette->GetOutputPort());
-    this->match->AddInputConnection(this->silhouette->GetOutputPort());
-    if (withOutline)
-    {
-      this->match->AddInputConnection(this->outline->GetOutputPort());
-    }
-    this->match->SetStrokeData(this->stroke);
-    this->targets->SetInputConnection(this->match->GetOutputPort());
-    this->targets->SetStrokeData(this->stroke);
-    this->targets->SetMeshData(mesh);
-    this->targets->Update();
-  }
-  void setStroke(vtkPolyData* data)
-  {
-    this->stroke->ShallowCopy(data);
-    this->stroke->Modified();
-    this->targets->Update();
-  }
-};
-
-} // namespace
 
 TEST(A4_1, ConcentricStrokeOnTheSphere)
 {
@@ -371,4 +252,172 @@ TEST(A5_3, StrokeOnTheSectionMovesNothing)
       fact("A5_3", text.str());
     }
   }
+}
+
+namespace
+{
+
+// One error, its code, and nothing in the output.
+std::string refusal(vtkAlgorithm* filter, Failure failure)
+{
+  Ear ear(filter);
+  filter->Update();
+  EXPECT_EQ(ear.errors.size(), 1u);
+  EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError + static_cast<unsigned long>(failure));
+  EXPECT_EQ(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
+  filter->Update();
+  EXPECT_EQ(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
+  return ear.errors.empty() ? "" : ear.errors[0];
+}
+
+const View plain = orthographicView(front, up, 200.0);
+
+vtkSmartPointer<vtkPolyData> goodStroke()
+{
+  return toStroke(arc(plain, 1.2, 20.0, 80.0), plain);
+}
+
+} // namespace
+
+TEST(Match, RefusesStrokesItCannotUse)
+{
+  Chain chain(sphere(3), goodStroke());
+  const auto refused = [&](vtkPolyData* stroke, Failure failure)
+  {
+    vtkNew<vtkOversketchMatch> match;
+    match->SetInputData(chain.silhouette->GetOutput());
+    match->SetStrokeData(stroke);
+    return refusal(match, failure);
+  };
+  auto stroke = goodStroke();
+  stroke->GetCellData()->RemoveArray("ProjectionTransform");
+  EXPECT_NE(refused(stroke, Failure::MissingArray).find("ProjectionTransform"), std::string::npos);
+  stroke = goodStroke();
+  stroke->GetPoints()->SetPoint(3, std::nan(""), 0, 0);
+  EXPECT_NE(refused(stroke, Failure::BadStroke).find("Sample 3"), std::string::npos);
+  stroke = goodStroke();
+  stroke->GetLines()->InsertNextCell({ 0, 1, 2 });
+  for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
+    stroke->GetCellData()->GetArray(name)->InsertNextTuple(0, stroke->GetCellData()->GetArray(name));
+  EXPECT_NE(refused(stroke, Failure::BadStroke).find("2 polylines"), std::string::npos);
+  stroke->GetCellData()->GetArray("ViewTransform")->SetComponent(1, 3, 0.5);
+  EXPECT_NE(refused(stroke, Failure::BadStroke).find("different views"), std::string::npos);
+  vtkNew<vtkPolyData> none;
+  EXPECT_NE(refused(none, Failure::BadStroke).find("no stroke"), std::string::npos);
+}
+
+TEST(Match, RefusesCurvesItCannotUse)
+{
+  Chain chain(sphere(3), goodStroke());
+  for (const char* name : { "MeshVertices", "MeshWeights", "Normals" })
+  {
+    vtkNew<vtkPolyData> curves;
+    curves->ShallowCopy(chain.silhouette->GetOutput());
+    curves->GetPointData()->RemoveArray(name);
+    vtkNew<vtkOversketchMatch> match;
+    match->SetInputData(curves);
+    match->SetStrokeData(goodStroke());
+    EXPECT_NE(refusal(match, Failure::MissingArray).find(name), std::string::npos);
+  }
+  // A mesh instead of curves.
+  vtkNew<vtkOversketchMatch> match;
+  match->SetInputData(sphere(2));
+  match->SetStrokeData(goodStroke());
+  EXPECT_NE(refusal(match, Failure::BadMesh).find("polylines"), std::string::npos);
+}
+
+TEST(Match, RefusesWhatDoesNotFit)
+{
+  Chain chain(sphere(3), goodStroke());
+  const auto refused = [&](vtkPolyData* stroke, double gate)
+  {
+    vtkNew<vtkOversketchMatch> match;
+    match->SetInputData(chain.silhouette->GetOutput());
+    match->SetStrokeData(stroke);
+    match->SetMaximumDistance(gate);
+    return refusal(match, Failure::NoMatch);
+  };
+  // Towards the sphere: both ends have their nearest point at one place.
+  std::vector<Vector2> ray;
+  for (int i = 0; i < 30; ++i)
+    ray.emplace_back(700.0 - 2.0 * i, 300.0);
+  EXPECT_NE(refused(toStroke(ray, plain), 0.0).find("one place"), std::string::npos);
+  // 40 px away, with a gate at 39 px and at 41.5 px.
+  EXPECT_NE(refused(goodStroke(), 39.0).find("MaximumDistance"), std::string::npos);
+  chain.match->SetMaximumDistance(41.5);
+  chain.match->Update();
+  EXPECT_GT(chain.match->GetOutput()->GetNumberOfPoints(), 2);
+}
+
+TEST(Match, EmptyCurvesAreNoError)
+{
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkOversketchMatch> match;
+  Ear ear(match);
+  match->AddInputData(empty);
+  match->AddInputData(empty);
+  match->SetStrokeData(goodStroke());
+  match->Update();
+  EXPECT_TRUE(ear.errors.empty());
+  EXPECT_EQ(match->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(Match, BothArcsOfAClosedCurveCompete)
+{
+  // Over the top and round the bottom: the same ends, the other arc.
+  for (const bool amended : { false, true })
+  {
+    for (const double to : { 150.0, -210.0 })
+    {
+      Chain chain(sphere(4), toStroke(arc(plain, 1.05, 30.0, to), plain), true);
+      chain.match->SetAmendedScore(amended);
+      chain.match->Update();
+      vtkPolyData* section = chain.match->GetOutput();
+      const vtkIdType middle = section->GetNumberOfPoints() / 2;
+      EXPECT_EQ(pointOf(section, middle)[1] > 0.0, to > 0.0);
+      EXPECT_NEAR(angleOf(pointOf(section, 0)), 30.0, 1.0);
+    }
+  }
+}
+
+TEST(Match, LeastDFavoursFragmentsAndTheAmendedScoreDoesNot)
+{
+  // A fragment right under the stroke's middle, the whole curve a little farther off.
+  Chain chain(sphere(4), goodStroke());
+  vtkPolyData* original = chain.silhouette->GetOutput();
+  vtkNew<vtkPolyData> curves;
+  curves->DeepCopy(original);
+  std::vector<vtkIdType> fragment;
+  for (vtkIdType i = 0; i < original->GetNumberOfPoints(); ++i)
+  {
+    const double angle = angleOf(pointOf(original, i));
+    if (angle < 22.0 || angle > 78.0)
+      continue;
+    const Vector3 p = 1.099 * pointOf(original, i);
+    fragment.push_back(curves->GetPoints()->InsertNextPoint(p.data()));
+    for (int a = 0; a < curves->GetPointData()->GetNumberOfArrays(); ++a)
+      curves->GetPointData()->GetArray(a)->InsertNextTuple(i, original->GetPointData()->GetArray(a));
+  }
+  std::sort(fragment.begin(),
+    fragment.end(),
+    [&](vtkIdType a, vtkIdType b) { return angleOf(pointOf(curves, a)) < angleOf(pointOf(curves, b)); });
+  curves->GetLines()->InsertNextCell(static_cast<vtkIdType>(fragment.size()), fragment.data());
+  vtkNew<vtkOversketchMatch> match;
+  match->SetInputData(curves);
+  // Its outer parts follow the sphere, only the middle the fragment.
+  std::vector<Vector2> samples;
+  for (int i = 0; i <= 300; ++i)
+  {
+    const double a = 10.0 + 80.0 * i / 300, bump = 0.095 * std::exp(-std::pow((a - 50.0) / 32.0, 8.0));
+    samples.push_back(
+      plain.toDisplay((1.005 + bump) * Vector3(std::cos(a * pi / 180), std::sin(a * pi / 180), 0)).head<2>());
+  }
+  match->SetStrokeData(toStroke(samples, plain));
+  match->AmendedScoreOff();
+  match->Update();
+  EXPECT_EQ(match->GetOutput()->GetCellData()->GetArray("CurveId")->GetComponent(0, 0), 1.0);
+  match->AmendedScoreOn();
+  match->Update();
+  EXPECT_EQ(match->GetOutput()->GetCellData()->GetArray("CurveId")->GetComponent(0, 0), 0.0);
+  EXPECT_NEAR(angleOf(pointOf(match->GetOutput(), 0)), 10.0, 1.0);
 }
