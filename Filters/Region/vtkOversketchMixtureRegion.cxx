@@ -1,0 +1,326 @@
+#include "vtkOversketchMixtureRegion.h"
+
+#include "Mixture/device_mixture.h"
+#include "Region/grow.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+using namespace oversketch;
+
+namespace
+{
+
+// What the whole mesh's mixture depends on besides the mesh and its diameters: components, samples, seed,
+// back end.
+using FitKey = std::tuple<int, int, int, int>;
+// What the region depends on besides that: lambda, tolerance, section length, amendments.
+using GrowthKey = std::tuple<double, double, double, bool, bool, bool>;
+
+std::vector<double> DiametersOf(vtkDataArray* array)
+{
+  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+    if (!std::isfinite(values[i]))
+    {
+      std::ostringstream message;
+      message << "Array ShapeDiameter of the mesh is not finite at point " << i
+              << "; compute it with vtkOversketchShapeDiameter.";
+      throw Error(Failure::BadMesh, message.str());
+    }
+  }
+  return values;
+}
+
+// The vertices that the section's edges end at, ascending.
+std::vector<int> SeedsOf(vtkPolyData* handles, int vertexCount, double margin)
+{
+  const vtkIdType count = handles->GetNumberOfPoints();
+  if (count == 0)
+  {
+    throw Error(Failure::BadRegion, "There are no handles to grow a region from; match a stroke first.");
+  }
+  const std::string remedy = "make the handles with vtkOversketchTargets";
+  vtkPointData* data = handles->GetPointData();
+  vtkDataArray* vertices = RequireArray(data, "MeshVertices", 3, count, "handles", remedy);
+  vtkDataArray* weights = RequireArray(data, "MeshWeights", 3, count, "handles", remedy);
+  vtkDataArray* positions = RequireArray(data, "RelativePosition", 1, count, "handles", remedy);
+  std::vector<int> seeds;
+  for (vtkIdType h = 0; h < count; ++h)
+  {
+    const double position = positions->GetComponent(h, 0);
+    if (!(position >= margin && position <= 1.0 - margin))
+    {
+      continue;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      if (!(weights->GetComponent(h, k) > 0.0))
+      {
+        continue;
+      }
+      const double v = vertices->GetComponent(h, k);
+      if (!(v >= 0.0 && v < vertexCount))
+      {
+        std::ostringstream message;
+        message << "Handle " << h << " hangs on vertex " << v << " of a mesh of " << vertexCount
+                << "; make the handles from this mesh.";
+        throw Error(Failure::MissingArray, message.str());
+      }
+      seeds.push_back(static_cast<int>(v));
+    }
+  }
+  std::sort(seeds.begin(), seeds.end());
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  return seeds;
+}
+
+double SectionLengthOf(vtkPolyData* handles)
+{
+  vtkDataArray* array = handles->GetFieldData()->GetArray("SectionLength");
+  const double length = array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0)
+                                                                 : std::numeric_limits<double>::quiet_NaN();
+  if (!(length >= 0.0))
+  {
+    throw Error(Failure::MissingArray,
+      "The handles have no field array SectionLength of one value, the length of the matched section: make "
+      "them with "
+      "vtkOversketchTargets, or turn LimitRunaway off.");
+  }
+  return length;
+}
+
+template <typename Array, typename Values>
+vtkSmartPointer<vtkDataArray> ArrayOf(const char* name, const Values& values)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename Array::ValueType>(values[i]));
+  }
+  return array;
+}
+
+std::vector<double> Pick(const std::vector<double>& values, const std::vector<int>& indices)
+{
+  std::vector<double> picked;
+  for (int i : indices)
+  {
+    picked.push_back(values[static_cast<std::size_t>(i)]);
+  }
+  return picked;
+}
+
+} // namespace
+
+struct vtkOversketchMixtureRegion::Cache
+{
+  std::shared_ptr<const MeshData> Data;
+  // The whole mesh.
+  MeshKey MeshRead;
+  FitKey FitRead;
+  std::vector<double> Diameters, Scaled;
+  Mixture Whole;
+  // The region.
+  GrowthKey GrowthRead;
+  std::vector<int> SeedsRead;
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // empty: none kept
+
+  MixtureFit Fit(vtkOversketchMixtureRegion* self, const std::vector<double>& samples, int components);
+};
+
+// On the device where the back end asks for it; should it be missing or fail, on the host, with a warning.
+MixtureFit vtkOversketchMixtureRegion::Cache::Fit(vtkOversketchMixtureRegion* self,
+  const std::vector<double>& samples,
+  int components)
+{
+  MixtureOptions options;
+  options.components = components;
+  std::string warning;
+  if (const auto device = Device::choose(static_cast<oversketch::Backend>(self->Backend), warning))
+  {
+    try
+    {
+      MixtureFit fit = fitMixtureOnDevice(*device, samples, options);
+      self->BackendUsed = BACKEND_OPENCL;
+      return fit;
+    }
+    catch (const Error& error)
+    {
+      warning = std::string(error.what()) + " The host computes instead.";
+    }
+  }
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(self, << warning);
+  }
+  self->BackendUsed = BACKEND_HOST;
+  return fitMixture(samples, options, ContextOf(self, 0.0, 0.4));
+}
+
+vtkStandardNewMacro(vtkOversketchMixtureRegion);
+
+vtkOversketchMixtureRegion::vtkOversketchMixtureRegion()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchMixtureRegion::~vtkOversketchMixtureRegion() = default;
+
+void vtkOversketchMixtureRegion::SetHandlesData(vtkPolyData* handles)
+{
+  this->SetInputData(1, handles);
+}
+
+int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (input->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      Cache& cache = *this->Internals;
+      cache.Data = SharedMesh(input);
+      const MeshData& mesh = *cache.Data;
+      vtkDataArray* diameters = RequireArray(input->GetPointData(),
+        "ShapeDiameter",
+        1,
+        input->GetNumberOfPoints(),
+        "mesh",
+        "compute it with vtkOversketchShapeDiameter");
+      const std::vector<int> seeds = SeedsOf(handles, mesh.Surface.vertexCount(), this->SeedMargin);
+      const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
+
+      const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
+      const FitKey fitKey(this->Components, this->MaximumSamples, this->Seed, this->Backend);
+      if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.Whole.empty())
+      {
+        cache.Whole.clear();
+        cache.Arrays.clear();
+        cache.Diameters = DiametersOf(diameters);
+        const auto [low, high] = std::minmax_element(cache.Diameters.begin(), cache.Diameters.end());
+        const double from = *low, range = *high - *low;
+        cache.Scaled.resize(cache.Diameters.size());
+        std::transform(cache.Diameters.begin(),
+          cache.Diameters.end(),
+          cache.Scaled.begin(),
+          [&](double d) { return range > 0.0 ? (d - from) / range : 0.0; });
+        const std::vector<double> samples = Pick(
+          cache.Scaled, drawWithoutReplacement(mesh.Surface.vertexCount(), this->MaximumSamples, this->Seed));
+        ++this->WholeFitCount;
+        this->WholeSampleCount = static_cast<vtkIdType>(samples.size());
+        cache.Whole = cache.Fit(this, samples, this->Components).mixture;
+        cache.MeshRead = meshKey;
+        cache.FitRead = fitKey;
+      }
+
+      const GrowthKey growthKey(this->Lambda,
+        this->SeedTolerance,
+        sectionLength,
+        this->FillIslands,
+        this->LimitRunaway,
+        this->CutAtJunction);
+      if (cache.Arrays.empty() || cache.GrowthRead != growthKey || cache.SeedsRead != seeds)
+      {
+        cache.Arrays.clear();
+        ++this->GrowthCount;
+        RegionEvidence evidence{ seeds, {}, cache.Diameters, sectionLength };
+        if (!seeds.empty())
+        {
+          const std::vector<int> around = expandSeeds(mesh.Surface,
+            mesh.Neighbours,
+            seeds,
+            static_cast<std::size_t>(3 * this->Components),
+            this->SeedTolerance * 0.5 * boundingDiagonal(mesh.Surface));
+          const std::vector<double> known = Pick(cache.Scaled, around);
+          const std::vector<double> samples = Pick(
+            known, drawWithoutReplacement(static_cast<int>(known.size()), this->MaximumSamples, this->Seed));
+          const Mixture foreground =
+            cache.Fit(this, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, this->Components))
+              .mixture;
+          evidence.ratio.resize(cache.Scaled.size());
+          ContextOf(this).parallelFor(mesh.Surface.vertexCount(),
+            [&](int begin, int end)
+            {
+              for (int v = begin; v < end; ++v)
+              {
+                evidence.ratio[v] =
+                  logDensity(foreground, cache.Scaled[v]) - logDensity(cache.Whole, cache.Scaled[v]);
+              }
+            });
+        }
+        const RegionOptions options{
+          this->Lambda, this->FillIslands, this->LimitRunaway, this->CutAtJunction
+        };
+        const std::vector<char> region = detectRegion(
+          mesh.Surface, mesh.Neighbours, mesh.Normals, evidence, options, ContextOf(this, 0.4, 1.0));
+        std::vector<char> isSeed(region.size(), 0);
+        for (int seed : seeds)
+        {
+          isSeed[seed] = 1;
+        }
+        std::vector<double> probability(region.size());
+        std::transform(evidence.ratio.begin(),
+          evidence.ratio.end(),
+          probability.begin(),
+          [](double ratio) { return 1.0 / (1.0 + std::exp(-ratio)); });
+        cache.Arrays = { ArrayOf<vtkUnsignedCharArray>("Region", region),
+          ArrayOf<vtkUnsignedCharArray>("RegionSeed", isSeed),
+          ArrayOf<vtkDoubleArray>("RegionProbability", probability) };
+        cache.GrowthRead = growthKey;
+        cache.SeedsRead = seeds;
+      }
+      output->ShallowCopy(input);
+      for (const auto& array : cache.Arrays)
+      {
+        output->GetPointData()->AddArray(array);
+      }
+    });
+}
+
+void vtkOversketchMixtureRegion::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Lambda: " << this->Lambda << '\n'
+     << indent << "SeedTolerance: " << this->SeedTolerance << '\n'
+     << indent << "SeedMargin: " << this->SeedMargin << '\n'
+     << indent << "FillIslands: " << (this->FillIslands ? "On" : "Off") << '\n'
+     << indent << "LimitRunaway: " << (this->LimitRunaway ? "On" : "Off") << '\n'
+     << indent << "CutAtJunction: " << (this->CutAtJunction ? "On" : "Off") << '\n'
+     << indent << "Components: " << this->Components << '\n'
+     << indent << "MaximumSamples: " << this->MaximumSamples << '\n'
+     << indent << "Seed: " << this->Seed << '\n'
+     << indent << "Backend: " << this->Backend << '\n'
+     << indent << "BackendUsed: " << this->BackendUsed << '\n'
+     << indent << "WholeFitCount: " << this->WholeFitCount << '\n'
+     << indent << "GrowthCount: " << this->GrowthCount << '\n'
+     << indent << "WholeSampleCount: " << this->WholeSampleCount << '\n';
+}

@@ -1,0 +1,219 @@
+/**
+ * @class vtkOversketchMixtureRegion
+ * @brief the region of a mesh that a stroke means, grown from its section by thickness
+ *
+ * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 4.2 and 4.3, Eq. 8. Two Gaussian
+ * mixtures are fitted by greedy EM to the shape diameter, scaled to [0, 1]: one to samples of the whole mesh,
+ * one to the seeds, the vertices that the matched section's edges end at. From the seeds the region grows
+ * over neighbours v with ln p_fg(v) - ln p_whole(v) > Lambda (b - f), b and f the unselected and selected
+ * neighbours of v. The paper leaves the energies to its reference; these are ours. Departures, each with its
+ * property:
+ * - seeds come from the section's middle only (SeedMargin): a stroke's ends rest on the body;
+ * - the seeds' mixture is widened by nearby vertices only while there are fewer than three seeds per
+ * component, nearest first, and these are samples, not seeds: on a thin limb a tolerance of a tenth of the
+ * model reaches the body;
+ * - the unselected pieces that the region cuts off are selected too, but for the largest (FillIslands);
+ * - a region of more than half of the area is grown again, near the section (LimitRunaway);
+ * - the border moves to the nearest good place to cut (CutAtJunction): a minimum cut of the triangles round
+ * the border, cheap in concave valleys, as in mesh cutting from painted strokes. Thickness alone places a
+ * limb's border where the rays begin to see the body, some 5 % short, and leaves patches where a limb is not
+ * of one thickness.
+ *
+ * Input 0: triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
+ * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated. Input 1: handles
+ * (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3], RelativePosition[1], and field
+ * array SectionLength[1], model length (read when LimitRunaway is on).
+ *
+ * Output 0: the input with point arrays
+ * - Region, unsigned char: 1 for vertices of the region,
+ * - RegionSeed, unsigned char: 1 for the seeds, all of them in the region,
+ * - RegionProbability, double in [0, 1]: p_fg / (p_fg + p_whole).
+ * Everything else is passed; nothing is interpolated or dropped.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray; BadRegion when there are no
+ * seeds and when the region reaches everything, so that nothing would hold the mesh. A mesh without points
+ * gives an empty output silently. Without an OpenCL device (see Backend) the host computes, with a warning.
+ *
+ * Deterministic: samples are drawn by a generator with the fixed Seed. Device (double precision) and host
+ * agree to 1e-5.
+ *
+ * Cost: milliseconds for the mixtures, then linear in the vertices. The whole mesh's mixture is kept while
+ * points, polygons, ShapeDiameter and the mixture's parameters stand, so a new stroke does not fit it again;
+ * the output arrays are kept, as the same objects, while besides the seeds stand.
+ *
+ * @sa vtkOversketchShapeDiameter vtkOversketchTargets vtkOversketchRegionBorder
+ */
+#ifndef vtkOversketchMixtureRegion_h
+#define vtkOversketchMixtureRegion_h
+
+#include "OversketchFiltersRegionModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
+
+class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchMixtureRegion : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchMixtureRegion* New();
+  vtkTypeMacro(vtkOversketchMixtureRegion, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum BackendType
+  {
+    BACKEND_AUTO = 0,
+    BACKEND_OPENCL = 1,
+    BACKEND_HOST = 2
+  };
+
+  /**
+   * The handles, on port 1.
+   */
+  void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(1, handles); }
+  void SetHandlesData(vtkPolyData* handles);
+
+  ///@{
+  /**
+   * Weight of the border's smoothness against the thickness, dimensionless, at least 0; default 0.2, lambda
+   * of the paper.
+   */
+  vtkSetClampMacro(Lambda, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Lambda, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far from a seed a sample for the seeds' mixture may lie when there are too few seeds, along edges, in
+   * units of half the bounding box's diagonal, at least 0; default 0.1, the paper's tolerance (its unit is
+   * not told).
+   */
+  vtkSetClampMacro(SeedTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SeedTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seeds come from handles with SeedMargin <= RelativePosition <= 1 - SeedMargin; 0 to 0.45, default 0.1. 0
+   * is as published.
+   */
+  vtkSetClampMacro(SeedMargin, double, 0.0, 0.45);
+  vtkGetMacro(SeedMargin, double);
+  ///@}
+
+  ///@{
+  /**
+   * Select every piece that the region cuts off from the largest rest, by area, of its connected part;
+   * default on. Off is as published: toes that are not selected then stay where they are and tear the foot.
+   */
+  vtkSetMacro(FillIslands, bool);
+  vtkGetMacro(FillIslands, bool);
+  vtkBooleanMacro(FillIslands, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where the region exceeds half of the area of the connected parts it lies in, grow it again within an edge
+   * path of one section length of the seeds; default on. Off is as published.
+   */
+  vtkSetMacro(LimitRunaway, bool);
+  vtkGetMacro(LimitRunaway, bool);
+  vtkBooleanMacro(LimitRunaway, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Move the region's border to the nearest good place to cut, up to 1.25 times the thickness there away;
+   * default on. Off is as published.
+   */
+  vtkSetMacro(CutAtJunction, bool);
+  vtkGetMacro(CutAtJunction, bool);
+  vtkBooleanMacro(CutAtJunction, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Most components of a mixture, 1 to 8; default 4 (Table 2). The seeds' mixture has no more than a third of
+   * the samples.
+   */
+  vtkSetClampMacro(Components, int, 1, 8);
+  vtkGetMacro(Components, int);
+  ///@}
+
+  ///@{
+  /**
+   * Most samples for a mixture, at least 1; default 2048. Fewer values than that are all used.
+   */
+  vtkSetClampMacro(MaximumSamples, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaximumSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Seed of the generator that draws the samples; default 1.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where the mixtures are fitted: BACKEND_AUTO (default) and BACKEND_OPENCL on the OpenCL device where there
+   * is one, else, and with BACKEND_HOST, on the host. The environment variable OVERSKETCH_OPENCL=off hides
+   * the device.
+   */
+  vtkSetClampMacro(Backend, int, BACKEND_AUTO, BACKEND_HOST);
+  vtkGetMacro(Backend, int);
+  void SetBackendToAuto() { this->SetBackend(BACKEND_AUTO); }
+  void SetBackendToOpenCL() { this->SetBackend(BACKEND_OPENCL); }
+  void SetBackendToHost() { this->SetBackend(BACKEND_HOST); }
+  ///@}
+
+  /**
+   * Where the last mixture was fitted: BACKEND_OPENCL or BACKEND_HOST; BACKEND_AUTO before the first one.
+   */
+  vtkGetMacro(BackendUsed, int);
+
+  /**
+   * How many times the whole mesh's mixture has been fitted.
+   */
+  vtkGetMacro(WholeFitCount, vtkIdType);
+
+  /**
+   * How many times a region has been grown: executions that the kept result did not answer.
+   */
+  vtkGetMacro(GrowthCount, vtkIdType);
+
+  /**
+   * How many samples the whole mesh's mixture was fitted to.
+   */
+  vtkGetMacro(WholeSampleCount, vtkIdType);
+
+protected:
+  vtkOversketchMixtureRegion();
+  ~vtkOversketchMixtureRegion() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchMixtureRegion(const vtkOversketchMixtureRegion&) = delete;
+  void operator=(const vtkOversketchMixtureRegion&) = delete;
+
+  double Lambda = 0.2;
+  double SeedTolerance = 0.1;
+  double SeedMargin = 0.1;
+  bool FillIslands = true;
+  bool LimitRunaway = true;
+  bool CutAtJunction = true;
+  int Components = 4;
+  int MaximumSamples = 2048;
+  int Seed = 1;
+  int Backend = BACKEND_AUTO;
+  int BackendUsed = BACKEND_AUTO;
+  vtkIdType WholeFitCount = 0;
+  vtkIdType GrowthCount = 0;
+  vtkIdType WholeSampleCount = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
+};
+
+#endif

@@ -1,0 +1,103 @@
+#include "vtkOversketchRegionBorder.h"
+
+#include "Region/border.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+using namespace oversketch;
+
+struct vtkOversketchRegionBorder::Cache
+{
+  std::shared_ptr<const MeshData> Data;
+  MeshKey Key;
+  int Rings = -1;
+  vtkSmartPointer<vtkUnsignedCharArray> Region;
+};
+
+vtkStandardNewMacro(vtkOversketchRegionBorder);
+
+vtkOversketchRegionBorder::vtkOversketchRegionBorder()
+  : Internals(new Cache)
+{
+}
+
+vtkOversketchRegionBorder::~vtkOversketchRegionBorder() = default;
+
+int vtkOversketchRegionBorder::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      const vtkIdType count = input->GetNumberOfPoints();
+      if (count == 0)
+      {
+        return;
+      }
+      Cache& cache = *this->Internals;
+      cache.Data = SharedMesh(input);
+      const std::string remedy = "find the region with vtkOversketchMixtureRegion";
+      vtkDataArray* arrays[2];
+      std::vector<char> labels[2];
+      for (int i = 0; i < 2; ++i)
+      {
+        arrays[i] =
+          RequireArray(input->GetPointData(), i == 0 ? "Region" : "RegionSeed", 1, count, "mesh", remedy);
+      }
+      const MeshKey key(input, { arrays[0], arrays[1] });
+      const int rings = this->Confine ? this->Rings : 0;
+      if (!cache.Region || cache.Key != key || cache.Rings != rings)
+      {
+        cache.Region = nullptr;
+        ++this->SmoothingCount;
+        for (int i = 0; i < 2; ++i)
+        {
+          labels[i].resize(static_cast<std::size_t>(count));
+          for (vtkIdType v = 0; v < count; ++v)
+          {
+            labels[i][static_cast<std::size_t>(v)] = arrays[i]->GetComponent(v, 0) != 0.0;
+          }
+        }
+        const std::vector<char> region = smoothBorder(cache.Data->Neighbours, labels[1], labels[0], rings);
+        const auto selected = std::count(region.begin(), region.end(), 1);
+        if (selected == 0 || selected == count)
+        {
+          throw Error(Failure::BadRegion,
+            selected == 0
+              ? "The region is empty; draw a stroke on a part of the model with more vertices."
+              : "The region reaches the whole model, so nothing is left to hold it; draw a shorter stroke.");
+        }
+        auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+        array->SetName("Region");
+        array->SetNumberOfValues(count);
+        std::copy(region.begin(), region.end(), array->GetPointer(0));
+        cache.Region = array;
+        cache.Key = key;
+        cache.Rings = rings;
+      }
+      output->ShallowCopy(input);
+      output->GetPointData()->AddArray(cache.Region);
+    });
+}
+
+void vtkOversketchRegionBorder::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Confine: " << (this->Confine ? "On" : "Off") << '\n'
+     << indent << "Rings: " << this->Rings << '\n'
+     << indent << "SmoothingCount: " << this->SmoothingCount << '\n';
+}

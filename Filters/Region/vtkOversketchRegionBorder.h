@@ -1,0 +1,82 @@
+/**
+ * @class vtkOversketchRegionBorder
+ * @brief smooths the border of a region of a mesh
+ *
+ * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 4.4, Fig. 10. A region vertex with
+ * at most two neighbours in the region (convex) leaves it; the one outside neighbour of a region vertex
+ * (concave) joins it; until neither kind is left. Departures: convex before concave, then by vertex id; a
+ * vertex changes sides at most twice, since on an open mesh the two rules can undo each other for ever;
+ * vertices on the mesh's own border and seeds never leave; pieces without a seed are dropped; and, with
+ * Confine, changes stay within Rings rings of the border as it comes in, since along lattice-like meshes the
+ * concave rule runs away over the model.
+ *
+ * Input 0: triangle mesh, vtkPolyData, with point arrays Region and RegionSeed, one component each, not 0
+ * meaning yes (vtkOversketchMixtureRegion). Where no vertex is a seed, no piece is dropped.
+ *
+ * Output 0: the input with Region, unsigned char, replaced. Everything else is passed; nothing is
+ * interpolated or dropped.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray; BadRegion when no vertex is
+ * left in the region or none outside it. A mesh without points gives an empty output silently.
+ *
+ * Deterministic. Cost: linear in the vertices. The array is kept, as the same object, while points, polygons,
+ * Region, RegionSeed and parameters stand.
+ *
+ * @sa vtkOversketchMixtureRegion
+ */
+#ifndef vtkOversketchRegionBorder_h
+#define vtkOversketchRegionBorder_h
+
+#include "OversketchFiltersRegionModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
+
+class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchRegionBorder : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchRegionBorder* New();
+  vtkTypeMacro(vtkOversketchRegionBorder, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Confine changes to Rings rings of vertices on either side of the border; default on. Off is as published.
+   */
+  vtkSetMacro(Confine, bool);
+  vtkGetMacro(Confine, bool);
+  vtkBooleanMacro(Confine, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Rings of vertices that Confine leaves free, at least 1; default 2.
+   */
+  vtkSetClampMacro(Rings, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Rings, int);
+  ///@}
+
+  /**
+   * How many times a border has been smoothed: executions that the kept result did not answer.
+   */
+  vtkGetMacro(SmoothingCount, vtkIdType);
+
+protected:
+  vtkOversketchRegionBorder();
+  ~vtkOversketchRegionBorder() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchRegionBorder(const vtkOversketchRegionBorder&) = delete;
+  void operator=(const vtkOversketchRegionBorder&) = delete;
+
+  bool Confine = true;
+  int Rings = 2;
+  vtkIdType SmoothingCount = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
+};
+
+#endif

@@ -1,0 +1,23 @@
+// The greedy Gaussian mixture on the OpenCL device.
+#ifndef oversketch_device_mixture_h
+#define oversketch_device_mixture_h
+
+#include "Mixture/mixture.h"
+#include "OpenCL/device.h"
+
+namespace oversketch
+{
+
+// fitMixture on the device, in one launch: a single work-group runs every EM step and insertion, so the host
+// need not synchronise. Double precision where the device has it (then equal to the host's fit to 1e-5 and
+// better), else single. groupSize 0: 1024 or the device's limit, whichever is less, and 1 on a processor,
+// where a group is one thread anyway: there the one work-item computes on vectors of 8 samples. Throws
+// Error(NoDevice) when the device fails.
+MixtureFit fitMixtureOnDevice(Device& device,
+  const std::vector<double>& samples,
+  const MixtureOptions& options,
+  std::size_t groupSize = 0,
+  bool singlePrecision = false);
+
+} // namespace oversketch
+#endif

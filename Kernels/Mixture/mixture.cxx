@@ -1,0 +1,250 @@
+#include "Mixture/mixture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double logTwoPi = 1.8378770664093453;
+
+// ln(weight N(x; mean, variance)).
+double logTerm(const Gaussian& g, double x)
+{
+  const double d = x - g.mean;
+  return std::log(g.weight) - 0.5 * (logTwoPi + std::log(g.variance) + d * d / g.variance);
+}
+
+// Mixture and candidate in equal shares is where the log-likelihood is expanded; the true weight is the
+// expansion's maximum, kept inside (0, 1).
+struct Insertion
+{
+  double weight = 0.5;
+  double logLikelihood = -std::numeric_limits<double>::infinity();
+};
+
+Insertion scoreCandidate(const std::vector<double>& samples,
+  const std::vector<double>& density,
+  double mean,
+  double variance)
+{
+  const double scale = 1.0 / std::sqrt(2.0 * 3.14159265358979323846 * variance);
+  double half = 0.0, sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const double d = samples[i] - mean;
+    const double phi = scale * std::exp(-0.5 * d * d / variance);
+    const double total = std::max(density[i] + phi, std::numeric_limits<double>::min()); // both may underflow
+    const double delta = (density[i] - phi) / total;
+    half += std::log(0.5 * total);
+    sum += delta;
+    squares += delta * delta;
+  }
+  if (!(squares > 0.0))
+  {
+    return {};
+  }
+  Insertion insertion;
+  insertion.weight = std::clamp(0.5 - 0.5 * sum / squares, 0.01, 0.99);
+  const double step = insertion.weight - 0.5;
+  insertion.logLikelihood = half - 2.0 * step * sum - 2.0 * step * step * squares;
+  return insertion;
+}
+
+} // namespace
+
+double logDensity(const Mixture& mixture, double x)
+{
+  double terms[maximumMixtureComponents];
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < mixture.size(); ++k)
+  {
+    terms[k] = logTerm(mixture[k], x);
+    largest = std::max(largest, terms[k]);
+  }
+  double sum = 0.0;
+  for (std::size_t k = 0; k < mixture.size(); ++k)
+  {
+    sum += std::exp(terms[k] - largest);
+  }
+  return largest + std::log(sum);
+}
+
+MixtureStep stepMixture(const Mixture& mixture, const std::vector<double>& samples, double varianceFloor)
+{
+  const std::size_t n = samples.size();
+  const std::size_t components = mixture.size();
+  MixtureStep step{ mixture, 0.0 };
+  std::vector<double> shares(n * components);
+  std::vector<double> mass(components, 0.0), first(components, 0.0), second(components, 0.0);
+  double constant[maximumMixtureComponents];
+  for (std::size_t k = 0; k < components; ++k)
+  {
+    constant[k] = std::log(mixture[k].weight) - 0.5 * (logTwoPi + std::log(mixture[k].variance));
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    double terms[maximumMixtureComponents];
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < components; ++k)
+    {
+      const double d = samples[i] - mixture[k].mean;
+      terms[k] = constant[k] - 0.5 * d * d / mixture[k].variance;
+      largest = std::max(largest, terms[k]);
+    }
+    double sum = 0.0;
+    for (std::size_t k = 0; k < components; ++k)
+    {
+      terms[k] = std::exp(terms[k] - largest);
+      sum += terms[k];
+    }
+    step.logLikelihood += largest + std::log(sum);
+    for (std::size_t k = 0; k < components; ++k)
+    {
+      const double share = terms[k] / sum;
+      shares[i * components + k] = share;
+      mass[k] += share;
+      first[k] += share * samples[i];
+    }
+  }
+  for (std::size_t k = 0; k < components; ++k)
+  {
+    // A component that lost its samples keeps its place with no weight to speak of.
+    step.mixture[k].weight = std::max(mass[k] / double(n), 1e-12);
+    step.mixture[k].mean = mass[k] > 0.0 ? first[k] / mass[k] : mixture[k].mean;
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t k = 0; k < components; ++k)
+    {
+      const double d = samples[i] - step.mixture[k].mean;
+      second[k] += shares[i * components + k] * d * d;
+    }
+  }
+  for (std::size_t k = 0; k < components; ++k)
+  {
+    step.mixture[k].variance = std::max(mass[k] > 0.0 ? second[k] / mass[k] : 0.0, varianceFloor);
+  }
+  return step;
+}
+
+MixtureCandidates mixtureCandidates(const std::vector<double>& samples, const MixtureOptions& options)
+{
+  std::vector<double> sorted = samples;
+  std::sort(sorted.begin(), sorted.end());
+  const double n = double(sorted.size());
+  const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / n;
+  double variance = 0.0;
+  for (double x : sorted)
+  {
+    variance += (x - mean) * (x - mean) / n;
+  }
+  MixtureCandidates candidates;
+  // The rule of thumb for the width of a one-dimensional kernel density estimate, squared.
+  candidates.variance = std::max(variance * std::pow(4.0 / (3.0 * n), 0.4), options.varianceFloor);
+  for (int c = 0; c < options.candidates; ++c)
+  {
+    candidates.means.push_back(sorted[std::size_t((c + 0.5) / options.candidates * n)]);
+  }
+  return candidates;
+}
+
+MixtureFit fitMixture(const std::vector<double>& samples,
+  const MixtureOptions& options,
+  const Context& context)
+{
+  if (samples.empty())
+  {
+    throw Error(Failure::BadRegion, "There are no samples to fit a Gaussian mixture to.");
+  }
+  // From any single component, one step lands on the samples' own mean and variance.
+  MixtureFit fit;
+  fit.mixture = stepMixture({ { 1.0, samples[0], 1.0 } }, samples, options.varianceFloor).mixture;
+  fit.logLikelihood = stepMixture(fit.mixture, samples, options.varianceFloor).logLikelihood;
+  fit.steps = 1;
+  const MixtureCandidates candidates = mixtureCandidates(samples, options);
+  const double gain = options.tolerance * double(samples.size());
+  std::vector<double> density(samples.size());
+  std::vector<Insertion> insertions(candidates.means.size());
+  while (int(fit.mixture.size()) < options.components)
+  {
+    context.checkpoint(double(fit.mixture.size()) / options.components);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      density[i] = std::exp(logDensity(fit.mixture, samples[i]));
+    }
+    context.parallelFor(int(insertions.size()),
+      [&](int begin, int end)
+      {
+        for (int c = begin; c < end; ++c)
+        {
+          insertions[c] = scoreCandidate(samples, density, candidates.means[c], candidates.variance);
+        }
+      });
+    const auto best = std::max_element(insertions.begin(),
+      insertions.end(),
+      [](const Insertion& a, const Insertion& b) { return a.logLikelihood < b.logLikelihood; });
+    Mixture trial = fit.mixture;
+    for (Gaussian& g : trial)
+    {
+      g.weight *= 1.0 - best->weight;
+    }
+    trial.push_back({ best->weight, candidates.means[best - insertions.begin()], candidates.variance });
+
+    Mixture converged = trial;
+    double reached = -std::numeric_limits<double>::infinity();
+    for (int s = 0; s < options.maximumSteps; ++s)
+    {
+      const MixtureStep step = stepMixture(trial, samples, options.varianceFloor);
+      ++fit.steps;
+      // Only a variance at its floor can make the likelihood fall; then the mixture before stands.
+      const bool rises = step.logLikelihood > reached + gain;
+      if (step.logLikelihood > reached)
+      {
+        reached = step.logLikelihood;
+        converged = trial;
+      }
+      if (!rises)
+      {
+        break;
+      }
+      trial = step.mixture;
+    }
+    if (!(reached > fit.logLikelihood + gain))
+    {
+      break;
+    }
+    fit.mixture = converged;
+    fit.logLikelihood = reached;
+  }
+  return fit;
+}
+
+std::vector<int> drawWithoutReplacement(int population, int maximum, int seed)
+{
+  std::vector<int> indices(population);
+  std::iota(indices.begin(), indices.end(), 0);
+  if (population <= maximum)
+  {
+    return indices;
+  }
+  // Not std::shuffle or std::sample: their results differ between standard libraries.
+  std::mt19937 generator(static_cast<std::uint32_t>(seed));
+  for (int i = 0; i < maximum; ++i)
+  {
+    const std::uint64_t range = std::uint64_t(population - i);
+    std::swap(indices[i], indices[i + int(std::uint64_t(generator()) * range >> 32)]);
+  }
+  indices.resize(maximum);
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
+} // namespace oversketch

@@ -1,0 +1,70 @@
+// One-dimensional Gaussian mixtures by greedy expectation maximisation (SEED, Sec. 4.2, Table 2): start from
+// one component; insert the best of the candidates, judged by a second-order expansion of the log-likelihood
+// in the new weight; run EM to convergence; repeat. Ours because no library among the dependencies has greedy
+// insertion, and the general ones (OpenCV's ml::EM) start from random centres.
+#ifndef oversketch_mixture_h
+#define oversketch_mixture_h
+
+#include "Mesh/context.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+struct Gaussian
+{
+  double weight, mean, variance;
+};
+using Mixture = std::vector<Gaussian>;
+
+constexpr int maximumMixtureComponents = 8;
+
+struct MixtureOptions
+{
+  int components = 4;          // at most; 1 .. maximumMixtureComponents
+  int candidates = 64;         // places tried for a new component: quantiles of the samples
+  double varianceFloor = 1e-4; // of every component; keeps constant samples from collapsing
+  int maximumSteps = 300;      // EM steps per insertion
+  double tolerance = 1e-6;     // EM has converged when the mean log-likelihood gains no more than this
+};
+
+struct MixtureFit
+{
+  Mixture mixture;
+  double logLikelihood = 0.0; // sum over the samples
+  int steps = 0;              // EM steps in all
+};
+
+// ln of the mixture's density at x; finite for every finite x.
+double logDensity(const Mixture& mixture, double x);
+
+// One EM step: responsibilities of the components, then weights, means and variances from them (two passes).
+// logLikelihood is that of the mixture given, not of the one returned.
+struct MixtureStep
+{
+  Mixture mixture;
+  double logLikelihood;
+};
+MixtureStep stepMixture(const Mixture& mixture, const std::vector<double>& samples, double varianceFloor);
+
+// Means and common variance of the components that an insertion tries.
+struct MixtureCandidates
+{
+  std::vector<double> means;
+  double variance;
+};
+MixtureCandidates mixtureCandidates(const std::vector<double>& samples, const MixtureOptions& options);
+
+// Throws Error(BadRegion) without samples. Stops early when a further component raises the likelihood no
+// more.
+MixtureFit fitMixture(const std::vector<double>& samples,
+  const MixtureOptions& options,
+  const Context& context = {});
+
+// `maximum` ascending indices below `population`, without replacement, all where there are no more than that.
+// The same for the same seed on every platform.
+std::vector<int> drawWithoutReplacement(int population, int maximum, int seed);
+
+} // namespace oversketch
+#endif

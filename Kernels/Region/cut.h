@@ -1,0 +1,35 @@
+// The junction cut: an amendment of ours to the region of interest.
+#ifndef oversketch_cut_h
+#define oversketch_cut_h
+
+#include "Mesh/mesh.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+// Lengths in units of the part's thickness: the median diameter of the region's border vertices.
+struct CutOptions
+{
+  double band = 1.25;    // how far from its border the region may be moved
+  double keep = 0.25;    // region nearer to a seed than this stays
+  double faithful = 0.3; // cost of moving the border by the whole band, as a share of its length
+};
+
+// Moves the region's border to the nearest good place to cut. Within a band around the border the triangles
+// are divided anew by a minimum cut: an edge on the new border costs its length, less in a concave valley (by
+// 1 + band x curvature), and a triangle that changes sides costs in proportion to its area. The region
+// returned is the vertices of the triangles inside, so that border triangles' edges run in the valley itself.
+// Not less than half of the region's area survives, or the region is returned as it was: there was no place
+// to cut, only a patch to shrink.
+std::vector<char> cutAtJunction(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const std::vector<double>& diameter,
+  const std::vector<char>& isSeed,
+  const std::vector<char>& region,
+  const CutOptions& options = {});
+
+} // namespace oversketch
+#endif

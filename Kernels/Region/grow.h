@@ -1,0 +1,71 @@
+// The region of interest: seeds, region growing and its amendments (SEED, Sec. 4.3, Eq. 8).
+#ifndef oversketch_grow_h
+#define oversketch_grow_h
+
+#include "Mesh/context.h"
+#include "Mesh/mesh.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+// Area of the mesh that belongs to each vertex: a third of its triangles'.
+std::vector<double> vertexAreas(const Mesh& mesh);
+
+// Grows from the seeds over unselected neighbours. ratio(v) = ln p_fg(x_v) - ln p_whole(x_v); with E^c(v,
+// label) = -ln p_label(x_v) and E^s(v, label) the number of v's neighbours with the other label, a vertex is
+// selected when ratio(v) > lambda (b - f), b and f its unselected and selected neighbours. First come, first
+// served, from the seeds in the order given, neighbours by id; additions only, so it ends. Where `allowed` is
+// not empty, vertices with 0 there are never selected (but seeds are).
+std::vector<char> growRegion(const Adjacency& adjacency,
+  const std::vector<int>& seeds,
+  const std::vector<double>& ratio,
+  double lambda,
+  const std::vector<char>& allowed = {});
+
+// Selects every connected piece of the unselected rest of a mesh component but the one of the largest area.
+void fillIslands(const Mesh& mesh, const Adjacency& adjacency, std::vector<char>& region);
+
+// Deselects connected pieces of the region without a seed.
+void dropSeedless(const Adjacency& adjacency, const std::vector<char>& isSeed, std::vector<char>& region);
+
+// Seeds and, where they are fewer than `needed`, the nearest vertices within `tolerance` (edge path) of a
+// seed, nearest first, until there are that many. Ascending.
+std::vector<int> expandSeeds(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& seeds,
+  std::size_t needed,
+  double tolerance);
+
+struct RegionOptions
+{
+  double lambda = 0.2;
+  bool fillIslands = true;
+  bool limitRunaway = true;
+  bool cutAtJunction = true;
+};
+
+// What region detection reads besides the mesh.
+struct RegionEvidence
+{
+  std::vector<int> seeds;       // ascending
+  std::vector<double> ratio;    // ln p_fg - ln p_whole per vertex
+  std::vector<double> diameter; // per vertex [model length]
+  double sectionLength = 0.0;   // [model length]; read by limitRunaway alone
+};
+
+// Growing and its amendments, in this order: grow; fill islands; where the region then exceeds half of the
+// area of the connected parts it lies in, grow again within an edge path of one section length of the seeds,
+// and fill islands again; cut at the junction (see cutAtJunction), unless that exceeds the half; drop pieces
+// without a seed. Throws Error(BadRegion) without seeds and when a part is selected wholly, for nothing would
+// be left to hold it.
+std::vector<char> detectRegion(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const RegionEvidence& evidence,
+  const RegionOptions& options,
+  const Context& context = {});
+
+} // namespace oversketch
+#endif
