@@ -1,0 +1,167 @@
+/**
+ * @class vtkOversketchRemesh
+ * @brief incremental remeshing of a region, before it is stretched or after
+ *
+ * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 5.2: the region is remeshed to
+ * edges of length L k before it is deformed (stage Stretch), L the mean edge length of the region and k the
+ * length of the matched section over that of the target curve, and back to L afterwards (stage Restore). The
+ * loop is the usual one: split edges over 4/3 of the target length, collapse those under 4/5, flip towards
+ * valence 6 (4 on a border), relax in the tangent plane and project back to the input surface.
+ *
+ * Departures, each because one uniform length eats thin limbs and loses what the pipeline carries:
+ * - the target length of a vertex is min(L k, ShapeDiameter / 2), never under MinimumFactor L k, smoothed so
+ * that it grows by at most half of the way walked; where the limit by diameter would more than quadruple the
+ * number of triangles it is raised evenly until it does not;
+ * - next to edges that cannot change the target goes over to their length, so that no fan of needles forms
+ * there;
+ * - edges and vertices that carry handles keep their place (edges may be split), so that the section does not
+ * drift;
+ * - k is limited to [MinimumFactor, 1];
+ * - a move that folds a triangle, makes one narrower than about 15 degrees that was not, or cuts off a tip is
+ * refused.
+ *
+ * What may change: triangles all of whose vertices are in the region. What never does: every point outside
+ * the region and on the region's border; edges on that border and non-manifold edges, even if long; the shape
+ * of borders of the mesh and of edges between charts, which are split at most.
+ *
+ * Input 0: triangle mesh, vtkPolyData, with point array Region (1 component, not 0 = in the region) and, if
+ * LimitByDiameter is on, ShapeDiameter (1 component, model length; values that are not positive limit
+ * nothing). Optional cell array Chart (1 component, integers): edges between different charts are kept.
+ * Optional field array GuideLength: L for stage Restore. Input 1 (optional): handles, vtkPolyData with point
+ * arrays MeshVertices (3 components) and MeshWeights (3), and for stage Stretch field arrays SectionLength
+ * and TargetLength. Without handles k is 1.
+ *
+ * Output 0: the mesh. Points outside the region come first, in their order and bit for bit; then the region's
+ * remaining ones, then new ones. Triangles that could not change come first, in their order. Point arrays:
+ * floating ones interpolated (the active normals re-normalised), others, and Region, taken from the vertex of
+ * largest weight. Cell arrays: from the input triangle under the middle of each triangle, of the same Chart.
+ * Field data is passed. Global ids are dropped: they would no longer be unique. New arrays:
+ * - cell array SourceCell, vtkIdType[3]: per corner the input triangle it lies on, of the triangle's own
+ * chart,
+ * - cell array SourceWeights, double[9]: per corner the weights of that triangle's corners (sum 1),
+ *   so that an attribute that lives on corners (texture coordinates across seams) can be interpolated,
+ * - field array GuideLength, double (stage Stretch): L.
+ * Output 1: the handles bound to output 0: MeshVertices, MeshWeights (unused vertices repeat the first) and
+ * positions; everything else passed. Empty if there are none.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, Cancelled. A mesh without
+ * points gives an empty output silently; a region without a triangle passes the mesh through in the order
+ * above.
+ *
+ * Deterministic: moves are made one by one in an order given by length and id; threads only propose relaxed
+ * positions. The result is kept while points, polygons, Region, ShapeDiameter, Chart, handle bindings and
+ * parameters stand; then the same points, polygons and (for unchanged input arrays) the same arrays come out.
+ * Cost: about a second for 100 000 triangles.
+ *
+ * @sa vtkOversketchLaplacianDeform, vtkOversketchTargets, vtkOversketchShapeDiameter
+ */
+#ifndef vtkOversketchRemesh_h
+#define vtkOversketchRemesh_h
+
+#include "OversketchFiltersRemeshModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
+
+class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRemesh : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchRemesh* New();
+  vtkTypeMacro(vtkOversketchRemesh, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Stages
+  {
+    STRETCH = 0,
+    RESTORE = 1
+  };
+
+  /**
+   * The handles, on port 1, and where they come out.
+   */
+  void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(1, handles); }
+  void SetHandlesData(vtkPolyData* handles);
+  vtkPolyData* GetHandlesOutput() { return this->GetOutput(1); }
+
+  ///@{
+  /**
+   * STRETCH: before deforming, to length L k; RESTORE: after it, to length L. Default STRETCH.
+   */
+  vtkSetClampMacro(Stage, int, STRETCH, RESTORE);
+  vtkGetMacro(Stage, int);
+  void SetStageToStretch() { this->SetStage(STRETCH); }
+  void SetStageToRestore() { this->SetStage(RESTORE); }
+  ///@}
+
+  ///@{
+  /**
+   * Rounds of split, collapse, flip and relax, 1 to 50. Default 5.
+   */
+  vtkSetClampMacro(Iterations, int, 1, 50);
+  vtkGetMacro(Iterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Keep edges under half of the ShapeDiameter array's value. Default on; off as published.
+   */
+  vtkSetMacro(LimitByDiameter, bool);
+  vtkGetMacro(LimitByDiameter, bool);
+  vtkBooleanMacro(LimitByDiameter, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Keep vertices and edges that carry handles where they are (edges may be split). Default on; off as
+   * published.
+   */
+  vtkSetMacro(ProtectSection, bool);
+  vtkGetMacro(ProtectSection, bool);
+  vtkBooleanMacro(ProtectSection, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Least k, and least share of L k that the limit by diameter may ask for; dimensionless, 0.05 to 1. Default
+   * 0.2.
+   */
+  vtkSetClampMacro(MinimumFactor, double, 0.05, 1.0);
+  vtkGetMacro(MinimumFactor, double);
+  ///@}
+
+  /**
+   * L [model length] and k of the last update.
+   */
+  vtkGetMacro(GuideLength, double);
+  vtkGetMacro(Factor, double);
+
+  /**
+   * How many times a mesh has really been remeshed, not found again.
+   */
+  vtkGetMacro(RemeshCount, vtkIdType);
+
+protected:
+  vtkOversketchRemesh();
+  ~vtkOversketchRemesh() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchRemesh(const vtkOversketchRemesh&) = delete;
+  void operator=(const vtkOversketchRemesh&) = delete;
+
+  int Stage = STRETCH;
+  int Iterations = 5;
+  bool LimitByDiameter = true;
+  bool ProtectSection = true;
+  double MinimumFactor = 0.2;
+  double GuideLength = 0.0;
+  double Factor = 1.0;
+  vtkIdType RemeshCount = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
+};
+
+#endif

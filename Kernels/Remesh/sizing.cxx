@@ -1,0 +1,238 @@
+#include "Remesh/sizing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double largestGrowth = 4.0;     // in triangles, by the limit by diameter
+constexpr double equilateral = 0.4330127; // area of a triangle with sides 1
+
+struct ActiveEdge
+{
+  int v0, v1;  // v0 < v1
+  bool frozen; // held by an outside triangle, by more than two triangles, or by two wound against each other
+};
+
+// Edges of the active triangles, ascending.
+std::vector<ActiveEdge> activeEdges(const Mesh& mesh, const std::vector<char>& active)
+{
+  struct Side
+  {
+    int v0, v1;
+    bool active, forward;
+  };
+  std::vector<char> inside(mesh.points.size(), 0);
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    for (int k = 0; active[t] && k < 3; ++k)
+    {
+      inside[mesh.triangles[t][k]] = 1;
+    }
+  }
+  std::vector<Side> sides;
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [a, b] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
+      if (inside[a] && inside[b])
+      {
+        sides.push_back({ a, b, active[t] != 0, a == mesh.triangles[t][k] });
+      }
+    }
+  }
+  std::sort(sides.begin(),
+    sides.end(),
+    [](const Side& a, const Side& b) { return a.v0 != b.v0 ? a.v0 < b.v0 : a.v1 < b.v1; });
+  std::vector<ActiveEdge> edges;
+  for (std::size_t i = 0; i < sides.size();)
+  {
+    std::size_t count = 0, activeCount = 0, forwardCount = 0;
+    for (;
+         i + count < sides.size() && sides[i].v0 == sides[i + count].v0 && sides[i].v1 == sides[i + count].v1;
+         ++count)
+    {
+      activeCount += sides[i + count].active ? 1 : 0;
+      forwardCount += sides[i + count].forward ? 1 : 0;
+    }
+    if (activeCount > 0)
+    {
+      edges.push_back(
+        { sides[i].v0, sides[i].v1, activeCount != count || count > 2 || (count == 2 && forwardCount != 1) });
+    }
+    i += count;
+  }
+  return edges;
+}
+
+// values[v] = min over u of values[u] + slope * way(u, v), along the edges.
+void spread(const Mesh& mesh, const std::vector<ActiveEdge>& edges, double slope, std::vector<double>& values)
+{
+  std::vector<int> offsets(mesh.points.size() + 1, 0);
+  for (const ActiveEdge& e : edges)
+  {
+    ++offsets[e.v0 + 1];
+    ++offsets[e.v1 + 1];
+  }
+  for (std::size_t i = 1; i < offsets.size(); ++i)
+  {
+    offsets[i] += offsets[i - 1];
+  }
+  std::vector<int> neighbours(offsets.back());
+  std::vector<int> next(offsets.begin(), offsets.end() - 1);
+  for (const ActiveEdge& e : edges)
+  {
+    neighbours[next[e.v0]++] = e.v1;
+    neighbours[next[e.v1]++] = e.v0;
+  }
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (offsets[v + 1] > offsets[v] && values[v] < infinite)
+    {
+      queue.push({ values[v], v });
+    }
+  }
+  while (!queue.empty())
+  {
+    const auto [value, v] = queue.top();
+    queue.pop();
+    for (int i = offsets[v]; value <= values[v] && i < offsets[v + 1]; ++i)
+    {
+      const int u = neighbours[i];
+      const double through = value + slope * (mesh.points[u] - mesh.points[v]).norm();
+      if (through < values[u])
+      {
+        values[u] = through;
+        queue.push({ through, u });
+      }
+    }
+  }
+}
+
+} // namespace
+
+std::vector<char> regionTriangles(const Mesh& mesh, const std::vector<char>& region)
+{
+  std::vector<char> active(mesh.triangles.size(), 0);
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& v = mesh.triangles[t];
+    active[t] =
+      v[0] != v[1] && v[1] != v[2] && v[2] != v[0] && region[v[0]] && region[v[1]] && region[v[2]] ? 1 : 0;
+  }
+  return active;
+}
+
+double guideLength(const Mesh& mesh, const std::vector<char>& active)
+{
+  const std::vector<ActiveEdge> edges = activeEdges(mesh, active);
+  double sum = 0.0;
+  for (const ActiveEdge& e : edges)
+  {
+    sum += (mesh.points[e.v0] - mesh.points[e.v1]).norm();
+  }
+  return edges.empty() ? 0.0 : sum / static_cast<double>(edges.size());
+}
+
+std::vector<double> targetLengths(const Mesh& mesh,
+  const std::vector<char>& active,
+  const std::vector<double>& diameters,
+  const Sizing& sizing)
+{
+  const std::vector<ActiveEdge> edges = activeEdges(mesh, active);
+  std::vector<double> limit(mesh.points.size(), infinite);
+  for (std::size_t v = 0; v < diameters.size(); ++v)
+  {
+    if (std::isfinite(diameters[v]) && diameters[v] > 0.0)
+    {
+      limit[v] = 0.5 * diameters[v];
+    }
+  }
+  // Half a triangle per active one at least, even where the area is nothing: what the input has is no growth.
+  const auto expected = [&](double lowest)
+  {
+    double count = 0.0;
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+    {
+      if (active[t])
+      {
+        const Triangle& c = mesh.triangles[t];
+        double mean = 0.0;
+        for (const int v : c)
+        {
+          mean += std::min(sizing.length, std::max(limit[v], lowest)) / 3.0;
+        }
+        const double area =
+          0.5 * (mesh.points[c[1]] - mesh.points[c[0]]).cross(mesh.points[c[2]] - mesh.points[c[0]]).norm();
+        count += area / (equilateral * mean * mean);
+      }
+    }
+    return count;
+  };
+  double lowest = sizing.minimumFactor * sizing.length;
+  const double allowed =
+    std::max(largestGrowth * static_cast<double>(std::count(active.begin(), active.end(), 1)),
+      expected(sizing.length));
+  if (expected(lowest) > allowed)
+  {
+    double tooLow = lowest, enough = sizing.length;
+    for (int step = 0; step < 20; ++step)
+    {
+      const double middle = 0.5 * (tooLow + enough);
+      (expected(middle) > allowed ? tooLow : enough) = middle;
+    }
+    lowest = enough;
+  }
+  std::vector<double> target(mesh.points.size(), sizing.length);
+  for (std::size_t v = 0; v < target.size(); ++v)
+  {
+    target[v] = std::min(sizing.length, std::max(limit[v], lowest));
+  }
+  spread(mesh, edges, sizing.gradation, target);
+  // Near edges that stay as they are: from above towards short ones, from below towards long ones.
+  std::vector<double> sum(mesh.points.size(), 0.0), count(mesh.points.size(), 0.0);
+  std::vector<double> below(mesh.points.size(), infinite); // negative: from the longest edge down
+  for (const ActiveEdge& e : edges)
+  {
+    for (const int v : { e.v0, e.v1 })
+    {
+      if (e.frozen)
+      {
+        const double length = (mesh.points[e.v0] - mesh.points[e.v1]).norm();
+        sum[v] += length;
+        count[v] += 1.0;
+        below[v] = std::min(below[v], -length);
+      }
+    }
+  }
+  std::vector<double> above(mesh.points.size(), infinite);
+  for (std::size_t v = 0; v < target.size(); ++v)
+  {
+    if (sum[v] > 0.0)
+    {
+      above[v] = sum[v] / count[v];
+    }
+  }
+  spread(mesh, edges, sizing.gradation, above);
+  spread(mesh, edges, sizing.gradation, below);
+  for (std::size_t v = 0; v < target.size(); ++v)
+  {
+    // A border edge much shorter than wanted is the outside's flaw: it shall not make the inside finer
+    // without end.
+    const double shortest = std::max(above[v], sizing.minimumFactor * sizing.length);
+    target[v] = std::max(std::min(target[v], shortest), -below[v]);
+  }
+  return target;
+}
+
+} // namespace oversketch

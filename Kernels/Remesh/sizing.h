@@ -1,0 +1,38 @@
+// How long the edges of a remeshed region shall be.
+#ifndef oversketch_sizing_h
+#define oversketch_sizing_h
+
+#include "Mesh/mesh.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+// 1 for the triangles a region's remeshing may change: all three vertices, distinct, in the region.
+std::vector<char> regionTriangles(const Mesh& mesh, const std::vector<char>& region);
+
+// L, the mean length of the edges of the active triangles; 0 if there is none.
+double guideLength(const Mesh& mesh, const std::vector<char>& active);
+
+struct Sizing
+{
+  double length = 0.0;    // the wanted length, L k
+  double gradation = 0.5; // the target grows by at most this much per unit of way along edges
+  // Diameters below 2 * minimumFactor * length ask for no more: with it a sheet of no thickness stays finite.
+  double minimumFactor = 0.2;
+};
+
+// Target length per vertex, min(length, diameter / 2), made smooth. diameters: one per vertex, or empty for
+// none; values that are not positive and finite limit nothing. The limit by diameter may raise the number of
+// triangles to four times the input's (or as many as `length` alone would give, if that is more) and is
+// raised evenly where it would ask for more. Next to edges that cannot change (outside the region,
+// non-manifold) targets go over to the lengths of those edges, so that no fan of needles leads from a coarse
+// border to a fine inside.
+std::vector<double> targetLengths(const Mesh& mesh,
+  const std::vector<char>& active,
+  const std::vector<double>& diameters,
+  const Sizing& sizing);
+
+} // namespace oversketch
+#endif
