@@ -1,0 +1,182 @@
+#include "Harness/shapes.h"
+#include "Region/cut.h"
+#include "Region/grow.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace oversketch;
+using namespace oversketch_test;
+
+namespace
+{
+
+// Two balls of radius 1 joined by a neck of radius 0.25 at x = 0: a surface of revolution, 48 x 96 vertices
+// and more.
+Mesh dumbbell()
+{
+  const auto radius = [](double x)
+  { return std::max(0.25, std::sqrt(std::max(0.0, 1.0 - (std::abs(x) - 1.2) * (std::abs(x) - 1.2)))); };
+  Mesh mesh = gridSurface(48,
+    96,
+    true,
+    false,
+    [&](double u, double v)
+    {
+      const double x = 2.15 * (2.0 * v - 1.0);
+      const double r = radius(x);
+      return Vector3(x, r * std::cos(2 * pi * u), r * std::sin(2 * pi * u));
+    });
+  for (const int end : { 0, 96 }) // close the ends
+  {
+    const int pole = mesh.vertexCount();
+    mesh.points.push_back({ end == 0 ? -2.2 : 2.2, 0, 0 });
+    for (int i = 0; i < 48; ++i)
+    {
+      const int a = end * 48 + i, b = end * 48 + (i + 1) % 48;
+      mesh.triangles.push_back(end == 0 ? Triangle{ pole, b, a } : Triangle{ pole, a, b });
+    }
+  }
+  return mesh;
+}
+
+std::vector<char> where(const Mesh& mesh, const std::function<bool(const Vector3&)>& test)
+{
+  std::vector<char> flags(mesh.points.size());
+  std::transform(mesh.points.begin(), mesh.points.end(), flags.begin(), test);
+  return flags;
+}
+
+} // namespace
+
+TEST(Cut, MovesABorderToTheNeckFromEitherSide)
+{
+  const Mesh mesh = dumbbell();
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const std::vector<Vector3> normals = vertexNormals(mesh);
+  ASSERT_GT(normals[48 * 24].dot(mesh.points[48 * 24]), 0.0);
+  const std::vector<double> diameter(mesh.points.size(), 0.6);
+  const std::vector<char> seeds = where(mesh, [](const Vector3& p) { return p[0] > 1.9 && p[2] > 0; });
+  for (const double border : { 0.55, -0.55 })
+  {
+    const std::vector<char> region = where(mesh,
+      [border](const Vector3& p) { return p[0] > border + 0.08 * std::sin(5 * std::atan2(p[1], p[2])); });
+    const std::vector<char> moved = cutAtJunction(mesh, adjacency, normals, diameter, seeds, region);
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (mesh.points[v][0] > 0.35)
+      {
+        EXPECT_TRUE(moved[v]) << mesh.points[v].transpose();
+      }
+      if (mesh.points[v][0] < -0.35)
+      {
+        EXPECT_FALSE(moved[v]) << mesh.points[v].transpose();
+      }
+    }
+  }
+}
+
+TEST(Cut, APatchWithNoPlaceToCutStaysAsItIs)
+{
+  // On a ball every closed border can shrink; it must not shrink to the seeds.
+  const Mesh mesh = icosphere(4);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const std::vector<char> region = where(mesh, [](const Vector3& p) { return p[2] > 0.8; });
+  const std::vector<char> seeds = where(mesh, [](const Vector3& p) { return p[2] > 0.99; });
+  const std::vector<double> diameter(mesh.points.size(), 1.8);
+  const std::vector<char> moved =
+    cutAtJunction(mesh, adjacency, vertexNormals(mesh), diameter, seeds, region);
+  const auto size = [](const std::vector<char>& flags) { return std::count(flags.begin(), flags.end(), 1); };
+  EXPECT_GE(2 * size(moved), size(region));
+  for (std::size_t v = 0; v < seeds.size(); ++v)
+  {
+    EXPECT_LE(seeds[v], moved[v]);
+  }
+}
+
+TEST(Islands, AllButTheLargestRestByAreaAreFilled)
+{
+  const Mesh mesh = icosphere(4);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  // A belt: the smaller cap joins it. Finer triangles would not make the cap count for more.
+  std::vector<char> region = where(mesh, [](const Vector3& p) { return p[2] > 0.3 && p[2] < 0.6; });
+  fillIslands(mesh, adjacency, region);
+  EXPECT_EQ(region, where(mesh, [](const Vector3& p) { return p[2] > 0.3; }));
+}
+
+TEST(Islands, ASeparatePartIsNoIsland)
+{
+  Mesh mesh = icosphere(3);
+  const int first = mesh.vertexCount();
+  const Mesh eye = icosphere(2, 0.1);
+  for (const Vector3& p : eye.points)
+  {
+    mesh.points.push_back(p + Vector3(2, 0, 0));
+  }
+  for (const Triangle& t : eye.triangles)
+  {
+    mesh.triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+  }
+  std::vector<char> region = where(mesh, [](const Vector3& p) { return p[2] > 0.5 && p[0] < 1.5; });
+  const std::vector<char> before = region;
+  fillIslands(mesh, buildAdjacency(mesh), region);
+  EXPECT_EQ(region, before);
+}
+
+TEST(Seeds, AreExpandedOnlyWhenTooFewNearestFirstWithinTolerance)
+{
+  const Mesh mesh = icosphere(4);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const std::vector<int> seeds{ 10, 20 };
+  EXPECT_EQ(expandSeeds(mesh, adjacency, seeds, 2, 1.0), seeds);
+  const std::vector<int> twelve = expandSeeds(mesh, adjacency, seeds, 12, 1.0);
+  EXPECT_EQ(twelve.size(), 12u);
+  const std::vector<double> distance = edgeDistances(mesh, adjacency, seeds);
+  double farthest = 0.0;
+  for (int v : twelve)
+  {
+    farthest = std::max(farthest, distance[v]);
+  }
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (distance[v] < farthest)
+    {
+      EXPECT_TRUE(std::binary_search(twelve.begin(), twelve.end(), v));
+    }
+  }
+  EXPECT_EQ(expandSeeds(mesh, adjacency, seeds, 12, 1e-3), seeds);
+}
+
+TEST(Runaway, ARegionOfMoreThanHalfIsGrownAgainNearTheSection)
+{
+  const Mesh mesh = icosphere(4);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const std::vector<Vector3> normals = vertexNormals(mesh);
+  RegionEvidence evidence;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (mesh.points[v][2] > 0.99)
+    {
+      evidence.seeds.push_back(v);
+    }
+    // Growth likes four fifths of the ball.
+    evidence.ratio.push_back(mesh.points[v][2] > -0.6 ? 1.0 : -5.0);
+  }
+  evidence.diameter.assign(mesh.points.size(), 1.8);
+  evidence.sectionLength = 0.5;
+  RegionOptions options;
+  options.cutAtJunction = false;
+  const std::vector<char> limited = detectRegion(mesh, adjacency, normals, evidence, options);
+  const std::vector<double> distance = edgeDistances(mesh, adjacency, evidence.seeds);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    EXPECT_EQ(limited[v] != 0, distance[v] <= 0.5) << v;
+  }
+  options.limitRunaway = false;
+  const std::vector<char> published = detectRegion(mesh, adjacency, normals, evidence, options);
+  EXPECT_GT(2 * std::count(published.begin(), published.end(), 1), mesh.vertexCount());
+  std::fill(evidence.ratio.begin(), evidence.ratio.end(), 5.0);
+  EXPECT_THROW(detectRegion(mesh, adjacency, normals, evidence, options), Error);
+}
