@@ -47,13 +47,16 @@ ConeHit bruteForce(const Mesh& mesh, int origin, const Vector3& direction)
     {
       continue;
     }
-    Eigen::Matrix3d m;
-    m << mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]], -direction;
-    const Vector3 x = m.fullPivLu().solve(mesh.points[origin] - mesh.points[t[0]]);
-    if (x[0] >= 0.0 && x[1] >= 0.0 && x[0] + x[1] <= 1.0 && x[2] > 0.0 &&
-        (best.triangle < 0 || x[2] < best.length))
+    // Cramer's rule for origin + x direction = a + y ab + z ac.
+    const Vector3 a = mesh.points[t[0]] - mesh.points[origin];
+    const Vector3 ab = mesh.points[t[1]] - mesh.points[t[0]], ac = mesh.points[t[2]] - mesh.points[t[0]];
+    const double determinant = direction.dot(ab.cross(ac));
+    const double x = a.dot(ab.cross(ac)) / determinant;
+    const double y = -direction.dot(a.cross(ac)) / determinant;
+    const double z = -direction.dot(ab.cross(a)) / determinant;
+    if (y >= 0.0 && z >= 0.0 && y + z <= 1.0 && x > 0.0 && (best.triangle < 0 || x < best.length))
     {
-      best = { x[2], i };
+      best = { x, i };
     }
   }
   return best;
