@@ -26,7 +26,7 @@ struct MixtureOptions
   int candidates = 64;         // places tried for a new component: quantiles of the samples
   double varianceFloor = 1e-4; // of every component; keeps constant samples from collapsing
   int maximumSteps = 300;      // EM steps per insertion
-  double tolerance = 1e-6;     // EM has converged when the mean log-likelihood gains no more than this
+  double tolerance = 1e-5;     // EM has converged when the mean log-likelihood gains no more than this
 };
 
 struct MixtureFit
