@@ -33,6 +33,180 @@ struct Facet
   int node; // in the graph; -1 outside the band
 };
 
+// Larger bands are cut coarsely first: the flow's time grows faster than its nodes.
+constexpr int manyNodes = 20000;
+constexpr int coarseNodes = 8000;
+
+template <typename Visit>
+void eachNeighbour(const Adjacency& adjacency, int triangle, const Visit& visit)
+{
+  for (const int edge : adjacency.triangleEdges[triangle])
+  {
+    if (edge >= 0)
+    {
+      for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
+      {
+        if (*t != triangle)
+        {
+          visit(*t);
+        }
+      }
+    }
+  }
+}
+
+// One node for each connected clump of `size` band triangles, or less where they run out. Returns the number
+// of nodes.
+int clump(const Adjacency& adjacency, std::vector<Facet>& facets, int size)
+{
+  int nodes = 0;
+  for (Facet& facet : facets)
+  {
+    facet.node = -1;
+  }
+  std::vector<int> members;
+  for (int start = 0; start < int(facets.size()); ++start)
+  {
+    if (facets[start].role != Band || facets[start].node >= 0)
+    {
+      continue;
+    }
+    members.assign(1, start);
+    facets[start].node = nodes;
+    for (std::size_t i = 0; i < members.size() && int(members.size()) < size; ++i)
+    {
+      eachNeighbour(adjacency,
+        members[i],
+        [&](int t)
+        {
+          if (facets[t].role == Band && facets[t].node < 0 && int(members.size()) < size)
+          {
+            facets[t].node = nodes;
+            members.push_back(t);
+          }
+        });
+    }
+    ++nodes;
+  }
+  return nodes;
+}
+
+// The minimum cut of the band's nodes: per triangle, whether it is inside.
+std::vector<char> minimumCut(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Facet>& facets,
+  int nodes,
+  double band,
+  double faithful)
+{
+  const double scale = 1e9 / boundingDiagonal(mesh); // whole numbers below 2^53 keep the flow exact
+  std::vector<double> source(nodes, 0.0), sink(nodes, 0.0);
+  for (const Facet& facet : facets)
+  {
+    if (facet.node >= 0 && (facet.selected == 0 || facet.selected == 3))
+    {
+      (facet.selected == 3 ? source : sink)[facet.node] += std::round(scale * faithful * facet.area / band);
+    }
+  }
+  // One vertex and one edge of no capacity more than needed: the library looks at the first of each unasked.
+  cv::detail::GCGraph<double> graph(static_cast<unsigned>(nodes + 2), static_cast<unsigned>(3 * nodes + 1));
+  for (int i = 0; i < nodes + 2; ++i)
+  {
+    graph.addVtx();
+  }
+  graph.addEdges(nodes, nodes + 1, 0.0, 0.0);
+  for (const MeshEdge& edge : adjacency.edges)
+  {
+    const int* triangles = adjacency.edgeTriangles.data() + edge.firstTriangle;
+    for (int i = 0; i < edge.triangleCount; ++i)
+    {
+      for (int j = i + 1; j < edge.triangleCount; ++j)
+      {
+        const Facet& a = facets[triangles[i]];
+        const Facet& b = facets[triangles[j]];
+        if (a.node == b.node) // one clump, or both outside the band
+        {
+          continue;
+        }
+        const Vector3 step = b.centre - a.centre;
+        const double squared = step.squaredNorm();
+        const double curvature =
+          squared > 0.0 ? (b.normal - a.normal).dot(step) / squared : 0.0; // < 0: concave
+        const double cost = std::round(scale * (mesh.points[edge.v0] - mesh.points[edge.v1]).norm() /
+                                       (1.0 + band * std::max(0.0, -curvature)));
+        if (a.node >= 0 && b.node >= 0)
+        {
+          graph.addEdges(a.node, b.node, cost, cost);
+        }
+        else
+        {
+          const Facet& fixed = a.node >= 0 ? b : a;
+          (fixed.role == Inside ? source : sink)[std::max(a.node, b.node)] += cost;
+        }
+      }
+    }
+  }
+  for (int i = 0; i < nodes; ++i)
+  {
+    graph.addTermWeights(i, source[i], sink[i]);
+  }
+  graph.maxFlow();
+  std::vector<char> inside(facets.size());
+  for (std::size_t t = 0; t < facets.size(); ++t)
+  {
+    inside[t] = facets[t].node >= 0 ? graph.inSourceSegment(facets[t].node) : facets[t].role == Inside;
+  }
+  return inside;
+}
+
+// Leaves only the triangles within `rings` of the cut in the band; the others keep their side.
+void narrowBand(const Adjacency& adjacency,
+  const std::vector<char>& inside,
+  int rings,
+  std::vector<Facet>& facets)
+{
+  std::vector<char> near(facets.size(), 0);
+  std::vector<int> front;
+  for (int t = 0; t < int(facets.size()); ++t)
+  {
+    eachNeighbour(adjacency,
+      t,
+      [&](int other)
+      {
+        if (inside[other] != inside[t] && !near[t])
+        {
+          near[t] = 1;
+          front.push_back(t);
+        }
+      });
+  }
+  for (int ring = 1; ring < rings; ++ring)
+  {
+    std::vector<int> next;
+    for (int t : front)
+    {
+      eachNeighbour(adjacency,
+        t,
+        [&](int other)
+        {
+          if (!near[other])
+          {
+            near[other] = 1;
+            next.push_back(other);
+          }
+        });
+    }
+    front.swap(next);
+  }
+  for (std::size_t t = 0; t < facets.size(); ++t)
+  {
+    if (facets[t].role == Band && !near[t])
+    {
+      facets[t].role = inside[t] ? Inside : Outside;
+    }
+  }
+}
+
 double regionArea(const std::vector<double>& areas, const std::vector<char>& region)
 {
   double sum = 0.0;
@@ -51,7 +225,8 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   const std::vector<double>& diameter,
   const std::vector<char>& isSeed,
   const std::vector<char>& region,
-  const CutOptions& options)
+  const CutOptions& options,
+  const Context& context)
 {
   std::vector<int> border, seeds;
   std::vector<double> thickness;
@@ -84,7 +259,6 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   const std::vector<double> fromSeeds = edgeDistances(mesh, adjacency, seeds, options.keep * unit);
 
   std::vector<Facet> facets(mesh.triangles.size());
-  int nodes = 0;
   bool anyOutside = false;
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
@@ -100,71 +274,30 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
       facet.selected == 3 && reached(fromSeeds[a]) && reached(fromSeeds[b]) && reached(fromSeeds[c]);
     const bool near = reached(fromBorder[a]) || reached(fromBorder[b]) || reached(fromBorder[c]);
     facet.role = seed || kept ? Inside : near ? Band : facet.selected == 3 ? Inside : Outside;
-    facet.node = facet.role == Band ? nodes++ : -1;
     anyOutside = anyOutside || facet.role == Outside;
   }
+  int nodes = clump(adjacency, facets, 1);
   if (!anyOutside || nodes == 0)
   {
     return region; // nothing would hold the other side of the cut
   }
 
-  // Whole numbers below 2^53 keep the flow exact.
-  const double scale = 1e9 / boundingDiagonal(mesh);
-  std::vector<double> source(nodes, 0.0), sink(nodes, 0.0);
-  for (const Facet& facet : facets)
+  context.checkpoint(0.0);
+  if (nodes > manyNodes)
   {
-    if (facet.node >= 0 && (facet.selected == 0 || facet.selected == 3))
-    {
-      (facet.selected == 3 ? source : sink)[facet.node] =
-        std::round(scale * options.faithful * facet.area / band);
-    }
+    const int size = nodes / coarseNodes;
+    nodes = clump(adjacency, facets, size);
+    const std::vector<char> coarse = minimumCut(mesh, adjacency, facets, nodes, band, options.faithful);
+    context.checkpoint(0.6);
+    narrowBand(adjacency, coarse, 3 * int(std::ceil(std::sqrt(size))), facets);
+    nodes = clump(adjacency, facets, 1);
   }
-  cv::detail::GCGraph<double> graph(static_cast<unsigned>(nodes), static_cast<unsigned>(3 * nodes));
-  for (int i = 0; i < nodes; ++i)
-  {
-    graph.addVtx();
-  }
-  for (const MeshEdge& edge : adjacency.edges)
-  {
-    const int* triangles = adjacency.edgeTriangles.data() + edge.firstTriangle;
-    for (int i = 0; i < edge.triangleCount; ++i)
-    {
-      for (int j = i + 1; j < edge.triangleCount; ++j)
-      {
-        const Facet& a = facets[triangles[i]];
-        const Facet& b = facets[triangles[j]];
-        if (a.node < 0 && b.node < 0)
-        {
-          continue;
-        }
-        const Vector3 step = b.centre - a.centre;
-        const double squared = step.squaredNorm();
-        const double curvature =
-          squared > 0.0 ? (b.normal - a.normal).dot(step) / squared : 0.0; // < 0: concave
-        const double cost = std::round(scale * (mesh.points[edge.v0] - mesh.points[edge.v1]).norm() /
-                                       (1.0 + band * std::max(0.0, -curvature)));
-        if (a.node >= 0 && b.node >= 0)
-        {
-          graph.addEdges(a.node, b.node, cost, cost);
-        }
-        else
-        {
-          const Facet& fixed = a.node >= 0 ? b : a;
-          (fixed.role == Inside ? source : sink)[std::max(a.node, b.node)] += cost;
-        }
-      }
-    }
-  }
-  for (int i = 0; i < nodes; ++i)
-  {
-    graph.addTermWeights(i, source[i], sink[i]);
-  }
-  graph.maxFlow();
+  const std::vector<char> inside = minimumCut(mesh, adjacency, facets, nodes, band, options.faithful);
 
   std::vector<char> moved = isSeed;
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
-    if (facets[t].role == Inside || (facets[t].role == Band && graph.inSourceSegment(facets[t].node)))
+    if (inside[t])
     {
       for (int v : mesh.triangles[t])
       {

@@ -2,6 +2,7 @@
 #ifndef oversketch_cut_h
 #define oversketch_cut_h
 
+#include "Mesh/context.h"
 #include "Mesh/mesh.h"
 
 #include <vector>
@@ -29,7 +30,8 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   const std::vector<double>& diameter,
   const std::vector<char>& isSeed,
   const std::vector<char>& region,
-  const CutOptions& options = {});
+  const CutOptions& options = {},
+  const Context& context = {});
 
 } // namespace oversketch
 #endif

@@ -256,7 +256,10 @@ std::vector<char> detectRegion(const Mesh& mesh,
   context.checkpoint(0.5);
   if (options.cutAtJunction)
   {
-    std::vector<char> moved = cutAtJunction(mesh, adjacency, normals, evidence.diameter, isSeed, region);
+    Context half = context;
+    half.progress = [&context](double done) { context.progress(0.5 + 0.5 * done); };
+    std::vector<char> moved =
+      cutAtJunction(mesh, adjacency, normals, evidence.diameter, isSeed, region, {}, half);
     if (options.fillIslands)
     {
       fillIslands(mesh, adjacency, moved);

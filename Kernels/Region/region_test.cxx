@@ -13,14 +13,13 @@ using namespace oversketch_test;
 namespace
 {
 
-// Two balls of radius 1 joined by a neck of radius 0.25 at x = 0: a surface of revolution, 48 x 96 vertices
-// and more.
-Mesh dumbbell()
+// Two balls of radius 1 joined by a neck of radius 0.25 at x = 0: a surface of revolution.
+Mesh dumbbell(int around, int along)
 {
   const auto radius = [](double x)
   { return std::max(0.25, std::sqrt(std::max(0.0, 1.0 - (std::abs(x) - 1.2) * (std::abs(x) - 1.2)))); };
-  Mesh mesh = gridSurface(48,
-    96,
+  Mesh mesh = gridSurface(around,
+    along,
     true,
     false,
     [&](double u, double v)
@@ -29,13 +28,13 @@ Mesh dumbbell()
       const double r = radius(x);
       return Vector3(x, r * std::cos(2 * pi * u), r * std::sin(2 * pi * u));
     });
-  for (const int end : { 0, 96 }) // close the ends
+  for (const int end : { 0, along }) // close the ends
   {
     const int pole = mesh.vertexCount();
     mesh.points.push_back({ end == 0 ? -2.2 : 2.2, 0, 0 });
-    for (int i = 0; i < 48; ++i)
+    for (int i = 0; i < around; ++i)
     {
-      const int a = end * 48 + i, b = end * 48 + (i + 1) % 48;
+      const int a = end * around + i, b = end * around + (i + 1) % around;
       mesh.triangles.push_back(end == 0 ? Triangle{ pole, b, a } : Triangle{ pole, a, b });
     }
   }
@@ -51,12 +50,14 @@ std::vector<char> where(const Mesh& mesh, const std::function<bool(const Vector3
 
 } // namespace
 
-TEST(Cut, MovesABorderToTheNeckFromEitherSide)
+namespace
 {
-  const Mesh mesh = dumbbell();
+
+void expectTheNeck(const Mesh& mesh)
+{
   const Adjacency adjacency = buildAdjacency(mesh);
   const std::vector<Vector3> normals = vertexNormals(mesh);
-  ASSERT_GT(normals[48 * 24].dot(mesh.points[48 * 24]), 0.0);
+  ASSERT_GT(normals[mesh.vertexCount() / 4].dot(mesh.points[mesh.vertexCount() / 4]), 0.0);
   const std::vector<double> diameter(mesh.points.size(), 0.6);
   const std::vector<char> seeds = where(mesh, [](const Vector3& p) { return p[0] > 1.9 && p[2] > 0; });
   for (const double border : { 0.55, -0.55 })
@@ -76,6 +77,18 @@ TEST(Cut, MovesABorderToTheNeckFromEitherSide)
       }
     }
   }
+}
+
+} // namespace
+
+TEST(Cut, MovesABorderToTheNeckFromEitherSide)
+{
+  expectTheNeck(dumbbell(48, 96));
+}
+
+TEST(Cut, AFineMeshIsCutInTwoStepsAtTheSamePlace)
+{
+  expectTheNeck(dumbbell(192, 384)); // over 20000 triangles in the band
 }
 
 TEST(Cut, APatchWithNoPlaceToCutStaysAsItIs)
