@@ -1,0 +1,259 @@
+"""Mesh files in and out of the command, and stroke files that it must refuse."""
+import os
+import re
+import shutil
+import struct
+
+import numpy
+import pytest
+
+from scene import *  # noqa: F403
+
+FORMATS = ["vtp", "obj", "ply", "stl", "off", "gltf", "glb"]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("files")
+    write(body(), folder / "body.vtp")
+    write(stroke(outline(1.7)), folder / "longer.vtp")
+    write(stroke(outline(1.4)), folder / "same.vtp")
+    done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", folder / "reference.vtp", *QUICK)
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    return folder
+
+
+def test_the_limb_grows_to_the_stroke(folder):
+    before, after = points_of(read(folder / "body.vtp")), points_of(read(folder / "reference.vtp"))
+    assert after[:, 0].max() == pytest.approx(2.5, abs=0.05)
+    assert (before == after).all(axis=1).mean() > 0.3
+
+
+@pytest.mark.parametrize("extension", FORMATS)
+def test_round_trip(folder, tmp_path, extension):
+    reference = read(folder / "reference.vtp")
+    path = tmp_path / f"out.{extension}"
+    done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", path, *QUICK)
+    assert done.returncode == 0, done.stderr
+    assert os.listdir(tmp_path) == [path.name]
+    expected, written = points_of(reference), read(path)
+    tolerance = 0.0 if extension == "vtp" else 2e-7 * 3
+    found = points_of(written)
+    if extension == "stl":  # an STL reader numbers points by first use
+        order = triangles_of(reference).ravel()
+        found, expected = found[triangles_of(written).ravel()], expected[order]
+    else:
+        assert (triangles_of(written) == triangles_of(reference)).all()
+    assert numpy.abs(found - expected).max() <= tolerance
+
+    kept = {"vtp": "TC", "obj": "T", "ply": "TC", "stl": "", "off": "", "gltf": "TC", "glb": "TC"}[extension]
+    dropped = [name for name, letter in (("TCoords", "T"), ("RGB", "C")) if letter not in kept]
+    notes = [line for line in done.stderr.splitlines() if "does not keep the arrays" in line]
+    assert notes == ([] if not dropped else
+                     [f"oversketch: note: {extension.upper()} does not keep the arrays: {', '.join(dropped)}"])
+    assert ("single precision" in done.stderr) == (extension in ("ply", "stl", "gltf", "glb"))
+    if "T" in kept:
+        textures = vtk_to_numpy(written.GetPointData().GetTCoords()).astype(float)
+        wanted = vtk_to_numpy(reference.GetPointData().GetTCoords()).astype(float)
+        if extension in ("gltf", "glb"):  # counted from the top
+            wanted[:, 1] = 1.0 - wanted[:, 1]
+        assert numpy.abs(textures[:, :2] - wanted).max() < 1e-6
+    if extension == "ply":
+        assert (vtk_to_numpy(written.GetPointData().GetArray("RGB"))
+                == vtk_to_numpy(reference.GetPointData().GetArray("RGB"))).all()
+
+    # What was written is read again: a stroke along the outline as it stands hardly moves it.
+    write(stroke(outline(1.7)), tmp_path / "same.vtp")
+    again = run("one-stroke", path, tmp_path / "same.vtp", "-o", tmp_path / "again.vtp", *QUICK)
+    assert again.returncode == 0, again.stderr
+    second = points_of(read(tmp_path / "again.vtp"))
+    assert len(second) == len(points_of(read(folder / "body.vtp")))
+    assert read(tmp_path / "again.vtp").GetNumberOfPolys() == reference.GetNumberOfPolys()
+    if extension != "stl":
+        assert numpy.abs(second - points_of(reference)).max() < 0.05
+
+
+@pytest.mark.parametrize("extension", ["OBJ", "Ply"])
+def test_extensions_in_capitals(folder, tmp_path, extension):
+    assert run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / f"o.{extension}",
+               *QUICK).returncode == 0
+    assert (tmp_path / f"o.{extension}").stat().st_size > 1000
+
+
+def test_a_textured_obj_comes_out_textured_and_closed(folder, tmp_path):
+    mesh = body()
+    points, triangles = points_of(mesh), triangles_of(mesh)
+    lines = ["mtllib skin.mtl"] + ["v %.17g %.17g %.17g" % tuple(p) for p in points]
+    lines += ["vt %g %g" % (0.25 * k, 0.1 * k) for k in range(4)] + ["usemtl skin"]
+    for i, t in enumerate(triangles):  # every triangle picks one chart: seams everywhere
+        lines.append("f " + " ".join(f"{v + 1}/{i % 4 + 1}" for v in t))
+    (tmp_path / "in.obj").write_text("\n".join(lines) + "\n")
+    done = run("one-stroke", tmp_path / "in.obj", folder / "longer.vtp", "-o", tmp_path / "out.obj", *QUICK)
+    assert done.returncode == 0, done.stderr
+    text = (tmp_path / "out.obj").read_text().splitlines()
+    assert sum(line.startswith("v ") for line in text) == len(points)
+    assert "mtllib skin.mtl" in text and "usemtl skin" in text
+    coordinates = [tuple(map(float, line.split()[1:3])) for line in text if line.startswith("vt ")]
+    faces = [[tuple(map(int, corner.split("/")[:2])) for corner in line.split()[1:]]
+             for line in text if line.startswith("f ")]
+    assert len(faces) == len(triangles)
+    edges = {}
+    for i, face in enumerate(faces):
+        for _, vt in face:
+            assert coordinates[vt - 1] == pytest.approx((0.25 * (i % 4), 0.1 * (i % 4)), abs=1e-6)
+        for k in range(3):
+            edge = tuple(sorted((face[k][0], face[(k + 1) % 3][0])))
+            edges[edge] = edges.get(edge, 0) + 1
+    assert set(edges.values()) == {2}
+
+
+def test_quads_are_triangulated_and_said_so(folder, tmp_path):
+    mesh = body()
+    text = "OFF\n%d 2 0\n" % mesh.GetNumberOfPoints()
+    text += "\n".join("%.17g %.17g %.17g" % tuple(p) for p in points_of(mesh))
+    triangles = triangles_of(mesh)
+    text = text.replace(" 2 0\n", " %d 0\n" % (len(triangles) - 1), 1) + "\n"
+    first, second = triangles[2], triangles[3]
+    shared = [v for v in first if v in second]
+    at = [i for i in range(3) if first[i] not in shared][0]
+    lone = [v for v in second if v not in shared][0]
+    quad = [first[at], first[(at + 1) % 3], lone, first[(at + 2) % 3]]
+    text += "4 %d %d %d %d\n" % tuple(quad)
+    text += "\n".join("3 %d %d %d" % tuple(t) for i, t in enumerate(triangles) if i not in (2, 3)) + "\n"
+    (tmp_path / "quad.off").write_text(text)
+    done = run("one-stroke", tmp_path / "quad.off", folder / "longer.vtp", "-o", tmp_path / "out.vtp", *QUICK)
+    assert done.returncode == 0, done.stderr
+    assert "triangulated" in done.stderr
+    assert read(tmp_path / "out.vtp").GetNumberOfPolys() == len(triangles)
+
+
+def strokes_to_refuse():
+    huge = 'NumberOfPoints="%d"' % 10**15
+    longer = outline(1.7)
+
+    def text(data, tmp):
+        return write(data, tmp / "plain.vtp", ascii=True).read_text()
+
+    return {
+        "absent": (None, "no such file"),
+        "empty": (lambda tmp: b"", "is empty"),
+        "garbage": (lambda tmp: bytes(range(256)) * 40, "not an XML PolyData"),
+        "text": (lambda tmp: b"once upon a time\n", "not an XML PolyData"),
+        "huge": (lambda tmp: text(stroke(longer), tmp).replace('NumberOfPoints="160"', huge).encode(), "announces"),
+        "huge tuples": (lambda tmp: text(stroke(longer), tmp).replace(
+            'NumberOfComponents="16"', 'NumberOfComponents="%d"' % 10**12).encode(), "announces"),
+        "negative": (lambda tmp: text(stroke(longer), tmp).replace(
+            'NumberOfPoints="160"', 'NumberOfPoints="-5"').encode(), ""),
+        "no view": (lambda tmp: text(stroke(longer, drop=["ViewTransform"]), tmp).encode(), "ViewTransform"),
+        "no size": (lambda tmp: text(stroke(longer, drop=["ViewportSize"]), tmp).encode(), "ViewportSize"),
+        "two views": (lambda tmp: text(stroke(longer, views=2), tmp).encode(), ""),
+        "nan": (lambda tmp: write(stroke(numpy.where(numpy.arange(160)[:, None] == 7, numpy.nan, longer)),
+                                  tmp / "nan.vtp").read_bytes(), "not finite"),
+        "a mesh": (lambda tmp: text(body(), tmp).encode(), "no polyline"),
+        "no points": (lambda tmp: text(vtkPolyData(), tmp).encode(), "bad.vtp"),
+        "too short": (lambda tmp: text(stroke(longer[:3]), tmp).encode(), ""),
+    }
+
+
+@pytest.mark.parametrize("name", strokes_to_refuse())
+def test_bad_stroke_files(folder, tmp_path, name):
+    content, text = strokes_to_refuse()[name]
+    path = tmp_path / "bad.vtp"
+    if content:
+        path.write_bytes(content(tmp_path))
+    out = tmp_path / "out"
+    out.mkdir()
+    message = refuse(1, "one-stroke", folder / "body.vtp", path, "-o", out / "o.vtp", *QUICK)
+    assert text in message
+    assert os.listdir(out) == []
+
+
+@pytest.mark.parametrize("ascii", [True, False])
+@pytest.mark.parametrize("part", [0.05, 0.3, 0.5, 0.7, 0.9, 0.97])
+def test_truncated_stroke_files(folder, tmp_path, part, ascii):
+    whole = write(stroke(outline(1.7)), tmp_path / "whole.vtp", ascii).read_bytes()
+    (tmp_path / "bad.vtp").write_bytes(whole[:int(part * len(whole))])
+    refuse(1, "one-stroke", folder / "body.vtp", tmp_path / "bad.vtp", "-o", tmp_path / "o.vtp", *QUICK)
+    assert not (tmp_path / "o.vtp").exists()
+
+
+def test_a_nan_camera(folder, tmp_path):
+    data = stroke(outline(1.7))
+    data.GetCellData().GetArray("ProjectionTransform").SetComponent(0, 5, float("nan"))
+    message = refuse(1, "one-stroke", folder / "body.vtp", write(data, tmp_path / "nan.vtp"), "-o", tmp_path / "o.vtp")
+    assert "ProjectionTransform" in message
+
+
+@pytest.mark.parametrize("name", ["stroke.vtk", "stroke.vtp"])
+def test_legacy_stroke_files_are_refused_with_the_reason(folder, tmp_path, name):
+    (tmp_path / name).write_text("# vtk DataFile Version 3.0\nstroke\nASCII\nDATASET POLYDATA\n")
+    message = refuse(1, "one-stroke", folder / "body.vtp", tmp_path / name, "-o", tmp_path / "o.vtp")
+    assert "legacy" in message and ".vtp" in message
+
+
+@pytest.mark.parametrize("extension", FORMATS)
+def test_truncated_garbage_and_absent_meshes(folder, tmp_path, extension):
+    whole = tmp_path / f"whole.{extension}"
+    assert run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", whole, *QUICK).returncode == 0
+    data = whole.read_bytes()
+    bad = tmp_path / f"bad.{extension}"
+    for content in (None, b"", b"\0" * 500, bytes(range(256)) * 9, b"word " * 100, data[:len(data) // 2],
+                    data[:40], data[:len(data) // 10]):
+        if content is not None:
+            bad.write_bytes(content)
+        done = run("one-stroke", bad, folder / "longer.vtp", "-o", tmp_path / "o.vtp", *QUICK)
+        if extension == "obj" and content is not None and content.startswith(b"#"):
+            # Half an OBJ file may be a whole mesh: what counts is that nothing is silent or half written.
+            assert done.returncode == 0 or not (tmp_path / "o.vtp").exists()
+            continue
+        errors = [line for line in done.stderr.splitlines() if "note:" not in line]
+        assert done.returncode == 1 and len(errors) == 1 and str(bad) in errors[0], (content, done.stderr)
+        assert not (tmp_path / "o.vtp").exists()
+
+
+def test_meshes_that_announce_too_much(folder, tmp_path):
+    cases = {
+        "bad.ply": b"ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nproperty float y\n"
+                   b"property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n",
+        "bad.off": b"OFF\n99999999999 1 0\n0 0 0\n",
+        "bad.stl": b"\0" * 80 + struct.pack("<I", 4000000000) + b"\0" * 50,
+    }
+    for name, content in cases.items():
+        (tmp_path / name).write_bytes(content)
+        assert "announces" in refuse(1, "one-stroke", tmp_path / name, folder / "longer.vtp", "-o", tmp_path / "o.vtp")
+
+
+def test_a_mesh_with_nan_or_foreign_ids(folder, tmp_path):
+    mesh = body()
+    mesh.GetPoints().SetPoint(12, float("nan"), 0.0, 0.0)
+    message = refuse(1, "one-stroke", write(mesh, tmp_path / "nan.vtp"), folder / "longer.vtp", "-o", tmp_path / "o.vtp")
+    assert "point 12 is not finite" in message
+    text = write(body(), tmp_path / "ids.vtp", ascii=True).read_text()
+    (tmp_path / "ids.vtp").write_text(re.sub(r'(<Polys>.*?"connectivity"[^>]*>\s*)\d+', r"\g<1>9999999", text, flags=re.S))
+    message = refuse(1, "one-stroke", tmp_path / "ids.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp")
+    assert "does not exist" in message
+
+
+def test_outputs_that_cannot_be_written(folder, tmp_path):
+    (tmp_path / "file").write_text("x")
+    (tmp_path / "folder.vtp").mkdir()
+    before = (folder / "body.vtp").read_bytes()
+    for target in (tmp_path / "absent" / "o.vtp", tmp_path / "file" / "o.vtp", tmp_path / "folder.vtp"):
+        message = refuse(1, "one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", target, *QUICK)
+        assert str(target) in message
+    if os.geteuid() != 0:
+        os.chmod(tmp_path / "folder.vtp", 0o500)
+        refuse(1, "one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "folder.vtp" / "o.vtp")
+    assert sorted(os.listdir(tmp_path)) == ["file", "folder.vtp"]
+    assert (folder / "body.vtp").read_bytes() == before
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/shm") or shutil.which("prlimit") is None, reason="needs prlimit")
+@pytest.mark.parametrize("extension", FORMATS)
+def test_a_file_that_breaks_off_is_removed(folder, tmp_path, extension):
+    # A limit on the size of files stands for a full disk.
+    done = subprocess.run(["prlimit", "--fsize=20000", COMMAND, "one-stroke", folder / "body.vtp", folder / "longer.vtp",
+                           "-o", tmp_path / f"o.{extension}", *QUICK], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 1, (done.returncode, done.stderr)
+    assert f"{tmp_path / 'o'}.{extension}: could not be written" in done.stderr
+    assert os.listdir(tmp_path) == []

@@ -1,0 +1,172 @@
+"""The command line itself: help, bad use, report, inner stages, picture, progress and interrupt."""
+import json
+import os
+import pty
+import signal
+import time
+
+import numpy
+import pytest
+
+from scene import *  # noqa: F403
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("one_stroke")
+    write(body(), folder / "body.vtp")
+    write(stroke(outline(1.7)), folder / "longer.vtp")
+    return folder
+
+
+def test_help_and_version():
+    text = run("--help")
+    assert text.returncode == 0 and "one-stroke" in text.stdout and text.stderr == ""
+    text = run("one-stroke", "--help")
+    assert text.returncode == 0 and text.stderr == ""
+    for option in ("--picture", "--report", "--backend", "--remesh", "--adjust-normals", "--as-published", "--inner"):
+        assert option in text.stdout
+    lines = run("--version").stdout.splitlines()
+    assert [line.split()[0] for line in lines] == ["Oversketch", "VTK", "OpenCL", "Embree", "Build"]
+    environment = dict(os.environ, OVERSKETCH_OPENCL="off")
+    assert "no device" in run("--version", env=environment).stdout
+
+
+@pytest.mark.parametrize("arguments", [
+    [], ["two-strokes"], ["--nothing"], ["--version", "more"],
+    ["one-stroke"], ["one-stroke", "a.obj"], ["one-stroke", "a.obj", "s.vtp"],
+    ["one-stroke", "a.obj", "s.vtp", "-o"], ["one-stroke", "a.obj", "s.vtp", "b.vtp", "-o", "o.obj"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.doc"], ["one-stroke", "a.obj", "s.vtp", "-o", "o"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "-o", "p.obj"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--remesh", "maybe"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--backend", "cuda"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--picture", "p.jpg"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--report", "r.txt"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--adjust-normals=yes"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--fast"],
+])
+def test_bad_use(arguments):
+    assert "--help" in refuse(2, *arguments)
+
+
+def test_report_and_inner_stages(folder, tmp_path):
+    done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp", "--report",
+               tmp_path / "r.json", "--inner", tmp_path / "inner" / "stages", *QUICK)
+    assert done.returncode == 0, done.stderr
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["backend_used"] == "embree" and report["remeshed"] is False
+    assert report["before"] == report["after"]
+    assert report["before"]["points"] == read(tmp_path / "o.vtp").GetNumberOfPoints()
+    stages = report["stage_milliseconds"]
+    assert stages["ShapeDiameter"] > 0 and sum(stages.values()) <= report["milliseconds"]["run"]
+    assert report["match"]["distance_px"] > 1
+    inner = {path.stem: read(path) for path in (tmp_path / "inner" / "stages").iterdir()}
+    for name in ("Stroke", "Silhouette", "Snake", "Visibility", "Outline", "Match", "Targets", "ShapeDiameter",
+                 "MixtureRegion", "RegionBorder", "Deform"):
+        assert inner[name].GetNumberOfPoints() > 0
+    assert report["targets"]["handles"] == inner["Targets"].GetNumberOfPoints()
+    region = vtk_to_numpy(inner["RegionBorder"].GetPointData().GetArray("Region"))
+    assert report["region"]["vertices"] == (region != 0).sum()
+    assert 0 < report["region"]["area_share"] < 0.6
+    # The residual, measured again on what was written.
+    targets, moved = inner["Targets"].GetPointData(), points_of(inner["Deform"])
+    weights = vtk_to_numpy(targets.GetArray("MeshWeights"))
+    reached = (weights[:, :, None] * moved[vtk_to_numpy(targets.GetArray("MeshVertices"))]).sum(axis=1)
+    distances = numpy.linalg.norm(reached - vtk_to_numpy(targets.GetArray("Target")), axis=1)
+    assert report["deformation"]["mean_handle_residual"] <= report["deformation"]["maximum_handle_residual"]
+    assert report["deformation"]["maximum_handle_residual"] <= distances.max() * 1.001
+
+
+def test_options_reach_the_system(folder, tmp_path):
+    results = {}
+    for name, options in {"plain": [], "on": ["--remesh", "on"], "adjust": ["--remesh", "off", "--adjust-normals"],
+                          "published": ["--as-published"]}.items():
+        done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / f"{name}.vtp", "--report",
+                   tmp_path / "r.json", "--backend=embree", *(options or ["--remesh=off"]))
+        assert done.returncode == 0, done.stderr
+        results[name] = (json.loads((tmp_path / "r.json").read_text()), points_of(read(tmp_path / f"{name}.vtp")))
+    assert results["on"][0]["remeshed"] and not results["plain"][0]["remeshed"]
+    assert len(results["on"][1]) != len(results["plain"][1])
+    assert results["adjust"][0]["options"]["adjust_normals"]
+    assert numpy.abs(results["adjust"][1] - results["plain"][1]).max() > 1e-4
+    assert results["published"][0]["options"]["as_published"]
+    assert results["published"][0]["stage_milliseconds"]["Outline"] == 0
+
+
+def test_without_an_opencl_device_the_host_works_and_says_so(folder, tmp_path):
+    environment = dict(os.environ, OVERSKETCH_OPENCL="off")
+    done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "a.vtp", "--backend", "opencl",
+               "--remesh", "off", "--report", tmp_path / "r.json", env=environment)
+    assert done.returncode == 0 and "oversketch: warning: " in done.stderr
+    assert json.loads((tmp_path / "r.json").read_text())["backend_used"] == "embree"
+    run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "b.vtp", *QUICK)
+    assert (tmp_path / "a.vtp").read_bytes() == (tmp_path / "b.vtp").read_bytes()
+
+
+def test_the_picture_shows_the_four_colours_from_the_strokes_view(folder, tmp_path):
+    from vtkmodules.vtkIOImage import vtkPNGReader
+    done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp", "--picture",
+               tmp_path / "p.png", "--inner", tmp_path, *QUICK)
+    assert done.returncode == 0, done.stderr
+    reader = vtkPNGReader()
+    reader.SetFileName(str(tmp_path / "p.png"))
+    reader.Update()
+    image = reader.GetOutput()
+    assert image.GetDimensions() == (WIDTH, HEIGHT, 1)
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(HEIGHT, WIDTH, -1).astype(int)
+    r, g, b = pixels[..., 0], pixels[..., 1], pixels[..., 2]
+    red, blue = (r > 150) & (g < 70) & (b < 70), (b > 150) & (r < 80) & (g < 130)
+    orange = (r > 110) & (r - b > 60) & (g > 0.45 * r) & (g < 0.85 * r)
+    # Each sample of the stroke, and of the matched section, is under ink of its colour.
+    samples = outline(1.7)
+    assert red[numpy.round(samples[:, 1] - 0.5).astype(int), numpy.round(samples[:, 0] - 0.5).astype(int)].mean() > 0.95
+    assert red.sum() < 6 * len(samples) * 2
+    assert blue.sum() > 100
+    # The model stands where its own points project to, orange in the region and grey elsewhere.
+    mesh = read(tmp_path / "Deform.vtp")
+    points = points_of(mesh)
+    region = vtk_to_numpy(mesh.GetPointData().GetArray("Region")) != 0
+    column = (WIDTH / 3 + PIXELS * points[:, 0]).astype(int)
+    row = (HEIGHT / 2 + PIXELS * points[:, 1]).astype(int)
+    facing = points[:, 2] > 0.15
+    assert orange[row, column][facing & region].mean() > 0.7
+    grey = (abs(r - g) < 12) & (abs(g - b) < 12) & (r < 225)
+    assert grey[row, column][facing & ~region].mean() > 0.8
+
+
+def test_a_picture_without_a_display_is_refused_before_any_work(folder, tmp_path):
+    environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+    message = refuse(1, "one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp", "--picture",
+                     tmp_path / "p.png", env=environment)
+    assert "xvfb-run" in message
+    assert os.listdir(tmp_path) == []
+
+
+def test_progress_on_a_terminal_and_interrupt(tmp_path):
+    leader, follower = pty.openpty()
+    program = subprocess.Popen([COMMAND, "one-stroke", SOURCE / "Data/Models/dinosaur.ply",
+                                SOURCE / "Data/Strokes/dinosaur_longer_tail.vtp", "-o", tmp_path / "o.ply"],
+                               stderr=follower, stdout=subprocess.DEVNULL)
+    os.close(follower)
+    seen = b""
+    deadline = time.monotonic() + 60
+    while b"%" not in seen and time.monotonic() < deadline:
+        seen += os.read(leader, 4096)
+    program.send_signal(signal.SIGINT)
+    try:
+        while True:
+            chunk = os.read(leader, 4096)
+            if not chunk:
+                break
+            seen += chunk
+    except OSError:
+        pass  # the terminal is closed
+    assert program.wait(60) == 1
+    assert b"\r" in seen and b"interrupted" in seen
+    assert os.listdir(tmp_path) == []
+
+
+def test_every_shipped_stroke_works(tmp_path):
+    for path in sorted((SOURCE / "Data/Strokes").glob("dog_*.vtp")):
+        done = run("one-stroke", SOURCE / "Data/Models/dog.ply", path, "-o", tmp_path / "o.glb")
+        assert done.returncode == 0, done.stderr

@@ -1,0 +1,218 @@
+// Why not vtkGLTFWriter: in VTK 9.1 it has no binary container (.glb) and leaves out normals and colours.
+#include "mesh_file.h"
+
+#include "vtkBase64Utilities.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace oversketch_command
+{
+
+namespace
+{
+
+// One buffer and the JSON that describes it.
+struct Builder
+{
+  std::string buffer, views, accessors, attributes;
+  int count = 0;
+
+  // componentType: 5121 unsigned byte, 5125 unsigned int, 5126 float. target: 34962 vertices, 34963 indices.
+  int add(const void* data,
+    std::size_t bytes,
+    std::size_t elements,
+    int componentType,
+    const char* type,
+    int target,
+    const std::string& more = "")
+  {
+    std::ostringstream view, accessor;
+    const char* comma = this->count > 0 ? "," : "";
+    view << comma << R"({"buffer":0,"byteOffset":)" << this->buffer.size() << R"(,"byteLength":)" << bytes
+         << R"(,"target":)" << target << '}';
+    accessor << comma << R"({"bufferView":)" << this->count << R"(,"componentType":)" << componentType
+             << R"(,"count":)" << elements << R"(,"type":")" << type << '"' << more << '}';
+    this->views += view.str();
+    this->accessors += accessor.str();
+    this->buffer.append(static_cast<const char*>(data), bytes);
+    this->buffer.resize((this->buffer.size() + 3) / 4 * 4, '\0');
+    return this->count++;
+  }
+
+  void addFloats(const char* attribute,
+    const std::vector<float>& values,
+    int components,
+    const std::string& more = "")
+  {
+    const int accessor = this->add(values.data(),
+      values.size() * sizeof(float),
+      values.size() / static_cast<std::size_t>(components),
+      5126,
+      components == 2 ? "VEC2" : "VEC3",
+      34962,
+      more);
+    this->attribute(attribute, accessor);
+  }
+
+  void attribute(const char* name, int accessor)
+  {
+    this->attributes +=
+      (this->attributes.empty() ? "\"" : ",\"") + std::string(name) + "\":" + std::to_string(accessor);
+  }
+};
+
+std::string jsonOf(const std::vector<float>& values)
+{
+  std::ostringstream text;
+  text.precision(9);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    text << (i ? "," : "[") << values[i];
+  }
+  return text.str() + ']';
+}
+
+std::vector<float> floatsOf(vtkDataArray* array, int components)
+{
+  std::vector<float> values;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      values.push_back(static_cast<float>(array->GetComponent(i, c)));
+    }
+  }
+  return values;
+}
+
+std::string base64(const std::string& bytes)
+{
+  std::vector<unsigned char> text(bytes.size() * 2 + 8);
+  const auto length = vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
+    static_cast<unsigned long>(bytes.size()),
+    text.data());
+  return std::string(reinterpret_cast<const char*>(text.data()), length);
+}
+
+void put32(std::string& out, std::size_t value)
+{
+  for (int k = 0; k < 4; ++k)
+  {
+    out += static_cast<char>((value >> (8 * k)) & 0xff);
+  }
+}
+
+} // namespace
+
+void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary)
+{
+  Builder builder;
+  const std::vector<float> positions = floatsOf(mesh->GetPoints()->GetData(), 3);
+  std::vector<float> low(3, FLT_MAX), high(3, -FLT_MAX);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    low[i % 3] = std::min(low[i % 3], positions[i]);
+    high[i % 3] = std::max(high[i % 3], positions[i]);
+  }
+  builder.addFloats("POSITION", positions, 3, ",\"min\":" + jsonOf(low) + ",\"max\":" + jsonOf(high));
+  if (vtkDataArray* normals = mesh->GetPointData()->GetNormals())
+  {
+    std::vector<float> values = floatsOf(normals, 3);
+    for (std::size_t i = 0; i < values.size(); i += 3) // glTF wants unit length
+    {
+      const float length = std::hypot(values[i], values[i + 1], values[i + 2]);
+      const float zero[3] = { 0.0f, 0.0f, 1.0f };
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        values[i + c] = length > 0.0f ? values[i + c] / length : zero[c];
+      }
+    }
+    builder.addFloats("NORMAL", values, 3);
+  }
+  if (vtkDataArray* textures = mesh->GetPointData()->GetTCoords())
+  {
+    std::vector<float> values = floatsOf(textures, 2);
+    for (std::size_t i = 1; i < values.size(); i += 2)
+    {
+      values[i] = 1.0f - values[i]; // glTF counts v from the top
+    }
+    builder.addFloats("TEXCOORD_0", values, 2);
+  }
+  if (vtkDataArray* colours = coloursOf(mesh))
+  {
+    std::vector<unsigned char> values;
+    for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        values.push_back(c < colours->GetNumberOfComponents()
+                           ? static_cast<unsigned char>(colours->GetComponent(i, c))
+                           : 255);
+      }
+    }
+    builder.attribute("COLOR_0",
+      builder.add(
+        values.data(), values.size(), values.size() / 4, 5121, "VEC4", 34962, ",\"normalized\":true"));
+  }
+  std::vector<std::uint32_t> indices;
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      indices.push_back(static_cast<std::uint32_t>(ids[k]));
+    }
+  }
+  const int indexAccessor =
+    builder.add(indices.data(), indices.size() * 4, indices.size(), 5125, "SCALAR", 34963);
+
+  std::ostringstream json;
+  json
+    << R"({"asset":{"version":"2.0","generator":"Oversketch"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+    << R"("meshes":[{"primitives":[{"attributes":{)" << builder.attributes << R"(},"indices":)"
+    << indexAccessor << R"(,"mode":4}]}],"accessors":[)" << builder.accessors << R"(],"bufferViews":[)"
+    << builder.views << R"(],"buffers":[{"byteLength":)" << builder.buffer.size();
+  if (!binary)
+  {
+    json << R"(,"uri":"data:application/octet-stream;base64,)" << base64(builder.buffer) << '"';
+  }
+  json << "}]}";
+  std::string text = json.str();
+  std::ofstream stream(path, std::ios::binary);
+  if (binary)
+  {
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string header = "glTF";
+    put32(header, 2);
+    put32(header, 12 + 8 + text.size() + 8 + builder.buffer.size());
+    put32(header, text.size());
+    header += "JSON";
+    std::string chunk;
+    put32(chunk, builder.buffer.size());
+    chunk += std::string("BIN\0", 4);
+    stream << header << text << chunk << builder.buffer;
+  }
+  else
+  {
+    stream << text << '\n';
+  }
+  stream.close();
+  if (!stream)
+  {
+    throw Failed(path + ": could not be written (is the disk full?)");
+  }
+}
+
+} // namespace oversketch_command

@@ -1,0 +1,60 @@
+// The command `oversketch`. Exit code 0: done, 1: could not, 2: bad use.
+#include "files.h"
+#include "one_stroke.h"
+#include "options.h"
+#include "version.h"
+
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+using namespace oversketch_command;
+
+namespace
+{
+
+int run(const std::vector<std::string>& arguments)
+{
+  const Options options = parseArguments(arguments);
+  switch (options.action)
+  {
+    case Action::Help:
+      std::fputs(helpText().c_str(), stdout);
+      break;
+    case Action::OneStrokeHelp:
+      std::fputs(oneStrokeHelpText().c_str(), stdout);
+      break;
+    case Action::Version:
+      std::fputs(versionText().c_str(), stdout);
+      break;
+    case Action::OneStroke:
+      oneStroke(options);
+      break;
+  }
+  return 0;
+}
+
+} // namespace
+
+int main(int count, char** values)
+{
+  std::signal(SIGXFSZ, SIG_IGN); // a file beyond the user's limit is a failed write like any other
+  try
+  {
+    return run(std::vector<std::string>(values + 1, values + count));
+  }
+  catch (const BadUse& error)
+  {
+    std::fprintf(stderr, "oversketch: %s; see oversketch --help\n", error.what());
+    return 2;
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::fputs("oversketch: out of memory; the input is too large or damaged\n", stderr);
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "oversketch: %s\n", error.what());
+  }
+  return 1;
+}

@@ -1,0 +1,40 @@
+// Mesh files by extension: OBJ, PLY, STL, OFF, VTP, glTF (.gltf, .glb); and stroke files (.vtp).
+#ifndef oversketch_command_mesh_file_h
+#define oversketch_command_mesh_file_h
+
+#include "files.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+namespace oversketch_command
+{
+
+// The extensions, for messages.
+extern const char* const meshExtensions;
+bool isMeshExtension(const std::string& extension);
+
+// A mesh of triangles that is sound in itself: points are finite, ids in range, arrays complete. Other
+// polygons are triangulated, lines and vertices dropped, which the notes say. Throws Failed; VTK's readers do
+// not report a truncated file, so what they read is checked.
+vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes);
+
+// The polylines of a stroke file with their arrays, checked like a mesh. What makes it a stroke, its view, is
+// for the filters to judge.
+vtkSmartPointer<vtkPolyData> readStroke(const std::string& path);
+
+// Writes the mesh whole or not at all; the notes say what the format drops.
+void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes);
+
+// The single formats, used by the above. They throw Failed.
+void checkPly(const std::string& path); // that the file holds what its header announces
+vtkSmartPointer<vtkPolyData> readOff(const std::string& path);
+void writeOff(vtkPolyData* mesh, const std::string& path);
+void writeObj(vtkPolyData* mesh, const std::string& path);
+void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary);
+
+// Point colours that PLY and glTF can hold: unsigned char, 3 or 4 components; null if there are none.
+vtkDataArray* coloursOf(vtkPolyData* mesh);
+
+} // namespace oversketch_command
+#endif

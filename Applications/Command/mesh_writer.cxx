@@ -1,0 +1,154 @@
+#include "mesh_file.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPLYWriter.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSTLWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <set>
+
+namespace oversketch_command
+{
+
+namespace
+{
+
+template <typename Writer>
+void finish(Writer* writer, const std::string& path)
+{
+  takeError();
+  writer->SetFileName(path.c_str());
+  const int done = writer->Write();
+  const std::string error = takeError();
+  if (!done || writer->GetErrorCode() != vtkErrorCode::NoError || !error.empty())
+  {
+    throw Failed(path + ": could not be written" + (error.empty() ? " (is the disk full?)" : ": " + error));
+  }
+}
+
+void writePly(vtkPolyData* mesh, const std::string& path)
+{
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileTypeToBinary();
+  writer->SetColorModeToOff();
+  if (vtkDataArray* colours = coloursOf(mesh))
+  {
+    writer->SetColorModeToDefault();
+    writer->SetArrayName(colours->GetName());
+    writer->SetEnableAlpha(colours->GetNumberOfComponents() == 4);
+  }
+  finish(writer.Get(), path);
+  try
+  {
+    checkPly(path); // the writer of VTK 9.1 does not notice a full disk
+  }
+  catch (const Failed&)
+  {
+    throw Failed(path + ": could not be written (is the disk full?)");
+  }
+}
+
+// Names the arrays of the mesh that are not among those kept.
+void noteDropped(vtkPolyData* mesh,
+  const std::string& format,
+  const std::set<vtkAbstractArray*>& kept,
+  Notes& notes)
+{
+  std::string names;
+  const auto collect = [&](vtkFieldData* data)
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = data->GetAbstractArray(i);
+      if (kept.count(array) == 0)
+      {
+        names += (names.empty() ? "" : ", ") + std::string(array->GetName() ? array->GetName() : "(no name)");
+      }
+    }
+  };
+  collect(mesh->GetPointData());
+  collect(mesh->GetCellData());
+  collect(mesh->GetFieldData());
+  if (!names.empty())
+  {
+    notes.push_back(format + " does not keep the arrays: " + names);
+  }
+}
+
+} // namespace
+
+void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
+{
+  const std::string extension = extensionOf(path);
+  vtkPointData* points = mesh->GetPointData();
+  std::function<void(const std::string&)> write;
+  bool single = false;
+  if (extension == ".vtp")
+  {
+    write = [&](const std::string& file)
+    {
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetInputData(mesh);
+      finish(writer.Get(), file);
+    };
+  }
+  else if (extension == ".obj")
+  {
+    noteDropped(mesh,
+      "OBJ",
+      { points->GetTCoords(),
+        points->GetNormals(),
+        mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"),
+        mesh->GetFieldData()->GetAbstractArray("MaterialNames"),
+        mesh->GetCellData()->GetArray("MaterialIds") },
+      notes);
+    write = [&](const std::string& file) { writeObj(mesh, file); };
+  }
+  else if (extension == ".ply")
+  {
+    noteDropped(mesh, "PLY", { points->GetTCoords(), coloursOf(mesh) }, notes);
+    single = true;
+    write = [&](const std::string& file) { writePly(mesh, file); };
+  }
+  else if (extension == ".stl")
+  {
+    noteDropped(mesh, "STL", {}, notes);
+    single = true;
+    write = [&](const std::string& file)
+    {
+      vtkNew<vtkSTLWriter> writer;
+      writer->SetInputData(mesh);
+      writer->SetFileTypeToBinary();
+      finish(writer.Get(), file);
+    };
+  }
+  else if (extension == ".off")
+  {
+    noteDropped(mesh, "OFF", {}, notes);
+    write = [&](const std::string& file) { writeOff(mesh, file); };
+  }
+  else if (extension == ".gltf" || extension == ".glb")
+  {
+    noteDropped(mesh, "glTF", { points->GetTCoords(), points->GetNormals(), coloursOf(mesh) }, notes);
+    single = true;
+    write = [&](const std::string& file) { writeGltf(mesh, file, extension == ".glb"); };
+  }
+  else
+  {
+    throw Failed(path + ": is none of the mesh formats " + meshExtensions);
+  }
+  if (single && mesh->GetPoints()->GetDataType() == VTK_DOUBLE)
+  {
+    notes.push_back(extension.substr(1) + " keeps points in single precision");
+  }
+  writeWhole(path, write);
+}
+
+} // namespace oversketch_command

@@ -1,0 +1,131 @@
+// Why not vtkOBJWriter: it writes one `v` line for each point, so the points that vtkOBJReader split along a
+// texture seam would tear the surface open in the file. Here points at one position that differ in `vt` or
+// `vn` share their `v`.
+#include "mesh_file.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <map>
+
+namespace oversketch_command
+{
+
+namespace
+{
+
+void writeTuple(std::ostream& stream, const char* keyword, const double* values, int count)
+{
+  char text[40];
+  stream << keyword;
+  for (int c = 0; c < count; ++c)
+  {
+    std::snprintf(text, sizeof text, " %.17g", values[c]);
+    stream << text;
+  }
+  stream << '\n';
+}
+
+vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
+{
+  return array && array->GetNumberOfComponents() >= components && array->GetNumberOfTuples() == count
+           ? array
+           : nullptr;
+}
+
+} // namespace
+
+void writeObj(vtkPolyData* mesh, const std::string& path)
+{
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  vtkDataArray* textures = usable(mesh->GetPointData()->GetTCoords(), 2, count);
+  vtkDataArray* normals = usable(mesh->GetPointData()->GetNormals(), 3, count);
+  std::ofstream stream(path, std::ios::binary);
+  stream << "# Oversketch\n";
+  // vtkOBJReader leaves the material libraries and names here.
+  auto* libraries = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"));
+  auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("MaterialNames"));
+  vtkDataArray* materials =
+    names ? usable(mesh->GetCellData()->GetArray("MaterialIds"), 1, mesh->GetNumberOfCells()) : nullptr;
+  for (vtkIdType i = 0; libraries && i < libraries->GetNumberOfValues(); ++i)
+  {
+    stream << "mtllib " << libraries->GetValue(i) << '\n';
+  }
+  std::vector<vtkIdType> position(static_cast<std::size_t>(count));
+  std::map<std::array<double, 3>, vtkIdType> known;
+  vtkIdType written = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    std::array<double, 3> p;
+    mesh->GetPoint(i, p.data());
+    vtkIdType& at = position[static_cast<std::size_t>(i)];
+    at = written + 1;
+    if (textures || normals) // without them every point is told apart by its position alone: keep them all
+    {
+      at = known.emplace(p, written + 1).first->second;
+    }
+    if (at == written + 1)
+    {
+      writeTuple(stream, "v", p.data(), 3);
+      ++written;
+    }
+  }
+  for (vtkIdType i = 0; textures && i < count; ++i)
+  {
+    writeTuple(stream, "vt", textures->GetTuple(i), 2);
+  }
+  for (vtkIdType i = 0; normals && i < count; ++i)
+  {
+    writeTuple(stream, "vn", normals->GetTuple(i), 3);
+  }
+  vtkIdType material = -1;
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    if (materials)
+    {
+      const auto id = static_cast<vtkIdType>(materials->GetComponent(it->GetCurrentCellId(), 0));
+      if (id != material && id >= 0 && id < names->GetNumberOfValues())
+      {
+        stream << "usemtl " << names->GetValue(id) << '\n';
+      }
+      material = id;
+    }
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    stream << 'f';
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      stream << ' ' << position[static_cast<std::size_t>(ids[k])];
+      if (textures || normals)
+      {
+        stream << '/';
+      }
+      if (textures)
+      {
+        stream << ids[k] + 1;
+      }
+      if (normals)
+      {
+        stream << '/' << ids[k] + 1;
+      }
+    }
+    stream << '\n';
+  }
+  stream.close();
+  if (!stream)
+  {
+    throw Failed(path + ": could not be written (is the disk full?)");
+  }
+}
+
+} // namespace oversketch_command

@@ -1,0 +1,327 @@
+#include "picture.h"
+
+#include "files.h"
+
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchOneStroke.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCullerCollection.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkImageShrink3D.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace oversketch_command
+{
+
+namespace
+{
+
+using oversketch::Vector2;
+using oversketch::View;
+
+constexpr double red[3] = { 0.85, 0.10, 0.12 };
+constexpr double blue[3] = { 0.13, 0.33, 0.80 };
+constexpr double orange[3] = { 1.00, 0.66, 0.26 };
+constexpr double clay[3] = { 0.86, 0.86, 0.87 };
+
+// The mesh in camera space, so that the lights stand still in the picture whatever the view; coloured by
+// region.
+vtkSmartPointer<vtkPolyData> modelOf(vtkPolyData* mesh, const View& view)
+{
+  auto model = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("Colour");
+  colours->SetNumberOfComponents(3);
+  vtkDataArray* region = mesh->GetPointData()->GetArray("Region");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    oversketch::Vector3 world;
+    mesh->GetPoint(i, world.data());
+    points->InsertNextPoint((view.viewTransform() * world.homogeneous()).head<3>().eval().data());
+    const double* colour = region && region->GetComponent(i, 0) != 0.0 ? orange : clay;
+    for (int c = 0; c < 3; ++c)
+    {
+      colours->InsertNextValue(static_cast<unsigned char>(255.0 * colour[c] + 0.5));
+    }
+  }
+  model->SetPoints(points);
+  model->SetPolys(mesh->GetPolys());
+  model->GetPointData()->SetScalars(colours);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(model);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  model->ShallowCopy(normals->GetOutput());
+  return model;
+}
+
+// The stroke's camera over geometry given in camera space. Near and far of the stroke's own matrix mean
+// nothing: the depth row is made to enclose the model.
+void aim(vtkCamera* camera, const View& view, const double bounds[6])
+{
+  Eigen::Matrix4d projection = view.projectionTransform();
+  const double margin = 0.01 * (bounds[5] - bounds[4]) + 1e-9 * std::abs(bounds[4]);
+  double nearest = bounds[5] + margin, farthest = bounds[4] - margin;
+  if (view.perspective())
+  {
+    nearest = std::min(nearest, 1e-3 * farthest); // in front of the eye
+  }
+  const auto w = [&](double z) { return projection(3, 2) * z + projection(3, 3); };
+  const double slope = (w(nearest) + w(farthest)) / (farthest - nearest);
+  projection.row(2) << 0.0, 0.0, slope, -w(nearest) - slope * nearest;
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int i = 0; i < 16; ++i)
+  {
+    matrix->SetElement(i / 4, i % 4, projection(i / 4, i % 4));
+  }
+  camera->SetPosition(0.0, 0.0, 0.0);
+  camera->SetFocalPoint(0.0, 0.0, -1.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelProjection(!view.perspective());
+  camera->SetExplicitProjectionTransformMatrix(matrix);
+  camera->UseExplicitProjectionTransformMatrixOn();
+}
+
+void light(vtkRenderer* renderer,
+  double x,
+  double y,
+  double z,
+  double r,
+  double g,
+  double b,
+  double intensity)
+{
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToSceneLight();
+  lamp->SetPosition(x, y, z);
+  lamp->SetFocalPoint(0.0, 0.0, 0.0);
+  lamp->SetColor(r, g, b);
+  lamp->SetIntensity(intensity);
+  renderer->AddLight(lamp);
+}
+
+// A polyline in pixels as a flat ribbon with round joints and ends.
+vtkSmartPointer<vtkActor> ribbonOf(const std::vector<Vector2>& line,
+  double width,
+  const double colour[3],
+  double z)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polys;
+  const auto fan = [&](const std::vector<Vector2>& corners)
+  {
+    polys->InsertNextCell(static_cast<int>(corners.size()));
+    for (const Vector2& corner : corners)
+    {
+      polys->InsertCellPoint(points->InsertNextPoint(corner[0], corner[1], z));
+    }
+  };
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    std::vector<Vector2> disc;
+    for (int k = 0; k < 20; ++k)
+    {
+      const double angle = k * 0.31415926535897931;
+      disc.push_back(line[i] + 0.5 * width * Vector2(std::cos(angle), std::sin(angle)));
+    }
+    fan(disc);
+    const Vector2 along = i + 1 < line.size() ? Vector2(line[i + 1] - line[i]) : Vector2(0.0, 0.0);
+    if (along.norm() > 0.0)
+    {
+      const Vector2 side = 0.5 * width * Vector2(-along[1], along[0]).normalized();
+      fan({ line[i] - side, line[i + 1] - side, line[i + 1] + side, line[i] + side });
+    }
+  }
+  vtkNew<vtkPolyData> ribbon;
+  ribbon->SetPoints(points);
+  ribbon->SetPolys(polys);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(ribbon);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  return actor;
+}
+
+std::vector<std::vector<Vector2>> linesOf(vtkPolyData* data, const View* view)
+{
+  std::vector<std::vector<Vector2>> lines;
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(data->GetLines()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    lines.emplace_back();
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      oversketch::Vector3 p;
+      data->GetPoint(ids[k], p.data());
+      lines.back().push_back((view ? view->toDisplay(p) : p).head<2>());
+    }
+  }
+  return lines;
+}
+
+} // namespace
+
+void requireDisplay()
+{
+  // VTK ends the program when it cannot open the display, so it is tried first; by hand, because libX11 is
+  // VTK's dependency and not ours.
+  bool there = false;
+  if (void* library = ::dlopen("libX11.so.6", RTLD_LAZY))
+  {
+    auto open = reinterpret_cast<void* (*)(const char*)>(::dlsym(library, "XOpenDisplay"));
+    auto close = reinterpret_cast<int (*)(void*)>(::dlsym(library, "XCloseDisplay"));
+    if (void* display = open && close ? open(nullptr) : nullptr)
+    {
+      there = true;
+      close(display);
+    }
+  }
+  if (!there)
+  {
+    throw Failed(
+      "--picture needs a display to render with, and there is none; run the command under xvfb-run -a");
+  }
+}
+
+void writePicture(vtkOversketchOneStroke* system, vtkPolyData* stroke, const std::string& path)
+{
+  const View view = oversketch::ViewOf(stroke);
+  const int width = view.width(), height = view.height();
+  vtkPolyData* mesh = system->GetInnerOutput(system->GetRemeshed() ? "Restore" : "Deform");
+  const vtkSmartPointer<vtkPolyData> model = modelOf(mesh, view);
+
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(model);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToPhong();
+  property->SetAmbient(0.24);
+  property->SetDiffuse(0.80);
+  property->SetSpecular(0.10);
+  property->SetSpecularPower(25.0);
+  // Surfaces that turn away darken a little, which draws the contour as ink would.
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl",
+    true,
+    "//VTK::Light::Impl\n"
+    "  gl_FragData[0].rgb *= mix(0.50, 1.0, smoothstep(0.0, 0.40, abs(normalVCVSOutput.z)));\n",
+    false);
+
+  vtkNew<vtkRenderer> scene;
+  scene->GetCullers()->RemoveAllItems(); // they know nothing of an explicit projection
+  scene->SetBackground(0.93, 0.93, 0.92);
+  scene->SetBackground2(1.0, 1.0, 1.0);
+  scene->GradientBackgroundOn();
+  scene->AutomaticLightCreationOff();
+  scene->AddActor(actor);
+  light(scene, -0.45, 0.80, 0.75, 1.0, 0.98, 0.94, 0.80);
+  light(scene, 0.90, 0.10, 0.55, 0.90, 0.94, 1.0, 0.28);
+  light(scene, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.24);
+  aim(scene->GetActiveCamera(), view, model->GetBounds());
+
+  // The lines lie in pixel coordinates over everything.
+  vtkNew<vtkRenderer> ink;
+  ink->SetLayer(1);
+  const double white[3] = { 1.0, 1.0, 1.0 };
+  const double thickness = std::clamp(height / 170.0, 2.0, 8.0);
+  vtkPolyData* match = system->GetInnerOutput("Match");
+  double z = 0.0;
+  const auto draw = [&](const std::vector<std::vector<Vector2>>& lines, const double colour[3])
+  {
+    for (const auto& [extra, paint] : { std::pair(0.5 * thickness, white), std::pair(0.0, colour) })
+    {
+      z += 1.0;
+      for (const auto& line : lines)
+      {
+        ink->AddActor(ribbonOf(line, thickness + extra, paint, z));
+      }
+    }
+  };
+  if (match)
+  {
+    draw(linesOf(match, &view), blue);
+  }
+  draw(linesOf(stroke, nullptr), red);
+  vtkCamera* page = ink->GetActiveCamera();
+  page->ParallelProjectionOn();
+  page->SetPosition(0.5 * width, 0.5 * height, 100.0);
+  page->SetFocalPoint(0.5 * width, 0.5 * height, 0.0);
+  page->SetParallelScale(0.5 * height);
+  page->SetClippingRange(1.0, 200.0);
+
+  // Larger and averaged: smooth edges without depending on the driver's multisampling.
+  const int factor = std::clamp(4096 / std::max(width, height), 1, 3);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetOffScreenRendering(1);
+  window->SetSize(factor * width, factor * height);
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(scene);
+  window->AddRenderer(ink);
+  takeError();
+  window->Render();
+  // Not vtkWindowToImageFilter: in VTK 9.1 it renders with copies of the cameras that lack the explicit
+  // projection.
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, factor * width - 1, factor * height - 1, 0, pixels);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(factor * width, factor * height, 1);
+  image->GetPointData()->SetScalars(pixels);
+  vtkNew<vtkImageShrink3D> smaller;
+  smaller->SetInputData(image);
+  smaller->SetShrinkFactors(factor, factor, 1);
+  smaller->MeanOn();
+  smaller->Update();
+  const std::string error = takeError();
+  if (!error.empty())
+  {
+    throw Failed(path + ": the picture could not be rendered: " + error);
+  }
+  writeWhole(path,
+    [&](const std::string& temporary)
+    {
+      vtkNew<vtkPNGWriter> writer;
+      writer->SetInputConnection(smaller->GetOutputPort());
+      writer->SetFileName(temporary.c_str());
+      writer->Write();
+      const std::string problem = takeError();
+      if (writer->GetErrorCode() != vtkErrorCode::NoError || !problem.empty())
+      {
+        throw Failed(path + ": could not be written" + (problem.empty() ? "" : ": " + problem));
+      }
+    });
+}
+
+} // namespace oversketch_command
