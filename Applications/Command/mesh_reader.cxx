@@ -198,6 +198,20 @@ void requireArrays(const std::string& path, vtkDataSetAttributes* data, vtkIdTyp
   }
 }
 
+// vtkOBJReader leaves group and material ids short where a file holds lines or points besides faces.
+void dropIncompleteArrays(const std::string& path, vtkPolyData* mesh, Notes& notes)
+{
+  vtkCellData* data = mesh->GetCellData();
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (data->GetAbstractArray(i)->GetNumberOfTuples() != mesh->GetNumberOfCells())
+    {
+      notes.push_back(path + ": the cell array " + data->GetArrayName(i) + " is incomplete and dropped");
+      data->RemoveArray(i);
+    }
+  }
+}
+
 // Points finite, ids in range, arrays complete.
 void requireSound(const std::string& path, vtkPolyData* mesh)
 {
@@ -277,6 +291,7 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   if (extension == ".obj")
   {
     mesh = readWith<vtkOBJReader>(path);
+    dropIncompleteArrays(path, mesh, notes);
   }
   else if (extension == ".ply")
   {
