@@ -17,6 +17,7 @@
  * - edges and vertices that carry handles keep their place (edges may be split), so that the section does not
  * drift;
  * - k is limited to [MinimumFactor, 1];
+ * - folded edges (normals over 100 degrees apart) are not split: there shall never be more of them;
  * - a move that folds a triangle, makes one narrower than about 15 degrees that was not, or cuts off a tip is
  * refused.
  *
@@ -51,7 +52,7 @@
  * Deterministic: moves are made one by one in an order given by length and id; threads only propose relaxed
  * positions. The result is kept while points, polygons, Region, ShapeDiameter, Chart, handle bindings and
  * parameters stand; then the same points, polygons and (for unchanged input arrays) the same arrays come out.
- * Cost: about a second for 100 000 triangles.
+ * Cost: one to two seconds for 100 000 triangles.
  *
  * @sa vtkOversketchLaplacianDeform, vtkOversketchTargets, vtkOversketchShapeDiameter
  */

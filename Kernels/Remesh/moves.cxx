@@ -21,6 +21,7 @@ constexpr double largestTurn = 0.5; // 60 degrees
 // How far a vertex that goes or moves may leave the surface behind, in target lengths: keeps thin tips whole.
 constexpr double collapseDeviation = 0.2;
 constexpr double moveDeviation = 0.1;
+constexpr double smallestMove = 0.01; // not worth the tests, in target lengths
 
 // How far the middle of a split edge may be from the surface, squared and over the edge's length squared.
 constexpr double largestOffset = 0.04;
@@ -99,10 +100,9 @@ int Patch::folds(const Fan& fan, const std::vector<int>& replaced) const
   int result = 0;
   const auto weigh = [&result](const Vector3& a, const Vector3& b)
   {
-    const double dot = a.dot(b);
-    if (dot < 0.0)
+    if (a.dot(b) < 0.0)
     {
-      result += dot < -0.17 * std::sqrt(a.squaredNorm() * b.squaredNorm()) ? 1001 : 1;
+      result += folded(a, b) ? 1001 : 1;
     }
   };
   const std::size_t count = fan.triangles.size();
@@ -183,6 +183,10 @@ int Patch::split(int a, int b, std::array<int, 4>& neighbours)
   if (!this->facesOf(a, b, faces, border))
   {
     return -1;
+  }
+  if (!border && folded(this->cross(this->triangles_[faces[0]]), this->cross(this->triangles_[faces[1]])))
+  {
+    return -1; // two folded edges for one
   }
   const int faceCount = border ? 1 : 2;
   const bool kept = this->protectedEdge(a, b);
@@ -425,9 +429,14 @@ SurfacePoint Patch::relaxed(int v) const
 bool Patch::move(int v, const SurfacePoint& to)
 {
   const std::vector<int>& ring = this->rings_[v];
-  const Fan before = this->fanOf(ring);
   Vector3 old = this->points_[v];
-  this->points_[v] = positionOf(this->surface_.mesh(), to);
+  const Vector3 wanted = positionOf(this->surface_.mesh(), to);
+  if ((wanted - old).norm() < smallestMove * this->sizes_[v])
+  {
+    return false;
+  }
+  const Fan before = this->fanOf(ring);
+  this->points_[v] = wanted;
   const Fan after = this->fanOf(ring);
   const double deviation = moveDeviation * this->sizes_[v];
   bool good = after.narrowest >= std::min(before.narrowest, moveNarrowest) &&

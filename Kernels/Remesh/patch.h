@@ -11,12 +11,20 @@
 #include "Remesh/surface.h"
 
 #include <array>
+#include <cmath>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace oversketch
 {
+
+// The normals of two triangles, given by vectors of any length along them, are over 100 degrees apart.
+inline bool folded(const Vector3& a, const Vector3& b)
+{
+  constexpr double limit = -0.17364818; // cosine of 100 degrees
+  return a.dot(b) < limit * std::sqrt(a.squaredNorm() * b.squaredNorm());
+}
 
 class Patch
 {
@@ -59,8 +67,8 @@ public:
   }
 
   // Each does its move and returns true, or finds it unsafe or of no use and changes nothing.
-  // Puts a vertex at the middle of an edge, on the surface; -1 if refused. neighbours: vertices it is joined
-  // to, -1 fill.
+  // Puts a vertex at the middle of an edge, on the surface; -1 if refused (a folded edge, flat or folded
+  // halves). neighbours: vertices it is joined to, -1 fill.
   int split(int a, int b, std::array<int, 4>& neighbours);
   // Removes vertex `from` by merging it into `to`, unless an edge longer than `longest` (relative) would
   // come.

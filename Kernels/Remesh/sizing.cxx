@@ -1,5 +1,7 @@
 #include "Remesh/sizing.h"
 
+#include "Remesh/patch.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +21,7 @@ struct ActiveEdge
 {
   int v0, v1;  // v0 < v1
   bool frozen; // held by an outside triangle, by more than two triangles, or by two wound against each other
+  bool whole;  // not to be split: frozen, or folded
 };
 
 // Edges of the active triangles, ascending.
@@ -28,6 +31,7 @@ std::vector<ActiveEdge> activeEdges(const Mesh& mesh, const std::vector<char>& a
   {
     int v0, v1;
     bool active, forward;
+    int triangle;
   };
   std::vector<char> inside(mesh.points.size(), 0);
   for (int t = 0; t < mesh.triangleCount(); ++t)
@@ -45,7 +49,7 @@ std::vector<ActiveEdge> activeEdges(const Mesh& mesh, const std::vector<char>& a
       const auto [a, b] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
       if (inside[a] && inside[b])
       {
-        sides.push_back({ a, b, active[t] != 0, a == mesh.triangles[t][k] });
+        sides.push_back({ a, b, active[t] != 0, a == mesh.triangles[t][k], t });
       }
     }
   }
@@ -65,8 +69,14 @@ std::vector<ActiveEdge> activeEdges(const Mesh& mesh, const std::vector<char>& a
     }
     if (activeCount > 0)
     {
+      const auto normal = [&](std::size_t side)
+      {
+        const Triangle& t = mesh.triangles[sides[side].triangle];
+        return (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).eval();
+      };
+      const bool frozen = activeCount != count || count > 2 || (count == 2 && forwardCount != 1);
       edges.push_back(
-        { sides[i].v0, sides[i].v1, activeCount != count || count > 2 || (count == 2 && forwardCount != 1) });
+        { sides[i].v0, sides[i].v1, frozen, frozen || (count == 2 && folded(normal(i), normal(i + 1))) });
     }
     i += count;
   }
@@ -199,20 +209,18 @@ std::vector<double> targetLengths(const Mesh& mesh,
     target[v] = std::min(sizing.length, std::max(limit[v], lowest));
   }
   spread(mesh, edges, sizing.gradation, target);
-  // Near edges that stay as they are: from above towards short ones, from below towards long ones.
+  // Near edges that stay as they are (folded ones may still be collapsed): from above towards short ones,
+  // from below towards long ones.
   std::vector<double> sum(mesh.points.size(), 0.0), count(mesh.points.size(), 0.0);
   std::vector<double> below(mesh.points.size(), infinite); // negative: from the longest edge down
   for (const ActiveEdge& e : edges)
   {
     for (const int v : { e.v0, e.v1 })
     {
-      if (e.frozen)
-      {
-        const double length = (mesh.points[e.v0] - mesh.points[e.v1]).norm();
-        sum[v] += length;
-        count[v] += 1.0;
-        below[v] = std::min(below[v], -length);
-      }
+      const double length = (mesh.points[e.v0] - mesh.points[e.v1]).norm();
+      sum[v] += e.frozen ? length : 0.0;
+      count[v] += e.frozen ? 1.0 : 0.0;
+      below[v] = e.whole ? std::min(below[v], -length) : below[v];
     }
   }
   std::vector<double> above(mesh.points.size(), infinite);
