@@ -275,7 +275,10 @@ MeshKey::MeshKey(vtkPolyData* mesh, const std::vector<vtkDataArray*>& arrays)
   const auto add = [this](vtkObject* object)
   { this->Key.emplace_back(object, object ? object->GetMTime() : vtkMTimeType(0)); };
   add(mesh->GetPoints());
-  add(mesh->GetPolys());
+  for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+  {
+    add(cells);
+  }
   for (vtkDataArray* array : arrays)
   {
     add(array);

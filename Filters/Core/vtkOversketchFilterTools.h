@@ -78,7 +78,7 @@ OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* RequireArray(vtkDataSetAttributes* at
   int components, vtkIdType tuples, const std::string& holder, const std::string& remedy);
 
 /**
- * Identity and modified time of what a step reads of a mesh: points, polygons and, optionally, some point arrays. Equal
+ * Identity and modified time of what a step reads of a mesh or of curves: points, cells and, optionally, some arrays. Equal
  * keys mean equal content: modified times are unique in a process, so a recycled address cannot fool it.
  */
 class OVERSKETCHFILTERSCORE_EXPORT MeshKey

@@ -4,7 +4,11 @@
 
 #include "Mesh/view.h"
 #include "Silhouette/curves.h"
+#include "vtkOversketchFilterTools.h"
 
+#include "vtkSmartPointer.h"
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +38,34 @@ CurveSet ReadCurves(vtkPolyData* input,
   int meshVertices,
   const std::string& holder,
   bool allowUnbound = false);
+
+// What a step of this module has read: its result stands while this does. Null inputs are allowed.
+class StepKey
+{
+public:
+  StepKey() = default;
+  StepKey(vtkPolyData* curves, vtkPolyData* mesh, const View& view, const std::vector<double>& parameters);
+  bool operator==(const StepKey& other) const
+  {
+    return this->Curves == other.Curves && this->Mesh == other.Mesh && this->Values == other.Values;
+  }
+
+private:
+  MeshKey Curves, Mesh;
+  std::vector<double> Values;
+};
+
+// The last result of a step, so that the same question is answered with the same arrays.
+class KeptCurves
+{
+public:
+  // Copies the kept result, shallowly, to the output; first has it made where the key is a new one.
+  void Provide(const StepKey& key, vtkPolyData* output, const std::function<void(vtkPolyData* result)>& make);
+
+private:
+  StepKey Key;
+  vtkSmartPointer<vtkPolyData> Result;
+};
 
 } // namespace oversketch
 #endif

@@ -12,10 +12,11 @@
 
 using namespace oversketch;
 
-// Keeps what depends on the mesh alone between views.
+// What depends on the mesh alone, kept between views, and the last result.
 struct vtkOversketchSilhouette::Cache
 {
   std::shared_ptr<const MeshData> Data;
+  KeptCurves Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchSilhouette);
@@ -47,13 +48,21 @@ int vtkOversketchSilhouette::RequestData(vtkInformation*,
         return;
       }
       const View view = ViewOf(vtkPolyData::GetData(inputs[1]));
-      this->Internals->Data = SharedMesh(input);
-      const MeshData& mesh = *this->Internals->Data;
-      WriteCurves(extractSilhouette(mesh.Surface, mesh.Neighbours, mesh.Normals, view), view, output);
+      Cache& cache = *this->Internals;
+      cache.Kept.Provide(StepKey(nullptr, input, view, {}),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->ExtractionCount;
+          cache.Data = SharedMesh(input);
+          const MeshData& mesh = *cache.Data;
+          WriteCurves(extractSilhouette(mesh.Surface, mesh.Neighbours, mesh.Normals, view), view, result);
+        });
     });
 }
 
 void vtkOversketchSilhouette::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ExtractionCount: " << this->ExtractionCount << "\n";
 }

@@ -21,7 +21,8 @@
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. A mesh without points gives
  * an empty output silently.
  *
- * Deterministic. Cost: one pass over the edges; adjacency and normals are kept while points, polygons and normals stand.
+ * Deterministic. Cost: one pass over vertices and edges; adjacency and normals are kept while points, polygons and
+ * normals stand, and the result, as the same arrays, while the view does too.
  *
  * @sa vtkOversketchSnake
  */
@@ -46,6 +47,11 @@ public:
   void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
   void SetStrokeData(vtkPolyData* stroke);
 
+  /**
+   * How many times curves have been extracted: executions that the kept result did not answer.
+   */
+  vtkGetMacro(ExtractionCount, vtkIdType);
+
 protected:
   vtkOversketchSilhouette();
   ~vtkOversketchSilhouette() override;
@@ -55,6 +61,8 @@ protected:
 private:
   vtkOversketchSilhouette(const vtkOversketchSilhouette&) = delete;
   void operator=(const vtkOversketchSilhouette&) = delete;
+
+  vtkIdType ExtractionCount = 0;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

@@ -1,0 +1,181 @@
+// The stages from silhouette to visibility in a row, and what their tests ask of curves. Header-only.
+#ifndef oversketch_curve_chain_h
+#define oversketch_curve_chain_h
+
+#include "Harness/polydata.h"
+#include "vtkOversketchSilhouette.h"
+#include "vtkOversketchSnake.h"
+#include "vtkOversketchVisibility.h"
+
+#include "Mesh/context.h"
+
+#include "vtkErrorCode.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace oversketch_test
+{
+
+const Vector3 axisY(0, 1, 0), axisZ(0, 0, 1);
+
+struct CurveChain
+{
+  vtkSmartPointer<vtkPolyData> mesh, stroke;
+  vtkNew<vtkOversketchSilhouette> silhouette;
+  vtkNew<vtkOversketchSnake> snake;
+  vtkNew<vtkOversketchVisibility> visibility;
+
+  CurveChain(const Mesh& surface, const View& view, const std::vector<Vector3>* normals = nullptr)
+    : mesh(toPolyData(surface, normals))
+    , stroke(toStroke({ { 10, 10 }, { 20, 30 } }, view))
+  {
+    this->silhouette->SetInputData(this->mesh);
+    this->silhouette->SetStrokeData(this->stroke);
+    this->snake->SetInputConnection(this->silhouette->GetOutputPort());
+    this->snake->SetMeshData(this->mesh);
+    this->snake->SetStrokeData(this->stroke);
+    this->visibility->SetInputConnection(this->snake->GetOutputPort());
+    this->visibility->SetMeshData(this->mesh);
+    this->visibility->SetStrokeData(this->stroke);
+    this->visibility->SetBackendToHost();
+  }
+};
+
+// A polyline of the output as point ids, the last one of a closed curve left out.
+struct Line
+{
+  std::vector<vtkIdType> ids;
+  bool closed;
+};
+
+inline Line lineOf(vtkPolyData* curves, vtkIdType cell)
+{
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  curves->GetLines()->GetCellAtId(cell, size, ids);
+  Line line{ std::vector<vtkIdType>(ids, ids + size), size > 2 && ids[0] == ids[size - 1] };
+  if (line.closed)
+  {
+    line.ids.pop_back();
+  }
+  return line;
+}
+
+inline Vector3 pointAt(vtkPolyData* curves, vtkIdType i)
+{
+  Vector3 p;
+  curves->GetPoint(i, p.data());
+  return p;
+}
+
+inline std::set<int> supportOf(vtkPolyData* curves, vtkIdType i)
+{
+  std::set<int> support;
+  for (int k = 0; k < 3; ++k)
+  {
+    support.insert(static_cast<int>(curves->GetPointData()->GetArray("MeshVertices")->GetComponent(i, k)));
+  }
+  return support;
+}
+
+inline double lengthOf(vtkPolyData* curves, const Line& line)
+{
+  double length = 0.0;
+  for (std::size_t k = 0; k + (line.closed ? 0 : 1) < line.ids.size(); ++k)
+  {
+    length += (pointAt(curves, line.ids[(k + 1) % line.ids.size()]) - pointAt(curves, line.ids[k])).norm();
+  }
+  return length;
+}
+
+inline double totalLength(vtkPolyData* curves)
+{
+  double length = 0.0;
+  for (vtkIdType cell = 0; cell < curves->GetNumberOfLines(); ++cell)
+  {
+    length += lengthOf(curves, lineOf(curves, cell));
+  }
+  return length;
+}
+
+inline int cellValue(vtkPolyData* curves, const char* name, vtkIdType cell)
+{
+  return static_cast<int>(curves->GetCellData()->GetArray(name)->GetComponent(cell, 0));
+}
+
+inline vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* data)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(data);
+  return copy;
+}
+
+// Points, lines and all arrays are equal bit for bit.
+inline void expectSame(vtkPolyData* a, vtkPolyData* b)
+{
+  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  ASSERT_EQ(a->GetNumberOfLines(), b->GetNumberOfLines());
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_EQ(pointAt(a, i), pointAt(b, i)) << i;
+  }
+  for (vtkIdType cell = 0; cell < a->GetNumberOfLines(); ++cell)
+  {
+    ASSERT_EQ(lineOf(a, cell).ids, lineOf(b, cell).ids) << cell;
+  }
+  for (const auto& data :
+    { std::make_pair<vtkDataSetAttributes*, vtkDataSetAttributes*>(a->GetPointData(), b->GetPointData()),
+      std::make_pair<vtkDataSetAttributes*, vtkDataSetAttributes*>(a->GetCellData(), b->GetCellData()) })
+  {
+    ASSERT_EQ(data.first->GetNumberOfArrays(), data.second->GetNumberOfArrays());
+    for (int k = 0; k < data.first->GetNumberOfArrays(); ++k)
+    {
+      vtkDataArray* x = data.first->GetArray(k);
+      vtkDataArray* y = data.second->GetArray(x->GetName());
+      ASSERT_TRUE(y) << x->GetName();
+      for (vtkIdType i = 0; i < x->GetNumberOfTuples(); ++i)
+        for (int c = 0; c < x->GetNumberOfComponents(); ++c)
+          ASSERT_EQ(x->GetComponent(i, c), y->GetComponent(i, c)) << x->GetName() << ' ' << i;
+    }
+  }
+}
+
+// The filter refuses its input with one error of the given kind that has the word in it, and holds nothing
+// after.
+inline void expectRefusal(vtkPolyDataAlgorithm* filter, Failure failure, const std::string& word)
+{
+  Ear ear(filter);
+  filter->Update();
+  ASSERT_EQ(ear.errors.size(), 1u) << word;
+  EXPECT_NE(ear.errors[0].find(word), std::string::npos) << ear.errors[0];
+  EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError + static_cast<unsigned long>(failure)) << word;
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << word;
+}
+
+// Stops `filter`, which has not run yet, at its first progress, then lets it run: it does what `other` does.
+inline void expectCancelAndRetry(vtkPolyDataAlgorithm* filter, vtkPolyDataAlgorithm* other)
+{
+  other->Update();
+  ASSERT_GT(other->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn(); });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  Ear ear(filter);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError + static_cast<unsigned long>(Failure::Cancelled));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(ear.errors.empty());
+  filter->RemoveObserver(tag);
+  filter->AbortExecuteOff();
+  filter->Modified();
+  filter->Update();
+  expectSame(other->GetOutput(), filter->GetOutput());
+}
+
+} // namespace oversketch_test
+#endif

@@ -1,0 +1,112 @@
+#include "vtkOversketchVisibility.h"
+
+#include "Silhouette/visibility.h"
+#include "vtkOversketchCurveTools.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkCellData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+using namespace oversketch;
+
+static_assert(int(vtkOversketchVisibility::BACKEND_AUTO) == int(Backend::Auto) &&
+                int(vtkOversketchVisibility::BACKEND_OPENCL) == int(Backend::OpenCL) &&
+                int(vtkOversketchVisibility::BACKEND_HOST) == int(Backend::Host),
+  "the filter's numbers are the kernel's");
+
+struct vtkOversketchVisibility::Cache
+{
+  std::shared_ptr<const MeshData> Data;
+  KeptCurves Kept;
+};
+
+vtkStandardNewMacro(vtkOversketchVisibility);
+
+vtkOversketchVisibility::vtkOversketchVisibility()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+vtkOversketchVisibility::~vtkOversketchVisibility() = default;
+
+void vtkOversketchVisibility::SetMeshData(vtkPolyData* mesh)
+{
+  this->SetInputData(1, mesh);
+}
+
+void vtkOversketchVisibility::SetStrokeData(vtkPolyData* stroke)
+{
+  this->SetInputData(2, stroke);
+}
+
+int vtkOversketchVisibility::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (curves->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const View view = ViewOf(vtkPolyData::GetData(inputs[2]));
+      VisibilityOptions options;
+      options.cuspAngle = this->CuspAngle;
+      options.rejoin = this->Rejoin;
+      options.backend = static_cast<oversketch::Backend>(this->Backend);
+      Cache& cache = *this->Internals;
+      cache.Kept.Provide(
+        StepKey(curves, mesh, view, { this->CuspAngle, double(this->Rejoin), double(this->Backend) }),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->TestCount;
+          cache.Data = SharedMesh(mesh);
+          const MeshData& data = *cache.Data;
+          const CurveSet read = ReadCurves(curves, data.Surface.vertexCount(), "silhouette curves");
+          const VisibilityResult found =
+            findVisible(read.Curves, data.Surface, data.Normals, view, options, ContextOf(this));
+          if (!found.warning.empty())
+          {
+            vtkWarningMacro(<< found.warning);
+          }
+          this->BackendUsed = static_cast<int>(found.used);
+          std::vector<Curve> parts;
+          vtkNew<vtkIntArray> curveIds;
+          curveIds->SetName("CurveId");
+          vtkNew<vtkUnsignedCharArray> visible;
+          visible->SetName("Visible");
+          for (const VisibilitySegment& segment : found.segments)
+          {
+            parts.push_back(segment.curve);
+            curveIds->InsertNextValue(segment.source);
+            visible->InsertNextValue(segment.visible ? 1 : 0);
+          }
+          WriteCurves(parts, view, result);
+          result->GetCellData()->AddArray(curveIds);
+          result->GetCellData()->AddArray(visible);
+        });
+    });
+}
+
+void vtkOversketchVisibility::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CuspAngle: " << this->CuspAngle << "\n"
+     << indent << "Rejoin: " << this->Rejoin << "\n"
+     << indent << "Backend: " << this->Backend << "\n"
+     << indent << "BackendUsed: " << this->BackendUsed << "\n"
+     << indent << "TestCount: " << this->TestCount << "\n";
+}

@@ -1,0 +1,130 @@
+/**
+ * @class vtkOversketchVisibility
+ * @brief tells visible from hidden parts of silhouette curves
+ *
+ * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 3.2, Fig. 6. On the image plane curves are
+ * cut at cusps (three consecutive points that form an angle below CuspAngle) and where they cross themselves or each
+ * other; each part is visible as a whole if at least one of its points is, for smoothing may have covered others. The
+ * point test runs every triangle against every point: bounding box, then 2D containment and depth.
+ *
+ * What the paper leaves open, as chosen here: a triangle does not hide a point whose edge it touches (its one-rings);
+ * cut points have no vote, as they lie on the contour that hides, and a part without other points is tested at the
+ * middles of its edges; a crossing becomes a point of both curves, at the depth of each; neighbouring visible parts of
+ * one curve are joined again, as a T-junction also cuts the curve in front. Departures: a grid over the points finds
+ * those that a triangle's box can hold; perspective views, with depth that is affine on screen, where parts at or
+ * behind the eye are hidden and triangles that reach there hide nothing.
+ *
+ * Input 0: curves of vtkOversketchSnake or vtkOversketchSilhouette (polylines with MeshVertices, MeshWeights, Normals).
+ * Input 1: the mesh that the curves were made from.
+ * Input 2: stroke polydata, for the view it carries.
+ *
+ * Output 0: polylines, curve by curve, along each, with the point arrays that vtkOversketchSilhouette documents; a
+ * crossing point has up to three MeshVertices. Joined curves keep the inserted points. Cell arrays:
+ * - CurveId, int: the input's polyline that the part belongs to,
+ * - Visible, unsigned char: 1 or 0.
+ * Nothing else is passed.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. No curves give an empty
+ * output silently. Without an OpenCL device (see Backend) the host computes, with a warning.
+ *
+ * Deterministic for any number of threads; the device decides bit for bit like the host where it has double precision,
+ * else within 1e-5 of the picture's extent. Cost: one pass over vertices and triangles. The result is kept, as the same
+ * arrays, while curves, mesh, view and parameters stand.
+ *
+ * @sa vtkOversketchSnake vtkOversketchMatch
+ */
+#ifndef vtkOversketchVisibility_h
+#define vtkOversketchVisibility_h
+
+#include "OversketchFiltersSilhouetteModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
+
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchVisibility : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchVisibility* New();
+  vtkTypeMacro(vtkOversketchVisibility, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum BackendType
+  {
+    BACKEND_AUTO = 0,
+    BACKEND_OPENCL = 1,
+    BACKEND_HOST = 2
+  };
+
+  /**
+   * The mesh, on port 1.
+   */
+  void SetMeshConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(1, mesh); }
+  void SetMeshData(vtkPolyData* mesh);
+
+  /**
+   * The stroke whose view is used, on port 2.
+   */
+  void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(2, stroke); }
+  void SetStrokeData(vtkPolyData* stroke);
+
+  ///@{
+  /**
+   * A curve is cut where three consecutive points form a smaller angle than this on the image plane [degrees], 0 to
+   * 180. Default 90, the paper's pi / 2.
+   */
+  vtkSetClampMacro(CuspAngle, double, 0.0, 180.0);
+  vtkGetMacro(CuspAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether neighbouring visible parts of one curve become one polyline again. Default on; off leaves all parts.
+   */
+  vtkSetMacro(Rejoin, bool);
+  vtkGetMacro(Rejoin, bool);
+  vtkBooleanMacro(Rejoin, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where points are tested: BACKEND_AUTO (default) and BACKEND_OPENCL on the OpenCL device where there is one, else,
+   * and with BACKEND_HOST, on the host. The environment variable OVERSKETCH_OPENCL=off hides the device.
+   */
+  vtkSetClampMacro(Backend, int, BACKEND_AUTO, BACKEND_HOST);
+  vtkGetMacro(Backend, int);
+  void SetBackendToAuto() { this->SetBackend(BACKEND_AUTO); }
+  void SetBackendToOpenCL() { this->SetBackend(BACKEND_OPENCL); }
+  void SetBackendToHost() { this->SetBackend(BACKEND_HOST); }
+  ///@}
+
+  /**
+   * Where the present result was computed: BACKEND_OPENCL or BACKEND_HOST; BACKEND_AUTO before the first one.
+   */
+  vtkGetMacro(BackendUsed, int);
+
+  /**
+   * How many times visibility has been tested: executions that the kept result did not answer.
+   */
+  vtkGetMacro(TestCount, vtkIdType);
+
+protected:
+  vtkOversketchVisibility();
+  ~vtkOversketchVisibility() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchVisibility(const vtkOversketchVisibility&) = delete;
+  void operator=(const vtkOversketchVisibility&) = delete;
+
+  double CuspAngle = 90.0;
+  bool Rejoin = true;
+  int Backend = BACKEND_AUTO;
+  int BackendUsed = BACKEND_AUTO;
+  vtkIdType TestCount = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
+};
+
+#endif

@@ -1,0 +1,613 @@
+#include "Silhouette/snake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <list>
+#include <map>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double straight = 3.14159265358979323846;
+constexpr double splitBend = 0.01; // [rad] a vertex snaxel that bends by more is split
+constexpr double leastGain = 1e-4; // [rad] of a relocation
+constexpr int sweepLimit = 200;
+constexpr int splitLimit = 1 + 5;     // of one vertex: split and conversion can alternate for ever
+constexpr double splitDistance = 0.2; // of the spoke, halved until E_geo allows it
+constexpr int halvingLimit = 40;
+constexpr int intervals = 32; // of the relocation search: 33 samples, then golden section
+constexpr int goldenSteps = 16;
+constexpr int bisections = 30;
+constexpr double straightTolerance = 1e-12; // of -cos E_smth: 1.4e-6 rad
+constexpr double endTolerance = 1e-6;       // of an edge: nearer to its end is on the vertex
+
+double angleBetween(const Vector3& a, const Vector3& b)
+{
+  const double cross = a.cross(b).norm();
+  const double dot = a.dot(b);
+  return cross == 0.0 && dot == 0.0 ? 0.0 : std::atan2(cross, dot);
+}
+
+// c0 + c1 t + c2 t^2.
+struct Quadratic
+{
+  double c0, c1, c2;
+  double operator()(double t) const { return this->c0 + t * (this->c1 + t * this->c2); }
+};
+
+// (a0 + t a1) . (b0 + t b1)
+Quadratic product(const Vector3& a0, const Vector3& a1, const Vector3& b0, const Vector3& b1)
+{
+  return { a0.dot(b0), a0.dot(b1) + a1.dot(b0), a1.dot(b1) };
+}
+
+// E_smth along an edge as a function of t, from its first vertex to its second. The vectors to the neighbours
+// and the normal before it is normalised are linear in t.
+class EdgeSmoothness
+{
+public:
+  // a, b: from the edge's first vertex to the neighbours; e: the edge; n, dn: normal at the first vertex and
+  // its change.
+  EdgeSmoothness(const Vector3& a, const Vector3& b, const Vector3& e, const Vector3& n, const Vector3& dn)
+    : aa(product(a, -e, a, -e))
+    , bb(product(b, -e, b, -e))
+    , ab(product(a, -e, b, -e))
+    , na(product(n, dn, a, -e))
+    , nb(product(n, dn, b, -e))
+    , nn(product(n, dn, n, dn))
+    , area(product(n, dn, a.cross(b), e.cross(a - b)))
+  {
+  }
+
+  // -cos E_smth: grows with E_smth and is cheaper than the angle.
+  double operator()(double t) const
+  {
+    const double n = this->nn(t), a = this->na(t), b = this->nb(t);
+    const double lengths = (this->aa(t) * n - a * a) * (this->bb(t) * n - b * b);
+    return lengths > 0.0 ? (a * b - this->ab(t) * n) / std::sqrt(lengths) : -1.0;
+  }
+
+  // The places where n . (a x b) = 0 make E_smth 0 or pi. The one in [low, high] nearest to t where it is pi,
+  // or -1.
+  double straightPlace(double low, double high, double t) const
+  {
+    const double c0 = this->area.c0, c1 = this->area.c1, c2 = this->area.c2;
+    const double root = std::sqrt(std::max(0.0, c1 * c1 - 4.0 * c0 * c2));
+    const double q = -0.5 * (c1 + std::copysign(root, c1));
+    double best = -1.0;
+    for (const double place :
+      { c0 / q, q / c2 }) // no root, or one of a linear function, is not a number or infinite
+    {
+      if (place >= low && place <= high && (best < 0.0 || std::abs(place - t) < std::abs(best - t)) &&
+          (*this)(place) > 1.0 - straightTolerance)
+      {
+        best = place;
+      }
+    }
+    return best;
+  }
+
+private:
+  Quadratic aa, bb, ab, na, nb, nn, area;
+};
+
+struct Snaxel : CurvePoint
+{
+  // Something about it or a neighbour has changed since it was last looked at. Looking again at one that is
+  // not stale would find what it found then, so a sweep passes over it.
+  bool stale = true;
+  // Of an edge snaxel, once known: the part of its edge that it can reach with E_geo < epsilon.
+  double low = 1.0, high = 0.0;
+};
+
+// The vertices that hold up a point, each once.
+struct Support
+{
+  int vertices[9];
+  int count = 0;
+  void add(const Binding& binding)
+  {
+    for (int v : binding.vertices)
+    {
+      if (!this->holds(v))
+      {
+        this->vertices[this->count++] = v;
+      }
+    }
+  }
+  bool holds(int v) const
+  {
+    return std::find(this->vertices, this->vertices + this->count, v) != this->vertices + this->count;
+  }
+};
+
+// The neighbours of a vertex in order round it, as far as they can be reached over edges of two triangles.
+// Places in it are numbered: 2k is the spoke to link[k], 2k + 1 lies between the spokes k and k + 1.
+struct Fan
+{
+  int centre;
+  std::vector<int> link;
+  bool closed = false;
+
+  int places() const { return 2 * static_cast<int>(this->link.size()); }
+
+  int placeOf(const Binding& binding) const
+  {
+    Support support;
+    support.add(binding);
+    const int m = static_cast<int>(this->link.size());
+    const int wanted = support.count - (support.holds(this->centre) ? 1 : 0);
+    for (int k = 0; k < m; ++k)
+    {
+      if (wanted == 1 && support.holds(this->link[k]))
+      {
+        return 2 * k;
+      }
+      if (wanted == 2 && (this->closed || k + 1 < m) && support.holds(this->link[k]) &&
+          support.holds(this->link[(k + 1) % m]))
+      {
+        return 2 * k + 1;
+      }
+    }
+    return -1;
+  }
+};
+
+class Snake
+{
+public:
+  Snake(const Curve& curve,
+    const Mesh& surface,
+    const Adjacency& neighbours,
+    const std::vector<Vector3>& vertexNormals,
+    const View& eye,
+    double limit)
+    : mesh(surface)
+    , adjacency(neighbours)
+    , normals(vertexNormals)
+    , view(eye)
+    , epsilon(limit)
+    , closed(curve.closed)
+  {
+    for (const CurvePoint& p : curve.points)
+    {
+      this->snaxels.push_back({ p });
+    }
+  }
+
+  Curve run(const Context& context)
+  {
+    for (int sweep = 0; sweep < sweepLimit && this->sweepOnce(false) && !context.cancelled(); ++sweep)
+    {
+    }
+    // Only after the last allowed sweep is there anything left to remove.
+    for (Snaxel& s : this->snaxels)
+    {
+      s.stale = true;
+    }
+    while (this->sweepOnce(true))
+    {
+    }
+    return { std::vector<CurvePoint>(this->snaxels.begin(), this->snaxels.end()), this->closed };
+  }
+
+private:
+  using Place = std::list<Snaxel>::iterator;
+
+  Snaxel& before(Place s) { return s == this->snaxels.begin() ? this->snaxels.back() : *std::prev(s); }
+  Snaxel& after(Place s)
+  {
+    const Place next = std::next(s);
+    return next == this->snaxels.end() ? this->snaxels.front() : *next;
+  }
+
+  // Looks at every stale snaxel but fixed ends once; false when nothing changed.
+  bool sweepOnce(bool removeOnly)
+  {
+    bool changed = false;
+    if (this->snaxels.size() < 3)
+    {
+      return false;
+    }
+    Place s = this->closed ? this->snaxels.begin() : std::next(this->snaxels.begin());
+    while (s != this->snaxels.end() && (this->closed || std::next(s) != this->snaxels.end()))
+    {
+      if (!s->stale)
+      {
+        ++s;
+        continue;
+      }
+      s->stale = false;
+      Snaxel& previous = this->before(s);
+      Snaxel& next = this->after(s);
+      if (this->inOneTriangle(previous, *s, next))
+      {
+        s = this->snaxels.erase(s);
+        previous.stale = next.stale = changed = true;
+        if (this->closed && this->snaxels.size() < 3)
+        {
+          this->snaxels.clear();
+          return true;
+        }
+        continue; // with the follower of what was removed
+      }
+      const bool splitting = !removeOnly && s->binding.onVertex();
+      if (splitting ? this->split(s, previous, next) : !removeOnly && this->relocate(*s, previous, next))
+      {
+        previous.stale = next.stale = changed = true;
+        if (splitting)
+        {
+          continue; // with the first of the new snaxels
+        }
+      }
+      ++s;
+    }
+    return changed;
+  }
+
+  CurvePoint pointAt(const Binding& binding) const
+  {
+    return { binding, binding.of(this->mesh.points), binding.of(this->normals).normalized() };
+  }
+
+  bool inOneTriangle(const Snaxel& a, const Snaxel& b, const Snaxel& c) const
+  {
+    Support support;
+    support.add(a.binding);
+    support.add(b.binding);
+    support.add(c.binding);
+    return support.count < 3 || (support.count == 3 && this->triangleWith(support) >= 0);
+  }
+
+  int triangleWith(const Support& support) const
+  {
+    const Lists& lists = this->adjacency.vertexTriangles;
+    for (const int* t = lists.begin(support.vertices[0]); t != lists.end(support.vertices[0]); ++t)
+    {
+      const Triangle& corners = this->mesh.triangles[*t];
+      if (std::all_of(support.vertices,
+            support.vertices + support.count,
+            [&](int v) { return v == corners[0] || v == corners[1] || v == corners[2]; }))
+      {
+        return *t;
+      }
+    }
+    return -1;
+  }
+
+  // Puts the triangle's neighbours across its spoke to `to` at the end of link; true when the walk comes back
+  // to it.
+  bool walkFan(int centre, int triangle, int to, std::vector<int>& link) const
+  {
+    const int first = triangle;
+    for (int steps = this->adjacency.vertexTriangles.size(centre); steps > 0; --steps)
+    {
+      const int spoke = this->adjacency.findEdge(centre, to);
+      if (spoke < 0 || this->adjacency.edges[spoke].triangleCount != 2)
+      {
+        return false;
+      }
+      const int* sides = this->adjacency.trianglesBegin(spoke);
+      triangle = sides[0] == triangle ? sides[1] : sides[0];
+      if (triangle == first)
+      {
+        link.pop_back(); // the neighbour that the walk began with, met again
+        return true;
+      }
+      for (int v : this->mesh.triangles[triangle])
+      {
+        if (v != centre && v != to)
+        {
+          to = v;
+          break;
+        }
+      }
+      link.push_back(to);
+    }
+    return false;
+  }
+
+  Fan fanOf(int centre, int triangle) const
+  {
+    const Triangle& corners = this->mesh.triangles[triangle];
+    const int k = static_cast<int>(std::find(corners.begin(), corners.end(), centre) - corners.begin());
+    const int a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
+    Fan fan{ centre, { a, b }, false };
+    fan.closed = this->walkFan(centre, triangle, b, fan.link);
+    if (!fan.closed)
+    {
+      std::vector<int> other;
+      this->walkFan(centre, triangle, a, other);
+      fan.link.insert(fan.link.begin(), other.rbegin(), other.rend());
+    }
+    return fan;
+  }
+
+  // Replaces a bent vertex snaxel by edge snaxels on the spokes that the curve crosses on the side of the
+  // smaller angle, so that the curve shortens; s is then the first of them. False where it stays.
+  bool split(Place& s, const Snaxel& previous, const Snaxel& next)
+  {
+    const int centre = s->binding.vertices[0];
+    int& splits = this->splitCount[centre];
+    if (splits >= splitLimit || smoothness(previous, *s, next) >= straight - splitBend)
+    {
+      return false;
+    }
+    Support support;
+    support.add(s->binding);
+    support.add(previous.binding);
+    const int triangle = this->triangleWith(support);
+    if (triangle < 0)
+    {
+      return false;
+    }
+    const Fan fan = this->fanOf(centre, triangle);
+    const int from = fan.placeOf(previous.binding);
+    const int to = fan.placeOf(next.binding);
+    if (from < 0 || to < 0 || from == to)
+    {
+      return false;
+    }
+    std::vector<int> best;
+    double bestAngle = 0.0;
+    for (const int step : { 1, -1 })
+    {
+      if (!fan.closed && (to > from) != (step > 0))
+      {
+        continue;
+      }
+      std::vector<int> spokes;
+      double angle = 0.0;
+      Vector3 direction = previous.position - s->position;
+      const auto turn = [&](const Vector3& position)
+      {
+        const Vector3 following = position - s->position;
+        angle += angleBetween(direction, following);
+        direction = following;
+      };
+      for (int place = (from + step + fan.places()) % fan.places(); place != to;
+           place = (place + step + fan.places()) % fan.places())
+      {
+        if (place % 2 == 0)
+        {
+          spokes.push_back(fan.link[place / 2]);
+          turn(this->mesh.points[spokes.back()]);
+        }
+      }
+      turn(next.position);
+      if (best.empty() || (!spokes.empty() && angle < bestAngle))
+      {
+        best = spokes;
+        bestAngle = angle;
+      }
+    }
+    std::list<Snaxel> made;
+    for (int end : best)
+    {
+      made.push_back({ this->pointNear(centre, end) });
+      if (made.back().binding.onVertex())
+      {
+        return false;
+      }
+    }
+    if (made.empty())
+    {
+      return false;
+    }
+    ++splits;
+    const Place firstMade = made.begin();
+    this->snaxels.splice(s, made);
+    this->snaxels.erase(s);
+    s = firstMade;
+    return true;
+  }
+
+  // The edge point at splitDistance from the centre towards a neighbour, or nearer, with E_geo < epsilon; the
+  // centre itself where there is none.
+  CurvePoint pointNear(int centre, int end) const
+  {
+    double t = splitDistance;
+    for (int halving = 0; halving < halvingLimit; ++halving, t *= 0.5)
+    {
+      const CurvePoint p =
+        this->pointAt(centre < end ? Binding::edge(centre, end, 1.0 - t) : Binding::edge(end, centre, t));
+      if (silhouetteDeviation(p, this->view) < this->epsilon)
+      {
+        return p;
+      }
+    }
+    return this->pointAt(Binding::vertex(centre));
+  }
+
+  // Moves an edge snaxel to the straightest place of the feasible interval it is in; on a vertex it turns
+  // stale.
+  bool relocate(Snaxel& s, const Snaxel& previous, const Snaxel& next)
+  {
+    const int v0 = s.binding.vertices[0], v1 = s.binding.vertices[1];
+    if (s.binding.weights[2] != 0.0)
+    {
+      return false;
+    }
+    const double present = s.binding.weights[1];
+    if (s.low > s.high && !this->measure(s, present))
+    {
+      return false;
+    }
+    const double bend = straight - smoothness(previous, s, next);
+    if (bend <= leastGain)
+    {
+      return false;
+    }
+    const double low = s.low, high = s.high;
+    const Vector3& origin = this->mesh.points[v0];
+    const EdgeSmoothness energy(previous.position - origin,
+      next.position - origin,
+      this->mesh.points[v1] - origin,
+      this->normals[v0],
+      this->normals[v1] - this->normals[v0]);
+    double best = energy.straightPlace(low, high, present);
+    if (best < 0.0)
+    {
+      best = this->search(energy, low, high);
+    }
+    // A whole edge may be free to its end, or the limit may lie just short of it.
+    const bool toFirst = low == 0.0 && best < endTolerance;
+    const bool toSecond = high == 1.0 && best > 1.0 - endTolerance;
+    const CurvePoint moved = this->pointAt(toFirst    ? Binding::vertex(v0)
+                                           : toSecond ? Binding::vertex(v1)
+                                                      : Binding::edge(v0, v1, 1.0 - best));
+    if (!(silhouetteDeviation(moved, this->view) < this->epsilon) ||
+        straight - smoothness(previous, moved, next) >= bend - leastGain)
+    {
+      return false;
+    }
+    static_cast<CurvePoint&>(s) = moved;
+    s.stale = moved.binding.onVertex();
+    return true;
+  }
+
+  // Finds the part [low, high] round t of a snaxel's edge where E_geo < epsilon; false when t itself is not
+  // in it.
+  bool measure(Snaxel& s, double t) const
+  {
+    const int v0 = s.binding.vertices[0], v1 = s.binding.vertices[1];
+    const Vector3 d0 = this->view.towardsViewer(this->mesh.points[v0]);
+    const Vector3 dd = this->view.towardsViewer(this->mesh.points[v1]) - d0;
+    const Vector3& n0 = this->normals[v0];
+    const Vector3 dn = this->normals[v1] - n0;
+    const Quadratic nd = product(n0, dn, d0, dd), nn = product(n0, dn, n0, dn),
+                    lengths = product(d0, dd, d0, dd);
+    const auto allowed = [&](double place)
+    { return nd(place) * nd(place) < this->epsilon * this->epsilon * nn(place) * lengths(place); };
+    if (!allowed(t))
+    {
+      return false;
+    }
+    const auto reach = [&](int k, int direction)
+    {
+      double good = t;
+      for (; k >= 0 && k <= intervals; k += direction)
+      {
+        double bad = static_cast<double>(k) / intervals;
+        if (allowed(bad))
+        {
+          good = bad;
+          continue;
+        }
+        for (int i = 0; i < bisections; ++i)
+        {
+          const double middle = 0.5 * (good + bad);
+          (allowed(middle) ? good : bad) = middle;
+        }
+        break;
+      }
+      return good;
+    };
+    s.low = reach(static_cast<int>(std::floor(t * intervals)), -1);
+    s.high = reach(static_cast<int>(std::ceil(t * intervals)), 1);
+    return true;
+  }
+
+  // Where E_smth is largest when it is pi nowhere: samples, then golden section about the best of them.
+  static double search(const EdgeSmoothness& energy, double low, double high)
+  {
+    const double step = (high - low) / intervals;
+    double best = low, bestValue = energy(low);
+    for (int k = 1; k <= intervals; ++k)
+    {
+      const double t = k == intervals ? high : low + k * step;
+      const double value = energy(t);
+      if (value > bestValue)
+      {
+        best = t;
+        bestValue = value;
+      }
+    }
+    const double ratio = 0.6180339887498949;
+    double from = std::max(low, best - step), to = std::min(high, best + step);
+    double left = to - ratio * (to - from), right = from + ratio * (to - from);
+    double leftValue = energy(left), rightValue = energy(right);
+    for (int i = 0; i < goldenSteps; ++i)
+    {
+      if (leftValue >= rightValue)
+      {
+        to = right;
+        right = left;
+        rightValue = leftValue;
+        left = to - ratio * (to - from);
+        leftValue = energy(left);
+      }
+      else
+      {
+        from = left;
+        left = right;
+        leftValue = rightValue;
+        right = from + ratio * (to - from);
+        rightValue = energy(right);
+      }
+    }
+    if (std::max(leftValue, rightValue) > bestValue)
+    {
+      best = leftValue >= rightValue ? left : right;
+    }
+    return best;
+  }
+
+  const Mesh& mesh;
+  const Adjacency& adjacency;
+  const std::vector<Vector3>& normals;
+  const View& view;
+  double epsilon;
+  bool closed;
+  std::list<Snaxel> snaxels;
+  std::map<int, int> splitCount; // by vertex
+};
+
+} // namespace
+
+double silhouetteDeviation(const CurvePoint& snaxel, const View& view)
+{
+  return std::abs(snaxel.normal.dot(view.towardsViewer(snaxel.position).normalized()));
+}
+
+double smoothness(const CurvePoint& before, const CurvePoint& at, const CurvePoint& after)
+{
+  const auto project = [&](const CurvePoint& p)
+  {
+    const Vector3 v = p.position - at.position;
+    return Vector3(v - at.normal * at.normal.dot(v));
+  };
+  return angleBetween(project(before), project(after));
+}
+
+std::vector<Curve> smoothSilhouette(const std::vector<Curve>& curves,
+  const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const View& view,
+  double epsilon,
+  const Context& context)
+{
+  context.checkpoint(0.0);
+  std::vector<Curve> smoothed(curves.size());
+  context.parallelFor(static_cast<int>(curves.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end && !context.cancelled(); ++i)
+      {
+        smoothed[i] = Snake(curves[i], mesh, adjacency, normals, view, epsilon).run(context);
+      }
+    });
+  context.checkpoint(1.0);
+  smoothed.erase(
+    std::remove_if(
+      smoothed.begin(), smoothed.end(), [](const Curve& curve) { return curve.points.size() < 2; }),
+    smoothed.end());
+  return smoothed;
+}
+
+} // namespace oversketch
