@@ -1,8 +1,8 @@
 #include "Sparse/laplacian.h"
 
+#include "Sparse/cholesky.h"
+
 #include <Eigen/Eigenvalues>
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -18,8 +18,6 @@ using Matrix3 = Eigen::Matrix3d;
 using Sparse = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
-// The unknowns are numbered by our own fill-reducing order (see numberUnknowns), so the solver keeps it.
-using Factor = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 constexpr double largestCotangent = 1e3;
 
@@ -87,45 +85,45 @@ std::vector<char> movableVertices(const Adjacency& adjacency,
   return movable;
 }
 
-// Number of each movable vertex in an order that keeps the factor of a two-ring matrix sparse (approximate
-// minimum degree over vertices, so that the 3x3 blocks of the adjusted form stay together); -1 for the
-// others.
-std::vector<int> numberUnknowns(const Adjacency& adjacency, const std::vector<char>& movable, int count)
+// Number of each movable vertex, -1 for the others.
+std::vector<int> numberUnknowns(const std::vector<char>& movable)
 {
-  std::vector<int> plain(movable.size(), -1);
-  for (int v = 0, next = 0; v < static_cast<int>(movable.size()); ++v)
+  std::vector<int> numbers(movable.size(), -1);
+  for (std::size_t v = 0, next = 0; v < movable.size(); ++v)
   {
-    plain[v] = movable[v] ? next++ : -1;
+    numbers[v] = movable[v] ? static_cast<int>(next++) : -1;
   }
+  return numbers;
+}
+
+// Which unknowns share a row of the system: those of one one-ring or one handle.
+Sparse sharedRows(const Adjacency& adjacency,
+  const std::vector<int>& numbers,
+  const std::vector<Binding>& handles,
+  int count)
+{
   Triplets triplets;
-  for (int v = 0; v < static_cast<int>(movable.size()); ++v)
+  int row = 0;
+  const auto add = [&](int v)
   {
-    if (movable[v])
+    if (numbers[v] >= 0)
     {
-      triplets.emplace_back(v, plain[v], 1.0);
+      triplets.emplace_back(row, numbers[v], 1.0);
     }
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
-    {
-      if (movable[*n])
-      {
-        triplets.emplace_back(v, plain[*n], 1.0);
-      }
-    }
-  }
-  Rows ring(static_cast<int>(movable.size()), count);
-  ring.setFromTriplets(triplets.begin(), triplets.end());
-  const Sparse pattern = Sparse(ring.transpose() * ring);
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-  Eigen::AMDOrdering<int>()(pattern, inverse);
-  const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order = inverse.inverse();
-  for (int& number : plain)
+  };
+  for (int v = 0; v < static_cast<int>(numbers.size()); ++v, ++row)
   {
-    if (number >= 0)
-    {
-      number = order.indices()[number];
-    }
+    add(v);
+    std::for_each(adjacency.vertexVertices.begin(v), adjacency.vertexVertices.end(v), add);
   }
-  return plain;
+  for (const Binding& handle : handles)
+  {
+    std::for_each(handle.vertices.begin(), handle.vertices.end(), add);
+    ++row;
+  }
+  Rows rows(row, count);
+  rows.setFromTriplets(triplets.begin(), triplets.end());
+  return Sparse(rows.transpose() * rows);
 }
 
 // A third of the area of a vertex's triangles.
@@ -212,7 +210,7 @@ struct LaplacianSystem::Parts
   double handleWeight = 0.0;
   std::vector<Binding> handles;
   std::vector<char> active;
-  Factor factor;
+  std::unique_ptr<Cholesky> factor;
 
   // The rows sum_j w_ij (u_i - u_j) [- (T_i - I) delta_i] over the unknowns.
   Sparse laplacianRows(const Mesh& mesh,
@@ -222,7 +220,7 @@ struct LaplacianSystem::Parts
   // Adds the block of vertex v's displacement to the three rows of vertex `row`.
   void addBlock(Triplets& triplets, int row, int v, const Matrix3& block) const;
   Sparse handleRows() const;
-  void factorise(const Sparse& normal);
+  void factorise(const Sparse& normal, const Context& context);
 };
 
 void LaplacianSystem::Parts::addBlock(Triplets& triplets, int row, int v, const Matrix3& block) const
@@ -339,27 +337,20 @@ Sparse LaplacianSystem::Parts::handleRows() const
   return matrix;
 }
 
-void LaplacianSystem::Parts::factorise(const Sparse& normal)
+void LaplacianSystem::Parts::factorise(const Sparse& normal, const Context& context)
 {
   const Eigen::VectorXd diagonal = normal.diagonal();
   const double largest = diagonal.maxCoeff();
-  // A pivot this far below its diagonal is lost in rounding. A little of the diagonal then keeps what the
-  // rows leave open where it is: 1e-10 of it is far below what a handle's residual shows.
+  // Where the rows leave something open (a free piece with one handle may turn about it), a little of the
+  // diagonal keeps it where it is: 1e-10 of it is far below what a handle's residual shows.
   for (const double regularisation : { 0.0, 1e-10, 1e-7 })
   {
     Sparse matrix = normal;
-    if (regularisation > 0.0)
+    for (int i = 0; regularisation > 0.0 && i < matrix.cols(); ++i)
     {
-      for (int i = 0; i < matrix.cols(); ++i)
-      {
-        matrix.coeffRef(i, i) += regularisation * std::max(diagonal[i], 1e-6 * largest);
-      }
+      matrix.coeffRef(i, i) += regularisation * std::max(diagonal[i], 1e-6 * largest);
     }
-    this->factor.compute(matrix);
-    if (this->factor.info() == Eigen::Success &&
-        ((this->factor.vectorD().array() > 1e-12 * diagonal.array()) &&
-          this->factor.vectorD().array().isFinite())
-          .all())
+    if (this->factor->factorise(matrix, context))
     {
       return;
     }
@@ -393,7 +384,9 @@ LaplacianSystem::LaplacianSystem(const Mesh& mesh,
              (handle.weights[1] != 0.0 && movable[handle.vertices[1]]) ||
              (handle.weights[2] != 0.0 && movable[handle.vertices[2]]);
     });
-  parts.number = numberUnknowns(adjacency, movable, parts.movable);
+  parts.number = numberUnknowns(movable);
+  parts.factor =
+    std::make_unique<Cholesky>(sharedRows(adjacency, parts.number, handles, parts.movable), parts.dimensions);
   context.checkpoint(0.2);
 
   // Rows of movable vertices and, for a C1 join, of the fixed ones beside them.
@@ -407,9 +400,10 @@ LaplacianSystem::LaplacianSystem(const Mesh& mesh,
   const Sparse laplacian = parts.laplacianRows(mesh, adjacency, rows, options);
   const Sparse handle = parts.handleRows();
   const Sparse normal = Sparse(laplacian.transpose() * laplacian) + Sparse(handle.transpose() * handle);
-  context.checkpoint(0.4);
-  parts.factorise(normal);
-  context.checkpoint(0.9);
+  Context factoring = context;
+  factoring.progress = [&context](double done) { context.progress(0.4 + 0.5 * done); };
+  factoring.checkpoint(0.0);
+  parts.factorise(normal, factoring);
 }
 
 LaplacianSystem::~LaplacianSystem() = default;
@@ -429,43 +423,23 @@ std::vector<Vector3> LaplacianSystem::solve(const std::vector<Vector3>& displace
 {
   const Parts& parts = *this->parts_;
   // x, y, z as columns; the adjusted form has them interleaved in one column.
-  Eigen::Matrix<double, 3, Eigen::Dynamic> right(3, parts.movable);
-  right.setZero();
+  const int d = parts.dimensions;
+  Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(parts.movable) * d, 3 / d);
+  const auto at = [&](int number, int c) -> double&
+  { return d == 3 ? solution(3 * number + c, 0) : solution(number, c); };
   for (std::size_t h = 0; h < parts.handles.size(); ++h)
   {
     for (int k = 0; k < 3; ++k)
     {
       const int n = parts.number[parts.handles[h].vertices[k]];
-      if (n >= 0)
+      const double weight = parts.handleWeight * parts.handleWeight * parts.handles[h].weights[k];
+      for (int c = 0; c < 3 && n >= 0; ++c)
       {
-        right.col(n) +=
-          parts.handleWeight * parts.handleWeight * parts.handles[h].weights[k] * displacements[h];
+        at(n, c) += weight * displacements[h][c];
       }
     }
   }
-  Eigen::Matrix<double, 3, Eigen::Dynamic> solution(3, parts.movable);
-  if (parts.dimensions == 3)
-  {
-    Eigen::Map<Eigen::VectorXd>(solution.data(), solution.size()) =
-      parts.factor.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
-  }
-  else
-  {
-    std::array<Eigen::VectorXd, 3> columns;
-    context.parallelFor(3,
-      [&](int begin, int end)
-      {
-        for (int c = begin; c < end; ++c)
-        {
-          const Eigen::VectorXd b = right.row(c).transpose();
-          columns[c] = parts.factor.solve(b);
-        }
-      });
-    for (int c = 0; c < 3; ++c)
-    {
-      solution.row(c) = columns[c].transpose();
-    }
-  }
+  parts.factor->solve(solution);
   if (!solution.allFinite())
   {
     throw Error(Failure::SolveFailed,
@@ -478,7 +452,8 @@ std::vector<Vector3> LaplacianSystem::solve(const std::vector<Vector3>& displace
   {
     if (parts.number[v] >= 0)
     {
-      result[v] = solution.col(parts.number[v]);
+      const int n = parts.number[v];
+      result[v] = Vector3(at(n, 0), at(n, 1), at(n, 2));
     }
   }
   return result;
