@@ -27,8 +27,8 @@
  * or no handle inside the region), SolveFailed. A mesh without points gives an empty output silently.
  *
  * Deterministic. Cost: one sparse factorisation (kept while points, polygons, Region, the handles' bindings
- * and the properties stand), then three back-substitutions per change of a target. A run can be cancelled
- * before and after the factorisation.
+ * and the properties stand), then one back-substitution for x, y and z together per change of a target. Can be
+ * cancelled at any time.
  *
  * @sa vtkOversketchTargets vtkOversketchRegionBorder vtkOversketchRemesh
  */
@@ -86,7 +86,7 @@ public:
 
   ///@{
   /**
-   * What the last executions did: factors made and sets of back-substitutions done since the filter was made.
+   * Factors made, and targets solved for (x, y and z count as one), since the filter was made.
    */
   vtkGetMacro(FactorizationCount, vtkIdType);
   vtkGetMacro(SolveCount, vtkIdType);
