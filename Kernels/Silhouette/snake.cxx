@@ -1,5 +1,7 @@
 #include "Silhouette/snake.h"
 
+#include "Silhouette/edge_smoothness.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -22,8 +24,7 @@ constexpr int halvingLimit = 40;
 constexpr int intervals = 32; // of the relocation search: 33 samples, then golden section
 constexpr int goldenSteps = 16;
 constexpr int bisections = 30;
-constexpr double straightTolerance = 1e-12; // of -cos E_smth: 1.4e-6 rad
-constexpr double endTolerance = 1e-6;       // of an edge: nearer to its end is on the vertex
+constexpr double endTolerance = 1e-6; // of an edge: nearer to its end is on the vertex
 
 double angleBetween(const Vector3& a, const Vector3& b)
 {
@@ -31,69 +32,6 @@ double angleBetween(const Vector3& a, const Vector3& b)
   const double dot = a.dot(b);
   return cross == 0.0 && dot == 0.0 ? 0.0 : std::atan2(cross, dot);
 }
-
-// c0 + c1 t + c2 t^2.
-struct Quadratic
-{
-  double c0, c1, c2;
-  double operator()(double t) const { return this->c0 + t * (this->c1 + t * this->c2); }
-};
-
-// (a0 + t a1) . (b0 + t b1)
-Quadratic product(const Vector3& a0, const Vector3& a1, const Vector3& b0, const Vector3& b1)
-{
-  return { a0.dot(b0), a0.dot(b1) + a1.dot(b0), a1.dot(b1) };
-}
-
-// E_smth along an edge as a function of t, from its first vertex to its second. The vectors to the neighbours
-// and the normal before it is normalised are linear in t.
-class EdgeSmoothness
-{
-public:
-  // a, b: from the edge's first vertex to the neighbours; e: the edge; n, dn: normal at the first vertex and
-  // its change.
-  EdgeSmoothness(const Vector3& a, const Vector3& b, const Vector3& e, const Vector3& n, const Vector3& dn)
-    : aa(product(a, -e, a, -e))
-    , bb(product(b, -e, b, -e))
-    , ab(product(a, -e, b, -e))
-    , na(product(n, dn, a, -e))
-    , nb(product(n, dn, b, -e))
-    , nn(product(n, dn, n, dn))
-    , area(product(n, dn, a.cross(b), e.cross(a - b)))
-  {
-  }
-
-  // -cos E_smth: grows with E_smth and is cheaper than the angle.
-  double operator()(double t) const
-  {
-    const double n = this->nn(t), a = this->na(t), b = this->nb(t);
-    const double lengths = (this->aa(t) * n - a * a) * (this->bb(t) * n - b * b);
-    return lengths > 0.0 ? (a * b - this->ab(t) * n) / std::sqrt(lengths) : -1.0;
-  }
-
-  // The places where n . (a x b) = 0 make E_smth 0 or pi. The one in [low, high] nearest to t where it is pi,
-  // or -1.
-  double straightPlace(double low, double high, double t) const
-  {
-    const double c0 = this->area.c0, c1 = this->area.c1, c2 = this->area.c2;
-    const double root = std::sqrt(std::max(0.0, c1 * c1 - 4.0 * c0 * c2));
-    const double q = -0.5 * (c1 + std::copysign(root, c1));
-    double best = -1.0;
-    for (const double place :
-      { c0 / q, q / c2 }) // no root, or one of a linear function, is not a number or infinite
-    {
-      if (place >= low && place <= high && (best < 0.0 || std::abs(place - t) < std::abs(best - t)) &&
-          (*this)(place) > 1.0 - straightTolerance)
-      {
-        best = place;
-      }
-    }
-    return best;
-  }
-
-private:
-  Quadratic aa, bb, ab, na, nb, nn, area;
-};
 
 struct Snaxel : CurvePoint
 {
@@ -526,6 +464,12 @@ private:
         best = t;
         bestValue = value;
       }
+    }
+    // At an end, mostly: where the limit on E_geo holds the snaxel back.
+    const double inward = 1e-3 * (best == low ? step : -step);
+    if ((best == low || best == high) && energy(best + inward) <= bestValue)
+    {
+      return best;
     }
     const double ratio = 0.6180339887498949;
     double from = std::max(low, best - step), to = std::min(high, best + step);
