@@ -1,0 +1,111 @@
+#include "vtkOversketchJudgement.h"
+
+#include "Silhouette/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+bool narrow(const Mesh& mesh, const Triangle& t)
+{
+  const double limit = std::cos(pi / 6.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 a = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]];
+    const Vector3 b = mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]];
+    if (a.dot(b) > limit * a.norm() * b.norm())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+int foldedEdges(const Mesh& mesh)
+{
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const double limit = std::cos(100.0 * pi / 180.0);
+  int folded = 0;
+  for (int e = 0; e < static_cast<int>(adjacency.edges.size()); ++e)
+  {
+    if (adjacency.edges[e].triangleCount == 2)
+    {
+      const int* t = adjacency.trianglesBegin(e);
+      folded += facetNormal(mesh, t[0]).dot(facetNormal(mesh, t[1])) < limit;
+    }
+  }
+  return folded;
+}
+
+double narrowShare(const Mesh& mesh, const std::vector<char>& chosen)
+{
+  int all = 0, bad = 0;
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    if (chosen[t])
+    {
+      ++all;
+      bad += narrow(mesh, mesh.triangles[t]);
+    }
+  }
+  return all > 0 ? static_cast<double>(bad) / all : 0.0;
+}
+
+bool wantsRemeshing(const Mesh& before, const Mesh& after, const std::vector<char>& regionVertex)
+{
+  std::vector<char> chosen(before.triangles.size(), 0);
+  int edges = 0, stretched = 0;
+  for (int t = 0; t < before.triangleCount(); ++t)
+  {
+    const Triangle& v = before.triangles[t];
+    chosen[t] = regionVertex[v[0]] && regionVertex[v[1]] && regionVertex[v[2]];
+    for (int k = 0; chosen[t] && k < 3; ++k)
+    {
+      const int a = v[k], b = v[(k + 1) % 3];
+      ++edges;
+      stretched += (after.points[a] - after.points[b]).norm() > 1.5 * (before.points[a] - before.points[b]).norm();
+    }
+  }
+  return stretched > 0.01 * edges || narrowShare(after, chosen) > narrowShare(before, chosen) + 0.01;
+}
+
+OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke)
+{
+  std::vector<NearestPlace> loops;
+  for (const OutlineLoop& loop : traceOutline(mesh, view, outlineWindow(mesh, view, stroke)))
+  {
+    loops.emplace_back(loop.points, loop.closed);
+  }
+  const std::vector<double> length = arcLengths(stroke);
+  OutlineError error;
+  int counted = 0;
+  for (std::size_t i = 0; i < stroke.size(); ++i)
+  {
+    if (length[i] < 0.2 * length.back() || length[i] > 0.8 * length.back())
+    {
+      continue;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const NearestPlace& loop : loops)
+    {
+      nearest = std::min(nearest, loop(stroke[i]).distance);
+    }
+    error.mean += nearest;
+    error.worst = std::max(error.worst, nearest);
+    ++counted;
+  }
+  error.mean /= std::max(counted, 1);
+  return error;
+}
+
+} // namespace oversketch

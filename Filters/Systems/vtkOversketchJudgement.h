@@ -1,0 +1,32 @@
+// When remeshing is worth it, and whether its result may be kept (specification, amendment 13.9). Not installed.
+#ifndef vtkOversketchJudgement_h
+#define vtkOversketchJudgement_h
+
+#include "Mesh/mesh.h"
+#include "Mesh/view.h"
+#include "Stroke/polyline.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+// Edges whose two triangles have normals over 100 degrees apart.
+int foldedEdges(const Mesh& mesh);
+
+// Share of triangles among `chosen` (one byte per triangle) with an angle under 30 degrees.
+double narrowShare(const Mesh& mesh, const std::vector<char>& chosen);
+
+// True where the region was stretched or squeezed enough to ask for remeshing: same connectivity before and after.
+bool wantsRemeshing(const Mesh& before, const Mesh& after, const std::vector<char>& regionVertex);
+
+// Distance from the stroke's middle 60 % to the outline of the mesh in the view [px].
+struct OutlineError
+{
+  double mean = 0.0;
+  double worst = 0.0;
+};
+OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke);
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,535 @@
+#include "vtkOversketchOneStroke.h"
+
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchJudgement.h"
+#include "vtkOversketchLaplacianDeform.h"
+#include "vtkOversketchMatch.h"
+#include "vtkOversketchMixtureRegion.h"
+#include "vtkOversketchOutline.h"
+#include "vtkOversketchRegionBorder.h"
+#include "vtkOversketchRemesh.h"
+#include "vtkOversketchShapeDiameter.h"
+#include "vtkOversketchSilhouette.h"
+#include "vtkOversketchSnake.h"
+#include "vtkOversketchStrokeFilter.h"
+#include "vtkOversketchTargets.h"
+#include "vtkOversketchVisibility.h"
+#include "vtkOversketchWeld.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <string>
+#include <vector>
+
+using namespace oversketch;
+
+namespace
+{
+
+struct Stage
+{
+  const char* name;
+  vtkAlgorithm* step;
+  double share; // of the whole run, for progress
+  double seconds = 0.0;
+};
+
+// The bare message: VTK's macros wrap it as "ERROR: In file, line N\nClass (address): message\n\n".
+std::string MessageOf(const void* eventData)
+{
+  std::string text = eventData ? static_cast<const char*>(eventData) : "";
+  const std::size_t marker = text.find("): ");
+  if (marker != std::string::npos)
+  {
+    text.erase(0, marker + 3);
+  }
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
+} // namespace
+
+struct vtkOversketchOneStroke::Pipeline
+{
+  explicit Pipeline(vtkOversketchOneStroke* self);
+
+  // Brings the persistent inner inputs up to date; they are touched only where what the steps read has changed.
+  void FeedMesh(vtkPolyData* mesh);
+  void FeedStroke(vtkPolyData* stroke);
+  // Runs one step, forwarding its events and failing with its first error.
+  void Run(const char* name);
+  Stage& Find(const char* name);
+  vtkPolyData* Output(const char* name) { return vtkPolyData::SafeDownCast(this->Find(name).step->GetOutputDataObject(0)); }
+  void SetAmendments(bool on);
+  bool WantsRemeshing();
+  bool RemeshingKept();
+
+  vtkOversketchOneStroke* Self;
+
+  // What the inner pipeline starts from. View is a stroke without strokes of its own: it changes only with the view, so
+  // silhouettes stand while strokes come and go.
+  vtkNew<vtkPolyData> Mesh, Stroke, View;
+  MeshKey MeshKeySeen;
+  std::unique_ptr<oversketch::Weld> Welding;
+  std::vector<double> ViewSeen;
+  std::pair<const vtkPolyData*, vtkMTimeType> StrokeSeen{ nullptr, 0 };
+
+  vtkNew<vtkOversketchStrokeFilter> StrokeStep;
+  vtkNew<vtkOversketchSilhouette> Silhouette;
+  vtkNew<vtkOversketchSnake> Snake;
+  vtkNew<vtkOversketchVisibility> Visibility;
+  vtkNew<vtkOversketchOutline> Outline;
+  vtkNew<vtkOversketchMatch> Match;
+  vtkNew<vtkOversketchTargets> Targets;
+  vtkNew<vtkOversketchShapeDiameter> ShapeDiameter;
+  vtkNew<vtkOversketchMixtureRegion> MixtureRegion;
+  vtkNew<vtkOversketchRegionBorder> RegionBorder;
+  vtkNew<vtkOversketchLaplacianDeform> Deform;
+  vtkNew<vtkOversketchRemesh> Stretch;
+  vtkNew<vtkOversketchLaplacianDeform> DeformRemeshed;
+  vtkNew<vtkOversketchRemesh> Restore;
+  std::vector<Stage> Stages;
+
+  vtkNew<vtkCallbackCommand> Observer;
+  Stage* Running = nullptr;
+  double Done = 0.0; // share of the steps that are finished
+  std::string FirstError;
+};
+
+vtkStandardNewMacro(vtkOversketchOneStroke);
+
+vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
+  : Self(self)
+{
+  this->Silhouette->SetInputData(0, this->Mesh);
+  this->Silhouette->SetInputData(1, this->View);
+  this->Snake->SetInputConnection(0, this->Silhouette->GetOutputPort());
+  this->Snake->SetInputData(1, this->Mesh);
+  this->Snake->SetInputData(2, this->View);
+  this->Visibility->SetInputConnection(0, this->Snake->GetOutputPort());
+  this->Visibility->SetInputData(1, this->Mesh);
+  this->Visibility->SetInputData(2, this->View);
+  this->Outline->SetInputData(0, this->Mesh);
+  this->Outline->SetInputData(1, this->View);
+  this->Outline->SetInputConnection(2, this->Visibility->GetOutputPort());
+  this->StrokeStep->SetInputData(0, this->Stroke);
+  this->Match->SetInputConnection(1, this->StrokeStep->GetOutputPort());
+  this->Targets->SetInputConnection(0, this->Match->GetOutputPort());
+  this->Targets->SetInputConnection(1, this->StrokeStep->GetOutputPort());
+  this->Targets->SetInputData(2, this->Mesh);
+  this->ShapeDiameter->SetInputData(0, this->Mesh);
+  this->MixtureRegion->SetInputConnection(0, this->ShapeDiameter->GetOutputPort());
+  this->MixtureRegion->SetInputConnection(1, this->Targets->GetOutputPort());
+  this->RegionBorder->SetInputConnection(0, this->MixtureRegion->GetOutputPort());
+  this->Deform->SetInputConnection(0, this->RegionBorder->GetOutputPort());
+  this->Deform->SetInputConnection(1, this->Targets->GetOutputPort());
+  this->Stretch->SetStageToStretch();
+  this->Stretch->SetInputConnection(0, this->RegionBorder->GetOutputPort());
+  this->Stretch->SetInputConnection(1, this->Targets->GetOutputPort());
+  this->DeformRemeshed->SetInputConnection(0, this->Stretch->GetOutputPort(0));
+  this->DeformRemeshed->SetInputConnection(1, this->Stretch->GetOutputPort(1));
+  this->Restore->SetStageToRestore();
+  this->Restore->SetInputConnection(0, this->DeformRemeshed->GetOutputPort());
+
+  this->Stages = { { "Stroke", this->StrokeStep, 0.01 }, { "Silhouette", this->Silhouette, 0.02 },
+    { "Snake", this->Snake, 0.03 }, { "Visibility", this->Visibility, 0.04 }, { "Outline", this->Outline, 0.04 },
+    { "Match", this->Match, 0.01 }, { "Targets", this->Targets, 0.01 }, { "ShapeDiameter", this->ShapeDiameter, 0.30 },
+    { "MixtureRegion", this->MixtureRegion, 0.06 }, { "RegionBorder", this->RegionBorder, 0.01 },
+    { "Deform", this->Deform, 0.12 }, { "Stretch", this->Stretch, 0.12 }, { "Restore", this->Restore, 0.12 },
+    { "DeformRemeshed", this->DeformRemeshed, 0.11 } };
+
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
+    [](vtkObject* caller, unsigned long event, void* client, void* data)
+    {
+      auto* pipeline = static_cast<Pipeline*>(client);
+      vtkOversketchOneStroke* system = pipeline->Self;
+      auto* step = vtkAlgorithm::SafeDownCast(caller);
+      if (event == vtkCommand::ErrorEvent)
+      {
+        // The executive of a failed step adds an error of its own, after the step's.
+        if (pipeline->FirstError.empty())
+        {
+          pipeline->FirstError = MessageOf(data);
+        }
+      }
+      else if (event == vtkCommand::WarningEvent)
+      {
+        vtkWarningWithObjectMacro(system, << MessageOf(data));
+      }
+      else if (event == vtkCommand::ProgressEvent && step && pipeline->Running)
+      {
+        system->UpdateProgress(pipeline->Done + step->GetProgress() * pipeline->Running->share);
+        if (system->GetAbortExecute())
+        {
+          step->SetAbortExecute(1);
+        }
+      }
+    });
+  for (Stage& stage : this->Stages)
+  {
+    for (const unsigned long event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
+    {
+      stage.step->AddObserver(event, this->Observer);
+    }
+    stage.step->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+  }
+  this->SetAmendments(true);
+}
+
+void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
+{
+  this->Match->RemoveAllInputConnections(0);
+  this->Match->AddInputConnection(0, this->Visibility->GetOutputPort());
+  if (on)
+  {
+    this->Match->AddInputConnection(0, this->Outline->GetOutputPort());
+  }
+  this->Match->SetAmendedScore(on);
+  this->Targets->SetSingleLayer(on);
+  this->MixtureRegion->SetSeedMargin(on ? 0.1 : 0.0);
+  this->MixtureRegion->SetFillIslands(on);
+  this->MixtureRegion->SetLimitRunaway(on);
+  this->RegionBorder->SetConfine(on);
+  for (vtkOversketchRemesh* step : { this->Stretch.Get(), this->Restore.Get() })
+  {
+    step->SetLimitByDiameter(on);
+    step->SetProtectSection(on);
+  }
+}
+
+void vtkOversketchOneStroke::Pipeline::FeedMesh(vtkPolyData* mesh)
+{
+  // Welding asks for the attributes too: they tell seams from points that were split for nothing.
+  std::vector<vtkDataArray*> arrays;
+  if (this->Welding && this->Welding->Welded()->GetPoints() != mesh->GetPoints())
+  {
+    for (int a = 0; a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      arrays.push_back(mesh->GetPointData()->GetArray(a));
+    }
+  }
+  const MeshKey key(mesh, arrays);
+  if (this->Welding && key == this->MeshKeySeen)
+  {
+    return;
+  }
+  this->Welding = std::make_unique<oversketch::Weld>(mesh);
+  if (arrays.empty() && this->Welding->Welded()->GetPoints() != mesh->GetPoints())
+  {
+    for (int a = 0; a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      arrays.push_back(mesh->GetPointData()->GetArray(a));
+    }
+  }
+  this->MeshKeySeen = MeshKey(mesh, arrays);
+  this->Mesh->ShallowCopy(this->Welding->Welded());
+}
+
+void vtkOversketchOneStroke::Pipeline::FeedStroke(vtkPolyData* stroke)
+{
+  if (stroke == this->StrokeSeen.first && stroke->GetMTime() == this->StrokeSeen.second)
+  {
+    return;
+  }
+  const oversketch::View view = ViewOf(stroke);
+  this->Stroke->ShallowCopy(stroke);
+  this->StrokeSeen = { stroke, stroke->GetMTime() };
+  std::vector<double> seen(view.viewTransform().data(), view.viewTransform().data() + 16);
+  seen.insert(seen.end(), view.projectionTransform().data(), view.projectionTransform().data() + 16);
+  seen.push_back(view.width());
+  seen.push_back(view.height());
+  if (seen == this->ViewSeen)
+  {
+    return;
+  }
+  this->ViewSeen = seen;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(view.width(), view.height(), 0.0);
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType ids[2] = { 0, 1 };
+  lines->InsertNextCell(2, ids);
+  this->View->Initialize();
+  this->View->SetPoints(points);
+  this->View->SetLines(lines);
+  for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
+  {
+    vtkDataArray* from = stroke->GetCellData()->GetArray(name);
+    auto array = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+    array->SetName(name);
+    array->SetNumberOfComponents(from->GetNumberOfComponents());
+    array->InsertNextTuple(0, from);
+    this->View->GetCellData()->AddArray(array);
+  }
+}
+
+Stage& vtkOversketchOneStroke::Pipeline::Find(const char* name)
+{
+  return *std::find_if(
+    this->Stages.begin(), this->Stages.end(), [name](const Stage& s) { return std::strcmp(s.name, name) == 0; });
+}
+
+void vtkOversketchOneStroke::Pipeline::Run(const char* name)
+{
+  if (this->Self->GetAbortExecute())
+  {
+    throw Error(Failure::Cancelled, "cancelled");
+  }
+  Stage& stage = this->Find(name);
+  this->FirstError.clear();
+  this->Running = &stage;
+  const auto start = std::chrono::steady_clock::now();
+  stage.step->Update();
+  stage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  this->Running = nullptr;
+  this->Done += stage.share;
+  if (this->Self->GetAbortExecute())
+  {
+    // The step may have stopped half-way; make it run again next time.
+    stage.step->Modified();
+    throw Error(Failure::Cancelled, "cancelled");
+  }
+  if (!this->FirstError.empty())
+  {
+    const auto code = static_cast<long>(stage.step->GetErrorCode()) - static_cast<long>(vtkErrorCode::UserError);
+    stage.step->Modified();
+    throw Error(code > 0 ? static_cast<Failure>(code) : Failure::InnerStep, this->FirstError);
+  }
+}
+
+bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
+{
+  vtkPolyData* before = this->Output("RegionBorder");
+  vtkDataArray* region = RequireArray(before->GetPointData(), "Region", 1, before->GetNumberOfPoints(), "mesh", "a step made it");
+  std::vector<char> chosen(static_cast<std::size_t>(before->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
+  {
+    chosen[i] = region->GetComponent(i, 0) != 0.0;
+  }
+  return wantsRemeshing(MeshOf(before), MeshOf(this->Output("Deform")), chosen);
+}
+
+bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
+{
+  const oversketch::View view = ViewOf(this->Stroke);
+  vtkPolyData* clean = this->Output("Stroke");
+  Polyline stroke;
+  for (vtkIdType i = 0; i < clean->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    clean->GetPoint(i, p);
+    stroke.emplace_back(p[0], p[1]);
+  }
+  const oversketch::Mesh plain = MeshOf(this->Output("Deform"));
+  const oversketch::Mesh remeshed = MeshOf(this->Output("Restore"));
+  if (foldedEdges(remeshed) > foldedEdges(plain))
+  {
+    return false;
+  }
+  const OutlineError a = outlineError(plain, view, stroke);
+  const OutlineError b = outlineError(remeshed, view, stroke);
+  return b.mean <= a.mean + 0.5 && b.worst <= a.worst + 0.5;
+}
+
+vtkOversketchOneStroke::vtkOversketchOneStroke()
+  : Inner(new Pipeline(this))
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchOneStroke::~vtkOversketchOneStroke() = default;
+
+void vtkOversketchOneStroke::SetStrokeData(vtkPolyData* stroke)
+{
+  this->SetInputData(1, stroke);
+}
+
+int vtkOversketchOneStroke::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  Pipeline& inner = *this->Inner;
+  inner.Done = 0.0;
+  inner.Running = nullptr;
+  this->Remeshed = false;
+  for (Stage& stage : inner.Stages)
+  {
+    stage.seconds = 0.0;
+  }
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      inner.FeedStroke(vtkPolyData::GetData(inputs[1]));
+      inner.FeedMesh(mesh);
+      for (const char* name : { "Stroke", "Silhouette", "Snake", "Visibility" })
+      {
+        inner.Run(name);
+      }
+      if (inner.Match->GetNumberOfInputConnections(0) > 1)
+      {
+        inner.Run("Outline");
+      }
+      for (const char* name : { "Match", "Targets", "ShapeDiameter", "MixtureRegion", "RegionBorder" })
+      {
+        inner.Run(name);
+      }
+      if (this->Remesh != RemeshOn)
+      {
+        inner.Run("Deform");
+      }
+      const bool automatic = this->Remesh == RemeshAuto && !this->AsPublished;
+      if (this->Remesh == RemeshOn || (automatic && inner.WantsRemeshing()))
+      {
+        for (const char* name : { "Stretch", "DeformRemeshed", "Restore" })
+        {
+          inner.Run(name);
+        }
+        this->Remeshed = this->Remesh == RemeshOn || inner.RemeshingKept();
+      }
+      if (this->Remeshed)
+      {
+        inner.Welding->Transfer(mesh, inner.Output("Stretch"), inner.Output("Restore"), output);
+      }
+      else
+      {
+        inner.Welding->Move(mesh, inner.Output("Deform"), output);
+      }
+    });
+}
+
+void vtkOversketchOneStroke::SetBackend(int backend)
+{
+  backend = std::clamp<int>(backend, Auto, Host);
+  if (backend != this->Backend)
+  {
+    this->Backend = backend;
+    this->Inner->ShapeDiameter->SetBackend(backend);
+    this->Inner->MixtureRegion->SetBackend(backend);
+    this->Inner->Visibility->SetBackend(backend);
+    this->Modified();
+  }
+}
+
+int vtkOversketchOneStroke::GetBackendUsed() const
+{
+  return this->Inner->ShapeDiameter->GetBackendUsed();
+}
+
+void vtkOversketchOneStroke::SetAdjustNormals(bool adjust)
+{
+  this->Inner->Deform->SetAdjustNormals(adjust);
+  this->Inner->DeformRemeshed->SetAdjustNormals(adjust);
+}
+
+bool vtkOversketchOneStroke::GetAdjustNormals() const
+{
+  return this->Inner->Deform->GetAdjustNormals();
+}
+
+void vtkOversketchOneStroke::SetAsPublished(bool published)
+{
+  if (published != this->AsPublished)
+  {
+    this->AsPublished = published;
+    this->Inner->SetAmendments(!published);
+    this->Modified();
+  }
+}
+
+int vtkOversketchOneStroke::GetNumberOfInnerOutputs() const
+{
+  // The last stage is DeformRemeshed, and Deform stands for both deformations.
+  return static_cast<int>(this->Inner->Stages.size()) - 1;
+}
+
+const char* vtkOversketchOneStroke::GetInnerOutputName(int index) const
+{
+  if (index < 0 || index >= this->GetNumberOfInnerOutputs())
+  {
+    return nullptr;
+  }
+  return this->Inner->Stages[static_cast<std::size_t>(index)].name;
+}
+
+vtkPolyData* vtkOversketchOneStroke::GetInnerOutput(const char* name)
+{
+  if (name && this->Remeshed && std::strcmp(name, "Deform") == 0)
+  {
+    name = "DeformRemeshed";
+  }
+  vtkAlgorithm* step = this->GetStep(name);
+  return step ? vtkPolyData::SafeDownCast(step->GetOutputDataObject(0)) : nullptr;
+}
+
+vtkAlgorithm* vtkOversketchOneStroke::GetStep(const char* name)
+{
+  for (Stage& stage : this->Inner->Stages)
+  {
+    if (name && std::strcmp(stage.name, name) == 0)
+    {
+      return stage.step;
+    }
+  }
+  return nullptr;
+}
+
+double vtkOversketchOneStroke::GetStageTime(const char* name) const
+{
+  double seconds = 0.0;
+  for (const Stage& stage : this->Inner->Stages)
+  {
+    if (name && std::strcmp(stage.name, name) == 0)
+    {
+      seconds = stage.seconds;
+    }
+  }
+  return seconds;
+}
+
+const char* vtkOversketchOneStroke::GetStageName() const
+{
+  return this->Inner->Running ? this->Inner->Running->name : "";
+}
+
+vtkMTimeType vtkOversketchOneStroke::GetMTime()
+{
+  vtkMTimeType latest = this->Superclass::GetMTime();
+  for (const Stage& stage : this->Inner->Stages)
+  {
+    latest = std::max(latest, stage.step->GetMTime());
+  }
+  return latest;
+}
+
+void vtkOversketchOneStroke::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Backend: " << this->Backend << "\n";
+  os << indent << "BackendUsed: " << this->GetBackendUsed() << "\n";
+  os << indent << "Remesh: " << this->Remesh << "\n";
+  os << indent << "AdjustNormals: " << this->GetAdjustNormals() << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "Remeshed: " << this->Remeshed << "\n";
+}

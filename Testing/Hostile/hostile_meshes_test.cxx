@@ -1,0 +1,153 @@
+// Every mesh of the shared data, the dirty ones too, under three strokes: a sound result or one clear message. Meant for
+// the sanitizers as well. Skipped, saying so, where the folder is absent.
+#include "Harness/polydata.h"
+
+#include "Silhouette/outline.h"
+#include "mesh_file.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchOneStroke.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+using namespace oversketch_test;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+fs::path folder()
+{
+  const char* data = std::getenv("OVERSKETCH_DATA");
+  return (data ? fs::path(data) : fs::path(OVERSKETCH_SOURCE_FOLDER) / ".." / "shared" / "data") / "meshes";
+}
+
+std::vector<std::string> meshes()
+{
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder(), none))
+  {
+    if (entry.path().extension() != ".json" && entry.path().extension() != ".mtl")
+    {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names.empty() ? std::vector<std::string>{ "" } : names;
+}
+
+// A view of the whole mesh in an 800 x 600 picture.
+View viewOf(const Mesh& mesh, bool perspective)
+{
+  Vector3 low = Vector3::Constant(1e300), high = -low;
+  for (const Vector3& p : mesh.points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double size = std::max((high - low).norm(), 1e-30);
+  const Vector3 middle = (low + high) / 2.0;
+  const View at = perspective ? perspectiveView(Vector3(0.8, 0.5, 1.2).normalized() * 1.6 * size, { 0, 1, 0 }, 40)
+                              : orthographicView({ 0.2, 0.1, 1 }, { 0, 1, 0 }, 500.0 / size);
+  Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
+  shift.topRightCorner<3, 1>() = -middle;
+  return View(at.viewTransform() * shift, at.projectionTransform(), at.width(), at.height());
+}
+
+// A quarter of the longest loop of the outline, its middle pushed 15 px to the left; a diagonal where there is no loop.
+std::vector<Vector2> strokeAlong(const Mesh& mesh, const View& view)
+{
+  const std::vector<OutlineLoop> loops = traceOutline(mesh, view, outlineWindow(mesh, view, {}));
+  const auto longest = std::max_element(loops.begin(), loops.end(),
+    [](const OutlineLoop& a, const OutlineLoop& b) { return a.points.size() < b.points.size(); });
+  if (longest == loops.end() || longest->points.size() < 60)
+  {
+    return { { 100, 100 }, { 300, 320 }, { 600, 500 } };
+  }
+  std::vector<Vector2> stroke;
+  const std::size_t count = longest->points.size() / 4;
+  for (std::size_t i = 0; i < count; i += 3)
+  {
+    const double s = std::sin(pi * static_cast<double>(i) / static_cast<double>(count));
+    stroke.push_back(longest->points[i] + Vector2(-15.0 * s, 5.0 * s));
+  }
+  return stroke;
+}
+
+struct Hostile : testing::TestWithParam<std::string>
+{
+};
+
+} // namespace
+
+TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
+{
+  if (GetParam().empty())
+  {
+    GTEST_SKIP() << "there is no folder " << folder() << "; set OVERSKETCH_DATA";
+  }
+  oversketch_command::catchMessages();
+  vtkSmartPointer<vtkPolyData> polyData;
+  oversketch_command::Notes notes;
+  try
+  {
+    polyData = oversketch_command::readMesh((folder() / GetParam()).string(), notes);
+  }
+  catch (const oversketch_command::Failed& failed)
+  {
+    EXPECT_NE(std::string(failed.what()).find(GetParam()), std::string::npos) << failed.what();
+    std::cout << "refused: " << failed.what() << std::endl;
+    return;
+  }
+  const Mesh mesh = MeshOf(polyData);
+  const fs::path out = fs::temp_directory_path() / ("oversketch-hostile-" + GetParam());
+  fs::remove_all(out);
+  fs::create_directories(out);
+  for (int which = 0; which < 3; ++which)
+  {
+    const View view = viewOf(mesh, which == 1);
+    const std::vector<Vector2> samples =
+      which == 2 ? std::vector<Vector2>{ { 120, 420 }, { 400, 290 }, { 690, 330 } } : strokeAlong(mesh, view);
+    vtkNew<vtkOversketchOneStroke> system;
+    Ear ear(system);
+    system->SetInputData(0, polyData);
+    system->SetStrokeData(toStroke(samples, view));
+    system->Update();
+    vtkPolyData* result = system->GetOutput();
+    if (system->GetErrorCode() != 0 || !ear.errors.empty())
+    {
+      EXPECT_EQ(ear.errors.size(), 1u) << (ear.errors.empty() ? "no message" : ear.errors[1]);
+      EXPECT_EQ(result->GetNumberOfPoints(), 0);
+      EXPECT_NE(system->GetErrorCode(), 0u);
+      const auto unexpected = static_cast<unsigned long>(Failure::Unexpected);
+      EXPECT_NE(system->GetErrorCode() - 40000, unexpected) << ear.errors[0];
+      std::cout << "stroke " << which << ": " << (ear.errors.empty() ? "" : ear.errors[0]);
+      continue;
+    }
+    ASSERT_NO_THROW(MeshOf(result));
+    EXPECT_GE(result->GetNumberOfPolys(), polyData->GetNumberOfPolys() / 2);
+    for (const char* extension : { ".ply", ".glb", ".off" })
+    {
+      const fs::path file = out / ("result" + std::to_string(which) + extension);
+      oversketch_command::writeMesh(result, file.string(), notes);
+      EXPECT_TRUE(fs::exists(file));
+    }
+  }
+  for (const auto& entry : fs::directory_iterator(out))
+  {
+    EXPECT_EQ(entry.path().stem().string().rfind("result", 0), 0u) << "left behind: " << entry.path();
+  }
+  fs::remove_all(out);
+}
+
+INSTANTIATE_TEST_SUITE_P(SharedData, Hostile, testing::ValuesIn(meshes()),
+  [](const testing::TestParamInfo<std::string>& info)
+  {
+    std::string name = info.param.empty() ? "absent" : info.param;
+    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+  });

@@ -1,0 +1,202 @@
+"""Pictures in the colours of the paper's figures: stroke red, silhouette blue, region orange, seen in the stroke's view."""
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkActor2D,
+    vtkCoordinate,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkPolyDataMapper2D,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the rendering backend)
+
+STROKE, SILHOUETTE, REGION, CLAY = (0.86, 0.13, 0.12), (0.10, 0.28, 0.80), (0.98, 0.62, 0.20), (0.80, 0.80, 0.82)
+
+
+class View:
+    """The view that a stroke carries."""
+
+    def __init__(self, stroke):
+        cells = stroke.GetCellData()
+        self.view = vtk_to_numpy(cells.GetArray("ViewTransform"))[0].reshape(4, 4)
+        self.projection = vtk_to_numpy(cells.GetArray("ProjectionTransform"))[0].reshape(4, 4)
+        self.size = [int(n) for n in vtk_to_numpy(cells.GetArray("ViewportSize"))[0]]
+
+    def aim(self, renderer):
+        camera = renderer.GetActiveCamera()
+        inverse = np.linalg.inv(self.view)
+        eye, back, up = inverse[:3, 3], inverse[:3, 2], inverse[:3, 1]
+        camera.SetPosition(*eye)
+        camera.SetFocalPoint(*(eye - back))
+        camera.SetViewUp(*up)
+        if self.projection[3, 2] == 0.0:
+            camera.ParallelProjectionOn()
+            camera.SetParallelScale(1.0 / self.projection[1, 1])
+        else:
+            camera.SetViewAngle(2.0 * np.degrees(np.arctan(1.0 / self.projection[1, 1])))
+        renderer.ResetCameraClippingRange()
+
+
+def surface(mesh, colour=CLAY):
+    """The mesh as clay, smooth-shaded."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetColor(*colour)
+    look.SetAmbient(0.12)
+    look.SetDiffuse(0.85)
+    look.SetSpecular(0.08)
+    look.SetSpecularPower(20)
+    return actor
+
+
+def coloured(mesh, array, low, high, table):
+    """The mesh in the colours of a point array."""
+    actor = surface(mesh)
+    mapper = actor.GetMapper()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray(array)
+    mapper.SetScalarRange(low, high)
+    mapper.SetLookupTable(table)
+    mapper.SetColorModeToMapScalars()
+    mapper.SetInterpolateScalarsBeforeMapping(True)
+    mapper.ScalarVisibilityOn()
+    return actor
+
+
+def thickness_colours():
+    """Thin is dark blue, thick is pale yellow: even steps of lightness."""
+    stops = np.array([[0.17, 0.16, 0.45], [0.16, 0.45, 0.60], [0.36, 0.70, 0.55], [0.80, 0.86, 0.45], [0.99, 0.95, 0.75]])
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    for i in range(256):
+        rgb = [np.interp(i / 255.0, np.linspace(0, 1, len(stops)), stops[:, k]) for k in range(3)]
+        table.SetTableValue(i, *rgb, 1.0)
+    return table
+
+
+def region_colours():
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(2)
+    table.SetTableValue(0, *CLAY, 1.0)
+    table.SetTableValue(1, *REGION, 1.0)
+    return table
+
+
+def pen(stroke, colour=STROKE, width=4.0):
+    """A stroke, in display coordinates, over everything."""
+    flat = vtkPolyData()
+    flat.SetPoints(stroke.GetPoints())
+    flat.SetLines(stroke.GetLines())
+    mapper = vtkPolyDataMapper2D()
+    mapper.SetInputData(flat)
+    place = vtkCoordinate()
+    place.SetCoordinateSystemToViewport()
+    mapper.SetTransformCoordinate(place)
+    actor = vtkActor2D()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetLineWidth(width)
+    return actor
+
+
+def projected(curves, view, colour=SILHOUETTE, width=4.0):
+    """World-space curves, drawn over everything where the view shows them."""
+    points, lines = vtkPoints(), vtkCellArray()
+    if curves.GetNumberOfPoints():
+        world = np.c_[vtk_to_numpy(curves.GetPoints().GetData()), np.ones(curves.GetNumberOfPoints())]
+        clip = world @ (view.projection @ view.view).T
+        for x, y in (clip[:, :2] / clip[:, 3:] + 1.0) * 0.5 * np.array(view.size):
+            points.InsertNextPoint(x, y, 0.0)
+        visible = curves.GetCellData().GetArray("Visible")
+        for cell in range(curves.GetNumberOfCells()):
+            if visible is None or visible.GetComponent(cell, 0):
+                lines.InsertNextCell(curves.GetCell(cell).GetPointIds())
+    flat = vtkPolyData()
+    flat.SetPoints(points)
+    flat.SetLines(lines)
+    return pen(flat, colour, width)
+
+
+def window(view, actors, actors2d=()):
+    renderer = vtkRenderer()
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    for actor in actors:
+        renderer.AddActor(actor)
+    for actor in actors2d:
+        renderer.AddActor2D(actor)
+    renderer.RemoveAllLights()
+    renderer.AutomaticLightCreationOff()
+    for position, strength in (((-0.6, 0.9, 1.0), 0.85), ((0.9, 0.2, 0.8), 0.30), ((0.0, -1.0, 0.3), 0.12)):
+        light = vtkLight()
+        light.SetLightTypeToCameraLight()
+        light.SetPosition(*position)
+        light.SetFocalPoint(0, 0, 0)
+        light.SetIntensity(strength)
+        renderer.AddLight(light)
+    result = vtkRenderWindow()
+    result.SetOffScreenRendering(1)
+    result.SetMultiSamples(0)
+    result.SetSize(*view.size)
+    result.AddRenderer(renderer)
+    view.aim(renderer)
+    result.Render()
+    return result
+
+
+def image(render_window):
+    """The window's picture as vtkImageData."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(render_window)
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    return grab.GetOutput()
+
+
+def silhouette_scene(system, stroke):
+    view = View(stroke)
+    mesh = system.GetInputDataObject(0, 0)
+    return window(view, [surface(mesh)], [projected(system.GetInnerOutput("Visibility"), view), pen(stroke)])
+
+
+def thickness_scene(system, stroke):
+    mesh = system.GetInnerOutput("ShapeDiameter")
+    values = vtk_to_numpy(mesh.GetPointData().GetArray("ShapeDiameter"))
+    low, high = np.percentile(values, [2, 98])
+    return window(View(stroke), [coloured(mesh, "ShapeDiameter", low, high, thickness_colours())])
+
+
+def region_scene(system, stroke):
+    view = View(stroke)
+    mesh = system.GetInnerOutput("RegionBorder")
+    return window(
+        view,
+        [coloured(mesh, "Region", 0, 1, region_colours())],
+        [projected(system.GetInnerOutput("Match"), view), pen(stroke)],
+    )
+
+
+def result_scene(system, stroke):
+    return window(View(stroke), [surface(system.GetOutput())], [pen(stroke, width=2.0)])
+
+
+SCENES = {
+    "silhouette": silhouette_scene,
+    "thickness": thickness_scene,
+    "region": region_scene,
+    "result": result_scene,
+}

@@ -1,0 +1,62 @@
+"""The package as a whole: every class is there, every parameter is seen by Python and printed by PrintSelf."""
+import os
+import pathlib
+import re
+
+import pytest
+
+import oversketch
+
+SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
+HEADERS = sorted(
+    p for p in (SOURCE / "Filters").glob("*/vtkOversketch*.h") if re.search(r"^class \w+_EXPORT vtk", p.read_text(), re.M)
+)
+
+
+def parameters(header):
+    """Names X for which the header has a SetX(bool, int, double, vtkIdType, const char*) or a macro that makes one."""
+    text = header.read_text()
+    names = re.findall(r"vtkSet(?:Clamp|String|FilePath|Vector\d)?Macro\(\s*(\w+)", text)
+    names += re.findall(r"void Set(\w+)\(\s*(?:bool|int|double|vtkIdType|const char\*)\s+\w+\s*\)", text)
+    return sorted(set(names))
+
+
+def test_there_are_headers():
+    assert len(HEADERS) >= 12
+
+
+@pytest.mark.parametrize("header", HEADERS, ids=lambda h: h.stem)
+def test_class_is_exported_and_parameters_are_seen_and_printed(header):
+    instance = getattr(oversketch, header.stem)()
+    printed = str(instance)
+    for name in parameters(header):
+        getter = getattr(instance, "Get" + name, None)
+        assert getter is not None, f"{header.stem} has Set{name} but Python sees no Get{name}"
+        value = getter()
+        getattr(instance, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+        assert re.search(rf"^\s*{name}: ", printed, re.M), f"{header.stem}::PrintSelf does not print {name}"
+
+
+@pytest.mark.parametrize("header", HEADERS, ids=lambda h: h.stem)
+def test_setting_a_value_again_does_not_modify(header):
+    instance = getattr(oversketch, header.stem)()
+    for name in parameters(header):
+        value = getattr(instance, "Get" + name)()
+        before = instance.GetMTime()
+        getattr(instance, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+        assert instance.GetMTime() == before, f"Set{name} with the value it has modifies {header.stem}"
+
+
+def test_the_snippet_of_the_readme_runs_as_written(tmp_path, monkeypatch, capsys):
+    readme = (SOURCE / "README.md").read_text()
+    snippet = re.search(r"```python\n(.*?)```", readme, re.S).group(1)
+    assert len(snippet.strip().splitlines()) <= 10
+    monkeypatch.chdir(SOURCE)
+    exec(compile(snippet, "README.md", "exec"), {})
+    points = int(capsys.readouterr().out.split()[0])
+    assert points > 1000
+
+
+def test_version():
+    version = re.search(r"VERSION (\d+\.\d+\.\d+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
+    assert oversketch.__version__ == version
