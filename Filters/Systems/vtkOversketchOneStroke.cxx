@@ -206,6 +206,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   this->MixtureRegion->SetSeedMargin(on ? 0.1 : 0.0);
   this->MixtureRegion->SetFillIslands(on);
   this->MixtureRegion->SetLimitRunaway(on);
+  this->MixtureRegion->SetCutAtJunction(on);
   this->RegionBorder->SetConfine(on);
   for (vtkOversketchRemesh* step : { this->Stretch.Get(), this->Restore.Get() })
   {
