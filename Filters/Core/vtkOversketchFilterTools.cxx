@@ -44,7 +44,11 @@ struct ErrorCodeAccess : vtkAlgorithm
 
 void Fail(vtkAlgorithm* self, Failure failure, const std::string& message)
 {
-  if (failure != Failure::Cancelled)
+  if (failure == Failure::Cancelled)
+  {
+    self->SetAbortExecute(0); // VTK 9.1 does that at the next run, 9.3 leaves it to us
+  }
+  else
   {
     vtkErrorWithObjectMacro(self, << message);
   }

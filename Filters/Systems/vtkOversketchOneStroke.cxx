@@ -296,6 +296,7 @@ void vtkOversketchOneStroke::Pipeline::Run(const char* name)
   Stage& stage = this->Find(name);
   this->FirstError.clear();
   this->Running = &stage;
+  stage.step->SetAbortExecute(0); // set after its work was done, it would stop the next run
   const auto start = std::chrono::steady_clock::now();
   stage.step->Update();
   stage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
