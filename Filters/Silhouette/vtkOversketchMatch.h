@@ -14,16 +14,21 @@
  *
  * Input 0, repeatable: curves from vtkOversketchVisibility and, optionally, loops from vtkOversketchOutline:
  * point arrays MeshVertices, MeshWeights, Normals and, optionally, Display and Offset; cells with Visible 0
- * are ignored, cells that carry Hole are loops. Input 1: exactly one stroke with its view (cell arrays
- * ViewTransform, ProjectionTransform, ViewportSize).
+ * are ignored, cells of an input with cell array Hole are loops.
+ *
+ * Input 1: exactly one stroke with its view (cell arrays ViewTransform, ProjectionTransform, ViewportSize).
  *
  * Output 0: one open polyline, from the place nearest to the stroke's first sample to the one nearest to its
  * last; its ends are interpolated, and hang on the mesh where the points they lie between share a triangle.
- * Point arrays: MeshVertices, MeshWeights, Normals, NormalDotView as in vtkOversketchSilhouette (MeshVertices
- * -1: hangs on nothing), Display, double[2] [px] and Offset, double[2] [px] as in vtkOversketchOutline (the
- * point's picture and zero on a plain curve). Cell array CurveId, int: of the matched curve. Field data
- * Distance, double [px]: D of the matched curve; Score, double [px]: what was minimised; Candidate, int:
- * index of the connection on port 0 that the section came from.
+ * Point arrays:
+ * - MeshVertices, MeshWeights, Normals, NormalDotView as in vtkOversketchSilhouette (MeshVertices -1: hangs
+ * on nothing),
+ * - Display, double[2] [px], and Offset, double[2] [px]: as in vtkOversketchOutline; on a plain curve the
+ *   point's picture and zero.
+ *
+ * Cell array CurveId, int: of the matched curve. Field data Distance, double [px]: D of the matched curve;
+ * Score, double [px]: what was minimised; Candidate, int: index of the connection on port 0 that the section
+ * came from. Other arrays are dropped.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray, BadStroke; BadMesh for unusable
  * curves; NoMatch when no section of at least 2 px with two points on the mesh fits, or D exceeds

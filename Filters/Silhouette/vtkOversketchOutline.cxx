@@ -1,6 +1,6 @@
 #include "vtkOversketchOutline.h"
 
-#include "Silhouette/outline.h"
+#include "Silhouette/attach.h"
 #include "vtkOversketchCurveTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
@@ -53,11 +53,11 @@ double SomeDepth(const Mesh& mesh, const View& view)
   return -1.0;
 }
 
-// World positions for the loop: attached points keep theirs, the others get a depth between their
-// neighbours'.
+// World positions for the loop: bound points have theirs, the others get a depth between their neighbours'.
 Curve PlaceLoop(const std::vector<OutlineStation>& stations,
   bool closed,
   const std::vector<Curve>& visible,
+  const MeshData& mesh,
   const View& view,
   double defaultDepth)
 {
@@ -69,10 +69,20 @@ Curve PlaceLoop(const std::vector<OutlineStation>& stations,
   std::vector<int> attached;
   for (int i = 0; i < count; ++i)
   {
-    display.push_back(stations[i].display);
-    if (stations[i].curve >= 0)
+    const OutlineStation& station = stations[i];
+    display.push_back(station.display);
+    if (station.curve >= 0)
     {
-      curve.points[i] = visible[stations[i].curve].points[stations[i].point];
+      curve.points[i] = visible[station.curve].points[station.point];
+    }
+    else if (station.bound())
+    {
+      curve.points[i].binding = station.edge;
+      curve.points[i].position = station.edge.of(mesh.Surface.points);
+      curve.points[i].normal = station.edge.of(mesh.Normals).normalized();
+    }
+    if (station.bound())
+    {
       attached.push_back(i);
     }
   }
@@ -80,7 +90,7 @@ Curve PlaceLoop(const std::vector<OutlineStation>& stations,
   std::size_t next = 0; // into attached: the first one after the point
   for (int i = 0; i < count; ++i)
   {
-    if (stations[i].curve >= 0)
+    if (stations[i].bound())
     {
       ++next;
       continue;
@@ -184,7 +194,7 @@ int vtkOversketchOutline::RequestData(vtkInformation*,
           visible.back().display.clear();
         }
       }
-      const auto outlines = attachSilhouette(cache.Loops, visible, this->AttachDistance);
+      const auto outlines = attachSilhouette(cache.Loops, visible, this->AttachDistance, this->BindEdges);
 
       const double defaultDepth = SomeDepth(mesh, view);
       std::vector<Curve> curves;
@@ -200,7 +210,8 @@ int vtkOversketchOutline::RequestData(vtkInformation*,
       holes->SetName("Hole");
       for (std::size_t l = 0; l < outlines.size(); ++l)
       {
-        curves.push_back(PlaceLoop(outlines[l], cache.Loops[l].closed, set.Curves, view, defaultDepth));
+        curves.push_back(
+          PlaceLoop(outlines[l], cache.Loops[l].closed, set.Curves, *data, view, defaultDepth));
         for (const OutlineStation& station : outlines[l])
         {
           displays->InsertNextTuple(station.display.data());
@@ -223,4 +234,5 @@ void vtkOversketchOutline::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AttachDistance: " << this->AttachDistance << '\n';
+  os << indent << "BindEdges: " << (this->BindEdges ? "on" : "off") << '\n';
 }

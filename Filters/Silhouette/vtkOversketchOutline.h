@@ -8,24 +8,30 @@
  * mesh covers are candidates for matching too; visible silhouette points within AttachDistance of a loop are
  * inserted in their order along it. A curve that leaves the loop sideways or runs back along it is not
  * attached there. The loop's points lie exactly on the boundary of the covered area, where it crosses the
- * lines between pixel centres, and are smoothed by five taps.
+ * lines between pixel centres, and are smoothed by five taps. Departure: with BindEdges, every mesh edge that
+ * the loop is the picture of is bound too. The silhouette of interpolated normals runs beside the outline, by
+ * up to an edge, and at creases and borders not along it at all; what it leaves loose would form the outline
+ * of the result.
  *
  * Input 0: triangle mesh; triangles with a corner at or behind the eye of a perspective view have no picture.
+ *
  * Input 1: stroke polydata, for the view it carries (cell arrays ViewTransform, ProjectionTransform,
  * ViewportSize); where the mesh's picture is larger than 4096 pixels, the part round the stroke is traced and
- * loops are open at its edges. Input 2: curves from vtkOversketchVisibility; cells with Visible 0 are
- * ignored.
+ * loops are open at its edges.
+ *
+ * Input 2: curves from vtkOversketchVisibility; cells with Visible 0 are ignored.
  *
  * Output 0: one polyline per loop in world space; a closed one repeats its first point id at the end. Point
  * arrays:
- * - MeshVertices, vtkIdType[3], and MeshWeights, double[3]: of the attached silhouette point; -1 and 0 where
- * the point hangs on nothing,
- * - Normals, double[3], and NormalDotView, double: of the attached silhouette point, zero elsewhere,
+ * - MeshVertices, vtkIdType[3], and MeshWeights, double[3]: what the point hangs on, a silhouette point's or
+ *   a mesh edge's binding; -1 and 0 where it hangs on nothing,
+ * - Normals, double[3], and NormalDotView, double: of the mesh there, zero where the point hangs on nothing,
  * - Display, double[2] [px]: the place on the smoothed loop,
- * - Offset, double[2] [px]: the silhouette point's own place minus Display; interpolated between attached
- * points. A point that hangs on nothing lies at Display + Offset, its depth interpolated between attached
- * points. Cell arrays: CurveId, int: the cell's index; Visible, unsigned char: 1; Hole, unsigned char: 1 for
- * a loop round uncovered pixels.
+ * - Offset, double[2] [px]: the point's own picture minus Display; interpolated between bound points. A point
+ *   that hangs on nothing lies at Display + Offset, its depth interpolated between bound points.
+ *
+ * Cell arrays: CurveId, int: the cell's index; Visible, unsigned char: 1; Hole, unsigned char: 1 for a loop
+ * round uncovered pixels.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. A mesh without
  * points gives an empty output silently.
@@ -70,6 +76,16 @@ public:
   vtkGetMacro(AttachDistance, double);
   ///@}
 
+  ///@{
+  /**
+   * Bind the mesh edges that the loop is the picture of, one point each, besides the silhouette points
+   * [default on].
+   */
+  vtkSetMacro(BindEdges, bool);
+  vtkGetMacro(BindEdges, bool);
+  vtkBooleanMacro(BindEdges, bool);
+  ///@}
+
   /**
    * How often the loops have been traced since the filter was made.
    */
@@ -86,6 +102,7 @@ private:
   void operator=(const vtkOversketchOutline&) = delete;
 
   double AttachDistance = 3.0;
+  bool BindEdges = true;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

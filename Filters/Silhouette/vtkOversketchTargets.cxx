@@ -150,7 +150,7 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
       unmerged->SetName("UnmergedTarget");
       unmerged->SetNumberOfComponents(3);
       relative->SetName("RelativePosition");
-      double sectionLength = 0.0, targetLength = 0.0;
+      std::vector<Vector3> present, wanted;
       for (std::size_t h = 0; h < handles.size(); ++h)
       {
         const SectionPoint& q = section[handles[h].point];
@@ -165,11 +165,8 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
         targets->InsertNextTuple(handles[h].target.data());
         unmerged->InsertNextTuple(handles[h].unmerged.data());
         relative->InsertNextValue(handles[h].relative);
-        if (h > 0)
-        {
-          sectionLength += (q.position - section[handles[h - 1].point].position).norm();
-          targetLength += (handles[h].target - handles[h - 1].target).norm();
-        }
+        present.push_back(q.position);
+        wanted.push_back(handles[h].target);
       }
       output->SetPoints(points);
       output->SetVerts(vertices);
@@ -179,7 +176,7 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
         output->GetPointData()->AddArray(array);
       }
       for (const auto& [name, value] :
-        { std::pair("SectionLength", sectionLength), std::pair("TargetLength", targetLength) })
+        { std::pair("SectionLength", curveLength(present)), std::pair("TargetLength", curveLength(wanted)) })
       {
         vtkNew<vtkDoubleArray> length;
         length->SetName(name);

@@ -15,8 +15,11 @@
  * along the section + 6 edges of them.
  *
  * Input 0: the section from vtkOversketchMatch: one polyline; point arrays MeshVertices, MeshWeights, Normals
- * and, optionally, Display and Offset. Input 1: exactly one stroke with its view (cell arrays ViewTransform,
- * ProjectionTransform, ViewportSize). Input 2: the triangle mesh the section hangs on.
+ * and, optionally, Display and Offset.
+ *
+ * Input 1: exactly one stroke with its view (cell arrays ViewTransform, ProjectionTransform, ViewportSize).
+ *
+ * Input 2: the triangle mesh the section hangs on.
  *
  * Output 0: the handles: one vertex cell per control point, at its present place q_j. Point arrays:
  * - HandleId, vtkIdType: 0 .. n - 1 along the section,
@@ -24,7 +27,9 @@
  * - Target, double[3] [world]: p'_j,
  * - UnmergedTarget, double[3] [world]: p*_j,
  * - RelativePosition, double: r_j in [0, 1].
- * Field data SectionLength and TargetLength, double [world]: lengths of the polylines of q_j and of p'_j.
+ *
+ * Field data SectionLength and TargetLength, double [world]: lengths of the curves of q_j and of p'_j,
+ * smoothed by five taps, since control points lie to and fro across the curve.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke; NoMatch when
  * fewer than two points of the section hang on the mesh or on one layer of it. A mesh or section without

@@ -20,6 +20,7 @@ constexpr int largestWindow = 4096;
 struct Picture
 {
   std::vector<Vector2> points;
+  std::vector<double> nearness; // per point: its weight on screen, 1 orthographic, 1 / distance perspective
   std::vector<Triangle> triangles;
 };
 
@@ -27,12 +28,15 @@ Picture project(const Mesh& mesh, const View& view)
 {
   Picture picture;
   picture.points.resize(mesh.points.size(), Vector2::Zero());
+  picture.nearness.resize(mesh.points.size(), 1.0);
   std::vector<char> seen(mesh.points.size(), 0);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     if (view.inFront(mesh.points[v]))
     {
-      picture.points[v] = view.toDisplay(mesh.points[v]).head<2>();
+      const Vector3 display = view.toDisplay(mesh.points[v]);
+      picture.points[v] = display.head<2>();
+      picture.nearness[v] = view.perspective() ? -1.0 / display[2] : 1.0;
       seen[v] = picture.points[v].allFinite();
     }
   }
@@ -46,7 +50,24 @@ Picture project(const Mesh& mesh, const View& view)
   return picture;
 }
 
-using Interval = std::array<double, 2>;
+// An end of a covered interval, on the mesh edge that makes it.
+struct End
+{
+  double at = 0.0;
+  int v0 = -1, v1 = -1;
+  double t = 0.0; // on screen, from v0 to v1
+
+  Binding binding(const Picture& picture) const
+  {
+    const double w0 = (1.0 - this->t) * picture.nearness[this->v0], w1 = this->t * picture.nearness[this->v1];
+    return Binding::edge(this->v0, this->v1, w0 / (w0 + w1));
+  }
+};
+
+struct Interval
+{
+  End low, high;
+};
 
 // The covered part of every pixel row (axis 1) or column (axis 0), measured along the line through the pixel
 // centres: disjoint intervals in ascending order.
@@ -102,32 +123,41 @@ std::vector<std::vector<Interval>> coveredIntervals(const Picture& picture,
         for (std::size_t k = offsets[line]; k < offsets[line + 1]; ++k)
         {
           const Triangle& t = picture.triangles[onLine[k]];
-          Interval span{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+          Interval span;
+          span.low.at = std::numeric_limits<double>::infinity();
+          span.high.at = -span.low.at;
           for (int corner = 0; corner < 3; ++corner)
           {
             // Lower id first: both triangles of an edge compute the same crossing, bit for bit.
-            const Vector2& a = picture.points[std::min(t[corner], t[(corner + 1) % 3])];
-            const Vector2& b = picture.points[std::max(t[corner], t[(corner + 1) % 3])];
+            const int v0 = std::min(t[corner], t[(corner + 1) % 3]),
+                      v1 = std::max(t[corner], t[(corner + 1) % 3]);
+            const Vector2 &a = picture.points[v0], &b = picture.points[v1];
             if ((a[axis] <= centre) != (b[axis] <= centre))
             {
               const double s = (centre - a[axis]) / (b[axis] - a[axis]);
-              const double x = a[along] + s * (b[along] - a[along]);
-              span = { std::min(span[0], x), std::max(span[1], x) };
+              const End crossing{ a[along] + s * (b[along] - a[along]), v0, v1, s };
+              span.low = crossing.at < span.low.at ? crossing : span.low;
+              span.high = crossing.at > span.high.at ? crossing : span.high;
             }
           }
-          if (span[0] <= span[1])
+          if (span.low.at <= span.high.at)
           {
             spans.push_back(span);
           }
         }
-        std::sort(spans.begin(), spans.end());
+        std::stable_sort(spans.begin(),
+          spans.end(),
+          [](const Interval& a, const Interval& b) { return a.low.at < b.low.at; });
         std::vector<Interval>& merged = result[line];
         for (const Interval& span : spans)
         {
           constexpr double seam = 1e-6; // px: rounding along an edge that two triangles do not share by index
-          if (!merged.empty() && span[0] <= merged.back()[1] + seam)
+          if (!merged.empty() && span.low.at <= merged.back().high.at + seam)
           {
-            merged.back()[1] = std::max(merged.back()[1], span[1]);
+            if (span.high.at > merged.back().high.at)
+            {
+              merged.back().high = span.high;
+            }
           }
           else
           {
@@ -153,8 +183,8 @@ public:
     {
       for (const Interval& interval : this->rows_[j])
       {
-        const double low = std::ceil(interval[0] - 0.5) - window.x;
-        const double high = std::floor(interval[1] - 0.5) - window.x;
+        const double low = std::ceil(interval.low.at - 0.5) - window.x;
+        const double high = std::floor(interval.high.at - 0.5) - window.x;
         const int end = static_cast<int>(std::clamp(high, -1.0, window.width - 1.0));
         for (int i = static_cast<int>(std::clamp(low, 0.0, window.width * 1.0)); i <= end; ++i)
         {
@@ -175,8 +205,8 @@ public:
   bool operator()(int i, int j) const { return this->inside(i, j) && this->covered_[this->index(i, j)]; }
 
   // Where the boundary crosses the line from the centre of covered pixel (i, j) to that of its neighbour in
-  // direction 0..3 = +x, +y, -x, -y, which is not covered.
-  Vector2 crossing(int i, int j, int direction) const
+  // direction 0..3 = +x, +y, -x, -y, which is not covered; and the mesh edge that makes it.
+  std::pair<Vector2, Binding> crossing(const Picture& picture, int i, int j, int direction) const
   {
     const bool horizontal = direction % 2 == 0;
     const std::vector<Interval>& intervals = horizontal ? this->rows_[j] : this->columns_[i];
@@ -186,13 +216,17 @@ public:
     const auto next = std::upper_bound(intervals.begin(),
       intervals.end(),
       x,
-      [](double value, const Interval& interval) { return value < interval[0]; });
+      [](double value, const Interval& interval) { return value < interval.low.at; });
     // Rows decide which pixels are covered; a column may disagree by a rounding error, then the centre
     // serves.
-    const bool found = next != intervals.begin() && (*(next - 1))[1] >= x;
-    const double end = !found ? x : direction < 2 ? (*(next - 1))[1] : (*(next - 1))[0];
-    x += towards * std::clamp((end - x) * towards, 0.0, 1.0);
-    return place;
+    if (next == intervals.begin() || (next - 1)->high.at < x)
+    {
+      return { place, Binding() };
+    }
+    const End& end = direction < 2 ? (next - 1)->high : (next - 1)->low;
+    const double reach = (end.at - x) * towards;
+    x += towards * std::clamp(reach, 0.0, 1.0);
+    return { place, reach <= 1.0 ? end.binding(picture) : Binding() };
   }
 
 private:
@@ -294,11 +328,14 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
           continue;
         }
         Polyline points;
+        std::vector<Binding> edges;
         std::vector<char> cut; // the crack is the window's edge, not the mesh's
         while (!(visited[covered.index(x, y)] >> side & 1))
         {
           visited[covered.index(x, y)] = static_cast<std::uint8_t>(visited[covered.index(x, y)] | 1 << side);
-          points.push_back(covered.crossing(x, y, side));
+          const auto [point, edge] = covered.crossing(picture, x, y, side);
+          points.push_back(point);
+          edges.push_back(edge);
           cut.push_back(!covered.inside(x + stepX[side], y + stepY[side]));
           const int heading = (side + 1) % 4;
           const int leftX = x + stepX[heading], leftY = y + stepY[heading];
@@ -323,18 +360,19 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
         if (firstCut == cut.end())
         {
           const bool hole = signedArea(points) < 0.0;
-          loops.push_back({ std::move(points), true, hole });
+          loops.push_back({ std::move(points), true, hole, std::move(edges) });
           continue;
         }
         // What lies between two cuts is an open piece of outline.
         const std::size_t count = points.size(), first = static_cast<std::size_t>(firstCut - cut.begin());
-        OutlineLoop piece{ {}, false, false };
+        OutlineLoop piece{ {}, false, false, {} };
         for (std::size_t k = 1; k <= count; ++k)
         {
           const std::size_t i = (first + k) % count;
           if (!cut[i])
           {
             piece.points.push_back(points[i]);
+            piece.edges.push_back(edges[i]);
           }
           else if (!piece.points.empty())
           {
@@ -343,6 +381,7 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
               loops.push_back(piece);
             }
             piece.points.clear();
+            piece.edges.clear();
           }
         }
       }
@@ -374,142 +413,6 @@ Polyline smoothLoop(const Polyline& points, bool closed)
     }
   }
   return smooth;
-}
-
-std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<OutlineLoop>& loops,
-  const std::vector<VisibleCurve>& curves,
-  double attachDistance)
-{
-  struct Track
-  {
-    Polyline points;
-    std::vector<double> lengths;
-    NearestPlace nearest;
-    bool closed;
-    double whole() const { return this->lengths.back(); }
-  };
-  std::vector<Track> tracks;
-  for (const OutlineLoop& loop : loops)
-  {
-    const Polyline smooth = smoothLoop(loop.points, loop.closed);
-    tracks.push_back(
-      { smooth, arcLengths(smooth, loop.closed), NearestPlace(smooth, loop.closed), loop.closed });
-  }
-  struct Attachment
-  {
-    int loop = -1;
-    NearestPlace::Answer place;
-    double along = 0.0; // px along the loop
-    Vector2 offset;
-    int curve = -1, point = -1;
-  };
-  std::vector<std::vector<Attachment>> attached(loops.size());
-  for (int c = 0; c < static_cast<int>(curves.size()); ++c)
-  {
-    const VisibleCurve& curve = curves[c];
-    const int count = static_cast<int>(curve.display.size());
-    std::vector<Attachment> found(curve.display.size());
-    for (int i = 0; i < count; ++i)
-    {
-      double limit = attachDistance;
-      for (int l = 0; l < static_cast<int>(tracks.size()); ++l)
-      {
-        const NearestPlace::Answer place = tracks[l].nearest(curve.display[i], limit);
-        if (place.segment >= 0 && (found[i].loop < 0 || place.distance < limit))
-        {
-          const std::vector<double>& lengths = tracks[l].lengths;
-          limit = place.distance;
-          found[i] = { l,
-            place,
-            lengths[place.segment] + place.t * (lengths[place.segment + 1] - lengths[place.segment]),
-            curve.display[i] - place.place,
-            c,
-            i };
-        }
-      }
-    }
-    // The step from point i to the next, along the loop they both hang on.
-    const auto next = [&](int i) { return i + 1 < count ? i + 1 : curve.closed ? 0 : -1; };
-    const auto progress = [&](int i, int j)
-    {
-      const Track& track = tracks[found[i].loop];
-      double step = found[j].along - found[i].along;
-      if (track.closed && std::abs(step) > 0.5 * track.whole())
-      {
-        step -= std::copysign(track.whole(), step);
-      }
-      return step;
-    };
-    const auto together = [&](int i, int j) { return found[i].loop >= 0 && found[i].loop == found[j].loop; };
-    double run = 0.0;
-    for (int i = 0; i < count; ++i)
-    {
-      const int j = next(i);
-      run += j >= 0 && together(i, j) ? progress(i, j) : 0.0;
-    }
-    const double sign = run < 0.0 ? -1.0 : 1.0;
-    // +1: the step runs along the loop; -1: it runs back or leaves it sideways; 0: nothing to tell.
-    const auto verdict = [&](int i, int j)
-    {
-      const double length = (curve.display[j] - curve.display[i]).norm();
-      if (together(i, j))
-      {
-        return sign * progress(i, j) >= 0.3 * length ? 1 : length < 0.25 ? 0 : -1;
-      }
-      return length > 2.0 * attachDistance ? 0 : -1; // a long step says nothing of its ends
-    };
-    for (int i = 0; i < count; ++i)
-    {
-      if (found[i].loop < 0)
-      {
-        continue;
-      }
-      const int after = next(i), before = i > 0 ? i - 1 : curve.closed ? count - 1 : -1;
-      const int ahead = after >= 0 ? verdict(i, after) : 0, behind = before >= 0 ? verdict(before, i) : 0;
-      if (ahead > 0 || behind > 0 || (ahead == 0 && behind == 0))
-      {
-        attached[found[i].loop].push_back(found[i]);
-      }
-    }
-  }
-
-  std::vector<std::vector<OutlineStation>> outlines(loops.size());
-  for (std::size_t l = 0; l < loops.size(); ++l)
-  {
-    const Track& track = tracks[l];
-    std::vector<Attachment>& list = attached[l];
-    std::stable_sort(
-      list.begin(), list.end(), [](const Attachment& a, const Attachment& b) { return a.along < b.along; });
-    // The offset of a loop point between two attached ones.
-    const auto offsetAt = [&](double along, std::size_t nextIndex)
-    {
-      if (list.empty())
-      {
-        return Vector2(Vector2::Zero());
-      }
-      const bool wraps = nextIndex == 0 || nextIndex == list.size();
-      const Attachment& a = wraps ? list.back() : list[nextIndex - 1];
-      const Attachment& b = wraps ? list.front() : list[nextIndex];
-      if (wraps && !track.closed)
-      {
-        return nextIndex == 0 ? b.offset : a.offset;
-      }
-      double gap = b.along - a.along, step = along - a.along;
-      gap += wraps ? track.whole() : 0.0;
-      step += step < 0.0 ? track.whole() : 0.0;
-      return Vector2(gap > 0.0 ? a.offset + step / gap * (b.offset - a.offset) : a.offset);
-    };
-    std::size_t k = 0;
-    for (int i = 0; i < static_cast<int>(track.points.size()); ++i)
-    {
-      outlines[l].push_back({ track.points[i], offsetAt(track.lengths[i], k), -1, -1 });
-      for (; k < list.size() && list[k].place.segment == i; ++k)
-      {
-        outlines[l].push_back({ list[k].place.place, list[k].offset, list[k].curve, list[k].point });
-      }
-    }
-  }
-  return outlines;
 }
 
 } // namespace oversketch

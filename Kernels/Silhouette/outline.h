@@ -5,6 +5,7 @@
 
 #include "Mesh/context.h"
 #include "Mesh/view.h"
+#include "Silhouette/curves.h"
 #include "Stroke/polyline.h"
 
 #include <vector>
@@ -31,6 +32,8 @@ struct OutlineLoop
   Polyline points;    // covered pixels on the left; the first is not repeated at the end
   bool closed = true; // false where the window cuts the loop
   bool hole = false;  // a closed loop round pixels the mesh does not cover
+  std::vector<Binding>
+    edges; // per point, the mesh edge whose picture it lies on and where; vertices -1: none
 };
 
 // Boundary loops of the pixels whose centre a triangle covers, outer loops and holes, in the order of their
@@ -44,29 +47,6 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
 
 // Each point replaced by the (1, 4, 6, 4, 1) / 16 mean of its neighbours along the loop; open ends stay.
 Polyline smoothLoop(const Polyline& points, bool closed);
-
-// A visible silhouette curve in the image plane.
-struct VisibleCurve
-{
-  Polyline display;
-  bool closed = false;
-};
-
-// A point of an outline: a loop point, or the place where a silhouette point is attached.
-struct OutlineStation
-{
-  Vector2 display; // on the smoothed loop
-  Vector2 offset =
-    Vector2::Zero(); // silhouette point minus display; interpolated between attached points elsewhere
-  int curve = -1, point = -1; // the attached silhouette point, -1 for a loop point
-};
-
-// Inserts the silhouette points that lie within attachDistance px of a (smoothed) loop in their order along
-// it. A curve that leaves the loop sideways, or runs back along it, is not attached where it does. Result i
-// belongs to loop i.
-std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<OutlineLoop>& loops,
-  const std::vector<VisibleCurve>& curves,
-  double attachDistance);
 
 } // namespace oversketch
 #endif

@@ -1,5 +1,5 @@
 #include "Harness/shapes.h"
-#include "Silhouette/outline.h"
+#include "Silhouette/attach.h"
 
 #include <gtest/gtest.h>
 
@@ -178,7 +178,7 @@ TEST(Outline, SilhouettePointsAreAttachedInOrderAndOthersAreNot)
   for (double r = 150.0; r <= 200.0; r += 0.7)
     ray.emplace_back(400 + r * std::cos(1.0), 300 + r * std::sin(1.0));
   curves.push_back({ ray, false }); // an inner contour that meets the outline at a right angle
-  const auto outlines = attachSilhouette(loops, curves, 3.0);
+  const auto outlines = attachSilhouette(loops, curves, 3.0, false);
   std::vector<int> attached(curves.size(), 0);
   for (std::size_t l = 0; l < outlines.size(); ++l)
   {
@@ -201,4 +201,46 @@ TEST(Outline, SilhouettePointsAreAttachedInOrderAndOthersAreNot)
     }
   }
   EXPECT_EQ(attached, std::vector<int>({ 100, 30, 0, 0 }));
+}
+
+TEST(Outline, EveryEdgeOfTheLoopIsBoundWhereItIsSeen)
+{
+  for (const bool perspective : { false, true })
+  {
+    const View view = perspective ? perspectiveView(Vector3(1, 0.6, 2.4), up, 50.0)
+                                  : orthographicView(Vector3(1, 0.6, 2.4), up, 150.0);
+    // A flat sheet: no silhouette at all, its border is the outline.
+    const Mesh mesh = gridSurface(
+      12, 7, false, false, [](double u, double v) { return Vector3(2 * u - 1, v - 0.5, 0.3 * u); });
+    const auto loops = outlineOf(mesh, view);
+    ASSERT_EQ(loops.size(), 1u);
+    const Adjacency adjacency = buildAdjacency(mesh);
+    for (std::size_t i = 0; i < loops[0].points.size(); ++i)
+    {
+      const Binding& edge = loops[0].edges[i];
+      ASSERT_GE(edge.vertices[0], 0);
+      EXPECT_EQ(adjacency.edges[adjacency.findEdge(edge.vertices[0], edge.vertices[1])].triangleCount, 1);
+      // The bound place on the mesh is seen where the loop point is, also in perspective.
+      EXPECT_NEAR((view.toDisplay(edge.of(mesh.points)).head<2>() - loops[0].points[i]).norm(), 0.0, 1e-9);
+    }
+    const auto stations = attachSilhouette(loops, {}, 3.0, true);
+    std::size_t bound = 0;
+    for (const OutlineStation& station : stations[0])
+    {
+      bound += station.bound();
+      if (station.bound())
+      {
+        EXPECT_NEAR(
+          (view.toDisplay(station.edge.of(mesh.points)).head<2>() - station.display - station.offset).norm(),
+          0.0,
+          1e-9);
+      }
+    }
+    EXPECT_NEAR(
+      static_cast<double>(bound), 38.0, 1.0); // 2 * (12 + 7) border edges; the loop's start may halve one
+    EXPECT_EQ(stations[0].size(), loops[0].points.size());
+    const auto loose = attachSilhouette(loops, {}, 3.0, false);
+    for (const OutlineStation& station : loose[0])
+      EXPECT_FALSE(station.bound());
+  }
 }

@@ -96,6 +96,23 @@ std::vector<Handle> mapTargets(const std::vector<SectionPoint>& section,
   return handles;
 }
 
+double curveLength(const std::vector<Vector3>& points)
+{
+  double length = 0.0;
+  Vector3 last = Vector3::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    Vector3 p = points[i];
+    if (i >= 2 && i + 2 < points.size())
+    {
+      p = (points[i - 2] + 4.0 * points[i - 1] + 6.0 * p + 4.0 * points[i + 1] + points[i + 2]) / 16.0;
+    }
+    length += i > 0 ? (p - last).norm() : 0.0;
+    last = p;
+  }
+  return length;
+}
+
 std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles,
   const std::vector<SectionPoint>& section,
   const Mesh& mesh,
