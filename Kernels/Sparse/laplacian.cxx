@@ -126,51 +126,6 @@ Sparse sharedRows(const Adjacency& adjacency,
   return Sparse(rows.transpose() * rows);
 }
 
-// A third of the area of a vertex's triangles.
-double vertexArea(const Mesh& mesh, const Adjacency& adjacency, int v)
-{
-  double area = 0.0;
-  for (const int* t = adjacency.vertexTriangles.begin(v); t != adjacency.vertexTriangles.end(v); ++t)
-  {
-    const Triangle& c = mesh.triangles[*t];
-    area += (mesh.points[c[1]] - mesh.points[c[0]]).cross(mesh.points[c[2]] - mesh.points[c[0]]).norm() / 6.0;
-  }
-  return area;
-}
-
-// Factor of each row: 1, or mean area / vertex area, at most 1000.
-std::vector<double> rowScales(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<char>& rows,
-  bool areaWeights)
-{
-  std::vector<double> scales(rows.size(), 1.0);
-  if (!areaWeights)
-  {
-    return scales;
-  }
-  double sum = 0.0;
-  int count = 0;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (rows[v])
-    {
-      scales[v] = vertexArea(mesh, adjacency, v);
-      sum += scales[v];
-      ++count;
-    }
-  }
-  const double mean = sum / count;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (rows[v])
-    {
-      scales[v] = mean > 0.0 ? mean / std::max(scales[v], 1e-3 * mean) : 1.0;
-    }
-  }
-  return scales;
-}
-
 } // namespace
 
 std::vector<double> cotangentWeights(const Mesh& mesh,
@@ -213,10 +168,7 @@ struct LaplacianSystem::Parts
   std::unique_ptr<Cholesky> factor;
 
   // The rows sum_j w_ij (u_i - u_j) [- (T_i - I) delta_i] over the unknowns.
-  Sparse laplacianRows(const Mesh& mesh,
-    const Adjacency& adjacency,
-    const std::vector<char>& rows,
-    const LaplacianOptions& options) const;
+  Sparse laplacianRows(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& rows) const;
   // Adds the block of vertex v's displacement to the three rows of vertex `row`.
   void addBlock(Triplets& triplets, int row, int v, const Matrix3& block) const;
   Sparse handleRows() const;
@@ -240,11 +192,9 @@ void LaplacianSystem::Parts::addBlock(Triplets& triplets, int row, int v, const 
 
 Sparse LaplacianSystem::Parts::laplacianRows(const Mesh& mesh,
   const Adjacency& adjacency,
-  const std::vector<char>& rows,
-  const LaplacianOptions& options) const
+  const std::vector<char>& rows) const
 {
   const std::vector<double> weights = cotangentWeights(mesh, adjacency, rows);
-  const std::vector<double> scales = rowScales(mesh, adjacency, rows, options.areaWeights);
   Triplets triplets;
   std::vector<Vector3> delta(this->dimensions == 3 ? mesh.points.size() : 0, Vector3::Zero());
   for (std::size_t e = 0; e < weights.size(); ++e)
@@ -256,7 +206,7 @@ Sparse LaplacianSystem::Parts::laplacianRows(const Mesh& mesh,
       {
         continue;
       }
-      const double w = scales[i] * weights[e];
+      const double w = weights[e];
       if (this->dimensions == 3)
       {
         delta[i] += w * (mesh.points[i] - mesh.points[j]);
@@ -397,7 +347,7 @@ LaplacianSystem::LaplacianSystem(const Mesh& mesh,
                               adjacency.vertexVertices.end(v),
                               [&](int n) { return movable[n] != 0; });
   }
-  const Sparse laplacian = parts.laplacianRows(mesh, adjacency, rows, options);
+  const Sparse laplacian = parts.laplacianRows(mesh, adjacency, rows);
   const Sparse handle = parts.handleRows();
   const Sparse normal = Sparse(laplacian.transpose() * laplacian) + Sparse(handle.transpose() * handle);
   Context factoring = context;

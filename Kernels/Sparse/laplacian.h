@@ -18,7 +18,6 @@ struct LaplacianOptions
   double handleWeight = 10.0; // weight wc of a handle's row against a vertex's row, both in units of length
   bool borderRows = true;     // rows of border vertices too: a C1 join
   bool adjustNormals = false; // fit a similarity to each one-ring: one system of 3n unknowns
-  bool areaWeights = false;   // divide each vertex's row by the vertex's area, relative to the mean
 };
 
 // Cotangent weight (cot A + cot B) / 2 of each edge of the adjacency that has a triangle with a vertex marked
