@@ -48,6 +48,7 @@ def run(stroke_file, mesh_file, modes, backend, pictures):
     mesh = meshes.read(mesh_file)
     stroke, samples, view, note = strokes.read(stroke_file)
     before = meshes.arrays(mesh)
+    known = judge.facts_of(before)
     results = {}
     for mode in modes:
         messages = []
@@ -68,7 +69,7 @@ def run(stroke_file, mesh_file, modes, backend, pictures):
             after = before
         else:
             after = meshes.arrays(output)
-            result = judge.judge(before, after, samples, view, region, note)
+            result = judge.judge(known, after, samples, view, region, note)
             result["remeshed"] = bool(one_stroke.GetRemeshed())
         result["seconds"], result["messages"] = seconds, messages
         results[mode] = result
@@ -105,13 +106,13 @@ def show(view, before, after, samples, match, region):
     points, triangles, welded = meshes.weld(*before)
     colours = np.tile(picture.GREY, (len(points), 1))
     colours[welded[region]] = picture.ORANGE
-    left = picture.shaded(view, points, triangles, colours)
+    left = picture.shaded(view, points, triangles, colours, scale=1)
     if match is not None and match.GetNumberOfPoints() > 1:
         xy, _ = view.display(vtk_to_numpy(match.GetPoints().GetData()).astype(float))
         picture.draw(left, xy, picture.BLUE, 2.5)
     picture.draw(left, samples, picture.RED, 2.5)
     points, triangles, _ = meshes.weld(*after)
-    right = picture.shaded(view, points, triangles)
+    right = picture.shaded(view, points, triangles, scale=1)
     picture.draw(right, samples, picture.RED, 1.2)
     return np.concatenate([left, right], axis=1)
 

@@ -37,9 +37,10 @@ def outline_distances(view, points, triangles, stroke):
                 arc = part(loop, a, b)
             else:
                 arc = np.vstack([part(loop, a, around), part(loop, 0, b)])
-            gap, _, _ = picture.distance_to(picture.resample(arc, 1.0), [stroke])
-            arcs.append((gap.mean(), gap.max()))
-        back = min(arcs)[1]  # a loop has two ways between two points: the one along the stroke
+            gap, _, _ = picture.distance_to(picture.resample(arc, 8.0), [stroke])
+            arcs.append((gap.mean(), len(arcs), arc))
+        arc = min(arcs)[2]  # a loop has two ways between two points: the one along the stroke
+        back = picture.distance_to(picture.resample(arc, 1.0), [stroke])[0].max()
     return float(distance.mean()), float(distance.max()), float(back)
 
 
@@ -74,27 +75,28 @@ def degenerate_triangles(points, triangles):
 def topology(triangles):
     """(border edges, edges with more than two triangles, vertices with more than one fan of triangles)."""
     pairs, count, edge = meshes.edges_of(triangles)
-    # Fans: join a triangle's corner with the neighbour's corner at the same vertex across each shared edge.
-    corner = np.arange(3 * len(triangles))
-    parent = corner.copy()
-
-    def root(i):
-        while parent[i] != i:
-            parent[i] = parent[parent[i]]
-            i = parent[i]
-        return i
-
+    # Fans: a triangle's corner is joined with the neighbour's corner at the same vertex across each shared edge.
     order = np.argsort(edge.ravel(), kind="stable")
     start = np.cumsum(count) - count
-    for e in np.flatnonzero(count >= 2):
-        users = order[start[e]:start[e] + count[e]]
-        for v in pairs[e]:
-            at = [3 * (u // 3) + int(np.flatnonzero(triangles[u // 3] == v)[0]) for u in users]
-            for other in at[1:]:
-                parent[root(other)] = root(at[0])
-    roots = {(int(v), root(i)) for i, v in enumerate(triangles.ravel())}
-    fans = np.bincount([v for v, _ in roots])
-    return int((count == 1).sum()), int((count > 2).sum()), int((fans > 1).sum())
+    first, second = [], []
+    for k in range(1, count.max()):
+        shared = np.flatnonzero(count > k)
+        a, b = order[start[shared]], order[start[shared] + k]  # corner k of a triangle starts its edge k
+        for v in pairs[shared].T:
+            for side, at in ((a, first), (b, second)):
+                ends = side // 3 * 3 + (side + 1) % 3
+                at.append(np.where(triangles.ravel()[side] == v, side, ends))
+    first, second = (np.concatenate(x) if x else np.empty(0, int) for x in (first, second))
+    fan = np.arange(3 * len(triangles))
+    while True:
+        least = fan.copy()
+        np.minimum.at(least, first, fan[second])
+        np.minimum.at(least, second, fan[first])
+        if (least == fan).all():
+            break
+        fan = least
+    heads = triangles.ravel()[np.unique(fan)]
+    return int((count == 1).sum()), int((count > 2).sum()), int((np.bincount(heads) > 1).sum())
 
 
 def areas(points, triangles):
@@ -124,27 +126,36 @@ def capsule_limb(points, triangles, at):
 
 # ------------------------------------------------------------------------------------------------- all of it
 
+def facts_of(mesh):
+    """What the judge needs to know of a mesh (points, triangles) as read."""
+    points, triangles, welded = meshes.weld(*mesh)
+    return {"points": points, "triangles": triangles, "welded": welded, "folds": folded_edges(points, triangles),
+            "topology": topology(triangles), "degenerate": degenerate_triangles(points, triangles)}
+
+
 def judge(before, after, stroke, view, region=None, note=None):
-    """Measures of one result. before, after: (points, triangles) as read; region: byte per point of before, or None;
+    """Measures of one result. before: facts_of the mesh; after: (points, triangles) as read; region: byte per point of before, or None;
     note: what the stroke's maker knows (other_tips, tip, model). Returns a dict with every measure and `holds`."""
     result = {}
-    p0, t0, to_welded = meshes.weld(*before)
-    p1, t1, _ = meshes.weld(*after)
+    p0, t0, to_welded = before["points"], before["triangles"], before["welded"]
     result["finite"] = bool(np.isfinite(after[0]).all())
     if not result["finite"]:
         result["fails"], result["holds"] = ["not finite"], False
         return result
+    changed = facts_of(after)
+    p1, t1 = changed["points"], changed["triangles"]
     result["mean"], result["worst"], result["back"] = outline_distances(view, p1, t1, stroke)
-    start = outline_distances(view, p0, t0, stroke)
-    result["mean before"], result["worst before"] = start[0], start[1]
-    result["folds"] = folded_edges(p1, t1) - folded_edges(p0, t0)
+    if "start" not in before:
+        before["start"] = outline_distances(view, p0, t0, stroke)
+    result["mean before"], result["worst before"] = before["start"][:2]
+    result["folds"] = changed["folds"] - before["folds"]
     stays = surviving(p0, p1)
     area = areas(p0, t0)
     result["untouched"] = float(area[stays[t0].all(1)].sum() / area.sum())
-    top0, top1 = topology(t0), topology(t1)
+    top0, top1 = before["topology"], changed["topology"]
     result["closed"] = not (top0[0] == 0 and top1[0] > 0)
     result["manifold"] = not (top0[1] == 0 and top0[2] == 0 and (top1[1] > 0 or top1[2] > 0))
-    result["degenerate"] = degenerate_triangles(p1, t1) - degenerate_triangles(p0, t0)
+    result["degenerate"] = changed["degenerate"] - before["degenerate"]
     if region is not None:
         chosen = np.zeros(len(p0), bool)
         chosen[to_welded[np.asarray(region) != 0]] = True

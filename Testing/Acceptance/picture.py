@@ -174,13 +174,19 @@ def resample(line, spacing):
     return np.c_[np.interp(at, s, line[:, 0]), np.interp(at, s, line[:, 1])]
 
 
-def distance_to(points, lines):
-    """For each point the distance to the nearest of the polylines, that polyline's number and the arc length on it."""
+def distance_to(points, lines, within=60.0):
+    """For each point the distance to the nearest of the polylines, that polyline's number and the arc length on it.
+    Parts farther off than `within` are looked at only when a point has nothing nearer."""
     best = np.full(len(points), np.inf)
     which, where = np.zeros(len(points), int), np.zeros(len(points))
     for number, line in enumerate(lines):
-        a, along = line[:-1], np.diff(line, axis=0)
-        s, square = lengths(line), np.maximum((along ** 2).sum(1), 1e-300)
+        a, along, s = line[:-1], np.diff(line, axis=0), lengths(line)[:-1]
+        low, high = points.min(0) - within, points.max(0) + within
+        near = ((np.maximum(a, line[1:]) >= low) & (np.minimum(a, line[1:]) <= high)).all(1)
+        if not near.any():
+            continue
+        a, along, s = a[near], along[near], s[near]
+        square = np.maximum((along ** 2).sum(1), 1e-300)
         for start in range(0, len(points), 256):
             p = points[start:start + 256]
             t = np.clip(((p[:, None] - a) * along).sum(2) / square, 0, 1)
@@ -192,6 +198,8 @@ def distance_to(points, lines):
             at = np.flatnonzero(better) + start
             best[at], which[at] = distance[better], number
             where[at] = (s[nearest] + t[rows, nearest] * np.sqrt(square[nearest]))[better]
+    if best.max() > within and np.isfinite(within):
+        return distance_to(points, lines, np.inf)
     return best, which, where
 
 

@@ -125,25 +125,25 @@ def test_judge_holds_for_a_true_result_and_names_what_fails():
     right = loop[loop[:, 0] > view.display(np.array([[0.62, 0, 0]]))[0][0, 0]]
     order = np.argsort(np.arctan2(right[:, 1] - 300, right[:, 0] - 400))
     stroke = right[order]
-    good = judge.judge((points, triangles), (moved, triangles), stroke, view, region)
+    good = judge.judge(judge.facts_of((points, triangles)), (moved, triangles), stroke, view, region)
     assert good["holds"] and good["mean"] < 0.05 and good["outside changed"] == 0
     assert good["mean before"] > 10
 
-    nothing = judge.judge((points, triangles), (points, triangles), stroke, view, region)
+    nothing = judge.judge(judge.facts_of((points, triangles)), (points, triangles), stroke, view, region)
     assert {"mean", "worst"} <= set(nothing["fails"]) and nothing["untouched"] == pytest.approx(1)
 
     stray = moved.copy()
     stray[np.flatnonzero(~region)[0]] += 1e-12
-    assert judge.judge((points, triangles), (stray, triangles), stroke, view, region)["fails"] == ["outside changed"]
+    assert judge.judge(judge.facts_of((points, triangles)), (stray, triangles), stroke, view, region)["fails"] == ["outside changed"]
 
-    torn = judge.judge((points, triangles), (moved, triangles[:-1]), stroke, view, region)
+    torn = judge.judge(judge.facts_of((points, triangles)), (moved, triangles[:-1]), stroke, view, region)
     assert "closed" in torn["fails"]
 
-    everything = judge.judge((points, triangles), (moved * 1.0000001, triangles), stroke, view, np.ones(len(points)))
+    everything = judge.judge(judge.facts_of((points, triangles)), (moved * 1.0000001, triangles), stroke, view, np.ones(len(points)))
     assert everything["fails"] == ["untouched"]
 
     tips = {"other_tips": [[1.0, 0, 0], [-1.0, 0, 0]]}
-    assert judge.judge((points, triangles), (moved, triangles), stroke, view, region, tips)["other limbs moved"] == 1
+    assert judge.judge(judge.facts_of((points, triangles)), (moved, triangles), stroke, view, region, tips)["other limbs moved"] == 1
 
 
 def test_capsule_limb_is_the_leg():
