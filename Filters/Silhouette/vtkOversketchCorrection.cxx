@@ -1,0 +1,138 @@
+#include "vtkOversketchCorrection.h"
+
+#include "Silhouette/correction.h"
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+using namespace oversketch;
+
+namespace
+{
+
+// A copy of one of the handles' arrays, to be lengthened.
+template <class Array>
+vtkSmartPointer<Array> Longer(vtkPolyData* handles, const char* name, int components)
+{
+  vtkDataArray* from = RequireArray(handles->GetPointData(),
+    name,
+    components,
+    handles->GetNumberOfPoints(),
+    "handles",
+    "vtkOversketchTargets makes it");
+  auto copy = vtkSmartPointer<Array>::New();
+  copy->DeepCopy(from);
+  copy->SetName(name);
+  return copy;
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkOversketchCorrection);
+
+vtkOversketchCorrection::vtkOversketchCorrection()
+{
+  this->SetNumberOfInputPorts(4);
+}
+
+int vtkOversketchCorrection::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* handles = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* deformed = vtkPolyData::GetData(inputs[2]);
+      vtkPolyData* before = vtkPolyData::GetData(inputs[3]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (handles->GetNumberOfPoints() == 0 || deformed->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      if (before->GetNumberOfPoints() != deformed->GetNumberOfPoints())
+      {
+        throw Error(Failure::BadMesh,
+          "The meshes before and after deforming (ports 3 and 2) differ in their number of points; give the "
+          "mesh that "
+          "vtkOversketchLaplacianDeform read.");
+      }
+      const View view = ViewOf(stroke);
+      const Polyline samples = StrokeOf(stroke);
+      const Mesh mesh = MeshOf(deformed);
+      vtkDataArray* region = RequireArray(deformed->GetPointData(),
+        "Region",
+        1,
+        deformed->GetNumberOfPoints(),
+        "mesh",
+        "vtkOversketchLaplacianDeform passes it on");
+      std::vector<char> chosen(static_cast<std::size_t>(mesh.vertexCount()));
+      for (vtkIdType i = 0; i < deformed->GetNumberOfPoints(); ++i)
+      {
+        chosen[i] = region->GetComponent(i, 0) != 0.0;
+      }
+      auto ids = Longer<vtkIdTypeArray>(handles, "HandleId", 1);
+      auto vertices = Longer<vtkIdTypeArray>(handles, "MeshVertices", 3);
+      auto weights = Longer<vtkDoubleArray>(handles, "MeshWeights", 3);
+      auto targets = Longer<vtkDoubleArray>(handles, "Target", 3);
+      auto unmerged = Longer<vtkDoubleArray>(handles, "UnmergedTarget", 3);
+      auto relative = Longer<vtkDoubleArray>(handles, "RelativePosition", 1);
+
+      const std::vector<Correction> corrections = correctOutline(
+        mesh, chosen, samples, view, this->Omega, this->Tolerance, this->Reach, ContextOf(this));
+      if (corrections.empty())
+      {
+        output->ShallowCopy(handles);
+        return;
+      }
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      points->DeepCopy(handles->GetPoints());
+      for (const Correction& c : corrections)
+      {
+        ids->InsertNextValue(points->InsertNextPoint(before->GetPoint(c.vertex)));
+        const double whole[3] = { 1.0, 0.0, 0.0 };
+        for (int k = 0; k < 3; ++k)
+        {
+          vertices->InsertNextValue(c.vertex);
+        }
+        weights->InsertNextTuple(whole);
+        targets->InsertNextTuple(c.target.data());
+        unmerged->InsertNextTuple(c.target.data());
+        relative->InsertNextValue(c.relative);
+      }
+      vtkNew<vtkCellArray> cells;
+      for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+      {
+        cells->InsertNextCell(1, &i);
+      }
+      output->SetPoints(points);
+      output->SetVerts(cells);
+      for (vtkDataArray* array :
+        std::initializer_list<vtkDataArray*>{ ids, vertices, weights, targets, unmerged, relative })
+      {
+        output->GetPointData()->AddArray(array);
+      }
+      output->GetFieldData()->PassData(handles->GetFieldData());
+    });
+}
+
+void vtkOversketchCorrection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Omega: " << this->Omega << '\n';
+  os << indent << "Tolerance: " << this->Tolerance << '\n';
+  os << indent << "Reach: " << this->Reach << '\n';
+}
