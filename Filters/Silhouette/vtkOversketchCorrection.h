@@ -51,7 +51,7 @@ public:
 
   ///@{
   /**
-   * How far the outline may be off the stroke and stay [px, 0 or more, default 0.5].
+   * How far the outline may be off the stroke and stay [px, 0 or more, default 1]; fewer new control points fold fewer triangles.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
@@ -76,7 +76,7 @@ private:
   void operator=(const vtkOversketchCorrection&) = delete;
 
   double Omega = 0.2;
-  double Tolerance = 0.5;
+  double Tolerance = 1.0;
   double Reach = 12.0;
 };
 

@@ -1,5 +1,6 @@
 #include "vtkOversketchOneStroke.h"
 
+#include "vtkOversketchCorrection.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchJudgement.h"
 #include "vtkOversketchLaplacianDeform.h"
@@ -79,6 +80,10 @@ struct vtkOversketchOneStroke::Pipeline
   void SetAmendments(bool on);
   bool WantsRemeshing();
   bool RemeshingKept();
+  // Adds handles where the outline of a deformation has left the stroke, and deforms again. Returns the name of the
+  // better deformation.
+  const char* Corrected(const char* deform, const char* correction, const char* again);
+  Polyline CleanStroke();
 
   vtkOversketchOneStroke* Self;
 
@@ -103,8 +108,11 @@ struct vtkOversketchOneStroke::Pipeline
   vtkNew<vtkOversketchLaplacianDeform> Deform;
   vtkNew<vtkOversketchRemesh> Stretch;
   vtkNew<vtkOversketchLaplacianDeform> DeformRemeshed;
+  vtkNew<vtkOversketchCorrection> Correction, CorrectionRemeshed;
+  vtkNew<vtkOversketchLaplacianDeform> DeformCorrected, DeformRemeshedCorrected;
   vtkNew<vtkOversketchRemesh> Restore;
   std::vector<Stage> Stages;
+  const char* Deformation = "Deform"; // the stage whose output the last result was made of
 
   vtkNew<vtkCallbackCommand> Observer;
   Stage* Running = nullptr;
@@ -146,13 +154,29 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
   this->DeformRemeshed->SetInputConnection(1, this->Stretch->GetOutputPort(1));
   this->Restore->SetStageToRestore();
   this->Restore->SetInputConnection(0, this->DeformRemeshed->GetOutputPort());
+  this->Correction->SetInputConnection(0, this->Targets->GetOutputPort());
+  this->Correction->SetInputConnection(2, this->Deform->GetOutputPort());
+  this->Correction->SetInputConnection(3, this->RegionBorder->GetOutputPort());
+  this->DeformCorrected->SetInputConnection(0, this->RegionBorder->GetOutputPort());
+  this->DeformCorrected->SetInputConnection(1, this->Correction->GetOutputPort());
+  this->CorrectionRemeshed->SetInputConnection(0, this->Stretch->GetOutputPort(1));
+  this->CorrectionRemeshed->SetInputConnection(2, this->DeformRemeshed->GetOutputPort());
+  this->CorrectionRemeshed->SetInputConnection(3, this->Stretch->GetOutputPort(0));
+  this->DeformRemeshedCorrected->SetInputConnection(0, this->Stretch->GetOutputPort(0));
+  this->DeformRemeshedCorrected->SetInputConnection(1, this->CorrectionRemeshed->GetOutputPort());
+  for (vtkOversketchCorrection* step : { this->Correction.Get(), this->CorrectionRemeshed.Get() })
+  {
+    step->SetInputConnection(1, this->StrokeStep->GetOutputPort());
+  }
 
   this->Stages = { { "Stroke", this->StrokeStep, 0.01 }, { "Silhouette", this->Silhouette, 0.02 },
     { "Snake", this->Snake, 0.03 }, { "Visibility", this->Visibility, 0.04 }, { "Outline", this->Outline, 0.04 },
     { "Match", this->Match, 0.01 }, { "Targets", this->Targets, 0.01 }, { "ShapeDiameter", this->ShapeDiameter, 0.30 },
     { "MixtureRegion", this->MixtureRegion, 0.06 }, { "RegionBorder", this->RegionBorder, 0.01 },
-    { "Deform", this->Deform, 0.12 }, { "Stretch", this->Stretch, 0.12 }, { "Restore", this->Restore, 0.12 },
-    { "DeformRemeshed", this->DeformRemeshed, 0.11 } };
+    { "Deform", this->Deform, 0.08 }, { "Correction", this->Correction, 0.02 }, { "Stretch", this->Stretch, 0.12 },
+    { "Restore", this->Restore, 0.12 }, { "DeformCorrected", this->DeformCorrected, 0.06 },
+    { "DeformRemeshed", this->DeformRemeshed, 0.06 }, { "CorrectionRemeshed", this->CorrectionRemeshed, 0.02 },
+    { "DeformRemeshedCorrected", this->DeformRemeshedCorrected, 0.06 } };
 
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
@@ -325,21 +349,46 @@ bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
   {
     chosen[i] = region->GetComponent(i, 0) != 0.0;
   }
-  return wantsRemeshing(MeshOf(before), MeshOf(this->Output("Deform")), chosen);
+  return wantsRemeshing(MeshOf(before), MeshOf(this->Output(this->Deformation)), chosen);
+}
+
+Polyline vtkOversketchOneStroke::Pipeline::CleanStroke()
+{
+  return StrokeOf(this->Output("Stroke"));
+}
+
+const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform, const char* correction, const char* again)
+{
+  if (!this->Self->CorrectOutline)
+  {
+    return deform;
+  }
+  this->Run(correction);
+  vtkAlgorithm* step = this->Find(correction).step;
+  vtkPolyData* handles = vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0));
+  if (this->Output(correction)->GetNumberOfPoints() == handles->GetNumberOfPoints())
+  {
+    return deform;
+  }
+  this->Run(again);
+  const oversketch::View view = ViewOf(this->Stroke);
+  const Polyline stroke = this->CleanStroke();
+  const oversketch::Mesh plain = MeshOf(this->Output(deform));
+  const oversketch::Mesh corrected = MeshOf(this->Output(again));
+  const OutlineError a = outlineError(plain, view, stroke);
+  const OutlineError b = outlineError(corrected, view, stroke);
+  const int folds = foldedEdges(corrected);
+  // Ten new folded edges are what the specification lets a result have (stage 12).
+  const bool sound =
+    folds <= foldedEdges(plain) || folds <= foldedEdges(MeshOf(vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0)))) + 10;
+  return sound && b.mean <= a.mean && b.worst <= a.worst ? again : deform;
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
   const oversketch::View view = ViewOf(this->Stroke);
-  vtkPolyData* clean = this->Output("Stroke");
-  Polyline stroke;
-  for (vtkIdType i = 0; i < clean->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    clean->GetPoint(i, p);
-    stroke.emplace_back(p[0], p[1]);
-  }
-  const oversketch::Mesh plain = MeshOf(this->Output("Deform"));
+  const Polyline stroke = this->CleanStroke();
+  const oversketch::Mesh plain = MeshOf(this->Output(this->Deformation));
   const oversketch::Mesh remeshed = MeshOf(this->Output("Restore"));
   if (foldedEdges(remeshed) > foldedEdges(plain))
   {
@@ -400,15 +449,21 @@ int vtkOversketchOneStroke::RequestData(
       if (this->Remesh != RemeshOn)
       {
         inner.Run("Deform");
+        inner.Deformation = inner.Corrected("Deform", "Correction", "DeformCorrected");
       }
       const bool automatic = this->Remesh == RemeshAuto && !this->AsPublished;
       if (this->Remesh == RemeshOn || (automatic && inner.WantsRemeshing()))
       {
-        for (const char* name : { "Stretch", "DeformRemeshed", "Restore" })
-        {
-          inner.Run(name);
-        }
+        inner.Run("Stretch");
+        inner.Run("DeformRemeshed");
+        const char* remeshed = inner.Corrected("DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
+        inner.Restore->SetInputConnection(0, inner.Find(remeshed).step->GetOutputPort());
+        inner.Run("Restore");
         this->Remeshed = this->Remesh == RemeshOn || inner.RemeshingKept();
+        if (this->Remeshed)
+        {
+          inner.Deformation = remeshed;
+        }
       }
       if (this->Remeshed)
       {
@@ -416,7 +471,7 @@ int vtkOversketchOneStroke::RequestData(
       }
       else
       {
-        inner.Welding->Move(mesh, inner.Output("Deform"), output);
+        inner.Welding->Move(mesh, inner.Output(inner.Deformation), output);
       }
     });
 }
@@ -441,8 +496,11 @@ int vtkOversketchOneStroke::GetBackendUsed() const
 
 void vtkOversketchOneStroke::SetAdjustNormals(bool adjust)
 {
-  this->Inner->Deform->SetAdjustNormals(adjust);
-  this->Inner->DeformRemeshed->SetAdjustNormals(adjust);
+  for (vtkOversketchLaplacianDeform* step : { this->Inner->Deform.Get(), this->Inner->DeformCorrected.Get(),
+         this->Inner->DeformRemeshed.Get(), this->Inner->DeformRemeshedCorrected.Get() })
+  {
+    step->SetAdjustNormals(adjust);
+  }
 }
 
 bool vtkOversketchOneStroke::GetAdjustNormals() const
@@ -455,6 +513,7 @@ void vtkOversketchOneStroke::SetAsPublished(bool published)
   if (published != this->AsPublished)
   {
     this->AsPublished = published;
+    this->CorrectOutline = !published;
     this->Inner->SetAmendments(!published);
     this->Modified();
   }
@@ -462,8 +521,8 @@ void vtkOversketchOneStroke::SetAsPublished(bool published)
 
 int vtkOversketchOneStroke::GetNumberOfInnerOutputs() const
 {
-  // The last stage is DeformRemeshed, and Deform stands for both deformations.
-  return static_cast<int>(this->Inner->Stages.size()) - 1;
+  // The last four stages repeat others, and Deform stands for all four deformations.
+  return static_cast<int>(this->Inner->Stages.size()) - 4;
 }
 
 const char* vtkOversketchOneStroke::GetInnerOutputName(int index) const
@@ -477,9 +536,9 @@ const char* vtkOversketchOneStroke::GetInnerOutputName(int index) const
 
 vtkPolyData* vtkOversketchOneStroke::GetInnerOutput(const char* name)
 {
-  if (name && this->Remeshed && std::strcmp(name, "Deform") == 0)
+  if (name && std::strcmp(name, "Deform") == 0)
   {
-    name = "DeformRemeshed";
+    name = this->Inner->Deformation;
   }
   vtkAlgorithm* step = this->GetStep(name);
   return step ? vtkPolyData::SafeDownCast(step->GetOutputDataObject(0)) : nullptr;
@@ -532,6 +591,7 @@ void vtkOversketchOneStroke::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BackendUsed: " << this->GetBackendUsed() << "\n";
   os << indent << "Remesh: " << this->Remesh << "\n";
   os << indent << "AdjustNormals: " << this->GetAdjustNormals() << "\n";
+  os << indent << "CorrectOutline: " << this->CorrectOutline << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "Remeshed: " << this->Remeshed << "\n";
 }

@@ -7,7 +7,7 @@
  * (names in braces reach its output, see GetInnerOutput):
  * clean stroke {Stroke}, silhouette {Silhouette}, snake smoothing {Snake}, hidden parts {Visibility}, outline of the picture
  * {Outline}, matched section {Match}, targets {Targets}, shape diameter {ShapeDiameter}, Gaussian mixtures and region growing
- * {MixtureRegion}, region border {RegionBorder}, remeshing before {Stretch}, Laplacian deformation {Deform}, remeshing after
+ * {MixtureRegion}, region border {RegionBorder}, remeshing before {Stretch}, Laplacian deformation {Deform}, control points where its outline missed the stroke {Correction}, remeshing after
  * {Restore}.
  *
  * Departures from the paper are the amendments of each step, on by default; AsPublished turns all of them off. Remeshing
@@ -109,6 +109,16 @@ public:
 
   ///@{
   /**
+   * After deforming, add control points where other parts of the surface have become the outline and miss the stroke, deform once
+   * more, and keep the better result (vtkOversketchCorrection). Default on; AsPublished turns it off.
+   */
+  vtkSetMacro(CorrectOutline, bool);
+  vtkGetMacro(CorrectOutline, bool);
+  vtkBooleanMacro(CorrectOutline, bool);
+  ///@}
+
+  ///@{
+  /**
    * Turn every amendment of every step off (true) or on (false, default); sets the properties of the inner steps at once, so single ones can be changed
    * afterwards by GetStep. As published implies Remesh Off unless it is On.
    */
@@ -135,7 +145,8 @@ public:
 
   /**
    * An inner step itself, to set parameters that the system does not repeat or to read its counters; null for an
-   * unknown name. {Deform} is the step that deforms the mesh as it came, {DeformRemeshed} the one between the remeshers.
+   * unknown name. {Deform} is the step that deforms the mesh as it came, {DeformRemeshed} the one between the remeshers,
+   * {DeformCorrected} and {DeformRemeshedCorrected} those with the handles of {Correction} and {CorrectionRemeshed}.
    */
   vtkAlgorithm* GetStep(const char* name);
 
@@ -166,6 +177,7 @@ private:
 
   int Backend = Auto;
   int Remesh = RemeshAuto;
+  bool CorrectOutline = true;
   bool AsPublished = false;
   bool Remeshed = false;
 
