@@ -148,11 +148,10 @@ TEST(Correction, RefusesWithOneMessage)
   }
   {
     Bulged b;
-    b.chain.stroke->GetCellData()->RemoveArray("ViewTransform");
-    b.chain.targets->Update();
-    vtkNew<vtkPolyData> handles;
-    handles->DeepCopy(Bulged().chain.targets->GetOutput());
-    b.filter->SetInputData(0, handles);
+    vtkNew<vtkPolyData> blind;
+    blind->DeepCopy(b.chain.stroke);
+    blind->GetCellData()->RemoveArray("ViewTransform");
+    b.filter->SetInputData(1, blind);
     refuses(b, "ViewTransform");
   }
   {
