@@ -53,6 +53,25 @@ double SomeDepth(const Mesh& mesh, const View& view)
   return -1.0;
 }
 
+// Mean length in the picture [px], were they parallel to it, of the mesh edges round a silhouette point.
+double EdgeLength(const CurvePoint& p, const MeshData& mesh, const View& view)
+{
+  double sum = 0.0;
+  int edges = 0;
+  for (const int v : p.binding.vertices)
+  {
+    for (const int* n = mesh.Neighbours.vertexVertices.begin(v); n != mesh.Neighbours.vertexVertices.end(v);
+         ++n)
+    {
+      sum += (mesh.Surface.points[*n] - mesh.Surface.points[v]).norm();
+      ++edges;
+    }
+  }
+  const Vector3 place = view.toDisplay(p.position);
+  const double pixel = (view.toWorld(place.head<2>() + Vector2(1.0, 0.0), place[2]) - p.position).norm();
+  return edges > 0 ? sum / edges / pixel : 0.0;
+}
+
 // World positions for the loop: bound points have theirs, the others get a depth between their neighbours'.
 Curve PlaceLoop(const std::vector<OutlineStation>& stations,
   bool closed,
@@ -180,13 +199,19 @@ int vtkOversketchOutline::RequestData(vtkInformation*,
       std::vector<VisibleCurve> visible;
       for (std::size_t i = 0; i < set.Curves.size(); ++i)
       {
-        visible.push_back({ {}, set.Curves[i].closed });
+        visible.push_back({ {}, {}, set.Curves[i].closed });
         for (const CurvePoint& p : set.Curves[i].points)
         {
           // Numbered as in the set, also where nothing of the curve is seen.
           if (set.Visible[i] && view.inFront(p.position))
           {
             visible.back().display.push_back(view.toDisplay(p.position).head<2>());
+            if (this->BindEdges)
+            {
+              // Farther than the facets explain lies an inner feature, a crease between toes: its points
+              // would pull against the outline's own.
+              visible.back().reach.push_back(0.5 * EdgeLength(p, *data, view));
+            }
           }
         }
         if (visible.back().display.size() != set.Curves[i].points.size())

@@ -9,9 +9,10 @@
  * inserted in their order along it. A curve that leaves the loop sideways or runs back along it is not
  * attached there. The loop's points lie exactly on the boundary of the covered area, where it crosses the
  * lines between pixel centres, and are smoothed by five taps. Departure: with BindEdges, every mesh edge that
- * the loop is the picture of is bound too. The silhouette of interpolated normals runs beside the outline, by
- * up to an edge, and at creases and borders not along it at all; what it leaves loose would form the outline
- * of the result.
+ * the loop is the picture of is bound too, and silhouette points are attached no farther than half an edge.
+ * The silhouette of interpolated normals runs beside the outline, by up to that much, and at creases and
+ * borders not along it at all: what it leaves loose would form the outline of the result, and what lies
+ * farther is an inner feature that would pull against it.
  *
  * Input 0: triangle mesh; triangles with a corner at or behind the eye of a perspective view have no picture.
  *
@@ -78,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Bind the mesh edges that the loop is the picture of, one point each, besides the silhouette points
-   * [default on].
+   * Bind the mesh edges that the loop is the picture of, one point each, besides the silhouette points; of
+   * these only those that lie within half the mean edge length round them, in the picture [default on].
    */
   vtkSetMacro(BindEdges, bool);
   vtkGetMacro(BindEdges, bool);

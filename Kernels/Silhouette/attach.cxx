@@ -67,7 +67,7 @@ std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<Outl
     std::vector<Attachment> found(curve.display.size());
     for (int i = 0; i < count; ++i)
     {
-      double limit = attachDistance;
+      double limit = curve.reach.empty() ? attachDistance : std::min(attachDistance, curve.reach[i]);
       for (int l = 0; l < static_cast<int>(tracks.size()); ++l)
       {
         const NearestPlace::Answer place = tracks[l].nearest(curve.display[i], limit);

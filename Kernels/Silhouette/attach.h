@@ -13,6 +13,8 @@ namespace oversketch
 struct VisibleCurve
 {
   Polyline display;
+  std::vector<double>
+    reach; // px per point: it is attached no farther than this; empty for no limit of its own
   bool closed = false;
 };
 

@@ -171,13 +171,13 @@ TEST(Outline, SilhouettePointsAreAttachedInOrderAndOthersAreNot)
     return points;
   };
   std::vector<VisibleCurve> curves;
-  curves.push_back({ ring(198.5, 100, 2 * pi, 0.0), true }); // along the outer loop, the other way round
-  curves.push_back({ ring(82.0, 30, 0.5, 2.5), false });     // part of the hole
-  curves.push_back({ ring(150.0, 50, 0.0, 2 * pi), true });  // inside, 50 px away
+  curves.push_back({ ring(198.5, 100, 2 * pi, 0.0), {}, true }); // along the outer loop, the other way round
+  curves.push_back({ ring(82.0, 30, 0.5, 2.5), {}, false });     // part of the hole
+  curves.push_back({ ring(150.0, 50, 0.0, 2 * pi), {}, true });  // inside, 50 px away
   Polyline ray;
   for (double r = 150.0; r <= 200.0; r += 0.7)
     ray.emplace_back(400 + r * std::cos(1.0), 300 + r * std::sin(1.0));
-  curves.push_back({ ray, false }); // an inner contour that meets the outline at a right angle
+  curves.push_back({ ray, {}, false }); // an inner contour that meets the outline at a right angle
   const auto outlines = attachSilhouette(loops, curves, 3.0, false);
   std::vector<int> attached(curves.size(), 0);
   for (std::size_t l = 0; l < outlines.size(); ++l)
@@ -201,6 +201,21 @@ TEST(Outline, SilhouettePointsAreAttachedInOrderAndOthersAreNot)
     }
   }
   EXPECT_EQ(attached, std::vector<int>({ 100, 30, 0, 0 }));
+  // A point's own reach counts where it is shorter: those of the first curve lie 1.5 px off.
+  curves[0].reach.assign(100, 1.4);
+  curves[1].reach.assign(30, 9.0);
+  std::fill(attached.begin(), attached.end(), 0);
+  for (const auto& outline : attachSilhouette(loops, curves, 3.0, false))
+  {
+    for (const OutlineStation& station : outline)
+    {
+      if (station.curve >= 0)
+      {
+        ++attached[station.curve];
+      }
+    }
+  }
+  EXPECT_EQ(attached, std::vector<int>({ 0, 30, 0, 0 }));
 }
 
 TEST(Outline, EveryEdgeOfTheLoopIsBoundWhereItIsSeen)
