@@ -78,6 +78,14 @@ std::vector<Vector2> strokeAlong(const Mesh& mesh, const View& view)
   return stroke;
 }
 
+// The file's name as a test may be called.
+std::string nameOf(const testing::TestParamInfo<std::string>& test)
+{
+  std::string name = test.param.empty() ? "absent" : test.param;
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
 struct Hostile : testing::TestWithParam<std::string>
 {
 };
@@ -144,10 +152,4 @@ TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
   fs::remove_all(out);
 }
 
-INSTANTIATE_TEST_SUITE_P(SharedData, Hostile, testing::ValuesIn(meshes()),
-  [](const testing::TestParamInfo<std::string>& info)
-  {
-    std::string name = info.param.empty() ? "absent" : info.param;
-    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
-  });
+INSTANTIATE_TEST_SUITE_P(SharedData, Hostile, testing::ValuesIn(meshes()), nameOf);
