@@ -6,7 +6,10 @@ cd "$oversketch_root"
 oversketch_install
 oversketch_build release
 mkdir -p demo
-oversketch_display build/release/bin/oversketch one-stroke Data/Models/dog.ply Data/Strokes/dog_longer_leg.vtp \
+model=Data/Models/dog.ply stroke=Data/Strokes/dog_longer_leg.vtp
+oversketch_display /usr/bin/python3 Testing/Pictures/draw.py $model $stroke demo/before.png
+oversketch_display build/release/bin/oversketch one-stroke $model $stroke \
   -o demo/dog_longer_leg.ply --picture demo/after.png --report demo/report.json
-echo "Picture: $oversketch_root/demo/after.png"
-echo "Mesh:    $oversketch_root/demo/dog_longer_leg.ply"
+echo "Before: $oversketch_root/demo/before.png"
+echo "After:  $oversketch_root/demo/after.png"
+echo "Mesh:   $oversketch_root/demo/dog_longer_leg.ply"

@@ -131,7 +131,8 @@ def projected(curves, view, colour=SILHOUETTE, width=4.0):
     return pen(flat, colour, width)
 
 
-def window(view, actors, actors2d=()):
+def window(view, actors, actors2d=(), samples=0):
+    """A rendered window; samples 0, no antialiasing, for pictures that are compared."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     for actor in actors:
@@ -149,7 +150,7 @@ def window(view, actors, actors2d=()):
         renderer.AddLight(light)
     result = vtkRenderWindow()
     result.SetOffScreenRendering(1)
-    result.SetMultiSamples(0)
+    result.SetMultiSamples(samples)
     result.SetSize(*view.size)
     result.AddRenderer(renderer)
     view.aim(renderer)
