@@ -151,9 +151,9 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
       unmerged->SetNumberOfComponents(3);
       relative->SetName("RelativePosition");
       std::vector<Vector3> present, wanted;
-      for (std::size_t h = 0; h < handles.size(); ++h)
+      for (const Handle& handle : handles)
       {
-        const SectionPoint& q = section[handles[h].point];
+        const SectionPoint& q = section[handle.point];
         const vtkIdType id = points->InsertNextPoint(q.position.data());
         vertices->InsertNextCell(1, &id);
         handleIds->InsertNextValue(id);
@@ -162,11 +162,11 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
           meshVertices->InsertNextValue(q.binding.vertices[k]);
           meshWeights->InsertNextValue(q.binding.weights[k]);
         }
-        targets->InsertNextTuple(handles[h].target.data());
-        unmerged->InsertNextTuple(handles[h].unmerged.data());
-        relative->InsertNextValue(handles[h].relative);
+        targets->InsertNextTuple(handle.target.data());
+        unmerged->InsertNextTuple(handle.unmerged.data());
+        relative->InsertNextValue(handle.relative);
         present.push_back(q.position);
-        wanted.push_back(handles[h].target);
+        wanted.push_back(handle.target);
       }
       output->SetPoints(points);
       output->SetVerts(vertices);
