@@ -304,7 +304,8 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
             slant = abs(view.view[2, :3] @ step) / np.linalg.norm(step)
             if slant > 0.6:
                 continue
-            own = [t for t in all_tips if within[t]]
+            rim, _, _ = picture.distance_to(xy[all_tips], [limb["section"]])  # a toe may just stick out of the section
+            own = [t for t, off in zip(all_tips, rim) if within[t] or off < 5]
             near = points[at_tip].mean(0)
             spread = max([np.linalg.norm(xy[t] - limb["tip"]) for t in own], default=0.0)
             if spread > max(0.3 * limb["length"], 0.6 * limb["width"]):  # a hand's fingers, but not a head's ears
