@@ -73,7 +73,8 @@ bool wantsRemeshing(const Mesh& before, const Mesh& after, const std::vector<cha
     {
       const int a = v[k], b = v[(k + 1) % 3];
       ++edges;
-      stretched += (after.points[a] - after.points[b]).norm() > 1.5 * (before.points[a] - before.points[b]).norm();
+      stretched +=
+        (after.points[a] - after.points[b]).norm() > 1.5 * (before.points[a] - before.points[b]).norm();
     }
   }
   return stretched > 0.01 * edges || narrowShare(after, chosen) > narrowShare(before, chosen) + 0.01;
@@ -106,6 +107,17 @@ OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& st
   }
   error.mean /= std::max(counted, 1);
   return error;
+}
+
+bool Judgement::betterThan(const Judgement& first) const
+{
+  if (this->folds <= std::max(first.folds, 2 * tolerableFolds) && this->outline.mean <= first.outline.mean &&
+      this->outline.worst <= first.outline.worst)
+  {
+    return this->folds < first.folds || this->outline.worst < first.outline.worst;
+  }
+  return first.folds > tolerableFolds && this->folds < first.folds &&
+         this->outline.worst <= std::max(2.0, first.outline.worst);
 }
 
 } // namespace oversketch

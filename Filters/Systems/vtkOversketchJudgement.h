@@ -1,4 +1,5 @@
-// When remeshing is worth it, and whether its result may be kept (specification, amendment 13.9). Not installed.
+// When remeshing is worth it, and whether its result may be kept (specification, amendment 13.9). Not
+// installed.
 #ifndef vtkOversketchJudgement_h
 #define vtkOversketchJudgement_h
 
@@ -17,7 +18,8 @@ int foldedEdges(const Mesh& mesh);
 // Share of triangles among `chosen` (one byte per triangle) with an angle under 30 degrees.
 double narrowShare(const Mesh& mesh, const std::vector<char>& chosen);
 
-// True where the region was stretched or squeezed enough to ask for remeshing: same connectivity before and after.
+// True where the region was stretched or squeezed enough to ask for remeshing: same connectivity before and
+// after.
 bool wantsRemeshing(const Mesh& before, const Mesh& after, const std::vector<char>& regionVertex);
 
 // Distance from the stroke's middle 60 % to the outline of the mesh in the view [px].
@@ -27,6 +29,17 @@ struct OutlineError
   double worst = 0.0;
 };
 OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke);
+
+struct Judgement
+{
+  OutlineError outline;
+  int folds = 0; // folded edges that the mesh before did not have
+
+  static constexpr int tolerableFolds = 5; // half of what the specification lets a result have (stage 12)
+  // For a second deformation against the first: nearer to the stroke without more folds than are tolerable,
+  // or fewer of too many folds for at most 2 px of distance.
+  bool betterThan(const Judgement& first) const;
+};
 
 } // namespace oversketch
 #endif

@@ -83,7 +83,7 @@ struct vtkOversketchOneStroke::Pipeline
   // Adds handles where the outline of a deformation has left the stroke, and deforms again. Returns the name of the
   // better deformation.
   const char* Corrected(const char* deform, const char* correction, const char* again);
-  Polyline CleanStroke();
+  Judgement Judged(const char* stage, int foldsBefore);
 
   vtkOversketchOneStroke* Self;
 
@@ -352,11 +352,6 @@ bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
   return wantsRemeshing(MeshOf(before), MeshOf(this->Output(this->Deformation)), chosen);
 }
 
-Polyline vtkOversketchOneStroke::Pipeline::CleanStroke()
-{
-  return StrokeOf(this->Output("Stroke"));
-}
-
 const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform, const char* correction, const char* again)
 {
   if (!this->Self->CorrectOutline)
@@ -365,38 +360,41 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform, cons
   }
   this->Run(correction);
   vtkAlgorithm* step = this->Find(correction).step;
-  vtkPolyData* handles = vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0));
-  if (this->Output(correction)->GetNumberOfPoints() == handles->GetNumberOfPoints())
+  const auto handlesAdded = this->Output(correction)->GetNumberOfPoints() -
+    vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0))->GetNumberOfPoints();
+  const int folds = foldedEdges(MeshOf(vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0))));
+  const Judgement plain = this->Judged(deform, folds);
+  auto* other = vtkOversketchLaplacianDeform::SafeDownCast(this->Find(again).step);
+  const double weight = vtkOversketchLaplacianDeform::SafeDownCast(this->Find(deform).step)->GetHandleWeight();
+  Judgement judged = plain;
+  if (handlesAdded > 0)
   {
-    return deform;
+    other->SetHandleWeight(weight);
+    this->Run(again);
+    judged = this->Judged(again, folds);
   }
-  this->Run(again);
-  const oversketch::View view = ViewOf(this->Stroke);
-  const Polyline stroke = this->CleanStroke();
-  const oversketch::Mesh plain = MeshOf(this->Output(deform));
-  const oversketch::Mesh corrected = MeshOf(this->Output(again));
-  const OutlineError a = outlineError(plain, view, stroke);
-  const OutlineError b = outlineError(corrected, view, stroke);
-  const int folds = foldedEdges(corrected);
-  // Ten new folded edges are what the specification lets a result have (stage 12).
-  const bool sound =
-    folds <= foldedEdges(plain) || folds <= foldedEdges(MeshOf(vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0)))) + 10;
-  return sound && b.mean <= a.mean && b.worst <= a.worst ? again : deform;
+  if (judged.folds > Judgement::tolerableFolds)
+  {
+    // Handles that pull less fold less, and still reach the stroke within a fraction of a pixel.
+    other->SetHandleWeight(0.2 * weight);
+    this->Run(again);
+    judged = this->Judged(again, folds);
+  }
+  return judged.betterThan(plain) ? again : deform;
+}
+
+Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
+{
+  const oversketch::Mesh mesh = MeshOf(this->Output(stage));
+  return { outlineError(mesh, ViewOf(this->Stroke), StrokeOf(this->Output("Stroke"))), foldedEdges(mesh) - foldsBefore };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
-  const oversketch::View view = ViewOf(this->Stroke);
-  const Polyline stroke = this->CleanStroke();
-  const oversketch::Mesh plain = MeshOf(this->Output(this->Deformation));
-  const oversketch::Mesh remeshed = MeshOf(this->Output("Restore"));
-  if (foldedEdges(remeshed) > foldedEdges(plain))
-  {
-    return false;
-  }
-  const OutlineError a = outlineError(plain, view, stroke);
-  const OutlineError b = outlineError(remeshed, view, stroke);
-  return b.mean <= a.mean + 0.5 && b.worst <= a.worst + 0.5;
+  const Judgement plain = this->Judged(this->Deformation, 0);
+  const Judgement remeshed = this->Judged("Restore", 0);
+  return remeshed.folds <= plain.folds && remeshed.outline.mean <= plain.outline.mean + 0.5 &&
+    remeshed.outline.worst <= plain.outline.worst + 0.5;
 }
 
 vtkOversketchOneStroke::vtkOversketchOneStroke()

@@ -110,7 +110,8 @@ public:
   ///@{
   /**
    * After deforming, add control points where other parts of the surface have become the outline and miss the stroke, deform once
-   * more, and keep the better result (vtkOversketchCorrection). Default on; AsPublished turns it off.
+   * more, and keep the better result (vtkOversketchCorrection). Where more than five edges were folded, the second deformation pulls
+   * its handles with a fifth of the weight. Default on; AsPublished turns it off.
    */
   vtkSetMacro(CorrectOutline, bool);
   vtkGetMacro(CorrectOutline, bool);

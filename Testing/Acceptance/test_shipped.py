@@ -20,7 +20,19 @@ def test_result_holds_every_bound(stroke):
     mesh = meshes.DATA / "Models" / f"{stroke.stem.split('_')[0]}.ply"
     results = accept.run(stroke, mesh, ["off", "default"], "auto", None)
     for mode, result in results.items():
-        print(f"FACT A12_1 {stroke.stem} {mode}: mean {result['mean']:.2f} worst {result['worst']:.2f} back {result['back']:.2f} "
+        print(f"FACT A12_1 | {stroke.stem} {mode}: mean {result['mean']:.2f} worst {result['worst']:.2f} back {result['back']:.2f} "
               f"folds {result['folds']} untouched {result['untouched']:.2f}")
         assert result["mean before"] > 2, "the stroke asks for a change that can be seen"
         assert result["holds"], (mode, result)
+
+
+@pytest.mark.parametrize("name, measure", [("person_stretched_leg", "worst"), ("person_short_arm", "folds")])
+def test_correcting_the_outline_pays(name, measure):
+    # An instep that becomes the outline of the stretched leg; a thumb that folds in the shortened arm.
+    stroke = Path(__file__).resolve().parent / "Strokes" / f"{name}.vtp"
+    mesh = meshes.DATA / "Models" / "person.ply"
+    without = accept.run(stroke, mesh, ["uncorrected"], "auto", None)["uncorrected"]
+    result = accept.run(stroke, mesh, ["off"], "auto", None)["off"]
+    print(f"{name}: {measure} {without[measure]:.2f} without, {result[measure]:.2f} with")
+    assert result["holds"], result
+    assert result[measure] < 0.7 * without[measure]
