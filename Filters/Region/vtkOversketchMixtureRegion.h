@@ -17,7 +17,9 @@
  * - the border moves to the nearest good place to cut (CutAtJunction): a minimum cut of the triangles round
  * the border, cheap in concave valleys, as in mesh cutting from painted strokes. Thickness alone places a
  * limb's border where the rays begin to see the body, some 5 % short, and leaves patches where a limb is not
- * of one thickness.
+ * of one thickness. Before that, what the region reached over a bridge narrower than half the seeds'
+ * thickness from either side is taken off: a finger's region spilled over the web to its neighbours, which
+ * are as thick.
  *
  * Input 0: triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated. Input 1: handles
@@ -121,8 +123,8 @@ public:
 
   ///@{
   /**
-   * Move the region's border to the nearest good place to cut, up to 1.25 times the thickness there away;
-   * default on. Off is as published.
+   * Take limbs behind narrow bridges off the region, then move its border to the nearest good place to cut,
+   * up to 1.25 times the thickness there away; default on. Off is as published.
    */
   vtkSetMacro(CutAtJunction, bool);
   vtkGetMacro(CutAtJunction, bool);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace oversketch
 {
@@ -307,6 +308,69 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   }
   const std::vector<double> areas = vertexAreas(mesh);
   return regionArea(areas, moved) < 0.5 * regionArea(areas, region) ? region : moved;
+}
+
+std::vector<char> cutBridges(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<double>& diameter,
+  const std::vector<char>& isSeed,
+  const std::vector<char>& region,
+  double share)
+{
+  std::vector<int> outside;
+  std::vector<double> thickness;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (isSeed[v])
+    {
+      thickness.push_back(diameter[v]);
+    }
+    if (!region[v] && std::any_of(adjacency.vertexVertices.begin(v),
+                        adjacency.vertexVertices.end(v),
+                        [&](int n) { return region[n] != 0; }))
+    {
+      outside.push_back(v);
+    }
+  }
+  if (thickness.empty() || outside.empty())
+  {
+    return region;
+  }
+  std::nth_element(thickness.begin(), thickness.begin() + thickness.size() / 2, thickness.end());
+  const double unit = thickness[thickness.size() / 2];
+  const std::vector<double> fromOutside = edgeDistances(mesh, adjacency, outside, share * unit);
+  std::vector<char> inner(region);
+  for (std::size_t v = 0; v < inner.size(); ++v)
+  {
+    inner[v] = region[v] && !std::isfinite(fromOutside[v]);
+  }
+  std::vector<char> held(inner);
+  dropSeedless(adjacency, isSeed, held);
+  std::vector<int> seeded, seedless;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (inner[v])
+    {
+      (held[v] ? seeded : seedless).push_back(v);
+    }
+  }
+  if (seeded.empty() || seedless.empty())
+  {
+    return region;
+  }
+  const double everywhere = std::numeric_limits<double>::infinity();
+  const std::vector<double> toSeeded = edgeDistances(mesh, adjacency, seeded, everywhere);
+  const std::vector<double> toSeedless = edgeDistances(mesh, adjacency, seedless, everywhere);
+  const std::vector<double> areas = vertexAreas(mesh);
+  std::vector<char> kept(region);
+  double lost = 0.0;
+  for (std::size_t v = 0; v < kept.size(); ++v)
+  {
+    kept[v] = isSeed[v] || (region[v] && toSeeded[v] <= toSeedless[v]);
+    lost += region[v] && !kept[v] ? areas[v] : 0.0;
+  }
+  constexpr double pi = 3.14159265358979323846;
+  return lost < pi * unit * unit ? region : kept; // less than a tube as long as thick is a patch, no limb
 }
 
 } // namespace oversketch

@@ -33,5 +33,18 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   const CutOptions& options = {},
   const Context& context = {});
 
+// Takes from the region the limbs that it reached over narrow bridges: similar fingers beyond a web of skin.
+// What remains of the region when a strip along its border is taken off falls into pieces; where some hold a
+// seed and others none, each vertex of the region goes with the nearest piece, and those that go with a
+// seedless one are deselected. The region is returned as it was where there are no such pieces or they are
+// patches, together smaller than a tube as long as thick. The strip is `share` of the seeds' median diameter
+// wide.
+std::vector<char> cutBridges(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<double>& diameter,
+  const std::vector<char>& isSeed,
+  const std::vector<char>& region,
+  double share = 0.5);
+
 } // namespace oversketch
 #endif

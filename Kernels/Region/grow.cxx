@@ -256,6 +256,7 @@ std::vector<char> detectRegion(const Mesh& mesh,
   context.checkpoint(0.5);
   if (options.cutAtJunction)
   {
+    region = cutBridges(mesh, adjacency, evidence.diameter, isSeed, region);
     Context half = context;
     half.progress = [&context](double done) { context.progress(0.5 + 0.5 * done); };
     std::vector<char> moved =

@@ -57,9 +57,9 @@ struct RegionEvidence
 
 // Growing and its amendments, in this order: grow; fill islands; where the region then exceeds half of the
 // area of the connected parts it lies in, grow again within an edge path of one section length of the seeds,
-// and fill islands again; cut at the junction (see cutAtJunction), unless that exceeds the half; drop pieces
-// without a seed. Throws Error(BadRegion) without seeds and when a part is selected wholly, for nothing would
-// be left to hold it.
+// and fill islands again; cut off what hangs on narrow bridges (see cutBridges) and cut at the junction (see
+// cutAtJunction), unless that exceeds the half; drop pieces without a seed. Throws Error(BadRegion) without
+// seeds and when a part is selected wholly, for nothing would be left to hold it.
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,

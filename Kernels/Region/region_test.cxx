@@ -109,6 +109,47 @@ TEST(Cut, APatchWithNoPlaceToCutStaysAsItIs)
   }
 }
 
+TEST(Bridges, ALimbBehindANarrowBridgeIsNotMeant)
+{
+  // On a sheet two strips, x < 1 and x > 1.4, joined between them where |y - 2| is less than half the
+  // bridge's width.
+  const Mesh mesh =
+    gridSurface(96, 160, false, false, [](double u, double v) { return Vector3(2.4 * u, 4.0 * v, 0.0); });
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const std::vector<double> diameter(mesh.points.size(), 0.8);
+  const auto strips = [](double bridge)
+  {
+    return [bridge](const Vector3& p)
+    { return p[1] > 0.5 && p[1] < 3.5 && (p[0] < 1.0 || p[0] > 1.4 || std::abs(p[1] - 2.0) < bridge / 2); };
+  };
+  const std::vector<char> seeds =
+    where(mesh, [](const Vector3& p) { return p[0] < 0.5 && std::abs(p[1] - 1.5) < 0.2; });
+  const std::vector<char> narrow = where(mesh, strips(0.4));
+  const std::vector<char> cut = cutBridges(mesh, adjacency, diameter, seeds, narrow);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const double x = mesh.points[v][0];
+    if (x < 1.0)
+    {
+      EXPECT_EQ(cut[v], narrow[v]) << v;
+    }
+    else if (x > 1.4)
+    {
+      EXPECT_FALSE(cut[v]) << v;
+    }
+  }
+  const std::vector<char> wide =
+    where(mesh, strips(1.6)); // wider than the strip of 0.4 taken off on either side
+  EXPECT_EQ(cutBridges(mesh, adjacency, diameter, seeds, wide), wide);
+  // The same piece of 3 units of area is no limb of a thickness of 1.1, but a patch.
+  const std::vector<double> thick(mesh.points.size(), 1.1);
+  EXPECT_EQ(cutBridges(mesh, adjacency, thick, seeds, narrow), narrow);
+  const std::vector<char> both =
+    where(mesh, [](const Vector3& p) { return std::abs(p[0] - 1.2) > 0.6 && std::abs(p[1] - 1.5) < 0.2; });
+  EXPECT_EQ(
+    cutBridges(mesh, adjacency, diameter, both, narrow), narrow); // seeds on either side: both are meant
+}
+
 TEST(Islands, AllButTheLargestRestByAreaAreFilled)
 {
   const Mesh mesh = icosphere(4);
