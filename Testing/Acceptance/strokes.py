@@ -93,7 +93,8 @@ def geodesic(mesh, start):
 
 
 def tips(points, triangles):
-    """The limb tips of a welded mesh: vertices whose mean geodesic distance to the rest is largest about them."""
+    """The limb tips of a welded mesh, vertices whose mean geodesic distance to the rest is largest about them, each with
+    its distances to all vertices."""
     mesh = meshes.to_polydata(points, triangles)
     used = np.unique(triangles)
     chosen = [int(used[np.argmax(((points[used] - points[used].mean(0)) ** 2).sum(1))])]
@@ -120,7 +121,7 @@ def tips(points, triangles):
         field = geodesic(mesh, v)
         if np.all(mean[field < radius] <= mean[v]):
             found.append((int(v), field))
-    return [v for v, _ in found]
+    return dict(found)
 
 
 # ------------------------------------------------------------------------------------------ limbs in a view
@@ -285,7 +286,8 @@ def views_of(points, up):
 def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
     """A model's strokes: (stroke polydata with its note). Spread over its limbs, the kinds and both projections."""
     points, triangles, _ = meshes.weld(*meshes.arrays(mesh))
-    all_tips = tips(points, triangles)
+    paths = tips(points, triangles)
+    all_tips = list(paths)
     candidates = []
     for view_number, perspective, view in views_of(points, up):
         if (view_number % 2 == 0) == perspective:  # each view with one projection
@@ -306,6 +308,8 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
                 continue
             rim, _, _ = picture.distance_to(xy[all_tips], [limb["section"]])  # a toe may just stick out of the section
             own = [t for t, off in zip(all_tips, rim) if within[t] or off < 5]
+            if any(paths[a][b] > np.linalg.norm(step) for a in own for b in own):  # two limbs side by side
+                continue
             near = points[at_tip].mean(0)
             spread = max([np.linalg.norm(xy[t] - limb["tip"]) for t in own], default=0.0)
             if spread > max(0.3 * limb["length"], 0.6 * limb["width"]):  # a hand's fingers, but not a head's ears
