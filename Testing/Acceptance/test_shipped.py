@@ -11,19 +11,31 @@ import meshes  # noqa: E402
 STROKES = sorted((meshes.DATA / "Strokes").glob("*.vtp"))
 
 
+@pytest.fixture(scope="module")
+def reached():
+    """Results of all strokes; reports the worst figure of each bound at the end."""
+    results = []
+    yield results
+    worst = {key: max(r[key] for r in results) for key in ("mean", "worst", "back", "folds")}
+    print(
+        f"\nFACT A12_1 | {len(results)} runs of shipped strokes, remesh off and auto: mean at most {worst['mean']:.2f} px, worst "
+        f"{worst['worst']:.2f} px, back {worst['back']:.2f} px, new folds {worst['folds']}, untouched at least "
+        f"{min(r['untouched'] for r in results):.2f}"
+    )
+
+
 def test_every_model_has_strokes():
     assert len(STROKES) == 10 and len({path.stem.split("_")[0] for path in STROKES}) == 5
 
 
 @pytest.mark.parametrize("stroke", STROKES, ids=lambda path: path.stem)
-def test_result_holds_every_bound(stroke):
+def test_result_holds_every_bound(stroke, reached):
     mesh = meshes.DATA / "Models" / f"{stroke.stem.split('_')[0]}.ply"
     results = accept.run(stroke, mesh, ["off", "default"], "auto", None)
     for mode, result in results.items():
-        print(f"FACT A12_1 | {stroke.stem} {mode}: mean {result['mean']:.2f} worst {result['worst']:.2f} back {result['back']:.2f} "
-              f"folds {result['folds']} untouched {result['untouched']:.2f}")
         assert result["mean before"] > 2, "the stroke asks for a change that can be seen"
         assert result["holds"], (mode, result)
+        reached.append(result)
 
 
 @pytest.mark.parametrize("name, measure", [("person_stretched_leg", "worst"), ("person_short_arm", "folds")])
