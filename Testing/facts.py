@@ -80,7 +80,7 @@ def tests_of(build):
 
 def figures_of(build):
     """{fact: figures in the order of the tests}."""
-    run = subprocess.run(["ctest", "-V", "-R", r"^A\d+_\d+\."], cwd=build, capture_output=True, text=True)
+    run = subprocess.run(["ctest", "-V", "-R", r"^A[0-9]+_[0-9]+[.]"], cwd=build, capture_output=True, text=True)
     if run.returncode != 0:
         sys.exit("facts.py: a test of a fact fails:\n" + run.stdout[-4000:])
     found = {}
