@@ -169,11 +169,15 @@ std::string Report::json(const Options& options,
     const char* name = system->GetInnerOutputName(i);
     stages.add(name, number(1e3 * system->GetStageTime(name)));
   }
-  stages.add("DeformRemeshed", number(1e3 * system->GetStageTime("DeformRemeshed")));
+  // Deform stands for all deformations among the inner outputs; each took its own time.
+  for (const char* name :
+    { "DeformCorrected", "DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected" })
+  {
+    stages.add(name, number(1e3 * system->GetStageTime(name)));
+  }
   vtkPolyData* match = system->GetInnerOutput("Match");
   vtkPolyData* targets = system->GetInnerOutput("Targets");
-  auto* deform = vtkOversketchLaplacianDeform::SafeDownCast(
-    system->GetStep(system->GetRemeshed() ? "DeformRemeshed" : "Deform"));
+  auto* deform = vtkOversketchLaplacianDeform::SafeDownCast(system->GetStep(system->GetDeformationName()));
   return Object(0)
            .add("oversketch", quoted(OVERSKETCH_VERSION))
            .add("mesh", quoted(options.mesh))

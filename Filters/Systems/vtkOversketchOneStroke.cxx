@@ -554,6 +554,11 @@ vtkAlgorithm* vtkOversketchOneStroke::GetStep(const char* name)
   return nullptr;
 }
 
+const char* vtkOversketchOneStroke::GetDeformationName() const
+{
+  return this->Inner->Deformation;
+}
+
 double vtkOversketchOneStroke::GetStageTime(const char* name) const
 {
   double seconds = 0.0;

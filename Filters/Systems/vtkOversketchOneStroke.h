@@ -7,8 +7,8 @@
  * (names in braces reach its output, see GetInnerOutput):
  * clean stroke {Stroke}, silhouette {Silhouette}, snake smoothing {Snake}, hidden parts {Visibility}, outline of the picture
  * {Outline}, matched section {Match}, targets {Targets}, shape diameter {ShapeDiameter}, Gaussian mixtures and region growing
- * {MixtureRegion}, region border {RegionBorder}, remeshing before {Stretch}, Laplacian deformation {Deform}, control points where its outline missed the stroke {Correction}, remeshing after
- * {Restore}.
+ * {MixtureRegion}, region border {RegionBorder}, remeshing before {Stretch}, Laplacian deformation {Deform}, control points
+ * where its outline missed the stroke {Correction}, remeshing after {Restore}.
  *
  * Departures from the paper are the amendments of each step, on by default; AsPublished turns all of them off. Remeshing
  * is Auto by default (the paper leaves it to the user): it is done where the plain deformation stretches edges of the region by
@@ -150,6 +150,12 @@ public:
    * {DeformCorrected} and {DeformRemeshedCorrected} those with the handles of {Correction} and {CorrectionRemeshed}.
    */
   vtkAlgorithm* GetStep(const char* name);
+
+  /**
+   * The step, for GetStep, whose deformation the last output was made of: Deform, DeformCorrected, DeformRemeshed or
+   * DeformRemeshedCorrected.
+   */
+  const char* GetDeformationName() const;
 
   /**
    * Seconds that a step took in the last run, 0 where it did not execute.
