@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <random>
 
 using namespace oversketch_test;
@@ -292,14 +293,20 @@ void figure11(const std::string& folder)
     plain->SetInputData(1, pull.handles);
     plain->Update();
     vtkNew<vtkOversketchRemesh> stretch, restore;
+    vtkNew<vtkOversketchShapeDiameter> sdf; // the remesher keeps its triangles smaller than what they lie on is thick
+    sdf->SetInputData(pull.mesh);
     stretch->SetStageToStretch();
-    stretch->SetInputData(0, pull.mesh);
+    stretch->SetInputConnection(0, sdf->GetOutputPort());
     stretch->SetInputData(1, pull.handles);
     between->SetInputConnection(0, stretch->GetOutputPort(0));
     between->SetInputConnection(1, stretch->GetOutputPort(1));
     restore->SetStageToRestore();
     restore->SetInputConnection(0, between->GetOutputPort());
     restore->Update();
+    if (restore->GetOutput()->GetNumberOfPolys() == 0)
+    {
+      std::exit(1); // the filter has said why
+    }
     std::printf("| %s | %.1f | %.1f | %.1f | %.1f |\n", bunny.name, narrowShare(pull.mesh), narrowShare(plain->GetOutput()),
       narrowShare(between->GetOutput()), narrowShare(restore->GetOutput()));
   }
