@@ -53,7 +53,7 @@ OVERSKETCHFILTERSCORE_EXPORT Mesh MeshOf(vtkPolyData* polyData);
 
 /**
  * Unit vertex normals: the active point normals where the polydata has them with the right size (re-normalised),
- * else computed (angle-weighted). Throws MissingArray-free: absent normals are no error.
+ * else computed (angle-weighted). Absent normals are no error.
  */
 OVERSKETCHFILTERSCORE_EXPORT std::vector<Vector3> NormalsOf(vtkPolyData* polyData, const Mesh& mesh);
 

@@ -1,6 +1,6 @@
 """Baseline pictures: for each shipped model the silhouette, the thickness, the region and the result of its first stroke.
 
-OVERSKETCH_WRITE_BASELINES=1 writes them instead of comparing; look at each before it is committed. One set serves Debian 12 and 13.
+OVERSKETCH_WRITE_BASELINES=1 writes them instead of comparing; look at each before it is committed. One set is meant for Debian 12 and 13; made on 12.
 """
 import os
 import pathlib
