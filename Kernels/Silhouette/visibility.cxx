@@ -149,8 +149,9 @@ private:
     int vertices[6];
     double weights[6];
     int count = 0;
-    for (const auto& [binding, factor] : { std::make_pair(&a, 1.0 - share), std::make_pair(&b, share) })
+    for (const Binding* binding : { &a, &b })
     {
+      const double factor = binding == &a ? 1.0 - share : share;
       for (int k = 0; k < 3; ++k)
       {
         const int slot =
