@@ -1,0 +1,111 @@
+// System A whole: one stroke, shape diameter known; and the stroke after it, on the mesh that the first one
+// made.
+#include "bunny_stroke.h"
+
+#include "vtkOversketchOneStroke.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace oversketch_bench
+{
+
+namespace
+{
+
+struct Session
+{
+  void open(const std::string& size, int remesh)
+  {
+    if (this->first)
+    {
+      return;
+    }
+    this->first = vtkSmartPointer<vtkOversketchOneStroke>::New();
+    this->next = vtkSmartPointer<vtkOversketchOneStroke>::New();
+    this->mesh = model(size).polyData;
+    for (int i = 0; i < 2; ++i)
+    {
+      this->strokes[i] = earStroke(this->mesh, i == 0 ? 25.0 : 30.0);
+      this->first->SetRemesh(remesh);
+      this->first->SetInputData(0, this->mesh);
+      this->first->SetStrokeData(this->strokes[i]);
+      this->update(this->first);
+      this->made[i] = vtkSmartPointer<vtkPolyData>::New();
+      this->made[i]->ShallowCopy(this->first->GetOutput());
+    }
+    this->next->SetRemesh(remesh);
+    this->next->SetStrokeData(earStroke(this->made[0], -15.0));
+  }
+
+  static void update(vtkOversketchOneStroke* system)
+  {
+    system->Update();
+    if (system->GetOutput()->GetNumberOfPolys() == 0)
+    {
+      std::fprintf(stderr, "The stroke failed.\n");
+      std::exit(1);
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> mesh;
+  std::array<vtkSmartPointer<vtkPolyData>, 2> strokes, made;
+  vtkSmartPointer<vtkOversketchOneStroke> first, next;
+  int turn = 0;
+};
+
+void session(const std::string& size, const char* who, int remesh)
+{
+  auto state = std::make_shared<Session>();
+  const auto stages = [state](vtkOversketchOneStroke* system)
+  {
+    std::map<std::string, double> figures;
+    for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
+    {
+      const char* name = system->GetInnerOutputName(i);
+      figures[std::string(name) + "_ms"] = 1000.0 * system->GetStageTime(name);
+    }
+    figures["triangles"] = static_cast<double>(system->GetOutput()->GetNumberOfPolys());
+    return figures;
+  };
+  Job job;
+  job.size = size;
+  job.who = who;
+  // Two strokes in turn over one mesh: another region, section and target each time; the shape diameter
+  // stays.
+  job.job = "one stroke";
+  job.prepare = [=]
+  {
+    state->open(size, remesh);
+    state->first->SetStrokeData(state->strokes[++state->turn % 2]);
+  };
+  job.run = [state] { Session::update(state->first); };
+  job.figures = [=] { return stages(state->first); };
+  add(job);
+  // Two meshes in turn that differ where a stroke changed them.
+  job.job = "next stroke";
+  job.prepare = [=]
+  {
+    state->open(size, remesh);
+    state->next->SetInputData(0, state->made[++state->turn % 2]);
+  };
+  job.run = [state] { Session::update(state->next); };
+  job.figures = [=] { return stages(state->next); };
+  add(job);
+}
+
+} // namespace
+
+void jobs()
+{
+  for (const std::string& size : sizes({ "5k", "30k", "180k", "1M" }))
+  {
+    session(size, "ours", vtkOversketchOneStroke::RemeshOn);
+    session(size, "ours, not remeshed", vtkOversketchOneStroke::RemeshOff);
+  }
+}
+
+} // namespace oversketch_bench
