@@ -126,15 +126,14 @@ inline void expectSame(vtkPolyData* a, vtkPolyData* b)
   {
     ASSERT_EQ(lineOf(a, cell).ids, lineOf(b, cell).ids) << cell;
   }
-  for (const auto& data :
-    { std::make_pair<vtkDataSetAttributes*, vtkDataSetAttributes*>(a->GetPointData(), b->GetPointData()),
-      std::make_pair<vtkDataSetAttributes*, vtkDataSetAttributes*>(a->GetCellData(), b->GetCellData()) })
+  for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
-    ASSERT_EQ(data.first->GetNumberOfArrays(), data.second->GetNumberOfArrays());
-    for (int k = 0; k < data.first->GetNumberOfArrays(); ++k)
+    vtkDataSetAttributes *dataA = a->GetAttributes(association), *dataB = b->GetAttributes(association);
+    ASSERT_EQ(dataA->GetNumberOfArrays(), dataB->GetNumberOfArrays());
+    for (int k = 0; k < dataA->GetNumberOfArrays(); ++k)
     {
-      vtkDataArray* x = data.first->GetArray(k);
-      vtkDataArray* y = data.second->GetArray(x->GetName());
+      vtkDataArray* x = dataA->GetArray(k);
+      vtkDataArray* y = dataB->GetArray(x->GetName());
       ASSERT_TRUE(y) << x->GetName();
       for (vtkIdType i = 0; i < x->GetNumberOfTuples(); ++i)
         for (int c = 0; c < x->GetNumberOfComponents(); ++c)
