@@ -57,7 +57,7 @@ struct Session
   int turn = 0;
 };
 
-void session(const std::string& size, const char* who, int remesh)
+void session(const std::string& size, const std::string& kind, int remesh)
 {
   auto state = std::make_shared<Session>();
   const auto stages = [state](vtkOversketchOneStroke* system)
@@ -73,10 +73,10 @@ void session(const std::string& size, const char* who, int remesh)
   };
   Job job;
   job.size = size;
-  job.who = who;
+  job.who = "ours";
   // Two strokes in turn over one mesh: another region, section and target each time; the shape diameter
   // stays.
-  job.job = "one stroke";
+  job.job = "one stroke" + kind;
   job.prepare = [=]
   {
     state->open(size, remesh);
@@ -86,7 +86,7 @@ void session(const std::string& size, const char* who, int remesh)
   job.figures = [=] { return stages(state->first); };
   add(job);
   // Two meshes in turn that differ where a stroke changed them.
-  job.job = "next stroke";
+  job.job = "next stroke" + kind;
   job.prepare = [=]
   {
     state->open(size, remesh);
@@ -103,8 +103,8 @@ void jobs()
 {
   for (const std::string& size : sizes({ "5k", "30k", "180k", "1M" }))
   {
-    session(size, "ours", vtkOversketchOneStroke::RemeshOn);
-    session(size, "ours, not remeshed", vtkOversketchOneStroke::RemeshOff);
+    session(size, "", vtkOversketchOneStroke::RemeshOn);
+    session(size, ", not remeshed", vtkOversketchOneStroke::RemeshOff);
   }
 }
 

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Measures every job beside its best peers and its limit, and prints one table.
+# usage: run.sh [FOLDER]   (default build/benchmarks; results, table, picture go there)
+# The bunnies come from OVERSKETCH_DATA, else ../shared/data beside the source tree. Wants a quiet machine and about half an hour.
+set -euo pipefail
+. "$(dirname "$0")/../../Applications/setup.sh"
+folder=$(realpath -m "${1:-$oversketch_root/build/benchmarks}")
+meshes=${OVERSKETCH_DATA:-$oversketch_root/../shared/data}/meshes
+for file in bunny_5k.obj bunny_30k.ply bunny_180k.ply; do
+  [ -f "$meshes/$file" ] || { echo "run.sh: no $meshes/$file; set OVERSKETCH_DATA to the folder of the data" >&2; exit 2; }
+done
+cd "$oversketch_root"
+# Only measuring needs these: the fast BLAS for the peer CHOLMOD, pictures of curves, and Python packages to measure.
+oversketch_packages+=(libopenblas0-pthread python3-matplotlib python3-venv)
+oversketch_install
+mkdir -p "$folder"
+rm -f "$folder"/*.json "$folder"/*.triplets
+echo "Building the benchmarks (log: build/benchmarks.log)"
+mkdir -p build
+{ cmake --preset release && cmake --build --preset release --target benchmarks; } >build/benchmarks.log 2>&1 ||
+  { tail -n 60 build/benchmarks.log >&2; exit 1; }
+for program in build/release/bin/*_benchmark; do
+  name=$(basename "$program" _benchmark)
+  echo "Measuring: $name"
+  OVERSKETCH_BENCHMARKS=$folder oversketch_display "$program" --data="$meshes" --benchmark_out="$folder/$name.json" \
+    --benchmark_out_format=json >"$folder/$name.log" 2>&1 || { tail -n 20 "$folder/$name.log" >&2; exit 1; }
+done
+echo "Measuring: Python peers"
+environment=$(mktemp -d)
+trap 'rm -rf "$environment"' EXIT
+if /usr/bin/python3 -m venv "$environment" && "$environment/bin/pip" install -q numpy scipy libigl scikit-learn pymeshlab; then
+  "$environment/bin/python" Testing/Benchmarks/peers.py "$meshes" "$folder/peers.json" >"$folder/peers.log"
+else
+  echo "run.sh: the Python peers could not be installed; their columns stay empty" >&2
+fi
+/usr/bin/python3 Testing/Benchmarks/table.py "$folder"
+echo "Table, JSON and picture: $folder"

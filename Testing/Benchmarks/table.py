@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+"""Makes the table of the benchmarks: every job and size, ours, the best peer, the limit, and what was to be reached.
+
+usage: table.py FOLDER
+FOLDER holds what the programs and peers.py wrote (*.json). Writes FOLDER/benchmarks.json (a list of objects: job, size,
+threads, ours_ms, peers {name: ms}, limit_ms), FOLDER/benchmarks.md and FOLDER/benchmarks.png (cost against size).
+"""
+import glob
+import json
+import os
+import platform
+import statistics
+import sys
+
+# What is to be reached: job, against whom, ours at most this many times theirs, at these sizes (None: all).
+REACH = [
+    ("SDF Embree", "limit", 1.10, None),
+    ("SDF Embree", "CGAL", 1 / 40, None),
+    ("SDF OpenCL", "limit", 1.25, None),
+    ("BVH build", "Embree medium", 2.0, ["180k"]),
+    ("greedy EM", "scikit-learn", 1 / 50, None),
+    ("greedy EM", "CGAL", 1 / 10, None),
+    ("greedy EM", "limit", 2.5, None),
+    ("silhouette", "vtkPolyDataSilhouette", 1 / 100, ["30k", "180k"]),
+    ("silhouette", "limit", 2.0, ["30k", "180k"]),
+    ("curves", "redraw", 1.0, ["30k", "180k"]),
+    ("region and border", "limit", 1.0, ["180k"]),
+    ("Laplacian factor", "Eigen", 0.8, None),
+    ("Laplacian factor", "CHOLMOD", 0.8, None),
+    ("Laplacian solve", "Eigen", 0.3, None),
+    ("Laplacian solve", "libigl", 0.3, None),
+    ("Laplacian solve", "CHOLMOD", 0.7, ["45k"]),
+    ("Laplacian drag", "Eigen", 1 / 300, None),
+    ("adjusted normals", "plain form", 4.0, None),
+    ("remeshing", "CGAL", 1 / 5, ["30k", "180k"]),
+    ("one stroke", "limit", 3.0, ["30k", "180k"]),
+    ("next stroke", "limit", 3.0, ["30k", "180k"]),
+]
+# Jobs whose cost should grow with the model: from 180k to the million, per triangle, at most by this factor.
+LINEAR = {"SDF Embree": 1.15, "SDF OpenCL": 1.15, "BVH build": 1.15, "silhouette": 1.15, "curves": 1.15,
+          "region and border": 1.15, "remeshing": 1.15}
+TRIANGLES = {"5k": 5000, "30k": 29996, "180k": 180000, "1M": 1280000}
+
+
+def read(folder):
+    """(job, size, who) -> {ms, threads, figures}, in the order of the files."""
+    sides = {}
+    for path in sorted(glob.glob(os.path.join(folder, "*.json"))):
+        if os.path.basename(path) == "benchmarks.json":
+            continue
+        with open(path) as file:
+            rows = json.load(file)
+        runs = {}
+        for row in rows["benchmarks"] if isinstance(rows, dict) else rows:
+            if row.get("run_type", "iteration") == "iteration" and "real_time" in row:
+                runs.setdefault(tuple(row["name"].split("/")[:3]), []).append(row)
+        own = {"name", "run_name", "run_type", "real_time", "cpu_time", "iterations", "repetitions", "repetition_index",
+               "threads", "time_unit", "family_index", "per_family_instance_index"}
+        for side, repetitions in runs.items():
+            figures = {key: value for key, value in repetitions[-1].items()
+                       if key not in own and isinstance(value, (int, float))}
+            sides[side] = {"ms": statistics.median(row["real_time"] for row in repetitions),
+                           "threads": int(repetitions[-1].get("threads", 1)), "figures": figures}
+    return sides
+
+
+def gather(sides):
+    rows = []
+    for job, size, who in sides:
+        if who != "ours":
+            continue
+        others = {w: s["ms"] for (j, z, w), s in sides.items() if (j, z) == (job, size) and w != "ours"}
+        ours = sides[job, size, who]
+        row = {"job": job, "size": size, "threads": ours["threads"], "ours_ms": ours["ms"],
+               "peers": {w: ms for w, ms in others.items() if w != "limit"}, "limit_ms": others.get("limit")}
+        row["figures"] = {w: s["figures"] for (j, z, w), s in sides.items() if (j, z) == (job, size) and s["figures"]}
+        rows.append(row)
+    rows.sort(key=lambda row: (row["job"], order(row["size"])))
+    return rows
+
+
+def order(size):
+    number = size.rstrip("kM")
+    return TRIANGLES.get(size) or (float(number) if number.replace(".", "").isdigit() else 0)
+
+
+def time(ms):
+    return "–" if ms is None else f"{ms:.3g}" if ms < 1000 else f"{ms:,.0f}"
+
+
+def ratio(value):
+    """Ours over theirs; where ours is the smaller, how many times."""
+    return f"{value:.2f}" if value > 0.2 else f"1/{1 / value:.0f}" if value < 0.1 else f"1/{1 / value:.1f}"
+
+
+def reached(row):
+    lines = []
+    for job, other, factor, sizes in REACH:
+        if job != row["job"] or (sizes and row["size"] not in sizes):
+            continue
+        names = ["limit"] if other == "limit" else [name for name in row["peers"] if name.startswith(other)]
+        times = [row["limit_ms"] if name == "limit" else row["peers"][name] for name in names]
+        times = [ms for ms in times if ms]
+        if not times:
+            lines.append((other, None, factor, False))
+            continue
+        value = row["ours_ms"] / min(times)
+        lines.append((other, value, factor, value <= factor))
+    return lines
+
+
+def machine():
+    model = platform.processor()
+    with open("/proc/cpuinfo") as file:
+        for line in file:
+            if line.startswith("model name"):
+                model = line.split(":")[1].strip()
+    return f"{model}, {os.cpu_count()} cores, {platform.freedesktop_os_release().get('PRETTY_NAME', platform.platform())}"
+
+
+def markdown(rows):
+    lines = [f"Machine: {machine()}. Medians of five runs or more [ms], those of all sides of a job in turn.", "",
+             "| job | size | ours | best peer | limit | ours / peer | ours / limit | to be reached |",
+             "|---|---|---|---|---|---|---|---|"]
+    for row in rows:
+        peer = min(row["peers"].items(), key=lambda item: item[1], default=None)
+        goals = "; ".join(f"{other} {'not run' if value is None else ratio(value)} "
+                          f"(at most {ratio(factor)}){'' if held or value is None else ' **missed**'}"
+                          for other, value, factor, held in reached(row))
+        lines.append("| {} | {} | {} | {} | {} | {} | {} | {} |".format(
+            row["job"], row["size"], time(row["ours_ms"]), f"{peer[0]} {time(peer[1])}" if peer else "–",
+            time(row["limit_ms"]), ratio(row["ours_ms"] / peer[1]) if peer else "–",
+            ratio(row["ours_ms"] / row["limit_ms"]) if row["limit_ms"] else "–", goals or "–"))
+    lines += ["", "| job | ns a triangle at " + " | ".join(TRIANGLES) + " | 1M / 180k |", "|---" * (len(TRIANGLES) + 2) + "|"]
+    for job in dict.fromkeys(row["job"] for row in rows):
+        cost = {row["size"]: 1e6 * row["ours_ms"] / TRIANGLES[row["size"]] for row in rows
+                if row["job"] == job and row["size"] in TRIANGLES}
+        if len(cost) > 1:
+            growth = cost["1M"] / cost["180k"] if "1M" in cost and "180k" in cost else None
+            missed = " **missed**" if growth and growth > LINEAR.get(job, 1e9) else ""
+            lines.append(f"| {job} | " + " | ".join(f"{cost[s]:.1f}" if s in cost else "–" for s in TRIANGLES) +
+                         f" | {f'{growth:.2f}{missed}' if growth else '–'} |")
+    memory = {row["size"]: row["figures"]["ours"] for row in rows if row["job"] == "first stroke"}
+    stages = list(dict.fromkeys(key[:-5] for figures in memory.values() for key in figures if key.endswith("_peak")))
+    if stages:
+        lines += ["", "Memory of the first stroke, remeshed, bytes a triangle of the model: taken for a while / held after.", "",
+                  "| stage | " + " | ".join(memory) + " |", "|---" * (len(memory) + 1) + "|"]
+        for stage in stages:
+            lines.append(f"| {stage} | " + " | ".join(f"{f[stage + '_peak']:.0f} / {f[stage + '_kept']:.0f}" if stage + "_peak" in f
+                                                      else "–" for f in memory.values()) + " |")
+        lines.append("| whole process | " + " | ".join(f"{f['process_gib']:.2f} GiB" for f in memory.values()) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def picture(rows, path):
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    figure, axes = pyplot.subplots(figsize=(9, 6))
+    jobs = [job for job in dict.fromkeys(row["job"] for row in rows)
+            if sum(row["job"] == job and row["size"] in TRIANGLES for row in rows) > 1]
+    colours = pyplot.get_cmap("tab10")
+    for k, job in enumerate(jobs):
+        mine = sorted((TRIANGLES[row["size"]], row["ours_ms"], row["limit_ms"] or min(row["peers"].values(), default=None))
+                      for row in rows if row["job"] == job and row["size"] in TRIANGLES)
+        axes.loglog([m[0] for m in mine], [m[1] for m in mine], "o-", color=colours(k % 10), label=job)
+        bound = [(m[0], m[2]) for m in mine if m[2]]
+        axes.loglog([b[0] for b in bound], [b[1] for b in bound], ":", color=colours(k % 10), linewidth=1)
+    axes.set_xlabel("triangles")
+    axes.set_ylabel("milliseconds")
+    axes.set_title("Cost against size (dotted: the limit, or the best peer where no limit was measured)", fontsize=10)
+    axes.set_xticks(list(TRIANGLES.values()), list(TRIANGLES))
+    axes.minorticks_off()
+    axes.grid(True, which="major", alpha=0.3)
+    axes.legend(fontsize=8, loc="upper left")
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    folder = sys.argv[1]
+    rows = gather(read(folder))
+    if not rows:
+        sys.exit(f"table.py: {folder} holds no results")
+    with open(os.path.join(folder, "benchmarks.json"), "w") as file:
+        json.dump(rows, file, indent=1)
+    with open(os.path.join(folder, "benchmarks.md"), "w") as file:
+        file.write(markdown(rows))
+    picture(rows, os.path.join(folder, "benchmarks.png"))
+    print(markdown(rows), end="")
+
+
+main()
