@@ -18,8 +18,6 @@
 #include "vtkOversketchWeld.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -28,11 +26,9 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstring>
 #include <string>
@@ -70,25 +66,28 @@ struct vtkOversketchOneStroke::Pipeline
 {
   explicit Pipeline(vtkOversketchOneStroke* self);
 
-  // Brings the persistent inner inputs up to date; they are touched only where what the steps read has changed.
+  // Brings the persistent inner inputs up to date; they change only where what the steps read has changed.
   void FeedMesh(vtkPolyData* mesh);
   void FeedStroke(vtkPolyData* stroke);
   // Runs one step, forwarding its events and failing with its first error.
   void Run(const char* name);
-  Stage& Find(const char* name);
-  vtkPolyData* Output(const char* name) { return vtkPolyData::SafeDownCast(this->Find(name).step->GetOutputDataObject(0)); }
+  Stage* Find(const char* name); // null where there is none of that name
+  vtkPolyData* Output(const char* name)
+  {
+    return vtkPolyData::SafeDownCast(this->Find(name)->step->GetOutputDataObject(0));
+  }
   void SetAmendments(bool on);
   bool WantsRemeshing();
   bool RemeshingKept();
-  // Adds handles where the outline of a deformation has left the stroke, and deforms again. Returns the name of the
-  // better deformation.
+  // Adds handles where the outline of a deformation has left the stroke, and deforms again. Returns the name
+  // of the better deformation.
   const char* Corrected(const char* deform, const char* correction, const char* again);
   Judgement Judged(const char* stage, int foldsBefore);
 
   vtkOversketchOneStroke* Self;
 
-  // What the inner pipeline starts from. View is a stroke without strokes of its own: it changes only with the view, so
-  // silhouettes stand while strokes come and go.
+  // What the inner pipeline starts from. View is a copy of the first stroke that was drawn in the present
+  // view: it changes only with the view, so silhouettes stand while strokes come and go.
   vtkNew<vtkPolyData> Mesh, Stroke, View;
   MeshKey MeshKeySeen;
   std::unique_ptr<oversketch::Weld> Welding;
@@ -169,13 +168,23 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
     step->SetInputConnection(1, this->StrokeStep->GetOutputPort());
   }
 
-  this->Stages = { { "Stroke", this->StrokeStep, 0.01 }, { "Silhouette", this->Silhouette, 0.02 },
-    { "Snake", this->Snake, 0.03 }, { "Visibility", this->Visibility, 0.04 }, { "Outline", this->Outline, 0.04 },
-    { "Match", this->Match, 0.01 }, { "Targets", this->Targets, 0.01 }, { "ShapeDiameter", this->ShapeDiameter, 0.30 },
-    { "MixtureRegion", this->MixtureRegion, 0.06 }, { "RegionBorder", this->RegionBorder, 0.01 },
-    { "Deform", this->Deform, 0.08 }, { "Correction", this->Correction, 0.02 }, { "Stretch", this->Stretch, 0.12 },
-    { "Restore", this->Restore, 0.12 }, { "DeformCorrected", this->DeformCorrected, 0.06 },
-    { "DeformRemeshed", this->DeformRemeshed, 0.06 }, { "CorrectionRemeshed", this->CorrectionRemeshed, 0.02 },
+  this->Stages = { { "Stroke", this->StrokeStep, 0.01 },
+    { "Silhouette", this->Silhouette, 0.02 },
+    { "Snake", this->Snake, 0.03 },
+    { "Visibility", this->Visibility, 0.04 },
+    { "Outline", this->Outline, 0.04 },
+    { "Match", this->Match, 0.01 },
+    { "Targets", this->Targets, 0.01 },
+    { "ShapeDiameter", this->ShapeDiameter, 0.30 },
+    { "MixtureRegion", this->MixtureRegion, 0.06 },
+    { "RegionBorder", this->RegionBorder, 0.01 },
+    { "Deform", this->Deform, 0.08 },
+    { "Correction", this->Correction, 0.02 },
+    { "Stretch", this->Stretch, 0.12 },
+    { "Restore", this->Restore, 0.12 },
+    { "DeformCorrected", this->DeformCorrected, 0.06 },
+    { "DeformRemeshed", this->DeformRemeshed, 0.06 },
+    { "CorrectionRemeshed", this->CorrectionRemeshed, 0.02 },
     { "DeformRemeshedCorrected", this->DeformRemeshedCorrected, 0.06 } };
 
   this->Observer->SetClientData(this);
@@ -208,7 +217,8 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
     });
   for (Stage& stage : this->Stages)
   {
-    for (const unsigned long event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
+    for (const unsigned long event :
+      { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
     {
       stage.step->AddObserver(event, this->Observer);
     }
@@ -242,28 +252,22 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
 void vtkOversketchOneStroke::Pipeline::FeedMesh(vtkPolyData* mesh)
 {
   // Welding asks for the attributes too: they tell seams from points that were split for nothing.
-  std::vector<vtkDataArray*> arrays;
-  if (this->Welding && this->Welding->Welded()->GetPoints() != mesh->GetPoints())
+  const auto key = [this, mesh]
   {
+    std::vector<vtkDataArray*> arrays;
     for (int a = 0; a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
     {
       arrays.push_back(mesh->GetPointData()->GetArray(a));
     }
-  }
-  const MeshKey key(mesh, arrays);
-  if (this->Welding && key == this->MeshKeySeen)
+    const bool welded = this->Welding->Welded()->GetPoints() != mesh->GetPoints();
+    return welded ? MeshKey(mesh, arrays) : MeshKey(mesh);
+  };
+  if (this->Welding && key() == this->MeshKeySeen)
   {
     return;
   }
   this->Welding = std::make_unique<oversketch::Weld>(mesh);
-  if (arrays.empty() && this->Welding->Welded()->GetPoints() != mesh->GetPoints())
-  {
-    for (int a = 0; a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
-    {
-      arrays.push_back(mesh->GetPointData()->GetArray(a));
-    }
-  }
-  this->MeshKeySeen = MeshKey(mesh, arrays);
+  this->MeshKeySeen = key();
   this->Mesh->ShallowCopy(this->Welding->Welded());
 }
 
@@ -285,30 +289,19 @@ void vtkOversketchOneStroke::Pipeline::FeedStroke(vtkPolyData* stroke)
     return;
   }
   this->ViewSeen = seen;
-  vtkNew<vtkPoints> points;
-  points->InsertNextPoint(0.0, 0.0, 0.0);
-  points->InsertNextPoint(view.width(), view.height(), 0.0);
-  vtkNew<vtkCellArray> lines;
-  const vtkIdType ids[2] = { 0, 1 };
-  lines->InsertNextCell(2, ids);
-  this->View->Initialize();
-  this->View->SetPoints(points);
-  this->View->SetLines(lines);
-  for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
-  {
-    vtkDataArray* from = stroke->GetCellData()->GetArray(name);
-    auto array = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
-    array->SetName(name);
-    array->SetNumberOfComponents(from->GetNumberOfComponents());
-    array->InsertNextTuple(0, from);
-    this->View->GetCellData()->AddArray(array);
-  }
+  this->View->DeepCopy(stroke);
 }
 
-Stage& vtkOversketchOneStroke::Pipeline::Find(const char* name)
+Stage* vtkOversketchOneStroke::Pipeline::Find(const char* name)
 {
-  return *std::find_if(
-    this->Stages.begin(), this->Stages.end(), [name](const Stage& s) { return std::strcmp(s.name, name) == 0; });
+  for (Stage& stage : this->Stages)
+  {
+    if (name && std::strcmp(stage.name, name) == 0)
+    {
+      return &stage;
+    }
+  }
+  return nullptr;
 }
 
 void vtkOversketchOneStroke::Pipeline::Run(const char* name)
@@ -317,7 +310,7 @@ void vtkOversketchOneStroke::Pipeline::Run(const char* name)
   {
     throw Error(Failure::Cancelled, "cancelled");
   }
-  Stage& stage = this->Find(name);
+  Stage& stage = *this->Find(name);
   this->FirstError.clear();
   this->Running = &stage;
   stage.step->SetAbortExecute(0); // set after its work was done, it would stop the next run
@@ -334,7 +327,8 @@ void vtkOversketchOneStroke::Pipeline::Run(const char* name)
   }
   if (!this->FirstError.empty())
   {
-    const auto code = static_cast<long>(stage.step->GetErrorCode()) - static_cast<long>(vtkErrorCode::UserError);
+    const auto code =
+      static_cast<long>(stage.step->GetErrorCode()) - static_cast<long>(vtkErrorCode::UserError);
     stage.step->Modified();
     throw Error(code > 0 ? static_cast<Failure>(code) : Failure::InnerStep, this->FirstError);
   }
@@ -343,7 +337,8 @@ void vtkOversketchOneStroke::Pipeline::Run(const char* name)
 bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
 {
   vtkPolyData* before = this->Output("RegionBorder");
-  vtkDataArray* region = RequireArray(before->GetPointData(), "Region", 1, before->GetNumberOfPoints(), "mesh", "a step made it");
+  vtkDataArray* region =
+    RequireArray(before->GetPointData(), "Region", 1, before->GetNumberOfPoints(), "mesh", "a step made it");
   std::vector<char> chosen(static_cast<std::size_t>(before->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
   {
@@ -352,20 +347,23 @@ bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
   return wantsRemeshing(MeshOf(before), MeshOf(this->Output(this->Deformation)), chosen);
 }
 
-const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform, const char* correction, const char* again)
+const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
+  const char* correction,
+  const char* again)
 {
   if (!this->Self->CorrectOutline)
   {
     return deform;
   }
   this->Run(correction);
-  vtkAlgorithm* step = this->Find(correction).step;
+  vtkAlgorithm* step = this->Find(correction)->step;
   const auto handlesAdded = this->Output(correction)->GetNumberOfPoints() -
-    vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0))->GetNumberOfPoints();
+                            vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0))->GetNumberOfPoints();
   const int folds = foldedEdges(MeshOf(vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0))));
   const Judgement plain = this->Judged(deform, folds);
-  auto* other = vtkOversketchLaplacianDeform::SafeDownCast(this->Find(again).step);
-  const double weight = vtkOversketchLaplacianDeform::SafeDownCast(this->Find(deform).step)->GetHandleWeight();
+  auto* other = vtkOversketchLaplacianDeform::SafeDownCast(this->Find(again)->step);
+  const double weight =
+    vtkOversketchLaplacianDeform::SafeDownCast(this->Find(deform)->step)->GetHandleWeight();
   Judgement judged = plain;
   if (handlesAdded > 0)
   {
@@ -386,7 +384,8 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform, cons
 Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
 {
   const oversketch::Mesh mesh = MeshOf(this->Output(stage));
-  return { outlineError(mesh, ViewOf(this->Stroke), StrokeOf(this->Output("Stroke"))), foldedEdges(mesh) - foldsBefore };
+  return { outlineError(mesh, ViewOf(this->Stroke), StrokeOf(this->Output("Stroke"))),
+    foldedEdges(mesh) - foldsBefore };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
@@ -394,7 +393,7 @@ bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
   const Judgement plain = this->Judged(this->Deformation, 0);
   const Judgement remeshed = this->Judged("Restore", 0);
   return remeshed.folds <= plain.folds && remeshed.outline.mean <= plain.outline.mean + 0.5 &&
-    remeshed.outline.worst <= plain.outline.worst + 0.5;
+         remeshed.outline.worst <= plain.outline.worst + 0.5;
 }
 
 vtkOversketchOneStroke::vtkOversketchOneStroke()
@@ -410,8 +409,9 @@ void vtkOversketchOneStroke::SetStrokeData(vtkPolyData* stroke)
   this->SetInputData(1, stroke);
 }
 
-int vtkOversketchOneStroke::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkOversketchOneStroke::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
 {
   Pipeline& inner = *this->Inner;
   inner.Done = 0.0;
@@ -454,8 +454,9 @@ int vtkOversketchOneStroke::RequestData(
       {
         inner.Run("Stretch");
         inner.Run("DeformRemeshed");
-        const char* remeshed = inner.Corrected("DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
-        inner.Restore->SetInputConnection(0, inner.Find(remeshed).step->GetOutputPort());
+        const char* remeshed =
+          inner.Corrected("DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
+        inner.Restore->SetInputConnection(0, inner.Find(remeshed)->step->GetOutputPort());
         inner.Run("Restore");
         this->Remeshed = this->Remesh == RemeshOn || inner.RemeshingKept();
         if (this->Remeshed)
@@ -494,8 +495,10 @@ int vtkOversketchOneStroke::GetBackendUsed() const
 
 void vtkOversketchOneStroke::SetAdjustNormals(bool adjust)
 {
-  for (vtkOversketchLaplacianDeform* step : { this->Inner->Deform.Get(), this->Inner->DeformCorrected.Get(),
-         this->Inner->DeformRemeshed.Get(), this->Inner->DeformRemeshedCorrected.Get() })
+  for (vtkOversketchLaplacianDeform* step : { this->Inner->Deform.Get(),
+         this->Inner->DeformCorrected.Get(),
+         this->Inner->DeformRemeshed.Get(),
+         this->Inner->DeformRemeshedCorrected.Get() })
   {
     step->SetAdjustNormals(adjust);
   }
@@ -544,14 +547,8 @@ vtkPolyData* vtkOversketchOneStroke::GetInnerOutput(const char* name)
 
 vtkAlgorithm* vtkOversketchOneStroke::GetStep(const char* name)
 {
-  for (Stage& stage : this->Inner->Stages)
-  {
-    if (name && std::strcmp(stage.name, name) == 0)
-    {
-      return stage.step;
-    }
-  }
-  return nullptr;
+  const Stage* stage = this->Inner->Find(name);
+  return stage ? stage->step : nullptr;
 }
 
 const char* vtkOversketchOneStroke::GetDeformationName() const
@@ -561,15 +558,8 @@ const char* vtkOversketchOneStroke::GetDeformationName() const
 
 double vtkOversketchOneStroke::GetStageTime(const char* name) const
 {
-  double seconds = 0.0;
-  for (const Stage& stage : this->Inner->Stages)
-  {
-    if (name && std::strcmp(stage.name, name) == 0)
-    {
-      seconds = stage.seconds;
-    }
-  }
-  return seconds;
+  const Stage* stage = this->Inner->Find(name);
+  return stage ? stage->seconds : 0.0;
 }
 
 const char* vtkOversketchOneStroke::GetStageName() const
