@@ -36,7 +36,7 @@ Eigen::Matrix4d MatrixOf(vtkDataArray* array)
   return m;
 }
 
-// vtkAlgorithm keeps SetErrorCode to its heirs; naming it through one makes it reachable from a free function.
+// vtkAlgorithm keeps SetErrorCode to its heirs; naming it through one makes it reachable from here.
 struct ErrorCodeAccess : vtkAlgorithm
 {
   static void Set(vtkAlgorithm* self, unsigned long code) { (self->*&ErrorCodeAccess::SetErrorCode)(code); }
@@ -97,7 +97,8 @@ Context ContextOf(vtkAlgorithm* self, double from, double to)
   Context context;
   context.parallelFor = [](int count, const Context::Body& body)
   {
-    vtkSMPTools::For(0, count,
+    vtkSMPTools::For(0,
+      count,
       [&body](vtkIdType begin, vtkIdType end) { body(static_cast<int>(begin), static_cast<int>(end)); });
   };
   context.progress = [self, from, to](double done) { self->UpdateProgress(from + done * (to - from)); };
@@ -110,8 +111,8 @@ void RequirePolygonsOnly(vtkPolyData* polyData)
   if (polyData->GetNumberOfVerts() + polyData->GetNumberOfLines() + polyData->GetNumberOfStrips() > 0)
   {
     throw Error(Failure::BadMesh,
-      "The mesh holds vertices, lines or strips besides polygons; pass it through vtkTriangleFilter with PassVerts and "
-      "PassLines off.");
+      "The mesh holds vertices, lines or strips besides polygons; pass it through vtkTriangleFilter with "
+      "PassVerts and PassLines off.");
   }
 }
 
@@ -140,8 +141,7 @@ Mesh MeshOf(vtkPolyData* polyData)
     const vtkIdType* ids = nullptr;
     it->GetCurrentCell(size, ids);
     const bool triangle = size == 3;
-    if (!triangle ||
-      std::any_of(ids, ids + size, [points](vtkIdType id) { return id < 0 || id >= points; }))
+    if (!triangle || std::any_of(ids, ids + size, [points](vtkIdType id) { return id < 0 || id >= points; }))
     {
       std::ostringstream message;
       message << "Cell " << it->GetCurrentCellId() << " of the mesh "
@@ -149,7 +149,8 @@ Mesh MeshOf(vtkPolyData* polyData)
                            : "is not a triangle; pass the mesh through vtkTriangleFilter.");
       throw Error(Failure::BadMesh, message.str());
     }
-    mesh.triangles.push_back({ static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]) });
+    mesh.triangles.push_back(
+      { static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]) });
   }
   return mesh;
 }
@@ -208,7 +209,9 @@ View ViewOf(vtkPolyData* stroke)
       }
     }
   }
-  return View(MatrixOf(arrays[0]), MatrixOf(arrays[1]), static_cast<int>(arrays[2]->GetComponent(0, 0)),
+  return View(MatrixOf(arrays[0]),
+    MatrixOf(arrays[1]),
+    static_cast<int>(arrays[2]->GetComponent(0, 0)),
     static_cast<int>(arrays[2]->GetComponent(0, 1)));
 }
 
@@ -246,8 +249,12 @@ std::vector<Vector2> StrokeOf(vtkPolyData* stroke)
   return samples;
 }
 
-vtkDataArray* RequireArray(vtkDataSetAttributes* attributes, const char* name, int components, vtkIdType tuples,
-  const std::string& holder, const std::string& remedy)
+vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
+  const char* name,
+  int components,
+  vtkIdType tuples,
+  const std::string& holder,
+  const std::string& remedy)
 {
   vtkDataArray* array = attributes->GetArray(name);
   std::ostringstream message;
@@ -258,8 +265,8 @@ vtkDataArray* RequireArray(vtkDataSetAttributes* attributes, const char* name, i
   }
   if (array->GetNumberOfComponents() != components || (tuples >= 0 && array->GetNumberOfTuples() != tuples))
   {
-    message << "Array " << name << " of the " << holder << " has " << array->GetNumberOfTuples() << " tuples of "
-            << array->GetNumberOfComponents() << " components";
+    message << "Array " << name << " of the " << holder << " has " << array->GetNumberOfTuples()
+            << " tuples of " << array->GetNumberOfComponents() << " components";
     if (tuples >= 0)
     {
       message << "; " << tuples << " of " << components << " are needed";

@@ -1,6 +1,6 @@
 /**
- * What the Oversketch filters share: VTK data to kernel data and back, the view that a stroke carries, errors and
- * cancelling, cache keys. Free functions, for use in the .cxx of filters; not wrapped.
+ * What the Oversketch filters share: VTK data to kernel data and back, the view that a stroke carries, errors
+ * and cancelling, cache keys. Free functions, for use in the .cxx of filters; not wrapped.
  */
 #ifndef vtkOversketchFilterTools_h
 #define vtkOversketchFilterTools_h
@@ -26,11 +26,11 @@ namespace oversketch
 {
 
 /**
- * Runs the body of a RequestData. Resets the filter's error code, makes every vtk error, exception or abort come out
- * alike: one vtkErrorMacro with the message, SetErrorCode(vtkErrorCode::UserError + failure), every output of the
- * filter initialised, return 0. A cancelled run (AbortExecute) is silent: no error event, error code Cancelled,
- * outputs initialised, return 0 - the driver calls Modified() on the filter before it tries again. Returns 1 when
- * body returns normally.
+ * Runs the body of a RequestData. Resets the filter's error code, makes every vtk error, exception or abort
+ * come out alike: one vtkErrorMacro with the message, SetErrorCode(vtkErrorCode::UserError + failure), every
+ * output of the filter initialised, return 0. A cancelled run (AbortExecute) is silent: no error event, error
+ * code Cancelled, outputs initialised, return 0 - the driver calls Modified() on the filter before it tries
+ * again. Returns 1 when body returns normally.
  */
 OVERSKETCHFILTERSCORE_EXPORT int RunFilter(vtkAlgorithm* self, const std::function<void()>& body);
 
@@ -40,46 +40,52 @@ OVERSKETCHFILTERSCORE_EXPORT int RunFilter(vtkAlgorithm* self, const std::functi
 OVERSKETCHFILTERSCORE_EXPORT Context ContextOf(vtkAlgorithm* self, double from = 0.0, double to = 1.0);
 
 /**
- * Throws Error(BadMesh) when the mesh holds lines, vertices or strips besides its polygons (remedy: vtkTriangleFilter).
+ * Throws Error(BadMesh) when the mesh holds lines, vertices or strips besides its polygons (remedy:
+ * vtkTriangleFilter).
  */
 OVERSKETCHFILTERSCORE_EXPORT void RequirePolygonsOnly(vtkPolyData* polyData);
 
 /**
- * The mesh as kernels see it; vertex i is point i, triangle i is polygon i. Throws Error(BadMesh) naming the first
- * offending cell or point when a polygon is not a triangle, an id is out of range, a point is not finite, or there are
- * lines, vertices or strips besides the polygons (remedy: vtkTriangleFilter).
+ * The mesh as kernels see it; vertex i is point i, triangle i is polygon i. Throws Error(BadMesh) naming the
+ * first offending cell or point when a polygon is not a triangle, an id is out of range, a point is not
+ * finite, or there are lines, vertices or strips besides the polygons (remedy: vtkTriangleFilter).
  */
 OVERSKETCHFILTERSCORE_EXPORT Mesh MeshOf(vtkPolyData* polyData);
 
 /**
- * Unit vertex normals: the active point normals where the polydata has them with the right size (re-normalised),
- * else computed (angle-weighted). Absent normals are no error.
+ * Unit vertex normals: the active point normals where the polydata has them with the right size
+ * (re-normalised), else computed (angle-weighted). Absent normals are no error.
  */
 OVERSKETCHFILTERSCORE_EXPORT std::vector<Vector3> NormalsOf(vtkPolyData* polyData, const Mesh& mesh);
 
 /**
- * The one view of the stroke polydata, from cell arrays ViewTransform, ProjectionTransform (16 components each,
- * row-major) and ViewportSize (2 components). Throws Error(MissingArray) naming an absent array, Error(BadStroke) when
- * there is no stroke, when cells carry different views, or a value is not finite.
+ * The one view of the stroke polydata, from cell arrays ViewTransform, ProjectionTransform (16 components
+ * each, row-major) and ViewportSize (2 components). Throws Error(MissingArray) naming an absent array,
+ * Error(BadStroke) when there is no stroke, when cells carry different views, or a value is not finite.
  */
 OVERSKETCHFILTERSCORE_EXPORT View ViewOf(vtkPolyData* stroke);
 
 /**
- * The samples of the one stroke [display px], its z left out. Throws Error(BadStroke) when the polydata does not hold
- * exactly one polyline, when that has fewer than two samples, or a sample is not finite.
+ * The samples of the one stroke [display px], its z left out. Throws Error(BadStroke) when the polydata does
+ * not hold exactly one polyline, when that has fewer than two samples, or a sample is not finite.
  */
 OVERSKETCHFILTERSCORE_EXPORT std::vector<Vector2> StrokeOf(vtkPolyData* stroke);
 
 /**
- * The array by name with the given number of components (and, where tuples >= 0, that number of tuples), or throws
- * Error(MissingArray) naming it, what holds it ("mesh", "handles") and the filter that makes it.
+ * The array by name with the given number of components (and, where tuples >= 0, that number of tuples), or
+ * throws Error(MissingArray) naming it, what holds it ("mesh", "handles") and the filter that makes it.
  */
-OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* RequireArray(vtkDataSetAttributes* attributes, const char* name,
-  int components, vtkIdType tuples, const std::string& holder, const std::string& remedy);
+OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
+  const char* name,
+  int components,
+  vtkIdType tuples,
+  const std::string& holder,
+  const std::string& remedy);
 
 /**
- * Identity and modified time of what a step reads of a mesh or of curves: points, cells and, optionally, some arrays. Equal
- * keys mean equal content: modified times are unique in a process, so a recycled address cannot fool it.
+ * Identity and modified time of what a step reads of a mesh or of curves: points, cells and, optionally, some
+ * arrays. Equal keys mean equal content: modified times are unique in a process, so a recycled address cannot
+ * fool it.
  */
 class OVERSKETCHFILTERSCORE_EXPORT MeshKey
 {

@@ -27,8 +27,8 @@
  * or no handle inside the region), SolveFailed. A mesh without points gives an empty output silently.
  *
  * Deterministic. Cost: one sparse factorisation (kept while points, polygons, Region, the handles' bindings
- * and the properties stand), then one back-substitution for x, y and z together per change of a target. Can be
- * cancelled at any time.
+ * and the properties stand), then one back-substitution for x, y and z together per change of a target. Can
+ * be cancelled at any time.
  *
  * @sa vtkOversketchTargets vtkOversketchRegionBorder vtkOversketchRemesh
  */

@@ -51,7 +51,8 @@ public:
 
   ///@{
   /**
-   * How far the outline may be off the stroke and stay [px, 0 or more, default 1]; fewer new control points fold fewer triangles.
+   * How far the outline may be off the stroke and stay [px, 0 or more, default 1]; fewer new control points
+   * fold fewer triangles.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);

@@ -2,34 +2,37 @@
  * @class vtkOversketchVisibility
  * @brief tells visible from hidden parts of silhouette curves
  *
- * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 3.2, Fig. 6. On the image plane curves are
- * cut at cusps (three consecutive points that form an angle below CuspAngle) and where they cross themselves or each
- * other; each part is visible as a whole if at least one of its points is, for smoothing may have covered others. The
- * point test runs every triangle against every point: bounding box, then 2D containment and depth.
+ * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 3.2, Fig. 6. On the image plane
+ * curves are cut at cusps (three consecutive points that form an angle below CuspAngle) and where they cross
+ * themselves or each other; each part is visible as a whole if at least one of its points is, for smoothing
+ * may have covered others. The point test runs every triangle against every point: bounding box, then 2D
+ * containment and depth.
  *
- * What the paper leaves open, as chosen here: a triangle does not hide a point whose edge it touches (its one-rings);
- * cut points have no vote, as they lie on the contour that hides, and a part without other points is tested at the
- * middles of its edges; a crossing becomes a point of both curves, at the depth of each; neighbouring visible parts of
- * one curve are joined again, as a T-junction also cuts the curve in front. Departures: a grid over the points finds
- * those that a triangle's box can hold; perspective views, with depth that is affine on screen, where parts at or
- * behind the eye are hidden and triangles that reach there hide nothing.
+ * What the paper leaves open, as chosen here: a triangle does not hide a point whose edge it touches (its
+ * one-rings); cut points have no vote, as they lie on the contour that hides, and a part without other points
+ * is tested at the middles of its edges; a crossing becomes a point of both curves, at the depth of each;
+ * neighbouring visible parts of one curve are joined again, as a T-junction also cuts the curve in front.
+ * Departures: a grid over the points finds those that a triangle's box can hold; perspective views, with
+ * depth that is affine on screen, where parts at or behind the eye are hidden and triangles that reach there
+ * hide nothing.
  *
- * Input 0: curves of vtkOversketchSnake or vtkOversketchSilhouette (polylines with MeshVertices, MeshWeights, Normals).
- * Input 1: the mesh that the curves were made from.
- * Input 2: stroke polydata, for the view it carries.
+ * Input 0: curves of vtkOversketchSnake or vtkOversketchSilhouette (polylines with MeshVertices, MeshWeights,
+ * Normals). Input 1: the mesh that the curves were made from. Input 2: stroke polydata, for the view it
+ * carries.
  *
- * Output 0: polylines, curve by curve, along each, with the point arrays that vtkOversketchSilhouette documents; a
- * crossing point has up to three MeshVertices. Joined curves keep the inserted points. Cell arrays:
+ * Output 0: polylines, curve by curve, along each, with the point arrays that vtkOversketchSilhouette
+ * documents; a crossing point has up to three MeshVertices. Joined curves keep the inserted points. Cell
+ * arrays:
  * - CurveId, int: the input's polyline that the part belongs to,
  * - Visible, unsigned char: 1 or 0.
  * Nothing else is passed.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. No curves give an empty
- * output silently. Without an OpenCL device (see Backend) the host computes, with a warning.
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. No curves give an
+ * empty output silently. Without an OpenCL device (see Backend) the host computes, with a warning.
  *
- * Deterministic for any number of threads; the device decides bit for bit like the host where it has double precision,
- * else within 1e-5 of the picture's extent. Cost: one pass over vertices and triangles. The result is kept, as the same
- * arrays, while curves, mesh, view and parameters stand.
+ * Deterministic for any number of threads; the device decides bit for bit like the host where it has double
+ * precision, else within 1e-5 of the picture's extent. Cost: one pass over vertices and triangles. The result
+ * is kept, as the same arrays, while curves, mesh, view and parameters stand.
  *
  * @sa vtkOversketchSnake vtkOversketchMatch
  */
@@ -69,8 +72,8 @@ public:
 
   ///@{
   /**
-   * A curve is cut where three consecutive points form a smaller angle than this on the image plane [degrees], 0 to
-   * 180. Default 90, the paper's pi / 2.
+   * A curve is cut where three consecutive points form a smaller angle than this on the image plane
+   * [degrees], 0 to 180. Default 90, the paper's pi / 2.
    */
   vtkSetClampMacro(CuspAngle, double, 0.0, 180.0);
   vtkGetMacro(CuspAngle, double);
@@ -78,7 +81,8 @@ public:
 
   ///@{
   /**
-   * Whether neighbouring visible parts of one curve become one polyline again. Default on; off leaves all parts.
+   * Whether neighbouring visible parts of one curve become one polyline again. Default on; off leaves all
+   * parts.
    */
   vtkSetMacro(Rejoin, bool);
   vtkGetMacro(Rejoin, bool);
@@ -87,8 +91,9 @@ public:
 
   ///@{
   /**
-   * Where points are tested: BACKEND_AUTO (default) and BACKEND_OPENCL on the OpenCL device where there is one, else,
-   * and with BACKEND_HOST, on the host. The environment variable OVERSKETCH_OPENCL=off hides the device.
+   * Where points are tested: BACKEND_AUTO (default) and BACKEND_OPENCL on the OpenCL device where there is
+   * one, else, and with BACKEND_HOST, on the host. The environment variable OVERSKETCH_OPENCL=off hides the
+   * device.
    */
   vtkSetClampMacro(Backend, int, BACKEND_AUTO, BACKEND_HOST);
   vtkGetMacro(Backend, int);

@@ -2,37 +2,38 @@
  * @class vtkOversketchOneStroke
  * @brief one stroke over a silhouette deforms the mesh: the whole of SEED as one filter
  *
- * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation". The stroke replaces the part of the silhouette that it was
- * drawn near; control points, region of interest and deformation follow from it. Inside, each step is a filter of its own
- * (names in braces reach its output, see GetInnerOutput):
- * clean stroke {Stroke}, silhouette {Silhouette}, snake smoothing {Snake}, hidden parts {Visibility}, outline of the picture
- * {Outline}, matched section {Match}, targets {Targets}, shape diameter {ShapeDiameter}, Gaussian mixtures and region growing
- * {MixtureRegion}, region border {RegionBorder}, remeshing before {Stretch}, Laplacian deformation {Deform}, control points
- * where its outline missed the stroke {Correction}, remeshing after {Restore}.
+ * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation". The stroke replaces the part of the
+ * silhouette that it was drawn near; control points, region of interest and deformation follow from it.
+ * Inside, each step is a filter of its own (names in braces reach its output, see GetInnerOutput): clean
+ * stroke {Stroke}, silhouette {Silhouette}, snake smoothing {Snake}, hidden parts {Visibility}, outline of
+ * the picture {Outline}, matched section {Match}, targets {Targets}, shape diameter {ShapeDiameter}, Gaussian
+ * mixtures and region growing {MixtureRegion}, region border {RegionBorder}, remeshing before {Stretch},
+ * Laplacian deformation {Deform}, control points where its outline missed the stroke {Correction}, remeshing
+ * after {Restore}.
  *
- * Departures from the paper are the amendments of each step, on by default; AsPublished turns all of them off. Remeshing
- * is Auto by default (the paper leaves it to the user): it is done where the plain deformation stretches edges of the region by
- * more than 1.5 (at least 1 % of them) or makes triangles narrow (an angle under 30 degrees; at least 1 % of the
- * region's more than before), and its result is kept only if the outline has not left the stroke by 0.5 px more, in the mean and at worst,
- * and no more edges are folded.
+ * Departures from the paper are the amendments of each step, on by default; AsPublished turns all of them
+ * off. Remeshing is Auto by default (the paper leaves it to the user): it is done where the plain deformation
+ * stretches edges of the region by more than 1.5 (at least 1 % of them) or makes triangles narrow (an angle
+ * under 30 degrees; at least 1 % of the region's more than before), and its result is kept only if the
+ * outline has not left the stroke by 0.5 px more, in the mean and at worst, and no more edges are folded.
  *
- * Input 0: triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or normals are welded for
- * computing (exactly equal positions) and split again in the output. The mesh's normals are not read: the silhouette of
- * the surface itself is meant.
- * Input 1: one stroke (one polyline in display coordinates with the cell arrays ViewTransform, ProjectionTransform,
- * ViewportSize).
+ * Input 0: triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or normals are
+ * welded for computing (exactly equal positions) and split again in the output. The mesh's normals are not
+ * read: the silhouette of the surface itself is meant. Input 1: one stroke (one polyline in display
+ * coordinates with the cell arrays ViewTransform, ProjectionTransform, ViewportSize).
  *
- * Output 0: the deformed mesh. Point, cell and field arrays survive; where the remesher made points they are interpolated
- * (along texture seams once per side), and normals turn with the surface. Points outside the region are bit-identical
- * and, where nothing was remeshed, all points and cells keep their ids.
+ * Output 0: the deformed mesh. Point, cell and field arrays survive; where the remesher made points they are
+ * interpolated (along texture seams once per side), and normals turn with the surface. Points outside the
+ * region are bit-identical and, where nothing was remeshed, all points and cells keep their ids.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its failure;
- * output empty. An empty mesh gives an empty output silently. After AbortExecute the output is empty and the error code
- * Cancelled; call Modified() before the next Update.
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
+ * failure; output empty. An empty mesh gives an empty output silently. After AbortExecute the output is empty
+ * and the error code Cancelled; call Modified() before the next Update.
  *
- * Demand-driven: a new stroke computes neither shape diameter nor whole-model mixture again, a new stroke in the same view no
- * silhouette either; a new target for the same section and region uses the factorisation again; a changed attribute array re-runs
- * no step. Deterministic: same input, same bits, whatever the number of threads.
+ * Demand-driven: a new stroke computes neither shape diameter nor whole-model mixture again, a new stroke in
+ * the same view no silhouette either; a new target for the same section and region uses the factorisation
+ * again; a changed attribute array re-runs no step. Deterministic: same input, same bits, whatever the number
+ * of threads.
  *
  * @sa vtkOversketchLaplacianDeform vtkOversketchMixtureRegion vtkOversketchMatch
  */
@@ -72,8 +73,9 @@ public:
 
   ///@{
   /**
-   * Where rays, mixtures and the visibility test run: Auto (default) takes OpenCL where there is a device; Host takes Embree for the rays. Without an
-   * OpenCL device the host does the work, with a warning if OpenCL was asked for.
+   * Where rays, mixtures and the visibility test run: Auto (default) takes OpenCL where there is a device;
+   * Host takes Embree for the rays. Without an OpenCL device the host does the work, with a warning if OpenCL
+   * was asked for.
    */
   void SetBackend(int backend);
   int GetBackend() const { return this->Backend; }
@@ -100,7 +102,8 @@ public:
 
   ///@{
   /**
-   * Let Laplacian coordinates turn with the surface (Sec. 5.1, AdjNorm): slower, better for large rotations. Default off.
+   * Let Laplacian coordinates turn with the surface (Sec. 5.1, AdjNorm): slower, better for large rotations.
+   * Default off.
    */
   void SetAdjustNormals(bool adjust);
   bool GetAdjustNormals() const;
@@ -109,9 +112,10 @@ public:
 
   ///@{
   /**
-   * After deforming, add control points where other parts of the surface have become the outline and miss the stroke, deform once
-   * more, and keep the better result (vtkOversketchCorrection). Where more than five edges were folded, the second deformation pulls
-   * its handles with a fifth of the weight. Default on; AsPublished turns it off.
+   * After deforming, add control points where other parts of the surface have become the outline and miss the
+   * stroke, deform once more, and keep the better result (vtkOversketchCorrection). Where more than five
+   * edges were folded, the second deformation pulls its handles with a fifth of the weight. Default on;
+   * AsPublished turns it off.
    */
   vtkSetMacro(CorrectOutline, bool);
   vtkGetMacro(CorrectOutline, bool);
@@ -120,8 +124,9 @@ public:
 
   ///@{
   /**
-   * Turn every amendment of every step off (true) or on (false, default); sets the properties of the inner steps at once, so single ones can be changed
-   * afterwards by GetStep. As published implies Remesh Off unless it is On.
+   * Turn every amendment of every step off (true) or on (false, default); sets the properties of the inner
+   * steps at once, so single ones can be changed afterwards by GetStep. As published implies Remesh Off
+   * unless it is On.
    */
   void SetAsPublished(bool published);
   vtkGetMacro(AsPublished, bool);
@@ -135,9 +140,9 @@ public:
 
   ///@{
   /**
-   * The output of an inner step after the last run, by the names above; null when there is no such step. Empty
-   * for steps that did not run (Outline as published, Stretch and Restore without remeshing). Deform is the deformation
-   * that the output was made of. Not to be changed.
+   * The output of an inner step after the last run, by the names above; null when there is no such step.
+   * Empty for steps that did not run (Outline as published, Stretch and Restore without remeshing). Deform is
+   * the deformation that the output was made of. Not to be changed.
    */
   int GetNumberOfInnerOutputs() const;
   const char* GetInnerOutputName(int index) const;
@@ -145,15 +150,16 @@ public:
   ///@}
 
   /**
-   * An inner step itself, to set parameters that the system does not repeat or to read its counters; null for an
-   * unknown name. {Deform} is the step that deforms the mesh as it came, {DeformRemeshed} the one between the remeshers,
-   * {DeformCorrected} and {DeformRemeshedCorrected} those with the handles of {Correction} and {CorrectionRemeshed}.
+   * An inner step itself, to set parameters that the system does not repeat or to read its counters; null for
+   * an unknown name. {Deform} is the step that deforms the mesh as it came, {DeformRemeshed} the one between
+   * the remeshers, {DeformCorrected} and {DeformRemeshedCorrected} those with the handles of {Correction} and
+   * {CorrectionRemeshed}.
    */
   vtkAlgorithm* GetStep(const char* name);
 
   /**
-   * The step, for GetStep, whose deformation the last output was made of: Deform, DeformCorrected, DeformRemeshed or
-   * DeformRemeshedCorrected.
+   * The step, for GetStep, whose deformation the last output was made of: Deform, DeformCorrected,
+   * DeformRemeshed or DeformRemeshedCorrected.
    */
   const char* GetDeformationName() const;
 

@@ -28,9 +28,11 @@ using Mix = std::vector<std::pair<vtkIdType, double>>;
 
 bool SameMix(const Mix& a, const Mix& b)
 {
-  return a.size() == b.size() &&
-    std::equal(a.begin(), a.end(), b.begin(),
-      [](const auto& x, const auto& y) { return x.first == y.first && std::abs(x.second - y.second) < 1e-9; });
+  return a.size() == b.size() && std::equal(a.begin(),
+                                   a.end(),
+                                   b.begin(),
+                                   [](const auto& x, const auto& y)
+                                   { return x.first == y.first && std::abs(x.second - y.second) < 1e-9; });
 }
 
 void Normalise(Mix& mix)
@@ -48,7 +50,9 @@ void Normalise(Mix& mix)
       merged.push_back(entry);
     }
   }
-  merged.erase(std::remove_if(merged.begin(), merged.end(), [](const auto& entry) { return std::abs(entry.second) < 1e-12; }),
+  merged.erase(
+    std::remove_if(
+      merged.begin(), merged.end(), [](const auto& entry) { return std::abs(entry.second) < 1e-12; }),
     merged.end());
   mix = std::move(merged);
   if (mix.size() == 1)
@@ -152,7 +156,8 @@ void Weld::FindVertices(vtkPolyData*)
     }
     return 0;
   };
-  std::sort(order.begin(), order.end(),
+  std::sort(order.begin(),
+    order.end(),
     [&](int a, int b)
     {
       const int c = compare(a, b);
@@ -226,7 +231,8 @@ void Weld::FindAttributeClasses(vtkPolyData* mesh)
   };
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
+  std::sort(order.begin(),
+    order.end(),
     [&](int a, int b)
     {
       const int c = compare(a, b);
@@ -270,8 +276,8 @@ void Weld::FindCharts()
       }
     }
   };
-  // A seam may end inside a patch of the texture. A triangle joins a chart only if no triangle across one of its seams is
-  // already there, so every seam separates two charts.
+  // A seam may end inside a patch of the texture. A triangle joins a chart only if no triangle across one of
+  // its seams is already there, so every seam separates two charts.
   vtkNew<vtkIntArray> charts;
   charts->SetName("Chart");
   charts->SetNumberOfTuples(triangles);
@@ -298,7 +304,8 @@ void Weld::FindCharts()
             return;
           }
           bool clash = false;
-          eachNeighbour(other, [&](int beyond, bool jump) { clash = clash || (jump && chart[beyond] == count); });
+          eachNeighbour(
+            other, [&](int beyond, bool jump) { clash = clash || (jump && chart[beyond] == count); });
           if (!clash)
           {
             chart[other] = count;
@@ -358,14 +365,19 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
   RefreshCellNormals(output, changed);
 }
 
-void Weld::Transfer(vtkPolyData* mesh, vtkPolyData* stretched, vtkPolyData* restored, vtkPolyData* output) const
+void Weld::Transfer(vtkPolyData* mesh,
+  vtkPolyData* stretched,
+  vtkPolyData* restored,
+  vtkPolyData* output) const
 {
   const char* remedy = "vtkOversketchRemesh writes it";
   const auto sources = [&](vtkPolyData* remeshed)
   {
     return std::make_pair(
-      RequireArray(remeshed->GetCellData(), "SourceCell", 3, remeshed->GetNumberOfPolys(), "remeshed mesh", remedy),
-      RequireArray(remeshed->GetCellData(), "SourceWeights", 9, remeshed->GetNumberOfPolys(), "remeshed mesh", remedy));
+      RequireArray(
+        remeshed->GetCellData(), "SourceCell", 3, remeshed->GetNumberOfPolys(), "remeshed mesh", remedy),
+      RequireArray(
+        remeshed->GetCellData(), "SourceWeights", 9, remeshed->GetNumberOfPolys(), "remeshed mesh", remedy));
   };
   const auto first = sources(stretched);
   const auto second = sources(restored);
@@ -500,7 +512,8 @@ void Weld::Transfer(vtkPolyData* mesh, vtkPolyData* stretched, vtkPolyData* rest
     polys->InsertNextCell(3, corners);
     const auto between = static_cast<vtkIdType>(second.first->GetComponent(static_cast<vtkIdType>(t), 0));
     output->GetCellData()->CopyData(mesh->GetCellData(),
-      static_cast<vtkIdType>(first.first->GetComponent(between, 0)), static_cast<vtkIdType>(t));
+      static_cast<vtkIdType>(first.first->GetComponent(between, 0)),
+      static_cast<vtkIdType>(t));
   }
   output->SetPolys(polys);
   output->GetFieldData()->ShallowCopy(mesh->GetFieldData());

@@ -1,5 +1,6 @@
-// A mesh as a system computes on it: points that share a position are one vertex, whatever attributes a reader split
-// them for. And the way back: the user's arrays on the deformed and on the remeshed result. Not installed.
+// A mesh as a system computes on it: points that share a position are one vertex, whatever attributes a
+// reader split them for. And the way back: the user's arrays on the deformed and on the remeshed result. Not
+// installed.
 #ifndef vtkOversketchWeld_h
 #define vtkOversketchWeld_h
 
@@ -24,9 +25,9 @@ public:
   Weld(const Weld&) = delete;
   void operator=(const Weld&) = delete;
 
-  // Geometry only: welded points (those of the mesh, the same object, where nothing was to weld), its triangles in its
-  // order and, where the reader split points along seams of an attribute, cell array Chart: neighbours in one chart
-  // agree in all attributes of their common points.
+  // Geometry only: welded points (those of the mesh, the same object, where nothing was to weld), its
+  // triangles in its order and, where the reader split points along seams of an attribute, cell array Chart:
+  // neighbours in one chart agree in all attributes of their common points.
   vtkPolyData* Welded() const { return this->Inner; }
 
   // The welded vertex of a point of the mesh.
@@ -35,13 +36,14 @@ public:
     return this->Vertices.empty() ? point : this->Vertices[static_cast<std::size_t>(point)];
   }
 
-  // mesh with the points of moved, which has the welded mesh's connectivity. Everything else is passed; point normals
-  // turn as the surface does, and are not touched where it did not move.
+  // mesh with the points of moved, which has the welded mesh's connectivity. Everything else is passed; point
+  // normals turn as the surface does, and are not touched where it did not move.
   void Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) const;
 
-  // restored in the user's terms: restored was remeshed from deformed, whose connectivity is that of stretched, which was
-  // remeshed from the welded mesh; both carry SourceCell and SourceWeights. Point arrays are interpolated from mesh,
-  // once per chart along seams; cell arrays come from the cell that a triangle's first corner lies in.
+  // restored in the user's terms: restored was remeshed from deformed, whose connectivity is that of
+  // stretched, which was remeshed from the welded mesh; both carry SourceCell and SourceWeights. Point arrays
+  // are interpolated from mesh, once per chart along seams; cell arrays come from the cell that a triangle's
+  // first corner lies in.
   void Transfer(vtkPolyData* mesh, vtkPolyData* stretched, vtkPolyData* restored, vtkPolyData* output) const;
 
 private:

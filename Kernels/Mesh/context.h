@@ -14,16 +14,16 @@ namespace oversketch
 // vtkErrorCode::UserError.
 enum class Failure : int
 {
-  BadMesh = 1,        // not triangles, non-finite points, an id out of range
-  MissingArray = 2,   // an input array is absent or has the wrong shape
-  BadStroke = 3,      // a stroke that must be refused: closed, too short, non-finite, two views
-  NoMatch = 4,        // no silhouette section fits the stroke
-  BadRegion = 5,      // the region is empty or reaches the whole mesh
-  NoDevice = 6,       // the requested device is not there
-  SolveFailed = 7,    // a linear system could not be factored
-  Cancelled = 8,      // the caller asked to stop
-  InnerStep = 9,      // a step inside a system failed
-  Unexpected = 10     // out of memory or a fault of a library
+  BadMesh = 1,      // not triangles, non-finite points, an id out of range
+  MissingArray = 2, // an input array is absent or has the wrong shape
+  BadStroke = 3,    // a stroke that must be refused: closed, too short, non-finite, two views
+  NoMatch = 4,      // no silhouette section fits the stroke
+  BadRegion = 5,    // the region is empty or reaches the whole mesh
+  NoDevice = 6,     // the requested device is not there
+  SolveFailed = 7,  // a linear system could not be factored
+  Cancelled = 8,    // the caller asked to stop
+  InnerStep = 9,    // a step inside a system failed
+  Unexpected = 10   // out of memory or a fault of a library
 };
 
 // Thrown by kernels. The message names the array, cell or point and the remedy.
@@ -50,7 +50,10 @@ struct Context
   // writes only to places that its own indices name, so results do not depend on the number of threads,
   // and it does not throw: it stops early when cancelled() is true.
   std::function<void(int count, const Body& body)> parallelFor = [](int count, const Body& body)
-  { if (count > 0) body(0, count); };
+  {
+    if (count > 0)
+      body(0, count);
+  };
 
   // Takes progress in [0, 1]. Called by the kernel's own thread only.
   std::function<void(double)> progress = [](double) {};

@@ -34,11 +34,11 @@ int Adjacency::findEdge(int a, int b) const
   const auto key = std::minmax(a, b);
   const auto less = [](const MeshEdge& e, const std::pair<int, int>& k)
   { return e.v0 < k.first || (e.v0 == k.first && e.v1 < k.second); };
-  const auto it =
-    std::lower_bound(this->edges.begin(), this->edges.end(), std::pair<int, int>(key.first, key.second), less);
+  const auto it = std::lower_bound(
+    this->edges.begin(), this->edges.end(), std::pair<int, int>(key.first, key.second), less);
   return it != this->edges.end() && it->v0 == key.first && it->v1 == key.second
-    ? static_cast<int>(it - this->edges.begin())
-    : -1;
+           ? static_cast<int>(it - this->edges.begin())
+           : -1;
 }
 
 Adjacency buildAdjacency(const Mesh& mesh)
@@ -70,8 +70,8 @@ Adjacency buildAdjacency(const Mesh& mesh)
     for (int t = 0; t < triangles; ++t)
     {
       const Triangle& v = mesh.triangles[t];
-      // A collapsed triangle has no edges: the two that remain of it are one, and the triangles on either side of it
-      // are true neighbours.
+      // A collapsed triangle has no edges: the two that remain of it are one, and the triangles on either
+      // side of it are true neighbours.
       for (int k = 0; k < 3 && v[0] != v[1] && v[1] != v[2] && v[2] != v[0]; ++k)
       {
         visit(std::min(v[k], v[(k + 1) % 3]), Half{ std::max(v[k], v[(k + 1) % 3]), t, k });
@@ -93,9 +93,9 @@ Adjacency buildAdjacency(const Mesh& mesh)
   {
     const auto begin = halves.begin() + offsets[v0];
     const auto end = halves.begin() + offsets[v0 + 1];
-    std::sort(begin, end,
-      [](const Half& a, const Half& b)
-      { return a.v1 != b.v1 ? a.v1 < b.v1 : a.triangle < b.triangle; });
+    std::sort(begin,
+      end,
+      [](const Half& a, const Half& b) { return a.v1 != b.v1 ? a.v1 < b.v1 : a.triangle < b.triangle; });
     for (auto it = begin; it != end;)
     {
       MeshEdge edge{ v0, it->v1, static_cast<int>(adjacency.edgeTriangles.size()), 0 };
@@ -132,8 +132,7 @@ Adjacency buildAdjacency(const Mesh& mesh)
 Vector3 facetNormal(const Mesh& mesh, int triangle)
 {
   const Triangle& t = mesh.triangles[triangle];
-  const Vector3 n =
-    (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
+  const Vector3 n = (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
   const double length = n.norm();
   return length > 0.0 ? Vector3(n / length) : Vector3(Vector3::Zero());
 }
@@ -176,8 +175,10 @@ double boundingDiagonal(const Mesh& mesh)
   return (high - low).norm();
 }
 
-std::vector<double> edgeDistances(
-  const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& sources, double limit)
+std::vector<double> edgeDistances(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& sources,
+  double limit)
 {
   std::vector<double> distance(mesh.points.size(), std::numeric_limits<double>::infinity());
   using Entry = std::pair<double, int>;

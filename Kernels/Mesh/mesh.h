@@ -44,20 +44,27 @@ struct MeshEdge
 
 struct Adjacency
 {
-  Lists vertexTriangles;                       // ascending triangle ids
-  Lists vertexVertices;                        // ascending vertex ids, each neighbour once
-  std::vector<MeshEdge> edges;                 // ascending by (v0, v1)
-  std::vector<int> edgeTriangles;              // ascending per edge
+  Lists vertexTriangles;                         // ascending triangle ids
+  Lists vertexVertices;                          // ascending vertex ids, each neighbour once
+  std::vector<MeshEdge> edges;                   // ascending by (v0, v1)
+  std::vector<int> edgeTriangles;                // ascending per edge
   std::vector<std::array<int, 3>> triangleEdges; // edge k of a triangle joins its corners k and (k + 1) % 3
-  std::vector<char> borderVertex;              // 1 where an edge with exactly one triangle ends
+  std::vector<char> borderVertex;                // 1 where an edge with exactly one triangle ends
 
   // The edge between a and b, or -1.
   int findEdge(int a, int b) const;
-  const int* trianglesBegin(int edge) const { return this->edgeTriangles.data() + this->edges[edge].firstTriangle; }
-  const int* trianglesEnd(int edge) const { return this->trianglesBegin(edge) + this->edges[edge].triangleCount; }
+  const int* trianglesBegin(int edge) const
+  {
+    return this->edgeTriangles.data() + this->edges[edge].firstTriangle;
+  }
+  const int* trianglesEnd(int edge) const
+  {
+    return this->trianglesBegin(edge) + this->edges[edge].triangleCount;
+  }
 };
 
-// A triangle with a repeated vertex has no edges (-1 in triangleEdges); it stays in the lists of its vertices.
+// A triangle with a repeated vertex has no edges (-1 in triangleEdges); it stays in the lists of its
+// vertices.
 Adjacency buildAdjacency(const Mesh& mesh);
 
 // Unit vertex normals, each incident triangle weighted by its angle at the vertex; zero for a vertex without
@@ -70,7 +77,9 @@ Vector3 facetNormal(const Mesh& mesh, int triangle);
 double boundingDiagonal(const Mesh& mesh);
 
 // Length of the shortest edge path from the nearest source [model length], infinity beyond limit.
-std::vector<double> edgeDistances(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& sources,
+std::vector<double> edgeDistances(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& sources,
   double limit = std::numeric_limits<double>::infinity());
 
 } // namespace oversketch

@@ -7,8 +7,10 @@
 namespace oversketch
 {
 
-View::View(
-  const Eigen::Matrix4d& viewTransform, const Eigen::Matrix4d& projectionTransform, int width, int height)
+View::View(const Eigen::Matrix4d& viewTransform,
+  const Eigen::Matrix4d& projectionTransform,
+  int width,
+  int height)
   : view_(viewTransform)
   , projection_(projectionTransform)
   , width_(width)
@@ -17,7 +19,8 @@ View::View(
   if (!viewTransform.allFinite() || !projectionTransform.allFinite())
   {
     throw Error(Failure::BadStroke,
-      "The stroke's ViewTransform or ProjectionTransform holds a value that is not finite; record the stroke again.");
+      "The stroke's ViewTransform or ProjectionTransform holds a value that is not finite; record the stroke "
+      "again.");
   }
   if (width <= 0 || height <= 0)
   {
@@ -27,7 +30,7 @@ View::View(
   const double scale = std::cbrt(std::abs(rotation.determinant()));
   // Only the x, y, w rows of the projection count: near and far mean nothing here.
   const double focal = projectionTransform(0, 0) * projectionTransform(1, 1) -
-    projectionTransform(0, 1) * projectionTransform(1, 0);
+                       projectionTransform(0, 1) * projectionTransform(1, 0);
   const Eigen::RowVector4d w = projectionTransform.row(3);
   this->perspective_ = w[0] != 0.0 || w[1] != 0.0 || w[2] != 0.0;
   if (!(scale > 0.0) || !(std::abs(focal) > 0.0) || (!this->perspective_ && w[3] == 0.0))
@@ -45,8 +48,9 @@ Vector3 View::toDisplay(const Vector3& world) const
 {
   const Eigen::Vector4d camera = this->view_ * world.homogeneous();
   const Eigen::Vector4d clip = this->projection_ * camera;
-  return { (clip[0] / clip[3] + 1.0) * 0.5 * this->width_, (clip[1] / clip[3] + 1.0) * 0.5 * this->height_,
-    camera[2] };
+  return {
+    (clip[0] / clip[3] + 1.0) * 0.5 * this->width_, (clip[1] / clip[3] + 1.0) * 0.5 * this->height_, camera[2]
+  };
 }
 
 Vector3 View::toScreen(const Vector3& world) const

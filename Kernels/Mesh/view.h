@@ -15,7 +15,10 @@ class View
 public:
   // world -> camera and camera -> clip (column vectors), viewport size in pixels. Throws
   // Error(Failure::BadStroke) when a matrix is singular or not finite or the size is not positive.
-  View(const Eigen::Matrix4d& viewTransform, const Eigen::Matrix4d& projectionTransform, int width, int height);
+  View(const Eigen::Matrix4d& viewTransform,
+    const Eigen::Matrix4d& projectionTransform,
+    int width,
+    int height);
 
   int width() const { return this->width_; }
   int height() const { return this->height_; }

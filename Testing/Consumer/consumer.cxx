@@ -1,5 +1,5 @@
-// Runs system A from an installed package: an empty stroke must be refused with an error code, a class of the library
-// must be there to refuse it.
+// Runs system A from an installed package: an empty stroke must be refused with an error code, a class of the
+// library must be there to refuse it.
 #include <vtkNew.h>
 #include <vtkOversketchOneStroke.h>
 #include <vtkPolyData.h>

@@ -24,7 +24,8 @@
 namespace oversketch_test
 {
 
-inline vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const std::vector<Vector3>* normals = nullptr)
+inline vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh,
+  const std::vector<Vector3>* normals = nullptr)
 {
   auto polyData = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -102,7 +103,8 @@ public:
     this->Command->SetCallback(
       [](vtkObject*, unsigned long event, void* self, void* text)
       {
-        auto& list = event == vtkCommand::ErrorEvent ? static_cast<Ear*>(self)->errors : static_cast<Ear*>(self)->warnings;
+        auto& list = event == vtkCommand::ErrorEvent ? static_cast<Ear*>(self)->errors
+                                                     : static_cast<Ear*>(self)->warnings;
         list.emplace_back(static_cast<const char*>(text));
       });
     for (const unsigned long event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })

@@ -27,11 +27,13 @@ inline void fact(const std::string& name, const std::string& figure)
 inline Mesh icosphere(int levels, double radius = 1.0)
 {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
-  Mesh m{ { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g }, { 0, -1, -g },
-            { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } },
-    { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 }, { 5, 11, 4 }, { 11, 10, 2 },
-      { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 },
-      { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } } };
+  // clang-format off
+  Mesh m{ { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g },
+            { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } },
+    { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 }, { 5, 11, 4 },
+      { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 }, { 3, 6, 8 },
+      { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } } };
+  // clang-format on
   for (int level = 0; level < levels; ++level)
   {
     std::map<std::pair<int, int>, int> middle;
@@ -63,9 +65,13 @@ inline Mesh icosphere(int levels, double radius = 1.0)
   return m;
 }
 
-// Grid of nu x nv quads mapped by position(u, v), u and v in [0, 1), each quad two triangles; wraps where asked.
-inline Mesh gridSurface(
-  int nu, int nv, bool wrapU, bool wrapV, const std::function<Vector3(double, double)>& position)
+// Grid of nu x nv quads mapped by position(u, v), u and v in [0, 1), each quad two triangles; wraps where
+// asked.
+inline Mesh gridSurface(int nu,
+  int nv,
+  bool wrapU,
+  bool wrapV,
+  const std::function<Vector3(double, double)>& position)
 {
   Mesh m;
   const int cu = wrapU ? nu : nu + 1, cv = wrapV ? nv : nv + 1;
@@ -85,25 +91,36 @@ inline Mesh gridSurface(
 // Torus around the z axis: main radius R, tube radius r; u around the axis, v around the tube.
 inline Mesh torus(double R, double r, int nu, int nv)
 {
-  return gridSurface(nu, nv, true, true,
+  return gridSurface(nu,
+    nv,
+    true,
+    true,
     [=](double u, double v)
     {
       const double a = 2 * pi * u, b = 2 * pi * v;
-      return Vector3((R + r * std::cos(b)) * std::cos(a), (R + r * std::cos(b)) * std::sin(a), r * std::sin(b));
+      return Vector3(
+        (R + r * std::cos(b)) * std::cos(a), (R + r * std::cos(b)) * std::sin(a), r * std::sin(b));
     });
 }
 
 // Open cylinder around the z axis from z = 0 to length.
 inline Mesh cylinder(double radius, double length, int around, int along)
 {
-  return gridSurface(around, along, true, false,
+  return gridSurface(around,
+    along,
+    true,
+    false,
     [=](double u, double v)
     { return Vector3(radius * std::cos(2 * pi * u), radius * std::sin(2 * pi * u), length * v); });
 }
 
-// Orthographic view from direction `from` (the viewer is at +infinity * from), `up` on screen, `pixels` per unit of
-// length, the world origin at the middle of the picture.
-inline View orthographicView(const Vector3& from, const Vector3& up, double pixels, int width = 800, int height = 600)
+// Orthographic view from direction `from` (the viewer is at +infinity * from), `up` on screen, `pixels` per
+// unit of length, the world origin at the middle of the picture.
+inline View orthographicView(const Vector3& from,
+  const Vector3& up,
+  double pixels,
+  int width = 800,
+  int height = 600)
 {
   const Vector3 z = from.normalized(), x = up.cross(z).normalized(), y = z.cross(x);
   Eigen::Matrix4d v = Eigen::Matrix4d::Identity();
@@ -119,8 +136,11 @@ inline View orthographicView(const Vector3& from, const Vector3& up, double pixe
 }
 
 // Perspective view from `eye` towards the origin; vertical view angle in degrees.
-inline View perspectiveView(
-  const Vector3& eye, const Vector3& up, double angle, int width = 800, int height = 600)
+inline View perspectiveView(const Vector3& eye,
+  const Vector3& up,
+  double angle,
+  int width = 800,
+  int height = 600)
 {
   const Vector3 z = eye.normalized(), x = up.cross(z).normalized(), y = z.cross(x);
   Eigen::Matrix4d v = Eigen::Matrix4d::Identity();

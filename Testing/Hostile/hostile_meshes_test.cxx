@@ -1,5 +1,5 @@
-// Every mesh of the shared data, the dirty ones too, under three strokes: a sound result or one clear message. Meant for
-// the sanitizers as well. Skipped, saying so, where the folder is absent.
+// Every mesh of the shared data, the dirty ones too, under three strokes: a sound result or one clear
+// message. Meant for the sanitizers as well. Skipped, saying so, where the folder is absent.
 #include "Harness/polydata.h"
 
 #include "Silhouette/outline.h"
@@ -51,18 +51,21 @@ View viewOf(const Mesh& mesh, bool perspective)
   }
   const double size = std::max((high - low).norm(), 1e-30);
   const Vector3 middle = (low + high) / 2.0;
-  const View at = perspective ? perspectiveView(Vector3(0.8, 0.5, 1.2).normalized() * 1.6 * size, { 0, 1, 0 }, 40)
-                              : orthographicView({ 0.2, 0.1, 1 }, { 0, 1, 0 }, 500.0 / size);
+  const View at = perspective
+                    ? perspectiveView(Vector3(0.8, 0.5, 1.2).normalized() * 1.6 * size, { 0, 1, 0 }, 40)
+                    : orthographicView({ 0.2, 0.1, 1 }, { 0, 1, 0 }, 500.0 / size);
   Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
   shift.topRightCorner<3, 1>() = -middle;
   return View(at.viewTransform() * shift, at.projectionTransform(), at.width(), at.height());
 }
 
-// A quarter of the longest loop of the outline, its middle pushed 15 px to the left; a diagonal where there is no loop.
+// A quarter of the longest loop of the outline, its middle pushed 15 px to the left; a diagonal where there
+// is no loop.
 std::vector<Vector2> strokeAlong(const Mesh& mesh, const View& view)
 {
   const std::vector<OutlineLoop> loops = traceOutline(mesh, view, outlineWindow(mesh, view, {}));
-  const auto longest = std::max_element(loops.begin(), loops.end(),
+  const auto longest = std::max_element(loops.begin(),
+    loops.end(),
     [](const OutlineLoop& a, const OutlineLoop& b) { return a.points.size() < b.points.size(); });
   if (longest == loops.end() || longest->points.size() < 60)
   {
@@ -82,7 +85,8 @@ std::vector<Vector2> strokeAlong(const Mesh& mesh, const View& view)
 std::string nameOf(const testing::TestParamInfo<std::string>& test)
 {
   std::string name = test.param.empty() ? "absent" : test.param;
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  std::replace_if(
+    name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;
 }
 

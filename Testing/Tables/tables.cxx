@@ -1,5 +1,6 @@
-// The paper's Tables 1 to 3, its figures and ours in the same columns, and the narrow-triangle shares of its Fig. 11. Run
-// by Testing/Tables/tables.sh; prints Markdown. Times are medians: a shared machine makes means useless.
+// The paper's Tables 1 to 3, its figures and ours in the same columns, and the narrow-triangle shares of its
+// Fig. 11. Run by Testing/Tables/tables.sh; prints Markdown. Times are medians: a shared machine makes means
+// useless.
 #include "Harness/polydata.h"
 
 #include "Mixture/device_mixture.h"
@@ -33,7 +34,8 @@ double median(int runs, const std::function<void()>& job)
   {
     const auto start = std::chrono::steady_clock::now();
     job();
-    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    times.push_back(
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
   std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
   return times[runs / 2];
@@ -89,8 +91,8 @@ std::vector<double> shapeDiameters(vtkPolyData* mesh)
 
 void table1(const std::string& folder)
 {
-  std::printf("\n## Table 1: rays of the shape diameter [ms]\n\n| model | paper CPU | paper GPU | ours Embree | ours "
-              "OpenCL |\n|---|---|---|---|---|\n");
+  std::printf("\n## Table 1: rays of the shape diameter [ms]\n\n"
+              "| model | paper CPU | paper GPU | ours Embree | ours OpenCL |\n|---|---|---|---|---|\n");
   for (const Bunny& bunny : bunnies)
   {
     auto mesh = read(folder + bunny.file);
@@ -108,14 +110,15 @@ void table1(const std::string& folder)
           sdf->Update();
         });
     }
-    std::printf("| %s | %.1f | %.1f | %.1f | %.1f |\n", bunny.name, bunny.table1[0], bunny.table1[1], ms[0], ms[1]);
+    std::printf(
+      "| %s | %.1f | %.1f | %.1f | %.1f |\n", bunny.name, bunny.table1[0], bunny.table1[1], ms[0], ms[1]);
   }
 }
 
 void table2(const std::string& folder)
 {
-  std::printf("\n## Table 2: greedy EM, 4 components, 2048 samples [ms]\n\n| samples | paper CPU | paper GPU | ours host | "
-              "ours OpenCL |\n|---|---|---|---|---|\n");
+  std::printf("\n## Table 2: greedy EM, 4 components, 2048 samples [ms]\n\n"
+              "| samples | paper CPU | paper GPU | ours host | ours OpenCL |\n|---|---|---|---|---|\n");
   const auto row = [](const char* name, const double paper[2], const std::vector<double>& samples)
   {
     const double host = median(15, [&] { fitMixture(samples, {}); });
@@ -123,7 +126,11 @@ void table2(const std::string& folder)
     if (device)
     {
       fitMixtureOnDevice(*device, samples, {});
-      std::printf("| %s | %.0f | %.2f | %.2f | %.2f |\n", name, paper[0], paper[1], host,
+      std::printf("| %s | %.0f | %.2f | %.2f | %.2f |\n",
+        name,
+        paper[0],
+        paper[1],
+        host,
         median(15, [&] { fitMixtureOnDevice(*device, samples, {}); }));
     }
     else
@@ -145,7 +152,8 @@ void table2(const std::string& folder)
   }
 }
 
-// The highest 20 % of the bunny (its head and ears) as region, the highest 30 vertices pulled up by a tenth of its size.
+// The highest 20 % of the bunny (its head and ears) as region, the highest 30 vertices pulled up by a tenth
+// of its size.
 struct Pull
 {
   explicit Pull(vtkPolyData* input)
@@ -198,12 +206,14 @@ struct Pull
     }
     this->handles->SetPoints(points);
     this->handles->SetVerts(verts);
-    for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ vertices, weights, targets, ids, relative })
+    for (vtkDataArray* array :
+      std::initializer_list<vtkDataArray*>{ vertices, weights, targets, ids, relative })
     {
       this->handles->GetPointData()->AddArray(array);
     }
     // The pull lengthens what lies between border and handles by about this ratio.
-    for (const auto& [name, value] : { std::pair<const char*, double>{ "SectionLength", 1.0 }, { "TargetLength", 1.4 } })
+    for (const auto& [name, value] :
+      { std::pair<const char*, double>{ "SectionLength", 1.0 }, { "TargetLength", 1.4 } })
     {
       vtkNew<vtkDoubleArray> length;
       length->SetName(name);
@@ -216,9 +226,10 @@ struct Pull
 
 void table3(const std::string& folder)
 {
-  std::printf("\n## Table 3: Laplacian deformation of 20 %% of the bunny, 30 control points [ms]\n\nOurs: build and "
-              "factor and solve, cold. Again: other targets, same section and region.\n\n| model | paper AdjNorm | paper "
-              "single | paper multi | ours AdjNorm | ours, 1 thread | ours, all threads | ours, again |\n"
+  std::printf("\n## Table 3: Laplacian deformation of 20 %% of the bunny, 30 control points [ms]\n\n"
+              "Ours: build and factor and solve, cold. Again: other targets, same section and region.\n\n"
+              "| model | paper AdjNorm | paper single | paper multi "
+              "| ours AdjNorm | ours, 1 thread | ours, all threads | ours, again |\n"
               "|---|---|---|---|---|---|---|---|\n");
   for (const Bunny& bunny : bunnies)
   {
@@ -250,8 +261,15 @@ void table3(const std::string& folder)
         pull.handles->Modified();
         kept->Update();
       });
-    std::printf("| %s | %.1f | %.2f | %.2f | %.1f | %.1f | %.1f | %.2f |\n", bunny.name, bunny.table3[0],
-      bunny.table3[1], bunny.table3[2], ms[0], ms[1], ms[2], again);
+    std::printf("| %s | %.1f | %.2f | %.2f | %.1f | %.1f | %.1f | %.2f |\n",
+      bunny.name,
+      bunny.table3[0],
+      bunny.table3[1],
+      bunny.table3[2],
+      ms[0],
+      ms[1],
+      ms[2],
+      again);
   }
 }
 
@@ -262,7 +280,8 @@ double narrowShare(vtkPolyData* mesh)
   int all = 0, bad = 0;
   for (const Triangle& t : m.triangles)
   {
-    if (region->GetComponent(t[0], 0) == 0 || region->GetComponent(t[1], 0) == 0 || region->GetComponent(t[2], 0) == 0)
+    if (region->GetComponent(t[0], 0) == 0 || region->GetComponent(t[1], 0) == 0 ||
+        region->GetComponent(t[2], 0) == 0)
     {
       continue;
     }
@@ -283,8 +302,9 @@ double narrowShare(vtkPolyData* mesh)
 
 void figure11(const std::string& folder)
 {
-  std::printf("\n## Fig. 11: triangles with an angle under 30 degrees, share of the region [%%]\n\n| model | before | deformed "
-              "without remeshing | deformed, remeshed before | remeshed before and after |\n|---|---|---|---|---|\n");
+  std::printf("\n## Fig. 11: triangles with an angle under 30 degrees, share of the region [%%]\n\n"
+              "| model | before | deformed without remeshing | deformed, remeshed before "
+              "| remeshed before and after |\n|---|---|---|---|---|\n");
   for (const Bunny& bunny : bunnies)
   {
     Pull pull(read(folder + bunny.file));
@@ -293,7 +313,8 @@ void figure11(const std::string& folder)
     plain->SetInputData(1, pull.handles);
     plain->Update();
     vtkNew<vtkOversketchRemesh> stretch, restore;
-    vtkNew<vtkOversketchShapeDiameter> sdf; // the remesher keeps its triangles smaller than what they lie on is thick
+    // The remesher keeps its triangles smaller than what they lie on is thick.
+    vtkNew<vtkOversketchShapeDiameter> sdf;
     sdf->SetInputData(pull.mesh);
     stretch->SetStageToStretch();
     stretch->SetInputConnection(0, sdf->GetOutputPort());
@@ -307,8 +328,12 @@ void figure11(const std::string& folder)
     {
       std::exit(1); // the filter has said why
     }
-    std::printf("| %s | %.1f | %.1f | %.1f | %.1f |\n", bunny.name, narrowShare(pull.mesh), narrowShare(plain->GetOutput()),
-      narrowShare(between->GetOutput()), narrowShare(restore->GetOutput()));
+    std::printf("| %s | %.1f | %.1f | %.1f | %.1f |\n",
+      bunny.name,
+      narrowShare(pull.mesh),
+      narrowShare(plain->GetOutput()),
+      narrowShare(between->GetOutput()),
+      narrowShare(restore->GetOutput()));
   }
 }
 
@@ -318,7 +343,8 @@ int main(int argc, char** argv)
 {
   if (argc != 2)
   {
-    std::fprintf(stderr, "usage: oversketch_tables FOLDER (with bunny_5k.obj, bunny_30k.ply, bunny_180k.ply)\n");
+    std::fprintf(
+      stderr, "usage: oversketch_tables FOLDER (with bunny_5k.obj, bunny_30k.ply, bunny_180k.ply)\n");
     return 2;
   }
   const std::string folder = std::string(argv[1]) + "/";

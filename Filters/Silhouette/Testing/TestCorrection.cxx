@@ -17,8 +17,7 @@ namespace
 struct Bulged
 {
   explicit Bulged(bool perspective = false)
-    : view(perspective ? perspectiveView(Vector3(0, 0, 4), up, 30.0)
-                       : orthographicView(front, up, 200.0))
+    : view(perspective ? perspectiveView(Vector3(0, 0, 4), up, 30.0) : orthographicView(front, up, 200.0))
     , mesh(sphere(5))
     , radius(perspective ? 1.0 / std::sqrt(1.0 - 1.0 / 16.0) : 1.0) // of the outline, on the plane z = 0
     , chain(mesh, toStroke(arc(this->view, this->radius, 20.0, 160.0), this->view))

@@ -29,8 +29,9 @@ int openOrBadEdges(vtkPolyData* mesh)
   return static_cast<int>(edges->GetOutput()->GetNumberOfCells());
 }
 
-// Every corner a point of its own, as readers of textured OBJ files make them. Texture coordinates are the position seen
-// from the side, mirrored for triangles that face away, so there is a seam round the body; AlongZ is the position itself.
+// Every corner a point of its own, as readers of textured OBJ files make them. Texture coordinates are the
+// position seen from the side, mirrored for triangles that face away, so there is a seam round the body;
+// AlongZ is the position itself.
 vtkSmartPointer<vtkPolyData> textured(vtkPolyData* mesh)
 {
   Mesh split;
@@ -100,7 +101,7 @@ TEST(OneStrokeData, ATexturedMeshOfSplitCornersComesOutTexturedAndClosed)
       double p[3];
       output->GetPoint(i, p);
       still += std::abs(std::abs(texture->GetComponent(i, 0)) - 10.0 - std::abs(p[0])) < 1e-4 ||
-        std::abs(std::abs(texture->GetComponent(i, 0)) - (10.0 + p[0])) < 1e-4;
+               std::abs(std::abs(texture->GetComponent(i, 0)) - (10.0 + p[0])) < 1e-4;
     }
     EXPECT_GT(still, output->GetNumberOfPoints() / 2);
     ASSERT_NE(output->GetCellData()->GetArray("CellNumber"), nullptr);
@@ -111,8 +112,8 @@ TEST(OneStrokeData, ATexturedMeshOfSplitCornersComesOutTexturedAndClosed)
   }
 }
 
-// A linear field of the position before: after remeshing it is interpolated, so it stays within its range and, at
-// points that did not move, exact.
+// A linear field of the position before: after remeshing it is interpolated, so it stays within its range
+// and, at points that did not move, exact.
 TEST(OneStrokeData, PointArraysAreInterpolatedWhereTheRemesherMadePoints)
 {
   auto mesh = shippedModel("dog");

@@ -31,8 +31,20 @@ struct Executions
   }
   static std::vector<const char*> names()
   {
-    return { "Stroke", "Silhouette", "Snake", "Visibility", "Outline", "Match", "Targets", "ShapeDiameter",
-      "MixtureRegion", "RegionBorder", "Deform", "Stretch", "DeformRemeshed", "Restore" };
+    return { "Stroke",
+      "Silhouette",
+      "Snake",
+      "Visibility",
+      "Outline",
+      "Match",
+      "Targets",
+      "ShapeDiameter",
+      "MixtureRegion",
+      "RegionBorder",
+      "Deform",
+      "Stretch",
+      "DeformRemeshed",
+      "Restore" };
   }
   void reset()
   {
@@ -68,9 +80,18 @@ struct Demand : testing::Test
     this->fits = this->mixture()->GetWholeFitCount();
     this->factors = this->deform()->GetFactorizationCount();
   }
-  vtkOversketchShapeDiameter* sdf() { return vtkOversketchShapeDiameter::SafeDownCast(this->filter->GetStep("ShapeDiameter")); }
-  vtkOversketchMixtureRegion* mixture() { return vtkOversketchMixtureRegion::SafeDownCast(this->filter->GetStep("MixtureRegion")); }
-  vtkOversketchLaplacianDeform* deform() { return vtkOversketchLaplacianDeform::SafeDownCast(this->filter->GetStep("Deform")); }
+  vtkOversketchShapeDiameter* sdf()
+  {
+    return vtkOversketchShapeDiameter::SafeDownCast(this->filter->GetStep("ShapeDiameter"));
+  }
+  vtkOversketchMixtureRegion* mixture()
+  {
+    return vtkOversketchMixtureRegion::SafeDownCast(this->filter->GetStep("MixtureRegion"));
+  }
+  vtkOversketchLaplacianDeform* deform()
+  {
+    return vtkOversketchLaplacianDeform::SafeDownCast(this->filter->GetStep("Deform"));
+  }
 
   vtkSmartPointer<vtkPolyData> mesh = shippedModel("dog");
   vtkSmartPointer<vtkPolyData> stroke = shippedStroke("dog_longer_leg");
