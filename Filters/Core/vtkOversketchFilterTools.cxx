@@ -44,11 +44,7 @@ struct ErrorCodeAccess : vtkAlgorithm
 
 void Fail(vtkAlgorithm* self, Failure failure, const std::string& message)
 {
-  if (failure == Failure::Cancelled)
-  {
-    self->SetAbortExecute(0); // VTK 9.1 does that at the next run, 9.3 leaves it to us
-  }
-  else
+  if (failure != Failure::Cancelled)
   {
     vtkErrorWithObjectMacro(self, << message);
   }
@@ -67,6 +63,7 @@ void Fail(vtkAlgorithm* self, Failure failure, const std::string& message)
 int RunFilter(vtkAlgorithm* self, const std::function<void()>& body)
 {
   ErrorCodeAccess::Set(self, vtkErrorCode::NoError);
+  self->SetAbortExecute(0); // VTK 9.1's executive has done that, 9.3's leaves a flag set after the last run
   try
   {
     body();
