@@ -67,7 +67,7 @@ vtkSmartPointer<vtkPolyData> modelOf(vtkPolyData* mesh, const View& view)
     const double* colour = region && region->GetComponent(i, 0) != 0.0 ? orange : clay;
     for (int c = 0; c < 3; ++c)
     {
-      colours->InsertNextValue(static_cast<unsigned char>(255.0 * colour[c] + 0.5));
+      colours->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * colour[c])));
     }
   }
   model->SetPoints(points);

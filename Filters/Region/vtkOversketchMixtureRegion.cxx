@@ -124,6 +124,7 @@ vtkSmartPointer<vtkDataArray> ArrayOf(const char* name, const Values& values)
 std::vector<double> Pick(const std::vector<double>& values, const std::vector<int>& indices)
 {
   std::vector<double> picked;
+  picked.reserve(indices.size());
   for (int i : indices)
   {
     picked.push_back(values[static_cast<std::size_t>(i)]);
@@ -258,7 +259,7 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
           const std::vector<int> around = expandSeeds(mesh.Surface,
             mesh.Neighbours,
             seeds,
-            static_cast<std::size_t>(3 * this->Components),
+            3 * static_cast<std::size_t>(this->Components),
             this->SeedTolerance * 0.5 * boundingDiagonal(mesh.Surface));
           const std::vector<double> known = Pick(cache.Scaled, around);
           const std::vector<double> samples = Pick(

@@ -178,6 +178,7 @@ int main(int argc, char** argv)
   vtkMultiThreader::SetGlobalDefaultNumberOfThreads(2);
   jobs();
   std::vector<char*> arguments;
+  arguments.reserve(words.size());
   for (std::string& word : words)
   {
     arguments.push_back(word.data());

@@ -55,6 +55,7 @@ TEST(SharedMesh, ManyThreadsGetOneResult)
   const auto held = SharedMesh(sphere);
   std::vector<std::shared_ptr<const MeshData>> found(8);
   std::vector<std::thread> threads;
+  threads.reserve(found.size());
   for (auto& slot : found)
   {
     threads.emplace_back([&slot, &sphere] { slot = SharedMesh(sphere); });

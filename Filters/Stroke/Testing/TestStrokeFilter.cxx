@@ -116,6 +116,7 @@ TEST(StrokeFilter, RefusesWhatIsNoStroke)
   EXPECT_NE(refusal(toStroke({ { 5, 5 }, { 50, nan }, { 90, 9 } }, view)).find("sample 1 is not finite"),
     std::string::npos);
   std::vector<Vector2> circle;
+  circle.reserve(100);
   for (int i = 0; i < 100; ++i)
     circle.emplace_back(300 + 50 * std::cos(0.0625 * i), 300 + 50 * std::sin(0.0625 * i));
   EXPECT_NE(refusal(toStroke(circle, view)).find("closed"), std::string::npos);

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# tidy.sh [FILE...]: checks the format (.clang-format) of the C++ files named, or of all, and runs clang-tidy (.clang-tidy) over
+# those that build/release compiles; a header is checked with the sources that include it. Changes nothing. Needs Debian's clang-format
+# and clang-tidy and the built preset release. Exit code: 0 nothing found, 1 something found, 2 could not check.
+set -uo pipefail
+cd "$(dirname "$0")/.." || exit 2
+
+for tool in clang-format clang-tidy; do
+  command -v "$tool" >/dev/null || { echo "tidy.sh: $tool is absent; install Debian's package $tool" >&2; exit 2; }
+done
+database=build/release/compile_commands.json
+[ -f "$database" ] ||
+  { echo "tidy.sh: no $database; run cmake --preset release && cmake --build --preset release" >&2; exit 2; }
+
+if [ $# -gt 0 ]; then
+  files=("$@")
+else
+  mapfile -t files < <(git ls-files '*.h' '*.cxx')
+fi
+compiled=()
+for file in "${files[@]}"; do
+  [ -f "$file" ] || { echo "tidy.sh: there is no file $file" >&2; exit 2; }
+  grep -qF "\"file\": \"$(realpath "$file")\"" "$database" && compiled+=("$file")
+done
+
+found=0
+clang-format --dry-run -Werror "${files[@]}" || found=1
+# clang-tidy counts the warnings that it hides in other people's headers; those lines are dropped.
+[ ${#compiled[@]} -eq 0 ] || printf '%s\0' "${compiled[@]}" |
+  xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/release 2> >(grep -v ' warnings\? generated\.$' >&2) || found=1
+[ "$found" -eq 0 ] && echo "Nothing found in ${#files[@]} files; clang-tidy ran over ${#compiled[@]} of them."
+exit "$found"
