@@ -1,5 +1,7 @@
 #include "OpenCL/device.h"
 
+#include "OpenCL/program_cache.h"
+
 #include <cstdlib>
 #include <cstring>
 
@@ -108,8 +110,9 @@ cl::Program Device::program(const std::string& name, const std::string& source, 
   cl::Program program;
   try
   {
-    program = cl::Program(this->context_, source);
-    program.build({ this->device_ }, (this->options_ + ' ' + options).c_str());
+    bool compiled = false;
+    program = buildProgram(this->context_, this->device_, source, this->options_ + ' ' + options, compiled);
+    this->compilations_ += compiled ? 1 : 0;
   }
   catch (const cl::BuildError& error)
   {

@@ -3,13 +3,9 @@
 #define oversketch_device_h
 
 #include "Mesh/context.h"
+#include "OpenCL/opencl.h"
 
-#define CL_TARGET_OPENCL_VERSION 120
-#define CL_HPP_TARGET_OPENCL_VERSION 120
-#define CL_HPP_MINIMUM_OPENCL_VERSION 120
-#define CL_HPP_ENABLE_EXCEPTIONS
-#include <CL/opencl.hpp>
-
+#include <atomic>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -61,9 +57,13 @@ public:
 
   // The program built from OpenCL C 1.2 source, once per process and pair of name and options. The source is
   // what oversketch_embed_cl() made of a .cl file; options are of the kind "-D NAME=value". Correctly rounded
-  // divisions and roots are asked for where the device has them; unsafe mathematics never is. Thread-safe.
-  // Throws Error(NoDevice) with the compiler's log.
+  // divisions and roots are asked for where the device has them; unsafe mathematics never is. What an earlier
+  // process compiled is loaded instead (OpenCL/program_cache.h). Thread-safe. Throws Error(NoDevice) with the
+  // compiler's log.
   cl::Program program(const std::string& name, const std::string& source, const std::string& options = "");
+
+  // How many programs were compiled from source: 0 while the cache has them all.
+  int compilations() const { return this->compilations_; }
 
   // Runs body and turns a cl::Error into Error(Failure::NoDevice), so that the caller can go on with the
   // host.
@@ -91,6 +91,7 @@ private:
   DeviceInfo info_;
   std::string options_;
   std::mutex mutex_;
+  std::atomic<int> compilations_ = 0;
   std::map<std::string, cl::Program> programs_;
 };
 

@@ -43,6 +43,9 @@ function (oversketch_embed_cl target)
   endforeach ()
 endfunction ()
 
+# Compiled OpenCL programs, ours and PoCL's, stay in the build tree: a test neither needs nor changes the user's own.
+set(oversketch_test_caches "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/Testing/Temporary/cache")
+
 # oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>...): one GoogleTest program, its tests under ctest.
 # Tests of the specification's facts are named after stage and place: TEST(A3_2, ...).
 function (oversketch_gtest name)
@@ -54,9 +57,8 @@ function (oversketch_gtest name)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
-  # PoCL caches programs under HOME, which a test machine may lack.
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600
-    ENVIRONMENT "POCL_CACHE_DIR=${CMAKE_BINARY_DIR}/Testing/Temporary/pocl")
+    ENVIRONMENT "${oversketch_test_caches}")
 endfunction ()
 
 # oversketch_filter_module(<module> CLASSES <class>... [KERNELS <target>...] [PRIVATE_SOURCES ...] [HEADERS ...]):
@@ -79,5 +81,5 @@ function (oversketch_pytest name file)
     COMMAND xvfb-run -a -s "-screen 0 1280x1024x24" ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
       ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600
-    ENVIRONMENT "POCL_CACHE_DIR=${CMAKE_BINARY_DIR}/Testing/Temporary/pocl;PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
+    ENVIRONMENT "${oversketch_test_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()
