@@ -22,40 +22,59 @@ namespace oversketch
 
 void WriteCurves(const std::vector<Curve>& curves, const View& view, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdTypeArray> meshVertices;
-  meshVertices->SetName("MeshVertices");
-  meshVertices->SetNumberOfComponents(3);
-  vtkNew<vtkDoubleArray> meshWeights;
-  meshWeights->SetName("MeshWeights");
-  meshWeights->SetNumberOfComponents(3);
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkDoubleArray> dots;
-  dots->SetName("NormalDotView");
+  vtkIdType pointCount = 0, closedCount = 0;
   for (const Curve& curve : curves)
   {
-    lines->InsertNextCell(static_cast<int>(curve.points.size()) + (curve.closed ? 1 : 0));
-    const vtkIdType first = points->GetNumberOfPoints();
+    pointCount += static_cast<vtkIdType>(curve.points.size());
+    closedCount += curve.closed;
+  }
+  const auto sized = [pointCount](vtkDataArray* array, const char* name, int components)
+  {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(pointCount);
+  };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(pointCount);
+  vtkNew<vtkIdTypeArray> meshVertices, offsets, connectivity;
+  vtkNew<vtkDoubleArray> meshWeights, normals, dots;
+  sized(meshVertices, "MeshVertices", 3);
+  sized(meshWeights, "MeshWeights", 3);
+  sized(normals, "Normals", 3);
+  sized(dots, "NormalDotView", 1);
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(curves.size()) + 1);
+  connectivity->SetNumberOfValues(pointCount + closedCount);
+  double* position = static_cast<double*>(points->GetVoidPointer(0));
+  vtkIdType* vertex = meshVertices->GetPointer(0);
+  double* weight = meshWeights->GetPointer(0);
+  double* normal = normals->GetPointer(0);
+  double* dot = dots->GetPointer(0);
+  vtkIdType* offset = offsets->GetPointer(0);
+  vtkIdType* id = connectivity->GetPointer(0);
+  vtkIdType next = 0;
+  *offset = 0;
+  for (const Curve& curve : curves)
+  {
+    const vtkIdType first = next;
     for (const CurvePoint& p : curve.points)
     {
-      lines->InsertCellPoint(points->InsertNextPoint(p.position.data()));
-      for (int k = 0; k < 3; ++k)
-      {
-        meshVertices->InsertNextValue(p.binding.vertices[k]);
-        meshWeights->InsertNextValue(p.binding.weights[k]);
-      }
-      normals->InsertNextTuple(p.normal.data());
-      dots->InsertNextValue(p.normal.dot(view.towardsViewer(p.position).normalized()));
+      *id++ = next++;
+      position = std::copy_n(p.position.data(), 3, position);
+      vertex = std::copy_n(p.binding.vertices.data(), 3, vertex);
+      weight = std::copy_n(p.binding.weights.data(), 3, weight);
+      normal = std::copy_n(p.normal.data(), 3, normal);
+      *dot++ = p.normal.dot(view.towardsViewer(p.position).normalized());
     }
     if (curve.closed)
     {
-      lines->InsertCellPoint(first);
+      *id++ = first;
     }
+    offset[1] = offset[0] + (next - first) + (curve.closed ? 1 : 0);
+    ++offset;
   }
+  vtkNew<vtkCellArray> lines;
+  lines->SetData(offsets, connectivity);
   output->SetPoints(points);
   output->SetLines(lines);
   output->GetPointData()->AddArray(meshVertices);

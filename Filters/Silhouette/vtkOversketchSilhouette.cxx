@@ -16,7 +16,24 @@ using namespace oversketch;
 struct vtkOversketchSilhouette::Cache
 {
   std::shared_ptr<const MeshData> Data;
+  std::unique_ptr<SilhouetteExtractor> Extractor; // of Data; made for the second view of a mesh
   KeptCurves Kept;
+
+  std::vector<Curve> Extract(vtkPolyData* input, const View& view)
+  {
+    const std::shared_ptr<const MeshData> data = SharedMesh(input);
+    if (data != this->Data)
+    {
+      this->Extractor.reset();
+      this->Data = data;
+      return extractSilhouette(data->Surface, data->Neighbours, data->Normals, view);
+    }
+    if (!this->Extractor)
+    {
+      this->Extractor = std::make_unique<SilhouetteExtractor>(data->Surface, data->Neighbours, data->Normals);
+    }
+    return (*this->Extractor)(view);
+  }
 };
 
 vtkStandardNewMacro(vtkOversketchSilhouette);
@@ -54,9 +71,7 @@ int vtkOversketchSilhouette::RequestData(vtkInformation*,
         [&](vtkPolyData* result)
         {
           ++this->ExtractionCount;
-          cache.Data = SharedMesh(input);
-          const MeshData& mesh = *cache.Data;
-          WriteCurves(extractSilhouette(mesh.Surface, mesh.Neighbours, mesh.Normals, view), view, result);
+          WriteCurves(cache.Extract(input, view), view, result);
         });
     });
 }

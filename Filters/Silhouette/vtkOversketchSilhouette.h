@@ -15,15 +15,18 @@
  * Output 0: one polyline per curve in world space; a closed curve repeats its first point id at the end.
  * Point arrays:
  * - MeshVertices, vtkIdType[3]: vertices of the input mesh the point hangs on; unused ones repeat the first,
- * - MeshWeights, double[3]: their weights, sum 1; (1, 0, 0) for a vertex point, (a, 1 - a, 0) on an edge,
+ * - MeshWeights, double[3]: their weights, sum 1; (1, 0, 0) for a vertex point, (alpha, 1 - alpha, 0) on an
+ * edge,
  * - Normals, double[3]: interpolated and re-normalised,
  * - NormalDotView, double: n . d / |d|, n_z of the paper.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. A mesh without
  * points gives an empty output silently.
  *
- * Deterministic. Cost: one pass over vertices and edges; adjacency and normals are kept while points,
- * polygons and normals stand, and the result, as the same arrays, while the view does too.
+ * Deterministic. Cost: the first view of a mesh takes adjacency, normals and one pass over vertices and
+ * edges; the second makes an index of normals (30 bytes a triangle), with which it and every later one take
+ * time in proportion to the curves rather than to the mesh. All that is kept while points, polygons and
+ * normals stand, and the result, as the same arrays, while the view does too.
  *
  * @sa vtkOversketchSnake
  */

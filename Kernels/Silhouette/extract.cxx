@@ -9,45 +9,150 @@ namespace oversketch
 namespace
 {
 
-struct Extraction
+// The crossed edges and how the curves run through them. A slot is a crossed edge seen from one of its
+// triangles: two for a usual edge, in the order of its triangles.
+class Extraction
 {
-  const Mesh& mesh;
-  const Adjacency& adjacency;
-  const std::vector<Vector3>& normals;
-  std::vector<double> g;
-  double zero = 0.0;         // |g| up to this counts as on the silhouette
-  std::vector<char> visited; // triangles
-
-  bool crossed(int edge) const
+public:
+  Extraction(const Mesh& surface,
+    const Adjacency& neighbours,
+    const std::vector<Vector3>& vertexNormals,
+    const View& eye,
+    const SignChanges& changes)
+    : mesh(surface)
+    , adjacency(neighbours)
+    , normals(vertexNormals)
+    , view(eye)
+    , least(tolerance * changes.least)
+    , most(tolerance * changes.most)
   {
-    const MeshEdge& e = this->adjacency.edges[edge];
-    return (this->g[e.v0] >= 0.0) != (this->g[e.v1] >= 0.0);
-  }
-
-  // The other crossed edge of a triangle that has one.
-  int across(int triangle, int edge) const
-  {
-    for (int other : this->adjacency.triangleEdges[triangle])
+    for (std::size_t word = 0; word < changes.edges.size(); ++word)
     {
-      if (other != edge && this->crossed(other))
+      for (std::uint64_t bits = changes.edges[word]; bits != 0; bits &= bits - 1)
       {
-        return other;
+        this->crossings.push_back({ static_cast<int>(64 * word) + __builtin_ctzll(bits), 0, 0, 0 });
       }
     }
-    return edge;
   }
 
-  CurvePoint pointOn(int edge) const
+  // slotOf: one 0 for every triangle, and so again afterwards.
+  std::vector<Curve> run(std::vector<int>& slotOf)
   {
-    const MeshEdge& e = this->adjacency.edges[edge];
-    const double g0 = this->g[e.v0], g1 = this->g[e.v1];
+    const int count = static_cast<int>(this->crossings.size());
+    this->points.reserve(count);
+    this->slots.reserve(2 * count + 1);
+    this->slots.push_back({ -1 });
+    for (int c = 0; c < count; c += block)
+    {
+      const int end = std::min(c + block, count);
+      this->link(c, end, slotOf);
+      for (int i = c; i < end; ++i)
+      {
+        this->points.push_back(this->pointOn(this->crossings[i]));
+      }
+    }
+    this->crossings.push_back(
+      { -1, -1, -1, static_cast<int>(this->slots.size()) }); // where the last slots end
+    std::vector<Curve> curves;
+    std::vector<int> chain;
+    for (int seed = 0; seed < count; ++seed)
+    {
+      const int first = this->crossings[seed].firstSlot, sides = this->slotCount(seed);
+      // One curve runs through a usual edge; at any other, every triangle starts a curve of its own.
+      for (int slot = first; slot < first + (sides == 2 ? 1 : sides); ++slot)
+      {
+        if (this->slots[slot].visited)
+        {
+          continue;
+        }
+        chain.assign(1, seed);
+        const bool closed = this->walk(slot, chain);
+        if (sides == 2 && !closed)
+        {
+          std::reverse(chain.begin(), chain.end());
+          this->walk(slot + 1, chain);
+        }
+        this->emit(chain, closed, curves);
+      }
+    }
+    return curves;
+  }
+
+private:
+  static constexpr double tolerance = 1e-9; // of the largest |g|: what counts as on the silhouette
+
+  // So many crossings at a time: what the points need is on its way while the curves are linked.
+  static constexpr int block = 16;
+
+  struct Crossing
+  {
+    int edge, v0, v1, firstSlot;
+  };
+  struct Slot
+  {
+    int crossing;
+    int across = 0; // the slot of the triangle's other crossed edge: it has none or two
+    bool visited = false;
+  };
+
+  int slotCount(int crossing) const
+  {
+    return this->crossings[crossing + 1].firstSlot - this->crossings[crossing].firstSlot;
+  }
+
+  void link(int begin, int end, std::vector<int>& slotOf)
+  {
+    for (int c = begin; c < end; ++c)
+    {
+      Crossing& crossing = this->crossings[c];
+      const MeshEdge& edge = this->adjacency.edges[crossing.edge];
+      crossing.v0 = edge.v0;
+      crossing.v1 = edge.v1;
+      for (const int v : { edge.v0, edge.v1 })
+      {
+        __builtin_prefetch(this->mesh.points[v].data());
+        __builtin_prefetch(this->normals[v].data());
+      }
+      crossing.firstSlot = static_cast<int>(this->slots.size());
+      const int* triangles = this->adjacency.edgeTriangles.data() + edge.firstTriangle;
+      for (int i = 0; i < edge.triangleCount; ++i)
+      {
+        // Slot 0 is nobody's: it takes what the first of two has to say, so that nothing need be decided.
+        const int slot = static_cast<int>(this->slots.size()), other = slotOf[triangles[i]];
+        this->slots.push_back({ c, other });
+        this->slots[other].across = slot;
+        slotOf[triangles[i]] = other == 0 ? slot : 0;
+      }
+    }
+  }
+
+  double g(int vertex) const { return silhouetteValue(this->mesh, this->normals, this->view, vertex); }
+
+  bool onSilhouette(double value)
+  {
+    if (std::abs(value) > this->least && std::abs(value) <= this->most)
+    {
+      // Too near to tell without the largest |g| itself.
+      double largest = 0.0;
+      for (int v = 0; v < this->mesh.vertexCount(); ++v)
+      {
+        largest = std::max(largest, std::abs(this->g(v)));
+      }
+      this->least = this->most = tolerance * largest;
+    }
+    return std::abs(value) <= this->least;
+  }
+
+  CurvePoint pointOn(const Crossing& e)
+  {
+    const double g0 = this->g(e.v0), g1 = this->g(e.v1);
     // Of two ends on the silhouette the one that counts as + is taken, so that a run round it is one run.
-    const int plus = g0 >= 0.0 ? e.v0 : e.v1, minus = g0 >= 0.0 ? e.v1 : e.v0;
+    const bool firstPlus = g0 >= 0.0;
     CurvePoint p;
-    if (std::abs(this->g[plus]) <= this->zero)
-      p.binding = Binding::vertex(plus);
-    else if (std::abs(this->g[minus]) <= this->zero)
-      p.binding = Binding::vertex(minus);
+    if (this->onSilhouette(firstPlus ? g0 : g1))
+      p.binding = Binding::vertex(firstPlus ? e.v0 : e.v1);
+    else if (this->onSilhouette(firstPlus ? g1 : g0))
+      p.binding = Binding::vertex(firstPlus ? e.v1 : e.v0);
     else
       p.binding = Binding::edge(e.v0, e.v1, g1 / (g1 - g0));
     p.position = p.binding.of(this->mesh.points);
@@ -55,25 +160,27 @@ struct Extraction
     return p;
   }
 
-  // Follows the crossed edges from an edge through one of its triangles and appends them, until the curve
-  // ends or is back at the edge it started from; true for the latter.
-  bool walk(int start, int triangle, std::vector<int>& chain)
+  // Follows the crossed edges from one through one of its triangles and appends them, until the curve ends or
+  // is back where it started; true for the latter.
+  bool walk(int slot, std::vector<int>& chain)
   {
-    for (int edge = start; !this->visited[triangle];)
+    const int start = this->slots[slot].crossing;
+    while (!this->slots[slot].visited)
     {
-      this->visited[triangle] = 1;
-      edge = this->across(triangle, edge);
-      if (edge == start)
+      this->slots[slot].visited = true;
+      slot = this->slots[slot].across;
+      this->slots[slot].visited = true;
+      const int crossing = this->slots[slot].crossing;
+      if (crossing == start)
       {
         return true;
       }
-      chain.push_back(edge);
-      if (this->adjacency.edges[edge].triangleCount != 2)
+      chain.push_back(crossing);
+      if (this->slotCount(crossing) != 2)
       {
         break;
       }
-      const int* sides = this->adjacency.trianglesBegin(edge);
-      triangle = sides[0] == triangle ? sides[1] : sides[0];
+      slot = 2 * this->crossings[crossing].firstSlot + 1 - slot; // the edge's other triangle
     }
     return false;
   }
@@ -84,9 +191,10 @@ struct Extraction
       return a.binding.onVertex() && b.binding.onVertex() && a.binding.vertices[0] == b.binding.vertices[0];
     };
     Curve curve;
-    for (int edge : chain)
+    curve.points.reserve(chain.size());
+    for (const int crossing : chain)
     {
-      const CurvePoint p = this->pointOn(edge);
+      const CurvePoint& p = this->points[crossing];
       if (curve.points.empty() || !sameVertex(curve.points.back(), p))
       {
         curve.points.push_back(p);
@@ -102,6 +210,15 @@ struct Extraction
       curves.push_back(std::move(curve));
     }
   }
+
+  const Mesh& mesh;
+  const Adjacency& adjacency;
+  const std::vector<Vector3>& normals;
+  const View& view;
+  double least, most;              // |g| up to the one is on the silhouette, beyond the other it is not
+  std::vector<Crossing> crossings; // by edge
+  std::vector<Slot> slots;
+  std::vector<CurvePoint> points; // of the crossings
 };
 
 } // namespace
@@ -111,48 +228,28 @@ std::vector<Curve> extractSilhouette(const Mesh& mesh,
   const std::vector<Vector3>& normals,
   const View& view)
 {
-  Extraction extraction{ mesh,
-    adjacency,
-    normals,
-    std::vector<double>(mesh.points.size()),
-    0.0,
-    std::vector<char>(mesh.triangles.size(), 0) };
-  double largest = 0.0;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    extraction.g[v] = normals[v].dot(view.towardsViewer(mesh.points[v]));
-    largest = std::max(largest, std::abs(extraction.g[v]));
-  }
-  extraction.zero = 1e-9 * largest;
+  std::vector<int> slotOf(mesh.triangles.size(), 0);
+  return Extraction(mesh, adjacency, normals, view, findSignChanges(mesh, adjacency, normals, view))
+    .run(slotOf);
+}
 
-  std::vector<Curve> curves;
-  std::vector<int> chain;
-  for (int seed = 0; seed < static_cast<int>(adjacency.edges.size()); ++seed)
-  {
-    if (!extraction.crossed(seed))
-    {
-      continue;
-    }
-    const int* sides = adjacency.trianglesBegin(seed);
-    const bool through = adjacency.edges[seed].triangleCount == 2;
-    // One curve runs through a usual edge; at any other, every triangle starts a curve of its own.
-    for (int side = 0; side < (through ? 1 : adjacency.edges[seed].triangleCount); ++side)
-    {
-      if (extraction.visited[sides[side]])
-      {
-        continue;
-      }
-      chain.assign(1, seed);
-      const bool closed = extraction.walk(seed, sides[side], chain);
-      if (through && !closed)
-      {
-        std::reverse(chain.begin(), chain.end());
-        extraction.walk(seed, sides[1], chain);
-      }
-      extraction.emit(chain, closed, curves);
-    }
-  }
-  return curves;
+SilhouetteExtractor::SilhouetteExtractor(const Mesh& surface,
+  const Adjacency& neighbours,
+  const std::vector<Vector3>& vertexNormals)
+  : mesh(surface)
+  , adjacency(neighbours)
+  , normals(vertexNormals)
+  , index(surface, neighbours, vertexNormals)
+  , slotOf(surface.triangles.size(), 0)
+{
+}
+
+std::vector<Curve> SilhouetteExtractor::operator()(const View& view)
+{
+  this->index.find(view, this->changes);
+  Extraction extraction(this->mesh, this->adjacency, this->normals, view, this->changes);
+  std::fill(this->changes.edges.begin(), this->changes.edges.end(), 0);
+  return extraction.run(this->slotOf);
 }
 
 } // namespace oversketch
