@@ -31,9 +31,39 @@ bool narrow(const Mesh& mesh, const Triangle& t)
 
 } // namespace
 
-int foldedEdges(const Mesh& mesh)
+int foldedEdges(const Mesh& mesh, const std::vector<char>& regionVertex)
 {
-  const Adjacency adjacency = buildAdjacency(mesh);
+  // One ring more: a triangle outside may share an edge with one that has a corner in the region.
+  std::vector<char> near = regionVertex;
+  for (const Triangle& t : mesh.triangles)
+  {
+    if (regionVertex[t[0]] || regionVertex[t[1]] || regionVertex[t[2]])
+    {
+      near[t[0]] = near[t[1]] = near[t[2]] = 1;
+    }
+  }
+  Mesh part;
+  for (const Triangle& t : mesh.triangles)
+  {
+    if (near[t[0]] || near[t[1]] || near[t[2]])
+    {
+      part.triangles.push_back(t);
+    }
+  }
+  std::vector<int> place(mesh.points.size(), -1);
+  for (Triangle& t : part.triangles)
+  {
+    for (int& v : t)
+    {
+      if (place[v] < 0)
+      {
+        place[v] = part.vertexCount();
+        part.points.push_back(mesh.points[v]);
+      }
+      v = place[v];
+    }
+  }
+  const Adjacency adjacency = buildAdjacency(part);
   const double limit = std::cos(100.0 * pi / 180.0);
   int folded = 0;
   for (int e = 0; e < static_cast<int>(adjacency.edges.size()); ++e)
@@ -41,7 +71,7 @@ int foldedEdges(const Mesh& mesh)
     if (adjacency.edges[e].triangleCount == 2)
     {
       const int* t = adjacency.trianglesBegin(e);
-      folded += facetNormal(mesh, t[0]).dot(facetNormal(mesh, t[1])) < limit;
+      folded += facetNormal(part, t[0]).dot(facetNormal(part, t[1])) < limit;
     }
   }
   return folded;
@@ -80,33 +110,39 @@ bool wantsRemeshing(const Mesh& before, const Mesh& after, const std::vector<cha
   return stretched > 0.01 * edges || narrowShare(after, chosen) > narrowShare(before, chosen) + 0.01;
 }
 
-OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke)
+OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context)
 {
-  std::vector<NearestPlace> loops;
-  for (const OutlineLoop& loop : traceOutline(mesh, view, outlineWindow(mesh, view, stroke)))
-  {
-    loops.emplace_back(loop.points, loop.closed);
-  }
   const std::vector<double> length = arcLengths(stroke);
-  OutlineError error;
-  int counted = 0;
-  for (std::size_t i = 0; i < stroke.size(); ++i)
+  const auto measure = [&](const PixelWindow& window)
   {
-    if (length[i] < 0.2 * length.back() || length[i] > 0.8 * length.back())
+    std::vector<NearestPlace> loops;
+    for (const OutlineLoop& loop : traceOutline(mesh, view, window, context))
     {
-      continue;
+      loops.emplace_back(loop.points, loop.closed);
     }
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const NearestPlace& loop : loops)
+    OutlineError error;
+    int counted = 0;
+    for (std::size_t i = 0; i < stroke.size(); ++i)
     {
-      nearest = std::min(nearest, loop(stroke[i]).distance);
+      if (length[i] < 0.2 * length.back() || length[i] > 0.8 * length.back())
+      {
+        continue;
+      }
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const NearestPlace& loop : loops)
+      {
+        nearest = std::min(nearest, loop(stroke[i]).distance);
+      }
+      error.mean += nearest;
+      error.worst = std::max(error.worst, nearest);
+      ++counted;
     }
-    error.mean += nearest;
-    error.worst = std::max(error.worst, nearest);
-    ++counted;
-  }
-  error.mean /= std::max(counted, 1);
-  return error;
+    error.mean /= std::max(counted, 1);
+    return error;
+  };
+  constexpr double near = 50.0; // px; no outline that is nearer than this lies outside the window
+  const OutlineError error = measure(strokeWindow(stroke, near));
+  return error.worst <= near ? error : measure(outlineWindow(mesh, view, stroke));
 }
 
 bool Judgement::betterThan(const Judgement& first) const

@@ -3,6 +3,7 @@
 #ifndef vtkOversketchJudgement_h
 #define vtkOversketchJudgement_h
 
+#include "Mesh/context.h"
 #include "Mesh/mesh.h"
 #include "Mesh/view.h"
 #include "Stroke/polyline.h"
@@ -12,8 +13,9 @@
 namespace oversketch
 {
 
-// Edges whose two triangles have normals over 100 degrees apart.
-int foldedEdges(const Mesh& mesh);
+// Edges whose two triangles have normals over 100 degrees apart, in the region (one byte per vertex) and two
+// rings round it: elsewhere they are the same before and after.
+int foldedEdges(const Mesh& mesh, const std::vector<char>& regionVertex);
 
 // Share of triangles among `chosen` (one byte per triangle) with an angle under 30 degrees.
 double narrowShare(const Mesh& mesh, const std::vector<char>& chosen);
@@ -28,7 +30,7 @@ struct OutlineError
   double mean = 0.0;
   double worst = 0.0;
 };
-OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke);
+OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context);
 
 struct Judgement
 {

@@ -60,6 +60,19 @@ std::string MessageOf(const void* eventData)
   return text;
 }
 
+// One byte per point of a mesh that a step made.
+std::vector<char> RegionOf(vtkPolyData* mesh)
+{
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  vtkDataArray* region = RequireArray(mesh->GetPointData(), "Region", 1, count, "mesh", "a step made it");
+  std::vector<char> chosen(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    chosen[i] = region->GetComponent(i, 0) != 0.0;
+  }
+  return chosen;
+}
+
 } // namespace
 
 struct vtkOversketchOneStroke::Pipeline
@@ -337,14 +350,7 @@ void vtkOversketchOneStroke::Pipeline::Run(const char* name)
 bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
 {
   vtkPolyData* before = this->Output("RegionBorder");
-  vtkDataArray* region =
-    RequireArray(before->GetPointData(), "Region", 1, before->GetNumberOfPoints(), "mesh", "a step made it");
-  std::vector<char> chosen(static_cast<std::size_t>(before->GetNumberOfPoints()));
-  for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
-  {
-    chosen[i] = region->GetComponent(i, 0) != 0.0;
-  }
-  return wantsRemeshing(MeshOf(before), MeshOf(this->Output(this->Deformation)), chosen);
+  return wantsRemeshing(MeshOf(before), MeshOf(this->Output(this->Deformation)), RegionOf(before));
 }
 
 const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
@@ -359,7 +365,8 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
   vtkAlgorithm* step = this->Find(correction)->step;
   const auto handlesAdded = this->Output(correction)->GetNumberOfPoints() -
                             vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0))->GetNumberOfPoints();
-  const int folds = foldedEdges(MeshOf(vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0))));
+  auto* before = vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0));
+  const int folds = foldedEdges(MeshOf(before), RegionOf(before));
   const Judgement plain = this->Judged(deform, folds);
   auto* other = vtkOversketchLaplacianDeform::SafeDownCast(this->Find(again)->step);
   const double weight =
@@ -384,8 +391,11 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
 Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
 {
   const oversketch::Mesh mesh = MeshOf(this->Output(stage));
-  return { outlineError(mesh, ViewOf(this->Stroke), StrokeOf(this->Output("Stroke"))),
-    foldedEdges(mesh) - foldsBefore };
+  return { outlineError(mesh,
+             ViewOf(this->Stroke),
+             StrokeOf(this->Output("Stroke")),
+             ContextOf(this->Self, this->Done, this->Done)),
+    foldedEdges(mesh, RegionOf(this->Output(stage))) - foldsBefore };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()

@@ -18,7 +18,8 @@ std::vector<Correction> correctOutline(const Mesh& deformed,
 {
   constexpr double onOutline = 1.0; // px; the loop runs between pixel centres and cuts sharper corners
   std::vector<NearestPlace> loops;
-  for (const OutlineLoop& loop : traceOutline(deformed, view, outlineWindow(deformed, view, stroke), context))
+  const PixelWindow window = strokeWindow(stroke, reach + 2.0 * onOutline + 2.0);
+  for (const OutlineLoop& loop : traceOutline(deformed, view, window, context))
   {
     loops.emplace_back(loop.points, loop.closed);
   }

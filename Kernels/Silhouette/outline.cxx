@@ -16,7 +16,8 @@ namespace
 
 constexpr int largestWindow = 4096;
 
-// Triangles seen in the image plane, those that reach behind the eye left out.
+// Triangles seen in the image plane, those left out that reach behind the eye or lie outside the window, if
+// one is given.
 struct Picture
 {
   std::vector<Vector2> points;
@@ -24,8 +25,14 @@ struct Picture
   std::vector<Triangle> triangles;
 };
 
-Picture project(const Mesh& mesh, const View& view)
+Picture project(const Mesh& mesh, const View& view, const PixelWindow* window = nullptr)
 {
+  const auto outside = [&](const Vector2& a, const Vector2& b, const Vector2& c)
+  {
+    const Vector2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    return high[0] < window->x - 1 || low[0] > window->x + window->width + 1 || high[1] < window->y - 1 ||
+           low[1] > window->y + window->height + 1;
+  };
   Picture picture;
   picture.points.resize(mesh.points.size(), Vector2::Zero());
   picture.nearness.resize(mesh.points.size(), 1.0);
@@ -42,7 +49,8 @@ Picture project(const Mesh& mesh, const View& view)
   }
   for (const Triangle& t : mesh.triangles)
   {
-    if (seen[t[0]] && seen[t[1]] && seen[t[2]])
+    if (seen[t[0]] && seen[t[1]] && seen[t[2]] &&
+        !(window && outside(picture.points[t[0]], picture.points[t[1]], picture.points[t[2]])))
     {
       picture.triangles.push_back(t);
     }
@@ -250,6 +258,16 @@ double signedArea(const Polyline& loop)
   return area;
 }
 
+PixelWindow pixelsOf(const Eigen::AlignedBox2d& box)
+{
+  PixelWindow window;
+  window.x = static_cast<int>(std::floor(box.min()[0])) - 1;
+  window.y = static_cast<int>(std::floor(box.min()[1])) - 1;
+  window.width = static_cast<int>(std::ceil(box.max()[0])) + 1 - window.x;
+  window.height = static_cast<int>(std::ceil(box.max()[1])) + 1 - window.y;
+  return window;
+}
+
 } // namespace
 
 PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& stroke)
@@ -286,12 +304,18 @@ PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& st
       return {};
     }
   }
-  PixelWindow window;
-  window.x = static_cast<int>(std::floor(box.min()[0])) - 1;
-  window.y = static_cast<int>(std::floor(box.min()[1])) - 1;
-  window.width = static_cast<int>(std::ceil(box.max()[0])) + 1 - window.x;
-  window.height = static_cast<int>(std::ceil(box.max()[1])) + 1 - window.y;
-  return window;
+  return pixelsOf(box);
+}
+
+PixelWindow strokeWindow(const Polyline& stroke, double margin)
+{
+  Eigen::AlignedBox2d box;
+  for (const Vector2& p : stroke)
+  {
+    box.extend(p);
+  }
+  const Vector2 half = (0.5 * box.sizes() + Vector2::Constant(margin)).cwiseMin(0.5 * (largestWindow - 4));
+  return pixelsOf({ Vector2(box.center() - half), Vector2(box.center() + half) });
 }
 
 std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
@@ -304,7 +328,7 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
   {
     return loops;
   }
-  const Picture picture = project(mesh, view);
+  const Picture picture = project(mesh, view, &window);
   context.checkpoint(0.1);
   const Coverage covered(picture, window, context);
   context.checkpoint(0.8);

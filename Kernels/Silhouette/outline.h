@@ -27,6 +27,10 @@ struct PixelWindow
 // (or round the viewport, without a stroke). Triangles with a corner at or behind the eye have no picture.
 PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& stroke);
 
+// The pixels within `margin` px of the stroke's box, at most 4096 a side round its middle: who asks for the
+// outline near the stroke only need not look at the whole picture.
+PixelWindow strokeWindow(const Polyline& stroke, double margin);
+
 struct OutlineLoop
 {
   Polyline points;    // covered pixels on the left; the first is not repeated at the end
