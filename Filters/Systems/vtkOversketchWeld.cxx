@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -115,6 +116,11 @@ Weld::Weld(vtkPolyData* mesh)
   this->Surface = MeshOf(mesh);
   this->Corners = this->Surface.triangles;
   this->FindVertices(mesh);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("OriginalCell");
+  cells->SetNumberOfTuples(mesh->GetNumberOfPolys());
+  std::iota(cells->GetPointer(0), cells->GetPointer(0) + mesh->GetNumberOfPolys(), vtkIdType(0));
+  this->Inner->GetCellData()->AddArray(cells);
   if (this->Vertices.empty())
   {
     this->Inner->SetPoints(mesh->GetPoints());
@@ -506,14 +512,15 @@ void Weld::Transfer(vtkPolyData* mesh,
   output->SetPoints(points);
   vtkNew<vtkCellArray> polys;
   output->GetCellData()->CopyAllocate(mesh->GetCellData(), static_cast<vtkIdType>(triangles.size()));
+  vtkDataArray* cells = RequireArray(
+    restored->GetCellData(), "OriginalCell", 1, restored->GetNumberOfPolys(), "remeshed mesh", remedy);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     const vtkIdType corners[3] = { triangles[t][0], triangles[t][1], triangles[t][2] };
     polys->InsertNextCell(3, corners);
-    const auto between = static_cast<vtkIdType>(second.first->GetComponent(static_cast<vtkIdType>(t), 0));
-    output->GetCellData()->CopyData(mesh->GetCellData(),
-      static_cast<vtkIdType>(first.first->GetComponent(between, 0)),
-      static_cast<vtkIdType>(t));
+    const auto cell = static_cast<vtkIdType>(t);
+    output->GetCellData()->CopyData(
+      mesh->GetCellData(), static_cast<vtkIdType>(cells->GetComponent(cell, 0)), cell);
   }
   output->SetPolys(polys);
   output->GetFieldData()->ShallowCopy(mesh->GetFieldData());

@@ -26,8 +26,9 @@ public:
   void operator=(const Weld&) = delete;
 
   // Geometry only: welded points (those of the mesh, the same object, where nothing was to weld), its
-  // triangles in its order and, where the reader split points along seams of an attribute, cell array Chart:
-  // neighbours in one chart agree in all attributes of their common points.
+  // triangles in its order, their numbers as cell array OriginalCell, so that the remesher hands them on,
+  // and, where the reader split points along seams of an attribute, cell array Chart: neighbours in one chart
+  // agree in all attributes of their common points.
   vtkPolyData* Welded() const { return this->Inner; }
 
   // The welded vertex of a point of the mesh.
@@ -42,8 +43,8 @@ public:
 
   // restored in the user's terms: restored was remeshed from deformed, whose connectivity is that of
   // stretched, which was remeshed from the welded mesh; both carry SourceCell and SourceWeights. Point arrays
-  // are interpolated from mesh, once per chart along seams; cell arrays come from the cell that a triangle's
-  // first corner lies in.
+  // are interpolated from mesh, once per chart along seams; cell arrays come from OriginalCell, the cell that
+  // lay under a triangle's middle.
   void Transfer(vtkPolyData* mesh, vtkPolyData* stretched, vtkPolyData* restored, vtkPolyData* output) const;
 
 private:

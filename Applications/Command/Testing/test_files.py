@@ -7,6 +7,8 @@ import struct
 import numpy
 import pytest
 
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+
 from scene import *  # noqa: F403
 
 FORMATS = ["vtp", "obj", "ply", "stl", "off", "gltf", "glb"]
@@ -257,3 +259,92 @@ def test_a_file_that_breaks_off_is_removed(folder, tmp_path, extension):
     assert done.returncode == 1, (done.returncode, done.stderr)
     assert f"{tmp_path / 'o'}.{extension}: could not be written" in done.stderr
     assert os.listdir(tmp_path) == []
+
+
+def attributed():
+    """The body with arrays of every kind. Field and the colours are linear functions of the texture coordinates, so they
+    still fit together where all three were interpolated."""
+    mesh = body()
+    textures = vtk_to_numpy(mesh.GetPointData().GetTCoords()).astype(float)
+    field = numpy_to_vtk(2.0 * textures[:, 0] - textures[:, 1] + 5.0, deep=True)
+    field.SetName("Field")
+    mesh.GetPointData().AddArray(field)
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(mesh)
+    normals.SplittingOff()
+    normals.ConsistencyOff()
+    normals.Update()
+    mesh.GetPointData().SetNormals(normals.GetOutput().GetPointData().GetNormals())
+    cells = numpy_to_vtk(numpy.arange(mesh.GetNumberOfPolys(), dtype=numpy.int32), deep=True)
+    cells.SetName("Cell")
+    mesh.GetCellData().AddArray(cells)
+    return mesh
+
+
+def surface_normals(mesh):
+    """Area-weighted normals at the points."""
+    points, triangles = points_of(mesh), triangles_of(mesh)
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    normals = numpy.zeros_like(points)
+    for k in range(3):
+        numpy.add.at(normals, triangles[:, k], numpy.cross(b - a, c - a))
+    return normals / numpy.linalg.norm(normals, axis=1)[:, None]
+
+
+@pytest.mark.parametrize("remesh", ["off", "on"])
+@pytest.mark.parametrize("extension", ["vtp", "ply"])
+def test_arrays_survive(folder, tmp_path, extension, remesh):
+    before = attributed()
+    source = write(before, tmp_path / "in.vtp")
+    if extension == "ply":  # through PLY on both sides: what the first writes, the second run reads
+        done = run("one-stroke", source, folder / "same.vtp", "-o", tmp_path / "in.ply", *QUICK)
+        assert done.returncode == 0 and "Normals" in done.stderr and "Field" in done.stderr, done.stderr
+        source = tmp_path / "in.ply"
+        before = read(source)
+    done = run("one-stroke", source, folder / "longer.vtp", "-o", tmp_path / f"out.{extension}", "--backend", "embree",
+               "--remesh", remesh)
+    assert done.returncode == 0, done.stderr
+    after = read(tmp_path / f"out.{extension}")
+    old, new = points_of(before), points_of(after)
+    texture = vtk_to_numpy(after.GetPointData().GetTCoords()).astype(float)
+    old_texture = vtk_to_numpy(before.GetPointData().GetTCoords()).astype(float)
+    colours = vtk_to_numpy(after.GetPointData().GetArray("RGB")).astype(float)
+    assert colours.min() >= 0 and numpy.abs(colours[:, :2] - 254.0 * texture).max() < 2.0
+    # Points that did not move keep all they have.
+    where = {tuple(p): i for i, p in enumerate(old)}
+    still = [(i, where[tuple(p)]) for i, p in enumerate(new) if tuple(p) in where]
+    assert len(still) > 0.3 * len(old)
+    at, was = numpy.array(still).T
+    assert (texture[at] == old_texture[was]).all()
+    if remesh == "off":
+        assert len(new) == len(old) and (texture == old_texture).all()
+    else:
+        # Points were made on edges: texture coordinates between those of others, of which there are new ones.
+        assert len(new) > len(old)
+        known = {tuple(t) for t in old_texture}
+        assert sum(tuple(t) not in known for t in texture) >= len(new) - len(old)
+        assert texture.min() >= old_texture.min() and texture.max() <= old_texture.max()
+    if extension == "ply":
+        return
+    field = vtk_to_numpy(after.GetPointData().GetArray("Field"))
+    assert numpy.abs(field - (2.0 * texture[:, 0] - texture[:, 1] + 5.0)).max() < 1e-5
+    assert (field[at] == vtk_to_numpy(before.GetPointData().GetArray("Field"))[was]).all()
+    normals = vtk_to_numpy(after.GetPointData().GetNormals())
+    assert numpy.abs(numpy.linalg.norm(normals, axis=1) - 1.0).max() < 1e-5
+    assert numpy.quantile((normals * surface_normals(after)).sum(axis=1), 0.01) > 0.95
+    # A cell keeps its value; the pieces of a split one have it, and lie where it lay.
+    cell = vtk_to_numpy(after.GetCellData().GetArray("Cell"))
+    if remesh == "off":
+        assert (cell == numpy.arange(before.GetNumberOfPolys())).all()
+        return
+    kept = {tuple(sorted(t)): i for i, t in enumerate(triangles_of(before).tolist())}
+    index = numpy.full(len(new), -1)
+    index[at] = was
+    same = [(i, kept.get(tuple(sorted(t)), -1)) for i, t in enumerate(index[triangles_of(after)].tolist())]
+    same = numpy.array([pair for pair in same if pair[1] >= 0])
+    assert len(same) > 0.3 * len(kept) and (cell[same[:, 0]] == same[:, 1]).all()
+    assert numpy.bincount(cell).max() > 1
+    middle = texture[triangles_of(after)].mean(axis=1)
+    corners = old_texture[triangles_of(before)[cell]]
+    reach = numpy.linalg.norm(corners - corners.mean(axis=1)[:, None], axis=2).max(axis=1)
+    assert (numpy.linalg.norm(middle - corners.mean(axis=1), axis=1) <= reach).mean() > 0.99
