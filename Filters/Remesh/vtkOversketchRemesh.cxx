@@ -127,7 +127,7 @@ vtkSmartPointer<vtkAbstractArray> CarryPointArray(vtkAbstractArray* array,
   const RemeshResult& result,
   const std::vector<Triangle>& triangles)
 {
-  const auto carried = LikeArray(array, result.pointSource.size());
+  auto carried = LikeArray(array, result.pointSource.size());
   const bool linear = IsReal(array) && !(array->GetName() && std::strcmp(array->GetName(), "Region") == 0);
   vtkNew<vtkIdList> corners;
   corners->SetNumberOfIds(3);
@@ -170,7 +170,7 @@ vtkSmartPointer<vtkAbstractArray> CarryPointArray(vtkAbstractArray* array,
 
 vtkSmartPointer<vtkAbstractArray> CarryCellArray(vtkAbstractArray* array, const RemeshResult& result)
 {
-  const auto carried = LikeArray(array, result.triangleSource.size());
+  auto carried = LikeArray(array, result.triangleSource.size());
   for (std::size_t i = 0; i < result.triangleSource.size(); ++i)
   {
     carried->SetTuple(static_cast<vtkIdType>(i), result.triangleSource[i], array);

@@ -268,6 +268,7 @@ void vtkOversketchOneStroke::Pipeline::FeedMesh(vtkPolyData* mesh)
   const auto key = [this, mesh]
   {
     std::vector<vtkDataArray*> arrays;
+    arrays.reserve(static_cast<std::size_t>(mesh->GetPointData()->GetNumberOfArrays()));
     for (int a = 0; a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
     {
       arrays.push_back(mesh->GetPointData()->GetArray(a));

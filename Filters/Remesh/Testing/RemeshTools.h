@@ -27,9 +27,9 @@ inline vtkSmartPointer<vtkDoubleArray> doubles(const char* name,
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  for (std::size_t i = 0; i < values.size(); ++i)
+  for (const double value : values)
   {
-    array->InsertNextValue(values[i]);
+    array->InsertNextValue(value);
   }
   return array;
 }

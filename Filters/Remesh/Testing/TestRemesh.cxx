@@ -169,7 +169,7 @@ TEST(A11_2, StretchedLimbKeepsItsTrianglesAndTheMeshItsTopology)
     // A ball round the highest point, the way up lengthened.
     const auto top = std::max_element(
       mesh.points.begin(), mesh.points.end(), [](const Vector3& a, const Vector3& b) { return a[1] < b[1]; });
-    const Vector3 centre = *top;
+    const Vector3& centre = *top;
     const double r = 0.25 * boundingDiagonal(mesh);
     cases.push_back({ name,
       withRegion(mesh, [=](const Vector3& p) { return (p - centre).norm() < r; }),

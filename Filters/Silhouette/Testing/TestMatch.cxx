@@ -339,6 +339,7 @@ TEST(Match, RefusesWhatDoesNotFit)
   };
   // Towards the sphere: both ends have their nearest point at one place.
   std::vector<Vector2> ray;
+  ray.reserve(30);
   for (int i = 0; i < 30; ++i)
     ray.emplace_back(700.0 - 2.0 * i, 300.0);
   EXPECT_NE(refused(toStroke(ray, plain), 0.0).find("one place"), std::string::npos);

@@ -429,7 +429,7 @@ TEST(Visibility, GridAndBruteForceAgree)
     bool expected = false;
     for (const Triangle& c : mesh.triangles)
     {
-      const Vector3 p = queries[q].screen, a = screen[c[0]], b = screen[c[1]], d = screen[c[2]];
+      const Vector3 &p = queries[q].screen, &a = screen[c[0]], &b = screen[c[1]], &d = screen[c[2]];
       const double A = cross(b - a, d - a), w0 = cross(b - p, d - p) / A, w1 = cross(d - p, a - p) / A,
                    w2 = 1 - w0 - w1;
       const bool touches = std::any_of(c.begin(),
