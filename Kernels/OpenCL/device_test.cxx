@@ -50,6 +50,7 @@ TEST(Device, BuildsAProgramOnceAlsoFromSeveralThreads)
   }
   std::vector<cl_program> built(4);
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i)
   {
     threads.emplace_back([&, i] { built[i] = device->program("device_test", device_test_cl)(); });

@@ -176,6 +176,7 @@ TEST(Ray, SummaryDropsOutliersAndWeighs)
   const auto hits = [](const std::vector<double>& lengths)
   {
     std::vector<ConeHit> list;
+    list.reserve(lengths.size());
     for (const double length : lengths)
     {
       list.push_back({ length, length < 0.0 ? -1 : 0 });
@@ -317,6 +318,7 @@ TEST(Ray, HitsDoNotDependOnThreadsOrOrder)
   threaded.parallelFor = [](int count, const Context::Body& body)
   {
     std::vector<std::thread> threads;
+    threads.reserve(3);
     for (int i = 0; i < 3; ++i)
     {
       threads.emplace_back([=, &body] { body(count * i / 3, count * (i + 1) / 3); });
