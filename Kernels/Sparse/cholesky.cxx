@@ -1,11 +1,10 @@
 #include "Sparse/cholesky.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/OrderingMethods>
+#include "Sparse/dense.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <numeric>
 
 namespace oversketch
 {
@@ -13,338 +12,489 @@ namespace oversketch
 namespace
 {
 
-using Sparse = Cholesky::Sparse;
+constexpr int panelColumns = 96; // columns eliminated at a time: their strips of 24 rows stay in the caches
+constexpr int panelRows = 192;   // rows that a thread takes, a multiple of 24
 
-// Parent of each column in the elimination tree of the matrix with the given order (Liu's algorithm).
-std::vector<int> eliminationTree(const Sparse& pattern,
-  const std::vector<int>& order,
-  const std::vector<int>& inverse)
+// Rows of a child that stay together in its parent's panel, in entries of the padded panels.
+struct Run
 {
-  const int count = static_cast<int>(order.size());
-  std::vector<int> parent(order.size(), -1), ancestor(order.size(), -1);
-  for (int column = 0; column < count; ++column)
+  int from, to, count;
+};
+
+std::vector<Run> runsOf(const Supernode& child, const Supernode& parent, int block)
+{
+  const int own = PanelShape(parent, block).own;
+  std::vector<Run> runs;
+  int last = -1;
+  for (int i = 0; i < static_cast<int>(child.toParent.size()); ++i)
   {
-    for (Sparse::InnerIterator it(pattern, inverse[column]); it; ++it)
+    const int to = child.toParent[i];
+    if (i == 0 || to != last + 1 || to == parent.columns)
     {
-      for (int i = order[it.row()]; i >= 0 && i < column;)
-      {
-        const int next = ancestor[i];
-        ancestor[i] = column;
-        if (next < 0)
-        {
-          parent[i] = column;
-        }
-        i = next;
-      }
+      const int entry = to < parent.columns ? to * block : own + (to - parent.columns) * block;
+      runs.push_back({ i * block, entry, 0 });
     }
+    runs.back().count += block;
+    last = to;
   }
-  return parent;
+  return runs;
 }
 
-// The columns such that children come right before their parents.
-std::vector<int> postorder(const std::vector<int>& parent)
+// About the number of multiplications.
+double workOf(const Supernode& node)
 {
-  const int count = static_cast<int>(parent.size());
-  std::vector<int> firstChild(parent.size(), -1), sibling(parent.size(), -1), result, stack;
-  for (int i = count - 1; i >= 0; --i)
-  {
-    if (parent[i] >= 0)
-    {
-      sibling[i] = firstChild[parent[i]];
-      firstChild[parent[i]] = i;
-    }
-  }
-  for (int root = 0; root < count; ++root)
-  {
-    if (parent[root] >= 0)
-    {
-      continue;
-    }
-    stack.push_back(root);
-    while (!stack.empty())
-    {
-      const int i = stack.back();
-      if (firstChild[i] >= 0)
-      {
-        stack.push_back(firstChild[i]);
-        firstChild[i] = sibling[firstChild[i]];
-      }
-      else
-      {
-        stack.pop_back();
-        result.push_back(i);
-      }
-    }
-  }
-  return result;
+  const double height = node.columns + static_cast<double>(node.rows.size());
+  return height * height * node.columns;
 }
 
 } // namespace
 
-Cholesky::Cholesky(const Sparse& pattern, int block)
-  : block_(block)
-  , count_(static_cast<int>(pattern.cols()))
-  , order_(pattern.cols())
-  , inverse_(pattern.cols())
-  , owner_(pattern.cols())
-  , place_(pattern.cols())
+Cholesky::Cholesky(std::shared_ptr<const Elimination> elimination)
+  : elimination_(std::move(elimination))
 {
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> amd;
-  Eigen::AMDOrdering<int>()(pattern, amd);
-  for (int i = 0; i < this->count_; ++i)
-  {
-    this->inverse_[i] = amd.indices()[i];
-    this->order_[this->inverse_[i]] = i;
-  }
-  const std::vector<int> post = postorder(eliminationTree(pattern, this->order_, this->inverse_));
-  std::vector<int> inverse(this->inverse_.size());
-  std::transform(post.begin(), post.end(), inverse.begin(), [&](int i) { return this->inverse_[i]; });
-  this->inverse_ = inverse;
-  for (int i = 0; i < this->count_; ++i)
-  {
-    this->order_[this->inverse_[i]] = i;
-  }
-  this->buildSupernodes(pattern);
 }
 
-// The rows of a column are those of the matrix and those of its children in the tree. A column joins the
-// supernode of the one before if that is its child and the panel gains few zeros.
-void Cholesky::buildSupernodes(const Sparse& pattern)
+void Cholesky::placePanels()
 {
-  const std::vector<int> parent = eliminationTree(pattern, this->order_, this->inverse_);
-  std::vector<std::vector<int>> rows(this->count_); // below the diagonal; freed once passed on
-  std::vector<std::vector<int>> children(this->count_);
-  std::vector<int> seen(this->count_, -1);
-  double zeros = 0.0; // in the panel of the last supernode
-  for (int column = 0; column < this->count_; ++column)
+  this->panelPlaces_.clear();
+  this->vectorPlaces_.clear();
+  std::size_t panels = 0, vectors = 0;
+  for (const Supernode& node : this->elimination_->supernodes)
   {
-    std::vector<int>& own = rows[column];
-    const auto add = [&](int row)
-    {
-      if (row > column && seen[row] != column)
-      {
-        seen[row] = column;
-        own.push_back(row);
-      }
-    };
-    for (Sparse::InnerIterator it(pattern, this->inverse_[column]); it; ++it)
-    {
-      add(this->order_[it.row()]);
-    }
-    const std::size_t before = column > 0 ? rows[column - 1].size() : 0;
-    for (const int child : children[column])
-    {
-      std::for_each(rows[child].begin(), rows[child].end(), add);
-      rows[child] = std::vector<int>();
-    }
-    std::sort(own.begin(), own.end());
-    if (parent[column] >= 0)
-    {
-      children[parent[column]].push_back(column);
-    }
-    if (column > 0 && parent[column - 1] == column)
-    {
-      Supernode& last = this->supernodes_.back();
-      const double gained =
-        last.columns * (static_cast<double>(own.size()) + 1.0 - static_cast<double>(before));
-      const double entries = (last.columns + 1.0) * (static_cast<double>(own.size()) + last.columns + 1.0);
-      if (zeros + gained <= (last.columns < 8 ? 0.4 : 0.1) * entries)
-      {
-        zeros += gained;
-        ++last.columns;
-        last.rows = own; // the rows of its own nodes are put before them below
-        this->owner_[column] = static_cast<int>(this->supernodes_.size()) - 1;
-        continue;
-      }
-    }
-    zeros = 0.0;
-    this->owner_[column] = static_cast<int>(this->supernodes_.size());
-    this->supernodes_.push_back({ column, 1, own, {} });
+    const PanelShape shape(node, this->block_);
+    this->panelPlaces_.push_back(panels);
+    this->vectorPlaces_.push_back(vectors);
+    panels += shape.size();
+    vectors += static_cast<std::size_t>(shape.others);
   }
-  for (Supernode& node : this->supernodes_)
-  {
-    node.rows.insert(node.rows.begin(), node.columns, 0);
-    std::iota(node.rows.begin(), node.rows.begin() + node.columns, node.first);
-  }
+  this->vectorPlaces_.push_back(vectors);
+  this->panels_.reset();
+  this->panels_.reset(new double[panels]); // cleared panel by panel, on the thread that works on it
+  this->smallest_.resize(static_cast<std::size_t>(this->elimination_->nodeCount()) * this->block_);
 }
 
-// The panel of the supernode, from the lower triangle of the reordered matrix.
-void Cholesky::assemble(Supernode& node, const Sparse& matrix)
+// Where the matrix that each supernode hands on is kept until its parent takes it. Each subtree, and the rest
+// of the tree, has two stacks, for even and odd depths: then the children of a supernode are on top of one,
+// and it pushes on the other one. Returns the size of all.
+std::size_t Cholesky::placeUpdates()
 {
+  const Elimination& elimination = *this->elimination_;
+  this->updatePlaces_.resize(elimination.supernodes.size());
+  const auto size = [this](int s)
+  {
+    const PanelShape shape = this->shapeOf(s);
+    return static_cast<std::size_t>(shape.others) * static_cast<std::size_t>(shape.rows);
+  };
+  std::size_t base = 0;
+  for (int subtree = -1; subtree < static_cast<int>(elimination.subtrees.size()); ++subtree)
+  {
+    const int first = subtree < 0 ? 0 : elimination.subtrees[subtree][0];
+    const int last =
+      subtree < 0 ? static_cast<int>(elimination.supernodes.size()) - 1 : elimination.subtrees[subtree][1];
+    std::array<std::size_t, 2> top{}, most{};
+    for (int s = first; s <= last; ++s)
+    {
+      const Supernode& node = elimination.supernodes[s];
+      if (node.subtree == subtree)
+      {
+        const int stack = node.depth % 2;
+        this->updatePlaces_[s] = top[stack];
+        top[stack] += size(s);
+        most[stack] = std::max(most[stack], top[stack]);
+        for (const int child : node.children)
+        {
+          if (child >= 0 && elimination.supernodes[child].subtree == subtree)
+          {
+            top[1 - stack] -= size(child);
+          }
+        }
+      }
+    }
+    for (int s = first; s <= last; ++s)
+    {
+      const Supernode& node = elimination.supernodes[s];
+      if (node.subtree == subtree)
+      {
+        this->updatePlaces_[s] += base + (node.depth % 2 ? most[0] : 0);
+      }
+    }
+    base += most[0] + most[1];
+  }
+  return base;
+}
+
+// Clears the panel and puts the matrix's entries there. place is scratch.
+void Cholesky::assemble(int s, const BlockMatrix& matrix, std::vector<int>& place)
+{
+  const Elimination& elimination = *this->elimination_;
+  const Supernode& node = elimination.supernodes[s];
   const int b = this->block_;
+  const PanelShape shape = this->shapeOf(s);
+  const std::size_t ld = static_cast<std::size_t>(shape.height);
+  double* panel = this->panels_.get() + this->panelPlaces_[s];
+  std::fill_n(panel, shape.size(), 0.0);
+  for (int i = 0; i < node.columns; ++i)
+  {
+    place[node.first + i] = i * b;
+  }
   for (int i = 0; i < static_cast<int>(node.rows.size()); ++i)
   {
-    this->place_[node.rows[i]] = i;
+    place[node.rows[i]] = shape.own + i * b;
   }
-  node.panel.setZero(
-    static_cast<Eigen::Index>(node.rows.size()) * b, static_cast<Eigen::Index>(node.columns) * b);
-  for (int column = 0; column < node.columns * b; ++column)
+  double* smallest = this->smallest_.data() + static_cast<std::size_t>(node.first) * b;
+  for (int i = 0; i < node.columns; ++i)
   {
-    const int newColumn = node.first * b + column;
-    for (Sparse::InnerIterator it(matrix, this->inverse_[newColumn / b] * b + newColumn % b); it; ++it)
+    const int v = elimination.inverse[node.first + i];
+    double* columns = panel + ld * i * b;
+    for (int k = matrix.pattern.offsets[v]; k < matrix.pattern.offsets[v + 1]; ++k)
     {
-      const int row = static_cast<int>(it.row());
-      const int newNode = this->order_[row / b];
-      if (newNode * b + row % b >= newColumn)
+      const int row = elimination.order[matrix.pattern.values[k]];
+      if (row >= node.first + i)
       {
-        node.panel(this->place_[newNode] * b + row % b, column) = it.value();
+        const double* value = matrix.values.data() + static_cast<std::size_t>(k) * b * b;
+        for (int c = 0; c < b; ++c)
+        {
+          std::copy_n(value + c * b, b, columns + ld * c + place[row]);
+        }
       }
+    }
+    for (int c = 0; c < b; ++c)
+    {
+      smallest[i * b + c] = 1e-12 * columns[ld * c + i * b + c];
     }
   }
 }
 
-// Takes from the node's panel what the rows begin .. end of a descendant, which are columns of the node, add
-// to it.
-void Cholesky::subtract(Supernode& node, const Supernode& descendant, int begin, int end)
+// Adds what the children handed on, after clearing what the node will.
+void Cholesky::gather(int s, const Context& context)
 {
-  const int b = this->block_;
-  const int height = (static_cast<int>(descendant.rows.size()) - begin) * b;
-  const int width = (end - begin) * b;
-  const auto left = descendant.panel.middleRows(begin * b, height);
-  this->update_.resize(height, width);
-  this->update_.noalias() = left * left.topRows(width).transpose();
-  for (int j = 0; j < width; ++j)
-  {
-    const int column = (descendant.rows[begin + j / b] - node.first) * b + j % b;
-    double* panel = &node.panel(0, column);
-    const double* update = &this->update_(0, j);
-    for (int i = j / b * b; i < height; i += b)
+  const Supernode& node = this->elimination_->supernodes[s];
+  const PanelShape shape = this->shapeOf(s);
+  double* panel = this->panels_.get() + this->panelPlaces_[s];
+  double* update = this->updates_.get() + this->updatePlaces_[s];
+  context.parallelFor(shape.rows,
+    [&](int begin, int end)
     {
-      double* rows = panel + this->place_[descendant.rows[begin + i / b]] * b;
-      for (int k = 0; k < b; ++k)
+      for (int j = begin; j < end; ++j)
       {
-        rows[k] -= update[i + k];
+        const int first = j / 8 * 8; // tiles reach this far above the diagonal
+        std::fill_n(update + static_cast<std::size_t>(j) * shape.others + first, shape.others - first, 0.0);
       }
+    });
+  for (const int child : node.children)
+  {
+    if (child < 0)
+    {
+      continue;
     }
+    const std::vector<Run> runs = runsOf(this->elimination_->supernodes[child], node, this->block_);
+    const std::size_t height = static_cast<std::size_t>(this->shapeOf(child).others);
+    const double* values = this->updates_.get() + this->updatePlaces_[child];
+    context.parallelFor(static_cast<int>(runs.size()),
+      [&](int begin, int end)
+      {
+        for (int r = begin; r < end; ++r)
+        {
+          const Run columns = runs[r];
+          double* to =
+            columns.to < shape.own
+              ? panel + static_cast<std::size_t>(columns.to) * shape.height
+              : update + static_cast<std::size_t>(columns.to - shape.own) * shape.others - shape.own;
+          const int step = columns.to < shape.own ? shape.height : shape.others;
+          const double* from = values + static_cast<std::size_t>(columns.from) * height;
+          for (int j = 0; j < columns.count; ++j, to += step, from += height)
+          {
+            for (int i = j; i < columns.count; ++i)
+            {
+              to[columns.to + i] += from[columns.from + i];
+            }
+            for (auto run = runs.begin() + r + 1; run != runs.end(); ++run)
+            {
+              for (int i = 0; i < run->count; ++i)
+              {
+                to[run->to + i] += from[run->from + i];
+              }
+            }
+          }
+        }
+      });
   }
 }
 
-bool Cholesky::eliminate(Supernode& node, const std::vector<double>& diagonal) const
+// Factors the panel and takes its square from what is handed on, some columns at a time.
+bool Cholesky::eliminate(int s, std::vector<double>& packed, const Context& context)
 {
-  const Eigen::Index width = node.panel.cols();
-  auto top = node.panel.topRows(width);
-  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(top);
-  if (factor.info() != Eigen::Success)
+  const DenseKernels& dense = denseKernels();
+  const PanelShape shape = this->shapeOf(s);
+  double* panel = this->panels_.get() + this->panelPlaces_[s];
+  const double* smallest =
+    this->smallest_.data() + static_cast<std::size_t>(this->elimination_->supernodes[s].first) * this->block_;
+  const std::size_t ld = static_cast<std::size_t>(shape.height);
+  for (int done = 0; done < shape.columns; done += panelColumns)
   {
-    return false;
-  }
-  for (Eigen::Index i = 0; i < width; ++i)
-  {
-    const double pivot = top(i, i) * top(i, i);
-    if (!(pivot >
-          1e-12 *
-            diagonal[static_cast<std::size_t>(node.first) * this->block_ + static_cast<std::size_t>(i)]) ||
-        !std::isfinite(pivot))
+    const int count = std::min(panelColumns, shape.columns - done);
+    double* corner = panel + done + done * ld;
+    if (context.cancelled() || !dense.factor(corner, shape.height, count, smallest + done))
     {
       return false;
     }
-  }
-  if (node.panel.rows() > width)
-  {
-    auto bottom = node.panel.bottomRows(node.panel.rows() - width);
-    top.transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(bottom);
+    const int start = done + count < shape.columns ? done + count : shape.own;
+    const int below = shape.height - start;
+    packed.resize(std::max(packed.size(), static_cast<std::size_t>(roundedUp(below, 24)) * count));
+    context.parallelFor(roundedUp(below, panelRows) / panelRows,
+      [&](int begin, int end)
+      {
+        for (int first = begin * panelRows; first < std::min(end * panelRows, below); first += panelRows)
+        {
+          const int rows = std::min(panelRows, below - first);
+          double* x = panel + start + first + done * ld;
+          dense.solveRows(corner, x, shape.height, rows, count);
+          pack(x, shape.height, rows, count, packed.data() + static_cast<std::size_t>(first) * count);
+        }
+      });
+    this->eliminateFrom(s, start, count, packed, context);
   }
   return true;
 }
 
-bool Cholesky::factorise(const Sparse& matrix, const Context& context)
+// Takes the square of `count` columns, packed from row `start` on, from the columns from `start` on and from
+// what is handed on.
+void Cholesky::eliminateFrom(int s,
+  int start,
+  int count,
+  const std::vector<double>& packed,
+  const Context& context)
 {
-  std::vector<double> diagonal(matrix.cols());
-  for (int i = 0; i < this->count_ * this->block_; ++i)
-  {
-    diagonal[i] = matrix.coeff(this->inverse_[i / this->block_] * this->block_ + i % this->block_,
-      this->inverse_[i / this->block_] * this->block_ + i % this->block_);
-  }
-  // A supernode waits in the list of the next one that it has a row in.
-  const int count = static_cast<int>(this->supernodes_.size());
-  std::vector<int> head(this->supernodes_.size(), -1), next(this->supernodes_.size(), -1),
-    done(this->supernodes_.size(), 0);
-  const auto enlist = [&](int s, int row)
-  {
-    const Supernode& node = this->supernodes_[s];
-    done[s] = row;
-    if (row < static_cast<int>(node.rows.size()))
+  const DenseKernels& dense = denseKernels();
+  const PanelShape shape = this->shapeOf(s);
+  double* panel = this->panels_.get() + this->panelPlaces_[s];
+  double* update = this->updates_.get() + this->updatePlaces_[s];
+  const int below = shape.height - start;
+  const int own = shape.own - start; // rows, and padded columns, that the panel has from there on
+  const std::size_t strip = static_cast<std::size_t>(24) * count;
+  context.parallelFor(roundedUp(below, 24) / 24,
+    [&](int begin, int end)
     {
-      int& list = head[this->owner_[node.rows[row]]];
-      next[s] = list;
-      list = s;
-    }
-  };
-  double total = 0.0, passed = 0.0;
-  const auto work = [](const Supernode& node)
-  { return static_cast<double>(node.rows.size()) * static_cast<double>(node.rows.size()) * node.columns; };
-  for (const Supernode& node : this->supernodes_)
-  {
-    total += work(node);
-  }
-  double reported = 0.0;
-  for (int s = 0; s < count; ++s)
-  {
-    Supernode& node = this->supernodes_[s];
-    this->assemble(node, matrix);
-    for (int d = head[s]; d >= 0;)
-    {
-      const int following = next[d];
-      const std::vector<int>& rows = this->supernodes_[d].rows;
-      int end = done[d];
-      while (end < static_cast<int>(rows.size()) && rows[end] < node.first + node.columns)
+      for (int p = begin; p < end; ++p)
       {
-        ++end;
+        const int last = std::min(24 * p + 24, below);
+        for (int column = 0; column < last; column += 8)
+        {
+          const int row = std::max(24 * p, column);
+          const double* a = packed.data() + p * strip + (row - 24 * p);
+          const double* b = packed.data() + column / 24 * strip + column % 24;
+          double* c = column < own
+                        ? panel + (start + row) + static_cast<std::size_t>(start + column) * shape.height
+                        : update + (row - own) + static_cast<std::size_t>(column - own) * shape.others;
+          const int columns = column < own ? shape.columns - start - column : shape.rows - (column - own);
+          dense.multiply(
+            c, column < own ? shape.height : shape.others, a, b, count, last - row, std::min(8, columns));
+        }
       }
-      this->subtract(node, this->supernodes_[d], done[d], end);
-      enlist(d, end);
-      d = following;
-    }
-    if (!this->eliminate(node, diagonal))
-    {
-      return false;
-    }
-    enlist(s, node.columns);
-    passed += work(node);
-    if (passed > reported + 0.01 * total)
-    {
-      reported = passed;
-      context.checkpoint(passed / total);
-    }
-  }
-  return true;
+    });
 }
 
-void Cholesky::solve(Eigen::MatrixXd& rightSide) const
+bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
 {
+  const Elimination& elimination = *this->elimination_;
+  if (this->block_ != matrix.block)
+  {
+    this->block_ = matrix.block;
+    this->placePanels();
+  }
+  this->updates_.reset(new double[this->placeUpdates()]);
+  std::atomic<bool> good(true);
+  const Context serial;
+  context.checkpoint(0.0);
+  elimination.forSubtrees(context,
+    [&](int subtree)
+    {
+      std::vector<int> place(elimination.order.size());
+      std::vector<double> packed;
+      const auto [first, last] = elimination.subtrees[subtree];
+      for (int s = first; s <= last && good && !context.cancelled(); ++s)
+      {
+        this->assemble(s, matrix, place);
+        this->gather(s, serial);
+        if (!this->eliminate(s, packed, serial))
+        {
+          good = false;
+        }
+      }
+    });
+  double total = 0.0, done = 0.0;
+  for (const Supernode& node : elimination.supernodes)
+  {
+    total += workOf(node);
+    done += node.subtree < 0 ? 0.0 : workOf(node);
+  }
+  std::vector<int> place(elimination.order.size());
+  std::vector<double> packed;
+  for (int s = 0; s < static_cast<int>(elimination.supernodes.size()) && good; ++s)
+  {
+    if (elimination.supernodes[s].subtree < 0)
+    {
+      context.checkpoint(done / total);
+      done += workOf(elimination.supernodes[s]);
+      this->assemble(s, matrix, place);
+      this->gather(s, context);
+      good = this->eliminate(s, packed, context);
+    }
+  }
+  this->updates_.reset();
+  context.checkpoint(good ? 1.0 : done / total);
+  return good;
+}
+
+// Solves for the supernode's own unknowns and hands on what the others get from them.
+void Cholesky::forward(int s, int sides, std::vector<double>& local)
+{
+  const Elimination& elimination = *this->elimination_;
+  const Supernode& node = elimination.supernodes[s];
   const int b = this->block_;
-  Eigen::MatrixXd x(rightSide.rows(), rightSide.cols());
-  for (int i = 0; i < this->count_; ++i)
+  const PanelShape shape = this->shapeOf(s);
+  const std::size_t all = this->smallest_.size();
+  local.assign(static_cast<std::size_t>(shape.height) * sides, 0.0);
+  for (int side = 0; side < sides; ++side)
   {
-    x.middleRows(i * b, b) = rightSide.middleRows(this->inverse_[i] * b, b);
+    std::copy_n(this->solution_.data() + side * all + static_cast<std::size_t>(node.first) * b,
+      shape.columns,
+      local.data() + static_cast<std::size_t>(side) * shape.height);
   }
-  Eigen::MatrixXd below;
-  for (const Supernode& node : this->supernodes_)
+  for (const int child : node.children)
   {
-    const Eigen::Index width = node.panel.cols(), height = node.panel.rows() - width;
-    auto own = x.middleRows(node.first * b, width);
-    node.panel.topRows(width).triangularView<Eigen::Lower>().solveInPlace(own);
-    below.noalias() = node.panel.bottomRows(height) * own;
-    for (Eigen::Index i = 0; i < height; i += b)
+    if (child < 0)
     {
-      x.middleRows(node.rows[static_cast<std::size_t>((width + i) / b)] * b, b) -= below.middleRows(i, b);
+      continue;
+    }
+    const std::vector<int>& toParent = elimination.supernodes[child].toParent;
+    const int height = this->shapeOf(child).others;
+    const double* from = this->vectors_.data() + this->vectorPlaces_[child] * sides;
+    for (int side = 0; side < sides; ++side, from += height)
+    {
+      double* to = local.data() + static_cast<std::size_t>(side) * shape.height;
+      for (std::size_t i = 0; i < toParent.size(); ++i)
+      {
+        const int row = toParent[i];
+        double* out = to + (row < node.columns ? row * b : shape.own + (row - node.columns) * b);
+        for (int k = 0; k < b; ++k)
+        {
+          out[k] += from[i * b + k];
+        }
+      }
     }
   }
-  for (auto node = this->supernodes_.rbegin(); node != this->supernodes_.rend(); ++node)
+  denseKernels().forward(
+    this->panels_.get() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
+  double* handed = this->vectors_.data() + this->vectorPlaces_[s] * sides;
+  for (int side = 0; side < sides; ++side)
   {
-    const Eigen::Index width = node->panel.cols(), height = node->panel.rows() - width;
-    below.resize(height, x.cols());
-    for (Eigen::Index i = 0; i < height; i += b)
-    {
-      below.middleRows(i, b) = x.middleRows(node->rows[static_cast<std::size_t>((width + i) / b)] * b, b);
-    }
-    auto own = x.middleRows(node->first * b, width);
-    own.noalias() -= node->panel.bottomRows(height).transpose() * below;
-    node->panel.topRows(width).transpose().triangularView<Eigen::Upper>().solveInPlace(own);
+    const double* from = local.data() + static_cast<std::size_t>(side) * shape.height;
+    std::copy_n(
+      from, shape.columns, this->solution_.data() + side * all + static_cast<std::size_t>(node.first) * b);
+    std::copy_n(from + shape.own, shape.others, handed + static_cast<std::size_t>(side) * shape.others);
   }
-  for (int i = 0; i < this->count_; ++i)
+}
+
+// Solves for the supernode's own unknowns from those after them.
+void Cholesky::backward(int s, int sides, std::vector<double>& local)
+{
+  const Supernode& node = this->elimination_->supernodes[s];
+  const int b = this->block_;
+  const PanelShape shape = this->shapeOf(s);
+  const std::size_t all = this->smallest_.size();
+  local.assign(static_cast<std::size_t>(shape.height) * sides, 0.0);
+  for (int side = 0; side < sides; ++side)
   {
-    rightSide.middleRows(this->inverse_[i] * b, b) = x.middleRows(i * b, b);
+    const double* from = this->solution_.data() + side * all;
+    double* to = local.data() + static_cast<std::size_t>(side) * shape.height;
+    std::copy_n(from + static_cast<std::size_t>(node.first) * b, shape.columns, to);
+    to += shape.own;
+    for (const int row : node.rows)
+    {
+      to = std::copy_n(from + static_cast<std::size_t>(row) * b, b, to);
+    }
+  }
+  denseKernels().backward(
+    this->panels_.get() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
+  for (int side = 0; side < sides; ++side)
+  {
+    std::copy_n(local.data() + static_cast<std::size_t>(side) * shape.height,
+      shape.columns,
+      this->solution_.data() + side * all + static_cast<std::size_t>(node.first) * b);
+  }
+}
+
+void Cholesky::sweep(const std::vector<int>& level, Step step, int sides, const Context& context)
+{
+  context.parallelFor(static_cast<int>(level.size()),
+    [&](int begin, int end)
+    {
+      std::vector<double> local;
+      for (int i = begin; i < end; ++i)
+      {
+        (this->*step)(level[i], sides, local);
+      }
+    });
+}
+
+void Cholesky::solve(Eigen::MatrixXd& rightSide, const Context& context)
+{
+  const Elimination& elimination = *this->elimination_;
+  const int b = this->block_;
+  const std::size_t all = this->smallest_.size();
+  for (Eigen::Index solved = 0; solved < rightSide.cols();)
+  {
+    const int sides = rightSide.cols() - solved >= 3 ? 3 : 1;
+    this->solution_.resize(all * sides);
+    this->vectors_.resize(this->vectorPlaces_.back() * sides);
+    double* outer = rightSide.data() + solved * rightSide.rows();
+    // Calls move(place outside, place inside) for each node and side.
+    const auto permute = [&](const auto& move)
+    {
+      context.parallelFor(elimination.nodeCount(),
+        [&](int begin, int end)
+        {
+          for (int side = 0; side < sides; ++side)
+          {
+            for (int i = begin; i < end; ++i)
+            {
+              move(outer + side * all + static_cast<std::size_t>(elimination.inverse[i]) * b,
+                this->solution_.data() + side * all + static_cast<std::size_t>(i) * b);
+            }
+          }
+        });
+    };
+    permute([b](double* from, double* to) { std::copy_n(from, b, to); });
+    elimination.forSubtrees(context,
+      [&](int subtree)
+      {
+        std::vector<double> local;
+        for (int s = elimination.subtrees[subtree][0]; s <= elimination.subtrees[subtree][1]; ++s)
+        {
+          this->forward(s, sides, local);
+        }
+      });
+    for (auto level = elimination.levels.begin(); level != elimination.levels.end(); ++level)
+    {
+      this->sweep(*level, &Cholesky::forward, sides, context);
+    }
+    for (auto level = elimination.levels.rbegin(); level != elimination.levels.rend(); ++level)
+    {
+      this->sweep(*level, &Cholesky::backward, sides, context);
+    }
+    elimination.forSubtrees(context,
+      [&](int subtree)
+      {
+        std::vector<double> local;
+        for (int s = elimination.subtrees[subtree][1]; s >= elimination.subtrees[subtree][0]; --s)
+        {
+          this->backward(s, sides, local);
+        }
+      });
+    context.checkpoint(static_cast<double>(solved + sides) / static_cast<double>(rightSide.cols()));
+    permute([b](double* to, const double* from) { std::copy_n(from, b, to); });
+    solved += sides;
   }
 }
 

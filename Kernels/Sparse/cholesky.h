@@ -1,60 +1,62 @@
 // Sparse Cholesky factor of a symmetric positive definite matrix of small equal blocks.
 //
-// Why not a library: Eigen's simplicial factors work entry by entry, five times slower here on the adjusted
-// form, and cannot be cancelled; CHOLMOD's supernodal one is under the GPL. The ordering, the dense
-// arithmetic and the sparse type are Eigen's.
+// Why not a library: Eigen's simplicial factors work entry by entry, on one thread, and cannot be cancelled;
+// CHOLMOD's supernodal one is under the GPL and is only as fast as the BLAS that the system has.
 #ifndef oversketch_cholesky_h
 #define oversketch_cholesky_h
 
 #include "Mesh/context.h"
+#include "Sparse/block_matrix.h"
+#include "Sparse/elimination.h"
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
+#include <memory>
 #include <vector>
 
 namespace oversketch
 {
 
-// L L^T = P A P^T, by groups of neighbouring columns with (nearly) the same rows ("supernodes"), each a dense
-// panel.
+// L L^T = P A P^T by the multifrontal method: each supernode is eliminated in a dense panel and hands what it
+// leaves of the matrix for the others on to its parent. Subtrees are independent, so they are worked on in
+// parallel; the large panels above them are, tile by tile. Every sum has a fixed order: the result does not
+// depend on the number of threads.
 class Cholesky
 {
 public:
-  using Sparse = Eigen::SparseMatrix<double>;
+  explicit Cholesky(std::shared_ptr<const Elimination> elimination);
 
-  // Orders the nodes of the symmetric pattern (both triangles stored; values mean nothing) by minimum degree
-  // and finds the shape of the factor. The matrix to come has `block` rows and columns for each node.
-  Cholesky(const Sparse& pattern, int block);
+  // Factors a matrix of the pattern that the elimination was made for, with blocks of any size; what was held
+  // before is lost. False when a pivot falls below 1e-12 of its diagonal entry: the matrix is not positive
+  // definite in floating point. Calls context.checkpoint with progress in [0, 1].
+  bool factorise(const BlockMatrix& matrix, const Context& context);
 
-  // Factors the matrix (both triangles stored, nothing outside the pattern); what it held before is lost.
-  // False when a pivot falls below 1e-12 of its diagonal entry: the matrix is not positive definite in
-  // floating point. Calls context.checkpoint with progress in [0, 1]. The result does not depend on the
-  // number of threads: there is one.
-  bool factorise(const Sparse& matrix, const Context& context);
-
-  // Solves for all columns of the right-hand side, in place.
-  void solve(Eigen::MatrixXd& rightSide) const;
+  // Solves for all columns of the right-hand side, in place. Not for two threads at once.
+  void solve(Eigen::MatrixXd& rightSide, const Context& context);
 
 private:
-  struct Supernode
-  {
-    int first, columns;    // its nodes are first .. first + columns - 1 in the new order
-    std::vector<int> rows; // nodes of its rows, ascending; the first are its own
-    Eigen::MatrixXd panel; // (rows x columns) blocks, column-major; the top is lower triangular
-  };
+  using Step = void (Cholesky::*)(int s, int sides, std::vector<double>& local);
 
-  void buildSupernodes(const Sparse& pattern);
-  void assemble(Supernode& node, const Sparse& matrix);
-  void subtract(Supernode& node, const Supernode& descendant, int begin, int end);
-  bool eliminate(Supernode& node, const std::vector<double>& diagonal) const;
+  PanelShape shapeOf(int s) const { return PanelShape(this->elimination_->supernodes[s], this->block_); }
+  void placePanels();
+  std::size_t placeUpdates();
+  void assemble(int s, const BlockMatrix& matrix, std::vector<int>& place);
+  void gather(int s, const Context& context);
+  bool eliminate(int s, std::vector<double>& packed, const Context& context);
+  void eliminateFrom(int s, int done, int count, const std::vector<double>& packed, const Context& context);
+  void forward(int s, int sides, std::vector<double>& local);
+  void backward(int s, int sides, std::vector<double>& local);
+  void sweep(const std::vector<int>& level, Step step, int sides, const Context& context);
 
-  int block_, count_;
-  std::vector<int> order_, inverse_; // new place of a node, node at a new place
-  std::vector<int> owner_;           // supernode of a new place
-  std::vector<int> place_;           // scratch: row of a node in the panel at work
-  std::vector<Supernode> supernodes_;
-  Eigen::MatrixXd update_; // scratch
+  std::shared_ptr<const Elimination> elimination_;
+  int block_ = 0;
+  // Of each supernode: where its panel begins, what it hands on in the factorisation, and what in a solve
+  // with one right-hand side.
+  std::vector<std::size_t> panelPlaces_, updatePlaces_, vectorPlaces_;
+  std::unique_ptr<double[]> panels_, updates_;
+  std::vector<double> smallest_; // pivots
+  std::vector<double> solution_; // in the new order, right-hand side after right-hand side
+  std::vector<double> vectors_;
 };
 
 } // namespace oversketch

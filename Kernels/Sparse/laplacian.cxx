@@ -3,7 +3,7 @@
 #include "Sparse/cholesky.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SparseCore>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,6 @@ namespace
 {
 
 using Matrix3 = Eigen::Matrix3d;
-using Sparse = Eigen::SparseMatrix<double>;
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr double largestCotangent = 1e3;
 
@@ -28,7 +25,8 @@ Matrix3 crossMatrix(const Vector3& v)
   return m;
 }
 
-// The vertices that may move: in the region, no neighbour outside it, in a connected piece with a handle.
+} // namespace
+
 std::vector<char> movableVertices(const Adjacency& adjacency,
   const std::vector<char>& region,
   const std::vector<Binding>& handles)
@@ -85,49 +83,6 @@ std::vector<char> movableVertices(const Adjacency& adjacency,
   return movable;
 }
 
-// Number of each movable vertex, -1 for the others.
-std::vector<int> numberUnknowns(const std::vector<char>& movable)
-{
-  std::vector<int> numbers(movable.size(), -1);
-  for (std::size_t v = 0, next = 0; v < movable.size(); ++v)
-  {
-    numbers[v] = movable[v] ? static_cast<int>(next++) : -1;
-  }
-  return numbers;
-}
-
-// Which unknowns share a row of the system: those of one one-ring or one handle.
-Sparse sharedRows(const Adjacency& adjacency,
-  const std::vector<int>& numbers,
-  const std::vector<Binding>& handles,
-  int count)
-{
-  Triplets triplets;
-  int row = 0;
-  const auto add = [&](int v)
-  {
-    if (numbers[v] >= 0)
-    {
-      triplets.emplace_back(row, numbers[v], 1.0);
-    }
-  };
-  for (int v = 0; v < static_cast<int>(numbers.size()); ++v, ++row)
-  {
-    add(v);
-    std::for_each(adjacency.vertexVertices.begin(v), adjacency.vertexVertices.end(v), add);
-  }
-  for (const Binding& handle : handles)
-  {
-    std::for_each(handle.vertices.begin(), handle.vertices.end(), add);
-    ++row;
-  }
-  Rows rows(row, count);
-  rows.setFromTriplets(triplets.begin(), triplets.end());
-  return Sparse(rows.transpose() * rows);
-}
-
-} // namespace
-
 std::vector<double> cotangentWeights(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<char>& wanted)
@@ -157,148 +112,347 @@ std::vector<double> cotangentWeights(const Mesh& mesh,
   return weights;
 }
 
-struct LaplacianSystem::Parts
+namespace
 {
-  std::vector<int> number; // of a vertex's unknown, -1 where it cannot move
-  int movable = 0;
-  int dimensions = 1; // unknowns per vertex: 1 (x, y, z are three right-hand sides) or 3
-  double handleWeight = 0.0;
-  std::vector<Binding> handles;
-  std::vector<char> active;
-  std::unique_ptr<Cholesky> factor;
 
-  // The rows sum_j w_ij (u_i - u_j) [- (T_i - I) delta_i] over the unknowns.
-  Sparse laplacianRows(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& rows) const;
-  // Adds the block of vertex v's displacement to the three rows of vertex `row`.
-  void addBlock(Triplets& triplets, int row, int v, const Matrix3& block) const;
-  Sparse handleRows() const;
-  void factorise(const Sparse& normal, const Context& context);
+// Rows sum_j w_ij (u_i - u_j) [- (T_i - I) delta_i]: block k of row i belongs to the k-th neighbour of vertex
+// i, the one after them to i itself. One number for each stands for x, y and z where T_i = I, else it is 3x3,
+// column-major.
+struct LaplacianRows
+{
+  const Adjacency& adjacency;
+  int entries; // of a block: 1 or 9
+  std::vector<double> blocks;
+
+  LaplacianRows(const Mesh& mesh,
+    const Adjacency& neighbours,
+    const std::vector<char>& rows,
+    bool adjust,
+    const Context& context);
+  int ringSize(int i) const { return this->adjacency.vertexVertices.size(i) + 1; }
+  int ringVertex(int i, int k) const
+  {
+    return k + 1 < this->ringSize(i) ? this->adjacency.vertexVertices.begin(i)[k] : i;
+  }
+  double* block(int i, int k)
+  {
+    return this->blocks.data() +
+           (static_cast<std::size_t>(this->adjacency.vertexVertices.offsets[i]) + i + k) * this->entries;
+  }
+  const double* block(int i, int k) const { return const_cast<LaplacianRows*>(this)->block(i, k); }
+
+private:
+  void adjust(const Mesh& mesh, int i);
 };
 
-void LaplacianSystem::Parts::addBlock(Triplets& triplets, int row, int v, const Matrix3& block) const
+LaplacianRows::LaplacianRows(const Mesh& mesh,
+  const Adjacency& neighbours,
+  const std::vector<char>& rows,
+  bool adjust,
+  const Context& context)
+  : adjacency(neighbours)
+  , entries(adjust ? 9 : 1)
+  , blocks((neighbours.vertexVertices.values.size() + rows.size()) * this->entries, 0.0)
 {
-  if (this->number[v] < 0)
-  {
-    return;
-  }
-  for (int r = 0; r < 3; ++r)
-  {
-    for (int c = 0; c < 3; ++c)
+  const std::vector<double> weights = cotangentWeights(mesh, neighbours, rows);
+  context.parallelFor(mesh.vertexCount(),
+    [&](int begin, int end)
     {
-      triplets.emplace_back(3 * row + r, 3 * this->number[v] + c, block(r, c));
-    }
-  }
+      for (int i = begin; i < end; ++i)
+      {
+        for (int k = 0; rows[i] && k + 1 < this->ringSize(i); ++k)
+        {
+          const double w = weights[neighbours.findEdge(i, this->ringVertex(i, k))];
+          double* own = this->block(i, this->ringSize(i) - 1);
+          double* other = this->block(i, k);
+          for (int c = 0; c < this->entries; c += 4)
+          {
+            own[c] += w;
+            other[c] -= w;
+          }
+        }
+        if (rows[i] && adjust)
+        {
+          this->adjust(mesh, i);
+        }
+      }
+    });
 }
 
-Sparse LaplacianSystem::Parts::laplacianRows(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<char>& rows) const
+// Least squares over the ring's edges e = x_j - x_i, e' = e + u_j - u_i, has the closed form
+// s - 1 = sum e . (u_j - u_i) / sum |e|^2,  h = M^-1 sum e x (u_j - u_i),  M = sum |e|^2 I - e e^T.
+void LaplacianRows::adjust(const Mesh& mesh, int i)
 {
-  const std::vector<double> weights = cotangentWeights(mesh, adjacency, rows);
-  Triplets triplets;
-  std::vector<Vector3> delta(this->dimensions == 3 ? mesh.points.size() : 0, Vector3::Zero());
-  for (std::size_t e = 0; e < weights.size(); ++e)
+  const int neighbours = this->ringSize(i) - 1;
+  double squares = 0.0;
+  Matrix3 spread = Matrix3::Zero();
+  Vector3 delta = Vector3::Zero();
+  for (int k = 0; k < neighbours; ++k)
   {
-    for (const auto& [i, j] : { std::pair(adjacency.edges[e].v0, adjacency.edges[e].v1),
-           std::pair(adjacency.edges[e].v1, adjacency.edges[e].v0) })
-    {
-      if (!rows[i] || weights[e] == 0.0)
-      {
-        continue;
-      }
-      const double w = weights[e];
-      if (this->dimensions == 3)
-      {
-        delta[i] += w * (mesh.points[i] - mesh.points[j]);
-        this->addBlock(triplets, i, i, w * Matrix3::Identity());
-        this->addBlock(triplets, i, j, -w * Matrix3::Identity());
-        continue;
-      }
-      if (this->number[i] >= 0)
-      {
-        triplets.emplace_back(i, this->number[i], w);
-      }
-      if (this->number[j] >= 0)
-      {
-        triplets.emplace_back(i, this->number[j], -w);
-      }
-    }
+    const Vector3 e = mesh.points[this->ringVertex(i, k)] - mesh.points[i];
+    squares += e.squaredNorm();
+    spread += e * e.transpose();
+    delta += *this->block(i, k) * e; // - w_ij e
   }
-  for (int i = 0; this->dimensions == 3 && i < mesh.vertexCount(); ++i)
+  if (!(squares > 0.0) || !std::isfinite(1.0 / squares))
   {
-    if (!rows[i])
-    {
-      continue;
-    }
-    // Least squares over the ring's edges e = x_j - x_i, e' = e + u_j - u_i, has the closed form
-    // s - 1 = sum e . (u_j - u_i) / sum |e|^2,  h = M^-1 sum e x (u_j - u_i),  M = sum |e|^2 I - e e^T.
-    const int* begin = adjacency.vertexVertices.begin(i);
-    const int* end = adjacency.vertexVertices.end(i);
-    double squares = 0.0;
-    Matrix3 spread = Matrix3::Zero();
-    for (const int* j = begin; j != end; ++j)
-    {
-      const Vector3 e = mesh.points[*j] - mesh.points[i];
-      squares += e.squaredNorm();
-      spread += e * e.transpose();
-    }
-    if (!(squares > 0.0) || !std::isfinite(1.0 / squares))
-    {
-      continue; // the ring is one point: it shows no rotation, T_i = I
-    }
+    return; // the ring is one point: it shows no rotation, T_i = I
+  }
+  const Matrix3 moment = Matrix3::Identity() - spread / squares;
+  Matrix3 inverse;
+  if (moment.determinant() > 1e-3)
+  {
+    inverse = moment.inverse();
+  }
+  else
+  {
     // A ring on one line shows no rotation about it: the pseudo-inverse leaves that part out.
-    const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(Matrix3::Identity() - spread / squares);
+    const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(moment);
     const Vector3 inverseValues =
       eigen.eigenvalues().unaryExpr([](double value) { return value > 1e-8 ? 1.0 / value : 0.0; });
-    const Matrix3 inverse =
-      eigen.eigenvectors() * inverseValues.asDiagonal() * eigen.eigenvectors().transpose();
-    Matrix3 own = Matrix3::Zero();
-    for (const int* j = begin; j != end; ++j)
-    {
-      const Vector3 e = (mesh.points[*j] - mesh.points[i]) / squares;
-      const Matrix3 block = crossMatrix(delta[i]) * inverse * crossMatrix(e) - delta[i] * e.transpose();
-      own -= block;
-      this->addBlock(triplets, i, *j, block);
-    }
-    this->addBlock(triplets, i, i, own);
+    inverse = eigen.eigenvectors() * inverseValues.asDiagonal() * eigen.eigenvectors().transpose();
   }
-  Sparse matrix(this->dimensions * mesh.vertexCount(), this->dimensions * this->movable);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  const Matrix3 turn = crossMatrix(delta) * inverse;
+  Matrix3 own = Matrix3::Zero();
+  for (int k = 0; k < neighbours; ++k)
+  {
+    const Vector3 e = (mesh.points[this->ringVertex(i, k)] - mesh.points[i]) / squares;
+    const Matrix3 block = turn * crossMatrix(e) - delta * e.transpose();
+    own -= block;
+    Eigen::Map<Matrix3>(this->block(i, k)) += block;
+  }
+  Eigen::Map<Matrix3>(this->block(i, neighbours)) += own;
+}
+
+// R^T R of the rows, over the unknowns. A column's rows come in the order in which its vertex's rings meet
+// them.
+template <int B>
+BlockMatrix normalMatrixOf(const LaplacianRows& laplacian,
+  const std::vector<char>& rows,
+  const LaplacianShape& shape,
+  const Context& context)
+{
+  using Block = Eigen::Matrix<double, B, B>;
+  const int count = static_cast<int>(shape.vertices.size());
+  constexpr int chunk = 1024;
+  struct Columns
+  {
+    std::vector<int> rows, counts;
+    std::vector<double> values;
+  };
+  std::vector<Columns> chunks(static_cast<std::size_t>((count + chunk - 1) / chunk));
+  context.parallelFor(static_cast<int>(chunks.size()),
+    [&](int begin, int end)
+    {
+      std::vector<std::size_t> places(
+        static_cast<std::size_t>(count)); // of a row's block, if it is one of the column's
+      for (int c = begin; c < end && !context.cancelled(); ++c)
+      {
+        Columns& out = chunks[c];
+        for (int unknown = c * chunk; unknown < std::min(count, (c + 1) * chunk); ++unknown)
+        {
+          const std::size_t first = out.rows.size();
+          const int v = shape.vertices[unknown];
+          for (int r = 0; r < laplacian.ringSize(v); ++r)
+          {
+            const int i = laplacian.ringVertex(v, r);
+            if (!rows[i])
+            {
+              continue;
+            }
+            int own = 0;
+            while (laplacian.ringVertex(i, own) != v)
+            {
+              ++own;
+            }
+            const Eigen::Map<const Block> right(laplacian.block(i, own));
+            for (int k = 0; k < laplacian.ringSize(i); ++k)
+            {
+              const int row = shape.number[laplacian.ringVertex(i, k)];
+              if (row < 0)
+              {
+                continue;
+              }
+              std::size_t place = places[row];
+              if (place < first || place >= out.rows.size() || out.rows[place] != row)
+              {
+                places[row] = place = out.rows.size();
+                out.rows.push_back(row);
+                out.values.resize(out.values.size() + B * B, 0.0);
+              }
+              Eigen::Map<Block>(out.values.data() + place * B * B).noalias() +=
+                Eigen::Map<const Block>(laplacian.block(i, k)).transpose() * right;
+            }
+          }
+          out.counts.push_back(static_cast<int>(out.rows.size() - first));
+        }
+      }
+    });
+  context.checkpoint(0.4);
+  BlockMatrix matrix;
+  matrix.block = B;
+  matrix.pattern.offsets.push_back(0);
+  for (const Columns& columns : chunks)
+  {
+    for (const int rowCount : columns.counts)
+    {
+      matrix.pattern.offsets.push_back(matrix.pattern.offsets.back() + rowCount);
+    }
+  }
+  matrix.pattern.values.reserve(static_cast<std::size_t>(matrix.pattern.offsets.back()));
+  matrix.values.reserve(static_cast<std::size_t>(matrix.pattern.offsets.back()) * B * B);
+  for (Columns& columns : chunks)
+  {
+    matrix.pattern.values.insert(matrix.pattern.values.end(), columns.rows.begin(), columns.rows.end());
+    matrix.values.insert(matrix.values.end(), columns.values.begin(), columns.values.end());
+    columns = Columns();
+  }
   return matrix;
 }
 
-Sparse LaplacianSystem::Parts::handleRows() const
+// The matrix with zero blocks at these columns and rows, too.
+BlockMatrix extended(const BlockMatrix& matrix, std::vector<std::pair<int, int>> places)
 {
-  Triplets triplets;
-  for (int h = 0; h < static_cast<int>(this->handles.size()); ++h)
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  const std::size_t entries = static_cast<std::size_t>(matrix.block) * matrix.block;
+  BlockMatrix result;
+  result.block = matrix.block;
+  result.pattern.offsets.push_back(0);
+  auto next = places.begin();
+  for (int column = 0; column < matrix.nodeCount(); ++column)
   {
-    for (int k = 0; k < 3; ++k)
+    const auto values =
+      matrix.values.begin() + static_cast<std::ptrdiff_t>(entries) * matrix.pattern.offsets[column];
+    result.pattern.values.insert(
+      result.pattern.values.end(), matrix.pattern.begin(column), matrix.pattern.end(column));
+    result.values.insert(result.values.end(),
+      values,
+      values + static_cast<std::ptrdiff_t>(entries) * matrix.pattern.size(column));
+    for (; next != places.end() && next->first == column; ++next)
     {
-      const int v = this->handles[h].vertices[k];
-      const double weight = this->handles[h].weights[k] * this->handleWeight;
-      for (int c = 0; c < this->dimensions && weight != 0.0 && this->number[v] >= 0; ++c)
+      result.pattern.values.push_back(next->second);
+      result.values.resize(result.values.size() + entries, 0.0);
+    }
+    result.pattern.offsets.push_back(static_cast<int>(result.pattern.values.size()));
+  }
+  return result;
+}
+
+} // namespace
+
+LaplacianShape::LaplacianShape(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& movable,
+  bool borderRows,
+  bool adjustNormals,
+  const Context& context)
+  : number(movable.size(), -1)
+{
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (movable[v])
+    {
+      this->number[v] = static_cast<int>(this->vertices.size());
+      this->vertices.push_back(v);
+      this->positions.push_back(mesh.points[v]);
+    }
+  }
+  // Rows of movable vertices and, for a C1 join, of the fixed ones beside them.
+  std::vector<char> rows = movable;
+  for (const int v : this->vertices)
+  {
+    for (const int* n = adjacency.vertexVertices.begin(v); borderRows && n != adjacency.vertexVertices.end(v);
+         ++n)
+    {
+      rows[*n] = 1;
+    }
+  }
+  const LaplacianRows laplacian(mesh, adjacency, rows, adjustNormals, context);
+  context.checkpoint(0.2);
+  this->normal = adjustNormals ? normalMatrixOf<3>(laplacian, rows, *this, context)
+                               : normalMatrixOf<1>(laplacian, rows, *this, context);
+  context.checkpoint(0.6);
+  this->elimination = std::make_shared<Elimination>(this->normal.pattern, this->positions, context);
+}
+
+BlockMatrix LaplacianShape::normalMatrix(const std::vector<Binding>& handles, double handleWeight) const
+{
+  // Of each two unknowns that one handle hangs on: column, row and weight.
+  struct Link
+  {
+    int column, row;
+    double weight;
+  };
+  std::vector<Link> links;
+  std::vector<std::pair<int, int>> missing;
+  const auto find = [](const BlockMatrix& matrix, const Link& link)
+  { return std::find(matrix.pattern.begin(link.column), matrix.pattern.end(link.column), link.row); };
+  for (const Binding& handle : handles)
+  {
+    for (int k = 0; k < 9; ++k)
+    {
+      const Link link{ this->number[handle.vertices[k / 3]],
+        this->number[handle.vertices[k % 3]],
+        handleWeight * handleWeight * handle.weights[k / 3] * handle.weights[k % 3] };
+      if (link.column >= 0 && link.row >= 0 && link.weight != 0.0)
       {
-        triplets.emplace_back(this->dimensions * h + c, this->dimensions * this->number[v] + c, weight);
+        links.push_back(link);
+        if (find(this->normal, link) == this->normal.pattern.end(link.column))
+        {
+          missing.emplace_back(link.column, link.row);
+        }
       }
     }
   }
-  Sparse matrix(this->dimensions * static_cast<int>(this->handles.size()), this->dimensions * this->movable);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  BlockMatrix matrix = missing.empty() ? this->normal : extended(this->normal, missing);
+  for (const Link& link : links)
+  {
+    const std::ptrdiff_t place = find(matrix, link) - matrix.pattern.values.data();
+    double* block = matrix.values.data() + place * matrix.block * matrix.block;
+    for (int k = 0; k < matrix.block; ++k)
+    {
+      block[k * (matrix.block + 1)] += link.weight;
+    }
+  }
   return matrix;
 }
 
-void LaplacianSystem::Parts::factorise(const Sparse& normal, const Context& context)
+struct LaplacianSystem::Parts
 {
-  const Eigen::VectorXd diagonal = normal.diagonal();
-  const double largest = diagonal.maxCoeff();
+  std::shared_ptr<const LaplacianShape> shape;
+  std::vector<Binding> handles;
+  double handleWeight = 0.0;
+  std::unique_ptr<Cholesky> factor;
+
+  void factorise(BlockMatrix matrix, const Context& context);
+};
+
+// The matrix is taken by value: it may be regularised.
+void LaplacianSystem::Parts::factorise(BlockMatrix matrix, const Context& context)
+{
+  std::vector<double*> entries;
+  for (int i = 0; i < matrix.nodeCount(); ++i)
+  {
+    const int* place = std::find(matrix.pattern.begin(i), matrix.pattern.end(i), i);
+    double* block = matrix.values.data() + static_cast<std::size_t>(place - matrix.pattern.values.data()) *
+                                             matrix.block * matrix.block;
+    for (int k = 0; k < matrix.block; ++k)
+    {
+      entries.push_back(block + k * (matrix.block + 1));
+    }
+  }
+  std::vector<double> diagonal(entries.size());
+  std::transform(
+    entries.begin(), entries.end(), diagonal.begin(), [](const double* entry) { return *entry; });
+  const double largest = *std::max_element(diagonal.begin(), diagonal.end());
   // Where the rows leave something open (a free piece with one handle may turn about it), a little of the
   // diagonal keeps it where it is: 1e-10 of it is far below what a handle's residual shows.
   for (const double regularisation : { 0.0, 1e-10, 1e-7 })
   {
-    Sparse matrix = normal;
-    for (int i = 0; regularisation > 0.0 && i < matrix.cols(); ++i)
+    for (std::size_t i = 0; regularisation > 0.0 && i < entries.size(); ++i)
     {
-      matrix.coeffRef(i, i) += regularisation * std::max(diagonal[i], 1e-6 * largest);
+      *entries[i] = diagonal[i] + regularisation * std::max(diagonal[i], 1e-6 * largest);
     }
     if (this->factor->factorise(matrix, context))
     {
@@ -310,78 +464,76 @@ void LaplacianSystem::Parts::factorise(const Sparse& normal, const Context& cont
     "remesh it.");
 }
 
+LaplacianSystem::LaplacianSystem(std::shared_ptr<const LaplacianShape> shape,
+  const std::vector<Binding>& handles,
+  double handleWeight,
+  const Context& context)
+  : parts_(new Parts)
+{
+  Parts& parts = *this->parts_;
+  parts.shape = std::move(shape);
+  parts.handles = handles;
+  parts.handleWeight = handleWeight;
+  BlockMatrix matrix = parts.shape->normalMatrix(handles, handleWeight);
+  const bool same = matrix.pattern.values.size() == parts.shape->normal.pattern.values.size();
+  parts.factor = std::make_unique<Cholesky>(
+    same ? parts.shape->elimination
+         : std::make_shared<const Elimination>(matrix.pattern, parts.shape->positions, context));
+  parts.factorise(std::move(matrix), context);
+}
+
 LaplacianSystem::LaplacianSystem(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<char>& region,
   const std::vector<Binding>& handles,
   const LaplacianOptions& options,
   const Context& context)
-  : parts_(new Parts)
+  : LaplacianSystem(std::make_shared<LaplacianShape>(mesh,
+                      adjacency,
+                      movableVertices(adjacency, region, handles),
+                      options.borderRows,
+                      options.adjustNormals,
+                      context),
+      handles,
+      options.handleWeight,
+      context)
 {
-  Parts& parts = *this->parts_;
-  const std::vector<char> movable = movableVertices(adjacency, region, handles);
-  parts.movable = static_cast<int>(std::count(movable.begin(), movable.end(), 1));
-  parts.dimensions = options.adjustNormals ? 3 : 1;
-  parts.handleWeight = options.handleWeight;
-  parts.handles = handles;
-  parts.active.resize(handles.size());
-  std::transform(handles.begin(),
-    handles.end(),
-    parts.active.begin(),
-    [&](const Binding& handle)
-    {
-      return (handle.weights[0] != 0.0 && movable[handle.vertices[0]]) ||
-             (handle.weights[1] != 0.0 && movable[handle.vertices[1]]) ||
-             (handle.weights[2] != 0.0 && movable[handle.vertices[2]]);
-    });
-  parts.number = numberUnknowns(movable);
-  parts.factor =
-    std::make_unique<Cholesky>(sharedRows(adjacency, parts.number, handles, parts.movable), parts.dimensions);
-  context.checkpoint(0.2);
-
-  // Rows of movable vertices and, for a C1 join, of the fixed ones beside them.
-  std::vector<char> rows = movable;
-  for (int v = 0; options.borderRows && v < mesh.vertexCount(); ++v)
-  {
-    rows[v] = movable[v] || std::any_of(adjacency.vertexVertices.begin(v),
-                              adjacency.vertexVertices.end(v),
-                              [&](int n) { return movable[n] != 0; });
-  }
-  const Sparse laplacian = parts.laplacianRows(mesh, adjacency, rows);
-  const Sparse handle = parts.handleRows();
-  const Sparse normal = Sparse(laplacian.transpose() * laplacian) + Sparse(handle.transpose() * handle);
-  Context factoring = context;
-  factoring.progress = [&context](double done) { context.progress(0.4 + 0.5 * done); };
-  factoring.checkpoint(0.0);
-  parts.factorise(normal, factoring);
 }
 
 LaplacianSystem::~LaplacianSystem() = default;
 
 int LaplacianSystem::movableCount() const
 {
-  return this->parts_->movable;
+  return static_cast<int>(this->parts_->shape->vertices.size());
 }
 
 bool LaplacianSystem::handleActive(int handle) const
 {
-  return this->parts_->active[handle] != 0;
+  const Binding& binding = this->parts_->handles[handle];
+  bool active = false;
+  for (int k = 0; k < 3; ++k)
+  {
+    active = active || (binding.weights[k] != 0.0 && this->parts_->shape->number[binding.vertices[k]] >= 0);
+  }
+  return active;
 }
 
 std::vector<Vector3> LaplacianSystem::solve(const std::vector<Vector3>& displacements,
   const Context& context) const
 {
   const Parts& parts = *this->parts_;
+  const LaplacianShape& shape = *parts.shape;
   // x, y, z as columns; the adjusted form has them interleaved in one column.
-  const int d = parts.dimensions;
-  Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(parts.movable) * d, 3 / d);
+  const int d = shape.normal.block;
+  Eigen::MatrixXd solution =
+    Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(shape.vertices.size()) * d, 3 / d);
   const auto at = [&](int number, int c) -> double&
   { return d == 3 ? solution(3 * number + c, 0) : solution(number, c); };
   for (std::size_t h = 0; h < parts.handles.size(); ++h)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const int n = parts.number[parts.handles[h].vertices[k]];
+      const int n = shape.number[parts.handles[h].vertices[k]];
       const double weight = parts.handleWeight * parts.handleWeight * parts.handles[h].weights[k];
       for (int c = 0; c < 3 && n >= 0; ++c)
       {
@@ -389,22 +541,17 @@ std::vector<Vector3> LaplacianSystem::solve(const std::vector<Vector3>& displace
       }
     }
   }
-  parts.factor->solve(solution);
+  parts.factor->solve(solution, context);
   if (!solution.allFinite())
   {
     throw Error(Failure::SolveFailed,
       "The deformation's linear system has no finite solution; repair degenerate triangles in the region or "
       "remesh it.");
   }
-  context.checkpoint(1.0);
-  std::vector<Vector3> result(parts.number.size(), Vector3::Zero());
-  for (std::size_t v = 0; v < result.size(); ++v)
+  std::vector<Vector3> result(shape.number.size(), Vector3::Zero());
+  for (int n = 0; n < static_cast<int>(shape.vertices.size()); ++n)
   {
-    if (parts.number[v] >= 0)
-    {
-      const int n = parts.number[v];
-      result[v] = Vector3(at(n, 0), at(n, 1), at(n, 2));
-    }
+    result[shape.vertices[n]] = Vector3(at(n, 0), at(n, 1), at(n, 2));
   }
   return result;
 }

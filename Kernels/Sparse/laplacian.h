@@ -6,6 +6,8 @@
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
 #include "Silhouette/curves.h"
+#include "Sparse/block_matrix.h"
+#include "Sparse/elimination.h"
 
 #include <memory>
 #include <vector>
@@ -27,19 +29,51 @@ std::vector<double> cotangentWeights(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<char>& wanted);
 
-// The system over the vertices that may move: vertices of the region without a neighbour outside it, in those
-// of their connected pieces that a handle pulls. Unknowns are displacements u = x' - x; all else has u = 0.
-// Minimises
-//   sum_i |sum_j w_ij (u_i - u_j) - (T_i - I) delta_i|^2 + wc^2 sum_h |u(binding h) - d_h|^2,
-// w cotangent weights, delta_i = sum_j w_ij (x_i - x_j), T_i = I without adjustNormals, else s I + [h]x
-// fitted to the one-ring of i, which is linear in u. The factor is made once, by the constructor, and serves
-// any number of solves.
+// The vertices that may move, one byte per vertex: in the region, without a neighbour outside it, in a
+// connected piece with a handle. Throws Error(Failure::BadRegion) when there is none.
+std::vector<char> movableVertices(const Adjacency& adjacency,
+  const std::vector<char>& region,
+  const std::vector<Binding>& handles);
+
+// What keeps a part of a mesh in shape, without the handles: minimises sum_i |sum_j w_ij (u_i - u_j) - (T_i -
+// I) delta_i|^2 over the displacements u = x' - x of the vertices that may move; all others have u = 0. w are
+// cotangent weights, delta_i = sum_j w_ij (x_i - x_j), T_i = I without adjustNormals, else s I + [h]x fitted
+// to the one-ring of i, which is linear in u. Serves any handles on these vertices.
+class LaplacianShape
+{
+public:
+  // Throws Error(Failure::Cancelled).
+  LaplacianShape(const Mesh& mesh,
+    const Adjacency& adjacency,
+    const std::vector<char>& movable,
+    bool borderRows,
+    bool adjustNormals,
+    const Context& context);
+
+  // The normal matrix with the handles' rows, times handleWeight. It has the shape's pattern unless a handle
+  // lies on vertices that are not neighbours.
+  BlockMatrix normalMatrix(const std::vector<Binding>& handles, double handleWeight) const;
+
+  std::vector<int> number;        // of a vertex's unknown, -1 where it cannot move
+  std::vector<int> vertices;      // of each unknown
+  std::vector<Vector3> positions; // of these
+  BlockMatrix normal;             // without handles; 3x3 blocks with adjustNormals
+  std::shared_ptr<const Elimination> elimination;
+};
+
+// A shape with handles: minimises the shape's sum + wc^2 sum_h |u(binding h) - d_h|^2. The factor is made
+// once, by the constructor, and serves any number of solves.
 class LaplacianSystem
 {
 public:
-  // region has one byte per vertex. Throws Error(Failure::BadRegion) when nothing can move or no handle lies
-  // on a vertex that can, Error(Failure::SolveFailed) when the system stays singular after regularisation,
+  // Throws Error(Failure::SolveFailed) when the system stays singular after regularisation,
   // Error(Failure::Cancelled).
+  LaplacianSystem(std::shared_ptr<const LaplacianShape> shape,
+    const std::vector<Binding>& handles,
+    double handleWeight,
+    const Context& context);
+  // The same with a shape of its own, of what may move in the region (one byte per vertex); throws what
+  // movableVertices throws, too.
   LaplacianSystem(const Mesh& mesh,
     const Adjacency& adjacency,
     const std::vector<char>& region,
