@@ -278,6 +278,16 @@ vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
   return array;
 }
 
+std::vector<char> LabelsOf(vtkDataArray* labels)
+{
+  std::vector<char> chosen(static_cast<std::size_t>(labels->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    chosen[static_cast<std::size_t>(i)] = labels->GetComponent(i, 0) != 0.0;
+  }
+  return chosen;
+}
+
 MeshKey::MeshKey(vtkPolyData* mesh, const std::vector<vtkDataArray*>& arrays)
 {
   const auto add = [this](vtkObject* object)

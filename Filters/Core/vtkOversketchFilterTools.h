@@ -83,6 +83,11 @@ OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* RequireArray(vtkDataSetAttributes* at
   const std::string& remedy);
 
 /**
+ * 1 per tuple of an array of labels (Region, RegionSeed, Visible) that is not 0, else 0.
+ */
+OVERSKETCHFILTERSCORE_EXPORT std::vector<char> LabelsOf(vtkDataArray* labels);
+
+/**
  * Identity and modified time of what a step reads of a mesh or of curves: points, cells and, optionally, some
  * arrays. Equal keys mean equal content: modified times are unique in a process, so a recycled address cannot
  * fool it.

@@ -81,22 +81,6 @@ Handles HandlesOf(vtkPolyData* polyData, int vertexCount)
   return handles;
 }
 
-std::vector<char> RegionOf(vtkPolyData* mesh)
-{
-  vtkDataArray* array = RequireArray(mesh->GetPointData(),
-    "Region",
-    1,
-    mesh->GetNumberOfPoints(),
-    "mesh",
-    "vtkOversketchMixtureRegion or another region filter makes it");
-  std::vector<char> region(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    region[static_cast<std::size_t>(i)] = array->GetComponent(i, 0) != 0.0;
-  }
-  return region;
-}
-
 bool SameBindings(const std::vector<Binding>& a, const std::vector<Binding>& b)
 {
   return std::equal(a.begin(),
@@ -244,7 +228,12 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
   RequirePolygonsOnly(input); // the keys do not see other cells
   const MeshKey systemKey(input);
   const MeshKey outputKey(input, { input->GetPointData()->GetNormals(), input->GetCellData()->GetNormals() });
-  const std::vector<char> region = RegionOf(input);
+  const std::vector<char> region = LabelsOf(RequireArray(input->GetPointData(),
+    "Region",
+    1,
+    input->GetNumberOfPoints(),
+    "mesh",
+    "vtkOversketchMixtureRegion or another region filter makes it"));
   const Handles handles = HandlesOf(handlesInput, static_cast<int>(input->GetNumberOfPoints()));
   const Context context = ContextOf(this);
 

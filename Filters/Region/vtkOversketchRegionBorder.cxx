@@ -51,29 +51,17 @@ int vtkOversketchRegionBorder::RequestData(vtkInformation*,
       Cache& cache = *this->Internals;
       cache.Data = SharedMesh(input);
       const std::string remedy = "find the region with vtkOversketchMixtureRegion";
-      vtkDataArray* arrays[2];
-      std::vector<char> labels[2];
-      for (int i = 0; i < 2; ++i)
-      {
-        arrays[i] =
-          RequireArray(input->GetPointData(), i == 0 ? "Region" : "RegionSeed", 1, count, "mesh", remedy);
-      }
-      const MeshKey key(input, { arrays[0], arrays[1] });
+      vtkDataArray* region = RequireArray(input->GetPointData(), "Region", 1, count, "mesh", remedy);
+      vtkDataArray* seeds = RequireArray(input->GetPointData(), "RegionSeed", 1, count, "mesh", remedy);
+      const MeshKey key(input, { region, seeds });
       const int rings = this->Confine ? this->Rings : 0;
       if (!cache.Region || cache.Key != key || cache.Rings != rings)
       {
         cache.Region = nullptr;
         ++this->SmoothingCount;
-        for (int i = 0; i < 2; ++i)
-        {
-          labels[i].resize(static_cast<std::size_t>(count));
-          for (vtkIdType v = 0; v < count; ++v)
-          {
-            labels[i][static_cast<std::size_t>(v)] = arrays[i]->GetComponent(v, 0) != 0.0;
-          }
-        }
-        const std::vector<char> region = smoothBorder(cache.Data->Neighbours, labels[1], labels[0], rings);
-        const auto selected = std::count(region.begin(), region.end(), 1);
+        const std::vector<char> smooth =
+          smoothBorder(cache.Data->Neighbours, LabelsOf(seeds), LabelsOf(region), rings);
+        const auto selected = std::count(smooth.begin(), smooth.end(), 1);
         if (selected == 0 || selected == count)
         {
           throw Error(Failure::BadRegion,
@@ -84,7 +72,7 @@ int vtkOversketchRegionBorder::RequestData(vtkInformation*,
         auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
         array->SetName("Region");
         array->SetNumberOfValues(count);
-        std::copy(region.begin(), region.end(), array->GetPointer(0));
+        std::copy(smooth.begin(), smooth.end(), array->GetPointer(0));
         cache.Region = array;
         cache.Key = key;
         cache.Rings = rings;

@@ -286,15 +286,11 @@ int vtkOversketchRemesh::RequestData(vtkInformation*,
       if (cache.Key != key || cache.Values != values)
       {
         cache = Cache();
-        std::vector<char> mask(mesh.points.size());
-        std::vector<double> diameter(diameters ? mesh.points.size() : 0);
-        for (vtkIdType i = 0; i < pointCount; ++i)
+        const std::vector<char> mask = LabelsOf(region);
+        std::vector<double> diameter;
+        for (vtkIdType i = 0; diameters && i < pointCount; ++i)
         {
-          mask[static_cast<std::size_t>(i)] = region->GetComponent(i, 0) != 0.0 ? 1 : 0;
-          if (diameters)
-          {
-            diameter[static_cast<std::size_t>(i)] = diameters->GetComponent(i, 0);
-          }
+          diameter.push_back(diameters->GetComponent(i, 0));
         }
         std::vector<int> chart;
         for (vtkIdType i = 0; charts && i < input->GetNumberOfCells(); ++i)

@@ -66,23 +66,17 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       {
         throw Error(Failure::BadMesh,
           "The meshes before and after deforming (ports 3 and 2) differ in their number of points; give the "
-          "mesh that "
-          "vtkOversketchLaplacianDeform read.");
+          "mesh that vtkOversketchLaplacianDeform read.");
       }
       const View view = ViewOf(stroke);
       const Polyline samples = StrokeOf(stroke);
       const Mesh mesh = MeshOf(deformed);
-      vtkDataArray* region = RequireArray(deformed->GetPointData(),
+      const std::vector<char> chosen = LabelsOf(RequireArray(deformed->GetPointData(),
         "Region",
         1,
         deformed->GetNumberOfPoints(),
         "mesh",
-        "vtkOversketchLaplacianDeform passes it on");
-      std::vector<char> chosen(static_cast<std::size_t>(mesh.vertexCount()));
-      for (vtkIdType i = 0; i < deformed->GetNumberOfPoints(); ++i)
-      {
-        chosen[i] = region->GetComponent(i, 0) != 0.0;
-      }
+        "vtkOversketchLaplacianDeform passes it on"));
       auto ids = Longer<vtkIdTypeArray>(handles, "HandleId", 1);
       auto vertices = Longer<vtkIdTypeArray>(handles, "MeshVertices", 3);
       auto weights = Longer<vtkDoubleArray>(handles, "MeshWeights", 3);

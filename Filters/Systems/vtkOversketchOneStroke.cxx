@@ -64,13 +64,7 @@ std::string MessageOf(const void* eventData)
 std::vector<char> RegionOf(vtkPolyData* mesh)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();
-  vtkDataArray* region = RequireArray(mesh->GetPointData(), "Region", 1, count, "mesh", "a step made it");
-  std::vector<char> chosen(static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    chosen[i] = region->GetComponent(i, 0) != 0.0;
-  }
-  return chosen;
+  return LabelsOf(RequireArray(mesh->GetPointData(), "Region", 1, count, "mesh", "a step made it"));
 }
 
 } // namespace

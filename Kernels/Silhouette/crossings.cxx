@@ -28,6 +28,7 @@ struct Grid
     for (int k = 0; k < 2; ++k)
     {
       std::vector<double> values;
+      values.reserve(segments.size());
       for (const ImageSegment& s : segments)
       {
         values.push_back(s.from[k]);

@@ -351,7 +351,7 @@ private:
     double t = splitDistance;
     for (int halving = 0; halving < halvingLimit; ++halving, t *= 0.5)
     {
-      const CurvePoint p =
+      CurvePoint p =
         this->pointAt(centre < end ? Binding::edge(centre, end, 1.0 - t) : Binding::edge(end, centre, t));
       if (silhouetteDeviation(p, this->view) < this->epsilon)
       {

@@ -155,6 +155,36 @@ inline void expectRefusal(vtkPolyDataAlgorithm* filter, Failure failure, const s
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << word;
 }
 
+// As expectRefusal, of a step that reads curves, the mesh and the stroke.
+template <typename Filter>
+void expectRefusalOf(vtkPolyData* curves,
+  vtkPolyData* mesh,
+  vtkPolyData* stroke,
+  Failure failure,
+  const char* word)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(curves);
+  filter->SetMeshData(mesh);
+  filter->SetStrokeData(stroke);
+  expectRefusal(filter, failure, word);
+}
+
+// No curves are no error, and give none.
+template <typename Filter>
+void expectNothingOfNoCurves(vtkPolyData* mesh, vtkPolyData* stroke)
+{
+  vtkNew<Filter> idle;
+  Ear ear(idle);
+  vtkNew<vtkPolyData> nothing;
+  idle->SetInputData(nothing);
+  idle->SetMeshData(mesh);
+  idle->SetStrokeData(stroke);
+  idle->Update();
+  EXPECT_TRUE(ear.errors.empty());
+  EXPECT_EQ(idle->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 // Stops `filter`, which has not run yet, at its first progress, then lets it run: it does what `other` does.
 inline void expectCancelAndRetry(vtkPolyDataAlgorithm* filter, vtkPolyDataAlgorithm* other)
 {
