@@ -5,16 +5,6 @@
 namespace oversketch
 {
 
-namespace
-{
-
-bool contains(const Triangle& t, int v)
-{
-  return t[0] == v || t[1] == v || t[2] == v;
-}
-
-} // namespace
-
 Patch::Patch(const Surface& surface,
   const std::vector<char>& active,
   const std::vector<double>& sizes,
@@ -28,201 +18,171 @@ Patch::Patch(const Surface& surface,
   , fixed_(points_.size(), 0)
   , border_(points_.size(), 0)
   , mergedInto_(points_.size())
-  , triangles_(surface.mesh().triangles)
+  , out_(points_.size(), -1)
+  , valence_(points_.size(), 0)
+  , listed_(points_.size(), -1)
   , active_(active)
-  , charts_(triangles_.size())
-  , rings_(points_.size())
+  , charts_(surface.charts())
+  , twin_(surface.twins())
+  , kept_(twin_.size(), 0)
 {
-  std::vector<char> inside(this->points_.size(), 0);
-  for (int t = 0; t < this->triangleCount(); ++t)
+  // Splitting may well double the patch.
+  const std::size_t room = 2 * this->active_.size();
+  this->origin_.reserve(3 * room);
+  for (const Triangle& t : surface.mesh().triangles)
   {
-    this->charts_[t] = surface.chart(t);
-    for (int k = 0; active[t] && k < 3; ++k)
-    {
-      inside[this->triangles_[t][k]] = 1;
-      SurfacePoint at{ t, { 0.0, 0.0, 0.0 } };
-      at.weights[k] = 1.0;
-      this->places_[this->triangles_[t][k]] = at;
-    }
+    this->origin_.insert(this->origin_.end(), t.begin(), t.end());
   }
   for (int t = 0; t < this->triangleCount(); ++t)
   {
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; active[t] && k < 3; ++k)
     {
-      const int v = this->triangles_[t][k];
-      if (inside[v] && (this->rings_[v].empty() || this->rings_[v].back() != t))
+      const int v = this->origin_[3 * t + k];
+      this->out_[v] = 3 * t + k;
+      SurfacePoint at{ t, { 0.0, 0.0, 0.0 } };
+      at.weights[k] = 1.0;
+      this->places_[v] = at;
+      if (this->twin_[3 * t + k] == borderEdge)
       {
-        this->rings_[v].push_back(t);
+        this->border_[v] = this->border_[this->target(3 * t + k)] = 1;
       }
     }
   }
-  const auto protect = [this](int a, int b)
+  const auto eachCorner = [this](auto&& visit)
   {
-    this->protectedEdges_.insert(std::minmax(a, b));
-    this->fixed_[a] = this->fixed_[b] = 1;
+    for (int t = 0; t < this->triangleCount(); ++t)
+    {
+      const Triangle c = this->triangle(t);
+      for (int k = 0; k < 3; ++k)
+      {
+        if (this->out_[c[k]] >= 0 && (k < 1 || c[k] != c[0]) && (k < 2 || c[k] != c[1]))
+        {
+          visit(c[k], t);
+        }
+      }
+    }
   };
-  for (const std::array<int, 2>& e : protectedEdges)
+  eachCorner([this](int v, int) { ++this->valence_[v]; });
+  for (int v = 0; v < this->vertexCount(); ++v)
   {
-    protect(e[0], e[1]);
+    this->mergedInto_[v] = v;
+    if (this->out_[v] < 0)
+    {
+      this->fixed_[v] = 1;
+    }
+    else if (!this->isDisc(v))
+    {
+      this->fixed_[v] = 1;
+      this->listed_[v] = static_cast<int>(this->lists_.size());
+      this->lists_.emplace_back();
+    }
   }
+  eachCorner([this](int v, int t) { this->attach(v, t); });
+  for (int v = 0; v < this->vertexCount(); ++v)
+  {
+    this->valence_[v] += this->border_[v];
+  }
+  this->eachEdge(
+    [this](int h)
+    {
+      if (this->inner(h) && this->chart(h / 3) != this->chart(this->twin_[h] / 3))
+      {
+        this->protect(h);
+      }
+    });
   for (const int v : protectedVertices)
   {
     this->fixed_[v] = 1;
   }
-  for (const std::array<int, 2>& e : this->edges())
+  for (const std::array<int, 2>& e : protectedEdges)
   {
-    Faces faces;
-    bool border = false;
-    const bool free = this->facesOf(e[0], e[1], faces, border);
-    if (free && !border && this->charts_[faces[0]] != this->charts_[faces[1]])
+    this->fixed_[e[0]] = this->fixed_[e[1]] = 1;
+    const int h = this->find(e[0], e[1]);
+    if (h >= 0)
     {
-      protect(e[0], e[1]);
-    }
-    if (free && border)
-    {
-      this->border_[e[0]] = this->border_[e[1]] = 1;
-    }
-  }
-  for (int v = 0; v < this->vertexCount(); ++v)
-  {
-    this->mergedInto_[v] = v;
-    if (!inside[v] || !this->discAt(v))
-    {
-      this->fixed_[v] = 1;
+      this->protect(h);
     }
   }
 }
 
-bool Patch::protectedEdge(int a, int b) const
+void Patch::protect(int h)
 {
-  return this->fixed_[a] && this->fixed_[b] && this->protectedEdges_.count(std::minmax(a, b)) > 0;
+  this->fixed_[this->origin(h)] = this->fixed_[this->target(h)] = 1;
+  this->kept_[h] = 1;
+  if (this->inner(h))
+  {
+    this->kept_[this->twin_[h]] = 1;
+  }
 }
 
-// The triangles of an edge that may change: two alive ones wound alike (the first runs a to b), or the only
-// one.
-bool Patch::facesOf(int a, int b, Faces& faces, bool& border) const
+// One closed fan of triangles of the patch, wound alike.
+bool Patch::isDisc(int v) const
 {
-  int count = 0;
-  int forward = 0;
-  for (const int t : this->rings_[a])
+  int h = this->out_[v];
+  for (int steps = 1; steps <= this->valence_[v]; ++steps)
   {
-    const Triangle& v = this->triangles_[t];
-    if (!contains(v, b))
-    {
-      continue;
-    }
-    if (count == 2 || !this->active_[t])
+    h = this->twin_[previousHalfEdge(h)];
+    if (h < 0)
     {
       return false;
     }
-    const bool along = (v[0] == a && v[1] == b) || (v[1] == a && v[2] == b) || (v[2] == a && v[0] == b);
-    forward += along ? 1 : 0;
-    faces[count++] = t;
-    if (count == 2 && along)
+    if (h == this->out_[v])
     {
-      std::swap(faces[0], faces[1]);
+      return steps == this->valence_[v];
     }
   }
-  border = count == 1;
-  return border || (count == 2 && forward == 1);
+  return false;
 }
 
-bool Patch::inner(int a, int b) const
+// Keeps a triangle in the list of a vertex that has one.
+void Patch::attach(int v, int t)
 {
-  Faces faces;
-  bool border = false;
-  return this->facesOf(a, b, faces, border) && !border;
-}
-
-bool Patch::splittable(int a, int b) const
-{
-  Faces faces;
-  bool border = false;
-  return this->facesOf(a, b, faces, border);
-}
-
-int Patch::opposite(int t, int a, int b) const
-{
-  const Triangle& v = this->triangles_[t];
-  return v[0] != a && v[0] != b ? v[0] : v[1] != a && v[1] != b ? v[1] : v[2];
-}
-
-// One closed fan of alive triangles, wound alike.
-bool Patch::discAt(int v) const
-{
-  const std::vector<int>& ring = this->rings_[v];
-  Faces faces;
-  bool border = false;
-  for (const int t : ring)
+  if (this->listed_[v] >= 0)
   {
-    for (const int w : this->triangles_[t])
-    {
-      if (!this->active_[t] || (w != v && (!this->facesOf(v, w, faces, border) || border)))
-      {
-        return false;
-      }
-    }
+    this->lists_[this->listed_[v]].push_back(t);
   }
-  std::size_t steps = 0;
-  int t = ring.empty() ? -1 : ring[0];
-  while (t >= 0 && steps < ring.size())
-  {
-    // The corner before v in t leads to the next triangle around v.
-    const Triangle& c = this->triangles_[t];
-    const int before = c[0] == v ? c[2] : c[1] == v ? c[0] : c[1];
-    this->facesOf(v, before, faces, border);
-    t = faces[0];
-    ++steps;
-    if (t == ring[0])
-    {
-      break;
-    }
-  }
-  return !ring.empty() && steps == ring.size();
 }
 
-std::vector<std::array<int, 2>> Patch::edges() const
+void Patch::detach(int v, int t)
 {
-  // Upper ends bucketed by lower end, then sorted per bucket: several times quicker than sorting pairs.
-  std::vector<int> offsets(this->points_.size() + 1, 0);
-  const auto eachSide = [this](auto&& visit)
+  if (this->listed_[v] >= 0)
   {
-    for (int t = 0; t < this->triangleCount(); ++t)
-    {
-      for (int k = 0; this->active_[t] && k < 3; ++k)
-      {
-        const int a = this->triangles_[t][k];
-        const int b = this->triangles_[t][(k + 1) % 3];
-        visit(std::min(a, b), std::max(a, b));
-      }
-    }
-  };
-  eachSide([&](int a, int) { ++offsets[a + 1]; });
-  for (std::size_t i = 1; i < offsets.size(); ++i)
-  {
-    offsets[i] += offsets[i - 1];
+    std::vector<int>& list = this->lists_[this->listed_[v]];
+    list.erase(std::find(list.begin(), list.end(), t));
   }
-  std::vector<int> upper(offsets.back());
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  eachSide([&](int a, int b) { upper[next[a]++] = b; });
-  std::vector<std::array<int, 2>> result;
-  result.reserve(upper.size() / 2 + 1);
-  for (int a = 0; a < this->vertexCount(); ++a)
-  {
-    const auto begin = upper.begin() + offsets[a], end = upper.begin() + offsets[a + 1];
-    std::sort(begin, end);
-    const auto last = std::unique(begin, end);
-    for (auto b = begin; b != last; ++b)
-    {
-      result.push_back({ a, *b });
-    }
-  }
-  return result;
 }
 
-int Patch::valence(int v) const
+int Patch::addVertex(const SurfacePoint& at, bool fixedVertex, bool border)
 {
-  return static_cast<int>(this->rings_[v].size()) + this->border_[v];
+  const int v = this->vertexCount();
+  this->points_.push_back(positionOf(this->surface_.mesh(), at));
+  this->places_.push_back(at);
+  this->sizes_.push_back(this->sizeAt(at));
+  this->fixed_.push_back(fixedVertex);
+  this->border_.push_back(border);
+  this->mergedInto_.push_back(v);
+  this->out_.push_back(-1);
+  this->valence_.push_back(border);
+  this->listed_.push_back(-1);
+  if (border)
+  {
+    this->listed_.back() = static_cast<int>(this->lists_.size());
+    this->lists_.emplace_back();
+  }
+  return v;
+}
+
+int Patch::addTriangle(int chart)
+{
+  this->active_.push_back(1);
+  if (!this->charts_.empty())
+  {
+    this->charts_.push_back(chart);
+  }
+  this->origin_.resize(this->origin_.size() + 3);
+  this->twin_.resize(this->twin_.size() + 3, borderEdge);
+  this->kept_.resize(this->kept_.size() + 3, 0);
+  return this->triangleCount() - 1;
 }
 
 double Patch::sizeAt(const SurfacePoint& at) const

@@ -1,19 +1,20 @@
-// The part of a mesh that is being remeshed: its changing connectivity, what may not change, and the four
-// moves of incremental remeshing with the tests that keep them safe.
+// The part of a mesh that is being remeshed: its changing connectivity, what may not change, and the moves
+// of incremental remeshing with the tests that keep them safe.
 //
 // Why ours: CGAL's isotropic_remeshing is GPL, has one length for all vertices in 5.5, forgets where on the
-// input a vertex came from (which attributes and texture seams need), and does not promise an order. Triangle
-// lists per vertex rather than half-edges: real models have non-manifold edges, and lists hold them as they
-// are.
+// input a vertex came from (which attributes and texture seams need), and does not promise an order.
+//
+// Half-edges in flat arrays of 32-bit ids: half-edge 3 t + k runs from corner k of triangle t to the next.
+// Real models have edges that no half-edge structure can hold (three triangles, two wound against each
+// other); such edges, and those shared with a triangle outside, are walls: never moved, split or flipped. A
+// vertex whose triangles are not one closed fan of the patch is fixed and lists its triangles.
 #ifndef oversketch_patch_h
 #define oversketch_patch_h
 
+#include "Mesh/context.h"
 #include "Remesh/surface.h"
 
 #include <array>
-#include <cmath>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace oversketch
@@ -22,8 +23,9 @@ namespace oversketch
 // The normals of two triangles, given by vectors of any length along them, are over 100 degrees apart.
 inline bool folded(const Vector3& a, const Vector3& b)
 {
-  constexpr double limit = -0.17364818; // cosine of 100 degrees
-  return a.dot(b) < limit * std::sqrt(a.squaredNorm() * b.squaredNorm());
+  constexpr double limit = 0.030153690; // square of the cosine of 100 degrees
+  const double dot = a.dot(b);
+  return dot < 0.0 && dot * dot > limit * (a.squaredNorm() * b.squaredNorm());
 }
 
 class Patch
@@ -38,75 +40,123 @@ public:
     const std::vector<std::array<int, 2>>& protectedEdges);
 
   int vertexCount() const { return static_cast<int>(this->points_.size()); }
-  int triangleCount() const { return static_cast<int>(this->triangles_.size()); }
+  int triangleCount() const { return static_cast<int>(this->active_.size()); }
   bool aliveTriangle(int t) const { return this->active_[t] != 0; } // of the patch, not removed
   bool aliveVertex(int v) const { return this->mergedInto_[v] == v; }
   int mergedInto(int v) const { return this->mergedInto_[v]; } // v itself, or the vertex it was collapsed to
   const Vector3& point(int v) const { return this->points_[v]; }
   const SurfacePoint& place(int v) const { return this->places_[v]; } // of a vertex of the patch
-  const Triangle& triangle(int t) const { return this->triangles_[t]; }
-  int chart(int t) const { return this->charts_[t]; }
+  Triangle triangle(int t) const
+  {
+    return { this->origin_[3 * t], this->origin_[3 * t + 1], this->origin_[3 * t + 2] };
+  }
+  int chart(int t) const { return this->charts_.empty() ? 0 : this->charts_[t]; }
+
+  // Half-edges.
+  int origin(int h) const { return this->origin_[h]; }
+  int target(int h) const { return this->origin_[nextHalfEdge(h)]; }
+  int twin(int h) const { return this->twin_[h]; } // as Surface::twins()
+  // True for an edge of two triangles of the patch, wound alike.
+  bool inner(int h) const { return this->twin_[h] >= 0; }
+  bool splittable(int h) const { return this->twin_[h] >= borderEdge; } // inner, or on the border of the mesh
+  // True for an edge that is neither flipped nor collapsed: between charts, or given as protected.
+  bool protectedEdge(int h) const { return this->kept_[h] != 0; }
+  // A half-edge between a and b, a to b if there is one: inner or on the border of the mesh; else -1. guess:
+  // an id that is likely to be it.
+  int find(int a, int b, int guess = -1) const;
 
   // True for a vertex that neither moves nor goes: on the patch's border (shared with a triangle outside), on
   // a border of the mesh, at a non-manifold edge or a pinched or doubly wound fan, on a protected edge, or
   // protected itself.
   bool fixed(int v) const { return this->fixed_[v] != 0; }
-  // True for an edge that is neither flipped nor collapsed: between charts, or given as protected.
-  bool protectedEdge(int a, int b) const;
-  // True for an edge of two alive, consistently wound triangles of the patch.
-  bool inner(int a, int b) const;
-  bool splittable(int a, int b) const; // inner, or on the border of the mesh
 
-  // Edges of the patch as (a, b) with a < b, ascending.
-  std::vector<std::array<int, 2>> edges() const;
-  double edgeLength(int a, int b) const { return (this->points_[a] - this->points_[b]).norm(); }
-  // Length over target length.
-  double relativeLength(int a, int b) const
+  // Calls visit(h) for one half-edge of every edge of the patch (for a wall: of each triangle at it).
+  template <typename Visit>
+  void eachEdge(Visit&& visit) const
   {
-    return 2.0 * this->edgeLength(a, b) / (this->sizes_[a] + this->sizes_[b]);
+    for (int t = 0; t < this->triangleCount(); ++t)
+    {
+      for (int h = 3 * t; this->active_[t] && h < 3 * t + 3; ++h)
+      {
+        if (this->twin_[h] < h)
+        {
+          visit(h);
+        }
+      }
+    }
+  }
+
+  // Squared length over squared target length.
+  double relativeSquared(int a, int b) const
+  {
+    const double size = 0.5 * (this->sizes_[a] + this->sizes_[b]);
+    return (this->points_[a] - this->points_[b]).squaredNorm() / (size * size);
   }
 
   // Each does its move and returns true, or finds it unsafe or of no use and changes nothing.
   // Puts a vertex at the middle of an edge, on the surface; -1 if refused (a folded edge, flat or folded
   // halves). neighbours: vertices it is joined to, -1 fill.
-  int split(int a, int b, std::array<int, 4>& neighbours);
-  // Removes vertex `from` by merging it into `to`, unless an edge longer than `longest` (relative) would
-  // come.
-  bool collapse(int from, int to, double longest);
+  int split(int h, std::array<int, 4>& neighbours);
+  // Removes the half-edge's origin by merging it into its target, unless an edge longer than `longest`
+  // (relative) would come.
+  bool collapse(int h, double longest);
   // Flips towards valence 6 (4 on a border); byAngle: towards larger smallest angles.
-  bool flip(int a, int b, bool byAngle);
-  // Where relaxation wants a vertex: tangential, projected to the surface. Reads only.
-  SurfacePoint relaxed(int v) const;
-  bool move(int v, const SurfacePoint& to);
+  bool flip(int h, bool byAngle);
+  // Moves all free vertices at once within the tangent plane and back to the surface, those apart whose move
+  // is unsafe. Threaded.
+  void relax(const Context& context);
 
 private:
-  using Faces = std::array<int, 2>;
-  struct Fan; // triangles before or after a move
+  static constexpr int borderEdge = -1; // in twin_
 
-  bool facesOf(int a, int b, Faces& faces, bool& border) const;
-  int opposite(int t, int a, int b) const;
-  Vector3 cross(const Triangle& t) const; // twice the area times the normal
-  int valence(int v) const;
-  int folds(const Fan& fan, const std::vector<int>& replaced) const;
-  Fan fanOf(const std::vector<int>& triangles) const;
+  struct Relaxation;
+  friend struct Relaxation;
+
+  void protect(int h);
+  bool isDisc(int v) const;
+  template <typename Test>
+  bool anyNeighbour(int v, Test&& test) const;
+  bool joined(int a, int b) const;
+  const Vector3& at(int h) const { return this->points_[this->origin_[h]]; }
+  // Twice the area times the normal.
+  Vector3 cross(const Vector3& a, const Vector3& b, const Vector3& c) const { return (b - a).cross(c - a); }
+  Vector3 cross(int t) const
+  {
+    return this->cross(this->at(3 * t), this->at(3 * t + 1), this->at(3 * t + 2));
+  }
+  int foldsOver(int h, const Vector3& own) const;
+  bool middleOf(int h, SurfacePoint& result, bool& straight) const;
+  void link(int h, int twin, int was);
+  void join(int h, int twin);
+  void set(int t, int a, int b, int c);
+  void attach(int v, int t);
   void detach(int v, int t);
   double sizeAt(const SurfacePoint& at) const;
-  bool discAt(int v) const;
   int addVertex(const SurfacePoint& at, bool fixedVertex, bool border);
-  void removeLastVertex();
+  int addTriangle(int chart);
 
   const Surface& surface_;
   const std::vector<double>& inputSizes_;
+  // Per vertex.
   std::vector<Vector3> points_;
   std::vector<SurfacePoint> places_;
   std::vector<double> sizes_;
   std::vector<char> fixed_, border_; // border_: on a border of the mesh
   std::vector<int> mergedInto_;
-  std::vector<Triangle> triangles_;
+  std::vector<int> out_;                // a half-edge of the patch that starts here
+  std::vector<int> valence_;            // triangles, outside ones too, and one more on a border
+  std::vector<int> listed_;             // index into lists_ for a vertex that is no disc, else -1
+  std::vector<std::vector<int>> lists_; // all its triangles, outside ones too
+  // Per triangle.
   std::vector<char> active_;
-  std::vector<int> charts_;
-  std::vector<std::vector<int>> rings_; // all triangles around a vertex of the patch, outside ones too
-  std::set<std::pair<int, int>> protectedEdges_;
+  std::vector<int> charts_; // or empty
+  // Per half-edge.
+  std::vector<int> origin_;
+  std::vector<int> twin_; // as Surface::twins()
+  std::vector<char> kept_;
+  // Of a collapse in progress, kept for their memory.
+  std::vector<int> spokes_, ring_;
+  std::vector<Vector3> before_, after_;
 };
 
 } // namespace oversketch

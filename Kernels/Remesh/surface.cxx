@@ -1,6 +1,7 @@
 #include "Remesh/surface.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace oversketch
 {
@@ -23,12 +24,6 @@ int supportOf(const Mesh& mesh, const SurfacePoint& at, std::array<int, 3>& vert
     }
   }
   return count;
-}
-
-// A share in [0, 1]; 0 on an edge without length.
-double ratio(double part, double whole)
-{
-  return whole > 0.0 ? part / whole : 0.0;
 }
 
 int cornerOf(const Triangle& t, int vertex)
@@ -58,56 +53,6 @@ SurfacePoint seenFrom(const Mesh& mesh, const SurfacePoint& at, int triangle)
 
 } // namespace
 
-// By the Voronoi region of the triangle that p falls in: corners, then edges, then the inside.
-std::array<double, 3> closestWeights(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p)
-{
-  const Vector3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0.0 && d2 <= 0.0)
-  {
-    return { 1.0, 0.0, 0.0 };
-  }
-  const Vector3 bp = p - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0.0 && d4 <= d3)
-  {
-    return { 0.0, 1.0, 0.0 };
-  }
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
-  {
-    const double v = ratio(d1, d1 - d3);
-    return { 1.0 - v, v, 0.0 };
-  }
-  const Vector3 cp = p - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0.0 && d5 <= d6)
-  {
-    return { 0.0, 0.0, 1.0 };
-  }
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
-  {
-    const double w = ratio(d2, d2 - d6);
-    return { 1.0 - w, 0.0, w };
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-  {
-    const double w = ratio(d4 - d3, (d4 - d3) + (d5 - d6));
-    return { 0.0, 1.0 - w, w };
-  }
-  const double sum = va + vb + vc;
-  const double v = ratio(vb, sum), w = ratio(vc, sum);
-  return { 1.0 - v - w, v, w };
-}
-
-SurfacePoint closestInTriangle(const Mesh& mesh, int triangle, const Vector3& p)
-{
-  const Triangle& t = mesh.triangles[triangle];
-  return { triangle, closestWeights(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], p) };
-}
-
 Surface::Surface(const Mesh& mesh, const std::vector<char>& active, const std::vector<int>& charts)
   : mesh_(mesh)
   , charts_(charts)
@@ -134,12 +79,96 @@ Surface::Surface(const Mesh& mesh, const std::vector<char>& active, const std::v
       this->vertexTriangles_.values[next[mesh.triangles[t][k]]++] = t;
     }
   }
+  this->linkHalfEdges(active);
+}
+
+// Half-edges of the vertices of active triangles, bucketed by the lower end and matched there.
+void Surface::linkHalfEdges(const std::vector<char>& active)
+{
+  const Lists& around = this->vertexTriangles_;
+  const int count = 3 * this->mesh_.triangleCount();
+  const auto ends = [this](int h)
+  {
+    const Triangle& t = this->mesh_.triangles[h / 3];
+    return std::minmax(t[h % 3], t[(h + 1) % 3]);
+  };
+  const auto inside = [&around](int v) { return around.size(v) > 0; };
+  std::vector<int> offsets(this->mesh_.points.size() + 1, 0);
+  this->twins_.resize(count);
+  for (int h = 0; h < count; ++h)
+  {
+    const auto [a, b] = ends(h);
+    this->twins_[h] = -2 - h;
+    offsets[a + 1] += a != b && inside(a) && inside(b) ? 1 : 0;
+  }
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  struct Side
+  {
+    int end, h;
+  };
+  std::vector<Side> sides(offsets.back());
+  std::vector<int> next(offsets.begin(), offsets.end() - 1);
+  for (int h = 0; h < count; ++h)
+  {
+    const auto [a, b] = ends(h);
+    if (a != b && inside(a) && inside(b))
+    {
+      sides[next[a]++] = { b, h };
+    }
+  }
+  for (std::size_t v = 0; v < this->mesh_.points.size(); ++v)
+  {
+    const auto begin = sides.begin() + offsets[v], end = sides.begin() + offsets[v + 1];
+    std::sort(
+      begin, end, [](const Side& a, const Side& b) { return a.end != b.end ? a.end < b.end : a.h < b.h; });
+    for (auto first = begin; first != end;)
+    {
+      auto last = first + 1;
+      for (; last != end && last->end == first->end; ++last)
+      {
+      }
+      const int a = first->h, b = (last - 1)->h;
+      const auto originOf = [this](int h) { return this->mesh_.triangles[h / 3][h % 3]; };
+      if (last - first == 1)
+      {
+        this->twins_[a] = active[a / 3] ? -1 : -2 - a;
+      }
+      else if (last - first == 2 && active[a / 3] && active[b / 3] && originOf(a) != originOf(b))
+      {
+        this->twins_[a] = b;
+        this->twins_[b] = a;
+      }
+      else
+      {
+        for (auto side = first; side != last; ++side)
+        {
+          this->twins_[side->h] = -2 - (side + 1 == last ? first : side + 1)->h;
+        }
+      }
+      first = last;
+    }
+  }
 }
 
 SurfacePoint Surface::closest(const Vector3& p, int start) const
 {
-  SurfacePoint best = closestInTriangle(this->mesh_, start, p);
-  double bestDistance = (positionOf(this->mesh_, best) - p).squaredNorm();
+  SurfacePoint best{ start };
+  double bestDistance = std::numeric_limits<double>::infinity();
+  const auto consider = [&](int triangle)
+  {
+    const Triangle& t = this->mesh_.triangles[triangle];
+    const Vector3 &a = this->mesh_.points[t[0]], &b = this->mesh_.points[t[1]], &c = this->mesh_.points[t[2]];
+    const std::array<double, 3> w = closestWeights(a, b, c, p);
+    const double distance = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
+    const bool nearer = distance < bestDistance * (1.0 - 1e-12);
+    if (nearer)
+    {
+      best = { triangle, w };
+      bestDistance = distance;
+    }
+    return nearer;
+  };
+  consider(start);
   const int chart = this->chart(start);
   for (int step = 0; step < maximumSteps; ++step)
   {
@@ -150,21 +179,24 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
       break; // p stands over the triangle
     }
     const SurfacePoint from = best;
+    if (count == 2)
+    {
+      // Over the edge first: most often that is all.
+      const int corner = from.weights[0] == 0.0 ? 0 : from.weights[1] == 0.0 ? 1 : 2;
+      const int twin = this->twins_[nextHalfEdge(3 * from.triangle + corner)];
+      if (twin >= 0 && this->chart(twin / 3) == chart && consider(twin / 3))
+      {
+        continue;
+      }
+    }
     for (int i = 0; i < count; ++i)
     {
       const int v = support[i];
       for (const int* t = this->vertexTriangles_.begin(v); t != this->vertexTriangles_.end(v); ++t)
       {
-        if (*t == from.triangle || this->chart(*t) != chart)
+        if (*t != from.triangle && this->chart(*t) == chart)
         {
-          continue;
-        }
-        const SurfacePoint place = closestInTriangle(this->mesh_, *t, p);
-        const double distance = (positionOf(this->mesh_, place) - p).squaredNorm();
-        if (distance < bestDistance * (1.0 - 1e-12))
-        {
-          best = place;
-          bestDistance = distance;
+          consider(*t);
         }
       }
     }

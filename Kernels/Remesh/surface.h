@@ -23,17 +23,78 @@ struct SurfacePoint
   std::array<double, 3> weights{ 1.0, 0.0, 0.0 };
 };
 
-// Barycentric weights of the point of triangle (a, b, c) nearest to p.
-std::array<double, 3> closestWeights(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p);
+// Barycentric weights of the point of triangle (a, b, c) nearest to p: by the Voronoi region of the triangle
+// that p falls in, corners, then edges, then the inside.
+inline std::array<double, 3> closestWeights(const Vector3& a,
+  const Vector3& b,
+  const Vector3& c,
+  const Vector3& p)
+{
+  // A share in [0, 1]; 0 on an edge without length.
+  const auto ratio = [](double part, double whole) { return whole > 0.0 ? part / whole : 0.0; };
+  const Vector3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0.0 && d2 <= 0.0)
+  {
+    return { 1.0, 0.0, 0.0 };
+  }
+  const Vector3 bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0.0 && d4 <= d3)
+  {
+    return { 0.0, 1.0, 0.0 };
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+  {
+    const double v = ratio(d1, d1 - d3);
+    return { 1.0 - v, v, 0.0 };
+  }
+  const Vector3 cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0.0 && d5 <= d6)
+  {
+    return { 0.0, 0.0, 1.0 };
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+  {
+    const double w = ratio(d2, d2 - d6);
+    return { 1.0 - w, 0.0, w };
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
+  {
+    const double w = ratio(d4 - d3, (d4 - d3) + (d5 - d6));
+    return { 0.0, 1.0 - w, w };
+  }
+  const double sum = va + vb + vc;
+  const double v = ratio(vb, sum), w = ratio(vc, sum);
+  return { 1.0 - v - w, v, w };
+}
 
-// The place of `triangle` nearest to p.
-SurfacePoint closestInTriangle(const Mesh& mesh, int triangle, const Vector3& p);
+inline double squaredDistance(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p)
+{
+  const std::array<double, 3> w = closestWeights(a, b, c, p);
+  return (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
+}
 
 inline Vector3 positionOf(const Mesh& mesh, const SurfacePoint& at)
 {
   const Triangle& t = mesh.triangles[at.triangle];
   return at.weights[0] * mesh.points[t[0]] + at.weights[1] * mesh.points[t[1]] +
          at.weights[2] * mesh.points[t[2]];
+}
+
+// Half-edge 3 t + k runs from corner k of triangle t to the next; this is the next one of its triangle.
+inline int nextHalfEdge(int h)
+{
+  return h % 3 == 2 ? h - 2 : h + 1;
+}
+
+inline int previousHalfEdge(int h)
+{
+  return h % 3 == 0 ? h + 2 : h - 1;
 }
 
 class Surface
@@ -44,7 +105,13 @@ public:
   Surface(const Mesh& mesh, const std::vector<char>& active, const std::vector<int>& charts);
 
   const Mesh& mesh() const { return this->mesh_; }
+  const std::vector<int>& charts() const { return this->charts_; }
   int chart(int triangle) const { return this->charts_.empty() ? 0 : this->charts_[triangle]; }
+
+  // Per half-edge of mesh: the half-edge against it where exactly two triangles, both active and wound alike,
+  // meet; -1 on a border, where an active triangle is alone; else the edge is a wall, and -2 - h is the next
+  // half-edge h around it (itself for an inactive triangle away from active ones).
+  const std::vector<int>& twins() const { return this->twins_; }
 
   // Nearest place to p reached by descent over neighbouring triangles from `start`, within start's chart.
   SurfacePoint closest(const Vector3& p, int start) const;
@@ -61,9 +128,12 @@ public:
   int triangleWith(const std::vector<int>& vertices) const;
 
 private:
+  void linkHalfEdges(const std::vector<char>& active);
+
   const Mesh& mesh_;
   const std::vector<int>& charts_;
   Lists vertexTriangles_; // active triangles only, ascending
+  std::vector<int> twins_;
 };
 
 } // namespace oversketch

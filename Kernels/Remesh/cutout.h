@@ -1,0 +1,37 @@
+// The part of a mesh that a remeshing looks at, by itself.
+#ifndef oversketch_cutout_h
+#define oversketch_cutout_h
+
+#include "Mesh/mesh.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+// The triangles at the vertices of active ones, ordered along a space-filling curve, so that neighbours lie
+// beside each other in memory: remeshing is bound by cache misses, and the rest of the mesh costs nothing.
+struct Cutout
+{
+  Mesh mesh;
+  std::vector<char> active;             // per triangle of the cut-out
+  std::vector<int> vertices, triangles; // their ids in the whole mesh
+  std::vector<int> vertexOf;            // per vertex of the whole mesh: its id here, or -1
+
+  Cutout(const Mesh& whole, const std::vector<char>& wholeActive);
+
+  // One value per vertex or triangle (`ids`: one of the two above) of the whole mesh; empty stays empty.
+  template <typename Value>
+  static std::vector<Value> taken(const std::vector<Value>& values, const std::vector<int>& ids)
+  {
+    std::vector<Value> result(values.empty() ? 0 : ids.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      result[i] = values[ids[i]];
+    }
+    return result;
+  }
+};
+
+} // namespace oversketch
+#endif

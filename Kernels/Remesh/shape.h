@@ -1,0 +1,38 @@
+// What the moves of remeshing ask of triangles and their normals.
+#ifndef oversketch_shape_h
+#define oversketch_shape_h
+
+#include "Remesh/patch.h"
+
+#include <algorithm>
+
+namespace oversketch
+{
+
+// A normal, given by vectors along it, turned by more than 60 degrees: too much for one move, and for an edge
+// to be flipped.
+inline bool turned(const Vector3& before, const Vector3& after)
+{
+  constexpr double limit = 0.25; // square of the cosine
+  const double dot = before.dot(after);
+  return dot < 0.0 || dot * dot < limit * (before.squaredNorm() * after.squaredNorm());
+}
+
+// Sine squared of the smallest angle; cross is twice the area times the normal.
+inline double narrowness(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& cross)
+{
+  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
+  const double shortest = std::min({ ab, bc, ca });
+  const double others = ab == shortest ? bc * ca : bc == shortest ? ab * ca : ab * bc;
+  return others > 0.0 ? cross.squaredNorm() / others : 0.0;
+}
+
+// How sharply folded an edge is: one over 100 degrees weighs more than all edges over 90 together, so that no
+// move trades the latter for the former.
+inline int foldWeight(const Vector3& a, const Vector3& b)
+{
+  return a.dot(b) < 0.0 ? (folded(a, b) ? 1001 : 1) : 0;
+}
+
+} // namespace oversketch
+#endif
