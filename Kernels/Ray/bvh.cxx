@@ -56,13 +56,13 @@ public:
   Builder(const RayScene& scene, const Context& context)
     : scene_(scene)
     , context_(context)
-    , boxes_(scene.triangles.size())
-    , order_(scene.triangles.size())
+    , boxes_(scene.facets.size())
+    , order_(scene.facets.size())
   {
     std::iota(this->order_.begin(), this->order_.end(), 0);
-    for (std::size_t t = 0; t < scene.triangles.size(); ++t)
+    for (std::size_t t = 0; t < scene.facets.size(); ++t)
     {
-      for (const int v : scene.triangles[t])
+      for (const int v : scene.facets[t].places)
       {
         Box corner;
         std::copy_n(scene.points[v].data(), 3, corner.low);
@@ -285,7 +285,7 @@ private:
           for (int k = 0; k < 3; ++k)
           {
             pack.corner[corner][k][i] =
-              this->scene_.points[this->scene_.triangles[this->order_[at]][corner]][k];
+              this->scene_.points[this->scene_.facets[this->order_[at]].places[corner]][k];
           }
         }
       }

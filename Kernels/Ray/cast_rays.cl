@@ -10,8 +10,7 @@
 // As in ray_caster.h.
 #define NEAREST_EXIT 1e-6f
 
-kernel void cast_rays(global const float4* nodes, global const float4* packs, global const int* triangles,
-  global const float4* normals, global const float4* points, global const int* places, global const int* vertices,
+kernel void cast_rays(global const float4* nodes, global const float4* packs, global const float4* facets, global const float4* points, global const int* places, global const int* vertices, global const float* starts,
   global const float* directions, const int raysPerVertex, const int rays, global float* distances,
   global int* hits)
 {
@@ -21,6 +20,7 @@ kernel void cast_rays(global const float4* nodes, global const float4* packs, gl
     return;
   }
   const int origin = vertices[ray / raysPerVertex];
+  const float start = starts[ray / raysPerVertex];
   const int place = places[origin];
   const float4 from = points[origin];
   const float o[3] = { from.x, from.y, from.z };
@@ -62,7 +62,7 @@ kernel void cast_rays(global const float4* nodes, global const float4* packs, gl
     {
       global const float4* node = nodes + NODE * at;
       const float4 near4 = max(max((node[first[0]] - o[0]) * inverse[0], (node[1 + first[1]] - o[1]) * inverse[1]),
-        max((node[2 + first[2]] - o[2]) * inverse[2], (float4)(0.0f)));
+        max((node[2 + first[2]] - o[2]) * inverse[2], (float4)(start)));
       // Widened by the rounding of the products, so that no box is missed that holds a hit.
       const float4 far4 = 1.000001f *
         min(min((node[3 - first[0]] - o[0]) * inverse[0], (node[4 - first[1]] - o[1]) * inverse[1]),
@@ -131,10 +131,9 @@ kernel void cast_rays(global const float4* nodes, global const float4* packs, gl
           if (is[i] && (candidates[i] < best || (candidates[i] == best && ids[i] < bestTriangle)))
           {
             // leavesThrough() of ray_caster.h, in the same order of operations.
-            const float4 n = normals[ids[i]];
-            global const int* corner = triangles + 3 * ids[i];
-            if (n.x * d[0] + n.y * d[1] + n.z * d[2] > 0.0f && corner[0] != place && corner[1] != place &&
-              corner[2] != place)
+            const float4 a = facets[4 * ids[i]], b = facets[4 * ids[i] + 1];
+            if (a.x * d[0] + a.y * d[1] + a.z * d[2] > 0.0f && as_int(a.w) != place && as_int(b.x) != place &&
+              as_int(b.y) != place)
             {
               best = candidates[i];
               bestTriangle = ids[i];

@@ -7,7 +7,7 @@
 #endif
 
 #include <algorithm>
-#include <cstring>
+#include <cstddef>
 #include <limits>
 
 namespace oversketch
@@ -27,7 +27,7 @@ using QueryContext = RTCIntersectContext;
 struct Query
 {
   QueryContext context;
-  const RayScene* scene;
+  const RayFacet* facets = nullptr; // null: any hit will do
   std::array<float, 3> direction;
   int place;
   RayHit best;
@@ -38,9 +38,13 @@ struct Query
 void keepNearestExit(const RTCFilterFunctionNArguments* arguments)
 {
   Query& query = *reinterpret_cast<Query*>(arguments->context);
+  if (!query.facets)
+  {
+    return;
+  }
   const int triangle = static_cast<int>(RTCHitN_primID(arguments->hit, arguments->N, 0));
   const float distance = RTCRayN_tfar(arguments->ray, arguments->N, 0);
-  if (!leavesThrough(*query.scene, triangle, query.place, query.direction, distance))
+  if (!leavesThrough(query.facets[triangle], query.place, query.direction, distance))
   {
     arguments->valid[0] = 0;
     return;
@@ -51,7 +55,22 @@ void keepNearestExit(const RTCFilterFunctionNArguments* arguments)
   }
 }
 
-class EmbreeCaster : public RayCaster
+// Within rounding of an edge, where a neighbour may be hit at the same distance.
+bool atEdge(const RTCHit& hit)
+{
+  return hit.u <= 1e-6f || hit.v <= 1e-6f || hit.u + hit.v >= 1.0f - 1e-6f;
+}
+
+void prefetch(const void* address)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#else
+  (void)address;
+#endif
+}
+
+class EmbreeCaster final : public RayCaster
 {
 public:
   explicit EmbreeCaster(const RayScene& scene)
@@ -65,27 +84,22 @@ public:
     this->embree_ = rtcNewScene(this->device_);
     rtcSetSceneFlags(this->embree_, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(this->device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    static_assert(
-      sizeof(Triangle) == 3 * sizeof(unsigned), "Embree reads triangles as three 32-bit integers");
-    const auto fill =
-      [&](RTCBufferType type, RTCFormat format, std::size_t stride, std::size_t count, const void* data)
-    {
-      void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, stride, count);
-      if (!buffer)
-      {
-        rtcReleaseGeometry(geometry);
-        this->release();
-        throw std::bad_alloc();
-      }
-      std::memcpy(buffer, data, stride * count);
-    };
-    fill(
-      RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 4 * sizeof(float), scene.points.size(), scene.points.data());
-    fill(RTC_BUFFER_TYPE_INDEX,
+    rtcSetSharedGeometryBuffer(geometry,
+      RTC_BUFFER_TYPE_VERTEX,
+      0,
+      RTC_FORMAT_FLOAT3,
+      scene.points.data(),
+      0,
+      sizeof(scene.points[0]),
+      scene.points.size());
+    rtcSetSharedGeometryBuffer(geometry,
+      RTC_BUFFER_TYPE_INDEX,
+      0,
       RTC_FORMAT_UINT3,
-      sizeof(Triangle),
-      scene.triangles.size(),
-      scene.triangles.data());
+      scene.facets.data(),
+      offsetof(RayFacet, places),
+      sizeof(RayFacet),
+      scene.facets.size());
     rtcSetGeometryIntersectFilterFunction(geometry, keepNearestExit);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(this->embree_, geometry);
@@ -110,31 +124,56 @@ public:
     context.parallelFor(static_cast<int>(rays.vertices.size()),
       [&](int begin, int end)
       {
+        std::vector<char> doubtful(rays.raysPerVertex);
         for (int i = begin; i < end && !context.cancelled(); ++i)
         {
           const std::size_t first = static_cast<std::size_t>(i) * rays.raysPerVertex;
-          for (std::size_t ray = first; ray < first + rays.raysPerVertex; ++ray)
+          const std::array<float, 3>* directions = rays.directions.data() + first;
+          RayHit* found = hits.data() + first;
+          const float start = std::max(rays.starts[i], nearestExit);
+          Query query;
+          query.place = this->scene_.places[rays.vertices[i]];
+          // Nearly always the first facet that is hit is the one.
+          for (int k = 0; k < rays.raysPerVertex; ++k)
           {
-            hits[ray] = this->castOne(rays.vertices[i], rays.directions[ray]);
+            const RTCRayHit ray = this->trace(query, rays.vertices[i], start, directions[k]);
+            doubtful[k] = atEdge(ray.hit);
+            found[k] = { std::numeric_limits<float>::max(), -1 };
+            if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+            {
+              found[k] = { ray.ray.tfar, static_cast<int>(ray.hit.primID) };
+              prefetch(&this->scene_.facets[found[k].triangle]);
+            }
+          }
+          query.facets = this->scene_.facets.data();
+          for (int k = 0; k < rays.raysPerVertex; ++k)
+          {
+            if (found[k].triangle >= 0 &&
+                (doubtful[k] ||
+                  !leavesThrough(
+                    query.facets[found[k].triangle], query.place, directions[k], found[k].distance)))
+            {
+              query.direction = directions[k];
+              query.best = { std::numeric_limits<float>::max(), -1 };
+              this->trace(query, rays.vertices[i], start, directions[k]);
+              found[k] = query.best;
+            }
           }
         }
       });
   }
 
+  bool threadSafe() const override { return true; }
+
 private:
-  RayHit castOne(int origin, const std::array<float, 3>& direction) const
+  RTCRayHit trace(Query& query, int vertex, float start, const std::array<float, 3>& direction) const
   {
-    Query query;
-    query.scene = &this->scene_;
-    query.direction = direction;
-    query.place = this->scene_.places[origin];
-    query.best = { std::numeric_limits<float>::max(), -1 };
+    const std::array<float, 4>& origin = this->scene_.points[vertex];
     RTCRayHit ray;
-    const std::array<float, 4>& o = this->scene_.points[origin];
-    ray.ray.org_x = o[0];
-    ray.ray.org_y = o[1];
-    ray.ray.org_z = o[2];
-    ray.ray.tnear = nearestExit;
+    ray.ray.org_x = origin[0];
+    ray.ray.org_y = origin[1];
+    ray.ray.org_z = origin[2];
+    ray.ray.tnear = start;
     ray.ray.dir_x = direction[0];
     ray.ray.dir_y = direction[1];
     ray.ray.dir_z = direction[2];
@@ -156,7 +195,7 @@ private:
     rtcInitIntersectContext(&query.context);
     rtcIntersect1(this->embree_, &query.context, &ray);
 #endif
-    return query.best;
+    return ray;
   }
 
   void release()

@@ -30,8 +30,7 @@ public:
             "cast_rays");
         this->nodes_ = toDevice(*device, bvh.nodes);
         this->packs_ = toDevice(*device, bvh.packs);
-        this->triangles_ = toDevice(*device, scene.triangles);
-        this->normals_ = toDevice(*device, scene.normals);
+        this->facets_ = toDevice(*device, scene.facets);
         this->points_ = toDevice(*device, scene.points);
         this->places_ = toDevice(*device, scene.places);
       });
@@ -51,17 +50,18 @@ public:
       [&]
       {
         const cl::Buffer vertices = toDevice(*this->device_, rays.vertices);
+        const cl::Buffer starts = toDevice(*this->device_, rays.starts);
         const cl::Buffer directions = toDevice(*this->device_, rays.directions);
         const cl::Buffer distances = onDevice<float>(*this->device_, count);
         const cl::Buffer found = onDevice<int>(*this->device_, count);
         int argument = 0;
         for (const cl::Buffer& buffer : { this->nodes_,
                this->packs_,
-               this->triangles_,
-               this->normals_,
+               this->facets_,
                this->points_,
                this->places_,
                vertices,
+               starts,
                directions })
         {
           this->kernel_.setArg(argument++, buffer);
@@ -83,10 +83,12 @@ public:
     }
   }
 
+  bool threadSafe() const override { return false; }
+
 private:
   std::shared_ptr<Device> device_;
   cl::Kernel kernel_;
-  cl::Buffer nodes_, packs_, triangles_, normals_, points_, places_;
+  cl::Buffer nodes_, packs_, facets_, points_, places_;
   std::vector<float> distances_;
   std::vector<int> found_;
 };

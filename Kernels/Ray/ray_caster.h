@@ -14,18 +14,33 @@ namespace oversketch
 
 class Device;
 
+// What is asked of a facet that a ray has met. One line of the processor's cache.
+struct alignas(64) RayFacet
+{
+  std::array<float, 3> normal; // unit; zero for a degenerate triangle, which no ray can hit
+  std::array<int, 3> places;   // of the corners
+  Vector3 plane;               // normal . x = offset holds for the facet's points, before they were rounded
+  double offset;
+};
+
 // The mesh as rays see it: single precision, moved and scaled so that it fills [-1, 1]. Precision then
 // neither depends on the unit of length nor suffers far from the origin.
 struct RayScene
 {
-  explicit RayScene(const Mesh& mesh);
+  explicit RayScene(const Mesh& mesh, const Context& context = Context());
+
+  // A point of the model in the scene, not rounded.
+  Vector3 inScene(const Vector3& point) const { return (point - this->centre) / this->scale; }
 
   std::vector<std::array<float, 4>> points; // x y z and padding
-  std::vector<std::array<float, 4>>
-    normals;                       // of facets; zero for a degenerate triangle, which no ray can hit
-  std::vector<int> places;         // per vertex the lowest vertex at the same place: seams are no gaps
-  std::vector<Triangle> triangles; // of places
-  double scale = 1.0;              // model length of one unit of the scene
+  std::vector<int> order;                   // the vertices along a space-filling curve
+  std::vector<int> places; // per vertex the lowest vertex at the same place: seams are no gaps
+  std::vector<RayFacet> facets;
+  Vector3 centre = Vector3::Zero();
+  double scale = 1.0; // model length of one unit of the scene
+
+private:
+  void findPlaces();
 };
 
 // Rays in groups of equal size, each group with its own origin, a vertex of the mesh.
@@ -33,6 +48,8 @@ struct RayBatch
 {
   int raysPerVertex = 0;
   std::vector<int> vertices;
+  std::vector<float>
+    starts; // per vertex: its rays leave through no facet nearer than this [unit of the scene]
   std::vector<std::array<float, 3>> directions; // raysPerVertex per vertex
 };
 
@@ -47,16 +64,11 @@ constexpr float nearestExit = 1e-6f;
 
 // The predicate that both casters share: a ray may leave through this facet, and does not start at its
 // corners. Decided in single precision with one order of operations, so that both decide alike.
-inline bool leavesThrough(const RayScene& scene,
-  int triangle,
-  int place,
-  const std::array<float, 3>& d,
-  float distance)
+inline bool leavesThrough(const RayFacet& facet, int place, const std::array<float, 3>& d, float distance)
 {
-  const std::array<float, 4>& n = scene.normals[triangle];
-  const Triangle& t = scene.triangles[triangle];
-  return n[0] * d[0] + n[1] * d[1] + n[2] * d[2] > 0.0f && distance > nearestExit && t[0] != place &&
-         t[1] != place && t[2] != place;
+  const std::array<float, 3>& n = facet.normal;
+  return n[0] * d[0] + n[1] * d[1] + n[2] * d[2] > 0.0f && distance > nearestExit &&
+         facet.places[0] != place && facet.places[1] != place && facet.places[2] != place;
 }
 
 class RayCaster
@@ -68,6 +80,9 @@ public:
   // touch the origin. All other facets are passed through. Among facets at one distance the lowest id wins.
   // Hits come in the order of the rays. On a cancelled context the hits are incomplete.
   virtual void cast(const RayBatch& rays, std::vector<RayHit>& hits, const Context& context) = 0;
+
+  // Whether several threads may call cast() at a time.
+  virtual bool threadSafe() const = 0;
 };
 
 // The scene must live as long as the caster.

@@ -1,6 +1,8 @@
 #include "Harness/shapes.h"
 #include "Ray/bvh.h"
+#include "Ray/curve.h"
 #include "Ray/ray_caster.h"
+#include "Ray/ray_starts.h"
 #include "Ray/shape_diameter.h"
 
 #include <gtest/gtest.h>
@@ -285,6 +287,75 @@ TEST(Ray, BothBackendsFindWhatTryingEveryTriangleFinds)
   }
 }
 
+TEST(Ray, CurveVisitsEveryPointOnceAndKeepsNeighboursTogether)
+{
+  const int n = 16;
+  std::vector<std::array<float, 4>> points;
+  for (int i = 0; i < n * n * n; ++i)
+  {
+    const auto along = [](int k) { return (static_cast<float>(k) + 0.5f) / (0.5f * n) - 1.0f; };
+    points.push_back({ along(i % n), along(i / n % n), along(i / n / n), 0.0f });
+  }
+  const std::vector<int> order = curveOrder(points, Context());
+  EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), points.size());
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    float step = 0.0f; // to a neighbour in the grid, always
+    for (int k = 0; k < 3; ++k)
+    {
+      step += std::abs(points[order[i]][k] - points[order[i - 1]][k]);
+    }
+    EXPECT_NEAR(step, 2.0f / n, 1e-6f);
+  }
+}
+
+TEST(Ray, RaysThatStartAheadFindTheSame)
+{
+  std::vector<Mesh> meshes = shapes();
+  meshes.push_back(spikySphere(4, 0.05));
+  for (const double angle : { 60.0, 120.0, 179.0 })
+  {
+    const auto cone = coneDirections(32, angle);
+    for (const Mesh& mesh : meshes)
+    {
+      const auto normals = vertexNormals(mesh);
+      const RayScene scene(mesh);
+      RayBatch batch;
+      batch.raysPerVertex = 32;
+      batch.vertices = scene.order;
+      batch.starts = rayStarts(scene, normals, scene.order, std::acos(cone.back()[2]), Context());
+      for (const int v : scene.order)
+      {
+        const Eigen::Matrix3d frame = frameAround(-normals[v]);
+        for (const Vector3& d : cone)
+        {
+          const Eigen::Vector3f f = (frame * d).cast<float>();
+          batch.directions.push_back({ f[0], f[1], f[2] });
+        }
+      }
+      if (angle == 60.0)
+      {
+        EXPECT_GT(std::count_if(batch.starts.begin(), batch.starts.end(), [](float x) { return x > 0.0f; }),
+          mesh.vertexCount() / 4);
+      }
+      RayBatch plain = batch;
+      plain.starts.assign(batch.starts.size(), 0.0f);
+      std::vector<RayHit> ahead, whole;
+      makeEmbreeCaster(scene)->cast(batch, ahead, Context());
+      makeEmbreeCaster(scene)->cast(plain, whole, Context());
+      for (std::size_t i = 0; i < whole.size(); ++i)
+      {
+        ASSERT_EQ(ahead[i].triangle, whole[i].triangle);
+        ASSERT_EQ(ahead[i].distance, whole[i].distance);
+        if (whole[i].triangle >= 0)
+        {
+          ASSERT_GT(whole[i].distance, batch.starts[i / 32]);
+        }
+      }
+    }
+  }
+}
+
 TEST(Ray, SeamsChangeNothing)
 {
   // The same box with its sides joined: rays from an edge pass through the side that they start on.
@@ -356,6 +427,7 @@ TEST(A6_4, DeviceHitLengthsEqualEmbrees)
     for (int v = 0; v < mesh.vertexCount(); ++v)
     {
       batch.vertices.push_back(v);
+      batch.starts.push_back(0.0f);
       const Eigen::Matrix3d frame = frameAround(-normals[v]);
       for (const Vector3& d : cone)
       {

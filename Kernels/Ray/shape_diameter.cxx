@@ -1,10 +1,14 @@
 #include "Ray/shape_diameter.h"
 
 #include "Ray/ray_caster.h"
+#include "Ray/ray_starts.h"
+#include "Ray/wide.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <limits>
 
 namespace oversketch
 {
@@ -14,58 +18,82 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int raysPerBlock =
-  1 << 18; // a block's arrays stay in the cache, and a cancel waits for one at most
+  1 << 18;                          // a block's arrays stay in the cache, and a cancel waits for one at most
+constexpr int verticesPerPart = 32; // of a block
 
-// Vertices with a usable normal along a space-filling curve, so that rays traced together visit the same
-// nodes.
-std::vector<int> tracedVertices(const RayScene& scene, const std::vector<Vector3>& normals)
+// Length of the ray [model length] to the plane of the facet that the caster found, in double precision. The
+// caster's own length stands where the ray grazes the plane, or the corners moved more than it when they were
+// rounded.
+double refine(const RayScene& scene, const RayHit& hit, const Vector3& origin, const Vector3& direction)
 {
-  const auto spread = [](std::uint32_t x)
-  {
-    x = (x | (x << 16)) & 0x030000FFu;
-    x = (x | (x << 8)) & 0x0300F00Fu;
-    x = (x | (x << 4)) & 0x030C30C3u;
-    return (x | (x << 2)) & 0x09249249u;
-  };
-  std::vector<std::pair<std::uint32_t, int>> keys;
-  keys.reserve(normals.size());
-  for (int v = 0; v < static_cast<int>(normals.size()); ++v)
-  {
-    if (normals[v].squaredNorm() > 0.0)
-    {
-      std::uint32_t key = 0;
-      for (int k = 0; k < 3; ++k)
-      {
-        const float cell = 512.0f * (scene.points[v][k] + 1.0f);
-        key |= spread(static_cast<std::uint32_t>(std::clamp(cell, 0.0f, 1023.0f))) << k;
-      }
-      keys.emplace_back(key, v);
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<int> vertices;
-  vertices.reserve(keys.size());
-  for (const auto& key : keys)
-  {
-    vertices.push_back(key.second);
-  }
-  return vertices;
+  const RayFacet& facet = scene.facets[hit.triangle];
+  const double coarse = hit.distance;
+  const double exact = (facet.offset - facet.plane.dot(origin)) / facet.plane.dot(direction);
+  return scene.scale * (std::abs(exact - coarse) <= 1e-3 * coarse ? exact : coarse); // false for NaN as well
 }
 
-// Length of the ray to the plane of the triangle that the caster found, in double precision. The caster's own
-// length stands where the ray grazes the plane, or the corners moved more than it when they were rounded.
-double refine(const Mesh& mesh,
-  const RayScene& scene,
-  const RayHit& hit,
-  int origin,
-  const Vector3& direction)
+constexpr int few = 64; // rays for which the summary needs no memory of its own
+
+// In four parts, which do not wait for each other.
+template <typename Term>
+double sumOf(int count, const Term& term)
 {
-  const double coarse = static_cast<double>(hit.distance) * scene.scale;
-  const Triangle& t = mesh.triangles[hit.triangle];
-  const Vector3& a = mesh.points[t[0]];
-  const Vector3 n = ((mesh.points[t[1]] - a) / scene.scale).cross((mesh.points[t[2]] - a) / scene.scale);
-  const double exact = n.dot(a - mesh.points[origin]) / n.dot(direction);
-  return std::abs(exact - coarse) <= 1e-3 * coarse ? exact : coarse; // false for NaN as well
+  double parts[4] = {};
+  int k = 0;
+  for (; k + 4 <= count; k += 4)
+  {
+    for (int part = 0; part < 4; ++part)
+    {
+      parts[part] += term(k + part);
+    }
+  }
+  for (; k < count; ++k)
+  {
+    parts[0] += term(k);
+  }
+  return (parts[0] + parts[1]) + (parts[2] + parts[3]);
+}
+
+// The values with `below` and with `above` smaller ones before them. At most `few` values: each is compared
+// with all, which no branch can go wrong in.
+OVERSKETCH_WIDE void ranked(const double* values, int count, int below, int above, double* found)
+{
+  alignas(sizeof(WideDouble)) double padded[few];
+  std::fill(std::copy_n(values, count, padded), padded + few, std::numeric_limits<double>::infinity());
+  for (int first = 0; first < count; first += wide)
+  {
+    WideDouble block;
+    std::memcpy(&block, padded + first, sizeof block);
+    WideLong less = {}, notMore = {};
+    for (int k = 0; k < count; ++k)
+    {
+      less -= padded[k] < block;
+      notMore -= padded[k] <= block;
+    }
+    for (int i = 0; i < wide; ++i)
+    {
+      found[0] = less[i] <= below && below < notMore[i] ? block[i] : found[0];
+      found[1] = less[i] <= above && above < notMore[i] ? block[i] : found[1];
+    }
+  }
+}
+
+double medianOf(const double* values, int count)
+{
+  double middle[2];
+  if (count <= few)
+  {
+    ranked(values, count, (count - 1) / 2, count / 2, middle);
+  }
+  else
+  {
+    std::vector<double> parted(values, values + count);
+    const auto half = parted.begin() + count / 2;
+    std::nth_element(parted.begin(), half, parted.end());
+    middle[1] = *half;
+    middle[0] = count % 2 ? *half : *std::max_element(parted.begin(), half);
+  }
+  return 0.5 * (middle[0] + middle[1]);
 }
 
 // Values for vertices that no ray measured.
@@ -128,49 +156,69 @@ void fillUnmeasured(const Mesh& mesh, const Adjacency& adjacency, ShapeDiameter&
   }
 }
 
-void traceAndSummarise(const Mesh& mesh,
-  const RayScene& scene,
-  const std::vector<Vector3>& normals,
-  const ShapeDiameterOptions& options,
-  RayCaster& caster,
-  const Context& context,
-  ShapeDiameter& result,
-  std::vector<ConeHit>* allHits)
+// The rays of all vertices that have a normal: what is the same for each, and the work on a part of them.
+class Cones
 {
-  const int rays = options.rayCount;
-  const std::vector<Vector3> cone = coneDirections(rays, options.coneAngle);
-  std::vector<double> weights(rays, 1.0);
-  for (int k = 0; options.inverseAngleWeights && k < rays; ++k)
+public:
+  Cones(const Mesh& mesh,
+    const RayScene& scene,
+    const std::vector<Vector3>& normals,
+    const ShapeDiameterOptions& options,
+    const Context& context)
+    : mesh_(mesh)
+    , scene_(scene)
+    , normals_(normals)
+    , cone_(coneDirections(options.rayCount, options.coneAngle))
+    , weights_(options.rayCount, 1.0)
   {
-    weights[k] = 1.0 / std::acos(cone[k][2]);
+    for (int k = 0; options.inverseAngleWeights && k < options.rayCount; ++k)
+    {
+      this->weights_[k] = 1.0 / std::acos(this->cone_[k][2]);
+    }
+    // Rays traced together then visit the same nodes.
+    std::copy_if(scene.order.begin(),
+      scene.order.end(),
+      std::back_inserter(this->vertices_),
+      [&](int v) { return normals[v].squaredNorm() > 0.0; });
+    this->starts_ = rayStarts(scene, normals, this->vertices_, std::acos(this->cone_.back()[2]), context);
   }
-  const std::vector<int> order = tracedVertices(scene, normals);
-  const int total = static_cast<int>(order.size());
-  const int blockSize = std::max(1, raysPerBlock / rays);
-  RayBatch batch;
-  batch.raysPerVertex = rays;
-  std::vector<RayHit> hits;
-  for (int first = 0; first < total; first += blockSize)
+
+  int vertexCount() const { return static_cast<int>(this->vertices_.size()); }
+  int rayCount() const { return static_cast<int>(this->cone_.size()); }
+
+  // Traces and summarises the vertices [first, first + count).
+  void measure(int first,
+    int count,
+    RayCaster& caster,
+    const Context& context,
+    ShapeDiameter& result,
+    std::vector<ConeHit>* allHits) const
   {
-    context.checkpoint(static_cast<double>(first) / total);
-    const int count = std::min(blockSize, total - first);
-    batch.vertices.assign(order.begin() + first, order.begin() + first + count);
+    const int rays = this->rayCount();
+    RayBatch batch;
+    batch.raysPerVertex = rays;
+    batch.vertices.assign(this->vertices_.begin() + first, this->vertices_.begin() + first + count);
+    batch.starts.assign(this->starts_.begin() + first, this->starts_.begin() + first + count);
     batch.directions.resize(static_cast<std::size_t>(count) * rays);
     context.parallelFor(count,
       [&](int begin, int end)
       {
         for (int i = begin; i < end; ++i)
         {
-          const Eigen::Matrix3d frame = frameAround(-normals[batch.vertices[i]]);
+          const Eigen::Matrix3d frame = frameAround(-this->normals_[batch.vertices[i]]);
           for (int k = 0; k < rays; ++k)
           {
-            const Eigen::Vector3f d = (frame * cone[k]).cast<float>();
+            const Eigen::Vector3f d = (frame * this->cone_[k]).cast<float>();
             batch.directions[static_cast<std::size_t>(i) * rays + k] = { d[0], d[1], d[2] };
           }
         }
       });
+    std::vector<RayHit> hits;
     caster.cast(batch, hits, context);
-    context.checkpoint(static_cast<double>(first + count) / total);
+    if (context.cancelled())
+    {
+      return;
+    }
     context.parallelFor(count,
       [&](int begin, int end)
       {
@@ -178,14 +226,15 @@ void traceAndSummarise(const Mesh& mesh,
         for (int i = begin; i < end; ++i)
         {
           const int v = batch.vertices[i];
-          const Eigen::Matrix3d frame = frameAround(-normals[v]);
+          const Vector3 origin = this->scene_.inScene(this->mesh_.points[v]);
+          const Eigen::Matrix3d frame = frameAround(-this->normals_[v]);
           for (int k = 0; k < rays; ++k)
           {
             const RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
             lengths[k] = ConeHit();
             if (hit.triangle >= 0)
             {
-              lengths[k] = { refine(mesh, scene, hit, v, frame * cone[k]), hit.triangle };
+              lengths[k] = { refine(this->scene_, hit, origin, frame * this->cone_[k]), hit.triangle };
             }
           }
           if (allHits)
@@ -193,12 +242,56 @@ void traceAndSummarise(const Mesh& mesh,
             std::copy(
               lengths.begin(), lengths.end(), allHits->begin() + static_cast<std::ptrdiff_t>(v) * rays);
           }
-          const double diameter = summarise(lengths.data(), weights);
+          const double diameter = summarise(lengths.data(), this->weights_);
           result.measured[v] = diameter >= 0.0;
           result.diameter[v] = std::max(0.0, diameter);
         }
       });
-    result.raysTraced += static_cast<long long>(count) * rays;
+  }
+
+private:
+  const Mesh& mesh_;
+  const RayScene& scene_;
+  const std::vector<Vector3>& normals_;
+  std::vector<Vector3> cone_;
+  std::vector<double> weights_;
+  std::vector<int> vertices_; // along the curve of the scene
+  std::vector<float> starts_;
+};
+
+void traceAndSummarise(const Cones& cones,
+  RayCaster& caster,
+  const Context& context,
+  ShapeDiameter& result,
+  std::vector<ConeHit>* allHits)
+{
+  const int total = cones.vertexCount();
+  const int blockSize = std::max(1, raysPerBlock / cones.rayCount());
+  for (int first = 0; first < total; first += blockSize)
+  {
+    context.checkpoint(static_cast<double>(first) / total);
+    const int count = std::min(blockSize, total - first);
+    if (caster.threadSafe())
+    {
+      // Each part from its rays to its values at once, while they are in the cache.
+      const int parts = (count + verticesPerPart - 1) / verticesPerPart;
+      context.parallelFor(parts,
+        [&](int begin, int end)
+        {
+          for (int part = begin; part < end && !context.cancelled(); ++part)
+          {
+            const int start = part * verticesPerPart;
+            cones.measure(
+              first + start, std::min(verticesPerPart, count - start), caster, Context(), result, allHits);
+          }
+        });
+    }
+    else
+    {
+      cones.measure(first, count, caster, context, result, allHits);
+    }
+    context.checkpoint(static_cast<double>(first + count) / total);
+    result.raysTraced += static_cast<long long>(count) * cones.rayCount();
   }
 }
 
@@ -235,48 +328,39 @@ Eigen::Matrix3d frameAround(const Vector3& axis)
 
 double summarise(const ConeHit* hits, const std::vector<double>& weights)
 {
-  const std::size_t rays = weights.size();
-  std::vector<double> lengths;
-  lengths.reserve(rays);
-  double sum = 0.0;
-  for (std::size_t k = 0; k < rays; ++k)
+  double fewLengths[few], fewWeights[few];
+  std::vector<double> manyLengths, manyWeights;
+  double *lengths = fewLengths, *weight = fewWeights;
+  const int rays = static_cast<int>(weights.size());
+  if (rays > few)
   {
-    if (hits[k].triangle >= 0)
-    {
-      lengths.push_back(hits[k].length);
-      sum += hits[k].length;
-    }
+    manyLengths.resize(rays);
+    manyWeights.resize(rays);
+    lengths = manyLengths.data();
+    weight = manyWeights.data();
   }
-  if (lengths.empty())
+  int count = 0;
+  for (int k = 0; k < rays; ++k)
+  {
+    lengths[count] = hits[k].length;
+    weight[count] = weights[k];
+    count += hits[k].triangle >= 0;
+  }
+  if (count == 0)
   {
     return -1.0;
   }
-  const double count = static_cast<double>(lengths.size());
-  const double mean = sum / count;
-  double squares = 0.0;
-  for (const double length : lengths)
-  {
-    squares += (length - mean) * (length - mean);
-  }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  double median = *middle;
-  if (lengths.size() % 2 == 0)
-  {
-    median = 0.5 * (median + *std::max_element(lengths.begin(), middle));
-  }
+  const double mean = sumOf(count, [&](int k) { return lengths[k]; }) / count;
+  const double squares = sumOf(count, [&](int k) { return (lengths[k] - mean) * (lengths[k] - mean); });
+  const double median = medianOf(lengths, count);
   // The middle hits are never farther than one deviation, but for rounding.
   const double limit = std::sqrt(squares / count) + 1e-9 * median;
-  double weighted = 0.0, weight = 0.0;
-  for (std::size_t k = 0; k < rays; ++k)
+  for (int k = 0; k < count; ++k)
   {
-    if (hits[k].triangle >= 0 && std::abs(hits[k].length - median) <= limit)
-    {
-      weighted += weights[k] * hits[k].length;
-      weight += weights[k];
-    }
+    weight[k] = std::abs(lengths[k] - median) <= limit ? weight[k] : 0.0;
   }
-  return weighted / weight;
+  return sumOf(count, [&](int k) { return weight[k] * lengths[k]; }) /
+         sumOf(count, [&](int k) { return weight[k]; });
 }
 
 ShapeDiameter computeShapeDiameter(const Mesh& mesh,
@@ -302,14 +386,15 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
   const std::shared_ptr<Device> device = Device::choose(options.backend, warning);
   if (!mesh.triangles.empty())
   {
-    const RayScene scene(mesh);
+    const RayScene scene(mesh, context);
+    const Cones cones(mesh, scene, normals, options, context);
     bool done = false;
     if (device)
     {
       try
       {
         const std::unique_ptr<RayCaster> caster = makeOpenCLCaster(scene, device, context);
-        traceAndSummarise(mesh, scene, normals, options, *caster, context, result, hits);
+        traceAndSummarise(cones, *caster, context, result, hits);
         result.used = Backend::OpenCL;
         done = true;
       }
@@ -326,7 +411,7 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
     if (!done)
     {
       const std::unique_ptr<RayCaster> caster = makeEmbreeCaster(scene);
-      traceAndSummarise(mesh, scene, normals, options, *caster, context, result, hits);
+      traceAndSummarise(cones, *caster, context, result, hits);
     }
   }
   result.warning = warning;
