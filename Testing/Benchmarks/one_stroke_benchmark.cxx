@@ -5,6 +5,7 @@
 #include "vtkOversketchOneStroke.h"
 
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <array>
 #include <cstdio>
@@ -15,6 +16,18 @@ namespace oversketch_bench
 
 namespace
 {
+
+// Points of the region.
+double pointsOf(vtkPolyData* mesh)
+{
+  vtkDataArray* region = mesh->GetPointData()->GetArray("Region");
+  double count = 0.0;
+  for (vtkIdType i = 0; region && i < mesh->GetNumberOfPoints(); ++i)
+  {
+    count += region->GetComponent(i, 0) != 0.0;
+  }
+  return count;
+}
 
 struct Session
 {
@@ -69,6 +82,10 @@ void session(const std::string& size, const std::string& kind, int remesh)
       figures[std::string(name) + "_ms"] = 1000.0 * system->GetStageTime(name);
     }
     figures["triangles"] = static_cast<double>(system->GetOutput()->GetNumberOfPolys());
+    vtkPolyData* found = system->GetInnerOutput("RegionBorder");
+    figures["region_points"] = pointsOf(found);
+    figures["region_triangles"] = 2.0 * pointsOf(found); // a closed surface has two a vertex
+    figures["stretched_triangles"] = 2.0 * pointsOf(system->GetInnerOutput("Stretch"));
     return figures;
   };
   Job job;

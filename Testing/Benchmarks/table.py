@@ -76,7 +76,46 @@ def gather(sides):
         row["figures"] = {w: s["figures"] for (j, z, w), s in sides.items() if (j, z) == (job, size) and s["figures"]}
         rows.append(row)
     rows.sort(key=lambda row: (row["job"], order(row["size"])))
+    stroke_limits(rows)
     return rows
+
+
+def stroke_limits(rows):
+    """A stroke's limit is the sum of its stages': what to reach of a stage where it was set against a peer, its measured
+    limit where there is one, each for the part of the model that the stage works on."""
+    by_name = {(row["job"], row["size"]): row for row in rows}
+
+    def best(row, *names):
+        return min((ms for who, ms in row["peers"].items() if who.startswith(names)), default=None)
+
+    for row in rows:
+        job, _, kind = row["job"].partition(",")
+        if job not in ("one stroke", "next stroke"):
+            continue
+        counts, size, parts = row["figures"]["ours"], row["size"], {}
+        remeshing, mixture = by_name.get(("remeshing", size)), by_name.get(("greedy EM", "2048"))
+        region, curves = by_name.get(("region and border", size)), by_name.get(("curves", size))
+        systems = [r for r in rows if r["job"] == "Laplacian factor"]
+        if not kind:
+            cgal = best(remeshing, "CGAL") if remeshing else None
+            parts["remeshing"] = cgal and (cgal / 5 / TRIANGLES[size] *
+                                           (counts["region_triangles"] + counts["stretched_triangles"]))
+        if systems:
+            unknowns = counts["stretched_triangles"] / 2 if not kind else counts["region_points"]
+            nearest = min(systems, key=lambda r: abs(1000 * order(r["size"]) - unknowns))
+            peer = best(nearest, "Eigen", "CHOLMOD")
+            parts["deformation"] = peer and 0.8 * peer * unknowns / (1000 * order(nearest["size"]))
+        parts["mixtures"] = mixture and mixture["limit_ms"]
+        parts["region"] = region and region["limit_ms"]
+        parts["outline of the result"] = curves and best(curves, "redraw")
+        if job == "next stroke":
+            for name, stage in (("shape diameter", "SDF Embree"), ("silhouette", "silhouette")):
+                limit = by_name.get((stage, size))
+                parts[name] = limit and limit["limit_ms"]
+            parts["curves"] = parts["outline of the result"]
+        row["limit_parts"] = parts
+        if all(parts.values()):
+            row["limit_ms"] = sum(parts.values())
 
 
 def order(size):
