@@ -1,14 +1,16 @@
 """The acceptance of one stroke deforming a mesh: runs every stroke of strokes.py through vtkOversketchOneStroke, with
 remeshing off, by default and as published, judges the results, and prints one table.
 
-    python3 accept.py FOLDER [--strokes FOLDER] [--only PART-OF-NAME ...] [--modes off,default,published,uncorrected] [--workers 2]
-                      [--limit SECONDS] [--backend auto|opencl|host] [--no-pictures]
+    PYTHONPATH=build/release/lib/python3/dist-packages /usr/bin/python3 Testing/Acceptance/accept.py FOLDER
+        [--strokes FOLDER] [--only PART-OF-NAME ...] [--modes off,default,published,uncorrected] [--workers 2]
+        [--limit SECONDS] [--backend auto|opencl|host] [--no-pictures]
 
 FOLDER receives table.md, results.json, a picture of every result and contact sheets. Models of the shared test data
 are looked for in OVERSKETCH_DATA, else in ../shared/data beside the source tree; without it only Data/Models run.
 Exit code 0 when at least 95 % of the strokes hold with remeshing off and by default, else 1.
 """
 import argparse
+import importlib.util
 import json
 import subprocess
 import sys
@@ -179,6 +181,9 @@ def main():
     arguments.add_argument("--no-pictures", action="store_true")
     arguments.add_argument("--one", nargs=2, help=argparse.SUPPRESS)  # a worker: stroke file, mesh file
     options = arguments.parse_args()
+    if not importlib.util.find_spec("oversketch"):
+        arguments.error("no Python package oversketch; a build has it in build/release/lib/python3/dist-packages, "
+                        "which PYTHONPATH must name")
     modes = options.modes.split(",")
     pictures = None if options.no_pictures else options.folder
     if options.one:
