@@ -178,7 +178,7 @@ cl::Program buildProgram(const cl::Context& context,
   {
     try
     {
-      const cl::Program program(context, { device }, { known });
+      cl::Program program(context, { device }, { known });
       program.build({ device }, options.c_str());
       compiled = false;
       return program;
@@ -188,7 +188,7 @@ cl::Program buildProgram(const cl::Context& context,
       // The driver wants it no more; the source is at hand.
     }
   }
-  const cl::Program program(context, source);
+  cl::Program program(context, source);
   program.build({ device }, options.c_str());
   compiled = true;
   try

@@ -4,10 +4,12 @@
 #include "OpenCL/device_test_cl.h"
 
 #include <cstdio>
+#include <exception>
 
 using namespace oversketch;
 
 int main()
+try
 {
   const auto device = Device::instance();
   if (!device)
@@ -32,4 +34,9 @@ int main()
     });
   std::printf("%d: %g %g %g %g\n", device->compilations(), y[0], y[1], y[2], y[3]);
   return 0;
+}
+catch (const std::exception& error)
+{
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }

@@ -353,7 +353,8 @@ OVERSKETCH_INLINE void backwardAny(const double* l, int height, int count, doubl
   }
 }
 
-// The kernels compiled for one kind of processor.
+// The kernels compiled for one kind of processor; target is its attribute.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define OVERSKETCH_DENSE_KERNELS(name, target, W)                                                            \
   struct name                                                                                                \
   {                                                                                                          \
@@ -380,6 +381,7 @@ OVERSKETCH_INLINE void backwardAny(const double* l, int height, int count, doubl
     }                                                                                                        \
     static constexpr DenseKernels all{ factor, solveRows, multiply, forward, backward };                     \
   };
+// NOLINTEND(bugprone-macro-parentheses)
 
 OVERSKETCH_DENSE_KERNELS(Baseline, , 2)
 #if defined(__x86_64__)
