@@ -82,14 +82,13 @@ Patch::Patch(const Surface& surface,
   {
     this->valence_[v] += this->border_[v];
   }
-  this->eachEdge(
-    [this](int h)
+  for (int h = 0; h < static_cast<int>(this->twin_.size()); ++h)
+  {
+    if (this->inner(h) && this->chart(h / 3) != this->chart(this->twin_[h] / 3))
     {
-      if (this->inner(h) && this->chart(h / 3) != this->chart(this->twin_[h] / 3))
-      {
-        this->protect(h);
-      }
-    });
+      this->protect(h);
+    }
+  }
   for (const int v : protectedVertices)
   {
     this->fixed_[v] = 1;

@@ -11,7 +11,6 @@
 #ifndef oversketch_patch_h
 #define oversketch_patch_h
 
-#include "Mesh/context.h"
 #include "Remesh/surface.h"
 
 #include <array>
@@ -70,18 +69,16 @@ public:
   // protected itself.
   bool fixed(int v) const { return this->fixed_[v] != 0; }
 
-  // Calls visit(h) for one half-edge of every edge of the patch (for a wall: of each triangle at it).
+  // Calls visit(h) for one half-edge of every edge of triangle t of the patch that no triangle before it has
+  // (for a wall: of each triangle at it). Of all triangles: for every edge of the patch.
   template <typename Visit>
-  void eachEdge(Visit&& visit) const
+  void eachEdge(int t, Visit&& visit) const
   {
-    for (int t = 0; t < this->triangleCount(); ++t)
+    for (int h = 3 * t; this->active_[t] && h < 3 * t + 3; ++h)
     {
-      for (int h = 3 * t; this->active_[t] && h < 3 * t + 3; ++h)
+      if (this->twin_[h] < h)
       {
-        if (this->twin_[h] < h)
-        {
-          visit(h);
-        }
+        visit(h);
       }
     }
   }
@@ -102,15 +99,11 @@ public:
   bool collapse(int h, double longest);
   // Flips towards valence 6 (4 on a border); byAngle: towards larger smallest angles.
   bool flip(int h, bool byAngle);
-  // Moves all free vertices at once within the tangent plane and back to the surface, those apart whose move
-  // is unsafe. Threaded.
-  void relax(const Context& context);
 
 private:
   static constexpr int borderEdge = -1; // in twin_
 
-  struct Relaxation;
-  friend struct Relaxation;
+  friend class Relaxation;
 
   void protect(int h);
   bool isDisc(int v) const;

@@ -1,4 +1,5 @@
-// Tangential relaxation: all vertices at once, and back where that is unsafe.
+#include "Remesh/relax.h"
+
 #include "Remesh/shape.h"
 
 namespace oversketch
@@ -14,238 +15,265 @@ constexpr int checkEvery = 1024;       // vertices or triangles between two look
 
 } // namespace
 
-// One relaxation in progress. Every step writes to the vertices or triangles that it names only, so the
-// result does not depend on the number of threads.
-struct Patch::Relaxation
+template <typename Body>
+void Relaxation::parallel(int count, const Body& body) const
 {
-  struct Face
-  {
-    Vector3 cross;
-    double narrowest;
-  };
-
-  const Patch& patch;
-  const Context& context;
-  std::vector<Face> before, after;
-  std::vector<Vector3> points; // the new ones
-  std::vector<SurfacePoint> places;
-  std::vector<char> moves;
-
-  Relaxation(const Patch& of, const Context& with)
-    : patch(of)
-    , context(with)
-    , before(of.triangleCount())
-    , after(of.triangleCount())
-    , points(of.vertexCount())
-    , places(of.vertexCount())
-    , moves(of.vertexCount(), 0)
-  {
-  }
-
-  template <typename Body>
-  void parallel(int count, const Body& body) const
-  {
-    this->context.parallelFor(count,
-      [this, &body](int begin, int end)
+  this->context_.parallelFor(count,
+    [this, &body](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
       {
-        for (int i = begin; i < end; ++i)
+        if (i % checkEvery == 0 && this->context_.cancelled())
         {
-          if (i % checkEvery == 0 && this->context.cancelled())
-          {
-            return;
-          }
-          body(i);
+          return;
         }
-      });
-  }
+        body(i);
+      }
+    });
+}
 
-  Face faceOf(int t, const std::vector<Vector3>& at) const
+// Calls visit(spoke) for the half-edges out of a free vertex.
+template <typename Visit>
+void Relaxation::eachSpoke(int v, Visit&& visit) const
+{
+  const int first = this->patch_.out_[v];
+  int h = first;
+  do
   {
-    const Vector3 &a = at[this->patch.origin(3 * t)], &b = at[this->patch.origin(3 * t + 1)],
-                  &c = at[this->patch.origin(3 * t + 2)];
-    const Vector3 cross = this->patch.cross(a, b, c);
-    return { cross, narrowness(a, b, c, cross) };
-  }
+    visit(h);
+    h = this->patch_.twin_[previousHalfEdge(h)];
+  } while (h != first);
+}
 
-  // Calls visit(spoke) for the half-edges out of a free vertex.
-  template <typename Visit>
-  void eachSpoke(int v, Visit&& visit) const
+// Towards the mean of its neighbours. Weighing by area evens out areas, but is slower to even out angles, and
+// no better on graded ground, where triangles in order have their target area anyway.
+void Relaxation::want(int v)
+{
+  const Patch& patch = this->patch_;
+  const Vector3 old = patch.points_[v];
+  this->points_[v] = old;
+  this->moves_[v] = 0;
+  if (!patch.aliveVertex(v) || patch.fixed(v))
   {
-    int h = this->patch.out_[v];
-    do
+    return;
+  }
+  // Cross products about the origin moved to `old` add up to twice the area vector of the fan.
+  const Vector3 first = patch.points_[patch.target(patch.out_[v])] - old;
+  Vector3 sum = Vector3::Zero(), normal = Vector3::Zero(), last = first;
+  int count = 0;
+  this->eachSpoke(v,
+    [&](int h)
     {
-      visit(h);
-      h = this->patch.twin_[previousHalfEdge(h)];
-    } while (h != this->patch.out_[v]);
-  }
-
-  // Towards the mean of its neighbours. Weighing by area evens out areas, but is slower to even out angles,
-  // and no better on graded ground, where triangles in order have their target area anyway.
-  void want(int v)
+      const Vector3 spoke = patch.points_[patch.target(h)] - old;
+      sum += spoke;
+      normal += last.cross(spoke);
+      last = spoke;
+      ++count;
+    });
+  normal += last.cross(first);
+  const double squared = normal.squaredNorm();
+  if (!(squared > 0.0))
   {
-    const Patch& p = this->patch;
-    const Vector3 old = p.points_[v];
-    this->points[v] = old;
-    if (!p.aliveVertex(v) || p.fixed(v))
+    return;
+  }
+  const Vector3 mean = sum / count;
+  const Vector3 step = mean - normal * (normal.dot(mean) / squared);
+  this->places_[v] = patch.surface_.closest(old + step, patch.places_[v].triangle);
+  const Vector3 wanted = positionOf(patch.surface_.mesh(), this->places_[v]);
+  const double least = smallestMove * patch.sizes_[v];
+  if ((wanted - old).squaredNorm() >= least * least)
+  {
+    this->points_[v] = wanted;
+    this->moves_[v] = 1;
+  }
+}
+
+bool Relaxation::changes(int t) const
+{
+  const int* corners = this->patch_.origin_.data() + 3 * t;
+  return this->moves_[corners[0]] || this->moves_[corners[1]] || this->moves_[corners[2]];
+}
+
+void Relaxation::see(int t)
+{
+  const Patch& patch = this->patch_;
+  if (!patch.aliveTriangle(t))
+  {
+    return;
+  }
+  const Triangle c = patch.triangle(t);
+  const Vector3 &a = this->points_[c[0]], &b = this->points_[c[1]], &d = this->points_[c[2]];
+  this->crosses_[t] = patch.cross(a, b, d);
+  if (this->changes(t))
+  {
+    const Vector3 &a0 = patch.points_[c[0]], &b0 = patch.points_[c[1]], &d0 = patch.points_[c[2]];
+    const Vector3 before = patch.cross(a0, b0, d0);
+    this->changes_[t] = { static_cast<float>(narrowness(a, b, d, this->crosses_[t])),
+      static_cast<float>(narrowness(a0, b0, d0, before)),
+      turned(before, this->crosses_[t]),
+      false };
+  }
+}
+
+void Relaxation::seeFolds(int t)
+{
+  if (!this->patch_.aliveTriangle(t) || !this->changes(t))
+  {
+    return;
+  }
+  const Vector3& own = this->crosses_[t];
+  bool sharp = false;
+  for (int h = 3 * t; h < 3 * t + 3; ++h)
+  {
+    const int twin = this->patch_.twin_[h];
+    sharp =
+      sharp || (twin >= 0 ? own.dot(this->crosses_[twin / 3]) < 0.0 : this->patch_.foldsOver(h, own) > 0);
+  }
+  this->changes_[t].folded = sharp;
+}
+
+// How sharply the edges are folded at v and opposite.
+int Relaxation::foldsAround(int v, const std::vector<Vector3>& at) const
+{
+  const Patch& patch = this->patch_;
+  const auto crossOf = [&](int h)
+  {
+    const Triangle c = patch.triangle(h / 3);
+    return patch.cross(at[c[0]], at[c[1]], at[c[2]]);
+  };
+  int folds = 0;
+  this->eachSpoke(v,
+    [&](int h)
     {
-      return;
-    }
-    Vector3 sum = Vector3::Zero(), normal = Vector3::Zero();
-    int count = 0;
+      const Vector3 own = crossOf(h);
+      const int rim = patch.twin_[nextHalfEdge(h)];
+      folds += foldWeight(own, crossOf(patch.twin_[h])) +
+               (rim >= 0 ? foldWeight(own, crossOf(rim)) : patch.foldsOver(nextHalfEdge(h), own));
+    });
+  return folds;
+}
+
+bool Relaxation::safe(int v) const
+{
+  const Patch& patch = this->patch_;
+  float narrowest = 1.0F, narrowestBefore = 1.0F;
+  bool good = true, folded = false;
+  this->eachSpoke(v,
+    [&](int h)
+    {
+      const Change& change = this->changes_[h / 3];
+      narrowest = std::min(narrowest, change.narrowest);
+      narrowestBefore = std::min(narrowestBefore, change.narrowestBefore);
+      good = good && !change.turned;
+      folded = folded || change.folded;
+    });
+  if (!good || narrowest < std::min(narrowestBefore, static_cast<float>(moveNarrowest)))
+  {
+    return false;
+  }
+  const Vector3& old = patch.points_[v];
+  const double deviation = moveDeviation * patch.sizes_[v] * moveDeviation * patch.sizes_[v];
+  bool near = (this->points_[v] - old).squaredNorm() <= deviation;
+  if (!near)
+  {
     this->eachSpoke(v,
       [&](int h)
       {
-        sum += p.points_[p.target(h)];
-        normal += this->before[h / 3].cross;
-        ++count;
+        const Triangle c = patch.triangle(h / 3);
+        near = near || squaredDistance(this->points_[c[0]], this->points_[c[1]], this->points_[c[2]], old) <=
+                         deviation;
       });
-    const double length = normal.norm();
-    if (!(length > 0.0))
+  }
+  return near && (!folded || this->foldsAround(v, this->points_) <= this->foldsAround(v, patch.points_));
+}
+
+// Takes back moves until all that are left are safe: taking back one may spoil those around it.
+void Relaxation::settle()
+{
+  const int count = this->patch_.vertexCount();
+  this->parallel(count, [this](int v) { this->unsafe_[v] = this->moves_[v] && !this->safe(v) ? 1 : 0; });
+  std::vector<int> back, triangles, around;
+  for (int v = 0; v < count; ++v)
+  {
+    if (this->unsafe_[v])
     {
-      return;
-    }
-    normal /= length;
-    Vector3 step = sum / count - old;
-    step -= normal * normal.dot(step);
-    this->places[v] = p.surface_.closest(old + step, p.places_[v].triangle);
-    const Vector3 wanted = positionOf(p.surface_.mesh(), this->places[v]);
-    const double least = smallestMove * p.sizes_[v];
-    if ((wanted - old).squaredNorm() >= least * least)
-    {
-      this->points[v] = wanted;
-      this->moves[v] = 1;
+      back.push_back(v);
     }
   }
-
-  void see(int t)
+  const auto unique = [](std::vector<int>& ids)
   {
-    const Patch& p = this->patch;
-    const bool changed =
-      p.aliveTriangle(t) &&
-      (this->moves[p.origin(3 * t)] || this->moves[p.origin(3 * t + 1)] || this->moves[p.origin(3 * t + 2)]);
-    this->after[t] = changed ? this->faceOf(t, this->points) : this->before[t];
-  }
-
-  int foldsAround(int v, const std::vector<Face>& faces) const
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  };
+  while (!back.empty() && !this->context_.cancelled())
   {
-    int folds = 0;
-    this->eachSpoke(v,
-      [&](int h)
+    triangles.clear();
+    around.clear();
+    for (const int v : back)
+    {
+      this->moves_[v] = 0;
+      this->points_[v] = this->patch_.points_[v];
+      this->eachSpoke(v, [&](int h) { triangles.push_back(h / 3); });
+    }
+    unique(triangles);
+    const std::size_t changed = triangles.size();
+    for (std::size_t i = 0; i < changed; ++i)
+    {
+      this->see(triangles[i]);
+      for (int h = 3 * triangles[i]; h < 3 * triangles[i] + 3; ++h)
       {
-        const Vector3& own = faces[h / 3].cross;
-        const int rim = this->patch.twin_[nextHalfEdge(h)];
-        folds +=
-          foldWeight(own, faces[this->patch.twin_[h] / 3].cross) +
-          (rim >= 0 ? foldWeight(own, faces[rim / 3].cross) : this->patch.foldsOver(nextHalfEdge(h), own));
-      });
-    return folds;
-  }
-
-  bool safe(int v) const
-  {
-    const Patch& p = this->patch;
-    double narrowest = std::numeric_limits<double>::infinity(), narrowestBefore = narrowest;
-    bool good = true;
-    const Vector3& old = p.points_[v];
-    const double deviation = moveDeviation * p.sizes_[v];
-    bool near = (this->points[v] - old).squaredNorm() <= deviation * deviation;
-    this->eachSpoke(v,
-      [&](int h)
-      {
-        const Face &was = this->before[h / 3], &is = this->after[h / 3];
-        narrowest = std::min(narrowest, is.narrowest);
-        narrowestBefore = std::min(narrowestBefore, was.narrowest);
-        good = good && !turned(was.cross, is.cross);
-        near = near || squaredDistance(this->points[v],
-                         this->points[p.target(h)],
-                         this->points[p.origin(previousHalfEdge(h))],
-                         old) <= deviation * deviation;
-      });
-    if (!good || !near || narrowest < std::min(narrowestBefore, moveNarrowest))
-    {
-      return false;
+        const int twin = this->patch_.twin_[h];
+        if (twin >= 0)
+        {
+          triangles.push_back(twin / 3); // sees another fold now
+        }
+      }
     }
-    const int folds = this->foldsAround(v, this->after);
-    return folds == 0 || folds <= this->foldsAround(v, this->before);
-  }
-
-  // Takes back moves until all that are left are safe: taking back one may spoil those around it.
-  void settle()
-  {
-    const int count = this->patch.vertexCount();
-    std::vector<char> unsafe(count, 0);
-    this->parallel(count, [&](int v) { unsafe[v] = this->moves[v] && !this->safe(v) ? 1 : 0; });
-    std::vector<int> back, around;
-    for (int v = 0; v < count; ++v)
+    unique(triangles);
+    for (const int t : triangles)
     {
-      if (unsafe[v])
+      this->seeFolds(t);
+      const Triangle c = this->patch_.triangle(t);
+      around.insert(around.end(), c.begin(), c.end());
+    }
+    unique(around);
+    back.clear();
+    for (const int v : around)
+    {
+      if (this->moves_[v] && !this->safe(v))
       {
         back.push_back(v);
       }
     }
-    while (!back.empty() && !this->context.cancelled())
-    {
-      around.clear();
-      for (const int v : back)
-      {
-        this->moves[v] = 0;
-        this->points[v] = this->patch.points_[v];
-      }
-      for (const int v : back)
-      {
-        this->eachSpoke(v,
-          [&](int h)
-          {
-            this->see(h / 3);
-            around.push_back(this->patch.target(h));
-            const int rim = this->patch.twin_[nextHalfEdge(h)];
-            if (rim >= 0)
-            {
-              around.push_back(this->patch.origin(previousHalfEdge(rim)));
-            }
-          });
-      }
-      std::sort(around.begin(), around.end());
-      around.erase(std::unique(around.begin(), around.end()), around.end());
-      back.clear();
-      for (const int v : around)
-      {
-        if (this->moves[v] && !this->safe(v))
-        {
-          back.push_back(v);
-        }
-      }
-    }
   }
-};
+}
 
-void Patch::relax(const Context& context)
+void Relaxation::run()
 {
-  Relaxation now(*this, context);
-  const int triangles = this->triangleCount(), vertices = this->vertexCount();
-  now.parallel(triangles,
-    [&](int t)
-    {
-      if (this->active_[t])
-      {
-        now.before[t] = now.faceOf(t, this->points_);
-      }
-    });
-  now.parallel(vertices, [&](int v) { now.want(v); });
-  now.parallel(triangles, [&](int t) { now.see(t); });
-  now.settle();
-  if (context.cancelled())
+  Patch& patch = this->patch_;
+  const int vertices = patch.vertexCount(), triangles = patch.triangleCount();
+  this->points_.resize(vertices);
+  this->places_.resize(vertices);
+  this->moves_.resize(vertices);
+  this->unsafe_.resize(vertices);
+  this->crosses_.resize(triangles);
+  this->changes_.resize(triangles);
+  this->parallel(vertices, [this](int v) { this->want(v); });
+  this->parallel(triangles, [this](int t) { this->see(t); });
+  this->parallel(triangles, [this](int t) { this->seeFolds(t); });
+  this->settle();
+  if (this->context_.cancelled())
   {
-    return; // half done, and not to be used any more
+    return;
   }
-  now.parallel(vertices,
+  this->parallel(vertices,
     [&](int v)
     {
-      if (now.moves[v])
+      if (this->moves_[v])
       {
-        this->points_[v] = now.points[v];
-        this->places_[v] = now.places[v];
-        this->sizes_[v] = this->sizeAt(now.places[v]);
+        patch.points_[v] = this->points_[v];
+        patch.places_[v] = this->places_[v];
+        patch.sizes_[v] = patch.sizeAt(this->places_[v]);
       }
     });
 }

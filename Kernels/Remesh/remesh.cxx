@@ -2,6 +2,7 @@
 
 #include "Remesh/cutout.h"
 #include "Remesh/patch.h"
+#include "Remesh/relax.h"
 #include "Remesh/sizing.h"
 
 #include <algorithm>
@@ -73,29 +74,51 @@ private:
   std::array<std::vector<Candidate>, 16> edges_;
 };
 
+// The edges of the patch, by one half-edge each, for which test(h) is true; as they lie in memory. Threaded.
+template <typename Test>
+std::vector<int> edgesWhere(const Patch& patch, const Context& context, Test&& test)
+{
+  std::vector<char> found(3 * static_cast<std::size_t>(patch.triangleCount()), 0);
+  context.parallelFor(patch.triangleCount(),
+    [&](int begin, int end)
+    {
+      for (int t = begin; t < end; ++t)
+      {
+        patch.eachEdge(t, [&](int h) { found[h] = test(h) ? 1 : 0; });
+      }
+    });
+  std::vector<int> edges;
+  for (auto next = std::find(found.begin(), found.end(), 1); next != found.end();
+       next = std::find(next + 1, found.end(), 1))
+  {
+    edges.push_back(static_cast<int>(next - found.begin()));
+  }
+  return edges;
+}
+
 // Longest first, relative to the target.
 void splitAll(Patch& patch, Steps& steps)
 {
+  const auto ratio = [&patch](int h)
+  { return patch.relativeSquared(patch.origin(h), patch.target(h)) / (longest * longest); };
+  const auto tooLong = [&](int h) { return patch.splittable(h) && ratio(h) > 1.0; };
   Ranks ranks;
-  const auto consider = [&](int h)
+  for (const int h : edgesWhere(patch, steps.context, tooLong))
   {
-    const double ratio = patch.relativeSquared(patch.origin(h), patch.target(h)) / (longest * longest);
-    if (ratio > 1.0 && patch.splittable(h))
-    {
-      ranks.add(patch, h, ratio);
-    }
-  };
-  patch.eachEdge(consider);
+    ranks.add(patch, h, ratio(h));
+  }
   ranks.run(
     [&](const Candidate& edge)
     {
       std::array<int, 4> neighbours;
-      const int m = patch.split(patch.find(edge.a, edge.b, edge.h), neighbours);
+      const int found = patch.find(edge.a, edge.b, edge.h);
+      const int m = found >= 0 ? patch.split(found, neighbours) : -1;
       for (int i = 0; m >= 0 && i < 4; ++i)
       {
-        if (neighbours[i] >= 0)
+        const int h = neighbours[i] >= 0 ? patch.find(m, neighbours[i]) : -1;
+        if (h >= 0 && tooLong(h))
         {
-          consider(patch.find(m, neighbours[i]));
+          ranks.add(patch, h, ratio(h));
         }
       }
       steps.tick();
@@ -106,17 +129,18 @@ void splitAll(Patch& patch, Steps& steps)
 // Shortest first. Of the two ends the one that must stay stays; else the one with the lower id, the older.
 void collapseAll(Patch& patch, Steps& steps)
 {
+  const auto ratio = [&patch](int h)
+  { return shortest * shortest / patch.relativeSquared(patch.origin(h), patch.target(h)); };
+  const auto tooShort = [&](int h)
+  {
+    return patch.inner(h) && ratio(h) > 1.0 &&
+           !(patch.fixed(patch.origin(h)) && patch.fixed(patch.target(h)));
+  };
   Ranks ranks;
-  patch.eachEdge(
-    [&](int h)
-    {
-      const int a = patch.origin(h), b = patch.target(h);
-      const double ratio = shortest * shortest / patch.relativeSquared(a, b);
-      if (ratio > 1.0 && patch.inner(h) && !(patch.fixed(a) && patch.fixed(b)))
-      {
-        ranks.add(patch, h, ratio);
-      }
-    });
+  for (const int h : edgesWhere(patch, steps.context, tooShort))
+  {
+    ranks.add(patch, h, ratio(h));
+  }
   ranks.run(
     [&](const Candidate& edge)
     {
@@ -137,12 +161,11 @@ void collapseAll(Patch& patch, Steps& steps)
 
 void flipAll(Patch& patch, bool byAngle, Steps& steps)
 {
-  patch.eachEdge(
-    [&](int h)
-    {
-      patch.flip(h, byAngle);
-      steps.tick();
-    });
+  for (int t = 0; t < patch.triangleCount(); ++t)
+  {
+    patch.eachEdge(t, [&](int h) { patch.flip(h, byAngle); });
+    steps.tick();
+  }
   steps.next();
 }
 
@@ -438,6 +461,7 @@ RemeshResult remesh(const RemeshInput& input, const Context& context)
     carriers(input.handles, cutout, vertices, edges);
   }
   Patch patch(surface, cutout.active, targets, vertices, edges);
+  Relaxation relaxation(patch, context);
   Steps steps{ context };
   steps.each = 1.0 / (input.iterations * 4.0 + 1.0);
   for (int i = 0; i < input.iterations; ++i)
@@ -445,7 +469,7 @@ RemeshResult remesh(const RemeshInput& input, const Context& context)
     splitAll(patch, steps);
     collapseAll(patch, steps);
     flipAll(patch, false, steps);
-    patch.relax(context);
+    relaxation.run();
     steps.next();
   }
   flipAll(patch, true, steps);

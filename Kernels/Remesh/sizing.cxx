@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <queue>
 
 namespace oversketch
@@ -29,9 +30,7 @@ std::vector<ActiveEdge> activeEdges(const Mesh& mesh, const std::vector<char>& a
 {
   struct Side
   {
-    int v0, v1;
-    bool active, forward;
-    int triangle;
+    int v1, halfEdge;
   };
   std::vector<char> inside(mesh.points.size(), 0);
   for (int t = 0; t < mesh.triangleCount(); ++t)
@@ -41,76 +40,96 @@ std::vector<ActiveEdge> activeEdges(const Mesh& mesh, const std::vector<char>& a
       inside[mesh.triangles[t][k]] = 1;
     }
   }
-  std::vector<Side> sides;
-  for (int t = 0; t < mesh.triangleCount(); ++t)
+  // Bucketed by the lower end, then sorted per bucket: several times quicker than sorting pairs.
+  const auto eachSide = [&](auto&& visit)
   {
-    for (int k = 0; k < 3; ++k)
+    for (int t = 0; t < mesh.triangleCount(); ++t)
     {
-      const auto [a, b] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
-      if (inside[a] && inside[b])
+      const Triangle& c = mesh.triangles[t];
+      for (int k = 0; k < 3; ++k)
       {
-        sides.push_back({ a, b, active[t] != 0, a == mesh.triangles[t][k], t });
+        const int a = c[k], b = c[(k + 1) % 3];
+        if (inside[a] && inside[b])
+        {
+          visit(std::min(a, b), Side{ std::max(a, b), 3 * t + k });
+        }
       }
     }
-  }
-  std::sort(sides.begin(),
-    sides.end(),
-    [](const Side& a, const Side& b) { return a.v0 != b.v0 ? a.v0 < b.v0 : a.v1 < b.v1; });
+  };
+  std::vector<int> offsets(mesh.points.size() + 1, 0);
+  eachSide([&](int v0, const Side&) { ++offsets[v0 + 1]; });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<Side> sides(offsets.back());
+  std::vector<int> next(offsets.begin(), offsets.end() - 1);
+  eachSide([&](int v0, const Side& side) { sides[next[v0]++] = side; });
   std::vector<ActiveEdge> edges;
-  for (std::size_t i = 0; i < sides.size();)
+  edges.reserve(sides.size() / 2 + 1);
+  for (int v0 = 0; v0 < mesh.vertexCount(); ++v0)
   {
-    std::size_t count = 0, activeCount = 0, forwardCount = 0;
-    for (;
-         i + count < sides.size() && sides[i].v0 == sides[i + count].v0 && sides[i].v1 == sides[i + count].v1;
-         ++count)
+    const auto begin = sides.begin() + offsets[v0], end = sides.begin() + offsets[v0 + 1];
+    std::sort(begin,
+      end,
+      [](const Side& a, const Side& b) { return a.v1 != b.v1 ? a.v1 < b.v1 : a.halfEdge < b.halfEdge; });
+    for (auto first = begin; first != end;)
     {
-      activeCount += sides[i + count].active ? 1 : 0;
-      forwardCount += sides[i + count].forward ? 1 : 0;
-    }
-    if (activeCount > 0)
-    {
-      const auto normal = [&](std::size_t side)
+      int count = 0, activeCount = 0, forwardCount = 0;
+      for (; first + count != end && (first + count)->v1 == first->v1; ++count)
       {
-        const Triangle& t = mesh.triangles[sides[side].triangle];
-        return (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).eval();
-      };
-      const bool frozen = activeCount != count || count > 2 || (count == 2 && forwardCount != 1);
-      edges.push_back(
-        { sides[i].v0, sides[i].v1, frozen, frozen || (count == 2 && folded(normal(i), normal(i + 1))) });
+        const int h = (first + count)->halfEdge;
+        activeCount += active[h / 3] ? 1 : 0;
+        forwardCount += mesh.triangles[h / 3][h % 3] == v0 ? 1 : 0;
+      }
+      if (activeCount > 0)
+      {
+        const auto normal = [&](int side)
+        {
+          const Triangle& t = mesh.triangles[(first + side)->halfEdge / 3];
+          return (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).eval();
+        };
+        const bool frozen = activeCount != count || count > 2 || (count == 2 && forwardCount != 1);
+        edges.push_back({ v0, first->v1, frozen, frozen || (count == 2 && folded(normal(0), normal(1))) });
+      }
+      first += count;
     }
-    i += count;
   }
   return edges;
 }
 
-// values[v] = min over u of values[u] + slope * way(u, v), along the edges.
-void spread(const Mesh& mesh, const std::vector<ActiveEdge>& edges, double slope, std::vector<double>& values)
+// values[v] = min over u of values[u] + slope * way(u, v), along the edges; those that would not be under
+// `limit` are let be.
+void spread(const Mesh& mesh,
+  const std::vector<ActiveEdge>& edges,
+  double slope,
+  double limit,
+  std::vector<double>& values)
 {
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto through = [&](int from, int to)
+  { return values[from] + slope * (mesh.points[to] - mesh.points[from]).norm(); };
+  const auto lowers = [&](int from, int to) { return through(from, to) < std::min(values[to], limit); };
   std::vector<int> offsets(mesh.points.size() + 1, 0);
   for (const ActiveEdge& e : edges)
   {
     ++offsets[e.v0 + 1];
     ++offsets[e.v1 + 1];
+    if (lowers(e.v0, e.v1) || lowers(e.v1, e.v0))
+    {
+      const int from = lowers(e.v0, e.v1) ? e.v0 : e.v1;
+      queue.push({ values[from], from });
+    }
   }
-  for (std::size_t i = 1; i < offsets.size(); ++i)
+  if (queue.empty())
   {
-    offsets[i] += offsets[i - 1];
+    return;
   }
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<int> neighbours(offsets.back());
   std::vector<int> next(offsets.begin(), offsets.end() - 1);
   for (const ActiveEdge& e : edges)
   {
     neighbours[next[e.v0]++] = e.v1;
     neighbours[next[e.v1]++] = e.v0;
-  }
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (offsets[v + 1] > offsets[v] && values[v] < infinite)
-    {
-      queue.push({ values[v], v });
-    }
   }
   while (!queue.empty())
   {
@@ -119,11 +138,10 @@ void spread(const Mesh& mesh, const std::vector<ActiveEdge>& edges, double slope
     for (int i = offsets[v]; value <= values[v] && i < offsets[v + 1]; ++i)
     {
       const int u = neighbours[i];
-      const double through = value + slope * (mesh.points[u] - mesh.points[v]).norm();
-      if (through < values[u])
+      if (lowers(v, u))
       {
-        values[u] = through;
-        queue.push({ through, u });
+        values[u] = through(v, u);
+        queue.push({ values[u], u });
       }
     }
   }
@@ -208,7 +226,7 @@ std::vector<double> targetLengths(const Mesh& mesh,
   {
     target[v] = std::min(sizing.length, std::max(limit[v], lowest));
   }
-  spread(mesh, edges, sizing.gradation, target);
+  spread(mesh, edges, sizing.gradation, infinite, target);
   // Near edges that stay as they are (folded ones may still be collapsed): from above towards short ones,
   // from below towards long ones.
   std::vector<double> sum(mesh.points.size(), 0.0), count(mesh.points.size(), 0.0);
@@ -231,8 +249,9 @@ std::vector<double> targetLengths(const Mesh& mesh,
       above[v] = sum[v] / count[v];
     }
   }
-  spread(mesh, edges, sizing.gradation, above);
-  spread(mesh, edges, sizing.gradation, below);
+  // No target is over the wanted length, nor under 0.
+  spread(mesh, edges, sizing.gradation, sizing.length, above);
+  spread(mesh, edges, sizing.gradation, 0.0, below);
   for (std::size_t v = 0; v < target.size(); ++v)
   {
     // A border edge much shorter than wanted is the outside's flaw: it shall not make the inside finer
