@@ -5,10 +5,40 @@
 #include "Mesh/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace oversketch
 {
+
+// Three numbers that the compiler keeps in three registers. Vector3 goes through memory in pairs where a
+// value is used as a whole and by coordinate, which the sweeps of a snake wait for. The sums are Vector3's,
+// bit for bit.
+struct Triple
+{
+  double x, y, z;
+
+  Triple(double a, double b, double c)
+    : x(a)
+    , y(b)
+    , z(c)
+  {
+  }
+  explicit Triple(const Vector3& v)
+    : Triple(v[0], v[1], v[2])
+  {
+  }
+  double dot(const Triple& o) const { return this->x * o.x + this->y * o.y + this->z * o.z; }
+  Triple cross(const Triple& o) const
+  {
+    return { this->y * o.z - this->z * o.y, this->z * o.x - this->x * o.z, this->x * o.y - this->y * o.x };
+  }
+  double norm() const { return std::sqrt(this->dot(*this)); }
+  Triple operator-() const { return { -this->x, -this->y, -this->z }; }
+  Triple operator-(const Triple& o) const { return { this->x - o.x, this->y - o.y, this->z - o.z }; }
+  Triple operator+(const Triple& o) const { return { this->x + o.x, this->y + o.y, this->z + o.z }; }
+  friend Triple operator*(double s, const Triple& v) { return { s * v.x, s * v.y, s * v.z }; }
+};
 
 // c0 + c1 t + c2 t^2.
 struct Quadratic
@@ -18,9 +48,23 @@ struct Quadratic
 };
 
 // (a0 + t a1) . (b0 + t b1)
-inline Quadratic product(const Vector3& a0, const Vector3& a1, const Vector3& b0, const Vector3& b1)
+inline Quadratic product(const Triple& a0, const Triple& a1, const Triple& b0, const Triple& b1)
 {
   return { a0.dot(b0), a0.dot(b1) + a1.dot(b0), a1.dot(b1) };
+}
+
+// Along an edge, as below: the places where n . (a x b) = 0 make E_smth 0 or pi. No place, or one of a linear
+// function, is not a number or infinite.
+inline std::array<double, 2> straightPlaces(const Triple& a,
+  const Triple& b,
+  const Triple& e,
+  const Triple& n,
+  const Triple& dn)
+{
+  const auto [c0, c1, c2] = product(n, dn, a.cross(b), e.cross(a - b));
+  const double root = std::sqrt(std::max(0.0, c1 * c1 - 4.0 * c0 * c2));
+  const double q = -0.5 * (c1 + std::copysign(root, c1));
+  return { c0 / q, q / c2 };
 }
 
 // E_smth along an edge as a function of t, from its first vertex to its second. The vectors to the neighbours
@@ -30,14 +74,13 @@ class EdgeSmoothness
 public:
   // a, b: from the edge's first vertex to the neighbours; e: the edge; n, dn: normal at the first vertex and
   // its change.
-  EdgeSmoothness(const Vector3& a, const Vector3& b, const Vector3& e, const Vector3& n, const Vector3& dn)
+  EdgeSmoothness(const Triple& a, const Triple& b, const Triple& e, const Triple& n, const Triple& dn)
     : aa(product(a, -e, a, -e))
     , bb(product(b, -e, b, -e))
     , ab(product(a, -e, b, -e))
     , na(product(n, dn, a, -e))
     , nb(product(n, dn, b, -e))
     , nn(product(n, dn, n, dn))
-    , area(product(n, dn, a.cross(b), e.cross(a - b)))
   {
   }
 
@@ -49,29 +92,29 @@ public:
     return lengths > 0.0 ? (a * b - this->ab(t) * n) / std::sqrt(lengths) : -1.0;
   }
 
-  // The places where n . (a x b) = 0 make E_smth 0 or pi. The one in [low, high] nearest to t where it is pi,
-  // or -1.
-  double straightPlace(double low, double high, double t) const
+  bool isStraight(double t) const { return (*this)(t) > 1.0 - 1e-12; }
+
+  // Of two places the one nearer to t where E_smth is pi, or -1.
+  double straightPlace(const std::array<double, 2>& places, double t) const
   {
-    const double c0 = this->area.c0, c1 = this->area.c1, c2 = this->area.c2;
-    const double root = std::sqrt(std::max(0.0, c1 * c1 - 4.0 * c0 * c2));
-    const double q = -0.5 * (c1 + std::copysign(root, c1));
-    double best = -1.0;
-    for (const double place :
-      { c0 / q, q / c2 }) // no root, or one of a linear function, is not a number or infinite
+    const bool firstNearer = !(std::abs(places[1] - t) < std::abs(places[0] - t));
+    for (const double place : { places[firstNearer ? 0 : 1], places[firstNearer ? 1 : 0] })
     {
-      if (place >= low && place <= high && (best < 0.0 || std::abs(place - t) < std::abs(best - t)) &&
-          (*this)(place) > 1.0 - 1e-12)
+      if (this->isStraight(place))
       {
-        best = place;
+        return place;
       }
     }
-    return best;
+    return -1.0;
   }
 
 private:
-  Quadratic aa, bb, ab, na, nb, nn, area;
+  Quadratic aa, bb, ab, na, nb, nn;
 };
+
+// Where E_smth is largest in [low, high] when it is pi nowhere: 33 samples, then golden section about the
+// best of them.
+double searchStraightest(const EdgeSmoothness& energy, double low, double high);
 
 } // namespace oversketch
 #endif

@@ -27,7 +27,7 @@ Point<Real> toPoint(const Vector3& v)
   return { static_cast<Real>(v[0]), static_cast<Real>(v[1]), static_cast<Real>(v[2]) };
 }
 
-// The queries in a uniform grid of about one point a cell.
+// The queries in a uniform grid of about four cells a point: they lie on curves, so most cells are empty.
 template <typename Real>
 struct PointGrid
 {
@@ -35,6 +35,7 @@ struct PointGrid
   int columns = 1, rows = 1;
   std::vector<int> cellStarts; // one more than there are cells
   std::vector<int> cellPoints;
+  std::vector<Point<Real>> cellPlaces; // where those are
   std::vector<Point<Real>> points;
   std::vector<std::array<int, 3>> pointVertices;
 
@@ -60,7 +61,7 @@ struct PointGrid
       high[0] = std::max(high[0], p.x);
       high[1] = std::max(high[1], p.y);
     }
-    const int side = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(queries.size()))));
+    const int side = std::max(1, static_cast<int>(2.0 * std::sqrt(static_cast<double>(queries.size()))));
     this->columns = high[0] > low[0] ? side : 1;
     this->rows = high[1] > low[1] ? side : 1;
     this->bounds[0] = low[0];
@@ -86,7 +87,54 @@ struct PointGrid
     {
       this->cellPoints[next[cells[i]]++] = i;
     }
+    for (const int i : this->cellPoints)
+    {
+      this->cellPlaces.push_back(this->points[i]);
+    }
   }
+};
+
+struct Cell
+{
+  int column, row;
+};
+
+// Tells at once whether any query lies in the cells that a triangle's box covers, from the cells of its
+// corners: sums of the queries over all cells below and to the left.
+template <typename Real>
+class QueryCounts
+{
+public:
+  explicit QueryCounts(const PointGrid<Real>& grid)
+    : width(grid.columns + 1)
+    , sums(static_cast<std::size_t>(this->width) * (grid.rows + 1), 0)
+  {
+    for (int row = 0; row < grid.rows; ++row)
+    {
+      for (int column = 0; column < grid.columns; ++column)
+      {
+        const int cell = row * grid.columns + column;
+        const int count = grid.cellStarts[cell + 1] - grid.cellStarts[cell];
+        this->at(column + 1, row + 1) =
+          count + this->at(column, row + 1) + this->at(column + 1, row) - this->at(column, row);
+      }
+    }
+  }
+
+  bool none(const Cell& a, const Cell& b, const Cell& c) const
+  {
+    const int left = std::min({ a.column, b.column, c.column }), low = std::min({ a.row, b.row, c.row });
+    const int right = std::max({ a.column, b.column, c.column }) + 1,
+              high = std::max({ a.row, b.row, c.row }) + 1;
+    return this->at(right, high) - this->at(left, high) == this->at(right, low) - this->at(left, low);
+  }
+
+private:
+  int at(int column, int row) const { return this->sums[row * this->width + column]; }
+  int& at(int column, int row) { return this->sums[row * this->width + column]; }
+
+  int width;
+  std::vector<int> sums;
 };
 
 template <typename Real>
@@ -129,8 +177,7 @@ void testTriangle(const Triangle& t,
     const int end = grid.cellStarts[row * grid.columns + lastColumn + 1];
     for (int k = grid.cellStarts[row * grid.columns + firstColumn]; k < end; ++k)
     {
-      const int i = grid.cellPoints[k];
-      const Point<Real>& p = grid.points[i];
+      const Point<Real>& p = grid.cellPlaces[k];
       if (p.x < left || p.x > right || p.y < low || p.y > high)
       {
         continue;
@@ -142,6 +189,7 @@ void testTriangle(const Triangle& t,
       {
         continue;
       }
+      const int i = grid.cellPoints[k];
       const std::array<int, 3>& own = grid.pointVertices[i];
       if (std::none_of(t.begin(), t.end(), [&](int v) { return v == own[0] || v == own[1] || v == own[2]; }))
       {
@@ -194,7 +242,18 @@ std::vector<char> occludedOnHost(const Mesh& mesh,
     return {};
   }
   const PointGrid<Real> grid(queries);
-  const std::vector<Point<Real>> points = toPoints<Real>(screen);
+  const QueryCounts<Real> counts(grid);
+  std::vector<Point<Real>> points(screen.size());
+  std::vector<Cell> cells(screen.size());
+  context.parallelFor(static_cast<int>(screen.size()),
+    [&](int begin, int end)
+    {
+      for (int v = begin; v < end; ++v)
+      {
+        points[v] = toPoint<Real>(screen[v]);
+        cells[v] = { grid.column(points[v].x), grid.row(points[v].y) };
+      }
+    });
   // Several threads may hide one point: all of them write 1, so who comes first does not matter.
   std::vector<std::atomic<char>> hidden(queries.size());
   context.parallelFor(mesh.triangleCount(),
@@ -202,8 +261,11 @@ std::vector<char> occludedOnHost(const Mesh& mesh,
     {
       for (int t = begin; t < end && !(t % 4096 == 0 && context.cancelled()); ++t)
       {
-        testTriangle(
-          mesh.triangles[t], points, grid, [&](int i) { hidden[i].store(1, std::memory_order_relaxed); });
+        const Triangle& corners = mesh.triangles[t];
+        if (!counts.none(cells[corners[0]], cells[corners[1]], cells[corners[2]]))
+        {
+          testTriangle(corners, points, grid, [&](int i) { hidden[i].store(1, std::memory_order_relaxed); });
+        }
       }
     });
   return std::vector<char>(hidden.begin(), hidden.end());

@@ -1,12 +1,15 @@
 #include "Silhouette/snake.h"
 
+#include "Silhouette/bend.h"
 #include "Silhouette/edge_smoothness.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <list>
 #include <map>
+#include <numeric>
 
 namespace oversketch
 {
@@ -14,32 +17,33 @@ namespace oversketch
 namespace
 {
 
-constexpr double straight = 3.14159265358979323846;
 constexpr double splitBend = 0.01; // [rad] a vertex snaxel that bends by more is split
-constexpr double leastGain = 1e-4; // [rad] of a relocation
 constexpr int sweepLimit = 200;
 constexpr int splitLimit = 1 + 5;     // of one vertex: split and conversion can alternate for ever
 constexpr double splitDistance = 0.2; // of the spoke, halved until E_geo allows it
 constexpr int halvingLimit = 40;
-constexpr int intervals = 32; // of the relocation search: 33 samples, then golden section
-constexpr int goldenSteps = 16;
+constexpr int intervals = 32; // of an edge, where the limit on E_geo is looked for
 constexpr int bisections = 30;
 constexpr double endTolerance = 1e-6; // of an edge: nearer to its end is on the vertex
 
-double angleBetween(const Vector3& a, const Vector3& b)
-{
-  const double cross = a.cross(b).norm();
-  const double dot = a.dot(b);
-  return cross == 0.0 && dot == 0.0 ? 0.0 : std::atan2(cross, dot);
-}
-
 struct Snaxel : CurvePoint
 {
+  explicit Snaxel(const CurvePoint& p)
+    : CurvePoint(p)
+  {
+  }
+
   // Something about it or a neighbour has changed since it was last looked at. Looking again at one that is
   // not stale would find what it found then, so a sweep passes over it.
   bool stale = true;
-  // Of an edge snaxel, once known: the part of its edge that it can reach with E_geo < epsilon.
+  // It and its neighbours are known not to lie in one triangle. Relocation along an edge does not change
+  // that.
+  bool apart = false;
+  // Of an edge snaxel, once known: the part of its edge that it can reach with E_geo < epsilon, and the
+  // edge's ends and their normals, together where the sweeps come by.
   double low = 1.0, high = 0.0;
+  Vector3 ends[2] = { Vector3::Zero(), Vector3::Zero() },
+          endNormals[2] = { Vector3::Zero(), Vector3::Zero() };
 };
 
 // The vertices that hold up a point, each once.
@@ -113,7 +117,7 @@ public:
   {
     for (const CurvePoint& p : curve.points)
     {
-      this->snaxels.push_back({ p });
+      this->snaxels.emplace_back(p);
     }
   }
 
@@ -162,10 +166,11 @@ private:
       s->stale = false;
       Snaxel& previous = this->before(s);
       Snaxel& next = this->after(s);
-      if (this->inOneTriangle(previous, *s, next))
+      if (!s->apart && this->inOneTriangle(previous, *s, next))
       {
         s = this->snaxels.erase(s);
         previous.stale = next.stale = changed = true;
+        previous.apart = next.apart = false;
         if (this->closed && this->snaxels.size() < 3)
         {
           this->snaxels.clear();
@@ -173,10 +178,15 @@ private:
         }
         continue; // with the follower of what was removed
       }
+      s->apart = true;
       const bool splitting = !removeOnly && s->binding.onVertex();
       if (splitting ? this->split(s, previous, next) : !removeOnly && this->relocate(*s, previous, next))
       {
         previous.stale = next.stale = changed = true;
+        if (s->binding.onVertex() || splitting)
+        {
+          previous.apart = next.apart = s->apart = false;
+        }
         if (splitting)
         {
           continue; // with the first of the new snaxels
@@ -326,7 +336,7 @@ private:
     std::list<Snaxel> made;
     for (int end : best)
     {
-      made.push_back({ this->pointNear(centre, end) });
+      made.emplace_back(this->pointNear(centre, end));
       if (made.back().binding.onVertex())
       {
         return false;
@@ -375,37 +385,102 @@ private:
     {
       return false;
     }
-    const double bend = straight - smoothness(previous, s, next);
-    if (bend <= leastGain)
+    const Bend bend(previous, s, next);
+    if (!bend.matters())
     {
       return false;
     }
     const double low = s.low, high = s.high;
-    const Vector3& origin = this->mesh.points[v0];
-    const EdgeSmoothness energy(previous.position - origin,
-      next.position - origin,
-      this->mesh.points[v1] - origin,
-      this->normals[v0],
-      this->normals[v1] - this->normals[v0]);
-    double best = energy.straightPlace(low, high, present);
+    const Triple p0(s.ends[0]), p1(s.ends[1]), n0(s.endNormals[0]), n1(s.endNormals[1]);
+    const Triple before(previous.position), after(next.position);
+    const Triple a = before - p0, b = after - p0, e = p1 - p0, dn = n1 - n0;
+    const std::array<double, 2> places = straightPlaces(a, b, e, n0, dn);
+    // A whole edge may be free to its end, or the limit may lie just short of it.
+    const auto toFirst = [&](double t) { return low == 0.0 && t < endTolerance; };
+    const auto toSecond = [&](double t) { return high == 1.0 && t > 1.0 - endTolerance; };
+    // As pointAt computes it, term by term.
+    struct EdgePoint
+    {
+      double w0, w1;
+      Triple position, normal;
+      double squared; // length of the normal before
+    };
+    const auto edgePoint = [&](double t)
+    {
+      const double w0 = 1.0 - t, w1 = 1.0 - w0;
+      const Triple normal = w0 * n0 + w1 * n1 + 0.0 * n0;
+      const double squared = normal.dot(normal), length = squared > 0.0 ? std::sqrt(squared) : 1.0;
+      return EdgePoint{ w0,
+        w1,
+        w0 * p0 + w1 * p1 + 0.0 * p0,
+        { normal.x / length, normal.y / length, normal.z / length },
+        squared };
+    };
+    const auto accept = [&](const EdgePoint& p, const Bend& left)
+    {
+      if (!this->nearContour(p.position, p.normal) || !bend.matters(left))
+      {
+        return false;
+      }
+      s.binding.weights = { p.w0, p.w1, 0.0 };
+      s.position = { p.position.x, p.position.y, p.position.z };
+      s.normal = { p.normal.x, p.normal.y, p.normal.z };
+      s.stale = false;
+      return true;
+    };
+    // Mostly one of the places is in reach, and often the curve is straight there without doubt.
+    const bool firstInReach = places[0] >= low && places[0] <= high,
+               secondInReach = places[1] >= low && places[1] <= high;
+    const bool one = firstInReach != secondInReach;
+    const double place = firstInReach ? places[0] : places[1];
+    if (one && !toFirst(place) && !toSecond(place))
+    {
+      const EdgePoint p = edgePoint(place);
+      const Bend left(before, p.position, p.normal, after);
+      const double squaredEdge = e.dot(e);
+      if ((p.squared > 0.25 && left.isNone(a.dot(a) + squaredEdge, b.dot(b) + squaredEdge)) ||
+          EdgeSmoothness(a, b, e, n0, dn).isStraight(place))
+      {
+        return accept(p, left);
+      }
+    }
+    const EdgeSmoothness energy(a, b, e, n0, dn);
+    double best = one && energy.isStraight(place) ? place
+                  : firstInReach && secondInReach ? energy.straightPlace(places, present)
+                                                  : -1.0;
     if (best < 0.0)
     {
-      best = this->search(energy, low, high);
+      best = searchStraightest(energy, low, high);
     }
-    // A whole edge may be free to its end, or the limit may lie just short of it.
-    const bool toFirst = low == 0.0 && best < endTolerance;
-    const bool toSecond = high == 1.0 && best > 1.0 - endTolerance;
-    const CurvePoint moved = this->pointAt(toFirst    ? Binding::vertex(v0)
-                                           : toSecond ? Binding::vertex(v1)
-                                                      : Binding::edge(v0, v1, 1.0 - best));
-    if (!(silhouetteDeviation(moved, this->view) < this->epsilon) ||
-        straight - smoothness(previous, moved, next) >= bend - leastGain)
+    if (!toFirst(best) && !toSecond(best))
+    {
+      const EdgePoint p = edgePoint(best);
+      return accept(p, Bend(before, p.position, p.normal, after));
+    }
+    const CurvePoint moved = this->pointAt(Binding::vertex(toFirst(best) ? v0 : v1));
+    if (!this->nearContour(Triple(moved.position), Triple(moved.normal)) ||
+        !bend.matters(Bend(previous, moved, next)))
     {
       return false;
     }
     static_cast<CurvePoint&>(s) = moved;
-    s.stale = moved.binding.onVertex();
+    s.stale = true;
     return true;
+  }
+
+  // E_geo < epsilon; only near the limit does it take E_geo itself to know.
+  bool nearContour(const Triple& position, const Triple& normal) const
+  {
+    constexpr double margin = 1e-9;
+    const Vector3 place(position.x, position.y, position.z);
+    const Triple d(this->view.towardsViewer(place));
+    const double across = d.dot(normal), most = this->epsilon * this->epsilon * d.dot(d);
+    if (across * across < most * (1.0 - margin))
+    {
+      return true;
+    }
+    const CurvePoint p{ Binding(), place, { normal.x, normal.y, normal.z } };
+    return across * across <= most * (1.0 + margin) && silhouetteDeviation(p, this->view) < this->epsilon;
   }
 
   // Finds the part [low, high] round t of a snaxel's edge where E_geo < epsilon; false when t itself is not
@@ -413,10 +488,14 @@ private:
   bool measure(Snaxel& s, double t) const
   {
     const int v0 = s.binding.vertices[0], v1 = s.binding.vertices[1];
-    const Vector3 d0 = this->view.towardsViewer(this->mesh.points[v0]);
-    const Vector3 dd = this->view.towardsViewer(this->mesh.points[v1]) - d0;
-    const Vector3& n0 = this->normals[v0];
-    const Vector3 dn = this->normals[v1] - n0;
+    s.ends[0] = this->mesh.points[v0];
+    s.ends[1] = this->mesh.points[v1];
+    s.endNormals[0] = this->normals[v0];
+    s.endNormals[1] = this->normals[v1];
+    const Triple d0(this->view.towardsViewer(s.ends[0]));
+    const Triple dd = Triple(this->view.towardsViewer(s.ends[1])) - d0;
+    const Triple n0(s.endNormals[0]);
+    const Triple dn = Triple(s.endNormals[1]) - n0;
     const Quadratic nd = product(n0, dn, d0, dd), nn = product(n0, dn, n0, dn),
                     lengths = product(d0, dd, d0, dd);
     const auto allowed = [&](double place)
@@ -450,57 +529,6 @@ private:
     return true;
   }
 
-  // Where E_smth is largest when it is pi nowhere: samples, then golden section about the best of them.
-  static double search(const EdgeSmoothness& energy, double low, double high)
-  {
-    const double step = (high - low) / intervals;
-    double best = low, bestValue = energy(low);
-    for (int k = 1; k <= intervals; ++k)
-    {
-      const double t = k == intervals ? high : low + k * step;
-      const double value = energy(t);
-      if (value > bestValue)
-      {
-        best = t;
-        bestValue = value;
-      }
-    }
-    // At an end, mostly: where the limit on E_geo holds the snaxel back.
-    const double inward = 1e-3 * (best == low ? step : -step);
-    if ((best == low || best == high) && energy(best + inward) <= bestValue)
-    {
-      return best;
-    }
-    const double ratio = 0.6180339887498949;
-    double from = std::max(low, best - step), to = std::min(high, best + step);
-    double left = to - ratio * (to - from), right = from + ratio * (to - from);
-    double leftValue = energy(left), rightValue = energy(right);
-    for (int i = 0; i < goldenSteps; ++i)
-    {
-      if (leftValue >= rightValue)
-      {
-        to = right;
-        right = left;
-        rightValue = leftValue;
-        left = to - ratio * (to - from);
-        leftValue = energy(left);
-      }
-      else
-      {
-        from = left;
-        left = right;
-        leftValue = rightValue;
-        right = from + ratio * (to - from);
-        rightValue = energy(right);
-      }
-    }
-    if (std::max(leftValue, rightValue) > bestValue)
-    {
-      best = leftValue >= rightValue ? left : right;
-    }
-    return best;
-  }
-
   const Mesh& mesh;
   const Adjacency& adjacency;
   const std::vector<Vector3>& normals;
@@ -520,12 +548,7 @@ double silhouetteDeviation(const CurvePoint& snaxel, const View& view)
 
 double smoothness(const CurvePoint& before, const CurvePoint& at, const CurvePoint& after)
 {
-  const auto project = [&](const CurvePoint& p)
-  {
-    const Vector3 v = p.position - at.position;
-    return Vector3(v - at.normal * at.normal.dot(v));
-  };
-  return angleBetween(project(before), project(after));
+  return Bend(before, at, after).smoothness();
 }
 
 std::vector<Curve> smoothSilhouette(const std::vector<Curve>& curves,
@@ -538,12 +561,20 @@ std::vector<Curve> smoothSilhouette(const std::vector<Curve>& curves,
 {
   context.checkpoint(0.0);
   std::vector<Curve> smoothed(curves.size());
+  // The longest first, each by whoever is free: one curve, the outline, can take half of the time.
+  std::vector<int> order(curves.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(),
+    order.end(),
+    [&](int a, int b) { return curves[a].points.size() > curves[b].points.size(); });
+  std::atomic<int> taken{ 0 };
   context.parallelFor(static_cast<int>(curves.size()),
     [&](int begin, int end)
     {
       for (int i = begin; i < end && !context.cancelled(); ++i)
       {
-        smoothed[i] = Snake(curves[i], mesh, adjacency, normals, view, epsilon).run(context);
+        const int curve = order[taken++];
+        smoothed[curve] = Snake(curves[curve], mesh, adjacency, normals, view, epsilon).run(context);
       }
     });
   context.checkpoint(1.0);

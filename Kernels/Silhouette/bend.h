@@ -1,0 +1,86 @@
+// How much a curve bends at a point, and whether that matters. A part of the snake.
+#ifndef oversketch_bend_h
+#define oversketch_bend_h
+
+#include "Silhouette/curves.h"
+#include "Silhouette/edge_smoothness.h"
+
+#include <array>
+#include <cmath>
+
+namespace oversketch
+{
+
+constexpr double straight = 3.14159265358979323846;
+constexpr double leastGain = 1e-4; // [rad] of a relocation
+
+inline double angleOf(double cross, double dot)
+{
+  return cross == 0.0 && dot == 0.0 ? 0.0 : std::atan2(cross, dot);
+}
+
+inline double angleBetween(const Vector3& a, const Vector3& b)
+{
+  return angleOf(a.cross(b).norm(), a.dot(b));
+}
+
+// What E_smth of a point lacks to pi. Most questions to it need no arc tangent; whether they do is decided
+// far outside of rounding errors, so the answers are those of angle().
+class Bend
+{
+public:
+  Bend(const Triple& before, const Triple& at, const Triple& normal, const Triple& after)
+  {
+    const Triple toBefore = before - at, toAfter = after - at;
+    const Triple a = toBefore - normal.dot(toBefore) * normal, b = toAfter - normal.dot(toAfter) * normal;
+    this->cross = a.cross(b).norm();
+    this->dot = a.dot(b);
+    this->squares = { a.dot(a), b.dot(b) };
+  }
+  Bend(const CurvePoint& before, const CurvePoint& at, const CurvePoint& after)
+    : Bend(Triple(before.position), Triple(at.position), Triple(at.normal), Triple(after.position))
+  {
+  }
+
+  double smoothness() const { return angleOf(this->cross, this->dot); }
+  double angle() const { return straight - this->smoothness(); }
+
+  bool matters() const
+  {
+    constexpr double margin = 1e-6; // the tangent of leastGain is itself to 1e-8
+    if (this->dot >= 0.0 || this->cross > -this->dot * leastGain * (1.0 + margin))
+    {
+      return true;
+    }
+    return this->cross >= -this->dot * leastGain * (1.0 - margin) && this->angle() > leastGain;
+  }
+
+  // Whether it is larger than another by more than leastGain.
+  bool matters(const Bend& other) const
+  {
+    if (other.isNone() && (this->dot >= 0.0 || this->cross > -this->dot * (leastGain + 2.0 * nothing)))
+    {
+      return true;
+    }
+    return !(other.angle() >= this->angle() - leastGain);
+  }
+
+  bool isNone() const { return this->dot < 0.0 && this->cross < -this->dot * nothing; }
+
+  // Whether the energy along the edge, computed from vectors to the neighbours of these squared lengths, will
+  // find that too: where they are not much longer than what is left of them here, its rounding errors stay
+  // below what it tolerates.
+  bool isNone(double squaredBefore, double squaredAfter) const
+  {
+    return this->isNone() && 50.0 * this->squares[0] > squaredBefore &&
+           50.0 * this->squares[1] > squaredAfter;
+  }
+
+private:
+  static constexpr double nothing = 1e-7; // [rad]
+  double cross, dot;
+  std::array<double, 2> squares; // of the projected vectors
+};
+
+} // namespace oversketch
+#endif
