@@ -136,7 +136,8 @@ std::vector<double> Pick(const std::vector<double>& values, const std::vector<in
 
 struct vtkOversketchMixtureRegion::Cache
 {
-  std::shared_ptr<const MeshData> Data;
+  std::shared_ptr<const MeshData> Data, PartsData;
+  MeshParts Parts; // of PartsData
   // The whole mesh.
   MeshKey MeshRead;
   FitKey FitRead;
@@ -281,8 +282,18 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
         const RegionOptions options{
           this->Lambda, this->FillIslands, this->LimitRunaway, this->CutAtJunction
         };
-        const std::vector<char> region = detectRegion(
-          mesh.Surface, mesh.Neighbours, mesh.Normals, evidence, options, ContextOf(this, 0.4, 1.0));
+        if (cache.PartsData != cache.Data)
+        {
+          cache.Parts = findParts(mesh.Surface, mesh.Neighbours);
+          cache.PartsData = cache.Data;
+        }
+        const std::vector<char> region = detectRegion(mesh.Surface,
+          mesh.Neighbours,
+          mesh.Normals,
+          cache.Parts,
+          evidence,
+          options,
+          ContextOf(this, 0.4, 1.0));
         std::vector<char> isSeed(region.size(), 0);
         for (int seed : seeds)
         {

@@ -26,13 +26,18 @@ std::vector<char> nearBorder(const Adjacency& adjacency, const std::vector<char>
 {
   std::vector<char> near(region.size(), 0);
   std::vector<int> front;
-  for (const MeshEdge& e : adjacency.edges)
+  for (int inside = 0; inside < int(region.size()); ++inside)
   {
-    if (region[e.v0] != region[e.v1])
+    if (!region[inside])
     {
-      for (int v : { e.v0, e.v1 })
+      continue;
+    }
+    for (const int* n = adjacency.vertexVertices.begin(inside); n != adjacency.vertexVertices.end(inside);
+         ++n)
+    {
+      for (int v : { inside, *n })
       {
-        if (!near[v])
+        if (!region[*n] && !near[v])
         {
           near[v] = 1;
           front.push_back(v);

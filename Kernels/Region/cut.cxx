@@ -27,11 +27,26 @@ enum Role : char
 // What the cut knows of each triangle.
 struct Facet
 {
-  Vector3 centre, normal;
-  double area;
-  int selected; // corners in the region
+  char selected; // corners in the region
   Role role;
   int node; // in the graph; -1 outside the band
+};
+
+double areaOf(const Mesh& mesh, int triangle)
+{
+  const auto [a, b, c] = mesh.triangles[triangle];
+  return 0.5 * (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm();
+}
+
+struct Plane
+{
+  Vector3 centre, normal;
+  Plane(const Mesh& mesh, const std::vector<Vector3>& normals, int triangle)
+  {
+    const auto [a, b, c] = mesh.triangles[triangle];
+    this->centre = (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0;
+    this->normal = (normals[a] + normals[b] + normals[c]).stableNormalized();
+  }
 };
 
 // Larger bands are cut coarsely first: the flow's time grows faster than its nodes.
@@ -58,15 +73,15 @@ void eachNeighbour(const Adjacency& adjacency, int triangle, const Visit& visit)
 
 // One node for each connected clump of `size` band triangles, or less where they run out. Returns the number
 // of nodes.
-int clump(const Adjacency& adjacency, std::vector<Facet>& facets, int size)
+int clump(const Adjacency& adjacency, const std::vector<int>& band, std::vector<Facet>& facets, int size)
 {
   int nodes = 0;
-  for (Facet& facet : facets)
+  for (const int t : band)
   {
-    facet.node = -1;
+    facets[t].node = -1;
   }
   std::vector<int> members;
-  for (int start = 0; start < int(facets.size()); ++start)
+  for (const int start : band)
   {
     if (facets[start].role != Band || facets[start].node >= 0)
     {
@@ -95,18 +110,34 @@ int clump(const Adjacency& adjacency, std::vector<Facet>& facets, int size)
 // The minimum cut of the band's nodes: per triangle, whether it is inside.
 std::vector<char> minimumCut(const Mesh& mesh,
   const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const std::vector<int>& band,
   const std::vector<Facet>& facets,
   int nodes,
-  double band,
+  double width,
   double faithful)
 {
   const double scale = 1e9 / boundingDiagonal(mesh); // whole numbers below 2^53 keep the flow exact
   std::vector<double> source(nodes, 0.0), sink(nodes, 0.0);
-  for (const Facet& facet : facets)
+  std::vector<char> asked(adjacency.edges.size(), 0);
+  for (const int t : band)
   {
-    if (facet.node >= 0 && (facet.selected == 0 || facet.selected == 3))
+    const Facet& facet = facets[t];
+    if (facet.node < 0)
     {
-      (facet.selected == 3 ? source : sink)[facet.node] += std::round(scale * faithful * facet.area / band);
+      continue;
+    }
+    if (facet.selected == 0 || facet.selected == 3)
+    {
+      (facet.selected == 3 ? source : sink)[facet.node] +=
+        std::round(scale * faithful * areaOf(mesh, t) / width);
+    }
+    for (const int edge : adjacency.triangleEdges[t])
+    {
+      if (edge >= 0)
+      {
+        asked[edge] = 1;
+      }
     }
   }
   // One vertex and one edge of no capacity more than needed: the library looks at the first of each unasked.
@@ -116,8 +147,13 @@ std::vector<char> minimumCut(const Mesh& mesh,
     graph.addVtx();
   }
   graph.addEdges(nodes, nodes + 1, 0.0, 0.0);
-  for (const MeshEdge& edge : adjacency.edges)
+  for (std::size_t e = 0; e < asked.size(); ++e)
   {
+    if (!asked[e])
+    {
+      continue;
+    }
+    const MeshEdge& edge = adjacency.edges[e];
     const int* triangles = adjacency.edgeTriangles.data() + edge.firstTriangle;
     for (int i = 0; i < edge.triangleCount; ++i)
     {
@@ -129,12 +165,13 @@ std::vector<char> minimumCut(const Mesh& mesh,
         {
           continue;
         }
-        const Vector3 step = b.centre - a.centre;
+        const Plane from(mesh, normals, triangles[i]), to(mesh, normals, triangles[j]);
+        const Vector3 step = to.centre - from.centre;
         const double squared = step.squaredNorm();
         const double curvature =
-          squared > 0.0 ? (b.normal - a.normal).dot(step) / squared : 0.0; // < 0: concave
+          squared > 0.0 ? (to.normal - from.normal).dot(step) / squared : 0.0; // < 0: concave
         const double cost = std::round(scale * (mesh.points[edge.v0] - mesh.points[edge.v1]).norm() /
-                                       (1.0 + band * std::max(0.0, -curvature)));
+                                       (1.0 + width * std::max(0.0, -curvature)));
         if (a.node >= 0 && b.node >= 0)
         {
           graph.addEdges(a.node, b.node, cost, cost);
@@ -162,22 +199,26 @@ std::vector<char> minimumCut(const Mesh& mesh,
 
 // Leaves only the triangles within `rings` of the cut in the band; the others keep their side.
 void narrowBand(const Adjacency& adjacency,
+  const std::vector<int>& band,
   const std::vector<char>& inside,
   int rings,
   std::vector<Facet>& facets)
 {
   std::vector<char> near(facets.size(), 0);
   std::vector<int> front;
-  for (int t = 0; t < int(facets.size()); ++t)
+  for (const int t : band)
   {
     eachNeighbour(adjacency,
       t,
       [&](int other)
       {
-        if (inside[other] != inside[t] && !near[t])
+        for (const int side : { t, other })
         {
-          near[t] = 1;
-          front.push_back(t);
+          if (inside[other] != inside[t] && !near[side])
+          {
+            near[side] = 1;
+            front.push_back(side);
+          }
         }
       });
   }
@@ -199,9 +240,9 @@ void narrowBand(const Adjacency& adjacency,
     }
     front.swap(next);
   }
-  for (std::size_t t = 0; t < facets.size(); ++t)
+  for (const int t : band)
   {
-    if (facets[t].role == Band && !near[t])
+    if (!near[t])
     {
       facets[t].role = inside[t] ? Inside : Outside;
     }
@@ -223,6 +264,7 @@ double regionArea(const std::vector<double>& areas, const std::vector<char>& reg
 std::vector<char> cutAtJunction(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
+  const MeshParts& parts,
   const std::vector<double>& diameter,
   const std::vector<char>& isSeed,
   const std::vector<char>& region,
@@ -260,15 +302,14 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   const std::vector<double> fromSeeds = edgeDistances(mesh, adjacency, seeds, options.keep * unit);
 
   std::vector<Facet> facets(mesh.triangles.size());
+  std::vector<int> triangles; // of the band, ascending
   bool anyOutside = false;
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
     const auto [a, b, c] = mesh.triangles[t];
     Facet& facet = facets[t];
-    facet.centre = (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0;
-    facet.normal = (normals[a] + normals[b] + normals[c]).stableNormalized();
-    facet.area = 0.5 * (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm();
-    facet.selected = region[a] + region[b] + region[c];
+    facet.node = -1;
+    facet.selected = static_cast<char>(region[a] + region[b] + region[c]);
     const auto reached = [](double distance) { return std::isfinite(distance); };
     const bool seed = isSeed[a] || isSeed[b] || isSeed[c];
     const bool kept =
@@ -276,8 +317,12 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
     const bool near = reached(fromBorder[a]) || reached(fromBorder[b]) || reached(fromBorder[c]);
     facet.role = seed || kept ? Inside : near ? Band : facet.selected == 3 ? Inside : Outside;
     anyOutside = anyOutside || facet.role == Outside;
+    if (facet.role == Band)
+    {
+      triangles.push_back(t);
+    }
   }
-  int nodes = clump(adjacency, facets, 1);
+  int nodes = clump(adjacency, triangles, facets, 1);
   if (!anyOutside || nodes == 0)
   {
     return region; // nothing would hold the other side of the cut
@@ -287,13 +332,15 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   if (nodes > manyNodes)
   {
     const int size = nodes / coarseNodes;
-    nodes = clump(adjacency, facets, size);
-    const std::vector<char> coarse = minimumCut(mesh, adjacency, facets, nodes, band, options.faithful);
+    nodes = clump(adjacency, triangles, facets, size);
+    const std::vector<char> coarse =
+      minimumCut(mesh, adjacency, normals, triangles, facets, nodes, band, options.faithful);
     context.checkpoint(0.6);
-    narrowBand(adjacency, coarse, 3 * int(std::ceil(std::sqrt(size))), facets);
-    nodes = clump(adjacency, facets, 1);
+    narrowBand(adjacency, triangles, coarse, 3 * int(std::ceil(std::sqrt(size))), facets);
+    nodes = clump(adjacency, triangles, facets, 1);
   }
-  const std::vector<char> inside = minimumCut(mesh, adjacency, facets, nodes, band, options.faithful);
+  const std::vector<char> inside =
+    minimumCut(mesh, adjacency, normals, triangles, facets, nodes, band, options.faithful);
 
   std::vector<char> moved = isSeed;
   for (int t = 0; t < mesh.triangleCount(); ++t)
@@ -306,18 +353,19 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
       }
     }
   }
-  const std::vector<double> areas = vertexAreas(mesh);
-  return regionArea(areas, moved) < 0.5 * regionArea(areas, region) ? region : moved;
+  return regionArea(parts.areas, moved) < 0.5 * regionArea(parts.areas, region) ? region : moved;
 }
 
 std::vector<char> cutBridges(const Mesh& mesh,
   const Adjacency& adjacency,
+  const MeshParts& parts,
   const std::vector<double>& diameter,
   const std::vector<char>& isSeed,
   const std::vector<char>& region,
   double share)
 {
   std::vector<int> outside;
+  std::vector<char> met(region.size(), 0);
   std::vector<double> thickness;
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
@@ -325,11 +373,16 @@ std::vector<char> cutBridges(const Mesh& mesh,
     {
       thickness.push_back(diameter[v]);
     }
-    if (!region[v] && std::any_of(adjacency.vertexVertices.begin(v),
-                        adjacency.vertexVertices.end(v),
-                        [&](int n) { return region[n] != 0; }))
+    if (region[v])
     {
-      outside.push_back(v);
+      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      {
+        if (!region[*n] && !met[*n])
+        {
+          met[*n] = 1;
+          outside.push_back(*n);
+        }
+      }
     }
   }
   if (thickness.empty() || outside.empty())
@@ -361,13 +414,12 @@ std::vector<char> cutBridges(const Mesh& mesh,
   const double everywhere = std::numeric_limits<double>::infinity();
   const std::vector<double> toSeeded = edgeDistances(mesh, adjacency, seeded, everywhere);
   const std::vector<double> toSeedless = edgeDistances(mesh, adjacency, seedless, everywhere);
-  const std::vector<double> areas = vertexAreas(mesh);
   std::vector<char> kept(region);
   double lost = 0.0;
   for (std::size_t v = 0; v < kept.size(); ++v)
   {
     kept[v] = isSeed[v] || (region[v] && toSeeded[v] <= toSeedless[v]);
-    lost += region[v] && !kept[v] ? areas[v] : 0.0;
+    lost += region[v] && !kept[v] ? parts.areas[v] : 0.0;
   }
   constexpr double pi = 3.14159265358979323846;
   return lost < pi * unit * unit ? region : kept; // less than a tube as long as thick is a patch, no limb

@@ -4,6 +4,7 @@
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
+#include "Region/grow.h"
 
 #include <vector>
 
@@ -27,6 +28,7 @@ struct CutOptions
 std::vector<char> cutAtJunction(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
+  const MeshParts& parts,
   const std::vector<double>& diameter,
   const std::vector<char>& isSeed,
   const std::vector<char>& region,
@@ -41,6 +43,7 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
 // wide.
 std::vector<char> cutBridges(const Mesh& mesh,
   const Adjacency& adjacency,
+  const MeshParts& parts,
   const std::vector<double>& diameter,
   const std::vector<char>& isSeed,
   const std::vector<char>& region,

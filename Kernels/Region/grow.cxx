@@ -13,37 +13,94 @@ namespace oversketch
 namespace
 {
 
-// The connected pieces of the vertices with label `which`, each as ascending ids, in the order of their
-// lowest vertex.
-std::vector<std::vector<int>> piecesOf(const Adjacency& adjacency, const std::vector<char>& label, char which)
+// The connected pieces of the vertices with label `which`: which piece each vertex belongs to (-1: none), the
+// pieces in the order of their lowest vertex.
+struct Pieces
 {
-  std::vector<std::vector<int>> pieces;
-  std::vector<char> seen(label.size(), 0);
-  for (std::size_t start = 0; start < label.size(); ++start)
+  std::vector<int> of;
+  int count = 0;
+};
+
+Pieces piecesOf(const Adjacency& adjacency, const std::vector<char>& label, char which)
+{
+  Pieces pieces{ std::vector<int>(label.size(), -1), 0 };
+  std::vector<int> open;
+  for (int start = 0; start < int(label.size()); ++start)
   {
-    if (seen[start] || label[start] != which)
+    if (pieces.of[start] >= 0 || label[start] != which)
     {
       continue;
     }
-    std::vector<int> piece{ int(start) };
-    seen[start] = 1;
-    for (std::size_t i = 0; i < piece.size(); ++i)
+    const int piece = pieces.count++;
+    pieces.of[start] = piece;
+    open.assign(1, start);
+    while (!open.empty())
     {
-      for (const int* n = adjacency.vertexVertices.begin(piece[i]);
-           n != adjacency.vertexVertices.end(piece[i]);
-           ++n)
+      const int v = open.back();
+      open.pop_back();
+      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
       {
-        if (!seen[*n] && label[*n] == which)
+        if (pieces.of[*n] < 0 && label[*n] == which)
         {
-          seen[*n] = 1;
-          piece.push_back(*n);
+          pieces.of[*n] = piece;
+          open.push_back(*n);
         }
       }
     }
-    std::sort(piece.begin(), piece.end());
-    pieces.push_back(std::move(piece));
   }
   return pieces;
+}
+
+// Whether the unselected vertices next to the region hang together, by edges between them, in each part.
+bool onePieceRing(const MeshParts& parts, const Adjacency& adjacency, const std::vector<char>& region)
+{
+  std::vector<char> open(region.size(), 0); // in a ring and not yet met
+  std::vector<int> ring;
+  for (std::size_t v = 0; v < region.size(); ++v)
+  {
+    if (region[v])
+    {
+      for (const int* n = adjacency.vertexVertices.begin(int(v)); n != adjacency.vertexVertices.end(int(v));
+           ++n)
+      {
+        if (!region[*n] && !open[*n])
+        {
+          open[*n] = 1;
+          ring.push_back(*n);
+        }
+      }
+    }
+  }
+  std::vector<char> met(parts.count, 0);
+  std::vector<int> stack;
+  for (const int start : ring)
+  {
+    if (!open[start])
+    {
+      continue;
+    }
+    if (met[parts.of[start]])
+    {
+      return false;
+    }
+    met[parts.of[start]] = 1;
+    open[start] = 0;
+    stack.assign(1, start);
+    while (!stack.empty())
+    {
+      const int v = stack.back();
+      stack.pop_back();
+      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      {
+        if (open[*n])
+        {
+          open[*n] = 0;
+          stack.push_back(*n);
+        }
+      }
+    }
+  }
+  return true;
 }
 
 } // namespace
@@ -111,57 +168,69 @@ std::vector<char> growRegion(const Adjacency& adjacency,
   return region;
 }
 
-void fillIslands(const Mesh& mesh, const Adjacency& adjacency, std::vector<char>& region)
+MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency)
 {
-  const std::vector<double> areas = vertexAreas(mesh);
-  // Separate parts of a mesh each keep their own largest rest: an eyeball far from the stroke is no island.
-  std::vector<int> part(region.size(), -1);
-  const std::vector<std::vector<int>> parts = piecesOf(adjacency, std::vector<char>(region.size(), 0), 0);
-  for (std::size_t p = 0; p < parts.size(); ++p)
+  Pieces pieces = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
+  return { vertexAreas(mesh), std::move(pieces.of), pieces.count };
+}
+
+void fillIslands(const MeshParts& parts, const Adjacency& adjacency, std::vector<char>& region)
+{
+  // Every piece of the rest of a part with a region touches the region: where what touches it is one ring in
+  // each part, there are no islands, and the rest itself need not be walked.
+  if (onePieceRing(parts, adjacency, region))
   {
-    for (int v : parts[p])
+    return;
+  }
+  // Separate parts of a mesh each keep their own largest rest: an eyeball far from the stroke is no island.
+  const Pieces rests = piecesOf(adjacency, region, 0);
+  std::vector<double> area(rests.count, 0.0);
+  std::vector<int> part(rests.count);
+  for (std::size_t v = 0; v < region.size(); ++v)
+  {
+    if (rests.of[v] >= 0)
     {
-      part[v] = int(p);
+      area[rests.of[v]] += parts.areas[v];
+      part[rests.of[v]] = parts.of[v];
     }
   }
-  const std::vector<std::vector<int>> rests = piecesOf(adjacency, region, 0);
-  std::vector<double> area(rests.size(), 0.0);
-  std::vector<int> largest(parts.size(), -1);
-  for (std::size_t r = 0; r < rests.size(); ++r)
+  std::vector<int> largest(parts.count, -1);
+  for (int r = 0; r < rests.count; ++r)
   {
-    for (int v : rests[r])
-    {
-      area[r] += areas[v];
-    }
-    int& champion = largest[part[rests[r][0]]];
+    int& champion = largest[part[r]];
     if (champion < 0 || area[r] > area[champion])
     {
-      champion = int(r);
+      champion = r;
     }
   }
-  for (std::size_t r = 0; r < rests.size(); ++r)
+  for (std::size_t v = 0; v < region.size(); ++v)
   {
-    if (largest[part[rests[r][0]]] != int(r))
+    if (rests.of[v] >= 0 && largest[parts.of[v]] != rests.of[v])
     {
-      for (int v : rests[r])
-      {
-        region[v] = 1;
-      }
+      region[v] = 1;
     }
   }
 }
 
+void fillIslands(const Mesh& mesh, const Adjacency& adjacency, std::vector<char>& region)
+{
+  fillIslands(findParts(mesh, adjacency), adjacency, region);
+}
+
 void dropSeedless(const Adjacency& adjacency, const std::vector<char>& isSeed, std::vector<char>& region)
 {
-  for (const std::vector<int>& piece : piecesOf(adjacency, region, 1))
+  const Pieces pieces = piecesOf(adjacency, region, 1);
+  std::vector<char> seeded(pieces.count, 0);
+  for (std::size_t v = 0; v < region.size(); ++v)
   {
-    if (std::none_of(piece.begin(), piece.end(), [&](int v) { return isSeed[v] != 0; }))
+    if (pieces.of[v] >= 0 && isSeed[v])
     {
-      for (int v : piece)
-      {
-        region[v] = 0;
-      }
+      seeded[pieces.of[v]] = 1;
     }
+  }
+  for (std::size_t v = 0; v < region.size(); ++v)
+  {
+    region[v] = region[v] && seeded[pieces.of[v]];
   }
 }
 
@@ -197,6 +266,7 @@ std::vector<int> expandSeeds(const Mesh& mesh,
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
+  const MeshParts& parts,
   const RegionEvidence& evidence,
   const RegionOptions& options,
   const Context& context)
@@ -212,23 +282,22 @@ std::vector<char> detectRegion(const Mesh& mesh,
     isSeed[seed] = 1;
   }
   // The parts that hold seeds: the region can lie nowhere else.
-  std::vector<std::vector<int>> parts = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
-  parts.erase(std::remove_if(parts.begin(),
-                parts.end(),
-                [&](const std::vector<int>& part)
-                { return std::none_of(part.begin(), part.end(), [&](int v) { return isSeed[v] != 0; }); }),
-    parts.end());
-  const std::vector<double> areas = vertexAreas(mesh);
+  std::vector<char> held(parts.count, 0);
+  for (int seed : evidence.seeds)
+  {
+    held[parts.of[seed]] = 1;
+  }
+  double all = 0.0;
+  for (std::size_t v = 0; v < isSeed.size(); ++v)
+  {
+    all += held[parts.of[v]] ? parts.areas[v] : 0.0;
+  }
   const auto runsAway = [&](const std::vector<char>& region)
   {
-    double selected = 0.0, all = 0.0;
-    for (const std::vector<int>& part : parts)
+    double selected = 0.0;
+    for (std::size_t v = 0; v < region.size(); ++v)
     {
-      for (int v : part)
-      {
-        all += areas[v];
-        selected += region[v] ? areas[v] : 0.0;
-      }
+      selected += region[v] ? parts.areas[v] : 0.0;
     }
     return selected > 0.5 * all;
   };
@@ -237,7 +306,7 @@ std::vector<char> detectRegion(const Mesh& mesh,
     std::vector<char> region = growRegion(adjacency, evidence.seeds, evidence.ratio, options.lambda, allowed);
     if (options.fillIslands)
     {
-      fillIslands(mesh, adjacency, region);
+      fillIslands(parts, adjacency, region);
     }
     return region;
   };
@@ -256,14 +325,14 @@ std::vector<char> detectRegion(const Mesh& mesh,
   context.checkpoint(0.5);
   if (options.cutAtJunction)
   {
-    region = cutBridges(mesh, adjacency, evidence.diameter, isSeed, region);
+    region = cutBridges(mesh, adjacency, parts, evidence.diameter, isSeed, region);
     Context half = context;
     half.progress = [&context](double done) { context.progress(0.5 + 0.5 * done); };
     std::vector<char> moved =
-      cutAtJunction(mesh, adjacency, normals, evidence.diameter, isSeed, region, {}, half);
+      cutAtJunction(mesh, adjacency, normals, parts, evidence.diameter, isSeed, region, {}, half);
     if (options.fillIslands)
     {
-      fillIslands(mesh, adjacency, moved);
+      fillIslands(parts, adjacency, moved);
     }
     if (!runsAway(moved))
     {
@@ -271,17 +340,31 @@ std::vector<char> detectRegion(const Mesh& mesh,
     }
   }
   dropSeedless(adjacency, isSeed, region);
-  for (const std::vector<int>& part : parts)
+  for (std::size_t v = 0; v < region.size(); ++v)
   {
-    if (std::all_of(part.begin(), part.end(), [&](int v) { return region[v] != 0; }))
+    if (!region[v])
     {
-      throw Error(Failure::BadRegion,
-        "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold it; "
-        "draw a "
-        "shorter stroke, or one on a part that differs more in thickness from the rest.");
+      held[parts.of[v]] = 0; // something of the part is left
     }
   }
+  if (std::any_of(held.begin(), held.end(), [](char whole) { return whole != 0; }))
+  {
+    throw Error(Failure::BadRegion,
+      "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold it; "
+      "draw a "
+      "shorter stroke, or one on a part that differs more in thickness from the rest.");
+  }
   return region;
+}
+
+std::vector<char> detectRegion(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const RegionEvidence& evidence,
+  const RegionOptions& options,
+  const Context& context)
+{
+  return detectRegion(mesh, adjacency, normals, findParts(mesh, adjacency), evidence, options, context);
 }
 
 } // namespace oversketch

@@ -13,6 +13,15 @@ namespace oversketch
 // Area of the mesh that belongs to each vertex: a third of its triangles'.
 std::vector<double> vertexAreas(const Mesh& mesh);
 
+// What regions need of a mesh alone: kept with it, so that a new stroke does not walk over all of it.
+struct MeshParts
+{
+  std::vector<double> areas; // see vertexAreas
+  std::vector<int> of;       // by vertex: the connected part of the mesh, in the order of their lowest vertex
+  int count = 0;
+};
+MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency);
+
 // Grows from the seeds over unselected neighbours. ratio(v) = ln p_fg(x_v) - ln p_whole(x_v); with E^c(v,
 // label) = -ln p_label(x_v) and E^s(v, label) the number of v's neighbours with the other label, a vertex is
 // selected when ratio(v) > lambda (b - f), b and f its unselected and selected neighbours. First come, first
@@ -25,6 +34,7 @@ std::vector<char> growRegion(const Adjacency& adjacency,
   const std::vector<char>& allowed = {});
 
 // Selects every connected piece of the unselected rest of a mesh component but the one of the largest area.
+void fillIslands(const MeshParts& parts, const Adjacency& adjacency, std::vector<char>& region);
 void fillIslands(const Mesh& mesh, const Adjacency& adjacency, std::vector<char>& region);
 
 // Deselects connected pieces of the region without a seed.
@@ -60,6 +70,13 @@ struct RegionEvidence
 // and fill islands again; cut off what hangs on narrow bridges (see cutBridges) and cut at the junction (see
 // cutAtJunction), unless that exceeds the half; drop pieces without a seed. Throws Error(BadRegion) without
 // seeds and when a part is selected wholly, for nothing would be left to hold it.
+std::vector<char> detectRegion(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const MeshParts& parts,
+  const RegionEvidence& evidence,
+  const RegionOptions& options,
+  const Context& context = {});
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,

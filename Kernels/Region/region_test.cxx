@@ -64,7 +64,8 @@ void expectTheNeck(const Mesh& mesh)
   {
     const std::vector<char> region = where(mesh,
       [border](const Vector3& p) { return p[0] > border + 0.08 * std::sin(5 * std::atan2(p[1], p[2])); });
-    const std::vector<char> moved = cutAtJunction(mesh, adjacency, normals, diameter, seeds, region);
+    const std::vector<char> moved =
+      cutAtJunction(mesh, adjacency, normals, findParts(mesh, adjacency), diameter, seeds, region);
     for (int v = 0; v < mesh.vertexCount(); ++v)
     {
       if (mesh.points[v][0] > 0.35)
@@ -100,7 +101,7 @@ TEST(Cut, APatchWithNoPlaceToCutStaysAsItIs)
   const std::vector<char> seeds = where(mesh, [](const Vector3& p) { return p[2] > 0.99; });
   const std::vector<double> diameter(mesh.points.size(), 1.8);
   const std::vector<char> moved =
-    cutAtJunction(mesh, adjacency, vertexNormals(mesh), diameter, seeds, region);
+    cutAtJunction(mesh, adjacency, vertexNormals(mesh), findParts(mesh, adjacency), diameter, seeds, region);
   const auto size = [](const std::vector<char>& flags) { return std::count(flags.begin(), flags.end(), 1); };
   EXPECT_GE(2 * size(moved), size(region));
   for (std::size_t v = 0; v < seeds.size(); ++v)
@@ -125,7 +126,8 @@ TEST(Bridges, ALimbBehindANarrowBridgeIsNotMeant)
   const std::vector<char> seeds =
     where(mesh, [](const Vector3& p) { return p[0] < 0.5 && std::abs(p[1] - 1.5) < 0.2; });
   const std::vector<char> narrow = where(mesh, strips(0.4));
-  const std::vector<char> cut = cutBridges(mesh, adjacency, diameter, seeds, narrow);
+  const std::vector<char> cut =
+    cutBridges(mesh, adjacency, findParts(mesh, adjacency), diameter, seeds, narrow);
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
     const double x = mesh.points[v][0];
@@ -140,14 +142,14 @@ TEST(Bridges, ALimbBehindANarrowBridgeIsNotMeant)
   }
   const std::vector<char> wide =
     where(mesh, strips(1.6)); // wider than the strip of 0.4 taken off on either side
-  EXPECT_EQ(cutBridges(mesh, adjacency, diameter, seeds, wide), wide);
+  EXPECT_EQ(cutBridges(mesh, adjacency, findParts(mesh, adjacency), diameter, seeds, wide), wide);
   // The same piece of 3 units of area is no limb of a thickness of 1.1, but a patch.
   const std::vector<double> thick(mesh.points.size(), 1.1);
-  EXPECT_EQ(cutBridges(mesh, adjacency, thick, seeds, narrow), narrow);
+  EXPECT_EQ(cutBridges(mesh, adjacency, findParts(mesh, adjacency), thick, seeds, narrow), narrow);
   const std::vector<char> both =
     where(mesh, [](const Vector3& p) { return std::abs(p[0] - 1.2) > 0.6 && std::abs(p[1] - 1.5) < 0.2; });
-  EXPECT_EQ(
-    cutBridges(mesh, adjacency, diameter, both, narrow), narrow); // seeds on either side: both are meant
+  EXPECT_EQ(cutBridges(mesh, adjacency, findParts(mesh, adjacency), diameter, both, narrow),
+    narrow); // seeds on either side: both are meant
 }
 
 TEST(Islands, AllButTheLargestRestByAreaAreFilled)
