@@ -9,10 +9,10 @@ namespace oversketch
 {
 
 // fitMixture on the device, in one launch: a single work-group runs every EM step and insertion, so the host
-// need not synchronise. Double precision where the device has it (then equal to the host's fit to 1e-5 and
-// better), else single. groupSize 0: 1024 or the device's limit, whichever is less, and 1 on a processor,
-// where a group is one thread anyway: there the one work-item computes on vectors of 8 samples. Throws
-// Error(NoDevice) when the device fails.
+// need not synchronise; one buffer goes there, one comes back. Double precision where the device has it (then
+// equal to the host's fit to 1e-5 and better), else single. groupSize 0: as many work-items as the device
+// takes and its local memory serves, 1024 at most, and 1 on a processor, where a group is one thread anyway:
+// there the one work-item computes on vectors of 8 samples. Throws Error(NoDevice) when the device fails.
 MixtureFit fitMixtureOnDevice(Device& device,
   const std::vector<double>& samples,
   const MixtureOptions& options,

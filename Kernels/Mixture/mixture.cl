@@ -1,288 +1,453 @@
 // Greedy expectation maximisation of a 1-D Gaussian mixture in one launch of one work-group of any size; the order of
-// steps is that of mixture.cxx. All phases of all steps share one reduction inside one loop: every work-item keeps the
-// small state for itself, all alike, so the only barriers are the reduction's.
-// REAL is double where the device has it, else float; V holds WIDTH of them: 1 where
-// work-items are the vector lanes, 8 where there is one work-item.
-// MAXIMUM is the largest number of components, TINY the smallest normal number.
+// steps is that of mixture.cxx. Every work-item keeps the small state for itself, all alike, and sums over its own
+// samples, so an EM step needs one reduction and nothing else.
+// REAL is double where the device has it, else float; V holds WIDTH of them: 1 where work-items are the vector lanes,
+// 8 where there is one work-item. MAXIMUM is the largest number of components, TINY a number whose square is normal.
 #ifdef USE_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
+
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wpass-failed" // a loop unrolls only where it has been inlined with a known count
 #endif
 
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)
 #if WIDTH == 1
 #define V REAL
+#define GROUP
+#define UNROLL
+#define FULL(vectors) (vectors)
 #define LOAD(i, p) (p)[i]
 #define STORE(v, i, p) (p)[i] = (v)
 #define TOTAL(v) (v)
 #else
 #define V JOIN(REAL, 8)
+#define GROUP __attribute__((reqd_work_group_size(1, 1, 1)))
+#define UNROLL _Pragma("unroll")
+#define FULL(vectors) ((vectors) - 1)
 #define LOAD(i, p) vload8(i, p)
 #define STORE(v, i, p) vstore8(v, i, p)
-#define TOTAL(v) \
-  ((((v).s0 + (v).s1) + ((v).s2 + (v).s3)) + (((v).s4 + (v).s5) + ((v).s6 + (v).s7)))
+#define TOTAL(v) ((((v).s0 + (v).s1) + ((v).s2 + (v).s3)) + (((v).s4 + (v).s5) + ((v).s6 + (v).s7)))
+#ifdef USE_DOUBLE
+#define BITS long8
+#define MANTISSA 52
+#define BIAS 1023
+#else
+#define BITS int8
+#define MANTISSA 23
+#define BIAS 127
+#endif
 #endif
 
+#define INLINE inline __attribute__((always_inline)) // calls would keep vectors in memory
 #define WEIGHT(k) (3 * (k))
 #define MEAN(k) (3 * (k) + 1)
 #define VARIANCE(k) (3 * (k) + 2)
-#define LOG_TWO_PI ((REAL)1.8378770664093453)
+#define FIRST (int)get_local_id(0)
+#define STRIDE (int)get_local_size(0)
+#define TWO_PI ((REAL)6.283185307179586)
+#define LOG2_E ((REAL)1.4426950408889634)
+#define LN_2 ((REAL)0.6931471805599453)
+#define TOGETHER 4 // candidates to one reduction
 
-enum
+// 2^t for t <= 1000. The device's own is as good for a single number; as vectors its calls cost several times the
+// arithmetic. Below 2^-1000 everything is 2^-1000: nothing beside the largest component.
+#if defined(USE_DOUBLE) && WIDTH > 1
+INLINE V power2(V t)
 {
-  MASS,   // of component k: sums of r and r x
-  SPREAD, // of component k: sum of r (x - mean)^2
-  SCORE,  // of candidate c
-  DONE
-};
+  const V shift = (V)(6755399441055744.0); // 1.5 * 2^52: the sum's last bits are the nearest whole number
+  t = max(t, (V)(-1000.0));
+  const V whole = t + shift;
+  const V r = t - (whole - shift);
+  // The polynomial of degree 10 that is nearest to 2^r on [-1/2, 1/2], off by at most 2.2e-16 of the value; in pairs, for
+  // a short chain of operations.
+  const V r2 = r * r, r4 = r2 * r2;
+  const V a = (r * 0.6931471805599497 + 1.0) + (r * 0.05550410866445883 + 0.24022650695908768) * r2;
+  const V b = (r * 0.0013333558228561476 + 0.00961812910803459) +
+    (r * 1.5252658116561384e-05 + 0.00015403529961135955) * r2;
+  const V c = (r * 1.0208537904552164e-07 + 1.3215662831846104e-06) + r2 * 7.037279530582804e-09;
+  const V p = a + (b + c * r4) * r4;
+  return as_double8(as_long8(p) + (as_long8(whole) << 52));
+}
+#else
+#define power2(t) exp2(t)
+#endif
 
-// vectors of V hold n samples, the last one padded; inside is 1 for a sample, 0 for padding. result: weight, mean,
-// variance per component, then the log-likelihood. counts: components, EM steps.
-kernel void greedyMixture(const int n, const int vectors, global const REAL* samples, global const REAL* inside,
-  const int candidates, global const REAL* means, const REAL width, const int maximumComponents, const REAL floor_,
-  const int maximumSteps, const REAL gain, global REAL* density, global REAL* shares, local REAL* work,
-  global REAL* result, global int* counts)
+// The logarithm of a product, by one call at the end where calls are dear: factors between 1 and 2, exponents added.
+typedef struct
 {
+#if WIDTH == 1
+  V logs;
+#else
+  V mantissas;
+  BITS exponents;
+  int factors;
+#endif
+} Product;
+
+INLINE void clear(Product* product)
+{
+#if WIDTH == 1
+  product->logs = 0;
+#else
+  product->mantissas = (V)(1);
+  product->exponents = (BITS)(0);
+  product->factors = 0;
+#endif
+}
+
+INLINE void multiply(Product* product, const V factor)
+{
+#if WIDTH == 1
+  product->logs += log2(factor);
+#else
+  const BITS bits = JOIN(as_, BITS)(product->mantissas * factor);
+  product->exponents += bits >> MANTISSA;
+  product->mantissas = JOIN(as_, V)((bits & (((BITS)(1) << MANTISSA) - (BITS)(1))) | ((BITS)(BIAS) << MANTISSA));
+  product->factors += 1;
+#endif
+}
+
+INLINE REAL log2Of(const Product* product)
+{
+#if WIDTH == 1
+  return product->logs;
+#else
+  const V logs = log2(product->mantissas);
+  return TOTAL(logs) + (REAL)(TOTAL(product->exponents) - WIDTH * BIAS * product->factors);
+#endif
+}
+
+// log2(weight N(x; mean, variance)) is height - steepness (x - mean)^2.
+INLINE REAL heightOf(const REAL weight, const REAL variance)
+{
+  return log2(weight) - (REAL)0.5 * log2(TWO_PI * variance);
+}
+INLINE REAL steepnessOf(const REAL variance)
+{
+  return (REAL)0.5 * LOG2_E / variance;
+}
+
+// Sums `count` values of each work-item over the work-group; every work-item gets the sums.
+INLINE void sumOverGroup(REAL* values, const int count, local REAL* work)
+{
+#if WIDTH == 1
   const int item = (int)get_local_id(0);
   const int size = (int)get_local_size(0);
-  REAL fitted[3 * MAXIMUM], trial[3 * MAXIMUM], next[3 * MAXIMUM], converged[3 * MAXIMUM];
-  REAL mass[MAXIMUM], first[MAXIMUM];
-  REAL likelihood = -INFINITY, reached = -INFINITY, ownLikelihood = 0, now = 0, kMass = 0;
-  REAL bestWeight = (REAL)0.5, bestMean = 0, best = -INFINITY;
-  int components = 1, steps = 0, insertionSteps = 0, k = 0, c = 0, phase = MASS;
-  trial[WEIGHT(0)] = 1;
-  trial[MEAN(0)] = samples[0];
-  trial[VARIANCE(0)] = 1;
-
-  while (phase != DONE)
+  for (int j = 0; j < count; ++j)
   {
-    REAL a = 0, b = 0, d = 0;
-    if (phase == MASS)
+    work[j * size + item] = values[j];
+  }
+  barrier(CLK_LOCAL_MEM_FENCE);
+  for (int left = size; left > 1; left = (left + 1) / 2)
+  {
+    const int upper = (left + 1) / 2;
+    if (item < left / 2)
     {
-      if (k == 0)
+      for (int j = 0; j < count; ++j)
       {
-        REAL constants[MAXIMUM], inverse[MAXIMUM];
-        V masses[MAXIMUM], firsts[MAXIMUM];
-        V logs = (V)(0);
-        for (int j = 0; j < components; ++j)
-        {
-          constants[j] = log(trial[WEIGHT(j)]) - (REAL)0.5 * (LOG_TWO_PI + log(trial[VARIANCE(j)]));
-          inverse[j] = (REAL)0.5 / trial[VARIANCE(j)];
-          masses[j] = firsts[j] = (V)(0);
-        }
-        for (int i = item; i < vectors; i += size)
-        {
-          const V x = LOAD(i, samples);
-          const V one = LOAD(i, inside);
-          V terms[MAXIMUM];
-          V largest = (V)(-INFINITY);
-          for (int j = 0; j < components; ++j)
-          {
-            const V off = x - trial[MEAN(j)];
-            terms[j] = constants[j] - off * off * inverse[j];
-            largest = fmax(largest, terms[j]);
-          }
-          V sum = (V)(0);
-          for (int j = 0; j < components; ++j)
-          {
-            terms[j] = exp(terms[j] - largest);
-            sum += terms[j];
-          }
-          logs += one * (largest + log(sum));
-          for (int j = 0; j < components; ++j)
-          {
-            const V share = one * terms[j] / sum;
-            STORE(share, j * vectors + i, shares);
-            masses[j] += share;
-            firsts[j] += share * x;
-          }
-        }
-        for (int j = 0; j < components; ++j)
-        {
-          mass[j] = TOTAL(masses[j]);
-          first[j] = TOTAL(firsts[j]);
-        }
-        ownLikelihood = TOTAL(logs);
+        work[j * size + item] += work[j * size + item + upper];
       }
-      a = mass[k];
-      b = first[k];
-      d = ownLikelihood;
     }
-    else if (phase == SPREAD)
-    {
-      V sum = (V)(0);
-      for (int i = item; i < vectors; i += size)
-      {
-        const V off = LOAD(i, samples) - next[MEAN(k)];
-        sum += LOAD(k * vectors + i, shares) * off * off;
-      }
-      a = TOTAL(sum);
-    }
-    else
-    {
-      if (c == 0)
-      {
-        for (int i = item; i < vectors; i += size)
-        {
-          V sum = (V)(0);
-          for (int j = 0; j < components; ++j)
-          {
-            const V off = LOAD(i, samples) - fitted[MEAN(j)];
-            sum += fitted[WEIGHT(j)] * rsqrt((REAL)6.283185307179586 * fitted[VARIANCE(j)]) *
-              exp(-(REAL)0.5 * off * off / fitted[VARIANCE(j)]);
-          }
-          STORE(sum, i, density);
-        }
-      }
-      const REAL scale = rsqrt((REAL)6.283185307179586 * width);
-      V even = (V)(0), sum = (V)(0), squares = (V)(0);
-      for (int i = item; i < vectors; i += size)
-      {
-        const V one = LOAD(i, inside);
-        const V f = LOAD(i, density);
-        const V off = LOAD(i, samples) - means[c];
-        const V phi = scale * exp(-(REAL)0.5 * off * off / width);
-        const V total = fmax(f + phi, (V)(TINY)); // both may underflow
-        const V delta = one * (f - phi) / total;
-        even += one * log((REAL)0.5 * total);
-        sum += delta;
-        squares += delta * delta;
-      }
-      a = TOTAL(even);
-      b = TOTAL(sum);
-      d = TOTAL(squares);
-    }
-
-    // Sums a, b, d over the work-group; every work-item gets the result.
-    work[item] = a;
-    work[size + item] = b;
-    work[2 * size + item] = d;
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int count = size; count > 1; count = (count + 1) / 2)
-    {
-      const int upper = (count + 1) / 2;
-      if (item < count / 2)
-      {
-        work[item] += work[item + upper];
-        work[size + item] += work[size + item + upper];
-        work[2 * size + item] += work[2 * size + item + upper];
-      }
-      barrier(CLK_LOCAL_MEM_FENCE);
-    }
-    a = work[0];
-    b = work[size];
-    d = work[2 * size];
-    barrier(CLK_LOCAL_MEM_FENCE);
+  }
+  for (int j = 0; j < count; ++j)
+  {
+    values[j] = work[j * size];
+  }
+  barrier(CLK_LOCAL_MEM_FENCE);
+#endif
+}
 
-    if (phase == MASS)
+typedef struct
+{
+  int n, vectors, candidates, maximumSteps;
+  global const REAL *samples, *inside, *means;
+  REAL width, floor, gain;
+  global REAL* density;
+  local REAL* work;
+} Task;
+
+// Per component the sums of r, r d and r d^2, r its share of a sample and d the sample's distance from its mean; then
+// what makes the log-likelihood.
+typedef struct
+{
+  REAL height[MAXIMUM], steepness[MAXIMUM], mean[MAXIMUM];
+  V mass[MAXIMUM], first[MAXIMUM], second[MAXIMUM];
+  V heights;
+  Product product;
+} Sums;
+
+// Adds the samples x; in is 0 for padding, else 1.
+INLINE void addSums(const int components, const V x, const V in, Sums* sums)
+{
+  V terms[MAXIMUM], off[MAXIMUM];
+  V largest = (V)(-INFINITY);
+  UNROLL
+  for (int j = 0; j < components; ++j)
+  {
+    off[j] = x - sums->mean[j];
+    terms[j] = sums->height[j] - off[j] * off[j] * sums->steepness[j];
+    largest = max(largest, terms[j]);
+  }
+  V sum = (V)(0);
+  UNROLL
+  for (int j = 0; j < components; ++j)
+  {
+    terms[j] = power2(terms[j] - largest);
+    sum += terms[j];
+  }
+  sums->heights += in * largest;
+  multiply(&sums->product, in > 0 ? sum : (V)(1));
+  const V inverse = in / sum;
+  UNROLL
+  for (int j = 0; j < components; ++j)
+  {
+    V share = terms[j] * inverse;
+    sums->mass[j] += share;
+    share *= off[j];
+    sums->first[j] += share;
+    sums->second[j] += share * off[j];
+  }
+}
+
+// The sums over this work-item's samples, three for each component, then the log-likelihood.
+INLINE void ownSums(const int components, const Task* task, const REAL* mixture, REAL* result)
+{
+  Sums sums;
+  UNROLL
+  for (int j = 0; j < components; ++j)
+  {
+    sums.height[j] = heightOf(mixture[WEIGHT(j)], mixture[VARIANCE(j)]);
+    sums.steepness[j] = steepnessOf(mixture[VARIANCE(j)]);
+    sums.mean[j] = mixture[MEAN(j)];
+    sums.mass[j] = sums.first[j] = sums.second[j] = (V)(0);
+  }
+  sums.heights = (V)(0);
+  clear(&sums.product);
+  for (int i = FIRST; i < FULL(task->vectors); i += STRIDE)
+  {
+    addSums(components, LOAD(i, task->samples), (V)(1), &sums);
+  }
+#if WIDTH > 1
+  addSums(components, LOAD(task->vectors - 1, task->samples), LOAD(0, task->inside), &sums);
+#endif
+  UNROLL
+  for (int j = 0; j < components; ++j)
+  {
+    result[3 * j] = TOTAL(sums.mass[j]);
+    result[3 * j + 1] = TOTAL(sums.first[j]);
+    result[3 * j + 2] = TOTAL(sums.second[j]);
+  }
+  result[3 * components] = LN_2 * (TOTAL(sums.heights) + log2Of(&sums.product));
+}
+
+// One EM step: `next` from `mixture`. Returns the log-likelihood of `mixture`.
+INLINE REAL step(const int components, const Task* task, const REAL* mixture, REAL* next)
+{
+  REAL sums[3 * MAXIMUM + 1];
+  ownSums(components, task, mixture, sums);
+  sumOverGroup(sums, 3 * components + 1, task->work);
+  for (int k = 0; k < components; ++k)
+  {
+    const REAL mass = sums[3 * k];
+    const REAL away = mass > 0 ? sums[3 * k + 1] / mass : (REAL)0;
+    const REAL spread = mass > 0 ? sums[3 * k + 2] / mass - away * away : (REAL)0;
+    next[WEIGHT(k)] = max(mass / task->n, (REAL)1e-12);
+    next[MEAN(k)] = mixture[MEAN(k)] + away;
+    next[VARIANCE(k)] = max(spread, task->floor);
+  }
+  return sums[3 * components];
+}
+
+// What a candidate's score is made of: the sums of delta and delta^2, and the log-likelihood of mixture and candidate in
+// equal shares.
+typedef struct
+{
+  REAL height, steepness, mean;
+  V sum, squares;
+  Product product;
+} Score;
+
+// Adds the samples x with the mixture's density there; in is 0 for padding, else 1.
+INLINE void addScore(const V x, const V density, const V in, Score* score)
+{
+  const V off = x - score->mean;
+  const V phi = power2(score->height - off * off * score->steepness);
+  const V total = max(density + phi, (V)(TINY)); // both may underflow
+  const V delta = in * (density - phi) / total;
+  multiply(&score->product, in > 0 ? total : (V)(1));
+  score->sum += delta;
+  score->squares += delta * delta;
+}
+
+// The score's three sums over this work-item's samples, of the candidate with that mean.
+INLINE void ownScore(const Task* task, const REAL height, const REAL steepness, const REAL mean, REAL* result)
+{
+  Score score;
+  score.height = height;
+  score.steepness = steepness;
+  score.mean = mean;
+  score.sum = score.squares = (V)(0);
+  clear(&score.product);
+  for (int i = FIRST; i < FULL(task->vectors); i += STRIDE)
+  {
+    addScore(LOAD(i, task->samples), LOAD(i, task->density), (V)(1), &score);
+  }
+#if WIDTH > 1
+  const int last = task->vectors - 1;
+  addScore(LOAD(last, task->samples), LOAD(last, task->density), LOAD(0, task->inside), &score);
+#endif
+  result[0] = LN_2 * log2Of(&score.product);
+  result[1] = TOTAL(score.sum);
+  result[2] = TOTAL(score.squares);
+}
+
+typedef struct
+{
+  REAL mixture[3 * MAXIMUM];
+  REAL likelihood;
+  int components, steps;
+} Fit;
+
+// Inserts one more component into a fit with so many and runs EM. False, and the fit as it was, when the likelihood does
+// not rise.
+INLINE bool insert(const int components, const Task* task, Fit* fit)
+{
+  REAL height[MAXIMUM], steepness[MAXIMUM];
+  for (int j = 0; j < components; ++j)
+  {
+    height[j] = heightOf(fit->mixture[WEIGHT(j)], fit->mixture[VARIANCE(j)]);
+    steepness[j] = steepnessOf(fit->mixture[VARIANCE(j)]);
+  }
+  for (int i = FIRST; i < task->vectors; i += STRIDE)
+  {
+    const V x = LOAD(i, task->samples);
+    V sum = (V)(0);
+    for (int j = 0; j < components; ++j)
     {
-      now = d;
-      kMass = a;
-      next[WEIGHT(k)] = fmax(a / n, (REAL)1e-12);
-      next[MEAN(k)] = a > 0 ? b / a : trial[MEAN(k)];
-      phase = SPREAD;
+      const V off = x - fit->mixture[MEAN(j)];
+      sum += power2(height[j] - off * off * steepness[j]);
     }
-    else if (phase == SPREAD)
+    STORE(sum, i, task->density);
+  }
+
+  REAL bestWeight = (REAL)0.5, bestMean = 0, best = -INFINITY;
+  const REAL peak = heightOf(1, task->width);
+  const REAL fall = steepnessOf(task->width);
+  for (int c = 0; c < task->candidates; c += TOGETHER)
+  {
+    REAL sums[3 * TOGETHER];
+    const int these = min(TOGETHER, task->candidates - c);
+    for (int j = 0; j < these; ++j)
     {
-      next[VARIANCE(k)] = fmax(kMass > 0 ? a / kMass : (REAL)0, floor_);
-      phase = MASS;
-      if (++k == components) // an EM step is complete
-      {
-        k = 0;
-        ++steps;
-        ++insertionSteps;
-        const bool rises = now > reached + gain;
-        if (components == 1)
-        {
-          // The first step lands on the samples' own mean and variance, the second tells its likelihood.
-          if (steps == 2)
-          {
-            likelihood = now;
-            --steps;
-            phase = maximumComponents > 1 ? SCORE : DONE;
-          }
-          for (int j = 0; j < 3; ++j)
-          {
-            fitted[j] = steps == 1 && phase != MASS ? trial[j] : next[j];
-            trial[j] = next[j];
-          }
-        }
-        else
-        {
-          if (now > reached)
-          {
-            reached = now;
-            for (int j = 0; j < 3 * components; ++j)
-            {
-              converged[j] = trial[j];
-            }
-          }
-          for (int j = 0; j < 3 * components; ++j)
-          {
-            trial[j] = next[j];
-          }
-          if (!rises || insertionSteps == maximumSteps)
-          {
-            if (reached > likelihood + gain)
-            {
-              likelihood = reached;
-              for (int j = 0; j < 3 * components; ++j)
-              {
-                fitted[j] = converged[j];
-              }
-              phase = components < maximumComponents ? SCORE : DONE;
-            }
-            else
-            {
-              --components;
-              phase = DONE;
-            }
-          }
-        }
-      }
+      ownScore(task, peak, fall, task->means[c + j], sums + 3 * j);
     }
-    else
+    sumOverGroup(sums, 3 * these, task->work);
+    for (int j = 0; j < these; ++j)
     {
-      if (d > 0)
+      const REAL b = sums[3 * j + 1], d = sums[3 * j + 2];
+      const REAL weight = d > 0 ? clamp((REAL)0.5 - (REAL)0.5 * b / d, (REAL)0.01, (REAL)0.99) : (REAL)0.5;
+      const REAL away = weight - (REAL)0.5;
+      const REAL score = sums[3 * j] - LN_2 * task->n - 2 * away * b - 2 * away * away * d;
+      if (d > 0 && score > best)
       {
-        const REAL weight = clamp((REAL)0.5 - (REAL)0.5 * b / d, (REAL)0.01, (REAL)0.99);
-        const REAL away = weight - (REAL)0.5;
-        const REAL score = a - 2 * away * b - 2 * away * away * d;
-        if (score > best)
-        {
-          best = score;
-          bestWeight = weight;
-          bestMean = means[c];
-        }
-      }
-      if (++c == candidates) // insert the best
-      {
-        for (int j = 0; j < components; ++j)
-        {
-          trial[WEIGHT(j)] = (1 - bestWeight) * fitted[WEIGHT(j)];
-          trial[MEAN(j)] = fitted[MEAN(j)];
-          trial[VARIANCE(j)] = fitted[VARIANCE(j)];
-        }
-        trial[WEIGHT(components)] = bestWeight;
-        trial[MEAN(components)] = bestMean;
-        trial[VARIANCE(components)] = width;
-        ++components;
-        c = 0;
-        best = -INFINITY;
-        reached = -INFINITY;
-        insertionSteps = 0;
-        phase = MASS;
+        best = score;
+        bestWeight = weight;
+        bestMean = task->means[c + j];
       }
     }
   }
-  if (item == 0)
+
+  REAL trial[3 * MAXIMUM], next[3 * MAXIMUM], converged[3 * MAXIMUM];
+  for (int j = 0; j < components; ++j)
   {
-    for (int j = 0; j < 3 * components; ++j)
+    trial[WEIGHT(j)] = (1 - bestWeight) * fit->mixture[WEIGHT(j)];
+    trial[MEAN(j)] = fit->mixture[MEAN(j)];
+    trial[VARIANCE(j)] = fit->mixture[VARIANCE(j)];
+  }
+  trial[WEIGHT(components)] = bestWeight;
+  trial[MEAN(components)] = bestMean;
+  trial[VARIANCE(components)] = task->width;
+
+  REAL reached = -INFINITY;
+  bool rises = true;
+  for (int s = 0; s < task->maximumSteps && rises; ++s)
+  {
+    const REAL now = step(components + 1, task, trial, next);
+    ++fit->steps;
+    // Only a variance at its floor can make the likelihood fall; then the mixture before stands.
+    rises = now > reached + task->gain;
+    const bool better = now > reached;
+    reached = better ? now : reached;
+    for (int j = 0; j < 3 * (components + 1); ++j)
     {
-      result[j] = fitted[j];
+      converged[j] = better ? trial[j] : converged[j];
+      trial[j] = next[j];
     }
-    result[3 * MAXIMUM] = likelihood;
-    counts[0] = components;
-    counts[1] = steps;
+  }
+  if (!(reached > fit->likelihood + task->gain))
+  {
+    return false;
+  }
+  fit->likelihood = reached;
+  ++fit->components;
+  for (int j = 0; j < 3 * (components + 1); ++j)
+  {
+    fit->mixture[j] = converged[j];
+  }
+  return true;
+}
+
+// input: `vectors` of V with the n samples, the last one padded; one V with 1 for a sample of the last vector, 0 for
+// padding; the candidates' means. result: weight, mean, variance per component, then the log-likelihood,
+// the number of components and of EM steps.
+kernel GROUP void greedyMixture(const int n, const int vectors, const int candidates, global const REAL* input,
+  const REAL width, const REAL floor_, const int maximumSteps, const REAL gain, global REAL* density, local REAL* work,
+  global REAL* result)
+{
+  Task task;
+  task.n = n;
+  task.vectors = vectors;
+  task.candidates = candidates;
+  task.maximumSteps = maximumSteps;
+  task.samples = input;
+  task.inside = task.samples + vectors * WIDTH;
+  task.means = task.inside + WIDTH;
+  task.width = width;
+  task.floor = floor_;
+  task.gain = gain;
+  task.density = density;
+  task.work = work;
+  // The first step lands on the samples' own mean and variance, the second tells its likelihood.
+  const REAL start[3] = { 1, input[0], 1 };
+  REAL next[3];
+  Fit fit;
+  step(1, &task, start, fit.mixture);
+  fit.likelihood = step(1, &task, fit.mixture, next);
+  fit.components = 1;
+  fit.steps = 1;
+#if WIDTH == 1
+  for (bool more = true; more && fit.components < MAXIMUM;)
+  {
+    more = insert(fit.components, &task, &fit);
+  }
+#else
+  // With the number of components known, the compiler keeps everything in registers: a call for each number.
+#define INSERT(k) (k < MAXIMUM && insert(min(k, MAXIMUM - 1), &task, &fit))
+  const bool all =
+    INSERT(1) && INSERT(2) && INSERT(3) && INSERT(4) && INSERT(5) && INSERT(6) && INSERT(7);
+  (void)all;
+#endif
+  if (get_local_id(0) == 0)
+  {
+    for (int j = 0; j < 3 * fit.components; ++j)
+    {
+      result[j] = fit.mixture[j];
+    }
+    result[3 * MAXIMUM] = fit.likelihood;
+    result[3 * MAXIMUM + 1] = fit.components;
+    result[3 * MAXIMUM + 2] = fit.steps;
   }
 }
