@@ -1,5 +1,6 @@
 #include "vtkOversketchLaplacianDeform.h"
 
+#include "Sparse/drag.h"
 #include "Sparse/laplacian.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
@@ -90,6 +91,14 @@ bool SameBindings(const std::vector<Binding>& a, const std::vector<Binding>& b)
     [](const Binding& p, const Binding& q) { return p.vertices == q.vertices && p.weights == q.weights; });
 }
 
+// The context of a step that takes progress from `from` to `to`.
+Context PartOf(const Context& whole, double from, double to)
+{
+  Context part = whole;
+  part.progress = [=](double done) { whole.progress(from + done * (to - from)); };
+  return part;
+}
+
 // A copy of normals with the listed tuples overwritten; a normal without length is left as it was.
 vtkSmartPointer<vtkDataArray> WithNormals(vtkDataArray* normals,
   const std::vector<std::pair<int, Vector3>>& changed)
@@ -123,15 +132,19 @@ struct vtkOversketchLaplacianDeform::Cache
   bool AdjustNormals = false;
   bool BorderRows = false;
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
+  std::vector<char> Movable;
+  std::shared_ptr<const LaplacianShape> Shape;
   std::unique_ptr<LaplacianSystem> System;
 
   MeshKey OutputKey;
   std::vector<Vector3> Displacements;
+  std::vector<Vector3> Moves;
+  oversketch::Drag Dragged; // empty until it is asked for
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkDataArray> PointNormals;
   vtkSmartPointer<vtkDataArray> CellNormals;
 
-  void Write(vtkPolyData* input, const std::vector<Vector3>& moves);
+  void Write(vtkPolyData* input);
 };
 
 vtkStandardNewMacro(vtkOversketchLaplacianDeform);
@@ -150,8 +163,9 @@ void vtkOversketchLaplacianDeform::SetHandlesData(vtkPolyData* handles)
 }
 
 // Makes Points, PointNormals and CellNormals from the input and the displacement of each vertex.
-void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input, const std::vector<Vector3>& moves)
+void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input)
 {
+  const std::vector<Vector3>& moves = this->Moves;
   const Mesh& before = this->Data->Surface;
   Mesh after = before;
   this->Points = vtkSmartPointer<vtkPoints>::New();
@@ -201,6 +215,39 @@ void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input, const std::v
   }
 }
 
+bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* points)
+{
+  Cache& cache = *this->Internals;
+  if (!cache.Points)
+  {
+    vtkErrorMacro("There is nothing to drag yet: Update() first.");
+    return false;
+  }
+  const int type = points ? points->GetDataType() : VTK_VOID;
+  if ((type != VTK_FLOAT && type != VTK_DOUBLE) ||
+      points->GetNumberOfPoints() != cache.Points->GetNumberOfPoints())
+  {
+    vtkErrorMacro("The points to drag do not fit; give a copy of the output's points, float or double.");
+    return false;
+  }
+  const Context context = ContextOf(this);
+  if (cache.Dragged.vertices.empty())
+  {
+    oversketch::Drag drag{ cache.Shape->vertices, {}, cache.System->response(Context()) };
+    for (const int v : drag.vertices)
+    {
+      drag.rest.push_back(cache.Data->Surface.points[v] + cache.Moves[v]);
+    }
+    cache.Dragged = std::move(drag);
+    ++this->SolveCount;
+  }
+  const Vector3 d(translation);
+  type == VTK_FLOAT ? cache.Dragged.place(d, static_cast<float*>(points->GetVoidPointer(0)), context)
+                    : cache.Dragged.place(d, static_cast<double*>(points->GetVoidPointer(0)), context);
+  points->Modified();
+  return true;
+}
+
 int vtkOversketchLaplacianDeform::FillInputPortInformation(int port, vtkInformation* information)
 {
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -243,26 +290,38 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
   {
     cache.System.reset();
     cache.Points = nullptr;
+    const bool sameMesh = cache.Shape && cache.SystemKey == systemKey;
     cache.Data = SharedMesh(input);
-    LaplacianOptions options;
-    options.handleWeight = this->HandleWeight;
-    options.borderRows = this->BorderRows;
-    options.adjustNormals = this->AdjustNormals;
+    const std::vector<char> movable = movableVertices(cache.Data->Neighbours, region, handles.Bindings);
+    if (!sameMesh || cache.Movable != movable || cache.AdjustNormals != this->AdjustNormals ||
+        cache.BorderRows != this->BorderRows)
+    {
+      cache.Shape = nullptr;
+      cache.Shape = std::make_shared<LaplacianShape>(cache.Data->Surface,
+        cache.Data->Neighbours,
+        movable,
+        this->BorderRows,
+        this->AdjustNormals,
+        PartOf(context, 0.0, 0.4));
+      ++this->AnalysisCount;
+      cache.SystemKey = systemKey;
+      cache.Movable = movable;
+      cache.AdjustNormals = this->AdjustNormals;
+      cache.BorderRows = this->BorderRows;
+    }
     auto system = std::make_unique<LaplacianSystem>(
-      cache.Data->Surface, cache.Data->Neighbours, region, handles.Bindings, options, context);
+      cache.Shape, handles.Bindings, this->HandleWeight, PartOf(context, 0.4, 0.9));
     ++this->FactorizationCount;
     cache.System = std::move(system);
-    cache.SystemKey = systemKey;
     cache.Region = region;
     cache.Bindings = handles.Bindings;
     cache.HandleWeight = this->HandleWeight;
-    cache.AdjustNormals = this->AdjustNormals;
-    cache.BorderRows = this->BorderRows;
   }
   if (!cache.Points || cache.OutputKey != outputKey || cache.Displacements != handles.Displacements)
   {
     cache.Points = nullptr;
-    const std::vector<Vector3> moves = cache.System->solve(handles.Displacements, context);
+    cache.Dragged = oversketch::Drag();
+    cache.Moves = cache.System->solve(handles.Displacements, PartOf(context, 0.9, 1.0));
     ++this->SolveCount;
     this->MovableCount = cache.System->movableCount();
     this->ActiveHandleCount = 0;
@@ -271,14 +330,14 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     {
       if (cache.System->handleActive(h))
       {
-        const double residual = (handles.Bindings[h].of(moves) - handles.Displacements[h]).norm();
+        const double residual = (handles.Bindings[h].of(cache.Moves) - handles.Displacements[h]).norm();
         this->MeanHandleResidual += residual;
         this->MaximumHandleResidual = std::max(this->MaximumHandleResidual, residual);
         ++this->ActiveHandleCount;
       }
     }
     this->MeanHandleResidual /= static_cast<double>(this->ActiveHandleCount);
-    cache.Write(input, moves);
+    cache.Write(input);
     cache.OutputKey = outputKey;
     cache.Displacements = handles.Displacements;
   }
@@ -300,6 +359,7 @@ void vtkOversketchLaplacianDeform::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AdjustNormals: " << this->AdjustNormals << endl;
   os << indent << "HandleWeight: " << this->HandleWeight << endl;
   os << indent << "BorderRows: " << this->BorderRows << endl;
+  os << indent << "AnalysisCount: " << this->AnalysisCount << endl;
   os << indent << "FactorizationCount: " << this->FactorizationCount << endl;
   os << indent << "SolveCount: " << this->SolveCount << endl;
   os << indent << "MeanHandleResidual: " << this->MeanHandleResidual << endl;

@@ -40,6 +40,8 @@
 
 #include <memory>
 
+class vtkPoints;
+
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchLaplacianDeform : public vtkPolyDataAlgorithm
 {
 public:
@@ -84,10 +86,23 @@ public:
   vtkBooleanMacro(BorderRows, bool);
   ///@}
 
+  /**
+   * Preview of the output for all targets moved by one vector [world], as a hand drags a committed stroke:
+   * writes the places of the vertices that can move into `points`, which are a copy of the last output's
+   * points (same number, float or double), and leaves the others alone. The answer is that of an Update with
+   * such targets up to rounding, as it is linear in them. The first call after a change solves for one
+   * column, the next ones take one multiplication per coordinate. Neither the output nor the pipeline
+   * changes: to keep the place, move the targets and Update. False, with an error, before the first Update or
+   * when `points` do not fit.
+   */
+  bool Drag(const double translation[3], vtkPoints* points);
+
   ///@{
   /**
-   * Factors made, and targets solved for (x, y and z count as one), since the filter was made.
+   * Orders of elimination found, factors made, and targets solved for (x, y and z count as one; so does what
+   * Drag solves for), since the filter was made.
    */
+  vtkGetMacro(AnalysisCount, vtkIdType);
   vtkGetMacro(FactorizationCount, vtkIdType);
   vtkGetMacro(SolveCount, vtkIdType);
   ///@}
@@ -125,6 +140,7 @@ private:
   bool AdjustNormals = false;
   double HandleWeight = 10.0;
   bool BorderRows = true;
+  vtkIdType AnalysisCount = 0;
   vtkIdType FactorizationCount = 0;
   vtkIdType SolveCount = 0;
   double MeanHandleResidual = 0.0;

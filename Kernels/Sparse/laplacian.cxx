@@ -502,9 +502,14 @@ LaplacianSystem::LaplacianSystem(const Mesh& mesh,
 
 LaplacianSystem::~LaplacianSystem() = default;
 
+const LaplacianShape& LaplacianSystem::shape() const
+{
+  return *this->parts_->shape;
+}
+
 int LaplacianSystem::movableCount() const
 {
-  return static_cast<int>(this->parts_->shape->vertices.size());
+  return static_cast<int>(this->shape().vertices.size());
 }
 
 bool LaplacianSystem::handleActive(int handle) const
@@ -552,6 +557,37 @@ std::vector<Vector3> LaplacianSystem::solve(const std::vector<Vector3>& displace
   for (int n = 0; n < static_cast<int>(shape.vertices.size()); ++n)
   {
     result[shape.vertices[n]] = Vector3(at(n, 0), at(n, 1), at(n, 2));
+  }
+  return result;
+}
+
+std::vector<double> LaplacianSystem::response(const Context& context) const
+{
+  const Parts& parts = *this->parts_;
+  const LaplacianShape& shape = *parts.shape;
+  const int d = shape.normal.block;
+  const Eigen::Index count = static_cast<Eigen::Index>(shape.vertices.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count * d, d);
+  for (const Binding& handle : parts.handles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int n = shape.number[handle.vertices[k]];
+      for (int c = 0; c < d && n >= 0; ++c)
+      {
+        columns(n * d + c, c) += parts.handleWeight * parts.handleWeight * handle.weights[k];
+      }
+    }
+  }
+  parts.factor->solve(columns, context);
+  std::vector<double> result;
+  result.reserve(static_cast<std::size_t>(count) * d * d);
+  for (Eigen::Index n = 0; n < count; ++n)
+  {
+    for (int c = 0; c < d; ++c)
+    {
+      result.insert(result.end(), columns.col(c).data() + n * d, columns.col(c).data() + (n + 1) * d);
+    }
   }
   return result;
 }

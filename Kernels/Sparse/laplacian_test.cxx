@@ -1,6 +1,7 @@
 #include "Sparse/laplacian.h"
 
 #include "Harness/shapes.h"
+#include "Sparse/drag.h"
 
 #include <gtest/gtest.h>
 
@@ -253,4 +254,66 @@ TEST(LaplacianSystem, CancelStopsIt)
   EXPECT_THROW(
     LaplacianSystem(strip.mesh, strip.adjacency, strip.region, strip.handles, LaplacianOptions(), context),
     Error);
+}
+
+TEST(LaplacianSystem, OneShapeServesOtherHandlesAndWeights)
+{
+  const Strip strip;
+  for (const bool adjust : { false, true })
+  {
+    LaplacianOptions options;
+    options.adjustNormals = adjust;
+    const auto movable = movableVertices(strip.adjacency, strip.region, strip.handles);
+    const auto shape =
+      std::make_shared<LaplacianShape>(strip.mesh, strip.adjacency, movable, true, adjust, Context());
+    std::vector<Binding> handles = strip.handles;
+    for (const double weight : { 10.0, 3.0 })
+    {
+      options.handleWeight = weight;
+      const std::vector<Vector3> wanted(handles.size(), Vector3(0.0, 0.1, 0.3));
+      const LaplacianSystem fresh(strip.mesh, strip.adjacency, strip.region, handles, options, Context());
+      EXPECT_EQ(fresh.solve(wanted, Context()),
+        LaplacianSystem(shape, handles, weight, Context()).solve(wanted, Context()));
+      handles.pop_back();
+    }
+  }
+}
+
+TEST(LaplacianSystem, AHandleMayHangOnVerticesThatAreFarApart)
+{
+  const Strip strip;
+  const std::vector<Binding> handles{ { { 500, 700, 520 }, { 0.25, 0.25, 0.5 } } };
+  LaplacianOptions options;
+  options.handleWeight = 1e3;
+  const LaplacianSystem system(strip.mesh, strip.adjacency, strip.region, handles, options, Context());
+  const Vector3 wanted(0.0, 0.0, 0.2);
+  EXPECT_LT((handles[0].of(system.solve({ wanted }, Context())) - wanted).norm(), 1e-3);
+}
+
+TEST(LaplacianSystem, TheResponseIsWhatASolveForMovedTargetsAdds)
+{
+  const Strip strip;
+  for (const bool adjust : { false, true })
+  {
+    LaplacianOptions options;
+    options.adjustNormals = adjust;
+    const LaplacianSystem system(
+      strip.mesh, strip.adjacency, strip.region, strip.handles, options, Context());
+    const Vector3 base(0.01, 0.0, 0.2), d(0.1, -0.2, 0.05);
+    const auto from = system.solve(std::vector<Vector3>(strip.handles.size(), base), Context());
+    const auto to = system.solve(std::vector<Vector3>(strip.handles.size(), base + d), Context());
+    Drag drag{ system.shape().vertices, {}, system.response(Context()) };
+    std::vector<Vector3> points = strip.mesh.points;
+    for (const int v : drag.vertices)
+    {
+      drag.rest.push_back(points[v] + from[v]);
+    }
+    drag.place(d, points.front().data(), Context());
+    double worst = 0.0;
+    for (int v = 0; v < strip.mesh.vertexCount(); ++v)
+    {
+      worst = std::max(worst, (points[v] - strip.mesh.points[v] - to[v]).norm());
+    }
+    EXPECT_LT(worst, 1e-10);
+  }
 }

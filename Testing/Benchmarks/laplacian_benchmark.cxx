@@ -1,0 +1,459 @@
+// The linear systems of the deformation: factor, solve, drag; the plain form and the one that adjusts
+// normals. Every side gets the same matrix. The region is a disk about the highest vertex of the bunny; sizes
+// are numbers of unknowns.
+#include "benchmark_frame.h"
+
+#include "Sparse/cholesky.h"
+#include "Sparse/drag.h"
+#include "Sparse/laplacian.h"
+
+#include "vtkSMPTools.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#ifdef OVERSKETCH_CHOLMOD
+#include <cholmod.h>
+#include <dlfcn.h>
+#endif
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+namespace oversketch_bench
+{
+
+namespace
+{
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+Context threads()
+{
+  Context context;
+  context.parallelFor = [](int count, const Context::Body& body)
+  {
+    vtkSMPTools::For(0,
+      count,
+      [&body](vtkIdType begin, vtkIdType end) { body(static_cast<int>(begin), static_cast<int>(end)); });
+  };
+  return context;
+}
+
+// Both triangles, in the order of the unknowns.
+Sparse toEigen(const BlockMatrix& matrix)
+{
+  const int b = matrix.block;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int column = 0; column < matrix.nodeCount(); ++column)
+  {
+    for (int k = matrix.pattern.offsets[column]; k < matrix.pattern.offsets[column + 1]; ++k)
+    {
+      for (int e = 0; e < b * b; ++e)
+      {
+        entries.emplace_back(matrix.pattern.values[k] * b + e % b,
+          column * b + e / b,
+          matrix.values[static_cast<std::size_t>(k) * b * b + e]);
+      }
+    }
+  }
+  Sparse result(matrix.nodeCount() * b, matrix.nodeCount() * b);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+#ifdef OVERSKETCH_CHOLMOD
+// CHOLMOD's supernodal factor, minimum degree, and a solve that keeps its workspace.
+class Cholmod
+{
+public:
+  explicit Cholmod(const Sparse& matrix)
+    : lower_(matrix.triangularView<Eigen::Lower>())
+  {
+    cholmod_start(&this->common_);
+    this->common_.supernodal = CHOLMOD_SUPERNODAL;
+    this->common_.nmethods = 1;
+    this->common_.method[0].ordering = CHOLMOD_AMD;
+    this->common_.postorder = 1;
+    this->lower_.makeCompressed();
+    this->matrix_.nrow = this->matrix_.ncol = static_cast<std::size_t>(matrix.rows());
+    this->matrix_.nzmax = static_cast<std::size_t>(this->lower_.nonZeros());
+    this->matrix_.p = this->lower_.outerIndexPtr();
+    this->matrix_.i = this->lower_.innerIndexPtr();
+    this->matrix_.x = this->lower_.valuePtr();
+    this->matrix_.stype = -1;
+    this->matrix_.itype = CHOLMOD_INT;
+    this->matrix_.xtype = CHOLMOD_REAL;
+    this->matrix_.dtype = CHOLMOD_DOUBLE;
+    this->matrix_.sorted = this->matrix_.packed = 1;
+  }
+  Cholmod(const Cholmod&) = delete;
+  void operator=(const Cholmod&) = delete;
+  ~Cholmod()
+  {
+    cholmod_free_dense(&this->solution_, &this->common_);
+    cholmod_free_dense(&this->scratch_, &this->common_);
+    cholmod_free_dense(&this->more_, &this->common_);
+    cholmod_free_factor(&this->factor_, &this->common_);
+    cholmod_finish(&this->common_);
+  }
+  void analyse()
+  {
+    cholmod_free_factor(&this->factor_, &this->common_);
+    this->factor_ = cholmod_analyze(&this->matrix_, &this->common_);
+  }
+  void factorise() { cholmod_factorize(&this->matrix_, this->factor_, &this->common_); }
+  void solve(Eigen::MatrixXd& rightSide)
+  {
+    cholmod_dense given{};
+    given.nrow = given.d = static_cast<std::size_t>(rightSide.rows());
+    given.ncol = static_cast<std::size_t>(rightSide.cols());
+    given.nzmax = given.nrow * given.ncol;
+    given.x = rightSide.data();
+    given.xtype = CHOLMOD_REAL;
+    given.dtype = CHOLMOD_DOUBLE;
+    cholmod_solve2(CHOLMOD_A,
+      this->factor_,
+      &given,
+      nullptr,
+      &this->solution_,
+      nullptr,
+      &this->scratch_,
+      &this->more_,
+      &this->common_);
+    std::copy_n(static_cast<const double*>(this->solution_->x), given.nzmax, rightSide.data());
+  }
+
+  // "CHOLMOD" and the BLAS that it runs on, which gets two threads if it can.
+  static std::string name()
+  {
+    Dl_info where{};
+    void* product = dlsym(RTLD_DEFAULT, "dgemm_");
+    if (product && dladdr(product, &where) &&
+        std::string(realName(where.dli_fname)).find("openblas") != std::string::npos)
+    {
+      if (auto* set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+      {
+        set(2);
+      }
+      return "CHOLMOD, OpenBLAS";
+    }
+    return "CHOLMOD, reference BLAS";
+  }
+
+private:
+  static std::string realName(const char* path)
+  {
+    char* found = realpath(path, nullptr);
+    const std::string name = found ? found : path;
+    std::free(found);
+    return name;
+  }
+
+  Sparse lower_;
+  cholmod_common common_{};
+  cholmod_sparse matrix_{};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense *solution_ = nullptr, *scratch_ = nullptr, *more_ = nullptr;
+};
+#endif
+
+// One system. Its parts are made when a job first asks for them.
+struct Case
+{
+  std::string model;
+  double share; // of the vertices in the region
+
+  void open()
+  {
+    if (!this->region.empty())
+    {
+      return;
+    }
+    const Mesh& mesh = oversketch_bench::model(this->model).mesh;
+    this->adjacency = buildAdjacency(mesh);
+    int top = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      top = mesh.points[v][1] > mesh.points[top][1] ? v : top;
+    }
+    this->region.assign(mesh.points.size(), 0);
+    this->region[top] = 1;
+    std::vector<int> disk(1, top);
+    const std::size_t wanted = static_cast<std::size_t>(this->share * mesh.vertexCount());
+    for (std::size_t i = 0; disk.size() < wanted; ++i)
+    {
+      const Lists& ring = this->adjacency.vertexVertices;
+      for (const int* n = ring.begin(disk[i]); n != ring.end(disk[i]) && disk.size() < wanted; ++n)
+      {
+        if (!this->region[*n])
+        {
+          this->region[*n] = 1;
+          disk.push_back(*n);
+        }
+      }
+    }
+    for (int h = 0; h < 50; ++h)
+    {
+      this->handles.push_back(Binding::vertex(disk[h]));
+    }
+  }
+  const LaplacianShape& shape(bool adjusted)
+  {
+    this->open();
+    if (!this->shapes[adjusted])
+    {
+      this->shapes[adjusted] = std::make_shared<LaplacianShape>(oversketch_bench::model(this->model).mesh,
+        this->adjacency,
+        movableVertices(this->adjacency, this->region, this->handles),
+        true,
+        adjusted,
+        threads());
+      this->matrices[adjusted] = this->shapes[adjusted]->normalMatrix(this->handles, 10.0);
+      this->eigenMatrices[adjusted] = toEigen(this->matrices[adjusted]);
+    }
+    return *this->shapes[adjusted];
+  }
+  // What the hand asks for: another place each time.
+  Vector3 next()
+  {
+    ++this->turn;
+    return { 0.05 * std::sin(0.01 * this->turn), 0.05, 0.02 * std::cos(0.01 * this->turn) };
+  }
+  Eigen::MatrixXd rightSide(const Vector3& d)
+  {
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(this->matrices[0].nodeCount(), 3);
+    for (const Binding& handle : this->handles)
+    {
+      right.row(this->shape(false).number[handle.vertices[0]]) += 100.0 * d;
+    }
+    return right;
+  }
+
+  Adjacency adjacency;
+  std::vector<char> region;
+  std::vector<Binding> handles;
+  std::shared_ptr<LaplacianShape> shapes[2];
+  BlockMatrix matrices[2];
+  Sparse eigenMatrices[2];
+  std::unique_ptr<LaplacianSystem> system; // the plain form, with handles
+  std::unique_ptr<Cholesky> factor;        // of its matrix alone
+  std::unique_ptr<Drag> drag;
+  std::vector<Vector3> moves;
+  std::vector<Vector3> points;
+  std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> eigen;
+#ifdef OVERSKETCH_CHOLMOD
+  std::unique_ptr<Cholmod> cholmod;
+#endif
+  Eigen::MatrixXd answer;
+  int turn = 0;
+
+  // What a job of solves starts from; made once.
+  void readyOurs()
+  {
+    this->shape(false);
+    if (this->system)
+    {
+      return;
+    }
+    this->system = std::make_unique<LaplacianSystem>(this->shapes[0], this->handles, 10.0, threads());
+    this->factor = std::make_unique<Cholesky>(this->shapes[0]->elimination);
+    this->points = oversketch_bench::model(this->model).mesh.points;
+    this->drag = std::make_unique<Drag>(
+      Drag{ this->shapes[0]->vertices, this->shapes[0]->positions, this->system->response(threads()) });
+  }
+  void readyEigen()
+  {
+    this->shape(false);
+    if (!this->eigen)
+    {
+      this->eigen = std::make_unique<Eigen::SimplicialLDLT<Sparse>>(this->eigenMatrices[0]);
+    }
+  }
+#ifdef OVERSKETCH_CHOLMOD
+  void readyCholmod()
+  {
+    this->shape(false);
+    if (!this->cholmod)
+    {
+      this->cholmod = std::make_unique<Cholmod>(this->eigenMatrices[0]);
+      this->cholmod->analyse();
+      this->cholmod->factorise();
+    }
+  }
+#endif
+};
+
+// The matrix for the peers that run in another program.
+void write(Case& of, const std::string& size)
+{
+  const char* folder = std::getenv("OVERSKETCH_BENCHMARKS");
+  if (!folder)
+  {
+    return;
+  }
+  of.shape(false);
+  FILE* file = std::fopen((std::string(folder) + "/" + size + ".triplets").c_str(), "w");
+  const Sparse& matrix = of.eigenMatrices[0];
+  for (int column = 0; file && column < matrix.cols(); ++column)
+  {
+    for (Sparse::InnerIterator it(matrix, column); it; ++it)
+    {
+      std::fprintf(file, "%d %d %.17g\n", static_cast<int>(it.row()), column, it.value());
+    }
+  }
+  if (!file || std::fclose(file) != 0)
+  {
+    std::fprintf(stderr, "Cannot write the matrix of %s unknowns to %s.\n", size.c_str(), folder);
+    std::exit(1);
+  }
+}
+
+void addJob(const std::string& job,
+  const std::string& size,
+  const std::string& who,
+  int threadCount,
+  const std::function<void()>& prepare,
+  const std::function<void()>& run)
+{
+  add({ job, size, who, threadCount, prepare, run, {} });
+}
+
+// Order of elimination and factor of one form's matrix.
+void factorOurs(Case& of, bool adjusted)
+{
+  const auto elimination =
+    std::make_shared<Elimination>(of.matrices[adjusted].pattern, of.shapes[adjusted]->positions, threads());
+  if (!Cholesky(elimination).factorise(of.matrices[adjusted], threads()))
+  {
+    std::fprintf(stderr, "The factorisation failed.\n");
+    std::exit(1);
+  }
+}
+
+void factorJobs(const std::shared_ptr<Case>& of, const std::string& size)
+{
+  const std::string job = "Laplacian factor";
+  const auto open = [=] { of->shape(false); };
+  addJob(job, size, "ours", 2, open, [=] { factorOurs(*of, false); });
+  addJob(job, size, "Eigen", 1, open, [=] { Eigen::SimplicialLDLT<Sparse> eigen(of->eigenMatrices[0]); });
+#ifdef OVERSKETCH_CHOLMOD
+  const auto cholmod = [=](bool adjusted)
+  {
+    Cholmod peer(of->eigenMatrices[adjusted]);
+    peer.analyse();
+    peer.factorise();
+  };
+  addJob(job, size, Cholmod::name(), 2, open, [=] { cholmod(false); });
+#endif
+  const std::string adjusted = "adjusted normals";
+  const auto openBoth = [=]
+  {
+    of->shape(false);
+    of->shape(true);
+  };
+  addJob(adjusted, size, "ours", 2, openBoth, [=] { factorOurs(*of, true); });
+  addJob(adjusted, size, "plain form", 2, openBoth, [=] { factorOurs(*of, false); });
+#ifdef OVERSKETCH_CHOLMOD
+  addJob(adjusted, size, Cholmod::name(), 2, openBoth, [=] { cholmod(true); });
+#endif
+}
+
+// New values in the same pattern.
+void againJobs(const std::shared_ptr<Case>& of, const std::string& size)
+{
+  const std::string job = "Laplacian factor again";
+  addJob(
+    job,
+    size,
+    "ours",
+    2,
+    [=] { of->readyOurs(); },
+    [=] { of->factor->factorise(of->matrices[0], threads()); });
+  addJob(
+    job, size, "Eigen", 1, [=] { of->readyEigen(); }, [=] { of->eigen->factorize(of->eigenMatrices[0]); });
+#ifdef OVERSKETCH_CHOLMOD
+  addJob(
+    job, size, Cholmod::name(), 2, [=] { of->readyCholmod(); }, [=] { of->cholmod->factorise(); });
+#endif
+}
+
+void solveJobs(const std::shared_ptr<Case>& of, const std::string& size)
+{
+  const std::string job = "Laplacian solve";
+  addJob(
+    job,
+    size,
+    "ours",
+    2,
+    [=] { of->readyOurs(); },
+    [=] { of->moves = of->system->solve(std::vector<Vector3>(of->handles.size(), of->next()), threads()); });
+  addJob(
+    job,
+    size,
+    "Eigen",
+    1,
+    [=] { of->readyEigen(); },
+    [=] { of->answer = of->eigen->solve(of->rightSide(of->next())); });
+#ifdef OVERSKETCH_CHOLMOD
+  addJob(
+    job,
+    size,
+    Cholmod::name(),
+    2,
+    [=] { of->readyCholmod(); },
+    [=]
+    {
+      of->answer = of->rightSide(of->next());
+      of->cholmod->solve(of->answer);
+    });
+#endif
+}
+
+void dragJobs(const std::shared_ptr<Case>& of, const std::string& size)
+{
+  const std::string job = "Laplacian drag";
+  addJob(
+    job,
+    size,
+    "ours",
+    2,
+    [=] { of->readyOurs(); },
+    [=] { of->drag->place(of->next(), of->points.front().data(), threads()); });
+  addJob(
+    job,
+    size,
+    "Eigen",
+    1,
+    [=] { of->readyEigen(); },
+    [=] { of->answer = of->eigen->solve(of->rightSide(of->next())); });
+}
+
+} // namespace
+
+void jobs()
+{
+  const struct
+  {
+    const char *size, *model;
+    double share;
+  } wanted[] = { { "7.5k", "30k", 0.5 }, { "18k", "180k", 0.2 }, { "45k", "180k", 0.5 } };
+  for (const auto& [size, model, share] : wanted)
+  {
+    if (sizes({ model }).empty())
+    {
+      continue;
+    }
+    auto of = std::make_shared<Case>();
+    of->model = model;
+    of->share = share;
+    write(*of, size);
+    factorJobs(of, size);
+    againJobs(of, size);
+    solveJobs(of, size);
+    dragJobs(of, size);
+  }
+}
+
+} // namespace oversketch_bench
