@@ -134,6 +134,7 @@ struct vtkOversketchLaplacianDeform::Cache
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
   std::vector<char> Movable;
   std::shared_ptr<const LaplacianShape> Shape;
+  std::shared_ptr<FactorMemory> Memory = std::make_shared<FactorMemory>(); // from factor to factor
   std::unique_ptr<LaplacianSystem> System;
 
   MeshKey OutputKey;
@@ -310,7 +311,7 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
       cache.BorderRows = this->BorderRows;
     }
     auto system = std::make_unique<LaplacianSystem>(
-      cache.Shape, handles.Bindings, this->HandleWeight, PartOf(context, 0.4, 0.9));
+      cache.Shape, handles.Bindings, this->HandleWeight, PartOf(context, 0.4, 0.9), cache.Memory);
     ++this->FactorizationCount;
     cache.System = std::move(system);
     cache.Region = region;

@@ -40,6 +40,44 @@ std::vector<Run> runsOf(const Supernode& child, const Supernode& parent, int blo
   return runs;
 }
 
+// Copies one column of a block. For the usual sizes without a call.
+inline void copyColumn(const double* from, int block, double* to)
+{
+  switch (block)
+  {
+    case 1:
+      to[0] = from[0];
+      break;
+    case 3:
+      to[0] = from[0];
+      to[1] = from[1];
+      to[2] = from[2];
+      break;
+    default:
+      std::copy_n(from, block, to);
+  }
+}
+
+// One row of the right-hand sides, from side by side to one after the other (`step` apart), and back.
+inline void scatter(const double* from, double* to, std::size_t step, int sides)
+{
+  to[0] = from[0];
+  if (sides == 3)
+  {
+    to[step] = from[1];
+    to[2 * step] = from[2];
+  }
+}
+inline void collect(const double* from, std::size_t step, int sides, double* to)
+{
+  to[0] = from[0];
+  if (sides == 3)
+  {
+    to[1] = from[step];
+    to[2] = from[2 * step];
+  }
+}
+
 // About the number of multiplications.
 double workOf(const Supernode& node)
 {
@@ -49,8 +87,9 @@ double workOf(const Supernode& node)
 
 } // namespace
 
-Cholesky::Cholesky(std::shared_ptr<const Elimination> elimination)
+Cholesky::Cholesky(std::shared_ptr<const Elimination> elimination, std::shared_ptr<FactorMemory> memory)
   : elimination_(std::move(elimination))
+  , memory_(std::move(memory))
 {
 }
 
@@ -68,29 +107,26 @@ void Cholesky::placePanels()
     vectors += static_cast<std::size_t>(shape.others);
   }
   this->vectorPlaces_.push_back(vectors);
-  this->panels_.reset();
-  this->panels_.reset(new double[panels]); // cleared panel by panel, on the thread that works on it
+  this->memory_->panels.reserve(panels); // cleared panel by panel, on the thread that works on it
   this->smallest_.resize(static_cast<std::size_t>(this->elimination_->nodeCount()) * this->block_);
 }
 
 // Where the matrix that each supernode hands on is kept until its parent takes it. Each subtree, and the rest
 // of the tree, has two stacks, for even and odd depths: then the children of a supernode are on top of one,
-// and it pushes on the other one. Returns the size of all.
-std::size_t Cholesky::placeUpdates()
+// and it pushes on the other one. The stacks of the subtrees lie in the memory of the thread at work, all but
+// what their roots hand on.
+void Cholesky::placeUpdates()
 {
   const Elimination& elimination = *this->elimination_;
-  this->updatePlaces_.resize(elimination.supernodes.size());
+  this->updatePlaces_.assign(elimination.supernodes.size(), 0);
   const auto size = [this](int s)
   {
     const PanelShape shape = this->shapeOf(s);
     return static_cast<std::size_t>(shape.others) * static_cast<std::size_t>(shape.rows);
   };
-  std::size_t base = 0;
-  for (int subtree = -1; subtree < static_cast<int>(elimination.subtrees.size()); ++subtree)
+  // Places the supernodes first .. last of one subtree, or those of none, and returns the size of the stacks.
+  const auto place = [&](int subtree, int first, int last)
   {
-    const int first = subtree < 0 ? 0 : elimination.subtrees[subtree][0];
-    const int last =
-      subtree < 0 ? static_cast<int>(elimination.supernodes.size()) - 1 : elimination.subtrees[subtree][1];
     std::array<std::size_t, 2> top{}, most{};
     for (int s = first; s <= last; ++s)
     {
@@ -113,14 +149,28 @@ std::size_t Cholesky::placeUpdates()
     for (int s = first; s <= last; ++s)
     {
       const Supernode& node = elimination.supernodes[s];
-      if (node.subtree == subtree)
-      {
-        this->updatePlaces_[s] += base + (node.depth % 2 ? most[0] : 0);
-      }
+      this->updatePlaces_[s] += node.subtree == subtree && node.depth % 2 ? most[0] : 0;
     }
-    base += most[0] + most[1];
+    return most[0] + most[1];
+  };
+  std::size_t shared = place(-1, 0, static_cast<int>(elimination.supernodes.size()) - 1), stacks = 0;
+  for (int subtree = 0; subtree < static_cast<int>(elimination.subtrees.size()); ++subtree)
+  {
+    const auto [first, root] = elimination.subtrees[subtree];
+    stacks = std::max(stacks, place(subtree, first, root - 1));
+    this->updatePlaces_[root] = shared;
+    shared += size(root);
   }
-  return base;
+  this->memory_->updates.reserve(shared);
+  this->stackSize_ = stacks;
+}
+
+// Where the supernode's update is: the stacks are those of the thread that works on its subtree.
+double* Cholesky::updateOf(int s, const Memory& stacks) const
+{
+  const int subtree = this->elimination_->supernodes[s].subtree;
+  const bool shared = subtree < 0 || this->elimination_->subtrees[subtree][1] == s;
+  return (shared ? this->memory_->updates : stacks).data() + this->updatePlaces_[s];
 }
 
 // Clears the panel and puts the matrix's entries there. place is scratch.
@@ -131,7 +181,7 @@ void Cholesky::assemble(int s, const BlockMatrix& matrix, std::vector<int>& plac
   const int b = this->block_;
   const PanelShape shape = this->shapeOf(s);
   const std::size_t ld = static_cast<std::size_t>(shape.height);
-  double* panel = this->panels_.get() + this->panelPlaces_[s];
+  double* panel = this->memory_->panels.data() + this->panelPlaces_[s];
   std::fill_n(panel, shape.size(), 0.0);
   for (int i = 0; i < node.columns; ++i)
   {
@@ -154,7 +204,7 @@ void Cholesky::assemble(int s, const BlockMatrix& matrix, std::vector<int>& plac
         const double* value = matrix.values.data() + static_cast<std::size_t>(k) * b * b;
         for (int c = 0; c < b; ++c)
         {
-          std::copy_n(value + c * b, b, columns + ld * c + place[row]);
+          copyColumn(value + c * b, b, columns + ld * c + place[row]);
         }
       }
     }
@@ -165,22 +215,14 @@ void Cholesky::assemble(int s, const BlockMatrix& matrix, std::vector<int>& plac
   }
 }
 
-// Adds what the children handed on, after clearing what the node will.
-void Cholesky::gather(int s, const Context& context)
+// Adds what the children handed on to the panel, or to what the supernode hands on itself.
+void Cholesky::gather(int s, bool toPanel, const Memory& stacks, const Context& context)
 {
   const Supernode& node = this->elimination_->supernodes[s];
   const PanelShape shape = this->shapeOf(s);
-  double* panel = this->panels_.get() + this->panelPlaces_[s];
-  double* update = this->updates_.get() + this->updatePlaces_[s];
-  context.parallelFor(shape.rows,
-    [&](int begin, int end)
-    {
-      for (int j = begin; j < end; ++j)
-      {
-        const int first = j / 8 * 8; // tiles reach this far above the diagonal
-        std::fill_n(update + static_cast<std::size_t>(j) * shape.others + first, shape.others - first, 0.0);
-      }
-    });
+  double* into =
+    toPanel ? this->memory_->panels.data() + this->panelPlaces_[s] : this->updateOf(s, stacks) - shape.own;
+  const int step = toPanel ? shape.height : shape.others;
   for (const int child : node.children)
   {
     if (child < 0)
@@ -189,26 +231,25 @@ void Cholesky::gather(int s, const Context& context)
     }
     const std::vector<Run> runs = runsOf(this->elimination_->supernodes[child], node, this->block_);
     const std::size_t height = static_cast<std::size_t>(this->shapeOf(child).others);
-    const double* values = this->updates_.get() + this->updatePlaces_[child];
-    context.parallelFor(static_cast<int>(runs.size()),
+    const double* values = this->updateOf(child, stacks);
+    const auto second =
+      std::find_if(runs.begin(), runs.end(), [&](const Run& run) { return run.to >= shape.own; });
+    const auto first = toPanel ? runs.begin() : second, last = toPanel ? second : runs.end();
+    context.parallelFor(static_cast<int>(last - first),
       [&](int begin, int end)
       {
-        for (int r = begin; r < end; ++r)
+        for (auto columns = first + begin; columns != first + end; ++columns)
         {
-          const Run columns = runs[r];
-          double* to =
-            columns.to < shape.own
-              ? panel + static_cast<std::size_t>(columns.to) * shape.height
-              : update + static_cast<std::size_t>(columns.to - shape.own) * shape.others - shape.own;
-          const int step = columns.to < shape.own ? shape.height : shape.others;
-          const double* from = values + static_cast<std::size_t>(columns.from) * height;
-          for (int j = 0; j < columns.count; ++j, to += step, from += height)
+          const int column = toPanel ? columns->to : columns->to - shape.own;
+          double* to = into + static_cast<std::size_t>(column) * step;
+          const double* from = values + static_cast<std::size_t>(columns->from) * height;
+          for (int j = 0; j < columns->count; ++j, to += step, from += height)
           {
-            for (int i = j; i < columns.count; ++i)
+            for (int i = j; i < columns->count; ++i)
             {
-              to[columns.to + i] += from[columns.from + i];
+              to[columns->to + i] += from[columns->from + i];
             }
-            for (auto run = runs.begin() + r + 1; run != runs.end(); ++run)
+            for (auto run = columns + 1; run != runs.end(); ++run)
             {
               for (int i = 0; i < run->count; ++i)
               {
@@ -221,12 +262,13 @@ void Cholesky::gather(int s, const Context& context)
   }
 }
 
-// Factors the panel and takes its square from what is handed on, some columns at a time.
-bool Cholesky::eliminate(int s, std::vector<double>& packed, const Context& context)
+// Factors the panel, some columns at a time, and makes what is handed on.
+bool Cholesky::eliminate(int s, const Memory& stacks, std::vector<double>& packed, const Context& context)
 {
   const DenseKernels& dense = denseKernels();
   const PanelShape shape = this->shapeOf(s);
-  double* panel = this->panels_.get() + this->panelPlaces_[s];
+  this->gather(s, true, stacks, context);
+  double* panel = this->memory_->panels.data() + this->panelPlaces_[s];
   const double* smallest =
     this->smallest_.data() + static_cast<std::size_t>(this->elimination_->supernodes[s].first) * this->block_;
   const std::size_t ld = static_cast<std::size_t>(shape.height);
@@ -252,23 +294,30 @@ bool Cholesky::eliminate(int s, std::vector<double>& packed, const Context& cont
           pack(x, shape.height, rows, count, packed.data() + static_cast<std::size_t>(first) * count);
         }
       });
-    this->eliminateFrom(s, start, count, packed, context);
+    this->eliminateFrom(s, done, count, stacks, packed, context);
   }
+  if (shape.columns == 0)
+  {
+    std::fill_n(this->updateOf(s, stacks), static_cast<std::size_t>(shape.others) * shape.rows, 0.0);
+  }
+  this->gather(s, false, stacks, context);
   return true;
 }
 
 // Takes the square of `count` columns, packed from row `start` on, from the columns from `start` on and from
 // what is handed on.
 void Cholesky::eliminateFrom(int s,
-  int start,
+  int done,
   int count,
+  const Memory& stacks,
   const std::vector<double>& packed,
   const Context& context)
 {
   const DenseKernels& dense = denseKernels();
   const PanelShape shape = this->shapeOf(s);
-  double* panel = this->panels_.get() + this->panelPlaces_[s];
-  double* update = this->updates_.get() + this->updatePlaces_[s];
+  double* panel = this->memory_->panels.data() + this->panelPlaces_[s];
+  double* update = this->updateOf(s, stacks);
+  const int start = done + count < shape.columns ? done + count : shape.own;
   const int below = shape.height - start;
   const int own = shape.own - start; // rows, and padded columns, that the panel has from there on
   const std::size_t strip = static_cast<std::size_t>(24) * count;
@@ -287,8 +336,15 @@ void Cholesky::eliminateFrom(int s,
                         ? panel + (start + row) + static_cast<std::size_t>(start + column) * shape.height
                         : update + (row - own) + static_cast<std::size_t>(column - own) * shape.others;
           const int columns = column < own ? shape.columns - start - column : shape.rows - (column - own);
-          dense.multiply(
-            c, column < own ? shape.height : shape.others, a, b, count, last - row, std::min(8, columns));
+          const bool fresh = column >= own && done == 0;
+          dense.multiply(c,
+            column < own ? shape.height : shape.others,
+            a,
+            b,
+            count,
+            last - row,
+            std::min(8, columns),
+            fresh);
         }
       }
     });
@@ -301,22 +357,22 @@ bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
   {
     this->block_ = matrix.block;
     this->placePanels();
+    this->placeUpdates();
   }
-  this->updates_.reset(new double[this->placeUpdates()]);
   std::atomic<bool> good(true);
   const Context serial;
   context.checkpoint(0.0);
   elimination.forSubtrees(context,
     [&](int subtree)
     {
+      const auto stacks = this->memory_->stacks.take(this->stackSize_);
       std::vector<int> place(elimination.order.size());
       std::vector<double> packed;
       const auto [first, last] = elimination.subtrees[subtree];
       for (int s = first; s <= last && good && !context.cancelled(); ++s)
       {
         this->assemble(s, matrix, place);
-        this->gather(s, serial);
-        if (!this->eliminate(s, packed, serial))
+        if (!this->eliminate(s, *stacks, packed, serial))
         {
           good = false;
         }
@@ -337,11 +393,9 @@ bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
       context.checkpoint(done / total);
       done += workOf(elimination.supernodes[s]);
       this->assemble(s, matrix, place);
-      this->gather(s, context);
-      good = this->eliminate(s, packed, context);
+      good = this->eliminate(s, this->memory_->updates, packed, context);
     }
   }
-  this->updates_.reset();
   context.checkpoint(good ? 1.0 : done / total);
   return good;
 }
@@ -353,13 +407,12 @@ void Cholesky::forward(int s, int sides, std::vector<double>& local)
   const Supernode& node = elimination.supernodes[s];
   const int b = this->block_;
   const PanelShape shape = this->shapeOf(s);
-  const std::size_t all = this->smallest_.size();
-  local.assign(static_cast<std::size_t>(shape.height) * sides, 0.0);
-  for (int side = 0; side < sides; ++side)
+  const std::size_t height = static_cast<std::size_t>(shape.height);
+  local.assign(height * sides, 0.0);
+  double* own = this->solution_.data() + static_cast<std::size_t>(node.first) * b * sides;
+  for (int i = 0; i < shape.columns; ++i)
   {
-    std::copy_n(this->solution_.data() + side * all + static_cast<std::size_t>(node.first) * b,
-      shape.columns,
-      local.data() + static_cast<std::size_t>(side) * shape.height);
+    scatter(own + i * sides, local.data() + i, height, sides);
   }
   for (const int child : node.children)
   {
@@ -367,32 +420,31 @@ void Cholesky::forward(int s, int sides, std::vector<double>& local)
     {
       continue;
     }
-    const std::vector<int>& toParent = elimination.supernodes[child].toParent;
-    const int height = this->shapeOf(child).others;
+    const int rows = this->shapeOf(child).others;
     const double* from = this->vectors_.data() + this->vectorPlaces_[child] * sides;
-    for (int side = 0; side < sides; ++side, from += height)
+    for (const Run& run : runsOf(elimination.supernodes[child], node, b))
     {
-      double* to = local.data() + static_cast<std::size_t>(side) * shape.height;
-      for (std::size_t i = 0; i < toParent.size(); ++i)
+      for (int side = 0; side < sides; ++side)
       {
-        const int row = toParent[i];
-        double* out = to + (row < node.columns ? row * b : shape.own + (row - node.columns) * b);
-        for (int k = 0; k < b; ++k)
+        const double* in = from + side * rows + run.from;
+        double* out = local.data() + side * height + run.to;
+        for (int i = 0; i < run.count; ++i)
         {
-          out[k] += from[i * b + k];
+          out[i] += in[i];
         }
       }
     }
   }
   denseKernels().forward(
-    this->panels_.get() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
+    this->memory_->panels.data() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
+  for (int i = 0; i < shape.columns; ++i)
+  {
+    collect(local.data() + i, height, sides, own + i * sides);
+  }
   double* handed = this->vectors_.data() + this->vectorPlaces_[s] * sides;
   for (int side = 0; side < sides; ++side)
   {
-    const double* from = local.data() + static_cast<std::size_t>(side) * shape.height;
-    std::copy_n(
-      from, shape.columns, this->solution_.data() + side * all + static_cast<std::size_t>(node.first) * b);
-    std::copy_n(from + shape.own, shape.others, handed + static_cast<std::size_t>(side) * shape.others);
+    std::copy_n(local.data() + side * height + shape.own, shape.others, handed + side * shape.others);
   }
 }
 
@@ -402,26 +454,27 @@ void Cholesky::backward(int s, int sides, std::vector<double>& local)
   const Supernode& node = this->elimination_->supernodes[s];
   const int b = this->block_;
   const PanelShape shape = this->shapeOf(s);
-  const std::size_t all = this->smallest_.size();
-  local.assign(static_cast<std::size_t>(shape.height) * sides, 0.0);
-  for (int side = 0; side < sides; ++side)
+  const std::size_t height = static_cast<std::size_t>(shape.height);
+  local.assign(height * sides, 0.0);
+  double* own = this->solution_.data() + static_cast<std::size_t>(node.first) * b * sides;
+  for (int i = 0; i < shape.columns; ++i)
   {
-    const double* from = this->solution_.data() + side * all;
-    double* to = local.data() + static_cast<std::size_t>(side) * shape.height;
-    std::copy_n(from + static_cast<std::size_t>(node.first) * b, shape.columns, to);
-    to += shape.own;
-    for (const int row : node.rows)
+    scatter(own + i * sides, local.data() + i, height, sides);
+  }
+  double* to = local.data() + shape.own;
+  for (const int row : node.rows)
+  {
+    const double* from = this->solution_.data() + static_cast<std::size_t>(row) * b * sides;
+    for (int k = 0; k < b; ++k, ++to)
     {
-      to = std::copy_n(from + static_cast<std::size_t>(row) * b, b, to);
+      scatter(from + k * sides, to, height, sides);
     }
   }
   denseKernels().backward(
-    this->panels_.get() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
-  for (int side = 0; side < sides; ++side)
+    this->memory_->panels.data() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
+  for (int i = 0; i < shape.columns; ++i)
   {
-    std::copy_n(local.data() + static_cast<std::size_t>(side) * shape.height,
-      shape.columns,
-      this->solution_.data() + side * all + static_cast<std::size_t>(node.first) * b);
+    collect(local.data() + i, height, sides, own + i * sides);
   }
 }
 
@@ -449,23 +502,20 @@ void Cholesky::solve(Eigen::MatrixXd& rightSide, const Context& context)
     this->solution_.resize(all * sides);
     this->vectors_.resize(this->vectorPlaces_.back() * sides);
     double* outer = rightSide.data() + solved * rightSide.rows();
-    // Calls move(place outside, place inside) for each node and side.
+    // Calls move(entry outside, row inside) for each row; the sides of a row stand together inside.
     const auto permute = [&](const auto& move)
     {
       context.parallelFor(elimination.nodeCount(),
         [&](int begin, int end)
         {
-          for (int side = 0; side < sides; ++side)
+          for (int row = begin * b; row < end * b; ++row)
           {
-            for (int i = begin; i < end; ++i)
-            {
-              move(outer + side * all + static_cast<std::size_t>(elimination.inverse[i]) * b,
-                this->solution_.data() + side * all + static_cast<std::size_t>(i) * b);
-            }
+            move(outer + static_cast<std::size_t>(elimination.inverse[row / b]) * b + row % b,
+              this->solution_.data() + static_cast<std::size_t>(row) * sides);
           }
         });
     };
-    permute([b](double* from, double* to) { std::copy_n(from, b, to); });
+    permute([=](double* given, double* row) { collect(given, all, sides, row); });
     elimination.forSubtrees(context,
       [&](int subtree)
       {
@@ -493,7 +543,7 @@ void Cholesky::solve(Eigen::MatrixXd& rightSide, const Context& context)
         }
       });
     context.checkpoint(static_cast<double>(solved + sides) / static_cast<double>(rightSide.cols()));
-    permute([b](double* to, const double* from) { std::copy_n(from, b, to); });
+    permute([=](double* given, double* row) { scatter(row, given, all, sides); });
     solved += sides;
   }
 }

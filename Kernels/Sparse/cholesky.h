@@ -8,6 +8,7 @@
 #include "Mesh/context.h"
 #include "Sparse/block_matrix.h"
 #include "Sparse/elimination.h"
+#include "Sparse/memory.h"
 
 #include <Eigen/Core>
 
@@ -24,7 +25,9 @@ namespace oversketch
 class Cholesky
 {
 public:
-  explicit Cholesky(std::shared_ptr<const Elimination> elimination);
+  // memory: that of a factor which is not used any more, to save the time of taking new memory.
+  explicit Cholesky(std::shared_ptr<const Elimination> elimination,
+    std::shared_ptr<FactorMemory> memory = std::make_shared<FactorMemory>());
 
   // Factors a matrix of the pattern that the elimination was made for, with blocks of any size; what was held
   // before is lost. False when a pivot falls below 1e-12 of its diagonal entry: the matrix is not positive
@@ -39,11 +42,17 @@ private:
 
   PanelShape shapeOf(int s) const { return PanelShape(this->elimination_->supernodes[s], this->block_); }
   void placePanels();
-  std::size_t placeUpdates();
+  void placeUpdates();
+  double* updateOf(int s, const Memory& stacks) const;
   void assemble(int s, const BlockMatrix& matrix, std::vector<int>& place);
-  void gather(int s, const Context& context);
-  bool eliminate(int s, std::vector<double>& packed, const Context& context);
-  void eliminateFrom(int s, int done, int count, const std::vector<double>& packed, const Context& context);
+  void gather(int s, bool toPanel, const Memory& stacks, const Context& context);
+  bool eliminate(int s, const Memory& stacks, std::vector<double>& packed, const Context& context);
+  void eliminateFrom(int s,
+    int done,
+    int count,
+    const Memory& stacks,
+    const std::vector<double>& packed,
+    const Context& context);
   void forward(int s, int sides, std::vector<double>& local);
   void backward(int s, int sides, std::vector<double>& local);
   void sweep(const std::vector<int>& level, Step step, int sides, const Context& context);
@@ -53,9 +62,10 @@ private:
   // Of each supernode: where its panel begins, what it hands on in the factorisation, and what in a solve
   // with one right-hand side.
   std::vector<std::size_t> panelPlaces_, updatePlaces_, vectorPlaces_;
-  std::unique_ptr<double[]> panels_, updates_;
+  std::size_t stackSize_ = 0; // of the subtrees' updates, see placeUpdates
+  std::shared_ptr<FactorMemory> memory_;
   std::vector<double> smallest_; // pivots
-  std::vector<double> solution_; // in the new order, right-hand side after right-hand side
+  std::vector<double> solution_; // in the new order, the right-hand sides side by side
   std::vector<double> vectors_;
 };
 

@@ -44,10 +44,36 @@ OVERSKETCH_INLINE void store(double* to, const typename Vector<W>::Type& v)
   *reinterpret_cast<typename Vector<W>::Memory*>(to) = v;
 }
 
-// c -= a b^T for V vectors of W rows and at most C columns, the sums in registers.
+// Sum of a vector's entries, by halves.
+template <int W>
+OVERSKETCH_INLINE double total(const typename Vector<W>::Type& v)
+{
+  if constexpr (W == 2)
+  {
+    return v[0] + v[1];
+  }
+  else
+  {
+    double entries[W];
+    store<W>(entries, v);
+    typename Vector<W / 2>::Type low, high;
+    load<W / 2>(low, entries);
+    load<W / 2>(high, entries + W / 2);
+    return total<W / 2>(low + high);
+  }
+}
+
+// c (0 if fresh) -= a b^T for V vectors of W rows and at most C columns, the sums in registers.
 template <int W, int V, int C>
-OVERSKETCH_INLINE void
-tile(double* c, int ldc, const double* a, int stepA, const double* b, int stepB, int depth, int columns)
+OVERSKETCH_INLINE void tile(double* c,
+  int ldc,
+  const double* a,
+  int stepA,
+  const double* b,
+  int stepB,
+  int depth,
+  int columns,
+  bool fresh)
 {
   typename Vector<W>::Type sum[C][V] = {};
   for (int k = 0; k < depth; ++k)
@@ -77,8 +103,11 @@ tile(double* c, int ldc, const double* a, int stepA, const double* b, int stepB,
 #pragma GCC unroll 4
       for (int v = 0; v < V; ++v)
       {
-        typename Vector<W>::Type old;
-        load<W>(old, c + static_cast<long>(j) * ldc + v * W);
+        typename Vector<W>::Type old{};
+        if (!fresh)
+        {
+          load<W>(old, c + static_cast<long>(j) * ldc + v * W);
+        }
         store<W>(c + static_cast<long>(j) * ldc + v * W, old - sum[j][v]);
       }
     }
@@ -98,7 +127,8 @@ OVERSKETCH_INLINE void tiles(double* c,
   int stepB,
   int depth,
   int rows,
-  int columns)
+  int columns,
+  bool fresh)
 {
   constexpr int C = tileColumns<W>;
   for (int j = 0; j < columns; j += C)
@@ -107,16 +137,16 @@ OVERSKETCH_INLINE void tiles(double* c,
     int i = 0;
     for (; i + 3 * W <= rows; i += 3 * W)
     {
-      tile<W, 3, C>(out + i, ldc, a + i, stepA, b + j, stepB, depth, columns - j);
+      tile<W, 3, C>(out + i, ldc, a + i, stepA, b + j, stepB, depth, columns - j, fresh);
     }
     if (i + 2 * W <= rows)
     {
-      tile<W, 2, C>(out + i, ldc, a + i, stepA, b + j, stepB, depth, columns - j);
+      tile<W, 2, C>(out + i, ldc, a + i, stepA, b + j, stepB, depth, columns - j, fresh);
       i += 2 * W;
     }
     if (i + W <= rows)
     {
-      tile<W, 1, C>(out + i, ldc, a + i, stepA, b + j, stepB, depth, columns - j);
+      tile<W, 1, C>(out + i, ldc, a + i, stepA, b + j, stepB, depth, columns - j, fresh);
     }
   }
 }
@@ -160,7 +190,7 @@ OVERSKETCH_INLINE void solveRowsAny(const double* l, double* x, int ld, int rows
     double* strip = x + static_cast<long>(j) * ld;
     for (int i = 0; i < rows; i += 24)
     {
-      tiles<W>(strip + i, ld, x + i, ld, l + j, ld, j, std::min(24, rows - i), columns);
+      tiles<W>(strip + i, ld, x + i, ld, l + j, ld, j, std::min(24, rows - i), columns, false);
     }
     solveStrip<W>(l + j + static_cast<long>(j) * ld, strip, ld, rows, columns);
   }
@@ -176,7 +206,7 @@ OVERSKETCH_INLINE bool factorAny(double* a, int ld, int count, const double* sma
     double* strip = a + static_cast<long>(j) * ld;
     for (int i = j; i < height; i += 24)
     {
-      tiles<W>(strip + i, ld, a + i, ld, a + j, ld, j, std::min(24, height - i), columns);
+      tiles<W>(strip + i, ld, a + i, ld, a + j, ld, j, std::min(24, height - i), columns, false);
     }
     double* corner = strip + j;
     for (int k = 0; k < columns; ++k)
@@ -301,12 +331,7 @@ OVERSKETCH_INLINE void backwardColumns(const double* l, int ld, int first, doubl
   {
     for (int s = 0; s < S; ++s)
     {
-      double total = 0.0;
-      for (int w = 0; w < W; ++w)
-      {
-        total += sum[j][s][w];
-      }
-      own[j + s * ld] -= total;
+      own[j + s * ld] -= total<W>(sum[j][s]);
     }
   }
 }
@@ -325,7 +350,17 @@ OVERSKETCH_INLINE void forwardAny(const double* l, int height, int count, double
     {
       forwardColumns<W, S, C>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
     }
-    for (; k < columns; ++k)
+    if (C > 4 && k + 4 <= columns)
+    {
+      forwardColumns<W, S, 4>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
+      k += 4;
+    }
+    if (k + 2 <= columns)
+    {
+      forwardColumns<W, S, 2>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
+      k += 2;
+    }
+    if (k < columns)
     {
       forwardColumns<W, S, 1>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
     }
@@ -345,7 +380,17 @@ OVERSKETCH_INLINE void backwardAny(const double* l, int height, int count, doubl
     {
       backwardColumns<W, S, C>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
     }
-    for (; k < columns; ++k)
+    if (C > 4 && k + 4 <= columns)
+    {
+      backwardColumns<W, S, 4>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
+      k += 4;
+    }
+    if (k + 2 <= columns)
+    {
+      backwardColumns<W, S, 2>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
+      k += 2;
+    }
+    if (k < columns)
     {
       backwardColumns<W, S, 1>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
     }
@@ -366,10 +411,16 @@ OVERSKETCH_INLINE void backwardAny(const double* l, int height, int count, doubl
     {                                                                                                        \
       solveRowsAny<W>(l, x, ld, rows, count);                                                                \
     }                                                                                                        \
-    target static void                                                                                       \
-    multiply(double* c, int ldc, const double* a, const double* b, int depth, int rows, int columns)         \
+    target static void multiply(double* c,                                                                   \
+      int ldc,                                                                                               \
+      const double* a,                                                                                       \
+      const double* b,                                                                                       \
+      int depth,                                                                                             \
+      int rows,                                                                                              \
+      int columns,                                                                                           \
+      bool fresh)                                                                                            \
     {                                                                                                        \
-      tiles<W>(c, ldc, a, 24, b, 24, depth, rows, columns);                                                  \
+      tiles<W>(c, ldc, a, 24, b, 24, depth, rows, columns, fresh);                                           \
     }                                                                                                        \
     target static void forward(const double* l, int height, int count, double* x, int sides)                 \
     {                                                                                                        \
@@ -418,10 +469,18 @@ void pack(const double* a, int ld, int rows, int depth, double* out)
   for (int i = 0; i < rows; i += 24)
   {
     const int height = std::min(24, rows - i);
-    for (int k = 0; k < depth; ++k)
+    const double* from = a + i;
+    for (int k = 0; k < depth; ++k, from += ld, out += 24)
     {
-      std::copy_n(a + i + static_cast<long>(k) * ld, height, out);
-      out += 24;
+      if (height == 24)
+      {
+        std::copy_n(from, 24, out); // by vectors, without a call
+      }
+      else
+      {
+        std::copy_n(from, 8, out);
+        std::copy_n(from + height - 8, 8, out + height - 8);
+      }
     }
   }
 }

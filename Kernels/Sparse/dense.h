@@ -29,9 +29,16 @@ struct DenseKernels
   // ld.
   void (*solveRows)(const double* l, double* x, int ld, int rows, int count);
 
-  // c -= a b^T for `rows` (a multiple of 8, at most 24) by `columns` (at most 8) of c. Column k of a starts
-  // at a + 24 k, that of b at b + 24 k, as `pack` puts them.
-  void (*multiply)(double* c, int ldc, const double* a, const double* b, int depth, int rows, int columns);
+  // c -= a b^T, or c = -a b^T if fresh, for `rows` (a multiple of 8, at most 24) by `columns` (at most 8) of
+  // c. Column k of a starts at a + 24 k, that of b at b + 24 k, as `pack` puts them.
+  void (*multiply)(double* c,
+    int ldc,
+    const double* a,
+    const double* b,
+    int depth,
+    int rows,
+    int columns,
+    bool fresh);
 
   // Solves L x = x for the first `count` rows of x and takes from the `height` - roundedUp(count, 8) others
   // what they get from it. x holds 1 or 3 right-hand sides, each `height` (= ld) long.

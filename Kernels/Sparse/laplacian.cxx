@@ -467,7 +467,8 @@ void LaplacianSystem::Parts::factorise(BlockMatrix matrix, const Context& contex
 LaplacianSystem::LaplacianSystem(std::shared_ptr<const LaplacianShape> shape,
   const std::vector<Binding>& handles,
   double handleWeight,
-  const Context& context)
+  const Context& context,
+  std::shared_ptr<FactorMemory> memory)
   : parts_(new Parts)
 {
   Parts& parts = *this->parts_;
@@ -478,7 +479,8 @@ LaplacianSystem::LaplacianSystem(std::shared_ptr<const LaplacianShape> shape,
   const bool same = matrix.pattern.values.size() == parts.shape->normal.pattern.values.size();
   parts.factor = std::make_unique<Cholesky>(
     same ? parts.shape->elimination
-         : std::make_shared<const Elimination>(matrix.pattern, parts.shape->positions, context));
+         : std::make_shared<const Elimination>(matrix.pattern, parts.shape->positions, context),
+    std::move(memory));
   parts.factorise(std::move(matrix), context);
 }
 

@@ -8,6 +8,7 @@
 #include "Silhouette/curves.h"
 #include "Sparse/block_matrix.h"
 #include "Sparse/elimination.h"
+#include "Sparse/memory.h"
 
 #include <memory>
 #include <vector>
@@ -67,11 +68,12 @@ class LaplacianSystem
 {
 public:
   // Throws Error(Failure::SolveFailed) when the system stays singular after regularisation,
-  // Error(Failure::Cancelled).
+  // Error(Failure::Cancelled). memory: that of a system which is not used any more.
   LaplacianSystem(std::shared_ptr<const LaplacianShape> shape,
     const std::vector<Binding>& handles,
     double handleWeight,
-    const Context& context);
+    const Context& context,
+    std::shared_ptr<FactorMemory> memory = std::make_shared<FactorMemory>());
   // The same with a shape of its own, of what may move in the region (one byte per vertex); throws what
   // movableVertices throws, too.
   LaplacianSystem(const Mesh& mesh,

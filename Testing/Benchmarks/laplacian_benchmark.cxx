@@ -239,6 +239,7 @@ struct Case
   Sparse eigenMatrices[2];
   std::unique_ptr<LaplacianSystem> system; // the plain form, with handles
   std::unique_ptr<Cholesky> factor;        // of its matrix alone
+  std::shared_ptr<FactorMemory> memory = std::make_shared<FactorMemory>();
   std::unique_ptr<Drag> drag;
   std::vector<Vector3> moves;
   std::vector<Vector3> points;
@@ -325,7 +326,8 @@ void factorOurs(Case& of, bool adjusted)
 {
   const auto elimination =
     std::make_shared<Elimination>(of.matrices[adjusted].pattern, of.shapes[adjusted]->positions, threads());
-  if (!Cholesky(elimination).factorise(of.matrices[adjusted], threads()))
+  // In the memory of the last factor, as the filter has it from stroke to stroke.
+  if (!Cholesky(elimination, of.memory).factorise(of.matrices[adjusted], threads()))
   {
     std::fprintf(stderr, "The factorisation failed.\n");
     std::exit(1);

@@ -1,0 +1,83 @@
+// Memory that factors lie in, kept from one to the next: the system hands new memory out page by page, which
+// takes as long as a factorisation.
+#ifndef oversketch_memory_h
+#define oversketch_memory_h
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace oversketch
+{
+
+// Room for doubles, not cleared.
+class Memory
+{
+public:
+  // What it held is lost if it has to grow.
+  void reserve(std::size_t count)
+  {
+    if (count > this->room_)
+    {
+      this->data_.reset();
+      this->room_ = 0;
+      const std::size_t room = count + count / 4; // what is never touched takes no memory
+      this->data_.reset(new double[room]);
+      this->room_ = room;
+    }
+  }
+  double* data() const { return this->data_.get(); }
+
+private:
+  std::unique_ptr<double[]> data_;
+  std::size_t room_ = 0;
+};
+
+// Pieces of memory of one size for any number of threads.
+class MemoryPool
+{
+public:
+  // A piece that goes back when the handle dies.
+  struct Return
+  {
+    MemoryPool* pool;
+    void operator()(Memory* memory) const
+    {
+      const std::lock_guard<std::mutex> lock(this->pool->mutex_);
+      this->pool->free_.emplace_back(memory);
+    }
+  };
+  std::unique_ptr<Memory, Return> take(std::size_t count)
+  {
+    std::unique_ptr<Memory> memory;
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex_);
+      if (!this->free_.empty())
+      {
+        memory = std::move(this->free_.back());
+        this->free_.pop_back();
+      }
+    }
+    if (!memory)
+    {
+      memory = std::make_unique<Memory>();
+    }
+    memory->reserve(count);
+    return { memory.release(), { this } };
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Memory>> free_;
+};
+
+// What one Cholesky factor lies in. The next one may take it over once the former is not used any more.
+struct FactorMemory
+{
+  Memory panels, updates;
+  MemoryPool stacks;
+};
+
+} // namespace oversketch
+#endif
