@@ -437,8 +437,8 @@ private:
     {
       const EdgePoint p = edgePoint(place);
       const Bend left(before, p.position, p.normal, after);
-      const double squaredEdge = e.dot(e);
-      if ((p.squared > 0.25 && left.isNone(a.dot(a) + squaredEdge, b.dot(b) + squaredEdge)) ||
+      const double squaredStep = place * place * e.dot(e);
+      if ((p.squared > 0.25 && left.isNone(a.dot(a) + squaredStep, b.dot(b) + squaredStep)) ||
           EdgeSmoothness(a, b, e, n0, dn).isStraight(place))
       {
         return accept(p, left);
