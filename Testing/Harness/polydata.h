@@ -93,11 +93,13 @@ inline vtkSmartPointer<vtkPolyData> toStroke(const std::vector<Vector2>& samples
   return stroke;
 }
 
-// Collects the errors and warnings of a filter and of its executive instead of letting them be printed.
+// While it lives, collects the errors and warnings of a filter and of its executive instead of letting them
+// be printed.
 class Ear
 {
 public:
   explicit Ear(vtkAlgorithm* filter)
+    : Filter(filter)
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback(
@@ -114,9 +116,18 @@ public:
     this->Executive->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Executive);
   }
+  ~Ear()
+  {
+    this->Filter->RemoveObserver(this->Command);
+    this->Filter->GetExecutive()->RemoveObserver(this->Executive);
+  }
+  Ear(const Ear&) = delete;
+  Ear& operator=(const Ear&) = delete;
+
   std::vector<std::string> errors, warnings;
 
 private:
+  vtkSmartPointer<vtkAlgorithm> Filter;
   vtkNew<vtkCallbackCommand> Command, Executive;
 };
 

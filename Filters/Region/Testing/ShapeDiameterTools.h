@@ -3,7 +3,7 @@
 #define oversketch_test_shape_diameter_h
 
 #include "Harness/data.h"
-#include "Harness/polydata.h"
+#include "Harness/promises.h"
 #include "Ray/shape_diameter.h"
 #include "vtkOversketchShapeDiameter.h"
 

@@ -2,7 +2,7 @@
 #ifndef oversketch_test_remesh_h
 #define oversketch_test_remesh_h
 
-#include "Harness/polydata.h"
+#include "Harness/promises.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchRemesh.h"
 

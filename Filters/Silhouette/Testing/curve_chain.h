@@ -2,14 +2,10 @@
 #ifndef oversketch_curve_chain_h
 #define oversketch_curve_chain_h
 
-#include "Harness/polydata.h"
+#include "Harness/promises.h"
 #include "vtkOversketchSilhouette.h"
 #include "vtkOversketchSnake.h"
 #include "vtkOversketchVisibility.h"
-
-#include "Mesh/context.h"
-
-#include "vtkErrorCode.h"
 
 #include <gtest/gtest.h>
 
@@ -142,19 +138,6 @@ inline void expectSame(vtkPolyData* a, vtkPolyData* b)
   }
 }
 
-// The filter refuses its input with one error of the given kind that has the word in it, and holds nothing
-// after.
-inline void expectRefusal(vtkPolyDataAlgorithm* filter, Failure failure, const std::string& word)
-{
-  Ear ear(filter);
-  filter->Update();
-  ASSERT_EQ(ear.errors.size(), 1u) << word;
-  EXPECT_NE(ear.errors[0].find(word), std::string::npos) << ear.errors[0];
-  EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError + static_cast<unsigned long>(failure)) << word;
-  filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << word;
-}
-
 // As expectRefusal, of a step that reads curves, the mesh and the stroke.
 template <typename Filter>
 void expectRefusalOf(vtkPolyData* curves,
@@ -185,23 +168,12 @@ void expectNothingOfNoCurves(vtkPolyData* mesh, vtkPolyData* stroke)
   EXPECT_EQ(idle->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-// Stops `filter`, which has not run yet, at its first progress, then lets it run: it does what `other` does.
+// Cancels `filter`, which has not run yet, then lets it run: it does what `other` does.
 inline void expectCancelAndRetry(vtkPolyDataAlgorithm* filter, vtkPolyDataAlgorithm* other)
 {
   other->Update();
   ASSERT_GT(other->GetOutput()->GetNumberOfPoints(), 0);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn(); });
-  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
-  Ear ear(filter);
-  filter->Update();
-  EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::UserError + static_cast<unsigned long>(Failure::Cancelled));
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_TRUE(ear.errors.empty());
-  filter->RemoveObserver(tag);
-  filter->AbortExecuteOff();
-  filter->Modified();
+  expectCancel(filter);
   filter->Update();
   expectSame(other->GetOutput(), filter->GetOutput());
 }

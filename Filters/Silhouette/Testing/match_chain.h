@@ -2,15 +2,12 @@
 #ifndef oversketch_match_chain_h
 #define oversketch_match_chain_h
 
-#include "Harness/polydata.h"
+#include "Harness/promises.h"
 #include "vtkOversketchMatch.h"
 #include "vtkOversketchOutline.h"
 #include "vtkOversketchSilhouette.h"
 #include "vtkOversketchTargets.h"
 
-#include "Mesh/context.h"
-
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include "vtkOversketchMatch.h"
 #include "vtkOversketchOneStroke.h"
 
-#include "vtkErrorCode.h"
 #include "vtkIdList.h"
 #include "vtkSMPTools.h"
 
@@ -21,11 +20,6 @@ namespace
 
 const char* const model = "dog";
 const char* const strokeName = "dog_longer_leg";
-
-unsigned long code(Failure failure)
-{
-  return vtkErrorCode::UserError + static_cast<unsigned long>(failure);
-}
 
 struct System
 {
@@ -108,7 +102,7 @@ TEST(OneStroke, RefusesABadStrokeWithOneMessageAndNoStaleOutput)
     for (int again = 0; again < 2; ++again)
     {
       s.filter->Update();
-      EXPECT_EQ(s.filter->GetErrorCode(), code(Failure::BadStroke));
+      EXPECT_EQ(s.filter->GetErrorCode(), codeOf(Failure::BadStroke));
       EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
     }
     ASSERT_FALSE(ear.errors.empty());
@@ -121,7 +115,7 @@ TEST(OneStroke, RefusesABadStrokeWithOneMessageAndNoStaleOutput)
   s.filter->Update();
   ASSERT_EQ(ear.errors.size(), 1u);
   EXPECT_NE(ear.errors[0].find("ViewTransform"), std::string::npos) << ear.errors[0];
-  EXPECT_EQ(s.filter->GetErrorCode(), code(Failure::MissingArray));
+  EXPECT_EQ(s.filter->GetErrorCode(), codeOf(Failure::MissingArray));
   s.filter->SetStrokeData(s.stroke);
   s.filter->Update();
   EXPECT_EQ(s.filter->GetErrorCode(), 0u);
@@ -139,7 +133,7 @@ TEST(OneStroke, RefusesABadMesh)
   s.filter->Update();
   ASSERT_EQ(ear.errors.size(), 1u);
   EXPECT_NE(ear.errors[0].find("Point 7"), std::string::npos) << ear.errors[0];
-  EXPECT_EQ(s.filter->GetErrorCode(), code(Failure::BadMesh));
+  EXPECT_EQ(s.filter->GetErrorCode(), codeOf(Failure::BadMesh));
   vtkNew<vtkPolyData> empty;
   ear.errors.clear();
   s.filter->SetInputData(0, empty);
@@ -156,7 +150,7 @@ TEST(OneStroke, AnInnerErrorIsTheSystemsError)
   vtkOversketchMatch::SafeDownCast(s.filter->GetStep("Match"))->SetMaximumDistance(0.01);
   s.filter->Update();
   ASSERT_EQ(ear.errors.size(), 1u);
-  EXPECT_EQ(s.filter->GetErrorCode(), code(Failure::NoMatch));
+  EXPECT_EQ(s.filter->GetErrorCode(), codeOf(Failure::NoMatch));
   EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
   vtkOversketchMatch::SafeDownCast(s.filter->GetStep("Match"))->SetMaximumDistance(0.0);
   s.filter->Update();
@@ -194,7 +188,7 @@ TEST(OneStroke, CancelThenRetryGivesTheFullResult)
     const unsigned long tag = s.filter->AddObserver(vtkCommand::ProgressEvent, stop);
     s.filter->Update();
     EXPECT_TRUE(stopped) << at;
-    EXPECT_EQ(s.filter->GetErrorCode(), code(Failure::Cancelled)) << at;
+    EXPECT_EQ(s.filter->GetErrorCode(), codeOf(Failure::Cancelled)) << at;
     EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0) << at;
     EXPECT_TRUE(ear.errors.empty()) << at;
     s.filter->RemoveObserver(tag);

@@ -2,7 +2,7 @@
 #ifndef oversketch_test_shipped_h
 #define oversketch_test_shipped_h
 
-#include "Harness/polydata.h"
+#include "Harness/promises.h"
 
 #include "vtkPLYReader.h"
 #include "vtkXMLPolyDataReader.h"
