@@ -51,57 +51,200 @@ Pieces piecesOf(const Adjacency& adjacency, const std::vector<char>& label, char
   return pieces;
 }
 
-// Whether the unselected vertices next to the region hang together, by edges between them, in each part.
-bool onePieceRing(const MeshParts& parts, const Adjacency& adjacency, const std::vector<char>& region)
+// The islands of a region, found from its ring: the unselected vertices next to it. Every piece of the rest
+// of a part touches the ring. All pieces are walked in step, from the ring's own pieces, until in each part
+// only one is not at its end: that one need not be walked further if it is the largest.
+class IslandFinder
 {
-  std::vector<char> open(region.size(), 0); // in a ring and not yet met
-  std::vector<int> ring;
-  for (std::size_t v = 0; v < region.size(); ++v)
+public:
+  IslandFinder(const MeshParts& meshParts, const Adjacency& neighbours, const std::vector<char>& selected)
+    : parts(meshParts)
+    , adjacency(neighbours)
+    , region(selected)
+    , floodOf(selected.size(), -1)
+    , restAreas(meshParts.count, 0.0)
+    , open(meshParts.count, 0)
   {
-    if (region[v])
+    this->findRing();
+    for (Flood& flood : this->floods)
     {
-      for (const int* n = adjacency.vertexVertices.begin(int(v)); n != adjacency.vertexVertices.end(int(v));
+      this->openOne(flood);
+    }
+    while (this->crowded > 0)
+    {
+      for (int f = 0; f < int(this->floods.size()); ++f)
+      {
+        this->step(f);
+      }
+    }
+  }
+
+  // The islands' vertices into `islands`; false where the areas are too close to tell, or a part has been
+  // walked to its end.
+  bool find(std::vector<int>& islands)
+  {
+    std::vector<std::vector<int>> pieces(this->floods.size());
+    for (int f = 0; f < int(this->floods.size()); ++f)
+    {
+      std::vector<int>& piece = pieces[this->leader(f)];
+      piece.insert(piece.end(), this->floods[f].vertices.begin(), this->floods[f].vertices.end());
+    }
+    std::vector<double> largest(this->parts.count, 0.0), walked(this->parts.count, 0.0);
+    for (int f = 0; f < int(this->floods.size()); ++f)
+    {
+      const int part = this->floods[f].part;
+      if (this->leader(f) != f || this->floods[f].waiting > 0)
+      {
+        continue;
+      }
+      if (this->open[part] == 0)
+      {
+        return false;
+      }
+      double area = 0.0;
+      for (const int v : pieces[f])
+      {
+        area += this->parts.areas[v];
+      }
+      largest[part] = std::max(largest[part], area);
+      walked[part] += area;
+      islands.insert(islands.end(), pieces[f].begin(), pieces[f].end());
+    }
+    for (int part = 0; part < this->parts.count; ++part)
+    {
+      constexpr double margin = 1e-9;
+      if (walked[part] > 0.0 && !(this->restAreas[part] - walked[part] >
+                                  (1.0 + margin) * largest[part] + margin * this->restAreas[part]))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  struct Flood
+  {
+    int part, leader;
+    std::vector<int> vertices; // in the order they are walked
+    std::size_t next = 0;
+    int waiting = 0; // of a leader: floods of the piece that are not at their end
+  };
+
+  void findRing()
+  {
+    std::vector<int> ring;
+    std::vector<char> inRing(this->region.size(), 0);
+    for (int v = 0; v < int(this->region.size()); ++v)
+    {
+      if (!this->region[v])
+      {
+        continue;
+      }
+      this->restAreas[this->parts.of[v]] -= this->parts.areas[v];
+      for (const int* n = this->adjacency.vertexVertices.begin(v); n != this->adjacency.vertexVertices.end(v);
            ++n)
       {
-        if (!region[*n] && !open[*n])
+        if (!this->region[*n] && !inRing[*n])
         {
-          open[*n] = 1;
+          inRing[*n] = 1;
           ring.push_back(*n);
         }
       }
     }
-  }
-  std::vector<char> met(parts.count, 0);
-  std::vector<int> stack;
-  for (const int start : ring)
-  {
-    if (!open[start])
+    for (int part = 0; part < this->parts.count; ++part)
     {
-      continue;
+      this->restAreas[part] += this->parts.partAreas[part];
     }
-    if (met[parts.of[start]])
+    for (const int start : ring)
     {
-      return false;
-    }
-    met[parts.of[start]] = 1;
-    open[start] = 0;
-    stack.assign(1, start);
-    while (!stack.empty())
-    {
-      const int v = stack.back();
-      stack.pop_back();
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      if (this->floodOf[start] >= 0)
       {
-        if (open[*n])
+        continue;
+      }
+      const int id = int(this->floods.size());
+      this->floods.push_back({ this->parts.of[start], id, { start } });
+      this->floodOf[start] = id;
+      std::vector<int>& vertices = this->floods.back().vertices;
+      for (std::size_t i = 0; i < vertices.size(); ++i)
+      {
+        const int v = vertices[i];
+        for (const int* n = this->adjacency.vertexVertices.begin(v);
+             n != this->adjacency.vertexVertices.end(v);
+             ++n)
         {
-          open[*n] = 0;
-          stack.push_back(*n);
+          if (inRing[*n] && this->floodOf[*n] < 0)
+          {
+            this->floodOf[*n] = id;
+            vertices.push_back(*n);
+          }
         }
       }
     }
   }
-  return true;
-}
+
+  void openOne(Flood& flood)
+  {
+    flood.waiting = 1;
+    this->crowded += ++this->open[flood.part] == 2;
+  }
+
+  void closeOne(int part) { this->crowded -= --this->open[part] == 1; }
+
+  int leader(int flood)
+  {
+    while (this->floods[flood].leader != flood)
+    {
+      flood = this->floods[flood].leader = this->floods[this->floods[flood].leader].leader;
+    }
+    return flood;
+  }
+
+  void step(int id)
+  {
+    if (this->floods[id].next == this->floods[id].vertices.size())
+    {
+      return;
+    }
+    const int v = this->floods[id].vertices[this->floods[id].next++];
+    for (const int* n = this->adjacency.vertexVertices.begin(v); n != this->adjacency.vertexVertices.end(v);
+         ++n)
+    {
+      if (this->region[*n])
+      {
+        continue;
+      }
+      if (this->floodOf[*n] < 0)
+      {
+        this->floodOf[*n] = id;
+        this->floods[id].vertices.push_back(*n);
+        continue;
+      }
+      const int mine = this->leader(id), other = this->leader(this->floodOf[*n]);
+      if (mine != other)
+      {
+        // A piece that has been walked to its end meets nobody, so both are open.
+        this->floods[other].leader = mine;
+        this->floods[mine].waiting += this->floods[other].waiting;
+        this->closeOne(this->floods[id].part);
+      }
+    }
+    if (this->floods[id].next == this->floods[id].vertices.size() &&
+        --this->floods[this->leader(id)].waiting == 0)
+    {
+      this->closeOne(this->floods[id].part);
+    }
+  }
+
+  const MeshParts& parts;
+  const Adjacency& adjacency;
+  const std::vector<char>& region;
+  std::vector<Flood> floods;
+  std::vector<int> floodOf; // by vertex
+  std::vector<double> restAreas;
+  std::vector<int> open; // by part: pieces not at their end
+  int crowded = 0;       // parts with several of those
+};
 
 } // namespace
 
@@ -171,15 +314,24 @@ std::vector<char> growRegion(const Adjacency& adjacency,
 MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency)
 {
   Pieces pieces = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
-  return { vertexAreas(mesh), std::move(pieces.of), pieces.count };
+  MeshParts parts{ vertexAreas(mesh), std::move(pieces.of), pieces.count, {} };
+  parts.partAreas.resize(parts.count, 0.0);
+  for (std::size_t v = 0; v < parts.of.size(); ++v)
+  {
+    parts.partAreas[parts.of[v]] += parts.areas[v];
+  }
+  return parts;
 }
 
 void fillIslands(const MeshParts& parts, const Adjacency& adjacency, std::vector<char>& region)
 {
-  // Every piece of the rest of a part with a region touches the region: where what touches it is one ring in
-  // each part, there are no islands, and the rest itself need not be walked.
-  if (onePieceRing(parts, adjacency, region))
+  std::vector<int> islands;
+  if (IslandFinder(parts, adjacency, region).find(islands))
   {
+    for (const int v : islands)
+    {
+      region[v] = 1;
+    }
     return;
   }
   // Separate parts of a mesh each keep their own largest rest: an eyeball far from the stroke is no island.

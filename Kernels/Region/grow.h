@@ -19,6 +19,7 @@ struct MeshParts
   std::vector<double> areas; // see vertexAreas
   std::vector<int> of;       // by vertex: the connected part of the mesh, in the order of their lowest vertex
   int count = 0;
+  std::vector<double> partAreas;
 };
 MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency);
 

@@ -236,3 +236,96 @@ TEST(Runaway, ARegionOfMoreThanHalfIsGrownAgainNearTheSection)
   std::fill(evidence.ratio.begin(), evidence.ratio.end(), 5.0);
   EXPECT_THROW(detectRegion(mesh, adjacency, normals, evidence, options), Error);
 }
+
+// Islands of many sizes on bodies of one part and of two: what is filled is what a walk over all of the rest
+// says.
+TEST(Region, IslandsAreFoundFromTheRegionAsFromTheWhole)
+{
+  Mesh two = torus(1.0, 0.4, 40, 20);
+  const Mesh ball = icosphere(3);
+  const int first = two.vertexCount();
+  for (const Vector3& p : ball.points)
+  {
+    two.points.push_back(p + Vector3(5, 0, 0));
+  }
+  for (const Triangle& t : ball.triangles)
+  {
+    two.triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+  }
+  int filled = 0;
+  const std::vector<Mesh> meshes{ ball, two, cylinder(1.0, 6.0, 16, 40) };
+  for (const Mesh& mesh : meshes)
+  {
+    const Adjacency adjacency = buildAdjacency(mesh);
+    const MeshParts parts = findParts(mesh, adjacency);
+    for (int trial = 0; trial < 200; ++trial)
+    {
+      std::vector<char> region(mesh.points.size());
+      const double frequency = 1.0 + trial % 7, level = -0.8 + 0.016 * (trial % 100);
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+      {
+        const Vector3& p = mesh.points[v];
+        region[v] =
+          std::sin(frequency * p[0] + trial) + std::cos(1.3 * frequency * p[1]) * std::sin(frequency * p[2]) >
+          level;
+      }
+      // All of the rest, walked piece by piece.
+      std::vector<char> expected = region;
+      std::vector<int> piece(region.size(), -1);
+      std::vector<double> area;
+      for (int start = 0; start < mesh.vertexCount(); ++start)
+      {
+        if (region[start] || piece[start] >= 0)
+        {
+          continue;
+        }
+        std::vector<int> stack{ start };
+        piece[start] = int(area.size());
+        area.push_back(0.0);
+        while (!stack.empty())
+        {
+          const int v = stack.back();
+          stack.pop_back();
+          area.back() += parts.areas[v];
+          for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+          {
+            if (!region[*n] && piece[*n] < 0)
+            {
+              piece[*n] = piece[start];
+              stack.push_back(*n);
+            }
+          }
+        }
+      }
+      std::vector<double> largest(parts.count, 0.0);
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+      {
+        largest[parts.of[v]] = std::max(largest[parts.of[v]], piece[v] >= 0 ? area[piece[v]] : 0.0);
+      }
+      bool tie = false; // of symmetric bodies: which one stays is another matter
+      std::vector<int> champion(parts.count, -1);
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+      {
+        if (piece[v] >= 0 && area[piece[v]] > (1.0 - 1e-9) * largest[parts.of[v]])
+        {
+          int& kept = champion[parts.of[v]];
+          tie = tie || (kept >= 0 && kept != piece[v]);
+          kept = piece[v];
+        }
+      }
+      if (tie)
+      {
+        continue;
+      }
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+      {
+        expected[v] = region[v] || piece[v] != champion[parts.of[v]];
+      }
+      std::vector<char> found = region;
+      fillIslands(parts, adjacency, found);
+      ASSERT_EQ(found, expected) << trial;
+      filled += found != region;
+    }
+  }
+  EXPECT_GT(filled, 100);
+}
