@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <sstream>
 
 using namespace oversketch;
@@ -99,6 +100,58 @@ Context PartOf(const Context& whole, double from, double to)
   return part;
 }
 
+// The shapes that some filter holds, found again by what they were made from: a system deforms the same
+// region more than once, with other handles. Weak pointers only, so memory goes with the last filter.
+class ShapeRegister
+{
+public:
+  struct Key
+  {
+    MeshKey Mesh;
+    std::vector<char> Movable;
+    bool BorderRows, AdjustNormals;
+    bool operator==(const Key& other) const
+    {
+      return this->Mesh == other.Mesh && this->Movable == other.Movable &&
+             this->BorderRows == other.BorderRows && this->AdjustNormals == other.AdjustNormals;
+    }
+  };
+  std::shared_ptr<const LaplacianShape> Find(const Key& key)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    for (const auto& [known, shape] : this->Entries)
+    {
+      if (known == key)
+      {
+        if (auto found = shape.lock())
+        {
+          return found;
+        }
+      }
+    }
+    return nullptr;
+  }
+  void Add(const Key& key, const std::shared_ptr<const LaplacianShape>& shape)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Entries.erase(
+      std::remove_if(
+        this->Entries.begin(), this->Entries.end(), [](const auto& entry) { return entry.second.expired(); }),
+      this->Entries.end());
+    this->Entries.emplace_back(key, shape);
+  }
+
+private:
+  std::mutex Mutex;
+  std::vector<std::pair<Key, std::weak_ptr<const LaplacianShape>>> Entries;
+};
+
+ShapeRegister& Shapes()
+{
+  static ShapeRegister instance;
+  return instance;
+}
+
 // A copy of normals with the listed tuples overwritten; a normal without length is left as it was.
 vtkSmartPointer<vtkDataArray> WithNormals(vtkDataArray* normals,
   const std::vector<std::pair<int, Vector3>>& changed)
@@ -132,7 +185,6 @@ struct vtkOversketchLaplacianDeform::Cache
   bool AdjustNormals = false;
   bool BorderRows = false;
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
-  std::vector<char> Movable;
   std::shared_ptr<const LaplacianShape> Shape;
   std::shared_ptr<FactorMemory> Memory = std::make_shared<FactorMemory>(); // from factor to factor
   std::unique_ptr<LaplacianSystem> System;
@@ -291,25 +343,25 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
   {
     cache.System.reset();
     cache.Points = nullptr;
-    const bool sameMesh = cache.Shape && cache.SystemKey == systemKey;
     cache.Data = SharedMesh(input);
-    const std::vector<char> movable = movableVertices(cache.Data->Neighbours, region, handles.Bindings);
-    if (!sameMesh || cache.Movable != movable || cache.AdjustNormals != this->AdjustNormals ||
-        cache.BorderRows != this->BorderRows)
+    const ShapeRegister::Key key{ systemKey,
+      movableVertices(cache.Data->Neighbours, region, handles.Bindings),
+      this->BorderRows,
+      this->AdjustNormals };
+    auto shape = Shapes().Find(key);
+    if (!shape)
     {
       cache.Shape = nullptr;
-      cache.Shape = std::make_shared<LaplacianShape>(cache.Data->Surface,
+      shape = std::make_shared<LaplacianShape>(cache.Data->Surface,
         cache.Data->Neighbours,
-        movable,
+        key.Movable,
         this->BorderRows,
         this->AdjustNormals,
         PartOf(context, 0.0, 0.4));
+      Shapes().Add(key, shape);
       ++this->AnalysisCount;
-      cache.SystemKey = systemKey;
-      cache.Movable = movable;
-      cache.AdjustNormals = this->AdjustNormals;
-      cache.BorderRows = this->BorderRows;
     }
+    cache.Shape = shape;
     auto system = std::make_unique<LaplacianSystem>(
       cache.Shape, handles.Bindings, this->HandleWeight, PartOf(context, 0.4, 0.9), cache.Memory);
     ++this->FactorizationCount;
@@ -317,6 +369,9 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     cache.Region = region;
     cache.Bindings = handles.Bindings;
     cache.HandleWeight = this->HandleWeight;
+    cache.SystemKey = systemKey;
+    cache.AdjustNormals = this->AdjustNormals;
+    cache.BorderRows = this->BorderRows;
   }
   if (!cache.Points || cache.OutputKey != outputKey || cache.Displacements != handles.Displacements)
   {

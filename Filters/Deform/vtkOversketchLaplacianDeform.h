@@ -99,8 +99,9 @@ public:
 
   ///@{
   /**
-   * Orders of elimination found, factors made, and targets solved for (x, y and z count as one; so does what
-   * Drag solves for), since the filter was made.
+   * Orders of elimination found (one that another filter holds for the same mesh and the same vertices to
+   * move is shared, not found again), factors made, and targets solved for (x, y and z count as one; so does
+   * what Drag solves for), since the filter was made.
    */
   vtkGetMacro(AnalysisCount, vtkIdType);
   vtkGetMacro(FactorizationCount, vtkIdType);

@@ -294,6 +294,34 @@ TEST(LaplacianDeform, FactorsOnceForManyTargets)
   EXPECT_EQ(filter->GetAnalysisCount(), 3);
 }
 
+TEST(LaplacianDeform, FiltersOfOneRegionShareItsAnalysis)
+{
+  Scene scene;
+  scene.run();
+  // Other handles on the same mesh and region, as a correction asks for them.
+  vtkNew<vtkPolyData> others;
+  const Scene other([](const Vector3& q) { return Vector3(q + Vector3(0.1, 0.2, 0.3)); });
+  others->DeepCopy(other.handles);
+  vtkNew<vtkOversketchLaplacianDeform> second;
+  second->SetInputData(scene.input);
+  second->SetHandlesData(others);
+  second->SetHandleWeight(3.0);
+  second->Update();
+  EXPECT_EQ(second->GetAnalysisCount(), 0);
+  EXPECT_EQ(second->GetFactorizationCount(), 1);
+  // The same bits as alone.
+  Scene alone([](const Vector3& q) { return Vector3(q + Vector3(0.1, 0.2, 0.3)); });
+  alone.filter->SetHandleWeight(3.0);
+  const auto expected = alone.run();
+  EXPECT_EQ(alone.filter->GetAnalysisCount(), 1);
+  for (vtkIdType v = 0; v < second->GetOutput()->GetNumberOfPoints(); ++v)
+  {
+    Vector3 p;
+    second->GetOutput()->GetPoint(v, p.data());
+    EXPECT_EQ(p, expected[static_cast<std::size_t>(v)]);
+  }
+}
+
 TEST(LaplacianDeform, DraggingIsWhatAnUpdateWithMovedTargetsGives)
 {
   for (const bool adjust : { false, true })
