@@ -23,8 +23,10 @@ struct CutOptions
 // are divided anew by a minimum cut: an edge on the new border costs its length, less in a concave valley (by
 // 1 + band x curvature), and a triangle that changes sides costs in proportion to its area. The region
 // returned is the vertices of the triangles inside, so that border triangles' edges run in the valley itself.
-// Not less than half of the region's area survives, or the region is returned as it was: there was no place
-// to cut, only a patch to shrink.
+// The cut is the least one of the band where that has up to 20,000 triangles. A larger band is cut in clumps
+// of triangles first, and then exactly within some rings of that cut, so it may miss a less costly cut
+// elsewhere in the band: the flow's time grows faster than the band. Not less than half of the region's area
+// survives, or the region is returned as it was: there was no place to cut, only a patch to shrink.
 std::vector<char> cutAtJunction(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
