@@ -69,7 +69,9 @@ protected:
     cl::Kernel kernel(program, "saxpy");
     const std::vector<float> x{ 1, 2, 3, 4 };
     std::vector<float> y{ 10, 20, 30, 40 };
-    const cl::Buffer xs = toDevice(*this->device_, x), ys = toDevice(*this->device_, y);
+    const cl::Buffer xs = toDevice(*this->device_, x);
+    const cl::Buffer ys(
+      this->device_->context(), CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, y.size() * sizeof(float), y.data());
     const cl::Buffer sizes = onDevice<int>(*this->device_, 4);
     kernel.setArg(0, 2.0f);
     kernel.setArg(1, xs);
