@@ -11,6 +11,9 @@ namespace
 constexpr double splitNarrowest = 0.0302;    // 10 degrees
 constexpr double collapseNarrowest = 0.1786; // 25 degrees
 constexpr double flipNarrowest = 0.25;       // 30 degrees
+// A collapse may make the smallest angle a little narrower, in sines squared: or rows of equal needles stay
+// for ever.
+constexpr double collapseWorsening = 0.5;
 // How far a vertex that goes may leave the surface behind, in target lengths: keeps thin tips whole.
 constexpr double collapseDeviation = 0.2;
 
@@ -350,7 +353,7 @@ bool Patch::collapse(int h, double longest)
       narrowest = std::min(narrowest, narrowness(goal, p, q, this->after_[i]));
     }
   }
-  if (narrowest < std::min(narrowestBefore, collapseNarrowest))
+  if (narrowest < std::min(collapseWorsening * narrowestBefore, collapseNarrowest))
   {
     return false;
   }

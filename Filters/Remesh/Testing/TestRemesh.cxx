@@ -209,6 +209,33 @@ TEST(A11_2, StretchedLimbKeepsItsTrianglesAndTheMeshItsTopology)
   }
 }
 
+TEST(Remesh, BadTrianglesBecomeEvenOnes)
+{
+  // A torus of long thin triangles, all of it free to change.
+  const Mesh mesh = torus(1.0, 0.4, 160, 12);
+  const auto input = withRegion(mesh, [](const Vector3&) { return true; });
+  const Quality before = qualityOf(input);
+  const auto output = Remeshed(input, vtkOversketchRemesh::RESTORE).run();
+  const Quality after = qualityOf(output);
+  EXPECT_LT(before.smallest, 20.0);
+  EXPECT_GT(after.smallest, 25.0);
+  EXPECT_EQ(after.narrow, 0.0);
+  EXPECT_EQ(after.euler, 0);
+  EXPECT_EQ(after.nonManifoldEdges + after.borderEdges + after.folded, 0);
+  double quality = 0.0;
+  const Mesh result = MeshOf(output);
+  for (const Triangle& t : result.triangles)
+  {
+    const Vector3 &a = result.points[t[0]], &b = result.points[t[1]], &c = result.points[t[2]];
+    quality += 2.0 * std::sqrt(3.0) * (b - a).cross(c - a).norm() /
+               ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
+  }
+  quality /= result.triangleCount();
+  std::cout << "smallest angle " << before.smallest << " -> " << after.smallest << ", mean quality "
+            << quality << "\n";
+  EXPECT_GT(quality, 0.97);
+}
+
 TEST(Remesh, TheSectionKeepsItsPlaceWhenProtected)
 {
   const auto input = withRegion(icosphere(3), upperHalf);
