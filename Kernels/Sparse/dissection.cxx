@@ -41,8 +41,10 @@ struct Buckets
   }
   int of(float key) const
   {
+    // Compared before the cast: a neighbour may lie further off than an int counts buckets of a thin piece.
     const float bucket = (key - this->origin) * this->scale;
-    return bucket > 0.0F ? std::min(static_cast<int>(bucket), this->count - 1) : 0;
+    const int last = this->count - 1;
+    return bucket > 0.0F ? (bucket < static_cast<float>(last) ? static_cast<int>(bucket) : last) : 0;
   }
 };
 
