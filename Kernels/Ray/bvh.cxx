@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
-#include <numeric>
 
 namespace oversketch
 {
@@ -13,41 +13,72 @@ namespace
 
 constexpr int binCount = 16;
 // Deeper than this the heuristic gives way to halving, which bounds the depth for any input.
-constexpr int heuristicDepth = 32;
+constexpr int heuristicDepth = 20;
 constexpr float boxMargin = 1e-6f; // the scene's half width is 1
+constexpr float far = std::numeric_limits<float>::max();
+
+using Quad = float __attribute__((vector_size(16)));
+using QuadInt = int __attribute__((vector_size(16)));
+
+inline Quad lesser(const Quad& a, const Quad& b)
+{
+  return a < b ? a : b;
+}
+
+inline Quad greater(const Quad& a, const Quad& b)
+{
+  return a > b ? a : b;
+}
 
 struct Box
 {
-  float low[3] = { std::numeric_limits<float>::max(),
-    std::numeric_limits<float>::max(),
-    std::numeric_limits<float>::max() };
-  float high[3] = { std::numeric_limits<float>::lowest(),
-    std::numeric_limits<float>::lowest(),
-    std::numeric_limits<float>::lowest() };
+  Quad low = { far, far, far, far }, high = { -far, -far, -far, -far };
 
   void add(const Box& other)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->low[k] = std::min(this->low[k], other.low[k]);
-      this->high[k] = std::max(this->high[k], other.high[k]);
-    }
+    this->low = lesser(this->low, other.low);
+    this->high = greater(this->high, other.high);
   }
-  float centre(int k) const { return 0.5f * (this->low[k] + this->high[k]); }
+  void add(const Quad& point)
+  {
+    this->low = lesser(this->low, point);
+    this->high = greater(this->high, point);
+  }
   float area() const
   {
-    const float x = this->high[0] - this->low[0], y = this->high[1] - this->low[1],
-                z = this->high[2] - this->low[2];
-    return x < 0.0f ? 0.0f : x * y + y * z + z * x;
+    const Quad size = this->high - this->low;
+    return size[0] < 0.0f ? 0.0f : size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
   }
 };
 
-// A node of the binary tree that is folded into the wide one.
-struct Binary
+struct Prim
 {
   Box box;
-  int begin, end;            // into the order of triangles
-  int left = -1, right = -1; // -1: a leaf
+  // Twice the centre; its last component holds the triangle's id, bit by bit.
+  Quad centre;
+  int triangle() const
+  {
+    int id;
+    const float bits = this->centre[3];
+    std::memcpy(&id, &bits, sizeof id);
+    return id;
+  }
+};
+
+// A run of primitives, their bounds and their centres'.
+struct Range
+{
+  int begin, end, depth;
+  Box box, centres;
+  int count() const { return this->end - this->begin; }
+};
+
+// Where a subtree's nodes and leaves are written; joined when all are there.
+struct Part
+{
+  std::vector<Bvh::Node> nodes;
+  std::vector<Bvh::Pack> packs;
+  int stackSize = 1;
 };
 
 class Builder
@@ -56,250 +87,395 @@ public:
   Builder(const RayScene& scene, const Context& context)
     : scene_(scene)
     , context_(context)
-    , boxes_(scene.facets.size())
-    , order_(scene.facets.size())
+    , prims_(scene.facets.size())
   {
-    std::iota(this->order_.begin(), this->order_.end(), 0);
-    for (std::size_t t = 0; t < scene.facets.size(); ++t)
-    {
-      for (const int v : scene.facets[t].places)
+    context.parallelFor(static_cast<int>(this->prims_.size()),
+      [&](int begin, int end)
       {
-        Box corner;
-        std::copy_n(scene.points[v].data(), 3, corner.low);
-        std::copy_n(scene.points[v].data(), 3, corner.high);
-        this->boxes_[t].add(corner);
-      }
-    }
+        for (int t = begin; t < end; ++t)
+        {
+          Prim& prim = this->prims_[t];
+          prim.box = Box();
+          for (const int v : scene.facets[t].places)
+          {
+            Quad point;
+            std::memcpy(&point, scene.points[v].data(), sizeof point);
+            prim.box.add(point);
+          }
+          prim.centre = prim.box.low + prim.box.high;
+          float bits;
+          std::memcpy(&bits, &t, sizeof bits);
+          prim.centre[3] = bits;
+        }
+      });
   }
 
   Bvh build()
   {
-    this->binary_.reserve(this->order_.size());
-    const int root = this->split(0, static_cast<int>(this->order_.size()), 0);
-    this->bvh_.nodes.emplace_back();
-    // The root's children are those of the binary root, or it alone where that is a leaf.
-    this->bvh_.stackSize = this->fold(0, root);
-    return std::move(this->bvh_);
+    Range whole{ 0, static_cast<int>(this->prims_.size()), 0, {}, {} };
+    for (const Prim& prim : this->prims_)
+    {
+      whole.box.add(prim.box);
+      whole.centres.add(prim.centre);
+    }
+    // Two levels of nodes, then every subtree on its own.
+    Part top;
+    std::vector<Range> second, third;
+    std::vector<int> secondSlots, thirdSlots; // 8 * node + child
+    this->expand(top, whole, second, secondSlots);
+    const int firstCount = static_cast<int>(second.size());
+    std::vector<Part> halves(firstCount);
+    std::vector<std::vector<Range>> halfRanges(firstCount);
+    std::vector<std::vector<int>> halfSlots(firstCount);
+    this->context_.parallelFor(firstCount,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end && !this->context_.cancelled(); ++i)
+        {
+          this->expand(halves[i], second[i], halfRanges[i], halfSlots[i]);
+        }
+      });
+    this->context_.checkpoint(0.0);
+    for (int i = 0; i < firstCount; ++i)
+    {
+      const int node = append(top, halves[i]);
+      top.nodes[secondSlots[i] / Bvh::width].child[secondSlots[i] % Bvh::width] = node;
+      for (std::size_t k = 0; k < halfRanges[i].size(); ++k)
+      {
+        third.push_back(halfRanges[i][k]);
+        thirdSlots.push_back(halfSlots[i][k] + Bvh::width * node);
+      }
+    }
+    const int partCount = static_cast<int>(third.size());
+    std::vector<Part> parts(partCount);
+    this->context_.parallelFor(partCount,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end && !this->context_.cancelled(); ++i)
+        {
+          this->subtree(parts[i], third[i]);
+        }
+      });
+    this->context_.checkpoint(0.0);
+    return this->join(top, parts, thirdSlots);
   }
 
 private:
-  static int packsOf(int count) { return (count + 3) / 4; }
-
-  // Builds the binary tree over order_[begin, end) and returns its root.
-  int split(int begin, int end, int depth)
+  // Adds a node over the range; its children that are no leaves go to `open` with their places in the node.
+  void expand(Part& part, const Range& range, std::vector<Range>& open, std::vector<int>& slots)
   {
-    const int id = static_cast<int>(this->binary_.size());
-    this->binary_.push_back({ Box(), begin, end });
-    Box box, centres;
-    for (int i = begin; i < end; ++i)
+    Range children[Bvh::width] = { range };
+    int count = 1;
+    while (count < Bvh::width)
     {
-      const Box& b = this->boxes_[this->order_[i]];
-      box.add(b);
-      Box centre;
-      for (int k = 0; k < 3; ++k)
-      {
-        centre.low[k] = centre.high[k] = b.centre(k);
-      }
-      centres.add(centre);
-    }
-    this->binary_[id].box = box;
-    const int count = end - begin;
-    if (count <= 4)
-    {
-      return id;
-    }
-    if ((id & 4095) == 0)
-    {
-      this->context_.checkpoint(0.0);
-    }
-    int middle = depth < heuristicDepth ? this->partition(begin, end, box, centres) : -1;
-    if (middle < 0)
-    {
-      if (count <= Bvh::leafSize)
-      {
-        return id;
-      }
-      middle = this->halve(begin, end, centres);
-    }
-    const int left = this->split(begin, middle, depth + 1);
-    const int right = this->split(middle, end, depth + 1);
-    this->binary_[id].left = left;
-    this->binary_[id].right = right;
-    return id;
-  }
-
-  // Parts the range where the heuristic is least; -1 where a leaf is no worse, or all centres coincide.
-  int partition(int begin, int end, const Box& box, const Box& centres)
-  {
-    const int binsUsed = std::min(binCount, end - begin); // most nodes are small
-    float best = std::numeric_limits<float>::max();
-    int bestAxis = -1, bestBin = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const float extent = centres.high[axis] - centres.low[axis];
-      if (!(extent > 0.0f))
-      {
-        continue;
-      }
-      Box bins[binCount];
-      int counts[binCount] = {};
-      for (int i = begin; i < end; ++i)
-      {
-        const Box& b = this->boxes_[this->order_[i]];
-        const int bin = binOf(b.centre(axis), centres.low[axis], extent, binsUsed);
-        bins[bin].add(b);
-        ++counts[bin];
-      }
-      float rightCost[binCount];
-      Box right;
-      int rightCount = 0;
-      for (int bin = binsUsed - 1; bin > 0; --bin)
-      {
-        right.add(bins[bin]);
-        rightCount += counts[bin];
-        rightCost[bin] = right.area() * static_cast<float>(packsOf(rightCount));
-      }
-      Box left;
-      int leftCount = 0;
-      for (int bin = 1; bin < binsUsed; ++bin)
-      {
-        left.add(bins[bin - 1]);
-        leftCount += counts[bin - 1];
-        const float cost = left.area() * static_cast<float>(packsOf(leftCount)) + rightCost[bin];
-        if (leftCount > 0 && leftCount < end - begin && cost < best)
-        {
-          best = cost;
-          bestAxis = axis;
-          bestBin = bin;
-        }
-      }
-    }
-    const int count = end - begin;
-    // One step down costs about as much as one pack.
-    if (bestAxis < 0 ||
-        (count <= Bvh::leafSize && best + box.area() >= box.area() * static_cast<float>(packsOf(count))))
-    {
-      return -1;
-    }
-    const float low = centres.low[bestAxis], extent = centres.high[bestAxis] - low;
-    const auto middle = std::stable_partition(this->order_.begin() + begin,
-      this->order_.begin() + end,
-      [&](int t) { return binOf(this->boxes_[t].centre(bestAxis), low, extent, binsUsed) < bestBin; });
-    return static_cast<int>(middle - this->order_.begin());
-  }
-
-  int halve(int begin, int end, const Box& centres)
-  {
-    int axis = 0;
-    for (int k = 1; k < 3; ++k)
-    {
-      if (centres.high[k] - centres.low[k] > centres.high[axis] - centres.low[axis])
-      {
-        axis = k;
-      }
-    }
-    const int middle = begin + (end - begin) / 2;
-    std::nth_element(this->order_.begin() + begin,
-      this->order_.begin() + middle,
-      this->order_.begin() + end,
-      [&](int a, int b)
-      {
-        const float ca = this->boxes_[a].centre(axis), cb = this->boxes_[b].centre(axis);
-        return ca != cb ? ca < cb : a < b;
-      });
-    return middle;
-  }
-
-  static int binOf(float centre, float low, float extent, int bins)
-  {
-    return std::min(bins - 1, static_cast<int>(static_cast<float>(bins) * ((centre - low) / extent)));
-  }
-
-  // Fills wide node `wide` from a binary node; returns the stack entries that a walk below it can need.
-  int fold(int wide, int binary)
-  {
-    std::vector<int> children{ binary };
-    while (children.size() < 4)
-    {
-      // Open the largest inner child.
+      // Part the largest of those too large for a leaf.
       int widest = -1;
-      for (int i = 0; i < static_cast<int>(children.size()); ++i)
+      float area = -1.0f;
+      for (int i = 0; i < count; ++i)
       {
-        if (this->binary_[children[i]].left >= 0 &&
-            (widest < 0 ||
-              this->binary_[children[i]].box.area() > this->binary_[children[widest]].box.area()))
+        if (children[i].count() > Bvh::width && children[i].box.area() > area)
         {
           widest = i;
+          area = children[i].box.area();
         }
       }
       if (widest < 0)
       {
         break;
       }
-      const Binary& opened = this->binary_[children[widest]];
-      children[widest] = opened.left;
-      children.push_back(opened.right);
+      this->split(children[widest], children[widest], children[count++]);
     }
-    int deepest = 1;
-    for (int i = 0; i < 4; ++i)
+    const int id = static_cast<int>(part.nodes.size());
+    part.nodes.emplace_back();
+    for (int i = 0; i < Bvh::width; ++i)
     {
-      const bool present = i < static_cast<int>(children.size());
-      const Box box = present ? this->binary_[children[i]].box : Box();
+      const bool present = i < count && children[i].count() > 0;
+      const Box box = present ? children[i].box : Box();
+      Bvh::Node& node = part.nodes[id];
       for (int k = 0; k < 3; ++k)
       {
         // The triangle test rounds coordinates on its own; a hit that it finds must lie in the box all the
         // same.
-        this->bvh_.nodes[wide].lower[k][i] = box.low[k] - boxMargin;
-        this->bvh_.nodes[wide].upper[k][i] = box.high[k] + boxMargin;
+        node.lower[k][i] = present ? box.low[k] - boxMargin : 1.0f;
+        node.upper[k][i] = present ? box.high[k] + boxMargin : -1.0f;
+        node.normalLower[k][i] = 127; // neutral for the bounds above
+        node.normalUpper[k][i] = -128;
       }
-      int child = -1;
-      if (present && this->binary_[children[i]].left < 0)
+      node.child[i] = -1;
+      if (present && children[i].count() <= Bvh::width)
       {
-        child = this->writeLeaf(this->binary_[children[i]]);
+        this->writeLeaf(part, id, i, children[i]);
       }
       else if (present)
       {
-        child = static_cast<int>(this->bvh_.nodes.size());
-        this->bvh_.nodes.emplace_back();
-        deepest = std::max(deepest, this->fold(child, children[i]));
+        open.push_back(children[i]);
+        slots.push_back(Bvh::width * id + i);
       }
-      this->bvh_.nodes[wide].child[i] = child;
-      this->bvh_.nodes[wide].padding[i] = 0;
     }
-    return deepest + static_cast<int>(children.size()) - 1;
+    std::memset(part.nodes[id].padding, 0, sizeof part.nodes[id].padding);
   }
 
-  int writeLeaf(const Binary& leaf)
+  // The whole subtree of a range, its root first.
+  void subtree(Part& part, const Range& range)
   {
-    const int first = static_cast<int>(this->bvh_.packs.size());
-    const int count = packsOf(leaf.end - leaf.begin);
-    for (int p = 0; p < count; ++p)
+    std::vector<Range> open;
+    std::vector<int> slots;
+    this->expand(part, range, open, slots);
+    for (std::size_t i = 0; i < open.size() && !this->context_.cancelled(); ++i)
     {
-      Bvh::Pack pack = {};
-      for (int i = 0; i < 4; ++i)
+      part.nodes[slots[i] / Bvh::width].child[slots[i] % Bvh::width] = static_cast<int>(part.nodes.size());
+      this->subtree(part, open[i]);
+    }
+  }
+
+  // Parts a range where the heuristic is least, or in the middle where it finds nothing. `range` may be
+  // `left`.
+  void split(Range range, Range& left, Range& right)
+  {
+    left = right = { range.begin, range.end, range.depth + 1, {}, {} };
+    const Quad extent = range.centres.high - range.centres.low;
+    const int bins = std::min(binCount, 4 + range.count() / 4);
+    Quad scale;
+    for (int k = 0; k < 4; ++k)
+    {
+      scale[k] = k < 3 && extent[k] > 0.0f ? 0.999f * static_cast<float>(bins) / extent[k] : 0.0f;
+    }
+    int axis = -1, bin = 0;
+    if (range.depth < heuristicDepth)
+    {
+      this->bestSplit(range, scale, bins, axis, bin);
+    }
+    Prim* const begin = this->prims_.data() + range.begin;
+    Prim* const end = this->prims_.data() + range.end;
+    Prim* middle;
+    if (axis >= 0)
+    {
+      const float low = range.centres.low[axis], factor = scale[axis];
+      middle = begin;
+      for (Prim *from = begin, *to = end;;)
       {
-        const int at = leaf.begin + 4 * p + i;
-        pack.triangle[i] = at < leaf.end ? this->order_[at] : -1;
-        for (int corner = 0; at < leaf.end && corner < 3; ++corner)
+        const auto onLeft = [=](const Prim& p)
+        { return static_cast<int>((p.centre[axis] - low) * factor) < bin; };
+        while (from < to && onLeft(*from))
         {
-          for (int k = 0; k < 3; ++k)
+          left.box.add(from->box);
+          left.centres.add(from->centre);
+          ++from;
+        }
+        while (from < to && !onLeft(to[-1]))
+        {
+          --to;
+          right.box.add(to->box);
+          right.centres.add(to->centre);
+        }
+        if (from >= to)
+        {
+          middle = from;
+          break;
+        }
+        std::swap(*from, to[-1]);
+      }
+    }
+    else
+    {
+      int longest = 0;
+      for (int k = 1; k < 3; ++k)
+      {
+        longest = extent[k] > extent[longest] ? k : longest;
+      }
+      middle = begin + range.count() / 2;
+      std::nth_element(begin,
+        middle,
+        end,
+        [=](const Prim& a, const Prim& b)
+        {
+          return a.centre[longest] != b.centre[longest] ? a.centre[longest] < b.centre[longest]
+                                                        : a.triangle() < b.triangle();
+        });
+      for (const Prim* p = begin; p != end; ++p)
+      {
+        Range& side = p < middle ? left : right;
+        side.box.add(p->box);
+        side.centres.add(p->centre);
+      }
+    }
+    left.end = right.begin = static_cast<int>(middle - this->prims_.data());
+  }
+
+  void bestSplit(const Range& range, const Quad& scale, int bins, int& axis, int& bin) const
+  {
+    Box boxes[3][binCount];
+    int counts[3][binCount] = {};
+    for (int i = range.begin; i < range.end; ++i)
+    {
+      const Prim& prim = this->prims_[i];
+      const Quad along = (prim.centre - range.centres.low) * scale;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int b = static_cast<int>(along[k]);
+        boxes[k][b].add(prim.box);
+        ++counts[k][b];
+      }
+    }
+    float best = far;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (!(scale[k] > 0.0f))
+      {
+        continue;
+      }
+      float rightCost[binCount];
+      Box side;
+      int count = 0;
+      for (int b = bins - 1; b > 0; --b)
+      {
+        side.add(boxes[k][b]);
+        count += counts[k][b];
+        rightCost[b] = side.area() * blocks(count);
+      }
+      side = Box();
+      count = 0;
+      for (int b = 1; b < bins; ++b)
+      {
+        side.add(boxes[k][b - 1]);
+        count += counts[k][b - 1];
+        const float cost = side.area() * blocks(count) + rightCost[b];
+        if (count > 0 && count < range.count() && cost < best)
+        {
+          best = cost;
+          axis = k;
+          bin = b;
+        }
+      }
+    }
+  }
+
+  // A leaf costs the same however many of its lanes are used; half of them is what is reached on average.
+  static float blocks(int count) { return static_cast<float>((count + 3) / 4); }
+
+  void writeLeaf(Part& part, int node, int child, const Range& range)
+  {
+    Bvh::Pack pack = {};
+    float low[3] = { 1.0f, 1.0f, 1.0f }, high[3] = { -1.0f, -1.0f, -1.0f };
+    for (int i = 0; i < Bvh::width; ++i)
+    {
+      pack.triangle[i] = i < range.count() ? this->prims_[range.begin + i].triangle() : -1;
+      if (i < range.count())
+      {
+        const RayFacet& facet = this->scene_.facets[pack.triangle[i]];
+        for (int k = 0; k < 3; ++k)
+        {
+          low[k] = std::min(low[k], facet.normal[k]);
+          high[k] = std::max(high[k], facet.normal[k]);
+          for (int corner = 0; corner < 3; ++corner)
           {
-            pack.corner[corner][k][i] =
-              this->scene_.points[this->scene_.facets[this->order_[at]].places[corner]][k];
+            pack.corner[corner][k][i] = this->scene_.points[facet.places[corner]][k];
           }
         }
       }
-      this->bvh_.packs.push_back(pack);
     }
-    return count == 0 ? -1 : -2 - (4 * first + count - 1);
+    for (int k = 0; k < 3; ++k)
+    {
+      part.nodes[node].normalLower[k][child] =
+        static_cast<std::int8_t>(std::floor(Bvh::normalScale * low[k]));
+      part.nodes[node].normalUpper[k][child] =
+        static_cast<std::int8_t>(std::ceil(Bvh::normalScale * high[k]));
+    }
+    part.nodes[node].child[child] = -2 - static_cast<int>(part.packs.size());
+    part.packs.push_back(pack);
+  }
+
+  // Appends a part's nodes and packs, references moved; returns where its root went.
+  static int append(Part& to, const Part& from)
+  {
+    const int node = static_cast<int>(to.nodes.size()), pack = static_cast<int>(to.packs.size());
+    to.nodes.insert(to.nodes.end(), from.nodes.begin(), from.nodes.end());
+    to.packs.insert(to.packs.end(), from.packs.begin(), from.packs.end());
+    for (std::size_t i = node; i < to.nodes.size(); ++i)
+    {
+      move(to.nodes[i], node, pack);
+    }
+    return node;
+  }
+
+  static void move(Bvh::Node& node, int nodes, int packs)
+  {
+    for (std::int32_t& child : node.child)
+    {
+      child = child >= 0 ? child + nodes : child < -1 ? child - packs : child;
+    }
+  }
+
+  Bvh join(const Part& top, const std::vector<Part>& parts, const std::vector<int>& slots)
+  {
+    Bvh bvh;
+    std::vector<int> nodeStarts, packStarts;
+    std::size_t nodes = top.nodes.size(), packs = top.packs.size();
+    for (const Part& part : parts)
+    {
+      nodeStarts.push_back(static_cast<int>(nodes));
+      packStarts.push_back(static_cast<int>(packs));
+      nodes += part.nodes.size();
+      packs += part.packs.size();
+    }
+    bvh.nodes.resize(nodes);
+    bvh.packs.resize(packs);
+    std::copy(top.nodes.begin(), top.nodes.end(), bvh.nodes.begin());
+    std::copy(top.packs.begin(), top.packs.end(), bvh.packs.begin());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      bvh.nodes[slots[i] / Bvh::width].child[slots[i] % Bvh::width] = nodeStarts[i];
+    }
+    this->context_.parallelFor(static_cast<int>(parts.size()),
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          Bvh::Node* node =
+            std::copy(parts[i].nodes.begin(), parts[i].nodes.end(), bvh.nodes.data() + nodeStarts[i]);
+          for (Bvh::Node* n = bvh.nodes.data() + nodeStarts[i]; n != node; ++n)
+          {
+            move(*n, nodeStarts[i], packStarts[i]);
+          }
+          std::copy(parts[i].packs.begin(), parts[i].packs.end(), bvh.packs.data() + packStarts[i]);
+        }
+      });
+    finish(bvh);
+    return bvh;
+  }
+
+  // Normals of inner nodes, and the depth: children come after their parents.
+  static void finish(Bvh& bvh)
+  {
+    std::vector<std::int16_t> waiting(bvh.nodes.size());
+    for (int i = static_cast<int>(bvh.nodes.size()) - 1; i >= 0; --i)
+    {
+      Bvh::Node& node = bvh.nodes[i];
+      int deepest = 1, present = 0;
+      for (int c = 0; c < Bvh::width; ++c)
+      {
+        present += node.child[c] != -1;
+        if (node.child[c] >= 0)
+        {
+          const Bvh::Node& child = bvh.nodes[node.child[c]];
+          deepest = std::max<int>(deepest, waiting[node.child[c]]);
+          for (int k = 0; k < 3; ++k)
+          {
+            node.normalLower[k][c] =
+              *std::min_element(child.normalLower[k], child.normalLower[k] + Bvh::width);
+            node.normalUpper[k][c] =
+              *std::max_element(child.normalUpper[k], child.normalUpper[k] + Bvh::width);
+          }
+        }
+      }
+      waiting[i] = static_cast<std::int16_t>(deepest + std::max(present - 1, 0));
+    }
+    bvh.stackSize = waiting[0];
   }
 
   const RayScene& scene_;
   const Context& context_;
-  std::vector<Box> boxes_;
-  std::vector<int> order_;
-  std::vector<Binary> binary_;
-  Bvh bvh_;
+  std::vector<Prim> prims_;
 };
 
 } // namespace

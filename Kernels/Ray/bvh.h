@@ -9,31 +9,35 @@
 namespace oversketch
 {
 
-// Four children a node, four triangles a pack, so that both are tested side by side.
+// Eight children a node, up to eight triangles a leaf, so that they are tested side by side.
 struct Bvh
 {
-  struct Node
-  {
-    // Bounds of the children, child by child along the last index. An absent child has lower above upper.
-    float lower[3][4], upper[3][4];
-    // A node's index; or, for a leaf, -2 - (4 * first pack + packs - 1); or -1: absent.
-    std::int32_t child[4];
-    std::int32_t padding[4];
-  };
-  struct Pack
-  {
-    float corner[3][3][4];    // corner, axis, triangle
-    std::int32_t triangle[4]; // -1: none; its corners are then all at the origin
-  };
+  static constexpr int width = 8;
 
-  std::vector<Node> nodes; // depth first; the first is the root
+  // Child by child along the last index.
+  struct alignas(32) Node
+  {
+    float lower[3][width], upper[3][width]; // an absent child has lower above upper
+    std::int32_t child[width];              // a node's index; or, for a leaf, -2 - its pack's; or -1: absent
+    // Bounds of the unit normals of all facets below, times normalScale: no ray leaves through any of them
+    // whose direction has a negative product with all that they allow.
+    std::int8_t normalLower[3][width], normalUpper[3][width];
+    std::int8_t padding[16];
+  };
+  struct alignas(32) Pack
+  {
+    float corner[3][3][width];    // corner, axis, triangle
+    std::int32_t triangle[width]; // -1: none; its corners are then all at the origin
+  };
+  // A power of two, so that scaling does not round.
+  static constexpr float normalScale = 64.0f;
+
+  std::vector<Node> nodes; // a parent before its children; the first is the root
   std::vector<Pack> packs;
   int stackSize = 1; // entries that a depth-first walk may have waiting at one time
-
-  static constexpr int leafSize = 16; // triangles
 };
 
-// Binned surface-area heuristic, serial, deterministic. Throws Error(Cancelled).
+// Binned surface-area heuristic, the same tree for any number of threads. Throws Error(Cancelled).
 Bvh buildBvh(const RayScene& scene, const Context& context);
 
 } // namespace oversketch

@@ -1,4 +1,5 @@
 #include "Ray/ray_caster.h"
+#include "Ray/wide.h"
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -59,15 +60,6 @@ void keepNearestExit(const RTCFilterFunctionNArguments* arguments)
 bool atEdge(const RTCHit& hit)
 {
   return hit.u <= 1e-6f || hit.v <= 1e-6f || hit.u + hit.v >= 1.0f - 1e-6f;
-}
-
-void prefetch(const void* address)
-{
-#if defined(__GNUC__)
-  __builtin_prefetch(address);
-#else
-  (void)address;
-#endif
 }
 
 class EmbreeCaster final : public RayCaster
@@ -163,7 +155,7 @@ public:
       });
   }
 
-  bool threadSafe() const override { return true; }
+  bool onHost() const override { return true; }
 
 private:
   RTCRayHit trace(Query& query, int vertex, float start, const std::array<float, 3>& direction) const

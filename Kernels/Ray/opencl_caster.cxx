@@ -11,28 +11,47 @@ namespace oversketch
 namespace
 {
 
+// A read-only buffer of values that outlive it: on the host's own processor the values themselves, else a
+// copy.
+template <typename T>
+cl::Buffer shared(const Device& device, const std::vector<T>& values)
+{
+  if (!device.info().cpu || values.empty())
+  {
+    return toDevice(device, values);
+  }
+  // The device only reads, so the cast away from const writes nothing.
+  return cl::Buffer(device.context(),
+    CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR,
+    values.size() * sizeof(T),
+    const_cast<T*>(values.data()));
+}
+
 class OpenCLCaster : public RayCaster
 {
 public:
   OpenCLCaster(const RayScene& scene, const std::shared_ptr<Device>& device, const Context& context)
     : device_(device)
+    , bvh_(buildBvh(scene, context))
   {
-    const Bvh bvh = buildBvh(scene, context);
-    static_assert(sizeof(Bvh::Node) == 8 * 4 * sizeof(float) && sizeof(Bvh::Pack) == 10 * 4 * sizeof(float),
+    static_assert(sizeof(Bvh::Node) == 9 * 8 * sizeof(float) && sizeof(Bvh::Pack) == 10 * 8 * sizeof(float) &&
+                    offsetof(Bvh::Node, child) == 48 * sizeof(float) &&
+                    offsetof(Bvh::Node, normalLower) == 28 * 8 && sizeof(RayFacet) == 4 * 4 * sizeof(float) &&
+                    sizeof(RayHit) == 2 * sizeof(float),
       "the sizes that cast_rays.cl counts in");
-    // Few different programs: depths are rounded up.
-    const int stackSize = (bvh.stackSize + 31) / 32 * 32;
+    // Few different programs: depths are rounded up. A node's children are written all at once.
+    const int stackSize = (this->bvh_.stackSize + Bvh::width + 31) / 32 * 32;
     device->guard(
       [&]
       {
         this->kernel_ =
           cl::Kernel(device->program("cast_rays", cast_rays_cl, "-D STACK_SIZE=" + std::to_string(stackSize)),
             "cast_rays");
-        this->nodes_ = toDevice(*device, bvh.nodes);
-        this->packs_ = toDevice(*device, bvh.packs);
-        this->facets_ = toDevice(*device, scene.facets);
-        this->points_ = toDevice(*device, scene.points);
-        this->places_ = toDevice(*device, scene.places);
+        this->nodes_ = shared(*device, this->bvh_.nodes);
+        this->packs_ = shared(*device, this->bvh_.packs);
+        this->facets_ = shared(*device, scene.facets);
+        this->points_ = shared(*device, scene.points);
+        this->places_ = shared(*device, scene.places);
       });
   }
 
@@ -44,53 +63,40 @@ public:
     {
       return;
     }
-    this->distances_.resize(count);
-    this->found_.resize(count);
     this->device_->guard(
       [&]
       {
-        const cl::Buffer vertices = toDevice(*this->device_, rays.vertices);
-        const cl::Buffer starts = toDevice(*this->device_, rays.starts);
-        const cl::Buffer directions = toDevice(*this->device_, rays.directions);
-        const cl::Buffer distances = onDevice<float>(*this->device_, count);
-        const cl::Buffer found = onDevice<int>(*this->device_, count);
+        const cl::Buffer vertices = shared(*this->device_, rays.vertices);
+        const cl::Buffer directions = shared(*this->device_, rays.directions);
+        const cl::Buffer found(this->device_->context(),
+          CL_MEM_WRITE_ONLY | (this->device_->info().cpu ? CL_MEM_USE_HOST_PTR : 0),
+          count * sizeof(RayHit),
+          this->device_->info().cpu ? hits.data() : nullptr);
         int argument = 0;
-        for (const cl::Buffer& buffer : { this->nodes_,
-               this->packs_,
-               this->facets_,
-               this->points_,
-               this->places_,
-               vertices,
-               starts,
-               directions })
+        for (const cl::Buffer& buffer :
+          { this->nodes_, this->packs_, this->facets_, this->points_, this->places_, vertices, directions })
         {
           this->kernel_.setArg(argument++, buffer);
         }
         this->kernel_.setArg(argument++, rays.raysPerVertex);
         this->kernel_.setArg(argument++, static_cast<int>(count));
-        this->kernel_.setArg(argument++, distances);
         this->kernel_.setArg(argument++, found);
         const std::size_t group = std::min<std::size_t>(64, this->device_->info().maxWorkGroupSize);
         const cl::CommandQueue& queue = this->device_->queue();
         queue.enqueueNDRangeKernel(
           this->kernel_, cl::NullRange, cl::NDRange((count + group - 1) / group * group), cl::NDRange(group));
-        queue.enqueueReadBuffer(distances, CL_FALSE, 0, count * sizeof(float), this->distances_.data());
-        queue.enqueueReadBuffer(found, CL_TRUE, 0, count * sizeof(int), this->found_.data());
+        // Where the buffer is the vector itself this only waits.
+        queue.enqueueReadBuffer(found, CL_TRUE, 0, count * sizeof(RayHit), hits.data());
       });
-    for (std::size_t ray = 0; ray < count; ++ray)
-    {
-      hits[ray] = { this->distances_[ray], this->found_[ray] };
-    }
   }
 
-  bool threadSafe() const override { return false; }
+  bool onHost() const override { return false; }
 
 private:
   std::shared_ptr<Device> device_;
+  Bvh bvh_;
   cl::Kernel kernel_;
   cl::Buffer nodes_, packs_, facets_, points_, places_;
-  std::vector<float> distances_;
-  std::vector<int> found_;
 };
 
 } // namespace

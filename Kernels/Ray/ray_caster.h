@@ -48,8 +48,9 @@ struct RayBatch
 {
   int raysPerVertex = 0;
   std::vector<int> vertices;
-  std::vector<float>
-    starts; // per vertex: its rays leave through no facet nearer than this [unit of the scene]
+  // Per vertex: its rays leave through no facet nearer than this [unit of the scene]. A caster need not use
+  // it.
+  std::vector<float> starts;
   std::vector<std::array<float, 3>> directions; // raysPerVertex per vertex
 };
 
@@ -81,8 +82,8 @@ public:
   // Hits come in the order of the rays. On a cancelled context the hits are incomplete.
   virtual void cast(const RayBatch& rays, std::vector<RayHit>& hits, const Context& context) = 0;
 
-  // Whether several threads may call cast() at a time.
-  virtual bool threadSafe() const = 0;
+  // Whether several threads may call cast() at a time, and starts save time.
+  virtual bool onHost() const = 0;
 };
 
 // The scene must live as long as the caster.

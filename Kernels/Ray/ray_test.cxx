@@ -208,50 +208,67 @@ TEST(Ray, TreeHoldsEveryTriangleOnceWithinItsBounds)
     const Bvh bvh = buildBvh(scene, Context());
     std::multiset<int> seen;
     int deepest = 0;
-    const std::function<void(int, int)> walk = [&](int at, int waiting)
+    // Returns the bounds of the normals below.
+    using Normals = std::array<std::array<float, 3>, 2>;
+    const std::function<Normals(int, int)> walk = [&](int at, int waiting)
     {
       const Bvh::Node& node = bvh.nodes[at];
-      int children = 0;
-      for (const int child : node.child)
+      const auto children = std::count_if(node.child, node.child + Bvh::width, [](int c) { return c != -1; });
+      deepest = std::max(deepest, waiting + static_cast<int>(children));
+      Normals all{ { { 9, 9, 9 }, { -9, -9, -9 } } };
+      for (int i = 0; i < Bvh::width; ++i)
       {
-        children += child != -1;
-      }
-      deepest = std::max(deepest, waiting + children);
-      for (int i = 0; i < 4; ++i)
-      {
+        Normals below{ { { 9, 9, 9 }, { -9, -9, -9 } } };
+        const auto add = [&](Normals& to, const std::array<float, 3>& low, const std::array<float, 3>& high)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            to[0][k] = std::min(to[0][k], low[k]);
+            to[1][k] = std::max(to[1][k], high[k]);
+          }
+        };
         if (node.child[i] >= 0)
         {
-          walk(node.child[i], waiting + children - 1);
+          EXPECT_GT(node.child[i], at);
+          below = walk(node.child[i], waiting + static_cast<int>(children) - 1);
         }
         else if (node.child[i] < -1)
         {
-          const int leaf = -2 - node.child[i];
-          int held = 0;
-          for (int p = leaf / 4; p <= leaf / 4 + leaf % 4; ++p)
+          const Bvh::Pack& pack = bvh.packs[-2 - node.child[i]];
+          for (int k = 0; k < Bvh::width; ++k)
           {
-            for (int k = 0; k < 4; ++k)
+            const int t = pack.triangle[k];
+            if (t < 0)
             {
-              const int t = bvh.packs[p].triangle[k];
-              if (t >= 0)
+              continue;
+            }
+            seen.insert(t);
+            add(below, scene.facets[t].normal, scene.facets[t].normal);
+            for (int corner = 0; corner < 3; ++corner)
+            {
+              for (int axis = 0; axis < 3; ++axis)
               {
-                seen.insert(t);
-                ++held;
-                for (int corner = 0; corner < 3; ++corner)
-                {
-                  for (int axis = 0; axis < 3; ++axis)
-                  {
-                    const float x = bvh.packs[p].corner[corner][axis][k];
-                    EXPECT_EQ(x, scene.points[mesh.triangles[t][corner]][axis]);
-                    EXPECT_LE(node.lower[axis][i], x);
-                    EXPECT_GE(node.upper[axis][i], x);
-                  }
-                }
+                const float x = pack.corner[corner][axis][k];
+                EXPECT_EQ(x, scene.points[mesh.triangles[t][corner]][axis]);
+                EXPECT_LE(node.lower[axis][i], x);
+                EXPECT_GE(node.upper[axis][i], x);
               }
             }
           }
-          EXPECT_LE(held, Bvh::leafSize);
         }
+        else
+        {
+          EXPECT_GT(node.lower[0][i], node.upper[0][i]);
+          continue;
+        }
+        for (int k = 0; k < 3; ++k)
+        {
+          EXPECT_LE(static_cast<float>(node.normalLower[k][i]), Bvh::normalScale * below[0][k]);
+          EXPECT_GE(static_cast<float>(node.normalUpper[k][i]), Bvh::normalScale * below[1][k]);
+        }
+        add(all, below[0], below[1]);
       }
+      return all;
     };
     walk(0, 0);
     EXPECT_EQ(static_cast<int>(seen.size()), mesh.triangleCount());

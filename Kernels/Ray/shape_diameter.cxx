@@ -164,6 +164,7 @@ public:
     const RayScene& scene,
     const std::vector<Vector3>& normals,
     const ShapeDiameterOptions& options,
+    bool findStarts,
     const Context& context)
     : mesh_(mesh)
     , scene_(scene)
@@ -180,7 +181,11 @@ public:
       scene.order.end(),
       std::back_inserter(this->vertices_),
       [&](int v) { return normals[v].squaredNorm() > 0.0; });
-    this->starts_ = rayStarts(scene, normals, this->vertices_, std::acos(this->cone_.back()[2]), context);
+    this->starts_.resize(this->vertices_.size());
+    if (findStarts)
+    {
+      this->starts_ = rayStarts(scene, normals, this->vertices_, std::acos(this->cone_.back()[2]), context);
+    }
   }
 
   int vertexCount() const { return static_cast<int>(this->vertices_.size()); }
@@ -225,6 +230,12 @@ public:
         std::vector<ConeHit> lengths(rays);
         for (int i = begin; i < end; ++i)
         {
+          // The next one's facets are on their way meanwhile.
+          const std::size_t next = static_cast<std::size_t>(std::min(i + 1, end - 1)) * rays;
+          for (std::size_t ray = next; ray < next + rays; ++ray)
+          {
+            prefetch(&this->scene_.facets[std::max(hits[ray].triangle, 0)]);
+          }
           const int v = batch.vertices[i];
           const Vector3 origin = this->scene_.inScene(this->mesh_.points[v]);
           const Eigen::Matrix3d frame = frameAround(-this->normals_[v]);
@@ -271,7 +282,7 @@ void traceAndSummarise(const Cones& cones,
   {
     context.checkpoint(static_cast<double>(first) / total);
     const int count = std::min(blockSize, total - first);
-    if (caster.threadSafe())
+    if (caster.onHost())
     {
       // Each part from its rays to its values at once, while they are in the cache.
       const int parts = (count + verticesPerPart - 1) / verticesPerPart;
@@ -387,14 +398,14 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
   if (!mesh.triangles.empty())
   {
     const RayScene scene(mesh, context);
-    const Cones cones(mesh, scene, normals, options, context);
     bool done = false;
     if (device)
     {
       try
       {
         const std::unique_ptr<RayCaster> caster = makeOpenCLCaster(scene, device, context);
-        traceAndSummarise(cones, *caster, context, result, hits);
+        traceAndSummarise(
+          Cones(mesh, scene, normals, options, caster->onHost(), context), *caster, context, result, hits);
         result.used = Backend::OpenCL;
         done = true;
       }
@@ -411,7 +422,8 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
     if (!done)
     {
       const std::unique_ptr<RayCaster> caster = makeEmbreeCaster(scene);
-      traceAndSummarise(cones, *caster, context, result, hits);
+      traceAndSummarise(
+        Cones(mesh, scene, normals, options, caster->onHost(), context), *caster, context, result, hits);
     }
   }
   result.warning = warning;

@@ -20,5 +20,15 @@ using WideInt = int __attribute__((vector_size(wide * sizeof(int))));
 using WideDouble = double __attribute__((vector_size(wide * sizeof(double))));
 using WideLong = long long __attribute__((vector_size(wide * sizeof(long long))));
 
+// Asks for a line of memory that is read soon.
+inline void prefetch(const void* address)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#else
+  (void)address;
+#endif
+}
+
 } // namespace oversketch
 #endif
