@@ -18,6 +18,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <tuple>
@@ -30,8 +31,8 @@ namespace
 // What the whole mesh's mixture depends on besides the mesh and its diameters: components, samples, seed,
 // back end.
 using FitKey = std::tuple<int, int, int, int>;
-// What the region depends on besides that: lambda, tolerance, section length, amendments.
-using GrowthKey = std::tuple<double, double, double, bool, bool, bool>;
+// What the region depends on besides that: lambda, tolerance, section and end length, amendments.
+using GrowthKey = std::tuple<double, double, double, double, bool, bool, bool, bool>;
 
 std::vector<double> DiametersOf(vtkDataArray* array)
 {
@@ -50,8 +51,30 @@ std::vector<double> DiametersOf(vtkDataArray* array)
   return values;
 }
 
-// The vertices that the section's edges end at, ascending.
-std::vector<int> SeedsOf(vtkPolyData* handles, int vertexCount, double margin)
+double SectionLengthOf(vtkPolyData* handles)
+{
+  vtkDataArray* array = handles->GetFieldData()->GetArray("SectionLength");
+  const double length = array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0)
+                                                                 : std::numeric_limits<double>::quiet_NaN();
+  if (!(length >= 0.0))
+  {
+    throw Error(Failure::MissingArray,
+      "The handles have no field array SectionLength of one value, the length of the matched section: make "
+      "them with "
+      "vtkOversketchTargets, or turn LimitRunaway and ReachEnds off.");
+  }
+  return length;
+}
+
+// What the region reads of the handles.
+struct Section
+{
+  std::vector<int> seeds; // the vertices that the section's edges end at, ascending
+  std::array<std::vector<int>, 2>
+    ends; // of each margin those that the stroke moves, and the seeds next to it
+};
+
+Section SectionOf(vtkPolyData* handles, int vertexCount, double margin, bool reachEnds)
 {
   const vtkIdType count = handles->GetNumberOfPoints();
   if (count == 0)
@@ -63,14 +86,24 @@ std::vector<int> SeedsOf(vtkPolyData* handles, int vertexCount, double margin)
   vtkDataArray* vertices = RequireArray(data, "MeshVertices", 3, count, "handles", remedy);
   vtkDataArray* weights = RequireArray(data, "MeshWeights", 3, count, "handles", remedy);
   vtkDataArray* positions = RequireArray(data, "RelativePosition", 1, count, "handles", remedy);
-  std::vector<int> seeds;
-  for (vtkIdType h = 0; h < count; ++h)
+  std::vector<double> moves(static_cast<std::size_t>(count), 0.0);
+  double moving = 0.0;
+  if (reachEnds)
   {
-    const double position = positions->GetComponent(h, 0);
-    if (!(position >= margin && position <= 1.0 - margin))
+    vtkDataArray* targets = RequireArray(data, "UnmergedTarget", 3, count, "handles", remedy);
+    for (vtkIdType h = 0; h < count; ++h)
     {
-      continue;
+      Vector3 place, target;
+      handles->GetPoint(h, place.data());
+      targets->GetTuple(h, target.data());
+      moves[h] = (target - place).norm();
     }
+    // Less is a hand that follows the outline.
+    moving = std::max(0.05 * *std::max_element(moves.begin(), moves.end()), 0.001 * SectionLengthOf(handles));
+  }
+  Section section;
+  const auto add = [&](vtkIdType h, std::vector<int>& list)
+  {
     for (int k = 0; k < 3; ++k)
     {
       if (!(weights->GetComponent(h, k) > 0.0))
@@ -85,27 +118,35 @@ std::vector<int> SeedsOf(vtkPolyData* handles, int vertexCount, double margin)
                 << "; make the handles from this mesh.";
         throw Error(Failure::MissingArray, message.str());
       }
-      seeds.push_back(static_cast<int>(v));
+      list.push_back(static_cast<int>(v));
+    }
+  };
+  vtkIdType first = -1, last = -1; // seeds by position
+  for (vtkIdType h = 0; h < count; ++h)
+  {
+    const double position = positions->GetComponent(h, 0);
+    if (position >= margin && position <= 1.0 - margin)
+    {
+      add(h, section.seeds);
+      first = first < 0 || position < positions->GetComponent(first, 0) ? h : first;
+      last = last < 0 || position > positions->GetComponent(last, 0) ? h : last;
+    }
+    else if (moves[h] > moving)
+    {
+      add(h, section.ends[position < margin ? 0 : 1]);
     }
   }
-  std::sort(seeds.begin(), seeds.end());
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-  return seeds;
-}
-
-double SectionLengthOf(vtkPolyData* handles)
-{
-  vtkDataArray* array = handles->GetFieldData()->GetArray("SectionLength");
-  const double length = array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0)
-                                                                 : std::numeric_limits<double>::quiet_NaN();
-  if (!(length >= 0.0))
+  if (first >= 0)
   {
-    throw Error(Failure::MissingArray,
-      "The handles have no field array SectionLength of one value, the length of the matched section: make "
-      "them with "
-      "vtkOversketchTargets, or turn LimitRunaway off.");
+    add(first, section.ends[0]);
+    add(last, section.ends[1]);
   }
-  return length;
+  for (std::vector<int>* list : { &section.seeds, &section.ends[0], &section.ends[1] })
+  {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  return section;
 }
 
 template <typename Array, typename Values>
@@ -145,7 +186,7 @@ struct vtkOversketchMixtureRegion::Cache
   Mixture Whole;
   // The region.
   GrowthKey GrowthRead;
-  std::vector<int> SeedsRead;
+  Section SectionRead;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // empty: none kept
 
   MixtureFit Fit(vtkOversketchMixtureRegion* self, const std::vector<double>& samples, int components);
@@ -218,8 +259,12 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
         input->GetNumberOfPoints(),
         "mesh",
         "compute it with vtkOversketchShapeDiameter");
-      const std::vector<int> seeds = SeedsOf(handles, mesh.Surface.vertexCount(), this->SeedMargin);
+      const Section section =
+        SectionOf(handles, mesh.Surface.vertexCount(), this->SeedMargin, this->ReachEnds);
+      const std::vector<int>& seeds = section.seeds;
       const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
+      // Edge paths are up to half as long again as the way, and a foreshortened end as it looks.
+      const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;
 
       const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
       const FitKey fitKey(this->Components, this->MaximumSamples, this->Seed, this->Backend);
@@ -247,14 +292,17 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
       const GrowthKey growthKey(this->Lambda,
         this->SeedTolerance,
         sectionLength,
+        endLength,
         this->FillIslands,
         this->LimitRunaway,
-        this->CutAtJunction);
-      if (cache.Arrays.empty() || cache.GrowthRead != growthKey || cache.SeedsRead != seeds)
+        this->CutAtJunction,
+        this->ReachEnds);
+      if (cache.Arrays.empty() || cache.GrowthRead != growthKey || cache.SectionRead.seeds != seeds ||
+          cache.SectionRead.ends != section.ends)
       {
         cache.Arrays.clear();
         ++this->GrowthCount;
-        RegionEvidence evidence{ seeds, {}, cache.Diameters, sectionLength };
+        RegionEvidence evidence{ seeds, {}, cache.Diameters, sectionLength, section.ends, endLength };
         if (!seeds.empty())
         {
           const std::vector<int> around = expandSeeds(mesh.Surface,
@@ -280,7 +328,7 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
             });
         }
         const RegionOptions options{
-          this->Lambda, this->FillIslands, this->LimitRunaway, this->CutAtJunction
+          this->Lambda, this->FillIslands, this->LimitRunaway, this->CutAtJunction, this->ReachEnds
         };
         if (cache.PartsData != cache.Data)
         {
@@ -308,7 +356,7 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
           ArrayOf<vtkUnsignedCharArray>("RegionSeed", isSeed),
           ArrayOf<vtkDoubleArray>("RegionProbability", probability) };
         cache.GrowthRead = growthKey;
-        cache.SeedsRead = seeds;
+        cache.SectionRead = section;
       }
       output->ShallowCopy(input);
       for (const auto& array : cache.Arrays)
@@ -327,6 +375,7 @@ void vtkOversketchMixtureRegion::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FillIslands: " << (this->FillIslands ? "On" : "Off") << '\n'
      << indent << "LimitRunaway: " << (this->LimitRunaway ? "On" : "Off") << '\n'
      << indent << "CutAtJunction: " << (this->CutAtJunction ? "On" : "Off") << '\n'
+     << indent << "ReachEnds: " << (this->ReachEnds ? "On" : "Off") << '\n'
      << indent << "Components: " << this->Components << '\n'
      << indent << "MaximumSamples: " << this->MaximumSamples << '\n'
      << indent << "Seed: " << this->Seed << '\n'

@@ -19,12 +19,16 @@
  * limb's border where the rays begin to see the body, some 5 % short, and leaves patches where a limb is not
  * of one thickness. Before that, what the region reached over a bridge narrower than half the seeds'
  * thickness from either side is taken off: a finger's region spilled over the web to its neighbours, which
- * are as thick.
+ * are as thick;
+ * - where the section goes on beyond the region and is to move there, the border moves up to it, on a limb
+ * all round (ReachEnds): else the moved part ends in a step at a border that nothing moves, in the middle of
+ * a thickened thigh.
  *
  * Input 0: triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated. Input 1: handles
- * (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3], RelativePosition[1], and field
- * array SectionLength[1], model length (read when LimitRunaway is on).
+ * (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3], RelativePosition[1],
+ * UnmergedTarget[3] (read when ReachEnds is on), and field array SectionLength[1], model length (read when
+ * LimitRunaway or ReachEnds is on).
  *
  * Output 0: the input with point arrays
  * - Region, unsigned char: 1 for vertices of the region,
@@ -133,6 +137,17 @@ public:
 
   ///@{
   /**
+   * Extend the region towards the section's ends, within SeedMargin, as far as the stroke moves the section
+   * by more than a twentieth of what it moves it most and a thousandth of its length; default on. Off is as
+   * published.
+   */
+  vtkSetMacro(ReachEnds, bool);
+  vtkGetMacro(ReachEnds, bool);
+  vtkBooleanMacro(ReachEnds, bool);
+  ///@}
+
+  ///@{
+  /**
    * Most components of a mixture, 1 to 8; default 4 (Table 2). The seeds' mixture has no more than a third of
    * the samples.
    */
@@ -205,6 +220,7 @@ private:
   bool FillIslands = true;
   bool LimitRunaway = true;
   bool CutAtJunction = true;
+  bool ReachEnds = true;
   int Components = 4;
   int MaximumSamples = 2048;
   int Seed = 1;

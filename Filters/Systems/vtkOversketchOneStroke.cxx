@@ -248,6 +248,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   this->MixtureRegion->SetFillIslands(on);
   this->MixtureRegion->SetLimitRunaway(on);
   this->MixtureRegion->SetCutAtJunction(on);
+  this->MixtureRegion->SetReachEnds(on);
   this->RegionBorder->SetConfine(on);
   for (vtkOversketchRemesh* step : { this->Stretch.Get(), this->Restore.Get() })
   {

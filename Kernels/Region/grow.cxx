@@ -1,6 +1,7 @@
 #include "Region/grow.h"
 
 #include "Region/cut.h"
+#include "Region/reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -492,6 +493,18 @@ std::vector<char> detectRegion(const Mesh& mesh,
     }
   }
   dropSeedless(adjacency, isSeed, region);
+  if (options.reachEnds)
+  {
+    std::vector<char> reached = reachEnds(mesh, adjacency, evidence.ends, evidence.endLength, region);
+    if (options.fillIslands)
+    {
+      fillIslands(parts, adjacency, reached);
+    }
+    if (!runsAway(reached))
+    {
+      region = std::move(reached);
+    }
+  }
   for (std::size_t v = 0; v < region.size(); ++v)
   {
     if (!region[v])

@@ -5,6 +5,7 @@
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
 
+#include <array>
 #include <vector>
 
 namespace oversketch
@@ -55,6 +56,7 @@ struct RegionOptions
   bool fillIslands = true;
   bool limitRunaway = true;
   bool cutAtJunction = true;
+  bool reachEnds = true;
 };
 
 // What region detection reads besides the mesh.
@@ -64,12 +66,17 @@ struct RegionEvidence
   std::vector<double> ratio;    // ln p_fg - ln p_whole per vertex
   std::vector<double> diameter; // per vertex [model length]
   double sectionLength = 0.0;   // [model length]; read by limitRunaway alone
+  // Vertices of the section beyond the seeds at either end, as far as they are to move; and how far off the
+  // region they may lie, along edges [model length]. Read by reachEnds alone.
+  std::array<std::vector<int>, 2> ends;
+  double endLength = 0.0;
 };
 
 // Growing and its amendments, in this order: grow; fill islands; where the region then exceeds half of the
 // area of the connected parts it lies in, grow again within an edge path of one section length of the seeds,
 // and fill islands again; cut off what hangs on narrow bridges (see cutBridges) and cut at the junction (see
-// cutAtJunction), unless that exceeds the half; drop pieces without a seed. Throws Error(BadRegion) without
+// cutAtJunction), unless that exceeds the half; drop pieces without a seed; extend the rest towards the
+// section's ends (see reachEnds), unless that exceeds the half. Throws Error(BadRegion) without
 // seeds and when a part is selected wholly, for nothing would be left to hold it.
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,

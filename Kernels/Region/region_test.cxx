@@ -1,6 +1,7 @@
 #include "Harness/shapes.h"
 #include "Region/cut.h"
 #include "Region/grow.h"
+#include "Region/reach.h"
 
 #include <gtest/gtest.h>
 
@@ -328,4 +329,36 @@ TEST(Region, IslandsAreFoundFromTheRegionAsFromTheWhole)
     }
   }
   EXPECT_GT(filled, 100);
+}
+
+TEST(ReachEnds, OnATubeTheBorderMovesUpAllRound)
+{
+  const int around = 48, along = 40;
+  const Mesh mesh = cylinder(1.0, 4.0, around, along);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const auto near = [&](const Vector3& place)
+  {
+    const auto closer = [&](const Vector3& a, const Vector3& b)
+    { return (a - place).norm() < (b - place).norm(); };
+    return int(std::min_element(mesh.points.begin(), mesh.points.end(), closer) - mesh.points.begin());
+  };
+  const auto below = [&](double z) { return where(mesh, [&](const Vector3& p) { return p[2] < z + 0.01; }); };
+  const std::vector<char> region = below(1.0);
+  const int left = near({ -1, 0, 2.0 }), right = near({ 1, 0, 2.0 }), high = near({ 1, 0, 3.0 });
+
+  EXPECT_EQ(reachEnds(mesh, adjacency, { { { left }, { right } } }, 1.5, region), below(2.0));
+  // Nothing lies outside, or too far off: nothing changes.
+  EXPECT_EQ(reachEnds(mesh, adjacency, { { { near({ -1, 0, 0.5 }) }, {} } }, 1.5, region), region);
+  EXPECT_EQ(reachEnds(mesh, adjacency, { { { high }, { high } } }, 1.5, region), region);
+  // An end that does not move, but is there, keeps the border.
+  const std::vector<char> oneSide =
+    reachEnds(mesh, adjacency, { { { left }, { near({ 1, 0, 1.0 }) } } }, 1.5, region);
+  EXPECT_TRUE(oneSide[left]);
+  EXPECT_FALSE(oneSide[near({ 1, 0, 1.2 })]);
+  // Unlike ends: the border rises from one to the other.
+  const std::vector<char> slanted = reachEnds(mesh, adjacency, { { { left }, { high } } }, 2.5, region);
+  EXPECT_TRUE(slanted[left] && slanted[high]);
+  EXPECT_FALSE(slanted[near({ -1, 0, 2.2 })] || slanted[near({ 1, 0, 3.2 })]);
+  EXPECT_TRUE(slanted[near({ 0, 1, 2.2 })] && slanted[near({ 0, -1, 2.2 })]);
+  EXPECT_FALSE(slanted[near({ 0, 1, 2.8 })] || slanted[near({ 0, -1, 2.8 })]);
 }

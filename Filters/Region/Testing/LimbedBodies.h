@@ -96,7 +96,7 @@ inline Mesh surfaceOf(const std::vector<Capsule>& capsules, double spacing = 0.0
 }
 
 // Handles along the silhouette seen orthographically from `from`, up to `half` on either side of the point
-// nearest tip.
+// nearest tip; they ask for no move.
 inline vtkSmartPointer<vtkPolyData> handlesAt(const Mesh& mesh,
   const Vector3& from,
   const Vector3& up,
@@ -148,10 +148,12 @@ inline vtkSmartPointer<vtkPolyData> handlesAt(const Mesh& mesh,
   vtkNew<vtkIdTypeArray> vertices;
   vertices->SetName("MeshVertices");
   vertices->SetNumberOfComponents(3);
-  vtkNew<vtkDoubleArray> weights, positions, length;
+  vtkNew<vtkDoubleArray> weights, positions, targets, length;
   weights->SetName("MeshWeights");
   weights->SetNumberOfComponents(3);
   positions->SetName("RelativePosition");
+  targets->SetName("UnmergedTarget");
+  targets->SetNumberOfComponents(3);
   length->SetName("SectionLength");
   length->InsertNextValue(lengths.back());
   for (int i = first; i <= last; ++i)
@@ -162,11 +164,13 @@ inline vtkSmartPointer<vtkPolyData> handlesAt(const Mesh& mesh,
     vertices->InsertNextTypedTuple(ids);
     weights->InsertNextTypedTuple(p.binding.weights.data());
     positions->InsertNextValue(lengths[i - first] / lengths.back());
+    targets->InsertNextTuple(p.position.data());
   }
   handles->SetPoints(points);
   handles->GetPointData()->AddArray(vertices);
   handles->GetPointData()->AddArray(weights);
   handles->GetPointData()->AddArray(positions);
+  handles->GetPointData()->AddArray(targets);
   handles->GetFieldData()->AddArray(length);
   return handles;
 }

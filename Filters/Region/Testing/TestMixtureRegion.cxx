@@ -52,6 +52,7 @@ struct Pipeline
     this->region->FillIslandsOff();
     this->region->LimitRunawayOff();
     this->region->CutAtJunctionOff();
+    this->region->ReachEndsOff();
     this->border->ConfineOff();
   }
   std::vector<char> grown()
@@ -332,6 +333,56 @@ TEST(MixtureRegion, WithoutADeviceTheHostComputesAndSaysSo)
   EXPECT_EQ(p.region->GetBackendUsed(), vtkOversketchMixtureRegion::BACKEND_HOST);
 }
 
+TEST(MixtureRegion, TheRegionReachesTheEndsOfTheSectionThatMove)
+{
+  // A peg leg: a thin shin on a thick thigh. The section goes on from the shin over the thigh's round end.
+  const std::vector<Capsule> capsules{ { { -0.9, 0, 0 }, { -0.9, 0, 0 }, 0.6 },
+    { { -0.9, 0, 0 }, { 0.3, 0, 0 }, 0.3 },
+    { { 0.3, 0, 0 }, { 1.5, 0, 0 }, 0.12 } };
+  Pipeline p(surfaceOf(capsules, 0.04));
+  const auto handles = handlesAt(p.mesh, front, up, { 1.62, 0, 0 }, 1.35);
+  const vtkIdType last = handles->GetNumberOfPoints() - 1;
+  const auto vertexOf = [&](vtkIdType h)
+  { return int(handles->GetPointData()->GetArray("MeshVertices")->GetComponent(h, 0)); };
+  // Moves the section's half above (1) or below (-1) the axis, or both (0), away from the axis.
+  const auto regionMoving = [&](double side)
+  {
+    vtkDataArray* targets = handles->GetPointData()->GetArray("UnmergedTarget");
+    for (vtkIdType h = 0; h <= last; ++h)
+    {
+      Vector3 place;
+      handles->GetPoint(h, place.data());
+      const double sign = place[2] > 0.0 ? 1.0 : -1.0;
+      targets->SetComponent(h, 2, place[2] + (side == 0.0 || side == sign ? 0.1 * sign : 0.0));
+    }
+    handles->Modified();
+    p.region->SetHandlesData(handles);
+    return p.grown();
+  };
+  p.region->ReachEndsOff();
+  const std::vector<char> without = regionMoving(0.0);
+  EXPECT_FALSE(without[vertexOf(0)] || without[vertexOf(last)]);
+  p.region->ReachEndsOn();
+  EXPECT_EQ(regionMoving(2.0), without) << "nothing moves";
+  const std::vector<char> both = regionMoving(0.0);
+  EXPECT_TRUE(both[vertexOf(0)] && both[vertexOf(last)]);
+  const double end = p.mesh.points[vertexOf(0)][0];
+  int within = 0;
+  for (int v = 0; v < p.mesh.vertexCount(); ++v)
+  {
+    EXPECT_LE(without[v], both[v]);
+    const double x = p.mesh.points[v][0];
+    EXPECT_FALSE(both[v] && x < end - 0.1) << p.mesh.points[v].transpose();
+    EXPECT_TRUE(both[v] || x < end + 0.1) << p.mesh.points[v].transpose();
+    within += both[v] - without[v];
+  }
+  EXPECT_GT(within, 50);
+  const bool firstIsAbove = p.mesh.points[vertexOf(0)][2] > 0.0;
+  const std::vector<char> above = regionMoving(1.0);
+  EXPECT_TRUE(above[vertexOf(firstIsAbove ? 0 : last)]);
+  EXPECT_FALSE(above[vertexOf(firstIsAbove ? last : 0)]);
+}
+
 TEST(MixtureRegion, HostileInputsAreOneErrorEach)
 {
   const Mesh mesh = surfaceOf(body(1), 0.1);
@@ -375,6 +426,9 @@ TEST(MixtureRegion, HostileInputsAreOneErrorEach)
   refuses(Failure::MissingArray,
     "RelativePosition",
     [](vtkPolyData*, vtkPolyData* h) { h->GetPointData()->RemoveArray("RelativePosition"); });
+  refuses(Failure::MissingArray,
+    "UnmergedTarget",
+    [](vtkPolyData*, vtkPolyData* h) { h->GetPointData()->RemoveArray("UnmergedTarget"); });
   refuses(Failure::MissingArray,
     "SectionLength",
     [](vtkPolyData*, vtkPolyData* h) { h->GetFieldData()->RemoveArray("SectionLength"); });
@@ -433,6 +487,10 @@ TEST(MixtureRegion, ARegionThatReachesEverythingIsAnError)
   all->GetPointData()->AddArray(ids);
   all->GetPointData()->AddArray(weights);
   all->GetPointData()->AddArray(positions);
+  vtkNew<vtkDoubleArray> targets;
+  targets->DeepCopy(points->GetData());
+  targets->SetName("UnmergedTarget");
+  all->GetPointData()->AddArray(targets);
   all->GetFieldData()->AddArray(handles->GetFieldData()->GetArray("SectionLength"));
   vtkNew<vtkOversketchMixtureRegion> filter;
   filter->SetInputConnection(diameter->GetOutputPort());

@@ -1,0 +1,66 @@
+#include "Region/reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch
+{
+
+std::vector<char> reachEnds(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::array<std::vector<int>, 2>& ends,
+  double limit,
+  const std::vector<char>& region)
+{
+  std::vector<int> border;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (region[v] && std::any_of(adjacency.vertexVertices.begin(v),
+                       adjacency.vertexVertices.end(v),
+                       [&](int n) { return !region[n]; }))
+    {
+      border.push_back(v);
+    }
+  }
+  const std::vector<double> fromRegion = edgeDistances(mesh, adjacency, border, limit);
+  std::array<double, 2> length{ 0.0, 0.0 };
+  std::array<std::vector<double>, 2> toEnd;
+  for (int k = 0; k < 2; ++k)
+  {
+    for (const int v : ends[k])
+    {
+      if (!region[v] && std::isfinite(fromRegion[v]))
+      {
+        length[k] = std::max(length[k], fromRegion[v]);
+      }
+    }
+  }
+  if (!(length[0] + length[1] > 0.0))
+  {
+    return region;
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    toEnd[k] = edgeDistances(mesh, adjacency, ends[k], 5.0 * limit);
+  }
+  std::vector<char> reached(region);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (region[v] || !(fromRegion[v] <= std::max(length[0], length[1])))
+    {
+      continue;
+    }
+    const double first = toEnd[0][v], second = toEnd[1][v];
+    // An end that is not there, or too far to be one of this limb, does not count.
+    const bool nearFirst = std::isfinite(first), nearSecond = std::isfinite(second);
+    double share = nearFirst == nearSecond ? 0.5 : (nearFirst ? 0.0 : 1.0);
+    if (nearFirst && nearSecond && first + second > 0.0)
+    {
+      share = first / (first + second);
+    }
+    reached[v] = fromRegion[v] <= (1.0 - share) * length[0] + share * length[1];
+  }
+  return reached;
+}
+
+} // namespace oversketch
