@@ -71,7 +71,8 @@ int RunFilter(vtkAlgorithm* self, const std::function<void()>& body)
     {
       return 1;
     }
-    // A body that never looked at AbortExecute has still been asked to stop: half the callers rely on it.
+    // Set after the body last looked at it, if it looks at all: a cancelled filter has no output all the
+    // same.
     Fail(self, Failure::Cancelled, "cancelled");
   }
   catch (const Error& error)

@@ -115,7 +115,7 @@ Weld::Weld(vtkPolyData* mesh)
 {
   this->Surface = MeshOf(mesh);
   this->Corners = this->Surface.triangles;
-  this->FindVertices(mesh);
+  this->FindVertices();
   vtkNew<vtkIdTypeArray> cells;
   cells->SetName("OriginalCell");
   cells->SetNumberOfTuples(mesh->GetNumberOfPolys());
@@ -147,7 +147,7 @@ Weld::Weld(vtkPolyData* mesh)
 
 Weld::~Weld() = default;
 
-void Weld::FindVertices(vtkPolyData*)
+void Weld::FindVertices()
 {
   const auto& p = this->Surface.points;
   const int count = this->Surface.vertexCount();
@@ -446,7 +446,7 @@ void Weld::Transfer(vtkPolyData* mesh,
     }
     if (mixes.size() == begin)
     {
-      // A vertex without a triangle: the remesher leaves it where it was, so its mix is found by position.
+      // A vertex without a triangle: nothing tells its source.
       mixes.push_back({});
       vertexOf.push_back(v);
     }
@@ -463,25 +463,30 @@ void Weld::Transfer(vtkPolyData* mesh,
   std::vector<char> changed(mixes.size(), 0);
   vtkNew<vtkIdList> ids;
   std::vector<double> weights;
-  vtkIdType loose = 0;
+  // The first points of the vertices without a triangle, which the remesher keeps, in their order.
+  std::vector<vtkIdType> loose;
+  std::size_t nextLoose = 0;
+  std::vector<char> known(this->Surface.points.size(), 0);
+  for (const Triangle& t : this->Surface.triangles)
+  {
+    known[t[0]] = known[t[1]] = known[t[2]] = 1;
+  }
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    char& seen = known[this->VertexOf(p)];
+    if (!seen)
+    {
+      loose.push_back(p);
+      seen = 1;
+    }
+  }
   for (vtkIdType i = 0; i < count; ++i)
   {
     Mix& mix = mixes[i];
     const int v = vertexOf[i];
     if (mix.empty())
     {
-      // Loose points keep their order.
-      const auto isLoose = [&](vtkIdType p)
-      {
-        double x[3];
-        mesh->GetPoint(p, x);
-        return Vector3(x[0], x[1], x[2]) == result.points[v];
-      };
-      while (loose < mesh->GetNumberOfPoints() && !isLoose(loose))
-      {
-        ++loose;
-      }
-      mix = { { std::min(loose++, mesh->GetNumberOfPoints() - 1), 1.0 } };
+      mix = { { loose.at(nextLoose++), 1.0 } };
     }
     points->SetPoint(i, result.points[v].data());
     ids->Reset();

@@ -48,7 +48,7 @@ public:
   void Transfer(vtkPolyData* mesh, vtkPolyData* stretched, vtkPolyData* restored, vtkPolyData* output) const;
 
 private:
-  void FindVertices(vtkPolyData* mesh);
+  void FindVertices();
   void FindAttributeClasses(vtkPolyData* mesh);
   void FindCharts();
 

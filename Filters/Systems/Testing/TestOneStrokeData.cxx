@@ -112,6 +112,76 @@ TEST(OneStrokeData, ATexturedMeshOfSplitCornersComesOutTexturedAndClosed)
   }
 }
 
+// Points without a triangle, before, between and after the others, keep place and attributes; with a double
+// of one of them the mesh is welded.
+TEST(OneStrokeData, LoosePointsSurviveTheRemesher)
+{
+  const auto dog = shippedModel("dog");
+  const std::vector<Vector3> loose{ { 1.5, 0, 0 }, { -1.5, 0, 0.5 }, { 0, 1.5, 0 } };
+  for (const bool doubled : { false, true })
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkDoubleArray> mark;
+    mark->SetName("Mark");
+    const auto add = [&](const double* p, double value)
+    {
+      points->InsertNextPoint(p);
+      mark->InsertNextValue(value);
+    };
+    add(loose[0].data(), 1.0);
+    const vtkIdType half = dog->GetNumberOfPoints() / 2;
+    for (vtkIdType i = 0; i < dog->GetNumberOfPoints(); ++i)
+    {
+      if (i == half)
+      {
+        add(loose[1].data(), 2.0);
+      }
+      add(dog->GetPoint(i), 0.0);
+    }
+    add(loose[2].data(), 3.0);
+    if (doubled)
+    {
+      add(loose[0].data(), 1.0);
+    }
+    vtkNew<vtkCellArray> polys;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < dog->GetNumberOfPolys(); ++cell)
+    {
+      dog->GetCellPoints(cell, ids);
+      for (int k = 0; k < 3; ++k)
+      {
+        ids->SetId(k, ids->GetId(k) + (ids->GetId(k) < half ? 1 : 2));
+      }
+      polys->InsertNextCell(ids);
+    }
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(polys);
+    mesh->GetPointData()->AddArray(mark);
+    vtkNew<vtkOversketchOneStroke> filter;
+    filter->SetInputData(0, mesh);
+    filter->SetStrokeData(shippedStroke("dog_longer_leg"));
+    filter->SetRemeshToOn();
+    filter->Update();
+    ASSERT_EQ(filter->GetErrorCode(), 0u);
+    vtkPolyData* output = filter->GetOutput();
+    EXPECT_NE(output->GetNumberOfPolys(), dog->GetNumberOfPolys());
+    vtkDataArray* marks = output->GetPointData()->GetArray("Mark");
+    ASSERT_NE(marks, nullptr);
+    std::vector<double> seen;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double value = marks->GetComponent(i, 0);
+      if (value != 0.0)
+      {
+        seen.push_back(value);
+        EXPECT_LT((Vector3(output->GetPoint(i)) - loose.at(std::size_t(value) - 1)).norm(), 1e-6);
+      }
+    }
+    EXPECT_EQ(seen, (std::vector<double>{ 1.0, 2.0, 3.0 })) << (doubled ? "welded" : "as it came");
+  }
+}
+
 // A linear field of the position before: after remeshing it is interpolated, so it stays within its range
 // and, at points that did not move, exact.
 TEST(OneStrokeData, PointArraysAreInterpolatedWhereTheRemesherMadePoints)
