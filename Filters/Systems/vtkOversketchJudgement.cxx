@@ -145,6 +145,16 @@ OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& st
   return error.worst <= near ? error : measure(outlineWindow(mesh, view, stroke));
 }
 
+bool Judgement::keptAgainst(const Judgement& plain) const
+{
+  constexpr double step = 0.5; // px
+  const bool asGood = this->folds <= plain.folds && this->outline.mean <= plain.outline.mean + step &&
+                      this->outline.worst <= plain.outline.worst + step;
+  const bool nearer = this->folds <= tolerableFolds && this->outline.mean <= plain.outline.mean &&
+                      this->outline.worst <= plain.outline.worst - step;
+  return asGood || nearer;
+}
+
 bool Judgement::betterThan(const Judgement& first) const
 {
   if (this->folds <= std::max(first.folds, 2 * tolerableFolds) && this->outline.mean <= first.outline.mean &&

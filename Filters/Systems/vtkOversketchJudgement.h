@@ -41,6 +41,9 @@ struct Judgement
   // For a second deformation against the first: nearer to the stroke without more folds than are tolerable,
   // or fewer of too many folds for at most 2 px of distance.
   bool betterThan(const Judgement& first) const;
+  // For a remeshed result against the plain one: no more folds and at most 0.5 px further from the stroke; or
+  // 0.5 px nearer with folds that are tolerable.
+  bool keptAgainst(const Judgement& plain) const;
 };
 
 } // namespace oversketch

@@ -396,10 +396,9 @@ Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsB
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
-  const Judgement plain = this->Judged(this->Deformation, 0);
-  const Judgement remeshed = this->Judged("Restore", 0);
-  return remeshed.folds <= plain.folds && remeshed.outline.mean <= plain.outline.mean + 0.5 &&
-         remeshed.outline.worst <= plain.outline.worst + 0.5;
+  vtkPolyData* before = this->Output("RegionBorder");
+  const int folds = foldedEdges(MeshOf(before), RegionOf(before));
+  return this->Judged("Restore", folds).keptAgainst(this->Judged(this->Deformation, folds));
 }
 
 vtkOversketchOneStroke::vtkOversketchOneStroke()

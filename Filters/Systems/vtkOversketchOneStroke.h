@@ -15,7 +15,8 @@
  * off. Remeshing is Auto by default (the paper leaves it to the user): it is done where the plain deformation
  * stretches edges of the region by more than 1.5 (at least 1 % of them) or makes triangles narrow (an angle
  * under 30 degrees; at least 1 % of the region's more than before), and its result is kept only if the
- * outline has not left the stroke by 0.5 px more, in the mean and at worst, and no more edges are folded.
+ * outline has not left the stroke by 0.5 px more, in the mean and at worst, and no more edges are folded, or
+ * if it is nearer to the stroke by 0.5 px at worst and no more than five edges were folded.
  *
  * Input 0: triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or normals are
  * welded for computing (exactly equal positions) and split again in the output. The mesh's normals are not

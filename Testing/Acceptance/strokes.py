@@ -315,6 +315,8 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
             if spread > max(0.3 * limb["length"], 0.6 * limb["width"]):  # a hand's fingers, but not a head's ears
                 continue
             which = min(own or all_tips, key=lambda t: np.linalg.norm(points[t] - near))
+            # What lies nearer over the surface than the limb's base is the limb's own: a beak under a head seen from behind.
+            own = [t for t in all_tips if t in own or paths[which][t] < np.median(paths[which][at_base])]
             merit = np.sqrt(limb["length"]) * min(limb["length"] / limb["width"], 3) * (1.2 - slant) \
                 * (1.0 if view_number < 12 else 0.9)
             candidates.append({"merit": merit, "limb": limb, "view": view, "covered": covered, "tip": int(which),

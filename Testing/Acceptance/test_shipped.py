@@ -2,11 +2,13 @@
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import accept  # noqa: E402
 import meshes  # noqa: E402
+import strokes  # noqa: E402
 
 STROKES = sorted((meshes.DATA / "Strokes").glob("*.vtp"))
 
@@ -38,9 +40,16 @@ def test_result_holds_every_bound(stroke, reached):
         reached.append(result)
 
 
-@pytest.mark.parametrize("name, measure", [("person_stretched_leg", "worst"), ("person_short_arm", "folds")])
-def test_correcting_the_outline_pays(name, measure):
-    # An instep that becomes the outline of the stretched leg; a thumb that folds in the shortened arm.
+@pytest.mark.parametrize("name, measure, reach_ends", [("person_stretched_leg", "worst", True), ("person_short_arm", "folds", False)])
+def test_correcting_the_outline_pays(name, measure, reach_ends, monkeypatch):
+    # An instep that becomes the outline of the stretched leg; a thumb that folds in the shortened arm when the region ends
+    # short of the stroke.
+    def system(mode, backend, made=accept.system):
+        one_stroke = made(mode, backend)
+        one_stroke.GetStep("MixtureRegion").SetReachEnds(reach_ends)
+        return one_stroke
+
+    monkeypatch.setattr(accept, "system", system)
     stroke = Path(__file__).resolve().parent / "Strokes" / f"{name}.vtp"
     mesh = meshes.DATA / "Models" / "person.ply"
     without = accept.run(stroke, mesh, ["uncorrected"], "auto", None)["uncorrected"]
@@ -48,3 +57,30 @@ def test_correcting_the_outline_pays(name, measure):
     print(f"{name}: {measure} {without[measure]:.2f} without, {result[measure]:.2f} with")
     assert result["holds"], result
     assert result[measure] < 0.7 * without[measure]
+
+
+def step_at_the_border(stroke, reach_ends=True):
+    """The largest strain of an edge of which one end moved and the other did not: 1 is as far as the edge is long."""
+    system = accept.system("off", "auto")
+    system.GetStep("MixtureRegion").SetReachEnds(reach_ends)
+    mesh = meshes.read(meshes.DATA / "Models" / f"{stroke.stem.split('_')[0]}.ply")
+    system.SetInputData(mesh)
+    system.SetStrokeData(strokes.read(stroke)[0])
+    system.Update()
+    before, triangles = meshes.arrays(mesh)
+    moved = meshes.arrays(system.GetOutput())[0] - before
+    edges = meshes.edges_of(triangles)[0]
+    edges = edges[(moved[edges] != 0).any(2).sum(1) == 1]
+    a, b = edges.T
+    return (np.linalg.norm(moved[a] - moved[b], axis=1) / np.linalg.norm(before[a] - before[b], axis=1)).max()
+
+
+@pytest.mark.parametrize("stroke", STROKES, ids=lambda path: path.stem)
+def test_no_step_where_the_region_ends(stroke):
+    assert step_at_the_border(stroke) < 0.8
+
+
+def test_a_region_that_stops_short_of_the_stroke_leaves_a_step():
+    stroke = meshes.DATA / "Strokes" / "person_thicker_leg.vtp"
+    assert step_at_the_border(stroke, False) > 1.5
+    assert step_at_the_border(stroke) < 0.3
