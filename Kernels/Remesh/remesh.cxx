@@ -62,6 +62,7 @@ public:
   {
     for (; this->highest_ >= 0; --this->highest_)
     {
+      // NOLINTNEXTLINE(modernize-loop-convert): visit may lengthen this very list
       for (std::size_t i = 0; i < this->edges_[this->highest_].size(); ++i)
       {
         visit(Candidate(this->edges_[this->highest_][i]));

@@ -525,9 +525,9 @@ void Cholesky::solve(Eigen::MatrixXd& rightSide, const Context& context)
           this->forward(s, sides, local);
         }
       });
-    for (auto level = elimination.levels.begin(); level != elimination.levels.end(); ++level)
+    for (const auto& level : elimination.levels)
     {
-      this->sweep(*level, &Cholesky::forward, sides, context);
+      this->sweep(level, &Cholesky::forward, sides, context);
     }
     for (auto level = elimination.levels.rbegin(); level != elimination.levels.rend(); ++level)
     {
