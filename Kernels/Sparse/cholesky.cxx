@@ -220,9 +220,9 @@ void Cholesky::gather(int s, bool toPanel, const Memory& stacks, const Context& 
 {
   const Supernode& node = this->elimination_->supernodes[s];
   const PanelShape shape = this->shapeOf(s);
-  double* into =
-    toPanel ? this->memory_->panels.data() + this->panelPlaces_[s] : this->updateOf(s, stacks) - shape.own;
+  double* into = toPanel ? this->memory_->panels.data() + this->panelPlaces_[s] : this->updateOf(s, stacks);
   const int step = toPanel ? shape.height : shape.others;
+  const int skipped = toPanel ? 0 : shape.own; // rows of the panel's numbering above the first of `into`
   for (const int child : node.children)
   {
     if (child < 0)
@@ -240,20 +240,19 @@ void Cholesky::gather(int s, bool toPanel, const Memory& stacks, const Context& 
       {
         for (auto columns = first + begin; columns != first + end; ++columns)
         {
-          const int column = toPanel ? columns->to : columns->to - shape.own;
-          double* to = into + static_cast<std::size_t>(column) * step;
+          double* to = into + static_cast<std::size_t>(columns->to - skipped) * step;
           const double* from = values + static_cast<std::size_t>(columns->from) * height;
           for (int j = 0; j < columns->count; ++j, to += step, from += height)
           {
             for (int i = j; i < columns->count; ++i)
             {
-              to[columns->to + i] += from[columns->from + i];
+              to[columns->to - skipped + i] += from[columns->from + i];
             }
             for (auto run = columns + 1; run != runs.end(); ++run)
             {
               for (int i = 0; i < run->count; ++i)
               {
-                to[run->to + i] += from[run->from + i];
+                to[run->to - skipped + i] += from[run->from + i];
               }
             }
           }

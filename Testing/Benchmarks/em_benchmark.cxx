@@ -67,7 +67,7 @@ const Fits& fits()
   return all;
 }
 
-#ifdef __x86_64__
+#if defined(__x86_64__) && !defined(__clang__) // whose pragma has no target
 // The limit: EM in single precision, 16 numbers to an operation, a polynomial for the exponential, nothing
 // guarded.
 #pragma GCC push_options
@@ -183,7 +183,7 @@ void jobs()
         -1e300,
         static_cast<std::size_t>(fits().iterations));
     }));
-#ifdef __x86_64__
+#if defined(__x86_64__) && !defined(__clang__) // whose pragma has no target
   if (__builtin_cpu_supports("avx512f"))
   {
     add(side("limit",

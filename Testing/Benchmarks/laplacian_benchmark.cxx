@@ -146,7 +146,7 @@ private:
   static std::string realName(const char* path)
   {
     char* found = realpath(path, nullptr);
-    const std::string name = found ? found : path;
+    std::string name = found ? found : path;
     std::free(found);
     return name;
   }
