@@ -351,7 +351,11 @@ private:
   }
 
   // A leaf costs the same however many of its lanes are used; half of them is what is reached on average.
-  static float blocks(int count) { return static_cast<float>((count + 3) / 4); }
+  static float blocks(int count)
+  {
+    const int packs = (count + 3) / 4;
+    return static_cast<float>(packs);
+  }
 
   void writeLeaf(Part& part, int node, int child, const Range& range)
   {
