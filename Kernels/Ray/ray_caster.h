@@ -78,7 +78,8 @@ public:
   virtual ~RayCaster() = default;
 
   // The nearest facet through which each ray leaves: direction . facet normal > 0, and the facet does not
-  // touch the origin. All other facets are passed through. Among facets at one distance the lowest id wins.
+  // touch the origin. All other facets are passed through. Where rays meet an edge, the lowest id of
+  // its facets wins; of facets that overlap in one plane Embree's tree may choose another than the device.
   // Hits come in the order of the rays. On a cancelled context the hits are incomplete.
   virtual void cast(const RayBatch& rays, std::vector<RayHit>& hits, const Context& context) = 0;
 
