@@ -26,13 +26,15 @@ oversketch_install() {
     sh "${missing[@]}" >/dev/null || { echo "oversketch: could not install ${missing[*]}" >&2; return 1; }
 }
 
-# oversketch_build PRESET: configures and builds, quietly; the log is shown when it fails.
+# oversketch_build PRESET [OPTION...]: configures and builds, quietly; the log is shown when it fails. The options go to
+# cmake --build.
 oversketch_build() {
   local preset=$1 log
+  shift
   log=$oversketch_root/build/$preset.log
   mkdir -p "$oversketch_root/build"
-  echo "Building preset $preset (log: build/$preset.log)"
-  (cd "$oversketch_root" && cmake --preset "$preset" && cmake --build --preset "$preset") >"$log" 2>&1 ||
+  echo "Building preset $preset${*:+ $*} (log: build/$preset.log)"
+  (cd "$oversketch_root" && cmake --preset "$preset" && cmake --build --preset "$preset" "$@") >"$log" 2>&1 ||
     { tail -n 60 "$log" >&2; echo "oversketch: the build failed" >&2; return 1; }
 }
 

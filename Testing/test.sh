@@ -15,6 +15,7 @@ if [ "${1:-}" = tsan ]; then
   exit
 fi
 oversketch_build release
+oversketch_build release --target benchmarks # nothing is measured here; they must build
 ctest --preset release -j2
 oversketch_build asan
 # Leaks are not counted: VTK, PoCL and Mesa keep memory until the process ends.

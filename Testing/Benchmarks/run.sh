@@ -15,10 +15,7 @@ oversketch_packages+=(libopenblas0-pthread python3-matplotlib python3-venv)
 oversketch_install
 mkdir -p "$folder"
 rm -f "$folder"/*.json "$folder"/*.triplets
-echo "Building the benchmarks (log: build/benchmarks.log)"
-mkdir -p build
-{ cmake --preset release && cmake --build --preset release --target benchmarks; } >build/benchmarks.log 2>&1 ||
-  { tail -n 60 build/benchmarks.log >&2; exit 1; }
+oversketch_build release --target benchmarks
 for program in build/release/bin/*_benchmark; do
   name=$(basename "$program" _benchmark)
   echo "Measuring: $name"

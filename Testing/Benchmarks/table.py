@@ -234,4 +234,5 @@ def main():
     print(markdown(rows), end="")
 
 
-main()
+if __name__ == "__main__":
+    main()
