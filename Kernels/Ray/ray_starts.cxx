@@ -159,7 +159,7 @@ public:
   }
 
   // The lowest nodes, of eight facets each, that may matter to a ray of the cones within a distance.
-  OVERSKETCH_WIDE void gather(const Cones& cones, float squaredRadius, std::vector<int>& found) const
+  OVERSKETCH_CLONES void gather(const Cones& cones, float squaredRadius, std::vector<int>& found) const
   {
     found.clear();
     struct Entry
@@ -192,7 +192,7 @@ public:
 
   // The squared distance to the nearest facet of the nodes that matters and does not touch the vertex, at
   // most `best`.
-  OVERSKETCH_WIDE float nearest(const Cones& cones,
+  OVERSKETCH_CLONES float nearest(const Cones& cones,
     int place,
     const std::vector<int>& nodes,
     float best) const

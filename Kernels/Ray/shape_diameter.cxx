@@ -56,7 +56,7 @@ double sumOf(int count, const Term& term)
 
 // The values with `below` and with `above` smaller ones before them. At most `few` values: each is compared
 // with all, which no branch can go wrong in.
-OVERSKETCH_WIDE void ranked(const double* values, int count, int below, int above, double* found)
+OVERSKETCH_CLONES void ranked(const double* values, int count, int below, int above, double* found)
 {
   alignas(sizeof(WideDouble)) double padded[few];
   std::fill(std::copy_n(values, count, padded), padded + few, std::numeric_limits<double>::infinity());
@@ -80,7 +80,7 @@ OVERSKETCH_WIDE void ranked(const double* values, int count, int below, int abov
 
 double medianOf(const double* values, int count)
 {
-  double middle[2];
+  double middle[2] = {};
   if (count <= few)
   {
     ranked(values, count, (count - 1) / 2, count / 2, middle);

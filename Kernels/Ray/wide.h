@@ -1,14 +1,10 @@
-// Vectors of the compiler, and functions compiled for several processors. For loops that compilers do not
-// vectorise on their own. Within OVERSKETCH_WIDE functions multiplications and additions may be contracted on
-// processors that can, so none may feed a result that has to be the same on every machine.
+// Vectors of the compiler, for loops that compilers do not vectorise on their own. Within OVERSKETCH_CLONES
+// functions multiplications and additions may be contracted on processors that can, so none may feed a result
+// that has to be the same on every machine.
 #ifndef oversketch_wide_h
 #define oversketch_wide_h
 
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__)
-#define OVERSKETCH_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define OVERSKETCH_WIDE
-#endif
+#include "Mesh/clones.h"
 
 namespace oversketch
 {

@@ -1,12 +1,6 @@
 #include "Silhouette/edge_smoothness.h"
 
-// The same operations in the same order on every path, none of them fused: vectors change how many energies
-// are found at a time, not one bit of them.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define OVERSKETCH_ALSO_FOR_WIDE_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define OVERSKETCH_ALSO_FOR_WIDE_VECTORS
-#endif
+#include "Mesh/clones.h"
 
 namespace oversketch
 {
@@ -58,9 +52,9 @@ inline void evaluate(const EdgeSmoothness energy,
 
 } // namespace
 
-OVERSKETCH_ALSO_FOR_WIDE_VECTORS double searchStraightest(const EdgeSmoothness& energy,
-  double low,
-  double high)
+// The same operations in the same order on every path, none of them fused: vectors change how many energies
+// are found at a time, not one bit of them.
+OVERSKETCH_CLONES double searchStraightest(const EdgeSmoothness& energy, double low, double high)
 {
   const double step = (high - low) / intervals;
   constexpr int sampled = (intervals + lanes) / lanes * lanes;
