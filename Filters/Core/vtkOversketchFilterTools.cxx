@@ -99,7 +99,9 @@ Context ContextOf(vtkAlgorithm* self, double from, double to)
       count,
       [&body](vtkIdType begin, vtkIdType end) { body(static_cast<int>(begin), static_cast<int>(end)); });
   };
-  context.progress = [self, from, to](double done) { self->UpdateProgress(from + done * (to - from)); };
+  // Parts of a step may overlap; what is shown never falls back.
+  context.progress = [self, from, to](double done)
+  { self->UpdateProgress(std::max(self->GetProgress(), from + done * (to - from))); };
   context.cancelled = [self] { return self->GetAbortExecute() != 0; };
   return context;
 }

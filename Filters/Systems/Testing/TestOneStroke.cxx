@@ -1,5 +1,5 @@
 // The one-stroke system: what comes out, how it fails, how it is cancelled.
-#include "shipped.h"
+#include "Harness/shipped.h"
 
 #include "Mesh/context.h"
 #include "vtkOversketchMatch.h"

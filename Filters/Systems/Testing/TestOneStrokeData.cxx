@@ -1,5 +1,5 @@
 // The user's arrays through the one-stroke system.
-#include "shipped.h"
+#include "Harness/shipped.h"
 
 #include "vtkOversketchOneStroke.h"
 

@@ -1,5 +1,5 @@
 // The one-stroke system re-runs what changed and nothing else.
-#include "shipped.h"
+#include "Harness/shipped.h"
 
 #include "vtkOversketchLaplacianDeform.h"
 #include "vtkOversketchMixtureRegion.h"
