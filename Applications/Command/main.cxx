@@ -2,6 +2,7 @@
 #include "files.h"
 #include "one_stroke.h"
 #include "options.h"
+#include "replay.h"
 #include "version.h"
 
 #include <csignal>
@@ -9,6 +10,7 @@
 #include <new>
 
 using namespace oversketch_command;
+using namespace oversketch_files;
 
 namespace
 {
@@ -24,11 +26,17 @@ int run(const std::vector<std::string>& arguments)
     case Action::OneStrokeHelp:
       std::fputs(oneStrokeHelpText().c_str(), stdout);
       break;
+    case Action::ReplayHelp:
+      std::fputs(replayHelpText().c_str(), stdout);
+      break;
     case Action::Version:
       std::fputs(versionText().c_str(), stdout);
       break;
     case Action::OneStroke:
       oneStroke(options);
+      break;
+    case Action::Replay:
+      replay(options);
       break;
   }
   return 0;

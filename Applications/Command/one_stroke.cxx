@@ -3,6 +3,7 @@
 #include "mesh_file.h"
 #include "picture.h"
 #include "report.h"
+#include "terminal.h"
 
 #include "vtkOversketchOneStroke.h"
 
@@ -11,48 +12,16 @@
 #include "vtkNew.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <unistd.h>
-
 #include <chrono>
-#include <csignal>
-#include <cstdio>
 #include <filesystem>
 
 namespace oversketch_command
 {
 
+using namespace oversketch_files;
+
 namespace
 {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void interrupt(int)
-{
-  interrupted = 1;
-  std::signal(SIGINT, SIG_DFL); // the second one ends the program at once
-}
-
-void throwIfInterrupted()
-{
-  if (interrupted)
-  {
-    throw Failed("interrupted; nothing is written");
-  }
-}
-
-void say(const std::string& text)
-{
-  std::fprintf(stderr, "oversketch: %s\n", text.c_str());
-}
-
-void say(Notes& notes)
-{
-  for (const std::string& note : notes)
-  {
-    say("note: " + note);
-  }
-  notes.clear();
-}
 
 // Watches the system run: a progress line on a terminal, warnings, the first error, the interrupt.
 class Watcher
@@ -72,7 +41,7 @@ public:
   }
   ~Watcher()
   {
-    this->ClearLine();
+    clearProgress();
     this->System->RemoveObserver(this->Command);
   }
 
@@ -83,16 +52,11 @@ private:
   {
     if (event == vtkCommand::ProgressEvent)
     {
-      if (interrupted)
+      if (interrupted())
       {
         this->System->AbortExecuteOn();
       }
-      if (this->Terminal)
-      {
-        std::fprintf(
-          stderr, "\r%3.0f %%  %-20s", 100.0 * *static_cast<double*>(data), this->System->GetStageName());
-        std::fflush(stderr);
-      }
+      showProgress(*static_cast<double*>(data), this->System->GetStageName());
       return;
     }
     // "ERROR: In file, line n\nclass (address): message\n\n"
@@ -102,7 +66,6 @@ private:
     text.erase(text.find_last_not_of(" \n") + 1);
     if (event == vtkCommand::WarningEvent)
     {
-      this->ClearLine();
       say("warning: " + text);
     }
     else if (this->Error.empty())
@@ -110,17 +73,8 @@ private:
       this->Error = text;
     }
   }
-  void ClearLine() const
-  {
-    if (this->Terminal)
-    {
-      std::fprintf(stderr, "\r%40s\r", "");
-      std::fflush(stderr);
-    }
-  }
 
   vtkOversketchOneStroke* System;
-  bool Terminal = ::isatty(2) != 0;
   vtkNew<vtkCallbackCommand> Command;
 };
 
@@ -171,7 +125,7 @@ void oneStroke(const Options& options)
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point begin)
   { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); };
-  std::signal(SIGINT, interrupt);
+  catchInterrupt();
   catchMessages();
   checkOutputs(options);
 

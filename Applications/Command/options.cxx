@@ -8,6 +8,8 @@
 namespace oversketch_command
 {
 
+using namespace oversketch_files;
+
 namespace
 {
 
@@ -41,7 +43,7 @@ Options parseArguments(const std::vector<std::string>& arguments)
   Options options;
   if (arguments.empty())
   {
-    throw BadUse("a command is needed: one-stroke");
+    throw BadUse("a command is needed: one-stroke or replay");
   }
   const std::string& first = arguments[0];
   if (first == "--help" || first == "-h" || first == "--version")
@@ -53,16 +55,18 @@ Options parseArguments(const std::vector<std::string>& arguments)
     options.action = first == "--version" ? Action::Version : Action::Help;
     return options;
   }
-  if (first != "one-stroke")
+  if (first != "one-stroke" && first != "replay")
   {
-    throw BadUse("'" + first + "' is no command; there is one-stroke");
+    throw BadUse("'" + first + "' is no command; there are one-stroke and replay");
   }
-  options.action = Action::OneStroke;
-  const std::map<std::string, std::string*> values = { { "-o", &options.output },
-    { "--output", &options.output },
-    { "--picture", &options.picture },
-    { "--report", &options.report },
-    { "--inner", &options.inner } };
+  const bool replay = first == "replay";
+  options.action = replay ? Action::Replay : Action::OneStroke;
+  std::map<std::string, std::string*> values = { { "-o", &options.output }, { "--output", &options.output } };
+  if (!replay)
+  {
+    values.insert(
+      { { "--picture", &options.picture }, { "--report", &options.report }, { "--inner", &options.inner } });
+  }
   std::vector<std::string> files;
   bool onlyFiles = false;
   for (std::size_t i = 1; i < arguments.size(); ++i)
@@ -87,7 +91,8 @@ Options parseArguments(const std::vector<std::string>& arguments)
       return arguments[i];
     };
     option = option.substr(0, equals);
-    const bool isSwitch = option == "--adjust-normals" || option == "--as-published" || option == "--help";
+    const bool isSwitch =
+      option == "--help" || (!replay && (option == "--adjust-normals" || option == "--as-published"));
     if (isSwitch && equals != std::string::npos)
     {
       throw BadUse(option + " takes no value");
@@ -98,7 +103,7 @@ Options parseArguments(const std::vector<std::string>& arguments)
     }
     else if (option == "--help" || option == "-h")
     {
-      options.action = Action::OneStrokeHelp;
+      options.action = replay ? Action::ReplayHelp : Action::OneStrokeHelp;
       return options;
     }
     else if (values.count(option) > 0)
@@ -113,6 +118,10 @@ Options parseArguments(const std::vector<std::string>& arguments)
       {
         throw BadUse(option + " needs a value");
       }
+    }
+    else if (replay)
+    {
+      throw BadUse("'" + option + "' is no option of replay");
     }
     else if (option == "--backend")
     {
@@ -135,16 +144,20 @@ Options parseArguments(const std::vector<std::string>& arguments)
       throw BadUse("'" + option + "' is no option of one-stroke");
     }
   }
-  if (files.size() != 2)
+  const std::size_t wanted = replay ? 1 : 2;
+  if (files.size() > wanted)
   {
-    throw BadUse(
-      files.size() < 2 ? "one-stroke needs a mesh and a stroke" : "'" + files[2] + "' is one file too many");
+    throw BadUse("'" + files[wanted] + "' is one file too many");
   }
-  options.mesh = files[0];
-  options.stroke = files[1];
+  if (files.size() < wanted)
+  {
+    throw BadUse(replay ? "replay needs a session" : "one-stroke needs a mesh and a stroke");
+  }
+  (replay ? options.session : options.mesh) = files[0];
+  options.stroke = files.back();
   if (options.output.empty())
   {
-    throw BadUse("one-stroke needs -o OUT, the mesh to write");
+    throw BadUse(first + " needs -o OUT, the mesh to write");
   }
   if (!isMeshExtension(extensionOf(options.output)))
   {
@@ -161,6 +174,7 @@ std::string helpText()
          "\n"
          "  oversketch one-stroke MESH STROKE.vtp -o OUT [options]   deform a mesh by one stroke\n"
          "  oversketch one-stroke --help                             its options\n"
+         "  oversketch replay SESSION.oversketch -o OUT              make the mesh of a saved session again\n"
          "  oversketch --version                                     what this program is made of and runs "
          "on\n"
          "  oversketch --help                                        this text\n"
@@ -189,6 +203,20 @@ std::string oneStrokeHelpText()
          "  --adjust-normals     let details turn with the limb (slower)\n"
          "  --as-published       without the amendments to the published method\n"
          "  --inner DIR          write what every stage made as .vtp files into this folder\n";
+}
+
+std::string replayHelpText()
+{
+  return "oversketch replay SESSION -o OUT\n"
+         "\n"
+         "Opens the model of a session and draws its strokes again: bit for bit the mesh that was saved, "
+         "where "
+         "version, back end,\n"
+         "device and processor are those that saved it. Says so where they are not, and where the mesh "
+         "differs.\n"
+         "\n"
+         "  SESSION              .oversketch file, or a folder of the same content\n"
+         "  -o, --output OUT     the mesh to write: .obj .ply .stl .off .vtp .gltf .glb\n";
 }
 
 } // namespace oversketch_command

@@ -19,16 +19,19 @@ enum class Action
 {
   Help,
   OneStrokeHelp,
+  ReplayHelp,
   Version,
-  OneStroke
+  OneStroke,
+  Replay
 };
 
 struct Options
 {
   Action action = Action::Help;
-  std::string mesh, stroke, output, picture, report, inner;
-  int backend = 0; // vtkOversketchOneStroke::BackendType
-  int remesh = 0;  // vtkOversketchOneStroke::RemeshType
+  std::string mesh, stroke, output, picture, report, inner; // one-stroke
+  std::string session;                                      // replay; its output is above
+  int backend = 0;                                          // vtkOversketchOneStroke::BackendType
+  int remesh = 0;                                           // vtkOversketchOneStroke::RemeshType
   bool adjustNormals = false;
   bool asPublished = false;
 };
@@ -37,6 +40,7 @@ struct Options
 Options parseArguments(const std::vector<std::string>& arguments);
 std::string helpText();
 std::string oneStrokeHelpText();
+std::string replayHelpText();
 
 } // namespace oversketch_command
 #endif

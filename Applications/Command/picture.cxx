@@ -38,6 +38,8 @@
 namespace oversketch_command
 {
 
+using namespace oversketch_files;
+
 namespace
 {
 

@@ -102,14 +102,14 @@ TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
   {
     GTEST_SKIP() << "there is no folder " << folder() << "; set OVERSKETCH_DATA";
   }
-  oversketch_command::catchMessages();
+  oversketch_files::catchMessages();
   vtkSmartPointer<vtkPolyData> polyData;
-  oversketch_command::Notes notes;
+  oversketch_files::Notes notes;
   try
   {
-    polyData = oversketch_command::readMesh((folder() / GetParam()).string(), notes);
+    polyData = oversketch_files::readMesh((folder() / GetParam()).string(), notes);
   }
-  catch (const oversketch_command::Failed& failed)
+  catch (const oversketch_files::Failed& failed)
   {
     EXPECT_NE(std::string(failed.what()).find(GetParam()), std::string::npos) << failed.what();
     std::cout << "refused: " << failed.what() << std::endl;
@@ -145,7 +145,7 @@ TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
     for (const char* extension : { ".ply", ".glb", ".off" })
     {
       const fs::path file = out / ("result" + std::to_string(which) + extension);
-      oversketch_command::writeMesh(result, file.string(), notes);
+      oversketch_files::writeMesh(result, file.string(), notes);
       EXPECT_TRUE(fs::exists(file));
     }
   }

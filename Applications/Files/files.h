@@ -1,6 +1,6 @@
 // What the command's readers and writers share: one kind of error, notes for the user, whole files or none.
-#ifndef oversketch_command_files_h
-#define oversketch_command_files_h
+#ifndef oversketch_files_files_h
+#define oversketch_files_files_h
 
 #include <cstdint>
 #include <functional>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 // Something that could not be done; the message names the file and the remedy. Exit code 1.
@@ -38,5 +38,5 @@ void writeWhole(const std::string& path, const std::function<void(const std::str
 // Writes text to the path, whole or not at all.
 void writeText(const std::string& path, const std::string& text);
 
-} // namespace oversketch_command
+} // namespace oversketch_files
 #endif

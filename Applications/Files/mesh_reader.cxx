@@ -27,7 +27,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 const char* const meshExtensions = ".obj .ply .stl .off .vtp .gltf .glb";
@@ -106,12 +106,10 @@ void checkStl(const std::string& path, std::uintmax_t size)
   }
 }
 
-// Every NumberOf...="n" of the XML part, against what compression can at most have hidden in the file.
-void checkXmlCounts(const std::string& path, std::uintmax_t size)
+// Every NumberOf...="n" of the XML part, against what compression can at most have hidden in the text.
+void checkXmlCounts(const std::string& path, const std::string& bytes)
 {
-  std::ifstream stream(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  text.resize(std::min(text.size(), text.find("<AppendedData")));
+  const std::string text = bytes.substr(0, bytes.find("<AppendedData"));
   if (text.find("<VTKFile") == std::string::npos || text.find("PolyData") == std::string::npos)
   {
     throw Failed(path + ": is not an XML PolyData file (.vtp)");
@@ -122,16 +120,21 @@ void checkXmlCounts(const std::string& path, std::uintmax_t size)
     if (quote != std::string::npos && (text[quote] == '"' || text[quote] == '\''))
     {
       const std::size_t end = text.find(text[quote], quote + 1);
-      requireCount(path, text.substr(quote + 1, end - quote - 1), 2000.0 * static_cast<double>(size));
+      requireCount(path, text.substr(quote + 1, end - quote - 1), 2000.0 * static_cast<double>(bytes.size()));
     }
   }
 }
 
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> readWith(const std::string& path)
+std::string bytesOf(const std::string& path)
 {
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
+  std::ifstream stream(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> updated(Reader* reader, const std::string& path)
+{
+  takeError();
   reader->Update();
   vtkSmartPointer<vtkPolyData> mesh = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
   const std::string error = takeError();
@@ -140,6 +143,24 @@ vtkSmartPointer<vtkPolyData> readWith(const std::string& path)
     throw Failed(path + ": could not be read: " + error);
   }
   return mesh;
+}
+
+// A .vtp file's content.
+vtkSmartPointer<vtkPolyData> readXml(const std::string& path, const std::string& bytes)
+{
+  checkXmlCounts(path, bytes);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(bytes);
+  return updated(reader.Get(), path);
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> readWith(const std::string& path)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  return updated(reader.Get(), path);
 }
 
 vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes)
@@ -281,13 +302,27 @@ vtkSmartPointer<vtkPolyData> trianglesOf(const std::string& path, vtkPolyData* m
   return result;
 }
 
+vtkSmartPointer<vtkPolyData> soundTriangles(const std::string& path, vtkPolyData* read, Notes& notes)
+{
+  if (!read || read->GetNumberOfPoints() == 0)
+  {
+    throw Failed(path + ": holds no points; the file is empty or damaged");
+  }
+  requireSound(path, read);
+  vtkSmartPointer<vtkPolyData> mesh = trianglesOf(path, read, notes);
+  if (mesh->GetNumberOfPolys() == 0)
+  {
+    throw Failed(path + ": holds no polygons; a surface mesh is needed");
+  }
+  return mesh;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
 {
   const std::uintmax_t size = requireReadable(path);
   const std::string extension = extensionOf(path);
-  takeError();
   vtkSmartPointer<vtkPolyData> mesh;
   if (extension == ".obj")
   {
@@ -310,8 +345,7 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   }
   else if (extension == ".vtp")
   {
-    checkXmlCounts(path, size);
-    mesh = readWith<vtkXMLPolyDataReader>(path);
+    mesh = readXml(path, bytesOf(path));
   }
   else if (extension == ".gltf" || extension == ".glb")
   {
@@ -321,22 +355,18 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   {
     throw Failed(path + ": is none of the mesh formats " + meshExtensions);
   }
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
-  {
-    throw Failed(path + ": holds no points; the file is empty or damaged");
-  }
-  requireSound(path, mesh);
-  mesh = trianglesOf(path, mesh, notes);
-  if (mesh->GetNumberOfPolys() == 0)
-  {
-    throw Failed(path + ": holds no polygons; a surface mesh is needed");
-  }
-  return mesh;
+  return soundTriangles(path, mesh, notes);
+}
+
+vtkSmartPointer<vtkPolyData> parseMesh(const std::string& name, const std::string& bytes)
+{
+  Notes none;
+  return soundTriangles(name, readXml(name, bytes), none);
 }
 
 vtkSmartPointer<vtkPolyData> readStroke(const std::string& path)
 {
-  const std::uintmax_t size = requireReadable(path);
+  requireReadable(path);
   const std::string head = headOf(path, 64);
   if (extensionOf(path) == ".vtk" || head.rfind("# vtk DataFile", 0) == 0)
   {
@@ -348,9 +378,12 @@ vtkSmartPointer<vtkPolyData> readStroke(const std::string& path)
   {
     throw Failed(path + ": a stroke file is XML PolyData (.vtp)");
   }
-  checkXmlCounts(path, size);
-  takeError();
-  vtkSmartPointer<vtkPolyData> stroke = readWith<vtkXMLPolyDataReader>(path);
+  return parseStroke(path, bytesOf(path));
+}
+
+vtkSmartPointer<vtkPolyData> parseStroke(const std::string& path, const std::string& bytes)
+{
+  const vtkSmartPointer<vtkPolyData> stroke = readXml(path, bytes);
   if (!stroke || stroke->GetNumberOfPoints() == 0 || stroke->GetNumberOfLines() == 0)
   {
     throw Failed(path + ": holds no polyline; the file is empty or damaged");
@@ -359,4 +392,4 @@ vtkSmartPointer<vtkPolyData> readStroke(const std::string& path)
   return stroke;
 }
 
-} // namespace oversketch_command
+} // namespace oversketch_files

@@ -1,13 +1,13 @@
 // Mesh files by extension: OBJ, PLY, STL, OFF, VTP, glTF (.gltf, .glb); and stroke files (.vtp).
-#ifndef oversketch_command_mesh_file_h
-#define oversketch_command_mesh_file_h
+#ifndef oversketch_files_mesh_file_h
+#define oversketch_files_mesh_file_h
 
 #include "files.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 // The extensions, for messages.
@@ -23,6 +23,12 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes);
 // for the filters to judge.
 vtkSmartPointer<vtkPolyData> readStroke(const std::string& path);
 
+// The same from the bytes of a .vtp file; the name is for messages.
+vtkSmartPointer<vtkPolyData> parseMesh(const std::string& name, const std::string& bytes);
+vtkSmartPointer<vtkPolyData> parseStroke(const std::string& name, const std::string& bytes);
+// The bytes of a .vtp file that keeps every bit of the data; equal data gives equal bytes.
+std::string bytesOf(vtkPolyData* data);
+
 // Writes the mesh whole or not at all; the notes say what the format drops.
 void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes);
 
@@ -36,5 +42,5 @@ void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary);
 // Point colours that PLY and glTF can hold: unsigned char, 3 or 4 components; null if there are none.
 vtkDataArray* coloursOf(vtkPolyData* mesh);
 
-} // namespace oversketch_command
+} // namespace oversketch_files
 #endif

@@ -5,17 +5,19 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
 
 namespace fs = std::filesystem;
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 namespace
@@ -44,6 +46,23 @@ public:
   void DisplayDebugText(const char*) override {}
 };
 vtkStandardNewMacro(MessageCatcher);
+
+// Waits until the file or folder is on the disk, so that a power cut leaves the old file or the new.
+void toDisk(const fs::path& path)
+{
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool done = file >= 0 && ::fsync(file) == 0;
+  const int error = errno;
+  if (file >= 0)
+  {
+    ::close(file);
+  }
+  // Some file systems cannot, and say so.
+  if (!done && error != EINVAL && error != EACCES)
+  {
+    throw fs::filesystem_error("fsync", path, std::error_code(error, std::generic_category()));
+  }
+}
 
 } // namespace
 
@@ -137,7 +156,9 @@ void writeWhole(const std::string& path, const std::function<void(const std::str
     {
       throw Failed(path + ": could not be written (is the disk full?)");
     }
+    toDisk(temporary);
     fs::rename(temporary, target);
+    toDisk(target.parent_path());
   }
   catch (const Failed& failed)
   {
@@ -173,4 +194,4 @@ void writeText(const std::string& path, const std::string& text)
     });
 }
 
-} // namespace oversketch_command
+} // namespace oversketch_files

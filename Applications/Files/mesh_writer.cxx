@@ -4,6 +4,7 @@
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPLYWriter.h"
 #include "vtkPointData.h"
@@ -13,7 +14,7 @@
 
 #include <set>
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 namespace
@@ -84,6 +85,53 @@ void noteDropped(vtkPolyData* mesh,
 
 } // namespace
 
+std::string bytesOf(vtkPolyData* data)
+{
+  // Arrays without what VTK remembers of them, such as ranges, which the writer writes where they are known.
+  const auto bare = [](vtkDataArray* array)
+  {
+    auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    copy->ShallowCopy(array);
+    copy->SetName(array->GetName());
+    if (copy->HasInformation())
+    {
+      copy->GetInformation()->Clear();
+    }
+    return copy;
+  };
+  vtkNew<vtkPolyData> clean;
+  clean->ShallowCopy(data);
+  vtkNew<vtkPoints> points;
+  points->SetData(bare(data->GetPoints()->GetData()));
+  clean->SetPoints(points);
+  for (vtkFieldData* arrays : { static_cast<vtkFieldData*>(clean->GetPointData()),
+         static_cast<vtkFieldData*>(clean->GetCellData()),
+         clean->GetFieldData() })
+  {
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = arrays->GetArray(i);
+      if (array && array->GetName())
+      {
+        arrays->AddArray(bare(array)); // replaces that of its name
+      }
+    }
+  }
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(clean);
+  writer->WriteToOutputStringOn();
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  writer->SetHeaderTypeToUInt64();
+  takeError();
+  if (!writer->Write())
+  {
+    throw Failed("could not encode a mesh: " + takeError());
+  }
+  return writer->GetOutputString();
+}
+
 void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
 {
   const std::string extension = extensionOf(path);
@@ -151,4 +199,4 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
   writeWhole(path, write);
 }
 
-} // namespace oversketch_command
+} // namespace oversketch_files

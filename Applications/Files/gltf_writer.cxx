@@ -14,7 +14,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 namespace
@@ -215,4 +215,4 @@ void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary)
   }
 }
 
-} // namespace oversketch_command
+} // namespace oversketch_files

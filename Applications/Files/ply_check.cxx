@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 namespace
@@ -184,4 +184,4 @@ void checkPly(const std::string& path)
   }
 }
 
-} // namespace oversketch_command
+} // namespace oversketch_files

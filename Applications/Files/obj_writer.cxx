@@ -16,7 +16,7 @@
 #include <fstream>
 #include <map>
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 namespace
@@ -128,4 +128,4 @@ void writeObj(vtkPolyData* mesh, const std::string& path)
   }
 }
 
-} // namespace oversketch_command
+} // namespace oversketch_files

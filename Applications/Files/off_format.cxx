@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace oversketch_command
+namespace oversketch_files
 {
 
 namespace
@@ -113,4 +113,4 @@ void writeOff(vtkPolyData* mesh, const std::string& path)
   }
 }
 
-} // namespace oversketch_command
+} // namespace oversketch_files

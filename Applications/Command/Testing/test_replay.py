@@ -1,0 +1,141 @@
+"""`oversketch replay`: a session written by hand, after the page that describes the format, gives what its strokes give
+one after the other."""
+import hashlib
+import json
+import zipfile
+
+import numpy
+import pytest
+
+from scene import *  # noqa: F403
+from scene import outline, radius
+
+NODE = {"on": True, "remesh": "off", "adjust_normals": False, "as_published": False}
+
+
+def vtp(data):
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(data)
+    writer.WriteToOutputStringOn()
+    assert writer.Write()
+    text = writer.GetOutputString()
+    return text if isinstance(text, bytes) else text.encode("latin-1")
+
+
+def session(path, mesh, drawn, **changes):
+    document = {"format": "oversketch-session", "format_version": 1, "mesh": "mesh/a.vtp", "mesh_name": "body.vtp",
+                "backend": "embree", "result_md5": "",
+                "made_by": {"version": "", "backend": "embree", "device": "", "processor": ""},
+                "strokes": [dict(NODE, name=f"stroke {i}", stroke=f"strokes/{i}.vtp") for i in range(len(drawn))]}
+    document.update(changes)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+        file.writestr("session.json", json.dumps(document))
+        file.writestr("mesh/a.vtp", vtp(mesh))
+        for i, data in enumerate(drawn):
+            file.writestr(f"strokes/{i}.vtp", vtp(data))
+    return path
+
+
+def digest(mesh):
+    """As the page about the format says."""
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    sums = hashlib.md5(numpy.int32(mesh.GetPoints().GetDataType()).tobytes() + points.tobytes())
+    cells = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(numpy.int64)
+    sums.update(numpy.hstack([numpy.full((len(cells), 1), 3, dtype=numpy.int64), cells]).tobytes())
+    return sums.hexdigest()
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """The body, two strokes, and what they give one after the other."""
+    folder = tmp_path_factory.mktemp("replay")
+    mesh, longer, shorter = body(), stroke(outline(1.7)), stroke(outline(1.5))
+    write(mesh, folder / "body.vtp")
+    write(longer, folder / "longer.vtp")
+    write(shorter, folder / "shorter.vtp")
+    assert run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", folder / "1.vtp", *QUICK).returncode == 0
+    assert run("one-stroke", folder / "1.vtp", folder / "shorter.vtp", "-o", folder / "2.vtp", *QUICK).returncode == 0
+    return folder, mesh, longer, shorter
+
+
+def same(a, b):
+    return (numpy.array_equal(vtk_to_numpy(a.GetPoints().GetData()), vtk_to_numpy(b.GetPoints().GetData())) and
+            digest(a) == digest(b))
+
+
+def test_replay_gives_what_the_strokes_give(made):
+    folder, mesh, longer, shorter = made
+    done = run("replay", session(folder / "s.oversketch", mesh, [longer, shorter]), "-o", folder / "out.vtp")
+    assert done.returncode == 0, done.stderr
+    assert same(read(folder / "out.vtp"), read(folder / "2.vtp"))
+    assert not same(read(folder / "out.vtp"), read(folder / "1.vtp"))
+
+
+def test_a_stroke_that_is_off_is_passed_by(made):
+    folder, mesh, longer, shorter = made
+    strokes = [dict(NODE, name="a", stroke="strokes/0.vtp"), dict(NODE, name="b", stroke="strokes/1.vtp", on=False)]
+    path = session(folder / "off.oversketch", mesh, [longer, shorter], strokes=strokes)
+    assert run("replay", path, "-o", folder / "off.vtp").returncode == 0
+    assert same(read(folder / "off.vtp"), read(folder / "1.vtp"))
+
+
+def test_says_whether_the_bits_are_those_that_were_saved(made):
+    folder, mesh, longer, shorter = made
+    good = session(folder / "good.oversketch", mesh, [longer, shorter], result_md5=digest(read(folder / "2.vtp")))
+    done = run("replay", good, "-o", folder / "good.vtp")
+    assert done.returncode == 0 and "bit for bit" not in done.stderr
+    assert "the processor was none, here it is" in done.stderr and "the back end" not in done.stderr
+    other = session(folder / "other.oversketch", mesh, [longer, shorter], result_md5=digest(read(folder / "1.vtp")))
+    done = run("replay", other, "-o", folder / "other.vtp")
+    assert done.returncode == 0 and "warning: the mesh is not bit for bit the one that was saved" in done.stderr
+
+
+def test_a_stroke_that_fails_is_named(made):
+    folder, mesh, longer, _ = made
+    path = session(folder / "fails.oversketch", mesh, [stroke(outline(1.7)[:2]), longer])
+    done = run("replay", path, "-o", folder / "fails.vtp")
+    assert done.returncode == 0 and "'stroke 0' did nothing" in done.stderr
+    assert same(read(folder / "fails.vtp"), read(folder / "1.vtp"))
+
+
+def test_both_sides_of_a_mirror_plane(made):
+    """The limb lies along x, so a stroke on its upper side moves the lower one exactly alike, across y = 0."""
+    folder, mesh, _, _ = made
+    angle = numpy.linspace(0.12, 0.5, 120)
+    r = radius(angle, 1.4) + 0.15 * numpy.sin(numpy.pi * (angle - 0.12) / 0.38) ** 2
+    samples = numpy.stack([WIDTH / 3 + PIXELS * r * numpy.cos(angle), HEIGHT / 2 + PIXELS * r * numpy.sin(angle)], axis=1)
+    strokes = [dict(NODE, name="a", stroke="strokes/0.vtp", mirror={"axis": 1, "offset": 0.0})]
+    path = session(folder / "mirror.oversketch", mesh, [stroke(samples)], strokes=strokes)
+    done = run("replay", path, "-o", folder / "mirror.vtp")
+    assert done.returncode == 0 and "did nothing" not in done.stderr, done.stderr
+    before, after = (vtk_to_numpy(m.GetPoints().GetData()) for m in (mesh, read(folder / "mirror.vtp")))
+    moved = numpy.abs(after - before).max(axis=1) > 0
+    upper, lower = moved & (before[:, 1] > 1e-5), moved & (before[:, 1] < -1e-5)
+    assert upper.sum() > 50
+    flip = numpy.array([1, -1, 1])
+    for i in numpy.flatnonzero(upper):
+        partner = numpy.argmin(numpy.abs(before - before[i] * flip).sum(axis=1))
+        assert lower[partner] and numpy.array_equal(after[partner], after[i] * flip)
+
+
+@pytest.mark.parametrize("arguments", [["replay"], ["replay", "s"], ["replay", "s", "t", "-o", "o.vtp"],
+                                       ["replay", "s", "-o", "o.doc"], ["replay", "s", "-o", "o.vtp", "--remesh", "off"]])
+def test_bad_use(arguments):
+    assert "--help" in refuse(2, *arguments)
+
+
+def test_failures_leave_no_file(made, tmp_path):
+    folder, mesh, longer, _ = made
+    out = tmp_path / "o.vtp"
+    assert "there is no such file" in refuse(1, "replay", tmp_path / "none.oversketch", "-o", out)
+    (tmp_path / "no.oversketch").write_bytes(b"PK no zip")
+    assert "is no session" in refuse(1, "replay", tmp_path / "no.oversketch", "-o", out)
+    path = session(tmp_path / "new.oversketch", mesh, [longer], format_version=7)
+    assert "format version 7" in refuse(1, "replay", path, "-o", out)
+    assert not out.exists()
+
+
+def test_help():
+    assert "replay" in run("--help").stdout
+    text = run("replay", "--help")
+    assert text.returncode == 0 and "bit for bit" in text.stdout

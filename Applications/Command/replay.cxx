@@ -1,0 +1,65 @@
+#include "replay.h"
+
+#include "evaluator.h"
+#include "mesh_file.h"
+#include "session_file.h"
+#include "terminal.h"
+
+#include "vtkOversketchOneStroke.h"
+
+namespace oversketch_command
+{
+
+using namespace oversketch_files;
+using namespace oversketch_session;
+
+void replay(const Options& options)
+{
+  catchInterrupt();
+  catchMessages();
+  requireWritable(options.output);
+  SessionFile file = readSession(options.session);
+  Session& session = file.session;
+  // On the same back end as then: what "auto" chose there may not be what it chooses here.
+  if (!file.digest.empty())
+  {
+    session.backend =
+      file.origin.backend == "opencl" ? vtkOversketchOneStroke::OpenCL : vtkOversketchOneStroke::Host;
+  }
+  const double count = static_cast<double>(session.nodes.size());
+  Evaluator evaluator;
+  Evaluator::Watch watch;
+  watch.cancelled = interrupted;
+  watch.progress = [&](std::size_t node, const std::string& stage, double share)
+  { showProgress((static_cast<double>(node) + share) / count, stage); };
+  std::vector<Outcome> outcomes;
+  evaluator.run(session, watch, outcomes);
+  clearProgress();
+  throwIfInterrupted();
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+  {
+    if (!outcomes[i].failure.empty())
+    {
+      say("warning: '" + session.nodes[i].name + "' did nothing: " + outcomes[i].failure);
+    }
+  }
+  vtkPolyData* result = resultOf(session, outcomes);
+  Notes notes;
+  writeMesh(result, options.output, notes);
+  say(notes);
+  if (file.digest.empty())
+  {
+    return; // saved before its first result: there is nothing to compare with
+  }
+  for (const std::string& difference :
+    differences(file.origin, originHere(evaluator.system()->GetBackendUsed())))
+  {
+    say("note: " + difference);
+  }
+  if (digestOf(result) != file.digest)
+  {
+    say("warning: the mesh is not bit for bit the one that was saved");
+  }
+}
+
+} // namespace oversketch_command

@@ -1,0 +1,28 @@
+// What the command tells its user while it works, and the interrupt.
+#ifndef oversketch_command_terminal_h
+#define oversketch_command_terminal_h
+
+#include "files.h"
+
+#include <string>
+
+namespace oversketch_command
+{
+
+// The first SIGINT asks to stop, the second ends the program at once.
+void catchInterrupt();
+bool interrupted();
+// Throws Failed after the first interrupt.
+void throwIfInterrupted();
+
+// One line on stderr.
+void say(const std::string& text);
+// Each note a line; they are gone afterwards.
+void say(oversketch_files::Notes& notes);
+
+// A line that is written over, where stderr is a terminal: share done [0 to 1], what is being done.
+void showProgress(double share, const std::string& what);
+void clearProgress();
+
+} // namespace oversketch_command
+#endif

@@ -1,0 +1,233 @@
+// Running sessions: what runs again, what stays, what fails.
+#include "sessions.h"
+
+#include "history.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace oversketch_session;
+using namespace oversketch_test;
+
+namespace
+{
+
+std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Session& session)
+{
+  std::vector<Outcome> outcomes;
+  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  EXPECT_EQ(outcomes.size(), session.nodes.size());
+  return outcomes;
+}
+
+Session with(Session session, std::size_t node, const Parameters& parameters)
+{
+  auto action = std::make_shared<Action>(*session.nodes[node].action);
+  action->parameters = parameters;
+  session.nodes[node].action = action;
+  return session;
+}
+
+Session without(Session session, std::size_t node)
+{
+  session.nodes[node].on = false;
+  return session;
+}
+
+vtkSmartPointer<vtkPolyData> elsewhereStroke(vtkPolyData* stroke)
+{
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->DeepCopy(stroke);
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    moved->GetPoints()->SetPoint(i, 0.01 * static_cast<double>(i), 1.0, 0.0); // far too short
+  }
+  return moved;
+}
+
+} // namespace
+
+TEST(Session, StrokesActInTheirOrder)
+{
+  const Session session = dogSession();
+  Evaluator evaluator;
+  const auto outcomes = outcomesOf(evaluator, session);
+  ASSERT_TRUE(outcomes[0].failure.empty()) << outcomes[0].failure;
+  ASSERT_TRUE(outcomes[1].failure.empty()) << outcomes[1].failure;
+  // The same by hand.
+  vtkNew<vtkOversketchOneStroke> first, second;
+  first->SetInputData(session.mesh);
+  first->SetStrokeData(session.nodes[0].action->stroke);
+  second->SetInputConnection(first->GetOutputPort());
+  second->SetStrokeData(session.nodes[1].action->stroke);
+  for (vtkOversketchOneStroke* system : { first.Get(), second.Get() })
+  {
+    system->SetBackendToHost();
+    system->SetRemeshToOff();
+  }
+  second->Update();
+  EXPECT_TRUE(identical(outcomes[0].mesh, first->GetOutput()));
+  EXPECT_TRUE(identical(outcomes[1].mesh, second->GetOutput()));
+  EXPECT_GT(largestMove(outcomes[0].mesh, outcomes[1].mesh), 0.0);
+  EXPECT_EQ(resultOf(session, outcomes), outcomes[1].mesh);
+  EXPECT_EQ(resultOf(session, {}), session.mesh);
+}
+
+TEST(Session, OnlyWhatDependsOnAChangeRunsAgain)
+{
+  const Session session = dogSession();
+  Evaluator evaluator;
+  const auto whole = outcomesOf(evaluator, session);
+  EXPECT_EQ(evaluator.runs(), 2u);
+  outcomesOf(evaluator, session);
+  EXPECT_EQ(evaluator.runs(), 2u) << "nothing changed";
+
+  Session renamed = session;
+  renamed.nodes[0].name = "front leg";
+  outcomesOf(evaluator, renamed);
+  EXPECT_EQ(evaluator.runs(), 2u) << "a name is no change of the mesh";
+
+  Parameters adjusted = session.nodes[1].action->parameters;
+  adjusted.adjustNormals = true;
+  const auto edited = outcomesOf(evaluator, with(session, 1, adjusted));
+  EXPECT_EQ(evaluator.runs(), 3u) << "the first stroke does not depend on the second";
+  EXPECT_EQ(edited[0].mesh, whole[0].mesh);
+  EXPECT_GT(largestMove(edited[1].mesh, whole[1].mesh), 0.0);
+
+  const auto second = outcomesOf(evaluator, without(session, 0));
+  EXPECT_EQ(evaluator.runs(), 4u) << "the second stroke acts on another mesh";
+  EXPECT_EQ(second[0].mesh, session.mesh);
+
+  const auto back = outcomesOf(evaluator, session);
+  EXPECT_EQ(evaluator.runs(), 4u) << "undone: both results are kept";
+  EXPECT_EQ(back[1].mesh, whole[1].mesh);
+  Evaluator cold;
+  EXPECT_TRUE(identical(outcomesOf(cold, without(session, 0))[1].mesh, second[1].mesh));
+}
+
+TEST(Session, AFailedStrokeIsPassedByAndTheRestGoesOn)
+{
+  Session session = dogSession();
+  session.nodes.insert(
+    session.nodes.begin(), nodeOf(elsewhereStroke(session.nodes[0].action->stroke), "dot"));
+  Evaluator evaluator;
+  const auto outcomes = outcomesOf(evaluator, session);
+  EXPECT_NE(outcomes[0].failure.find("px long"), std::string::npos) << outcomes[0].failure;
+  EXPECT_EQ(outcomes[0].mesh, session.mesh);
+  EXPECT_FALSE(outcomes[0].section.has_value());
+  Evaluator cold;
+  const auto good = outcomesOf(cold, dogSession());
+  EXPECT_TRUE(identical(outcomes[2].mesh, good[1].mesh));
+  outcomesOf(evaluator, session);
+  EXPECT_EQ(evaluator.runs(), 3u) << "a failure is kept like a result";
+}
+
+TEST(Session, CancelledAndRunAgainGivesTheWholeResult)
+{
+  const Session session = dogSession();
+  Evaluator evaluator;
+  std::vector<Outcome> outcomes;
+  int polls = 0;
+  Evaluator::Watch watch;
+  watch.cancelled = [&] { return ++polls > 3; };
+  EXPECT_FALSE(evaluator.run(session, watch, outcomes));
+  EXPECT_LT(outcomes.size(), 2u);
+  Evaluator cold;
+  EXPECT_TRUE(identical(outcomesOf(evaluator, session)[1].mesh, outcomesOf(cold, session)[1].mesh));
+}
+
+TEST(Session, ProgressNamesNodeAndStageAndRises)
+{
+  Evaluator evaluator;
+  std::vector<Outcome> outcomes;
+  std::vector<double> shares;
+  std::vector<std::string> stages;
+  Evaluator::Watch watch;
+  watch.progress = [&](std::size_t node, const std::string& stage, double share)
+  {
+    shares.push_back(static_cast<double>(node) + share);
+    if (stages.empty() || stages.back() != stage)
+    {
+      stages.push_back(stage);
+    }
+  };
+  ASSERT_TRUE(evaluator.run(dogSession(), watch, outcomes));
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_NE(std::find(stages.begin(), stages.end(), "ShapeDiameter"), stages.end());
+}
+
+TEST(Session, AStrokeThatTakesHoldElsewhereIsMarked)
+{
+  Session session = dogSession();
+  Evaluator evaluator;
+  auto outcomes = outcomesOf(evaluator, session);
+  ASSERT_TRUE(outcomes[0].section.has_value());
+  EXPECT_FALSE(outcomes[0].elsewhere) << "not committed yet";
+  session.nodes[0].committed = outcomes[0].section;
+  session.nodes[1].committed = outcomes[0].section; // the leg's place for the tail
+  outcomes = outcomesOf(evaluator, session);
+  EXPECT_FALSE(outcomes[0].elsewhere);
+  EXPECT_TRUE(outcomes[1].elsewhere);
+  // The middle lies on the matched curve's own bounds and its length is at least the distance of its ends.
+  double box[6];
+  outcomes[0].matched->GetBounds(box);
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_GE(outcomes[0].section->middle[static_cast<std::size_t>(k)], box[2 * k]);
+    EXPECT_LE(outcomes[0].section->middle[static_cast<std::size_t>(k)], box[2 * k + 1]);
+  }
+  EXPECT_GE(outcomes[0].section->length, outcomes[0].matched->GetLength() * 0.5);
+}
+
+TEST(Session, KeptResultsStayWithinTheirBudget)
+{
+  const Session session = dogSession();
+  Evaluator poor(1);
+  outcomesOf(poor, session);
+  outcomesOf(poor, session);
+  EXPECT_EQ(poor.runs(), 2u) << "those of the session itself stay";
+  outcomesOf(poor, without(session, 0));
+  outcomesOf(poor, session);
+  EXPECT_GT(poor.runs(), 3u) << "others went";
+}
+
+TEST(History, UndoRedoAndANewBranch)
+{
+  Session session = dogSession();
+  session.nodes.clear();
+  History history(session);
+  EXPECT_FALSE(history.canUndo() || history.canRedo());
+  for (int i = 0; i < 1000; ++i)
+  {
+    session.nodes.push_back(nodeOf(dogSession().nodes[0].action->stroke, std::to_string(i)));
+    history.commit(session);
+    session = history.now();
+    if (i == 3)
+    {
+      break;
+    }
+  }
+  EXPECT_EQ(history.now().nodes.size(), 4u);
+  history.undo();
+  history.undo();
+  EXPECT_EQ(history.now().nodes.size(), 2u);
+  history.redo();
+  EXPECT_EQ(history.now().nodes.back().name, "2");
+  Session amended = history.now();
+  amended.nodes.back().name = "third";
+  history.amend(amended);
+  EXPECT_TRUE(history.canRedo()) << "an amendment is no step";
+  history.redo();
+  history.undo();
+  EXPECT_EQ(history.now().nodes.back().name, "third");
+  Session branch = history.now();
+  branch.nodes.pop_back();
+  history.commit(branch);
+  EXPECT_FALSE(history.canRedo());
+  for (int i = 0; i < 10; ++i)
+  {
+    history.undo();
+  }
+  EXPECT_TRUE(history.now().nodes.empty());
+}

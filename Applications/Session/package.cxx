@@ -1,0 +1,199 @@
+#include "package.h"
+
+#include "files.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace fs = std::filesystem;
+
+namespace oversketch_session
+{
+
+using oversketch_files::Failed;
+
+namespace
+{
+
+// What deflate can at most make of a byte is about a thousand.
+constexpr std::uintmax_t mostInflation = 1100;
+
+void requirePlain(const std::string& path, const std::string& name)
+{
+  const fs::path parts(name);
+  if (name.empty() || parts.is_absolute() ||
+      std::any_of(
+        parts.begin(), parts.end(), [](const fs::path& part) { return part == ".." || part == "."; }))
+  {
+    throw Failed(path + ": holds the name '" + name + "', which a session does not; the file is damaged");
+  }
+}
+
+Package readZip(const std::string& path)
+{
+  const std::uintmax_t most = mostInflation * oversketch_files::requireReadable(path);
+  const std::unique_ptr<archive, decltype(&archive_read_free)> zip(archive_read_new(), &archive_read_free);
+  archive_read_support_format_zip(zip.get());
+  const auto refuse = [&]
+  {
+    const char* why = archive_error_string(zip.get());
+    throw Failed(path + ": is no session, or a damaged one: " + (why ? why : "not a zip file"));
+  };
+  if (archive_read_open_filename(zip.get(), path.c_str(), 1 << 20) != ARCHIVE_OK)
+  {
+    refuse();
+  }
+  Package package;
+  std::uintmax_t all = 0;
+  for (archive_entry* entry = nullptr;;)
+  {
+    const int state = archive_read_next_header(zip.get(), &entry);
+    if (state == ARCHIVE_EOF)
+    {
+      return package;
+    }
+    if (state != ARCHIVE_OK)
+    {
+      refuse();
+    }
+    const char* pathname = archive_entry_pathname(entry);
+    const std::string name = pathname ? pathname : "";
+    requirePlain(path, name);
+    if (archive_entry_filetype(entry) == AE_IFDIR)
+    {
+      continue;
+    }
+    auto bytes = std::make_shared<std::string>();
+    const void* block = nullptr;
+    std::size_t size = 0;
+    la_int64_t at = 0;
+    int read = ARCHIVE_OK;
+    while ((read = archive_read_data_block(zip.get(), &block, &size, &at)) == ARCHIVE_OK)
+    {
+      if ((all += size) > most || at != static_cast<la_int64_t>(bytes->size()))
+      {
+        throw Failed(path + ": holds more than a file of its size can; the file is damaged");
+      }
+      bytes->append(static_cast<const char*>(block), size);
+    }
+    if (read != ARCHIVE_EOF)
+    {
+      refuse();
+    }
+    package[name] = std::move(bytes);
+  }
+}
+
+Package readFolder(const std::string& path)
+{
+  Package package;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
+  {
+    if (entry.is_regular_file())
+    {
+      std::ifstream stream(entry.path(), std::ios::binary);
+      package[entry.path().lexically_relative(path).generic_string()] = std::make_shared<std::string>(
+        std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+    }
+  }
+  return package;
+}
+
+} // namespace
+
+Package readPackage(const std::string& path)
+{
+  try
+  {
+    return fs::is_directory(path) ? readFolder(path) : readZip(path);
+  }
+  catch (const fs::filesystem_error& error)
+  {
+    throw Failed(path + ": could not be read: " + error.code().message());
+  }
+}
+
+void writeZip(const std::string& path, const Package& package)
+{
+  oversketch_files::writeWhole(path,
+    [&](const std::string& temporary)
+    {
+      const std::unique_ptr<archive, decltype(&archive_write_free)> zip(
+        archive_write_new(), &archive_write_free);
+      const auto check = [&](int state)
+      {
+        if (state < ARCHIVE_OK)
+        {
+          const char* why = archive_error_string(zip.get());
+          throw Failed(path + ": could not be written: " + (why ? why : "is the disk full?"));
+        }
+      };
+      check(archive_write_set_format_zip(zip.get()));
+      check(archive_write_set_options(zip.get(), "zip:compression=store"));
+      check(archive_write_open_filename(zip.get(), temporary.c_str()));
+      for (const auto& [name, bytes] : package)
+      {
+        const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(
+          archive_entry_new(), &archive_entry_free);
+        archive_entry_set_pathname(entry.get(), name.c_str());
+        archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes->size()));
+        archive_entry_set_filetype(entry.get(), AE_IFREG);
+        archive_entry_set_perm(entry.get(), 0644);
+        archive_entry_set_mtime(entry.get(), 315532800, 0); // 1980, where zip's clock begins
+        check(archive_write_header(zip.get(), entry.get()));
+        if (archive_write_data(zip.get(), bytes->data(), bytes->size()) !=
+            static_cast<la_ssize_t>(bytes->size()))
+        {
+          check(ARCHIVE_FATAL);
+        }
+      }
+      check(archive_write_close(zip.get()));
+    });
+}
+
+void writeFolder(const std::string& path, const Package& package, const std::string& last)
+{
+  try
+  {
+    fs::create_directories(path);
+    const auto write = [&](const std::string& name, const std::string& bytes)
+    {
+      const fs::path file = fs::path(path) / name;
+      fs::create_directories(file.parent_path());
+      oversketch_files::writeText(file.string(), bytes);
+    };
+    for (const auto& [name, bytes] : package)
+    {
+      std::error_code absent;
+      if (name != last && fs::file_size(fs::path(path) / name, absent) != bytes->size())
+      {
+        write(name, *bytes);
+      }
+    }
+    write(last, *package.at(last));
+    std::vector<fs::path> unnamed;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
+    {
+      if (entry.is_regular_file() &&
+          package.count(entry.path().lexically_relative(path).generic_string()) == 0)
+      {
+        unnamed.push_back(entry.path());
+      }
+    }
+    for (const fs::path& file : unnamed)
+    {
+      fs::remove(file);
+    }
+  }
+  catch (const fs::filesystem_error& error)
+  {
+    throw Failed(path + ": could not be written: " + error.code().message());
+  }
+}
+
+} // namespace oversketch_session

@@ -1,0 +1,30 @@
+// A set of named byte strings in one place: a zip file, or a folder of files.
+#ifndef oversketch_package_h
+#define oversketch_package_h
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace oversketch_session
+{
+
+// By name; names are relative paths of plain parts ("strokes/1.vtp").
+using Package = std::map<std::string, std::shared_ptr<const std::string>>;
+
+// Reads either form. Throws Failed, naming the path: absent, damaged, names that leave the folder, or more
+// bytes than a file of its size can honestly hold.
+Package readPackage(const std::string& path);
+
+// Writes a zip file, entries stored as they are (a .vtp file hardly shrinks, and saving must not wait), whole
+// or not at all, on the disk when it returns. Equal packages give equal files. Throws Failed.
+void writeZip(const std::string& path, const Package& package);
+
+// Writes a folder, made if it is not there, so that a crash at any moment leaves the old package or the new:
+// the entry `last` names the others and is replaced after they are on the disk; entries that are there with
+// the same size are not written again, so their names must tell their content. Afterwards files that no entry
+// names are removed. Throws Failed.
+void writeFolder(const std::string& path, const Package& package, const std::string& last);
+
+} // namespace oversketch_session
+#endif

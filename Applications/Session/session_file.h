@@ -1,0 +1,54 @@
+// Session files, `.oversketch`: see README.md beside this for the format.
+#ifndef oversketch_session_file_h
+#define oversketch_session_file_h
+
+#include "package.h"
+#include "session.h"
+
+#include <string>
+#include <vector>
+
+namespace oversketch_session
+{
+
+// What a result's bits depend on besides the session.
+struct Origin
+{
+  std::string version;   // of Oversketch
+  std::string backend;   // "opencl" or "embree": what the rays ran on
+  std::string device;    // the OpenCL device; empty for embree
+  std::string processor; // of the machine
+};
+
+// Of this program on this machine, for results that ran on that backend
+// (vtkOversketchOneStroke::BackendType).
+Origin originHere(int backendUsed);
+
+// What differs between two, in words for the user; empty when nothing does.
+std::vector<std::string> differences(const Origin& recorded, const Origin& here);
+
+struct SessionFile
+{
+  Session session;
+  Origin origin;
+  // Of the mesh that the session showed: see digestOf. Empty when it was saved before the first result.
+  std::string digest;
+};
+
+// Hexadecimal MD5 of points (their type and bits) and polygons of a mesh: equal digests, equal meshes.
+std::string digestOf(vtkPolyData* mesh);
+
+// What the format holds; strokes and meshes are named by their content.
+Package encode(const SessionFile& file);
+// Throws Failed, naming the path and the entry.
+SessionFile decode(const Package& package, const std::string& path);
+
+// Both at once. A path of a folder is read as one.
+SessionFile readSession(const std::string& path);
+void writeSession(const std::string& path, const SessionFile& file);
+
+// The entry that names the others (for writeFolder).
+extern const char* const sessionEntry;
+
+} // namespace oversketch_session
+#endif
