@@ -280,6 +280,13 @@ bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outc
   return true;
 }
 
+void Evaluator::prepare(vtkPolyData* mesh, const Watch& watch)
+{
+  const Ear ear(this->system_, 0, watch);
+  this->system_->SetInputData(0, mesh);
+  this->system_->Prepare();
+}
+
 vtkPolyData* resultOf(const Session& session, const std::vector<Outcome>& outcomes)
 {
   return outcomes.empty() ? session.mesh.Get() : outcomes.back().mesh.Get();

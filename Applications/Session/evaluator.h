@@ -52,6 +52,10 @@ public:
   // before.
   bool run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes);
 
+  // Computes what the next stroke on this mesh will need whatever it is, until cancelled. Nothing depends on
+  // it but time.
+  void prepare(vtkPolyData* mesh, const Watch& watch);
+
   // Strokes run since the start, to see what was kept.
   std::size_t runs() const { return this->runs_; }
   // The system that runs them, for what is shown of the last stroke: its inner outputs.

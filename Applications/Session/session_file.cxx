@@ -307,16 +307,27 @@ std::string digestOf(vtkPolyData* mesh)
   return digest.text();
 }
 
-Package encode(const SessionFile& file)
+Package Encoder::encode(const SessionFile& file)
 {
   const Session& session = file.session;
   Package package;
-  const auto put = [&](const std::string& folder, vtkPolyData* data)
+  std::map<vtkSmartPointer<vtkPolyData>, Entry> entries;
+  const auto put = [&](const std::string& folder, const vtkSmartPointer<vtkPolyData>& data)
   {
-    auto bytes = std::make_shared<std::string>(oversketch_files::bytesOf(data));
-    std::string name = folder + "/" + digestOf(*bytes) + ".vtp";
-    package[name] = std::move(bytes);
-    return name;
+    const auto known = this->last_.find(data);
+    Entry entry;
+    if (known != this->last_.end())
+    {
+      entry = known->second;
+    }
+    else
+    {
+      entry.bytes = std::make_shared<std::string>(oversketch_files::bytesOf(data));
+      entry.name = folder + "/" + digestOf(*entry.bytes) + ".vtp";
+    }
+    package[entry.name] = entry.bytes;
+    entries[data] = entry;
+    return entry.name;
   };
   Json::Value json;
   json["format"] = formatName;
@@ -337,6 +348,7 @@ Package encode(const SessionFile& file)
   Json::StreamWriterBuilder writer;
   writer["indentation"] = "  ";
   package[sessionEntry] = std::make_shared<std::string>(Json::writeString(writer, json) + "\n");
+  this->last_ = std::move(entries);
   return package;
 }
 
@@ -407,7 +419,7 @@ SessionFile readSession(const std::string& path)
 
 void writeSession(const std::string& path, const SessionFile& file)
 {
-  writeZip(path, encode(file));
+  writeZip(path, Encoder().encode(file));
 }
 
 } // namespace oversketch_session

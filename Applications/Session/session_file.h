@@ -5,6 +5,8 @@
 #include "package.h"
 #include "session.h"
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,8 +40,21 @@ struct SessionFile
 // Hexadecimal MD5 of points (their type and bits) and polygons of a mesh: equal digests, equal meshes.
 std::string digestOf(vtkPolyData* mesh);
 
-// What the format holds; strokes and meshes are named by their content.
-Package encode(const SessionFile& file);
+// Makes what the format holds; strokes and meshes are named by their content. What the session before shared
+// with this one is not encoded again.
+class Encoder
+{
+public:
+  Package encode(const SessionFile& file);
+
+private:
+  struct Entry
+  {
+    std::string name;
+    std::shared_ptr<const std::string> bytes;
+  };
+  std::map<vtkSmartPointer<vtkPolyData>, Entry> last_;
+};
 // Throws Failed, naming the path and the entry.
 SessionFile decode(const Package& package, const std::string& path);
 

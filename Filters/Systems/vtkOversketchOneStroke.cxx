@@ -17,6 +17,7 @@
 #include "vtkOversketchVisibility.h"
 #include "vtkOversketchWeld.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
@@ -478,6 +479,33 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
         inner.Welding->Move(mesh, inner.Output(inner.Deformation), output);
       }
     });
+}
+
+bool vtkOversketchOneStroke::Prepare()
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  vtkAlgorithmOutput* source = this->GetInputConnection(0, 0);
+  source->GetProducer()->Update(source->GetIndex());
+  auto* mesh = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (!mesh || mesh->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  this->SetAbortExecute(0);
+  try
+  {
+    this->Inner->Done = 0.0;
+    this->Inner->FeedMesh(mesh);
+    this->Inner->Run("ShapeDiameter");
+    return true;
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
 }
 
 void vtkOversketchOneStroke::SetBackend(int backend)

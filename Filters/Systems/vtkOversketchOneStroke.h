@@ -135,6 +135,14 @@ public:
   ///@}
 
   /**
+   * Computes what no stroke changes, the shape diameter of the mesh on port 0, so that the next Update need
+   * not: to be called while the hand is busy. Reports progress and honours AbortExecute like a run; leaves
+   * the output as it is. Returns false when it was stopped or the mesh cannot be used (the next Update says
+   * why).
+   */
+  bool Prepare();
+
+  /**
    * True when the last output was remeshed.
    */
   vtkGetMacro(Remeshed, bool);

@@ -129,7 +129,7 @@ TEST(SessionFile, EveryBitComesBackFromAZipFileAndAFolder)
   const SessionFile file = dogFile();
   writeSession(folder.file("dog.oversketch"), file);
   expectEqual(readSession(folder.file("dog.oversketch")), file);
-  writeFolder(folder.file("autosave"), encode(file), sessionEntry);
+  writeFolder(folder.file("autosave"), Encoder().encode(file), sessionEntry);
   expectEqual(readSession(folder.file("autosave")), file);
 }
 
@@ -145,12 +145,12 @@ TEST(SessionFile, AFolderIsWrittenOnceAndKeepsNothingThatIsNotNamed)
 {
   const Folder folder;
   SessionFile file = dogFile();
-  writeFolder(folder.file("autosave"), encode(file), sessionEntry);
+  writeFolder(folder.file("autosave"), Encoder().encode(file), sessionEntry);
   const auto meshOf = [&] { return fs::directory_iterator(folder.path / "autosave" / "mesh")->path(); };
   const auto written = fs::last_write_time(meshOf());
   fs::last_write_time(meshOf(), written - std::chrono::hours(1));
   file.session.nodes.pop_back();
-  writeFolder(folder.file("autosave"), encode(file), sessionEntry);
+  writeFolder(folder.file("autosave"), Encoder().encode(file), sessionEntry);
   EXPECT_EQ(fs::last_write_time(meshOf()), written - std::chrono::hours(1))
     << "the mesh is not written again";
   const auto strokes = fs::directory_iterator(folder.path / "autosave" / "strokes");
@@ -202,7 +202,7 @@ TEST(SessionFile, DamagedBytesAreRefusedOrChangeNothing)
 TEST(SessionFile, RefusalsNameWhatIsWrong)
 {
   oversketch_files::catchMessages();
-  const Package good = encode(dogFile());
+  const Package good = Encoder().encode(dogFile());
   const auto refusal = [](const Package& package)
   { return refusalOf([&] { decode(package, "x.oversketch"); }); };
   EXPECT_EQ(refusal(good), "");

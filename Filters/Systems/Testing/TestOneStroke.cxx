@@ -198,3 +198,25 @@ TEST(OneStroke, CancelThenRetryGivesTheFullResult)
     EXPECT_TRUE(identical(reference.filter->GetOutput(), s.filter->GetOutput())) << at;
   }
 }
+
+// What no stroke changes is computed before the stroke is there.
+TEST(OneStroke, PreparedTheNextRunComputesNoShapeDiameter)
+{
+  System cold, prepared;
+  for (System* s : { &cold, &prepared })
+  {
+    s->filter->SetRemeshToOff();
+  }
+  cold.filter->Update();
+  EXPECT_TRUE(prepared.filter->Prepare());
+  const vtkMTimeType made = prepared.filter->GetInnerOutput("ShapeDiameter")->GetMTime();
+  prepared.filter->Update();
+  EXPECT_EQ(prepared.filter->GetInnerOutput("ShapeDiameter")->GetMTime(), made);
+  EXPECT_TRUE(identical(cold.filter->GetOutput(), prepared.filter->GetOutput()));
+
+  vtkNew<vtkOversketchOneStroke> none;
+  EXPECT_FALSE(none->Prepare()) << "no mesh";
+  vtkNew<vtkPolyData> empty;
+  none->SetInputData(0, empty);
+  EXPECT_FALSE(none->Prepare()) << "an empty mesh";
+}

@@ -1,0 +1,150 @@
+// Sessions on a thread of their own: the newest wins, a cancelled one leaves nothing behind.
+#include "sessions.h"
+
+#include "session_file.h"
+#include "worker.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <future>
+
+using namespace oversketch_session;
+using namespace oversketch_test;
+
+namespace
+{
+
+// Collects what a worker tells, and waits for it.
+struct Desk
+{
+  std::mutex mutex;
+  std::condition_variable told;
+  std::vector<Worker::Result> done;
+  std::vector<std::uint64_t> cancelled;
+  std::vector<std::string> stages;
+
+  Worker::Listener listener()
+  {
+    Worker::Listener listener;
+    listener.done = [this](const Worker::Result& result)
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->done.push_back(result);
+      this->told.notify_all();
+    };
+    listener.cancelled = [this](std::uint64_t ticket)
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->cancelled.push_back(ticket);
+      this->told.notify_all();
+    };
+    listener.progress = [this](std::uint64_t, std::size_t, const std::string& stage, double)
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->stages.push_back(stage);
+      this->told.notify_all();
+    };
+    return listener;
+  }
+  template <typename Condition>
+  bool wait(const Condition& condition)
+  {
+    std::unique_lock<std::mutex> lock(this->mutex);
+    return this->told.wait_for(lock, std::chrono::seconds(60), condition);
+  }
+};
+
+} // namespace
+
+TEST(Worker, GivesWhatTheEvaluatorGives)
+{
+  const Session session = dogSession();
+  std::vector<Outcome> outcomes;
+  Evaluator evaluator;
+  ASSERT_TRUE(evaluator.run(session, {}, outcomes));
+  Desk desk;
+  Worker worker(desk.listener());
+  const std::uint64_t ticket = worker.submit(session);
+  ASSERT_TRUE(desk.wait([&] { return !desk.done.empty(); }));
+  const Worker::Result& result = desk.done[0];
+  EXPECT_EQ(result.ticket, ticket);
+  EXPECT_TRUE(identical(result.mesh, outcomes[1].mesh));
+  EXPECT_EQ(result.digest, digestOf(outcomes[1].mesh));
+  ASSERT_EQ(result.nodes.size(), 2u);
+  EXPECT_EQ(result.nodes[1].section->middle, outcomes[1].section->middle);
+  EXPECT_GT(result.matched->GetNumberOfPoints(), 1);
+  EXPECT_EQ(result.backendUsed, int(vtkOversketchOneStroke::Host));
+}
+
+TEST(Worker, TheNewestSessionWins)
+{
+  Desk desk;
+  Worker worker(desk.listener());
+  std::uint64_t last = 0;
+  Session session = dogSession();
+  constexpr int count = 5;
+  for (int i = 0; i < count; ++i)
+  {
+    session.nodes[0].on = i % 2 == 0;
+    last = worker.submit(session);
+  }
+  ASSERT_TRUE(desk.wait([&] { return !desk.done.empty() && desk.done.back().ticket == last; }));
+  EXPECT_EQ(desk.done.size() + desk.cancelled.size(), std::size_t(count)) << "each is answered once";
+  std::vector<Outcome> outcomes;
+  Evaluator evaluator;
+  ASSERT_TRUE(evaluator.run(session, {}, outcomes));
+  EXPECT_EQ(desk.done.back().digest, digestOf(outcomes.back().mesh));
+}
+
+TEST(Worker, CancelStopsWhatRunsAndTheNextRunIsWhole)
+{
+  Desk desk;
+  Worker worker(desk.listener());
+  const std::uint64_t ticket = worker.submit(dogSession());
+  ASSERT_TRUE(desk.wait([&] { return !desk.stages.empty(); }));
+  worker.cancel();
+  ASSERT_TRUE(desk.wait([&] { return !desk.cancelled.empty() || !desk.done.empty(); }));
+  ASSERT_EQ(desk.cancelled.size(), 1u);
+  EXPECT_EQ(desk.cancelled[0], ticket);
+  worker.submit(dogSession());
+  ASSERT_TRUE(desk.wait([&] { return !desk.done.empty(); }));
+  std::vector<Outcome> outcomes;
+  Evaluator evaluator;
+  ASSERT_TRUE(evaluator.run(dogSession(), {}, outcomes));
+  EXPECT_EQ(desk.done[0].digest, digestOf(outcomes.back().mesh));
+}
+
+TEST(Worker, AStrokeAfterThePreparationComputesNoShapeDiameter)
+{
+  Session session = dogSession();
+  const Node second = session.nodes.back();
+  session.nodes.pop_back();
+  Evaluator evaluator;
+  std::vector<Outcome> outcomes;
+  ASSERT_TRUE(evaluator.run(session, {}, outcomes));
+  evaluator.prepare(outcomes[0].mesh, {});
+  session.nodes.push_back(second);
+  ASSERT_TRUE(evaluator.run(session, {}, outcomes));
+  EXPECT_EQ(evaluator.runs(), 2u);
+  const double prepared = evaluator.system()->GetStageTime("ShapeDiameter");
+  Evaluator cold;
+  std::vector<Outcome> same;
+  ASSERT_TRUE(cold.run(session, {}, same));
+  EXPECT_TRUE(identical(outcomes[1].mesh, same[1].mesh));
+  EXPECT_LT(prepared, 0.1 * cold.system()->GetStageTime("ShapeDiameter"));
+}
+
+TEST(Worker, EndsAtOnceInTheMiddleOfARun)
+{
+  for (int i = 0; i < 5; ++i)
+  {
+    Desk desk;
+    {
+      Worker worker(desk.listener());
+      worker.submit(dogSession());
+      desk.wait([&] { return desk.stages.size() >= static_cast<std::size_t>(i); });
+    }
+    EXPECT_TRUE(desk.done.empty() || desk.done[0].mesh);
+  }
+}

@@ -1,0 +1,190 @@
+#include "autosave.h"
+
+#include "files.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace oversketch_session
+{
+
+using oversketch_files::Failed;
+
+namespace
+{
+
+// The lock lies beside its folder. The kernel drops it when the program ends, however it ends.
+std::string lockOf(const std::string& folder)
+{
+  return folder + ".lock";
+}
+
+// A descriptor that holds the lock, or -1.
+int takeLock(const std::string& folder)
+{
+  const int file = ::open(lockOf(folder).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) != 0)
+  {
+    ::close(file);
+    return -1;
+  }
+  return file;
+}
+
+void removeAll(const std::string& folder)
+{
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+  fs::remove(lockOf(folder), ignored);
+}
+
+} // namespace
+
+std::string autosaveRoot()
+{
+  const char* state = std::getenv("XDG_STATE_HOME");
+  const char* home = std::getenv("HOME");
+  const fs::path base = state && *state ? fs::path(state) : fs::path(home ? home : ".") / ".local" / "state";
+  return (base / "oversketch" / "autosave").string();
+}
+
+Autosave::Autosave(const std::string& root)
+{
+  std::error_code error;
+  fs::create_directories(root, error);
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  this->folder_ = (fs::path(root) / (std::to_string(now) + "-" + std::to_string(::getpid()))).string();
+  this->lock_ = error ? -1 : takeLock(this->folder_);
+  if (this->lock_ < 0)
+  {
+    throw Failed(root + ": cannot keep the session there: " +
+                 (error ? error.message() : std::string(std::strerror(errno))));
+  }
+  this->thread_ = std::thread([this] { this->work(); });
+}
+
+Autosave::~Autosave()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    this->stop_ = true;
+  }
+  this->wake_.notify_one();
+  this->thread_.join();
+  std::error_code ignored;
+  if (!fs::exists(this->folder_, ignored))
+  {
+    fs::remove(lockOf(this->folder_), ignored);
+  }
+  ::close(this->lock_);
+}
+
+void Autosave::keep(SessionFile file)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    this->next_ = std::move(file);
+  }
+  this->wake_.notify_one();
+}
+
+std::string Autosave::wait()
+{
+  std::unique_lock<std::mutex> lock(this->mutex_);
+  this->idle_.wait(lock, [this] { return !this->next_ && !this->writing_; });
+  return this->failure_;
+}
+
+void Autosave::discard()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    this->next_.reset();
+  }
+  this->wait();
+  std::error_code ignored;
+  fs::remove_all(this->folder_, ignored);
+}
+
+void Autosave::work()
+{
+  std::unique_lock<std::mutex> lock(this->mutex_);
+  for (;;)
+  {
+    this->wake_.wait(lock, [this] { return this->stop_ || this->next_; });
+    if (!this->next_)
+    {
+      return;
+    }
+    const SessionFile file = std::move(*this->next_);
+    this->next_.reset();
+    this->writing_ = true;
+    lock.unlock();
+    std::string failure;
+    try
+    {
+      writeFolder(this->folder_, this->encoder_.encode(file), sessionEntry);
+    }
+    catch (const std::exception& error)
+    {
+      failure = error.what();
+    }
+    lock.lock();
+    this->failure_ = failure;
+    this->writing_ = false;
+    this->idle_.notify_all();
+  }
+}
+
+std::vector<LeftBehind> leftBehind(const std::string& root)
+{
+  // By their locks, which are there first.
+  std::vector<std::string> folders;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root, error))
+  {
+    if (entry.path().extension() == ".lock")
+    {
+      folders.push_back(fs::path(entry.path()).replace_extension().string());
+    }
+  }
+  std::sort(folders.rbegin(), folders.rend()); // their names begin with the time
+  std::vector<LeftBehind> found;
+  for (const std::string& folder : folders)
+  {
+    const int lock = takeLock(folder);
+    if (lock < 0)
+    {
+      continue;
+    }
+    try
+    {
+      const SessionFile file = readSession(folder);
+      found.push_back({ folder, file.session.meshName, file.session.nodes.size() });
+    }
+    catch (const Failed&)
+    {
+      // It ended before its first session was whole: there is nothing to give back.
+      removeAll(folder);
+    }
+    ::close(lock);
+  }
+  return found;
+}
+
+void removeLeftBehind(const LeftBehind& left)
+{
+  removeAll(left.folder);
+}
+
+} // namespace oversketch_session

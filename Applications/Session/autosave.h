@@ -1,0 +1,72 @@
+// Keeps the session on the disk while a person works, so that a crash or a power cut loses at most the stroke
+// being drawn.
+#ifndef oversketch_autosave_h
+#define oversketch_autosave_h
+
+#include "session_file.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace oversketch_session
+{
+
+// Where autosaves go: $XDG_STATE_HOME/oversketch/autosave, else ~/.local/state/oversketch/autosave.
+std::string autosaveRoot();
+
+// One running program's autosave: a folder of the session format under a root, locked while the program
+// lives.
+class Autosave
+{
+public:
+  // Makes the folder and locks it. Throws Failed.
+  explicit Autosave(const std::string& root);
+  // Waits for what is being written. The folder stays, to be found by the next program, unless discard was
+  // called.
+  ~Autosave();
+  Autosave(const Autosave&) = delete;
+  Autosave& operator=(const Autosave&) = delete;
+
+  // Returns at once; a thread writes, and of several sessions in a row perhaps only the newest. Data of the
+  // session must not be changed afterwards.
+  void keep(SessionFile file);
+  // Waits until the newest is on the disk. Returns why it is not, or an empty string.
+  std::string wait();
+  // The work is saved elsewhere or given up: removes the folder.
+  void discard();
+  const std::string& folder() const { return this->folder_; }
+
+private:
+  void work();
+
+  std::string folder_;
+  int lock_ = -1;
+  std::mutex mutex_;
+  std::condition_variable wake_, idle_;
+  std::optional<SessionFile> next_;
+  bool writing_ = false, stop_ = false;
+  std::string failure_;
+  Encoder encoder_;
+  std::thread thread_;
+};
+
+// A session that a program left behind when it ended without saving or discarding it.
+struct LeftBehind
+{
+  std::string folder;
+  std::string meshName;
+  std::size_t strokes = 0;
+};
+
+// Those under the root that no living program holds and that can be read, the newest first. Removes what a
+// program left before its first session was whole.
+std::vector<LeftBehind> leftBehind(const std::string& root);
+// Opened or not wanted: removes it.
+void removeLeftBehind(const LeftBehind& left);
+
+} // namespace oversketch_session
+#endif
