@@ -12,14 +12,9 @@ namespace oversketch
 namespace
 {
 
-constexpr int panelColumns = 96; // columns eliminated at a time: their strips of 24 rows stay in the caches
-constexpr int panelRows = 192;   // rows that a thread takes, a multiple of 24
-
-// Rows of a child that stay together in its parent's panel, in entries of the padded panels.
-struct Run
-{
-  int from, to, count;
-};
+constexpr int stripRows = 24;    // of the strips that `pack` makes
+constexpr int panelColumns = 96; // eliminated at a time, in whole strips: a strip of them stays in the caches
+constexpr int solvedStrips = 8;  // that are solved together
 
 std::vector<Run> runsOf(const Supernode& child, const Supernode& parent, int block)
 {
@@ -58,26 +53,6 @@ inline void copyColumn(const double* from, int block, double* to)
   }
 }
 
-// One row of the right-hand sides, from side by side to one after the other (`step` apart), and back.
-inline void scatter(const double* from, double* to, std::size_t step, int sides)
-{
-  to[0] = from[0];
-  if (sides == 3)
-  {
-    to[step] = from[1];
-    to[2 * step] = from[2];
-  }
-}
-inline void collect(const double* from, std::size_t step, int sides, double* to)
-{
-  to[0] = from[0];
-  if (sides == 3)
-  {
-    to[1] = from[step];
-    to[2] = from[2 * step];
-  }
-}
-
 // About the number of multiplications.
 double workOf(const Supernode& node)
 {
@@ -86,6 +61,57 @@ double workOf(const Supernode& node)
 }
 
 } // namespace
+
+// The strips that a supernode's solved rows are packed in: first those of its own rows, then the others'.
+struct Cholesky::Strips
+{
+  Strips(const PanelShape& panel, double* memory)
+    : shape(panel)
+    , own(roundedUp(panel.own, stripRows) / stripRows)
+    , all(own + roundedUp(panel.others, stripRows) / stripRows)
+    , packed(memory)
+  {
+  }
+  std::size_t size() const { return static_cast<std::size_t>(this->all) * stripRows * this->shape.columns; }
+  int first(int p) const
+  {
+    return p < this->own ? p * stripRows : this->shape.own + (p - this->own) * stripRows;
+  }
+  int last(int p) const
+  {
+    return std::min(this->first(p) + stripRows, p < this->own ? this->shape.own : this->shape.height);
+  }
+  // Columns done .. done + count - 1 of strip p.
+  double* at(int p, int done, int count) const
+  {
+    return this->packed +
+           (static_cast<std::size_t>(this->all) * done + static_cast<std::size_t>(p) * count) * stripRows;
+  }
+
+  // Takes strip p times strip q, transposed, over the columns done .. done + count - 1 from c, column
+  // `column` of it at c + column ldc; above the diagonal nothing.
+  void take(int p, int q, int done, int count, double* c, int ldc, int columns, bool fresh) const
+  {
+    const DenseKernels& dense = denseKernels();
+    const int rows = this->last(p) - this->first(p);
+    for (int column = 0; column < columns; column += 8)
+    {
+      const int row = p == q ? column : 0;
+      dense.multiply(c + row + static_cast<std::size_t>(column) * ldc,
+        ldc,
+        this->at(p, done, count) + row,
+        this->at(q, done, count) + column,
+        count,
+        rows - row,
+        std::min(8, columns - column),
+        fresh);
+    }
+  }
+
+  const PanelShape shape;
+  const int own, all; // number
+  double* const packed;
+};
 
 Cholesky::Cholesky(std::shared_ptr<const Elimination> elimination, std::shared_ptr<FactorMemory> memory)
   : elimination_(std::move(elimination))
@@ -98,6 +124,7 @@ void Cholesky::placePanels()
   this->panelPlaces_.clear();
   this->vectorPlaces_.clear();
   std::size_t panels = 0, vectors = 0;
+  this->stripsSize_ = 0;
   for (const Supernode& node : this->elimination_->supernodes)
   {
     const PanelShape shape(node, this->block_);
@@ -105,9 +132,11 @@ void Cholesky::placePanels()
     this->vectorPlaces_.push_back(vectors);
     panels += shape.size();
     vectors += static_cast<std::size_t>(shape.others);
+    this->stripsSize_ = std::max(this->stripsSize_, Strips(shape, nullptr).size());
   }
   this->vectorPlaces_.push_back(vectors);
   this->memory_->panels.reserve(panels); // cleared panel by panel, on the thread that works on it
+  this->runs_.resize(this->elimination_->supernodes.size());
   this->smallest_.resize(static_cast<std::size_t>(this->elimination_->nodeCount()) * this->block_);
 }
 
@@ -173,8 +202,12 @@ double* Cholesky::updateOf(int s, const Memory& stacks) const
   return (shared ? this->memory_->updates : stacks).data() + this->updatePlaces_[s];
 }
 
-// Clears the panel and puts the matrix's entries there. place is scratch.
-void Cholesky::assemble(int s, const BlockMatrix& matrix, std::vector<int>& place)
+// Makes the panel: the matrix's entries and what the children handed on. place is scratch.
+void Cholesky::assemble(int s,
+  const BlockMatrix& matrix,
+  const Memory& stacks,
+  std::vector<int>& place,
+  const Context& context)
 {
   const Elimination& elimination = *this->elimination_;
   const Supernode& node = elimination.supernodes[s];
@@ -182,7 +215,6 @@ void Cholesky::assemble(int s, const BlockMatrix& matrix, std::vector<int>& plac
   const PanelShape shape = this->shapeOf(s);
   const std::size_t ld = static_cast<std::size_t>(shape.height);
   double* panel = this->memory_->panels.data() + this->panelPlaces_[s];
-  std::fill_n(panel, shape.size(), 0.0);
   for (int i = 0; i < node.columns; ++i)
   {
     place[node.first + i] = i * b;
@@ -191,82 +223,92 @@ void Cholesky::assemble(int s, const BlockMatrix& matrix, std::vector<int>& plac
   {
     place[node.rows[i]] = shape.own + i * b;
   }
-  double* smallest = this->smallest_.data() + static_cast<std::size_t>(node.first) * b;
-  for (int i = 0; i < node.columns; ++i)
+  for (const int child : node.children)
   {
-    const int v = elimination.inverse[node.first + i];
-    double* columns = panel + ld * i * b;
-    for (int k = matrix.pattern.offsets[v]; k < matrix.pattern.offsets[v + 1]; ++k)
+    if (child >= 0)
     {
-      const int row = elimination.order[matrix.pattern.values[k]];
-      if (row >= node.first + i)
-      {
-        const double* value = matrix.values.data() + static_cast<std::size_t>(k) * b * b;
-        for (int c = 0; c < b; ++c)
-        {
-          copyColumn(value + c * b, b, columns + ld * c + place[row]);
-        }
-      }
-    }
-    for (int c = 0; c < b; ++c)
-    {
-      smallest[i * b + c] = 1e-12 * columns[ld * c + i * b + c];
+      this->runs_[child] = runsOf(elimination.supernodes[child], node, b);
     }
   }
+  double* smallest = this->smallest_.data() + static_cast<std::size_t>(node.first) * b;
+  context.parallelFor(node.columns,
+    [&](int begin, int end)
+    {
+      std::fill_n(panel + ld * begin * b, ld * (end - begin) * b, 0.0);
+      for (int i = begin; i < end; ++i)
+      {
+        const int v = elimination.inverse[node.first + i];
+        double* columns = panel + ld * i * b;
+        for (int k = matrix.pattern.offsets[v]; k < matrix.pattern.offsets[v + 1]; ++k)
+        {
+          const int row = elimination.order[matrix.pattern.values[k]];
+          if (row >= node.first + i)
+          {
+            const double* value = matrix.values.data() + static_cast<std::size_t>(k) * b * b;
+            for (int c = 0; c < b; ++c)
+            {
+              copyColumn(value + c * b, b, columns + ld * c + place[row]);
+            }
+          }
+        }
+        for (int c = 0; c < b; ++c)
+        {
+          smallest[i * b + c] = 1e-12 * columns[ld * c + i * b + c];
+        }
+      }
+      this->gather(s, begin, end, panel, shape.height, stacks);
+    });
 }
 
-// Adds what the children handed on to the panel, or to what the supernode hands on itself.
-void Cholesky::gather(int s, bool toPanel, const Memory& stacks, const Context& context)
+// Adds what the children handed on for the columns begin .. end - 1 of the supernode, in nodes, its own and
+// the others' after them, to `into`: it has the leading dimension ld and begins at the first of its own
+// nodes, or for the others at the first of these.
+void Cholesky::gather(int s, int begin, int end, double* into, int ld, const Memory& stacks) const
 {
   const Supernode& node = this->elimination_->supernodes[s];
-  const PanelShape shape = this->shapeOf(s);
-  double* into = toPanel ? this->memory_->panels.data() + this->panelPlaces_[s] : this->updateOf(s, stacks);
-  const int step = toPanel ? shape.height : shape.others;
-  const int skipped = toPanel ? 0 : shape.own; // rows of the panel's numbering above the first of `into`
+  const int b = this->block_;
+  const bool own = begin < node.columns;
+  const int skipped = own ? 0 : this->shapeOf(s).own;
   for (const int child : node.children)
   {
     if (child < 0)
     {
       continue;
     }
-    const std::vector<Run> runs = runsOf(this->elimination_->supernodes[child], node, this->block_);
-    const std::size_t height = static_cast<std::size_t>(this->shapeOf(child).others);
+    const Supernode& from = this->elimination_->supernodes[child];
+    const std::vector<Run>& runs = this->runs_[child];
+    const int height = this->shapeOf(child).others;
     const double* values = this->updateOf(child, stacks);
-    const auto second =
-      std::find_if(runs.begin(), runs.end(), [&](const Run& run) { return run.to >= shape.own; });
-    const auto first = toPanel ? runs.begin() : second, last = toPanel ? second : runs.end();
-    context.parallelFor(static_cast<int>(last - first),
-      [&](int begin, int end)
+    const auto position = [&](int place)
+    {
+      return static_cast<int>(
+        std::lower_bound(from.toParent.begin(), from.toParent.end(), place) - from.toParent.begin());
+    };
+    const int last = position(end) * b;
+    auto run = runs.begin();
+    for (int column = position(begin) * b; column < last; ++column)
+    {
+      while (run->from + run->count <= column)
       {
-        for (auto columns = first + begin; columns != first + end; ++columns)
-        {
-          double* to = into + static_cast<std::size_t>(columns->to - skipped) * step;
-          const double* from = values + static_cast<std::size_t>(columns->from) * height;
-          for (int j = 0; j < columns->count; ++j, to += step, from += height)
-          {
-            for (int i = j; i < columns->count; ++i)
-            {
-              to[columns->to - skipped + i] += from[columns->from + i];
-            }
-            for (auto run = columns + 1; run != runs.end(); ++run)
-            {
-              for (int i = 0; i < run->count; ++i)
-              {
-                to[run->to - skipped + i] += from[run->from + i];
-              }
-            }
-          }
-        }
-      });
+        ++run;
+      }
+      const int to = run->to + (column - run->from) - skipped;
+      denseKernels().add(&*run,
+        &*runs.begin() + runs.size(),
+        column - run->from,
+        values + static_cast<std::size_t>(column) * height,
+        into + static_cast<std::size_t>(to) * ld - skipped);
+    }
   }
 }
 
-// Factors the panel, some columns at a time, and makes what is handed on.
-bool Cholesky::eliminate(int s, const Memory& stacks, std::vector<double>& packed, const Context& context)
+// Factors the panel, some columns at a time, and makes what is handed on. Each column takes what the ones
+// before it leave for it when its turn comes, so that it is read and written once.
+bool Cholesky::eliminate(int s, const Memory& stacks, double* packed, const Context& context)
 {
   const DenseKernels& dense = denseKernels();
   const PanelShape shape = this->shapeOf(s);
-  this->gather(s, true, stacks, context);
+  const Strips strips(shape, packed);
   double* panel = this->memory_->panels.data() + this->panelPlaces_[s];
   const double* smallest =
     this->smallest_.data() + static_cast<std::size_t>(this->elimination_->supernodes[s].first) * this->block_;
@@ -274,76 +316,99 @@ bool Cholesky::eliminate(int s, const Memory& stacks, std::vector<double>& packe
   for (int done = 0; done < shape.columns; done += panelColumns)
   {
     const int count = std::min(panelColumns, shape.columns - done);
+    const int top = done / stripRows;
+    context.parallelFor(done > 0 ? strips.all - top : 0,
+      [&](int begin, int end)
+      {
+        for (int p = top + begin; p < top + end; ++p)
+        {
+          for (int before = 0; before < done; before += panelColumns)
+          {
+            for (int q = top; q <= p && q * stripRows < done + count; ++q)
+            {
+              strips.take(p,
+                q,
+                before,
+                panelColumns,
+                panel + strips.first(p) + q * stripRows * ld,
+                shape.height,
+                std::min(stripRows, done + count - q * stripRows),
+                false);
+            }
+          }
+        }
+      });
     double* corner = panel + done + done * ld;
     if (context.cancelled() || !dense.factor(corner, shape.height, count, smallest + done))
     {
       return false;
     }
-    const int start = done + count < shape.columns ? done + count : shape.own;
-    const int below = shape.height - start;
-    packed.resize(std::max(packed.size(), static_cast<std::size_t>(roundedUp(below, 24)) * count));
-    context.parallelFor(roundedUp(below, panelRows) / panelRows,
+    const int start = done + count < shape.columns ? top + count / stripRows : strips.own;
+    context.parallelFor(strips.all - start,
       [&](int begin, int end)
       {
-        for (int first = begin * panelRows; first < std::min(end * panelRows, below); first += panelRows)
+        for (int p = start + begin; p < start + end;)
         {
-          const int rows = std::min(panelRows, below - first);
-          double* x = panel + start + first + done * ld;
+          const int next =
+            std::min({ p + solvedStrips, start + end, p < strips.own ? strips.own : strips.all });
+          const int rows = strips.last(next - 1) - strips.first(p);
+          double* x = panel + strips.first(p) + done * ld;
           dense.solveRows(corner, x, shape.height, rows, count);
-          pack(x, shape.height, rows, count, packed.data() + static_cast<std::size_t>(first) * count);
+          pack(x, shape.height, rows, count, strips.at(p, done, count));
+          p = next;
         }
       });
-    this->eliminateFrom(s, done, count, stacks, packed, context);
   }
-  if (shape.columns == 0)
-  {
-    std::fill_n(this->updateOf(s, stacks), static_cast<std::size_t>(shape.others) * shape.rows, 0.0);
-  }
-  this->gather(s, false, stacks, context);
+  this->handOn(s, strips, stacks, context);
+  const Supernode& node = this->elimination_->supernodes[s];
+  context.parallelFor(static_cast<int>(node.rows.size()),
+    [&](int begin, int end)
+    {
+      this->gather(
+        s, node.columns + begin, node.columns + end, this->updateOf(s, stacks), shape.others, stacks);
+    });
   return true;
 }
 
-// Takes the square of `count` columns, packed from row `start` on, from the columns from `start` on and from
-// what is handed on.
-void Cholesky::eliminateFrom(int s,
-  int done,
-  int count,
-  const Memory& stacks,
-  const std::vector<double>& packed,
-  const Context& context)
+// Makes what the supernode itself leaves of the matrix for the others, by square blocks that fit the caches.
+void Cholesky::handOn(int s, const Strips& strips, const Memory& stacks, const Context& context)
 {
-  const DenseKernels& dense = denseKernels();
-  const PanelShape shape = this->shapeOf(s);
-  double* panel = this->memory_->panels.data() + this->panelPlaces_[s];
+  const PanelShape& shape = strips.shape;
   double* update = this->updateOf(s, stacks);
-  const int start = done + count < shape.columns ? done + count : shape.own;
-  const int below = shape.height - start;
-  const int own = shape.own - start; // rows, and padded columns, that the panel has from there on
-  const std::size_t strip = static_cast<std::size_t>(24) * count;
-  context.parallelFor(roundedUp(below, 24) / 24,
+  if (shape.columns == 0)
+  {
+    std::fill_n(update, static_cast<std::size_t>(shape.others) * shape.rows, 0.0);
+    return;
+  }
+  const int count = strips.all - strips.own;
+  const int side = count < 32 ? 4 : 8; // strips of a block
+  const int blocks = (count + side - 1) / side;
+  context.parallelFor(blocks * (blocks + 1) / 2,
     [&](int begin, int end)
     {
-      for (int p = begin; p < end; ++p)
+      for (int task = begin; task < end && !context.cancelled(); ++task)
       {
-        const int last = std::min(24 * p + 24, below);
-        for (int column = 0; column < last; column += 8)
+        int row = 0, column = task; // of the block
+        while (column > row)
         {
-          const int row = std::max(24 * p, column);
-          const double* a = packed.data() + p * strip + (row - 24 * p);
-          const double* b = packed.data() + column / 24 * strip + column % 24;
-          double* c = column < own
-                        ? panel + (start + row) + static_cast<std::size_t>(start + column) * shape.height
-                        : update + (row - own) + static_cast<std::size_t>(column - own) * shape.others;
-          const int columns = column < own ? shape.columns - start - column : shape.rows - (column - own);
-          const bool fresh = column >= own && done == 0;
-          dense.multiply(c,
-            column < own ? shape.height : shape.others,
-            a,
-            b,
-            count,
-            last - row,
-            std::min(8, columns),
-            fresh);
+          column -= ++row;
+        }
+        for (int done = 0; done < shape.columns; done += panelColumns)
+        {
+          for (int p = row * side; p < std::min(row * side + side, count); ++p)
+          {
+            for (int q = column * side; q <= std::min(column * side + side - 1, p); ++q)
+            {
+              strips.take(strips.own + p,
+                strips.own + q,
+                done,
+                std::min(panelColumns, shape.columns - done),
+                update + p * stripRows + static_cast<std::size_t>(q) * stripRows * shape.others,
+                shape.others,
+                std::min(stripRows, shape.rows - q * stripRows),
+                done == 0);
+            }
+          }
         }
       }
     });
@@ -366,12 +431,12 @@ bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
     {
       const auto stacks = this->memory_->stacks.take(this->stackSize_);
       std::vector<int> place(elimination.order.size());
-      std::vector<double> packed;
+      const auto strips = this->memory_->strips.take(this->stripsSize_);
       const auto [first, last] = elimination.subtrees[subtree];
       for (int s = first; s <= last && good && !context.cancelled(); ++s)
       {
-        this->assemble(s, matrix, place);
-        if (!this->eliminate(s, *stacks, packed, serial))
+        this->assemble(s, matrix, *stacks, place, serial);
+        if (!this->eliminate(s, *stacks, strips->data(), serial))
         {
           good = false;
         }
@@ -384,167 +449,22 @@ bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
     done += node.subtree < 0 ? 0.0 : workOf(node);
   }
   std::vector<int> place(elimination.order.size());
-  std::vector<double> packed;
+  const auto strips = this->memory_->strips.take(this->stripsSize_);
   for (int s = 0; s < static_cast<int>(elimination.supernodes.size()) && good; ++s)
   {
     if (elimination.supernodes[s].subtree < 0)
     {
       context.checkpoint(done / total);
       done += workOf(elimination.supernodes[s]);
-      this->assemble(s, matrix, place);
-      good = this->eliminate(s, this->memory_->updates, packed, context);
+      // What is done sooner than another thread is woken stays on this one.
+      const Context& worth =
+        workOf(elimination.supernodes[s]) * std::pow(this->block_, 3) > 4e6 ? context : serial;
+      this->assemble(s, matrix, this->memory_->updates, place, worth);
+      good = this->eliminate(s, this->memory_->updates, strips->data(), worth);
     }
   }
   context.checkpoint(good ? 1.0 : done / total);
   return good;
-}
-
-// Solves for the supernode's own unknowns and hands on what the others get from them.
-void Cholesky::forward(int s, int sides, std::vector<double>& local)
-{
-  const Elimination& elimination = *this->elimination_;
-  const Supernode& node = elimination.supernodes[s];
-  const int b = this->block_;
-  const PanelShape shape = this->shapeOf(s);
-  const std::size_t height = static_cast<std::size_t>(shape.height);
-  local.assign(height * sides, 0.0);
-  double* own = this->solution_.data() + static_cast<std::size_t>(node.first) * b * sides;
-  for (int i = 0; i < shape.columns; ++i)
-  {
-    scatter(own + i * sides, local.data() + i, height, sides);
-  }
-  for (const int child : node.children)
-  {
-    if (child < 0)
-    {
-      continue;
-    }
-    const int rows = this->shapeOf(child).others;
-    const double* from = this->vectors_.data() + this->vectorPlaces_[child] * sides;
-    for (const Run& run : runsOf(elimination.supernodes[child], node, b))
-    {
-      for (int side = 0; side < sides; ++side)
-      {
-        const double* in = from + side * rows + run.from;
-        double* out = local.data() + side * height + run.to;
-        for (int i = 0; i < run.count; ++i)
-        {
-          out[i] += in[i];
-        }
-      }
-    }
-  }
-  denseKernels().forward(
-    this->memory_->panels.data() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
-  for (int i = 0; i < shape.columns; ++i)
-  {
-    collect(local.data() + i, height, sides, own + i * sides);
-  }
-  double* handed = this->vectors_.data() + this->vectorPlaces_[s] * sides;
-  for (int side = 0; side < sides; ++side)
-  {
-    std::copy_n(local.data() + side * height + shape.own, shape.others, handed + side * shape.others);
-  }
-}
-
-// Solves for the supernode's own unknowns from those after them.
-void Cholesky::backward(int s, int sides, std::vector<double>& local)
-{
-  const Supernode& node = this->elimination_->supernodes[s];
-  const int b = this->block_;
-  const PanelShape shape = this->shapeOf(s);
-  const std::size_t height = static_cast<std::size_t>(shape.height);
-  local.assign(height * sides, 0.0);
-  double* own = this->solution_.data() + static_cast<std::size_t>(node.first) * b * sides;
-  for (int i = 0; i < shape.columns; ++i)
-  {
-    scatter(own + i * sides, local.data() + i, height, sides);
-  }
-  double* to = local.data() + shape.own;
-  for (const int row : node.rows)
-  {
-    const double* from = this->solution_.data() + static_cast<std::size_t>(row) * b * sides;
-    for (int k = 0; k < b; ++k, ++to)
-    {
-      scatter(from + k * sides, to, height, sides);
-    }
-  }
-  denseKernels().backward(
-    this->memory_->panels.data() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
-  for (int i = 0; i < shape.columns; ++i)
-  {
-    collect(local.data() + i, height, sides, own + i * sides);
-  }
-}
-
-void Cholesky::sweep(const std::vector<int>& level, Step step, int sides, const Context& context)
-{
-  context.parallelFor(static_cast<int>(level.size()),
-    [&](int begin, int end)
-    {
-      std::vector<double> local;
-      for (int i = begin; i < end; ++i)
-      {
-        (this->*step)(level[i], sides, local);
-      }
-    });
-}
-
-void Cholesky::solve(Eigen::MatrixXd& rightSide, const Context& context)
-{
-  const Elimination& elimination = *this->elimination_;
-  const int b = this->block_;
-  const std::size_t all = this->smallest_.size();
-  for (Eigen::Index solved = 0; solved < rightSide.cols();)
-  {
-    const int sides = rightSide.cols() - solved >= 3 ? 3 : 1;
-    this->solution_.resize(all * sides);
-    this->vectors_.resize(this->vectorPlaces_.back() * sides);
-    double* outer = rightSide.data() + solved * rightSide.rows();
-    // Calls move(entry outside, row inside) for each row; the sides of a row stand together inside.
-    const auto permute = [&](const auto& move)
-    {
-      context.parallelFor(elimination.nodeCount(),
-        [&](int begin, int end)
-        {
-          for (int row = begin * b; row < end * b; ++row)
-          {
-            move(outer + static_cast<std::size_t>(elimination.inverse[row / b]) * b + row % b,
-              this->solution_.data() + static_cast<std::size_t>(row) * sides);
-          }
-        });
-    };
-    permute([=](double* given, double* row) { collect(given, all, sides, row); });
-    elimination.forSubtrees(context,
-      [&](int subtree)
-      {
-        std::vector<double> local;
-        for (int s = elimination.subtrees[subtree][0]; s <= elimination.subtrees[subtree][1]; ++s)
-        {
-          this->forward(s, sides, local);
-        }
-      });
-    for (const auto& level : elimination.levels)
-    {
-      this->sweep(level, &Cholesky::forward, sides, context);
-    }
-    for (auto level = elimination.levels.rbegin(); level != elimination.levels.rend(); ++level)
-    {
-      this->sweep(*level, &Cholesky::backward, sides, context);
-    }
-    elimination.forSubtrees(context,
-      [&](int subtree)
-      {
-        std::vector<double> local;
-        for (int s = elimination.subtrees[subtree][1]; s >= elimination.subtrees[subtree][0]; --s)
-        {
-          this->backward(s, sides, local);
-        }
-      });
-    context.checkpoint(static_cast<double>(solved + sides) / static_cast<double>(rightSide.cols()));
-    permute([=](double* given, double* row) { scatter(row, given, all, sides); });
-    solved += sides;
-  }
 }
 
 } // namespace oversketch

@@ -7,6 +7,7 @@
 
 #include "Mesh/context.h"
 #include "Sparse/block_matrix.h"
+#include "Sparse/dense.h"
 #include "Sparse/elimination.h"
 #include "Sparse/memory.h"
 
@@ -38,21 +39,21 @@ public:
   void solve(Eigen::MatrixXd& rightSide, const Context& context);
 
 private:
+  struct Strips;
   using Step = void (Cholesky::*)(int s, int sides, std::vector<double>& local);
 
   PanelShape shapeOf(int s) const { return PanelShape(this->elimination_->supernodes[s], this->block_); }
   void placePanels();
   void placeUpdates();
   double* updateOf(int s, const Memory& stacks) const;
-  void assemble(int s, const BlockMatrix& matrix, std::vector<int>& place);
-  void gather(int s, bool toPanel, const Memory& stacks, const Context& context);
-  bool eliminate(int s, const Memory& stacks, std::vector<double>& packed, const Context& context);
-  void eliminateFrom(int s,
-    int done,
-    int count,
+  void assemble(int s,
+    const BlockMatrix& matrix,
     const Memory& stacks,
-    const std::vector<double>& packed,
+    std::vector<int>& place,
     const Context& context);
+  void gather(int s, int begin, int end, double* into, int ld, const Memory& stacks) const;
+  bool eliminate(int s, const Memory& stacks, double* packed, const Context& context);
+  void handOn(int s, const Strips& strips, const Memory& stacks, const Context& context);
   void forward(int s, int sides, std::vector<double>& local);
   void backward(int s, int sides, std::vector<double>& local);
   void sweep(const std::vector<int>& level, Step step, int sides, const Context& context);
@@ -62,7 +63,9 @@ private:
   // Of each supernode: where its panel begins, what it hands on in the factorisation, and what in a solve
   // with one right-hand side.
   std::vector<std::size_t> panelPlaces_, updatePlaces_, vectorPlaces_;
-  std::size_t stackSize_ = 0; // of the subtrees' updates, see placeUpdates
+  std::vector<std::vector<Run>> runs_; // of each supernode: how its rows lie in its parent's panel
+  std::size_t stackSize_ = 0;          // of the subtrees' updates, see placeUpdates
+  std::size_t stripsSize_ = 0;         // of the largest supernode's strips
   std::shared_ptr<FactorMemory> memory_;
   std::vector<double> smallest_; // pivots
   std::vector<double> solution_; // in the new order, the right-hand sides side by side

@@ -236,6 +236,28 @@ OVERSKETCH_INLINE bool factorAny(double* a, int ld, int count, const double* sma
   return true;
 }
 
+template <int W>
+OVERSKETCH_INLINE void addAny(const Run* first, const Run* last, int skipped, const double* from, double* to)
+{
+  for (const Run* run = first; run != last; ++run, skipped = 0)
+  {
+    const double* in = from + run->from;
+    double* out = to + run->to;
+    int i = skipped;
+    for (; i + W <= run->count; i += W)
+    {
+      typename Vector<W>::Type sum, more;
+      load<W>(sum, out + i);
+      load<W>(more, in + i);
+      store<W>(out + i, sum + more);
+    }
+    for (; i < run->count; ++i)
+    {
+      out[i] += in[i];
+    }
+  }
+}
+
 // x L^T and L x for the square at the corner of a strip of columns.
 template <int S>
 OVERSKETCH_INLINE void forwardCorner(const double* l, int ld, int columns, double* x)
@@ -422,6 +444,10 @@ OVERSKETCH_INLINE void backwardAny(const double* l, int height, int count, doubl
     {                                                                                                        \
       tiles<W>(c, ldc, a, 24, b, 24, depth, rows, columns, fresh);                                           \
     }                                                                                                        \
+    target static void add(const Run* first, const Run* last, int skipped, const double* from, double* to)   \
+    {                                                                                                        \
+      addAny<W>(first, last, skipped, from, to);                                                             \
+    }                                                                                                        \
     target static void forward(const double* l, int height, int count, double* x, int sides)                 \
     {                                                                                                        \
       sides == 3 ? forwardAny<W, 3>(l, height, count, x) : forwardAny<W, 1>(l, height, count, x);            \
@@ -430,7 +456,7 @@ OVERSKETCH_INLINE void backwardAny(const double* l, int height, int count, doubl
     {                                                                                                        \
       sides == 3 ? backwardAny<W, 3>(l, height, count, x) : backwardAny<W, 1>(l, height, count, x);          \
     }                                                                                                        \
-    static constexpr DenseKernels all{ factor, solveRows, multiply, forward, backward };                     \
+    static constexpr DenseKernels all{ factor, solveRows, multiply, add, forward, backward };                \
   };
 // NOLINTEND(bugprone-macro-parentheses)
 

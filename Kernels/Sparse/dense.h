@@ -19,6 +19,12 @@ inline int roundedUp(int count, int step)
   return (count + step - 1) / step * step;
 }
 
+// Numbers that stay together when they go from one column to another.
+struct Run
+{
+  int from, to, count;
+};
+
 struct DenseKernels
 {
   // Lower Cholesky factor of the count x count block at a, in place (rows up to the next multiple of 8 are
@@ -39,6 +45,9 @@ struct DenseKernels
     int rows,
     int columns,
     bool fresh);
+
+  // to[run.to ..] += from[run.from ..] for each run but the first `skipped` numbers of the first one.
+  void (*add)(const Run* first, const Run* last, int skipped, const double* from, double* to);
 
   // Solves L x = x for the first `count` rows of x and takes from the `height` - roundedUp(count, 8) others
   // what they get from it. x holds 1 or 3 right-hand sides, each `height` (= ld) long.

@@ -48,6 +48,31 @@ struct Buckets
   }
 };
 
+// Sorts a separator by its longest extent. What a piece beside it touches then stands together.
+void alongItself(std::vector<Item>& separator)
+{
+  std::array<float, 3> low, high;
+  low.fill(INFINITY);
+  high.fill(-INFINITY);
+  for (const Item& item : separator)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      low[k] = std::min(low[k], item.at[k]);
+      high[k] = std::max(high[k], item.at[k]);
+    }
+  }
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+  {
+    axis = high[k] - low[k] > high[axis] - low[axis] ? k : axis;
+  }
+  std::sort(separator.begin(),
+    separator.end(),
+    [axis](const Item& a, const Item& b)
+    { return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.node < b.node); });
+}
+
 class Dissector
 {
 public:
@@ -249,6 +274,7 @@ std::array<int, 2> Dissector::cut(int begin, int end)
                                    [&](int n) { return this->label_[n] == label + 1 - side; });
     sides[touches ? 2 : side].push_back(item);
   }
+  alongItself(sides[2]);
   for (const Item& item : sides[2])
   {
     this->label_[item.node] = -1;

@@ -4,14 +4,21 @@
 #define oversketch_memory_h
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace oversketch
 {
 
-// Room for doubles, not cleared.
+// Room for doubles, not cleared. In huge pages where the system has them: the columns of a panel lie so far
+// apart that each would need a page of its own in the processor's table.
 class Memory
 {
 public:
@@ -23,14 +30,30 @@ public:
       this->data_.reset();
       this->room_ = 0;
       const std::size_t room = count + count / 4; // what is never touched takes no memory
-      this->data_.reset(new double[room]);
+      const std::size_t size = (room * sizeof(double) + hugePage - 1) / hugePage * hugePage;
+      this->data_.reset(static_cast<double*>(std::aligned_alloc(hugePage, size)));
+      if (!this->data_)
+      {
+        throw std::bad_alloc();
+      }
+#if defined(__linux__)
+      madvise(this->data_.get(), size, MADV_HUGEPAGE); // where refused it is only slower
+#endif
       this->room_ = room;
     }
   }
-  double* data() const { return this->data_.get(); }
+  double* data() const
+  {
+    return this->data_.get();
+  }
 
 private:
-  std::unique_ptr<double[]> data_;
+  static constexpr std::size_t hugePage = std::size_t(1) << 21; // bytes
+  struct Free
+  {
+    void operator()(double* data) const { std::free(data); }
+  };
+  std::unique_ptr<double, Free> data_;
   std::size_t room_ = 0;
 };
 
@@ -76,7 +99,7 @@ private:
 struct FactorMemory
 {
   Memory panels, updates;
-  MemoryPool stacks;
+  MemoryPool stacks, strips;
 };
 
 } // namespace oversketch
