@@ -32,6 +32,7 @@ struct vtkOversketchShapeDiameter::Cache
   Parameters Values{};
   std::shared_ptr<const MeshData> Mesh; // kept for the steps that follow on the same mesh
   vtkSmartPointer<vtkDoubleArray> Array;
+  KnownDiameters Known;
 };
 
 vtkStandardNewMacro(vtkOversketchShapeDiameter);
@@ -71,14 +72,20 @@ int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
         options.inverseAngleWeights = this->InverseAngleWeights;
         options.backend = static_cast<oversketch::Backend>(this->Backend);
         ++this->RayCastCount;
-        const ShapeDiameter result = computeShapeDiameter(
-          cache.Mesh->Surface, cache.Mesh->Neighbours, cache.Mesh->Normals, options, ContextOf(this));
+        const ShapeDiameter result = computeShapeDiameter(cache.Mesh->Surface,
+          cache.Mesh->Neighbours,
+          cache.Mesh->Normals,
+          options,
+          ContextOf(this),
+          nullptr,
+          &cache.Known);
         if (!result.warning.empty())
         {
           vtkWarningMacro(<< result.warning);
         }
         this->BackendUsed = static_cast<int>(result.used);
         this->TracedRayCount = static_cast<vtkIdType>(result.raysTraced);
+        this->NewRayCount = static_cast<vtkIdType>(result.raysCast);
         auto array = vtkSmartPointer<vtkDoubleArray>::New();
         array->SetName("ShapeDiameter");
         array->SetNumberOfTuples(input->GetNumberOfPoints());
@@ -101,5 +108,6 @@ void vtkOversketchShapeDiameter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Backend: " << this->Backend << "\n"
      << indent << "BackendUsed: " << this->BackendUsed << "\n"
      << indent << "RayCastCount: " << this->RayCastCount << "\n"
-     << indent << "TracedRayCount: " << this->TracedRayCount << "\n";
+     << indent << "TracedRayCount: " << this->TracedRayCount << "\n"
+     << indent << "NewRayCount: " << this->NewRayCount << "\n";
 }

@@ -26,7 +26,11 @@
  * their lengths agree to 1e-4, usually to the last bits, as lengths are refined in double precision.
  *
  * Cost: RayCount rays per vertex, about 5 million rays a second on two cores. The array is kept, as the same
- * object, while points, polygons, point normals and parameters stand.
+ * object, while points, polygons, point normals and parameters stand. Of another mesh only those vertices are
+ * cast anew that the mesh before it did not have with the same normal, and those whose cone meets a facet
+ * that only one of the two has, whatever their numbers; the result is as if all were. All are where the mesh
+ * grows out of its frame, a cube whose size is a power of two about a round place. Memory kept for it: 43
+ * bytes a triangle and one a ray, 59 a triangle with 32 rays a vertex.
  *
  * @sa vtkOversketchMixtureRegion
  */
@@ -104,9 +108,14 @@ public:
   vtkGetMacro(RayCastCount, vtkIdType);
 
   /**
-   * Rays traced for the present result: RayCount for each vertex that has a normal.
+   * Rays that the present result rests on: RayCount for each vertex that has a normal.
    */
   vtkGetMacro(TracedRayCount, vtkIdType);
+
+  /**
+   * Those of them that were cast for the present mesh and not for one before it.
+   */
+  vtkGetMacro(NewRayCount, vtkIdType);
 
 protected:
   vtkOversketchShapeDiameter();
@@ -125,6 +134,7 @@ private:
   int BackendUsed = BACKEND_AUTO;
   vtkIdType RayCastCount = 0;
   vtkIdType TracedRayCount = 0;
+  vtkIdType NewRayCount = 0;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

@@ -34,6 +34,21 @@ int leavesThrough(global const float4* facet, const float* d, int place)
     as_int(b.y) != place;
 }
 
+// As in ray_caster.h.
+int comesBefore(global const float4* facets, int a, int b)
+{
+  global const ulong* first = (global const ulong*)(facets + 4 * a) + 3;
+  global const ulong* second = (global const ulong*)(facets + 4 * b) + 3;
+  for (int k = 0; k < 4; ++k)
+  {
+    if (first[k] != second[k])
+    {
+      return first[k] < second[k];
+    }
+  }
+  return a < b;
+}
+
 // One step of a sorting network: each lane with its partner, the lanes of `lower` get the greater.
 int8 step8(int8 x, int8 partner, int8 lower)
 {
@@ -164,23 +179,25 @@ kernel void cast_rays(global const float8* nodes, global const float8* packs, gl
         const int8 sure = area < -doubt;
         const int8 ids = as_int8(pack[9]);
         distance = leastOf(select((float8)(MAXFLOAT), distance8, found));
-        while (distance < MAXFLOAT)
+        while (distance < MAXFLOAT & distance <= best)
         {
-          // The nearest; of several the one with the lowest id.
+          // The nearest; of several one after the other.
           const int8 chosen = found & (distance8 == distance);
           const int id = least(select((int8)(INT_MAX), ids, chosen));
-          if (distance == best && id > bestTriangle)
-          {
-            break;
-          }
           const int settled = least(select((int8)(0), sure, chosen & (ids == id)));
+          found &= ids != id;
           if (settled || leavesThrough(facets + 4 * id, d, place))
           {
-            best = distance;
-            bestTriangle = id;
-            break;
+            if (distance < best || comesBefore(facets, id, bestTriangle))
+            {
+              best = distance;
+              bestTriangle = id;
+            }
+            if (!any(found & (distance8 == distance)))
+            {
+              break;
+            }
           }
-          found &= ids != id;
           distance = leastOf(select((float8)(MAXFLOAT), distance8, found));
         }
       }

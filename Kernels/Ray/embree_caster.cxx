@@ -31,32 +31,42 @@ struct Query
   const RayFacet* facets = nullptr; // null: any hit will do
   std::array<float, 3> direction;
   int place;
+  bool keepsOn; // hits do not shorten the ray
+  bool tied;    // any hit: the last two were equally near
   RayHit best;
 };
 
 // Embree offers every hit not farther than the nearest one accepted so far, in an order that depends on its
-// tree. Keeping the lowest id among equals makes the answer independent of that.
+// tree. Choosing among equals makes the answer independent of that.
 void keepNearestExit(const RTCFilterFunctionNArguments* arguments)
 {
   Query& query = *reinterpret_cast<Query*>(arguments->context);
+  const float distance = RTCRayN_tfar(arguments->ray, arguments->N, 0);
   if (!query.facets)
   {
+    query.tied = distance == query.best.distance;
+    query.best.distance = distance;
     return;
   }
   const int triangle = static_cast<int>(RTCHitN_primID(arguments->hit, arguments->N, 0));
-  const float distance = RTCRayN_tfar(arguments->ray, arguments->N, 0);
   if (!leavesThrough(query.facets[triangle], query.place, query.direction, distance))
   {
     arguments->valid[0] = 0;
     return;
   }
-  if (distance < query.best.distance || (distance == query.best.distance && triangle < query.best.triangle))
+  if (query.keepsOn)
+  {
+    arguments->valid[0] = 0;
+  }
+  if (distance < query.best.distance ||
+      (distance == query.best.distance &&
+        comesBefore(query.facets[triangle], query.facets[query.best.triangle])))
   {
     query.best = { distance, triangle };
   }
 }
 
-// Within rounding of an edge, where a neighbour may be hit at the same distance.
+// Within rounding of an edge, where a neighbour may be hit nearly at the same distance.
 bool atEdge(const RTCHit& hit)
 {
   return hit.u <= 1e-6f || hit.v <= 1e-6f || hit.u + hit.v >= 1.0f - 1e-6f;
@@ -125,11 +135,12 @@ public:
           const float start = std::max(rays.starts[i], nearestExit);
           Query query;
           query.place = this->scene_.places[rays.vertices[i]];
+          query.keepsOn = false;
           // Nearly always the first facet that is hit is the one.
           for (int k = 0; k < rays.raysPerVertex; ++k)
           {
             const RTCRayHit ray = this->trace(query, rays.vertices[i], start, directions[k]);
-            doubtful[k] = atEdge(ray.hit);
+            doubtful[k] = query.tied || atEdge(ray.hit);
             found[k] = { std::numeric_limits<float>::max(), -1 };
             if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID)
             {
@@ -146,9 +157,17 @@ public:
                     query.facets[found[k].triangle], query.place, directions[k], found[k].distance)))
             {
               query.direction = directions[k];
-              query.best = { std::numeric_limits<float>::max(), -1 };
               this->trace(query, rays.vertices[i], start, directions[k]);
               found[k] = query.best;
+              if (found[k].triangle >= 0)
+              {
+                // Once more without shortening: nodes whose bounds the rounded distances of two neighbours
+                // lie apart from are then entered in any tree.
+                query.keepsOn = true;
+                this->trace(query, rays.vertices[i], start, directions[k], 1.0001f * found[k].distance);
+                query.keepsOn = false;
+                found[k] = query.best;
+              }
             }
           }
         }
@@ -158,8 +177,14 @@ public:
   bool onHost() const override { return true; }
 
 private:
-  RTCRayHit trace(Query& query, int vertex, float start, const std::array<float, 3>& direction) const
+  RTCRayHit trace(Query& query,
+    int vertex,
+    float start,
+    const std::array<float, 3>& direction,
+    float end = std::numeric_limits<float>::infinity()) const
   {
+    query.best = { std::numeric_limits<float>::max(), -1 };
+    query.tied = false;
     const std::array<float, 4>& origin = this->scene_.points[vertex];
     RTCRayHit ray;
     ray.ray.org_x = origin[0];
@@ -170,7 +195,7 @@ private:
     ray.ray.dir_y = direction[1];
     ray.ray.dir_z = direction[2];
     ray.ray.time = 0.0f;
-    ray.ray.tfar = std::numeric_limits<float>::infinity();
+    ray.ray.tfar = end;
     ray.ray.mask = static_cast<unsigned>(-1);
     ray.ray.id = 0;
     ray.ray.flags = 0;

@@ -6,6 +6,8 @@
 #include "Mesh/mesh.h"
 
 #include <array>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -23,21 +25,39 @@ struct alignas(64) RayFacet
   double offset;
 };
 
-// The mesh as rays see it: single precision, moved and scaled so that it fills [-1, 1]. Precision then
-// neither depends on the unit of length nor suffers far from the origin.
+// How a mesh is moved and scaled so that it lies within [-1, 1] and is at least 0.88 long. Precision then
+// neither depends on the unit of length nor suffers far from the origin. The scale is a power of two and the
+// centre the roundest place that will do, mostly the origin: a mesh that changes a little keeps its frame,
+// and what did not change is then rounded as before.
+struct RayFrame
+{
+  explicit RayFrame(const Mesh& mesh);
+  bool operator==(const RayFrame& other) const
+  {
+    return this->centre == other.centre && this->scale == other.scale;
+  }
+
+  Vector3 centre = Vector3::Zero();
+  double scale = 1.0; // model length of one unit of the scene
+};
+
+// The mesh as rays see it, in single precision.
 struct RayScene
 {
-  explicit RayScene(const Mesh& mesh, const Context& context = Context());
+  explicit RayScene(const Mesh& mesh, const Context& context = Context())
+    : RayScene(mesh, RayFrame(mesh), context)
+  {
+  }
+  RayScene(const Mesh& mesh, const RayFrame& within, const Context& context);
 
   // A point of the model in the scene, not rounded.
-  Vector3 inScene(const Vector3& point) const { return (point - this->centre) / this->scale; }
+  Vector3 inScene(const Vector3& point) const { return (point - this->frame.centre) / this->frame.scale; }
 
   std::vector<std::array<float, 4>> points; // x y z and padding
   std::vector<int> order;                   // the vertices along a space-filling curve
   std::vector<int> places; // per vertex the lowest vertex at the same place: seams are no gaps
   std::vector<RayFacet> facets;
-  Vector3 centre = Vector3::Zero();
-  double scale = 1.0; // model length of one unit of the scene
+  RayFrame frame;
 
 private:
   void findPlaces();
@@ -72,14 +92,35 @@ inline bool leavesThrough(const RayFacet& facet, int place, const std::array<flo
          facet.places[0] != place && facet.places[1] != place && facet.places[2] != place;
 }
 
+// Of facets that a ray meets at the same distance the one that comes first is hit. The order depends on the
+// facets alone, not on their numbers or on a caster's tree. Facets of one plane that are equal in it lead to
+// the same length. Shared by both casters.
+inline bool comesBefore(const RayFacet& a, const RayFacet& b)
+{
+  std::uint64_t bits[2][4];
+  const RayFacet* facets[2] = { &a, &b };
+  for (int i = 0; i < 2; ++i)
+  {
+    std::memcpy(bits[i], facets[i]->plane.data(), 3 * sizeof(double));
+    std::memcpy(bits[i] + 3, &facets[i]->offset, sizeof(double));
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    if (bits[0][k] != bits[1][k])
+    {
+      return bits[0][k] < bits[1][k];
+    }
+  }
+  return &a < &b;
+}
+
 class RayCaster
 {
 public:
   virtual ~RayCaster() = default;
 
   // The nearest facet through which each ray leaves: direction . facet normal > 0, and the facet does not
-  // touch the origin. All other facets are passed through. Where rays meet an edge, the lowest id of
-  // its facets wins; of facets that overlap in one plane Embree's tree may choose another than the device.
+  // touch the origin. All other facets are passed through; of several at one distance comesBefore() decides.
   // Hits come in the order of the rays. On a cancelled context the hits are incomplete.
   virtual void cast(const RayBatch& rays, std::vector<RayHit>& hits, const Context& context) = 0;
 

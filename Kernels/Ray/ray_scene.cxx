@@ -2,6 +2,8 @@
 #include "Ray/ray_caster.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace oversketch
@@ -37,10 +39,32 @@ void RayScene::findPlaces()
   }
 }
 
-RayScene::RayScene(const Mesh& mesh, const Context& context)
-  : points(mesh.points.size())
-  , places(mesh.points.size())
-  , facets(mesh.triangles.size())
+namespace
+{
+
+// The roundest number within [low, high], which holds a multiple of `step`, a power of two: zero, or a
+// multiple of the largest power of two.
+double roundest(double low, double high, double step)
+{
+  if (low <= 0.0 && high >= 0.0)
+  {
+    return 0.0;
+  }
+  int exponent;
+  std::frexp(low > 0.0 ? high : -low, &exponent);
+  for (double coarse = std::ldexp(1.0, exponent - 1); coarse > step; coarse *= 0.5)
+  {
+    if (std::ceil(low / coarse) * coarse <= high)
+    {
+      return std::ceil(low / coarse) * coarse;
+    }
+  }
+  return std::ceil(low / step) * step;
+}
+
+} // namespace
+
+RayFrame::RayFrame(const Mesh& mesh)
 {
   if (mesh.points.empty())
   {
@@ -53,12 +77,25 @@ RayScene::RayScene(const Mesh& mesh, const Context& context)
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  this->centre = 0.5 * low + 0.5 * high;
-  this->scale = (0.5 * high - 0.5 * low).maxCoeff();
-  if (!(this->scale > 0.0))
+  const double half = (0.5 * high - 0.5 * low).maxCoeff();
+  if (half > 0.0)
   {
-    this->scale = 1.0;
+    int exponent; // with room for a round centre
+    std::frexp(1.125 * half, &exponent);
+    this->scale = std::ldexp(1.0, std::min(exponent, std::numeric_limits<double>::max_exponent - 1));
   }
+  for (int k = 0; k < 3; ++k)
+  {
+    this->centre[k] = roundest(high[k] - this->scale, low[k] + this->scale, 0.125 * this->scale);
+  }
+}
+
+RayScene::RayScene(const Mesh& mesh, const RayFrame& within, const Context& context)
+  : points(mesh.points.size())
+  , places(mesh.points.size())
+  , facets(mesh.triangles.size())
+  , frame(within)
+{
   context.parallelFor(mesh.vertexCount(),
     [&](int begin, int end)
     {
@@ -79,8 +116,8 @@ RayScene::RayScene(const Mesh& mesh, const Context& context)
         RayFacet& facet = this->facets[i];
         const Vector3 a = this->inScene(mesh.points[t[0]]);
         // In the unit of the scene: the cross product of tiny edges would otherwise underflow.
-        facet.plane = ((mesh.points[t[1]] - mesh.points[t[0]]) / this->scale)
-                        .cross((mesh.points[t[2]] - mesh.points[t[0]]) / this->scale);
+        facet.plane = ((mesh.points[t[1]] - mesh.points[t[0]]) / within.scale)
+                        .cross((mesh.points[t[2]] - mesh.points[t[0]]) / within.scale);
         facet.offset = facet.plane.dot(a);
         const Eigen::Vector3f n = facet.plane.stableNormalized().cast<float>();
         facet.normal = { n[0], n[1], n[2] };

@@ -20,6 +20,8 @@ constexpr float slack = 1e-3f;     // radians, far more than what rounding turns
 constexpr float margin = 1e-5f;    // likewise, for lengths
 constexpr float huge = 1e9f;
 constexpr float widest = 1.55f; // radians; from a right angle on, a cone is none
+constexpr float sceneDiagonal = 3.5f;
+constexpr float grazing = 1e-3f;
 
 // What a set of facets is to the search: where it lies and which way its facets face.
 struct Cluster
@@ -190,6 +192,38 @@ public:
     }
   }
 
+  // Whether any facet within a distance may matter to a ray of the cones.
+  OVERSKETCH_CLONES bool meet(const Cones& cones, float squaredRadius) const
+  {
+    struct Entry
+    {
+      int level, node;
+    };
+    Entry stack[12 * wide];
+    int top = 0;
+    stack[top++] = { static_cast<int>(this->levels_.size()) - 1, 0 };
+    while (top > 0)
+    {
+      const Entry entry = stack[--top];
+      WideInt near;
+      WideFloat squared;
+      measure(this->levels_[entry.level][entry.node], cones, squaredRadius, near, squared);
+      const bool found = any(near);
+      if (found && entry.level == 0)
+      {
+        return true;
+      }
+      for (int i = 0; i < wide && found; ++i)
+      {
+        if (near[i])
+        {
+          stack[top++] = { entry.level - 1, entry.node * wide + i };
+        }
+      }
+    }
+    return false;
+  }
+
   // The squared distance to the nearest facet of the nodes that matters and does not touch the vertex, at
   // most `best`.
   OVERSKETCH_CLONES float nearest(const Cones& cones,
@@ -355,6 +389,36 @@ std::vector<float> rayStarts(const RayScene& scene,
       }
     });
   return starts;
+}
+
+std::vector<char> conesThatMeet(const RayScene& others,
+  const RayScene& scene,
+  const std::vector<Vector3>& normals,
+  const std::vector<int>& vertices,
+  const std::vector<float>& reaches,
+  double opening,
+  const Context& context)
+{
+  std::vector<char> met(vertices.size(), others.facets.empty() ? 0 : 1);
+  const float outermost = static_cast<float>(opening) + slack;
+  if (outermost >= widest || others.facets.empty())
+  {
+    return met;
+  }
+  const Clusters clusters(others, context);
+  context.parallelFor(static_cast<int>(vertices.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const int v = vertices[i];
+        const Vector3f p(scene.points[v].data());
+        // Lengths of rays that graze a facet are rounded far more than points are.
+        const float radius = std::min(reaches[i], sceneDiagonal) + grazing;
+        met[i] = clusters.meet(Cones(p, p, normals[v].cast<float>(), outermost), radius * radius);
+      }
+    });
+  return met;
 }
 
 } // namespace oversketch

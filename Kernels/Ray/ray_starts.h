@@ -1,4 +1,5 @@
-// How far from their origin rays may start without missing a facet to leave through.
+// Which facets the cones of rays may leave through, by bounds: how far from its origin a ray may start, and
+// which rays a change of the mesh can alter.
 #ifndef oversketch_ray_starts_h
 #define oversketch_ray_starts_h
 
@@ -15,6 +16,17 @@ namespace oversketch
 std::vector<float> rayStarts(const RayScene& scene,
   const std::vector<Vector3>& normals,
   const std::vector<int>& vertices,
+  double opening,
+  const Context& context);
+
+// Per vertex of `vertices`, which follow the curve of the scene, 1 where a ray of its cone may leave through
+// one of the facets of `others` that is nearer than `reaches`, with a margin; 0 where surely none does.
+// `others` is a scene of the same frame.
+std::vector<char> conesThatMeet(const RayScene& others,
+  const RayScene& scene,
+  const std::vector<Vector3>& normals,
+  const std::vector<int>& vertices,
+  const std::vector<float>& reaches,
   double opening,
   const Context& context);
 

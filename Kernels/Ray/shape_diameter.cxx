@@ -1,5 +1,6 @@
 #include "Ray/shape_diameter.h"
 
+#include "Ray/known_diameters.h"
 #include "Ray/ray_caster.h"
 #include "Ray/ray_starts.h"
 #include "Ray/wide.h"
@@ -20,6 +21,7 @@ constexpr double pi = 3.14159265358979323846;
 constexpr int raysPerBlock =
   1 << 18;                          // a block's arrays stay in the cache, and a cancel waits for one at most
 constexpr int verticesPerPart = 32; // of a block
+constexpr int fewCones = 4;         // a part of all for which starts cost more than they save
 
 // Length of the ray [model length] to the plane of the facet that the caster found, in double precision. The
 // caster's own length stands where the ray grazes the plane, or the corners moved more than it when they were
@@ -29,7 +31,8 @@ double refine(const RayScene& scene, const RayHit& hit, const Vector3& origin, c
   const RayFacet& facet = scene.facets[hit.triangle];
   const double coarse = hit.distance;
   const double exact = (facet.offset - facet.plane.dot(origin)) / facet.plane.dot(direction);
-  return scene.scale * (std::abs(exact - coarse) <= 1e-3 * coarse ? exact : coarse); // false for NaN as well
+  return scene.frame.scale *
+         (std::abs(exact - coarse) <= 1e-3 * coarse ? exact : coarse); // false for NaN as well
 }
 
 constexpr int few = 64; // rays for which the summary needs no memory of its own
@@ -156,7 +159,8 @@ void fillUnmeasured(const Mesh& mesh, const Adjacency& adjacency, ShapeDiameter&
   }
 }
 
-// The rays of all vertices that have a normal: what is the same for each, and the work on a part of them.
+// The rays of all vertices that have a normal and are not known: what is the same for each, and the work on a
+// part of them.
 class Cones
 {
 public:
@@ -164,8 +168,7 @@ public:
     const RayScene& scene,
     const std::vector<Vector3>& normals,
     const ShapeDiameterOptions& options,
-    bool findStarts,
-    const Context& context)
+    const std::vector<char>& known)
     : mesh_(mesh)
     , scene_(scene)
     , normals_(normals)
@@ -180,11 +183,17 @@ public:
     std::copy_if(scene.order.begin(),
       scene.order.end(),
       std::back_inserter(this->vertices_),
-      [&](int v) { return normals[v].squaredNorm() > 0.0; });
+      [&](int v) { return !known[v] && normals[v].squaredNorm() > 0.0; });
     this->starts_.resize(this->vertices_.size());
-    if (findStarts)
+  }
+
+  // Only where they save more than they cost.
+  void findStarts(const Context& context)
+  {
+    if (this->vertices_.size() > this->scene_.points.size() / fewCones)
     {
-      this->starts_ = rayStarts(scene, normals, this->vertices_, std::acos(this->cone_.back()[2]), context);
+      this->starts_ =
+        rayStarts(this->scene_, this->normals_, this->vertices_, std::acos(this->cone_.back()[2]), context);
     }
   }
 
@@ -196,28 +205,12 @@ public:
     int count,
     RayCaster& caster,
     const Context& context,
-    ShapeDiameter& result,
+    ConeMeasures& result,
     std::vector<ConeHit>* allHits) const
   {
     const int rays = this->rayCount();
-    RayBatch batch;
-    batch.raysPerVertex = rays;
-    batch.vertices.assign(this->vertices_.begin() + first, this->vertices_.begin() + first + count);
+    RayBatch batch = conesOf(this->vertices_.data() + first, count, this->normals_, this->cone_, context);
     batch.starts.assign(this->starts_.begin() + first, this->starts_.begin() + first + count);
-    batch.directions.resize(static_cast<std::size_t>(count) * rays);
-    context.parallelFor(count,
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          const Eigen::Matrix3d frame = frameAround(-this->normals_[batch.vertices[i]]);
-          for (int k = 0; k < rays; ++k)
-          {
-            const Eigen::Vector3f d = (frame * this->cone_[k]).cast<float>();
-            batch.directions[static_cast<std::size_t>(i) * rays + k] = { d[0], d[1], d[2] };
-          }
-        }
-      });
     std::vector<RayHit> hits;
     caster.cast(batch, hits, context);
     if (context.cancelled())
@@ -239,10 +232,13 @@ public:
           const int v = batch.vertices[i];
           const Vector3 origin = this->scene_.inScene(this->mesh_.points[v]);
           const Eigen::Matrix3d frame = frameAround(-this->normals_[v]);
+          float reach = 0.0f;
           for (int k = 0; k < rays; ++k)
           {
             const RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
             lengths[k] = ConeHit();
+            reach =
+              std::max(reach, hit.triangle >= 0 ? hit.distance : std::numeric_limits<float>::infinity());
             if (hit.triangle >= 0)
             {
               lengths[k] = { refine(this->scene_, hit, origin, frame * this->cone_[k]), hit.triangle };
@@ -256,6 +252,13 @@ public:
           const double diameter = summarise(lengths.data(), this->weights_);
           result.measured[v] = diameter >= 0.0;
           result.diameter[v] = std::max(0.0, diameter);
+          result.reach[v] = reach;
+          const RayLengths packing(reach);
+          for (int k = 0; k < rays; ++k)
+          {
+            result.lengths[static_cast<std::size_t>(v) * rays + k] =
+              packing.pack(hits[static_cast<std::size_t>(i) * rays + k]);
+          }
         }
       });
   }
@@ -273,7 +276,7 @@ private:
 void traceAndSummarise(const Cones& cones,
   RayCaster& caster,
   const Context& context,
-  ShapeDiameter& result,
+  ConeMeasures& result,
   std::vector<ConeHit>* allHits)
 {
   const int total = cones.vertexCount();
@@ -302,7 +305,6 @@ void traceAndSummarise(const Cones& cones,
       cones.measure(first, count, caster, context, result, allHits);
     }
     context.checkpoint(static_cast<double>(first + count) / total);
-    result.raysTraced += static_cast<long long>(count) * cones.rayCount();
   }
 }
 
@@ -379,55 +381,80 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
   const std::vector<Vector3>& normals,
   const ShapeDiameterOptions& options,
   const Context& context,
-  std::vector<ConeHit>* hits)
+  std::vector<ConeHit>* hits,
+  KnownDiameters* known)
 {
   ShapeDiameter result;
-  const auto reset = [&]
+  ConeMeasures measures;
+  const std::shared_ptr<Device> device = Device::choose(options.backend, result.warning);
+  const RayScene scene(mesh, context);
+  const auto measure = [&](Backend used, const MakeCaster& makeCaster)
   {
-    result.diameter.assign(mesh.points.size(), 0.0);
-    result.measured.assign(mesh.points.size(), 0);
-    result.raysTraced = 0;
+    measures = { std::vector<double>(mesh.points.size(), 0.0),
+      std::vector<char>(mesh.points.size(), 0),
+      std::vector<float>(mesh.points.size(), 0.0f),
+      std::vector<std::uint8_t>(mesh.points.size() * static_cast<std::size_t>(options.rayCount), 0) };
+    std::vector<char> kept(mesh.points.size(), 0);
     if (hits)
     {
       hits->assign(mesh.points.size() * static_cast<std::size_t>(options.rayCount), ConeHit());
     }
-  };
-  reset();
-  std::string warning;
-  const std::shared_ptr<Device> device = Device::choose(options.backend, warning);
-  if (!mesh.triangles.empty())
-  {
-    const RayScene scene(mesh, context);
-    bool done = false;
-    if (device)
+    else if (known && known->filled && known->used == used && known->options == options &&
+             RayFrame(known->mesh) == scene.frame)
     {
-      try
-      {
-        const std::unique_ptr<RayCaster> caster = makeOpenCLCaster(scene, device, context);
-        traceAndSummarise(
-          Cones(mesh, scene, normals, options, caster->onHost(), context), *caster, context, result, hits);
-        result.used = Backend::OpenCL;
-        done = true;
-      }
-      catch (const Error& error)
-      {
-        if (error.failure() != Failure::NoDevice)
-        {
-          throw;
-        }
-        warning = std::string(error.what()) + " The host computes instead.";
-        reset();
-      }
+      kept = takeOver(*known, mesh, scene, normals, makeCaster, context, measures);
     }
-    if (!done)
+    Cones cones(mesh, scene, normals, options, kept);
+    if (cones.vertexCount() > 0)
     {
-      const std::unique_ptr<RayCaster> caster = makeEmbreeCaster(scene);
-      traceAndSummarise(
-        Cones(mesh, scene, normals, options, caster->onHost(), context), *caster, context, result, hits);
+      const std::unique_ptr<RayCaster> caster = makeCaster(scene);
+      if (caster->onHost())
+      {
+        cones.findStarts(context);
+      }
+      traceAndSummarise(cones, *caster, context, measures, hits);
+    }
+    result.used = used;
+    result.raysCast = static_cast<long long>(cones.vertexCount()) * options.rayCount;
+    result.raysTraced =
+      result.raysCast + static_cast<long long>(std::count(kept.begin(), kept.end(), 1)) * options.rayCount;
+  };
+  bool done = mesh.triangles.empty();
+  if (device && !done)
+  {
+    try
+    {
+      measure(Backend::OpenCL, [&](const RayScene& rays) { return makeOpenCLCaster(rays, device, context); });
+      done = true;
+    }
+    catch (const Error& error)
+    {
+      if (error.failure() != Failure::NoDevice)
+      {
+        throw;
+      }
+      result.warning = std::string(error.what()) + " The host computes instead.";
     }
   }
-  result.warning = warning;
+  if (!done)
+  {
+    measure(Backend::Host, [](const RayScene& rays) { return makeEmbreeCaster(rays); });
+  }
+  measures.diameter.resize(mesh.points.size(), 0.0);
+  measures.measured.resize(mesh.points.size(), 0);
+  result.diameter = measures.diameter;
+  result.measured = measures.measured;
   fillUnmeasured(mesh, adjacency, result);
+  if (known)
+  {
+    known->filled = false; // if memory runs out here
+    known->mesh = mesh;
+    known->normals = normals;
+    known->options = options;
+    known->used = result.used;
+    known->measures = std::move(measures);
+    known->filled = !mesh.triangles.empty();
+  }
   return result;
 }
 

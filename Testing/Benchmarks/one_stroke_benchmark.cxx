@@ -3,6 +3,7 @@
 #include "bunny_stroke.h"
 
 #include "vtkOversketchOneStroke.h"
+#include "vtkOversketchShapeDiameter.h"
 
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -52,6 +53,14 @@ struct Session
     }
     this->next->SetRemesh(remesh);
     this->next->SetStrokeData(earStroke(this->made[0], -15.0));
+    vtkNew<vtkOversketchShapeDiameter> diameter;
+    for (const auto& result : this->made)
+    {
+      diameter->SetInputData(result);
+      diameter->Update();
+    }
+    this->newRays =
+      static_cast<double>(diameter->GetNewRayCount()) / static_cast<double>(diameter->GetTracedRayCount());
   }
 
   static void update(vtkOversketchOneStroke* system)
@@ -67,6 +76,7 @@ struct Session
   vtkSmartPointer<vtkPolyData> mesh;
   std::array<vtkSmartPointer<vtkPolyData>, 2> strokes, made;
   vtkSmartPointer<vtkOversketchOneStroke> first, next;
+  double newRays = 1.0; // the part of the rays that the second mesh needs after the first
   int turn = 0;
 };
 
@@ -110,7 +120,12 @@ void session(const std::string& size, const std::string& kind, int remesh)
     state->next->SetInputData(0, state->made[++state->turn % 2]);
   };
   job.run = [state] { Session::update(state->next); };
-  job.figures = [=] { return stages(state->next); };
+  job.figures = [=]
+  {
+    auto figures = stages(state->next);
+    figures["new_rays"] = state->newRays;
+    return figures;
+  };
   add(job);
 }
 

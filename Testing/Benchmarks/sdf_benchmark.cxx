@@ -139,7 +139,7 @@ void raw(const std::string& job_, const std::string& size)
     {
       if (std::isfinite(length))
       {
-        sum += length * state->scene->scale;
+        sum += length * state->scene->frame.scale;
         hits += 1.0;
       }
     }

@@ -113,7 +113,9 @@ def stroke_limits(rows):
         if job == "next stroke":
             for name, stage in (("shape diameter", "SDF Embree"), ("silhouette", "silhouette")):
                 limit = by_name.get((stage, size))
-                parts[name] = limit and limit["limit_ms"]
+                # The mesh before had most of its rays: only the others have to be cast.
+                part = counts.get("new_rays", 1.0) if name == "shape diameter" else 1.0
+                parts[name] = limit and limit["limit_ms"] * part
             parts["curves"] = parts["outline of the result"]
         row["limit_parts"] = parts
         if all(parts.values()):

@@ -90,6 +90,41 @@ TEST(ShapeDiameter, CastsRaysAgainOnlyWhenWhatItReadsChanges)
   again(7);
 }
 
+TEST(ShapeDiameter, CastsOnlyTheRaysThatAChangeCanAlter)
+{
+  Mesh mesh = torus(1.0, 0.4, 120, 60);
+  for (const int backend : backends)
+  {
+    vtkNew<Filter> filter;
+    filter->SetBackend(backend);
+    filter->SetInputData(toPolyData(mesh));
+    filter->Update();
+    EXPECT_EQ(filter->GetNewRayCount(), 32 * mesh.vertexCount());
+    // A dent, of another mesh object with other arrays.
+    Mesh dented = mesh;
+    for (Vector3& p : dented.points)
+    {
+      const double r = (p - mesh.points[0]).norm();
+      p[2] -= r < 0.2 ? 0.02 * (1.0 - 25.0 * r * r) : 0.0;
+    }
+    filter->SetInputData(toPolyData(dented));
+    filter->Update();
+    EXPECT_EQ(filter->GetRayCastCount(), 2);
+    EXPECT_EQ(filter->GetTracedRayCount(), 32 * mesh.vertexCount());
+    EXPECT_GT(filter->GetNewRayCount(), 0);
+    EXPECT_LT(filter->GetNewRayCount(), 32 * mesh.vertexCount() / 8);
+    EXPECT_EQ(valuesOf(filter), diameters(toPolyData(dented), backend));
+    // A cancelled run on a third mesh leaves what is known of the second.
+    dented.points[1][2] += 0.01;
+    filter->SetInputData(toPolyData(dented));
+    expectCancel(filter);
+    filter->Update();
+    EXPECT_EQ(filter->GetErrorCode(), 0u);
+    EXPECT_LT(filter->GetNewRayCount(), 32 * mesh.vertexCount() / 8);
+    EXPECT_EQ(valuesOf(filter), diameters(toPolyData(dented), backend));
+  }
+}
+
 TEST(ShapeDiameter, GoesOnWithoutADeviceAndSaysSo)
 {
   const auto mesh = toPolyData(torus(1.0, 0.4, 40, 20));
@@ -315,7 +350,8 @@ TEST(ShapeDiameter, ParametersAreClampedAndPrinted)
          "Backend",
          "BackendUsed",
          "RayCastCount",
-         "TracedRayCount" })
+         "TracedRayCount",
+         "NewRayCount" })
   {
     EXPECT_NE(print.str().find(std::string(name) + ": "), std::string::npos) << name;
   }

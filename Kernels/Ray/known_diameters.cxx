@@ -1,0 +1,226 @@
+#include "Ray/known_diameters.h"
+
+#include "Ray/mesh_match.h"
+#include "Ray/ray_starts.h"
+
+#include <numeric>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr int raysPerBlock = 1 << 18; // a cancel waits for one at most
+constexpr int fewFacets = 4;          // a part of all: so few changed ones are tried by rays on them alone
+
+// The facets that one of two meshes has and the other has not, and the given vertices at the end.
+Mesh changedFacets(const Mesh& before,
+  const Mesh& now,
+  const MeshMatch& match,
+  const std::vector<int>& vertices)
+{
+  Mesh changed;
+  const auto add = [&](const Mesh& mesh, const std::vector<int>& facets)
+  {
+    for (const int t : facets)
+    {
+      const int first = changed.vertexCount();
+      for (const int v : mesh.triangles[t])
+      {
+        changed.points.push_back(mesh.points[v]);
+      }
+      changed.triangles.push_back({ first, first + 1, first + 2 });
+    }
+  };
+  add(before, match.removed);
+  add(now, match.added);
+  for (const int v : vertices)
+  {
+    changed.points.push_back(now.points[v]);
+  }
+  return changed;
+}
+
+// What takes over values of the mesh before.
+class Successor
+{
+public:
+  Successor(const KnownDiameters& known,
+    const Mesh& mesh,
+    const RayScene& scene,
+    const std::vector<Vector3>& normals,
+    const Context& context)
+    : known_(known)
+    , mesh_(mesh)
+    , scene_(scene)
+    , normals_(normals)
+    , context_(context)
+    , cone_(coneDirections(known.options.rayCount, known.options.coneAngle))
+    , match_(matchMeshes(known.mesh, known.normals, mesh, normals, context))
+  {
+  }
+
+  // Takes over what still holds. Returns per vertex 1 where it does.
+  std::vector<char> takeOver(const MakeCaster& makeCaster, ConeMeasures& result) const
+  {
+    std::vector<char> kept(this->mesh_.points.size(), 0);
+    std::vector<int> vertices;
+    for (const int v : this->scene_.order)
+    {
+      if (this->match_.vertices[v] >= 0 && this->normals_[v].squaredNorm() > 0.0)
+      {
+        vertices.push_back(v);
+        kept[v] = 1;
+      }
+    }
+    this->dropCones(vertices, kept);
+    this->dropRays(vertices, makeCaster, kept);
+    for (int v = 0; v < this->mesh_.vertexCount(); ++v)
+    {
+      if (kept[v])
+      {
+        const int before = this->match_.vertices[v];
+        result.diameter[v] = this->known_.measures.diameter[before];
+        result.measured[v] = this->known_.measures.measured[before];
+        result.reach[v] = this->known_.measures.reach[before];
+        const auto lengths = this->lengths(v);
+        std::copy(lengths,
+          lengths + this->cone_.size(),
+          result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->cone_.size()));
+      }
+    }
+    return kept;
+  }
+
+private:
+  float reach(int v) const { return this->known_.measures.reach[this->match_.vertices[v]]; }
+  std::vector<std::uint8_t>::const_iterator lengths(int v) const
+  {
+    return this->known_.measures.lengths.begin() +
+           static_cast<std::ptrdiff_t>(this->match_.vertices[v] * this->cone_.size());
+  }
+
+  // Drops the vertices whose cone as a whole may meet a changed facet; they stay in `vertices`.
+  void dropCones(std::vector<int>& vertices, std::vector<char>& kept) const
+  {
+    this->context_.checkpoint(0.0);
+    std::vector<float> reaches;
+    reaches.reserve(vertices.size());
+    for (const int v : vertices)
+    {
+      reaches.push_back(this->reach(v));
+    }
+    const RayScene changed(
+      changedFacets(this->known_.mesh, this->mesh_, this->match_, {}), this->scene_.frame, this->context_);
+    const std::vector<char> met = conesThatMeet(changed,
+      this->scene_,
+      this->normals_,
+      vertices,
+      reaches,
+      std::acos(this->cone_.back()[2]),
+      this->context_);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      if (met[i])
+      {
+        kept[vertices[i]] = 0;
+        vertices[count++] = vertices[i];
+      }
+    }
+    vertices.resize(count);
+  }
+
+  // Of the dropped vertices takes back those no ray of which leaves through a changed facet within its
+  // length.
+  void dropRays(const std::vector<int>& vertices, const MakeCaster& makeCaster, std::vector<char>& kept) const
+  {
+    this->context_.checkpoint(0.0);
+    const Mesh mesh = changedFacets(this->known_.mesh, this->mesh_, this->match_, vertices);
+    if (vertices.empty() || fewFacets * mesh.triangles.size() > this->mesh_.triangles.size())
+    {
+      return;
+    }
+    const RayScene changed(mesh, this->scene_.frame, this->context_);
+    const std::unique_ptr<RayCaster> caster = makeCaster(changed);
+    const int rays = static_cast<int>(this->cone_.size());
+    const int total = static_cast<int>(vertices.size());
+    const int blockSize = std::max(1, raysPerBlock / rays);
+    std::vector<RayHit> hits;
+    for (int first = 0; first < total; first += blockSize)
+    {
+      this->context_.checkpoint(0.0);
+      const int count = std::min(blockSize, total - first);
+      RayBatch batch = conesOf(vertices.data() + first, count, this->normals_, this->cone_, this->context_);
+      std::iota(batch.vertices.begin(), batch.vertices.end(), mesh.vertexCount() - total + first);
+      caster->cast(batch, hits, this->context_);
+      this->context_.parallelFor(count,
+        [&](int begin, int end)
+        {
+          for (int i = begin; i < end; ++i)
+          {
+            const int v = vertices[first + i];
+            const RayLengths packing(this->reach(v));
+            kept[v] = std::equal(this->lengths(v),
+              this->lengths(v) + rays,
+              hits.begin() + static_cast<std::ptrdiff_t>(i) * rays,
+              [&](std::uint8_t length, const RayHit& hit)
+              { return hit.triangle < 0 || hit.distance > packing.unpack(length); });
+          }
+        });
+    }
+    this->context_.checkpoint(0.0);
+  }
+
+  const KnownDiameters& known_;
+  const Mesh& mesh_;
+  const RayScene& scene_;
+  const std::vector<Vector3>& normals_;
+  const Context& context_;
+  const std::vector<Vector3> cone_;
+  const MeshMatch match_;
+};
+
+} // namespace
+
+RayBatch conesOf(const int* vertices,
+  int count,
+  const std::vector<Vector3>& normals,
+  const std::vector<Vector3>& cone,
+  const Context& context)
+{
+  const int rays = static_cast<int>(cone.size());
+  RayBatch batch;
+  batch.raysPerVertex = rays;
+  batch.vertices.assign(vertices, vertices + count);
+  batch.starts.assign(count, 0.0f);
+  batch.directions.resize(static_cast<std::size_t>(count) * rays);
+  context.parallelFor(count,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const Eigen::Matrix3d frame = frameAround(-normals[vertices[i]]);
+        for (int k = 0; k < rays; ++k)
+        {
+          const Eigen::Vector3f d = (frame * cone[k]).cast<float>();
+          batch.directions[static_cast<std::size_t>(i) * rays + k] = { d[0], d[1], d[2] };
+        }
+      }
+    });
+  return batch;
+}
+
+std::vector<char> takeOver(const KnownDiameters& known,
+  const Mesh& mesh,
+  const RayScene& scene,
+  const std::vector<Vector3>& normals,
+  const MakeCaster& makeCaster,
+  const Context& context,
+  ConeMeasures& result)
+{
+  return Successor(known, mesh, scene, normals, context).takeOver(makeCaster, result);
+}
+
+} // namespace oversketch
