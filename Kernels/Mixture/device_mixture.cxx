@@ -34,6 +34,10 @@ MixtureFit fitWith(Device& device,
     input.push_back(Real((vectors - 1) * width + i < samples.size() ? 1 : 0));
   }
   input.insert(input.end(), candidates.means.begin(), candidates.means.end());
+  // A work-item alone has the local memory for itself: of a processor it is as large as its cache.
+  const std::size_t shape = vectors * width * sizeof(Real), local = rows * groupSize * sizeof(Real);
+  const std::size_t kept =
+    groupSize == 1 ? std::min((device.info().localMemory - local) / shape, candidates.means.size()) : 0;
   std::vector<Real> result(3 * components + 3);
   device.guard(
     [&]
@@ -51,13 +55,15 @@ MixtureFit fitWith(Device& device,
       set(static_cast<cl_int>(samples.size()));
       set(static_cast<cl_int>(vectors));
       set(static_cast<cl_int>(candidates.means.size()));
+      set(static_cast<cl_int>(kept));
       set(in);
       set(static_cast<Real>(candidates.variance));
       set(static_cast<Real>(options.varianceFloor));
       set(static_cast<cl_int>(options.maximumSteps));
       set(static_cast<Real>(options.tolerance * double(samples.size())));
       set(density);
-      set(cl::Local(rows * groupSize * sizeof(Real)));
+      set(cl::Local(local));
+      set(cl::Local(std::max(kept * shape, sizeof(Real))));
       set(out);
       const cl::NDRange items(groupSize);
       device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, items, items);

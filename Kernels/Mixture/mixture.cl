@@ -7,10 +7,6 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #endif
 
-#ifdef __clang__
-#pragma clang diagnostic ignored "-Wpass-failed" // a loop unrolls only where it has been inlined with a known count
-#endif
-
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)
 #if WIDTH == 1
@@ -21,6 +17,7 @@
 #define LOAD(i, p) (p)[i]
 #define STORE(v, i, p) (p)[i] = (v)
 #define TOTAL(v) (v)
+#define LEAST(v) (v)
 #else
 #define V JOIN(REAL, 8)
 #define GROUP __attribute__((reqd_work_group_size(1, 1, 1)))
@@ -29,6 +26,7 @@
 #define LOAD(i, p) vload8(i, p)
 #define STORE(v, i, p) vstore8(v, i, p)
 #define TOTAL(v) ((((v).s0 + (v).s1) + ((v).s2 + (v).s3)) + (((v).s4 + (v).s5) + ((v).s6 + (v).s7)))
+#define LEAST(v) min(min(min((v).s0, (v).s1), min((v).s2, (v).s3)), min(min((v).s4, (v).s5), min((v).s6, (v).s7)))
 #ifdef USE_DOUBLE
 #define BITS long8
 #define MANTISSA 52
@@ -41,6 +39,11 @@
 #endif
 
 #define INLINE inline __attribute__((always_inline)) // calls would keep vectors in memory
+// A constant number of rounds, so that the compiler unrolls the loop and keeps arrays in registers.
+#define EACH(j, count)              \
+  UNROLL                            \
+  for (int j = 0; j < MAXIMUM; ++j) \
+    if (j < (count))
 #define WEIGHT(k) (3 * (k))
 #define MEAN(k) (3 * (k) + 1)
 #define VARIANCE(k) (3 * (k) + 2)
@@ -60,14 +63,14 @@ INLINE V power2(V t)
   t = max(t, (V)(-1000.0));
   const V whole = t + shift;
   const V r = t - (whole - shift);
-  // The polynomial of degree 10 that is nearest to 2^r on [-1/2, 1/2], off by at most 2.2e-16 of the value; in pairs, for
-  // a short chain of operations.
-  const V r2 = r * r, r4 = r2 * r2;
-  const V a = (r * 0.6931471805599497 + 1.0) + (r * 0.05550410866445883 + 0.24022650695908768) * r2;
-  const V b = (r * 0.0013333558228561476 + 0.00961812910803459) +
-    (r * 1.5252658116561384e-05 + 0.00015403529961135955) * r2;
-  const V c = (r * 1.0208537904552164e-07 + 1.3215662831846104e-06) + r2 * 7.037279530582804e-09;
-  const V p = a + (b + c * r4) * r4;
+  // The polynomial of degree 7 that is nearest to 2^r on [-1/2, 1/2], off by at most 4.1e-11 of the value.
+  V p = r * 1.52019232278869171e-05 + 0.000154692911488946333;
+  p = p * r + 0.00133339225562943514;
+  p = p * r + 0.00961802725364381069;
+  p = p * r + 0.0555041035345692350;
+  p = p * r + 0.240226511981578894;
+  p = p * r + 0.693147180728444573;
+  p = p * r + 0.999999999961681759;
   return as_double8(as_long8(p) + (as_long8(whole) << 52));
 }
 #else
@@ -162,11 +165,11 @@ INLINE void sumOverGroup(REAL* values, const int count, local REAL* work)
 
 typedef struct
 {
-  int n, vectors, candidates, maximumSteps;
+  int n, vectors, candidates, kept, maximumSteps;
   global const REAL *samples, *inside, *means;
-  REAL width, floor, gain;
+  REAL width, peak, fall, floor, gain; // peak and fall: height and steepness of a candidate
   global REAL* density;
-  local REAL* work;
+  local REAL *work, *shapes;
 } Task;
 
 // Per component the sums of r, r d and r d^2, r its share of a sample and d the sample's distance from its mean; then
@@ -175,34 +178,33 @@ typedef struct
 {
   REAL height[MAXIMUM], steepness[MAXIMUM], mean[MAXIMUM];
   V mass[MAXIMUM], first[MAXIMUM], second[MAXIMUM];
-  V heights;
+  V heights, least;
   Product product;
 } Sums;
 
-// Adds the samples x; in is 0 for padding, else 1.
-INLINE void addSums(const int components, const V x, const V in, Sums* sums)
+// Adds the samples x; in is 0 for padding, else 1. far: samples may be so far from all means that their densities
+// underflow; the largest is taken out.
+INLINE void addSums(const int components, const bool far, const V x, const V in, Sums* sums)
 {
   V terms[MAXIMUM], off[MAXIMUM];
-  V largest = (V)(-INFINITY);
-  UNROLL
-  for (int j = 0; j < components; ++j)
+  V largest = (V)(far ? -INFINITY : 0);
+  EACH(j, components)
   {
     off[j] = x - sums->mean[j];
     terms[j] = sums->height[j] - off[j] * off[j] * sums->steepness[j];
-    largest = max(largest, terms[j]);
+    largest = far ? max(largest, terms[j]) : largest;
   }
   V sum = (V)(0);
-  UNROLL
-  for (int j = 0; j < components; ++j)
+  EACH(j, components)
   {
-    terms[j] = power2(terms[j] - largest);
+    terms[j] = power2(far ? terms[j] - largest : terms[j]);
     sum += terms[j];
   }
-  sums->heights += in * largest;
+  sums->heights += far ? in * largest : (V)(0);
+  sums->least = min(sums->least, sum);
   multiply(&sums->product, in > 0 ? sum : (V)(1));
   const V inverse = in / sum;
-  UNROLL
-  for (int j = 0; j < components; ++j)
+  EACH(j, components)
   {
     V share = terms[j] * inverse;
     sums->mass[j] += share;
@@ -212,12 +214,12 @@ INLINE void addSums(const int components, const V x, const V in, Sums* sums)
   }
 }
 
-// The sums over this work-item's samples, three for each component, then the log-likelihood.
-INLINE void ownSums(const int components, const Task* task, const REAL* mixture, REAL* result)
+// The sums over this work-item's samples, three for each component, then the log-likelihood. Returns whether no sample's
+// density came near an underflow.
+INLINE bool ownSums(const int components, const bool far, const Task* task, const REAL* mixture, REAL* result)
 {
   Sums sums;
-  UNROLL
-  for (int j = 0; j < components; ++j)
+  EACH(j, components)
   {
     sums.height[j] = heightOf(mixture[WEIGHT(j)], mixture[VARIANCE(j)]);
     sums.steepness[j] = steepnessOf(mixture[VARIANCE(j)]);
@@ -225,29 +227,33 @@ INLINE void ownSums(const int components, const Task* task, const REAL* mixture,
     sums.mass[j] = sums.first[j] = sums.second[j] = (V)(0);
   }
   sums.heights = (V)(0);
+  sums.least = (V)(1);
   clear(&sums.product);
   for (int i = FIRST; i < FULL(task->vectors); i += STRIDE)
   {
-    addSums(components, LOAD(i, task->samples), (V)(1), &sums);
+    addSums(components, far, LOAD(i, task->samples), (V)(1), &sums);
   }
 #if WIDTH > 1
-  addSums(components, LOAD(task->vectors - 1, task->samples), LOAD(0, task->inside), &sums);
+  addSums(components, far, LOAD(task->vectors - 1, task->samples), LOAD(0, task->inside), &sums);
 #endif
-  UNROLL
-  for (int j = 0; j < components; ++j)
+  EACH(j, components)
   {
     result[3 * j] = TOTAL(sums.mass[j]);
     result[3 * j + 1] = TOTAL(sums.first[j]);
     result[3 * j + 2] = TOTAL(sums.second[j]);
   }
   result[3 * components] = LN_2 * (TOTAL(sums.heights) + log2Of(&sums.product));
+  return LEAST(sums.least) > (REAL)TINY;
 }
 
 // One EM step: `next` from `mixture`. Returns the log-likelihood of `mixture`.
 INLINE REAL step(const int components, const Task* task, const REAL* mixture, REAL* next)
 {
   REAL sums[3 * MAXIMUM + 1];
-  ownSums(components, task, mixture, sums);
+  if (!ownSums(components, false, task, mixture, sums))
+  {
+    ownSums(components, true, task, mixture, sums);
+  }
   sumOverGroup(sums, 3 * components + 1, task->work);
   for (int k = 0; k < components; ++k)
   {
@@ -265,39 +271,69 @@ INLINE REAL step(const int components, const Task* task, const REAL* mixture, RE
 // equal shares.
 typedef struct
 {
-  REAL height, steepness, mean;
   V sum, squares;
   Product product;
 } Score;
 
-// Adds the samples x with the mixture's density there; in is 0 for padding, else 1.
-INLINE void addScore(const V x, const V density, const V in, Score* score)
+// Adds two vectors of samples with the mixture's density and the candidate's there, by one division; in is 0 for
+// padding, else 1.
+INLINE void addScores(const V density1, const V shape1, const V in1, const V density2, const V shape2, const V in2,
+  Score* score)
 {
-  const V off = x - score->mean;
-  const V phi = power2(score->height - off * off * score->steepness);
-  const V total = max(density + phi, (V)(TINY)); // both may underflow
-  const V delta = in * (density - phi) / total;
-  multiply(&score->product, in > 0 ? total : (V)(1));
-  score->sum += delta;
-  score->squares += delta * delta;
+  const V total1 = in1 > 0 ? max(density1 + shape1, (V)(TINY)) : (V)(1); // both may underflow
+  const V total2 = in2 > 0 ? max(density2 + shape2, (V)(TINY)) : (V)(1);
+  const V both = total1 * total2;
+  multiply(&score->product, both);
+  const V inverse = 1 / both;
+  const V delta1 = in1 * (density1 - shape1) * (total2 * inverse);
+  const V delta2 = in2 * (density2 - shape2) * (total1 * inverse);
+  score->sum += delta1 + delta2;
+  score->squares += delta1 * delta1 + delta2 * delta2;
 }
 
-// The score's three sums over this work-item's samples, of the candidate with that mean.
-INLINE void ownScore(const Task* task, const REAL height, const REAL steepness, const REAL mean, REAL* result)
+// The density of a candidate at the samples of vector i: made, or found in local memory, where it is kept for the next
+// insertions.
+INLINE V shapeAt(const Task* task, const bool keep, const bool found, const int candidate, const int i)
+{
+  const int place = candidate * task->vectors + i;
+  if (found)
+  {
+    return LOAD(place, task->shapes);
+  }
+  const V off = LOAD(i, task->samples) - task->means[candidate];
+  const V shape = power2(task->peak - off * off * task->fall);
+  if (keep)
+  {
+    STORE(shape, place, task->shapes);
+  }
+  return shape;
+}
+
+// The score's three sums over this work-item's samples.
+INLINE void ownScore(const Task* task, const bool keep, const bool found, const int candidate, REAL* result)
 {
   Score score;
-  score.height = height;
-  score.steepness = steepness;
-  score.mean = mean;
   score.sum = score.squares = (V)(0);
   clear(&score.product);
-  for (int i = FIRST; i < FULL(task->vectors); i += STRIDE)
+  int i = FIRST;
+  for (; i + STRIDE < FULL(task->vectors); i += 2 * STRIDE)
   {
-    addScore(LOAD(i, task->samples), LOAD(i, task->density), (V)(1), &score);
+    addScores(LOAD(i, task->density), shapeAt(task, keep, found, candidate, i), (V)(1),
+      LOAD(i + STRIDE, task->density), shapeAt(task, keep, found, candidate, i + STRIDE), (V)(1), &score);
+  }
+  V density = (V)(0), shape = (V)(0), in = (V)(0);
+  if (i < FULL(task->vectors))
+  {
+    density = LOAD(i, task->density);
+    shape = shapeAt(task, keep, found, candidate, i);
+    in = (V)(1);
   }
 #if WIDTH > 1
   const int last = task->vectors - 1;
-  addScore(LOAD(last, task->samples), LOAD(last, task->density), LOAD(0, task->inside), &score);
+  addScores(density, shape, in, LOAD(last, task->density), shapeAt(task, keep, found, candidate, last),
+    LOAD(0, task->inside), &score);
+#else
+  addScores(density, shape, in, (V)(0), (V)(0), (V)(0), &score);
 #endif
   result[0] = LN_2 * log2Of(&score.product);
   result[1] = TOTAL(score.sum);
@@ -334,15 +370,20 @@ INLINE bool insert(const int components, const Task* task, Fit* fit)
   }
 
   REAL bestWeight = (REAL)0.5, bestMean = 0, best = -INFINITY;
-  const REAL peak = heightOf(1, task->width);
-  const REAL fall = steepnessOf(task->width);
   for (int c = 0; c < task->candidates; c += TOGETHER)
   {
     REAL sums[3 * TOGETHER];
     const int these = min(TOGETHER, task->candidates - c);
     for (int j = 0; j < these; ++j)
     {
-      ownScore(task, peak, fall, task->means[c + j], sums + 3 * j);
+      if (c + j >= task->kept)
+      {
+        ownScore(task, false, false, c + j, sums + 3 * j);
+      }
+      else
+      {
+        ownScore(task, true, components > 1, c + j, sums + 3 * j);
+      }
     }
     sumOverGroup(sums, 3 * these, task->work);
     for (int j = 0; j < these; ++j)
@@ -401,11 +442,12 @@ INLINE bool insert(const int components, const Task* task, Fit* fit)
 }
 
 // input: `vectors` of V with the n samples, the last one padded; one V with 1 for a sample of the last vector, 0 for
-// padding; the candidates' means. result: weight, mean, variance per component, then the log-likelihood,
+// padding; the candidates' means. density: scratch for a number at each sample. shapes: the same for each of the first
+// `kept` candidates. result: weight, mean, variance per component, then the log-likelihood,
 // the number of components and of EM steps.
-kernel GROUP void greedyMixture(const int n, const int vectors, const int candidates, global const REAL* input,
-  const REAL width, const REAL floor_, const int maximumSteps, const REAL gain, global REAL* density, local REAL* work,
-  global REAL* result)
+kernel GROUP void greedyMixture(const int n, const int vectors, const int candidates, const int kept,
+  global const REAL* input, const REAL width, const REAL floor_, const int maximumSteps, const REAL gain,
+  global REAL* density, local REAL* work, local REAL* shapes, global REAL* result)
 {
   Task task;
   task.n = n;
@@ -416,10 +458,14 @@ kernel GROUP void greedyMixture(const int n, const int vectors, const int candid
   task.inside = task.samples + vectors * WIDTH;
   task.means = task.inside + WIDTH;
   task.width = width;
+  task.peak = heightOf(1, width);
+  task.fall = steepnessOf(width);
   task.floor = floor_;
   task.gain = gain;
   task.density = density;
   task.work = work;
+  task.shapes = shapes;
+  task.kept = kept;
   // The first step lands on the samples' own mean and variance, the second tells its likelihood.
   const REAL start[3] = { 1, input[0], 1 };
   REAL next[3];

@@ -1,5 +1,7 @@
 #include "Mixture/mixture.h"
 
+#include "Mixture/mixture_sums.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -35,27 +37,52 @@ Insertion scoreCandidate(const std::vector<double>& samples,
   double mean,
   double variance)
 {
-  const double scale = 1.0 / std::sqrt(2.0 * 3.14159265358979323846 * variance);
-  double half = 0.0, sum = 0.0, squares = 0.0;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    const double d = samples[i] - mean;
-    const double phi = scale * std::exp(-0.5 * d * d / variance);
-    const double total = std::max(density[i] + phi, std::numeric_limits<double>::min()); // both may underflow
-    const double delta = (density[i] - phi) / total;
-    half += std::log(0.5 * total);
-    sum += delta;
-    squares += delta * delta;
-  }
-  if (!(squares > 0.0))
+  ScoreSums sums{};
+  mixtureKernels().score(samples, density, mean, variance, sums);
+  if (!(sums.squares > 0.0))
   {
     return {};
   }
   Insertion insertion;
-  insertion.weight = std::clamp(0.5 - 0.5 * sum / squares, 0.01, 0.99);
+  insertion.weight = std::clamp(0.5 - 0.5 * sums.sum / sums.squares, 0.01, 0.99);
   const double step = insertion.weight - 0.5;
-  insertion.logLikelihood = half - 2.0 * step * sum - 2.0 * step * step * squares;
+  insertion.logLikelihood = sums.logs - std::log(2.0) * double(samples.size()) - 2.0 * step * sums.sum -
+                            2.0 * step * step * sums.squares;
   return insertion;
+}
+
+// Into equal intervals first, then each: of spread samples, which an interval has few of, sooner than by
+// comparisons alone.
+std::vector<double> sortedSamples(const std::vector<double>& samples)
+{
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+  const double origin = *low, scale = (double(samples.size()) - 1.0) / (*high - origin);
+  if (!std::isfinite(scale))
+  {
+    return samples; // all alike
+  }
+  std::vector<int> ends(samples.size() + 1, 0);
+  std::vector<int> intervals(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    intervals[i] = static_cast<int>((samples[i] - origin) * scale);
+    ++ends[intervals[i] + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<int> next(ends.begin(), ends.end() - 1);
+  std::vector<double> sorted(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    sorted[next[intervals[i]]++] = samples[i];
+  }
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+  {
+    if (ends[k + 1] - ends[k] > 1)
+    {
+      std::sort(sorted.begin() + ends[k], sorted.begin() + ends[k + 1]);
+    }
+  }
+  return sorted;
 }
 
 } // namespace
@@ -79,66 +106,25 @@ double logDensity(const Mixture& mixture, double x)
 
 MixtureStep stepMixture(const Mixture& mixture, const std::vector<double>& samples, double varianceFloor)
 {
-  const std::size_t n = samples.size();
-  const std::size_t components = mixture.size();
-  MixtureStep step{ mixture, 0.0 };
-  std::vector<double> shares(n * components);
-  std::vector<double> mass(components, 0.0), first(components, 0.0), second(components, 0.0);
-  double constant[maximumMixtureComponents];
-  for (std::size_t k = 0; k < components; ++k)
-  {
-    constant[k] = std::log(mixture[k].weight) - 0.5 * (logTwoPi + std::log(mixture[k].variance));
-  }
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    double terms[maximumMixtureComponents];
-    double largest = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < components; ++k)
-    {
-      const double d = samples[i] - mixture[k].mean;
-      terms[k] = constant[k] - 0.5 * d * d / mixture[k].variance;
-      largest = std::max(largest, terms[k]);
-    }
-    double sum = 0.0;
-    for (std::size_t k = 0; k < components; ++k)
-    {
-      terms[k] = std::exp(terms[k] - largest);
-      sum += terms[k];
-    }
-    step.logLikelihood += largest + std::log(sum);
-    for (std::size_t k = 0; k < components; ++k)
-    {
-      const double share = terms[k] / sum;
-      shares[i * components + k] = share;
-      mass[k] += share;
-      first[k] += share * samples[i];
-    }
-  }
-  for (std::size_t k = 0; k < components; ++k)
+  StepSums sums{};
+  mixtureKernels().step(mixture, samples, sums);
+  MixtureStep step{ mixture, sums.logLikelihood };
+  for (std::size_t k = 0; k < mixture.size(); ++k)
   {
     // A component that lost its samples keeps its place with no weight to speak of.
-    step.mixture[k].weight = std::max(mass[k] / double(n), 1e-12);
-    step.mixture[k].mean = mass[k] > 0.0 ? first[k] / mass[k] : mixture[k].mean;
-  }
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    for (std::size_t k = 0; k < components; ++k)
-    {
-      const double d = samples[i] - step.mixture[k].mean;
-      second[k] += shares[i * components + k] * d * d;
-    }
-  }
-  for (std::size_t k = 0; k < components; ++k)
-  {
-    step.mixture[k].variance = std::max(mass[k] > 0.0 ? second[k] / mass[k] : 0.0, varianceFloor);
+    const double mass = sums.mass[k];
+    const double away = mass > 0.0 ? sums.first[k] / mass : 0.0;
+    const double spread = mass > 0.0 ? sums.second[k] / mass - away * away : 0.0;
+    step.mixture[k] = {
+      std::max(mass / double(samples.size()), 1e-12), mixture[k].mean + away, std::max(spread, varianceFloor)
+    };
   }
   return step;
 }
 
 MixtureCandidates mixtureCandidates(const std::vector<double>& samples, const MixtureOptions& options)
 {
-  std::vector<double> sorted = samples;
-  std::sort(sorted.begin(), sorted.end());
+  const std::vector<double> sorted = sortedSamples(samples);
   const double n = double(sorted.size());
   const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / n;
   double variance = 0.0;
@@ -171,15 +157,12 @@ MixtureFit fitMixture(const std::vector<double>& samples,
   fit.steps = 1;
   const MixtureCandidates candidates = mixtureCandidates(samples, options);
   const double gain = options.tolerance * double(samples.size());
-  std::vector<double> density(samples.size());
+  std::vector<double> density;
   std::vector<Insertion> insertions(candidates.means.size());
   while (int(fit.mixture.size()) < options.components)
   {
     context.checkpoint(double(fit.mixture.size()) / options.components);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-    {
-      density[i] = std::exp(logDensity(fit.mixture, samples[i]));
-    }
+    mixtureKernels().density(fit.mixture, samples, density);
     context.parallelFor(int(insertions.size()),
       [&](int begin, int end)
       {

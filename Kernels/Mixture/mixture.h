@@ -39,7 +39,7 @@ struct MixtureFit
 // ln of the mixture's density at x; finite for every finite x.
 double logDensity(const Mixture& mixture, double x);
 
-// One EM step: responsibilities of the components, then weights, means and variances from them (two passes).
+// One EM step: responsibilities of the components, then weights, means and variances from them.
 // logLikelihood is that of the mixture given, not of the one returned.
 struct MixtureStep
 {
