@@ -5,7 +5,6 @@
 #include "Silhouette/curves.h"
 #include "Silhouette/edge_smoothness.h"
 
-#include <array>
 #include <cmath>
 
 namespace oversketch
@@ -29,13 +28,14 @@ inline double angleBetween(const Vector3& a, const Vector3& b)
 class Bend
 {
 public:
+  static constexpr double nothing = 1e-7; // [rad]
+
   Bend(const Triple& before, const Triple& at, const Triple& normal, const Triple& after)
   {
     const Triple toBefore = before - at, toAfter = after - at;
     const Triple a = toBefore - normal.dot(toBefore) * normal, b = toAfter - normal.dot(toAfter) * normal;
     this->cross = a.cross(b).norm();
     this->dot = a.dot(b);
-    this->squares = { a.dot(a), b.dot(b) };
   }
   Bend(const CurvePoint& before, const CurvePoint& at, const CurvePoint& after)
     : Bend(Triple(before.position), Triple(at.position), Triple(at.normal), Triple(after.position))
@@ -67,20 +67,8 @@ public:
 
   bool isNone() const { return this->dot < 0.0 && this->cross < -this->dot * nothing; }
 
-  // Whether the energy along the edge will find that too. It makes the vectors to the neighbours of two
-  // parts, whose squared lengths sum to these: its rounding errors, at worst 56 units in the last place for
-  // parts as long as the projected vectors, grow with the ratio, and up to 150 they stay below the 1e-12 it
-  // tolerates.
-  bool isNone(double squaredBefore, double squaredAfter) const
-  {
-    return this->isNone() && 150.0 * this->squares[0] > squaredBefore &&
-           150.0 * this->squares[1] > squaredAfter;
-  }
-
 private:
-  static constexpr double nothing = 1e-7; // [rad]
   double cross, dot;
-  std::array<double, 2> squares; // of the projected vectors
 };
 
 } // namespace oversketch

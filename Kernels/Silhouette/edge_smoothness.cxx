@@ -2,6 +2,8 @@
 
 #include "Mesh/clones.h"
 
+#include <algorithm>
+
 namespace oversketch
 {
 
@@ -67,11 +69,17 @@ OVERSKETCH_CLONES double searchStraightest(const EdgeSmoothness& energy, double 
   {
     evaluate(energy, places + k, values + k);
   }
-  int bestSample = 0;
-  for (int k = 1; k <= intervals; ++k)
+  double top[lanes];
+  std::copy_n(values, lanes, top);
+  for (int k = lanes; k < sampled; k += lanes)
   {
-    bestSample = values[k] > values[bestSample] ? k : bestSample;
+    for (int i = 0; i < lanes; ++i)
+    {
+      top[i] = values[k + i] > top[i] ? values[k + i] : top[i];
+    }
   }
+  const double highest = *std::max_element(top, top + lanes);
+  const int bestSample = static_cast<int>(std::find(values, values + intervals, highest) - values);
   const double best = places[bestSample], bestValue = values[bestSample];
   // At an end, mostly: where the limit on E_geo holds the snaxel back.
   const double inward = 1e-3 * (best == low ? step : -step);

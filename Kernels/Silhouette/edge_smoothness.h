@@ -92,22 +92,6 @@ public:
     return lengths > 0.0 ? (a * b - this->ab(t) * n) / std::sqrt(lengths) : -1.0;
   }
 
-  bool isStraight(double t) const { return (*this)(t) > 1.0 - 1e-12; }
-
-  // Of two places the one nearer to t where E_smth is pi, or -1.
-  double straightPlace(const std::array<double, 2>& places, double t) const
-  {
-    const bool firstNearer = !(std::abs(places[1] - t) < std::abs(places[0] - t));
-    for (const double place : { places[firstNearer ? 0 : 1], places[firstNearer ? 1 : 0] })
-    {
-      if (this->isStraight(place))
-      {
-        return place;
-      }
-    }
-    return -1.0;
-  }
-
 private:
   Quadratic aa, bb, ab, na, nb, nn;
 };

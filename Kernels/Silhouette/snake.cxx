@@ -1,9 +1,11 @@
 #include "Silhouette/snake.h"
 
 #include "Silhouette/bend.h"
-#include "Silhouette/edge_smoothness.h"
+#include "Silhouette/fan.h"
+#include "Silhouette/relocation.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <iterator>
@@ -24,7 +26,7 @@ constexpr double splitDistance = 0.2; // of the spoke, halved until E_geo allows
 constexpr int halvingLimit = 40;
 constexpr int intervals = 32; // of an edge, where the limit on E_geo is looked for
 constexpr int bisections = 30;
-constexpr double endTolerance = 1e-6; // of an edge: nearer to its end is on the vertex
+constexpr int leastSection = 4; // snaxels of a section, or the curve is one
 
 struct Snaxel : CurvePoint
 {
@@ -44,58 +46,12 @@ struct Snaxel : CurvePoint
   double low = 1.0, high = 0.0;
   Vector3 ends[2] = { Vector3::Zero(), Vector3::Zero() },
           endNormals[2] = { Vector3::Zero(), Vector3::Zero() };
-};
 
-// The vertices that hold up a point, each once.
-struct Support
-{
-  int vertices[9];
-  int count = 0;
-  void add(const Binding& binding)
+  void moveTo(double weight, const Triple& to, const Triple& unit)
   {
-    for (int v : binding.vertices)
-    {
-      if (!this->holds(v))
-      {
-        this->vertices[this->count++] = v;
-      }
-    }
-  }
-  bool holds(int v) const
-  {
-    return std::find(this->vertices, this->vertices + this->count, v) != this->vertices + this->count;
-  }
-};
-
-// The neighbours of a vertex in order round it, as far as they can be reached over edges of two triangles.
-// Places in it are numbered: 2k is the spoke to link[k], 2k + 1 lies between the spokes k and k + 1.
-struct Fan
-{
-  int centre;
-  std::vector<int> link;
-  bool closed = false;
-
-  int places() const { return 2 * static_cast<int>(this->link.size()); }
-
-  int placeOf(const Binding& binding) const
-  {
-    Support support;
-    support.add(binding);
-    const int m = static_cast<int>(this->link.size());
-    const int wanted = support.count - (support.holds(this->centre) ? 1 : 0);
-    for (int k = 0; k < m; ++k)
-    {
-      if (wanted == 1 && support.holds(this->link[k]))
-      {
-        return 2 * k;
-      }
-      if (wanted == 2 && (this->closed || k + 1 < m) && support.holds(this->link[k]) &&
-          support.holds(this->link[(k + 1) % m]))
-      {
-        return 2 * k + 1;
-      }
-    }
-    return -1;
+    this->binding.weights = { weight, 1.0 - weight, 0.0 };
+    this->position = { to.x, to.y, to.z };
+    this->normal = { unit.x, unit.y, unit.z };
   }
 };
 
@@ -118,6 +74,14 @@ public:
     for (const CurvePoint& p : curve.points)
     {
       this->snaxels.emplace_back(p);
+    }
+    const int fixed = this->closed ? 0 : 1;
+    const int swept = static_cast<int>(this->snaxels.size()) - 2 * fixed;
+    this->sections = std::clamp(swept / leastSection, 1, Relocations::lanes);
+    this->heads.fill(this->snaxels.end());
+    for (int i = 0; i <= this->sections && swept > 0; ++i)
+    {
+      this->heads[i] = std::next(this->snaxels.begin(), fixed + swept * i / this->sections);
     }
   }
 
@@ -147,16 +111,51 @@ private:
     return next == this->snaxels.end() ? this->snaxels.front() : *next;
   }
 
-  // Looks at every stale snaxel but fixed ends once; false when nothing changed.
+  // Looks at every stale snaxel but fixed ends once, at one of each section in turn; false when nothing
+  // changed.
   bool sweepOnce(bool removeOnly)
   {
-    bool changed = false;
     if (this->snaxels.size() < 3)
     {
       return false;
     }
-    Place s = this->closed ? this->snaxels.begin() : std::next(this->snaxels.begin());
-    while (s != this->snaxels.end() && (this->closed || std::next(s) != this->snaxels.end()))
+    this->changed = false;
+    std::copy_n(this->heads.begin(), this->places.size(), this->places.begin());
+    std::array<Place, Relocations::lanes> looked;
+    for (bool open = true; open;)
+    {
+      int count = 0;
+      for (int section = 0; section < this->sections; ++section)
+      {
+        if (this->goToEdgeSnaxel(section, removeOnly))
+        {
+          looked[count] = this->places[section]++;
+          this->put(looked[count], count);
+          ++count;
+        }
+      }
+      open = count > 0 && !this->snaxels.empty();
+      if (open)
+      {
+        const bool perspective = this->view.perspective();
+        this->relocations.find(Triple(perspective ? this->view.eye() : this->view.normal()),
+          perspective ? 1.0 : 0.0,
+          this->epsilon);
+        for (int i = 0; i < count; ++i)
+        {
+          this->settle(looked[i], i);
+        }
+      }
+    }
+    return this->changed;
+  }
+
+  // Goes on to the section's next stale snaxel that may move along its edge, removes and splits on the way;
+  // false at the section's end.
+  bool goToEdgeSnaxel(int section, bool removeOnly)
+  {
+    Place& s = this->places[section];
+    while (s != this->heads[section + 1])
     {
       if (!s->stale)
       {
@@ -168,33 +167,86 @@ private:
       Snaxel& next = this->after(s);
       if (!s->apart && this->inOneTriangle(previous, *s, next))
       {
-        s = this->snaxels.erase(s);
-        previous.stale = next.stale = changed = true;
-        previous.apart = next.apart = false;
+        this->replace(s, std::next(s));
+        this->reconsider(previous, next);
         if (this->closed && this->snaxels.size() < 3)
         {
           this->snaxels.clear();
-          return true;
+          this->heads.fill(this->snaxels.end());
+          this->places.fill(this->snaxels.end());
         }
         continue; // with the follower of what was removed
       }
       s->apart = true;
-      const bool splitting = !removeOnly && s->binding.onVertex();
-      if (splitting ? this->split(s, previous, next) : !removeOnly && this->relocate(*s, previous, next))
+      if (!removeOnly && s->binding.onVertex())
       {
-        previous.stale = next.stale = changed = true;
-        if (s->binding.onVertex() || splitting)
+        if (this->split(s, previous, next))
         {
-          previous.apart = next.apart = s->apart = false;
-        }
-        if (splitting)
-        {
+          this->reconsider(previous, next);
           continue; // with the first of the new snaxels
         }
       }
+      else if (!removeOnly && s->binding.weights[2] == 0.0 &&
+               (s->low <= s->high || this->measure(*s, s->binding.weights[1])))
+      {
+        return true;
+      }
       ++s;
     }
-    return changed;
+    return false;
+  }
+
+  // Another snaxel, or what follows, takes the place of one that is gone.
+  void replace(Place gone, Place by)
+  {
+    std::replace(this->heads.begin(), this->heads.end(), gone, by);
+    std::replace(this->places.begin(), this->places.end(), gone, by);
+    this->snaxels.erase(gone);
+  }
+
+  // What lies between these two is another than before.
+  void reconsider(Snaxel& previous, Snaxel& next)
+  {
+    previous.stale = next.stale = this->changed = true;
+    previous.apart = next.apart = false;
+  }
+
+  void put(Place s, int i)
+  {
+    Relocations& r = this->relocations;
+    r.before.set(i, this->before(s).position);
+    r.after.set(i, this->after(s).position);
+    r.at.set(i, s->position);
+    r.normal.set(i, s->normal);
+    for (int k = 0; k < 2; ++k)
+    {
+      r.ends[k].set(i, s->ends[k]);
+      r.endNormals[k].set(i, s->endNormals[k]);
+    }
+    r.low[i] = s->low;
+    r.high[i] = s->high;
+  }
+
+  // Does to a snaxel what was found for it.
+  void settle(Place place, int i)
+  {
+    const Relocations::Found& found = this->relocations.found;
+    Snaxel &s = *place, &previous = this->before(place), &next = this->after(place);
+    const Relocations::Verdict verdict = found.verdict[i];
+    if (verdict == Relocations::Moves)
+    {
+      s.moveTo(found.weight[i], found.position[i], found.normal[i]);
+    }
+    else if (verdict == Relocations::Stays || !this->relocate(s, previous, next))
+    {
+      return;
+    }
+    previous.stale = next.stale = this->changed = true;
+    if (s.binding.onVertex())
+    {
+      this->reconsider(previous, next);
+      s.apart = false;
+    }
   }
 
   CurvePoint pointAt(const Binding& binding) const
@@ -208,76 +260,13 @@ private:
     support.add(a.binding);
     support.add(b.binding);
     support.add(c.binding);
-    return support.count < 3 || (support.count == 3 && this->triangleWith(support) >= 0);
-  }
-
-  int triangleWith(const Support& support) const
-  {
-    const Lists& lists = this->adjacency.vertexTriangles;
-    for (const int* t = lists.begin(support.vertices[0]); t != lists.end(support.vertices[0]); ++t)
-    {
-      const Triangle& corners = this->mesh.triangles[*t];
-      if (std::all_of(support.vertices,
-            support.vertices + support.count,
-            [&](int v) { return v == corners[0] || v == corners[1] || v == corners[2]; }))
-      {
-        return *t;
-      }
-    }
-    return -1;
-  }
-
-  // Puts the triangle's neighbours across its spoke to `to` at the end of link; true when the walk comes back
-  // to it.
-  bool walkFan(int centre, int triangle, int to, std::vector<int>& link) const
-  {
-    const int first = triangle;
-    for (int steps = this->adjacency.vertexTriangles.size(centre); steps > 0; --steps)
-    {
-      const int spoke = this->adjacency.findEdge(centre, to);
-      if (spoke < 0 || this->adjacency.edges[spoke].triangleCount != 2)
-      {
-        return false;
-      }
-      const int* sides = this->adjacency.trianglesBegin(spoke);
-      triangle = sides[0] == triangle ? sides[1] : sides[0];
-      if (triangle == first)
-      {
-        link.pop_back(); // the neighbour that the walk began with, met again
-        return true;
-      }
-      for (int v : this->mesh.triangles[triangle])
-      {
-        if (v != centre && v != to)
-        {
-          to = v;
-          break;
-        }
-      }
-      link.push_back(to);
-    }
-    return false;
-  }
-
-  Fan fanOf(int centre, int triangle) const
-  {
-    const Triangle& corners = this->mesh.triangles[triangle];
-    const int k = static_cast<int>(std::find(corners.begin(), corners.end(), centre) - corners.begin());
-    const int a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
-    Fan fan{ centre, { a, b }, false };
-    fan.closed = this->walkFan(centre, triangle, b, fan.link);
-    if (!fan.closed)
-    {
-      std::vector<int> other;
-      this->walkFan(centre, triangle, a, other);
-      fan.link.insert(fan.link.begin(), other.rbegin(), other.rend());
-    }
-    return fan;
+    return support.count < 3 ||
+           (support.count == 3 && triangleWith(this->mesh, this->adjacency, support) >= 0);
   }
 
   // Replaces a bent vertex snaxel by edge snaxels on the spokes that the curve crosses on the side of the
-  // smaller angle, so that the curve shortens; s is then the first of them. False where it stays.
-  bool split(Place& s, const Snaxel& previous, const Snaxel& next)
+  // smaller angle, so that the curve shortens. False where it stays.
+  bool split(Place s, const Snaxel& previous, const Snaxel& next)
   {
     const int centre = s->binding.vertices[0];
     int& splits = this->splitCount[centre];
@@ -288,12 +277,12 @@ private:
     Support support;
     support.add(s->binding);
     support.add(previous.binding);
-    const int triangle = this->triangleWith(support);
+    const int triangle = triangleWith(this->mesh, this->adjacency, support);
     if (triangle < 0)
     {
       return false;
     }
-    const Fan fan = this->fanOf(centre, triangle);
+    const Fan fan = fanOf(this->mesh, this->adjacency, centre, triangle);
     const int from = fan.placeOf(previous.binding);
     const int to = fan.placeOf(next.binding);
     if (from < 0 || to < 0 || from == to)
@@ -349,8 +338,7 @@ private:
     ++splits;
     const Place firstMade = made.begin();
     this->snaxels.splice(s, made);
-    this->snaxels.erase(s);
-    s = firstMade;
+    this->replace(s, firstMade);
     return true;
   }
 
@@ -375,96 +363,47 @@ private:
   // stale.
   bool relocate(Snaxel& s, const Snaxel& previous, const Snaxel& next)
   {
-    const int v0 = s.binding.vertices[0], v1 = s.binding.vertices[1];
-    if (s.binding.weights[2] != 0.0)
-    {
-      return false;
-    }
-    const double present = s.binding.weights[1];
-    if (s.low > s.high && !this->measure(s, present))
-    {
-      return false;
-    }
     const Bend bend(previous, s, next);
     if (!bend.matters())
     {
       return false;
     }
-    const double low = s.low, high = s.high;
+    const double low = s.low, high = s.high, present = s.binding.weights[1];
     const Triple p0(s.ends[0]), p1(s.ends[1]), n0(s.endNormals[0]), n1(s.endNormals[1]);
     const Triple before(previous.position), after(next.position);
     const Triple a = before - p0, b = after - p0, e = p1 - p0, dn = n1 - n0;
-    const std::array<double, 2> places = straightPlaces(a, b, e, n0, dn);
+    const auto bendAt = [&](const EdgePoint& p) { return Bend(before, p.position, p.normal, after); };
+    std::array<double, 2> straightest = straightPlaces(a, b, e, n0, dn);
+    if (std::abs(straightest[1] - present) < std::abs(straightest[0] - present))
+    {
+      std::swap(straightest[0], straightest[1]);
+    }
+    const auto found = std::find_if(straightest.begin(),
+      straightest.end(),
+      [&](double t) { return t >= low && t <= high && bendAt(EdgePoint(t, p0, p1, n0, n1)).isNone(); });
+    const double best =
+      found != straightest.end() ? *found : searchStraightest(EdgeSmoothness(a, b, e, n0, dn), low, high);
     // A whole edge may be free to its end, or the limit may lie just short of it.
-    const auto toFirst = [&](double t) { return low == 0.0 && t < endTolerance; };
-    const auto toSecond = [&](double t) { return high == 1.0 && t > 1.0 - endTolerance; };
-    // As pointAt computes it, term by term.
-    struct EdgePoint
+    const bool toFirst = low == 0.0 && best < endTolerance,
+               toSecond = high == 1.0 && best > 1.0 - endTolerance;
+    if (toFirst || toSecond)
     {
-      double w0, w1;
-      Triple position, normal;
-      double squared; // length of the normal before
-    };
-    const auto edgePoint = [&](double t)
-    {
-      const double w0 = 1.0 - t, w1 = 1.0 - w0;
-      const Triple normal = w0 * n0 + w1 * n1 + 0.0 * n0;
-      const double squared = normal.dot(normal), length = squared > 0.0 ? std::sqrt(squared) : 1.0;
-      return EdgePoint{ w0,
-        w1,
-        w0 * p0 + w1 * p1 + 0.0 * p0,
-        { normal.x / length, normal.y / length, normal.z / length },
-        squared };
-    };
-    const auto accept = [&](const EdgePoint& p, const Bend& left)
-    {
-      if (!this->nearContour(p.position, p.normal) || !bend.matters(left))
+      const CurvePoint moved = this->pointAt(Binding::vertex(s.binding.vertices[toFirst ? 0 : 1]));
+      if (!this->nearContour(Triple(moved.position), Triple(moved.normal)) ||
+          !bend.matters(Bend(previous, moved, next)))
       {
         return false;
       }
-      s.binding.weights = { p.w0, p.w1, 0.0 };
-      s.position = { p.position.x, p.position.y, p.position.z };
-      s.normal = { p.normal.x, p.normal.y, p.normal.z };
-      s.stale = false;
+      static_cast<CurvePoint&>(s) = moved;
+      s.stale = true;
       return true;
-    };
-    // Mostly one of the places is in reach, and often the curve is straight there without doubt.
-    const bool firstInReach = places[0] >= low && places[0] <= high,
-               secondInReach = places[1] >= low && places[1] <= high;
-    const bool one = firstInReach != secondInReach;
-    const double place = firstInReach ? places[0] : places[1];
-    if (one && !toFirst(place) && !toSecond(place))
-    {
-      const EdgePoint p = edgePoint(place);
-      const Bend left(before, p.position, p.normal, after);
-      const double squaredStep = place * place * e.dot(e);
-      if ((p.squared > 0.25 && left.isNone(a.dot(a) + squaredStep, b.dot(b) + squaredStep)) ||
-          EdgeSmoothness(a, b, e, n0, dn).isStraight(place))
-      {
-        return accept(p, left);
-      }
     }
-    const EdgeSmoothness energy(a, b, e, n0, dn);
-    double best = one && energy.isStraight(place) ? place
-                  : firstInReach && secondInReach ? energy.straightPlace(places, present)
-                                                  : -1.0;
-    if (best < 0.0)
-    {
-      best = searchStraightest(energy, low, high);
-    }
-    if (!toFirst(best) && !toSecond(best))
-    {
-      const EdgePoint p = edgePoint(best);
-      return accept(p, Bend(before, p.position, p.normal, after));
-    }
-    const CurvePoint moved = this->pointAt(Binding::vertex(toFirst(best) ? v0 : v1));
-    if (!this->nearContour(Triple(moved.position), Triple(moved.normal)) ||
-        !bend.matters(Bend(previous, moved, next)))
+    const EdgePoint p(best, p0, p1, n0, n1);
+    if (!this->nearContour(p.position, p.normal) || !bend.matters(bendAt(p)))
     {
       return false;
     }
-    static_cast<CurvePoint&>(s) = moved;
-    s.stale = true;
+    s.moveTo(p.weight, p.position, p.normal);
     return true;
   }
 
@@ -536,6 +475,13 @@ private:
   double epsilon;
   bool closed;
   std::list<Snaxel> snaxels;
+  // The curve in sections of equal length: where each begins, and the next one after the last. A sweep goes
+  // over all of them at once, so that what one snaxel waits for is worked on for others.
+  int sections;
+  std::array<Place, Relocations::lanes + 1> heads;
+  std::array<Place, Relocations::lanes> places; // that the sweep has come to
+  Relocations relocations;
+  bool changed = false;          // in this sweep
   std::map<int, int> splitCount; // by vertex
 };
 

@@ -17,7 +17,9 @@ double silhouetteDeviation(const CurvePoint& snaxel, const View& view);
 // point itself.
 double smoothness(const CurvePoint& before, const CurvePoint& at, const CurvePoint& after);
 
-// Smooths every curve by itself; a closed curve is swept from its first point, an open one keeps its ends.
+// Smooths every curve by itself; an open one keeps its ends. A sweep goes along up to eight sections of equal
+// length at a time, each from its first snaxel, where the paper goes along the curve once: what a snaxel
+// waits for is then worked on for others.
 // Snaxels are removed (three in one triangle), split (a vertex snaxel that bends by more than 0.01 rad, at
 // most once and five times again per vertex) and relocated along their edge to the largest E_smth with E_geo
 // < epsilon where that gains more than 1e-4 rad, until a sweep changes nothing, at most 200 sweeps.
