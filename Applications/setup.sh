@@ -5,7 +5,7 @@ oversketch_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 oversketch_packages=(
   g++ cmake ninja-build ccache
-  libvtk9-dev python3-vtk9 python3-numpy libeigen3-dev libcgal-dev libembree-dev libopencv-dev
+  libvtk9-dev python3-vtk9 python3-numpy libeigen3-dev libcgal-dev libembree-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd libsuitesparse-dev libtbb-dev
   libarchive-dev libgtest-dev libbenchmark-dev python3-dev python3-pytest xvfb xauth libgl1-mesa-dri)
 

@@ -1,11 +1,7 @@
 #include "Region/cut.h"
 
+#include "Region/flow.h"
 #include "Region/grow.h"
-
-#include <opencv2/core.hpp>
-// The library's own maximum flow (behind its GrabCut); the alternative would be Boost's, an order slower to
-// build.
-#include <opencv2/imgproc/detail/gcgraph.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -118,8 +114,7 @@ std::vector<char> minimumCut(const Mesh& mesh,
   double faithful)
 {
   const double scale = 1e9 / boundingDiagonal(mesh); // whole numbers below 2^53 keep the flow exact
-  std::vector<double> source(nodes, 0.0), sink(nodes, 0.0);
-  std::vector<char> asked(adjacency.edges.size(), 0);
+  FlowGraph graph(nodes);
   for (const int t : band)
   {
     const Facet& facet = facets[t];
@@ -129,70 +124,55 @@ std::vector<char> minimumCut(const Mesh& mesh,
     }
     if (facet.selected == 0 || facet.selected == 3)
     {
-      (facet.selected == 3 ? source : sink)[facet.node] +=
+      (facet.selected == 3 ? graph.source : graph.sink)[facet.node] +=
         std::round(scale * faithful * areaOf(mesh, t) / width);
     }
-    for (const int edge : adjacency.triangleEdges[t])
+    for (const int e : adjacency.triangleEdges[t])
     {
-      if (edge >= 0)
+      // An edge is its first node's.
+      if (e < 0 || t != *std::find_if(adjacency.trianglesBegin(e),
+                          adjacency.trianglesEnd(e),
+                          [&](int other) { return facets[other].node >= 0; }))
       {
-        asked[edge] = 1;
+        continue;
       }
-    }
-  }
-  // One vertex and one edge of no capacity more than needed: the library looks at the first of each unasked.
-  cv::detail::GCGraph<double> graph(static_cast<unsigned>(nodes + 2), static_cast<unsigned>(3 * nodes + 1));
-  for (int i = 0; i < nodes + 2; ++i)
-  {
-    graph.addVtx();
-  }
-  graph.addEdges(nodes, nodes + 1, 0.0, 0.0);
-  for (std::size_t e = 0; e < asked.size(); ++e)
-  {
-    if (!asked[e])
-    {
-      continue;
-    }
-    const MeshEdge& edge = adjacency.edges[e];
-    const int* triangles = adjacency.edgeTriangles.data() + edge.firstTriangle;
-    for (int i = 0; i < edge.triangleCount; ++i)
-    {
-      for (int j = i + 1; j < edge.triangleCount; ++j)
+      const MeshEdge& edge = adjacency.edges[e];
+      const int* triangles = adjacency.trianglesBegin(e);
+      for (int i = 0; i < edge.triangleCount; ++i)
       {
-        const Facet& a = facets[triangles[i]];
-        const Facet& b = facets[triangles[j]];
-        if (a.node == b.node) // one clump, or both outside the band
+        for (int j = i + 1; j < edge.triangleCount; ++j)
         {
-          continue;
-        }
-        const Plane from(mesh, normals, triangles[i]), to(mesh, normals, triangles[j]);
-        const Vector3 step = to.centre - from.centre;
-        const double squared = step.squaredNorm();
-        const double curvature =
-          squared > 0.0 ? (to.normal - from.normal).dot(step) / squared : 0.0; // < 0: concave
-        const double cost = std::round(scale * (mesh.points[edge.v0] - mesh.points[edge.v1]).norm() /
-                                       (1.0 + width * std::max(0.0, -curvature)));
-        if (a.node >= 0 && b.node >= 0)
-        {
-          graph.addEdges(a.node, b.node, cost, cost);
-        }
-        else
-        {
-          const Facet& fixed = a.node >= 0 ? b : a;
-          (fixed.role == Inside ? source : sink)[std::max(a.node, b.node)] += cost;
+          const Facet& a = facets[triangles[i]];
+          const Facet& b = facets[triangles[j]];
+          if (a.node == b.node) // one clump, or both outside the band
+          {
+            continue;
+          }
+          const Plane from(mesh, normals, triangles[i]), to(mesh, normals, triangles[j]);
+          const Vector3 step = to.centre - from.centre;
+          const double squared = step.squaredNorm();
+          const double curvature =
+            squared > 0.0 ? (to.normal - from.normal).dot(step) / squared : 0.0; // < 0: concave
+          const double cost = std::round(scale * (mesh.points[edge.v0] - mesh.points[edge.v1]).norm() /
+                                         (1.0 + width * std::max(0.0, -curvature)));
+          if (a.node >= 0 && b.node >= 0)
+          {
+            graph.addEdge(a.node, b.node, cost);
+          }
+          else
+          {
+            const Facet& fixed = a.node >= 0 ? b : a;
+            (fixed.role == Inside ? graph.source : graph.sink)[std::max(a.node, b.node)] += cost;
+          }
         }
       }
     }
   }
-  for (int i = 0; i < nodes; ++i)
-  {
-    graph.addTermWeights(i, source[i], sink[i]);
-  }
-  graph.maxFlow();
+  const std::vector<char> side = graph.sourceSide();
   std::vector<char> inside(facets.size());
   for (std::size_t t = 0; t < facets.size(); ++t)
   {
-    inside[t] = facets[t].node >= 0 ? graph.inSourceSegment(facets[t].node) : facets[t].role == Inside;
+    inside[t] = facets[t].node >= 0 ? side[facets[t].node] : facets[t].role == Inside;
   }
   return inside;
 }

@@ -1,4 +1,4 @@
-# Warnings that our own sources must be free of. VTK's and OpenCV's headers come in as system headers.
+# Warnings that our own sources must be free of. VTK's headers come in as system headers.
 set(oversketch_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
 # VTK 9.1's own macros leave a semicolon that -Wpedantic refuses.
 set(oversketch_filter_warnings ${oversketch_warnings})
