@@ -141,9 +141,10 @@ private:
         reach(v, 1);
       }
     }
-    for (std::size_t i = 0; i < this->queue.size(); ++i)
+    std::size_t looked = 0;
+    while (looked < this->queue.size()) // it grows
     {
-      const int v = this->queue[i];
+      const int v = this->queue[looked++];
       for (int a = this->nodes[v].firstArc; a < this->nodes[v + 1].firstArc; ++a)
       {
         const Arc& arc = this->arcs[a];
