@@ -26,8 +26,8 @@
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. No curves give an
  * empty output silently.
  *
- * Deterministic for any number of threads: each curve is smoothed by itself. Cost: about five milliseconds for
- * each thousand points. The result is kept, as the same arrays, while curves, mesh, view and Epsilon
+ * Deterministic for any number of threads: each curve is smoothed by itself. Cost: about five milliseconds
+ * for each thousand points. The result is kept, as the same arrays, while curves, mesh, view and Epsilon
  * stand.
  *
  * @sa vtkOversketchSilhouette vtkOversketchVisibility
