@@ -37,7 +37,8 @@ public:
     static_assert(sizeof(Bvh::Node) == 9 * 8 * sizeof(float) && sizeof(Bvh::Pack) == 10 * 8 * sizeof(float) &&
                     offsetof(Bvh::Node, child) == 48 * sizeof(float) &&
                     offsetof(Bvh::Node, normalLower) == 28 * 8 && sizeof(RayFacet) == 4 * 4 * sizeof(float) &&
-                    sizeof(RayHit) == 2 * sizeof(float),
+                    offsetof(RayFacet, plane) == 3 * sizeof(double) &&
+                    offsetof(RayFacet, offset) == 6 * sizeof(double) && sizeof(RayHit) == 2 * sizeof(float),
       "the sizes that cast_rays.cl counts in");
     // Few different programs: depths are rounded up. A node's children are written all at once.
     const int stackSize = (this->bvh_.stackSize + Bvh::width + 31) / 32 * 32;
