@@ -1,0 +1,167 @@
+#include "Stroke/resketch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace oversketch
+{
+namespace
+{
+
+Blend reversed(const Blend& place, int count)
+{
+  return { count - 1 - place.from, count - 1 - place.to, place.t };
+}
+
+// A curve with its lengths, walked in either direction.
+struct Walk
+{
+  Polyline points;
+  std::vector<double> lengths;
+
+  explicit Walk(Polyline curve)
+    : points(std::move(curve))
+    , lengths(arcLengths(this->points))
+  {
+  }
+  int count() const { return static_cast<int>(this->points.size()); }
+  double length() const { return this->lengths.back(); }
+  Blend at(double length) const { return placeAt(this->lengths, this->count(), length); }
+  // Unit direction in which the curve arrives at a length; in which it leaves where there is nothing before.
+  Vector2 arriving(double length) const
+  {
+    const Vector2 here = this->at(length).of(this->points);
+    for (int i = this->count() - 1; i >= 0; --i)
+    {
+      if (this->lengths[i] < length && this->points[i] != here)
+      {
+        return (here - this->points[i]).normalized();
+      }
+    }
+    return this->leaving();
+  }
+  Vector2 leaving() const
+  {
+    const auto other = std::find_if(
+      this->points.begin(), this->points.end(), [&](const Vector2& p) { return p != this->points.front(); });
+    return (*other - this->points.front()).normalized();
+  }
+  double nearest(const Vector2& to) const
+  {
+    const NearestPlace::Answer answer = NearestPlace(this->points)(to);
+    return this->lengths[answer.segment] +
+           answer.t * (this->lengths[answer.segment + 1] - this->lengths[answer.segment]);
+  }
+};
+
+// What comes before the new curve: the old one up to S', then the run into the new one's first point, which
+// is left out. `place` is S in px along the old curve.
+Resketched lead(const Walk& old, const Walk& fresh, double place, double reach, double spacing)
+{
+  Resketched result;
+  const auto add = [&](const Vector2& point, const Origin& origin)
+  {
+    result.points.push_back(point);
+    result.origins.push_back(origin);
+  };
+  const Vector2 end = fresh.points.front();
+  const double start = place - reach * (old.at(place).of(old.points) - end).norm();
+  if (start < 0.0)
+  {
+    return result;
+  }
+  for (int i = 0; i < old.count() && old.lengths[i] < start; ++i)
+  {
+    add(old.points[i], { Blend::point(i), Blend::point(0), 0.0 });
+  }
+  if (start == place)
+  {
+    return result;
+  }
+  const Vector2 from = old.at(start).of(old.points);
+  const double chord = (end - from).norm();
+  const Vector2 t0 = chord * old.arriving(start), t1 = chord * fresh.leaving();
+  const int steps = std::max(2, static_cast<int>(std::ceil(std::max(chord, place - start) / spacing)));
+  for (int i = 0; i < steps; ++i)
+  {
+    const double u = static_cast<double>(i) / steps, u2 = u * u, u3 = u2 * u;
+    const double c = 3.0 * u2 - 2.0 * u3;
+    const Vector2 hermite = (1.0 - c) * from + (u3 - 2.0 * u2 + u) * t0 + c * end + (u3 - u2) * t1;
+    const Blend before = old.at(start + u * (place - start));
+    add((1.0 - c) * before.of(old.points) + c * hermite, { before, Blend::point(0), c });
+  }
+  return result;
+}
+
+bool differs(const Polyline& curve)
+{
+  return std::any_of(curve.begin(), curve.end(), [&](const Vector2& p) { return p != curve.front(); });
+}
+
+} // namespace
+
+Resketched resketch(const Polyline& old, const Polyline& fresh, double reach, double spacing)
+{
+  Resketched result;
+  const auto keepOld = [&]
+  {
+    result.points = old;
+    for (int i = 0; i < static_cast<int>(old.size()); ++i)
+    {
+      result.origins.push_back({ Blend::point(i), Blend::point(0), 0.0 });
+    }
+    return result;
+  };
+  if (!differs(old) || !differs(fresh))
+  {
+    return keepOld();
+  }
+  const Walk before(old);
+  const double length = before.length();
+  double s = before.nearest(fresh.front()), e = before.nearest(fresh.back());
+  const bool atEnd = s == e && (s == 0.0 || s == length);
+  if (s == e && !atEnd)
+  {
+    return keepOld();
+  }
+  const auto gap = [&](const Vector2& p, double place) { return (before.at(place).of(old) - p).norm(); };
+  // An extension has its nearer end at the old curve.
+  const bool nearerFirst = gap(fresh.front(), s) <= gap(fresh.back(), e);
+  const bool turned = atEnd ? nearerFirst != (s == length) : s > e;
+  Polyline drawn = fresh;
+  if (turned)
+  {
+    std::reverse(drawn.begin(), drawn.end());
+    std::swap(s, e);
+  }
+  const Walk after(drawn);
+  const int oldCount = before.count(), freshCount = after.count();
+
+  result = lead(before, after, s, reach, spacing);
+  for (int i = 0; i < freshCount; ++i)
+  {
+    result.points.push_back(drawn[i]);
+    result.origins.push_back({ Blend::point(0), Blend::point(i), 1.0 });
+  }
+  // The way out is the way in, walked from the other end.
+  const Walk oldBack(Polyline(old.rbegin(), old.rend())), freshBack(Polyline(drawn.rbegin(), drawn.rend()));
+  const Resketched out = lead(oldBack, freshBack, length - e, reach, spacing);
+  for (int i = static_cast<int>(out.points.size()) - 1; i >= 0; --i)
+  {
+    const Origin& origin = out.origins[i];
+    result.points.push_back(out.points[i]);
+    result.origins.push_back(
+      { reversed(origin.before, oldCount), reversed(origin.after, freshCount), origin.weight });
+  }
+  if (turned)
+  {
+    for (Origin& origin : result.origins)
+    {
+      origin.after = reversed(origin.after, freshCount);
+    }
+  }
+  return result;
+}
+
+} // namespace oversketch

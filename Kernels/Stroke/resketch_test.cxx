@@ -1,0 +1,183 @@
+// Facts of editors.md, section 13 (re-sketching): f from (0, 0) to (100, 0), spacing 1.
+#include "Stroke/resketch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using oversketch::Polyline;
+using oversketch::resketch;
+using oversketch::Resketched;
+using oversketch::Vector2;
+
+namespace
+{
+
+Polyline line(double x0, double x1, double y)
+{
+  Polyline points;
+  const int steps = static_cast<int>(std::abs(x1 - x0));
+  for (int i = 0; i <= steps; ++i)
+  {
+    points.emplace_back(x0 + (x1 - x0) * i / steps, y);
+  }
+  return points;
+}
+
+const Polyline f = line(0.0, 100.0, 0.0);
+
+// Height of a result that goes from left to right.
+double heightAt(const Polyline& r, double x)
+{
+  for (size_t i = 1; i < r.size(); ++i)
+  {
+    if (r[i - 1][0] <= x && x <= r[i][0] && r[i - 1][0] < r[i][0])
+    {
+      const double t = (x - r[i - 1][0]) / (r[i][0] - r[i - 1][0]);
+      return (1.0 - t) * r[i - 1][1] + t * r[i][1];
+    }
+  }
+  return std::nan("");
+}
+
+} // namespace
+
+TEST(Resketch, APartInTheMiddle)
+{
+  const Polyline m = line(40.0, 60.0, 2.0);
+  const Resketched r = resketch(f, m);
+  for (double x = 0.0; x <= 100.0; x += 0.5)
+  {
+    if (x <= 28.0 || x >= 72.0)
+    {
+      EXPECT_NEAR(heightAt(r.points, x), 0.0, 1e-9) << x;
+    }
+    else if (x >= 40.0 && x <= 60.0)
+    {
+      EXPECT_EQ(heightAt(r.points, x), 2.0) << x;
+    }
+    else
+    {
+      EXPECT_GT(heightAt(r.points, x), 0.0) << x;
+    }
+  }
+  EXPECT_NEAR(heightAt(r.points, 34.0), 0.5, 0.02); // a plain splice or Hermite curve gives 1
+  EXPECT_NEAR(heightAt(r.points, 66.0), 0.5, 0.02);
+  EXPECT_EQ(r.points.front(), f.front());
+  EXPECT_EQ(r.points.back(), f.back());
+  // Every sample of the new curve, and those of the old one outside, are there as they were.
+  for (const Vector2& p : m)
+  {
+    EXPECT_NE(std::find(r.points.begin(), r.points.end(), p), r.points.end());
+  }
+  for (int i = 0; i < 28; ++i)
+  {
+    EXPECT_EQ(r.points[i], f[i]);
+  }
+  // With half the reach the old curve is left later.
+  const Resketched k3 = resketch(f, m, 3.0);
+  EXPECT_NEAR(heightAt(k3.points, 34.0), 0.0, 1e-9);
+  EXPECT_GT(heightAt(k3.points, 35.0), 0.0);
+}
+
+TEST(Resketch, TheDirectionOfTheNewCurveDoesNotMatter)
+{
+  const Resketched r = resketch(f, line(40.0, 60.0, 2.0)), back = resketch(f, line(60.0, 40.0, 2.0));
+  ASSERT_EQ(r.points.size(), back.points.size());
+  for (size_t i = 0; i < r.points.size(); ++i)
+  {
+    EXPECT_EQ(r.points[i], back.points[i]);
+  }
+}
+
+TEST(Resketch, OverAnEnd)
+{
+  const Resketched r = resketch(f, line(95.0, 130.0, 1.0));
+  EXPECT_EQ(r.points.back(), Vector2(130.0, 1.0));
+  EXPECT_NEAR(heightAt(r.points, 89.0), 0.0, 1e-9);
+  EXPECT_GT(heightAt(r.points, 90.0), 0.0);
+  const Polyline longer = line(-10.0, 110.0, 1.0);
+  const Resketched whole = resketch(f, longer);
+  EXPECT_EQ(whole.points, longer);
+  const Resketched start = resketch(f, line(5.0, 50.0, 1.0)); // S' = -0.01
+  EXPECT_EQ(start.points.front(), Vector2(5.0, 1.0));
+  EXPECT_EQ(start.points.back(), f.back());
+}
+
+TEST(Resketch, RunningOnFromAnEndExtends)
+{
+  for (const bool backwards : { false, true })
+  {
+    Polyline on = line(102.0, 150.0, 0.0), ahead = line(-2.0, -50.0, 0.0);
+    if (backwards)
+    {
+      std::reverse(on.begin(), on.end());
+      std::reverse(ahead.begin(), ahead.end());
+    }
+    const Resketched r = resketch(f, on), l = resketch(f, ahead);
+    EXPECT_EQ(r.points.front(), f.front());
+    EXPECT_EQ(r.points.back(), Vector2(150.0, 0.0));
+    EXPECT_EQ(l.points.front(), Vector2(-50.0, 0.0));
+    EXPECT_EQ(l.points.back(), f.back());
+    for (const Resketched& one : { r, l })
+    {
+      EXPECT_TRUE(std::is_sorted(one.points.begin(),
+        one.points.end(),
+        [](const Vector2& a, const Vector2& b) { return a[0] < b[0]; }));
+    }
+  }
+}
+
+TEST(Resketch, ABulgeStays)
+{
+  Polyline arc;
+  for (int i = 0; i <= 40; ++i)
+  {
+    const double angle = M_PI * i / 40.0;
+    arc.emplace_back(50.0 - 10.0 * std::cos(angle), 10.0 * std::sin(angle));
+  }
+  const Resketched r = resketch(f, arc);
+  double highest = 0.0;
+  for (const Vector2& p : r.points)
+  {
+    highest = std::max(highest, p[1]);
+  }
+  EXPECT_GE(highest, 9.9);
+}
+
+TEST(Resketch, OriginsGiveTheSamplesBack)
+{
+  // An affine value of the old curve and of the new one, carried along, is that value at the result.
+  std::vector<double> old, fresh;
+  const Polyline m = line(60.0, 40.0, 0.0); // on the curve itself, so no sample moves sideways
+  for (const Vector2& p : f)
+  {
+    old.push_back(3.0 * p[0]);
+  }
+  for (const Vector2& p : m)
+  {
+    fresh.push_back(3.0 * p[0]);
+  }
+  const Resketched r = resketch(f, m);
+  ASSERT_EQ(r.points.size(), r.origins.size());
+  for (size_t i = 0; i < r.points.size(); ++i)
+  {
+    EXPECT_NEAR(r.origins[i].of(old, fresh), 3.0 * r.points[i][0], 1e-12);
+  }
+  const Resketched above = resketch(f, line(60.0, 40.0, 2.0));
+  for (size_t i = 0; i < above.points.size(); ++i)
+  {
+    EXPECT_NEAR(above.origins[i].of(old, fresh) / 3.0, above.points[i][0], 12.0); // a run is 12 px long
+  }
+}
+
+TEST(Resketch, NothingToReplace)
+{
+  const Polyline dot(5, Vector2(50.0, 3.0)), across{ { 50.0, 4.0 }, { 50.0, 9.0 } };
+  EXPECT_EQ(resketch(f, dot).points, f);
+  EXPECT_EQ(resketch(f, across).points, f); // both ends nearest to the same inner place
+  EXPECT_EQ(resketch(dot, f).points, dot);
+  EXPECT_EQ(resketch(f, {}).points, f);
+  EXPECT_TRUE(resketch({}, f).points.empty());
+}
