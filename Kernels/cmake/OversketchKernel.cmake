@@ -46,17 +46,26 @@ endfunction ()
 # Compiled OpenCL programs, ours and PoCL's, stay in the build tree: a test neither needs nor changes the user's own.
 set(oversketch_test_caches "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/Testing/Temporary/cache")
 
-# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>...): one GoogleTest program, its tests under ctest.
-# Tests of the specification's facts are named after stage and place: TEST(A3_2, ...).
+# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY]): one GoogleTest program, its tests under ctest.
+# Tests of the specification's facts are named after stage and place: TEST(A3_2, ...). With DISPLAY, for tests that draw, it is
+# one test of ctest on a virtual display.
 function (oversketch_gtest name)
   if (NOT OVERSKETCH_BUILD_TESTING)
     return()
   endif ()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
+  if (arg_DISPLAY)
+    target_compile_definitions(${name} PRIVATE "OVERSKETCH_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
+    vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType)
+    # Without -noreset the server starts anew whenever the last window is gone, and the next one meets it half up.
+    add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:${name}>)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 600 ENVIRONMENT "${oversketch_test_caches}")
+    return()
+  endif ()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600
     ENVIRONMENT "${oversketch_test_caches}")
 endfunction ()

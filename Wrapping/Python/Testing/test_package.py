@@ -9,7 +9,9 @@ import oversketch
 
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 HEADERS = sorted(
-    p for p in (SOURCE / "Filters").glob("*/vtkOversketch*.h") if re.search(r"^class \w+_EXPORT vtk", p.read_text(), re.M)
+    p
+    for p in [*SOURCE.glob("Filters/*/vtkOversketch*.h"), *SOURCE.glob("Widgets/vtkOversketch*.h")]
+    if re.search(r"^class \w+_EXPORT vtk", p.read_text(), re.M)
 )
 
 

@@ -1,0 +1,215 @@
+// The pen in windows that change, and under events in any order.
+#include "pen_scene.h"
+#include "vtkOversketchFilterTools.h"
+
+#include <cmath>
+#include <iostream>
+#include <malloc.h>
+#include <random>
+
+using namespace oversketch_test;
+
+TEST(Window, AResizeDropsTheStroke)
+{
+  Pen scene;
+  scene.press(60, 150);
+  scene.move(100, 150);
+  scene.window->SetSize(300, 200);
+  scene.event(vtkCommand::ConfigureEvent, 100, 150);
+  EXPECT_FALSE(scene.pen->IsDrawing());
+  EXPECT_TRUE(scene.renderer->GetDraw());
+  EXPECT_EQ(scene.window->GetRenderers()->GetNumberOfItems(), 1);
+  scene.release(100, 150);
+  scene.drawLine(20, 100, 50);
+  EXPECT_EQ(oversketch::ViewOf(scene.pen->GetStroke()).width(), 300);
+}
+
+TEST(Window, OneViewportOfTwo)
+{
+  Pen scene;
+  vtkNew<vtkRenderer> left;
+  scene.renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
+  left->SetViewport(0.0, 0.0, 0.5, 1.0);
+  left->SetBackground(0.0, 0.0, 1.0);
+  scene.window->AddRenderer(left);
+  scene.pen->Off();
+  scene.move(300, 150);
+  scene.pen->SetCurrentRenderer(scene.renderer);
+  scene.pen->On();
+  scene.window->Render();
+  scene.drawLine(20, 100, 150); // the other renderer's
+  EXPECT_EQ(scene.samples().size(), 0u);
+  scene.press(240, 150);
+  Counter leftRenders(left, vtkCommand::StartEvent);
+  scene.move(300, 150);
+  EXPECT_TRUE(isRed(scene.pixels(), 270, 150));
+  EXPECT_EQ(leftRenders.count, 0);
+  scene.release(300, 150);
+  EXPECT_TRUE(isRed(scene.pixels(), 270, 150));
+  EXPECT_EQ(scene.samples(), (std::vector<std::array<double, 2>>{ { 40.0, 150.0 }, { 100.0, 150.0 } }));
+  EXPECT_EQ(oversketch::ViewOf(scene.pen->GetStroke()).width(), 200);
+}
+
+TEST(Window, GoesAwayInMidStrokeInAnyOrder)
+{
+  Quiet quiet;
+  for (int what = 0; what < 5; ++what)
+  {
+    Pen scene;
+    scene.press(60, 150);
+    scene.move(100, 150);
+    switch (what)
+    {
+      case 0:
+        scene.pen->Off();
+        break;
+      case 1:
+        scene.pen = nullptr;
+        break;
+      case 2:
+        scene.pen->SetInteractor(nullptr);
+        break;
+      case 3:
+        scene.pen->SetRepresentation(nullptr);
+        break;
+      default:
+        break; // the window first
+    }
+    if (what < 4)
+    {
+      EXPECT_TRUE(scene.renderer->GetDraw());
+      scene.move(120, 150);
+      scene.window->Render();
+    }
+  }
+  EXPECT_EQ(quiet.errors(), 0);
+}
+
+TEST(Window, StrokesLeaveNoMemoryBehind)
+{
+  Pen scene;
+  const auto after = [&](int strokes)
+  {
+    for (int i = 0; i < strokes; ++i)
+    {
+      scene.drawLine(60, 220, 150, 16);
+    }
+    return static_cast<double>(mallinfo2().uordblks);
+  };
+  const double early = after(20), late = after(100);
+  EXPECT_LT(late - early, 32 * 1024); // a frame is 360 KB
+}
+
+TEST(Random, EventsNeitherFailNorLoseTheFrame)
+{
+  Quiet quiet;
+  const std::vector<unsigned long> mouse{ vtkCommand::LeftButtonPressEvent,
+    vtkCommand::LeftButtonPressEvent,
+    vtkCommand::LeftButtonPressEvent,
+    vtkCommand::LeftButtonPressEvent,
+    vtkCommand::LeftButtonPressEvent,
+    vtkCommand::LeftButtonReleaseEvent,
+    vtkCommand::MiddleButtonPressEvent,
+    vtkCommand::MiddleButtonReleaseEvent,
+    vtkCommand::RightButtonPressEvent,
+    vtkCommand::RightButtonReleaseEvent,
+    vtkCommand::MouseWheelForwardEvent,
+    vtkCommand::EnterEvent,
+    vtkCommand::LeaveEvent,
+    vtkCommand::ExposeEvent,
+    vtkCommand::ConfigureEvent };
+  const std::vector<const char*> keys{
+    "Escape", "BackSpace", "Return", "KP_Enter", "x", "w", "r", "i", "exclam", "question", "q", "Shift_L"
+  };
+  Pen scene;
+  double early = 0.0, late = 0.0;
+  int strokes = 0;
+  Counter commits(scene.pen, vtkCommand::WidgetValueChangedEvent);
+  for (unsigned seed = 0; seed < 100; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
+    scene.interactor->SetEnableRender(seed % 4 == 0); // the rest in less time
+    for (int i = 0; i < 200; ++i)
+    {
+      const int x = below(480) - 40, y = below(380) - 40, modifiers = below(4) ? 0 : below(8);
+      switch (below(12))
+      {
+        case 0:
+          scene.key(keys[below(keys.size())], modifiers, x, y);
+          break;
+        case 1:
+        case 2:
+        case 3:
+          scene.event(mouse[below(mouse.size())], x, y, modifiers);
+          break;
+        case 4:
+          switch (below(8))
+          {
+            case 0:
+              scene.pen->SetEnabled(below(2));
+              break;
+            case 1:
+              scene.pen->SetCommitOnRelease(below(2));
+              break;
+            case 2:
+              scene.pen->SetStabilizer(below(30));
+              break;
+            case 3:
+              scene.pen->Commit();
+              break;
+            case 4:
+              scene.pen->BeginStroke(x, y);
+              break;
+            case 5:
+              scene.pen->EndStroke();
+              break;
+            case 6:
+              scene.window->SetSize(300 + below(2) * 100, 300);
+              break;
+            default:
+              scene.pen->RemoveLastSamples();
+          }
+          break;
+        default:
+          scene.move(x, y, modifiers);
+      }
+    }
+    for (const unsigned long up : { vtkCommand::LeftButtonReleaseEvent,
+           vtkCommand::MiddleButtonReleaseEvent,
+           vtkCommand::RightButtonReleaseEvent })
+    {
+      scene.event(up, 0, 0);
+    }
+    scene.pen->CancelStroke();
+    scene.pen->On();
+    ASSERT_TRUE(scene.renderer->GetDraw());
+    ASSERT_EQ(scene.window->GetRenderers()->GetNumberOfItems(), 1);
+    ASSERT_TRUE(std::isfinite(scene.camera()->GetPosition()[0]));
+    vtkPolyData* stroke = scene.pen->GetStroke();
+    if (commits.count > strokes)
+    {
+      ASSERT_NO_THROW(oversketch::ViewOf(stroke));
+      ASSERT_NO_THROW(oversketch::StrokeOf(stroke));
+    }
+    strokes = commits.count;
+    // The same state after each sequence, so that what is in use would show what grows.
+    scene.interactor->EnableRenderOn();
+    scene.pen->Drop();
+    scene.pen->GetStrokeRepresentation()->Clear();
+    scene.style->ShowKeysOff();
+    scene.style->ResetToFirstView();
+    scene.window->SetSize(400, 300);
+    scene.window->Render();
+    if (seed >= 10)
+    {
+      (seed < 55 ? early : late) += static_cast<double>(mallinfo2().uordblks) / 45.0;
+    }
+  }
+  EXPECT_EQ(quiet.errors(), 0);
+  EXPECT_GT(strokes, 50);
+  std::cout << strokes << " strokes; memory in use " << early / 1024.0 << " KiB, later " << late / 1024.0
+            << " KiB\n";
+  EXPECT_LT(late - early, 1024 * 1024); // the graphics library keeps what it likes
+}

@@ -1,0 +1,140 @@
+"""The widgets in a real window: each works in under ten lines, logs of events play, pictures are as they were."""
+import os
+import pathlib
+import re
+import sys
+
+import pytest
+import vtk
+
+import oversketch
+
+SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
+sys.path.insert(0, str(SOURCE / "Testing" / "Pictures"))
+import compare  # noqa: E402
+import scenes  # noqa: E402
+
+
+class Window:
+    """A shipped model in a window of 400 x 300 px, seen along -z, and an interactor."""
+
+    def __init__(self, model="dog", colour=scenes.CLAY):
+        reader = vtk.vtkPLYReader()
+        reader.SetFileName(str(SOURCE / "Data" / "Models" / (model + ".ply")))
+        reader.Update()
+        self.mesh = reader.GetOutput()
+        self.renderer, self.window, self.interactor = vtk.vtkRenderer(), vtk.vtkRenderWindow(), vtk.vtkRenderWindowInteractor()
+        self.renderer.SetBackground(1.0, 1.0, 1.0)
+        self.renderer.AddActor(scenes.surface(self.mesh, colour))
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(400, 300)
+        self.window.AddRenderer(self.renderer)
+        self.interactor.SetRenderWindow(self.window)
+        self.style = oversketch.vtkOversketchInteractorStyle()
+        self.interactor.SetInteractorStyle(self.style)
+        self.renderer.GetActiveCamera().ParallelProjectionOn()
+        self.renderer.ResetCamera()
+        self.interactor.Initialize()
+        self.window.Render()
+
+    def play(self, name):
+        recorder = vtk.vtkInteractorEventRecorder()
+        recorder.SetInteractor(self.interactor)
+        recorder.KeyPressActivationOff()
+        recorder.SetFileName(str(SOURCE / "Testing" / "Recordings" / name))
+        recorder.Play()
+        recorder.Off()
+
+    def picture(self):
+        return scenes.image(self.window)
+
+
+@pytest.mark.parametrize("log", ["camera_turn_model", "camera_views"])
+def test_camera_picture(log):
+    window = Window()
+    window.play(log + ".log")
+    if not compare.matches(window.picture(), log):
+        return
+    wrong = Window(colour=(0.2, 0.7, 0.3))
+    wrong.play(log + ".log")
+    assert compare.difference(wrong.picture(), compare.read(log)) > 10 * compare.LIMIT
+
+
+def test_key_list_comes_and_goes():
+    window = Window()
+    before = window.picture()
+    window.style.ShowKeysOn()
+    window.style.SetModeToDraw()
+    window.window.Render()
+    assert compare.difference(before, window.picture()) > 100 * compare.LIMIT  # a dark panel over most of the window
+    window.style.ShowKeysOff()
+    assert compare.difference(before, window.picture()) == 0
+
+
+def look_at_the_dog(window):
+    """The view of the shipped stroke dog_longer_leg, at half its size."""
+    camera = window.renderer.GetActiveCamera()
+    camera.SetFocalPoint(0.05, 0.75, 0.0)
+    camera.SetPosition(0.05, 0.75, 10.0)
+    camera.SetParallelScale(60.0 / 47.0)
+    window.renderer.ResetCameraClippingRange()
+    window.window.Render()
+
+
+@pytest.fixture
+def pen():
+    """A window on the dog with the pen of the README's snippet, as written there."""
+    readme = (SOURCE / "README.md").read_text()
+    first, second = re.findall(r"```python\n(.*?)```", readme, re.S)[:2]
+    assert len(second.strip().splitlines()) < 10
+    window = Window()
+    look_at_the_dog(window)
+    names = {"interactor": window.interactor, "mapper": window.renderer.GetActors().GetLastActor().GetMapper()}
+    cwd = os.getcwd()
+    os.chdir(SOURCE)
+    exec(compile(first + second, "README.md", "exec"), names)
+    os.chdir(cwd)
+    names["system"].SetBackendToHost()  # the same rays whatever OpenCL device there is
+    return window, names
+
+
+def test_the_snippet_draws_and_the_mesh_follows(pen):
+    window, names = pen
+    window.play("pen_dog_leg.log")
+    assert names["pen"].IsDrawing()
+    line = names["pen"].GetStrokeRepresentation().GetProperty()
+    if compare.matches(window.picture(), "pen_down"):
+        red = line.GetColor()
+        line.SetColor(*scenes.SILHOUETTE)
+        window.window.Render()
+        assert compare.difference(window.picture(), compare.read("pen_down")) > 10 * compare.LIMIT
+        line.SetColor(*red)
+    window.play("pen_up.log")
+    assert not names["pen"].IsDrawing()
+    system = names["system"]
+    assert system.GetErrorCode() == 0
+    assert names["mapper"].GetInput().GetNumberOfPoints() == system.GetOutput().GetNumberOfPoints()
+    moved = system.GetOutput().GetBounds()[2] - window.mesh.GetBounds()[2]
+    assert moved < -0.1  # the leg is longer: the lowest point is lower
+    compare.matches(window.picture(), "pen_up")
+
+
+def test_the_stroke_goes_to_a_file_and_back(pen, tmp_path):
+    window, names = pen
+    window.play("pen_dog_leg.log")
+    window.play("pen_up.log")
+    writer, reader = vtk.vtkXMLPolyDataWriter(), vtk.vtkXMLPolyDataReader()
+    writer.SetFileName(str(tmp_path / "stroke.vtp"))
+    writer.SetInputConnection(names["pen"].GetOutputPort())
+    assert writer.Write()
+    reader.SetFileName(str(tmp_path / "stroke.vtp"))
+    system = oversketch.vtkOversketchOneStroke()
+    system.SetBackendToHost()
+    system.SetInputData(0, window.mesh)
+    system.SetInputConnection(1, reader.GetOutputPort())
+    system.Update()
+    assert system.GetErrorCode() == 0
+    drawn = names["system"].GetOutput().GetPoints().GetData()
+    again = system.GetOutput().GetPoints().GetData()
+    assert drawn.GetNumberOfValues() == again.GetNumberOfValues()
+    assert all(drawn.GetValue(i) == again.GetValue(i) for i in range(0, drawn.GetNumberOfValues(), 7))

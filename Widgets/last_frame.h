@@ -1,0 +1,53 @@
+// The last frame of a window, kept as a picture to draw over: while it is frozen, the window's renderers stay
+// as they are and a frame costs the picture and what is drawn over it, however large the scene is.
+#ifndef oversketch_last_frame_h
+#define oversketch_last_frame_h
+
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <vector>
+
+class vtkPlaneSource;
+class vtkRenderWindow;
+class vtkTexture;
+class vtkTexturedActor2D;
+class vtkUnsignedCharArray;
+
+namespace oversketch
+{
+
+class LastFrame
+{
+public:
+  LastFrame();
+  ~LastFrame();
+  LastFrame(const LastFrame&) = delete;
+  LastFrame& operator=(const LastFrame&) = delete;
+
+  // Takes the picture that the window shows and switches its renderers' drawing off. False, and nothing
+  // changed, when the picture could not be read.
+  bool freeze(vtkRenderWindow* window);
+  // Switches on again what freeze() switched off. The next frame is a full one.
+  void thaw();
+  bool frozen() const { return this->frozen_; }
+  // True while the window has the size that it was frozen with.
+  bool fits() const;
+  // Covers the whole window, above all others; add to it what is to be drawn over the picture.
+  vtkRenderer* overlay() { return this->overlay_; }
+
+private:
+  vtkNew<vtkRenderer> overlay_;
+  vtkNew<vtkTexture> texture_;
+  vtkNew<vtkTexturedActor2D> picture_;
+  vtkNew<vtkPlaneSource> rectangle_;
+  vtkWeakPointer<vtkRenderWindow> window_;
+  std::vector<vtkSmartPointer<vtkRenderer>> off_;
+  int layers_ = 1, size_[2] = { 0, 0 };
+  bool frozen_ = false;
+};
+
+} // namespace oversketch
+#endif

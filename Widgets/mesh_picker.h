@@ -1,0 +1,32 @@
+// The point of the mesh under the cursor, soon enough for a press on a million triangles.
+#ifndef oversketch_mesh_picker_h
+#define oversketch_mesh_picker_h
+
+#include "vtkCellPicker.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkRenderer;
+class vtkStaticCellLocator;
+
+namespace oversketch
+{
+
+class MeshPicker
+{
+public:
+  MeshPicker() { this->picker_->SetTolerance(0.0); }
+
+  // The visible point at a display position [px], null where there is nothing. Meshes that the picker would
+  // walk through cell by cell get a locator, which is kept while their actor shows them.
+  const double* pick(int x, int y, vtkRenderer* renderer);
+
+private:
+  vtkNew<vtkCellPicker> picker_;
+  std::vector<vtkSmartPointer<vtkStaticCellLocator>> locators_;
+};
+
+} // namespace oversketch
+#endif

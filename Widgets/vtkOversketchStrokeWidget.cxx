@@ -1,0 +1,362 @@
+#include "vtkOversketchStrokeWidget.h"
+
+#include "vtkOversketchInteractorStyle.h"
+#include "vtkOversketchStrokeRepresentation.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkEvent.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimerLog.h"
+#include "vtkTrivialProducer.h"
+#include "vtkWidgetCallbackMapper.h"
+#include "vtkWidgetEvent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkOversketchStrokeWidget);
+
+namespace
+{
+
+constexpr double backspaceLength = 20.0; // px
+
+vtkOversketchStrokeWidget* cast(vtkAbstractWidget* widget)
+{
+  return static_cast<vtkOversketchStrokeWidget*>(widget);
+}
+
+} // namespace
+
+vtkOversketchStrokeWidget::vtkOversketchStrokeWidget()
+{
+  this->KeyPressActivationOff();
+  this->Producer->SetOutput(this->Stroke);
+  const auto on = [this](
+                    unsigned long event, unsigned long what, vtkWidgetCallbackMapper::CallbackType callback)
+  { this->CallbackMapper->SetCallbackMethod(event, what, this, callback); };
+  on(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, Press);
+  on(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, Move);
+  on(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, Release);
+  on(vtkCommand::ConfigureEvent, vtkWidgetEvent::Resize, Resized);
+  this->CallbackMapper->SetCallbackMethod(
+    vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::Completed, this, Key);
+  this->CallbackMapper->SetCallbackMethod(
+    vtkCommand::CharEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::ModifyEvent, this, Swallow);
+  // While the pen is down all events are the widget's (GrabFocus), and these come to nothing.
+  for (const unsigned long event : { vtkCommand::MiddleButtonPressEvent,
+         vtkCommand::MiddleButtonReleaseEvent,
+         vtkCommand::RightButtonPressEvent,
+         vtkCommand::RightButtonReleaseEvent,
+         vtkCommand::MouseWheelForwardEvent,
+         vtkCommand::MouseWheelBackwardEvent })
+  {
+    on(event, vtkWidgetEvent::ModifyEvent, Swallow);
+  }
+}
+
+vtkOversketchStrokeWidget::~vtkOversketchStrokeWidget()
+{
+  this->vtkOversketchStrokeWidget::SetEnabled(0);
+}
+
+vtkAlgorithmOutput* vtkOversketchStrokeWidget::GetOutputPort()
+{
+  return this->Producer->GetOutputPort();
+}
+
+void vtkOversketchStrokeWidget::SetRepresentation(vtkOversketchStrokeRepresentation* representation)
+{
+  this->DropDrawing();
+  this->SetWidgetRepresentation(representation);
+}
+
+vtkOversketchStrokeRepresentation* vtkOversketchStrokeWidget::GetStrokeRepresentation()
+{
+  this->CreateDefaultRepresentation();
+  return static_cast<vtkOversketchStrokeRepresentation*>(this->WidgetRep);
+}
+
+void vtkOversketchStrokeWidget::CreateDefaultRepresentation()
+{
+  if (!this->WidgetRep)
+  {
+    this->WidgetRep = vtkOversketchStrokeRepresentation::New();
+  }
+}
+
+void vtkOversketchStrokeWidget::SetEnabled(int enabling)
+{
+  if (!enabling && this->Enabled)
+  {
+    this->DropDrawing(); // no render: the window may be on its way out
+    if (this->StyleInDraw)
+    {
+      this->StyleInDraw->SetModeToNavigate();
+      this->StyleInDraw = nullptr;
+    }
+  }
+  const bool before = this->Enabled;
+  this->Superclass::SetEnabled(enabling);
+  auto* style = this->Interactor
+                  ? vtkOversketchInteractorStyle::SafeDownCast(this->Interactor->GetInteractorStyle())
+                  : nullptr;
+  if (!before && this->Enabled && style && style->GetMode() == vtkOversketchInteractorStyle::Navigate)
+  {
+    style->SetModeToDraw();
+    this->StyleInDraw = style;
+  }
+}
+
+bool vtkOversketchStrokeWidget::IsDrawing()
+{
+  return this->GetStrokeRepresentation()->IsDrawing();
+}
+
+bool vtkOversketchStrokeWidget::BeginStroke(double x, double y, double pressure)
+{
+  vtkOversketchStrokeRepresentation* representation = this->GetStrokeRepresentation();
+  if (!this->Enabled || representation->IsDrawing())
+  {
+    return false;
+  }
+  representation->BeginStroke(this->Waiting);
+  if (!representation->IsDrawing())
+  {
+    return false;
+  }
+  this->GrabFocus(this->EventCallbackCommand);
+  this->StartInteraction();
+  if (!this->Waiting)
+  {
+    this->Began = vtkTimerLog::GetUniversalTime();
+  }
+  this->Pen[0] = x;
+  this->Pen[1] = y;
+  this->InvokeEvent(vtkCommand::StartInteractionEvent);
+  this->AddSample(x, y, pressure, this->Waiting ? -1.0 : 0.0);
+  return this->IsDrawing();
+}
+
+void vtkOversketchStrokeWidget::AddSample(double x, double y, double pressure, double time)
+{
+  vtkOversketchStrokeRepresentation* representation = this->GetStrokeRepresentation();
+  if (!representation->IsDrawing() || !std::isfinite(x) || !std::isfinite(y))
+  {
+    return;
+  }
+  if (!representation->FitsRenderer())
+  {
+    this->CancelStroke();
+    return;
+  }
+  this->Cursor[0] = x;
+  this->Cursor[1] = y;
+  const double dx = x - this->Pen[0], dy = y - this->Pen[1];
+  const double distance = std::hypot(dx, dy);
+  if (distance > this->Stabilizer)
+  {
+    const double part = 1.0 - this->Stabilizer / distance;
+    this->Pen[0] += part * dx;
+    this->Pen[1] += part * dy;
+  }
+  representation->AddSample(this->Pen[0],
+    this->Pen[1],
+    std::clamp(pressure, 0.0, 1.0),
+    time >= 0.0 ? time : vtkTimerLog::GetUniversalTime() - this->Began);
+  this->InvokeEvent(vtkCommand::InteractionEvent);
+  this->Render();
+}
+
+void vtkOversketchStrokeWidget::RemoveLastSamples()
+{
+  if (this->IsDrawing() || this->Waiting)
+  {
+    vtkOversketchStrokeRepresentation* representation = this->GetStrokeRepresentation();
+    representation->RemoveLast(backspaceLength);
+    if (!representation->IsDrawing() && representation->GetNumberOfSamples() < 2)
+    {
+      this->Drop();
+      return;
+    }
+    this->InvokeEvent(vtkCommand::InteractionEvent);
+    this->Render();
+  }
+}
+
+void vtkOversketchStrokeWidget::StopDrawing()
+{
+  this->ReleaseFocus();
+  this->EndInteraction();
+}
+
+void vtkOversketchStrokeWidget::EndStroke()
+{
+  vtkOversketchStrokeRepresentation* representation = this->GetStrokeRepresentation();
+  if (!representation->IsDrawing())
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkOversketchStrokeWidget> alive(this); // an observer may let go of it
+  if (this->Cursor[0] != this->Pen[0] || this->Cursor[1] != this->Pen[1])
+  {
+    representation->AddSample(
+      this->Cursor[0], this->Cursor[1], this->Pressure, vtkTimerLog::GetUniversalTime() - this->Began);
+  }
+  const bool whole = representation->EndStroke();
+  this->StopDrawing();
+  this->Waiting = this->Waiting || (whole && !this->CommitOnRelease);
+  const bool committed = whole && this->CommitOnRelease;
+  if (committed)
+  {
+    this->Publish();
+  }
+  this->InvokeEvent(vtkCommand::EndInteractionEvent);
+  if (committed)
+  {
+    this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
+  }
+  this->Render();
+}
+
+bool vtkOversketchStrokeWidget::DropDrawing()
+{
+  if (!this->WidgetRep || !this->IsDrawing())
+  {
+    return false;
+  }
+  this->GetStrokeRepresentation()->DropStroke();
+  this->StopDrawing();
+  this->InvokeEvent(vtkCommand::EndInteractionEvent);
+  return true;
+}
+
+void vtkOversketchStrokeWidget::CancelStroke()
+{
+  const vtkSmartPointer<vtkOversketchStrokeWidget> alive(this);
+  if (this->DropDrawing())
+  {
+    this->Render();
+  }
+}
+
+void vtkOversketchStrokeWidget::Publish()
+{
+  this->GetStrokeRepresentation()->GetPolyData(this->Stroke);
+  this->Waiting = false;
+}
+
+void vtkOversketchStrokeWidget::Commit()
+{
+  if (this->Waiting && !this->IsDrawing())
+  {
+    this->Publish();
+    this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
+    this->Render();
+  }
+}
+
+void vtkOversketchStrokeWidget::Drop()
+{
+  if (this->Waiting && !this->IsDrawing())
+  {
+    this->GetStrokeRepresentation()->Clear();
+    this->Waiting = false;
+    this->Render();
+  }
+}
+
+void vtkOversketchStrokeWidget::Press(vtkAbstractWidget* widget)
+{
+  vtkOversketchStrokeWidget* self = cast(widget);
+  vtkRenderWindowInteractor* from = self->Interactor;
+  const int* at = from->GetEventPosition();
+  if (!from->GetShiftKey() && !from->GetControlKey() && !from->GetAltKey() && self->CurrentRenderer &&
+      self->CurrentRenderer->IsInViewport(at[0], at[1]) && self->BeginStroke(at[0], at[1], self->Pressure))
+  {
+    self->EventCallbackCommand->SetAbortFlag(1);
+  }
+}
+
+void vtkOversketchStrokeWidget::Move(vtkAbstractWidget* widget)
+{
+  vtkOversketchStrokeWidget* self = cast(widget);
+  if (self->IsDrawing())
+  {
+    const int* at = self->Interactor->GetEventPosition();
+    self->EventCallbackCommand->SetAbortFlag(1);
+    self->AddSample(at[0], at[1], self->Pressure);
+  }
+}
+
+void vtkOversketchStrokeWidget::Release(vtkAbstractWidget* widget)
+{
+  vtkOversketchStrokeWidget* self = cast(widget);
+  if (self->IsDrawing())
+  {
+    const int* at = self->Interactor->GetEventPosition();
+    self->EventCallbackCommand->SetAbortFlag(1);
+    if (at[0] != self->Cursor[0] || at[1] != self->Cursor[1])
+    {
+      self->AddSample(at[0], at[1], self->Pressure);
+    }
+    self->EndStroke();
+  }
+}
+
+void vtkOversketchStrokeWidget::Key(vtkAbstractWidget* widget)
+{
+  vtkOversketchStrokeWidget* self = cast(widget);
+  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const bool drawing = self->IsDrawing();
+  if (!drawing && !self->Waiting)
+  {
+    return;
+  }
+  bool used = true;
+  if (key == "Escape")
+  {
+    drawing ? self->CancelStroke() : self->Drop();
+  }
+  else if (key == "BackSpace")
+  {
+    self->RemoveLastSamples();
+  }
+  else if (key == "Return" || key == "KP_Enter")
+  {
+    self->Commit();
+  }
+  else
+  {
+    used = drawing;
+  }
+  if (used)
+  {
+    self->EventCallbackCommand->SetAbortFlag(1);
+  }
+}
+
+void vtkOversketchStrokeWidget::Resized(vtkAbstractWidget* widget)
+{
+  vtkOversketchStrokeWidget* self = cast(widget);
+  if (self->IsDrawing() && !self->GetStrokeRepresentation()->FitsRenderer())
+  {
+    self->CancelStroke();
+  }
+}
+
+void vtkOversketchStrokeWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CommitOnRelease: " << this->CommitOnRelease << "\n";
+  os << indent << "Stabilizer: " << this->Stabilizer << "\n";
+  os << indent << "Pressure: " << this->Pressure << "\n";
+  os << indent << "Waiting: " << this->Waiting << "\n";
+  os << indent << "Stroke: " << this->Stroke->GetNumberOfPoints() << " samples\n";
+}
