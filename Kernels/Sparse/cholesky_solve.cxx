@@ -39,7 +39,11 @@ void Cholesky::forward(int s, int sides, std::vector<double>& local)
   const int b = this->block_;
   const PanelShape shape = this->shapeOf(s);
   const std::size_t height = static_cast<std::size_t>(shape.height);
-  local.assign(height * sides, 0.0);
+  local.resize(height * sides);
+  for (int side = 0; side < sides; ++side)
+  {
+    std::fill(local.data() + side * height + shape.columns, local.data() + (side + 1) * height, 0.0);
+  }
   double* own = this->solution_.data() + static_cast<std::size_t>(node.first) * b * sides;
   for (int i = 0; i < shape.columns; ++i)
   {
@@ -86,7 +90,13 @@ void Cholesky::backward(int s, int sides, std::vector<double>& local)
   const int b = this->block_;
   const PanelShape shape = this->shapeOf(s);
   const std::size_t height = static_cast<std::size_t>(shape.height);
-  local.assign(height * sides, 0.0);
+  local.resize(height * sides);
+  for (int side = 0; side < sides; ++side) // the padding
+  {
+    double* first = local.data() + side * height;
+    std::fill(first + shape.columns, first + shape.own, 0.0);
+    std::fill(first + shape.own + shape.rows, first + shape.height, 0.0);
+  }
   double* own = this->solution_.data() + static_cast<std::size_t>(node.first) * b * sides;
   for (int i = 0; i < shape.columns; ++i)
   {
