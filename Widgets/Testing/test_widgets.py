@@ -138,3 +138,13 @@ def test_the_stroke_goes_to_a_file_and_back(pen, tmp_path):
     again = system.GetOutput().GetPoints().GetData()
     assert drawn.GetNumberOfValues() == again.GetNumberOfValues()
     assert all(drawn.GetValue(i) == again.GetValue(i) for i in range(0, drawn.GetNumberOfValues(), 7))
+
+
+def test_latency_is_measured():
+    sys.path.insert(0, str(SOURCE / "Testing" / "Benchmarks"))
+    import pen_latency
+
+    triangles, times = pen_latency.measure(0, 1)
+    assert triangles == 26578
+    assert [len(times[name]) for name in ("redraw", "pen down", "sample", "mesh")] == [5, 1, 112, 1]
+    assert all(t > 0.0 for values in times.values() for t in values)
