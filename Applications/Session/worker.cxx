@@ -2,11 +2,14 @@
 
 #include "session_file.h"
 
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchOneStroke.h"
 
-#include "vtkCallbackCommand.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace oversketch_session
@@ -24,6 +27,37 @@ vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(data);
   return copy;
+}
+
+// True where `next` is `session` with strokes added at its end.
+bool continues(const Session& session, const Session& next)
+{
+  return session.mesh == next.mesh && session.backend == next.backend &&
+         session.nodes.size() <= next.nodes.size() &&
+         std::equal(session.nodes.begin(),
+           session.nodes.end(),
+           next.nodes.begin(),
+           [](const Node& a, const Node& b) { return a.action == b.action && a.on == b.on; });
+}
+
+vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
+{
+  auto shown = vtkSmartPointer<vtkPolyData>::New();
+  shown->ShallowCopy(mesh);
+  if (!mesh->GetPointData()->GetNormals())
+  {
+    const std::vector<oversketch::Vector3> normals = oversketch::vertexNormals(oversketch::MeshOf(mesh));
+    vtkNew<vtkFloatArray> array;
+    array->SetName("Normals");
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      array->SetTuple(static_cast<vtkIdType>(i), normals[i].data());
+    }
+    shown->GetPointData()->SetNormals(array);
+  }
+  return shown;
 }
 
 } // namespace
@@ -51,9 +85,13 @@ std::uint64_t Worker::submit(Session session)
   {
     const std::lock_guard<std::mutex> lock(this->mutex_);
     replaced = this->next_ ? this->ticket_ : 0;
-    this->next_ = std::move(session);
     ticket = ++this->ticket_;
-    this->wanted_ = ticket;
+    if (this->wanted_ == 0 || !this->running_.mesh || !continues(this->running_, session))
+    {
+      this->wanted_ = ticket;
+    }
+    this->next_ = std::move(session);
+    this->waiting_ = true;
   }
   this->wake_.notify_one();
   if (replaced && this->listener_.cancelled)
@@ -70,6 +108,7 @@ void Worker::cancel()
     const std::lock_guard<std::mutex> lock(this->mutex_);
     waiting = this->next_ ? this->ticket_ : 0;
     this->next_.reset();
+    this->waiting_ = false;
     this->wanted_ = 0;
   }
   if (waiting && this->listener_.cancelled)
@@ -92,10 +131,15 @@ void Worker::work()
         return;
       }
       session = std::move(*this->next_);
+      this->running_ = session;
       this->next_.reset();
+      this->waiting_ = false;
       ticket = this->ticket_;
+      this->wanted_ = ticket;
     }
     this->runOne(ticket, session);
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    this->running_ = Session();
   }
 }
 
@@ -130,6 +174,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   }
   vtkPolyData* shown = resultOf(session, outcomes);
   result.mesh = copied(shown);
+  result.display = withNormals(result.mesh);
   result.matched = copied(result.matched);
   result.digest = digestOf(shown);
   result.backendUsed = this->evaluator_.system()->GetBackendUsed();
@@ -138,6 +183,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   {
     this->listener_.done(result);
   }
+  watch.cancelled = [&] { return this->wanted_ != ticket || this->waiting_; };
   this->evaluator_.prepare(shown, watch);
 }
 

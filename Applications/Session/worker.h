@@ -35,6 +35,7 @@ public:
     std::uint64_t ticket = 0;
     std::vector<NodeState> nodes;
     vtkSmartPointer<vtkPolyData> mesh;    // that the session shows
+    vtkSmartPointer<vtkPolyData> display; // the same with point normals, computed where it has none
     vtkSmartPointer<vtkPolyData> matched; // where the last stroke took hold; null where none did
     std::string digest;                   // digestOf(mesh)
     int backendUsed = 0;                  // vtkOversketchOneStroke::BackendType
@@ -71,8 +72,10 @@ private:
   std::mutex mutex_;
   std::condition_variable wake_;
   std::optional<Session> next_;
+  Session running_;
   std::uint64_t ticket_ = 0;               // of the newest session
   std::atomic<std::uint64_t> wanted_{ 0 }; // the ticket that may run; all others are to stop
+  std::atomic<bool> waiting_{ false };     // a session does, so nothing is to be prepared
   bool stop_ = false;
   std::thread thread_;
 };

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <unistd.h>
+
 #include <filesystem>
 
 using namespace oversketch_test;
@@ -116,7 +118,8 @@ TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
     return;
   }
   const Mesh mesh = MeshOf(polyData);
-  const fs::path out = fs::temp_directory_path() / ("oversketch-hostile-" + GetParam());
+  const fs::path out =
+    fs::temp_directory_path() / ("oversketch-hostile-" + std::to_string(::getpid()) + "-" + GetParam());
   fs::remove_all(out);
   fs::create_directories(out);
   for (int which = 0; which < 3; ++which)
