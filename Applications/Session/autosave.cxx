@@ -105,6 +105,12 @@ std::string Autosave::wait()
   return this->failure_;
 }
 
+std::string Autosave::failure()
+{
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  return this->failure_;
+}
+
 void Autosave::discard()
 {
   {

@@ -36,6 +36,8 @@ public:
   void keep(SessionFile file);
   // Waits until the newest is on the disk. Returns why it is not, or an empty string.
   std::string wait();
+  // Why the last one is not on the disk, or an empty string; does not wait.
+  std::string failure();
   // The work is saved elsewhere or given up: removes the folder.
   void discard();
   const std::string& folder() const { return this->folder_; }

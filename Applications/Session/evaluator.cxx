@@ -145,6 +145,11 @@ Evaluator::Evaluator(std::size_t bytes)
 
 Evaluator::~Evaluator() = default;
 
+vtkOversketchOneStroke* Evaluator::system()
+{
+  return this->system_;
+}
+
 const Outcome* Evaluator::find(const Key& key)
 {
   const auto it =

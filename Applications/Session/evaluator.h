@@ -59,7 +59,7 @@ public:
   // Strokes run since the start, to see what was kept.
   std::size_t runs() const { return this->runs_; }
   // The system that runs them, for what is shown of the last stroke: its inner outputs.
-  vtkOversketchOneStroke* system() { return this->system_; }
+  vtkOversketchOneStroke* system();
 
 private:
   // What an outcome depends on: the actions up to it that are on.

@@ -169,13 +169,11 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   result.ticket = ticket;
   for (const Outcome& outcome : outcomes)
   {
-    result.nodes.push_back({ outcome.failure, outcome.section, outcome.elsewhere });
-    result.matched = outcome.matched ? outcome.matched : result.matched;
+    result.nodes.push_back({ outcome.failure, outcome.section, copied(outcome.matched), outcome.elsewhere });
   }
   vtkPolyData* shown = resultOf(session, outcomes);
   result.mesh = copied(shown);
   result.display = withNormals(result.mesh);
-  result.matched = copied(result.matched);
   result.digest = digestOf(shown);
   result.backendUsed = this->evaluator_.system()->GetBackendUsed();
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();

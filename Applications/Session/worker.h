@@ -27,6 +27,7 @@ public:
   {
     std::string failure;
     std::optional<Section> section;
+    vtkSmartPointer<vtkPolyData> matched; // the place itself, a polyline; null where it did nothing
     bool elsewhere = false;
   };
   // What a session made. Meshes are copies that nobody else touches.
@@ -36,7 +37,6 @@ public:
     std::vector<NodeState> nodes;
     vtkSmartPointer<vtkPolyData> mesh;    // that the session shows
     vtkSmartPointer<vtkPolyData> display; // the same with point normals, computed where it has none
-    vtkSmartPointer<vtkPolyData> matched; // where the last stroke took hold; null where none did
     std::string digest;                   // digestOf(mesh)
     int backendUsed = 0;                  // vtkOversketchOneStroke::BackendType
     double seconds = 0.0;                 // that the run took

@@ -90,5 +90,5 @@ function (oversketch_pytest name file)
     COMMAND xvfb-run -a -s "-screen 0 1280x1024x24" ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
       ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600
-    ENVIRONMENT "${oversketch_test_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
+    ENVIRONMENT "${oversketch_test_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()

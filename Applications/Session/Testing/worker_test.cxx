@@ -73,7 +73,7 @@ TEST(Worker, GivesWhatTheEvaluatorGives)
   EXPECT_EQ(result.digest, digestOf(outcomes[1].mesh));
   ASSERT_EQ(result.nodes.size(), 2u);
   EXPECT_EQ(result.nodes[1].section->middle, outcomes[1].section->middle);
-  EXPECT_GT(result.matched->GetNumberOfPoints(), 1);
+  EXPECT_GT(result.nodes[1].matched->GetNumberOfPoints(), 1);
   EXPECT_EQ(result.backendUsed, int(vtkOversketchOneStroke::Host));
 }
 

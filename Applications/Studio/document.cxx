@@ -1,0 +1,334 @@
+#include "document.h"
+
+#include "files.h"
+#include "mesh_file.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_files;
+using namespace oversketch_session;
+
+namespace
+{
+
+const char* const sessionExtension = ".oversketch";
+
+QStringList listOf(const Notes& notes)
+{
+  QStringList list;
+  for (const std::string& note : notes)
+  {
+    list << QString::fromStdString(note);
+  }
+  return list;
+}
+
+std::size_t indexOf(int node)
+{
+  return static_cast<std::size_t>(node);
+}
+
+} // namespace
+
+Document::Document(QObject* parent)
+  : QObject(parent)
+  , autosave_(autosaveRoot())
+{
+  // The worker's thread posts to this object's; what arrives after a newer change is left aside there.
+  Worker::Listener listener;
+  listener.done = [this](const Worker::Result& result)
+  {
+    QMetaObject::invokeMethod(
+      this, [this, result] { this->take(result); }, Qt::QueuedConnection);
+  };
+  listener.cancelled = [this](std::uint64_t ticket)
+  {
+    QMetaObject::invokeMethod(
+      this, [this, ticket] { this->answered(ticket); }, Qt::QueuedConnection);
+  };
+  listener.progress = [this](std::uint64_t, std::size_t, const std::string& stage, double share)
+  {
+    const QString name = QString::fromStdString(stage);
+    QMetaObject::invokeMethod(
+      this, [this, name, share] { emit this->progressed(name, share); }, Qt::QueuedConnection);
+  };
+  this->worker_ = std::make_unique<Worker>(std::move(listener));
+}
+
+Document::~Document() = default;
+
+bool Document::open(const QString& path, const std::function<bool()>& mayLeave, QStringList& notes)
+{
+  const std::string file = path.toStdString();
+  const bool saved = extensionOf(file) == sessionExtension || QFileInfo(path).isDir();
+  Notes said;
+  Session session;
+  if (saved)
+  {
+    session = readSession(file).session;
+  }
+  else
+  {
+    session.mesh = readMesh(file, said);
+    session.meshName = QFileInfo(path).fileName().toStdString();
+  }
+  if (!mayLeave())
+  {
+    return false;
+  }
+  this->path_ = saved ? path : QString();
+  this->start(std::move(session), false);
+  notes += listOf(said);
+  emit this->opened();
+  return true;
+}
+
+void Document::recover(const LeftBehind& left)
+{
+  this->start(readSession(left.folder).session, true);
+  this->path_.clear();
+  // The old folder goes only when the new one is on the disk.
+  if (this->autosave_.wait().empty())
+  {
+    removeLeftBehind(left);
+  }
+  emit this->opened();
+}
+
+void Document::start(Session session, bool modified)
+{
+  this->history_ = std::make_unique<History>(std::move(session));
+  this->modified_ = modified;
+  this->result_ = {};
+  this->run();
+}
+
+QStringList Document::save(const QString& path)
+{
+  const std::string file = path.toStdString();
+  if (extensionOf(file) == sessionExtension)
+  {
+    writeSession(file, this->file());
+    this->path_ = path;
+    this->modified_ = false;
+    emit this->changed();
+    return {};
+  }
+  Notes notes;
+  writeMesh(this->result_.mesh ? this->result_.mesh.Get() : this->session().mesh.Get(), file, notes);
+  return listOf(notes);
+}
+
+QString Document::name() const
+{
+  if (!this->isOpen())
+  {
+    return {};
+  }
+  return this->path_.isEmpty() ? QString::fromStdString(this->session().meshName)
+                               : QFileInfo(this->path_).fileName();
+}
+
+SessionFile Document::file() const
+{
+  SessionFile file;
+  file.session = this->session();
+  if (!this->isBusy() && this->result_.mesh)
+  {
+    file.origin = originHere(this->result_.backendUsed);
+    file.digest = this->result_.digest;
+  }
+  return file;
+}
+
+std::optional<MirrorPlane> Document::mirrorPlane(int choice) const
+{
+  if (choice == 0 || !this->isOpen())
+  {
+    return std::nullopt;
+  }
+  double box[6];
+  this->session().mesh->GetBounds(box);
+  const int axis = choice - 1;
+  const double middle = 0.5 * (box[2 * axis] + box[2 * axis + 1]);
+  // Models are made about the origin, and their two sides seldom reach equally far.
+  const bool aside = std::abs(middle) > 0.1 * (box[2 * axis + 1] - box[2 * axis]);
+  return MirrorPlane{ axis, aside ? middle : 0.0 };
+}
+
+void Document::addStroke(vtkPolyData* stroke,
+  const Parameters& parameters,
+  const std::optional<MirrorPlane>& mirror)
+{
+  auto action = std::make_shared<Action>();
+  action->stroke = vtkSmartPointer<vtkPolyData>::New();
+  action->stroke->DeepCopy(stroke);
+  action->parameters = parameters;
+  action->mirror = mirror;
+  Session next = this->session();
+  Node node;
+  node.action = action;
+  node.name = tr("Stroke %1").arg(next.nodes.size() + 1).toStdString();
+  next.nodes.push_back(node);
+  this->commit(std::move(next));
+}
+
+void Document::redraw(int index, vtkPolyData* stroke)
+{
+  Session next = this->session();
+  Node& node = next.nodes[indexOf(index)];
+  auto action = std::make_shared<Action>(*node.action);
+  action->stroke = vtkSmartPointer<vtkPolyData>::New();
+  action->stroke->DeepCopy(stroke);
+  node.action = action;
+  node.committed.reset(); // it takes hold anew
+  this->commit(std::move(next));
+}
+
+void Document::setParameters(int index,
+  const Parameters& parameters,
+  const std::optional<MirrorPlane>& mirror)
+{
+  Session next = this->session();
+  Node& node = next.nodes[indexOf(index)];
+  auto action = std::make_shared<Action>(*node.action);
+  action->parameters = parameters;
+  action->mirror = mirror;
+  node.action = action;
+  this->commit(std::move(next));
+}
+
+void Document::setOn(int index, bool on)
+{
+  Session next = this->session();
+  next.nodes[indexOf(index)].on = on;
+  this->commit(std::move(next));
+}
+
+void Document::rename(int index, const QString& name)
+{
+  Session next = this->session();
+  next.nodes[indexOf(index)].name = name.toStdString();
+  this->commit(std::move(next));
+}
+
+void Document::remove(int index)
+{
+  Session next = this->session();
+  next.nodes.erase(next.nodes.begin() + index);
+  this->commit(std::move(next));
+}
+
+void Document::move(int from, int to)
+{
+  Session next = this->session();
+  const auto begin = next.nodes.begin();
+  if (from < to)
+  {
+    std::rotate(begin + from, begin + from + 1, begin + to + 1);
+  }
+  else
+  {
+    std::rotate(begin + to, begin + from, begin + from + 1);
+  }
+  this->commit(std::move(next));
+}
+
+void Document::undo()
+{
+  this->history_->undo();
+  this->modified_ = true;
+  this->run();
+}
+
+void Document::redo()
+{
+  this->history_->redo();
+  this->modified_ = true;
+  this->run();
+}
+
+void Document::cancel()
+{
+  if (this->isBusy())
+  {
+    this->worker_->cancel();
+    if (this->canUndo())
+    {
+      this->undo();
+    }
+  }
+}
+
+void Document::commit(Session session)
+{
+  this->history_->commit(std::move(session));
+  this->modified_ = true;
+  this->run();
+}
+
+void Document::run()
+{
+  this->ticket_ = this->worker_->submit(this->session());
+  this->keep(); // before its result is there, so that no crash can take the stroke
+  emit this->changed();
+}
+
+void Document::keep()
+{
+  this->autosave_.keep(this->file());
+}
+
+void Document::discardAutosave()
+{
+  this->autosave_.discard();
+}
+
+void Document::answered(std::uint64_t ticket)
+{
+  const bool before = this->isBusy();
+  this->answered_ = std::max(this->answered_, ticket);
+  if (before && !this->isBusy())
+  {
+    emit this->idle();
+  }
+}
+
+void Document::take(const Worker::Result& result)
+{
+  if (result.ticket < this->ticket_ && result.nodes.size() > this->session().nodes.size())
+  {
+    this->answered(result.ticket); // of a history that was left
+    return;
+  }
+  this->result_ = result;
+  this->answered(result.ticket);
+  if (result.ticket == this->ticket_)
+  {
+    // Learn where new strokes took hold, so that later ones can be told from it.
+    Session learned = this->session();
+    for (std::size_t i = 0; i < learned.nodes.size(); ++i)
+    {
+      if (!learned.nodes[i].committed)
+      {
+        learned.nodes[i].committed = result.nodes[i].section;
+      }
+    }
+    this->history_->amend(std::move(learned));
+    this->keep();
+  }
+  emit this->shown();
+  if (!this->autosave_.failure().empty())
+  {
+    emit this->autosaveFailed(QString::fromStdString(this->autosave_.failure()));
+  }
+}
+
+} // namespace oversketch_studio

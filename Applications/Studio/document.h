@@ -1,0 +1,104 @@
+// What the window shows and changes: a session with its history, kept on the disk and run in the background.
+#ifndef oversketch_studio_document_h
+#define oversketch_studio_document_h
+
+#include "autosave.h"
+#include "history.h"
+#include "worker.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <memory>
+
+namespace oversketch_studio
+{
+
+class Document : public QObject
+{
+  Q_OBJECT
+
+public:
+  // Throws Failed where autosaves cannot be kept.
+  explicit Document(QObject* parent = nullptr);
+  ~Document() override;
+
+  // Opens a mesh or a session. Once it is read, mayLeave is asked whether what was there may be given up;
+  // where it says no, nothing changes and false is returned. Throws Failed. Adds what the reader notes.
+  bool open(const QString& path, const std::function<bool()>& mayLeave, QStringList& notes);
+  // Opens what a crash left behind, as a session that is not saved. Throws Failed.
+  void recover(const oversketch_session::LeftBehind& left);
+  // Saves the session, or exports the shown mesh, by the path's extension. Throws Failed. Returns what the
+  // format drops.
+  QStringList save(const QString& path);
+
+  const oversketch_session::Session& session() const { return this->history_->now(); }
+  bool isOpen() const { return this->history_ != nullptr; }
+  // The file that Save writes to; empty until the session has one.
+  const QString& path() const { return this->path_; }
+  // The name for titles: the session's file, or the mesh that was opened.
+  QString name() const;
+  bool isModified() const { return this->modified_; }
+  bool canUndo() const { return this->history_ && this->history_->canUndo(); }
+  bool canRedo() const { return this->history_ && this->history_->canRedo(); }
+  // The newest result; its mesh stays while the next is computed.
+  const oversketch_session::Worker::Result& result() const { return this->result_; }
+  bool isBusy() const { return this->ticket_ != this->answered_; }
+
+  // The plane that an interface offers: 0 none, 1 to 3 across x, y, z. It goes through the origin, or through
+  // the middle of the model where that lies elsewhere.
+  std::optional<oversketch_session::MirrorPlane> mirrorPlane(int choice) const;
+
+  // Changes of the history, each one step of undo.
+  void addStroke(vtkPolyData* stroke,
+    const oversketch_session::Parameters& parameters,
+    const std::optional<oversketch_session::MirrorPlane>& mirror);
+  void redraw(int node, vtkPolyData* stroke);
+  void setParameters(int node,
+    const oversketch_session::Parameters& parameters,
+    const std::optional<oversketch_session::MirrorPlane>& mirror);
+  void setOn(int node, bool on);
+  void rename(int node, const QString& name);
+  void remove(int node);
+  void move(int from, int to);
+  void undo();
+  void redo();
+  // Stops the computing and goes back to the history that is shown (Redo brings the change back).
+  void cancel();
+
+  // Ends the autosave: the work is saved or not wanted.
+  void discardAutosave();
+
+signals:
+  void opened();
+  // The history changed; its result follows with shown().
+  void changed();
+  void shown();
+  void progressed(const QString& stage, double share);
+  // Nothing is computed any more.
+  void idle();
+  void autosaveFailed(const QString& why);
+
+private:
+  void start(oversketch_session::Session session, bool modified);
+  void commit(oversketch_session::Session session);
+  void run();
+  void keep();
+  void take(const oversketch_session::Worker::Result& result);
+  void answered(std::uint64_t ticket);
+  oversketch_session::SessionFile file() const;
+
+  std::unique_ptr<oversketch_session::History> history_;
+  QString path_;
+  bool modified_ = false;
+  oversketch_session::Worker::Result result_;
+  std::uint64_t ticket_ = 0, answered_ = 0;
+  oversketch_session::Autosave autosave_;
+  // Last, so that it ends first: it calls the rest.
+  std::unique_ptr<oversketch_session::Worker> worker_;
+};
+
+} // namespace oversketch_studio
+#endif

@@ -1,0 +1,67 @@
+// oversketch-studio: the window. Exit code 2 for bad use, 1 where it cannot start.
+#include "files.h"
+#include "main_window.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSurfaceFormat>
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <cstdio>
+
+int main(int count, char** values)
+{
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QCoreApplication::setOrganizationName("oversketch");
+  QCoreApplication::setApplicationName("oversketch-studio");
+  QCoreApplication::setApplicationVersion(OVERSKETCH_VERSION);
+  const QApplication application(count, values);
+  // Every sample of the pen counts. (Qt's X11 part turns the first one on when the application is made.)
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+  QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+    QCoreApplication::translate("main", "Draw a line beside a model's outline, and the model follows."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(
+    "file", QCoreApplication::translate("main", "Model or session to open."), "[file]");
+  if (!parser.parse(QCoreApplication::arguments()) || parser.positionalArguments().size() > 1)
+  {
+    const QString why = parser.errorText().isEmpty()
+                          ? QCoreApplication::translate("main", "More than one file.")
+                          : parser.errorText();
+    std::fprintf(stderr, "oversketch-studio: %s\n", qPrintable(why));
+    return 2;
+  }
+  if (parser.isSet("help"))
+  {
+    parser.showHelp();
+  }
+  if (parser.isSet("version"))
+  {
+    parser.showVersion();
+  }
+  oversketch_files::catchMessages();
+  try
+  {
+    oversketch_studio::MainWindow window;
+    window.show();
+    const QStringList files = parser.positionalArguments();
+    if (!window.offerRecovery())
+    {
+      if (files.isEmpty() || !window.open(files.first()))
+      {
+        window.openShippedModel();
+      }
+    }
+    return QApplication::exec();
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "oversketch-studio: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,14 @@
+// Where the files that come with the program are.
+#ifndef oversketch_studio_resources_h
+#define oversketch_studio_resources_h
+
+#include <QString>
+
+namespace oversketch_studio
+{
+
+// The model that the window opens on; empty where it is not installed.
+QString shippedModel();
+
+} // namespace oversketch_studio
+#endif

@@ -1,0 +1,358 @@
+#include "view.h"
+
+#include "vtkOversketchInteractorStyle.h"
+#include "vtkOversketchStrokeRepresentation.h"
+#include "vtkOversketchStrokeWidget.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkLightKit.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPNGWriter.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <QTabletEvent>
+
+#include <cmath>
+#include <cstring>
+
+namespace oversketch_studio
+{
+
+using oversketch_session::MirrorPlane;
+
+namespace
+{
+
+// The paper's colour of a silhouette section.
+constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
+
+// Ambient occlusion would make a picture drawn by the processor wait.
+bool drawsOnProcessor(vtkRenderWindow* window)
+{
+  const char* about = window->ReportCapabilities();
+  return about && (std::strstr(about, "llvmpipe") || std::strstr(about, "softpipe"));
+}
+
+} // namespace
+
+View::View(QWidget* parent)
+  : QVTKOpenGLNativeWidget(parent)
+{
+  this->setRenderWindow(this->window_);
+  this->window_->AddRenderer(this->renderer_);
+  this->window_->SetMultiSamples(4);
+  this->lights_->AddLightsToRenderer(this->renderer_);
+  this->lights_->SetKeyLightWarmth(0.55);
+  this->lights_->SetKeyToFillRatio(2.5);
+
+  this->mesh_->SetMapper(this->meshMapper_);
+  this->meshMapper_->ScalarVisibilityOff();
+  this->mesh_->GetProperty()->SetInterpolationToGouraud();
+  this->mesh_->GetProperty()->SetSpecular(0.15);
+  this->mesh_->GetProperty()->SetSpecularPower(20.0);
+  this->renderer_->AddActor(this->mesh_);
+
+  // Drawn over the surface that it lies on.
+  this->section_->SetMapper(this->sectionMapper_);
+  this->sectionMapper_->ScalarVisibilityOff();
+  this->sectionMapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  this->sectionMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -60000.0);
+  this->section_->GetProperty()->SetColor(sectionColour[0], sectionColour[1], sectionColour[2]);
+  this->section_->GetProperty()->SetLineWidth(3.0F);
+  this->section_->GetProperty()->LightingOff();
+  this->section_->PickableOff();
+  this->section_->VisibilityOff();
+  this->renderer_->AddActor(this->section_);
+
+  this->mirrorMapper_->SetInputConnection(this->mirrorPlane_->GetOutputPort());
+  this->mirror_->SetMapper(this->mirrorMapper_);
+  this->mirror_->GetProperty()->SetOpacity(0.15);
+  this->mirror_->GetProperty()->SetEdgeVisibility(true);
+  this->mirror_->GetProperty()->LightingOff();
+  this->mirror_->PickableOff();
+  this->mirror_->VisibilityOff();
+  this->renderer_->AddActor(this->mirror_);
+
+  this->hint_->GetTextProperty()->SetJustificationToCentered();
+  this->hint_->GetTextProperty()->SetVerticalJustificationToBottom();
+  this->hint_->GetTextProperty()->SetFontSize(18);
+  this->hint_->VisibilityOff();
+  this->renderer_->AddActor(this->hint_);
+
+  this->interactor()->SetInteractorStyle(this->style_);
+  this->style_->SetDefaultRenderer(this->renderer_);
+  this->pen_->SetInteractor(this->interactor());
+  this->pen_->SetDefaultRenderer(this->renderer_);
+  this->pen_->SetStabilizer(6.0);
+
+  this->ear_->SetClientData(this);
+  this->ear_->SetCallback(
+    [](vtkObject*, unsigned long event, void* self, void*)
+    {
+      auto* view = static_cast<View*>(self);
+      if (event == vtkCommand::WidgetValueChangedEvent)
+      {
+        emit view->strokeDrawn(view->pen_->GetStroke());
+      }
+      else if (event == vtkCommand::StartInteractionEvent)
+      {
+        view->hint_->VisibilityOff();
+      }
+      else if (event == vtkCommand::ExitEvent)
+      {
+        emit view->quitAsked();
+      }
+    });
+  // Key q, by the style.
+  this->interactor()->AddObserver(vtkCommand::ExitEvent, this->ear_);
+  this->pen_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
+  this->pen_->AddObserver(vtkCommand::WidgetValueChangedEvent, this->ear_);
+  this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
+  this->setFocusPolicy(Qt::StrongFocus);
+  this->setDark(true);
+  this->setDrawing(true);
+}
+
+View::~View()
+{
+  this->interactor()->RemoveObserver(this->ear_);
+  this->pen_->RemoveObserver(this->ear_);
+  this->style_->RemoveObserver(this->ear_);
+  this->pen_->SetEnabled(0);
+  this->pen_->SetInteractor(nullptr);
+}
+
+void View::render()
+{
+  this->window_->Render();
+}
+
+void View::showMesh(vtkPolyData* mesh, bool reset)
+{
+  this->meshMapper_->SetInputData(mesh);
+  if (reset)
+  {
+    vtkCamera* camera = this->renderer_->GetActiveCamera();
+    camera->SetPosition(0.0, 0.0, 1.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    this->renderer_->ResetCamera(mesh->GetBounds());
+    this->style_->SaveFirstView();
+    // Room for what is drawn beside the model.
+    this->renderer_->SetSSAORadius(0.1 * mesh->GetLength());
+    this->renderer_->SetSSAOBias(0.002 * mesh->GetLength());
+  }
+  this->renderer_->ResetCameraClippingRange();
+  if (!this->occlusionAsked_ && this->isValid())
+  {
+    this->occlusionAsked_ = true;
+    this->renderer_->SetUseSSAO(!drawsOnProcessor(this->window_));
+  }
+  this->placeHint();
+  this->render();
+}
+
+void View::showSection(vtkPolyData* section)
+{
+  this->sectionMapper_->SetInputData(section);
+  this->section_->SetVisibility(section != nullptr);
+  this->render();
+}
+
+void View::showMirror(const std::optional<MirrorPlane>& plane)
+{
+  vtkPolyData* mesh = this->meshMapper_->GetInput();
+  this->mirror_->SetVisibility(plane && mesh);
+  if (plane && mesh)
+  {
+    // A little larger than the model, in the plane.
+    double box[6];
+    mesh->GetBounds(box);
+    const int a = (plane->axis + 1) % 3, b = (plane->axis + 2) % 3;
+    const double margin = 0.1 * mesh->GetLength();
+    double origin[3], first[3], second[3];
+    origin[plane->axis] = plane->offset;
+    origin[a] = box[2 * a] - margin;
+    origin[b] = box[2 * b] - margin;
+    std::copy(origin, origin + 3, first);
+    std::copy(origin, origin + 3, second);
+    first[a] = box[2 * a + 1] + margin;
+    second[b] = box[2 * b + 1] + margin;
+    this->mirrorPlane_->SetOrigin(origin);
+    this->mirrorPlane_->SetPoint1(first);
+    this->mirrorPlane_->SetPoint2(second);
+  }
+  this->render();
+}
+
+void View::showHint(const QString& text)
+{
+  this->hint_->SetInput(text.toUtf8().constData());
+  this->hint_->SetVisibility(!text.isEmpty());
+  this->placeHint();
+  this->render();
+}
+
+// Above the highest point of the picture of the model.
+void View::placeHint()
+{
+  vtkPolyData* mesh = this->meshMapper_->GetInput();
+  if (!this->hint_->GetVisibility() || !mesh)
+  {
+    return;
+  }
+  double highest[3] = { 0.0, -VTK_DOUBLE_MAX, 0.0 };
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    this->renderer_->SetWorldPoint(p[0], p[1], p[2], 1.0);
+    this->renderer_->WorldToDisplay();
+    double display[3];
+    this->renderer_->GetDisplayPoint(display);
+    if (display[1] > highest[1])
+    {
+      std::copy(display, display + 3, highest);
+    }
+  }
+  this->hint_->SetPosition(highest[0], highest[1] + 12.0);
+}
+
+void View::setDark(bool dark)
+{
+  if (dark)
+  {
+    this->renderer_->SetBackground(0.13, 0.14, 0.16);
+    this->renderer_->SetBackground2(0.22, 0.24, 0.27);
+    this->mesh_->GetProperty()->SetColor(0.78, 0.76, 0.73);
+    this->mirror_->GetProperty()->SetColor(0.6, 0.8, 1.0);
+    this->hint_->GetTextProperty()->SetColor(0.95, 0.95, 0.95);
+  }
+  else
+  {
+    this->renderer_->SetBackground(0.80, 0.82, 0.84);
+    this->renderer_->SetBackground2(0.95, 0.96, 0.97);
+    this->mesh_->GetProperty()->SetColor(0.70, 0.69, 0.67);
+    this->mirror_->GetProperty()->SetColor(0.2, 0.4, 0.7);
+    this->hint_->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
+  }
+  this->renderer_->GradientBackgroundOn();
+  this->render();
+}
+
+void View::setDrawing(bool drawing)
+{
+  this->drawing_ = drawing;
+  this->pen_->SetEnabled(drawing ? 1 : 0);
+  if (!drawing)
+  {
+    this->style_->SetModeToNavigate();
+  }
+  this->setCursor(drawing ? Qt::CrossCursor : Qt::OpenHandCursor);
+}
+
+void View::clearStroke()
+{
+  this->pen_->GetStrokeRepresentation()->Clear();
+  this->render();
+}
+
+void View::setStabilizer(double pixels)
+{
+  this->pen_->SetStabilizer(pixels);
+}
+
+void View::lookFrom(vtkPolyData* stroke)
+{
+  vtkDataArray* view = stroke->GetCellData()->GetArray("ViewTransform");
+  vtkDataArray* projection = stroke->GetCellData()->GetArray("ProjectionTransform");
+  double toCamera[16], toWorld[16], toClip[16];
+  view->GetTuple(0, toCamera);
+  projection->GetTuple(0, toClip);
+  vtkMatrix4x4::Invert(toCamera, toWorld);
+  vtkCamera* camera = this->renderer_->GetActiveCamera();
+  const double distance = camera->GetDistance();
+  const double position[3] = { toWorld[3], toWorld[7], toWorld[11] };
+  camera->SetPosition(position);
+  camera->SetFocalPoint(position[0] - distance * toWorld[2],
+    position[1] - distance * toWorld[6],
+    position[2] - distance * toWorld[10]);
+  camera->SetViewUp(toWorld[1], toWorld[5], toWorld[9]);
+  // The last row of a perspective takes the depth, that of a parallel projection is 0 0 0 1.
+  const bool perspective = toClip[15] == 0.0;
+  camera->SetParallelProjection(!perspective);
+  if (perspective)
+  {
+    camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(1.0 / toClip[5])));
+  }
+  else
+  {
+    camera->SetParallelScale(1.0 / toClip[5]);
+  }
+  this->renderer_->ResetCameraClippingRange();
+  this->render();
+}
+
+void View::showKeys(bool show)
+{
+  this->style_->SetShowKeys(show);
+  this->render();
+}
+
+bool View::showsKeys() const
+{
+  return this->style_->GetShowKeys();
+}
+
+bool View::screenshot(const QString& path, bool overlays)
+{
+  const int section = this->section_->GetVisibility(), mirror = this->mirror_->GetVisibility(),
+            hint = this->hint_->GetVisibility();
+  const bool keys = this->style_->GetShowKeys();
+  if (!overlays)
+  {
+    this->section_->VisibilityOff();
+    this->mirror_->VisibilityOff();
+    this->hint_->VisibilityOff();
+    this->style_->SetShowKeys(false);
+  }
+  this->render();
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(this->window_);
+  picture->ReadFrontBufferOff();
+  picture->Update();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetFileName(path.toLocal8Bit().constData());
+  writer->Write();
+  this->section_->SetVisibility(section);
+  this->mirror_->SetVisibility(mirror);
+  this->hint_->SetVisibility(hint);
+  this->style_->SetShowKeys(keys);
+  this->render();
+  return writer->GetErrorCode() == 0;
+}
+
+void View::tabletEvent(QTabletEvent* event)
+{
+  // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
+  this->pen_->SetPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+  event->ignore();
+}
+
+} // namespace oversketch_studio
