@@ -11,11 +11,9 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTriangle.h"
+#include "vtk_jsoncpp.h"
 
 #include <cmath>
-#include <cstdio>
-#include <sstream>
-#include <vector>
 
 namespace oversketch_command
 {
@@ -23,65 +21,11 @@ namespace oversketch_command
 namespace
 {
 
-std::string quoted(const std::string& text)
+// A figure that could not be had is null.
+Json::Value number(double value)
 {
-  std::string out = "\"";
-  for (const char c : text)
-  {
-    char escape[8];
-    if (c == '"' || c == '\\')
-    {
-      out += '\\';
-      out += c;
-    }
-    else if (static_cast<unsigned char>(c) < 0x20)
-    {
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
-      out += escape;
-    }
-    else
-    {
-      out += c;
-    }
-  }
-  return out + '"';
+  return std::isfinite(value) ? Json::Value(value) : Json::Value();
 }
-
-std::string number(double value)
-{
-  if (!std::isfinite(value))
-  {
-    return "null";
-  }
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
-}
-
-std::string yes(bool value)
-{
-  return value ? "true" : "false";
-}
-
-// One JSON object, its members in the order given; indented by two more than its parent.
-class Object
-{
-public:
-  explicit Object(int depth)
-    : Indent(static_cast<std::size_t>(2 * depth), ' ')
-  {
-  }
-  Object& add(const std::string& name, const std::string& value)
-  {
-    this->Text +=
-      (this->Text.empty() ? "" : ",") + ("\n" + this->Indent) + "  " + quoted(name) + ": " + value;
-    return *this;
-  }
-  std::string text() const { return "{" + this->Text + "\n" + this->Indent + "}"; }
-
-private:
-  std::string Indent, Text;
-};
 
 double fieldOf(vtkPolyData* data, const char* name)
 {
@@ -94,21 +38,27 @@ vtkIdType pointsOf(vtkPolyData* data)
   return data ? data->GetNumberOfPoints() : 0;
 }
 
-std::string countsOf(vtkPolyData* mesh)
+Json::Value count(vtkIdType value)
 {
-  return Object(1)
-    .add("points", std::to_string(mesh->GetNumberOfPoints()))
-    .add("triangles", std::to_string(mesh->GetNumberOfPolys()))
-    .text();
+  return Json::Value(static_cast<Json::Int64>(value));
+}
+
+Json::Value countsOf(vtkPolyData* mesh)
+{
+  Json::Value json;
+  json["points"] = count(mesh->GetNumberOfPoints());
+  json["triangles"] = count(mesh->GetNumberOfPolys());
+  return json;
 }
 
 // Vertices of the region and the share of the area of triangles wholly in it.
-std::string regionOf(vtkPolyData* mesh)
+Json::Value regionOf(vtkPolyData* mesh)
 {
   vtkDataArray* region = mesh ? mesh->GetPointData()->GetArray("Region") : nullptr;
+  Json::Value json;
   if (!region)
   {
-    return "null";
+    return json;
   }
   vtkIdType vertices = 0;
   for (vtkIdType i = 0; i < region->GetNumberOfTuples(); ++i)
@@ -133,25 +83,23 @@ std::string regionOf(vtkPolyData* mesh)
     all += area;
     inside += in ? area : 0.0;
   }
-  return Object(1)
-    .add("vertices", std::to_string(vertices))
-    .add("of_vertices", std::to_string(region->GetNumberOfTuples()))
-    .add("area_share", number(inside / all))
-    .text();
+  json["vertices"] = count(vertices);
+  json["of_vertices"] = count(region->GetNumberOfTuples());
+  json["area_share"] = number(inside / all);
+  return json;
 }
 
-std::string deformationOf(vtkOversketchLaplacianDeform* step)
+Json::Value deformationOf(vtkOversketchLaplacianDeform* step)
 {
-  if (!step)
+  Json::Value json;
+  if (step)
   {
-    return "null";
+    json["movable_vertices"] = count(step->GetMovableCount());
+    json["active_handles"] = count(step->GetActiveHandleCount());
+    json["mean_handle_residual"] = number(step->GetMeanHandleResidual());
+    json["maximum_handle_residual"] = number(step->GetMaximumHandleResidual());
   }
-  return Object(1)
-    .add("movable_vertices", std::to_string(step->GetMovableCount()))
-    .add("active_handles", std::to_string(step->GetActiveHandleCount()))
-    .add("mean_handle_residual", number(step->GetMeanHandleResidual()))
-    .add("maximum_handle_residual", number(step->GetMaximumHandleResidual()))
-    .text();
+  return json;
 }
 
 } // namespace
@@ -163,61 +111,50 @@ std::string Report::json(const Options& options,
 {
   const char* const backends[] = { "auto", "opencl", "embree" };
   const char* const remeshes[] = { "auto", "on", "off" };
-  Object stages(1);
+  Json::Value stages;
   for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
   {
     const char* name = system->GetInnerOutputName(i);
-    stages.add(name, number(1e3 * system->GetStageTime(name)));
+    stages[name] = number(1e3 * system->GetStageTime(name));
   }
   // Deform stands for all deformations among the inner outputs; each took its own time.
   for (const char* name :
     { "DeformCorrected", "DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected" })
   {
-    stages.add(name, number(1e3 * system->GetStageTime(name)));
+    stages[name] = number(1e3 * system->GetStageTime(name));
   }
   vtkPolyData* match = system->GetInnerOutput("Match");
   vtkPolyData* targets = system->GetInnerOutput("Targets");
   auto* deform = vtkOversketchLaplacianDeform::SafeDownCast(system->GetStep(system->GetDeformationName()));
-  return Object(0)
-           .add("oversketch", quoted(OVERSKETCH_VERSION))
-           .add("mesh", quoted(options.mesh))
-           .add("stroke", quoted(options.stroke))
-           .add("output", quoted(options.output))
-           .add("options",
-             Object(1)
-               .add("backend", quoted(backends[options.backend]))
-               .add("remesh", quoted(remeshes[options.remesh]))
-               .add("adjust_normals", yes(options.adjustNormals))
-               .add("as_published", yes(options.asPublished))
-               .text())
-           .add("backend_used",
-             quoted(system->GetBackendUsed() == vtkOversketchOneStroke::OpenCL ? "opencl" : "embree"))
-           .add("remeshed", yes(system->GetRemeshed()))
-           .add("milliseconds",
-             Object(1)
-               .add("read", number(this->readMilliseconds))
-               .add("run", number(this->runMilliseconds))
-               .add("write", number(this->writeMilliseconds))
-               .text())
-           .add("stage_milliseconds", stages.text())
-           .add("before", countsOf(mesh))
-           .add("after", countsOf(result))
-           .add("match",
-             Object(1)
-               .add("distance_px", number(fieldOf(match, "Distance")))
-               .add("score_px", number(fieldOf(match, "Score")))
-               .add("points", std::to_string(pointsOf(match)))
-               .text())
-           .add("targets",
-             Object(1)
-               .add("handles", std::to_string(pointsOf(targets)))
-               .add("section_length", number(fieldOf(targets, "SectionLength")))
-               .add("target_length", number(fieldOf(targets, "TargetLength")))
-               .text())
-           .add("region", regionOf(system->GetInnerOutput("RegionBorder")))
-           .add("deformation", deformationOf(deform))
-           .text() +
-         "\n";
+  Json::Value json;
+  json["oversketch"] = OVERSKETCH_VERSION;
+  json["mesh"] = options.mesh;
+  json["stroke"] = options.stroke;
+  json["output"] = options.output;
+  json["options"]["backend"] = backends[options.backend];
+  json["options"]["remesh"] = remeshes[options.remesh];
+  json["options"]["adjust_normals"] = options.adjustNormals;
+  json["options"]["as_published"] = options.asPublished;
+  json["backend_used"] = system->GetBackendUsed() == vtkOversketchOneStroke::OpenCL ? "opencl" : "embree";
+  json["remeshed"] = system->GetRemeshed();
+  json["milliseconds"]["read"] = number(this->readMilliseconds);
+  json["milliseconds"]["run"] = number(this->runMilliseconds);
+  json["milliseconds"]["write"] = number(this->writeMilliseconds);
+  json["stage_milliseconds"] = stages;
+  json["before"] = countsOf(mesh);
+  json["after"] = countsOf(result);
+  json["match"]["distance_px"] = number(fieldOf(match, "Distance"));
+  json["match"]["score_px"] = number(fieldOf(match, "Score"));
+  json["match"]["points"] = count(pointsOf(match));
+  json["targets"]["handles"] = count(pointsOf(targets));
+  json["targets"]["section_length"] = number(fieldOf(targets, "SectionLength"));
+  json["targets"]["target_length"] = number(fieldOf(targets, "TargetLength"));
+  json["region"] = regionOf(system->GetInnerOutput("RegionBorder"));
+  json["deformation"] = deformationOf(deform);
+  Json::StreamWriterBuilder writer;
+  writer["indentation"] = "  ";
+  writer["precision"] = 9;
+  return Json::writeString(writer, json) + "\n";
 }
 
 } // namespace oversketch_command
