@@ -25,7 +25,9 @@
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <QMouseEvent>
 #include <QTabletEvent>
+#include <QTimer>
 
 #include <cmath>
 #include <cstring>
@@ -113,11 +115,21 @@ View::View(QWidget* parent)
       {
         view->hint_->VisibilityOff();
       }
+      else if (event == vtkCommand::RenderEvent)
+      {
+        if (!view->interactor()->GetEnableRender())
+        {
+          view->renderSoon();
+        }
+      }
       else if (event == vtkCommand::ExitEvent)
       {
         emit view->quitAsked();
       }
     });
+  // One frame for all events that have come, so that a quick hand does not wait for each of its samples.
+  this->interactor()->EnableRenderOff();
+  this->interactor()->AddObserver(vtkCommand::RenderEvent, this->ear_);
   // Key q, by the style.
   this->interactor()->AddObserver(vtkCommand::ExitEvent, this->ear_);
   this->pen_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
@@ -139,7 +151,42 @@ View::~View()
 
 void View::render()
 {
+  this->renderWaits_ = false;
   this->window_->Render();
+}
+
+void View::renderSoon()
+{
+  if (!this->renderWaits_)
+  {
+    this->renderWaits_ = true;
+    QTimer::singleShot(0,
+      this,
+      [this]
+      {
+        if (this->renderWaits_)
+        {
+          this->render();
+        }
+      });
+  }
+}
+
+void View::paintGL()
+{
+  // What Qt asks for is drawn now.
+  this->interactor()->EnableRenderOn();
+  QVTKOpenGLNativeWidget::paintGL();
+  this->interactor()->EnableRenderOff();
+}
+
+void View::mousePressEvent(QMouseEvent* event)
+{
+  if (this->renderWaits_)
+  {
+    this->render(); // the pen draws over what is on screen
+  }
+  QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
 void View::showMesh(vtkPolyData* mesh, bool reset)

@@ -61,10 +61,13 @@ signals:
   void quitAsked();
 
 protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void paintGL() override;
   void tabletEvent(QTabletEvent* event) override;
 
 private:
   void render();
+  void renderSoon();
   void placeHint();
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
@@ -79,6 +82,7 @@ private:
   vtkNew<vtkCallbackCommand> ear_;
   bool drawing_ = true;
   bool occlusionAsked_ = false;
+  bool renderWaits_ = false;
 };
 
 } // namespace oversketch_studio
