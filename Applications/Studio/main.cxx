@@ -1,5 +1,6 @@
 // oversketch-studio: the window. Exit code 2 for bad use, 1 where it cannot start.
 #include "files.h"
+#include "latency.h"
 #include "main_window.h"
 
 #include <QApplication>
@@ -26,6 +27,11 @@ int main(int count, char** values)
     QCoreApplication::translate("main", "Draw a line beside a model's outline, and the model follows."));
   parser.addHelpOption();
   parser.addVersionOption();
+  const QCommandLineOption latency("latency",
+    QCoreApplication::translate(
+      "main", "Write how long pen, strokes and redraws took to FILE at the end [ms]."),
+    "FILE");
+  parser.addOption(latency);
   parser.addPositionalArgument(
     "file", QCoreApplication::translate("main", "Model or session to open."), "[file]");
   if (!parser.parse(QCoreApplication::arguments()) || parser.positionalArguments().size() > 1)
@@ -47,6 +53,11 @@ int main(int count, char** values)
   oversketch_files::catchMessages();
   try
   {
+    if (parser.isSet(latency))
+    {
+      oversketch_files::requireWritable(parser.value(latency).toStdString());
+      oversketch_studio::Latency::of().writeTo(parser.value(latency).toStdString());
+    }
     oversketch_studio::MainWindow window;
     window.show();
     const QStringList files = parser.positionalArguments();
@@ -57,7 +68,9 @@ int main(int count, char** values)
         window.openShippedModel();
       }
     }
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    oversketch_studio::Latency::of().write();
+    return code;
   }
   catch (const std::exception& error)
   {

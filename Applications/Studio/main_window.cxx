@@ -3,6 +3,7 @@
 #include "document.h"
 #include "files.h"
 #include "history_panel.h"
+#include "latency.h"
 #include "mesh_file.h"
 #include "resources.h"
 #include "view.h"
@@ -552,6 +553,7 @@ void MainWindow::select(int node)
 void MainWindow::showResult()
 {
   const Worker::Result& result = this->document_->result();
+  Latency::of().meshComes();
   this->view_->showMesh(result.display, this->reset_);
   this->reset_ = false;
   this->refresh();

@@ -1,5 +1,7 @@
 #include "view.h"
 
+#include "latency.h"
+
 #include "vtkOversketchInteractorStyle.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
@@ -109,7 +111,12 @@ View::View(QWidget* parent)
       auto* view = static_cast<View*>(self);
       if (event == vtkCommand::WidgetValueChangedEvent)
       {
+        Latency::of().strokeEnd();
         emit view->strokeDrawn(view->pen_->GetStroke());
+      }
+      else if (event == vtkCommand::InteractionEvent)
+      {
+        Latency::of().sample();
       }
       else if (event == vtkCommand::StartInteractionEvent)
       {
@@ -133,6 +140,7 @@ View::View(QWidget* parent)
   // Key q, by the style.
   this->interactor()->AddObserver(vtkCommand::ExitEvent, this->ear_);
   this->pen_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
+  this->pen_->AddObserver(vtkCommand::InteractionEvent, this->ear_);
   this->pen_->AddObserver(vtkCommand::WidgetValueChangedEvent, this->ear_);
   this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
   this->setFocusPolicy(Qt::StrongFocus);
@@ -152,6 +160,7 @@ View::~View()
 void View::render()
 {
   this->renderWaits_ = false;
+  Latency::of().frameBegins();
   this->window_->Render();
 }
 
@@ -178,6 +187,11 @@ void View::paintGL()
   this->interactor()->EnableRenderOn();
   QVTKOpenGLNativeWidget::paintGL();
   this->interactor()->EnableRenderOff();
+  if (Latency::of().isOn())
+  {
+    this->window_->WaitForCompletion();
+    Latency::of().framePainted();
+  }
 }
 
 void View::mousePressEvent(QMouseEvent* event)
