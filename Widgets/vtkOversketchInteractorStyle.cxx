@@ -99,8 +99,9 @@ struct vtkOversketchInteractorStyle::Internals
     }
   }
 
-  // The first view of the renderer's camera, remembered now if it was not; null without a camera.
-  FirstView* firstView()
+  // The first view of the renderer's camera; null without a camera and, unless it is to be remembered now,
+  // before the style first changed it.
+  FirstView* firstView(bool remember = true)
   {
     vtkRenderer* in = this->renderer();
     if (!in || !in->IsActiveCameraCreated())
@@ -113,8 +114,11 @@ struct vtkOversketchInteractorStyle::Internals
     vtkCamera* camera = in->GetActiveCamera();
     const auto known =
       std::find_if(views.begin(), views.end(), [&](const FirstView& v) { return v.camera == camera; });
-    return known != views.end() ? &*known
-                                : &views.emplace_back(FirstView{ camera, CameraState(camera), 0.0 });
+    if (known != views.end())
+    {
+      return &*known;
+    }
+    return remember ? &views.emplace_back(FirstView{ camera, CameraState(camera), 0.0 }) : nullptr;
   }
 
   void show()
@@ -412,7 +416,7 @@ void vtkOversketchInteractorStyle::SetZoom(double zoom)
 
 double vtkOversketchInteractorStyle::GetZoom()
 {
-  const FirstView* first = this->Inner->firstView();
+  const FirstView* first = this->Inner->firstView(false);
   return first ? first->zoom() : 1.0;
 }
 
@@ -427,7 +431,7 @@ void vtkOversketchInteractorStyle::SetSpin(double degrees)
 
 double vtkOversketchInteractorStyle::GetSpin()
 {
-  const FirstView* first = this->Inner->firstView();
+  const FirstView* first = this->Inner->firstView(false);
   return first ? first->spin : 0.0;
 }
 

@@ -41,7 +41,7 @@
  * Fires StartInteractionEvent, InteractionEvent and EndInteractionEvent for each drag and each key that moves
  * the camera. The list of keys needs VTK::RenderingFreeType.
  *
- * @sa vtkOversketchStrokeWidget
+ * @sa vtkOversketchCameraWidget (zoom slider and spin dial on screen), vtkOversketchStrokeWidget
  */
 #ifndef vtkOversketchInteractorStyle_h
 #define vtkOversketchInteractorStyle_h

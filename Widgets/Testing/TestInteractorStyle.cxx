@@ -253,6 +253,18 @@ TEST(Camera, ZoomMultipliesTheApparentSize)
   }
 }
 
+TEST(Camera, AskingForTheZoomDoesNotFixTheFirstView)
+{
+  Scene scene;
+  EXPECT_EQ(scene.style->GetZoom(), 1.0);
+  scene.camera()->SetParallelScale(3.0); // the host's own
+  EXPECT_EQ(scene.style->GetZoom(), 1.0);
+  scene.style->SetZoom(2.0);
+  EXPECT_NEAR(scene.camera()->GetParallelScale(), 1.5, 1e-15);
+  scene.key("w");
+  EXPECT_EQ(scene.camera()->GetParallelScale(), 3.0);
+}
+
 TEST(Camera, TheDialSpins)
 {
   Scene scene;

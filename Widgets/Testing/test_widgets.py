@@ -60,6 +60,19 @@ def test_camera_picture(log):
     assert compare.difference(wrong.picture(), compare.read(log)) > 10 * compare.LIMIT
 
 
+def test_controls_picture():
+    window = Window()
+    controls = oversketch.vtkOversketchCameraWidget()
+    controls.SetInteractor(window.interactor)
+    controls.On()
+    window.play("camera_controls.log")
+    assert window.style.GetSpin() == pytest.approx(90.0)
+    if compare.matches(window.picture(), "camera_controls"):
+        controls.Off()
+        window.window.Render()
+        assert compare.difference(window.picture(), compare.read("camera_controls")) > 10 * compare.LIMIT
+
+
 def test_key_list_comes_and_goes():
     window = Window()
     before = window.picture()

@@ -1,0 +1,176 @@
+#include "vtkOversketchCameraWidget.h"
+
+#include "vtkOversketchCameraRepresentation.h"
+#include "vtkOversketchInteractorStyle.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkEvent.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkWidgetCallbackMapper.h"
+#include "vtkWidgetEvent.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkOversketchCameraWidget);
+
+namespace
+{
+
+vtkOversketchCameraWidget* cast(vtkAbstractWidget* widget)
+{
+  return static_cast<vtkOversketchCameraWidget*>(widget);
+}
+
+} // namespace
+
+vtkOversketchCameraWidget::vtkOversketchCameraWidget()
+{
+  this->KeyPressActivationOff();
+  this->Priority = 0.6f; // before the pen
+  const auto on = [this](
+                    unsigned long event, unsigned long what, vtkWidgetCallbackMapper::CallbackType callback)
+  { this->CallbackMapper->SetCallbackMethod(event, what, this, callback); };
+  on(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, Press);
+  on(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, Move);
+  on(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, Release);
+  this->CallbackMapper->SetCallbackMethod(
+    vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::Completed, this, Key);
+  // During a drag all events are the widget's (GrabFocus), and these come to nothing.
+  this->CallbackMapper->SetCallbackMethod(
+    vtkCommand::CharEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::ModifyEvent, this, Swallow);
+  for (const unsigned long event : { vtkCommand::MiddleButtonPressEvent,
+         vtkCommand::RightButtonPressEvent,
+         vtkCommand::MouseWheelForwardEvent,
+         vtkCommand::MouseWheelBackwardEvent })
+  {
+    on(event, vtkWidgetEvent::ModifyEvent, Swallow);
+  }
+}
+
+vtkOversketchCameraWidget::~vtkOversketchCameraWidget()
+{
+  this->vtkOversketchCameraWidget::SetEnabled(0);
+}
+
+void vtkOversketchCameraWidget::SetRepresentation(vtkOversketchCameraRepresentation* representation)
+{
+  this->Stop();
+  this->SetWidgetRepresentation(representation);
+}
+
+vtkOversketchCameraRepresentation* vtkOversketchCameraWidget::GetCameraRepresentation()
+{
+  this->CreateDefaultRepresentation();
+  return static_cast<vtkOversketchCameraRepresentation*>(this->WidgetRep);
+}
+
+void vtkOversketchCameraWidget::CreateDefaultRepresentation()
+{
+  if (!this->WidgetRep)
+  {
+    this->WidgetRep = vtkOversketchCameraRepresentation::New();
+  }
+}
+
+void vtkOversketchCameraWidget::SetEnabled(int enabling)
+{
+  if (!enabling && this->Enabled)
+  {
+    this->Stop();
+  }
+  this->Superclass::SetEnabled(enabling);
+}
+
+void vtkOversketchCameraWidget::Stop()
+{
+  if (this->Dragging)
+  {
+    this->Dragging = 0;
+    this->ReleaseFocus();
+    this->EndInteraction();
+    this->InvokeEvent(vtkCommand::EndInteractionEvent);
+  }
+}
+
+void vtkOversketchCameraWidget::Press(vtkAbstractWidget* widget)
+{
+  vtkOversketchCameraWidget* self = cast(widget);
+  vtkOversketchCameraRepresentation* controls = self->GetCameraRepresentation();
+  const int* at = self->Interactor->GetEventPosition();
+  const int what = controls->ComputeInteractionState(at[0], at[1]);
+  if (self->Dragging || what == vtkOversketchCameraRepresentation::Outside ||
+      !self->CurrentRenderer->IsInViewport(at[0], at[1]))
+  {
+    return;
+  }
+  self->EventCallbackCommand->SetAbortFlag(1);
+  vtkOversketchInteractorStyle* style = controls->GetStyle();
+  style->FindPokedRenderer(at[0], at[1]);
+  self->Dragging = what;
+  self->Angle = controls->GetDialAngle(at[0], at[1]);
+  self->Y = at[1];
+  self->Spin = style->GetSpin();
+  self->Zoom = style->GetZoom();
+  self->GrabFocus(self->EventCallbackCommand);
+  self->StartInteraction();
+  self->InvokeEvent(vtkCommand::StartInteractionEvent);
+}
+
+void vtkOversketchCameraWidget::Move(vtkAbstractWidget* widget)
+{
+  vtkOversketchCameraWidget* self = cast(widget);
+  vtkOversketchCameraRepresentation* controls = self->GetCameraRepresentation();
+  vtkOversketchInteractorStyle* style = self->Dragging ? controls->GetStyle() : nullptr;
+  if (!style)
+  {
+    return;
+  }
+  self->EventCallbackCommand->SetAbortFlag(1);
+  const int* at = self->Interactor->GetEventPosition();
+  if (self->Dragging == vtkOversketchCameraRepresentation::OnDial)
+  {
+    style->SetSpin(self->Spin + controls->GetDialAngle(at[0], at[1]) - self->Angle);
+  }
+  else
+  {
+    style->SetZoom(self->Zoom * controls->GetZoomRatio(at[1] - self->Y));
+  }
+  self->InvokeEvent(vtkCommand::InteractionEvent);
+}
+
+void vtkOversketchCameraWidget::Release(vtkAbstractWidget* widget)
+{
+  vtkOversketchCameraWidget* self = cast(widget);
+  if (self->Dragging)
+  {
+    self->EventCallbackCommand->SetAbortFlag(1);
+    self->Stop();
+  }
+}
+
+void vtkOversketchCameraWidget::Key(vtkAbstractWidget* widget)
+{
+  vtkOversketchCameraWidget* self = cast(widget);
+  if (!self->Dragging)
+  {
+    return;
+  }
+  self->EventCallbackCommand->SetAbortFlag(1);
+  vtkOversketchInteractorStyle* style = self->GetCameraRepresentation()->GetStyle();
+  const char* key = self->Interactor->GetKeySym();
+  if (style && key && std::string(key) == "Escape")
+  {
+    style->SetSpin(self->Spin);
+    style->SetZoom(self->Zoom);
+    self->Stop();
+  }
+}
+
+void vtkOversketchCameraWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dragging: " << this->Dragging << "\n";
+}
