@@ -283,11 +283,15 @@ void Document::run()
 
 void Document::keep()
 {
-  this->autosave_.keep(this->file());
+  if (!this->discarded_)
+  {
+    this->autosave_.keep(this->file());
+  }
 }
 
 void Document::discardAutosave()
 {
+  this->discarded_ = true;
   this->autosave_.discard();
 }
 

@@ -93,6 +93,7 @@ private:
   std::unique_ptr<oversketch_session::History> history_;
   QString path_;
   bool modified_ = false;
+  bool discarded_ = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result result_;
   std::uint64_t ticket_ = 0, answered_ = 0;
   oversketch_session::Autosave autosave_;
