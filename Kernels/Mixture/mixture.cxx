@@ -69,7 +69,7 @@ std::vector<double> sortedSamples(const std::vector<double>& samples)
     ++ends[intervals[i] + 1];
   }
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<int> next(ends.begin(), ends.end() - 1);
+  std::vector<int> next = ends;
   std::vector<double> sorted(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
