@@ -454,9 +454,13 @@ void Weld::Transfer(vtkPolyData* mesh,
 
   const auto count = static_cast<vtkIdType>(mixes.size());
   auto points = NewPoints(mesh, count);
-  std::vector<Vector3> before, now = vertexNormals(result);
-  before = vertexNormals(this->Surface);
   vtkDataArray* oldNormals = mesh->GetPointData()->GetNormals();
+  std::vector<Vector3> before, now; // of the surface, where the mesh's own have to turn with it
+  if (oldNormals)
+  {
+    before = vertexNormals(this->Surface);
+    now = vertexNormals(result);
+  }
   vtkPointData* from = mesh->GetPointData();
   vtkPointData* to = output->GetPointData();
   to->InterpolateAllocate(from, count);
@@ -496,7 +500,10 @@ void Weld::Transfer(vtkPolyData* mesh,
     {
       ids->InsertNextId(point);
       weights.push_back(weight);
-      oldSurface += weight * before[this->VertexOf(point)];
+      if (oldNormals)
+      {
+        oldSurface += weight * before[this->VertexOf(point)];
+      }
     }
     if (mix.size() == 1)
     {
