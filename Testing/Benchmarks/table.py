@@ -200,23 +200,24 @@ def picture(rows, path):
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    figure, axes = pyplot.subplots(figsize=(9, 6))
+    figure, axes = pyplot.subplots(figsize=(11, 6))
     jobs = [job for job in dict.fromkeys(row["job"] for row in rows)
             if sum(row["job"] == job and row["size"] in TRIANGLES for row in rows) > 1]
-    colours = pyplot.get_cmap("tab10")
+    colours = pyplot.get_cmap("tab20")
+    shade = lambda k: colours((2 * k + k // 10) % 20)  # the ten dark ones, then the pale
     for k, job in enumerate(jobs):
         mine = sorted((TRIANGLES[row["size"]], row["ours_ms"], row["limit_ms"] or min(row["peers"].values(), default=None))
                       for row in rows if row["job"] == job and row["size"] in TRIANGLES)
-        axes.loglog([m[0] for m in mine], [m[1] for m in mine], "o-", color=colours(k % 10), label=job)
+        axes.loglog([m[0] for m in mine], [m[1] for m in mine], "o-", color=shade(k), label=job)
         bound = [(m[0], m[2]) for m in mine if m[2]]
-        axes.loglog([b[0] for b in bound], [b[1] for b in bound], ":", color=colours(k % 10), linewidth=1)
+        axes.loglog([b[0] for b in bound], [b[1] for b in bound], ":", color=shade(k), linewidth=1)
     axes.set_xlabel("triangles")
     axes.set_ylabel("milliseconds")
     axes.set_title("Cost against size (dotted: the limit, or the best peer where no limit was measured)", fontsize=10)
     axes.set_xticks(list(TRIANGLES.values()), list(TRIANGLES))
     axes.minorticks_off()
     axes.grid(True, which="major", alpha=0.3)
-    axes.legend(fontsize=8, loc="upper left")
+    axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5))
     figure.tight_layout()
     figure.savefig(path, dpi=110)
 
