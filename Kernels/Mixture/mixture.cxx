@@ -61,8 +61,8 @@ std::vector<double> sortedSamples(const std::vector<double>& samples)
   {
     return samples; // all alike
   }
-  std::vector<int> ends(samples.size() + 1, 0);
   std::vector<int> intervals(samples.size());
+  std::vector<int> ends(intervals.size() + 1, 0);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     intervals[i] = static_cast<int>((samples[i] - origin) * scale);
