@@ -1,0 +1,13 @@
+// Colours of the window.
+#ifndef oversketch_studio_looks_h
+#define oversketch_studio_looks_h
+
+#include <QPalette>
+
+namespace oversketch_studio
+{
+
+QPalette darkPalette();
+
+} // namespace oversketch_studio
+#endif
