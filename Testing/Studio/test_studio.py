@@ -121,7 +121,6 @@ def test_a_sitting_with_a_crash_in_it(sitting, tmp_path):
     desk.drag(TAIL)
     tail = sitting.shows(1)
     assert tail != first
-    compare.matches(sitting.settled(), "studio_stroke")
     desk.key("ctrl+z")
     assert sitting.shows(0) == first
     desk.key("ctrl+shift+z")
@@ -189,7 +188,6 @@ def test_a_file_is_dropped_on_the_window(sitting):
 def test_opens_on_a_model_and_leaves_nothing_behind(sitting):
     sitting.start()
     assert sitting.shows(0) == digest(mesh(DOG))
-    compare.matches(sitting.settled(), "studio_start")
     sitting.desk.focus(sitting.desk.windows()[-1][0])
     sitting.desk.key("ctrl+q")
     assert sitting.studio.ended() == 0
