@@ -17,11 +17,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <random>
 #include <string>
+
+#include <malloc.h>
 
 using namespace oversketch_studio;
 
@@ -48,8 +49,10 @@ void answerQuestions()
   timer->start(5);
 }
 
+// MiB, without what the allocator keeps for later.
 double resident()
 {
+  malloc_trim(0);
   std::ifstream file("/proc/self/status");
   for (std::string line; std::getline(file, line);)
   {
@@ -59,6 +62,13 @@ double resident()
     }
   }
   return 0.0;
+}
+
+// Waits for the result. The limit only ends a test that hangs: a wild stroke with normals adjusted takes half a
+// minute under the sanitizers.
+bool settles(const Document& document)
+{
+  return QTest::qWaitFor([&] { return !document.isBusy(); }, 600000);
 }
 
 struct Hand
@@ -166,34 +176,39 @@ TEST(Window, LivesThroughRandomHands)
     Hand hand(static_cast<unsigned>(sequence));
     MainWindow window;
     window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 60000));
     window.openShippedModel();
     auto* view = window.findChild<View*>();
     auto* document = window.findChild<Document*>();
     ASSERT_TRUE(view && document && document->isOpen());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document->isBusy(); }, 60000));
+    ASSERT_TRUE(settles(*document));
     for (int event = 0; event < events; ++event)
     {
       hand.act(window, *view);
     }
     QTest::mouseRelease(view, Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document->isBusy(); }, 60000)) << "sequence " << sequence;
+    ASSERT_TRUE(settles(*document)) << "sequence " << sequence;
     // What is shown is what the history makes of the mesh, and undoing all of it shows the mesh as it was.
     while (document->canUndo())
     {
       document->undo();
     }
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !document->isBusy(); }, 60000));
+    ASSERT_TRUE(settles(*document));
     EXPECT_EQ(document->result().digest, oversketch_session::digestOf(document->session().mesh));
     EXPECT_EQ(oversketch_files::takeError(), "") << "sequence " << sequence;
     document->discardAutosave();
-    if (sequence == std::max(2, sequences / 5))
+    if (sequence == sequences / 5)
     {
       early = resident();
     }
   }
-  std::printf("Resident after a fifth of the sequences %.0f MiB, at the end %.0f MiB\n", early, resident());
-  EXPECT_LT(resident(), 1.3 * early + 50.0);
+  // A few sequences differ by their strokes; a leak shows over many.
+  if (sequences >= 20)
+  {
+    const double late = resident();
+    std::printf("Resident after a fifth of the sequences %.0f MiB, at the end %.0f MiB\n", early, late);
+    EXPECT_LT(late, 1.3 * early + 50.0);
+  }
 }
 
 int main(int count, char** values)
