@@ -90,6 +90,18 @@ int RunFilter(vtkAlgorithm* self, const std::function<void()>& body)
   return 0;
 }
 
+std::string MessageOf(const void* eventData)
+{
+  std::string text = eventData ? static_cast<const char*>(eventData) : "";
+  const std::size_t marker = text.find("): ");
+  if (marker != std::string::npos)
+  {
+    text.erase(0, marker + 3);
+  }
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
 Context ContextOf(vtkAlgorithm* self, double from, double to)
 {
   Context context;

@@ -35,6 +35,12 @@ namespace oversketch
 OVERSKETCHFILTERSCORE_EXPORT int RunFilter(vtkAlgorithm* self, const std::function<void()>& body);
 
 /**
+ * The bare message of an error or warning event, from what its observer is given: VTK's macros wrap it as
+ * "ERROR: In file, line N\nClass (address): message\n\n".
+ */
+OVERSKETCHFILTERSCORE_EXPORT std::string MessageOf(const void* eventData);
+
+/**
  * Threads from vtkSMPTools, progress mapped to [from, to] of the filter's own, cancel from AbortExecute.
  */
 OVERSKETCHFILTERSCORE_EXPORT Context ContextOf(vtkAlgorithm* self, double from = 0.0, double to = 1.0);

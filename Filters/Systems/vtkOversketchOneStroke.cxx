@@ -48,19 +48,6 @@ struct Stage
   double seconds = 0.0;
 };
 
-// The bare message: VTK's macros wrap it as "ERROR: In file, line N\nClass (address): message\n\n".
-std::string MessageOf(const void* eventData)
-{
-  std::string text = eventData ? static_cast<const char*>(eventData) : "";
-  const std::size_t marker = text.find("): ");
-  if (marker != std::string::npos)
-  {
-    text.erase(0, marker + 3);
-  }
-  text.erase(text.find_last_not_of(" \n") + 1);
-  return text;
-}
-
 // One byte per point of a mesh that a step made.
 std::vector<char> RegionOf(vtkPolyData* mesh)
 {

@@ -1,0 +1,102 @@
+/**
+ * @class vtkOversketchForEach
+ * @brief drives a filter over every model of a collection, one stroke for all or one for each
+ *
+ * For the thousand models that get the same treatment, on one machine or spread over the ranks of an MPI run.
+ * SetFilter names the filter to drive: any vtkAlgorithm with two input ports (model, stroke), for instance
+ * vtkOversketchOneStroke with its parameters set. It is run once per leaf, in order; its inputs are set here
+ * and taken away again.
+ *
+ * Input 0: the models, a collection (vtkDataObjectTree: vtkMultiBlockDataSet, vtkPartitionedDataSet,
+ * vtkPartitionedDataSetCollection, nested as they like). Input 1: one stroke (vtkPolyData) for all of them,
+ * or a collection of strokes whose leaves stand at the same flat indices as the models'.
+ *
+ * Output 0: a collection of the same type and structure (names and field data included) with what the filter
+ * made of each model. A leaf that is absent stays absent, silently. A model that the filter refuses does not
+ * stop the others: it is reported by one error that names the leaf (flat index and name, and the rank where
+ * there are several) and says why; its leaf of the output is an empty one of the type that the filter puts
+ * out, so that what is paired by index stays paired. GetNumberOfFailures counts such leaves, and the error
+ * code is that of the first (InnerStep where the filter has none).
+ *
+ * Several ranks: each works on the leaves that it holds, no leaf travels. A single stroke is broadcast from
+ * the first rank that has it, in every run and on every rank, whether it holds models or not; a collection
+ * of strokes is to be spread like the models, as ParaView's readers do for files of equal structure. The
+ * output of a model does not depend on the rank that it falls to.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure), one message, output empty: no filter, or one
+ * without two input ports (Unexpected); strokes that do not stand where the models do, or no rank has a
+ * stroke (BadStroke; a rank without models is silent). After AbortExecute the output is empty and the error
+ * code Cancelled; call Modified() before the next Update.
+ *
+ * Memory: that of the filter for one model at a time, besides input and output.
+ *
+ * @sa vtkOversketchOneStroke vtkMultiProcessController
+ */
+#ifndef vtkOversketchForEach_h
+#define vtkOversketchForEach_h
+
+#include "OversketchFiltersSystemsModule.h" // For export macro
+#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSmartPointer.h" // for its members
+
+class vtkMultiProcessController;
+
+class OVERSKETCHFILTERSSYSTEMS_EXPORT vtkOversketchForEach : public vtkPassInputTypeAlgorithm
+{
+public:
+  static vtkOversketchForEach* New();
+  vtkTypeMacro(vtkOversketchForEach, vtkPassInputTypeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The stroke or the collection of strokes, on port 1.
+   */
+  void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
+  void SetStrokeData(vtkDataObject* stroke) { this->SetInputDataObject(1, stroke); }
+
+  ///@{
+  /**
+   * The filter to drive. A change of its parameters makes this one run again. Default none.
+   */
+  void SetFilter(vtkAlgorithm* filter);
+  vtkAlgorithm* GetFilter() const { return this->Filter; }
+  ///@}
+
+  ///@{
+  /**
+   * Who the other ranks are. Default the process's global controller; none means that there are no others.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  /**
+   * Models of this rank that the filter refused in the last run.
+   */
+  vtkGetMacro(NumberOfFailures, int);
+
+  /**
+   * Includes the filter's.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkOversketchForEach();
+  ~vtkOversketchForEach() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchForEach(const vtkOversketchForEach&) = delete;
+  void operator=(const vtkOversketchForEach&) = delete;
+
+  // The one stroke for all, the same on every rank; null where no rank has one.
+  vtkSmartPointer<vtkDataObject> Broadcast(vtkDataObject* stroke);
+
+  vtkSmartPointer<vtkAlgorithm> Filter;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  int NumberOfFailures = 0;
+};
+
+#endif
