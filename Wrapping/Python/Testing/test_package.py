@@ -2,6 +2,8 @@
 import os
 import pathlib
 import re
+import subprocess
+import sys
 
 import pytest
 
@@ -62,3 +64,37 @@ def test_the_snippet_of_the_readme_runs_as_written(tmp_path, monkeypatch, capsys
 def test_version():
     version = re.search(r"VERSION (\d+\.\d+\.\d+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
     assert oversketch.__version__ == version
+
+
+def python(program):
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.split()
+
+
+def test_importing_loads_no_rendering_until_a_widget_is_asked_for():
+    show = "print(*(m for m in sys.modules if m.startswith('vtkmodules.vtk') or m == 'numpy'))\n"
+    loaded = python("import sys, oversketch\\noversketch.vtkOversketchOneStroke()\\n" + show)
+    assert "vtkmodules.vtkCommonExecutionModel" in loaded
+    assert not [m for m in loaded if re.search("Rendering|Interaction|Imaging|IO|Views|numpy", m)], loaded
+    loaded = python("import sys, oversketch\noversketch.vtkOversketchInteractorStyle()\n" + show)
+    assert "vtkmodules.vtkRenderingCore" in loaded
+
+
+def test_all_names_can_be_imported_and_others_cannot():
+    names = python("from oversketch import *\nprint(*(n for n in dir() if not n.startswith('_')))")
+    assert set(names) == {h.stem for h in HEADERS} | {"FilterError", "stroke", "update"}
+    assert python("import oversketch\nprint(hasattr(oversketch, 'vtkOversketchNothing'), hasattr(oversketch, 'all'))") == ["False"] * 2
+
+
+@pytest.mark.parametrize("before, message", [
+    ("import sys\nsys.modules['vtkmodules.vtkCommonExecutionModel'] = None\n", "on Debian install python3-vtk9"),
+    ("class Other(vtkmodules.vtkCommonCore.vtkVersion):\n    GetVTKMinorVersion = lambda: 99\n"
+     "vtkmodules.vtkCommonCore.vtkVersion = Other\n", "was built for VTK 9."),
+    ], ids=["none", "other"])
+def test_without_the_right_package_of_vtk_the_remedy_is_named(before, message):
+    program = "import vtkmodules.vtkCommonCore\n" + before + "import oversketch\n"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode == 1
+    last = done.stderr.strip().splitlines()[-1]
+    assert last.startswith("ImportError: oversketch ") and message in last
