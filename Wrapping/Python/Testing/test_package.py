@@ -74,7 +74,7 @@ def python(program):
 
 def test_importing_loads_no_rendering_until_a_widget_is_asked_for():
     show = "print(*(m for m in sys.modules if m.startswith('vtkmodules.vtk') or m == 'numpy'))\n"
-    loaded = python("import sys, oversketch\\noversketch.vtkOversketchOneStroke()\\n" + show)
+    loaded = python("import sys, oversketch\noversketch.vtkOversketchOneStroke()\n" + show)
     assert "vtkmodules.vtkCommonExecutionModel" in loaded
     assert not [m for m in loaded if re.search("Rendering|Interaction|Imaging|IO|Views|numpy", m)], loaded
     loaded = python("import sys, oversketch\noversketch.vtkOversketchInteractorStyle()\n" + show)
