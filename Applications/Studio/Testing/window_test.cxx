@@ -64,8 +64,8 @@ double resident()
   return 0.0;
 }
 
-// Waits for the result. The limit only ends a test that hangs: a wild stroke with normals adjusted takes half a
-// minute under the sanitizers.
+// Waits for the result. The limit only ends a test that hangs: a wild stroke with normals adjusted takes half
+// a minute under the sanitizers.
 bool settles(const Document& document)
 {
   return QTest::qWaitFor([&] { return !document.isBusy(); }, 600000);
