@@ -15,7 +15,7 @@ from sheet import BLUE, PURPLE, RED, Sheet, View, by_region, clay, lines_of, loa
 
 sheet = Sheet(columns=3)
 SHOWN = (  # stroke, turn [degrees], part of the picture [px]
-    ("hand_longer_finger", 50, (290, 330, 240, 180)),
+    ("hand_longer_finger", 50, (290, 385, 240, 180)),
     ("dinosaur_longer_tail", 40, (200, 200, 240, 180)),
     ("dog_curled_tail", -40, (170, 350, 240, 180)),
 )

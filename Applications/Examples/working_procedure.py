@@ -24,7 +24,7 @@ system.SetBackendToHost()
 system.Update()
 
 model, drawn = mesh.GetOutput(), stroke.GetOutput()
-front, side = View(drawn), View(drawn, turn=60, middle=model.GetCenter())
+front, side = View(drawn), View(drawn, turn=-60, middle=model.GetCenter())
 head = (436, 414, 140, 105)  # left, bottom, width, height in the picture seen from the side [px]
 inner = system.GetInnerOutput
 pen = curve(lines_of(drawn), RED)

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Runs every example, keeps its picture in Pictures/ and writes README.md, the gallery, from what each says of itself.
+
+usage: gallery.py
+"""
+import ast
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+EXAMPLES = (
+    "working_procedure",
+    "deformations",
+    "silhouette_traces",
+    "hidden_silhouette",
+    "matching",
+    "shape_diameter",
+    "region_growing",
+    "region_border",
+    "remeshing",
+)
+HEAD = """# Gallery
+
+One short script for each figure of the paper (Bao and Howard, "SEED: Sketch-Based 3D Model Deformation") that shows a result; figures 4
+and 5 are drawings of formulas. Each runs alone, with the package on `PYTHONPATH` and a display or `xvfb-run -a`:
+
+```
+xvfb-run -a /usr/bin/python3 Applications/Examples/matching.py matching.png
+```
+
+`gallery.py` makes all pictures and this page again; the tests compare each picture with the one here. `sheet.py` is what they draw with.
+"""
+
+
+def says(name):
+    """Title and text of an example."""
+    about = ast.get_docstring(ast.parse((HERE / (name + ".py")).read_text()))
+    title, text = about.split("\n\nusage:")[0].split(": ", 1)
+    return title, " ".join(text.split())
+
+
+def page():
+    parts = [HEAD]
+    for name in EXAMPLES:
+        title, text = says(name)
+        parts.append(f"## {title}\n\n[{name}.py]({name}.py): {text}\n\n![{title}](Pictures/{name}.png)\n")
+    return "\n".join(parts)
+
+
+def draw(name, path):
+    subprocess.run([sys.executable, str(HERE / (name + ".py")), str(path)], check=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        sys.exit(__doc__)
+    for example in EXAMPLES:
+        draw(example, HERE / "Pictures" / (example + ".png"))
+    (HERE / "README.md").write_text(page())
