@@ -11,10 +11,10 @@ function (oversketch_kernel name)
   set(target OversketchKernels${name})
   add_library(${target} ${arg_SOURCES} ${arg_HEADERS})
   add_library(Oversketch::Kernels${name} ALIAS ${target})
+  set_property(GLOBAL APPEND PROPERTY oversketch_kernels ${name})
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME Kernels${name}
-    VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    ${oversketch_versions}
     CXX_VISIBILITY_PRESET default) # kernels are small and wholly public
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Kernels>
@@ -23,8 +23,8 @@ function (oversketch_kernel name)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
   target_compile_options(${target} PRIVATE ${oversketch_warnings})
   install(TARGETS ${target} EXPORT Oversketch
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/oversketch/Kernels/${name})
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development)
+  install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/oversketch/Kernels/${name} COMPONENT development)
 endfunction ()
 
 # oversketch_embed_cl(<target> <file.cl>...): makes each OpenCL source a string of the target, at build time. Kernels/Ray/
@@ -90,5 +90,5 @@ function (oversketch_pytest name file)
     COMMAND xvfb-run -a -s "-screen 0 1280x1024x24" ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
       ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600
-    ENVIRONMENT "${oversketch_test_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
+    ENVIRONMENT "${oversketch_test_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_BUILD=${PROJECT_BINARY_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()
