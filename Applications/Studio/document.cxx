@@ -78,6 +78,7 @@ bool Document::open(const QString& path, const std::function<bool()>& mayLeave, 
   {
     session.mesh = readMesh(file, said);
     session.meshName = QFileInfo(path).fileName().toStdString();
+    session.backend = this->backend_;
   }
   if (!mayLeave())
   {

@@ -68,6 +68,9 @@ public:
   // Stops the computing and goes back to the history that is shown (Redo brings the change back).
   void cancel();
 
+  // Where models that are opened from now on compute (vtkOversketchOneStroke::BackendType).
+  void setBackend(int backend) { this->backend_ = backend; }
+
   // Ends the autosave: the work is saved or not wanted.
   void discardAutosave();
 
@@ -92,6 +95,7 @@ private:
 
   std::unique_ptr<oversketch_session::History> history_;
   QString path_;
+  int backend_ = 0;
   bool modified_ = false;
   bool discarded_ = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result result_;

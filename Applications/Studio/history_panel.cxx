@@ -2,13 +2,13 @@
 
 #include "document.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QShortcut>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -33,6 +33,10 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   : QWidget(parent)
   , document_(document)
   , list_(new QListWidget(this))
+  , empty_(new QLabel(
+      tr("The strokes that you draw are listed here. Tick one off, draw it anew, change how it acts: "
+         "the model follows."),
+      this->list_->viewport()))
   , remesh_(new QComboBox(this))
   , adjustNormals_(new QCheckBox(tr("Details turn with the limb"), this))
   , asPublished_(new QCheckBox(tr("As published"), this))
@@ -41,38 +45,51 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   this->list_->setObjectName("history");
   this->list_->setToolTip(tr("The strokes, in the order in which they act. Unticked strokes do nothing."));
   this->list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  this->list_->setAccessibleName(tr("Strokes"));
+  this->remesh_->setAccessibleName(tr("New triangles"));
+  this->mirror_->setAccessibleName(tr("Acts on"));
+  this->empty_->setWordWrap(true);
+  this->empty_->setEnabled(false);
+  this->empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
   this->remesh_->addItems({ tr("where it is needed"), tr("always"), tr("never") });
   this->remesh_->setToolTip(tr("New triangles where the stroke stretches the model"));
   this->adjustNormals_->setToolTip(tr("Slower; better where a limb is bent far"));
   this->asPublished_->setToolTip(tr("Without the amendments to the published method"));
 
-  const auto button = [this](const QString& text, const QString& help)
+  const auto action = [this](const QString& text, const QKeySequence& keys, const QString& help)
   {
-    auto* made = new QToolButton(this);
-    made->setText(text);
+    auto* made = new QAction(text, this);
+    made->setShortcut(keys);
     made->setToolTip(help);
-    made->setToolButtonStyle(Qt::ToolButtonTextOnly);
     return made;
   };
-  this->redraw_ = button(tr("Redraw"), tr("Draw this stroke anew; the later ones follow"));
-  this->view_ = button(tr("View"), tr("Look from where this stroke was drawn"));
-  this->up_ = button(tr("Up"), tr("Let it act earlier"));
-  this->down_ = button(tr("Down"), tr("Let it act later"));
-  this->remove_ = button(tr("Delete"), tr("Take this stroke away"));
+  this->redraw_ =
+    action(tr("&Redraw"), QKeySequence(tr("Ctrl+R")), tr("Draw this stroke anew; the later ones follow"));
+  this->view_ = action(tr("&View"), QKeySequence(tr("Ctrl+L")), tr("Look from where this stroke was drawn"));
+  this->up_ = action(tr("&Up"), QKeySequence(tr("Ctrl+Up")), tr("Let it act earlier"));
+  this->down_ = action(tr("&Down"), QKeySequence(tr("Ctrl+Down")), tr("Let it act later"));
+  this->remove_ = action(tr("De&lete"), QKeySequence::Delete, tr("Take this stroke away"));
+  // In the view this key is nobody's, in a name that is edited it is the editor's.
+  this->remove_->setShortcutContext(Qt::WidgetShortcut);
+  this->list_->addAction(this->remove_);
 
   auto* buttons = new QHBoxLayout;
-  for (QToolButton* one : { this->redraw_, this->view_, this->up_, this->down_, this->remove_ })
+  for (QAction* one : this->strokeActions())
   {
-    buttons->addWidget(one);
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(one);
+    buttons->addWidget(button);
   }
   buttons->addStretch();
   auto* form = new QFormLayout;
-  form->addRow(tr("Remesh"), this->remesh_);
+  form->addRow(tr("New triangles"), this->remesh_);
   form->addRow(this->adjustNormals_);
   form->addRow(this->asPublished_);
   form->addRow(tr("Acts on"), this->mirror_);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(this->list_);
+  auto* inList = new QVBoxLayout(this->list_->viewport());
+  inList->addWidget(this->empty_, 0, Qt::AlignTop);
   layout->addLayout(buttons);
   layout->addLayout(form);
 
@@ -96,27 +113,17 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   {
     connect(box, &QCheckBox::clicked, this, [this] { this->edit(); });
   }
-  connect(this->redraw_, &QToolButton::clicked, this, [this] { emit this->redrawAsked(this->current()); });
-  connect(this->view_, &QToolButton::clicked, this, [this] { emit this->viewAsked(this->current()); });
+  connect(this->redraw_, &QAction::triggered, this, [this] { emit this->redrawAsked(this->current()); });
+  connect(this->view_, &QAction::triggered, this, [this] { emit this->viewAsked(this->current()); });
   const auto shift = [this](int by)
   {
     const int row = this->current();
     this->document_->move(row, row + by);
     this->list_->setCurrentRow(row + by);
   };
-  connect(this->up_, &QToolButton::clicked, this, [shift] { shift(-1); });
-  connect(this->down_, &QToolButton::clicked, this, [shift] { shift(1); });
-  const auto remove = [this]
-  {
-    if (this->current() >= 0)
-    {
-      this->document_->remove(this->current());
-    }
-  };
-  connect(this->remove_, &QToolButton::clicked, this, remove);
-  auto* key = new QShortcut(QKeySequence::Delete, this->list_);
-  key->setContext(Qt::WidgetShortcut);
-  connect(key, &QShortcut::activated, this, remove);
+  connect(this->up_, &QAction::triggered, this, [shift] { shift(-1); });
+  connect(this->down_, &QAction::triggered, this, [shift] { shift(1); });
+  connect(this->remove_, &QAction::triggered, this, [this] { this->document_->remove(this->current()); });
   this->refresh();
 }
 
@@ -156,6 +163,7 @@ void HistoryPanel::refresh()
     }
     this->list_->setCurrentRow(std::min(row, this->list_->count() - 1));
   }
+  this->empty_->setVisible(this->list_->count() == 0);
   this->filling_ = false;
   this->showParameters();
 }
@@ -164,13 +172,12 @@ void HistoryPanel::showParameters()
 {
   const int row = this->current();
   const bool any = row >= 0;
-  for (QWidget* one : std::initializer_list<QWidget*>{ this->remesh_,
-         this->adjustNormals_,
-         this->asPublished_,
-         this->mirror_,
-         this->redraw_,
-         this->view_,
-         this->remove_ })
+  for (QWidget* one :
+    std::initializer_list<QWidget*>{ this->remesh_, this->adjustNormals_, this->asPublished_, this->mirror_ })
+  {
+    one->setEnabled(any);
+  }
+  for (QAction* one : { this->redraw_, this->view_, this->remove_ })
   {
     one->setEnabled(any);
   }

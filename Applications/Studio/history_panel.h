@@ -4,11 +4,12 @@
 
 #include <QWidget>
 
+class QAction;
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QListWidget;
 class QListWidgetItem;
-class QToolButton;
 
 namespace oversketch_studio
 {
@@ -27,6 +28,11 @@ public:
 
   // The selected stroke, or -1.
   int current() const;
+  // What can be done with it, for a menu.
+  QList<QAction*> strokeActions() const
+  {
+    return { this->redraw_, this->view_, this->up_, this->down_, this->remove_ };
+  }
 
 signals:
   void selected(int node);
@@ -43,10 +49,11 @@ private:
 
   Document* document_;
   QListWidget* list_;
+  QLabel* empty_; // says what will be listed
   QComboBox* remesh_;
   QCheckBox *adjustNormals_, *asPublished_;
   QComboBox* mirror_;
-  QToolButton *redraw_, *view_, *up_, *down_, *remove_;
+  QAction *redraw_, *view_, *up_, *down_, *remove_;
   bool filling_ = false;
 };
 

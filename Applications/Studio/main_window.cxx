@@ -10,7 +10,6 @@
 #include "view.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
@@ -19,19 +18,18 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFrame>
 #include <QLabel>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QStatusBar>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QTimer>
-#include <QToolBar>
+#include <QVBoxLayout>
 
 namespace oversketch_studio
 {
@@ -41,9 +39,6 @@ using oversketch_files::Failed;
 
 namespace
 {
-
-constexpr int recentFiles = 10;
-constexpr int patience = 500; // ms
 
 QString meshFilter()
 {
@@ -61,20 +56,26 @@ MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
   , document_(new Document(this))
   , view_(new View(this))
+  , frame_(new QFrame(this))
   , history_(new HistoryPanel(this->document_, this))
+  , dock_(new QDockWidget(tr("History"), this))
   , advice_(new QLabel(this))
   , mode_(new QLabel(this))
   , progress_(new QProgressBar(this))
-  , cancel_(new QPushButton(tr("Cancel"), this))
+  , cancel_(new QPushButton(tr("&Cancel"), this))
   , patience_(new QTimer(this))
 {
-  this->setCentralWidget(this->view_);
+  auto* about = new QVBoxLayout(this->frame_);
+  about->setContentsMargins(2, 2, 2, 2);
+  about->addWidget(this->view_);
+  this->frame_->setAutoFillBackground(true);
+  this->setCentralWidget(this->frame_);
   this->setAcceptDrops(true);
-  auto* dock = new QDockWidget(tr("History"), this);
-  dock->setObjectName("history dock");
-  dock->setWidget(this->history_);
-  this->addDockWidget(Qt::RightDockWidgetArea, dock);
-  this->makeActions();
+  this->dock_->setObjectName("history dock");
+  this->dock_->setWidget(this->history_);
+  this->addDockWidget(Qt::RightDockWidgetArea, this->dock_);
+  this->makeMenus();
+  this->makeTools();
   this->makeStatus();
 
   connect(this->document_, &Document::opened, this, [this] { this->reset_ = true; });
@@ -92,14 +93,6 @@ MainWindow::MainWindow(QWidget* parent)
     });
   connect(this->document_, &Document::shown, this, &MainWindow::showResult);
   connect(this->document_, &Document::idle, this, &MainWindow::refresh);
-  connect(this->document_,
-    &Document::progressed,
-    this,
-    [this](const QString& stage, double share)
-    {
-      this->progress_->setFormat(stage);
-      this->progress_->setValue(static_cast<int>(100.0 * share));
-    });
   connect(this->view_, &View::strokeDrawn, this, &MainWindow::strokeDrawn);
   connect(this->view_, &View::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
   connect(this->history_,
@@ -119,115 +112,23 @@ MainWindow::MainWindow(QWidget* parent)
       this->view_->lookFrom(this->document_->session().nodes[static_cast<std::size_t>(node)].action->stroke);
     });
   connect(this->history_, &HistoryPanel::selected, this, &MainWindow::select);
+  connect(qApp,
+    &QApplication::focusChanged,
+    this,
+    [this](QWidget*, QWidget* now)
+    { this->frame_->setBackgroundRole(now == this->view_ ? QPalette::Highlight : QPalette::Window); });
 
   QSettings settings;
   this->resize(1200, 800);
   this->restoreGeometry(settings.value("geometry").toByteArray());
   this->restoreState(settings.value("state").toByteArray());
-  this->setDark(settings.value("dark", true).toBool());
-  this->view_->setStabilizer(settings.value("stabilizer", 6.0).toDouble());
+  this->apply(Preferences::read());
   this->setDrawing(true);
   this->view_->setFocus();
   this->refresh();
 }
 
 MainWindow::~MainWindow() = default;
-
-QAction* MainWindow::add(QMenu* menu,
-  const QString& text,
-  const QKeySequence& keys,
-  const std::function<void()>& run)
-{
-  QAction* action = menu->addAction(text);
-  action->setShortcut(keys);
-  connect(action, &QAction::triggered, this, run);
-  return action;
-}
-
-void MainWindow::makeActions()
-{
-  QMenu* file = this->menuBar()->addMenu(tr("&File"));
-  this->add(file, tr("&Open…"), QKeySequence::Open, [this] { this->openAsked(); });
-  this->recent_ = file->addMenu(tr("Open &recent"));
-  connect(this->recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
-  this->save_ = this->add(file, tr("&Save session"), QKeySequence::Save, [this] { this->save(); });
-  this->add(file, tr("Save session &as…"), QKeySequence::SaveAs, [this] { this->saveAs(); });
-  this->add(file, tr("&Export mesh…"), QKeySequence(tr("Ctrl+E")), [this] { this->exportAsked(); });
-  file->addSeparator();
-  this->add(file, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), [this] { this->close(); });
-
-  QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
-  this->undo_ = this->add(edit, tr("&Undo"), QKeySequence(tr("Ctrl+Z")), [this] { this->document_->undo(); });
-  this->redo_ = this->add(edit, tr("&Redo"), {}, [this] { this->document_->redo(); });
-  this->redo_->setShortcuts({ QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y")) });
-
-  QMenu* tools = this->menuBar()->addMenu(tr("&Tools"));
-  auto* modes = new QActionGroup(this);
-  this->draw_ = this->add(tools, tr("&Draw"), QKeySequence(tr("D")), [this] { this->setDrawing(true); });
-  this->turn_ = this->add(tools, tr("&Turn"), QKeySequence(tr("T")), [this] { this->setDrawing(false); });
-  for (QAction* mode : { this->draw_, this->turn_ })
-  {
-    mode->setCheckable(true);
-    modes->addAction(mode);
-  }
-  this->draw_->setToolTip(tr("The left button draws (D). The middle button always turns."));
-  this->turn_->setToolTip(tr("The left button turns the model (T)"));
-
-  QMenu* show = this->menuBar()->addMenu(tr("&View"));
-  this->dark_ = this->add(show, tr("&Dark"), {}, [this] { this->setDark(this->dark_->isChecked()); });
-  this->dark_->setCheckable(true);
-  this->add(show,
-    tr("&Keys and mode"),
-    QKeySequence(tr("F1")),
-    [this] { this->view_->showKeys(!this->view_->showsKeys()); });
-  this->add(show, tr("&Screenshot"), QKeySequence(tr("F12")), [this] { this->screenshot(); });
-
-  auto* bar = this->addToolBar(tr("Tools"));
-  bar->setObjectName("tools bar");
-  bar->addActions({ this->draw_, this->turn_ });
-  bar->addSeparator();
-  bar->addActions({ this->undo_, this->redo_ });
-  bar->addSeparator();
-  this->mirror_ = mirrorChoice(bar);
-  this->mirror_->setObjectName("mirror");
-  this->mirror_->setToolTip(tr("Strokes act on one side of the model, or on both sides of this plane"));
-  bar->addWidget(this->mirror_);
-  connect(this->mirror_,
-    QOverload<int>::of(&QComboBox::activated),
-    this,
-    [this] { this->view_->showMirror(this->document_->mirrorPlane(this->mirror_->currentIndex())); });
-}
-
-void MainWindow::makeStatus()
-{
-  this->advice_->setObjectName("advice");
-  this->mode_->setObjectName("mode");
-  this->progress_->setRange(0, 100);
-  this->progress_->setMaximumWidth(220);
-  this->progress_->hide();
-  this->cancel_->hide();
-  this->statusBar()->addWidget(this->advice_, 1);
-  this->statusBar()->addPermanentWidget(this->progress_);
-  this->statusBar()->addPermanentWidget(this->cancel_);
-  this->statusBar()->addPermanentWidget(this->mode_);
-  this->patience_->setSingleShot(true);
-  this->patience_->setInterval(patience);
-  connect(this->patience_,
-    &QTimer::timeout,
-    this,
-    [this]
-    {
-      this->progress_->show();
-      this->cancel_->show();
-    });
-  connect(this->cancel_, &QPushButton::clicked, this->document_, &Document::cancel);
-  connect(this->document_,
-    &Document::autosaveFailed,
-    this,
-    [this](const QString& why) {
-      this->advice_->setText(tr("The session cannot be kept while you work: %1. Save it yourself.").arg(why));
-    });
-}
 
 bool MainWindow::tried(const std::function<void()>& run)
 {
@@ -398,10 +299,7 @@ void MainWindow::screenshot()
   const bool overlays =
     QMessageBox::question(this, tr("Oversketch"), tr("With the lines and texts over the model?")) ==
     QMessageBox::Yes;
-  if (!this->view_->screenshot(path, overlays))
-  {
-    QMessageBox::critical(this, tr("Oversketch"), tr("%1 could not be written.").arg(path));
-  }
+  this->tried([&] { this->view_->screenshot(path, overlays); });
 }
 
 bool MainWindow::mayLeave()
@@ -453,32 +351,6 @@ void MainWindow::dropEvent(QDropEvent* event)
   QTimer::singleShot(0, this, [this, path] { this->open(path); });
 }
 
-void MainWindow::remember(const QString& path)
-{
-  QSettings settings;
-  const QString whole = QFileInfo(path).absoluteFilePath();
-  QStringList recent = settings.value("recent").toStringList();
-  recent.removeAll(whole);
-  recent.prepend(whole);
-  settings.setValue("recent", QStringList(recent.mid(0, recentFiles)));
-  settings.setValue("folder", QFileInfo(path).absolutePath());
-}
-
-void MainWindow::fillRecent()
-{
-  this->recent_->clear();
-  const QStringList recent = QSettings().value("recent").toStringList();
-  for (const QString& path : recent)
-  {
-    this->add(this->recent_, path, {}, [this, path] { this->open(path); });
-  }
-  this->recent_->setDisabled(false);
-  if (recent.isEmpty())
-  {
-    this->recent_->addAction(tr("None yet"))->setEnabled(false);
-  }
-}
-
 void MainWindow::strokeDrawn(vtkPolyData* stroke)
 {
   if (!this->document_->isOpen() || stroke->GetNumberOfPoints() == 0)
@@ -508,24 +380,40 @@ void MainWindow::setDrawing(bool drawing)
   this->advise();
 }
 
-void MainWindow::setDark(bool dark)
+void MainWindow::askPreferences()
 {
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
-  QApplication::setPalette(dark ? darkPalette() : QApplication::style()->standardPalette());
-  this->dark_->setChecked(dark);
-  this->view_->setDark(dark);
-  QSettings().setValue("dark", dark);
+  PreferencesDialog dialog(this->preferences_, this);
+  if (dialog.exec() == QDialog::Accepted)
+  {
+    this->apply(dialog.preferences());
+    this->preferences_.write();
+  }
 }
 
-// Shows where the stroke took hold.
+void MainWindow::apply(const Preferences& preferences)
+{
+  this->preferences_ = preferences;
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setPalette(preferences.dark ? darkPalette() : QApplication::style()->standardPalette());
+  this->dark_->setChecked(preferences.dark);
+  this->view_->setDark(preferences.dark);
+  this->view_->setStabilizer(preferences.stabilizer);
+  this->document_->setBackend(preferences.backend);
+}
+
 void MainWindow::select(int node)
 {
-  const auto& states = this->document_->result().nodes;
   this->redrawn_ = -1;
+  this->showSection(node);
+  this->advise();
+}
+
+void MainWindow::showSection(int node)
+{
+  const auto& states = this->document_->result().nodes;
   this->view_->showSection(node >= 0 && static_cast<std::size_t>(node) < states.size()
                              ? states[static_cast<std::size_t>(node)].matched
                              : nullptr);
-  this->advise();
 }
 
 void MainWindow::showResult()
@@ -534,6 +422,7 @@ void MainWindow::showResult()
   Latency::of().meshComes();
   this->view_->showMesh(result.display, this->reset_);
   this->reset_ = false;
+  this->showSection(this->history_->current());
   this->refresh();
 }
 
@@ -581,6 +470,12 @@ void MainWindow::advise()
   else if (!this->view_->isDrawing())
   {
     this->advice_->setText(tr("Drag the model to turn it. D draws."));
+  }
+  else if (this->history_->current() >= 0)
+  {
+    this->advice_->setText(
+      tr("Blue is where the selected stroke took hold. Change how it acts on the right, or "
+         "draw it anew (Ctrl+R)."));
   }
   else if (nodes.empty())
   {

@@ -2,12 +2,16 @@
 #ifndef oversketch_studio_main_window_h
 #define oversketch_studio_main_window_h
 
+#include "preferences.h"
+
 #include <QMainWindow>
 
 #include <functional>
 
 class QAction;
 class QComboBox;
+class QDockWidget;
+class QFrame;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -44,9 +48,14 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
-  void makeActions();
+  // Menus, tool bar, status bar: main_window_menus.cxx.
+  void makeMenus();
+  void makeTools();
   void makeStatus();
   QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, const std::function<void()>& run);
+  void remember(const QString& path);
+  void fillRecent();
+
   // Runs what may throw Failed and says why in a box. Returns whether it went well.
   bool tried(const std::function<void()>& run);
   void tell(const QStringList& notes);
@@ -58,19 +67,21 @@ private:
   void screenshot();
   // Whether what is not saved may be left.
   bool mayLeave();
-  void remember(const QString& path);
-  void fillRecent();
   void strokeDrawn(vtkPolyData* stroke);
   void setDrawing(bool drawing);
-  void setDark(bool dark);
+  void askPreferences();
+  void apply(const Preferences& preferences);
   void refresh();
   void advise();
   void select(int node);
+  void showSection(int node); // where the stroke took hold
   void showResult();
 
   Document* document_;
   View* view_;
+  QFrame* frame_; // about the view, in the colour of the focus while keys go there
   HistoryPanel* history_;
+  QDockWidget* dock_;
   QLabel* advice_;
   QLabel* mode_;
   QProgressBar* progress_;
@@ -80,6 +91,7 @@ private:
   QAction *undo_ = nullptr, *redo_ = nullptr, *save_ = nullptr, *draw_ = nullptr, *turn_ = nullptr,
           *dark_ = nullptr;
   QComboBox* mirror_ = nullptr;
+  Preferences preferences_;
   int redrawn_ = -1; // the stroke that the next one replaces
   bool reset_ = false;
   bool drawn_ = false; // the change that is on its way is a stroke just drawn

@@ -1,5 +1,6 @@
 #include "view.h"
 
+#include "files.h"
 #include "latency.h"
 
 #include "vtkOversketchInteractorStyle.h"
@@ -21,6 +22,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkProperty2D.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
@@ -31,6 +33,7 @@
 #include <QTabletEvent>
 #include <QTimer>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -44,6 +47,7 @@ namespace
 
 // The paper's colour of a silhouette section.
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
+constexpr float lineWidth = 3.0F; // px as Qt counts them, of the stroke and of the section
 
 // Ambient occlusion would make a picture drawn by the processor wait.
 bool drawsOnProcessor(vtkRenderWindow* window)
@@ -77,7 +81,6 @@ View::View(QWidget* parent)
   this->sectionMapper_->SetResolveCoincidentTopologyToPolygonOffset();
   this->sectionMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -60000.0);
   this->section_->GetProperty()->SetColor(sectionColour[0], sectionColour[1], sectionColour[2]);
-  this->section_->GetProperty()->SetLineWidth(3.0F);
   this->section_->GetProperty()->LightingOff();
   this->section_->PickableOff();
   this->section_->VisibilityOff();
@@ -102,7 +105,6 @@ View::View(QWidget* parent)
   this->style_->SetDefaultRenderer(this->renderer_);
   this->pen_->SetInteractor(this->interactor());
   this->pen_->SetDefaultRenderer(this->renderer_);
-  this->pen_->SetStabilizer(6.0);
 
   this->ear_->SetClientData(this);
   this->ear_->SetCallback(
@@ -144,6 +146,8 @@ View::View(QWidget* parent)
   this->pen_->AddObserver(vtkCommand::WidgetValueChangedEvent, this->ear_);
   this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
   this->setFocusPolicy(Qt::StrongFocus);
+  this->setAccessibleName(tr("Model"));
+  this->fitScreen();
   this->setDark(true);
   this->setDrawing(true);
 }
@@ -192,6 +196,22 @@ void View::paintGL()
     this->window_->WaitForCompletion();
     Latency::of().framePainted();
   }
+}
+
+void View::resizeGL(int width, int height)
+{
+  QVTKOpenGLNativeWidget::resizeGL(width, height);
+  this->fitScreen();
+}
+
+// VTK counts the screen's own pixels.
+void View::fitScreen()
+{
+  const double ratio = this->devicePixelRatioF();
+  this->section_->GetProperty()->SetLineWidth(static_cast<float>(lineWidth * ratio));
+  this->pen_->GetStrokeRepresentation()->GetProperty()->SetLineWidth(static_cast<float>(lineWidth * ratio));
+  this->pen_->SetStabilizer(this->stabilizer_ * ratio);
+  this->placeHint();
 }
 
 void View::mousePressEvent(QMouseEvent* event)
@@ -291,7 +311,14 @@ void View::placeHint()
       std::copy(display, display + 3, highest);
     }
   }
-  this->hint_->SetPosition(highest[0], highest[1] + 12.0);
+  // All of it in the window.
+  double extent[2];
+  this->hint_->GetSize(this->renderer_, extent);
+  const double gap = 12.0 * this->devicePixelRatioF();
+  const double half = 0.5 * extent[0] + gap;
+  const int* size = this->renderer_->GetSize();
+  this->hint_->SetPosition(std::max(half, std::min(highest[0], size[0] - half)),
+    std::min(highest[1] + gap, size[1] - extent[1] - gap));
 }
 
 void View::setDark(bool dark)
@@ -335,7 +362,8 @@ void View::clearStroke()
 
 void View::setStabilizer(double pixels)
 {
-  this->pen_->SetStabilizer(pixels);
+  this->stabilizer_ = pixels;
+  this->fitScreen();
 }
 
 void View::lookFrom(vtkPolyData* stroke)
@@ -372,6 +400,7 @@ void View::lookFrom(vtkPolyData* stroke)
 void View::showKeys(bool show)
 {
   this->style_->SetShowKeys(show);
+  this->hint_->VisibilityOff(); // it would be under the list
   this->render();
 }
 
@@ -380,7 +409,7 @@ bool View::showsKeys() const
   return this->style_->GetShowKeys();
 }
 
-bool View::screenshot(const QString& path, bool overlays)
+void View::screenshot(const QString& path, bool overlays)
 {
   const int section = this->section_->GetVisibility(), mirror = this->mirror_->GetVisibility(),
             hint = this->hint_->GetVisibility();
@@ -397,16 +426,24 @@ bool View::screenshot(const QString& path, bool overlays)
   picture->SetInput(this->window_);
   picture->ReadFrontBufferOff();
   picture->Update();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(path.toLocal8Bit().constData());
-  writer->Write();
   this->section_->SetVisibility(section);
   this->mirror_->SetVisibility(mirror);
   this->hint_->SetVisibility(hint);
   this->style_->SetShowKeys(keys);
   this->render();
-  return writer->GetErrorCode() == 0;
+  oversketch_files::writeWhole(path.toStdString(),
+    [&](const std::string& file)
+    {
+      vtkNew<vtkPNGWriter> writer;
+      writer->SetInputConnection(picture->GetOutputPort());
+      writer->SetFileName(file.c_str());
+      writer->Write();
+      if (writer->GetErrorCode() != 0)
+      {
+        throw oversketch_files::Failed(
+          tr("%1 could not be written. Is the disk full?").arg(path).toStdString());
+      }
+    });
 }
 
 void View::tabletEvent(QTabletEvent* event)

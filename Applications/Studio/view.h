@@ -45,6 +45,7 @@ public:
   // Pen or camera: whose the left button is.
   void setDrawing(bool drawing);
   bool isDrawing() const { return this->drawing_; }
+  // How far the line trails behind the pen [px as Qt counts them].
   void setStabilizer(double pixels);
   // Takes the line of the last stroke away.
   void clearStroke();
@@ -52,8 +53,8 @@ public:
   void lookFrom(vtkPolyData* stroke);
   void showKeys(bool show);
   bool showsKeys() const;
-  // What the window shows; without overlays only the model.
-  bool screenshot(const QString& path, bool overlays);
+  // Writes what the window shows; without overlays only the model. Throws Failed.
+  void screenshot(const QString& path, bool overlays);
   vtkOversketchInteractorStyle* camera() { return this->style_; }
 
 signals:
@@ -63,12 +64,14 @@ signals:
 protected:
   void mousePressEvent(QMouseEvent* event) override;
   void paintGL() override;
+  void resizeGL(int width, int height) override;
   void tabletEvent(QTabletEvent* event) override;
 
 private:
   void render();
   void renderSoon();
   void placeHint();
+  void fitScreen();
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
@@ -80,6 +83,7 @@ private:
   vtkNew<vtkOversketchInteractorStyle> style_;
   vtkNew<vtkOversketchStrokeWidget> pen_;
   vtkNew<vtkCallbackCommand> ear_;
+  double stabilizer_ = 6.0;
   bool drawing_ = true;
   bool occlusionAsked_ = false;
   bool renderWaits_ = false;

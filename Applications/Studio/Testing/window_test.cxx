@@ -164,16 +164,19 @@ struct Hand
 
 } // namespace
 
-// OVERSKETCH_SEQUENCES asks for another number of sequences than that of the usual run.
+// OVERSKETCH_SEQUENCES asks for another number of sequences than that of the usual run,
+// OVERSKETCH_FIRST_SEQUENCE for others than the first, so that many can be shared out.
 TEST(Window, LivesThroughRandomHands)
 {
   const char* asked = std::getenv("OVERSKETCH_SEQUENCES");
   const int sequences = asked ? std::atoi(asked) : 4;
+  const char* from = std::getenv("OVERSKETCH_FIRST_SEQUENCE");
+  const int first = from ? std::atoi(from) : 0;
   constexpr int events = 200;
   double early = 0.0;
   for (int sequence = 0; sequence < sequences; ++sequence)
   {
-    Hand hand(static_cast<unsigned>(sequence));
+    Hand hand(static_cast<unsigned>(first + sequence));
     MainWindow window;
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 60000));
@@ -187,7 +190,7 @@ TEST(Window, LivesThroughRandomHands)
       hand.act(window, *view);
     }
     QTest::mouseRelease(view, Qt::LeftButton);
-    ASSERT_TRUE(settles(*document)) << "sequence " << sequence;
+    ASSERT_TRUE(settles(*document)) << "sequence " << first + sequence;
     // What is shown is what the history makes of the mesh, and undoing all of it shows the mesh as it was.
     while (document->canUndo())
     {
@@ -195,7 +198,7 @@ TEST(Window, LivesThroughRandomHands)
     }
     ASSERT_TRUE(settles(*document));
     EXPECT_EQ(document->result().digest, oversketch_session::digestOf(document->session().mesh));
-    EXPECT_EQ(oversketch_files::takeError(), "") << "sequence " << sequence;
+    EXPECT_EQ(oversketch_files::takeError(), "") << "sequence " << first + sequence;
     document->discardAutosave();
     if (sequence == sequences / 5)
     {

@@ -1,0 +1,323 @@
+// The window without a mouse, in another language, and as its user likes it.
+#include "document.h"
+#include "history_panel.h"
+#include "main_window.h"
+#include "preferences.h"
+#include "view.h"
+
+#include <QAbstractButton>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QTest>
+#include <QTranslator>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <set>
+
+using namespace oversketch_studio;
+
+namespace
+{
+
+// A window on the shipped model, with one stroke in its history, which is selected.
+struct Scene
+{
+  explicit Scene(bool stroke)
+  {
+    this->window.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->window, 60000));
+    QApplication::setActiveWindow(&this->window);
+    this->window.openShippedModel();
+    this->view = this->window.findChild<View*>();
+    this->document = this->window.findChild<Document*>();
+    this->wait();
+    if (stroke)
+    {
+      this->draw(0.0);
+      this->window.findChild<QListWidget*>()->setCurrentRow(0);
+    }
+  }
+  ~Scene() { this->document->discardAutosave(); }
+
+  void wait()
+  {
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !this->document->isBusy(); }, 600000));
+  }
+  // A line across the view that trembles by so much.
+  void draw(double tremble)
+  {
+    const int width = this->view->width(), y = this->view->height() / 3;
+    QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, { width / 4, y });
+    for (int x = width / 4; x < 3 * width / 4; x += 4)
+    {
+      const int up = static_cast<int>(std::lround(tremble * std::sin(x)));
+      QTest::mouseMove(this->view, { x, y + up });
+      QApplication::processEvents();
+    }
+    QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, { 3 * width / 4, y });
+    this->wait();
+  }
+
+  MainWindow window;
+  View* view = nullptr;
+  Document* document = nullptr;
+};
+
+// Entries of a menu and of those in it.
+void collect(const QMenu* menu, std::set<const QAction*>& found)
+{
+  std::set<QString> letters;
+  for (const QAction* action : menu->actions())
+  {
+    if (action->isSeparator())
+    {
+      continue;
+    }
+    found.insert(action);
+    const int at = action->text().indexOf('&');
+    EXPECT_GE(at, 0) << "no underlined letter: " << qPrintable(action->text());
+    EXPECT_TRUE(letters.insert(action->text().mid(at + 1, 1).toLower()).second)
+      << "the same letter twice in " << qPrintable(menu->title()) << ": " << qPrintable(action->text());
+    if (action->menu())
+    {
+      collect(action->menu(), found);
+    }
+  }
+}
+
+// Marks what was asked of it, by us and by Qt.
+class Marker : public QTranslator
+{
+public:
+  bool isEmpty() const override { return false; }
+  QString translate(const char*, const char* source, const char*, int) const override
+  {
+    return QString::fromUtf8("¡") + QString::fromUtf8(source);
+  }
+};
+
+// What a widget shows or says to a screen reader.
+QStringList textsOf(const QWidget* widget)
+{
+  QStringList texts{ widget->toolTip(), widget->windowTitle(), widget->accessibleName() };
+  if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+  {
+    texts << button->text();
+  }
+  if (const auto* label = qobject_cast<const QLabel*>(widget))
+  {
+    texts << label->text();
+  }
+  if (const auto* choice = qobject_cast<const QComboBox*>(widget))
+  {
+    for (int i = 0; i < choice->count(); ++i)
+    {
+      texts << choice->itemText(i);
+    }
+  }
+  if (const auto* list = qobject_cast<const QListWidget*>(widget))
+  {
+    for (int i = 0; i < list->count(); ++i)
+    {
+      texts << list->item(i)->text() << list->item(i)->toolTip();
+    }
+  }
+  if (const auto* menu = qobject_cast<const QMenu*>(widget))
+  {
+    texts << menu->title();
+  }
+  return texts;
+}
+
+int unmarked(const QWidget* root)
+{
+  QStringList texts = textsOf(root);
+  for (const QWidget* widget : root->findChildren<QWidget*>())
+  {
+    texts << textsOf(widget);
+  }
+  for (const QAction* action : root->findChildren<QAction*>())
+  {
+    texts << action->text() << action->toolTip();
+  }
+  int marked = 0;
+  for (const QString& text : texts)
+  {
+    if (!text.isEmpty())
+    {
+      EXPECT_TRUE(text.contains(QString::fromUtf8("¡"))) << "not translated: " << qPrintable(text);
+      ++marked;
+    }
+  }
+  return marked;
+}
+
+} // namespace
+
+TEST(Reach, EveryActionIsInAMenuWithALetter)
+{
+  Scene scene(false);
+  std::set<const QAction*> reached;
+  std::set<QString> letters;
+  for (const QAction* top : scene.window.menuBar()->actions())
+  {
+    const int at = top->text().indexOf('&');
+    EXPECT_GE(at, 0) << qPrintable(top->text());
+    EXPECT_TRUE(letters.insert(top->text().mid(at + 1, 1).toLower()).second) << qPrintable(top->text());
+    reached.insert(top);
+    collect(top->menu(), reached);
+  }
+  EXPECT_GE(reached.size(), 20u);
+  std::set<QString> keys;
+  for (const QAction* action : scene.window.findChildren<QAction*>())
+  {
+    if (!action->isSeparator() && action->isEnabled() && action->isVisible() && !action->text().isEmpty())
+    {
+      EXPECT_TRUE(reached.count(action)) << "in no menu: " << qPrintable(action->text());
+    }
+    for (const QKeySequence& sequence : action->shortcuts())
+    {
+      EXPECT_TRUE(keys.insert(sequence.toString()).second) << "twice: " << qPrintable(sequence.toString());
+    }
+  }
+}
+
+TEST(Reach, TabGoesThroughEverythingAndShowsWhereItIs)
+{
+  Scene scene(true);
+  scene.view->setFocus();
+  std::set<QWidget*> visited;
+  QWidget* at = scene.view;
+  for (int i = 0; i < 40 && visited.insert(at).second; ++i)
+  {
+    const QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(at);
+    ASSERT_TRUE(spoken);
+    EXPECT_FALSE(spoken->text(QAccessible::Name).isEmpty()) << at->metaObject()->className();
+    QTest::keyClick(at, Qt::Key_Tab);
+    QWidget* next = QApplication::focusWidget();
+    ASSERT_TRUE(next);
+    // Where the keys go is seen: on the widget itself, or on the frame about the view.
+    const auto seen = [](QWidget* widget)
+    {
+      QWidget* shown = qobject_cast<View*>(widget) ? widget->parentWidget() : widget;
+      return shown->grab().toImage();
+    };
+    if (next != at)
+    {
+      const QImage with = seen(next);
+      at->setFocus();
+      EXPECT_NE(with, seen(next)) << next->metaObject()->className() << ' '
+                                  << qPrintable(next->accessibleName());
+      next->setFocus();
+    }
+    at = next;
+  }
+  EXPECT_EQ(at, scene.view) << "Tab comes round";
+  for (QWidget* widget : scene.window.findChildren<QWidget*>())
+  {
+    if (widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus))
+    {
+      EXPECT_TRUE(visited.count(widget))
+        << widget->metaObject()->className() << ' ' << qPrintable(widget->accessibleName());
+    }
+  }
+  EXPECT_GE(visited.size(), 10u);
+}
+
+TEST(Reach, AStrokeIsChangedWithKeysAlone)
+{
+  Scene scene(true);
+  const std::string before = scene.document->result().digest;
+  auto* list = scene.window.findChild<QListWidget*>();
+  list->setFocus();
+  QTest::keyClick(list, Qt::Key_Space); // off
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.document->session().nodes[0].on; }, 600000));
+  scene.wait();
+  EXPECT_NE(scene.document->result().digest, before);
+  QTest::keyClick(&scene.window, Qt::Key_Z, Qt::ControlModifier);
+  scene.wait();
+  EXPECT_TRUE(scene.document->session().nodes[0].on);
+  EXPECT_EQ(scene.document->result().digest, before);
+  list->setCurrentRow(0);
+  list->setFocus();
+  QTest::keyClick(list, Qt::Key_Delete);
+  scene.wait();
+  EXPECT_TRUE(scene.document->session().nodes.empty());
+}
+
+TEST(Texts, EverythingThatIsSeenIsTranslated)
+{
+  Marker marker;
+  QCoreApplication::installTranslator(&marker);
+  {
+    Scene scene(true);
+    EXPECT_GE(unmarked(&scene.window), 60);
+    const PreferencesDialog dialog(Preferences::read());
+    EXPECT_GE(unmarked(&dialog), 10);
+  }
+  QCoreApplication::removeTranslator(&marker);
+}
+
+TEST(Preferences, AreKeptAndHold)
+{
+  const auto roughness = [](const Scene& scene)
+  {
+    vtkPolyData* stroke = scene.document->session().nodes.back().action->stroke;
+    double box[6];
+    stroke->GetBounds(box);
+    return box[3] - box[2];
+  };
+  Preferences liked;
+  liked.dark = false;
+  liked.stabilizer = 0.0;
+  liked.backend = 2;
+  liked.write();
+  {
+    Scene scene(false);
+    EXPECT_EQ(scene.document->session().backend, 2);
+    EXPECT_GT(QApplication::palette().color(QPalette::Window).lightness(), 128);
+    scene.draw(8.0);
+    EXPECT_GT(roughness(scene), 13.0 * scene.view->devicePixelRatioF());
+  }
+  liked.dark = true;
+  liked.stabilizer = 40.0;
+  liked.backend = 0;
+  liked.write();
+  {
+    Scene scene(false);
+    EXPECT_EQ(scene.document->session().backend, 0);
+    EXPECT_LT(QApplication::palette().color(QPalette::Window).lightness(), 128);
+    scene.draw(8.0);
+    EXPECT_LT(roughness(scene), 10.0 * scene.view->devicePixelRatioF());
+  }
+  QSettings().setValue("stabilizer", -5.0);
+  QSettings().setValue("backend", 17);
+  const Preferences read = Preferences::read();
+  EXPECT_EQ(read.stabilizer, 0.0);
+  EXPECT_EQ(read.backend, 2);
+  Preferences().write();
+}
+
+TEST(Preferences, TheDialogueGivesWhatWasChosen)
+{
+  Preferences asked;
+  asked.stabilizer = 17.0;
+  asked.dark = false;
+  asked.backend = 1;
+  const Preferences given = PreferencesDialog(asked).preferences();
+  EXPECT_EQ(given.stabilizer, 17.0);
+  EXPECT_FALSE(given.dark);
+  EXPECT_EQ(given.backend, 1);
+}

@@ -1,0 +1,41 @@
+// What a person sets once, kept per user in the usual place.
+#ifndef oversketch_studio_preferences_h
+#define oversketch_studio_preferences_h
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace oversketch_studio
+{
+
+struct Preferences
+{
+  double stabilizer = 6.0; // how far the line trails behind the pen [px of the screen, 0 to 100]
+  bool dark = true;
+  // For models that are opened from now on; a session keeps its own.
+  int backend = 0; // vtkOversketchOneStroke::BackendType
+
+  // What QSettings holds; values out of range count as the nearest in range.
+  static Preferences read();
+  void write() const;
+};
+
+class PreferencesDialog : public QDialog
+{
+  Q_OBJECT
+
+public:
+  PreferencesDialog(const Preferences& preferences, QWidget* parent = nullptr);
+  Preferences preferences() const;
+
+private:
+  QDoubleSpinBox* stabilizer_;
+  QCheckBox* dark_;
+  QComboBox* backend_;
+};
+
+} // namespace oversketch_studio
+#endif
