@@ -149,10 +149,11 @@ class Desk:
 class Studio:
     """The program, with a home of its own."""
 
-    def __init__(self, home, *arguments):
+    def __init__(self, home, *arguments, scale=1):
         (home / "run").mkdir(parents=True, exist_ok=True, mode=0o700)
         environment = dict(os.environ, HOME=str(home), XDG_STATE_HOME=str(home / "state"), XDG_CONFIG_HOME=str(home / "config"),
-                           XDG_RUNTIME_DIR=str(home / "run"), OVERSKETCH_OPENCL="off", LC_ALL="C.UTF-8")
+                           XDG_RUNTIME_DIR=str(home / "run"), OVERSKETCH_OPENCL="off", LC_ALL="C.UTF-8", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
+                           QT_SCALE_FACTOR=str(scale))
         self.log = open(home / "log.txt", "ab")
         self.process = subprocess.Popen([os.environ["OVERSKETCH_STUDIO"], *map(str, arguments)], env=environment,
                                         stdout=self.log, stderr=self.log)

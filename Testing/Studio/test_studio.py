@@ -1,5 +1,5 @@
 """The Studio as a person uses it: real mouse and keys, one long sitting with a crash in it. What the program shows is read from its
-autosave, which names the digest of the shown mesh, and from the screen."""
+autosave, which names the digest of the shown mesh, from the pictures it saves and from what it tells a screen reader."""
 import hashlib
 import json
 import math
@@ -13,16 +13,21 @@ import zipfile
 import numpy
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path[:0] = [str(SOURCE / "Testing" / "Studio"), str(SOURCE / "Testing" / "Pictures")]
 import compare  # noqa: E402
+import reader  # noqa: E402
 from desk import Desk, Studio, until  # noqa: E402
 
 DOG = SOURCE / "Data" / "Models" / "dog.ply"
-MODEL = (60, 60, 780, 680)  # the part of the screen with the model: left, top, width, height
+VIEW = (880, 700)  # size of the model's part of the window; strokes are told in it, from its upper left corner
+SHOTS = pathlib.Path(os.environ["OVERSKETCH_TEMPORARY"]) / "Studio"  # what the screen showed, to look at
 
 
 def digest(mesh):
@@ -43,10 +48,33 @@ def mesh(path):
 
 class Sitting:
     def __init__(self, home):
-        self.home, self.desk, self.studio = home, Desk(), None
+        self.home, self.desk, self.studio, self.scale = home, Desk(), None, 1
 
-    def start(self, *arguments):
-        self.studio = Studio(self.home, *arguments)
+    def start(self, *arguments, scale=1):
+        self.studio, self.scale = Studio(self.home, *arguments, scale=scale), scale
+
+    def place(self, role, name):
+        return reader.find(self.studio.process.pid, role, name, self.scale)
+
+    def click(self, role, name):
+        self.desk.click(*self.place(role, name).middle)
+
+    def fit(self, size=VIEW):
+        """Makes the window so large that the view has that size, whatever the fonts are. Returns the view's place."""
+        size = [self.scale * value for value in size]
+
+        def fits():
+            view, (window, shape) = self.place("filler", "Model"), self.desk.windows()[0]
+            if (view.width, view.height) == tuple(size):
+                return view
+            window.configure(width=shape.width + size[0] - view.width, height=shape.height + size[1] - view.height)
+            self.desk.display.sync()
+            time.sleep(0.2)
+            return None
+        self.view = until(fits, "a view of that size")
+
+    def draw(self, stroke, **more):
+        self.desk.drag([(self.view.left + self.scale * x, self.view.top + self.scale * y) for x, y in stroke], **more)
 
     def session(self):
         """The autosave of the running program, once its result is there."""
@@ -66,29 +94,44 @@ class Sitting:
             return document["result_md5"] if good else None
         return until(done, f"{strokes} strokes")
 
-    def tick_of_first_stroke(self):
-        """Clicks along the first line of the history, whose place depends on the fonts, until the stroke is off. Returns the place."""
-        for x in range(904, 936, 4):
-            self.desk.click(x, 92)
-            end = time.time() + 0.6
-            while time.time() < end:
-                document = self.session()
-                if document and not document["strokes"][0]["on"]:
-                    return x, 92
-                time.sleep(0.05)
-        raise AssertionError("no tick found")
+    def dialogue(self):
+        """The topmost window, once there is one over the first, with the keys."""
+        until(lambda: len(self.desk.windows()) > 1, "a dialogue")
+        self.desk.focus(self.desk.windows()[-1][0])
 
-    def settled(self):
-        """The model's picture, once it has not changed for a while."""
-        last, since = [None], [time.time()]
+    def alone(self):
+        """The first window, once it has no other over it, with the keys."""
+        until(lambda: len(self.desk.windows()) == 1, "the dialogue is closed")
+        self.desk.focus(self.desk.windows()[0][0])
 
-        def same():
-            now = self.desk.picture(*MODEL)
-            pixels = vtk_to_numpy(now.GetPointData().GetScalars()).tobytes()
-            if pixels != last[0]:
-                last[0], since[0] = pixels, time.time()
-            return now if time.time() - since[0] > 0.7 else None
-        return until(same, "a picture at rest")
+    def picture(self, path, answer="No"):
+        """What the program saves of the model; without overlays, which belong to the fonts."""
+        self.desk.key("F12")
+        self.dialogue()
+        self.desk.key("ctrl+a")
+        self.desk.type(str(path))
+        self.desk.key("Return")
+        self.click("push button", answer)
+        until(path.exists, "the picture")
+        self.alone()
+        image = vtkPNGReader()
+        image.SetFileName(str(path))
+        image.Update()
+        assert image.GetOutput().GetDimensions()[:2] == tuple(self.scale * value for value in VIEW)
+        half = vtkImageShrink3D()
+        half.SetInputConnection(image.GetOutputPort())
+        half.SetShrinkFactors(2, 2, 1)
+        half.Update()
+        return half.GetOutput()
+
+    def shot(self, name):
+        """Leaves the window's picture; those of the README are taken from here."""
+        SHOTS.mkdir(parents=True, exist_ok=True)
+        shape = self.desk.windows()[0][1]
+        writer = vtkPNGWriter()
+        writer.SetFileName(str(SHOTS / (name + ".png")))
+        writer.SetInputData(self.desk.picture(0, 0, shape.width, shape.height))
+        writer.Write()
 
 
 def arc(x, y, length, width, lean=0.0, count=40):
@@ -100,10 +143,10 @@ def arc(x, y, length, width, lean=0.0, count=40):
     return points
 
 
-# On a window of 1200 x 800 with the dog as it opens.
-TAIL = arc(200, 290, 120, 17, lean=8)
-HEAD = [(545 + 3 * i, 232 - 30 * math.sin(math.pi * i / 20)) for i in range(21)]
-NOSE = [(690 + 38 * math.sin(math.pi * i / 20), 278 + 2.6 * i) for i in range(21)]
+# On the dog as it opens.
+TAIL = arc(193, 225, 120, 17, lean=8)
+HEAD = [(538 + 3 * i, 167 - 30 * math.sin(math.pi * i / 20)) for i in range(21)]
+NOSE = [(683 + 38 * math.sin(math.pi * i / 20), 213 + 2.6 * i) for i in range(21)]
 
 
 @pytest.fixture
@@ -114,25 +157,41 @@ def sitting(tmp_path):
         made.studio.kill()
 
 
+def redder(picture):
+    """The same picture in a slightly wrong colour."""
+    wrong = vtkImageData()
+    wrong.DeepCopy(picture)
+    pixels = vtk_to_numpy(wrong.GetPointData().GetScalars())
+    pixels[:, 0] = numpy.minimum(255, pixels[:, 0] * 1.25)
+    return wrong
+
+
 def test_a_sitting_with_a_crash_in_it(sitting, tmp_path):
     desk = sitting.desk
     sitting.start(DOG)
     first = sitting.shows(0)
     assert first == digest(mesh(DOG))
-    opened = sitting.settled()
+    sitting.fit()
+    sitting.alone()
+    sitting.shot("opened")
+    opened = sitting.picture(tmp_path / "opened.png")
+    if compare.matches(opened, "studio_opened"):
+        assert compare.difference(redder(opened), compare.read("studio_opened")) > 10 * compare.LIMIT
 
     # Turning the model with the middle button moves no vertex; w looks as at first.
-    desk.drag([(400, 380), (420, 390), (460, 400), (500, 405)], button=2)
-    turned = sitting.settled()
+    sitting.draw([(400, 320), (420, 330), (460, 340), (500, 345)], button=2)
+    turned = sitting.picture(tmp_path / "turned.png")
     assert compare.difference(opened, turned) > 1000
     assert sitting.shows(0) == first
+    desk.move(*sitting.view.middle)
     desk.key("w")
-    assert compare.difference(opened, sitting.settled()) < 1
+    assert compare.difference(opened, sitting.picture(tmp_path / "w.png")) < 1
 
     # One stroke; undo and redo show the same bits again.
-    desk.drag(TAIL)
+    sitting.draw(TAIL)
     tail = sitting.shows(1)
     assert tail != first
+    sitting.shot("one_stroke")
     desk.key("ctrl+z")
     assert sitting.shows(0) == first
     desk.key("ctrl+shift+z")
@@ -141,25 +200,50 @@ def test_a_sitting_with_a_crash_in_it(sitting, tmp_path):
     assert sitting.shows(0) == first
     desk.key("ctrl+y")
     assert sitting.shows(1) == tail
+    compare.matches(sitting.picture(tmp_path / "tail.png"), "studio_tail")
 
-    # Two more; then the first one is switched off, on, and off by undo.
-    desk.drag(HEAD)
+    # Two more; then the first one is switched off and on.
+    sitting.draw(HEAD)
     head = sitting.shows(2)
-    desk.drag(NOSE)
+    sitting.draw(NOSE)
     three = sitting.shows(3)
     assert len({first, tail, head, three}) == 4
-    tick = sitting.tick_of_first_stroke()
+    compare.matches(sitting.picture(tmp_path / "three.png"), "studio_three")
+    line = sitting.place("list item", "Stroke 1")
+    tick = line.left + line.height // 2, line.middle[1]
+    desk.click(*tick)
     without = sitting.shows(3, other_than=three)
     assert without not in (first, tail, head, three)
+    assert [stroke["on"] for stroke in sitting.session()["strokes"]] == [False, True, True]
     desk.click(*tick)
     assert sitting.shows(3, other_than=without) == three
+
+    # How stroke 1 of 3 acts is changed by mouse, twice; both are undone.
+    sitting.click("list item", "Stroke 1")
+    sitting.click("check box", "Details turn with the limb")
+    turning = sitting.shows(3, other_than=three)
+    assert turning not in (first, tail, head, three, without)
+    assert [stroke["adjust_normals"] for stroke in sitting.session()["strokes"]] == [True, False, False]
+    sitting.click("combo box", "where it is needed")
+    until(lambda: len(desk.windows()) > 1, "the choices")
+    time.sleep(0.3)  # a click as quick as a double click would be the first one's
+    choices = desk.windows()[-1][1]
+    desk.click(choices.x + choices.width // 3, choices.y + choices.height * 5 // 6)  # the last of three
+    remeshed = sitting.shows(3, other_than=turning)
+    assert [stroke["remesh"] for stroke in sitting.session()["strokes"]] == ["off", "auto", "auto"]
+    assert remeshed not in (first, tail, head, three, without)
+    sitting.shot("stroke_1_of_3")
+    compare.matches(sitting.picture(tmp_path / "changed.png"), "studio_changed")
+    desk.key("ctrl+z")
+    assert sitting.shows(3, other_than=remeshed) == turning
+    desk.key("ctrl+z")
+    assert sitting.shows(3, other_than=turning) == three
 
     # Saved by the dialogue.
     saved = tmp_path / "dog.oversketch"
     desk.move(400, 600)
     desk.key("ctrl+s")
-    until(lambda: len(desk.windows()) > 1, "the dialogue")
-    desk.focus(desk.windows()[-1][0])
+    sitting.dialogue()
     desk.key("ctrl+a")
     desk.type(str(saved))
     desk.key("Return")
@@ -169,14 +253,13 @@ def test_a_sitting_with_a_crash_in_it(sitting, tmp_path):
     assert document["result_md5"] == three and len(document["strokes"]) == 3
 
     # A fourth stroke is cut short by a crash: what was committed comes back.
-    until(lambda: len(desk.windows()) == 1, "the dialogue is closed")
-    desk.focus(desk.windows()[0][0])
-    desk.drag(TAIL[:20], release=False)
+    sitting.alone()
+    sitting.draw(TAIL[:20], release=False)
     sitting.studio.kill()
     desk.release()
     sitting.start()
-    until(lambda: len(desk.windows()) > 1, "the question")
-    desk.focus(desk.windows()[-1][0])
+    sitting.dialogue()
+    sitting.shot("after_a_crash")
     desk.key("Return")
     assert sitting.shows(3) == three
 
@@ -213,15 +296,15 @@ def test_a_bad_file_is_told_and_nothing_is_lost(sitting, tmp_path):
     desk = sitting.desk
     sitting.start(DOG)
     sitting.shows(0)
-    desk.drag(TAIL)
+    sitting.fit()
+    sitting.draw(TAIL)
     tail = sitting.shows(1)
     desk.drop(bad, 400, 400)
-    until(lambda: len(desk.windows()) > 1, "the message")
-    desk.focus(desk.windows()[-1][0])
+    sitting.dialogue()
+    sitting.shot("bad_file")
     desk.key("Return")
-    until(lambda: len(desk.windows()) == 1, "the message is read")
+    sitting.alone()
     assert sitting.shows(1) == tail
-    desk.focus(desk.windows()[0][0])
     desk.key("ctrl+z")
     assert sitting.shows(0, other_than=tail) == digest(mesh(DOG))
 
