@@ -18,6 +18,7 @@ int main(int count, char** values)
   QCoreApplication::setOrganizationName("oversketch");
   QCoreApplication::setApplicationName("oversketch-studio");
   QCoreApplication::setApplicationVersion(OVERSKETCH_VERSION);
+  QGuiApplication::setDesktopFileName("oversketch-studio");
   const QApplication application(count, values);
   // Every sample of the pen counts. (Qt's X11 part turns the first one on when the application is made.)
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);

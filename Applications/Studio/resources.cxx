@@ -9,17 +9,10 @@ namespace oversketch_studio
 
 QString shippedModel()
 {
-  // Installed, the data lie beside the program's folder; in a build tree they are those of the source.
-  const QString installed =
+  // The data lie beside the program's folder, in a build tree by a link.
+  const QString path =
     QDir(QCoreApplication::applicationDirPath()).filePath("../" OVERSKETCH_SHARE "/Models/dog.ply");
-  for (const QString& path : { installed, QString(OVERSKETCH_SOURCE_DATA "/Models/dog.ply") })
-  {
-    if (QFileInfo::exists(path))
-    {
-      return path;
-    }
-  }
-  return {};
+  return QFileInfo::exists(path) ? path : QString();
 }
 
 } // namespace oversketch_studio

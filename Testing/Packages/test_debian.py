@@ -1,0 +1,216 @@
+"""The Debian packages of this release: made, looked into, and run from the folder that they are unpacked to. Testing/packages.sh
+installs them on bare systems."""
+import gzip
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+import pytest
+
+SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
+COMMAND = os.environ["OVERSKETCH_COMMAND"]
+BUILD = SOURCE / "build" / "package"
+MODEL = SOURCE / "Data" / "Models" / "hand.ply"
+STROKE = SOURCE / "Data" / "Strokes" / "hand_longer_finger.vtp"
+VERSION = re.search(r"project\(Oversketch VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
+NAMES = ["liboversketch", "liboversketch-dev", "oversketch", "python3-oversketch"]
+
+
+def run(*command, code=0, **more):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **more)
+    assert done.returncode == code, (command, done.returncode, done.stdout[-2000:] + done.stderr[-4000:])
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def build():
+    run("cmake", "--preset", "package", cwd=SOURCE)
+    run("cmake", "--build", "--preset", "package", "-j2", cwd=SOURCE)
+    return BUILD
+
+
+@pytest.fixture(scope="module")
+def debs(build, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("debs")
+    run("cpack", "--config", build / "CPackConfig.cmake", "-B", folder, cwd=folder)
+    found = {file.name.partition("_")[0]: file for file in folder.glob("*.deb")}
+    assert sorted(found) == NAMES
+    return found
+
+
+@pytest.fixture(scope="module")
+def root(debs, tmp_path_factory):
+    """All four, unpacked into one folder."""
+    folder = tmp_path_factory.mktemp("root")
+    for deb in debs.values():
+        run("dpkg-deb", "-x", deb, folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def environment(root):
+    libraries = next((root / "usr" / "lib").glob("*/libOversketchKernelsMesh.so.*")).parent
+    return {**os.environ, "LD_LIBRARY_PATH": str(libraries), "PATH": f"{root}/usr/bin:{os.environ['PATH']}",
+            "PYTHONPATH": f"{root}/usr/lib/python3/dist-packages", "XDG_DATA_DIRS": f"{root}/usr/share"}
+
+
+def field(deb, name):
+    return run("dpkg-deb", "-f", deb, name).strip()
+
+
+def files(deb):
+    lines = run("dpkg-deb", "-c", deb).splitlines()
+    return {line.split()[5][1:] for line in lines if not line.startswith("d")}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_control(debs, name):
+    assert field(debs[name], "Version") == VERSION
+    assert field(debs[name], "Architecture") == run("dpkg", "--print-architecture").strip()
+    summary, *more = field(debs[name], "Description").splitlines()
+    assert 20 < len(summary) < 80 and len(more) > 3
+    needs = field(debs[name], "Depends")
+    assert name == "liboversketch" or f"liboversketch (= {VERSION})" in needs
+    expected = {
+        "liboversketch": [r"libvtk9\.\d", r"libembree\d", r"libc6 \(>="],
+        "liboversketch-dev": ["libvtk9-dev", "libeigen3-dev", "ocl-icd-opencl-dev"],
+        "oversketch": [r"libqt5widgets5\w* \(>=", r"libarchive13\w* \(>=", r"libvtk9\.\d\w*-qt"],
+        "python3-oversketch": ["python3-vtk9", "python3-numpy", r"python3 \(>= 3\.\d+\), python3 \(<< 3\.\d+\)", r"libvtk9\.\d"],
+    }
+    for need in expected[name]:
+        assert re.search(need, needs), (need, needs)
+
+
+def test_each_file_is_in_one_package_and_the_right_one(debs):
+    owners = {}
+    for name, deb in debs.items():
+        for file in files(deb):
+            assert file not in owners, (file, name, owners[file])
+            owners[file] = name
+    wanted = {
+        "/usr/bin/oversketch": "oversketch",
+        "/usr/bin/oversketch-studio": "oversketch",
+        "/usr/share/applications/oversketch-studio.desktop": "oversketch",
+        "/usr/share/icons/hicolor/scalable/apps/oversketch-studio.svg": "oversketch",
+        "/usr/share/mime/packages/oversketch.xml": "oversketch",
+        "/usr/share/man/man1/oversketch.1.gz": "oversketch",
+        "/usr/share/man/man1/oversketch-studio.1.gz": "oversketch",
+        "/usr/share/oversketch/Models/dog.ply": "oversketch",
+        "/usr/include/oversketch/vtkOversketchOneStroke.h": "liboversketch-dev",
+        "/usr/include/oversketch/Kernels/Mesh/mesh.h": "liboversketch-dev",
+        "/usr/lib/python3/dist-packages/oversketch/__init__.py": "python3-oversketch",
+        "/usr/lib/python3/dist-packages/oversketch/__init__.pyi": "python3-oversketch",
+        "/usr/lib/python3/dist-packages/oversketch/py.typed": "python3-oversketch",
+    }
+    for name in NAMES:
+        wanted[f"/usr/share/doc/{name}/copyright"] = name
+    for file, name in wanted.items():
+        assert owners.get(file) == name, file
+    for file, name in owners.items():
+        if re.search(r"\.so\.\d", file):
+            assert name == "liboversketch", file
+        elif file.endswith((".h", ".cmake", ".so")) and "python3" not in file:
+            assert name == "liboversketch-dev", file
+        assert not file.endswith((".pyc", ".a")), file
+
+
+def test_no_path_of_this_machine_is_inside(root):
+    for file in root.rglob("*"):
+        if not file.is_file() or file.is_symlink():
+            continue
+        data = file.read_bytes()
+        if data.startswith(b"\x7fELF"):
+            assert "RPATH" not in (dynamic := run("readelf", "-d", file)) and "RUNPATH" not in dynamic, file
+            assert not re.search(r"\.debug_info", run("readelf", "-SW", file)), file
+        else:
+            assert str(SOURCE).encode() not in data, file
+            assert str(pathlib.Path(COMMAND).parent.parent).encode() not in data, file
+
+
+def test_the_unpacked_command_makes_the_same_mesh(root, environment, tmp_path):
+    assert VERSION in run(root / "usr" / "bin" / "oversketch", "--version", env=environment)
+    for name, command, more in (("here", COMMAND, os.environ), ("there", root / "usr" / "bin" / "oversketch", environment)):
+        run(command, "one-stroke", MODEL, STROKE, "-o", tmp_path / (name + ".ply"), "--backend", "embree", env=more)
+    assert (tmp_path / "here.ply").read_bytes() == (tmp_path / "there.ply").read_bytes()
+
+
+def test_the_unpacked_studio_starts(root, environment):
+    assert VERSION in run(root / "usr" / "bin" / "oversketch-studio", "--version", env=environment)
+
+
+def test_the_unpacked_python_package_runs(root, environment, tmp_path):
+    program = f"""
+import oversketch
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+assert oversketch.__file__.startswith({str(root)!r}) and oversketch.__version__ == {VERSION!r}
+model, stroke, system = vtkPLYReader(), vtkXMLPolyDataReader(), oversketch.vtkOversketchOneStroke()
+model.SetFileName({str(MODEL)!r})
+stroke.SetFileName({str(STROKE)!r})
+system.SetInputConnection(0, model.GetOutputPort())
+system.SetInputConnection(1, stroke.GetOutputPort())
+assert oversketch.update(system).GetNumberOfPoints() > 1000
+oversketch.vtkOversketchStrokeWidget()
+"""
+    run(sys.executable, "-c", program, env=environment, cwd=tmp_path)
+
+
+def test_the_unpacked_development_files_build_the_consumer(root, environment, tmp_path):
+    run("cmake", "-G", "Ninja", "-S", SOURCE / "Testing" / "Consumer", "-B", tmp_path, f"-DCMAKE_PREFIX_PATH={root}/usr",
+        "-DCMAKE_BUILD_TYPE=Release", env=environment)
+    run("cmake", "--build", tmp_path, env=environment)
+    assert str(root) in run("ldd", tmp_path / "consumer", env=environment)
+    moved, furthest = run(tmp_path / "consumer", MODEL, STROKE, tmp_path / "hand.png", env=environment).split()
+    assert int(moved) > 100 and 0.05 < float(furthest) < 4.0
+
+
+def test_man_pages_name_every_option(root, environment):
+    folder = root / "usr" / "share" / "man" / "man1"
+    for program, helps in (("oversketch", [["--help"], ["one-stroke", "--help"], ["replay", "--help"]]), ("oversketch-studio", [["--help"]])):
+        page = gzip.open(folder / (program + ".1.gz"), "rt").read()
+        assert f"Oversketch {VERSION}" in page and "@" not in page
+        text = page.replace("\\-", "-")
+        for arguments in helps:
+            shown = run(root / "usr" / "bin" / program, *arguments, env=environment)
+            options = set(re.findall(r"(?<![\w-])--?[a-z][a-z-]*", shown))
+            assert options and all(option in text for option in options), (program, options)
+
+
+def test_desktop_files(root):
+    share = root / "usr" / "share"
+    entry = dict(line.split("=", 1) for line in (share / "applications" / "oversketch-studio.desktop").read_text().splitlines() if "=" in line)
+    assert (root / "usr" / "bin" / entry["Exec"].split()[0]).exists()
+    assert (share / "icons" / "hicolor" / "scalable" / "apps" / (entry["Icon"] + ".svg")).exists()
+    types = xml.etree.ElementTree.parse(share / "mime" / "packages" / "oversketch.xml").getroot()
+    space = "{http://www.freedesktop.org/standards/shared-mime-info}"
+    assert [t.get("type") for t in types] == entry["MimeType"].strip(";").split(";")
+    assert types.find(f"{space}mime-type/{space}glob").get("pattern") == "*.oversketch"
+    icon = xml.etree.ElementTree.parse(share / "icons" / "hicolor" / "scalable" / "apps" / "oversketch-studio.svg").getroot()
+    assert icon.tag == "{http://www.w3.org/2000/svg}svg"
+
+
+def gpl_alone(header):
+    """Whether a header is under the GPL with neither a weaker choice nor an exception for those who include it."""
+    text = pathlib.Path(header).read_text(errors="replace")
+    return (re.search(r"\bGPL\b|GNU\s+General\s+Public", text) is not None
+            and re.search(r"LGPL|Lesser|Runtime\s+Library\s+Exception|Linux-syscall-note", text) is None)
+
+
+def test_nothing_in_them_is_under_the_gpl(build):
+    """What the packages are built of: every header that was included, every library that is loaded."""
+    assert gpl_alone("/usr/include/CGAL/Polygon_mesh_processing/remesh.h")  # the question can be answered with yes
+    cache = (build / "CMakeCache.txt").read_text()
+    assert "OVERSKETCH_GPL:UNINITIALIZED=OFF" in cache or "OVERSKETCH_GPL:BOOL=OFF" in cache
+    listing = run("ninja", "-C", build, "-t", "deps")
+    headers = {os.path.realpath(build / line.strip()) for line in listing.splitlines() if line.startswith("    ")}
+    headers = {h for h in headers if not h.startswith(str(SOURCE)) and os.path.exists(h)}
+    assert len(headers) > 1000
+    assert [h for h in sorted(headers) if gpl_alone(h)] == []
+    binaries = [f for f in [*build.glob("bin/*"), *build.rglob("*.so*")] if f.is_file() and not f.is_symlink()]
+    assert len(binaries) > 20
+    loaded = "".join(run("ldd", binary) for binary in binaries)
+    assert "libvtkCommonCore" in loaded
+    assert re.findall(r"lib(?:cholmod|umfpack|spqr|gsl|readline|fftw\w*)\.so", loaded) == []
