@@ -1,4 +1,5 @@
-// Where the shared test data lie: models that are not shipped. Header-only.
+// Where the shared test data lie: models that are not shipped. Header-only; OVERSKETCH_SOURCE_FOLDER is the
+// source tree.
 #ifndef oversketch_test_data_h
 #define oversketch_test_data_h
 
@@ -14,10 +15,9 @@ namespace oversketch_test
 inline std::string sharedData(const std::string& name)
 {
   const char* folder = std::getenv("OVERSKETCH_DATA");
-  const std::filesystem::path source =
-    std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-  const std::filesystem::path path =
-    (folder ? std::filesystem::path(folder) : source.parent_path() / "shared" / "data") / name;
+  const std::filesystem::path beside =
+    std::filesystem::path(OVERSKETCH_SOURCE_FOLDER).parent_path() / "shared" / "data";
+  const std::filesystem::path path = (folder ? std::filesystem::path(folder) : beside) / name;
   return std::filesystem::exists(path) ? path.string() : std::string();
 }
 
