@@ -1,393 +1,18 @@
 #include "vtkOversketchOneStroke.h"
 
-#include "vtkOversketchCorrection.h"
-#include "vtkOversketchFilterTools.h"
-#include "vtkOversketchJudgement.h"
-#include "vtkOversketchLaplacianDeform.h"
-#include "vtkOversketchMatch.h"
-#include "vtkOversketchMixtureRegion.h"
-#include "vtkOversketchOutline.h"
-#include "vtkOversketchRegionBorder.h"
-#include "vtkOversketchRemesh.h"
-#include "vtkOversketchShapeDiameter.h"
-#include "vtkOversketchSilhouette.h"
-#include "vtkOversketchSnake.h"
-#include "vtkOversketchStrokeFilter.h"
-#include "vtkOversketchTargets.h"
-#include "vtkOversketchVisibility.h"
-#include "vtkOversketchWeld.h"
+#include "vtkOversketchOneStrokePipeline.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkCallbackCommand.h"
-#include "vtkDataArray.h"
-#include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
-#include <string>
-#include <vector>
 
 using namespace oversketch;
 
-namespace
-{
-
-struct Stage
-{
-  const char* name;
-  vtkAlgorithm* step;
-  double share; // of the whole run, for progress
-  double seconds = 0.0;
-};
-
-// One byte per point of a mesh that a step made.
-std::vector<char> RegionOf(vtkPolyData* mesh)
-{
-  const vtkIdType count = mesh->GetNumberOfPoints();
-  return LabelsOf(RequireArray(mesh->GetPointData(), "Region", 1, count, "mesh", "a step made it"));
-}
-
-} // namespace
-
-struct vtkOversketchOneStroke::Pipeline
-{
-  explicit Pipeline(vtkOversketchOneStroke* self);
-
-  // Brings the persistent inner inputs up to date; they change only where what the steps read has changed.
-  void FeedMesh(vtkPolyData* mesh);
-  void FeedStroke(vtkPolyData* stroke);
-  // Runs one step, forwarding its events and failing with its first error.
-  void Run(const char* name);
-  Stage* Find(const char* name); // null where there is none of that name
-  vtkPolyData* Output(const char* name)
-  {
-    return vtkPolyData::SafeDownCast(this->Find(name)->step->GetOutputDataObject(0));
-  }
-  void SetAmendments(bool on);
-  bool WantsRemeshing();
-  bool RemeshingKept();
-  // Adds handles where the outline of a deformation has left the stroke, and deforms again. Returns the name
-  // of the better deformation.
-  const char* Corrected(const char* deform, const char* correction, const char* again);
-  Judgement Judged(const char* stage, int foldsBefore);
-
-  vtkOversketchOneStroke* Self;
-
-  // What the inner pipeline starts from. View is a copy of the first stroke that was drawn in the present
-  // view: it changes only with the view, so silhouettes stand while strokes come and go.
-  vtkNew<vtkPolyData> Mesh, Stroke, View;
-  MeshKey MeshKeySeen;
-  std::unique_ptr<oversketch::Weld> Welding;
-  std::vector<double> ViewSeen;
-  std::pair<const vtkPolyData*, vtkMTimeType> StrokeSeen{ nullptr, 0 };
-
-  vtkNew<vtkOversketchStrokeFilter> StrokeStep;
-  vtkNew<vtkOversketchSilhouette> Silhouette;
-  vtkNew<vtkOversketchSnake> Snake;
-  vtkNew<vtkOversketchVisibility> Visibility;
-  vtkNew<vtkOversketchOutline> Outline;
-  vtkNew<vtkOversketchMatch> Match;
-  vtkNew<vtkOversketchTargets> Targets;
-  vtkNew<vtkOversketchShapeDiameter> ShapeDiameter;
-  vtkNew<vtkOversketchMixtureRegion> MixtureRegion;
-  vtkNew<vtkOversketchRegionBorder> RegionBorder;
-  vtkNew<vtkOversketchLaplacianDeform> Deform;
-  vtkNew<vtkOversketchRemesh> Stretch;
-  vtkNew<vtkOversketchLaplacianDeform> DeformRemeshed;
-  vtkNew<vtkOversketchCorrection> Correction, CorrectionRemeshed;
-  vtkNew<vtkOversketchLaplacianDeform> DeformCorrected, DeformRemeshedCorrected;
-  vtkNew<vtkOversketchRemesh> Restore;
-  std::vector<Stage> Stages;
-  const char* Deformation = "Deform"; // the stage whose output the last result was made of
-
-  vtkNew<vtkCallbackCommand> Observer;
-  Stage* Running = nullptr;
-  double Done = 0.0; // share of the steps that are finished
-  std::string FirstError;
-};
-
 vtkStandardNewMacro(vtkOversketchOneStroke);
-
-vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
-  : Self(self)
-{
-  this->Silhouette->SetInputData(0, this->Mesh);
-  this->Silhouette->SetInputData(1, this->View);
-  this->Snake->SetInputConnection(0, this->Silhouette->GetOutputPort());
-  this->Snake->SetInputData(1, this->Mesh);
-  this->Snake->SetInputData(2, this->View);
-  this->Visibility->SetInputConnection(0, this->Snake->GetOutputPort());
-  this->Visibility->SetInputData(1, this->Mesh);
-  this->Visibility->SetInputData(2, this->View);
-  this->Outline->SetInputData(0, this->Mesh);
-  this->Outline->SetInputData(1, this->View);
-  this->Outline->SetInputConnection(2, this->Visibility->GetOutputPort());
-  this->StrokeStep->SetInputData(0, this->Stroke);
-  this->Match->SetInputConnection(1, this->StrokeStep->GetOutputPort());
-  this->Targets->SetInputConnection(0, this->Match->GetOutputPort());
-  this->Targets->SetInputConnection(1, this->StrokeStep->GetOutputPort());
-  this->Targets->SetInputData(2, this->Mesh);
-  this->ShapeDiameter->SetInputData(0, this->Mesh);
-  this->MixtureRegion->SetInputConnection(0, this->ShapeDiameter->GetOutputPort());
-  this->MixtureRegion->SetInputConnection(1, this->Targets->GetOutputPort());
-  this->RegionBorder->SetInputConnection(0, this->MixtureRegion->GetOutputPort());
-  this->Deform->SetInputConnection(0, this->RegionBorder->GetOutputPort());
-  this->Deform->SetInputConnection(1, this->Targets->GetOutputPort());
-  this->Stretch->SetStageToStretch();
-  this->Stretch->SetInputConnection(0, this->RegionBorder->GetOutputPort());
-  this->Stretch->SetInputConnection(1, this->Targets->GetOutputPort());
-  this->DeformRemeshed->SetInputConnection(0, this->Stretch->GetOutputPort(0));
-  this->DeformRemeshed->SetInputConnection(1, this->Stretch->GetOutputPort(1));
-  this->Restore->SetStageToRestore();
-  this->Restore->SetInputConnection(0, this->DeformRemeshed->GetOutputPort());
-  this->Correction->SetInputConnection(0, this->Targets->GetOutputPort());
-  this->Correction->SetInputConnection(2, this->Deform->GetOutputPort());
-  this->Correction->SetInputConnection(3, this->RegionBorder->GetOutputPort());
-  this->DeformCorrected->SetInputConnection(0, this->RegionBorder->GetOutputPort());
-  this->DeformCorrected->SetInputConnection(1, this->Correction->GetOutputPort());
-  this->CorrectionRemeshed->SetInputConnection(0, this->Stretch->GetOutputPort(1));
-  this->CorrectionRemeshed->SetInputConnection(2, this->DeformRemeshed->GetOutputPort());
-  this->CorrectionRemeshed->SetInputConnection(3, this->Stretch->GetOutputPort(0));
-  this->DeformRemeshedCorrected->SetInputConnection(0, this->Stretch->GetOutputPort(0));
-  this->DeformRemeshedCorrected->SetInputConnection(1, this->CorrectionRemeshed->GetOutputPort());
-  for (vtkOversketchCorrection* step : { this->Correction.Get(), this->CorrectionRemeshed.Get() })
-  {
-    step->SetInputConnection(1, this->StrokeStep->GetOutputPort());
-  }
-
-  this->Stages = { { "Stroke", this->StrokeStep, 0.01 },
-    { "Silhouette", this->Silhouette, 0.02 },
-    { "Snake", this->Snake, 0.03 },
-    { "Visibility", this->Visibility, 0.04 },
-    { "Outline", this->Outline, 0.04 },
-    { "Match", this->Match, 0.01 },
-    { "Targets", this->Targets, 0.01 },
-    { "ShapeDiameter", this->ShapeDiameter, 0.30 },
-    { "MixtureRegion", this->MixtureRegion, 0.06 },
-    { "RegionBorder", this->RegionBorder, 0.01 },
-    { "Deform", this->Deform, 0.08 },
-    { "Correction", this->Correction, 0.02 },
-    { "Stretch", this->Stretch, 0.12 },
-    { "Restore", this->Restore, 0.12 },
-    { "DeformCorrected", this->DeformCorrected, 0.06 },
-    { "DeformRemeshed", this->DeformRemeshed, 0.06 },
-    { "CorrectionRemeshed", this->CorrectionRemeshed, 0.02 },
-    { "DeformRemeshedCorrected", this->DeformRemeshedCorrected, 0.06 } };
-
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback(
-    [](vtkObject* caller, unsigned long event, void* client, void* data)
-    {
-      auto* pipeline = static_cast<Pipeline*>(client);
-      vtkOversketchOneStroke* system = pipeline->Self;
-      auto* step = vtkAlgorithm::SafeDownCast(caller);
-      if (event == vtkCommand::ErrorEvent)
-      {
-        // The executive of a failed step adds an error of its own, after the step's.
-        if (pipeline->FirstError.empty())
-        {
-          pipeline->FirstError = MessageOf(data);
-        }
-      }
-      else if (event == vtkCommand::WarningEvent)
-      {
-        vtkWarningWithObjectMacro(system, << MessageOf(data));
-      }
-      else if (event == vtkCommand::ProgressEvent && step && pipeline->Running)
-      {
-        system->UpdateProgress(pipeline->Done + step->GetProgress() * pipeline->Running->share);
-        if (system->GetAbortExecute())
-        {
-          step->SetAbortExecute(1);
-        }
-      }
-    });
-  for (Stage& stage : this->Stages)
-  {
-    for (const unsigned long event :
-      { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
-    {
-      stage.step->AddObserver(event, this->Observer);
-    }
-    stage.step->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
-  }
-  this->SetAmendments(true);
-}
-
-void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
-{
-  this->Match->RemoveAllInputConnections(0);
-  this->Match->AddInputConnection(0, this->Visibility->GetOutputPort());
-  if (on)
-  {
-    this->Match->AddInputConnection(0, this->Outline->GetOutputPort());
-  }
-  this->Match->SetAmendedScore(on);
-  this->Targets->SetSingleLayer(on);
-  this->MixtureRegion->SetSeedMargin(on ? 0.1 : 0.0);
-  this->MixtureRegion->SetFillIslands(on);
-  this->MixtureRegion->SetLimitRunaway(on);
-  this->MixtureRegion->SetCutAtJunction(on);
-  this->MixtureRegion->SetReachEnds(on);
-  this->RegionBorder->SetConfine(on);
-  for (vtkOversketchRemesh* step : { this->Stretch.Get(), this->Restore.Get() })
-  {
-    step->SetLimitByDiameter(on);
-    step->SetProtectSection(on);
-  }
-}
-
-void vtkOversketchOneStroke::Pipeline::FeedMesh(vtkPolyData* mesh)
-{
-  // Welding asks for the attributes too: they tell seams from points that were split for nothing.
-  const auto key = [this, mesh]
-  {
-    std::vector<vtkDataArray*> arrays;
-    arrays.reserve(static_cast<std::size_t>(mesh->GetPointData()->GetNumberOfArrays()));
-    for (int a = 0; a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
-    {
-      arrays.push_back(mesh->GetPointData()->GetArray(a));
-    }
-    const bool welded = this->Welding->Welded()->GetPoints() != mesh->GetPoints();
-    return welded ? MeshKey(mesh, arrays) : MeshKey(mesh);
-  };
-  if (this->Welding && key() == this->MeshKeySeen)
-  {
-    return;
-  }
-  this->Welding = std::make_unique<oversketch::Weld>(mesh);
-  this->MeshKeySeen = key();
-  this->Mesh->ShallowCopy(this->Welding->Welded());
-}
-
-void vtkOversketchOneStroke::Pipeline::FeedStroke(vtkPolyData* stroke)
-{
-  if (stroke == this->StrokeSeen.first && stroke->GetMTime() == this->StrokeSeen.second)
-  {
-    return;
-  }
-  const oversketch::View view = ViewOf(stroke);
-  this->Stroke->ShallowCopy(stroke);
-  this->StrokeSeen = { stroke, stroke->GetMTime() };
-  std::vector<double> seen(view.viewTransform().data(), view.viewTransform().data() + 16);
-  seen.insert(seen.end(), view.projectionTransform().data(), view.projectionTransform().data() + 16);
-  seen.push_back(view.width());
-  seen.push_back(view.height());
-  if (seen == this->ViewSeen)
-  {
-    return;
-  }
-  this->ViewSeen = seen;
-  this->View->DeepCopy(stroke);
-}
-
-Stage* vtkOversketchOneStroke::Pipeline::Find(const char* name)
-{
-  for (Stage& stage : this->Stages)
-  {
-    if (name && std::strcmp(stage.name, name) == 0)
-    {
-      return &stage;
-    }
-  }
-  return nullptr;
-}
-
-void vtkOversketchOneStroke::Pipeline::Run(const char* name)
-{
-  if (this->Self->GetAbortExecute())
-  {
-    throw Error(Failure::Cancelled, "cancelled");
-  }
-  Stage& stage = *this->Find(name);
-  this->FirstError.clear();
-  this->Running = &stage;
-  stage.step->SetAbortExecute(0); // set after its work was done, it would stop the next run
-  const auto start = std::chrono::steady_clock::now();
-  stage.step->Update();
-  stage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  this->Running = nullptr;
-  this->Done += stage.share;
-  if (this->Self->GetAbortExecute())
-  {
-    // The step may have stopped half-way; make it run again next time.
-    stage.step->Modified();
-    throw Error(Failure::Cancelled, "cancelled");
-  }
-  if (!this->FirstError.empty())
-  {
-    const auto code =
-      static_cast<long>(stage.step->GetErrorCode()) - static_cast<long>(vtkErrorCode::UserError);
-    stage.step->Modified();
-    throw Error(code > 0 ? static_cast<Failure>(code) : Failure::InnerStep, this->FirstError);
-  }
-}
-
-bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
-{
-  vtkPolyData* before = this->Output("RegionBorder");
-  return wantsRemeshing(MeshOf(before), MeshOf(this->Output(this->Deformation)), RegionOf(before));
-}
-
-const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
-  const char* correction,
-  const char* again)
-{
-  if (!this->Self->CorrectOutline)
-  {
-    return deform;
-  }
-  this->Run(correction);
-  vtkAlgorithm* step = this->Find(correction)->step;
-  const auto handlesAdded = this->Output(correction)->GetNumberOfPoints() -
-                            vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0))->GetNumberOfPoints();
-  auto* before = vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0));
-  const int folds = foldedEdges(MeshOf(before), RegionOf(before));
-  const Judgement plain = this->Judged(deform, folds);
-  auto* other = vtkOversketchLaplacianDeform::SafeDownCast(this->Find(again)->step);
-  const double weight =
-    vtkOversketchLaplacianDeform::SafeDownCast(this->Find(deform)->step)->GetHandleWeight();
-  Judgement judged = plain;
-  if (handlesAdded > 0)
-  {
-    other->SetHandleWeight(weight);
-    this->Run(again);
-    judged = this->Judged(again, folds);
-  }
-  if (judged.folds > Judgement::tolerableFolds)
-  {
-    // Handles that pull less fold less, and still reach the stroke within a fraction of a pixel.
-    other->SetHandleWeight(0.2 * weight);
-    this->Run(again);
-    judged = this->Judged(again, folds);
-  }
-  return judged.betterThan(plain) ? again : deform;
-}
-
-Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
-{
-  const oversketch::Mesh mesh = MeshOf(this->Output(stage));
-  return { outlineError(mesh,
-             ViewOf(this->Stroke),
-             StrokeOf(this->Output("Stroke")),
-             ContextOf(this->Self, this->Done, this->Done)),
-    foldedEdges(mesh, RegionOf(this->Output(stage))) - foldsBefore };
-}
-
-bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
-{
-  vtkPolyData* before = this->Output("RegionBorder");
-  const int folds = foldedEdges(MeshOf(before), RegionOf(before));
-  return this->Judged("Restore", folds).keptAgainst(this->Judged(this->Deformation, folds));
-}
 
 vtkOversketchOneStroke::vtkOversketchOneStroke()
   : Inner(new Pipeline(this))
@@ -409,8 +34,9 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
   Pipeline& inner = *this->Inner;
   inner.Done = 0.0;
   inner.Running = nullptr;
+  inner.Following.reset();
   this->Remeshed = false;
-  for (Stage& stage : inner.Stages)
+  for (Pipeline::Stage& stage : inner.Stages)
   {
     stage.seconds = 0.0;
   }
@@ -425,14 +51,8 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       }
       inner.FeedStroke(vtkPolyData::GetData(inputs[1]));
       inner.FeedMesh(mesh);
-      for (const char* name : { "Stroke", "Silhouette", "Snake", "Visibility" })
-      {
-        inner.Run(name);
-      }
-      if (inner.Match->GetNumberOfInputConnections(0) > 1)
-      {
-        inner.Run("Outline");
-      }
+      inner.Run("Stroke");
+      inner.RunCurves();
       for (const char* name : { "Match", "Targets", "ShapeDiameter", "MixtureRegion", "RegionBorder" })
       {
         inner.Run(name);
@@ -459,11 +79,16 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       }
       if (this->Remeshed)
       {
-        inner.Welding->Transfer(mesh, inner.Output("Stretch"), inner.Output("Restore"), output);
+        inner.Following = std::make_unique<Followers>(output,
+          inner.Welding->Transfer(mesh, inner.Output("Stretch"), inner.Output("Restore"), output),
+          inner.Output(inner.Deformation),
+          inner.Output("Restore"));
       }
       else
       {
         inner.Welding->Move(mesh, inner.Output(inner.Deformation), output);
+        inner.Following =
+          std::make_unique<Followers>(output, *inner.Welding, inner.Output(inner.Deformation));
       }
     });
 }
@@ -493,6 +118,52 @@ bool vtkOversketchOneStroke::Prepare()
   {
     return false;
   }
+}
+
+bool vtkOversketchOneStroke::MatchSection(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* section)
+{
+  Pipeline& inner = *this->Inner;
+  section->Initialize();
+  if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  this->SetAbortExecute(0);
+  try
+  {
+    inner.Done = 0.0;
+    inner.FeedStroke(stroke);
+    inner.FeedMesh(mesh);
+    inner.RunCurves();
+    if (stroke->GetNumberOfPoints() < 2)
+    {
+      return false;
+    }
+    inner.Run("Stroke");
+    inner.Run("Match");
+    section->ShallowCopy(inner.Output("Match"));
+    return section->GetNumberOfPoints() > 0;
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
+}
+
+bool vtkOversketchOneStroke::Drag(const double translation[3], vtkPoints* points)
+{
+  if (!this->Inner->Following)
+  {
+    vtkErrorMacro("There is nothing to drag yet: Update() first.");
+    return false;
+  }
+  if (!points || !this->Inner->Following->Fits(points))
+  {
+    vtkErrorMacro("The points to drag do not fit; give a copy of the output's points, float or double.");
+    return false;
+  }
+  auto* step = vtkOversketchLaplacianDeform::SafeDownCast(this->GetStep(this->Inner->Deformation));
+  return this->Inner->Following->Place(step, translation, points);
 }
 
 void vtkOversketchOneStroke::SetBackend(int backend)
@@ -567,7 +238,7 @@ vtkPolyData* vtkOversketchOneStroke::GetInnerOutput(const char* name)
 
 vtkAlgorithm* vtkOversketchOneStroke::GetStep(const char* name)
 {
-  const Stage* stage = this->Inner->Find(name);
+  const Pipeline::Stage* stage = this->Inner->Find(name);
   return stage ? stage->step : nullptr;
 }
 
@@ -578,7 +249,7 @@ const char* vtkOversketchOneStroke::GetDeformationName() const
 
 double vtkOversketchOneStroke::GetStageTime(const char* name) const
 {
-  const Stage* stage = this->Inner->Find(name);
+  const Pipeline::Stage* stage = this->Inner->Find(name);
   return stage ? stage->seconds : 0.0;
 }
 
@@ -590,7 +261,7 @@ const char* vtkOversketchOneStroke::GetStageName() const
 vtkMTimeType vtkOversketchOneStroke::GetMTime()
 {
   vtkMTimeType latest = this->Superclass::GetMTime();
-  for (const Stage& stage : this->Inner->Stages)
+  for (const Pipeline::Stage& stage : this->Inner->Stages)
   {
     latest = std::max(latest, stage.step->GetMTime());
   }

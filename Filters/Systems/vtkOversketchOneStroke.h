@@ -46,6 +46,8 @@
 
 #include <memory>
 
+class vtkPoints;
+
 class OVERSKETCHFILTERSSYSTEMS_EXPORT vtkOversketchOneStroke : public vtkPolyDataAlgorithm
 {
 public:
@@ -141,6 +143,26 @@ public:
    * why).
    */
   bool Prepare();
+
+  /**
+   * Preview of what a stroke would take hold of, for a pen that is still down: runs the steps up to {Match}
+   * on a mesh and a stroke of its own and writes the section (vtkOversketchMatch). The curves of mesh and
+   * view are kept, also for the next Update; while they stand a call costs the match alone. False, and
+   * `section` empty, where there is nothing to take hold of, silently; a stroke of one sample makes the
+   * curves. The output, the inputs and Drag stay as they are; inner outputs up to {Match} are those of the
+   * preview.
+   */
+  bool MatchSection(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* section);
+
+  /**
+   * Preview of the output for the stroke moved so that all targets move by one vector [world]: writes places
+   * into `points`, which are a copy of the last output's points (same number, float or double). Where the
+   * output was not remeshed it is that of vtkOversketchLaplacianDeform::Drag, else the remeshed points follow
+   * the triangles of the deformation that they lie on. Neither the output nor the pipeline changes: to keep
+   * the place, move the stroke and Update. False, with an error, after a run that failed or when `points` do
+   * not fit.
+   */
+  bool Drag(const double translation[3], vtkPoints* points);
 
   /**
    * True when the last output was remeshed.

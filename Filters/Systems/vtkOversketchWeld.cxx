@@ -371,7 +371,7 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
   RefreshCellNormals(output, changed);
 }
 
-void Weld::Transfer(vtkPolyData* mesh,
+std::vector<int> Weld::Transfer(vtkPolyData* mesh,
   vtkPolyData* stretched,
   vtkPolyData* restored,
   vtkPolyData* output) const
@@ -537,6 +537,7 @@ void Weld::Transfer(vtkPolyData* mesh,
   output->SetPolys(polys);
   output->GetFieldData()->ShallowCopy(mesh->GetFieldData());
   RefreshCellNormals(output, changed);
+  return vertexOf;
 }
 
 } // namespace oversketch

@@ -44,8 +44,11 @@ public:
   // restored in the user's terms: restored was remeshed from deformed, whose connectivity is that of
   // stretched, which was remeshed from the welded mesh; both carry SourceCell and SourceWeights. Point arrays
   // are interpolated from mesh, once per chart along seams; cell arrays come from OriginalCell, the cell that
-  // lay under a triangle's middle.
-  void Transfer(vtkPolyData* mesh, vtkPolyData* stretched, vtkPolyData* restored, vtkPolyData* output) const;
+  // lay under a triangle's middle. Returns the vertex of restored that each point of the output is.
+  std::vector<int> Transfer(vtkPolyData* mesh,
+    vtkPolyData* stretched,
+    vtkPolyData* restored,
+    vtkPolyData* output) const;
 
 private:
   void FindVertices();
