@@ -199,11 +199,11 @@ StepKey::StepKey(vtkPolyData* curves,
   if (curves)
   {
     std::vector<vtkDataArray*> arrays;
-    for (const char* name : { "MeshVertices", "MeshWeights", "Normals" })
+    for (const char* name : { "MeshVertices", "MeshWeights", "Normals", "Display", "Offset" })
     {
       arrays.push_back(curves->GetPointData()->GetArray(name));
     }
-    for (const char* name : { "CurveId", "Visible" })
+    for (const char* name : { "CurveId", "Visible", "Hole" })
     {
       arrays.push_back(curves->GetCellData()->GetArray(name));
     }

@@ -101,12 +101,25 @@ CurvePoint BlendPoints(const CurvePoint& a, const CurvePoint& b, double t)
 
 } // namespace
 
+// The curves in the view of the last run, for the next stroke over them.
+struct vtkOversketchMatch::Cache
+{
+  std::vector<StepKey> Keys; // of the inputs
+  std::vector<Source> Sources;
+  std::vector<MatchCandidate> Candidates;
+
+  void Read(vtkInformationVector* inputs, const View& view);
+};
+
 vtkStandardNewMacro(vtkOversketchMatch);
 
 vtkOversketchMatch::vtkOversketchMatch()
+  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
 }
+
+vtkOversketchMatch::~vtkOversketchMatch() = default;
 
 int vtkOversketchMatch::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -115,6 +128,67 @@ int vtkOversketchMatch::FillInputPortInformation(int port, vtkInformation* info)
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   }
   return this->Superclass::FillInputPortInformation(port, info);
+}
+
+void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& view)
+{
+  const int connections = inputs->GetNumberOfInformationObjects();
+  std::vector<StepKey> keys;
+  for (int c = 0; c < connections; ++c)
+  {
+    keys.emplace_back(vtkPolyData::GetData(inputs, c), nullptr, view, std::vector<double>());
+  }
+  if (keys == this->Keys)
+  {
+    return;
+  }
+  this->Keys.clear();
+  this->Sources.clear();
+  this->Candidates.clear();
+  for (int c = 0; c < connections; ++c)
+  {
+    vtkPolyData* input = vtkPolyData::GetData(inputs, c);
+    CurveSet set = ReadCurves(input, std::numeric_limits<int>::max(), "curves", true);
+    vtkPointData* pointData = input->GetPointData();
+    const auto optional = [&](const char* name)
+    {
+      return pointData->HasArray(name)
+               ? RequireArray(
+                   pointData, name, 2, input->GetNumberOfPoints(), "curves", "vtkOversketchOutline makes it")
+               : nullptr;
+    };
+    vtkDataArray* displays = optional("Display");
+    vtkDataArray* offsets = optional("Offset");
+    for (std::size_t i = 0; i < set.Curves.size(); ++i)
+    {
+      Curve& curve = set.Curves[i];
+      const std::size_t count = curve.points.size();
+      MatchCandidate candidate;
+      candidate.closed = curve.closed;
+      candidate.outline = input->GetCellData()->HasArray("Hole") != 0;
+      bool seen = set.Visible[i] != 0;
+      for (const CurvePoint& p : curve.points)
+      {
+        seen = seen && view.inFront(p.position);
+        candidate.bound.push_back(p.binding.vertices[0] >= 0);
+        candidate.display.push_back(seen ? Vector2(view.toDisplay(p.position).head<2>()) : Vector2::Zero());
+      }
+      if (!seen)
+      {
+        continue;
+      }
+      const vtkIdType cell = static_cast<vtkIdType>(i);
+      if (displays)
+      {
+        candidate.display = AlongCell(displays, input, cell, count);
+      }
+      const Polyline offset =
+        offsets ? AlongCell(offsets, input, cell, count) : Polyline(count, Vector2::Zero());
+      this->Candidates.push_back(std::move(candidate));
+      this->Sources.push_back({ std::move(curve), offset, set.Ids[i], c });
+    }
+  }
+  this->Keys = keys;
 }
 
 void vtkOversketchMatch::SetStrokeData(vtkPolyData* stroke)
@@ -144,56 +218,9 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       const View view = ViewOf(stroke);
       const Polyline samples = StrokeOf(stroke);
 
-      std::vector<Source> sources;
-      std::vector<MatchCandidate> candidates;
-      for (int c = 0; c < connections; ++c)
-      {
-        vtkPolyData* input = vtkPolyData::GetData(inputs[0], c);
-        CurveSet set = ReadCurves(input, std::numeric_limits<int>::max(), "curves", true);
-        vtkPointData* pointData = input->GetPointData();
-        const auto optional = [&](const char* name)
-        {
-          return pointData->HasArray(name) ? RequireArray(pointData,
-                                               name,
-                                               2,
-                                               input->GetNumberOfPoints(),
-                                               "curves",
-                                               "vtkOversketchOutline makes it")
-                                           : nullptr;
-        };
-        vtkDataArray* displays = optional("Display");
-        vtkDataArray* offsets = optional("Offset");
-        for (std::size_t i = 0; i < set.Curves.size(); ++i)
-        {
-          Curve& curve = set.Curves[i];
-          const std::size_t count = curve.points.size();
-          MatchCandidate candidate;
-          candidate.closed = curve.closed;
-          candidate.outline = input->GetCellData()->HasArray("Hole") != 0;
-          bool seen = set.Visible[i] != 0;
-          for (const CurvePoint& p : curve.points)
-          {
-            seen = seen && view.inFront(p.position);
-            candidate.bound.push_back(p.binding.vertices[0] >= 0);
-            candidate.display.push_back(
-              seen ? Vector2(view.toDisplay(p.position).head<2>()) : Vector2::Zero());
-          }
-          if (!seen)
-          {
-            continue;
-          }
-          const vtkIdType cell = static_cast<vtkIdType>(i);
-          if (displays)
-          {
-            candidate.display = AlongCell(displays, input, cell, count);
-          }
-          const Polyline offset =
-            offsets ? AlongCell(offsets, input, cell, count) : Polyline(count, Vector2::Zero());
-          candidates.push_back(std::move(candidate));
-          sources.push_back({ std::move(curve), offset, set.Ids[i], c });
-        }
-      }
-
+      this->Internals->Read(inputs[0], view);
+      const std::vector<Source>& sources = this->Internals->Sources;
+      const std::vector<MatchCandidate>& candidates = this->Internals->Candidates;
       MatchRules rules;
       rules.amendedScore = this->AmendedScore;
       rules.maximumDistance = this->MaximumDistance;

@@ -34,7 +34,8 @@
  * curves; NoMatch when no section of at least 2 px with two points on the mesh fits, or D exceeds
  * MaximumDistance. Curves without points give an empty output silently.
  *
- * Deterministic. Cost: curve points plus stroke samples, times a search over blocks of the other.
+ * Deterministic. Cost: curve points plus stroke samples, times a search over blocks of the other; the curves
+ * are read once while they and the view stand.
  *
  * @sa vtkOversketchVisibility, vtkOversketchOutline, vtkOversketchTargets
  */
@@ -43,6 +44,8 @@
 
 #include "OversketchFiltersSilhouetteModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
 
 class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchMatch : public vtkPolyDataAlgorithm
 {
@@ -76,7 +79,7 @@ public:
 
 protected:
   vtkOversketchMatch();
-  ~vtkOversketchMatch() override = default;
+  ~vtkOversketchMatch() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -87,6 +90,9 @@ private:
 
   bool AmendedScore = true;
   double MaximumDistance = 0.0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -98,11 +98,13 @@ TEST(A4_2, AHiddenCurveNearerStillNeverWins)
     match->Update();
     EXPECT_NEAR(field(match->GetOutput(), "Distance"), 30.0, 0.5);
     visible->SetValue(1, 1);
+    visible->Modified();
     curves->Modified();
     match->Modified();
     match->Update(); // the same curve, seen, would win
     EXPECT_NEAR(field(match->GetOutput(), "Distance"), 1.0, 0.5);
     visible->SetValue(1, 0);
+    visible->Modified();
   }
   fact("A4_2", "a hidden curve 1 px from the stroke loses to a visible one at 30 px");
 }
