@@ -2,13 +2,16 @@
 
 #include "Stroke/resketch.h"
 #include "camera_state.h"
+#include "vtkOversketchFilterTools.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -17,6 +20,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace oversketch
@@ -38,6 +42,17 @@ void addArray(vtkFieldData* to, const char* name, int components, const Values& 
   to->AddArray(array);
 }
 
+bool alike(const std::array<double, 16>& a, const std::array<double, 16>& b)
+{
+  constexpr double rounding = 1e-9;
+  const auto large = [](double x, double y) { return std::abs(x) < std::abs(y); };
+  const double scale = std::abs(*std::max_element(a.begin(), a.end(), large));
+  return std::equal(a.begin(),
+    a.end(),
+    b.begin(),
+    [scale](double x, double y) { return std::abs(x - y) <= rounding * scale; });
+}
+
 } // namespace
 
 PenView PenView::of(vtkRenderer* renderer)
@@ -50,6 +65,49 @@ PenView PenView::of(vtkRenderer* renderer)
     result.projection.begin());
   std::copy_n(renderer->GetSize(), 2, result.size.begin());
   return result;
+}
+
+View PenView::kernelView() const
+{
+  using Matrix = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>;
+  return View(Matrix(this->view.data()), Matrix(this->projection.data()), this->size[0], this->size[1]);
+}
+
+bool PenView::operator==(const PenView& other) const
+{
+  return this->size == other.size && alike(this->view, other.view) &&
+         alike(this->projection, other.projection);
+}
+
+bool PenView::fromTheSamePlace(const PenView& other) const
+{
+  return alike(this->view, other.view) && (this->projection[15] == 0.0) == (other.projection[15] == 0.0);
+}
+
+void PenView::putInto(vtkRenderer* renderer) const
+{
+  double toWorld[16];
+  vtkMatrix4x4::Invert(this->view.data(), toWorld);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double distance = camera->GetDistance();
+  const double position[3] = { toWorld[3], toWorld[7], toWorld[11] };
+  camera->SetPosition(position);
+  camera->SetFocalPoint(position[0] - distance * toWorld[2],
+    position[1] - distance * toWorld[6],
+    position[2] - distance * toWorld[10]);
+  camera->SetViewUp(toWorld[1], toWorld[5], toWorld[9]);
+  // The last row of a perspective takes the depth, that of a parallel projection is 0 0 0 1.
+  const bool perspective = this->projection[15] == 0.0;
+  camera->SetParallelProjection(!perspective);
+  if (perspective)
+  {
+    camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(1.0 / this->projection[5])));
+  }
+  else
+  {
+    camera->SetParallelScale(1.0 / this->projection[5]);
+  }
+  renderer->ResetCameraClippingRange();
 }
 
 void PenStroke::add(const Vector2& point, double pressure, double time)
@@ -111,6 +169,27 @@ void PenStroke::putInto(vtkPolyData* polyData) const
   addArray<vtkDoubleArray>(polyData->GetCellData(), "ViewTransform", 16, this->view.view);
   addArray<vtkDoubleArray>(polyData->GetCellData(), "ProjectionTransform", 16, this->view.projection);
   addArray<vtkIntArray>(polyData->GetCellData(), "ViewportSize", 2, this->view.size);
+}
+
+PenStroke PenStroke::of(vtkPolyData* polyData)
+{
+  PenStroke result;
+  const View view = ViewOf(polyData);
+  using Matrix = Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>;
+  Matrix(result.view.view.data()) = view.viewTransform();
+  Matrix(result.view.projection.data()) = view.projectionTransform();
+  result.view.size = { view.width(), view.height() };
+  result.points = StrokeOf(polyData);
+  vtkNew<vtkIdList> ids;
+  polyData->GetCellPoints(0, ids);
+  vtkDataArray* pressures = polyData->GetPointData()->GetArray("Pressure");
+  vtkDataArray* times = polyData->GetPointData()->GetArray("Time");
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    result.pressures.push_back(pressures ? pressures->GetComponent(ids->GetId(i), 0) : 1.0);
+    result.times.push_back(times ? times->GetComponent(ids->GetId(i), 0) : 0.0);
+  }
+  return result;
 }
 
 } // namespace oversketch

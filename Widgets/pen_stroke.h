@@ -2,6 +2,7 @@
 #ifndef oversketch_pen_stroke_h
 #define oversketch_pen_stroke_h
 
+#include "Mesh/view.h"
 #include "Stroke/polyline.h"
 
 #include <array>
@@ -18,10 +19,14 @@ struct PenView
   std::array<int, 2> size{};                   // px
 
   static PenView of(vtkRenderer* renderer);
-  bool operator==(const PenView& other) const
-  {
-    return this->size == other.size && this->view == other.view && this->projection == other.projection;
-  }
+  // Throws Error for matrices that make no view.
+  View kernelView() const;
+  // The same to the eye: a camera that was turned away and back differs by rounding.
+  bool operator==(const PenView& other) const;
+  // The same eye and direction, whatever the zoom and the size of the window.
+  bool fromTheSamePlace(const PenView& other) const;
+  // Puts the renderer's camera where the view was seen from.
+  void putInto(vtkRenderer* renderer) const;
 };
 
 struct PenStroke
@@ -36,6 +41,9 @@ struct PenStroke
   // This stroke with the part that `over` was drawn over replaced.
   PenStroke resketched(const PenStroke& over) const;
   void putInto(vtkPolyData* polyData) const;
+  // Of a polydata that holds one stroke with its view; without Pressure it is 1, without Time 0. Throws Error
+  // for others.
+  static PenStroke of(vtkPolyData* polyData);
 };
 
 } // namespace oversketch

@@ -2,11 +2,15 @@
 
 #include "last_frame.h"
 #include "pen_stroke.h"
+#include "vtkOversketchFilterTools.h"
 
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
@@ -72,8 +76,8 @@ struct Line2D
 
 struct vtkOversketchStrokeRepresentation::Internals
 {
-  vtkNew<vtkProperty2D> property;
-  Line2D running{ property }, kept{ property };
+  vtkNew<vtkProperty2D> property, sectionProperty;
+  Line2D section{ sectionProperty }, running{ property }, kept{ property };
   std::optional<PenStroke> drawing; // while the pen is down
   PenStroke stroke;                 // drawn last
   bool over = false;                // the pen draws over it
@@ -90,6 +94,9 @@ vtkOversketchStrokeRepresentation::vtkOversketchStrokeRepresentation()
 {
   this->Inner->property->SetColor(0.86, 0.13, 0.12);
   this->Inner->property->SetLineWidth(3.0);
+  this->Inner->sectionProperty->SetColor(0.16, 0.42, 0.95);
+  this->Inner->sectionProperty->SetLineWidth(4.0);
+  this->Inner->frame.overlay()->AddViewProp(this->Inner->section.actor);
   this->Inner->frame.overlay()->AddViewProp(this->Inner->running.actor);
   this->PickableOff();
   this->DragableOff();
@@ -118,6 +125,7 @@ void vtkOversketchStrokeRepresentation::BeginStroke(bool over)
   }
   const int* origin = this->Renderer->GetOrigin();
   inner.running.actor->SetPosition(origin[0], origin[1]);
+  inner.section.actor->SetPosition(origin[0], origin[1]);
   inner.frame.freeze(window);
 }
 
@@ -159,6 +167,7 @@ void vtkOversketchStrokeRepresentation::DropStroke()
   Internals& inner = *this->Inner;
   inner.drawing.reset();
   inner.running.set({});
+  inner.section.set({});
   inner.frame.thaw();
 }
 
@@ -196,9 +205,51 @@ void vtkOversketchStrokeRepresentation::GetPolyData(vtkPolyData* stroke)
   this->Inner->current().putInto(stroke);
 }
 
+bool vtkOversketchStrokeRepresentation::SetStroke(vtkPolyData* stroke)
+{
+  Internals& inner = *this->Inner;
+  if (inner.drawing || !stroke)
+  {
+    return false;
+  }
+  try
+  {
+    inner.stroke = PenStroke::of(stroke);
+  }
+  catch (const oversketch::Error&)
+  {
+    return false;
+  }
+  inner.kept.set(inner.stroke.points);
+  return true;
+}
+
+void vtkOversketchStrokeRepresentation::SetSection(vtkPolyData* section)
+{
+  vtkDataArray* places = section ? section->GetPointData()->GetArray("Display") : nullptr;
+  oversketch::Polyline line;
+  if (this->Inner->drawing && places && places->GetNumberOfComponents() == 2)
+  {
+    vtkNew<vtkIdList> ids;
+    section->GetCellPoints(0, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      Vector2 place;
+      places->GetTuple(ids->GetId(i), place.data());
+      line.push_back(place);
+    }
+  }
+  this->Inner->section.set(line);
+}
+
 vtkProperty2D* vtkOversketchStrokeRepresentation::GetProperty()
 {
   return this->Inner->property;
+}
+
+vtkProperty2D* vtkOversketchStrokeRepresentation::GetSectionProperty()
+{
+  return this->Inner->sectionProperty;
 }
 
 void vtkOversketchStrokeRepresentation::SetRenderer(vtkRenderer* renderer)
@@ -222,6 +273,7 @@ void vtkOversketchStrokeRepresentation::ReleaseGraphicsResources(vtkWindow* wind
 {
   this->Inner->kept.actor->ReleaseGraphicsResources(window);
   this->Inner->running.actor->ReleaseGraphicsResources(window);
+  this->Inner->section.actor->ReleaseGraphicsResources(window);
 }
 
 int vtkOversketchStrokeRepresentation::RenderOverlay(vtkViewport* viewport)
@@ -243,8 +295,11 @@ int vtkOversketchStrokeRepresentation::RenderOverlay(vtkViewport* viewport)
   }
   if (inner.drawing && !inner.frame.frozen())
   {
-    inner.running.actor->SetPosition(0.0, 0.0);
-    drawn += inner.running.actor->RenderOverlay(viewport);
+    for (vtkActor2D* actor : { inner.section.actor.Get(), inner.running.actor.Get() })
+    {
+      actor->SetPosition(0.0, 0.0);
+      drawn += actor->RenderOverlay(viewport);
+    }
   }
   return drawn;
 }

@@ -88,9 +88,25 @@ public:
   void GetPolyData(vtkPolyData* stroke);
 
   /**
-   * Colour, width and opacity of the line.
+   * Makes a stroke with its view (as GetPolyData gives it; Pressure and Time may be missing) the one drawn
+   * last. False, and nothing changed, while one is being drawn or when it holds no such stroke.
+   */
+  bool SetStroke(vtkPolyData* stroke);
+
+  /**
+   * A line to be shown under the stroke while it is drawn, as the section that it would take hold of: one
+   * polyline; point array Display, 2 components, are its places [px from the viewport's lower left corner].
+   * Null, and the end of the stroke, take it away.
+   */
+  void SetSection(vtkPolyData* section);
+
+  ///@{
+  /**
+   * Colour, width and opacity of the stroke (red), of the section (blue).
    */
   vtkProperty2D* GetProperty();
+  vtkProperty2D* GetSectionProperty();
+  ///@}
 
   ///@{
   /**

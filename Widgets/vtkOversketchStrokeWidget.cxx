@@ -5,8 +5,10 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkDataArray.h"
 #include "vtkEvent.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -121,26 +123,44 @@ bool vtkOversketchStrokeWidget::IsDrawing()
 
 bool vtkOversketchStrokeWidget::BeginStroke(double x, double y, double pressure)
 {
+  return this->Begin(x, y, pressure, this->Waiting);
+}
+
+bool vtkOversketchStrokeWidget::BeginOver(double x, double y, double pressure)
+{
+  if (!this->Waiting && !this->IsDrawing())
+  {
+    vtkNew<vtkPolyData> last;
+    this->GetStrokeRepresentation()->GetPolyData(last);
+    vtkDataArray* times = last->GetPointData()->GetArray("Time");
+    const vtkIdType count = times ? times->GetNumberOfTuples() : 0;
+    this->Began = vtkTimerLog::GetUniversalTime() - (count > 0 ? times->GetComponent(count - 1, 0) : 0.0);
+  }
+  return this->Begin(x, y, pressure, true);
+}
+
+bool vtkOversketchStrokeWidget::Begin(double x, double y, double pressure, bool over)
+{
   vtkOversketchStrokeRepresentation* representation = this->GetStrokeRepresentation();
   if (!this->Enabled || representation->IsDrawing())
   {
     return false;
   }
-  representation->BeginStroke(this->Waiting);
+  representation->BeginStroke(over);
   if (!representation->IsDrawing())
   {
     return false;
   }
   this->GrabFocus(this->EventCallbackCommand);
   this->StartInteraction();
-  if (!this->Waiting)
+  if (!over)
   {
     this->Began = vtkTimerLog::GetUniversalTime();
   }
   this->Pen[0] = x;
   this->Pen[1] = y;
   this->InvokeEvent(vtkCommand::StartInteractionEvent);
-  this->AddSample(x, y, pressure, this->Waiting ? -1.0 : 0.0);
+  this->AddSample(x, y, pressure, over ? -1.0 : 0.0);
   return this->IsDrawing();
 }
 

@@ -95,9 +95,11 @@ public:
    * What the pen does, for hosts that have samples of their own: positions in the window [px, y up], which
    * need not be whole, pressure [0 to 1], time since the stroke began [s]; a negative time is now. Each
    * renders. BeginStroke does nothing, and returns false, while the widget is not enabled or a stroke is
-   * being drawn; the others do nothing while none is.
+   * being drawn; the others do nothing while none is. BeginOver begins one that is drawn over the stroke
+   * drawn last, committed or not, and replaces a part of it; its times go on from there.
    */
   bool BeginStroke(double x, double y, double pressure = 1.0);
+  bool BeginOver(double x, double y, double pressure = 1.0);
   void AddSample(double x, double y, double pressure = 1.0, double time = -1.0);
   void RemoveLastSamples();
   void EndStroke();
@@ -139,6 +141,7 @@ private:
   static void Resized(vtkAbstractWidget* widget);
   static void Swallow(vtkAbstractWidget*) {}
 
+  bool Begin(double x, double y, double pressure, bool over);
   bool DropDrawing();
   void StopDrawing();
   void Publish();
