@@ -3,6 +3,7 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchOneStroke.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -36,7 +37,8 @@ void LiveStroke::setSystem(vtkOversketchOneStroke* system)
 
 void LiveStroke::setSource(vtkAlgorithmOutput* source)
 {
-  this->source_ = source;
+  this->source_ = source ? source->GetProducer() : nullptr;
+  this->sourcePort_ = source ? source->GetIndex() : 0;
 }
 
 vtkAlgorithmOutput* LiveStroke::outputPort()
@@ -82,9 +84,8 @@ bool LiveStroke::update(bool run)
   bool changed = false;
   if (this->source_)
   {
-    this->source_->GetProducer()->Update(this->source_->GetIndex());
-    auto* mesh =
-      vtkPolyData::SafeDownCast(this->source_->GetProducer()->GetOutputDataObject(this->source_->GetIndex()));
+    this->source_->Update(this->sourcePort_);
+    auto* mesh = vtkPolyData::SafeDownCast(this->source_->GetOutputDataObject(this->sourcePort_));
     if (mesh && (mesh != this->sourceSeen_ || mesh->GetMTime() != this->sourceTime_))
     {
       this->sourceSeen_ = mesh;

@@ -8,6 +8,7 @@
 
 #include <string>
 
+class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkOversketchOneStroke;
 class vtkPoints;
@@ -61,7 +62,8 @@ public:
 private:
   void run();
 
-  vtkSmartPointer<vtkAlgorithmOutput> source_;
+  vtkSmartPointer<vtkAlgorithm> source_;
+  int sourcePort_ = 0;
   vtkSmartPointer<vtkPolyData> sourceSeen_;
   vtkMTimeType sourceTime_ = 0, systemTime_ = 0;
   vtkSmartPointer<vtkOversketchOneStroke> system_;

@@ -445,7 +445,7 @@ void vtkOversketchOneStrokeWidget::EndMove(bool keep)
 
 void vtkOversketchOneStrokeWidget::Press(vtkAbstractWidget* widget)
 {
-  vtkOversketchOneStrokeWidget* self = cast(widget);
+  const vtkSmartPointer<vtkOversketchOneStrokeWidget> self(cast(widget)); // an observer may let go of it
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (self->Moving || from->GetControlKey() || from->GetAltKey() || !self->CurrentRenderer ||
@@ -497,7 +497,7 @@ void vtkOversketchOneStrokeWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchOneStrokeWidget::MoveTo(vtkAbstractWidget* widget)
 {
-  vtkOversketchOneStrokeWidget* self = cast(widget);
+  const vtkSmartPointer<vtkOversketchOneStrokeWidget> self(cast(widget)); // an observer may let go of it
   const int* at = self->Interactor->GetEventPosition();
   if (!self->Moving)
   {
@@ -508,7 +508,6 @@ void vtkOversketchOneStrokeWidget::MoveTo(vtkAbstractWidget* widget)
     return;
   }
   self->EventCallbackCommand->SetAbortFlag(1);
-  const vtkSmartPointer<vtkOversketchOneStrokeWidget> alive(self);
   vtkOversketchOneStrokeRepresentation* representation = self->GetOneStrokeRepresentation();
   representation->Move(self->Grip[0], self->Grip[1], at[0], at[1]);
   self->Moved = self->Moved || at[0] != self->Grip[0] || at[1] != self->Grip[1];
@@ -522,11 +521,10 @@ void vtkOversketchOneStrokeWidget::MoveTo(vtkAbstractWidget* widget)
 
 void vtkOversketchOneStrokeWidget::Release(vtkAbstractWidget* widget)
 {
-  vtkOversketchOneStrokeWidget* self = cast(widget);
+  const vtkSmartPointer<vtkOversketchOneStrokeWidget> self(cast(widget)); // an observer may let go of it
   if (self->Moving)
   {
     self->EventCallbackCommand->SetAbortFlag(1);
-    const vtkSmartPointer<vtkOversketchOneStrokeWidget> alive(self);
     MoveTo(widget);
     self->EndMove(true);
     self->Render();

@@ -151,6 +151,7 @@ bool vtkOversketchStrokeWidget::Begin(double x, double y, double pressure, bool 
   {
     return false;
   }
+  const vtkSmartPointer<vtkOversketchStrokeWidget> alive(this); // an observer may let go of it
   this->GrabFocus(this->EventCallbackCommand);
   this->StartInteraction();
   if (!over)
@@ -166,6 +167,7 @@ bool vtkOversketchStrokeWidget::Begin(double x, double y, double pressure, bool 
 
 void vtkOversketchStrokeWidget::AddSample(double x, double y, double pressure, double time)
 {
+  const vtkSmartPointer<vtkOversketchStrokeWidget> alive(this);
   vtkOversketchStrokeRepresentation* representation = this->GetStrokeRepresentation();
   if (!representation->IsDrawing() || !std::isfinite(x) || !std::isfinite(y))
   {
@@ -223,7 +225,7 @@ void vtkOversketchStrokeWidget::EndStroke()
   {
     return;
   }
-  const vtkSmartPointer<vtkOversketchStrokeWidget> alive(this); // an observer may let go of it
+  const vtkSmartPointer<vtkOversketchStrokeWidget> alive(this);
   if (this->Cursor[0] != this->Pen[0] || this->Cursor[1] != this->Pen[1])
   {
     representation->AddSample(
@@ -294,7 +296,7 @@ void vtkOversketchStrokeWidget::Drop()
 
 void vtkOversketchStrokeWidget::Press(vtkAbstractWidget* widget)
 {
-  vtkOversketchStrokeWidget* self = cast(widget);
+  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (!from->GetShiftKey() && !from->GetControlKey() && !from->GetAltKey() && self->CurrentRenderer &&
@@ -306,7 +308,7 @@ void vtkOversketchStrokeWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Move(vtkAbstractWidget* widget)
 {
-  vtkOversketchStrokeWidget* self = cast(widget);
+  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
   if (self->IsDrawing())
   {
     const int* at = self->Interactor->GetEventPosition();
@@ -317,7 +319,7 @@ void vtkOversketchStrokeWidget::Move(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Release(vtkAbstractWidget* widget)
 {
-  vtkOversketchStrokeWidget* self = cast(widget);
+  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
   if (self->IsDrawing())
   {
     const int* at = self->Interactor->GetEventPosition();
