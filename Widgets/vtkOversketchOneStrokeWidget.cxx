@@ -422,7 +422,10 @@ void vtkOversketchOneStrokeWidget::EndMove(bool keep)
   keep = keep && this->Moved;
   this->Moving = this->Moved = false;
   this->ReleaseFocus();
-  this->EndInteraction();
+  if (this->Interactor && this->Interactor->GetRenderWindow()) // it may go first
+  {
+    this->EndInteraction();
+  }
   inner.live.endDrag();
   if (keep)
   {

@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -215,7 +216,10 @@ void vtkOversketchStrokeWidget::RemoveLastSamples()
 void vtkOversketchStrokeWidget::StopDrawing()
 {
   this->ReleaseFocus();
-  this->EndInteraction();
+  if (this->Interactor && this->Interactor->GetRenderWindow()) // it may go first
+  {
+    this->EndInteraction();
+  }
 }
 
 void vtkOversketchStrokeWidget::EndStroke()

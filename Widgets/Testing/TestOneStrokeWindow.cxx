@@ -47,7 +47,7 @@ void drawOverBall(Dog& scene)
 TEST(OneStrokeWindow, GoesAwayInMidDragInAnyOrder)
 {
   Quiet quiet;
-  for (int what = 0; what < 7; ++what)
+  for (int what = 0; what < 8; ++what)
   {
     SCOPED_TRACE(what);
     Dog scene(ball());
@@ -78,6 +78,10 @@ TEST(OneStrokeWindow, GoesAwayInMidDragInAnyOrder)
         break;
       case 5:
         scene.widget->Drop();
+        break;
+      case 6:
+        scene.interactor->SetRenderWindow(nullptr);
+        scene.widget->Off();
         break;
       default:
         break; // the window first
