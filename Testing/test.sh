@@ -4,9 +4,13 @@
 #
 # usage: Testing/test.sh          all that
 #        Testing/test.sh tsan     the C++ tests under the thread sanitizer, alone
+#        Testing/test.sh paraview the ParaView plugin, alone; gets ParaView where it is not installed
 set -euo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 cd "$oversketch_root"
+if [ "${1:-}" = paraview ]; then
+  exec Testing/ParaView/test.sh
+fi
 oversketch_install
 if [ "${1:-}" = tsan ]; then
   oversketch_build tsan
