@@ -57,10 +57,11 @@ oversketch_paraview_build() {
   oversketch_paraview_find
   local multiarch
   multiarch=$(g++ -print-multiarch)
-  # ParaView's own tools, that run while the plugin is built, need its libraries.
+  # What runs while the plugin is built, ParaView's own tools and the maker of Python's type stubs, needs its libraries and Python.
   (
     export CMAKE_PREFIX_PATH=$oversketch_paraview
     export LD_LIBRARY_PATH=$oversketch_paraview/lib/$multiarch${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+    export PYTHONPATH=$oversketch_paraview/lib/python3/dist-packages
     oversketch_build paraview "$@"
   )
 }
