@@ -112,11 +112,12 @@ MainWindow::MainWindow(QWidget* parent)
       this->view_->lookFrom(this->document_->session().nodes[static_cast<std::size_t>(node)].action->stroke);
     });
   connect(this->history_, &HistoryPanel::selected, this, &MainWindow::select);
+  // Of the frame, not of the window, which is no longer one when it closes at its end and the focus goes.
   connect(qApp,
     &QApplication::focusChanged,
-    this,
-    [this](QWidget*, QWidget* now)
-    { this->frame_->setBackgroundRole(now == this->view_ ? QPalette::Highlight : QPalette::Window); });
+    this->frame_,
+    [frame = this->frame_, view = static_cast<QWidget*>(this->view_)](QWidget*, QWidget* now)
+    { frame->setBackgroundRole(now == view ? QPalette::Highlight : QPalette::Window); });
 
   QSettings settings;
   this->resize(1200, 800);
