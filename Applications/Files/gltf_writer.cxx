@@ -1,5 +1,6 @@
 // Why not vtkGLTFWriter: in VTK 9.1 it has no binary container (.glb) and leaves out normals and colours.
 #include "mesh_file.h"
+#include "texture.h"
 
 #include "vtkBase64Utilities.h"
 #include "vtkCellArray.h"
@@ -24,9 +25,25 @@ namespace
 struct Builder
 {
   std::string buffer, views, accessors, attributes;
-  int count = 0;
+  int viewCount = 0, accessorCount = 0;
 
-  // componentType: 5121 unsigned byte, 5125 unsigned int, 5126 float. target: 34962 vertices, 34963 indices.
+  // target: 34962 vertices, 34963 indices, 0 for what is neither.
+  int addView(const void* data, std::size_t bytes, int target = 0)
+  {
+    std::ostringstream view;
+    view << (this->viewCount > 0 ? "," : "") << R"({"buffer":0,"byteOffset":)" << this->buffer.size()
+         << R"(,"byteLength":)" << bytes;
+    if (target)
+    {
+      view << R"(,"target":)" << target;
+    }
+    this->views += view.str() + '}';
+    this->buffer.append(static_cast<const char*>(data), bytes);
+    this->buffer.resize((this->buffer.size() + 3) / 4 * 4, '\0');
+    return this->viewCount++;
+  }
+
+  // componentType: 5121 unsigned byte, 5125 unsigned int, 5126 float.
   int add(const void* data,
     std::size_t bytes,
     std::size_t elements,
@@ -35,17 +52,12 @@ struct Builder
     int target,
     const std::string& more = "")
   {
-    std::ostringstream view, accessor;
-    const char* comma = this->count > 0 ? "," : "";
-    view << comma << R"({"buffer":0,"byteOffset":)" << this->buffer.size() << R"(,"byteLength":)" << bytes
-         << R"(,"target":)" << target << '}';
-    accessor << comma << R"({"bufferView":)" << this->count << R"(,"componentType":)" << componentType
-             << R"(,"count":)" << elements << R"(,"type":")" << type << '"' << more << '}';
-    this->views += view.str();
+    const int view = this->addView(data, bytes, target);
+    std::ostringstream accessor;
+    accessor << (this->accessorCount > 0 ? "," : "") << R"({"bufferView":)" << view << R"(,"componentType":)"
+             << componentType << R"(,"count":)" << elements << R"(,"type":")" << type << '"' << more << '}';
     this->accessors += accessor.str();
-    this->buffer.append(static_cast<const char*>(data), bytes);
-    this->buffer.resize((this->buffer.size() + 3) / 4 * 4, '\0');
-    return this->count++;
+    return this->accessorCount++;
   }
 
   void addFloats(const char* attribute,
@@ -178,12 +190,23 @@ void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary)
   const int indexAccessor =
     builder.add(indices.data(), indices.size() * 4, indices.size(), 5125, "SCALAR", 34963);
 
+  std::string material, look;
+  const std::string picture = textureOf(mesh);
+  if (!picture.empty())
+  {
+    const int view = builder.addView(picture.data(), picture.size());
+    material = R"(,"material":0)";
+    look = R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicFactor":0}}],)"
+           R"("textures":[{"source":0}],"images":[{"bufferView":)" +
+           std::to_string(view) + R"(,"mimeType":"image/)" + pictureFormatOf(picture) + R"("}],)";
+  }
+
   std::ostringstream json;
   json
     << R"({"asset":{"version":"2.0","generator":"Oversketch"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
     << R"("meshes":[{"primitives":[{"attributes":{)" << builder.attributes << R"(},"indices":)"
-    << indexAccessor << R"(,"mode":4}]}],"accessors":[)" << builder.accessors << R"(],"bufferViews":[)"
-    << builder.views << R"(],"buffers":[{"byteLength":)" << builder.buffer.size();
+    << indexAccessor << material << R"(,"mode":4}]}],)" << look << R"("accessors":[)" << builder.accessors
+    << R"(],"bufferViews":[)" << builder.views << R"(],"buffers":[{"byteLength":)" << builder.buffer.size();
   if (!binary)
   {
     json << R"(,"uri":"data:application/octet-stream;base64,)" << base64(builder.buffer) << '"';

@@ -35,8 +35,17 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes);
 // The single formats, used by the above. They throw Failed.
 void checkPly(const std::string& path); // that the file holds what its header announces
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path);
+// Adds the picture of its materials (texture.h) where all have the same.
+void readObjTexture(vtkPolyData* mesh, const std::string& path, Notes& notes);
+// Writes the texture and a library with one material, "texture", beside an OBJ file of that path; returns the
+// library's name. Replaces no other file.
+std::string writeObjMaterial(vtkPolyData* mesh, const std::string& path);
+// With the picture of the base colour (texture.h) where all parts share one; the notes name what is not kept.
+vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes);
 void writeOff(vtkPolyData* mesh, const std::string& path);
-void writeObj(vtkPolyData* mesh, const std::string& path);
+// With one material of that library, unless it is empty; else with those of the file that the mesh was read
+// from.
+void writeObj(vtkPolyData* mesh, const std::string& path, const std::string& library);
 void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary);
 
 // Point colours that PLY and glTF can hold: unsigned char, 3 or 4 components; null if there are none.

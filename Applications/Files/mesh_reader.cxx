@@ -1,15 +1,10 @@
 #include "mesh_file.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkGLTFReader.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -163,47 +158,6 @@ vtkSmartPointer<vtkPolyData> readWith(const std::string& path)
   return updated(reader.Get(), path);
 }
 
-vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes)
-{
-  vtkNew<vtkGLTFReader> reader;
-  reader->SetFileName(std::filesystem::absolute(path).c_str());
-  reader->Update();
-  const std::string error = takeError();
-  if (!error.empty())
-  {
-    throw Failed(path + ": could not be read: " + error);
-  }
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  vtkNew<vtkAppendPolyData> append;
-  int parts = 0;
-  if (blocks)
-  {
-    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      if (auto* part = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
-      {
-        append->AddInputData(part);
-        ++parts;
-      }
-    }
-  }
-  if (parts == 0)
-  {
-    throw Failed(path + ": holds no mesh");
-  }
-  append->Update();
-  takeError();
-  vtkSmartPointer<vtkPolyData> mesh = append->GetOutput();
-  mesh->GetFieldData()->Initialize(); // materials of single parts, which one mesh cannot hold
-  notes.push_back(path + ": materials, textures, animations and the scene's structure are not kept");
-  if (parts > 1)
-  {
-    notes.push_back(path + ": its " + std::to_string(parts) + " parts are read as one mesh");
-  }
-  return mesh;
-}
-
 void requireArrays(const std::string& path, vtkDataSetAttributes* data, vtkIdType count, const char* what)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -328,6 +282,7 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   {
     mesh = readWith<vtkOBJReader>(path);
     dropIncompleteArrays(path, mesh, notes);
+    readObjTexture(mesh, path, notes);
   }
   else if (extension == ".ply")
   {

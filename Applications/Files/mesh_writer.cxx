@@ -1,4 +1,5 @@
 #include "mesh_file.h"
+#include "texture.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -54,6 +55,12 @@ void writePly(vtkPolyData* mesh, const std::string& path)
   {
     throw Failed(path + ": could not be written (is the disk full?)");
   }
+}
+
+// The array of the texture, for formats that keep it.
+vtkAbstractArray* keptTexture(vtkPolyData* mesh)
+{
+  return textureOf(mesh).empty() ? nullptr : mesh->GetFieldData()->GetAbstractArray(textureArray);
 }
 
 // Names the arrays of the mesh that are not among those kept.
@@ -153,11 +160,23 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
       "OBJ",
       { points->GetTCoords(),
         points->GetNormals(),
+        keptTexture(mesh),
         mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"),
         mesh->GetFieldData()->GetAbstractArray("MaterialNames"),
         mesh->GetCellData()->GetArray("MaterialIds") },
       notes);
-    write = [&](const std::string& file) { writeObj(mesh, file); };
+    std::string library;
+    if (mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"))
+    {
+      notes.push_back("OBJ names the material library that was read; it and its pictures are not copied");
+    }
+    else if (keptTexture(mesh))
+    {
+      requireWritable(path);
+      library = writeObjMaterial(mesh, path);
+      notes.push_back("OBJ keeps the texture beside it, in " + library);
+    }
+    write = [mesh, library](const std::string& file) { writeObj(mesh, file, library); };
   }
   else if (extension == ".ply")
   {
@@ -184,7 +203,10 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
   }
   else if (extension == ".gltf" || extension == ".glb")
   {
-    noteDropped(mesh, "glTF", { points->GetTCoords(), points->GetNormals(), coloursOf(mesh) }, notes);
+    noteDropped(mesh,
+      "glTF",
+      { points->GetTCoords(), points->GetNormals(), coloursOf(mesh), keptTexture(mesh) },
+      notes);
     single = true;
     write = [&](const std::string& file) { writeGltf(mesh, file, extension == ".glb"); };
   }

@@ -43,7 +43,7 @@ vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
 
 } // namespace
 
-void writeObj(vtkPolyData* mesh, const std::string& path)
+void writeObj(vtkPolyData* mesh, const std::string& path, const std::string& library)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();
   vtkDataArray* textures = usable(mesh->GetPointData()->GetTCoords(), 2, count);
@@ -55,6 +55,12 @@ void writeObj(vtkPolyData* mesh, const std::string& path)
   auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("MaterialNames"));
   vtkDataArray* materials =
     names ? usable(mesh->GetCellData()->GetArray("MaterialIds"), 1, mesh->GetNumberOfCells()) : nullptr;
+  if (!library.empty())
+  {
+    libraries = nullptr;
+    materials = nullptr;
+    stream << "mtllib " << library << '\n';
+  }
   for (vtkIdType i = 0; libraries && i < libraries->GetNumberOfValues(); ++i)
   {
     stream << "mtllib " << libraries->GetValue(i) << '\n';
@@ -85,6 +91,10 @@ void writeObj(vtkPolyData* mesh, const std::string& path)
   for (vtkIdType i = 0; normals && i < count; ++i)
   {
     writeTuple(stream, "vn", normals->GetTuple(i), 3);
+  }
+  if (!library.empty())
+  {
+    stream << "usemtl texture\n";
   }
   vtkIdType material = -1;
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());

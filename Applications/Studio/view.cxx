@@ -69,7 +69,6 @@ View::View(QWidget* parent)
   this->lights_->SetKeyToFillRatio(2.5);
 
   this->mesh_->SetMapper(this->meshMapper_);
-  this->meshMapper_->ScalarVisibilityOff();
   this->mesh_->GetProperty()->SetInterpolationToGouraud();
   this->mesh_->GetProperty()->SetSpecular(0.15);
   this->mesh_->GetProperty()->SetSpecularPower(20.0);
@@ -226,6 +225,7 @@ void View::mousePressEvent(QMouseEvent* event)
 void View::showMesh(vtkPolyData* mesh, bool reset)
 {
   this->meshMapper_->SetInputData(mesh);
+  this->skin_.dress(this->mesh_, this->meshMapper_, mesh);
   if (reset)
   {
     vtkCamera* camera = this->renderer_->GetActiveCamera();
@@ -327,7 +327,7 @@ void View::setDark(bool dark)
   {
     this->renderer_->SetBackground(0.13, 0.14, 0.16);
     this->renderer_->SetBackground2(0.22, 0.24, 0.27);
-    this->mesh_->GetProperty()->SetColor(0.78, 0.76, 0.73);
+    this->skin_.setPlain(this->mesh_, 0.78, 0.76, 0.73);
     this->mirror_->GetProperty()->SetColor(0.6, 0.8, 1.0);
     this->hint_->GetTextProperty()->SetColor(0.95, 0.95, 0.95);
   }
@@ -335,7 +335,7 @@ void View::setDark(bool dark)
   {
     this->renderer_->SetBackground(0.80, 0.82, 0.84);
     this->renderer_->SetBackground2(0.95, 0.96, 0.97);
-    this->mesh_->GetProperty()->SetColor(0.70, 0.69, 0.67);
+    this->skin_.setPlain(this->mesh_, 0.70, 0.69, 0.67);
     this->mirror_->GetProperty()->SetColor(0.2, 0.4, 0.7);
     this->hint_->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
   }

@@ -3,6 +3,7 @@
 #define oversketch_studio_view_h
 
 #include "session.h"
+#include "skin.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -78,6 +79,7 @@ private:
   vtkNew<vtkLightKit> lights_;
   vtkNew<vtkPolyDataMapper> meshMapper_, sectionMapper_, mirrorMapper_;
   vtkNew<vtkActor> mesh_, section_, mirror_;
+  Skin skin_; // of the mesh
   vtkNew<vtkPlaneSource> mirrorPlane_;
   vtkNew<vtkTextActor> hint_;
   vtkNew<vtkOversketchInteractorStyle> style_;

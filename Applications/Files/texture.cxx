@@ -1,0 +1,122 @@
+#include "texture.h"
+
+#include "files.h"
+
+#include "vtkFieldData.h"
+#include "vtkJPEGReader.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace oversketch_files
+{
+
+const char* const textureArray = "Texture";
+
+namespace
+{
+
+std::uint32_t bigWord(const std::string& bytes, std::size_t at)
+{
+  std::uint32_t value = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  }
+  return value;
+}
+
+// The sum that ends each chunk of a PNG (ISO 3309).
+std::uint32_t checksum(const std::string& bytes, std::size_t from, std::size_t to)
+{
+  std::uint32_t sum = 0xffffffff;
+  for (std::size_t i = from; i < to; ++i)
+  {
+    sum ^= static_cast<unsigned char>(bytes[i]);
+    for (int bit = 0; bit < 8; ++bit)
+    {
+      sum = (sum >> 1) ^ (sum & 1 ? 0xedb88320 : 0);
+    }
+  }
+  return ~sum;
+}
+
+// Every chunk whole, up to the end's: VTK 9.1 crashes on a PNG that breaks off.
+bool isWholePng(const std::string& bytes)
+{
+  for (std::size_t at = 8; at + 12 <= bytes.size();)
+  {
+    const std::size_t length = bigWord(bytes, at);
+    if (length > bytes.size() - at - 12 ||
+        checksum(bytes, at + 4, at + 8 + length) != bigWord(bytes, at + 8 + length))
+    {
+      return false;
+    }
+    if (bytes.compare(at + 4, 4, "IEND") == 0)
+    {
+      return true;
+    }
+    at += 12 + length;
+  }
+  return false;
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkImageData> read(const std::string& bytes)
+{
+  vtkNew<Reader> reader;
+  reader->SetMemoryBuffer(bytes.data());
+  reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
+  reader->Update();
+  const bool good =
+    takeError().empty() && reader->GetErrorCode() == 0 && reader->GetOutput()->GetNumberOfPoints() > 0;
+  return good ? reader->GetOutput() : nullptr;
+}
+
+} // namespace
+
+std::string textureOf(vtkPolyData* mesh)
+{
+  auto* array = vtkUnsignedCharArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(textureArray));
+  if (!array || array->GetNumberOfValues() == 0 || !mesh->GetPointData()->GetTCoords())
+  {
+    return {};
+  }
+  return { reinterpret_cast<const char*>(array->GetPointer(0)),
+    static_cast<std::size_t>(array->GetNumberOfValues()) };
+}
+
+void setTexture(vtkPolyData* mesh, const std::string& bytes)
+{
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(textureArray);
+  array->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
+  std::copy(bytes.begin(), bytes.end(), array->GetPointer(0));
+  mesh->GetFieldData()->AddArray(array);
+}
+
+std::string pictureFormatOf(const std::string& bytes)
+{
+  if (bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") == 0)
+  {
+    return "png";
+  }
+  return bytes.compare(0, 3, "\xff\xd8\xff") == 0 ? "jpeg" : "";
+}
+
+vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes)
+{
+  const std::string format = pictureFormatOf(bytes);
+  takeError();
+  if (format == "png")
+  {
+    return isWholePng(bytes) ? read<vtkPNGReader>(bytes) : nullptr;
+  }
+  return format == "jpeg" ? read<vtkJPEGReader>(bytes) : nullptr;
+}
+
+} // namespace oversketch_files

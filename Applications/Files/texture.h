@@ -1,0 +1,28 @@
+// The picture that a mesh wears: it travels with the mesh, through filters and sessions, as a field array.
+#ifndef oversketch_files_texture_h
+#define oversketch_files_texture_h
+
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace oversketch_files
+{
+
+// Field array of unsigned char, one component: the bytes of a PNG or JPEG file, as they were read. It belongs
+// to the active texture coordinates, which count v from the picture's lower edge, and repeats beyond [0, 1].
+extern const char* const textureArray;
+
+// The bytes, "" where the mesh has none.
+std::string textureOf(vtkPolyData* mesh);
+void setTexture(vtkPolyData* mesh, const std::string& bytes);
+
+// "png", "jpeg", or "" for other bytes.
+std::string pictureFormatOf(const std::string& bytes);
+// The picture; null where it cannot be read.
+vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes);
+
+} // namespace oversketch_files
+#endif

@@ -1,0 +1,39 @@
+// What a mesh wears in the view: its texture, else its own colours, else none.
+#ifndef oversketch_studio_skin_h
+#define oversketch_studio_skin_h
+
+#include "vtkNew.h"
+
+#include <string>
+
+class vtkActor;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkTexture;
+
+namespace oversketch_studio
+{
+
+class Skin
+{
+public:
+  Skin();
+  ~Skin();
+  Skin(const Skin&) = delete;
+  Skin& operator=(const Skin&) = delete;
+
+  // Shows the mesh so; a plain one has the colour of setPlain.
+  void dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh);
+  void setPlain(vtkActor* actor, double red, double green, double blue);
+
+private:
+  void colour(vtkActor* actor);
+
+  vtkNew<vtkTexture> texture_;
+  std::string bytes_; // of the texture, which is decoded once
+  bool textured_ = false;
+  double plain_[3] = { 1.0, 1.0, 1.0 };
+};
+
+} // namespace oversketch_studio
+#endif
