@@ -14,6 +14,7 @@ import numpy
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader
@@ -76,13 +77,17 @@ class Sitting:
     def draw(self, stroke, **more):
         self.desk.drag([(self.view.left + self.scale * x, self.view.top + self.scale * y) for x, y in stroke], **more)
 
-    def session(self):
-        """The autosave of the running program, once its result is there."""
+    def autosave(self):
+        """Where the running program keeps its session; None before it does."""
         folder = self.home / "state" / "oversketch" / "autosave"
-        mine = [f for f in folder.glob("*-%d" % self.studio.process.pid) if (f / "session.json").exists()]
-        if not mine:
+        return next((f for f in folder.glob("*-%d" % self.studio.process.pid) if (f / "session.json").exists()), None)
+
+    def session(self):
+        """The autosave, once its result is there."""
+        kept = self.autosave()
+        if not kept:
             return None
-        document = json.loads((mine[0] / "session.json").read_text())
+        document = json.loads((kept / "session.json").read_text())
         return document if document["result_md5"] else None
 
     def shows(self, strokes, other_than=None):
@@ -104,14 +109,14 @@ class Sitting:
         until(lambda: len(self.desk.windows()) == 1, "the dialogue is closed")
         self.desk.focus(self.desk.windows()[0][0])
 
-    def picture(self, path, answer="No"):
-        """What the program saves of the model; without overlays, which belong to the fonts."""
+    def picture(self, path, overlays=False):
+        """What the program saves of the model; without overlays, which belong to the fonts. A quarter of the pixels of scale 1."""
         self.desk.key("F12")
         self.dialogue()
         self.desk.key("ctrl+a")
         self.desk.type(str(path))
         self.desk.key("Return")
-        self.click("push button", answer)
+        self.click("push button", "Yes" if overlays else "No")
         until(path.exists, "the picture")
         self.alone()
         image = vtkPNGReader()
@@ -120,7 +125,7 @@ class Sitting:
         assert image.GetOutput().GetDimensions()[:2] == tuple(self.scale * value for value in VIEW)
         half = vtkImageShrink3D()
         half.SetInputConnection(image.GetOutputPort())
-        half.SetShrinkFactors(2, 2, 1)
+        half.SetShrinkFactors(2 * self.scale, 2 * self.scale, 1)
         half.Update()
         return half.GetOutput()
 
@@ -155,6 +160,15 @@ def sitting(tmp_path):
     yield made
     if made.studio and made.studio.process.poll() is None:
         made.studio.kill()
+
+
+def pixels_of(path):
+    """Rows from the top."""
+    image = vtkPNGReader()
+    image.SetFileName(str(path))
+    image.Update()
+    width, height, _ = image.GetOutput().GetDimensions()
+    return vtk_to_numpy(image.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3]
 
 
 def redder(picture):
@@ -270,6 +284,62 @@ def test_a_sitting_with_a_crash_in_it(sitting, tmp_path):
                             capture_output=True, text=True)
     assert replay.returncode == 0 and "not bit for bit" not in replay.stderr, replay.stderr
     assert digest(mesh(out)) == three
+
+
+def outcome(sitting, path):
+    """What the session that is shown gives, made by the command."""
+    environment = dict(os.environ, OVERSKETCH_OPENCL="off")
+    subprocess.run([os.environ["OVERSKETCH_COMMAND"], "replay", sitting.autosave(), "-o", path], env=environment, check=True,
+                   capture_output=True)
+    return mesh(path)
+
+
+def farthest(a, b):
+    """The longest way from a point of one mesh to the other mesh."""
+    to = vtkImplicitPolyDataDistance()
+    to.SetInput(b)
+    return max(abs(to.EvaluateFunction(a.GetPoint(i))) for i in range(a.GetNumberOfPoints()))
+
+
+def test_a_screen_twice_as_dense(tmp_path):
+    """The same hand over the same place draws the same, in finer steps; lines and texts are as large to the eye."""
+    meshes, pictures, lines, texts, samples = [], [], [], [], []
+    for scale in (1, 2):
+        made = Sitting(tmp_path / str(scale))
+        try:
+            made.start(scale=scale)
+            made.shows(0)
+            made.fit()
+            made.alone()
+            file = tmp_path / f"hint{scale}.png"
+            made.picture(file, overlays=True)
+            pixels = pixels_of(file)
+            rows, columns = numpy.nonzero(pixels[:int(0.3 * len(pixels))].min(axis=2) > 200)
+            texts.append((numpy.ptp(rows), numpy.ptp(columns)))
+            made.draw(TAIL)
+            made.shows(1)
+            file = tmp_path / f"drawn{scale}.png"
+            made.picture(file, overlays=True)
+            pixels = pixels_of(file).astype(int)
+            lines.append((pixels[:, :, 0] > 60 + pixels[:, :, 1:].max(axis=2)).sum())
+            pictures.append(made.picture(tmp_path / f"bare{scale}.png"))
+            meshes.append(outcome(made, tmp_path / f"result{scale}.vtp"))
+            stroke = mesh(next((made.autosave() / "strokes").glob("*.vtp")))
+            assert tuple(stroke.GetCellData().GetArray("ViewportSize").GetTuple(0)) == tuple(scale * v for v in VIEW)
+            samples.append(vtk_to_numpy(stroke.GetPoints().GetData())[:, :2] / scale)
+        finally:
+            made.studio.kill()
+    assert numpy.array(texts[1]) / texts[0] == pytest.approx(2.0, rel=0.1), texts
+    assert 3.0 < lines[1] / lines[0] < 5.0, lines
+    for side in (numpy.min, numpy.max):
+        assert numpy.abs(side(samples[0], axis=0) - side(samples[1], axis=0)).max() < 2.0
+    print("Scales 1 and 2 differ by", compare.difference(*pictures), "of", compare.LIMIT)
+    assert compare.difference(*pictures) < compare.LIMIT
+    assert compare.difference(pictures[0], compare.read("studio_opened")) > 10 * compare.LIMIT
+    pixel = meshes[0].GetLength() / 700.0
+    apart = [farthest(*meshes) / pixel, farthest(*meshes[::-1]) / pixel]
+    print("Their meshes are", apart, "px apart")
+    assert max(apart) < 2.0
 
 
 def test_a_file_is_dropped_on_the_window(sitting):
