@@ -63,7 +63,7 @@ function (oversketch_gtest name)
     vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType)
     # Without -noreset the server starts anew whenever the last window is gone, and the next one meets it half up.
     add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:${name}>)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 600 ENVIRONMENT "${oversketch_test_caches}")
+    set_tests_properties(${name} PROPERTIES TIMEOUT 1500 ENVIRONMENT "${oversketch_test_caches}")
     return()
   endif ()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600

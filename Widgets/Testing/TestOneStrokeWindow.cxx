@@ -147,7 +147,7 @@ TEST(Random, EventsOnTheOneStrokeWidget)
   Quiet quiet;
   // OVERSKETCH_SEQUENCES: how many sequences of 200 events.
   const char* asked = std::getenv("OVERSKETCH_SEQUENCES");
-  const unsigned sequences = asked ? static_cast<unsigned>(std::atoi(asked)) : 100;
+  const unsigned sequences = asked ? static_cast<unsigned>(std::atoi(asked)) : 20;
   const std::vector<unsigned long> mouse{ vtkCommand::LeftButtonPressEvent,
     vtkCommand::LeftButtonPressEvent,
     vtkCommand::LeftButtonPressEvent,
