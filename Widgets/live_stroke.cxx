@@ -6,11 +6,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkExecutive.h"
-#include "vtkIdList.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkTrivialProducer.h"
 
@@ -188,27 +184,10 @@ bool LiveStroke::middle(double place[3])
 vtkSmartPointer<vtkPolyData> LiveStroke::region()
 {
   auto part = vtkSmartPointer<vtkPolyData>::New();
-  vtkPolyData* mesh = this->acted_
-                        ? this->system_->GetInnerOutput(this->system_->GetRemeshed() ? "Restore" : "Deform")
-                        : nullptr;
-  vtkDataArray* inside = mesh ? mesh->GetPointData()->GetArray("Region") : nullptr;
-  if (!inside)
+  if (this->acted_)
   {
-    return part;
+    this->system_->GetRegion(part);
   }
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
-  {
-    mesh->GetPolys()->GetCellAtId(t, ids);
-    if (inside->GetComponent(ids->GetId(0), 0) != 0.0 && inside->GetComponent(ids->GetId(1), 0) != 0.0 &&
-        inside->GetComponent(ids->GetId(2), 0) != 0.0)
-    {
-      triangles->InsertNextCell(ids);
-    }
-  }
-  part->SetPoints(mesh->GetPoints());
-  part->SetPolys(triangles);
   return part;
 }
 

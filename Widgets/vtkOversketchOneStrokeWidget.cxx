@@ -72,6 +72,9 @@ vtkOversketchOneStrokeWidget::vtkOversketchOneStrokeWidget()
   this->Ear->SetClientData(this);
   this->Ear->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
     { static_cast<vtkOversketchOneStrokeWidget*>(self)->Heard(event); });
+  this->FrameEar->SetClientData(this);
+  this->FrameEar->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<vtkOversketchOneStrokeWidget*>(self)->FindSection(); });
   for (const unsigned long event : { vtkCommand::StartInteractionEvent,
          vtkCommand::InteractionEvent,
          vtkCommand::EndInteractionEvent,
@@ -263,6 +266,11 @@ void vtkOversketchOneStrokeWidget::SetEnabled(int enabling)
       this->Watched->RemoveObserver(this->Ear);
       this->Watched = nullptr;
     }
+    if (this->WatchedWindow)
+    {
+      this->WatchedWindow->RemoveObserver(this->FrameEar);
+      this->WatchedWindow = nullptr;
+    }
   }
   const bool before = this->Enabled;
   this->Superclass::SetEnabled(enabling);
@@ -274,6 +282,8 @@ void vtkOversketchOneStrokeWidget::SetEnabled(int enabling)
     this->Pen->SetEnabled(1);
     this->Watched = this->CurrentRenderer;
     this->Watched->AddObserver(vtkCommand::StartEvent, this->Ear);
+    this->WatchedWindow = this->Watched->GetRenderWindow();
+    this->WatchedWindow->AddObserver(vtkCommand::StartEvent, this->FrameEar);
     this->Update();
   }
 }
@@ -322,7 +332,7 @@ void vtkOversketchOneStrokeWidget::Heard(unsigned long event)
       this->MakeCurvesReady();
       break;
     case vtkCommand::InteractionEvent:
-      this->FindSection();
+      this->Extended = true;
       break;
     case vtkCommand::EndInteractionEvent:
       this->GetOneStrokeRepresentation()->ShowStrokeOn();
@@ -348,8 +358,14 @@ void vtkOversketchOneStrokeWidget::MakeCurvesReady()
   this->Inner->live.section(stroke, none);
 }
 
+// Once a frame, however many samples have come since the last.
 void vtkOversketchOneStrokeWidget::FindSection()
 {
+  if (!this->Extended || !this->Pen->IsDrawing())
+  {
+    return;
+  }
+  this->Extended = false;
   vtkNew<vtkPolyData> stroke, section;
   // What a part of a stroke would take hold of alone says nothing.
   if (!this->Redrawing)
@@ -464,7 +480,7 @@ void vtkOversketchOneStrokeWidget::Press(vtkAbstractWidget* widget)
     {
       // The frame that the pen draws over is to be without the live stroke.
       representation->ShowStrokeOff();
-      self->Render();
+      self->CurrentRenderer->GetRenderWindow()->Render();
       if (!self->Pen->BeginStroke(at[0], at[1], self->Pen->GetPressure()))
       {
         representation->ShowStrokeOn();

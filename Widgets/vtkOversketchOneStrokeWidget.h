@@ -31,7 +31,8 @@
  *
  * The preview is the last deformation with all its targets moved (vtkOversketchOneStroke::Drag); what is
  * shown after the release is the system's own result on the moved stroke. The curves that the section is
- * found on are made when the cursor first moves in a view, at the latest when the pen goes down.
+ * found on are made when the cursor first moves in a view, at the latest when the pen goes down; the section
+ * is found once a frame.
  *
  * Fires StartInteractionEvent, InteractionEvent and EndInteractionEvent for a stroke that is drawn and for
  * one that is moved, and WidgetValueChangedEvent when GetStroke() and the output have changed.
@@ -46,7 +47,7 @@
 #include "OversketchWidgetsModule.h" // For export macro
 #include "vtkAbstractWidget.h"
 #include "vtkNew.h"         // For Pen
-#include "vtkWeakPointer.h" // For Watched
+#include "vtkWeakPointer.h" // For Watched, WatchedWindow
 
 #include <memory>
 #include <string>
@@ -57,6 +58,7 @@ class vtkOversketchOneStroke;
 class vtkOversketchOneStrokeRepresentation;
 class vtkOversketchStrokeWidget;
 class vtkPolyData;
+class vtkRenderWindow;
 
 class OVERSKETCHWIDGETS_EXPORT vtkOversketchOneStrokeWidget : public vtkAbstractWidget
 {
@@ -193,11 +195,13 @@ private:
   bool ShowRegion = false;
   bool RunsStrokes = true;
   double GrabDistance = 6.0;
-  bool Moving = false, Moved = false, Redrawing = false, PressedOver = false, NewStroke = false;
+  bool Moving = false, Moved = false, Redrawing = false, PressedOver = false, Extended = false,
+       NewStroke = false;
   int Grip[2] = { 0, 0 }; // px
   vtkNew<vtkOversketchStrokeWidget> Pen;
-  vtkNew<vtkCallbackCommand> Ear;
+  vtkNew<vtkCallbackCommand> Ear, FrameEar;
   vtkWeakPointer<vtkRenderer> Watched;
+  vtkWeakPointer<vtkRenderWindow> WatchedWindow;
 
   struct Internals;
   std::unique_ptr<Internals> Inner;

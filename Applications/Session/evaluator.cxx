@@ -72,6 +72,43 @@ void hearError(const void* data, std::string& first)
   }
 }
 
+std::shared_ptr<const Following> followingOf(vtkOversketchOneStroke* system)
+{
+  vtkPoints* rest = system->GetOutput()->GetPoints();
+  auto following = std::make_shared<Following>();
+  following->count = rest->GetNumberOfPoints();
+  vtkNew<vtkPoints> moved[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double unit[3] = { 0.0, 0.0, 0.0 };
+    unit[axis] = 1.0;
+    moved[axis]->SetDataTypeToDouble();
+    moved[axis]->SetNumberOfPoints(following->count);
+    if (!system->Drag(unit, moved[axis]))
+    {
+      return nullptr;
+    }
+  }
+  for (vtkIdType i = 0; i < following->count; ++i)
+  {
+    std::array<float, 9> moves{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        moves[static_cast<std::size_t>(3 * axis + k)] =
+          static_cast<float>(moved[axis]->GetPoint(i)[k] - rest->GetPoint(i)[k]);
+      }
+    }
+    if (moves != std::array<float, 9>{})
+    {
+      following->points.push_back(i);
+      following->moves.push_back(moves);
+    }
+  }
+  return following;
+}
+
 // Hears the system while it runs.
 class Ear
 {
@@ -166,7 +203,10 @@ void Evaluator::keep(const Key& key, const Outcome& outcome, std::size_t inUse)
 {
   // A mesh passed by is another outcome's.
   const std::size_t bytes =
-    outcome.failure.empty() ? std::size_t(1024) * outcome.mesh->GetActualMemorySize() : 0;
+    outcome.failure.empty()
+      ? std::size_t(1024) * (outcome.mesh->GetActualMemorySize() + outcome.region->GetActualMemorySize()) +
+          (outcome.following ? outcome.following->points.size() * (sizeof(vtkIdType) + sizeof(float) * 9) : 0)
+      : 0;
   this->kept_.push_front({ key, outcome, bytes });
   std::size_t sum = 0;
   std::size_t count = 0;
@@ -241,6 +281,12 @@ bool Evaluator::runOne(const Action& action,
   outcome.failure = failure;
   outcome.mesh = failure.empty() ? shared(made) : vtkSmartPointer<vtkPolyData>(mesh);
   outcome.matched = failure.empty() ? shared(system->GetInnerOutput("Match")) : nullptr;
+  if (failure.empty())
+  {
+    outcome.region = vtkSmartPointer<vtkPolyData>::New();
+    system->GetRegion(outcome.region);
+    outcome.following = followingOf(system);
+  }
   return true;
 }
 

@@ -4,9 +4,11 @@
 
 #include "session.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <list>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,15 @@ class vtkOversketchOneStroke;
 
 namespace oversketch_session
 {
+
+// How a node's mesh follows while its stroke is moved by hand, a preview: point points[i] goes by the sum of
+// the vector's x, y, z [world] times the three vectors of moves[i].
+struct Following
+{
+  vtkIdType count = 0; // of the mesh's points
+  std::vector<vtkIdType> points;
+  std::vector<std::array<float, 9>> moves;
+};
 
 // What a node made.
 struct Outcome
@@ -23,6 +34,9 @@ struct Outcome
   // Where it took hold, with the polyline itself; absent where it did nothing.
   std::optional<Section> section;
   vtkSmartPointer<vtkPolyData> matched;
+  // The part of the mesh that it moved, as a mesh of its own, and how it follows; null where it did nothing.
+  vtkSmartPointer<vtkPolyData> region;
+  std::shared_ptr<const Following> following;
   // True when that is another place than when it was committed: its middle is further from the committed one
   // than half the length of the shorter of both.
   bool elsewhere = false;

@@ -169,7 +169,12 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   result.ticket = ticket;
   for (const Outcome& outcome : outcomes)
   {
-    result.nodes.push_back({ outcome.failure, outcome.section, copied(outcome.matched), outcome.elsewhere });
+    result.nodes.push_back({ outcome.failure,
+      outcome.section,
+      copied(outcome.matched),
+      outcome.elsewhere,
+      copied(outcome.region),
+      outcome.following });
   }
   vtkPolyData* shown = resultOf(session, outcomes);
   result.mesh = copied(shown);

@@ -29,6 +29,9 @@ public:
     std::optional<Section> section;
     vtkSmartPointer<vtkPolyData> matched; // the place itself, a polyline; null where it did nothing
     bool elsewhere = false;
+    // What it moved, and how that follows while the stroke is moved by hand; null where it did nothing.
+    vtkSmartPointer<vtkPolyData> region;
+    std::shared_ptr<const Following> following;
   };
   // What a session made. Meshes are copies that nobody else touches.
   struct Result

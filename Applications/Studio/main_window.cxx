@@ -87,13 +87,16 @@ MainWindow::MainWindow(QWidget* parent)
       if (!this->drawn_)
       {
         this->view_->clearStroke(); // it tells nothing of what is shown from here on
+        this->offered_ = -1;
       }
       this->view_->showSection(nullptr);
+      this->view_->showRegion(nullptr);
       this->refresh();
     });
   connect(this->document_, &Document::shown, this, &MainWindow::showResult);
   connect(this->document_, &Document::idle, this, &MainWindow::refresh);
   connect(this->view_, &View::strokeDrawn, this, &MainWindow::strokeDrawn);
+  connect(this->view_, &View::strokeChanged, this, &MainWindow::strokeChanged);
   connect(this->view_, &View::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
   connect(this->history_,
     &HistoryPanel::redrawAsked,
@@ -103,6 +106,7 @@ MainWindow::MainWindow(QWidget* parent)
       this->redrawn_ = node;
       this->setDrawing(true);
       this->view_->lookFrom(this->document_->session().nodes[static_cast<std::size_t>(node)].action->stroke);
+      this->offerStroke();
       this->advise();
     });
   connect(this->history_,
@@ -363,13 +367,26 @@ void MainWindow::strokeDrawn(vtkPolyData* stroke)
   if (this->redrawn_ >= 0 &&
       static_cast<std::size_t>(this->redrawn_) < this->document_->session().nodes.size())
   {
-    this->document_->redraw(this->redrawn_, stroke);
+    this->offered_ = this->redrawn_;
     this->redrawn_ = -1;
+    this->document_->redraw(this->offered_, stroke);
     this->drawn_ = false;
     return;
   }
+  this->offered_ = static_cast<int>(this->document_->session().nodes.size());
   this->document_->addStroke(stroke, {}, this->document_->mirrorPlane(this->mirror_->currentIndex()));
   this->drawn_ = false;
+}
+
+void MainWindow::strokeChanged(vtkPolyData* stroke)
+{
+  if (this->offered_ >= 0 &&
+      static_cast<std::size_t>(this->offered_) < this->document_->session().nodes.size())
+  {
+    this->drawn_ = true;
+    this->document_->redraw(this->offered_, stroke);
+    this->drawn_ = false;
+  }
 }
 
 void MainWindow::setDrawing(bool drawing)
@@ -406,6 +423,7 @@ void MainWindow::select(int node)
 {
   this->redrawn_ = -1;
   this->showSection(node);
+  this->offerStroke();
   this->advise();
 }
 
@@ -417,6 +435,36 @@ void MainWindow::showSection(int node)
                              : nullptr);
 }
 
+void MainWindow::offerStroke()
+{
+  const auto& nodes = this->document_->session().nodes;
+  const auto& states = this->document_->result().nodes;
+  const int last = static_cast<int>(nodes.size()) - 1;
+  const int node = this->history_->current() >= 0 ? this->history_->current() : last;
+  this->offered_ = -1;
+  this->view_->showRegion(nullptr);
+  // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
+  if (this->redrawn_ >= 0 || node < 0 || node > last || states.size() != nodes.size() ||
+      !nodes[static_cast<std::size_t>(node)].on || this->document_->isBusy())
+  {
+    this->view_->clearStroke();
+    return;
+  }
+  const auto& state = states[static_cast<std::size_t>(node)];
+  Point place{};
+  if (state.section)
+  {
+    place = state.section->middle;
+  }
+  else
+  {
+    this->document_->session().mesh->GetCenter(place.data());
+  }
+  this->offered_ = node;
+  this->view_->offerStroke(nodes[static_cast<std::size_t>(node)].action->stroke, place, state.following);
+  this->view_->showRegion(this->region_->isChecked() ? state.region : nullptr);
+}
+
 void MainWindow::showResult()
 {
   const Worker::Result& result = this->document_->result();
@@ -424,6 +472,10 @@ void MainWindow::showResult()
   this->view_->showMesh(result.display, this->reset_);
   this->reset_ = false;
   this->showSection(this->history_->current());
+  if (!this->document_->isBusy())
+  {
+    this->offerStroke();
+  }
   this->refresh();
 }
 
@@ -486,7 +538,8 @@ void MainWindow::advise()
   else
   {
     this->advice_->setText(
-      tr("Draw on, or change a stroke on the right. Ctrl+Z undoes. The middle button turns the model."));
+      tr("Draw on, or drag the red line to move the stroke (Shift: draw a part anew). Ctrl+Z undoes. The "
+         "middle button turns the model."));
   }
 }
 

@@ -68,6 +68,7 @@ private:
   // Whether what is not saved may be left.
   bool mayLeave();
   void strokeDrawn(vtkPolyData* stroke);
+  void strokeChanged(vtkPolyData* stroke);
   void setDrawing(bool drawing);
   void askPreferences();
   void apply(const Preferences& preferences);
@@ -75,6 +76,8 @@ private:
   void advise();
   void select(int node);
   void showSection(int node); // where the stroke took hold
+  // The stroke that can be taken hold of: the selected one, else the last.
+  void offerStroke();
   void showResult();
 
   Document* document_;
@@ -89,10 +92,11 @@ private:
   QTimer* patience_; // progress is shown for what takes longer than a moment
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *save_ = nullptr, *draw_ = nullptr, *turn_ = nullptr,
-          *dark_ = nullptr;
+          *dark_ = nullptr, *region_ = nullptr;
   QComboBox* mirror_ = nullptr;
   Preferences preferences_;
   int redrawn_ = -1; // the stroke that the next one replaces
+  int offered_ = -1; // the one that can be taken hold of in the view
   bool reset_ = false;
   bool drawn_ = false; // the change that is on its way is a stroke just drawn
 };

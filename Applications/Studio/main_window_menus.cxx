@@ -109,6 +109,9 @@ void MainWindow::makeMenus()
       this->preferences_.write();
     });
   this->dark_->setCheckable(true);
+  this->region_ =
+    this->add(show, tr("&Region that moves"), QKeySequence(tr("O")), [this] { this->offerStroke(); });
+  this->region_->setCheckable(true);
   QAction* history = this->dock_->toggleViewAction();
   history->setText(tr("&History"));
   show->addAction(history);

@@ -4,6 +4,9 @@
 #include "latency.h"
 
 #include "vtkOversketchInteractorStyle.h"
+#include "vtkOversketchOneStroke.h"
+#include "vtkOversketchOneStrokeRepresentation.h"
+#include "vtkOversketchOneStrokeWidget.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 
@@ -19,6 +22,7 @@
 #include "vtkPNGWriter.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -47,7 +51,8 @@ namespace
 
 // The paper's colour of a silhouette section.
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
-constexpr float lineWidth = 3.0F; // px as Qt counts them, of the stroke and of the section
+constexpr float lineWidth = 3.0F;    // px as Qt counts them, of the stroke and of the section
+constexpr double grabDistance = 6.0; // px as Qt counts them
 
 // Ambient occlusion would make a picture drawn by the processor wait.
 bool drawsOnProcessor(vtkRenderWindow* window)
@@ -102,8 +107,11 @@ View::View(QWidget* parent)
 
   this->interactor()->SetInteractorStyle(this->style_);
   this->style_->SetDefaultRenderer(this->renderer_);
-  this->pen_->SetInteractor(this->interactor());
-  this->pen_->SetDefaultRenderer(this->renderer_);
+  this->widget_->RunsStrokesOff();
+  // The curves under the pen are found in this thread: by the processor, which need not be waited for.
+  this->widget_->GetOneStroke()->SetBackendToHost();
+  this->widget_->SetInteractor(this->interactor());
+  this->widget_->SetDefaultRenderer(this->renderer_);
 
   this->ear_->SetClientData(this);
   this->ear_->SetCallback(
@@ -113,15 +121,39 @@ View::View(QWidget* parent)
       if (event == vtkCommand::WidgetValueChangedEvent)
       {
         Latency::of().strokeEnd();
-        emit view->strokeDrawn(view->pen_->GetStroke());
+        if (view->widget_->IsNew())
+        {
+          view->following_ = nullptr; // until it has been run
+          emit view->strokeDrawn(view->widget_->GetStroke());
+        }
+        else
+        {
+          if (view->preview_)
+          {
+            view->meshMapper_->SetInputData(view->preview_);
+          }
+          emit view->strokeChanged(view->widget_->GetStroke());
+        }
       }
       else if (event == vtkCommand::InteractionEvent)
       {
-        Latency::of().sample();
+        if (view->widget_->IsMoving())
+        {
+          view->followHand();
+        }
+        else
+        {
+          Latency::of().sample();
+        }
+      }
+      else if (event == vtkCommand::EndInteractionEvent)
+      {
+        view->letGo();
       }
       else if (event == vtkCommand::StartInteractionEvent)
       {
         view->hint_->VisibilityOff();
+        view->preview_ = nullptr;
       }
       else if (event == vtkCommand::RenderEvent)
       {
@@ -140,9 +172,13 @@ View::View(QWidget* parent)
   this->interactor()->AddObserver(vtkCommand::RenderEvent, this->ear_);
   // Key q, by the style.
   this->interactor()->AddObserver(vtkCommand::ExitEvent, this->ear_);
-  this->pen_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
-  this->pen_->AddObserver(vtkCommand::InteractionEvent, this->ear_);
-  this->pen_->AddObserver(vtkCommand::WidgetValueChangedEvent, this->ear_);
+  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
+         vtkCommand::InteractionEvent,
+         vtkCommand::EndInteractionEvent,
+         vtkCommand::WidgetValueChangedEvent })
+  {
+    this->widget_->AddObserver(event, this->ear_);
+  }
   this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Model"));
@@ -154,10 +190,15 @@ View::View(QWidget* parent)
 View::~View()
 {
   this->interactor()->RemoveObserver(this->ear_);
-  this->pen_->RemoveObserver(this->ear_);
+  this->widget_->RemoveObserver(this->ear_);
   this->style_->RemoveObserver(this->ear_);
-  this->pen_->SetEnabled(0);
-  this->pen_->SetInteractor(nullptr);
+  this->widget_->SetEnabled(0);
+  this->widget_->SetInteractor(nullptr);
+}
+
+vtkOversketchStrokeWidget* View::pen() const
+{
+  return this->widget_->GetPen();
 }
 
 void View::render()
@@ -208,8 +249,15 @@ void View::fitScreen()
 {
   const double ratio = this->devicePixelRatioF();
   this->section_->GetProperty()->SetLineWidth(static_cast<float>(lineWidth * ratio));
-  this->pen_->GetStrokeRepresentation()->GetProperty()->SetLineWidth(static_cast<float>(lineWidth * ratio));
-  this->pen_->SetStabilizer(this->stabilizer_ * ratio);
+  vtkOversketchStrokeRepresentation* drawn = this->pen()->GetStrokeRepresentation();
+  for (vtkProperty2D* line : { drawn->GetProperty(),
+         drawn->GetSectionProperty(),
+         this->widget_->GetOneStrokeRepresentation()->GetProperty() })
+  {
+    line->SetLineWidth(static_cast<float>(lineWidth * ratio));
+  }
+  this->widget_->SetGrabDistance(grabDistance * ratio);
+  this->pen()->SetStabilizer(this->stabilizer_ * ratio);
   this->placeHint();
 }
 
@@ -226,6 +274,7 @@ void View::showMesh(vtkPolyData* mesh, bool reset)
 {
   this->meshMapper_->SetInputData(mesh);
   this->skin_.dress(this->mesh_, this->meshMapper_, mesh);
+  this->widget_->SetInputData(mesh);
   if (reset)
   {
     vtkCamera* camera = this->renderer_->GetActiveCamera();
@@ -346,18 +395,79 @@ void View::setDark(bool dark)
 void View::setDrawing(bool drawing)
 {
   this->drawing_ = drawing;
-  this->pen_->SetEnabled(drawing ? 1 : 0);
+  this->widget_->SetEnabled(drawing ? 1 : 0);
   if (!drawing)
   {
     this->style_->SetModeToNavigate();
   }
-  this->setCursor(drawing ? Qt::CrossCursor : Qt::OpenHandCursor);
+  this->setDefaultCursor(drawing ? Qt::CrossCursor : Qt::OpenHandCursor);
+  this->setCursor(this->defaultCursor());
 }
 
 void View::clearStroke()
 {
-  this->pen_->GetStrokeRepresentation()->Clear();
+  this->offerStroke(nullptr, {}, nullptr);
+}
+
+void View::showRegion(vtkPolyData* region)
+{
+  this->widget_->GetOneStrokeRepresentation()->SetRegion(region);
   this->render();
+}
+
+void View::offerStroke(vtkPolyData* stroke,
+  const oversketch_session::Point& place,
+  const std::shared_ptr<const oversketch_session::Following>& following)
+{
+  this->following_ = stroke ? following : nullptr;
+  this->widget_->SetStrokeAt(stroke, place.data());
+  this->render();
+}
+
+// The mesh under the hand: a preview, until the document has run the moved stroke.
+void View::followHand()
+{
+  vtkPolyData* shown = this->meshMapper_->GetInput();
+  if (!this->following_ || !shown ||
+      (!this->preview_ && shown->GetNumberOfPoints() != this->following_->count))
+  {
+    return;
+  }
+  if (!this->preview_)
+  {
+    this->held_ = shown;
+    this->preview_ = vtkSmartPointer<vtkPolyData>::New();
+    this->preview_->ShallowCopy(shown);
+    vtkNew<vtkPoints> points;
+    points->SetDataType(shown->GetPoints()->GetDataType());
+    points->DeepCopy(shown->GetPoints());
+    this->preview_->SetPoints(points);
+    this->meshMapper_->SetInputData(this->preview_);
+  }
+  const double* by = this->widget_->GetTranslation();
+  for (std::size_t i = 0; i < this->following_->points.size(); ++i)
+  {
+    double place[3];
+    this->held_->GetPoint(this->following_->points[i], place);
+    const std::array<float, 9>& moves = this->following_->moves[i];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      place[k] += by[0] * moves[k] + by[1] * moves[3 + k] + by[2] * moves[6 + k];
+    }
+    this->preview_->GetPoints()->SetPoint(this->following_->points[i], place);
+  }
+  this->preview_->GetPoints()->Modified();
+  this->preview_->Modified();
+}
+
+// The mesh is as it was. Of a stroke that was moved the preview stays until the result comes: see the
+// constructor.
+void View::letGo()
+{
+  if (this->preview_ && this->meshMapper_->GetInput() == this->preview_)
+  {
+    this->meshMapper_->SetInputData(this->held_);
+  }
 }
 
 void View::setStabilizer(double pixels)
@@ -414,8 +524,11 @@ void View::screenshot(const QString& path, bool overlays)
   const int section = this->section_->GetVisibility(), mirror = this->mirror_->GetVisibility(),
             hint = this->hint_->GetVisibility();
   const bool keys = this->style_->GetShowKeys();
+  vtkProp* lines = this->widget_->GetOneStrokeRepresentation();
+  const int shown = lines->GetVisibility();
   if (!overlays)
   {
+    lines->VisibilityOff();
     this->section_->VisibilityOff();
     this->mirror_->VisibilityOff();
     this->hint_->VisibilityOff();
@@ -430,6 +543,7 @@ void View::screenshot(const QString& path, bool overlays)
   this->mirror_->SetVisibility(mirror);
   this->hint_->SetVisibility(hint);
   this->style_->SetShowKeys(keys);
+  lines->SetVisibility(shown);
   this->render();
   oversketch_files::writeWhole(path.toStdString(),
     [&](const std::string& file)
@@ -449,7 +563,7 @@ void View::screenshot(const QString& path, bool overlays)
 void View::tabletEvent(QTabletEvent* event)
 {
   // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  this->pen_->SetPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+  this->pen()->SetPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
   event->ignore();
 }
 

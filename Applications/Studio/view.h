@@ -2,6 +2,7 @@
 #ifndef oversketch_studio_view_h
 #define oversketch_studio_view_h
 
+#include "evaluator.h"
 #include "session.h"
 #include "skin.h"
 
@@ -10,6 +11,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <memory>
 #include <optional>
 
 class vtkActor;
@@ -17,6 +19,7 @@ class vtkCallbackCommand;
 class vtkGenericOpenGLRenderWindow;
 class vtkLightKit;
 class vtkOversketchInteractorStyle;
+class vtkOversketchOneStrokeWidget;
 class vtkOversketchStrokeWidget;
 class vtkPlaneSource;
 class vtkPolyData;
@@ -39,6 +42,13 @@ public:
   void showMesh(vtkPolyData* mesh, bool reset);
   // Where a stroke took hold (blue); null shows none.
   void showSection(vtkPolyData* section);
+  // The part of the model that a stroke moved (orange); null shows none.
+  void showRegion(vtkPolyData* region);
+  // The stroke that can be taken hold of, a place in the plane that it stands in, and how the mesh that is
+  // shown follows it (null: the line goes alone); a null stroke offers none.
+  void offerStroke(vtkPolyData* stroke,
+    const oversketch_session::Point& place,
+    const std::shared_ptr<const oversketch_session::Following>& following);
   void showMirror(const std::optional<oversketch_session::MirrorPlane>& plane);
   // A line at the top of the model that says where to draw; empty shows none.
   void showHint(const QString& text);
@@ -48,7 +58,7 @@ public:
   bool isDrawing() const { return this->drawing_; }
   // How far the line trails behind the pen [px as Qt counts them].
   void setStabilizer(double pixels);
-  // Takes the line of the last stroke away.
+  // Takes the line of the last stroke away; it is offered no more.
   void clearStroke();
   // The camera that a stroke was drawn in.
   void lookFrom(vtkPolyData* stroke);
@@ -60,6 +70,8 @@ public:
 
 signals:
   void strokeDrawn(vtkPolyData* stroke);
+  // The stroke that was offered has been moved or drawn anew in part.
+  void strokeChanged(vtkPolyData* stroke);
   void quitAsked();
 
 protected:
@@ -73,6 +85,9 @@ private:
   void renderSoon();
   void placeHint();
   void fitScreen();
+  void followHand();
+  void letGo();
+  vtkOversketchStrokeWidget* pen() const;
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
@@ -83,7 +98,9 @@ private:
   vtkNew<vtkPlaneSource> mirrorPlane_;
   vtkNew<vtkTextActor> hint_;
   vtkNew<vtkOversketchInteractorStyle> style_;
-  vtkNew<vtkOversketchStrokeWidget> pen_;
+  vtkNew<vtkOversketchOneStrokeWidget> widget_; // shows and moves strokes; the document runs them
+  std::shared_ptr<const oversketch_session::Following> following_;
+  vtkSmartPointer<vtkPolyData> held_, preview_; // while a stroke is moved: the mesh as it was, as it is shown
   vtkNew<vtkCallbackCommand> ear_;
   double stabilizer_ = 6.0;
   bool drawing_ = true;

@@ -3,9 +3,13 @@
 #include "vtkOversketchOneStrokePipeline.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <cstring>
@@ -164,6 +168,39 @@ bool vtkOversketchOneStroke::Drag(const double translation[3], vtkPoints* points
   }
   auto* step = vtkOversketchLaplacianDeform::SafeDownCast(this->GetStep(this->Inner->Deformation));
   return this->Inner->Following->Place(step, translation, points);
+}
+
+void vtkOversketchOneStroke::GetRegion(vtkPolyData* region)
+{
+  region->Initialize();
+  if (!this->Inner->Following)
+  {
+    return;
+  }
+  vtkPolyData* mesh = this->Inner->Output(this->Remeshed ? "Restore" : this->Inner->Deformation);
+  const std::vector<char> inside = LabelsOf(mesh->GetPointData()->GetArray("Region"));
+  std::vector<vtkIdType> number(inside.size(), -1);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
+  {
+    mesh->GetPolys()->GetCellAtId(t, ids);
+    if (!inside[ids->GetId(0)] || !inside[ids->GetId(1)] || !inside[ids->GetId(2)])
+    {
+      continue;
+    }
+    triangles->InsertNextCell(3);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      vtkIdType& id = number[ids->GetId(k)];
+      id = id >= 0 ? id : points->InsertNextPoint(mesh->GetPoint(ids->GetId(k)));
+      triangles->InsertCellPoint(id);
+    }
+  }
+  region->SetPoints(points);
+  region->SetPolys(triangles);
 }
 
 void vtkOversketchOneStroke::SetBackend(int backend)

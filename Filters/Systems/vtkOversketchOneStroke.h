@@ -165,6 +165,12 @@ public:
   bool Drag(const double translation[3], vtkPoints* points);
 
   /**
+   * The triangles of the region that the last run moved, where they are now, as a mesh of its own without
+   * arrays. Empty after a run that failed.
+   */
+  void GetRegion(vtkPolyData* region);
+
+  /**
    * True when the last output was remeshed.
    */
   vtkGetMacro(Remeshed, bool);

@@ -49,9 +49,17 @@ class Desk:
 
     # Keys: "ctrl+shift+z", "Return", "a"
 
-    def key(self, keys):
+    def codes(self, keys):
         names = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L"}
-        codes = [self.display.keysym_to_keycode(XK.string_to_keysym(names.get(k, k))) for k in keys.split("+")]
+        return [self.display.keysym_to_keycode(XK.string_to_keysym(names.get(k, k))) for k in keys.split("+")]
+
+    def hold(self, keys, down=True):
+        for code in self.codes(keys):
+            xtest.fake_input(self.display, X.KeyPress if down else X.KeyRelease, code)
+        self.display.sync()
+
+    def key(self, keys):
+        codes = self.codes(keys)
         for code in codes:
             xtest.fake_input(self.display, X.KeyPress, code)
         for code in reversed(codes):

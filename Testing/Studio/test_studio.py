@@ -385,3 +385,86 @@ def test_bad_use(sitting, arguments):
     assert sitting.studio.ended() == 2
     assert (sitting.home / "log.txt").read_text().startswith("oversketch-studio: ")
     assert not (sitting.home / "state").exists()
+
+
+def pixels_like(sitting, colour):
+    """How many pixels of the view, on the screen, are about of a colour."""
+    view = sitting.view
+    image = sitting.desk.picture(view.left, view.top, view.width, view.height)
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
+    return int((abs(pixels - colour).max(axis=1) < 40).sum())
+
+
+def orange_pixels(sitting):
+    """The same for the region, which is lit."""
+    view = sitting.view
+    image = sitting.desk.picture(view.left, view.top, view.width, view.height)
+    red, green, blue = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int).T
+    return int(((red > 90) & (red - blue > 60) & (green > 0.45 * red) & (green < 0.8 * red)).sum())
+
+
+BLUE, RED = (41, 107, 242), (219, 33, 31)
+
+
+def test_a_stroke_is_taken_hold_of(sitting):
+    desk = sitting.desk
+    sitting.start(DOG)
+    first = sitting.shows(0)
+    sitting.fit()
+    sitting.alone()
+    assert pixels_like(sitting, BLUE) == 0
+    sitting.draw(TAIL, release=False)
+    until(lambda: pixels_like(sitting, BLUE) > 100, "the section under the pen")
+    assert pixels_like(sitting, RED) > 300
+    sitting.shot("section")
+    assert sitting.shows(0) == first  # nothing is deformed while the pen is down
+    desk.release()
+    tail = sitting.shows(1)
+    desk.move(sitting.view.left + 700, sitting.view.top + 600)
+
+    def clay(x, y):
+        """Whether the model is seen at a place of the view."""
+        image = desk.picture(sitting.view.left + x, sitting.view.top + y, 1, 1)
+        return vtk_to_numpy(image.GetPointData().GetScalars()).min() > 90
+    until(lambda: clay(197, 150) and pixels_like(sitting, BLUE) < 20, "the tail has followed")
+
+    # Dragged by its flank: the mesh follows, Escape takes it back, nothing was committed.
+    place = (sitting.view.left, sitting.view.top, sitting.view.width, sitting.view.height)
+    before = desk.picture(*place)
+    flank = TAIL[8]
+    path = [(flank[0] - 2 * i, flank[1] - i) for i in range(12)]
+    sitting.draw(path, release=False, pause=0.05)
+    until(lambda: compare.difference(before, desk.picture(*place)) > 400, "the preview")
+    sitting.shot("drag")
+    desk.key("Escape")
+    desk.release()
+    desk.move(sitting.view.left + 700, sitting.view.top + 600)
+    until(lambda: compare.difference(before, desk.picture(*place)) < 20, "the mesh as it was")
+    assert sitting.shows(1) == tail
+
+    # Let go, the moved stroke runs: still one stroke, and undo is one step.
+    sitting.draw(path, pause=0.05)
+    moved = sitting.shows(1, other_than=tail)
+    assert moved not in (first, tail)
+    desk.key("ctrl+z")
+    assert sitting.shows(1, other_than=moved) == tail
+    desk.key("ctrl+y")
+    assert sitting.shows(1, other_than=tail) == moved
+
+    # With Shift a part of it is drawn anew.
+    desk.key("ctrl+z")
+    assert sitting.shows(1, other_than=moved) == tail
+    until(lambda: clay(197, 150), "the tail as it was")
+    desk.hold("shift")
+    sitting.draw([(x - 10 * math.sin(math.pi * i / 8), y) for i, (x, y) in enumerate(TAIL[6:15])], pause=0.05)
+    desk.hold("shift", down=False)
+    part = sitting.shows(1, other_than=tail)
+    assert part not in (first, tail, moved)
+
+    # The region on request.
+    assert orange_pixels(sitting) < 400
+    desk.key("o")
+    until(lambda: orange_pixels(sitting) > 1500, "the region")
+    sitting.shot("region")
+    desk.key("o")
+    until(lambda: orange_pixels(sitting) < 400, "no region")

@@ -48,6 +48,53 @@ vtkSmartPointer<vtkPolyData> elsewhereStroke(vtkPolyData* stroke)
 
 } // namespace
 
+TEST(Session, AStrokeInHandIsFollowedAsTheSystemDragsIt)
+{
+  const Session session = dogSession();
+  for (const int remesh : { vtkOversketchOneStroke::RemeshOff, vtkOversketchOneStroke::RemeshOn })
+  {
+    Parameters parameters;
+    parameters.remesh = remesh;
+    Evaluator evaluator;
+    const auto outcomes = outcomesOf(evaluator, with(session, 0, parameters));
+    const Outcome& leg = outcomes[0];
+    ASSERT_TRUE(leg.following && leg.region);
+    EXPECT_EQ(leg.following->count, leg.mesh->GetNumberOfPoints());
+    EXPECT_GT(leg.following->points.size(), 100u);
+    EXPECT_LT(leg.following->points.size(), static_cast<std::size_t>(leg.mesh->GetNumberOfPoints()) / 2);
+    vtkNew<vtkOversketchOneStroke> alone;
+    alone->SetBackendToHost();
+    alone->SetRemesh(remesh);
+    alone->SetInputData(0, session.mesh);
+    alone->SetStrokeData(session.nodes[0].action->stroke);
+    alone->Update();
+    const double by[3] = { 0.05, -0.1, 0.02 };
+    vtkNew<vtkPoints> dragged;
+    dragged->SetDataTypeToDouble();
+    dragged->DeepCopy(alone->GetOutput()->GetPoints());
+    ASSERT_TRUE(alone->Drag(by, dragged));
+    double worst = 0.0, most = 0.0;
+    for (std::size_t i = 0; i < leg.following->points.size(); ++i)
+    {
+      double from[3], to[3];
+      leg.mesh->GetPoint(leg.following->points[i], from);
+      dragged->GetPoint(leg.following->points[i], to);
+      const std::array<float, 9>& moves = leg.following->moves[i];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const double move = by[0] * moves[k] + by[1] * moves[3 + k] + by[2] * moves[6 + k];
+        worst = std::max(worst, std::abs(from[k] + move - to[k]));
+        most = std::max(most, std::abs(move));
+      }
+    }
+    EXPECT_LT(worst, 1e-5);
+    EXPECT_GT(most, 0.08);
+    // The region is what moves: its points are among those that follow.
+    EXPECT_GT(leg.region->GetNumberOfPolys(), 100);
+    EXPECT_LT(leg.region->GetNumberOfPoints(), leg.mesh->GetNumberOfPoints() / 2);
+  }
+}
+
 TEST(Session, StrokesActInTheirOrder)
 {
   const Session session = dogSession();
