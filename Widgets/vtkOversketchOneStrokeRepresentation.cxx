@@ -224,9 +224,19 @@ void vtkOversketchOneStrokeRepresentation::SetRegion(vtkPolyData* region)
 void vtkOversketchOneStrokeRepresentation::SetText(const char* text)
 {
   const std::string line = text ? text : "";
+  if (line == this->GetText())
+  {
+    return;
+  }
   this->Inner->text->SetInput(line.c_str());
   this->Inner->text->SetVisibility(!line.empty());
   this->Modified();
+}
+
+const char* vtkOversketchOneStrokeRepresentation::GetText()
+{
+  const char* text = this->Inner->text->GetInput();
+  return text ? text : "";
 }
 
 vtkProperty2D* vtkOversketchOneStrokeRepresentation::GetProperty()
@@ -305,5 +315,6 @@ void vtkOversketchOneStrokeRepresentation::PrintSelf(ostream& os, vtkIndent inde
   os << indent << "Highlighted: " << this->Highlighted << "\n";
   os << indent << "Translation: " << this->Translation[0] << " " << this->Translation[1] << " "
      << this->Translation[2] << "\n";
+  os << indent << "Text: " << this->GetText() << "\n";
   os << indent << "Samples: " << this->Inner->stroke.count() << "\n";
 }

@@ -86,10 +86,13 @@ public:
    */
   void SetRegion(vtkPolyData* region);
 
+  ///@{
   /**
-   * The line of text; empty none.
+   * The line of text; empty (default) none.
    */
   void SetText(const char* text);
+  const char* GetText();
+  ///@}
 
   ///@{
   /**
