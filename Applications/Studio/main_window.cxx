@@ -538,7 +538,8 @@ void MainWindow::advise()
   else
   {
     this->advice_->setText(
-      tr("Draw on, or drag the red line to move the stroke (Shift: draw a part anew). Ctrl+Z undoes. The "
+      tr("Draw on, or drag the red line to move the stroke (Shift: draw a part anew; Return: "
+         "leave it and draw there). Ctrl+Z undoes. The "
          "middle button turns the model."));
   }
 }

@@ -33,6 +33,7 @@
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QTabletEvent>
 #include <QTimer>
@@ -259,6 +260,16 @@ void View::fitScreen()
   this->widget_->SetGrabDistance(grabDistance * ratio);
   this->pen()->SetStabilizer(this->stabilizer_ * ratio);
   this->placeHint();
+}
+
+void View::keyPressEvent(QKeyEvent* event)
+{
+  if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !this->widget_->IsMoving() &&
+      !this->pen()->IsDrawing())
+  {
+    this->clearStroke();
+  }
+  QVTKOpenGLNativeWidget::keyPressEvent(event);
 }
 
 void View::mousePressEvent(QMouseEvent* event)

@@ -45,7 +45,8 @@ public:
   // The part of the model that a stroke moved (orange); null shows none.
   void showRegion(vtkPolyData* region);
   // The stroke that can be taken hold of, a place in the plane that it stands in, and how the mesh that is
-  // shown follows it (null: the line goes alone); a null stroke offers none.
+  // shown follows it (null: the line goes alone); a null stroke offers none. Return in the view ends the
+  // offer, so that the next stroke can begin on it.
   void offerStroke(vtkPolyData* stroke,
     const oversketch_session::Point& place,
     const std::shared_ptr<const oversketch_session::Following>& following);
@@ -75,6 +76,7 @@ signals:
   void quitAsked();
 
 protected:
+  void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void paintGL() override;
   void resizeGL(int width, int height) override;

@@ -461,6 +461,15 @@ def test_a_stroke_is_taken_hold_of(sitting):
     part = sitting.shows(1, other_than=tail)
     assert part not in (first, tail, moved)
 
+    # After Return the line is left alone: the next stroke begins on it.
+    desk.click(sitting.view.left + 700, sitting.view.top + 600)
+    desk.key("Return")
+    until(lambda: pixels_like(sitting, RED) < 50, "no line")
+    sitting.draw([(x - 6 * math.sin(math.pi * i / 12), y) for i, (x, y) in enumerate(TAIL[4:17])])
+    assert sitting.shows(2) not in (first, tail, moved, part)
+    desk.key("ctrl+z")
+    assert sitting.shows(1) == part
+
     # The region on request.
     assert orange_pixels(sitting) < 400
     desk.key("o")
