@@ -72,21 +72,38 @@ void hearError(const void* data, std::string& first)
   }
 }
 
-std::shared_ptr<const Following> followingOf(vtkOversketchOneStroke* system)
+// Of the mesh that was made of the system's output, with the mirror where there is one.
+std::shared_ptr<const Following> followingOf(vtkOversketchOneStroke* system,
+  vtkPolyData* made,
+  vtkOversketchMirror* mirror)
 {
-  vtkPoints* rest = system->GetOutput()->GetPoints();
+  vtkPoints* rest = made->GetPoints();
   auto following = std::make_shared<Following>();
   following->count = rest->GetNumberOfPoints();
-  vtkNew<vtkPoints> moved[3];
+  vtkSmartPointer<vtkPoints> moved[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     double unit[3] = { 0.0, 0.0, 0.0 };
     unit[axis] = 1.0;
+    moved[axis] = vtkSmartPointer<vtkPoints>::New();
     moved[axis]->SetDataTypeToDouble();
     moved[axis]->SetNumberOfPoints(following->count);
     if (!system->Drag(unit, moved[axis]))
     {
       return nullptr;
+    }
+    if (mirror)
+    {
+      vtkNew<vtkPolyData> side;
+      side->ShallowCopy(system->GetOutput());
+      side->SetPoints(moved[axis]);
+      mirror->SetInputData(1, side);
+      mirror->Update();
+      moved[axis] = mirror->GetOutput()->GetPoints();
+      if (mirror->GetOutput()->GetNumberOfPoints() != following->count)
+      {
+        return nullptr;
+      }
     }
   }
   for (vtkIdType i = 0; i < following->count; ++i)
@@ -249,6 +266,7 @@ bool Evaluator::runOne(const Action& action,
   {
     return false;
   }
+  vtkNew<vtkOversketchMirror> mirror;
   vtkSmartPointer<vtkPolyData> made = system->GetOutput();
   if (failure.empty() && made->GetNumberOfPolys() == 0)
   {
@@ -257,7 +275,6 @@ bool Evaluator::runOne(const Action& action,
   outcome.section = failure.empty() ? sectionOf(system->GetInnerOutput("Match")) : std::nullopt;
   if (failure.empty() && action.mirror)
   {
-    vtkNew<vtkOversketchMirror> mirror;
     mirror->SetInputData(0, mesh);
     mirror->SetInputData(1, made);
     mirror->SetAxis(action.mirror->axis);
@@ -285,7 +302,7 @@ bool Evaluator::runOne(const Action& action,
   {
     outcome.region = vtkSmartPointer<vtkPolyData>::New();
     system->GetRegion(outcome.region);
-    outcome.following = followingOf(system);
+    outcome.following = followingOf(system, outcome.mesh, action.mirror ? mirror.Get() : nullptr);
   }
   return true;
 }

@@ -1,11 +1,13 @@
 // Running sessions: what runs again, what stays, what fails.
 #include "sessions.h"
 
+#include "Harness/shapes.h"
 #include "history.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 using namespace oversketch_session;
 using namespace oversketch_test;
@@ -93,6 +95,53 @@ TEST(Session, AStrokeInHandIsFollowedAsTheSystemDragsIt)
     EXPECT_GT(leg.region->GetNumberOfPolys(), 100);
     EXPECT_LT(leg.region->GetNumberOfPoints(), leg.mesh->GetNumberOfPoints() / 2);
   }
+}
+
+TEST(Session, BothSidesOfAMirrorFollowAHand)
+{
+  const View view = orthographicView({ 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 }, 100.0);
+  std::vector<Vector2> bulge;
+  for (int i = 0; i <= 50; ++i)
+  {
+    const double angle = (2.0 * i - 50.0) * pi / 180.0;
+    bulge.emplace_back(400.0 + 120.0 * std::cos(angle), 300.0 + 120.0 * std::sin(angle));
+  }
+  Session session;
+  session.mesh = toPolyData(icosphere(4));
+  session.backend = vtkOversketchOneStroke::Host;
+  auto action = std::make_shared<Action>();
+  action->stroke = toStroke(bulge, view);
+  action->mirror = MirrorPlane{ 0, 0.0 };
+  session.nodes.resize(1);
+  session.nodes[0].action = action;
+  Evaluator evaluator;
+  const Outcome ball = outcomesOf(evaluator, session)[0];
+  ASSERT_EQ(ball.failure, "");
+  ASSERT_TRUE(ball.following);
+  std::map<std::array<double, 3>, std::array<float, 9>> moves;
+  int left = 0, right = 0;
+  for (std::size_t i = 0; i < ball.following->points.size(); ++i)
+  {
+    double p[3];
+    session.mesh->GetPoint(ball.following->points[i], p);
+    moves[{ p[0], p[1], p[2] }] = ball.following->moves[i];
+  }
+  for (const auto& [place, move] : moves)
+  {
+    left += place[0] < -1e-3;
+    right += place[0] > 1e-3;
+    const auto partner = moves.find({ -place[0], place[1], place[2] });
+    if (place[0] > 1e-3)
+    {
+      ASSERT_NE(partner, moves.end());
+      for (std::size_t k = 0; k < 9; ++k)
+      {
+        EXPECT_NEAR(partner->second[k], k % 3 == 0 ? -move[k] : move[k], 1e-5);
+      }
+    }
+  }
+  EXPECT_GT(right, 50);
+  EXPECT_EQ(left, right);
 }
 
 TEST(Session, StrokesActInTheirOrder)
