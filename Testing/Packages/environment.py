@@ -1,0 +1,29 @@
+"""A virtual environment over the system's packages, for what comes from PyPI."""
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+
+def run(*command, code=0, **more):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **more)
+    assert done.returncode == code, (command, done.returncode, done.stdout[-3000:] + done.stderr[-3000:])
+    return done.stdout
+
+
+class Environment:
+    def __init__(self, folder):
+        self.python = pathlib.Path(folder) / "bin" / "python"
+        self.variables = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+        run(sys.executable, "-m", "venv", "--system-site-packages", folder, env=self.variables)
+
+    def run(self, *arguments, **more):
+        return run(self.python, *arguments, env={**self.variables, **more.pop("variables", {})}, **more)
+
+    def require_index(self, folder):
+        """Skips the tests where no package index can be reached: asks it for one small package."""
+        asked = [self.python, "-m", "pip", "download", "--quiet", "--no-deps", "--retries", "1", "-d", folder, "scooby"]
+        if subprocess.run([str(part) for part in asked], capture_output=True, env=self.variables).returncode != 0:
+            pytest.skip("no package index can be reached")
