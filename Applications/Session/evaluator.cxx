@@ -113,7 +113,7 @@ std::shared_ptr<const Following> followingOf(vtkOversketchOneStroke* system,
     {
       for (int k = 0; k < 3; ++k)
       {
-        moves[static_cast<std::size_t>(3 * axis + k)] =
+        moves[3 * static_cast<std::size_t>(axis) + static_cast<std::size_t>(k)] =
           static_cast<float>(moved[axis]->GetPoint(i)[k] - rest->GetPoint(i)[k]);
       }
     }

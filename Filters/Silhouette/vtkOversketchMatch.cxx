@@ -134,6 +134,7 @@ void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& v
 {
   const int connections = inputs->GetNumberOfInformationObjects();
   std::vector<StepKey> keys;
+  keys.reserve(static_cast<std::size_t>(connections));
   for (int c = 0; c < connections; ++c)
   {
     keys.emplace_back(vtkPolyData::GetData(inputs, c), nullptr, view, std::vector<double>());
