@@ -281,6 +281,17 @@ void View::mousePressEvent(QMouseEvent* event)
   QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
+void View::mouseReleaseEvent(QMouseEvent* event)
+{
+  if (this->renderWaits_ && this->pen_->IsDrawing())
+  {
+    // The line's end is seen before all that a stroke's end brings.
+    this->render();
+    this->repaint();
+  }
+  QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
+}
+
 void View::showMesh(vtkPolyData* mesh, bool reset)
 {
   this->meshMapper_->SetInputData(mesh);

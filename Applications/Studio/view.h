@@ -78,6 +78,7 @@ signals:
 protected:
   void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void paintGL() override;
   void resizeGL(int width, int height) override;
   void tabletEvent(QTabletEvent* event) override;
