@@ -220,7 +220,7 @@ void MainWindow::openShippedModel()
                                path, [] { return true; }, none);
                            }))
   {
-    this->view_->showHint(tr("Draw here, beside the outline, and it follows"));
+    this->view_->showHint(tr("Draw a line like this, and the tail follows"));
   }
 }
 
@@ -512,7 +512,7 @@ void MainWindow::advise()
   const auto& states = this->document_->result().nodes;
   if (this->redrawn_ >= 0)
   {
-    this->advice_->setText(tr("Draw the stroke anew."));
+    this->advice_->setText(tr("Draw the selected stroke anew. T leaves it as it is."));
   }
   else if (!nodes.empty() && states.size() == nodes.size() && nodes.back().on &&
            !states.back().failure.empty())

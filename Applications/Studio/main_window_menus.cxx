@@ -147,6 +147,7 @@ void MainWindow::makeTools()
 void MainWindow::makeStatus()
 {
   this->advice_->setObjectName("advice");
+  this->advice_->setIndent(6);
   this->mode_->setObjectName("mode");
   this->progress_->setAccessibleName(tr("Progress"));
   this->progress_->setRange(0, 100);

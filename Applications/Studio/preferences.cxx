@@ -55,7 +55,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     tr("The line trails behind the pen by this much, so that a trembling hand leaves no trace"));
   this->dark_->setChecked(preferences.dark);
   this->backend_->addItems(
-    { tr("the graphics card where there is one"), tr("OpenCL"), tr("the processor (Embree)") });
+    { tr("OpenCL where there is a device"), tr("OpenCL"), tr("the processor (Embree)") });
   this->backend_->setCurrentIndex(preferences.backend);
   this->backend_->setToolTip(
     tr("What measures the thickness of a model. It holds for models that are opened from now on: an open one "

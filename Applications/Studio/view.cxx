@@ -29,8 +29,6 @@
 #include "vtkProperty2D.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkTextActor.h"
-#include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <QKeyEvent>
@@ -38,7 +36,6 @@
 #include <QTabletEvent>
 #include <QTimer>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -100,11 +97,7 @@ View::View(QWidget* parent)
   this->mirror_->VisibilityOff();
   this->renderer_->AddActor(this->mirror_);
 
-  this->hint_->GetTextProperty()->SetJustificationToCentered();
-  this->hint_->GetTextProperty()->SetVerticalJustificationToBottom();
-  this->hint_->GetTextProperty()->SetFontSize(18);
-  this->hint_->VisibilityOff();
-  this->renderer_->AddActor(this->hint_);
+  this->hint_.addTo(this->renderer_);
 
   this->interactor()->SetInteractorStyle(this->style_);
   this->style_->SetDefaultRenderer(this->renderer_);
@@ -153,7 +146,7 @@ View::View(QWidget* parent)
       }
       else if (event == vtkCommand::StartInteractionEvent)
       {
-        view->hint_->VisibilityOff();
+        view->hint_.setVisible(false);
         view->preview_ = nullptr;
       }
       else if (event == vtkCommand::RenderEvent)
@@ -283,7 +276,7 @@ void View::mousePressEvent(QMouseEvent* event)
 
 void View::mouseReleaseEvent(QMouseEvent* event)
 {
-  if (this->renderWaits_ && this->pen_->IsDrawing())
+  if (this->renderWaits_ && this->pen()->IsDrawing())
   {
     // The line's end is seen before all that a stroke's end brings.
     this->render();
@@ -354,42 +347,14 @@ void View::showMirror(const std::optional<MirrorPlane>& plane)
 
 void View::showHint(const QString& text)
 {
-  this->hint_->SetInput(text.toUtf8().constData());
-  this->hint_->SetVisibility(!text.isEmpty());
+  this->hint_.setText(text.toStdString());
   this->placeHint();
   this->render();
 }
 
-// Above the highest point of the picture of the model.
 void View::placeHint()
 {
-  vtkPolyData* mesh = this->meshMapper_->GetInput();
-  if (!this->hint_->GetVisibility() || !mesh)
-  {
-    return;
-  }
-  double highest[3] = { 0.0, -VTK_DOUBLE_MAX, 0.0 };
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    mesh->GetPoint(i, p);
-    this->renderer_->SetWorldPoint(p[0], p[1], p[2], 1.0);
-    this->renderer_->WorldToDisplay();
-    double display[3];
-    this->renderer_->GetDisplayPoint(display);
-    if (display[1] > highest[1])
-    {
-      std::copy(display, display + 3, highest);
-    }
-  }
-  // All of it in the window.
-  double extent[2];
-  this->hint_->GetSize(this->renderer_, extent);
-  const double gap = 12.0 * this->devicePixelRatioF();
-  const double half = 0.5 * extent[0] + gap;
-  const int* size = this->renderer_->GetSize();
-  this->hint_->SetPosition(std::max(half, std::min(highest[0], size[0] - half)),
-    std::min(highest[1] + gap, size[1] - extent[1] - gap));
+  this->hint_.place(this->renderer_, this->meshMapper_->GetInput(), this->devicePixelRatioF());
 }
 
 void View::setDark(bool dark)
@@ -400,15 +365,15 @@ void View::setDark(bool dark)
     this->renderer_->SetBackground2(0.22, 0.24, 0.27);
     this->skin_.setPlain(this->mesh_, 0.78, 0.76, 0.73);
     this->mirror_->GetProperty()->SetColor(0.6, 0.8, 1.0);
-    this->hint_->GetTextProperty()->SetColor(0.95, 0.95, 0.95);
+    this->hint_.setDark(true);
   }
   else
   {
     this->renderer_->SetBackground(0.80, 0.82, 0.84);
     this->renderer_->SetBackground2(0.95, 0.96, 0.97);
-    this->skin_.setPlain(this->mesh_, 0.70, 0.69, 0.67);
+    this->skin_.setPlain(this->mesh_, 0.90, 0.88, 0.85);
     this->mirror_->GetProperty()->SetColor(0.2, 0.4, 0.7);
-    this->hint_->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
+    this->hint_.setDark(false);
   }
   this->renderer_->GradientBackgroundOn();
   this->render();
@@ -532,7 +497,7 @@ void View::lookFrom(vtkPolyData* stroke)
 void View::showKeys(bool show)
 {
   this->style_->SetShowKeys(show);
-  this->hint_->VisibilityOff(); // it would be under the list
+  this->hint_.setVisible(false); // it would be under the list
   this->render();
 }
 
@@ -544,7 +509,7 @@ bool View::showsKeys() const
 void View::screenshot(const QString& path, bool overlays)
 {
   const int section = this->section_->GetVisibility(), mirror = this->mirror_->GetVisibility(),
-            hint = this->hint_->GetVisibility();
+            hint = this->hint_.isVisible();
   const bool keys = this->style_->GetShowKeys();
   vtkProp* lines = this->widget_->GetOneStrokeRepresentation();
   const int shown = lines->GetVisibility();
@@ -553,7 +518,7 @@ void View::screenshot(const QString& path, bool overlays)
     lines->VisibilityOff();
     this->section_->VisibilityOff();
     this->mirror_->VisibilityOff();
-    this->hint_->VisibilityOff();
+    this->hint_.setVisible(false);
     this->style_->SetShowKeys(false);
   }
   this->render();
@@ -563,7 +528,7 @@ void View::screenshot(const QString& path, bool overlays)
   picture->Update();
   this->section_->SetVisibility(section);
   this->mirror_->SetVisibility(mirror);
-  this->hint_->SetVisibility(hint);
+  this->hint_.setVisible(hint);
   this->style_->SetShowKeys(keys);
   lines->SetVisibility(shown);
   this->render();

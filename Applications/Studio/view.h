@@ -3,6 +3,7 @@
 #define oversketch_studio_view_h
 
 #include "evaluator.h"
+#include "hint.h"
 #include "session.h"
 #include "skin.h"
 
@@ -25,7 +26,6 @@ class vtkPlaneSource;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
-class vtkTextActor;
 
 namespace oversketch_studio
 {
@@ -51,7 +51,7 @@ public:
     const oversketch_session::Point& place,
     const std::shared_ptr<const oversketch_session::Following>& following);
   void showMirror(const std::optional<oversketch_session::MirrorPlane>& plane);
-  // A line at the top of the model that says where to draw; empty shows none.
+  // Where to draw, with a line of text; empty shows none.
   void showHint(const QString& text);
   void setDark(bool dark);
   // Pen or camera: whose the left button is.
@@ -99,7 +99,7 @@ private:
   vtkNew<vtkActor> mesh_, section_, mirror_;
   Skin skin_; // of the mesh
   vtkNew<vtkPlaneSource> mirrorPlane_;
-  vtkNew<vtkTextActor> hint_;
+  Hint hint_;
   vtkNew<vtkOversketchInteractorStyle> style_;
   vtkNew<vtkOversketchOneStrokeWidget> widget_; // shows and moves strokes; the document runs them
   std::shared_ptr<const oversketch_session::Following> following_;

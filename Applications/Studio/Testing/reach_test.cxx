@@ -42,6 +42,7 @@ struct Scene
     this->window.openShippedModel();
     this->view = this->window.findChild<View*>();
     this->document = this->window.findChild<Document*>();
+    EXPECT_TRUE(this->document->isOpen());
     this->wait();
     if (stroke)
     {

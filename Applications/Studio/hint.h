@@ -1,0 +1,43 @@
+// What a person new to it sees on the shipped model: an arch over its highest point, dashed in the pen's
+// colour, and a line of text above.
+#ifndef oversketch_studio_hint_h
+#define oversketch_studio_hint_h
+
+#include "vtkNew.h"
+
+#include <string>
+
+class vtkActor2D;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace oversketch_studio
+{
+
+class Hint
+{
+public:
+  Hint();
+  ~Hint();
+  Hint(const Hint&) = delete;
+  Hint& operator=(const Hint&) = delete;
+
+  void addTo(vtkRenderer* renderer);
+  // Empty hides it.
+  void setText(const std::string& text);
+  void setVisible(bool visible);
+  bool isVisible() const;
+  void setDark(bool dark);
+  // Over the highest point of the picture of the mesh, all of it in the picture; ratio: the screen's pixels a
+  // pixel as Qt counts them.
+  void place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio);
+
+private:
+  vtkNew<vtkTextActor> text_;
+  vtkNew<vtkActor2D> arch_;
+  vtkNew<vtkPolyData> dashes_;
+};
+
+} // namespace oversketch_studio
+#endif
