@@ -11,12 +11,13 @@ else
 fi
 oversketch_packages+=(mpi-default-bin mpi-default-dev)
 
-# Sets oversketch_paraview to the prefix of ParaView: /usr where it is installed with its headers and its Python, else build/
+# Sets oversketch_paraview to the prefix of ParaView: /usr where it is installed and its CMake package is whole, else build/
 # paraview-root/usr, where Debian's three packages are unpacked: python3-paraview and python3-vtk9 own the same files, so the
 # machine cannot have both installed. What they depend on is installed.
 oversketch_paraview_find() {
   oversketch_paraview=/usr
-  if [ -x /usr/bin/pvpython ] && dpkg-query -W -f='${Status}' paraview-dev 2>/dev/null | grep -q 'ok installed'; then
+  if compgen -G '/usr/lib/*/cmake/paraview-*/paraview-config.cmake' >/dev/null && [ -x /usr/bin/pvpython ] &&
+    [ -e /usr/lib/python3/dist-packages/vtkmodules/vtkCommonCore.so ]; then
     oversketch_install
     return
   fi
@@ -33,6 +34,8 @@ oversketch_paraview_find() {
       dpkg-deb -f "$package" Depends >>"$root.new/depends"
       dpkg -x "$package" "$root.new"
     done
+    # Debian 13 names Python's libraries otherwise than the CMake package does, which then refuses to be found.
+    find "$root.new/usr/lib/python3" -name '*.cpython-*.so' -exec sh -c 'ln -s "$(basename "$1")" "${1%%.*}.so"' sh {} \;
     rm -r "$root.new/packages"
     mv "$root.new" "$root"
   fi

@@ -14,6 +14,7 @@ from xml.sax.saxutils import escape, quoteattr
 # Inputs by port: name, and how many: "1", "?" (may be left out), "*" (repeatable). Types are vtkPolyData but for ForEach.
 PORTS = {
     "StrokeFilter": [("Strokes", "1")],
+    "ViewStroke": [("Polyline", "1")],
     "Silhouette": [("Mesh", "1"), ("Stroke", "1")],
     "Snake": [("Curves", "1"), ("Mesh", "1"), ("Stroke", "1")],
     "Visibility": [("Curves", "1"), ("Mesh", "1"), ("Stroke", "1")],
@@ -33,6 +34,13 @@ PORTS = {
 COLLECTIONS = ["vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedDataSetCollection"]
 TYPES = {("ForEach", 0): COLLECTIONS, ("ForEach", 1): COLLECTIONS + ["vtkPolyData"]}
 OUTPUTS = {"Remesh": ["Mesh", "Handles"]}
+
+
+# What a widget of the plugin's own sets, as one group: the parameters whose names begin alike.
+GROUPS = {"ViewStroke": ("View", "oversketch_camera", ("Camera", "View"))}
+
+# What lies in pixels of a picture, not in the scene: ParaView is not to show it beside the models.
+PIXELS = {"StrokeFilter", "ViewStroke"}
 
 
 def words(name):
@@ -145,6 +153,17 @@ def port(header, index, label, count):
     yield "      </InputProperty>"
 
 
+def group(header):
+    """The parameters that one widget sets."""
+    if header.name in GROUPS:
+        label, widget, beginnings = GROUPS[header.name]
+        yield f'      <PropertyGroup label="{label}" panel_widget="{widget}">'
+        for name, *_ in header.parameters():
+            if name.startswith(beginnings):
+                yield f'        <Property name="{name}" function="{name}" />'
+        yield "      </PropertyGroup>"
+
+
 def driven_filter(driven):
     """The filter that ForEach is to drive."""
     yield '      <ProxyProperty name="Filter" label="Filter" command="SetFilter">'
@@ -171,9 +190,11 @@ def filters(headers):
             yield from driven_filter(driven)
         for entry in header.parameters():
             yield from parameter(header, *entry)
+        yield from group(header)
         for index, label in enumerate(OUTPUTS.get(header.name, [])):
             yield f'      <OutputPort name="{label}" index="{index}" id="port{index}" />'
-        yield '      <Hints><ShowInMenu category="Oversketch" /></Hints>'
+        hidden = '<View type="None" />' if header.name in PIXELS else ""
+        yield f'      <Hints><ShowInMenu category="Oversketch" />{hidden}</Hints>'
         yield "    </SourceProxy>"
     yield "  </ProxyGroup>"
     yield '  <ProxyGroup name="oversketch_driven">'
