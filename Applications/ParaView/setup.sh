@@ -35,7 +35,7 @@ oversketch_paraview_find() {
       dpkg -x "$package" "$root.new"
     done
     # Debian 13 names Python's libraries otherwise than the CMake package does, which then refuses to be found.
-    find "$root.new/usr/lib/python3" -name '*.cpython-*.so' -exec sh -c 'ln -s "$(basename "$1")" "${1%%.*}.so"' sh {} \;
+    find "$root.new/usr/lib/python3" -name '*.cpython-*.so' -exec sh -c 'ln -s "$(basename "$1")" "${1%.cpython-*}.so"' sh {} \;
     rm -r "$root.new/packages"
     mv "$root.new" "$root"
   fi
