@@ -9,7 +9,7 @@ set -euo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 cd "$oversketch_root"
 if [ "${1:-}" = paraview ]; then
-  exec Testing/ParaView/test.sh
+  exec Testing/ParaView/test.sh "${@:2}"
 fi
 oversketch_install
 if [ "${1:-}" = tsan ]; then
