@@ -151,7 +151,7 @@ void MainWindow::makeStatus()
   this->mode_->setObjectName("mode");
   this->progress_->setAccessibleName(tr("Progress"));
   this->progress_->setRange(0, 100);
-  this->progress_->setMaximumWidth(220);
+  this->progress_->setFixedWidth(220); // for the longest stage
   this->progress_->hide();
   this->cancel_->hide();
   this->statusBar()->addWidget(this->advice_, 1);

@@ -42,6 +42,14 @@ def walk(thing, found):
             walk(child, found)
 
 
+def shown(process, role, name):
+    """Whether there is such a thing."""
+    try:
+        return any(thing[:2] == (role, name) for thing in things(process))
+    except GLib.Error:  # something went away meanwhile
+        return True
+
+
 def find(process, role, name, scale=1, seconds=60):
     """The place of the one thing of that role and name."""
     end, seen = time.time() + seconds, []

@@ -29,6 +29,7 @@ from desk import Desk, Studio, until  # noqa: E402
 DOG = SOURCE / "Data" / "Models" / "dog.ply"
 VIEW = (880, 700)  # size of the model's part of the window; strokes are told in it, from its upper left corner
 SHOTS = pathlib.Path(os.environ["OVERSKETCH_TEMPORARY"]) / "Studio"  # what the screen showed, to look at
+README = {"stroke_1_of_3": "studio.png"}
 
 
 def digest(mesh):
@@ -130,13 +131,23 @@ class Sitting:
         return half.GetOutput()
 
     def shot(self, name):
-        """Leaves the window's picture; those of the README are taken from here."""
+        """Leaves the window's picture, once it is still; with OVERSKETCH_WRITE_BASELINES that of the README, too."""
         SHOTS.mkdir(parents=True, exist_ok=True)
-        shape = self.desk.windows()[0][1]
-        writer = vtkPNGWriter()
-        writer.SetFileName(str(SHOTS / (name + ".png")))
-        writer.SetInputData(self.desk.picture(0, 0, shape.width, shape.height))
-        writer.Write()
+        until(lambda: not reader.shown(self.studio.process.pid, "push button", "Cancel"), "nothing is computed")
+        shape, seen = self.desk.windows()[0][1], [None]
+
+        def still():
+            picture = self.desk.picture(0, 0, shape.width, shape.height)
+            pixels, before = vtk_to_numpy(picture.GetPointData().GetScalars()).tobytes(), seen[0]
+            seen[0] = pixels
+            return picture if pixels == before else time.sleep(2.0)  # a busy machine paints late
+        picture = until(still, "a window at rest")
+        readme = os.environ.get("OVERSKETCH_WRITE_BASELINES") and README.get(name)
+        for path in [SHOTS / (name + ".png")] + ([SOURCE / "Data" / "Pictures" / readme] if readme else []):
+            writer = vtkPNGWriter()
+            writer.SetFileName(str(path))
+            writer.SetInputData(picture)
+            writer.Write()
 
 
 def arc(x, y, length, width, lean=0.0, count=40):
@@ -358,6 +369,10 @@ def test_opens_on_a_model_and_leaves_nothing_behind(sitting):
     assert sitting.studio.ended() == 0
     autosave = sitting.home / "state" / "oversketch" / "autosave"
     assert not list(autosave.iterdir())
+    # Of files it leaves the preferences; caches are the libraries', the log is this test's.
+    left = {str(file.relative_to(sitting.home)) for file in sitting.home.rglob("*") if file.is_file()}
+    left = {file for file in left if not file.startswith((".cache/", "run/"))}
+    assert left == {"config/oversketch/oversketch-studio.conf", "log.txt"}
 
 
 def test_a_bad_file_is_told_and_nothing_is_lost(sitting, tmp_path):
