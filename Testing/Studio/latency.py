@@ -22,11 +22,13 @@ LEFT, TOP, RIGHT, BOTTOM = 10, 70, 880, 760  # the model's part of the window
 
 
 def highest(desk):
-    """The topmost pixel of the model on screen, which is brighter than what is behind it."""
+    """The topmost pixel of the model on screen, which is brighter than what is behind it; None while there is none."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     picture = desk.picture(LEFT, TOP, RIGHT - LEFT, BOTTOM - TOP)
     pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(BOTTOM - TOP, RIGHT - LEFT, 3)[::-1].max(axis=2)
     rows = numpy.flatnonzero((pixels > 110).sum(axis=1) > 3)
+    if not len(rows):
+        return None
     y = rows[0]
     return LEFT + int(numpy.flatnonzero(pixels[y + 2] > 110).mean()), TOP + int(y)
 
@@ -40,7 +42,7 @@ def measure(model, strokes=10):
     done = lambda count: until(lambda: any(len(d["strokes"]) == count and d["result_md5"] for d in autosave()), f"{count} strokes", 300)
     done(0)
     time.sleep(1.0)
-    x, y = highest(desk)
+    x, y = until(lambda: highest(desk), "the model on screen")
     for _ in range(strokes):
         desk.drag([(x + 3 * i, y + 20 - 45 * numpy.cos(0.08 * i)) for i in range(-15, 16)])
         done(1)
