@@ -309,14 +309,14 @@ void View::showMesh(vtkPolyData* mesh, bool reset)
     this->renderer_->SetUseSSAO(!drawsOnProcessor(this->window_));
   }
   this->placeHint();
-  this->render();
+  this->renderSoon();
 }
 
 void View::showSection(vtkPolyData* section)
 {
   this->sectionMapper_->SetInputData(section);
   this->section_->SetVisibility(section != nullptr);
-  this->render();
+  this->renderSoon();
 }
 
 void View::showMirror(const std::optional<MirrorPlane>& plane)
@@ -342,14 +342,14 @@ void View::showMirror(const std::optional<MirrorPlane>& plane)
     this->mirrorPlane_->SetPoint1(first);
     this->mirrorPlane_->SetPoint2(second);
   }
-  this->render();
+  this->renderSoon();
 }
 
 void View::showHint(const QString& text)
 {
   this->hint_.setText(text.toStdString());
   this->placeHint();
-  this->render();
+  this->renderSoon();
 }
 
 void View::placeHint()
@@ -376,7 +376,7 @@ void View::setDark(bool dark)
     this->hint_.setDark(false);
   }
   this->renderer_->GradientBackgroundOn();
-  this->render();
+  this->renderSoon();
 }
 
 void View::setDrawing(bool drawing)
@@ -399,7 +399,7 @@ void View::clearStroke()
 void View::showRegion(vtkPolyData* region)
 {
   this->widget_->GetOneStrokeRepresentation()->SetRegion(region);
-  this->render();
+  this->renderSoon();
 }
 
 void View::offerStroke(vtkPolyData* stroke,
@@ -408,7 +408,7 @@ void View::offerStroke(vtkPolyData* stroke,
 {
   this->following_ = stroke ? following : nullptr;
   this->widget_->SetStrokeAt(stroke, place.data());
-  this->render();
+  this->renderSoon();
 }
 
 // The mesh under the hand: a preview, until the document has run the moved stroke.
