@@ -45,7 +45,7 @@ class View:
         cells = stroke.GetCellData()
         self.view = vtk_to_numpy(cells.GetArray("ViewTransform"))[0].reshape(4, 4)
         self.projection = vtk_to_numpy(cells.GetArray("ProjectionTransform"))[0].reshape(4, 4)
-        self.size = vtk_to_numpy(cells.GetArray("ViewportSize"))[0].astype(float)
+        self.size = vtk_to_numpy(cells.GetArray("ViewportSize"))[0].astype(int)
         if turn:
             c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
             place, about = np.eye(4), np.array([[c, 0, s, 0], [0, 1, 0, 0], [-s, 0, c, 0], [0, 0, 0, 1.0]])
@@ -57,8 +57,9 @@ class View:
         clip = np.c_[points, np.ones(len(points))] @ (self.projection @ self.view).T
         return (clip[:, :2] / clip[:, 3:] + 1.0) * 0.5 * self.size
 
-    def aim(self, renderer, crop):
-        """The camera of that view, looking at a part of the picture: left, bottom, width, height [px]."""
+    def aim(self, renderer, crop=None):
+        """The camera of that view, looking at a part of the picture: left, bottom, width, height [px]; None: all of it."""
+        crop = crop or (0.0, 0.0, *self.size)
         camera, inverse = renderer.GetActiveCamera(), np.linalg.inv(self.view)
         eye, back, up = inverse[:3, 3], inverse[:3, 2], inverse[:3, 1]
         camera.SetPosition(*eye)
@@ -106,9 +107,9 @@ def clay(mesh, colours=None, edges=False):
     return actor
 
 
-def by_region(mesh, inside=ORANGE, array="Region"):
+def by_region(mesh, inside=ORANGE):
     """Colours of the points: the region, the rest."""
-    return np.where(vtk_to_numpy(mesh.GetPointData().GetArray(array))[:, None] > 0, inside, CLAY)
+    return np.where(vtk_to_numpy(mesh.GetPointData().GetArray("Region"))[:, None] > 0, inside, CLAY)
 
 
 def by_value(values):
@@ -169,6 +170,16 @@ def curve(lines, colour, width=3.0):
     return [(colour, width, np.asarray(line)[:, :2]) for line in lines]
 
 
+def shown_in(window):
+    """The picture of a rendered window, as vtkImageData."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    return grab.GetOutput()
+
+
 class Sheet:
     """Panels of one size, row by row; each is rendered large and averaged down, so edges are smooth everywhere."""
 
@@ -177,8 +188,8 @@ class Sheet:
     def __init__(self, columns, size=(400, 300)):
         self.columns, self.size, self.panels = columns, size, []
 
-    def panel(self, view, actors, curves=(), crop=None, caption=None):
-        """Adds a panel; without a crop it shows the whole picture of the view. The caption is the panel's letter."""
+    def panel(self, view, actors, curves=(), crop=None):
+        """Adds a panel, with its letter; without a crop it shows the whole picture of the view."""
         crop = crop or (0.0, 0.0, *view.size)
         window = vtkRenderWindow()
         window.SetOffScreenRendering(1)
@@ -212,7 +223,7 @@ class Sheet:
         camera.SetPosition(0.5 * self.size[0], 0.5 * self.size[1], 1000.0)
         camera.SetClippingRange(1.0, 2000.0)
         letter = vtkTextActor()
-        letter.SetInput(f"({caption or 'abcdefghijkl'[len(self.panels)]})")
+        letter.SetInput(f"({'abcdefghijkl'[len(self.panels)]})")
         letter.GetTextProperty().SetFontSize(15 * self.FINE)
         letter.GetTextProperty().SetColor(0.2, 0.2, 0.2)
         letter.SetPosition(8 * self.FINE, 8 * self.FINE)
@@ -220,12 +231,7 @@ class Sheet:
         for renderer in (scene, paper):
             window.AddRenderer(renderer)
         window.Render()
-        grab = vtkWindowToImageFilter()
-        grab.SetInput(window)
-        grab.ReadFrontBufferOff()
-        grab.ShouldRerenderOff()
-        grab.Update()
-        pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
+        pixels = vtk_to_numpy(shown_in(window).GetPointData().GetScalars())
         fine = pixels.reshape(self.size[1], self.FINE, self.size[0], self.FINE, 3).astype(float)
         self.panels.append(fine.mean(axis=(1, 3)))
 

@@ -1,4 +1,7 @@
 """Pictures in the colours of the paper's figures: stroke red, silhouette blue, region orange, seen in the stroke's view."""
+import pathlib
+import sys
+
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
@@ -13,35 +16,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper2D,
     vtkRenderer,
     vtkRenderWindow,
-    vtkWindowToImageFilter,
 )
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the rendering backend)
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Applications" / "Examples"))
+from sheet import View, by_value, shown_in as image  # noqa: E402, F401
+
 STROKE, SILHOUETTE, REGION, CLAY = (0.86, 0.13, 0.12), (0.10, 0.28, 0.80), (0.98, 0.62, 0.20), (0.80, 0.80, 0.82)
-
-
-class View:
-    """The view that a stroke carries."""
-
-    def __init__(self, stroke):
-        cells = stroke.GetCellData()
-        self.view = vtk_to_numpy(cells.GetArray("ViewTransform"))[0].reshape(4, 4)
-        self.projection = vtk_to_numpy(cells.GetArray("ProjectionTransform"))[0].reshape(4, 4)
-        self.size = [int(n) for n in vtk_to_numpy(cells.GetArray("ViewportSize"))[0]]
-
-    def aim(self, renderer):
-        camera = renderer.GetActiveCamera()
-        inverse = np.linalg.inv(self.view)
-        eye, back, up = inverse[:3, 3], inverse[:3, 2], inverse[:3, 1]
-        camera.SetPosition(*eye)
-        camera.SetFocalPoint(*(eye - back))
-        camera.SetViewUp(*up)
-        if self.projection[3, 2] == 0.0:
-            camera.ParallelProjectionOn()
-            camera.SetParallelScale(1.0 / self.projection[1, 1])
-        else:
-            camera.SetViewAngle(2.0 * np.degrees(np.arctan(1.0 / self.projection[1, 1])))
-        renderer.ResetCameraClippingRange()
 
 
 def surface(mesh, colour=CLAY):
@@ -78,12 +59,10 @@ def coloured(mesh, array, low, high, table):
 
 
 def thickness_colours():
-    """Thin is dark blue, thick is pale yellow: even steps of lightness."""
-    stops = np.array([[0.17, 0.16, 0.45], [0.16, 0.45, 0.60], [0.36, 0.70, 0.55], [0.80, 0.86, 0.45], [0.99, 0.95, 0.75]])
+    """Thin is dark blue, thick is pale yellow."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
-    for i in range(256):
-        rgb = [np.interp(i / 255.0, np.linspace(0, 1, len(stops)), stops[:, k]) for k in range(3)]
+    for i, rgb in enumerate(by_value(np.linspace(0.0, 1.0, 256))):
         table.SetTableValue(i, *rgb, 1.0)
     return table
 
@@ -117,9 +96,7 @@ def projected(curves, view, colour=SILHOUETTE, width=4.0):
     """World-space curves, drawn over everything where the view shows them."""
     points, lines = vtkPoints(), vtkCellArray()
     if curves.GetNumberOfPoints():
-        world = np.c_[vtk_to_numpy(curves.GetPoints().GetData()), np.ones(curves.GetNumberOfPoints())]
-        clip = world @ (view.projection @ view.view).T
-        for x, y in (clip[:, :2] / clip[:, 3:] + 1.0) * 0.5 * np.array(view.size):
+        for x, y in view.pixels(vtk_to_numpy(curves.GetPoints().GetData())):
             points.InsertNextPoint(x, y, 0.0)
         visible = curves.GetCellData().GetArray("Visible")
         for cell in range(curves.GetNumberOfCells()):
@@ -151,21 +128,11 @@ def window(view, actors, actors2d=(), samples=0):
     result = vtkRenderWindow()
     result.SetOffScreenRendering(1)
     result.SetMultiSamples(samples)
-    result.SetSize(*view.size)
+    result.SetSize(*(int(length) for length in view.size))
     result.AddRenderer(renderer)
     view.aim(renderer)
     result.Render()
     return result
-
-
-def image(render_window):
-    """The window's picture as vtkImageData."""
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(render_window)
-    grab.ReadFrontBufferOff()
-    grab.ShouldRerenderOff()
-    grab.Update()
-    return grab.GetOutput()
 
 
 def silhouette_scene(system, stroke):
