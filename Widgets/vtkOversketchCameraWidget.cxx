@@ -2,15 +2,13 @@
 
 #include "vtkOversketchCameraRepresentation.h"
 #include "vtkOversketchInteractorStyle.h"
+#include "widget_events.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkEvent.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkWidgetCallbackMapper.h"
-#include "vtkWidgetEvent.h"
 
 #include <string>
 
@@ -30,24 +28,7 @@ vtkOversketchCameraWidget::vtkOversketchCameraWidget()
 {
   this->KeyPressActivationOff();
   this->Priority = 0.6f; // before the pen
-  const auto on = [this](
-                    unsigned long event, unsigned long what, vtkWidgetCallbackMapper::CallbackType callback)
-  { this->CallbackMapper->SetCallbackMethod(event, what, this, callback); };
-  on(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, Press);
-  on(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, Move);
-  on(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, Release);
-  this->CallbackMapper->SetCallbackMethod(
-    vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::Completed, this, Key);
-  // During a drag all events are the widget's (GrabFocus), and these come to nothing.
-  this->CallbackMapper->SetCallbackMethod(
-    vtkCommand::CharEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::ModifyEvent, this, Swallow);
-  for (const unsigned long event : { vtkCommand::MiddleButtonPressEvent,
-         vtkCommand::RightButtonPressEvent,
-         vtkCommand::MouseWheelForwardEvent,
-         vtkCommand::MouseWheelBackwardEvent })
-  {
-    on(event, vtkWidgetEvent::ModifyEvent, Swallow);
-  }
+  oversketch::listenToHand(this->CallbackMapper, this, { Press, Move, Release, Key });
 }
 
 vtkOversketchCameraWidget::~vtkOversketchCameraWidget()

@@ -46,7 +46,6 @@ private:
   static void Move(vtkAbstractWidget* widget);
   static void Release(vtkAbstractWidget* widget);
   static void Key(vtkAbstractWidget* widget);
-  static void Swallow(vtkAbstractWidget*) {}
 
   void Stop();
 

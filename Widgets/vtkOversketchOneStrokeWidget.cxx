@@ -6,10 +6,10 @@
 #include "vtkOversketchOneStrokeRepresentation.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
+#include "widget_events.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkEvent.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
@@ -17,8 +17,6 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkTrivialProducer.h"
-#include "vtkWidgetCallbackMapper.h"
-#include "vtkWidgetEvent.h"
 
 #include <algorithm>
 #include <string>
@@ -49,26 +47,7 @@ vtkOversketchOneStrokeWidget::vtkOversketchOneStrokeWidget()
 {
   this->KeyPressActivationOff();
   this->Priority = 0.55f; // before the pen, after the camera's controls
-  const auto on = [this](
-                    unsigned long event, unsigned long what, vtkWidgetCallbackMapper::CallbackType callback)
-  { this->CallbackMapper->SetCallbackMethod(event, what, this, callback); };
-  on(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, Press);
-  on(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, MoveTo);
-  on(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, Release);
-  this->CallbackMapper->SetCallbackMethod(
-    vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::Completed, this, Key);
-  // While the stroke is moved all events are the widget's (GrabFocus), and these come to nothing.
-  this->CallbackMapper->SetCallbackMethod(
-    vtkCommand::CharEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::ModifyEvent, this, Swallow);
-  for (const unsigned long event : { vtkCommand::MiddleButtonPressEvent,
-         vtkCommand::MiddleButtonReleaseEvent,
-         vtkCommand::RightButtonPressEvent,
-         vtkCommand::RightButtonReleaseEvent,
-         vtkCommand::MouseWheelForwardEvent,
-         vtkCommand::MouseWheelBackwardEvent })
-  {
-    on(event, vtkWidgetEvent::ModifyEvent, Swallow);
-  }
+  oversketch::listenToHand(this->CallbackMapper, this, { Press, MoveTo, Release, Key });
   this->Ear->SetClientData(this);
   this->Ear->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
     { static_cast<vtkOversketchOneStrokeWidget*>(self)->Heard(event); });

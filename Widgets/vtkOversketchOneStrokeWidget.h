@@ -180,7 +180,6 @@ private:
   static void MoveTo(vtkAbstractWidget* widget);
   static void Release(vtkAbstractWidget* widget);
   static void Key(vtkAbstractWidget* widget);
-  static void Swallow(vtkAbstractWidget*) {}
 
   void Heard(unsigned long event);
   void Tell(const std::string& message);

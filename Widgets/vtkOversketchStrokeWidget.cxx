@@ -2,11 +2,11 @@
 
 #include "vtkOversketchInteractorStyle.h"
 #include "vtkOversketchStrokeRepresentation.h"
+#include "widget_events.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkEvent.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -41,27 +41,8 @@ vtkOversketchStrokeWidget::vtkOversketchStrokeWidget()
 {
   this->KeyPressActivationOff();
   this->Producer->SetOutput(this->Stroke);
-  const auto on = [this](
-                    unsigned long event, unsigned long what, vtkWidgetCallbackMapper::CallbackType callback)
-  { this->CallbackMapper->SetCallbackMethod(event, what, this, callback); };
-  on(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, Press);
-  on(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, Move);
-  on(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, Release);
-  on(vtkCommand::ConfigureEvent, vtkWidgetEvent::Resize, Resized);
-  this->CallbackMapper->SetCallbackMethod(
-    vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::Completed, this, Key);
-  this->CallbackMapper->SetCallbackMethod(
-    vtkCommand::CharEvent, vtkEvent::AnyModifier, 0, 0, nullptr, vtkWidgetEvent::ModifyEvent, this, Swallow);
-  // While the pen is down all events are the widget's (GrabFocus), and these come to nothing.
-  for (const unsigned long event : { vtkCommand::MiddleButtonPressEvent,
-         vtkCommand::MiddleButtonReleaseEvent,
-         vtkCommand::RightButtonPressEvent,
-         vtkCommand::RightButtonReleaseEvent,
-         vtkCommand::MouseWheelForwardEvent,
-         vtkCommand::MouseWheelBackwardEvent })
-  {
-    on(event, vtkWidgetEvent::ModifyEvent, Swallow);
-  }
+  oversketch::listenToHand(this->CallbackMapper, this, { Press, Move, Release, Key });
+  this->CallbackMapper->SetCallbackMethod(vtkCommand::ConfigureEvent, vtkWidgetEvent::Resize, this, Resized);
 }
 
 vtkOversketchStrokeWidget::~vtkOversketchStrokeWidget()

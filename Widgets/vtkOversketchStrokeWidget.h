@@ -139,7 +139,6 @@ private:
   static void Release(vtkAbstractWidget* widget);
   static void Key(vtkAbstractWidget* widget);
   static void Resized(vtkAbstractWidget* widget);
-  static void Swallow(vtkAbstractWidget*) {}
 
   bool Begin(double x, double y, double pressure, bool over);
   bool DropDrawing();

@@ -1,0 +1,45 @@
+#include "widget_events.h"
+
+#include "vtkAbstractWidget.h"
+#include "vtkCommand.h"
+#include "vtkEvent.h"
+#include "vtkWidgetEvent.h"
+
+namespace oversketch
+{
+
+void listenToHand(vtkWidgetCallbackMapper* mapper, vtkAbstractWidget* widget, const HandCallbacks& hand)
+{
+  const HandCallbacks::Callback swallow = [](vtkAbstractWidget*) {};
+  mapper->SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, widget, hand.press);
+  mapper->SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, widget, hand.move);
+  mapper->SetCallbackMethod(
+    vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, widget, hand.release);
+  mapper->SetCallbackMethod(vtkCommand::KeyPressEvent,
+    vtkEvent::AnyModifier,
+    0,
+    0,
+    nullptr,
+    vtkWidgetEvent::Completed,
+    widget,
+    hand.key);
+  mapper->SetCallbackMethod(vtkCommand::CharEvent,
+    vtkEvent::AnyModifier,
+    0,
+    0,
+    nullptr,
+    vtkWidgetEvent::ModifyEvent,
+    widget,
+    swallow);
+  for (const unsigned long event : { vtkCommand::MiddleButtonPressEvent,
+         vtkCommand::MiddleButtonReleaseEvent,
+         vtkCommand::RightButtonPressEvent,
+         vtkCommand::RightButtonReleaseEvent,
+         vtkCommand::MouseWheelForwardEvent,
+         vtkCommand::MouseWheelBackwardEvent })
+  {
+    mapper->SetCallbackMethod(event, vtkWidgetEvent::ModifyEvent, widget, swallow);
+  }
+}
+
+} // namespace oversketch
