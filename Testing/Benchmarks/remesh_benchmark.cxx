@@ -10,12 +10,17 @@
 
 #include "vtkSMPTools.h"
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh.h>
+#if __has_include(<CGAL/AABB_traits_3.h>) // CGAL 6
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +35,13 @@ namespace
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangles = std::vector<Kernel::Triangle_3>;
-using Tree =
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::iterator>>>;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Triangles::iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
+#else
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+#endif
 
 constexpr int iterations = 5;
 
