@@ -8,7 +8,8 @@ import sys
 import time
 
 import oversketch  # noqa: F401  for the filter's own methods
-from hosts import digest, load_plugin
+from digest import digest
+from hosts import load_plugin
 from paraview import servermanager, simple
 
 load_plugin(globals())

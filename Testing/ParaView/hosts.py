@@ -1,11 +1,8 @@
-"""What the scripts that run inside ParaView share: the plugin, shipped models and strokes, a digest of a mesh. No test of its own."""
-import hashlib
+"""What the scripts that run inside ParaView share: the plugin, shipped models and strokes. No test of its own."""
 import os
 import pathlib
 
-import numpy
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 PLUGIN = os.environ["OVERSKETCH_PLUGIN"]
@@ -24,13 +21,6 @@ def model(name):
 
 def stroke(name):
     return simple.XMLPolyDataReader(FileName=[str(DATA / "Strokes" / f"{name}.vtp")])
-
-
-def digest(mesh):
-    """Points and polygons, bit for bit."""
-    sums = hashlib.md5(vtk_to_numpy(mesh.GetPoints().GetData()).tobytes())
-    sums.update(vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).astype(numpy.int64).tobytes())
-    return sums.hexdigest()
 
 
 def fetched(source):

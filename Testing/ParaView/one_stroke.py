@@ -3,7 +3,8 @@ pipeline runs on that pvserver."""
 import sys
 
 import oversketch
-from hosts import digest, fetched, load_plugin, model, stroke
+from digest import digest
+from hosts import fetched, load_plugin, model, stroke
 from paraview import simple
 
 remote = len(sys.argv) > 2

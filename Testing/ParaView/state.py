@@ -3,7 +3,8 @@
 usage: pvpython state.py FILE.pvsm save|load"""
 import sys
 
-from hosts import digest, fetched, load_plugin, model, stroke
+from digest import digest
+from hosts import fetched, load_plugin, model, stroke
 from paraview import simple
 
 load_plugin(globals())

@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
 # Builds the ParaView plugin, getting ParaView first where it is not installed, and tests it: proxies against headers, pvpython,
-# pvbatch, pvserver, state files, 200 models on 1, 2 and 4 ranks. Testing/test.sh paraview calls it. Arguments go to pytest.
+# pvbatch, pvserver, state files, the meshes of the VTK build, 200 models on 1, 2 and 4 ranks. Testing/test.sh paraview calls it.
+# Arguments go to pytest.
 set -euo pipefail
 . "$(dirname "$0")/../../Applications/ParaView/setup.sh"
 cd "$oversketch_root"
 oversketch_paraview_build
+if [ "$oversketch_paraview" != /usr ]; then # else VTK's Python package cannot be there
+  oversketch_build release --target oversketch_python_stubs
+  export OVERSKETCH_VTK_PACKAGE=$oversketch_root/build/release/lib/python3/dist-packages
+fi
 XDG_CACHE_HOME=$oversketch_root/build/paraview/cache oversketch_in_paraview \
   /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp=build/paraview/tests Testing/ParaView/test_paraview.py "$@"

@@ -17,15 +17,15 @@ RANKS = (1, 2, 4)
 TIMEOUT = 1500  # s, for one program on a busy machine
 
 
-def run(*command):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=TIMEOUT)
+def run(*command, **more):
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=TIMEOUT, **more)
     assert done.returncode == 0, f"{command} failed\n{done.stdout}\n{done.stderr}"
     return done
 
 
-def clean(*command):
+def clean(*command, **more):
     """Runs a program that must not complain."""
-    done = run(*command)
+    done = run(*command, **more)
     assert not re.search(r"ERR\||ERROR|Traceback", done.stderr + done.stdout), done.stderr + done.stdout
     return done.stdout
 
@@ -39,6 +39,19 @@ def test_one_stroke_in_pvpython_and_pvbatch_is_the_class():
     inside = clean("pvpython", HERE / "one_stroke.py")
     assert len(inside.splitlines()) == 2
     assert clean("pvbatch", HERE / "one_stroke.py") == inside
+
+
+@pytest.mark.skipif("OVERSKETCH_VTK_PACKAGE" not in os.environ, reason="ParaView is installed: VTK's Python cannot be beside it")
+def test_meshes_are_those_of_the_vtk_build():
+    """Each shipped stroke, bit for bit: ParaView brings another VTK, and the filters are compiled anew against it."""
+    outside = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
+    outside["PYTHONPATH"] = os.environ["OVERSKETCH_VTK_PACKAGE"]
+    vtk = clean("/usr/bin/python3", HERE / "shipped.py", DATA, env=outside).splitlines()
+    assert len(vtk) == 1 + 2 * len(list((DATA / "Strokes").glob("*.vtp"))) > 20
+    paraview = clean("pvpython", HERE / "shipped.py", DATA).splitlines()
+    assert paraview[0] != vtk[0], "the same VTK"
+    assert paraview[1:] == vtk[1:]
+    assert len({line.split()[-1] for line in vtk[1:]}) > 15, "most meshes differ from each other"
 
 
 def accepting_server():
