@@ -174,7 +174,7 @@ void requireArrays(const std::string& path, vtkDataSetAttributes* data, vtkIdTyp
   }
 }
 
-// vtkOBJReader leaves group and material ids short where a file holds lines or points besides faces.
+// vtkOBJReader leaves group ids short where a file holds lines or points besides faces.
 void dropIncompleteArrays(const std::string& path, vtkPolyData* mesh, Notes& notes)
 {
   vtkCellData* data = mesh->GetCellData();
@@ -281,8 +281,8 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   if (extension == ".obj")
   {
     mesh = readWith<vtkOBJReader>(path);
+    readObjMaterials(mesh, path, notes);
     dropIncompleteArrays(path, mesh, notes);
-    readObjTexture(mesh, path, notes);
   }
   else if (extension == ".ply")
   {

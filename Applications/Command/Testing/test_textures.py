@@ -1,6 +1,7 @@
 """Textures and colours: what comes in with a mesh goes out with it, to the bit, and what cannot is named."""
 import base64
 import json
+import re
 import struct
 
 import numpy
@@ -230,6 +231,39 @@ def test_obj_says_what_it_cannot_bring(tmp_path, longer, library, note):
     notes = drawn(obj(tmp_path / "in.obj", ["fur", "nose"], library), longer, tmp_path / "out.glb")
     assert note in notes
     assert "images" not in taken_apart(tmp_path / "out.glb")[0]
+
+
+@pytest.mark.parametrize("coordinates_too", [True, False])
+@pytest.mark.parametrize("materials", [["fur", "nose", "fur again"], ["nose"], [None, "nose"], []])
+def test_every_face_keeps_its_material(tmp_path, longer, materials, coordinates_too):
+    source = obj(tmp_path / "in.obj", [name or "" for name in materials] or [""], "newmtl fur\n")
+    text = source.read_text().replace("usemtl \n", "")
+    if not coordinates_too:
+        text = "\n".join(re.sub(r"/\d+", "", line) for line in text.splitlines() if not line.startswith("vt")) + "\n"
+    source.write_text(text)
+    drawn(source, longer, tmp_path / "out.obj")
+    worn = lambda path: [(name, corners) for name, *corners in worn_in(path)]
+    assert worn(tmp_path / "out.obj") == [(name or ("NO_MATERIAL" if "nose" in text else None), corners)
+                                          for name, corners in worn(source)]
+    drawn(source, longer, tmp_path / "out.vtp")
+    mesh = read(tmp_path / "out.vtp").GetPointData()
+    assert (mesh.GetTCoords() is not None) == coordinates_too
+    assert [mesh.GetArrayName(i) for i in range(mesh.GetNumberOfArrays()) if mesh.GetArray(i).GetNumberOfComponents() == 2] == (
+        ["TCoords"] if coordinates_too else [])
+
+
+def worn_in(path):
+    """Of each face: its material's name, and the texture coordinates of its corners (none without)."""
+    material, coordinates = None, []
+    for line in path.read_text().splitlines():
+        keyword, _, rest = line.partition(" ")
+        if keyword == "usemtl":
+            material = rest
+        elif keyword == "vt":
+            coordinates.append(tuple(numpy.float32(value) for value in rest.split()))
+        elif keyword == "f":
+            corners = [corner.split("/") for corner in rest.split()]
+            yield material, *(coordinates[int(corner[1]) - 1] if len(corner) > 1 else None for corner in corners)
 
 
 def test_new_triangles_wear_the_picture_too(tmp_path, longer):
