@@ -32,13 +32,19 @@ def things(process):
     return found
 
 
+def role_of(thing):
+    """Its role; AT-SPI before 2.53 calls a button a push button."""
+    name = thing.get_role_name()
+    return "button" if name == "push button" else name
+
+
 def walk(thing, found):
     for i in range(thing.get_child_count()):
         child = thing.get_child_at_index(i)
         if child is None:
             continue
         if child.get_state_set().contains(Atspi.StateType.SHOWING):
-            found.append((child.get_role_name(), child.get_name(), child))
+            found.append((role_of(child), child.get_name(), child))
             walk(child, found)
 
 

@@ -117,7 +117,7 @@ class Sitting:
         self.desk.key("ctrl+a")
         self.desk.type(str(path))
         self.desk.key("Return")
-        self.click("push button", "Yes" if overlays else "No")
+        self.click("button", "Yes" if overlays else "No")
         until(path.exists, "the picture")
         self.alone()
         image = vtkPNGReader()
@@ -133,7 +133,7 @@ class Sitting:
     def shot(self, name):
         """Leaves the window's picture, once it is still; with OVERSKETCH_WRITE_BASELINES that of the README, too."""
         SHOTS.mkdir(parents=True, exist_ok=True)
-        until(lambda: not reader.shown(self.studio.process.pid, "push button", "Cancel"), "nothing is computed")
+        until(lambda: not reader.shown(self.studio.process.pid, "button", "Cancel"), "nothing is computed")
         shape, seen = self.desk.windows()[0][1], [None]
 
         def still():
