@@ -35,6 +35,7 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes);
 // The single formats, used by the above. They throw Failed.
 void checkPly(const std::string& path); // that the file holds what its header announces
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path);
+vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes);
 // After vtkOBJReader: which face wears which material (field array MaterialNames, cell array MaterialIds), one
 // array of texture coordinates for all of them (-1, -1 at points without), and the picture of the materials
 // (texture.h) where all have the same.

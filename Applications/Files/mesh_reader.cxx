@@ -6,7 +6,6 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkPointData.h"
 #include "vtkSTLReader.h"
@@ -174,20 +173,6 @@ void requireArrays(const std::string& path, vtkDataSetAttributes* data, vtkIdTyp
   }
 }
 
-// vtkOBJReader leaves group ids short where a file holds lines or points besides faces.
-void dropIncompleteArrays(const std::string& path, vtkPolyData* mesh, Notes& notes)
-{
-  vtkCellData* data = mesh->GetCellData();
-  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    if (data->GetAbstractArray(i)->GetNumberOfTuples() != mesh->GetNumberOfCells())
-    {
-      notes.push_back(path + ": the cell array " + data->GetArrayName(i) + " is incomplete and dropped");
-      data->RemoveArray(i);
-    }
-  }
-}
-
 // Points finite, ids in range, arrays complete.
 void requireSound(const std::string& path, vtkPolyData* mesh)
 {
@@ -280,9 +265,7 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   vtkSmartPointer<vtkPolyData> mesh;
   if (extension == ".obj")
   {
-    mesh = readWith<vtkOBJReader>(path);
-    readObjMaterials(mesh, path, notes);
-    dropIncompleteArrays(path, mesh, notes);
+    mesh = readObj(path, notes);
   }
   else if (extension == ".ply")
   {

@@ -109,6 +109,23 @@ def test_a_textured_obj_comes_out_textured_and_closed(folder, tmp_path):
     assert set(edges.values()) == {2}
 
 
+def test_relative_indices_name_the_same_corners(folder, tmp_path):
+    mesh = body()
+    points = points_of(mesh)
+    head = ["v %.17g %.17g %.17g" % tuple(p) for p in points] + ["vn 0 0 %d" % k for k in (1, 2)]
+    head += ["vt %g %g" % (0.25 * k, 0.1 * k) for k in range(4)]
+    counts = len(points), 4, 2
+    for name, index in ("absolute", lambda i, count: i + 1), ("relative", lambda i, count: i - count):
+        faces = ["f " + " ".join("/".join(str(index(i, count)) for i, count in zip((v, k % 4, k % 2), counts)) for v in t)
+                 for k, t in enumerate(triangles_of(mesh))]
+        (tmp_path / (name + ".obj")).write_text("\n".join(head + faces) + "\n")
+        done = run("one-stroke", tmp_path / (name + ".obj"), folder / "longer.vtp", "-o", tmp_path / (name + ".vtp"), *QUICK)
+        assert done.returncode == 0, done.stderr
+    assert (tmp_path / "relative.vtp").read_bytes() == (tmp_path / "absolute.vtp").read_bytes()
+    coordinates = vtk_to_numpy(read(tmp_path / "relative.vtp").GetPointData().GetTCoords())
+    assert len(numpy.unique(coordinates, axis=0)) == 4
+
+
 def test_quads_are_triangulated_and_said_so(folder, tmp_path):
     mesh = body()
     text = "OFF\n%d 2 0\n" % mesh.GetNumberOfPoints()

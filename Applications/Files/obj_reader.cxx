@@ -1,0 +1,129 @@
+// Why not vtkOBJReader alone: in VTK 9.3 it counts relative indices (-1 is the last one so far) of texture
+// coordinates and normals by the number of the other, so it is given absolute ones.
+#include "mesh_file.h"
+
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace oversketch_files
+{
+
+namespace
+{
+
+bool isElement(const std::string& line)
+{
+  return line.size() > 1 && (line[0] == 'f' || line[0] == 'l' || line[0] == 'p') &&
+         (line[1] == ' ' || line[1] == '\t');
+}
+
+// A corner, v/vt/vn, with absolute indices.
+std::string absolute(const std::string& corner, const long (&counts)[3])
+{
+  std::istringstream parts(corner);
+  std::string part, text;
+  for (int k = 0; std::getline(parts, part, '/'); ++k)
+  {
+    const long index = part.empty() ? 0 : std::strtol(part.c_str(), nullptr, 10);
+    text += (k > 0 ? "/" : "") + (index < 0 && k < 3 ? std::to_string(counts[k] + 1 + index) : part);
+  }
+  return text;
+}
+
+// The text of the file with absolute indices; "" where it has no others.
+std::string withAbsoluteIndices(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  long counts[3] = { 0, 0, 0 }; // v, vt, vn so far
+  bool relative = false;
+  std::string text;
+  for (std::string line; std::getline(file, line);)
+  {
+    counts[0] += line.rfind("v ", 0) == 0;
+    counts[1] += line.rfind("vt ", 0) == 0;
+    counts[2] += line.rfind("vn ", 0) == 0;
+    if (isElement(line) && line.find('-') != std::string::npos)
+    {
+      relative = true;
+      std::istringstream words(line);
+      std::string word;
+      words >> line;
+      while (words >> word)
+      {
+        line += ' ' + absolute(word, counts);
+      }
+    }
+    text += line + '\n';
+  }
+  return relative ? text : "";
+}
+
+// A file in memory with that text, until it goes.
+class MemoryFile
+{
+public:
+  explicit MemoryFile(const std::string& text)
+    : descriptor_(memfd_create("oversketch.obj", MFD_CLOEXEC))
+  {
+    std::ofstream stream(this->path(), std::ios::binary);
+    stream << text;
+    stream.close();
+    if (this->descriptor_ < 0 || !stream)
+    {
+      throw Failed("an OBJ file with relative indices could not be kept in memory");
+    }
+  }
+  ~MemoryFile() { close(this->descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  std::string path() const { return "/proc/self/fd/" + std::to_string(this->descriptor_); }
+
+private:
+  int descriptor_;
+};
+
+// vtkOBJReader leaves group ids short where a file holds lines or points besides faces.
+void dropIncompleteArrays(const std::string& path, vtkPolyData* mesh, Notes& notes)
+{
+  vtkCellData* data = mesh->GetCellData();
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (data->GetAbstractArray(i)->GetNumberOfTuples() != mesh->GetNumberOfCells())
+    {
+      notes.push_back(path + ": the cell array " + data->GetArrayName(i) + " is incomplete and dropped");
+      data->RemoveArray(i);
+    }
+  }
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes)
+{
+  const std::string text = withAbsoluteIndices(path);
+  const auto file = text.empty() ? nullptr : std::make_unique<const MemoryFile>(text);
+  vtkNew<vtkOBJReader> reader;
+  reader->SetFileName((file ? file->path() : path).c_str());
+  takeError();
+  reader->Update();
+  const std::string error = takeError();
+  if (!error.empty())
+  {
+    throw Failed(path + ": could not be read: " + error);
+  }
+  vtkSmartPointer<vtkPolyData> mesh = reader->GetOutput();
+  readObjMaterials(mesh, path, notes);
+  dropIncompleteArrays(path, mesh, notes);
+  return mesh;
+}
+
+} // namespace oversketch_files
