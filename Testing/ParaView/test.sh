@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the ParaView plugin, getting ParaView first where it is not installed, and tests it: proxies against headers, pvpython,
-# pvbatch, pvserver, state files, the meshes of the VTK build, 200 models on 1, 2 and 4 ranks. Testing/test.sh paraview calls it.
-# Arguments go to pytest.
+# pvbatch, pvserver, state files, the meshes of the VTK build, a stroke drawn in the window, 200 models on 1, 2 and 4 ranks.
+# Testing/test.sh paraview calls it. Arguments go to pytest.
 set -euo pipefail
 . "$(dirname "$0")/../../Applications/ParaView/setup.sh"
 cd "$oversketch_root"
@@ -10,5 +10,7 @@ if [ "$oversketch_paraview" != /usr ]; then # else VTK's Python package cannot b
   oversketch_build release --target oversketch_python_stubs
   export OVERSKETCH_VTK_PACKAGE=$oversketch_root/build/release/lib/python3/dist-packages
 fi
+# A display and a bus for what a screen reader hears, for the tests of ParaView's window.
 XDG_CACHE_HOME=$oversketch_root/build/paraview/cache oversketch_in_paraview \
-  /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp=build/paraview/tests Testing/ParaView/test_paraview.py "$@"
+  xvfb-run -a -s '-screen 0 1280x1400x24' dbus-run-session -- \
+  /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp=build/paraview/tests Testing/ParaView "$@"

@@ -15,17 +15,18 @@ DATA = HERE.parents[1] / "Data"
 GOOD = 200  # models of the collection; three bad ones come on top
 RANKS = (1, 2, 4)
 TIMEOUT = 1500  # s, for one program on a busy machine
+WITHOUT_DISPLAY = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
 
 
-def run(*command, **more):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=TIMEOUT, **more)
+def run(*command, env=WITHOUT_DISPLAY):
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=TIMEOUT, env=env)
     assert done.returncode == 0, f"{command} failed\n{done.stdout}\n{done.stderr}"
     return done
 
 
-def clean(*command, **more):
+def clean(*command, env=WITHOUT_DISPLAY):
     """Runs a program that must not complain."""
-    done = run(*command, **more)
+    done = run(*command, env=env)
     assert not re.search(r"ERR\||ERROR|Traceback", done.stderr + done.stdout), done.stderr + done.stdout
     return done.stdout
 
@@ -44,7 +45,7 @@ def test_one_stroke_in_pvpython_and_pvbatch_is_the_class():
 @pytest.mark.skipif("OVERSKETCH_VTK_PACKAGE" not in os.environ, reason="ParaView is installed: VTK's Python cannot be beside it")
 def test_meshes_are_those_of_the_vtk_build():
     """Each shipped stroke, bit for bit: ParaView brings another VTK, and the filters are compiled anew against it."""
-    outside = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
+    outside = {name: value for name, value in WITHOUT_DISPLAY.items() if name != "LD_LIBRARY_PATH"}
     outside["PYTHONPATH"] = os.environ["OVERSKETCH_VTK_PACKAGE"]
     vtk = clean("/usr/bin/python3", HERE / "shipped.py", DATA, env=outside).splitlines()
     assert len(vtk) == 1 + 2 * len(list((DATA / "Strokes").glob("*.vtp"))) > 20
@@ -60,7 +61,7 @@ def accepting_server():
         with socket.socket() as probe:
             probe.bind(("localhost", 0))
             port = probe.getsockname()[1]
-        server = subprocess.Popen(["pvserver", f"--server-port={port}"], stdout=subprocess.PIPE, text=True)
+        server = subprocess.Popen(["pvserver", f"--server-port={port}"], stdout=subprocess.PIPE, text=True, env=WITHOUT_DISPLAY)
         for line in server.stdout:
             if "Accepting connection" in line:
                 return server, port

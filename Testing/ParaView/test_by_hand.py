@@ -1,0 +1,253 @@
+"""One stroke by hand in ParaView's window, as Applications/ParaView/README.md tells it: a line drawn with the mouse, the view's camera
+taken by the button, the leg longer. Testing/ParaView/test.sh gives it a display and a bus for what a screen reader hears."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy
+import oversketch
+import pytest
+from digest import digest
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader
+
+HERE = pathlib.Path(__file__).resolve().parent
+DOG = HERE.parents[1] / "Data" / "Models" / "dog.ply"
+PLUGIN = pathlib.Path(os.environ["OVERSKETCH_PLUGIN"])
+sys.path.append(str(HERE.parent / "Studio"))
+import reader  # noqa: E402
+from desk import Desk, until  # noqa: E402
+
+# The outline of a longer hind leg [world, at the depth of the leg].
+LEG = [(x, y, 0.3) for x, y in ((-0.83, 0.4), (-0.86, -0.08), (-0.838, -0.307), (-0.62, -0.32), (-0.63, -0.24), (-0.728, -0.174),
+                                (-0.706, 0.246))]
+SECONDS = 300  # for one step on a busy machine
+
+
+def projected(camera, points):
+    """Where a camera shows points: pixels from the lower left corner."""
+    both = numpy.array(camera["ProjectionTransform"]).reshape(4, 4) @ numpy.array(camera["ViewTransform"]).reshape(4, 4)
+    clip = numpy.hstack([points, numpy.ones((len(points), 1))]) @ both.T
+    return 0.5 * (clip[:, :2] / clip[:, 3:] + 1.0) * camera["ViewportSize"]
+
+
+def same_view(a, b):
+    """Near and far planes, the third row of the projection, mean nothing."""
+    rows = [0, 1, 3]
+    return (a["ViewportSize"] == b["ViewportSize"] and numpy.allclose(a["ViewTransform"], b["ViewTransform"], rtol=0, atol=1e-9)
+            and numpy.allclose(numpy.reshape(a["ProjectionTransform"], (4, 4))[rows], numpy.reshape(b["ProjectionTransform"], (4, 4))[rows],
+                               rtol=0, atol=1e-9))
+
+
+class Window:
+    """ParaView's, with a home of its own."""
+
+    def __init__(self, home):
+        self.desk, self.file = Desk(), home / "state.json"
+        (home / "run").mkdir(mode=0o700)
+        environment = dict(
+            os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"), XDG_RUNTIME_DIR=str(home / "run"),
+            OVERSKETCH_STATE=str(self.file), PYTHONPATH=f"{HERE}:{os.environ['PYTHONPATH']}", PYTHONDONTWRITEBYTECODE="1",
+            QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", LC_ALL="C.UTF-8")
+        self.log = open(home / "log.txt", "w")
+        # --dr: without what was kept, nor a welcome.
+        self.process = subprocess.Popen(
+            ["paraview", "--dr", f"--plugin-search-paths={PLUGIN.parent}", "--plugins=Oversketch",
+             f"--script={HERE / 'by_hand_scene.py'}", "-geometry", "1280x1400+0+0"],
+            env=environment, stdout=self.log, stderr=self.log)
+        self.wait(self.file.exists, "the dog in a window")
+        self.panel("dog")
+
+    def wait(self, condition, what):
+        def met():
+            assert self.process.poll() is None, "ParaView ended\n" + self.said()
+            return condition()
+        return until(met, what, SECONDS)
+
+    def said(self):
+        return pathlib.Path(self.log.name).read_text()
+
+    def state(self):
+        return json.loads(self.file.read_text())
+
+    def output(self, name):
+        return self.state()["sources"].get(name)
+
+    def things(self):
+        try:
+            return reader.things(self.process.pid)
+        except reader.GLib.Error:  # something went away meanwhile
+            return []
+
+    def place(self, role, name):
+        """Of the one thing of that role and name, once it can be used."""
+        def usable():
+            hits = [thing for its, named, thing in self.things() if its == role and named == name]
+            if len(hits) == 1 and hits[0].get_state_set().contains(reader.Atspi.StateType.ENABLED):
+                return reader.Place(hits[0].get_extents(reader.Atspi.CoordType.SCREEN), 1)
+        return self.wait(usable, f"{role} {name}")
+
+    def push(self, name):
+        self.desk.click(*self.place("button", name).middle)
+
+    def panel(self, name):
+        """Waits for the properties of that source."""
+        self.place("label", f"Properties ({name})")
+
+    def named(self, title):
+        """The window of that title, with the keys."""
+        window = self.wait(lambda: next((w for w, _ in self.desk.windows() if title in (w.get_wm_name() or "")), None), title)
+        self.desk.focus(window)
+
+    def launch(self, name):
+        """A source or filter by its name, as with the menu."""
+        self.named("ParaView")
+        before = len(self.desk.windows())
+        self.desk.key("ctrl+space")
+        self.wait(lambda: len(self.desk.windows()) > before, "the field for names")
+        self.desk.focus(self.desk.windows()[-1][0])
+        self.desk.type(name)
+        self.place("button", name)
+        self.desk.key("Return")
+
+    def on_screen(self, points):
+        """Where the view shows points of the world on the screen."""
+        camera = self.state()
+        width, height = camera["ViewportSize"]
+
+        def view():
+            shapes = [(t.get_extents(reader.Atspi.CoordType.SCREEN)) for _, _, t in self.things()]
+            return min((s for s in shapes if 0 <= s.width - width < 20 and 0 <= s.height - height < 20), default=None,
+                       key=lambda s: s.width * s.height)
+        shape = self.wait(view, "the view")
+        left, bottom = shape.x + (shape.width - width) / 2, shape.y + (shape.height + height) / 2
+        return [(left + x, bottom - y) for x, y in projected(camera, points)]
+
+    def cells(self):
+        """The table of the line's points."""
+        return [name for role, name, _ in self.things() if role == "table cell"]
+
+    def drag(self, start, end):
+        """Takes the line's point at a place elsewhere; returns when the table tells it."""
+        before = self.cells()
+        middle = [(a + b) / 2 for a, b in zip(start, end)]
+        self.desk.drag([start, start, middle, end, end], pause=0.1)
+        self.wait(lambda: len(self.cells()) == len(before) and self.cells() != before, "the point at its place")
+
+    def add(self, place):
+        """A point on the line there."""
+        count = len(self.cells())
+        self.desk.move(*place)
+        self.desk.hold("ctrl")
+        self.desk.press()
+        self.desk.release()
+        self.desk.hold("ctrl", False)
+        self.wait(lambda: len(self.cells()) == count + 3, "one more point")
+
+    def picture(self, path):
+        writer = vtkPNGWriter()
+        writer.SetInputData(self.desk.picture())
+        writer.SetFileName(str(path))
+        writer.Write()
+
+
+@pytest.fixture()
+def window(tmp_path):
+    opened = Window(tmp_path)
+    yield opened
+    opened.picture(tmp_path / "screen.png")
+    opened.process.kill()
+    opened.process.wait()
+
+
+def one_stroke(told):
+    """What the class makes of the dog and a stroke that was told."""
+    stroke, points, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(numpy.array(told["points"]), deep=True))
+    lines.InsertNextCell(len(told["points"]), range(len(told["points"])))
+    stroke.SetPoints(points)
+    stroke.SetLines(lines)
+    for name, kind in (("ViewTransform", float), ("ProjectionTransform", float), ("ViewportSize", numpy.int32)):
+        array = numpy_to_vtk(numpy.array([told["arrays"][name]], dtype=kind), deep=True)
+        array.SetName(name)
+        stroke.GetCellData().AddArray(array)
+    dog, system = vtkPLYReader(), oversketch.vtkOversketchOneStroke()
+    dog.SetFileName(str(DOG))
+    system.SetInputConnection(0, dog.GetOutputPort())
+    system.SetInputData(1, stroke)
+    return oversketch.update(system)
+
+
+def test_a_line_drawn_in_the_view_makes_the_leg_longer(window):
+    # The line: its two ends are taken to the leg's, then points are added and taken to their places.
+    window.launch("Poly Line Source")
+    window.panel("PolyLineSource1")
+    places, ends = window.on_screen(LEG), window.on_screen([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)])
+    window.wait(lambda: len(window.cells()) == 6, "the line's two points")
+    window.drag(ends[0], places[0])
+    window.drag(ends[1], places[-1])
+    for before, place in zip(places, places[1:-1]):
+        added = [(a + b) / 2 for a, b in zip(before, places[-1])]
+        window.add(added)
+        window.drag(added, place)
+    window.push("Apply")
+    drawn = window.wait(lambda: window.output("PolyLineSource1"), "the line")["points"]
+    assert len(drawn) == len(LEG)
+    assert numpy.linalg.norm(projected(window.state(), drawn) - projected(window.state(), LEG), axis=1).max() < 4.0  # px
+
+    # A new stroke takes the camera by itself.
+    name = "OversketchViewStroke1"
+    window.launch("Oversketch View Stroke")
+    window.panel(name)
+    window.push("Apply")
+    stroke = window.wait(lambda: window.output(name), "the stroke")
+    first = window.state()
+    assert same_view(stroke["arrays"], first)
+    assert numpy.allclose(numpy.array(stroke["points"])[:, :2], projected(first, drawn), atol=1e-3)
+
+    # The model is turned: the stroke stays, until the button is pressed.
+    corner = window.on_screen([(0.0, 1.6, 0.0)])[0]
+    window.desk.drag([corner, (corner[0] + 20, corner[1]), (corner[0] + 80, corner[1] + 20)], pause=0.1)
+    window.wait(lambda: not same_view(window.state(), first), "the model turned")
+    assert same_view(window.output(name)["arrays"], first)
+    window.push("Take the camera of the view")
+    window.push("Apply")
+    window.wait(lambda: not same_view(window.output(name)["arrays"], first), "a camera that was taken")
+    turned, stroke = window.state(), window.output(name)
+    assert same_view(stroke["arrays"], turned) and not same_view(turned, first)
+    assert numpy.allclose(numpy.array(stroke["points"])[:, :2], projected(turned, drawn), atol=1e-3)
+
+    # Back again, where the line lies over the leg.
+    window.push("Camera Undo")
+    window.wait(lambda: same_view(window.state(), first), "the first camera")
+    window.push("Take the camera of the view")
+    window.push("Apply")
+    window.wait(lambda: same_view(window.output(name)["arrays"], first), "the first camera in the stroke")
+    stroke = window.output(name)
+
+    # The dog is chosen in the browser, whose rows no screen reader hears, then the stroke in the dialogue.
+    window.desk.click(*window.place("frame", "Pipeline Browser").middle)
+    for key in ["Up"] * 5 + ["Down"]:
+        window.desk.key(key)
+    window.wait(lambda: window.state()["active"] == "dog", "the dog chosen")
+    window.launch("Oversketch One Stroke")
+    radio, ok = window.place("radio button", "Stroke"), window.place("button", "OK")
+    window.named("Change Input")
+    window.desk.click(*radio.middle)
+    window.desk.click(ok.left, ok.top - ok.height)
+    for key in ["Down"] * 5:
+        window.desk.key(key)
+    window.desk.click(*ok.middle)
+    window.panel("OversketchOneStroke1")
+    window.named("ParaView")
+    window.push("Apply")
+    made, dog = window.wait(lambda: window.output("OversketchOneStroke1"), "the mesh"), window.output("dog")
+    lowest = min(y for _, y, _ in LEG)
+    assert abs(dog["bounds"][2]) < 0.01 and abs(made["bounds"][2] - lowest) < 0.06, made["bounds"]
+    assert made["digest"] == digest(one_stroke(stroke)) != dog["digest"]
+    assert "ERR|" not in window.said() and "Traceback" not in window.said(), window.said()
