@@ -45,6 +45,6 @@ oversketch_display() {
   if [ -n "${DISPLAY:-}" ]; then
     "$@"
   else
-    xvfb-run -a -s '-screen 0 1280x1024x24' "$@"
+    xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' "$@"
   fi
 }

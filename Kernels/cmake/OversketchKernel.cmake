@@ -81,13 +81,14 @@ macro (oversketch_filter_module module)
 endmacro ()
 
 # oversketch_pytest(<name> <file.py> [<command>...]): one pytest file under ctest, against the package in the build tree, on
-# a virtual display where it needs one (xvfb-run), run by the command.
+# a virtual display where it needs one (xvfb-run), run by the command. A display that resets with its last client would
+# refuse the next one meanwhile.
 function (oversketch_pytest name file)
   if (NOT OVERSKETCH_BUILD_TESTING OR NOT OVERSKETCH_WRAP_PYTHON)
     return()
   endif ()
   add_test(NAME ${name}
-    COMMAND xvfb-run -a -s "-screen 0 2560x2048x24" ${ARGN} ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
+    COMMAND xvfb-run -a -s "-screen 0 2560x2048x24 -noreset" ${ARGN} ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
       ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600
     ENVIRONMENT "${oversketch_test_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_BUILD=${PROJECT_BINARY_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
