@@ -322,34 +322,49 @@ void vtkOversketchOneStrokeWidget::Heard(unsigned long event)
   this->InvokeEvent(event);
 }
 
+void vtkOversketchOneStrokeWidget::PutSought(vtkPolyData* stroke)
+{
+  stroke->Initialize();
+  vtkOversketchStrokeRepresentation* drawn = this->Pen->GetStrokeRepresentation();
+  if (drawn->IsDrawing() && drawn->GetNumberOfSamples() > 0)
+  {
+    if (!this->Redrawing)
+    {
+      drawn->GetPolyData(stroke);
+    }
+  }
+  else if (this->CurrentRenderer)
+  {
+    oversketch::PenStroke begun;
+    begun.view = oversketch::PenView::of(this->CurrentRenderer);
+    begun.add(oversketch::Vector2::Zero(), 1.0, 0.0);
+    begun.putInto(stroke);
+  }
+}
+
 // The curves of the mesh in the renderer's view.
 void vtkOversketchOneStrokeWidget::MakeCurvesReady()
 {
-  if (!this->CurrentRenderer)
+  if (this->FindsSections)
   {
-    return;
+    vtkNew<vtkPolyData> stroke, none;
+    this->PutSought(stroke);
+    this->Inner->live.section(stroke, none);
   }
-  oversketch::PenStroke begun;
-  begun.view = oversketch::PenView::of(this->CurrentRenderer);
-  begun.add(oversketch::Vector2::Zero(), 1.0, 0.0);
-  vtkNew<vtkPolyData> stroke, none;
-  begun.putInto(stroke);
-  this->Inner->live.section(stroke, none);
 }
 
 // Once a frame, however many samples have come since the last.
 void vtkOversketchOneStrokeWidget::FindSection()
 {
-  if (!this->Extended || !this->Pen->IsDrawing())
+  if (!this->FindsSections || !this->Extended || !this->Pen->IsDrawing())
   {
     return;
   }
   this->Extended = false;
   vtkNew<vtkPolyData> stroke, section;
-  // What a part of a stroke would take hold of alone says nothing.
-  if (!this->Redrawing)
+  this->PutSought(stroke);
+  if (stroke->GetNumberOfPoints() > 0)
   {
-    this->Pen->GetStrokeRepresentation()->GetPolyData(stroke);
     this->Inner->live.section(stroke, section);
   }
   this->Pen->GetStrokeRepresentation()->SetSection(section);
@@ -576,6 +591,7 @@ void vtkOversketchOneStrokeWidget::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ShowRegion: " << this->ShowRegion << "\n";
   os << indent << "GrabDistance: " << this->GrabDistance << "\n";
+  os << indent << "FindsSections: " << this->FindsSections << "\n";
   os << indent << "RunsStrokes: " << this->RunsStrokes << "\n";
   os << indent << "Moving: " << this->Moving << "\n";
   os << indent << "Stroke: " << this->Inner->live.stroke()->GetNumberOfPoints() << " samples\n";

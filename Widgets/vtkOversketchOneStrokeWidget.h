@@ -155,6 +155,25 @@ public:
 
   ///@{
   /**
+   * Off: the host finds sections itself, in its own time, so that the pen never waits for the curves of a
+   * large mesh. It looks for the stroke that PutSought writes, with vtkOversketchOneStroke::MatchSection of a
+   * system of its own, and gives what it found to the pen's representation
+   * (vtkOversketchStrokeRepresentation::SetSection) while that stroke is drawn. Default on.
+   */
+  vtkSetMacro(FindsSections, bool);
+  vtkGetMacro(FindsSections, bool);
+  vtkBooleanMacro(FindsSections, bool);
+  ///@}
+
+  /**
+   * The stroke whose section is to be shown, with its view: what is drawn so far; before that, one
+   * sample in the renderer's view, so that the curves of that view can be made ready; empty while a part of a
+   * stroke is drawn anew, which alone says nothing, and without a renderer.
+   */
+  void PutSought(vtkPolyData* stroke);
+
+  ///@{
+  /**
    * Whether the live stroke is being moved, and by how much [world] since it was taken hold of.
    */
   bool IsMoving() const { return this->Moving; }
@@ -193,6 +212,7 @@ private:
 
   bool ShowRegion = false;
   bool RunsStrokes = true;
+  bool FindsSections = true;
   double GrabDistance = 6.0;
   bool Moving = false, Moved = false, Redrawing = false, PressedOver = false, Extended = false,
        NewStroke = false;

@@ -4,7 +4,6 @@
 #include "latency.h"
 
 #include "vtkOversketchInteractorStyle.h"
-#include "vtkOversketchOneStroke.h"
 #include "vtkOversketchOneStrokeRepresentation.h"
 #include "vtkOversketchOneStrokeWidget.h"
 #include "vtkOversketchStrokeRepresentation.h"
@@ -32,7 +31,6 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QTabletEvent>
 #include <QTimer>
 
@@ -63,6 +61,7 @@ bool drawsOnProcessor(vtkRenderWindow* window)
 
 View::View(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
+  , penSection_(this->widget_)
 {
   this->setRenderWindow(this->window_);
   this->window_->AddRenderer(this->renderer_);
@@ -102,8 +101,6 @@ View::View(QWidget* parent)
   this->interactor()->SetInteractorStyle(this->style_);
   this->style_->SetDefaultRenderer(this->renderer_);
   this->widget_->RunsStrokesOff();
-  // The curves under the pen are found in this thread: by the processor, which need not be waited for.
-  this->widget_->GetOneStroke()->SetBackendToHost();
   this->widget_->SetInteractor(this->interactor());
   this->widget_->SetDefaultRenderer(this->renderer_);
 
@@ -138,6 +135,7 @@ View::View(QWidget* parent)
         else
         {
           Latency::of().sample();
+          view->penSection_.lineGrows();
         }
       }
       else if (event == vtkCommand::EndInteractionEvent)
@@ -148,6 +146,10 @@ View::View(QWidget* parent)
       {
         view->hint_.setVisible(false);
         view->preview_ = nullptr;
+        if (view->pen()->IsDrawing())
+        {
+          view->penSection_.lineBegins();
+        }
       }
       else if (event == vtkCommand::RenderEvent)
       {
@@ -174,6 +176,7 @@ View::View(QWidget* parent)
     this->widget_->AddObserver(event, this->ear_);
   }
   this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
+  connect(&this->penSection_, &PenSection::frameWanted, this, &View::renderNow);
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Model"));
   this->fitScreen();
@@ -198,8 +201,16 @@ vtkOversketchStrokeWidget* View::pen() const
 void View::render()
 {
   this->renderWaits_ = false;
+  this->penSection_.frameBegins();
   Latency::of().frameBegins();
   this->window_->Render();
+}
+
+// And paints it, so that no frame is drawn that nobody sees.
+void View::renderNow()
+{
+  this->render();
+  this->repaint();
 }
 
 void View::renderSoon()
@@ -213,7 +224,7 @@ void View::renderSoon()
       {
         if (this->renderWaits_)
         {
-          this->render();
+          this->renderNow();
         }
       });
   }
@@ -225,6 +236,7 @@ void View::paintGL()
   this->interactor()->EnableRenderOn();
   QVTKOpenGLNativeWidget::paintGL();
   this->interactor()->EnableRenderOff();
+  this->penSection_.framePainted();
   if (Latency::of().isOn())
   {
     this->window_->WaitForCompletion();
@@ -265,24 +277,18 @@ void View::keyPressEvent(QKeyEvent* event)
   QVTKOpenGLNativeWidget::keyPressEvent(event);
 }
 
-void View::mousePressEvent(QMouseEvent* event)
+bool View::event(QEvent* event)
 {
-  if (this->renderWaits_)
+  // VTK hears of the mouse before the functions for its events do.
+  const bool press =
+    event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+  const bool release = event->type() == QEvent::MouseButtonRelease && this->pen()->IsDrawing();
+  if (this->renderWaits_ && (press || release))
   {
-    this->render(); // the pen draws over what is on screen
+    // The pen draws over what is on screen; the line's end is seen before all that a stroke's end brings.
+    this->renderNow();
   }
-  QVTKOpenGLNativeWidget::mousePressEvent(event);
-}
-
-void View::mouseReleaseEvent(QMouseEvent* event)
-{
-  if (this->renderWaits_ && this->pen()->IsDrawing())
-  {
-    // The line's end is seen before all that a stroke's end brings.
-    this->render();
-    this->repaint();
-  }
-  QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
+  return QVTKOpenGLNativeWidget::event(event);
 }
 
 void View::showMesh(vtkPolyData* mesh, bool reset)
@@ -290,6 +296,7 @@ void View::showMesh(vtkPolyData* mesh, bool reset)
   this->meshMapper_->SetInputData(mesh);
   this->skin_.dress(this->mesh_, this->meshMapper_, mesh);
   this->widget_->SetInputData(mesh);
+  this->penSection_.setMesh(mesh);
   if (reset)
   {
     vtkCamera* camera = this->renderer_->GetActiveCamera();

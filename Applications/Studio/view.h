@@ -4,6 +4,7 @@
 
 #include "evaluator.h"
 #include "hint.h"
+#include "pen_section.h"
 #include "session.h"
 #include "skin.h"
 
@@ -76,9 +77,8 @@ signals:
   void quitAsked();
 
 protected:
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
   void paintGL() override;
   void resizeGL(int width, int height) override;
   void tabletEvent(QTabletEvent* event) override;
@@ -86,6 +86,7 @@ protected:
 private:
   void render();
   void renderSoon();
+  void renderNow();
   void placeHint();
   void fitScreen();
   void followHand();
@@ -102,6 +103,7 @@ private:
   Hint hint_;
   vtkNew<vtkOversketchInteractorStyle> style_;
   vtkNew<vtkOversketchOneStrokeWidget> widget_; // shows and moves strokes; the document runs them
+  PenSection penSection_;
   std::shared_ptr<const oversketch_session::Following> following_;
   vtkSmartPointer<vtkPolyData> held_, preview_; // while a stroke is moved: the mesh as it was, as it is shown
   vtkNew<vtkCallbackCommand> ear_;

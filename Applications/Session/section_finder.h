@@ -1,0 +1,77 @@
+// Finds what a stroke takes hold of while it is still being drawn, on a thread of its own, so that the pen
+// never waits: the newest stroke wins.
+#ifndef oversketch_section_finder_h
+#define oversketch_section_finder_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace oversketch_session
+{
+
+class SectionFinder
+{
+public:
+  // What vtkOversketchOneStroke::MatchSection gives, bit for bit, with its back end Host; empty where there
+  // is nothing to take hold of.
+  struct Found
+  {
+    std::uint64_t ticket = 0;
+    vtkSmartPointer<vtkPolyData> section; // a copy that nobody else touches
+  };
+
+  // `found` is called on the finder's thread when there is something to take.
+  explicit SectionFinder(std::function<void()> found);
+  // Cancels what runs and waits for it.
+  ~SectionFinder();
+  SectionFinder(const SectionFinder&) = delete;
+  SectionFinder& operator=(const SectionFinder&) = delete;
+
+  // The newest answer, once. A stroke that a newer one replaced before it was looked at has none.
+  std::optional<Found> take();
+
+  // The mesh that strokes are drawn over from here on; points and triangles are copied. What runs on the last
+  // one is cancelled and not answered.
+  void setMesh(vtkPolyData* mesh);
+  // Looks for a stroke with its view, which is copied. One sample makes the curves of its view ready, for all
+  // that come after. What runs for a stroke in another view is cancelled; in the same view it is finished and
+  // answered, for its curves serve this one too. Returns the ticket, one more than the last.
+  std::uint64_t find(vtkPolyData* stroke);
+
+private:
+  // View, projection and size of the window, as the stroke carries them.
+  using ViewKey = std::array<double, 34>;
+  // VTK collects its garbage without a lock: what goes to another thread is moved there.
+  struct Request
+  {
+    std::uint64_t ticket = 0;
+    ViewKey view{};
+    vtkSmartPointer<vtkPolyData> stroke;
+  };
+  static ViewKey viewOf(vtkPolyData* stroke);
+  void work();
+
+  std::function<void()> found_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  vtkSmartPointer<vtkPolyData> mesh_; // until the thread takes it
+  std::optional<Request> next_;
+  std::optional<Found> answer_;
+  ViewKey runningView_{};
+  std::uint64_t ticket_ = 0;               // of the newest stroke
+  std::atomic<std::uint64_t> oldest_{ 0 }; // what was asked before this one is cancelled
+  bool stop_ = false;
+  std::thread thread_;
+};
+
+} // namespace oversketch_session
+#endif

@@ -1,0 +1,55 @@
+// What the stroke being drawn takes hold of, shown blue under the pen: found away from the interface's
+// thread, so that the line is drawn without waiting for it.
+#ifndef oversketch_studio_pen_section_h
+#define oversketch_studio_pen_section_h
+
+#include "section_finder.h"
+
+#include <QObject>
+
+#include <cstdint>
+
+class QTimer;
+class vtkOversketchOneStrokeWidget;
+class vtkPolyData;
+
+namespace oversketch_studio
+{
+
+class PenSection : public QObject
+{
+  Q_OBJECT
+
+public:
+  // Of a widget, which must outlive it.
+  explicit PenSection(vtkOversketchOneStrokeWidget* widget, QObject* parent = nullptr);
+  ~PenSection() override;
+
+  // The mesh that is drawn over from here on.
+  void setMesh(vtkPolyData* mesh);
+  // The pen goes down; the line has grown; a frame begins that shows it; a frame has been painted.
+  void lineBegins();
+  void lineGrows() { this->grew_ = true; }
+  void frameBegins();
+  void framePainted();
+
+signals:
+  // There is something to be shown, and no frame comes by itself.
+  void frameWanted();
+
+private:
+  void look();
+  void show();
+  void rested();
+
+  vtkOversketchOneStrokeWidget* widget_;
+  QTimer* rest_;                           // since the last frame
+  bool grew_ = false;                      // the line, since a section was last looked for
+  bool waits_ = false;                     // a section, for a frame to show it
+  std::uint64_t asked_ = 0, outdated_ = 0; // tickets; the latter's stroke or mesh is gone
+  // Last, so that it ends first: it calls the rest.
+  oversketch_session::SectionFinder finder_;
+};
+
+} // namespace oversketch_studio
+#endif
