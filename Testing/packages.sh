@@ -28,7 +28,7 @@ in_root() {
 
 # The bare system, once as it is and once with what the build needs.
 if [ ! -e "$folder/bare.tar" ]; then
-  mmdebstrap --quiet --variant=apt "$release" "$folder/bare.tar.part"
+  mmdebstrap --quiet --format=tar --variant=apt "$release" "$folder/bare.tar.part"
   mv "$folder/bare.tar.part" "$folder/bare.tar"
 fi
 build=$folder/build
