@@ -10,14 +10,27 @@ oversketch_packages=(
   libarchive-dev libgtest-dev libbenchmark-dev python3-dev python3-pytest python3-pip python3-venv python3-matplotlib mypy
   python3-xlib xvfb xauth libgl1-mesa-dri doxygen at-spi2-core dbus-daemon gir1.2-atspi-2.0 python3-gi
   dpkg-dev file)
+oversketch_debian=$(. /etc/os-release && echo "${VERSION_ID:-13}") # testing has none
+if [ "$oversketch_debian" -ge 13 ]; then # with them the tests of the wheel and of PyVista need no package index
+  oversketch_packages+=(python3-scikit-build-core python3-pyvista)
+fi
+
+# oversketch_has PACKAGE: whether it is installed.
+oversketch_has() {
+  dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'ok installed'
+}
 
 # Installs the packages that are not there, as root; asks for root once, says what it installs, is quiet otherwise.
 oversketch_install() {
   local missing=() package
   for package in "${oversketch_packages[@]}"; do
-    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+    oversketch_has "$package" || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return 0
+  if oversketch_has python3-paraview && [[ " ${missing[*]} " = *" python3-vtk9 "* ]]; then
+    echo "oversketch: python3-vtk9 would replace the installed python3-paraview, which owns the same files; remove that first" >&2
+    return 1
+  fi
   echo "Installing Debian packages: ${missing[*]}"
   local as_root=()
   if [ "$(id -u)" -ne 0 ]; then

@@ -4,32 +4,39 @@
 . "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 
 # What ParaView's CMake package asks for besides what the set-up of Oversketch installs.
-if apt-cache show libqt6core6t64 >/dev/null 2>&1; then # ParaView 5.13 is built with Qt 6
-  oversketch_packages+=(qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-5compat-dev)
+if [ "$oversketch_debian" -ge 13 ]; then # ParaView 5.13 is built with Qt 6
+  oversketch_packages+=(qt6-base-dev qt6-svg-dev qt6-svg-plugins qt6-tools-dev qt6-5compat-dev) # the plugins: ParaView's icons
 else
   oversketch_packages+=(libqt5svg5-dev libqt5x11extras5-dev qttools5-dev libqt5xmlpatterns5-dev qtxmlpatterns5-dev-tools)
 fi
 oversketch_packages+=(mpi-default-bin mpi-default-dev)
 
-# Sets oversketch_paraview to the prefix of ParaView: /usr where it is installed and its CMake package is whole, else build/
-# paraview-root/usr, where Debian's three packages are unpacked: python3-paraview and python3-vtk9 own the same files, so the
-# machine cannot have both installed. What they depend on is installed.
+# Sets oversketch_paraview to the prefix of ParaView: /usr where it is installed and its CMake package is whole (not so on Debian 13),
+# else build/paraview-root/usr, where Debian's three packages are unpacked: python3-paraview and python3-vtk9 own the same files, so
+# the machine cannot have both installed. What they depend on is installed.
 oversketch_paraview_find() {
-  oversketch_paraview=/usr
-  if compgen -G '/usr/lib/*/cmake/paraview-*/paraview-config.cmake' >/dev/null && [ -x /usr/bin/pvpython ] &&
-    [ -e /usr/lib/python3/dist-packages/vtkmodules/vtkCommonCore.so ]; then
-    oversketch_install
-    return
+  local package others=()
+  if oversketch_has python3-paraview; then
+    for package in "${oversketch_packages[@]}"; do # VTK's Python would take its place
+      case $package in python3-vtk9 | python3-pyvista) ;; *) others+=("$package") ;; esac
+    done
+    oversketch_packages=("${others[@]}")
+    if [ -e /usr/lib/python3/dist-packages/vtkmodules/vtkCommonCore.so ] && oversketch_has paraview-dev; then
+      oversketch_paraview=/usr
+      oversketch_install
+      return
+    fi
   fi
-  local root=$oversketch_root/build/paraview-root package
+  local root=$oversketch_root/build/paraview-root
   oversketch_paraview=$root/usr
   if [ ! -x "$root/usr/bin/pvpython" ]; then
     oversketch_install # its lists of packages are what apt-get download reads
     echo "Unpacking Debian's ParaView into build/paraview-root"
     rm -rf "$root" "$root.new"
     mkdir -p "$root.new/packages"
-    (cd "$root.new/packages" && apt-get download -qq paraview paraview-dev python3-paraview) 2>/dev/null ||
-      { echo "oversketch: apt-get could not download paraview; its lists of packages may be old: apt-get update" >&2; return 1; }
+    (cd "$root.new/packages" && apt-get download -qq paraview paraview-dev python3-paraview) 2>"$root.new/download" ||
+      { cat "$root.new/download" >&2
+        echo "oversketch: apt-get could not download paraview; its lists of packages may be old: apt-get update" >&2; return 1; }
     for package in "$root.new"/packages/*.deb; do
       dpkg-deb -f "$package" Depends >>"$root.new/depends"
       dpkg -x "$package" "$root.new"

@@ -6,11 +6,11 @@ set -euo pipefail
 . "$(dirname "$0")/../../Applications/ParaView/setup.sh"
 cd "$oversketch_root"
 oversketch_paraview_build
-if [ "$oversketch_paraview" != /usr ]; then # else VTK's Python package cannot be there
+if ! oversketch_has python3-paraview; then # else VTK's Python cannot be there
   oversketch_build release --target oversketch_python_stubs
   export OVERSKETCH_VTK_PACKAGE=$oversketch_root/build/release/lib/python3/dist-packages
 fi
 # A display and a bus for what a screen reader hears, for the tests of ParaView's window.
 XDG_CACHE_HOME=$oversketch_root/build/paraview/cache oversketch_in_paraview \
-  xvfb-run -a -s '-screen 0 1280x1400x24' dbus-run-session -- \
+  xvfb-run -a -s '-screen 0 1280x1400x24 -noreset' dbus-run-session -- \
   /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp=build/paraview/tests Testing/ParaView "$@"
