@@ -4,10 +4,13 @@
 #include "session_file.h"
 #include "worker.h"
 
+#include "Harness/polydata.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <future>
+#include <map>
+#include <random>
 
 using namespace oversketch_session;
 using namespace oversketch_test;
@@ -118,6 +121,94 @@ TEST(Worker, CancelStopsWhatRunsAndTheNextRunIsWhole)
   worker.submit(dogSession());
   ASSERT_TRUE(desk.wait([&] { return !desk.done.empty(); }));
   EXPECT_EQ(desk.done[0].digest, expected);
+}
+
+// An interface waits until its newest session is answered: one that is lost would make it wait for ever.
+TEST(Worker, AnswersEachSessionOnceWhateverComesBetween)
+{
+  Session ball;
+  ball.mesh = toPolyData(icosphere(2));
+  ball.backend = vtkOversketchOneStroke::Host;
+  const oversketch::View view = orthographicView({ 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 }, 30.0, 100, 100);
+  for (const double away : { 4.0, 8.0, 12.0 })
+  {
+    std::vector<oversketch::Vector2> line;
+    for (int i = -10; i <= 10; ++i)
+    {
+      line.push_back({ 50.0 + 2.0 * i, 80.0 + away - 0.06 * i * i });
+    }
+    ball.nodes.push_back(nodeOf(toStroke(line, view), "bulge"));
+  }
+  std::vector<std::string> expected; // of so many strokes
+  for (std::size_t count = 0; count <= ball.nodes.size(); ++count)
+  {
+    Session session = ball;
+    session.nodes.resize(count);
+    Evaluator evaluator;
+    std::vector<Outcome> outcomes;
+    ASSERT_TRUE(evaluator.run(session, {}, outcomes));
+    for (const Outcome& outcome : outcomes)
+    {
+      ASSERT_EQ(outcome.failure, "");
+    }
+    expected.push_back(digestOf(resultOf(session, outcomes)));
+  }
+
+  std::mt19937 random(1);
+  const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
+  std::map<std::uint64_t, std::string> wanted;
+  std::map<std::uint64_t, int> answers;
+  std::size_t done = 0, cancelled = 0;
+  for (int worker = 0; worker < 20; ++worker)
+  {
+    wanted.clear();
+    answers.clear();
+    Desk desk;
+    Worker busy(desk.listener());
+    for (int i = 0; i < 100; ++i)
+    {
+      Session session = ball; // often one that goes on where another runs
+      session.nodes.resize(static_cast<std::size_t>(below(4)));
+      const std::uint64_t ticket = busy.submit(session);
+      wanted[ticket] = expected[session.nodes.size()];
+      answers[ticket] = 0;
+      switch (below(8))
+      {
+        case 0:
+          busy.cancel();
+          break;
+        case 1:
+          ASSERT_TRUE(desk.wait([&] { return desk.done.size() + desk.cancelled.size() == wanted.size(); }));
+          break;
+        case 2:
+          std::this_thread::yield();
+          break;
+        default:
+          break;
+      }
+    }
+    ASSERT_TRUE(desk.wait([&] { return desk.done.size() + desk.cancelled.size() >= wanted.size(); }));
+    const std::lock_guard<std::mutex> lock(desk.mutex);
+    for (const Worker::Result& result : desk.done)
+    {
+      ++answers[result.ticket];
+      EXPECT_EQ(result.digest, wanted[result.ticket]);
+    }
+    for (const std::uint64_t ticket : desk.cancelled)
+    {
+      ++answers[ticket];
+    }
+    EXPECT_EQ(answers.size(), wanted.size());
+    for (const auto& [ticket, times] : answers)
+    {
+      EXPECT_EQ(times, 1) << "ticket " << ticket << " of worker " << worker;
+    }
+    done += desk.done.size();
+    cancelled += desk.cancelled.size();
+  }
+  std::cout << done << " done, " << cancelled << " cancelled\n";
+  EXPECT_GT(done, 100u);
+  EXPECT_GT(cancelled, 100u);
 }
 
 TEST(Worker, AStrokeAfterThePreparationComputesNoShapeDiameter)
