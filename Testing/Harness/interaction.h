@@ -2,6 +2,7 @@
 #ifndef oversketch_test_interaction_h
 #define oversketch_test_interaction_h
 
+#include "Harness/sequences.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -91,6 +92,23 @@ struct Window
     return { at[0], at[1] };
   }
 };
+
+// MiB that VTK and the graphics library keep of each window that was.
+inline double memoryKeptOfAWindow()
+{
+  const auto open = [](int windows)
+  {
+    for (int i = 0; i < windows; ++i)
+    {
+      const Window plain;
+      plain.window->Render();
+    }
+    return memoryInUse();
+  };
+  constexpr int windows = 20;
+  const double before = open(5);
+  return (open(windows) - before) / windows;
+}
 
 // Counts how often something fires an event.
 class Counter

@@ -1,12 +1,15 @@
 // Zoom slider and spin dial, in the pen's scene: a window of 400 x 300 px, the dial's centre at (355, 45),
 // the slider from (355, 100) to (355, 200).
+#include "Harness/sequences.h"
 #include "pen_scene.h"
 #include "vtkOversketchCameraRepresentation.h"
 #include "vtkOversketchCameraWidget.h"
 
 #include "vtkInteractorStyleTrackballCamera.h"
 
+#include <array>
 #include <cmath>
+#include <iostream>
 #include <random>
 
 using namespace oversketch_test;
@@ -144,13 +147,17 @@ TEST(Random, EventsOnTheControls)
     vtkCommand::MouseWheelForwardEvent,
     vtkCommand::ConfigureEvent };
   const std::vector<const char*> keys{ "Escape", "BackSpace", "x", "w", "r", "i", "question" };
-  for (unsigned seed = 0; seed < 100; ++seed)
+  const Sequences sequences = sequencesAsked(100);
+  MemoryLevel memory(sequences);
+  int turns = 0;
+  for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
     SCOPED_TRACE(seed);
     Controls scene;
     scene.interactor->EnableRenderOff();
     std::mt19937 random(seed);
     const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
+    std::array<double, 2> before{ scene.style->GetSpin(), scene.style->GetZoom() };
     for (int i = 0; i < 200; ++i)
     {
       const bool on = below(3) > 0; // mostly where the controls are
@@ -170,6 +177,9 @@ TEST(Random, EventsOnTheControls)
         default:
           scene.move(x, y);
       }
+      const std::array<double, 2> now{ scene.style->GetSpin(), scene.style->GetZoom() };
+      turns += now != before;
+      before = now;
       ASSERT_TRUE(std::isfinite(scene.style->GetSpin()));
       ASSERT_GE(scene.style->GetZoom(), 0.1 - 1e-12);
       ASSERT_LE(scene.style->GetZoom(), 10.0 + 1e-12);
@@ -189,6 +199,11 @@ TEST(Random, EventsOnTheControls)
         break;
     }
     scene.move(350, 150);
+    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
+  EXPECT_TRUE(!sequences.areMany() || turns > static_cast<int>(10 * sequences.count)) << turns;
+  std::cout << turns << " changes of spin or zoom, ";
+  memory.print();
+  EXPECT_LT(memory.growth(memoryKeptOfAWindow()), 4.0);
 }

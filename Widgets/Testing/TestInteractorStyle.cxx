@@ -1,6 +1,7 @@
 // Numbers of editors.md, section 13 (camera): a 400 x 400 window, parallel scale 1, unit sphere, camera at
 // (0, 0, 10).
 #include "Harness/interaction.h"
+#include "Harness/sequences.h"
 
 #include "vtkOversketchInteractorStyle.h"
 
@@ -526,12 +527,16 @@ TEST(Random, EventsNeitherFailNorBreakTheCamera)
     "0",
     "Shift_L",
     "" };
-  for (unsigned seed = 0; seed < 100; ++seed)
+  const Sequences sequences = sequencesAsked(100);
+  MemoryLevel memory(sequences);
+  int moves = 0;
+  for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
     Scene scene(seed % 2 == 0);
+    auto before = scene.state();
     for (int i = 0; i < 200; ++i)
     {
       const int x = below(480) - 40, y = below(480) - 40, modifiers = below(3) ? 0 : below(8);
@@ -557,11 +562,18 @@ TEST(Random, EventsNeitherFailNorBreakTheCamera)
       const auto state = scene.state();
       ASSERT_TRUE(std::all_of(state.begin(), state.end(), [](double v) { return std::isfinite(v); })) << i;
       ASSERT_GT(scene.camera()->GetDistance(), 1.0) << i;
+      moves += state != before;
+      before = state;
     }
     if (seed % 3 == 0)
     {
       scene.interactor->SetInteractorStyle(nullptr); // perhaps in a drag
     }
+    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
+  EXPECT_TRUE(!sequences.areMany() || moves > static_cast<int>(20 * sequences.count)) << moves;
+  std::cout << moves << " moves of the camera, ";
+  memory.print();
+  EXPECT_LT(memory.growth(memoryKeptOfAWindow()), 4.0);
 }

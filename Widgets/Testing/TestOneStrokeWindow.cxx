@@ -1,13 +1,12 @@
 // The pen that deforms a mesh in windows that change and go, and under events in any order, on a small mesh.
+#include "Harness/sequences.h"
 #include "dog_scene.h"
 
 #include "vtkRendererCollection.h"
 #include "vtkSphereSource.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
-#include <malloc.h>
 #include <random>
 
 using namespace oversketch_test;
@@ -145,9 +144,8 @@ TEST(OneStrokeWindow, AResizedWindowMovesAStrokeButDrawsNotOverIt)
 TEST(Random, EventsOnTheOneStrokeWidget)
 {
   Quiet quiet;
-  // OVERSKETCH_SEQUENCES: how many sequences of 200 events.
-  const char* asked = std::getenv("OVERSKETCH_SEQUENCES");
-  const unsigned sequences = asked ? static_cast<unsigned>(std::atoi(asked)) : 20;
+  const Sequences sequences = sequencesAsked(20);
+  MemoryLevel memory(sequences);
   const std::vector<unsigned long> mouse{ vtkCommand::LeftButtonPressEvent,
     vtkCommand::LeftButtonPressEvent,
     vtkCommand::LeftButtonPressEvent,
@@ -162,9 +160,8 @@ TEST(Random, EventsOnTheOneStrokeWidget)
     vtkCommand::ConfigureEvent };
   const std::vector<const char*> keys{ "Escape", "BackSpace", "Return", "o", "x", "w", "r", "question", "q" };
   const auto start = ball();
-  double early = 0.0, late = 0.0;
   int strokes = 0, grabs = 0;
-  for (unsigned seed = 0; seed < sequences; ++seed)
+  for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
     SCOPED_TRACE(seed);
     Dog scene(start);
@@ -257,21 +254,12 @@ TEST(Random, EventsOnTheOneStrokeWidget)
       ASSERT_TRUE(std::isfinite(mesh->GetPoint(p)[0] + mesh->GetPoint(p)[1] + mesh->GetPoint(p)[2]));
     }
     strokes += commits.count;
-    if (seed >= sequences / 10)
-    {
-      (seed < sequences / 2 ? early : late) += static_cast<double>(mallinfo2().uordblks);
-    }
+    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
-  EXPECT_GT(strokes, static_cast<int>(sequences));
-  EXPECT_GT(grabs, static_cast<int>(sequences));
-  early /= std::max(1.0, sequences / 2 - sequences / 10 + 0.0);
-  late /= std::max(1.0, sequences - sequences / 2 + 0.0);
-  std::cout << sequences << " sequences, " << strokes << " changes, " << grabs
-            << " events in a drag; memory in use " << early / 1024.0 << " KiB, later " << late / 1024.0
-            << " KiB\n";
-  if (sequences >= 100)
-  {
-    EXPECT_LT(late - early, 4.0 * 1024 * 1024); // the graphics library keeps what it likes
-  }
+  EXPECT_TRUE(!sequences.areMany() || strokes > static_cast<int>(sequences.count)) << strokes;
+  EXPECT_TRUE(!sequences.areMany() || grabs > static_cast<int>(sequences.count)) << grabs;
+  std::cout << strokes << " changes, " << grabs << " events in a drag, ";
+  memory.print();
+  EXPECT_LT(memory.growth(memoryKeptOfAWindow()), 4.0);
 }

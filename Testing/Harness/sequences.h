@@ -1,0 +1,113 @@
+// Random sequences of events: which a test runs, and the memory that they leave in use. Header-only.
+#ifndef oversketch_test_sequences_h
+#define oversketch_test_sequences_h
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include <malloc.h>
+#if defined(__SANITIZE_ADDRESS__)
+// GCC ships no header of it.
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes(); // NOLINT
+#endif
+
+namespace oversketch_test
+{
+
+// Each sequence is made of its number alone.
+struct Sequences
+{
+  unsigned first, count;
+  unsigned end() const { return this->first + this->count; }
+  // Whether their sums tell anything.
+  bool areMany() const { return this->count >= 10; }
+};
+
+// OVERSKETCH_SEQUENCES asks for another number of them than that of the usual run, OVERSKETCH_FIRST_SEQUENCE
+// for others than the first, so that many can be shared out and one be seen again.
+inline Sequences sequencesAsked(unsigned usual)
+{
+  const auto asked = [](const char* name, unsigned otherwise)
+  {
+    const char* value = std::getenv(name);
+    return value ? static_cast<unsigned>(std::strtoul(value, nullptr, 10)) : otherwise;
+  };
+  return { asked("OVERSKETCH_FIRST_SEQUENCE", 0), asked("OVERSKETCH_SEQUENCES", usual) };
+}
+
+// MiB that the process holds, without what the allocator keeps for later.
+inline double residentMemory()
+{
+  malloc_trim(0);
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);)
+  {
+    if (line.rfind("VmRSS:", 0) == 0)
+    {
+      return std::stod(line.substr(6)) / 1024.0;
+    }
+  }
+  return 0.0;
+}
+
+// MiB that were asked for and not given back.
+inline double memoryInUse()
+{
+#if defined(__SANITIZE_ADDRESS__)
+  return static_cast<double>(__sanitizer_get_current_allocated_bytes()) / 1048576.0;
+#else
+  return static_cast<double>(mallinfo2().uordblks) / 1048576.0;
+#endif
+}
+
+// Memory in use after each sequence: the mean over the first half, of which a fifth is left out while things
+// are made once, and over the second half.
+class MemoryLevel
+{
+public:
+  explicit MemoryLevel(const Sequences& sequences)
+    : sequences_(sequences)
+  {
+  }
+  void after(unsigned sequence)
+  {
+    const unsigned done = sequence - this->sequences_.first, half = this->sequences_.count / 2;
+    if (done >= half)
+    {
+      this->late_ += memoryInUse() / (this->sequences_.count - half);
+    }
+    else if (done >= half / 5)
+    {
+      this->early_ += memoryInUse() / (half - half / 5);
+    }
+    if (done == half / 5)
+    {
+      this->residentEarly_ = residentMemory();
+    }
+  }
+  // MiB from the first half to the second beyond what is known to stay of each sequence; 0 of few sequences.
+  double growth(double known = 0.0) const
+  {
+    const unsigned half = this->sequences_.count / 2;
+    const double apart = 0.5 * (this->sequences_.count - half / 5); // the middles of both
+    return this->sequences_.count < 20 ? 0.0 : this->late_ - this->early_ - known * apart;
+  }
+  void print() const
+  {
+    std::cout << "sequences " << this->sequences_.first << " to " << this->sequences_.end() - 1
+              << " of 200 events; memory in use " << this->early_ << " MiB, later " << this->late_
+              << " MiB; resident " << this->residentEarly_ << " MiB, later " << residentMemory() << " MiB"
+              << std::endl;
+  }
+
+private:
+  Sequences sequences_;
+  double early_ = 0.0, late_ = 0.0, residentEarly_ = 0.0;
+};
+
+} // namespace oversketch_test
+#endif
