@@ -1,68 +1,39 @@
-// The window under random mouse, keys and menus: it never fails, says no error, and takes no more and more
-// memory.
+// The window under random hands: it never fails, says no error, and takes no more and more memory.
+#include "Harness/sequences.h"
+#include "Harness/shapes.h"
+#include "autosave.h"
 #include "document.h"
 #include "files.h"
+#include "hand.h"
 #include "main_window.h"
 #include "view.h"
 
-#include <QAction>
+#include "vtkRenderWindow.h"
+
 #include <QApplication>
-#include <QMenu>
+#include <QDir>
+#include <QFile>
+#include <QPixmapCache>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <cmath>
 #include <fstream>
-#include <random>
+#include <functional>
+#include <iostream>
 #include <string>
-
-#include <malloc.h>
 
 using namespace oversketch_studio;
 
 namespace
 {
 
-// Answers every question with Escape, as soon as it is asked.
-void answerQuestions()
-{
-  auto* timer = new QTimer(qApp);
-  QObject::connect(timer,
-    &QTimer::timeout,
-    []
-    {
-      if (QWidget* asked = QApplication::activeModalWidget())
-      {
-        QTest::keyClick(asked, Qt::Key_Escape);
-      }
-      if (QWidget* popup = QApplication::activePopupWidget())
-      {
-        popup->close();
-      }
-    });
-  timer->start(5);
-}
-
-// MiB, without what the allocator keeps for later.
-double resident()
-{
-  malloc_trim(0);
-  std::ifstream file("/proc/self/status");
-  for (std::string line; std::getline(file, line);)
-  {
-    if (line.rfind("VmRSS:", 0) == 0)
-    {
-      return std::stod(line.substr(6)) / 1024.0;
-    }
-  }
-  return 0.0;
-}
+constexpr int eventsOfASequence = 200;
 
 // Waits for the result. The limit only ends a test that hangs: a wild stroke with normals adjusted takes half
 // a minute under the sanitizers.
@@ -71,147 +42,169 @@ bool settles(const Document& document)
   return QTest::qWaitFor([&] { return !document.isBusy(); }, 600000);
 }
 
-struct Hand
+// A body with six limbs, the same on both sides of x: 1,280 triangles.
+void writeModel(const std::string& path)
 {
-  explicit Hand(unsigned seed)
-    : random(seed)
+  using oversketch::Vector3;
+  const Vector3 limbs[] = {
+    { 1, 0.3, 0 }, { -1, 0.3, 0 }, { 0.5, -1, 0 }, { -0.5, -1, 0 }, { 0, 1, 0.2 }, { 0, 0, 1 }
+  };
+  const oversketch::Mesh ball = oversketch_test::icosphere(3);
+  std::ofstream file(path);
+  file << "ply\nformat ascii 1.0\nelement vertex " << ball.vertexCount()
+       << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << ball.triangleCount()
+       << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Vector3& p : ball.points)
   {
-  }
-  int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(this->random); }
-  QPoint place(QWidget* on) { return { this->upTo(on->width() - 1), this->upTo(on->height() - 1) }; }
-
-  // A stroke, a turn, a click, a key or a menu entry.
-  void act(MainWindow& window, View& view)
-  {
-    static const Qt::Key keys[] = { Qt::Key_R,
-      Qt::Key_X,
-      Qt::Key_Y,
-      Qt::Key_Z,
-      Qt::Key_1,
-      Qt::Key_2,
-      Qt::Key_3,
-      Qt::Key_W,
-      Qt::Key_C,
-      Qt::Key_H,
-      Qt::Key_L,
-      Qt::Key_I,
-      Qt::Key_M,
-      Qt::Key_J,
-      Qt::Key_K,
-      Qt::Key_P,
-      Qt::Key_N,
-      Qt::Key_D,
-      Qt::Key_T,
-      Qt::Key_F1,
-      Qt::Key_Escape,
-      Qt::Key_Backspace,
-      Qt::Key_Return,
-      Qt::Key_Delete,
-      Qt::Key_Tab,
-      Qt::Key_Space,
-      Qt::Key_Up,
-      Qt::Key_Down };
-    static const Qt::KeyboardModifiers modifiers[] = {
-      Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier
-    };
-    const Qt::MouseButton button = this->upTo(3) > 0 ? Qt::LeftButton : Qt::MiddleButton;
-    switch (this->upTo(9))
+    double radius = 0.5;
+    for (const Vector3& limb : limbs)
     {
-      case 0:
-      case 1:
-      case 2:
-        QTest::mousePress(&view, button, modifiers[this->upTo(2)], this->place(&view));
-        break;
-      case 3:
-      case 4:
-      case 5:
-        QTest::mouseMove(&view, this->place(&view));
-        break;
-      case 6:
-        QTest::mouseRelease(&view, button, Qt::NoModifier, this->place(&view));
-        break;
-      case 7:
-        QTest::keyClick(
-          &view, keys[this->upTo(static_cast<int>(std::size(keys)) - 1)], modifiers[this->upTo(1)]);
-        break;
-      case 8:
-      {
-        auto widgets = window.findChildren<QWidget*>();
-        QWidget* one = widgets[this->upTo(widgets.size() - 1)];
-        if (one->isVisible() && one->width() > 0 && one->height() > 0)
-        {
-          QTest::mouseClick(one, Qt::LeftButton, Qt::NoModifier, this->place(one));
-        }
-        break;
-      }
-      default:
-      {
-        auto actions = window.findChildren<QAction*>();
-        QAction* one = actions[this->upTo(actions.size() - 1)];
-        const QString name = one->text();
-        if (one->isEnabled() && !name.contains("Quit") && !one->menu())
-        {
-          one->trigger();
-        }
-        break;
-      }
+      radius += 0.6 * std::exp(-8.0 * (p - limb.normalized()).squaredNorm());
     }
-    QApplication::processEvents();
+    file << radius * p.x() << ' ' << radius * p.y() << ' ' << radius * p.z() << '\n';
   }
+  for (const oversketch::Triangle& t : ball.triangles)
+  {
+    file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  }
+}
 
-  std::mt19937 random;
-};
+// The mesh of a session that is run without a window.
+std::string replayed(const oversketch_session::Session& session)
+{
+  std::vector<oversketch_session::Outcome> outcomes;
+  oversketch_session::Evaluator evaluator;
+  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  return oversketch_session::digestOf(oversketch_session::resultOf(session, outcomes));
+}
+
+// What is shown is what the history makes of the mesh, all of it undone and all of it redone.
+void expectTheHistoryHolds(Document& document)
+{
+  const std::string drawn = document.result().digest;
+  int steps = 0;
+  for (; document.canUndo(); ++steps)
+  {
+    document.undo();
+  }
+  ASSERT_TRUE(settles(document));
+  EXPECT_EQ(document.result().digest, replayed(document.session()));
+  for (; steps > 0; --steps)
+  {
+    document.redo();
+  }
+  ASSERT_TRUE(settles(document));
+  EXPECT_EQ(document.result().digest, drawn);
+}
+
+// Hands of even numbers wait for what each of their acts brings, and do the same each time; those of odd
+// numbers do not, and what is being computed goes on or is given up.
+void play(unsigned number,
+  const QSize& size,
+  const std::function<void(MainWindow&, const QString& folder)>& open,
+  Hand::Deeds& deeds)
+{
+  QSettings().clear();
+  const QTemporaryDir folder;
+  std::ofstream(QDir(folder.path()).filePath(Hand::damaged).toStdString()) << "ply\nformat nonsense\n";
+  MainWindow window;
+  window.resize(size);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 60000));
+  QApplication::setActiveWindow(&window);
+  auto* view = window.findChild<View*>();
+  auto* document = window.findChild<Document*>();
+  Hand hand(number, window, folder.path());
+  open(window, folder.path());
+  ASSERT_TRUE(document->isOpen());
+  ASSERT_TRUE(settles(*document));
+  for (int events = 0; events < eventsOfASequence;)
+  {
+    events += hand.act();
+    if (number % 2 == 0)
+    {
+      ASSERT_TRUE(settles(*document)) << hand.stage().toStdString();
+    }
+  }
+  QTest::mouseRelease(view, Qt::LeftButton);
+  QTest::mouseRelease(view, Qt::MiddleButton);
+  ASSERT_TRUE(settles(*document)) << hand.stage().toStdString();
+  expectTheHistoryHolds(*document);
+  EXPECT_EQ(oversketch_files::takeError(), "");
+  EXPECT_EQ(hand.complaints().join('\n').toStdString(), "");
+  document->discardAutosave();
+  EXPECT_TRUE(oversketch_session::leftBehind(oversketch_session::autosaveRoot()).empty());
+  deeds.add(hand.deeds());
+}
+
+void print(const Hand::Deeds& deeds)
+{
+  std::cout << deeds.strokes << " strokes, " << deeds.moved << " moved or drawn over, " << deeds.undone
+            << " times undone, " << deeds.redone << " redone, " << deeds.meshes << " meshes shown, "
+            << deeds.questions << " questions answered, " << deeds.opened << " files opened, ";
+}
 
 } // namespace
 
-// OVERSKETCH_SEQUENCES asks for another number of sequences than that of the usual run,
-// OVERSKETCH_FIRST_SEQUENCE for others than the first, so that many can be shared out.
 TEST(Window, LivesThroughRandomHands)
 {
-  const char* asked = std::getenv("OVERSKETCH_SEQUENCES");
-  const int sequences = asked ? std::atoi(asked) : 4;
-  const char* from = std::getenv("OVERSKETCH_FIRST_SEQUENCE");
-  const int first = from ? std::atoi(from) : 0;
-  constexpr int events = 200;
-  double early = 0.0;
-  for (int sequence = 0; sequence < sequences; ++sequence)
+  const oversketch_test::Sequences sequences = oversketch_test::sequencesAsked(12);
+  oversketch_test::MemoryLevel memory(sequences);
+  Hand::Deeds deeds;
+  for (unsigned number = sequences.first; number < sequences.end(); ++number)
   {
-    Hand hand(static_cast<unsigned>(first + sequence));
-    MainWindow window;
-    window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 60000));
-    window.openShippedModel();
-    auto* view = window.findChild<View*>();
-    auto* document = window.findChild<Document*>();
-    ASSERT_TRUE(view && document && document->isOpen());
-    ASSERT_TRUE(settles(*document));
-    for (int event = 0; event < events; ++event)
+    SCOPED_TRACE(number);
+    play(
+      number,
+      { 640, 480 },
+      [](MainWindow& window, const QString& folder)
+      {
+        const QString path = QDir(folder).filePath("body.ply");
+        writeModel(path.toStdString());
+        window.findChild<View*>()->renderWindow()->SetMultiSamples(0); // in half the time
+        window.open(path);
+      },
+      deeds);
+    if (HasFatalFailure())
     {
-      hand.act(window, *view);
+      return;
     }
-    QTest::mouseRelease(view, Qt::LeftButton);
-    ASSERT_TRUE(settles(*document)) << "sequence " << first + sequence;
-    // What is shown is what the history makes of the mesh, and undoing all of it shows the mesh as it was.
-    while (document->canUndo())
+    QPixmapCache::clear(); // up to 10 MiB
+    memory.after(number);
+    std::cout << "sequence " << number << ": " << oversketch_test::memoryInUse() << " MiB in use"
+              << std::endl;
+  }
+  print(deeds);
+  memory.print();
+  if (sequences.areMany())
+  {
+    const int least = static_cast<int>(sequences.count);
+    EXPECT_GT(deeds.strokes, 2 * least);
+    EXPECT_GT(deeds.moved, least);
+    EXPECT_GT(deeds.meshes, 4 * least);
+    EXPECT_GT(deeds.undone + deeds.redone, least / 2);
+    EXPECT_GT(deeds.questions, least);
+    EXPECT_GT(deeds.opened, least / 4);
+  }
+  EXPECT_LT(memory.growth(), 10.0);
+}
+
+TEST(Window, LivesThroughARandomHandOnTheShippedModel)
+{
+  const oversketch_test::Sequences sequences = oversketch_test::sequencesAsked(1);
+  Hand::Deeds deeds;
+  for (unsigned number = sequences.first; number < sequences.end(); ++number)
+  {
+    SCOPED_TRACE(number);
+    play(
+      number, { 1200, 800 }, [](MainWindow& window, const QString&) { window.openShippedModel(); }, deeds);
+    if (HasFatalFailure())
     {
-      document->undo();
-    }
-    ASSERT_TRUE(settles(*document));
-    EXPECT_EQ(document->result().digest, oversketch_session::digestOf(document->session().mesh));
-    EXPECT_EQ(oversketch_files::takeError(), "") << "sequence " << first + sequence;
-    document->discardAutosave();
-    if (sequence == sequences / 5)
-    {
-      early = resident();
+      return;
     }
   }
-  // A few sequences differ by their strokes; a leak shows over many.
-  if (sequences >= 20)
-  {
-    const double late = resident();
-    std::printf("Resident after a fifth of the sequences %.0f MiB, at the end %.0f MiB\n", early, late);
-    EXPECT_LT(late, 1.3 * early + 50.0);
-  }
+  print(deeds);
+  std::cout << sequences.count << " sequences\n";
 }
 
 int main(int count, char** values)
@@ -227,6 +220,5 @@ int main(int count, char** values)
   QCoreApplication::setOrganizationName("oversketch");
   QCoreApplication::setApplicationName("oversketch-test");
   oversketch_files::catchMessages();
-  answerQuestions();
   return RUN_ALL_TESTS();
 }

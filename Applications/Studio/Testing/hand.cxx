@@ -1,0 +1,481 @@
+#include "hand.h"
+
+#include "document.h"
+#include "main_window.h"
+#include "mesh_file.h"
+#include "view.h"
+
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QTest>
+#include <QThread>
+#include <QTimer>
+#include <QUrl>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace oversketch_studio
+{
+
+namespace
+{
+
+constexpr Qt::KeyboardModifiers modifiers[] = { Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier };
+
+bool quits(const QAction* action)
+{
+  return action && action->text().contains("Quit");
+}
+
+} // namespace
+
+const char* const Hand::damaged = "damaged.ply";
+
+void Hand::Deeds::add(const Deeds& other)
+{
+  this->strokes += other.strokes;
+  this->moved += other.moved;
+  this->undone += other.undone;
+  this->redone += other.redone;
+  this->meshes += other.meshes;
+  this->questions += other.questions;
+  this->opened += other.opened;
+}
+
+Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
+  : random_(seed)
+  , window_(window)
+  , view_(window.findChild<View*>())
+  , document_(window.findChild<Document*>())
+  , folder_(folder)
+{
+  connect(this->view_, &View::strokeDrawn, this, [this] { ++this->deeds_.strokes; });
+  connect(this->view_, &View::strokeChanged, this, [this] { ++this->deeds_.moved; });
+  connect(this->document_, &Document::opened, this, [this] { ++this->deeds_.opened; });
+  connect(this->document_,
+    &Document::shown,
+    this,
+    [this]
+    {
+      this->deeds_.meshes += this->shown_ != this->document_->result().digest;
+      this->shown_ = this->document_->result().digest;
+    });
+  connect(this->document_,
+    &Document::progressed,
+    this,
+    [this](const QString& stage, double share)
+    { this->stage_ = QString("%1 %2 %").arg(stage).arg(100.0 * share); });
+  for (const QAction* action : window.findChildren<QAction*>())
+  {
+    if (action->text() == "&Undo")
+    {
+      connect(action, &QAction::triggered, this, [this] { ++this->deeds_.undone; });
+    }
+    else if (action->text() == "&Redo")
+    {
+      connect(action, &QAction::triggered, this, [this] { ++this->deeds_.redone; });
+    }
+  }
+  // Whoever asks waits in a loop of its own, where timers go on. The answer comes from outside of the timer's
+  // call, which would not come again while a question follows from it.
+  auto* timer = new QTimer(this);
+  connect(timer,
+    &QTimer::timeout,
+    this,
+    [this]
+    {
+      if (!this->answering_ && QThread::currentThread()->loopLevel() > 0)
+      {
+        this->answering_ = true;
+        QMetaObject::invokeMethod(
+          this, [this] { this->answer(); }, Qt::QueuedConnection);
+      }
+    });
+  timer->start(5);
+}
+
+QPoint Hand::place(QWidget* on)
+{
+  const int x = this->upTo(on->width() - 1);
+  return { x, this->upTo(on->height() - 1) };
+}
+
+QPoint Hand::near(const QPoint& place, int distance)
+{
+  const int x = this->upTo(2 * distance) - distance;
+  return place + QPoint(x, this->upTo(2 * distance) - distance);
+}
+
+// A mesh or a session that is there, or what says it were one.
+QString Hand::file()
+{
+  QStringList names = QDir(this->folder_).entryList(QDir::Files, QDir::Name);
+  names.removeAll("drawn.png");
+  return QDir(this->folder_).filePath(names[this->upTo(names.size() - 1)]);
+}
+
+int Hand::act()
+{
+  int events = 0;
+  switch (this->upTo(20))
+  {
+    case 0:
+    case 1:
+      events = this->strokeBesideTheModel();
+      break;
+    case 2:
+    case 3:
+      events = this->dragOfTheStroke();
+      break;
+    case 4:
+    case 5:
+    case 6:
+      events = this->press();
+      break;
+    case 7:
+    case 8:
+    case 9:
+    case 10:
+      QTest::mouseMove(this->view_, this->place(this->view_));
+      events = 1;
+      break;
+    case 11:
+    case 12:
+      QTest::mouseRelease(this->view_,
+        this->oneIn(4) ? Qt::MiddleButton : Qt::LeftButton,
+        Qt::NoModifier,
+        this->place(this->view_));
+      events = 1;
+      break;
+    case 13:
+    case 14:
+      events = this->key();
+      break;
+    case 15:
+      events = this->undoAndRedo();
+      break;
+    case 16:
+      events = this->oneIn(3) ? this->drop() : this->wheel();
+      break;
+    case 17:
+    case 18:
+      events = this->click();
+      break;
+    default:
+      events = this->menuEntry();
+      break;
+  }
+  QApplication::processEvents();
+  for (int i = 0; i < 10 && QApplication::activePopupWidget(); ++i)
+  {
+    this->answerPopup(QApplication::activePopupWidget());
+    QApplication::processEvents();
+  }
+  while (QWidget* popup = QApplication::activePopupWidget())
+  {
+    popup->close();
+  }
+  return events;
+}
+
+// A bow beside the outermost point of the model in some direction, as a person draws it.
+int Hand::strokeBesideTheModel()
+{
+  if (!this->view_->isDrawing())
+  {
+    QTest::keyClick(this->view_, Qt::Key_D);
+  }
+  if (this->oneIn(2))
+  {
+    QTest::keyClick(this->view_, Qt::Key_Return); // whatever stroke could be taken hold of
+  }
+  vtkRenderer* renderer = this->view_->renderWindow()->GetRenderers()->GetFirstRenderer();
+  vtkPolyData* mesh = this->document_->result().mesh;
+  const double angle = 2.0 * M_PI * this->upTo(359) / 360.0;
+  const double x = std::cos(angle), y = std::sin(angle);
+  double outermost[2] = { 0.0, 0.0 }, most = -1e300;
+  for (vtkIdType i = 0; mesh && i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double place[4] = { 0.0, 0.0, 0.0, 1.0 };
+    mesh->GetPoint(i, place);
+    renderer->SetWorldPoint(place);
+    renderer->WorldToDisplay();
+    const double* at = renderer->GetDisplayPoint();
+    if (at[0] * x + at[1] * y > most)
+    {
+      most = at[0] * x + at[1] * y;
+      outermost[0] = at[0];
+      outermost[1] = at[1];
+    }
+  }
+  const double ratio = this->view_->devicePixelRatioF();
+  const auto onView = [&](double a, double b)
+  { return QPoint(static_cast<int>(a / ratio), this->view_->height() - 1 - static_cast<int>(b / ratio)); };
+  if (!this->view_->rect().contains(onView(outermost[0], outermost[1])))
+  {
+    QTest::keyClick(this->view_, Qt::Key_W); // back to where it is seen
+    return 1;
+  }
+  const double away = 4 + this->upTo(25), half = 15 + this->upTo(45);
+  constexpr int steps = 9;
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double t = 2.0 * i / steps - 1.0, out = away * (1.0 - 1.3 * t * t), along = half * t;
+    const QPoint at = onView(outermost[0] + out * x - along * y, outermost[1] + out * y + along * x);
+    if (i == 0)
+    {
+      QTest::mousePress(this->view_, Qt::LeftButton, Qt::NoModifier, at);
+    }
+    QTest::mouseMove(this->view_, at);
+    QApplication::processEvents();
+    if (i == steps)
+    {
+      QTest::mouseRelease(this->view_, Qt::LeftButton, Qt::NoModifier, at);
+    }
+  }
+  return steps + 3;
+}
+
+// Where the last stroke lies, if the view is still the one that it was drawn in.
+int Hand::dragOfTheStroke()
+{
+  const auto& nodes = this->document_->session().nodes;
+  if (nodes.empty())
+  {
+    return this->strokeBesideTheModel();
+  }
+  const vtkSmartPointer<vtkPolyData> stroke = nodes.back().action->stroke;
+  if (this->oneIn(2))
+  {
+    this->view_->lookFrom(stroke);
+    QApplication::processEvents();
+  }
+  const double* at = stroke->GetPoint(this->upTo(static_cast<int>(stroke->GetNumberOfPoints()) - 1));
+  const double ratio = this->view_->devicePixelRatioF();
+  QPoint place(static_cast<int>(at[0] / ratio), this->view_->height() - 1 - static_cast<int>(at[1] / ratio));
+  QTest::mouseMove(this->view_, place);
+  QTest::mousePress(this->view_, Qt::LeftButton, this->oneIn(4) ? Qt::ShiftModifier : Qt::NoModifier, place);
+  constexpr int steps = 3;
+  for (int i = 0; i < steps; ++i)
+  {
+    place = this->near(place, 12);
+    QTest::mouseMove(this->view_, place);
+    QApplication::processEvents();
+  }
+  QTest::mouseRelease(this->view_, Qt::LeftButton, Qt::NoModifier, place);
+  return steps + 3;
+}
+
+int Hand::press()
+{
+  const Qt::MouseButton button = this->oneIn(4) ? Qt::MiddleButton : Qt::LeftButton;
+  const Qt::KeyboardModifiers held = modifiers[this->upTo(2)];
+  QTest::mousePress(this->view_, button, held, this->place(this->view_));
+  return 1;
+}
+
+int Hand::key()
+{
+  static const Qt::Key keys[] = { Qt::Key_R,
+    Qt::Key_X,
+    Qt::Key_Y,
+    Qt::Key_Z,
+    Qt::Key_1,
+    Qt::Key_2,
+    Qt::Key_3,
+    Qt::Key_W,
+    Qt::Key_C,
+    Qt::Key_H,
+    Qt::Key_L,
+    Qt::Key_I,
+    Qt::Key_M,
+    Qt::Key_J,
+    Qt::Key_K,
+    Qt::Key_P,
+    Qt::Key_N,
+    Qt::Key_D,
+    Qt::Key_T,
+    Qt::Key_O,
+    Qt::Key_F1,
+    Qt::Key_Escape,
+    Qt::Key_Backspace,
+    Qt::Key_Return,
+    Qt::Key_Delete,
+    Qt::Key_Tab,
+    Qt::Key_Space,
+    Qt::Key_Up,
+    Qt::Key_Down };
+  const Qt::Key one = keys[this->upTo(static_cast<int>(std::size(keys)) - 1)];
+  QWidget* focused = QApplication::focusWidget();
+  QWidget* on = focused && this->oneIn(3) ? focused : this->view_;
+  QTest::keyClick(on, one, modifiers[this->upTo(1)]);
+  return 1;
+}
+
+int Hand::undoAndRedo()
+{
+  const int undone = 1 + this->upTo(2), redone = this->upTo(2);
+  for (int i = 0; i < undone + redone; ++i)
+  {
+    QTest::keyClick(
+      this->view_, Qt::Key_Z, Qt::ControlModifier | (i < undone ? Qt::NoModifier : Qt::ShiftModifier));
+  }
+  return undone + redone;
+}
+
+int Hand::wheel()
+{
+  const QPoint at = this->place(this->view_);
+  QWheelEvent turn(at,
+    this->view_->mapToGlobal(at),
+    {},
+    { 0, this->oneIn(2) ? 120 : -120 },
+    Qt::NoButton,
+    Qt::NoModifier,
+    Qt::NoScrollPhase,
+    false);
+  QApplication::sendEvent(this->view_, &turn);
+  return 1;
+}
+
+int Hand::click()
+{
+  const auto widgets = this->window_.findChildren<QWidget*>();
+  QWidget* one = widgets[this->upTo(widgets.size() - 1)];
+  if (one->isVisible() && one->width() > 0 && one->height() > 0)
+  {
+    QTest::mouseClick(one, Qt::LeftButton, Qt::NoModifier, this->place(one));
+  }
+  return 1;
+}
+
+int Hand::menuEntry()
+{
+  auto actions = this->window_.findChildren<QAction*>();
+  if (this->oneIn(2))
+  {
+    // Those that ask for a file, and the preferences.
+    actions.erase(std::remove_if(actions.begin(),
+                    actions.end(),
+                    [](const QAction* action) { return !action->text().endsWith(QString::fromUtf8("…")); }),
+      actions.end());
+  }
+  QAction* one = actions[this->upTo(actions.size() - 1)];
+  if (one->isEnabled() && !quits(one) && !one->menu())
+  {
+    one->trigger();
+  }
+  return 1;
+}
+
+int Hand::drop()
+{
+  QMimeData files;
+  files.setUrls({ QUrl::fromLocalFile(this->file()) });
+  QDropEvent dropped({ 100, 100 }, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&this->window_, &dropped);
+  return 1;
+}
+
+void Hand::answer()
+{
+  this->answering_ = false;
+  if (QWidget* popup = QApplication::activePopupWidget())
+  {
+    this->answerPopup(popup);
+    return;
+  }
+  QWidget* asked = QApplication::activeModalWidget();
+  if (!asked)
+  {
+    return;
+  }
+  ++this->deeds_.questions;
+  if (auto* file = qobject_cast<QFileDialog*>(asked))
+  {
+    this->answerFile(file);
+  }
+  else if (auto* box = qobject_cast<QMessageBox*>(asked))
+  {
+    if (box->icon() == QMessageBox::Critical && !box->text().contains(damaged))
+    {
+      this->complaints_ << box->text();
+    }
+    const auto buttons = box->buttons();
+    buttons[this->upTo(buttons.size() - 1)]->click();
+  }
+  else
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      const auto widgets = asked->findChildren<QWidget*>();
+      QWidget* one = widgets[this->upTo(widgets.size() - 1)];
+      if (one->isVisible() && asked->isVisible())
+      {
+        QTest::mouseClick(one, Qt::LeftButton, Qt::NoModifier, this->place(one));
+      }
+    }
+    if (asked->isVisible() && !QApplication::activePopupWidget())
+    {
+      QTest::keyClick(asked, this->oneIn(2) ? Qt::Key_Return : Qt::Key_Escape);
+    }
+  }
+}
+
+void Hand::answerPopup(QWidget* popup)
+{
+  QWidget* keys = popup->focusWidget() ? popup->focusWidget() : popup;
+  for (int i = this->upTo(6); i >= 0; --i)
+  {
+    QTest::keyClick(keys, Qt::Key_Down);
+  }
+  const auto* menu = qobject_cast<QMenu*>(popup);
+  if (this->oneIn(3) || (menu && quits(menu->activeAction())))
+  {
+    popup->close();
+  }
+  else
+  {
+    QTest::keyClick(keys, Qt::Key_Return);
+  }
+}
+
+void Hand::answerFile(QFileDialog* dialog)
+{
+  if (this->oneIn(3))
+  {
+    dialog->reject();
+    return;
+  }
+  QString path = this->file();
+  if (dialog->acceptMode() == QFileDialog::AcceptSave)
+  {
+    QString name = "drawn"; // the window adds the extension that it wants
+    if (dialog->nameFilters().join(' ').contains("*.ply"))
+    {
+      const QStringList extensions = QString::fromLatin1(oversketch_files::meshExtensions).split(' ');
+      name += extensions[this->upTo(extensions.size() - 1)];
+    }
+    path = QDir(this->folder_).filePath(name);
+  }
+  dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
+  static_cast<QDialog*>(dialog)->accept();
+}
+
+} // namespace oversketch_studio

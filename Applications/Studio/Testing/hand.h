@@ -1,0 +1,85 @@
+// A hand on the window, at random: strokes, mouse, keys, menus, files, and answers to what is asked.
+#ifndef oversketch_studio_hand_h
+#define oversketch_studio_hand_h
+
+#include <QObject>
+#include <QPoint>
+#include <QString>
+#include <QStringList>
+
+#include <random>
+#include <string>
+
+class QFileDialog;
+class QWidget;
+
+namespace oversketch_studio
+{
+
+class Document;
+class MainWindow;
+class View;
+
+class Hand : public QObject
+{
+public:
+  // What came of it.
+  struct Deeds
+  {
+    int strokes = 0; // drawn
+    int moved = 0;   // strokes moved or drawn over in part
+    int undone = 0, redone = 0;
+    int meshes = 0; // shown, other than the one before
+    int questions = 0;
+    int opened = 0;
+
+    void add(const Deeds& other);
+  };
+
+  // All that it does is made of the seed; files are of the folder.
+  Hand(unsigned seed, MainWindow& window, const QString& folder);
+
+  // Does one thing of a few events, and returns how many.
+  int act();
+  const Deeds& deeds() const { return this->deeds_; }
+  // What the window said was wrong; not that a file is damaged that is.
+  const QStringList& complaints() const { return this->complaints_; }
+  // What is being computed, and how far it is.
+  const QString& stage() const { return this->stage_; }
+
+  // A file that no reader takes.
+  static const char* const damaged;
+
+private:
+  int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(this->random_); }
+  bool oneIn(int times) { return this->upTo(times - 1) == 0; }
+  QPoint place(QWidget* on);
+  QPoint near(const QPoint& place, int distance);
+  QString file();
+
+  int strokeBesideTheModel();
+  int dragOfTheStroke();
+  int press();
+  int key();
+  int undoAndRedo();
+  int wheel();
+  int click();
+  int menuEntry();
+  int drop();
+  void answer();
+  void answerPopup(QWidget* popup);
+  void answerFile(QFileDialog* dialog);
+
+  std::mt19937 random_;
+  MainWindow& window_;
+  View* view_;
+  Document* document_;
+  QString folder_, stage_;
+  QStringList complaints_;
+  Deeds deeds_;
+  std::string shown_; // digest
+  bool answering_ = false;
+};
+
+} // namespace oversketch_studio
+#endif
