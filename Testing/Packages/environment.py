@@ -22,6 +22,10 @@ class Environment:
     def run(self, *arguments, **more):
         return run(self.python, *arguments, env={**self.variables, **more.pop("variables", {})}, **more)
 
+    def has(self, module):
+        """Whether the system's packages bring it."""
+        return subprocess.run([str(self.python), "-c", f"import {module}"], capture_output=True, env=self.variables).returncode == 0
+
     def require_index(self, folder):
         """Skips the tests where no package index can be reached: asks it for one small package."""
         asked = [self.python, "-m", "pip", "download", "--quiet", "--no-deps", "--retries", "1", "-d", folder, "scooby"]

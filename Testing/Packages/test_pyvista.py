@@ -13,16 +13,17 @@ from vtkmodules.vtkIOImage import vtkPNGReader  # noqa: E402
 
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 EXAMPLE = SOURCE / "Applications" / "Examples" / "PyVista"
-# The last PyVista that runs on VTK 9.1; what else it needs is taken from the system.
+# Where the system has none (Debian 12): the last PyVista that runs on VTK 9.1; what else it needs is taken from the system.
 PACKAGES = ["pyvista==0.46.*", "platformdirs", "pooch", "requests", "scooby"]
 
 
 @pytest.fixture(scope="module")
 def environment(tmp_path_factory):
     made = Environment(tmp_path_factory.mktemp("environment"))
-    made.require_index(tmp_path_factory.mktemp("index"))
-    made.run("-m", "pip", "install", "--no-deps", *PACKAGES)
-    made.run("-m", "pip", "install", "--no-deps", "--ignore-installed", "typing-extensions")
+    if not made.has("pyvista"):
+        made.require_index(tmp_path_factory.mktemp("index"))
+        made.run("-m", "pip", "install", "--no-deps", *PACKAGES)
+        made.run("-m", "pip", "install", "--no-deps", "--ignore-installed", "typing-extensions")
     made.variables["PYTHONPATH"] = os.environ["PYTHONPATH"]
     return made
 
