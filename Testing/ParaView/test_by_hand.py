@@ -106,10 +106,11 @@ class Window:
 
     def launch(self, name):
         """A source or filter by its name, as with the menu."""
+        self.desk.move(900, 1300)  # over the view, where no hint comes up
+        self.wait(lambda: len(self.desk.windows()) == 1, "ParaView's window alone")
         self.named("ParaView")
-        before = len(self.desk.windows())
         self.desk.key("ctrl+space")
-        self.wait(lambda: len(self.desk.windows()) > before, "the field for names")
+        self.wait(lambda: len(self.desk.windows()) == 2, "the field for names")
         self.desk.focus(self.desk.windows()[-1][0])
         self.desk.type(name)
         self.place("button", name)
@@ -129,19 +130,24 @@ class Window:
         return [(left + x, bottom - y) for x, y in projected(camera, points)]
 
     def cells(self):
-        """The table of the line's points."""
-        return [name for role, name, _ in self.things() if role == "table cell"]
+        """The table of the line's points; also what is scrolled out of sight."""
+        try:
+            tables = [thing for role, _, thing in self.things() if role == "table"]
+            children = [tables[0].get_child_at_index(i) for i in range(tables[0].get_child_count())] if len(tables) == 1 else []
+            return [child.get_name() for child in children if child and child.get_role_name() == "table cell"]
+        except reader.GLib.Error:  # something went away meanwhile
+            return []
 
     def drag(self, start, end):
         """Takes the line's point at a place elsewhere; returns when the table tells it."""
-        before = self.cells()
+        before = self.wait(self.cells, "the line's table")
         middle = [(a + b) / 2 for a, b in zip(start, end)]
         self.desk.drag([start, start, middle, end, end], pause=0.1)
         self.wait(lambda: len(self.cells()) == len(before) and self.cells() != before, "the point at its place")
 
     def add(self, place):
         """A point on the line there."""
-        count = len(self.cells())
+        count = len(self.wait(self.cells, "the line's table"))
         self.desk.move(*place)
         self.desk.hold("ctrl")
         self.desk.press()
