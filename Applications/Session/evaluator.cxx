@@ -247,7 +247,7 @@ bool Evaluator::runOne(const Action& action,
   ++this->runs_;
   vtkOversketchOneStroke* system = this->system_;
   system->SetInputData(0, mesh);
-  system->SetStrokeData(action.stroke);
+  system->SetStrokeData(action.stroke.own());
   if (system->GetAsPublished() != action.parameters.asPublished)
   {
     system->SetAsPublished(action.parameters.asPublished);
@@ -311,7 +311,7 @@ bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outc
 {
   outcomes.clear();
   this->system_->SetBackend(session.backend);
-  vtkSmartPointer<vtkPolyData> mesh = session.mesh;
+  vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
   Key key{ session.mesh, session.backend, {} };
   for (std::size_t i = 0; i < session.nodes.size(); ++i)
   {
@@ -351,7 +351,7 @@ bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outc
 void Evaluator::prepare(vtkPolyData* mesh, const Watch& watch)
 {
   const Ear ear(this->system_, 0, watch);
-  this->system_->SetInputData(0, mesh);
+  this->system_->SetInputData(0, shared(mesh));
   this->system_->Prepare();
 }
 

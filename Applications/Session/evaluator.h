@@ -79,7 +79,7 @@ private:
   // What an outcome depends on: the actions up to it that are on.
   struct Key
   {
-    vtkSmartPointer<vtkPolyData> mesh;
+    SharedData mesh;
     int backend = 0;
     std::vector<std::shared_ptr<const Action>> actions;
 

@@ -4,8 +4,7 @@
 #ifndef oversketch_session_h
 #define oversketch_session_h
 
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "shared_data.h"
 
 #include <array>
 #include <memory>
@@ -43,7 +42,7 @@ struct MirrorPlane
 // A stroke and how it acts. Never changed once made: results are kept by its identity.
 struct Action
 {
-  vtkSmartPointer<vtkPolyData> stroke; // with its view
+  SharedData stroke; // with its view
   Parameters parameters;
   std::optional<MirrorPlane> mirror;
 };
@@ -68,7 +67,7 @@ struct Node
 struct Session
 {
   std::string meshName; // of the file that was opened, without its folder
-  vtkSmartPointer<vtkPolyData> mesh;
+  SharedData mesh;
   std::vector<Node> nodes;
   int backend = 0; // vtkOversketchOneStroke::BackendType
 };

@@ -311,8 +311,8 @@ Package Encoder::encode(const SessionFile& file)
 {
   const Session& session = file.session;
   Package package;
-  std::map<vtkSmartPointer<vtkPolyData>, Entry> entries;
-  const auto put = [&](const std::string& folder, const vtkSmartPointer<vtkPolyData>& data)
+  std::map<SharedData, Entry> entries;
+  const auto put = [&](const std::string& folder, const SharedData& data)
   {
     const auto known = this->last_.find(data);
     Entry entry;
@@ -322,7 +322,9 @@ Package Encoder::encode(const SessionFile& file)
     }
     else
     {
-      entry.bytes = std::make_shared<std::string>(oversketch_files::bytesOf(data));
+      vtkNew<vtkPolyData> copy; // a writer keeps ranges in the arrays
+      copy->DeepCopy(data);
+      entry.bytes = std::make_shared<std::string>(oversketch_files::bytesOf(copy));
       entry.name = folder + "/" + digestOf(*entry.bytes) + ".vtp";
     }
     package[entry.name] = entry.bytes;

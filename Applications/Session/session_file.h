@@ -53,7 +53,7 @@ private:
     std::string name;
     std::shared_ptr<const std::string> bytes;
   };
-  std::map<vtkSmartPointer<vtkPolyData>, Entry> last_;
+  std::map<SharedData, Entry> last_;
 };
 // Throws Failed, naming the path and the entry.
 SessionFile decode(const Package& package, const std::string& path);

@@ -184,7 +184,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (this->listener_.done)
   {
-    this->listener_.done(result);
+    this->listener_.done(std::move(result)); // this thread keeps nothing of it
   }
   watch.cancelled = [&] { return this->wanted_ != ticket || this->waiting_; };
   this->evaluator_.prepare(shown, watch);

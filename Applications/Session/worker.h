@@ -27,10 +27,10 @@ public:
   {
     std::string failure;
     std::optional<Section> section;
-    vtkSmartPointer<vtkPolyData> matched; // the place itself, a polyline; null where it did nothing
+    SharedData matched; // the place itself, a polyline; null where it did nothing
     bool elsewhere = false;
     // What it moved, and how that follows while the stroke is moved by hand; null where it did nothing.
-    vtkSmartPointer<vtkPolyData> region;
+    SharedData region;
     std::shared_ptr<const Following> following;
   };
   // What a session made. Meshes are copies that nobody else touches.
@@ -38,17 +38,17 @@ public:
   {
     std::uint64_t ticket = 0;
     std::vector<NodeState> nodes;
-    vtkSmartPointer<vtkPolyData> mesh;    // that the session shows
-    vtkSmartPointer<vtkPolyData> display; // the same with point normals, computed where it has none
-    std::string digest;                   // digestOf(mesh)
-    int backendUsed = 0;                  // vtkOversketchOneStroke::BackendType
-    double seconds = 0.0;                 // that the run took
+    SharedData mesh;      // that the session shows
+    SharedData display;   // the same with point normals, computed where it has none
+    std::string digest;   // digestOf(mesh)
+    int backendUsed = 0;  // vtkOversketchOneStroke::BackendType
+    double seconds = 0.0; // that the run took
   };
   // Called on the worker's thread. A session that a newer one replaced, or that was cancelled, calls
   // cancelled.
   struct Listener
   {
-    std::function<void(const Result&)> done;
+    std::function<void(Result)> done;
     std::function<void(std::uint64_t ticket)> cancelled;
     std::function<void(std::uint64_t ticket, std::size_t node, const std::string& stage, double share)>
       progress;

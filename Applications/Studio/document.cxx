@@ -30,6 +30,13 @@ QStringList listOf(const Notes& notes)
   return list;
 }
 
+vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(data);
+  return copy;
+}
+
 std::size_t indexOf(int node)
 {
   return static_cast<std::size_t>(node);
@@ -43,10 +50,10 @@ Document::Document(QObject* parent)
 {
   // The worker's thread posts to this object's; what arrives after a newer change is left aside there.
   Worker::Listener listener;
-  listener.done = [this](const Worker::Result& result)
+  listener.done = [this](Worker::Result result)
   {
     QMetaObject::invokeMethod(
-      this, [this, result] { this->take(result); }, Qt::QueuedConnection);
+      this, [this, made = std::move(result)] { this->take(made); }, Qt::QueuedConnection);
   };
   listener.cancelled = [this](std::uint64_t ticket)
   {
@@ -123,7 +130,7 @@ QStringList Document::save(const QString& path)
     return {};
   }
   Notes notes;
-  writeMesh(this->result_.mesh ? this->result_.mesh.Get() : this->session().mesh.Get(), file, notes);
+  writeMesh((this->result_.mesh ? this->result_.mesh : this->session().mesh).own(), file, notes);
   return listOf(notes);
 }
 
@@ -169,8 +176,7 @@ void Document::addStroke(vtkPolyData* stroke,
   const std::optional<MirrorPlane>& mirror)
 {
   auto action = std::make_shared<Action>();
-  action->stroke = vtkSmartPointer<vtkPolyData>::New();
-  action->stroke->DeepCopy(stroke);
+  action->stroke = copied(stroke);
   action->parameters = parameters;
   action->mirror = mirror;
   Session next = this->session();
@@ -186,8 +192,7 @@ void Document::redraw(int index, vtkPolyData* stroke)
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
   auto action = std::make_shared<Action>(*node.action);
-  action->stroke = vtkSmartPointer<vtkPolyData>::New();
-  action->stroke->DeepCopy(stroke);
+  action->stroke = copied(stroke);
   node.action = action;
   node.committed.reset(); // it takes hold anew
   this->commit(std::move(next));

@@ -431,7 +431,7 @@ void MainWindow::showSection(int node)
 {
   const auto& states = this->document_->result().nodes;
   this->view_->showSection(node >= 0 && static_cast<std::size_t>(node) < states.size()
-                             ? states[static_cast<std::size_t>(node)].matched
+                             ? states[static_cast<std::size_t>(node)].matched.Get()
                              : nullptr);
 }
 
@@ -462,7 +462,7 @@ void MainWindow::offerStroke()
   }
   this->offered_ = node;
   this->view_->offerStroke(nodes[static_cast<std::size_t>(node)].action->stroke, place, state.following);
-  this->view_->showRegion(this->region_->isChecked() ? state.region : nullptr);
+  this->view_->showRegion(this->region_->isChecked() ? state.region.Get() : nullptr);
 }
 
 void MainWindow::showResult()

@@ -14,7 +14,7 @@ namespace oversketch_test
 inline oversketch_session::Node nodeOf(vtkPolyData* stroke, const std::string& name)
 {
   auto action = std::make_shared<oversketch_session::Action>();
-  action->stroke = stroke;
+  action->stroke = vtkSmartPointer<vtkPolyData>(stroke);
   action->parameters.remesh = vtkOversketchOneStroke::RemeshOff;
   oversketch_session::Node node;
   node.action = action;

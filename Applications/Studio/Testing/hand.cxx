@@ -260,7 +260,7 @@ int Hand::dragOfTheStroke()
   {
     return this->strokeBesideTheModel();
   }
-  const vtkSmartPointer<vtkPolyData> stroke = nodes.back().action->stroke;
+  const oversketch_session::SharedData stroke = nodes.back().action->stroke;
   if (this->oneIn(2))
   {
     this->view_->lookFrom(stroke);

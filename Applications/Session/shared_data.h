@@ -1,0 +1,47 @@
+// A polydata that several threads hold and none changes. VTK looks for garbage whenever a count falls,
+// without a lock: copies of this are counted by themselves, and a pipeline is given a shallow copy of its
+// own.
+#ifndef oversketch_shared_data_h
+#define oversketch_shared_data_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <utility>
+
+namespace oversketch_session
+{
+
+class SharedData
+{
+public:
+  SharedData() = default;
+  // From here on the data must not be changed.
+  SharedData(vtkSmartPointer<vtkPolyData> data)
+  {
+    if (data)
+    {
+      data->GetBounds(); // kept by the data, for all who ask later
+      this->held_ = std::make_shared<const vtkSmartPointer<vtkPolyData>>(std::move(data));
+    }
+  }
+
+  vtkPolyData* Get() const { return this->held_ ? this->held_->Get() : nullptr; }
+  operator vtkPolyData*() const { return this->Get(); }
+  vtkPolyData* operator->() const { return this->Get(); }
+
+  // A shallow copy, for a pipeline.
+  vtkSmartPointer<vtkPolyData> own() const
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->ShallowCopy(this->Get());
+    return copy;
+  }
+
+private:
+  std::shared_ptr<const vtkSmartPointer<vtkPolyData>> held_;
+};
+
+} // namespace oversketch_session
+#endif
