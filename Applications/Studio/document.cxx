@@ -247,6 +247,18 @@ void Document::move(int from, int to)
   this->commit(std::move(next));
 }
 
+void Document::setBackend(int backend)
+{
+  const bool chosen = backend != this->backend_;
+  this->backend_ = backend;
+  if (chosen && this->isOpen() && this->session().backend != backend)
+  {
+    Session next = this->session();
+    next.backend = backend;
+    this->commit(std::move(next));
+  }
+}
+
 void Document::undo()
 {
   this->history_->undo();

@@ -68,8 +68,10 @@ public:
   // Stops the computing and goes back to the history that is shown (Redo brings the change back).
   void cancel();
 
-  // Where models that are opened from now on compute (vtkOversketchOneStroke::BackendType).
-  void setBackend(int backend) { this->backend_ = backend; }
+  // Where models compute (vtkOversketchOneStroke::BackendType): the open one from here on, where this is
+  // another choice than the last, as a change of its history; those that are opened later. A session that is
+  // opened keeps its own until then.
+  void setBackend(int backend);
 
   // Ends the autosave: the work is saved or not wanted.
   void discardAutosave();

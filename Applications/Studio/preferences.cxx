@@ -57,9 +57,9 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
   this->backend_->addItems(
     { tr("OpenCL where there is a device"), tr("OpenCL"), tr("the processor (Embree)") });
   this->backend_->setCurrentIndex(preferences.backend);
-  this->backend_->setToolTip(
-    tr("What measures the thickness of a model. It holds for models that are opened from now on: an open one "
-       "keeps its bits."));
+  this->backend_->setToolTip(tr(
+    "What measures the thickness of a model. The open one is computed again at once; Undo takes that back. "
+    "A session keeps what it was saved with, until you choose another."));
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -311,6 +311,27 @@ TEST(Preferences, AreKeptAndHold)
   Preferences().write();
 }
 
+TEST(Preferences, TheBackEndActsAtOnceAsOneStep)
+{
+  Scene scene(true);
+  ASSERT_EQ(scene.document->session().backend, 0);
+  const std::size_t strokes = scene.document->session().nodes.size();
+  scene.document->setBackend(0); // no choice, no step
+  EXPECT_FALSE(scene.document->isBusy());
+  scene.document->setBackend(2);
+  scene.wait();
+  EXPECT_EQ(scene.document->session().backend, 2);
+  EXPECT_EQ(scene.document->result().backendUsed, 2);
+  EXPECT_EQ(scene.document->session().nodes.size(), strokes);
+  scene.document->undo();
+  scene.wait();
+  EXPECT_EQ(scene.document->session().backend, 0);
+  EXPECT_EQ(scene.document->session().nodes.size(), strokes);
+  scene.document->redo();
+  scene.wait();
+  EXPECT_EQ(scene.document->session().backend, 2);
+}
+
 TEST(Preferences, TheDialogueGivesWhatWasChosen)
 {
   Preferences asked;
