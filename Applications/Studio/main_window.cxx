@@ -97,6 +97,11 @@ MainWindow::MainWindow(QWidget* parent)
   connect(this->document_, &Document::idle, this, &MainWindow::refresh);
   connect(this->view_, &View::strokeDrawn, this, &MainWindow::strokeDrawn);
   connect(this->view_, &View::strokeChanged, this, &MainWindow::strokeChanged);
+  connect(this->view_,
+    &View::lineMovesAlone,
+    this,
+    [this] { this->advice_->setText(tr("The model follows when you let go of the line.")); });
+  connect(this->view_, &View::lineLeft, this, &MainWindow::advise);
   connect(this->view_, &View::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
   connect(this->history_,
     &HistoryPanel::redrawAsked,

@@ -121,7 +121,7 @@ View::View(QWidget* parent)
         {
           if (view->preview_)
           {
-            view->meshMapper_->SetInputData(view->preview_);
+            view->meshMapper_->SetInputData(view->preview_->mesh());
           }
           emit view->strokeChanged(view->widget_->GetStroke());
         }
@@ -422,46 +422,28 @@ void View::offerStroke(vtkPolyData* stroke,
 void View::followHand()
 {
   vtkPolyData* shown = this->meshMapper_->GetInput();
-  if (!this->following_ || !shown ||
-      (!this->preview_ && shown->GetNumberOfPoints() != this->following_->count))
-  {
-    return;
-  }
   if (!this->preview_)
   {
-    this->held_ = shown;
-    this->preview_ = vtkSmartPointer<vtkPolyData>::New();
-    this->preview_->ShallowCopy(shown);
-    vtkNew<vtkPoints> points;
-    points->SetDataType(shown->GetPoints()->GetDataType());
-    points->DeepCopy(shown->GetPoints());
-    this->preview_->SetPoints(points);
-    this->meshMapper_->SetInputData(this->preview_);
-  }
-  const double* by = this->widget_->GetTranslation();
-  for (std::size_t i = 0; i < this->following_->points.size(); ++i)
-  {
-    double place[3];
-    this->held_->GetPoint(this->following_->points[i], place);
-    const std::array<float, 9>& moves = this->following_->moves[i];
-    for (std::size_t k = 0; k < 3; ++k)
+    if (!this->following_ || !shown || shown->GetNumberOfPoints() != this->following_->count)
     {
-      place[k] += by[0] * moves[k] + by[1] * moves[3 + k] + by[2] * moves[6 + k];
+      emit this->lineMovesAlone();
+      return;
     }
-    this->preview_->GetPoints()->SetPoint(this->following_->points[i], place);
+    this->preview_ = std::make_unique<Preview>(shown, this->following_);
+    this->meshMapper_->SetInputData(this->preview_->mesh());
   }
-  this->preview_->GetPoints()->Modified();
-  this->preview_->Modified();
+  this->preview_->moveTo(this->widget_->GetTranslation());
 }
 
 // The mesh is as it was. Of a stroke that was moved the preview stays until the result comes: see the
 // constructor.
 void View::letGo()
 {
-  if (this->preview_ && this->meshMapper_->GetInput() == this->preview_)
+  if (this->preview_ && this->meshMapper_->GetInput() == this->preview_->mesh())
   {
-    this->meshMapper_->SetInputData(this->held_);
+    this->meshMapper_->SetInputData(this->preview_->rest());
   }
+  emit this->lineLeft();
 }
 
 void View::setStabilizer(double pixels)

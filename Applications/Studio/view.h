@@ -5,6 +5,7 @@
 #include "evaluator.h"
 #include "hint.h"
 #include "pen_section.h"
+#include "preview.h"
 #include "session.h"
 #include "skin.h"
 
@@ -74,6 +75,9 @@ signals:
   void strokeDrawn(vtkPolyData* stroke);
   // The stroke that was offered has been moved or drawn anew in part.
   void strokeChanged(vtkPolyData* stroke);
+  // The hand moves a stroke that the mesh cannot follow before it is let go; it lets go.
+  void lineMovesAlone();
+  void lineLeft();
   void quitAsked();
 
 protected:
@@ -105,7 +109,7 @@ private:
   vtkNew<vtkOversketchOneStrokeWidget> widget_; // shows and moves strokes; the document runs them
   PenSection penSection_;
   std::shared_ptr<const oversketch_session::Following> following_;
-  vtkSmartPointer<vtkPolyData> held_, preview_; // while a stroke is moved: the mesh as it was, as it is shown
+  std::unique_ptr<Preview> preview_; // while a stroke is moved
   vtkNew<vtkCallbackCommand> ear_;
   double stabilizer_ = 6.0;
   bool drawing_ = true;

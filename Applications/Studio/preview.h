@@ -1,0 +1,50 @@
+// The mesh under the hand while a stroke is moved: points that follow, and the normals that change with them.
+#ifndef oversketch_studio_preview_h
+#define oversketch_studio_preview_h
+
+#include "evaluator.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+class vtkPolyData;
+
+namespace oversketch_studio
+{
+
+class Preview
+{
+public:
+  using Following = std::shared_ptr<const oversketch_session::Following>;
+
+  // Of a mesh with as many points as `following` says, which stays as it is.
+  Preview(vtkPolyData* rest, const Following& following);
+  ~Preview();
+
+  // The mesh with the stroke moved by a vector [world].
+  void moveTo(const double by[3]);
+  vtkPolyData* mesh() const { return this->shown_; }
+  vtkPolyData* rest() const { return this->rest_; }
+
+private:
+  using Vector = std::array<double, 3>;
+  struct Face
+  {
+    std::array<vtkIdType, 3> points;
+    std::array<int, 3> turned; // places in turned_, or -1
+  };
+  void findTurned();
+  std::vector<Vector> normals() const;
+
+  vtkSmartPointer<vtkPolyData> rest_, shown_;
+  Following following_;
+  std::vector<vtkIdType> turned_; // points whose normals change
+  std::vector<Face> faces_;       // round them
+  std::vector<Vector> before_;    // normals of the surface at rest
+};
+
+} // namespace oversketch_studio
+#endif
