@@ -112,4 +112,17 @@ std::string cameraHelp(bool drawing, bool prose)
   return list;
 }
 
+std::pair<int, int> extentOf(const std::string& text)
+{
+  int lines = 1, columns = 1, column = 0;
+  for (const char c : text)
+  {
+    const bool ends = c == '\n', continues = (c & 0xC0) == 0x80;
+    lines += ends;
+    column = ends ? 0 : column + !continues;
+    columns = std::max(columns, column);
+  }
+  return { lines, columns };
+}
+
 } // namespace oversketch

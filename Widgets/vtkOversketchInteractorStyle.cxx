@@ -60,6 +60,7 @@ struct vtkOversketchInteractorStyle::Internals
   std::unique_ptr<Drag> drag;
   oversketch::MeshPicker picker;
   vtkNew<vtkTextActor> keyList;
+  std::string keyText; // the host's
   vtkWeakPointer<vtkRenderer> keyListIn;
   unsigned long charTag = 0;
 
@@ -319,12 +320,15 @@ void vtkOversketchInteractorStyle::Internals::updateKeyList()
   {
     return;
   }
-  this->keyList->SetInput(
-    oversketch::cameraHelp(this->style->Mode == Draw, this->style->KeyProfile == Prose).c_str());
-  // As large as fits 26 lines of 58 characters, up to a size that reads well.
+  const std::string text = this->keyText.empty() ? oversketch::cameraHelp(this->style->Mode == Draw,
+                                                     this->style->KeyProfile == Prose)
+                                                 : this->keyText;
+  this->keyList->SetInput(text.c_str());
+  // As large as fits, up to a size that reads well.
+  const auto [lines, columns] = oversketch::extentOf(text);
   const int* size = in->GetSize();
   this->keyList->GetTextProperty()->SetFontSize(
-    std::clamp(static_cast<int>(std::min(size[0] / (58 * 0.62), size[1] / (26 * 1.25))), 6, 14));
+    std::clamp(static_cast<int>(std::min(size[0] / (columns * 0.62), size[1] / (lines * 1.25))), 6, 14));
   in->AddViewProp(this->keyList);
 }
 
@@ -403,6 +407,18 @@ void vtkOversketchInteractorStyle::SetShowKeys(bool show)
       this->Interactor->Render();
     }
   }
+}
+
+void vtkOversketchInteractorStyle::SetKeyList(const char* text)
+{
+  this->Inner->keyText = text ? text : "";
+  this->Inner->updateKeyList();
+  this->Modified();
+}
+
+const char* vtkOversketchInteractorStyle::GetKeyList() const
+{
+  return this->Inner->keyText.empty() ? nullptr : this->Inner->keyText.c_str();
 }
 
 void vtkOversketchInteractorStyle::SetZoom(double zoom)
@@ -574,4 +590,5 @@ void vtkOversketchInteractorStyle::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Zoom: " << this->GetZoom() << "\n";
   os << indent << "Spin: " << this->GetSpin() << "\n";
   os << indent << "ShowKeys: " << this->ShowKeys << "\n";
+  os << indent << "KeyList: " << (this->GetKeyList() ? this->GetKeyList() : "(none)") << "\n";
 }

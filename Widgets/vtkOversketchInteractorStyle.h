@@ -119,6 +119,15 @@ public:
   vtkBooleanMacro(ShowKeys, bool);
   ///@}
 
+  ///@{
+  /**
+   * What that list says, UTF-8. Null or empty (default): the mode and the keys above, in English. For hosts
+   * with keys or a language of their own.
+   */
+  void SetKeyList(const char* text);
+  const char* GetKeyList() const;
+  ///@}
+
   /**
    * Makes the present view the first view, that of key w and of Zoom 1. Without it, the first view of a
    * camera is the one before this style first changes it; call it after loading another model.

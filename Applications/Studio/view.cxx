@@ -1,6 +1,7 @@
 #include "view.h"
 
 #include "files.h"
+#include "key_list.h"
 #include "latency.h"
 
 #include "vtkOversketchInteractorStyle.h"
@@ -394,6 +395,7 @@ void View::setDrawing(bool drawing)
   {
     this->style_->SetModeToNavigate();
   }
+  this->style_->SetKeyList(keyList(drawing).toUtf8().constData());
   this->setDefaultCursor(drawing ? Qt::CrossCursor : Qt::OpenHandCursor);
   this->setCursor(this->defaultCursor());
 }

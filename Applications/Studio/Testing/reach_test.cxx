@@ -5,6 +5,13 @@
 #include "preferences.h"
 #include "view.h"
 
+#include "vtkOversketchInteractorStyle.h"
+
+#include "vtkCamera.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QAction>
@@ -25,6 +32,7 @@
 #include <cmath>
 #include <iostream>
 #include <set>
+#include <vector>
 
 using namespace oversketch_studio;
 
@@ -237,6 +245,51 @@ TEST(Reach, TabGoesThroughEverythingAndShowsWhereItIs)
   EXPECT_GE(visited.size(), 10u);
 }
 
+// Each key of the list moves the camera, or is the window's own; and each that moves it is in the list.
+TEST(Reach, TheListOfKeysIsTrue)
+{
+  Scene scene(false);
+  QTest::keyClick(scene.view, Qt::Key_T);
+  QString listed;
+  for (const QString& line : QString::fromUtf8(scene.view->camera()->GetKeyList()).split('\n'))
+  {
+    for (const QString& word : line.left(13).split(' ', Qt::SkipEmptyParts))
+    {
+      listed += word.size() == 1 && word != "+" ? word : QString();
+    }
+  }
+  vtkCamera* camera = scene.view->renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
+  QString moves;
+  for (const char* key = "abcdefghijklmnoprstuvwxyz0123456789"; *key; ++key)
+  {
+    // From a view that no key leads to.
+    camera->SetPosition(1.0, 2.0, 5.0);
+    camera->SetFocalPoint(0.1, 0.2, 0.3);
+    camera->SetViewUp(0.1, 1.0, 0.2);
+    const auto seen = [camera]
+    {
+      std::vector<double> values{ camera->GetViewAngle(), camera->GetParallelScale() };
+      for (const double* at : { camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp() })
+      {
+        values.insert(values.end(), at, at + 3);
+      }
+      return values;
+    };
+    const std::vector<double> before = seen();
+    QTest::keyClick(scene.view, *key);
+    moves += seen() != before ? QString(*key) : QString();
+  }
+  for (const QChar key : moves)
+  {
+    EXPECT_TRUE(listed.contains(key)) << "not in the list: " << key.toLatin1();
+  }
+  EXPECT_GE(moves.size(), 16);
+  for (const QChar key : listed)
+  {
+    EXPECT_TRUE(moves.contains(key) || QString("dto?q").contains(key)) << "does nothing: " << key.toLatin1();
+  }
+}
+
 TEST(Reach, AStrokeIsChangedWithKeysAlone)
 {
   Scene scene(true);
@@ -265,6 +318,17 @@ TEST(Texts, EverythingThatIsSeenIsTranslated)
   {
     Scene scene(true);
     EXPECT_GE(unmarked(&scene.window), 60);
+    for (const char* mode : { "Draw", "Turn" })
+    {
+      scene.view->setDrawing(*mode == 'D');
+      const QStringList lines = QString::fromUtf8(scene.view->camera()->GetKeyList()).split('\n');
+      EXPECT_GE(lines.size(), 15);
+      for (const QString& line : lines)
+      {
+        EXPECT_TRUE(line.isEmpty() || line.contains(QString::fromUtf8("¡"))) << qPrintable(line);
+      }
+      EXPECT_TRUE(lines[0].endsWith(QString(mode).toLower())) << qPrintable(lines[0]);
+    }
     const PreferencesDialog dialog(Preferences::read());
     EXPECT_GE(unmarked(&dialog), 10);
   }
