@@ -411,9 +411,13 @@ void vtkOversketchInteractorStyle::SetShowKeys(bool show)
 
 void vtkOversketchInteractorStyle::SetKeyList(const char* text)
 {
-  this->Inner->keyText = text ? text : "";
-  this->Inner->updateKeyList();
-  this->Modified();
+  const std::string given = text ? text : "";
+  if (given != this->Inner->keyText)
+  {
+    this->Inner->keyText = given;
+    this->Inner->updateKeyList();
+    this->Modified();
+  }
 }
 
 const char* vtkOversketchInteractorStyle::GetKeyList() const
