@@ -84,6 +84,12 @@ MainWindow::MainWindow(QWidget* parent)
     this,
     [this]
     {
+      if (!this->document_->isBusy()) // it has been saved
+      {
+        this->refresh();
+        return;
+      }
+      this->view_->awaitMesh();
       if (!this->drawn_)
       {
         this->view_->clearStroke(); // it tells nothing of what is shown from here on

@@ -31,12 +31,14 @@
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QTabletEvent>
 #include <QTimer>
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -50,6 +52,7 @@ namespace
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
 constexpr float lineWidth = 3.0F;    // px as Qt counts them, of the stroke and of the section
 constexpr double grabDistance = 6.0; // px as Qt counts them
+constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
 
 // Ambient occlusion would make a picture drawn by the processor wait.
 bool drawsOnProcessor(vtkRenderWindow* window)
@@ -63,6 +66,7 @@ bool drawsOnProcessor(vtkRenderWindow* window)
 View::View(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
   , penSection_(this->widget_)
+  , await_(new QTimer(this))
 {
   this->setRenderWindow(this->window_);
   this->window_->AddRenderer(this->renderer_);
@@ -178,6 +182,17 @@ View::View(QWidget* parent)
   }
   this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
   connect(&this->penSection_, &PenSection::frameWanted, this, &View::renderNow);
+  this->await_->setSingleShot(true);
+  connect(this->await_,
+    &QTimer::timeout,
+    this,
+    [this]
+    {
+      if (this->renderWaits_)
+      {
+        this->renderNow();
+      }
+    });
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Model"));
   this->fitScreen();
@@ -201,10 +216,12 @@ vtkOversketchStrokeWidget* View::pen() const
 
 void View::render()
 {
+  this->await_->stop();
   this->renderWaits_ = false;
   this->penSection_.frameBegins();
   Latency::of().frameBegins();
   this->window_->Render();
+  this->paintWaits_ = true;
 }
 
 // And paints it, so that no frame is drawn that nobody sees.
@@ -214,16 +231,42 @@ void View::renderNow()
   this->repaint();
 }
 
+// Qt puts a repaint off that follows closely on the last.
+void View::paintNow()
+{
+  this->update();
+  QEvent now(QEvent::UpdateRequest);
+  QCoreApplication::sendEvent(this->window(), &now);
+}
+
+void View::awaitMesh()
+{
+  this->await_->start(awaitTime);
+}
+
+void View::awaitNoMore()
+{
+  this->await_->stop();
+  if (std::exchange(this->renderWaits_, false))
+  {
+    this->renderSoon();
+  }
+}
+
 void View::renderSoon()
 {
-  if (!this->renderWaits_)
+  if (this->await_->isActive())
+  {
+    this->renderWaits_ = true;
+  }
+  else if (!this->renderWaits_)
   {
     this->renderWaits_ = true;
     QTimer::singleShot(0,
       this,
       [this]
       {
-        if (this->renderWaits_)
+        if (this->renderWaits_ && !this->await_->isActive())
         {
           this->renderNow();
         }
@@ -233,6 +276,7 @@ void View::renderSoon()
 
 void View::paintGL()
 {
+  this->paintWaits_ = false;
   // What Qt asks for is drawn now.
   this->interactor()->EnableRenderOn();
   QVTKOpenGLNativeWidget::paintGL();
@@ -281,13 +325,24 @@ void View::keyPressEvent(QKeyEvent* event)
 bool View::event(QEvent* event)
 {
   // VTK hears of the mouse before the functions for its events do.
-  const bool press =
-    event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
-  const bool release = event->type() == QEvent::MouseButtonRelease && this->pen()->IsDrawing();
-  if (this->renderWaits_ && (press || release))
+  const auto type = event->type();
+  const bool press = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
+  const bool release = type == QEvent::MouseButtonRelease && this->pen()->IsDrawing();
+  if (press || type == QEvent::Wheel || type == QEvent::KeyPress)
+  {
+    this->awaitNoMore();
+  }
+  if (press || release)
   {
     // The pen draws over what is on screen; the line's end is seen before all that a stroke's end brings.
-    this->renderNow();
+    if (this->renderWaits_)
+    {
+      this->render();
+    }
+    if (this->paintWaits_)
+    {
+      this->paintNow();
+    }
   }
   return QVTKOpenGLNativeWidget::event(event);
 }
@@ -317,6 +372,7 @@ void View::showMesh(vtkPolyData* mesh, bool reset)
     this->renderer_->SetUseSSAO(!drawsOnProcessor(this->window_));
   }
   this->placeHint();
+  this->awaitNoMore();
   this->renderSoon();
 }
 

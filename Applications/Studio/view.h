@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 
+class QTimer;
 class vtkActor;
 class vtkCallbackCommand;
 class vtkGenericOpenGLRenderWindow;
@@ -42,6 +43,9 @@ public:
 
   // Shows a mesh instead of the last; with `reset` the camera looks at all of it from the front.
   void showMesh(vtkPolyData* mesh, bool reset);
+  // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
+  // something.
+  void awaitMesh();
   // Where a stroke took hold (blue); null shows none.
   void showSection(vtkPolyData* section);
   // The part of the model that a stroke moved (orange); null shows none.
@@ -91,6 +95,8 @@ private:
   void render();
   void renderSoon();
   void renderNow();
+  void paintNow();
+  void awaitNoMore();
   void placeHint();
   void fitScreen();
   void followHand();
@@ -114,7 +120,8 @@ private:
   double stabilizer_ = 6.0;
   bool drawing_ = true;
   bool occlusionAsked_ = false;
-  bool renderWaits_ = false;
+  QTimer* await_; // runs while a mesh is awaited
+  bool renderWaits_ = false, paintWaits_ = false;
 };
 
 } // namespace oversketch_studio

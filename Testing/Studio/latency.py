@@ -61,8 +61,10 @@ def measure(model, strokes=10):
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
+    missing = [model for model in sys.argv[1:] if not pathlib.Path(model).is_file()]
+    if missing or len(sys.argv) < 2:
+        print(f"latency.py: no file {missing[0]}" if missing else __doc__, file=sys.stderr)
+        sys.exit(2)
     print("| model | pen sample to painted frame | stroke end to deformed mesh | plain redraw |")
     print("|---|---|---|---|")
     for model in sys.argv[1:]:

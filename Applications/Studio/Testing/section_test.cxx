@@ -1,20 +1,7 @@
 // What the stroke takes hold of is seen while it is drawn, and the pen does not wait for it.
-#include "document.h"
-#include "main_window.h"
-#include "view.h"
-
-#include "vtkPolyData.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
-
-#include <QApplication>
-#include <QTest>
-
-#include <gtest/gtest.h>
+#include "scene.h"
 
 #include <algorithm>
-#include <cmath>
 
 using namespace oversketch_studio;
 
@@ -44,68 +31,6 @@ int count(const QImage& image, bool (*is)(QColor))
   return found;
 }
 
-struct Scene
-{
-  Scene()
-  {
-    this->window.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->window, 60000));
-    this->window.openShippedModel();
-    this->view = this->window.findChild<View*>();
-    this->document = this->window.findChild<Document*>();
-    this->wait();
-    EXPECT_TRUE(
-      QTest::qWaitFor([this] { return this->document->result().mesh && !this->document->isBusy(); }, 600000));
-  }
-  ~Scene() { this->document->discardAutosave(); }
-
-  void wait()
-  {
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !this->document->isBusy(); }, 600000));
-  }
-  // Where a place of the world is in the view, in pixels from its upper left corner.
-  QPoint seen(const double place[3])
-  {
-    vtkRenderer* renderer = this->view->renderWindow()->GetRenderers()->GetFirstRenderer();
-    renderer->SetWorldPoint(place[0], place[1], place[2], 1.0);
-    renderer->WorldToDisplay();
-    double at[3];
-    renderer->GetDisplayPoint(at);
-    return { static_cast<int>(std::lround(at[0])),
-      this->view->height() - 1 - static_cast<int>(std::lround(at[1])) };
-  }
-  QPoint top()
-  {
-    vtkPolyData* mesh = this->document->result().mesh;
-    QPoint highest(0, this->view->height());
-    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-    {
-      const QPoint at = this->seen(mesh->GetPoint(i));
-      highest = at.y() < highest.y() ? at : highest;
-    }
-    return highest;
-  }
-  // An arch over the model's highest place, the pen left down at its end.
-  void draw()
-  {
-    const QPoint over = this->top();
-    const auto at = [&](int i)
-    { return over + QPoint(3 * i, static_cast<int>(std::lround(20.0 - 45.0 * std::cos(0.08 * i)))); };
-    QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(-15));
-    for (int i = -14; i <= 15; ++i)
-    {
-      QTest::mouseMove(this->view, at(i));
-      QApplication::processEvents();
-    }
-    this->end = at(15);
-  }
-
-  MainWindow window;
-  View* view = nullptr;
-  Document* document = nullptr;
-  QPoint end;
-};
-
 } // namespace
 
 TEST(PenSection, IsSeenUnderAPenThatStandsAndIsWhatTheStrokeTakesHoldOf)
@@ -123,7 +48,7 @@ TEST(PenSection, IsSeenUnderAPenThatStandsAndIsWhatTheStrokeTakesHoldOf)
     600000))
     << "no section under the pen";
   EXPECT_GT(count(drawn, isRed), 100) << "no line";
-  QTest::mouseRelease(scene.view, Qt::LeftButton, Qt::NoModifier, scene.end);
+  scene.release();
   scene.wait();
   const auto& nodes = scene.document->result().nodes;
   ASSERT_EQ(nodes.size(), 1u);

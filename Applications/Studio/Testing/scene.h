@@ -1,0 +1,89 @@
+// The window on the shipped model, and a hand that draws over its highest place.
+#ifndef oversketch_studio_testing_scene_h
+#define oversketch_studio_testing_scene_h
+
+#include "document.h"
+#include "main_window.h"
+#include "view.h"
+
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <QApplication>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace oversketch_studio
+{
+
+struct Scene
+{
+  Scene()
+  {
+    this->window.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->window, 60000));
+    this->window.openShippedModel();
+    this->view = this->window.findChild<View*>();
+    this->document = this->window.findChild<Document*>();
+    this->wait();
+    EXPECT_TRUE(
+      QTest::qWaitFor([this] { return this->document->result().mesh && !this->document->isBusy(); }, 600000));
+  }
+  ~Scene() { this->document->discardAutosave(); }
+
+  void wait()
+  {
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !this->document->isBusy(); }, 600000));
+  }
+  vtkRenderer* renderer() { return this->view->renderWindow()->GetRenderers()->GetFirstRenderer(); }
+  // Where a place of the world is in the view, in pixels from its upper left corner.
+  QPoint seen(const double place[3])
+  {
+    vtkRenderer* renderer = this->renderer();
+    renderer->SetWorldPoint(place[0], place[1], place[2], 1.0);
+    renderer->WorldToDisplay();
+    double at[3];
+    renderer->GetDisplayPoint(at);
+    return { static_cast<int>(std::lround(at[0])),
+      this->view->height() - 1 - static_cast<int>(std::lround(at[1])) };
+  }
+  QPoint top()
+  {
+    vtkPolyData* mesh = this->document->result().mesh;
+    QPoint highest(0, this->view->height());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const QPoint at = this->seen(mesh->GetPoint(i));
+      highest = at.y() < highest.y() ? at : highest;
+    }
+    return highest;
+  }
+  // An arch over the model's highest place, the pen left down at its end.
+  void draw()
+  {
+    const QPoint over = this->top();
+    const auto at = [&](int i)
+    { return over + QPoint(3 * i, static_cast<int>(std::lround(20.0 - 45.0 * std::cos(0.08 * i)))); };
+    QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(-15));
+    for (int i = -14; i <= 15; ++i)
+    {
+      QTest::mouseMove(this->view, at(i));
+      QApplication::processEvents();
+    }
+    this->end = at(15);
+  }
+  void release() { QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, this->end); }
+
+  MainWindow window;
+  View* view = nullptr;
+  Document* document = nullptr;
+  QPoint end;
+};
+
+} // namespace oversketch_studio
+#endif
