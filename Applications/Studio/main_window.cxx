@@ -202,7 +202,9 @@ bool MainWindow::offerRecovery()
         .arg(QString::fromStdString(left.meshName)),
       QMessageBox::NoButton,
       this);
-    box.setInformativeText(tr("It holds %n stroke(s).", nullptr, static_cast<int>(left.strokes)));
+    box.setInformativeText(left.strokes == 1
+                             ? tr("It holds one stroke.")
+                             : tr("It holds %n strokes.", nullptr, static_cast<int>(left.strokes)));
     QPushButton* again = box.addButton(tr("Open it"), QMessageBox::AcceptRole);
     QPushButton* away = box.addButton(tr("Throw it away"), QMessageBox::DestructiveRole);
     box.addButton(tr("Ask next time"), QMessageBox::RejectRole);

@@ -131,7 +131,7 @@ OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& st
       double nearest = std::numeric_limits<double>::infinity();
       for (const NearestPlace& loop : loops)
       {
-        nearest = std::min(nearest, loop(stroke[i]).distance);
+        nearest = std::min(nearest, loop(stroke[i], nearest).distance);
       }
       error.mean += nearest;
       error.worst = std::max(error.worst, nearest);

@@ -122,10 +122,18 @@ NearestPlace::Answer NearestPlace::operator()(const Vector2& point, double limit
 
 double NearestPlace::meanDistance(const Polyline& points) const
 {
-  double sum = 0.0;
-  for (const Vector2& point : points)
+  // A place is no farther than that of the point before, and the way from it: most blocks are out of reach.
+  constexpr double rounding = 1.0 + 1e-9;
+  double sum = 0.0, last = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    sum += (*this)(point).distance;
+    const double reach = i > 0 ? rounding * (last + (points[i] - points[i - 1]).norm()) : last;
+    last = (*this)(points[i], reach).distance;
+    if (std::isinf(last)) // rounding, far from the origin
+    {
+      last = (*this)(points[i]).distance;
+    }
+    sum += last;
   }
   return sum / static_cast<double>(points.size());
 }

@@ -76,6 +76,30 @@ TEST(Polyline, NearestPlaceAgreesWithExhaustiveSearch)
   }
 }
 
+TEST(Polyline, MeanDistanceIsThatOfEachPointByItself)
+{
+  for (const double far : { 0.0, 1e9, 1e17 })
+  {
+    Polyline line, points;
+    for (int i = 0; i < 700; ++i)
+    {
+      line.emplace_back(far + 90 * std::cos(0.03 * i) + 0.2 * i, far - 60 * std::sin(0.07 * i));
+      // On the line, on it again, beside it, and now and then far away.
+      points.push_back(i % 2 ? points.back() : line.back());
+      points.back() += i % 3 ? Vector2(0, 0) : Vector2(i % 50, i % 7 ? 0.1 : 400);
+    }
+    for (const bool closed : { false, true })
+    {
+      const NearestPlace nearest(line, closed);
+      double sum = 0.0;
+      for (const Vector2& p : points)
+        sum += nearest(p).distance;
+      EXPECT_EQ(nearest.meanDistance(points), sum / static_cast<double>(points.size())) << far;
+    }
+  }
+  EXPECT_EQ(NearestPlace({}).meanDistance({ { 0, 0 }, { 1, 0 } }), std::numeric_limits<double>::infinity());
+}
+
 TEST(Polyline, UniformSamplingKeepsEndsAndSpacing)
 {
   const Polyline curve = arc(100.0, 0.0, 180.0, 2001);
