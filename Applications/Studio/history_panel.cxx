@@ -49,7 +49,6 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   this->remesh_->setAccessibleName(tr("New triangles"));
   this->mirror_->setAccessibleName(tr("Acts on"));
   this->empty_->setWordWrap(true);
-  this->empty_->setEnabled(false);
   this->empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
   this->remesh_->addItems({ tr("where it is needed"), tr("always"), tr("never") });
   this->remesh_->setToolTip(tr("New triangles where the stroke stretches the model"));

@@ -5,13 +5,17 @@
 #include "history_panel.h"
 #include "view.h"
 
+#include "vtkVersion.h"
+
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
@@ -115,10 +119,24 @@ void MainWindow::makeMenus()
   QAction* history = this->dock_->toggleViewAction();
   history->setText(tr("&History"));
   show->addAction(history);
-  this->add(show,
+
+  QMenu* help = this->menuBar()->addMenu(tr("&Help"));
+  this->add(help,
     tr("&Keys and mode"),
     QKeySequence(tr("F1")),
     [this] { this->view_->showKeys(!this->view_->showsKeys()); });
+  this->add(help,
+    tr("&About Oversketch"),
+    {},
+    [this]
+    {
+      QMessageBox::about(this,
+        tr("Oversketch"),
+        tr("Oversketch %1\nDraw one line over a shape and the shape follows.\n\nVTK %2, Qt %3\nFree software "
+           "under "
+           "the BSD-3-Clause licence, without warranty.")
+          .arg(QCoreApplication::applicationVersion(), vtkVersion::GetVTKVersion(), qVersion()));
+    });
 }
 
 void MainWindow::makeTools()

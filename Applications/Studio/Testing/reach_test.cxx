@@ -11,6 +11,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkVersion.h"
 
 #include <QAbstractButton>
 #include <QAccessible>
@@ -22,9 +23,11 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
+#include <QTimer>
 #include <QTranslator>
 
 #include <gtest/gtest.h>
@@ -309,6 +312,32 @@ TEST(Reach, AStrokeIsChangedWithKeysAlone)
   QTest::keyClick(list, Qt::Key_Delete);
   scene.wait();
   EXPECT_TRUE(scene.document->session().nodes.empty());
+}
+
+TEST(Reach, AboutNamesTheVersions)
+{
+  Scene scene(false);
+  QCoreApplication::setApplicationVersion("12.34");
+  QString told;
+  QTimer::singleShot(0,
+    [&told]
+    {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_TRUE(box);
+      told = box->text();
+      box->reject();
+    });
+  for (QAction* action : scene.window.findChildren<QAction*>())
+  {
+    if (action->text().contains("About"))
+    {
+      action->trigger();
+    }
+  }
+  for (const char* what : { "12.34", vtkVersion::GetVTKVersion(), qVersion(), "BSD-3-Clause" })
+  {
+    EXPECT_TRUE(told.contains(what)) << what << " is not in: " << qPrintable(told);
+  }
 }
 
 TEST(Texts, EverythingThatIsSeenIsTranslated)
