@@ -204,6 +204,24 @@ vtkOversketchOneStroke* Evaluator::system()
   return this->system_;
 }
 
+bool Evaluator::Key::operator==(const Key& other) const
+{
+  using Held = std::weak_ptr<const Action>;
+  return this->mesh == other.mesh && this->backend == other.backend &&
+         std::equal(this->actions.begin(),
+           this->actions.end(),
+           other.actions.begin(),
+           other.actions.end(),
+           [](const Held& a, const Held& b) { return !a.owner_before(b) && !b.owner_before(a); });
+}
+
+bool Evaluator::Key::canComeAgain() const
+{
+  return std::none_of(this->actions.begin(),
+    this->actions.end(),
+    [](const std::weak_ptr<const Action>& action) { return action.expired(); });
+}
+
 const Outcome* Evaluator::find(const Key& key)
 {
   const auto it =
@@ -310,6 +328,7 @@ bool Evaluator::runOne(const Action& action,
 bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes)
 {
   outcomes.clear();
+  this->kept_.remove_if([](const Kept& kept) { return !kept.key.canComeAgain(); });
   this->system_->SetBackend(session.backend);
   vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
   Key key{ session.mesh, session.backend, {} };

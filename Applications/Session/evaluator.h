@@ -45,8 +45,8 @@ struct Outcome
 class Evaluator
 {
 public:
-  // Keeps outcomes up to a sum of about that many bytes, the least recently used go first; those of the
-  // session being run stay in any case.
+  // Keeps outcomes of strokes that someone still holds (a session, a history), up to a sum of about that many
+  // bytes, the least recently used go first; those of the session being run stay in any case.
   explicit Evaluator(std::size_t bytes = std::size_t(2) << 30);
   ~Evaluator();
   Evaluator(const Evaluator&) = delete;
@@ -81,12 +81,10 @@ private:
   {
     SharedData mesh;
     int backend = 0;
-    std::vector<std::shared_ptr<const Action>> actions;
+    std::vector<std::weak_ptr<const Action>> actions;
 
-    bool operator==(const Key& other) const
-    {
-      return this->mesh == other.mesh && this->backend == other.backend && this->actions == other.actions;
-    }
+    bool operator==(const Key& other) const;
+    bool canComeAgain() const; // nobody makes an action twice
   };
   struct Kept
   {

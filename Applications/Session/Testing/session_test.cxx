@@ -4,6 +4,8 @@
 #include "Harness/shapes.h"
 #include "history.h"
 
+#include "vtkWeakPointer.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -286,6 +288,21 @@ TEST(Session, KeptResultsStayWithinTheirBudget)
   outcomesOf(poor, without(session, 0));
   outcomesOf(poor, session);
   EXPECT_GT(poor.runs(), 3u) << "others went";
+}
+
+TEST(Session, WhatNobodyCanAskForAgainIsNotKept)
+{
+  Evaluator evaluator;
+  Session session = dogSession(), bare = session;
+  bare.nodes.clear();
+  const vtkWeakPointer<vtkPolyData> second = outcomesOf(evaluator, session)[1].mesh.Get();
+  outcomesOf(evaluator, bare);
+  ASSERT_TRUE(second) << "it is undone, and may be redone";
+  session.nodes.pop_back();
+  outcomesOf(evaluator, bare);
+  EXPECT_FALSE(second) << "nobody holds its stroke";
+  outcomesOf(evaluator, session);
+  EXPECT_EQ(evaluator.runs(), 2u) << "the first is kept";
 }
 
 TEST(History, UndoRedoAndANewBranch)
