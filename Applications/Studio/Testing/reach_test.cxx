@@ -32,6 +32,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <set>
@@ -317,6 +318,10 @@ TEST(Reach, AStrokeIsChangedWithKeysAlone)
 TEST(Reach, AboutNamesTheVersions)
 {
   Scene scene(false);
+  const auto actions = scene.window.findChildren<QAction*>();
+  const auto about = std::find_if(
+    actions.begin(), actions.end(), [](const QAction* action) { return action->text().contains("About"); });
+  ASSERT_NE(about, actions.end());
   QCoreApplication::setApplicationVersion("12.34");
   QString told;
   QTimer::singleShot(0,
@@ -327,13 +332,7 @@ TEST(Reach, AboutNamesTheVersions)
       told = box->text();
       box->reject();
     });
-  for (QAction* action : scene.window.findChildren<QAction*>())
-  {
-    if (action->text().contains("About"))
-    {
-      action->trigger();
-    }
-  }
+  (*about)->trigger();
   for (const char* what : { "12.34", vtkVersion::GetVTKVersion(), qVersion(), "BSD-3-Clause" })
   {
     EXPECT_TRUE(told.contains(what)) << what << " is not in: " << qPrintable(told);
