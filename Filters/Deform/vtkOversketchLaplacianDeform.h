@@ -10,10 +10,12 @@
  * factor serves x, y and z (the paper makes three); the border is held hard and the handles softly, as hard
  * handles on a strip of edges are ill-conditioned; cotangents are clamped to +-1000, negative ones kept.
  *
- * Input 0: triangle mesh, vtkPolyData, with point array Region (1 component, not 0 = in the region), see
- * vtkOversketchRegionBorder. A vertex of the region with a neighbour outside it is the border and stays; a
- * vertex on a border of the mesh itself is free. Non-manifold edges and degenerate triangles are tolerated.
- * Input 1: handles, see vtkOversketchTargets: points at the present world positions, with point arrays
+ * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array Region (1 component, not 0 = in the
+ * region), see vtkOversketchRegionBorder. A vertex of the region with a neighbour outside it is the border
+ * and stays; a vertex on a border of the mesh itself is free. Non-manifold edges and degenerate triangles
+ * are tolerated.
+ * Input 1 (Handles): handles, see vtkOversketchTargets: points at the present world positions, with point
+ * arrays
  * - MeshVertices, 3 components: vertices of the mesh the handle hangs on,
  * - MeshWeights, 3 components: their weights, sum 1,
  * - Target, 3 components: where the handle shall be [world]. d_h = Target - position of the point.

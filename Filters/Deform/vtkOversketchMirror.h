@@ -5,9 +5,10 @@
  * For symmetric models: a stroke on one limb moves the other one exactly alike. Not in the paper; what
  * modelling programs call symmetry.
  *
- * Input 0: mesh before, vtkPolyData, symmetric about the plane wherever the deformation moved it on the
- * chosen side: every such point has a partner where the plane reflects it to, within Tolerance. Input 1: the
- * same mesh after a deformation: same number of points, same cells.
+ * Input 0 (Mesh before): mesh before, vtkPolyData, symmetric about the plane wherever the deformation
+ * moved it on the chosen side: every such point has a partner where the plane reflects it to, within
+ * Tolerance.
+ * Input 1 (Deformed mesh): the same mesh after a deformation: same number of points, same cells.
  *
  * Output 0: input 1 with new points: on the chosen side they are those of input 1. Points in the plane stay
  * in it (their coordinate along the axis is that of input 0). On the other side a point whose partner moved

@@ -24,11 +24,11 @@
  * all round (ReachEnds): else the moved part ends in a step at a border that nothing moves, in the middle of
  * a thickened thigh.
  *
- * Input 0: triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
- * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated. Input 1: handles
- * (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3], RelativePosition[1],
- * UnmergedTarget[3] (read when ReachEnds is on), and field array SectionLength[1], model length (read when
- * LimitRunaway or ReachEnds is on).
+ * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
+ * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated.
+ * Input 1 (Handles): handles (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3],
+ * RelativePosition[1], UnmergedTarget[3] (read when ReachEnds is on), and field array SectionLength[1],
+ * model length (read when LimitRunaway or ReachEnds is on).
  *
  * Output 0: the input with point arrays
  * - Region, unsigned char: 1 for vertices of the region,

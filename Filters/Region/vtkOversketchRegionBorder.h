@@ -10,8 +10,8 @@
  * Confine, changes stay within Rings rings of the border as it comes in, since along lattice-like meshes the
  * concave rule runs away over the model.
  *
- * Input 0: triangle mesh, vtkPolyData, with point arrays Region and RegionSeed, one component each, not 0
- * meaning yes (vtkOversketchMixtureRegion). Where no vertex is a seed, no piece is dropped.
+ * Input 0 (Mesh): triangle mesh, vtkPolyData, with point arrays Region and RegionSeed, one component each,
+ * not 0 meaning yes (vtkOversketchMixtureRegion). Where no vertex is a seed, no piece is dropped.
  *
  * Output 0: the input with Region, unsigned char, replaced. Everything else is passed; nothing is
  * interpolated or dropped.

@@ -10,9 +10,10 @@
  * than one standard deviation from the median are dropped, the rest averaged with equal weights. Departure: a
  * bounding volume tree built on the host instead of an octree.
  *
- * Input 0: triangle mesh, vtkPolyData, oriented outward, closed or not; its point normals are used where it
- * has them, else angle-weighted ones are computed. Non-manifold edges are tolerated. An unoriented or open
- * mesh gives a value everywhere, but a thickness only where rays find a facet to leave through.
+ * Input 0 (Mesh): triangle mesh, vtkPolyData, oriented outward, closed or not; its point normals are used
+ * where it has them, else angle-weighted ones are computed. Non-manifold edges are tolerated. An
+ * unoriented or open mesh gives a value everywhere, but a thickness only where rays find a facet to leave
+ * through.
  *
  * Output 0: the input with the point array ShapeDiameter added, double, [model length], finite, not negative.
  * Vertices whose rays all miss get the mean of their measured neighbours, ring by ring; pieces with no

@@ -26,25 +26,27 @@
  * the region and on the region's border; edges on that border and non-manifold edges, even if long; the shape
  * of borders of the mesh and of edges between charts, which are split at most.
  *
- * Input 0: triangle mesh, vtkPolyData, with point array Region (1 component, not 0 = in the region) and, if
- * LimitByDiameter is on, ShapeDiameter (1 component, model length; values that are not positive limit
- * nothing). Optional cell array Chart (1 component, integers): edges between different charts are kept.
- * Optional field array GuideLength: L for stage Restore. Input 1 (optional): handles, vtkPolyData with point
- * arrays MeshVertices (3 components) and MeshWeights (3), and for stage Stretch field arrays SectionLength
- * and TargetLength. Without handles k is 1.
+ * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array Region (1 component, not 0 = in the region)
+ * and, if LimitByDiameter is on, ShapeDiameter (1 component, model length; values that are not positive
+ * limit nothing). Optional cell array Chart (1 component, integers): edges between different charts are
+ * kept. Optional field array GuideLength: L for stage Restore.
+ * Input 1 (Handles, optional): handles, vtkPolyData with point arrays MeshVertices (3 components) and
+ * MeshWeights (3), and for stage Stretch field arrays SectionLength and TargetLength. Without handles k is
+ * 1.
  *
- * Output 0: the mesh. Points outside the region come first, in their order and bit for bit; then the region's
- * remaining ones, then new ones. Triangles that could not change come first, in their order. Point arrays:
- * floating ones interpolated (the active normals re-normalised), others, and Region, taken from the vertex of
- * largest weight. Cell arrays: from the input triangle under the middle of each triangle, of the same Chart.
- * Field data is passed. Global ids are dropped: they would no longer be unique. New arrays:
+ * Output 0 (Mesh): the mesh. Points outside the region come first, in their order and bit for bit; then
+ * the region's remaining ones, then new ones. Triangles that could not change come first, in their order.
+ * Point arrays: floating ones interpolated (the active normals re-normalised), others, and Region, taken
+ * from the vertex of largest weight. Cell arrays: from the input triangle under the middle of each
+ * triangle, of the same Chart. Field data is passed. Global ids are dropped: they would no longer be
+ * unique. New arrays:
  * - cell array SourceCell, vtkIdType[3]: per corner the input triangle it lies on, of the triangle's own
  * chart,
  * - cell array SourceWeights, double[9]: per corner the weights of that triangle's corners (sum 1),
  *   so that an attribute that lives on corners (texture coordinates across seams) can be interpolated,
  * - field array GuideLength, double (stage Stretch): L.
- * Output 1: the handles bound to output 0: MeshVertices, MeshWeights (unused vertices repeat the first) and
- * positions; everything else passed. Empty if there are none.
+ * Output 1 (Handles): the handles bound to output 0: MeshVertices, MeshWeights (unused vertices repeat the
+ * first) and positions; everything else passed. Empty if there are none.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, Cancelled. A mesh without
  * points gives an empty output silently; a region without a triangle passes the mesh through in the order

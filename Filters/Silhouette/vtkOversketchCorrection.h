@@ -11,9 +11,11 @@
  * stroke's part from Omega to 1 - Omega counts, where the targets are not merged with the present places.
  * Deforming the original mesh with these handles too gives the corrected result.
  *
- * Input 0: handles (vtkOversketchTargets), that the mesh was deformed with. Input 1: the stroke with its
- * view. Input 2: the deformed triangle mesh with point array Region (vtkOversketchLaplacianDeform). Input 3:
- * the same mesh before, with the same points and cells.
+ * Input 0 (Handles): handles (vtkOversketchTargets), that the mesh was deformed with.
+ * Input 1 (Stroke): the stroke with its view.
+ * Input 2 (Deformed mesh): the deformed triangle mesh with point array Region
+ * (vtkOversketchLaplacianDeform).
+ * Input 3 (Mesh before): the same mesh before, with the same points and cells.
  *
  * Output 0: the handles, then one vertex cell for each new one at its place on the mesh before; its arrays go
  * on: HandleId; MeshVertices and MeshWeights name the one vertex; Target and UnmergedTarget, double[3]

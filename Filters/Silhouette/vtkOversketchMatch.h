@@ -12,11 +12,12 @@
  * curve of which four fifths run within 3 px of a loop from vtkOversketchOutline is left to that loop, so
  * that its offsets are kept.
  *
- * Input 0, repeatable: curves from vtkOversketchVisibility and, optionally, loops from vtkOversketchOutline:
- * point arrays MeshVertices, MeshWeights, Normals and, optionally, Display and Offset; cells with Visible 0
- * are ignored, cells of an input with cell array Hole are loops.
+ * Input 0 (Curves, repeatable): curves from vtkOversketchVisibility and, optionally, loops from
+ * vtkOversketchOutline: point arrays MeshVertices, MeshWeights, Normals and, optionally, Display and
+ * Offset; cells with Visible 0 are ignored, cells of an input with cell array Hole are loops.
  *
- * Input 1: exactly one stroke with its view (cell arrays ViewTransform, ProjectionTransform, ViewportSize).
+ * Input 1 (Stroke): exactly one stroke with its view (cell arrays ViewTransform, ProjectionTransform,
+ * ViewportSize).
  *
  * Output 0: one open polyline, from the place nearest to the stroke's first sample to the one nearest to its
  * last; its ends are interpolated, and hang on the mesh where the points they lie between share a triangle.

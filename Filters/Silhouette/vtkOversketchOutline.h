@@ -14,13 +14,14 @@
  * borders not along it at all: what it leaves loose would form the outline of the result, and what lies
  * farther is an inner feature that would pull against it.
  *
- * Input 0: triangle mesh; triangles with a corner at or behind the eye of a perspective view have no picture.
+ * Input 0 (Mesh): triangle mesh; triangles with a corner at or behind the eye of a perspective view have
+ * no picture.
  *
- * Input 1: stroke polydata, for the view it carries (cell arrays ViewTransform, ProjectionTransform,
- * ViewportSize); where the mesh's picture is larger than 4096 pixels, the part round the stroke is traced and
- * loops are open at its edges.
+ * Input 1 (Stroke): stroke polydata, for the view it carries (cell arrays ViewTransform,
+ * ProjectionTransform, ViewportSize); where the mesh's picture is larger than 4096 pixels, the part round
+ * the stroke is traced and loops are open at its edges.
  *
- * Input 2: curves from vtkOversketchVisibility; cells with Visible 0 are ignored.
+ * Input 2 (Curves): curves from vtkOversketchVisibility; cells with Visible 0 are ignored.
  *
  * Output 0: one polyline per loop in world space; a closed one repeats its first point id at the end. Point
  * arrays:

@@ -8,9 +8,11 @@
  * perspective view d = eye - v, not normalised, which is exact on a sphere; topology is decided by a
  * simulated sign (g >= 0 counts as +) so that chains never branch.
  *
- * Input 0: triangle mesh, vtkPolyData; its point normals are used where it has them, else angle-weighted ones
- * are computed. Non-manifold edges are tolerated: curves end there, and at mesh borders. Input 1: stroke
- * polydata, for the view it carries (cell arrays ViewTransform, ProjectionTransform, ViewportSize).
+ * Input 0 (Mesh): triangle mesh, vtkPolyData; its point normals are used where it has them, else
+ * angle-weighted ones are computed. Non-manifold edges are tolerated: curves end there, and at mesh
+ * borders.
+ * Input 1 (Stroke): stroke polydata, for the view it carries (cell arrays ViewTransform,
+ * ProjectionTransform, ViewportSize).
  *
  * Output 0: one polyline per curve in world space; a closed curve repeats its first point id at the end.
  * Point arrays:

@@ -15,9 +15,9 @@
  * that E_geo allows, refined by golden section. A sweep goes along up to eight sections of a curve at a time,
  * each from its first point (the paper's along the curve from an end), which is several times quicker.
  *
- * Input 0: curves of vtkOversketchSilhouette (polylines with MeshVertices, MeshWeights, Normals).
- * Input 1: the mesh that the curves were made from.
- * Input 2: stroke polydata, for the view it carries.
+ * Input 0 (Curves): curves of vtkOversketchSilhouette (polylines with MeshVertices, MeshWeights, Normals).
+ * Input 1 (Mesh): the mesh that the curves were made from.
+ * Input 2 (Stroke): stroke polydata, for the view it carries.
  *
  * Output 0: curves with the point arrays that vtkOversketchSilhouette documents, in the same order.
  * Consecutive points share a triangle. Open curves keep their ends; a closed curve that shrinks to fewer than

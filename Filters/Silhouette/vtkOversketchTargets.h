@@ -14,12 +14,13 @@
  * layer that covers most of the section are kept, and further ones geodesically within 2.5 times their gap
  * along the section + 6 edges of them.
  *
- * Input 0: the section from vtkOversketchMatch: one polyline; point arrays MeshVertices, MeshWeights, Normals
- * and, optionally, Display and Offset.
+ * Input 0 (Section): the section from vtkOversketchMatch: one polyline; point arrays MeshVertices,
+ * MeshWeights, Normals and, optionally, Display and Offset.
  *
- * Input 1: exactly one stroke with its view (cell arrays ViewTransform, ProjectionTransform, ViewportSize).
+ * Input 1 (Stroke): exactly one stroke with its view (cell arrays ViewTransform, ProjectionTransform,
+ * ViewportSize).
  *
- * Input 2: the triangle mesh the section hangs on.
+ * Input 2 (Mesh): the triangle mesh the section hangs on.
  *
  * Output 0: the handles: one vertex cell per control point, at its present place q_j. Point arrays:
  * - HandleId, vtkIdType: 0 .. n - 1 along the section,

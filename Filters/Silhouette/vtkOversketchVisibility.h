@@ -16,9 +16,10 @@
  * depth that is affine on screen, where parts at or behind the eye are hidden and triangles that reach there
  * hide nothing.
  *
- * Input 0: curves of vtkOversketchSnake or vtkOversketchSilhouette (polylines with MeshVertices, MeshWeights,
- * Normals). Input 1: the mesh that the curves were made from. Input 2: stroke polydata, for the view it
- * carries.
+ * Input 0 (Curves): curves of vtkOversketchSnake or vtkOversketchSilhouette (polylines with MeshVertices,
+ * MeshWeights, Normals).
+ * Input 1 (Mesh): the mesh that the curves were made from.
+ * Input 2 (Stroke): stroke polydata, for the view it carries.
  *
  * Output 0: polylines, curve by curve, along each, with the point arrays that vtkOversketchSilhouette
  * documents; a crossing point has up to three MeshVertices. Joined curves keep the inserted points. Cell

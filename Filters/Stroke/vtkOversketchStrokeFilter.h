@@ -7,8 +7,8 @@
  * MinimumSpacing to the last one kept are dropped (the first and the last sample stay), and the rest is
  * sampled anew at equal arc lengths.
  *
- * Input 0: stroke polydata: polylines in display coordinates [px from the viewport's lower left corner, y
- * up]; z is ignored. Any number of strokes, from any views.
+ * Input 0 (Strokes): stroke polydata: polylines in display coordinates [px from the viewport's lower left
+ * corner, y up]; z is ignored. Any number of strokes, from any views.
  *
  * Output 0: one polyline per stroke, z = 0. Point arrays (Pressure, Time and any other) are interpolated in
  * arc length; cell and field data, the view arrays among them, are passed.

@@ -6,10 +6,10 @@
  * to display coordinates and gets the view that it was projected with, as if it had been drawn over that
  * picture. The camera is told in the terms of vtkCamera, by the names of ParaView's render view.
  *
- * Input 0: vtkPolyData with one polyline, in world space. Output 0: the stroke: its points in display
- * coordinates [px from the viewport's lower left corner, y up], double, z = 0; cell arrays ViewTransform,
- * ProjectionTransform (double, 16 components, row-major) and ViewportSize (int, 2 components). Arrays of the
- * input are dropped.
+ * Input 0 (Polyline): vtkPolyData with one polyline, in world space.
+ * Output 0: the stroke: its points in display coordinates [px from the viewport's lower left corner, y
+ * up], double, z = 0; cell arrays ViewTransform, ProjectionTransform (double, 16 components, row-major)
+ * and ViewportSize (int, 2 components). Arrays of the input are dropped.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadStroke when there is not exactly one polyline, a
  * point is not finite or lies at or behind the eye (the message names it), or the camera sees nothing (focal

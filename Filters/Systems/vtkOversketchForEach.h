@@ -7,9 +7,10 @@
  * vtkOversketchOneStroke with its parameters set. It is run once per leaf, in order; its inputs are set here
  * and taken away again.
  *
- * Input 0: the models, a collection (vtkDataObjectTree: vtkMultiBlockDataSet, vtkPartitionedDataSet,
- * vtkPartitionedDataSetCollection, nested as they like). Input 1: one stroke (vtkPolyData) for all of them,
- * or a collection of strokes whose leaves stand at the same flat indices as the models'.
+ * Input 0 (Models, vtkDataObjectTree): the models, a collection (vtkDataObjectTree: vtkMultiBlockDataSet,
+ * vtkPartitionedDataSet, vtkPartitionedDataSetCollection, nested as they like).
+ * Input 1 (Strokes, vtkDataObjectTree or vtkPolyData): one stroke (vtkPolyData) for all of them, or a
+ * collection of strokes whose leaves stand at the same flat indices as the models'.
  *
  * Output 0: a collection of the same type and structure (names and field data included) with what the filter
  * made of each model. A leaf that is absent stays absent, silently. A model that the filter refuses does not

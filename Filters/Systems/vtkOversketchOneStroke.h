@@ -18,10 +18,11 @@
  * outline has not left the stroke by 0.5 px more, in the mean and at worst, and no more edges are folded, or
  * if it is nearer to the stroke by 0.5 px at worst and no more than five edges were folded.
  *
- * Input 0: triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or normals are
- * welded for computing (exactly equal positions) and split again in the output. The mesh's normals are not
- * read: the silhouette of the surface itself is meant. Input 1: one stroke (one polyline in display
- * coordinates with the cell arrays ViewTransform, ProjectionTransform, ViewportSize).
+ * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or
+ * normals are welded for computing (exactly equal positions) and split again in the output. The mesh's
+ * normals are not read: the silhouette of the surface itself is meant.
+ * Input 1 (Stroke): one stroke (one polyline in display coordinates with the cell arrays ViewTransform,
+ * ProjectionTransform, ViewportSize).
  *
  * Output 0: the deformed mesh. Point, cell and field arrays survive; where the remesher made points they are
  * interpolated (along texture seams once per side), and normals turn with the surface. Points outside the

@@ -5,10 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parent / "one_stroke")]
 import judge  # noqa: E402
 import meshes  # noqa: E402
 import picture  # noqa: E402
+import stroke_files  # noqa: E402
 import strokes  # noqa: E402
 
 
@@ -160,8 +161,8 @@ def test_stroke_files_keep_every_bit(tmp_path):
     points, triangles = sphere(12)
     view = picture.View.looking(points, (1, 2, 3), (0, 1, 0), True, 0.6)
     samples = np.random.default_rng(1).uniform(0, 600, (30, 2))
-    strokes.write(strokes.stroke_polydata(samples, view, {"name": "n"}), tmp_path / "s.vtp")
-    _, back, seen, note = strokes.read(tmp_path / "s.vtp")
+    stroke_files.write(stroke_files.polydata(samples, view, {"name": "n"}), tmp_path / "s.vtp")
+    _, back, seen, note = stroke_files.read(tmp_path / "s.vtp")
     assert (back == samples).all() and (seen.view == view.view).all() and (seen.projection == view.projection).all()
     assert note == {"name": "n"} and (seen.width, seen.height) == (800, 600)
 

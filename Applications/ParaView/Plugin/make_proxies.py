@@ -2,39 +2,18 @@
 
 usage: make_proxies.py HEADER... > oversketch.xml
 
-What a proxy says is what the header says: help is the comment, a default the member's initialiser (else what the
-comment calls the default), a range that of vtkSetClampMacro, the entries of a choice the named setters
-SetXToY(). Only what headers do not tell is here: the inputs' names.
+What a proxy says is what the header says: help is the comment, inputs and outputs are its lines "Input 1 (Handles, optional):",
+a default the member's initialiser (else what the comment calls the default), a range that of vtkSetClampMacro, the entries
+of a choice the named setters SetXToY(). Parameters that a class has from another one of the headers are its own too. A
+setter that is not understood is an error.
 """
 import pathlib
 import re
 import sys
 from xml.sax.saxutils import escape, quoteattr
 
-# Inputs by port: name, and how many: "1", "?" (may be left out), "*" (repeatable). Types are vtkPolyData but for ForEach.
-PORTS = {
-    "StrokeFilter": [("Strokes", "1")],
-    "ViewStroke": [("Polyline", "1")],
-    "Silhouette": [("Mesh", "1"), ("Stroke", "1")],
-    "Snake": [("Curves", "1"), ("Mesh", "1"), ("Stroke", "1")],
-    "Visibility": [("Curves", "1"), ("Mesh", "1"), ("Stroke", "1")],
-    "Outline": [("Mesh", "1"), ("Stroke", "1"), ("Curves", "1")],
-    "Match": [("Curves", "*"), ("Stroke", "1")],
-    "Targets": [("Section", "1"), ("Stroke", "1"), ("Mesh", "1")],
-    "Correction": [("Handles", "1"), ("Stroke", "1"), ("Deformed mesh", "1"), ("Mesh before", "1")],
-    "ShapeDiameter": [("Mesh", "1")],
-    "MixtureRegion": [("Mesh", "1"), ("Handles", "1")],
-    "RegionBorder": [("Mesh", "1")],
-    "LaplacianDeform": [("Mesh", "1"), ("Handles", "1")],
-    "Mirror": [("Mesh before", "1"), ("Deformed mesh", "1")],
-    "Remesh": [("Mesh", "1"), ("Handles", "?")],
-    "OneStroke": [("Mesh", "1"), ("Stroke", "1")],
-    "ForEach": [("Models", "1"), ("Strokes", "1")],
-}
+# What ParaView calls a vtkDataObjectTree.
 COLLECTIONS = ["vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedDataSetCollection"]
-TYPES = {("ForEach", 0): COLLECTIONS, ("ForEach", 1): COLLECTIONS + ["vtkPolyData"]}
-OUTPUTS = {"Remesh": ["Mesh", "Handles"]}
-
 
 # What a widget of the plugin's own sets, as one group: the parameters whose names begin alike.
 GROUPS = {"ViewStroke": ("View", "oversketch_camera", ("Camera", "View"))}
@@ -54,6 +33,18 @@ def prose(comment):
     return "\n".join(lines).strip()
 
 
+class Port:
+    """An input or output as a header's line says it: "Input 1 (Strokes, optional, vtkPolyData or vtkDataObjectTree)"."""
+
+    def __init__(self, label, terms):
+        self.label = label
+        self.optional, self.repeatable = "optional" in terms, "repeatable" in terms
+        types = [term for term in terms if term.startswith("vtk")]
+        self.types = types[0].split(" or ") if types else ["vtkPolyData"]
+        if len(types) > 1 or set(terms) - {"optional", "repeatable", *types}:
+            raise SystemExit(f"make_proxies.py: {', '.join(terms)} of {label} is not understood")
+
+
 class Header:
     """What a filter's header tells."""
 
@@ -61,38 +52,76 @@ class Header:
         self.text = pathlib.Path(path).read_text()
         self.kind = pathlib.Path(path).stem  # vtkOversketchOneStroke
         self.name = self.kind.replace("vtkOversketch", "")
+        self.filter = f"static {self.kind}* New();" in self.text  # else the base of others
+        self.base = None
         top = re.match(r"/\*\*(.*?)\*/", self.text, re.S).group(1)
         body = prose(top)
         self.brief = re.search(r"@brief (.*?)\n\n", body, re.S).group(1).replace("\n", " ")
         self.help = re.sub(r"^@class.*\n@brief (.|\n)*?\n\n", "", body)
         self.help = re.sub(r"\n@sa(.|\n)*$", "", self.help).strip()
+        self.inputs, self.outputs = self.ports("Input"), self.ports("Output")
         self.values = {}
         for entries in re.findall(r"enum \w+\s*\{(.*?)\}", self.text, re.S):
             self.values.update({key: int(value) for key, value in re.findall(r"(\w+) = (\d+)", entries)})
 
+    def ports(self, which):
+        found = re.findall(rf"^{which} (\d+) \(([\w ]+)((?:, [\w ]+)*)\):", self.help, re.M)
+        if [int(index) for index, _, _ in found] != list(range(len(found))):
+            raise SystemExit(f"make_proxies.py: {self.kind} does not name each {which} once, in order")
+        if self.filter and which == "Input" and not found:
+            raise SystemExit(f'make_proxies.py: {self.kind} has no line "Input 0 (Name): ..."')
+        return [Port(label, terms.split(", ")[1:]) for _, label, terms in found]
+
     def number(self, text):
         text = text.strip()
-        if text in self.values:
-            return self.values[text]
+        for header in self.lineage():
+            if text in header.values:
+                return header.values[text]
         return {"true": 1, "on": 1, "false": 0, "off": 0}.get(text, text)
 
+    def lineage(self):
+        """This header, then those of the classes that it derives from."""
+        header = self
+        while header:
+            yield header
+            header = header.base
+
     def parameters(self):
-        """(name, type, components, help, range or None) of what has a setter, in the header's order."""
+        """(name, type, components, help, range or None) of what has a setter, in the header's order, then those inherited."""
+        found = {}
+        for header in self.lineage():
+            for entry in header.own_parameters():
+                found.setdefault(entry[0], entry)
+        return list(found.values())
+
+    def own_parameters(self):
         pattern = re.compile(
             r"/\*\*(?P<help>(?:(?!\*/).)*)\*/\s*"
             r"(?:vtkSet(?:Clamp)?Macro\((?P<name>\w+), (?P<type>int|double|bool)(?P<range>, [^;]*)?\);"
             r"|vtkSetVector(?P<size>\d)Macro\((?P<vector>\w+), (?P<component>int|double)\);"
-            r"|void Set(?P<method>\w+)\((?P<argument>int|double|bool) \w+\);)",
+            r"|(?:virtual )?void Set(?P<method>\w+)\((?P<argument>int|double|bool) \w+\)(?: override)?;)",
             re.S,
         )
+        read = set()
         for found in pattern.finditer(self.text):
             name = found["name"] or found["vector"] or found["method"]
             kind = found["type"] or found["component"] or found["argument"]
             limits = [self.number(t) for t in found["range"].strip(", )").split(",")] if found["range"] else None
+            read.add(name)
             yield name, kind, int(found["size"] or 1), prose(found["help"]), limits
+        # Data and other algorithms are no parameters; the rest must have been read.
+        public = self.text.split("protected:")[0]
+        known = read.union(*(header.settable() for header in self.lineage() if header is not self))
+        for name in re.findall(r"\bvtkSet\w*Macro\((\w+)", public) + re.findall(r"\bvoid Set(\w+)\((?!\)|vtk\w+\*)", public):
+            if name not in known:
+                raise SystemExit(f"make_proxies.py: {self.kind}::Set{name} has no comment of its own, or a type that no proxy is made for")
+
+    def settable(self):
+        return {entry[0] for entry in self.own_parameters()}
 
     def default(self, name, comment, components):
-        member = re.search(rf"^  \w+ {name}(?:\[\d\])? = (.*?);", self.text, re.M)
+        members = [re.search(rf"^  \w+ {name}(?:\[\d\])? = (.*?);", header.text, re.M) for header in self.lineage()]
+        member = next((m for m in members if m), None)
         if member:
             values = member.group(1).strip("{ }").split(",")
         else:
@@ -103,7 +132,8 @@ class Header:
 
     def choices(self, name):
         """(value, text) for each named setter."""
-        setters = re.findall(rf"void Set{name}To(\w+)\(\) {{ this->Set{name}\((\w+)\); }}", self.text)
+        text = "".join(header.text for header in self.lineage())
+        setters = re.findall(rf"void Set{name}To(\w+)\(\) {{ this->Set{name}\((\w+)\); }}", text)
         return [(self.number(value), words(text)) for text, value in setters]
 
 
@@ -136,20 +166,19 @@ def parameter(header, name, kind, components, comment, limits):
     yield f"      </{element}>"
 
 
-def port(header, index, label, count):
-    """The property of one input."""
-    name = "Input" if index == 0 else label.title().replace(" ", "")
-    extra = ' multiple_input="1" clean_command="RemoveAllInputs"' if count == "*" else ""
-    command = "AddInputConnection" if count == "*" else "SetInputConnection"
-    yield f'      <InputProperty name="{name}" label="{label}" port_index="{index}" command="{command}"{extra}>'
+def input_property(index, port):
+    name = "Input" if index == 0 else port.label.title().replace(" ", "")
+    extra = ' multiple_input="1" clean_command="RemoveAllInputs"' if port.repeatable else ""
+    command = "AddInputConnection" if port.repeatable else "SetInputConnection"
+    yield f'      <InputProperty name="{name}" label="{port.label}" port_index="{index}" command="{command}"{extra}>'
     yield '        <ProxyGroupDomain name="groups"><Group name="sources" /><Group name="filters" /></ProxyGroupDomain>'
     yield '        <DataTypeDomain name="input_type">'
-    for kind in TYPES.get((header.name, index), ["vtkPolyData"]):
-        yield f'          <DataType value="{kind}" />'
+    for kind in port.types:
+        yield from (f'          <DataType value="{each}" />' for each in (COLLECTIONS if kind == "vtkDataObjectTree" else [kind]))
     yield "        </DataTypeDomain>"
-    if count == "?":
+    if port.optional:
         yield "        <Hints><Optional /></Hints>"
-    yield from documentation("        ", f"{label}: input {index}, see the filter's help.")
+    yield from documentation("        ", f"{port.label}: input {index}, see the filter's help.")
     yield "      </InputProperty>"
 
 
@@ -175,7 +204,7 @@ def driven_filter(driven):
 
 
 def filters(headers):
-    driven = [h.name for h in headers if [p[0] for p in PORTS[h.name]] == ["Mesh", "Stroke"]]
+    driven = [h.name for h in headers if [port.label for port in h.inputs] == ["Mesh", "Stroke"]]
     driven.sort(key=lambda name: name != "OneStroke")  # the first is the default
     yield "<!-- Made by make_proxies.py from the filters' headers; not to be edited. -->"
     yield "<ServerManagerConfiguration>"
@@ -184,15 +213,15 @@ def filters(headers):
         title = f"Oversketch {words(header.name)}"
         yield f'    <SourceProxy name="Oversketch{header.name}" class="{header.kind}" label="{title}">'
         yield from documentation("      ", header.help, header.brief)
-        for index, (label, count) in enumerate(PORTS[header.name]):
-            yield from port(header, index, label, count)
+        for index, port in enumerate(header.inputs):
+            yield from input_property(index, port)
         if header.name == "ForEach":
             yield from driven_filter(driven)
         for entry in header.parameters():
             yield from parameter(header, *entry)
         yield from group(header)
-        for index, label in enumerate(OUTPUTS.get(header.name, [])):
-            yield f'      <OutputPort name="{label}" index="{index}" id="port{index}" />'
+        for index, port in enumerate(header.outputs):
+            yield f'      <OutputPort name="{port.label}" index="{index}" id="port{index}" />'
         hidden = '<View type="None" />' if header.name in PIXELS else ""
         yield f'      <Hints><ShowInMenu category="Oversketch" />{hidden}</Hints>'
         yield "    </SourceProxy>"
@@ -208,12 +237,17 @@ def filters(headers):
     yield "</ServerManagerConfiguration>"
 
 
+def read(paths):
+    """The headers of the filters, each with the header of its base where that is among them."""
+    headers = {header.kind: header for header in map(Header, paths)}
+    for header in headers.values():
+        base = re.search(rf"^class \w+ {header.kind} : public (\w+)", header.text, re.M)
+        header.base = headers.get(base.group(1)) if base else None
+    return [header for header in headers.values() if header.filter]
+
+
 def main():
-    headers = [Header(path) for path in sys.argv[1:]]
-    unknown = [h.name for h in headers if h.name not in PORTS]
-    if unknown:
-        raise SystemExit(f"make_proxies.py: say in PORTS what the inputs of {', '.join(unknown)} are")
-    print("\n".join(filters(headers)))
+    print("\n".join(filters(read(sys.argv[1:]))))
 
 
 if __name__ == "__main__":

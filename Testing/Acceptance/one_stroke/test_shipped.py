@@ -8,7 +8,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import accept  # noqa: E402
 import meshes  # noqa: E402
-import strokes  # noqa: E402
+import stroke_files  # noqa: E402
 
 STROKES = sorted((meshes.DATA / "Strokes").glob("*.vtp"))
 
@@ -65,7 +65,7 @@ def step_at_the_border(stroke, reach_ends=True):
     system.GetStep("MixtureRegion").SetReachEnds(reach_ends)
     mesh = meshes.read(meshes.DATA / "Models" / f"{stroke.stem.split('_')[0]}.ply")
     system.SetInputData(mesh)
-    system.SetStrokeData(strokes.read(stroke)[0])
+    system.SetStrokeData(stroke_files.read(stroke)[0])
     system.Update()
     before, triangles = meshes.arrays(mesh)
     moved = meshes.arrays(system.GetOutput())[0] - before

@@ -9,14 +9,15 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-import meshes
-import picture
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import meshes  # noqa: E402
+import picture  # noqa: E402
+import sheets  # noqa: E402
+import stroke_files  # noqa: E402
 
 KINDS = {  # amounts to try, the boldest first
     "lengthen": (0.50, 0.35, 0.25, 0.15),
@@ -29,51 +30,6 @@ PER_KNOWN_MODEL = 8  # of capsule_figure, whose limbs are known exactly
 SPACING = 2.0  # px between the outline points that limbs are searched on
 
 
-# ------------------------------------------------------------------------------------------------ stroke files
-
-def stroke_polydata(samples, view, note=None):
-    """Display px samples and their view as the polydata that the filters read; the note goes into field data."""
-    stroke, points, line = vtkPolyData(), vtkPoints(), vtkCellArray()
-    points.SetDataTypeToDouble()
-    line.InsertNextCell(len(samples))
-    for x, y in samples:
-        line.InsertCellPoint(points.InsertNextPoint(x, y, 0.0))
-    stroke.SetPoints(points)
-    stroke.SetLines(line)
-    for name, value in (("ViewTransform", view.view), ("ProjectionTransform", view.projection),
-                        ("ViewportSize", np.array([view.width, view.height], np.int32))):
-        array = numpy_to_vtk(np.ascontiguousarray(value.reshape(1, -1)), deep=True)
-        array.SetName(name)
-        stroke.GetCellData().AddArray(array)
-    if note is not None:
-        text = vtkStringArray()
-        text.SetName("Note")
-        text.InsertNextValue(json.dumps(note))
-        stroke.GetFieldData().AddArray(text)
-    return stroke
-
-
-def write(stroke, path):
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(str(path))
-    writer.SetInputData(stroke)
-    writer.Write()
-
-
-def read(path):
-    """A stroke file: (polydata, samples in px, view, note or None)."""
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    stroke = reader.GetOutput()
-    data = stroke.GetCellData()
-    values = [vtk_to_numpy(data.GetArray(name))[0] for name in ("ViewTransform", "ProjectionTransform", "ViewportSize")]
-    note = stroke.GetFieldData().GetAbstractArray("Note")
-    view = picture.View(values[0].reshape(4, 4), values[1].reshape(4, 4), *values[2])
-    points = vtk_to_numpy(stroke.GetPoints().GetData())
-    return stroke, points[:, :2].astype(float), view, json.loads(note.GetValue(0)) if note else None
-
-
 # ------------------------------------------------------------------------------------------- tips of a model
 
 def geodesic(mesh, start):
@@ -84,7 +40,6 @@ def geodesic(mesh, start):
     path.SetEndVertex(int(start))
     path.StopWhenEndReachedOff()
     path.Update()
-    from vtkmodules.vtkCommonCore import vtkDoubleArray
     weights = vtkDoubleArray()
     path.GetCumulativeWeights(weights)
     length = vtk_to_numpy(weights).copy()
@@ -347,7 +302,7 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
                     "projection": "perspective" if c["perspective"] else "orthographic",
                     "tip": points[c["tip"]].tolist(), "section": np.round(c["limb"]["section"], 2).tolist(),
                     "other_tips": [points[t].tolist() for t in all_tips if t not in c["inner"] and t != c["tip"]]}
-            made.append((stroke_polydata(pen(line, len(made)), c["view"], note), note))
+            made.append((stroke_files.polydata(pen(line, len(made)), c["view"], note), note))
             used_tips.append(c["tip"])
             used_views.append((c["view_number"], c["tip"]))
             break
@@ -359,7 +314,7 @@ def _make_for_model(job):
     entries = []
     count = PER_KNOWN_MODEL if name == "capsule_figure" else PER_MODEL
     for stroke, note in strokes_for(name, meshes.read(path), up, number, count):
-        write(stroke, folder / f"{note['name']}.vtp")
+        stroke_files.write(stroke, folder / f"{note['name']}.vtp")
         entries.append({"name": note["name"], "model": name, "mesh": str(path), "kind": note["kind"],
                         "projection": note["projection"]})
     print(f"{name}: {len(entries)} strokes", flush=True)
@@ -374,8 +329,8 @@ def make_all(folder, only=(), workers=2):
     for path in sorted((meshes.DATA / "Strokes").glob("*.vtp")):
         model = path.stem.split("_")[0]
         if not only or model in only:
-            stroke, _, view, _ = read(path)
-            write(stroke, folder / path.name)
+            stroke, _, view, _ = stroke_files.read(path)
+            stroke_files.write(stroke, folder / path.name)
             index.append({"name": path.stem, "model": model, "mesh": str(meshes.DATA / "Models" / f"{model}.ply"),
                           "kind": "shipped", "projection": "perspective" if view.perspective else "orthographic"})
     jobs = [(folder, n, *model) for n, model in enumerate(meshes.models()) if not only or model[0] in only]
@@ -398,10 +353,9 @@ def preview(mesh, samples, view, note):
 def main():
     folder = Path(sys.argv[1])
     index = make_all(folder, sys.argv[2:])
-    import sheets
     pictures = []
     for entry in index:
-        _, samples, view, note = read(folder / f"{entry['name']}.vtp")
+        _, samples, view, note = stroke_files.read(folder / f"{entry['name']}.vtp")
         image = picture.halve(preview(meshes.read(entry["mesh"]), samples, view, note))
         picture.write_text(image, f"{entry['name']} {note['amount'] if note else ''} {entry['projection'][:5]}", 6, 6, 13)
         pictures.append(image)

@@ -1,0 +1,132 @@
+"""The frame of an acceptance run, the same for every system: runs each of its strokes in a process of its own, in several
+modes, and makes one table and contact sheets of the results. A system says in a Run what is its own (one_stroke/accept.py).
+"""
+import argparse
+import importlib.util
+import json
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Callable, NamedTuple
+
+import numpy as np
+
+import meshes
+import picture
+import sheets
+
+REQUIRED = 0.95  # share of the strokes that must hold in each mode that counts
+
+
+class Run(NamedTuple):
+    """An acceptance run: what differs between systems."""
+
+    script: str  # file of the system's own accept.py
+    title: str
+    units: str  # a sentence: what the measures are
+    modes: dict  # name: how the table calls it
+    usual: tuple  # modes that run unless others are asked for
+    counting: tuple  # modes in which REQUIRED must be reached
+    bounds: dict  # measure: its bound, as the table says it
+    columns: tuple  # measures of the table
+    make: Callable  # (folder) -> index: writes the strokes, names each with its mesh, model and projection
+    one: Callable  # (stroke file, mesh file, modes, backend, folder for pictures or None) -> {mode: result}
+
+
+def number(value, digits=2):
+    if value is None:
+        return "–"
+    return f"{value:.{digits}f}" if isinstance(value, float) else str(value)
+
+
+def share(values):
+    return f"{sum(values)} of {len(values)} ({100 * sum(values) / max(1, len(values)):.0f} %)"
+
+
+def table(run, index, results, modes):
+    every = lambda mode: [results[e["name"]].get(mode, {"holds": False, "fails": ["not run"]}) for e in index]
+    lines = [f"# {run.title}", "", f"{len(index)} strokes over {len({e['model'] for e in index})} models. {run.units}", "",
+             "| | " + " | ".join(run.modes[m] for m in modes) + " |", "|---|" + "---|" * len(modes),
+             "| **all bounds hold** | " + " | ".join(share([r["holds"] for r in every(m)]) for m in modes) + " |"]
+    for name, text in run.bounds.items():
+        known = [[r for r in every(mode) if name in r] for mode in modes]
+        lines.append(f"| {text} | " + " | ".join(share([name not in r["fails"] for r in rows]) for rows in known) + " |")
+    lines.append("| no result | " + " | ".join(str(sum(run.columns[0] not in r for r in every(m))) for m in modes) + " |")
+    for name in run.columns:
+        cells = []
+        for mode in modes:
+            known = [r[name] for r in every(mode) if name in r]
+            cells.append(f"{number(float(np.median(known)))} ({number(float(np.percentile(known, 90)))})" if known else "–")
+        lines.append(f"| median (90th percentile) of {name} | " + " | ".join(cells) + " |")
+    for mode in modes:
+        lines += ["", f"## {run.modes[mode]}", "", "| stroke | view | " + " | ".join(run.columns) + " | holds |",
+                  "|---|---|" + "---|" * (len(run.columns) + 1)]
+        for entry, result in zip(index, every(mode)):
+            verdict = "yes" if result["holds"] else "**" + ", ".join(result["fails"]) + "**"
+            cells = " | ".join(number(result.get(name)) for name in run.columns)
+            lines.append(f"| {entry['name']} | {entry['projection'][:5]} | {cells} | {verdict} |")
+    return "\n".join(lines) + "\n"
+
+
+def in_a_process(run, options, modes, folder, entry):
+    """The results of one stroke; one that crashes or hangs takes no other with it."""
+    command = [sys.executable, run.script, str(options.folder), "--one", str(folder / f"{entry['name']}.vtp"), entry["mesh"],
+               "--modes", options.modes, "--backend", options.backend] + ["--no-pictures"] * options.no_pictures
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=options.limit * len(modes))
+        found = json.loads(done.stdout.strip().splitlines()[-1]) if done.returncode == 0 else None
+        why = f"exit code {done.returncode}: {done.stderr.strip()[-400:]}"
+    except subprocess.TimeoutExpired:
+        found, why = None, f"over {options.limit:.0f} s a mode"
+    found = found or {mode: {"holds": False, "fails": ["crash or hang"], "messages": [why]} for mode in modes}
+    print(entry["name"] + ": " + "; ".join(
+        f"{m} " + ("holds" if found[m]["holds"] else "FAILS " + ", ".join(found[m]["fails"])
+                   + "".join(" | " + t for t in found[m]["messages"][:1])) for m in modes), flush=True)
+    return entry["name"], found
+
+
+def arguments(run, documentation):
+    parser = argparse.ArgumentParser(description=documentation, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--strokes", type=Path, help="folder of strokes made before (default: FOLDER/strokes)")
+    parser.add_argument("--only", nargs="*", default=[])
+    parser.add_argument("--modes", default=",".join(run.usual))
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--limit", type=float, default=180)
+    parser.add_argument("--backend", choices=("auto", "opencl", "host"), default="auto")
+    parser.add_argument("--no-pictures", action="store_true")
+    parser.add_argument("--one", nargs=2, help=argparse.SUPPRESS)  # a worker: stroke file, mesh file
+    options = parser.parse_args()
+    if not importlib.util.find_spec("oversketch"):
+        parser.error("no Python package oversketch; a build has it in build/release/lib/python3/dist-packages, "
+                     "which PYTHONPATH must name")
+    return options
+
+
+def main(run, documentation):
+    """What a system's accept.py does; its exit code."""
+    options = arguments(run, documentation)
+    modes = options.modes.split(",")
+    pictures = None if options.no_pictures else options.folder
+    if options.one:
+        print("\n" + json.dumps(run.one(*options.one, modes, options.backend, pictures)))
+        return 0
+
+    options.folder.mkdir(parents=True, exist_ok=True)
+    if not (meshes.SHARED / "meshes").is_dir():
+        print(f"no shared test data in {meshes.SHARED} (set OVERSKETCH_DATA): only the models of Data/Models run")
+    folder = options.strokes or options.folder / "strokes"
+    index = json.loads((folder / "index.json").read_text()) if (folder / "index.json").is_file() else run.make(folder)
+    index = [e for e in index if not options.only or any(part in e["name"] for part in options.only)]
+    with ThreadPoolExecutor(options.workers) as pool:
+        results = dict(pool.map(lambda entry: in_a_process(run, options, modes, folder, entry), index))
+    (options.folder / "results.json").write_text(json.dumps(results, indent=1))
+    text = table(run, index, results, modes)
+    (options.folder / "table.md").write_text(text)
+    print("\n" + text)
+    for mode in modes if pictures else ():
+        files = [pictures / f"{e['name']}-{mode}.png" for e in index]
+        sheets.write([picture.halve(picture.load(f)) for f in files if f.is_file()], pictures / f"sheet-{mode}", columns=2, rows=4)
+    shares = [np.mean([results[e["name"]][mode]["holds"] for e in index]) for mode in modes if mode in run.counting]
+    return 0 if all(each >= REQUIRED for each in shares) else 1

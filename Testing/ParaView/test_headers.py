@@ -1,0 +1,107 @@
+"""What make_proxies.py reads in a header, and where it stops; ParaView is not needed for this."""
+import pathlib
+import sys
+import xml.etree.ElementTree as tree
+
+import pytest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "Applications" / "ParaView" / "Plugin"))
+import make_proxies  # noqa: E402
+
+HEADER = """/**
+ * @class vtkOversketch{name}
+ * @brief makes nothing of something
+ *
+ * For nobody.
+ *
+ * {ports}
+ *
+ * @sa nothing
+ */
+class X_EXPORT vtkOversketch{name} : public {base}
+{{
+public:
+{new}  vtkTypeMacro(vtkOversketch{name}, {base});
+  void SetStrokeData(vtkPolyData* stroke);
+{setters}
+protected:
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int Count = 3;
+}};
+"""
+COUNT = """  /**
+   * How many. Default 3.
+   */
+  vtkSetClampMacro(Count, int, 1, VTK_INT_MAX);
+"""
+
+
+def header(folder, name="Toy", ports="Input 0 (Mesh): a mesh.", setters=COUNT, base="vtkPolyDataAlgorithm", abstract=False):
+    path = folder / f"vtkOversketch{name}.h"
+    new = "" if abstract else f"  static vtkOversketch{name}* New();\n"
+    path.write_text(HEADER.format(name=name, ports=ports, setters=setters, base=base, new=new))
+    return path
+
+
+def proxies(*paths):
+    root = tree.fromstring("\n".join(make_proxies.filters(make_proxies.read(paths))))
+    return {proxy.get("name"): proxy for proxy in root.iter("SourceProxy")}
+
+
+def refusal(*paths):
+    with pytest.raises(SystemExit) as raised:
+        proxies(*paths)
+    return str(raised.value)
+
+
+def test_inputs_and_outputs_have_the_names_of_the_header(tmp_path):
+    ports = ("Input 0 (Mesh): a mesh, which input 1 (or so) lies on.\n * Input 1 (First stroke, repeatable): strokes.\n"
+             " * Input 2 (Picture, optional, vtkImageData): a picture.\n * Input 3 (Models, vtkPolyData or vtkDataObjectTree): models.\n"
+             " *\n * Output 0 (Mesh): the mesh.\n * Output 1 (Handles): handles.")
+    toy = proxies(header(tmp_path, ports=ports))["OversketchToy"]
+    inputs = {each.get("label"): each for each in toy.findall("InputProperty")}
+    assert list(inputs) == ["Mesh", "First stroke", "Picture", "Models"]
+    assert [each.get("name") for each in inputs.values()] == ["Input", "FirstStroke", "Picture", "Models"]
+    assert [each.get("port_index") for each in inputs.values()] == ["0", "1", "2", "3"]
+    assert [each.get("multiple_input") for each in inputs.values()] == [None, "1", None, None]
+    assert [each.find("Hints/Optional") is not None for each in inputs.values()] == [False, False, True, False]
+    types = [[kind.get("value") for kind in each.iter("DataType")] for each in inputs.values()]
+    assert types == [["vtkPolyData"], ["vtkPolyData"], ["vtkImageData"], ["vtkPolyData", *make_proxies.COLLECTIONS]]
+    assert [each.get("name") for each in toy.findall("OutputPort")] == ["Mesh", "Handles"]
+
+
+@pytest.mark.parametrize("ports, words", [
+    ("Input 0: a mesh.", 'no line "Input 0 (Name): ..."'),
+    ("Input 1 (Mesh): a mesh.", "does not name each Input once"),
+    ("Input 0 (Mesh): a mesh.\n * Input 0 (Stroke): a stroke.", "does not name each Input once"),
+    ("Input 0 (Mesh, perhaps): a mesh.", "perhaps of Mesh is not understood"),
+])
+def test_stops_at_inputs_that_it_cannot_read(tmp_path, ports, words):
+    assert words in refusal(header(tmp_path, ports=ports))
+
+
+@pytest.mark.parametrize("setter", [
+    "vtkSetStringMacro(Name);", "vtkSetMacro(Point, vtkIdType);", "void SetName(const char* name);", "void SetPoint(vtkIdType point);",
+    "void SetName(const std::string& name);", "void SetBox(double low, double high);", "virtual void SetBounds(const double bounds[6]);"])
+def test_stops_at_a_setter_that_it_cannot_read(tmp_path, setter):
+    assert "vtkOversketchToy::Set" in refusal(header(tmp_path, setters=f"  /**\n   * What. Default none.\n   */\n  {setter}\n"))
+
+
+def test_stops_at_a_setter_without_a_comment(tmp_path):
+    assert "vtkOversketchToy::SetSize" in refusal(header(tmp_path, setters=COUNT + "  int GetSize();\n  void SetSize(int size);\n"))
+
+
+def test_parameters_of_the_base_are_the_class_s_own(tmp_path):
+    base = header(tmp_path, "System", "What all systems share.", abstract=True)
+    size = "  /**\n   * How large. Default 1.5.\n   */\n  void SetSize(double size);\n"
+    toy = header(tmp_path, "Toy", setters=size, base="vtkOversketchSystem")
+    found = proxies(toy, base)
+    assert list(found) == ["OversketchToy"]
+    said = {each.get("name"): each.get("default_values") for each in found["OversketchToy"] if each.get("default_values")}
+    assert said == {"Size": "1.5", "Count": "3"}
+
+
+def test_all_headers_are_understood():
+    paths = [path for path in sorted(SOURCE.glob("Filters/*/vtkOversketch*.h")) if "_EXPORT vtkOversketch" in path.read_text()]
+    assert len(proxies(*paths)) > 15
