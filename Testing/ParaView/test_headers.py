@@ -38,14 +38,15 @@ COUNT = """  /**
 
 
 def header(folder, name="Toy", ports="Input 0 (Mesh): a mesh.", setters=COUNT, base="vtkPolyDataAlgorithm", abstract=False):
-    path = folder / f"vtkOversketch{name}.h"
+    path = folder / "Room" / f"vtkOversketch{name}.h"
+    path.parent.mkdir(exist_ok=True)
     new = "" if abstract else f"  static vtkOversketch{name}* New();\n"
     path.write_text(HEADER.format(name=name, ports=ports, setters=setters, base=base, new=new))
     return path
 
 
 def proxies(*paths):
-    root = tree.fromstring("\n".join(make_proxies.filters(make_proxies.read(paths))))
+    root = tree.fromstring("\n".join(make_proxies.filters([h for h in map(make_proxies.Header, paths) if h.filter])))
     return {proxy.get("name"): proxy for proxy in root.iter("SourceProxy")}
 
 
@@ -93,10 +94,10 @@ def test_stops_at_a_setter_without_a_comment(tmp_path):
 
 
 def test_parameters_of_the_base_are_the_class_s_own(tmp_path):
-    base = header(tmp_path, "System", "What all systems share.", abstract=True)
+    header(tmp_path, "System", "What all systems share.", abstract=True)
     size = "  /**\n   * How large. Default 1.5.\n   */\n  void SetSize(double size);\n"
     toy = header(tmp_path, "Toy", setters=size, base="vtkOversketchSystem")
-    found = proxies(toy, base)
+    found = proxies(toy, tmp_path / "Room" / "vtkOversketchSystem.h")
     assert list(found) == ["OversketchToy"]
     said = {each.get("name"): each.get("default_values") for each in found["OversketchToy"] if each.get("default_values")}
     assert said == {"Size": "1.5", "Count": "3"}

@@ -4,8 +4,8 @@ usage: make_proxies.py HEADER... > oversketch.xml
 
 What a proxy says is what the header says: help is the comment, inputs and outputs are its lines "Input 1 (Handles, optional):",
 a default the member's initialiser (else what the comment calls the default), a range that of vtkSetClampMacro, the entries
-of a choice the named setters SetXToY(). Parameters that a class has from another one of the headers are its own too. A
-setter that is not understood is an error.
+of a choice the named setters SetXToY(). Parameters that a class has from another one of ours are its own too. A setter that
+is not understood is an error.
 """
 import pathlib
 import re
@@ -49,11 +49,13 @@ class Header:
     """What a filter's header tells."""
 
     def __init__(self, path):
-        self.text = pathlib.Path(path).read_text()
-        self.kind = pathlib.Path(path).stem  # vtkOversketchOneStroke
+        path = pathlib.Path(path)
+        self.text = path.read_text()
+        self.kind = path.stem  # vtkOversketchOneStroke
         self.name = self.kind.replace("vtkOversketch", "")
         self.filter = f"static {self.kind}* New();" in self.text  # else the base of others
-        self.base = None
+        base = re.search(rf"^class \w+ {self.kind} : public (vtkOversketch\w+)", self.text, re.M)
+        self.base = Header(next(path.parents[1].glob(f"*/{base.group(1)}.h"))) if base else None
         top = re.match(r"/\*\*(.*?)\*/", self.text, re.S).group(1)
         body = prose(top)
         self.brief = re.search(r"@brief (.*?)\n\n", body, re.S).group(1).replace("\n", " ")
@@ -237,17 +239,8 @@ def filters(headers):
     yield "</ServerManagerConfiguration>"
 
 
-def read(paths):
-    """The headers of the filters, each with the header of its base where that is among them."""
-    headers = {header.kind: header for header in map(Header, paths)}
-    for header in headers.values():
-        base = re.search(rf"^class \w+ {header.kind} : public (\w+)", header.text, re.M)
-        header.base = headers.get(base.group(1)) if base else None
-    return [header for header in headers.values() if header.filter]
-
-
 def main():
-    print("\n".join(filters(read(sys.argv[1:]))))
+    print("\n".join(filters([header for header in map(Header, sys.argv[1:]) if header.filter])))
 
 
 if __name__ == "__main__":
