@@ -4,8 +4,7 @@
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
-#include "Remesh/surface.h"
-#include "Silhouette/curves.h"
+#include "Mesh/place.h"
 
 #include <array>
 #include <vector>

@@ -7,21 +7,13 @@
 #ifndef oversketch_surface_h
 #define oversketch_surface_h
 
-#include "Mesh/mesh.h"
+#include "Mesh/place.h"
 
 #include <array>
 #include <vector>
 
 namespace oversketch
 {
-
-// A place on a mesh: a triangle and barycentric weights of its corners, sum 1, exactly zero for corners that
-// take no part (a place on an edge has one zero, on a vertex two).
-struct SurfacePoint
-{
-  int triangle = -1;
-  std::array<double, 3> weights{ 1.0, 0.0, 0.0 };
-};
 
 // Barycentric weights of the point of triangle (a, b, c) nearest to p: by the Voronoi region of the triangle
 // that p falls in, corners, then edges, then the inside.
@@ -77,13 +69,6 @@ inline double squaredDistance(const Vector3& a, const Vector3& b, const Vector3&
 {
   const std::array<double, 3> w = closestWeights(a, b, c, p);
   return (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
-}
-
-inline Vector3 positionOf(const Mesh& mesh, const SurfacePoint& at)
-{
-  const Triangle& t = mesh.triangles[at.triangle];
-  return at.weights[0] * mesh.points[t[0]] + at.weights[1] * mesh.points[t[1]] +
-         at.weights[2] * mesh.points[t[2]];
 }
 
 // Half-edge 3 t + k runs from corner k of triangle t to the next; this is the next one of its triangle.

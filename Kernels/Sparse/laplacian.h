@@ -5,7 +5,7 @@
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
-#include "Silhouette/curves.h"
+#include "Mesh/place.h"
 #include "Sparse/block_matrix.h"
 #include "Sparse/elimination.h"
 #include "Sparse/memory.h"

@@ -2,7 +2,7 @@
 #include "vtkOversketchLaplacianDeform.h"
 
 #include "Mesh/context.h"
-#include "Silhouette/curves.h"
+#include "Mesh/place.h"
 
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
