@@ -2,6 +2,7 @@
 
 #include "Sparse/drag.h"
 #include "Sparse/laplacian.h"
+#include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -16,9 +17,8 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
-#include <sstream>
+#include <string>
 
 using namespace oversketch;
 
@@ -31,65 +31,30 @@ struct Handles
   std::vector<Vector3> Displacements;
 };
 
-[[noreturn]] void RefuseHandle(vtkIdType handle, const char* problem)
-{
-  std::ostringstream message;
-  message << "Handle " << handle << ' ' << problem;
-  throw Error(Failure::BadMesh, message.str());
-}
-
 Handles HandlesOf(vtkPolyData* polyData, int vertexCount)
 {
-  const std::string remedy = "vtkOversketchTargets makes it";
+  const std::string remedy = "take them from vtkOversketchTargets";
   const vtkIdType count = polyData->GetNumberOfPoints();
   if (count == 0)
   {
     throw Error(Failure::BadRegion, "There is no handle: the handles input holds no point.");
   }
-  vtkPointData* data = polyData->GetPointData();
-  vtkDataArray* vertices = RequireArray(data, "MeshVertices", 3, count, "handles", remedy);
-  vtkDataArray* weights = RequireArray(data, "MeshWeights", 3, count, "handles", remedy);
-  vtkDataArray* targets = RequireArray(data, "Target", 3, count, "handles", remedy);
-  Handles handles;
+  Handles handles{ ReadBindings(polyData, vertexCount, "handles", remedy), {} };
+  vtkDataArray* targets = RequireArray(polyData->GetPointData(), "Target", 3, count, "handles", remedy);
   for (vtkIdType h = 0; h < count; ++h)
   {
-    Binding binding;
     Vector3 position, target;
     polyData->GetPoint(h, position.data());
     targets->GetTuple(h, target.data());
-    weights->GetTuple(h, binding.weights.data());
     if (!position.allFinite() || !target.allFinite())
     {
-      RefuseHandle(h, "has a position or a Target that is not finite; compute the targets again.");
+      throw Error(Failure::BadMesh,
+        "Handle " + std::to_string(h) +
+          " has a position or a Target that is not finite; compute the targets again.");
     }
-    for (int k = 0; k < 3; ++k)
-    {
-      const double v = vertices->GetComponent(h, k);
-      if (!(v >= 0.0 && v < vertexCount))
-      {
-        RefuseHandle(h,
-          "names a vertex that the mesh does not have (array MeshVertices); give the mesh the handles were "
-          "made from.");
-      }
-      binding.vertices[k] = static_cast<int>(v);
-    }
-    if (!(std::abs(binding.weights[0] + binding.weights[1] + binding.weights[2] - 1.0) < 1e-6))
-    {
-      RefuseHandle(h, "has weights that do not sum to 1 (array MeshWeights); compute the targets again.");
-    }
-    handles.Bindings.push_back(binding);
     handles.Displacements.push_back(target - position);
   }
   return handles;
-}
-
-bool SameBindings(const std::vector<Binding>& a, const std::vector<Binding>& b)
-{
-  return std::equal(a.begin(),
-    a.end(),
-    b.begin(),
-    b.end(),
-    [](const Binding& p, const Binding& q) { return p.vertices == q.vertices && p.weights == q.weights; });
 }
 
 // The context of a step that takes progress from `from` to `to`.
@@ -338,7 +303,7 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
   const Context context = ContextOf(this);
 
   if (!cache.System || cache.SystemKey != systemKey || cache.Region != region ||
-      !SameBindings(cache.Bindings, handles.Bindings) || cache.HandleWeight != this->HandleWeight ||
+      cache.Bindings != handles.Bindings || cache.HandleWeight != this->HandleWeight ||
       cache.AdjustNormals != this->AdjustNormals || cache.BorderRows != this->BorderRows)
   {
     cache.System.reset();

@@ -2,6 +2,7 @@
 
 #include "Mixture/device_mixture.h"
 #include "Region/grow.h"
+#include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -81,10 +82,9 @@ Section SectionOf(vtkPolyData* handles, int vertexCount, double margin, bool rea
   {
     throw Error(Failure::BadRegion, "There are no handles to grow a region from; match a stroke first.");
   }
-  const std::string remedy = "make the handles with vtkOversketchTargets";
+  const std::string remedy = "take them from vtkOversketchTargets";
   vtkPointData* data = handles->GetPointData();
-  vtkDataArray* vertices = RequireArray(data, "MeshVertices", 3, count, "handles", remedy);
-  vtkDataArray* weights = RequireArray(data, "MeshWeights", 3, count, "handles", remedy);
+  const std::vector<Binding> bindings = ReadBindings(handles, vertexCount, "handles", remedy);
   vtkDataArray* positions = RequireArray(data, "RelativePosition", 1, count, "handles", remedy);
   std::vector<double> moves(static_cast<std::size_t>(count), 0.0);
   double moving = 0.0;
@@ -104,21 +104,13 @@ Section SectionOf(vtkPolyData* handles, int vertexCount, double margin, bool rea
   Section section;
   const auto add = [&](vtkIdType h, std::vector<int>& list)
   {
+    const Binding& binding = bindings[static_cast<std::size_t>(h)];
     for (int k = 0; k < 3; ++k)
     {
-      if (!(weights->GetComponent(h, k) > 0.0))
+      if (binding.weights[k] > 0.0)
       {
-        continue;
+        list.push_back(binding.vertices[k]);
       }
-      const double v = vertices->GetComponent(h, k);
-      if (!(v >= 0.0 && v < vertexCount))
-      {
-        std::ostringstream message;
-        message << "Handle " << h << " hangs on vertex " << v << " of a mesh of " << vertexCount
-                << "; make the handles from this mesh.";
-        throw Error(Failure::MissingArray, message.str());
-      }
-      list.push_back(static_cast<int>(v));
     }
   };
   vtkIdType first = -1, last = -1; // seeds by position

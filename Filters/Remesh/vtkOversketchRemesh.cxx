@@ -2,6 +2,7 @@
 
 #include "Remesh/remesh.h"
 #include "Remesh/sizing.h"
+#include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
@@ -65,46 +66,6 @@ double FieldValue(vtkDataObject* object,
     throw Error(Failure::MissingArray, message.str());
   }
   return array->GetComponent(0, 0);
-}
-
-std::vector<Binding> HandlesOf(vtkPolyData* handles, const Mesh& mesh)
-{
-  const vtkIdType count = handles->GetNumberOfPoints();
-  std::vector<Binding> bindings(static_cast<std::size_t>(count));
-  if (count == 0)
-  {
-    return bindings;
-  }
-  const std::string remedy = "take them from vtkOversketchTargets";
-  vtkDataArray* vertices = RequireArray(handles->GetPointData(), "MeshVertices", 3, count, "handles", remedy);
-  vtkDataArray* weights = RequireArray(handles->GetPointData(), "MeshWeights", 3, count, "handles", remedy);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    Binding& binding = bindings[static_cast<std::size_t>(i)];
-    double sum = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double vertex = vertices->GetComponent(i, k);
-      if (!(vertex >= 0.0) || vertex >= mesh.vertexCount())
-      {
-        std::ostringstream message;
-        message << "Handle " << i << " hangs on point " << vertex
-                << " (array MeshVertices), which the mesh does not have: " << remedy << " of this mesh.";
-        throw Error(Failure::MissingArray, message.str());
-      }
-      binding.vertices[k] = static_cast<int>(vertex);
-      binding.weights[k] = weights->GetComponent(i, k);
-      sum += binding.weights[k];
-    }
-    if (!(std::abs(sum - 1.0) < 1e-6))
-    {
-      std::ostringstream message;
-      message << "The weights of handle " << i << " (array MeshWeights) do not add up to 1: " << remedy
-              << ".";
-      throw Error(Failure::MissingArray, message.str());
-    }
-  }
-  return bindings;
 }
 
 bool IsReal(vtkAbstractArray* array)
@@ -256,7 +217,8 @@ int vtkOversketchRemesh::RequestData(vtkInformation*,
       double factor = 1.0;
       if (handles)
       {
-        bindings = HandlesOf(handles, mesh);
+        bindings =
+          ReadBindings(handles, mesh.vertexCount(), "handles", "take them from vtkOversketchTargets");
       }
       if (!bindings.empty() && this->Stage == STRETCH)
       {
@@ -415,12 +377,6 @@ int vtkOversketchRemesh::RequestData(vtkInformation*,
         boundHandles->ShallowCopy(handles);
         vtkNew<vtkPoints> points;
         points->SetDataTypeToDouble();
-        vtkNew<vtkIdTypeArray> vertices;
-        vertices->SetName("MeshVertices");
-        vertices->SetNumberOfComponents(3);
-        vtkNew<vtkDoubleArray> weights;
-        weights->SetName("MeshWeights");
-        weights->SetNumberOfComponents(3);
         for (const Binding& binding : cache.Result.handles)
         {
           Vector3 position = Vector3::Zero();
@@ -429,14 +385,11 @@ int vtkOversketchRemesh::RequestData(vtkInformation*,
             Vector3 p;
             cache.Points->GetPoint(binding.vertices[k], p.data());
             position += binding.weights[k] * p;
-            vertices->InsertNextValue(binding.vertices[k]);
-            weights->InsertNextValue(binding.weights[k]);
           }
           points->InsertNextPoint(position.data());
         }
         boundHandles->SetPoints(points);
-        boundHandles->GetPointData()->AddArray(vertices);
-        boundHandles->GetPointData()->AddArray(weights);
+        WriteBindings(cache.Result.handles, boundHandles);
       }
     });
 }

@@ -1,6 +1,7 @@
 #include "vtkOversketchCorrection.h"
 
 #include "Silhouette/correction.h"
+#include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
@@ -78,8 +79,8 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
         "mesh",
         "vtkOversketchLaplacianDeform passes it on"));
       auto ids = Longer<vtkIdTypeArray>(handles, "HandleId", 1);
-      auto vertices = Longer<vtkIdTypeArray>(handles, "MeshVertices", 3);
-      auto weights = Longer<vtkDoubleArray>(handles, "MeshWeights", 3);
+      std::vector<Binding> bindings =
+        ReadBindings(handles, mesh.vertexCount(), "handles", "vtkOversketchTargets makes it");
       auto targets = Longer<vtkDoubleArray>(handles, "Target", 3);
       auto unmerged = Longer<vtkDoubleArray>(handles, "UnmergedTarget", 3);
       auto relative = Longer<vtkDoubleArray>(handles, "RelativePosition", 1);
@@ -97,12 +98,7 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       for (const Correction& c : corrections)
       {
         ids->InsertNextValue(points->InsertNextPoint(before->GetPoint(c.vertex)));
-        const double whole[3] = { 1.0, 0.0, 0.0 };
-        for (int k = 0; k < 3; ++k)
-        {
-          vertices->InsertNextValue(c.vertex);
-        }
-        weights->InsertNextTuple(whole);
+        bindings.push_back(Binding::vertex(c.vertex));
         targets->InsertNextTuple(c.target.data());
         unmerged->InsertNextTuple(c.target.data());
         relative->InsertNextValue(c.relative);
@@ -114,8 +110,9 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       }
       output->SetPoints(points);
       output->SetVerts(cells);
-      for (vtkDataArray* array :
-        std::initializer_list<vtkDataArray*>{ ids, vertices, weights, targets, unmerged, relative })
+      output->GetPointData()->AddArray(ids);
+      WriteBindings(bindings, output);
+      for (vtkDataArray* array : { targets, unmerged, relative })
       {
         output->GetPointData()->AddArray(array);
       }

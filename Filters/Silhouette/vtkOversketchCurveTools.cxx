@@ -1,5 +1,6 @@
 #include "vtkOversketchCurveTools.h"
 
+#include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
@@ -14,7 +15,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace oversketch
@@ -37,17 +37,15 @@ void WriteCurves(const std::vector<Curve>& curves, const View& view, vtkPolyData
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(pointCount);
-  vtkNew<vtkIdTypeArray> meshVertices, offsets, connectivity;
-  vtkNew<vtkDoubleArray> meshWeights, normals, dots;
-  sized(meshVertices, "MeshVertices", 3);
-  sized(meshWeights, "MeshWeights", 3);
+  vtkNew<vtkIdTypeArray> offsets, connectivity;
+  vtkNew<vtkDoubleArray> normals, dots;
+  std::vector<Binding> bindings;
+  bindings.reserve(static_cast<std::size_t>(pointCount));
   sized(normals, "Normals", 3);
   sized(dots, "NormalDotView", 1);
   offsets->SetNumberOfValues(static_cast<vtkIdType>(curves.size()) + 1);
   connectivity->SetNumberOfValues(pointCount + closedCount);
   double* position = static_cast<double*>(points->GetVoidPointer(0));
-  vtkIdType* vertex = meshVertices->GetPointer(0);
-  double* weight = meshWeights->GetPointer(0);
   double* normal = normals->GetPointer(0);
   double* dot = dots->GetPointer(0);
   vtkIdType* offset = offsets->GetPointer(0);
@@ -61,8 +59,7 @@ void WriteCurves(const std::vector<Curve>& curves, const View& view, vtkPolyData
     {
       *id++ = next++;
       position = std::copy_n(p.position.data(), 3, position);
-      vertex = std::copy_n(p.binding.vertices.data(), 3, vertex);
-      weight = std::copy_n(p.binding.weights.data(), 3, weight);
+      bindings.push_back(p.binding);
       normal = std::copy_n(p.normal.data(), 3, normal);
       *dot++ = p.normal.dot(view.towardsViewer(p.position).normalized());
     }
@@ -77,15 +74,15 @@ void WriteCurves(const std::vector<Curve>& curves, const View& view, vtkPolyData
   lines->SetData(offsets, connectivity);
   output->SetPoints(points);
   output->SetLines(lines);
-  output->GetPointData()->AddArray(meshVertices);
-  output->GetPointData()->AddArray(meshWeights);
+  WriteBindings(bindings, output);
   output->GetPointData()->SetNormals(normals);
   output->GetPointData()->AddArray(dots);
 }
 
-CurveSet ReadCurves(vtkPolyData* input, int meshVertices, const std::string& holder, bool allowUnbound)
+CurveSet ReadCurves(vtkPolyData* input, int meshVertices, const std::string& holder, Unbound unbound)
 {
-  const std::string remedy = "vtkOversketchSilhouette and the filters after it make it";
+  const std::string remedy =
+    "take the output of vtkOversketchSilhouette, or of a filter after it, for this mesh";
   const auto refuse = [&](const char* what, vtkIdType index, const char* problem)
   {
     std::ostringstream message;
@@ -105,8 +102,7 @@ CurveSet ReadCurves(vtkPolyData* input, int meshVertices, const std::string& hol
     return set;
   }
   vtkPointData* pointData = input->GetPointData();
-  vtkDataArray* vertices = RequireArray(pointData, "MeshVertices", 3, pointCount, holder, remedy);
-  vtkDataArray* weights = RequireArray(pointData, "MeshWeights", 3, pointCount, holder, remedy);
+  const std::vector<Binding> bindings = ReadBindings(input, meshVertices, holder, remedy, unbound);
   vtkDataArray* normals = RequireArray(pointData, "Normals", 3, pointCount, holder, remedy);
   std::vector<CurvePoint> points(static_cast<std::size_t>(pointCount));
   for (vtkIdType i = 0; i < pointCount; ++i)
@@ -114,33 +110,10 @@ CurveSet ReadCurves(vtkPolyData* input, int meshVertices, const std::string& hol
     CurvePoint& p = points[static_cast<std::size_t>(i)];
     input->GetPoint(i, p.position.data());
     normals->GetTuple(i, p.normal.data());
-    weights->GetTuple(i, p.binding.weights.data());
+    p.binding = bindings[static_cast<std::size_t>(i)];
     if (!p.position.allFinite() || !p.normal.allFinite())
     {
       refuse("Point", i, "or its normal is not finite; run the silhouette filter again.");
-    }
-    bool unbound = allowUnbound;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double v = vertices->GetComponent(i, k);
-      if (!(v >= -1.0 && v < meshVertices))
-      {
-        refuse("Point",
-          i,
-          "names a vertex that the mesh does not have (array MeshVertices); give the mesh the curves "
-          "were made from.");
-      }
-      p.binding.vertices[k] = static_cast<int>(v);
-      unbound = unbound && p.binding.vertices[k] == -1;
-    }
-    const auto& w = p.binding.weights;
-    if (!unbound && (std::min({ p.binding.vertices[0], p.binding.vertices[1], p.binding.vertices[2] }) < 0 ||
-                      !(std::abs(w[0] + w[1] + w[2] - 1.0) < 1e-6)))
-    {
-      refuse("Point",
-        i,
-        "hangs on no mesh vertex or has weights that do not sum to 1 (arrays MeshVertices and "
-        "MeshWeights); run the silhouette filter again.");
     }
   }
   vtkCellArray* lines = input->GetLines();

@@ -4,6 +4,7 @@
 
 #include "Mesh/view.h"
 #include "Silhouette/curves.h"
+#include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkSmartPointer.h"
@@ -29,15 +30,13 @@ struct CurveSet
   std::vector<char> Visible; // cell array Visible, 1 where there is none
 };
 
-// The counterpart of WriteCurves. A binding of three -1 means that the point hangs on nothing and is accepted
-// only with allowUnbound. holder names the input in messages ("silhouette curves"). Throws
-// Error(MissingArray) for an absent or wrongly shaped array and Error(BadMesh) for a cell that is no
-// polyline, a point that is not finite, a mesh vertex outside [0, meshVertices) or weights that are not
-// finite or do not sum to 1.
+// The counterpart of WriteCurves. holder names the input in messages ("silhouette curves"). Throws what
+// ReadBindings throws, Error(MissingArray) for another absent or wrongly shaped array and Error(BadMesh) for
+// a cell that is no polyline or a point that is not finite.
 CurveSet ReadCurves(vtkPolyData* input,
   int meshVertices,
   const std::string& holder,
-  bool allowUnbound = false);
+  Unbound unbound = Unbound::Refused);
 
 // What a step of this module has read: its result stands while this does. Null inputs are allowed.
 class StepKey

@@ -149,7 +149,7 @@ void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& v
   for (int c = 0; c < connections; ++c)
   {
     vtkPolyData* input = vtkPolyData::GetData(inputs, c);
-    CurveSet set = ReadCurves(input, std::numeric_limits<int>::max(), "curves", true);
+    CurveSet set = ReadCurves(input, std::numeric_limits<int>::max(), "curves", Unbound::Allowed);
     vtkPointData* pointData = input->GetPointData();
     const auto optional = [&](const char* name)
     {

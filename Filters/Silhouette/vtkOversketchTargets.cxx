@@ -31,7 +31,7 @@ namespace
 
 std::vector<SectionPoint> ReadSection(vtkPolyData* input, const Mesh& mesh, const View& view)
 {
-  const CurveSet set = ReadCurves(input, mesh.vertexCount(), "section", true);
+  const CurveSet set = ReadCurves(input, mesh.vertexCount(), "section", Unbound::Allowed);
   if (set.Curves.size() != 1 || set.Curves[0].closed)
   {
     throw Error(Failure::BadMesh,
@@ -138,18 +138,15 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
       vtkNew<vtkPoints> points;
       points->SetDataTypeToDouble();
       vtkNew<vtkCellArray> vertices;
-      vtkNew<vtkIdTypeArray> handleIds, meshVertices;
-      vtkNew<vtkDoubleArray> meshWeights, targets, unmerged, relative;
+      vtkNew<vtkIdTypeArray> handleIds;
+      vtkNew<vtkDoubleArray> targets, unmerged, relative;
       handleIds->SetName("HandleId");
-      meshVertices->SetName("MeshVertices");
-      meshVertices->SetNumberOfComponents(3);
-      meshWeights->SetName("MeshWeights");
-      meshWeights->SetNumberOfComponents(3);
       targets->SetName("Target");
       targets->SetNumberOfComponents(3);
       unmerged->SetName("UnmergedTarget");
       unmerged->SetNumberOfComponents(3);
       relative->SetName("RelativePosition");
+      std::vector<Binding> bindings;
       std::vector<Vector3> present, wanted;
       for (const Handle& handle : handles)
       {
@@ -157,11 +154,7 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
         const vtkIdType id = points->InsertNextPoint(q.position.data());
         vertices->InsertNextCell(1, &id);
         handleIds->InsertNextValue(id);
-        for (int k = 0; k < 3; ++k)
-        {
-          meshVertices->InsertNextValue(q.binding.vertices[k]);
-          meshWeights->InsertNextValue(q.binding.weights[k]);
-        }
+        bindings.push_back(q.binding);
         targets->InsertNextTuple(handle.target.data());
         unmerged->InsertNextTuple(handle.unmerged.data());
         relative->InsertNextValue(handle.relative);
@@ -170,8 +163,9 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
       }
       output->SetPoints(points);
       output->SetVerts(vertices);
-      for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
-             handleIds, meshVertices, meshWeights, targets, unmerged, relative })
+      output->GetPointData()->AddArray(handleIds);
+      WriteBindings(bindings, output);
+      for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ targets, unmerged, relative })
       {
         output->GetPointData()->AddArray(array);
       }

@@ -36,6 +36,11 @@ inline bool operator==(const Binding& a, const Binding& b)
   return a.vertices == b.vertices && a.weights == b.weights;
 }
 
+inline bool operator!=(const Binding& a, const Binding& b)
+{
+  return !(a == b);
+}
+
 // A place on a mesh: a triangle and barycentric weights of its corners, sum 1, exactly zero for corners that
 // take no part (a place on an edge has one zero, on a vertex two).
 struct SurfacePoint

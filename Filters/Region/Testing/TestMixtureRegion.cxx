@@ -432,8 +432,8 @@ TEST(MixtureRegion, HostileInputsAreOneErrorEach)
   refuses(Failure::MissingArray,
     "SectionLength",
     [](vtkPolyData*, vtkPolyData* h) { h->GetFieldData()->RemoveArray("SectionLength"); });
-  refuses(Failure::MissingArray,
-    "vertex 1e+06",
+  refuses(Failure::BadMesh,
+    "MeshVertices",
     [](vtkPolyData*, vtkPolyData* h)
     {
       vtkDataArray* vertices = h->GetPointData()->GetArray("MeshVertices");

@@ -144,12 +144,12 @@ TEST(Remesh, RefusesWhatItCannotRead)
     { "MeshVertices",
       Failure::MissingArray,
       [](vtkPolyData*, vtkPolyData* h) { h->GetPointData()->RemoveArray("MeshVertices"); } },
-    { "Handle 2",
-      Failure::MissingArray,
+    { "Point 2",
+      Failure::BadMesh,
       [](vtkPolyData*, vtkPolyData* h)
       { h->GetPointData()->GetArray("MeshVertices")->SetComponent(2, 0, 1e6); } },
-    { "handle 1",
-      Failure::MissingArray,
+    { "Point 1",
+      Failure::BadMesh,
       [](vtkPolyData*, vtkPolyData* h)
       { h->GetPointData()->GetArray("MeshWeights")->SetComponent(1, 0, NAN); } },
     { "SectionLength",
