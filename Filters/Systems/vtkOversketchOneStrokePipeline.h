@@ -5,10 +5,10 @@
 
 #include "vtkOversketchOneStroke.h"
 
+#include "Silhouette/judgement.h"
 #include "vtkOversketchCorrection.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchFollowers.h"
-#include "vtkOversketchJudgement.h"
 #include "vtkOversketchLaplacianDeform.h"
 #include "vtkOversketchMatch.h"
 #include "vtkOversketchMixtureRegion.h"

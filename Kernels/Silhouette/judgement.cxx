@@ -1,4 +1,4 @@
-#include "vtkOversketchJudgement.h"
+#include "Silhouette/judgement.h"
 
 #include "Silhouette/outline.h"
 
