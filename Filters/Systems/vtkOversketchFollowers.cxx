@@ -1,7 +1,6 @@
 #include "vtkOversketchFollowers.h"
 
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchLaplacianDeform.h"
 #include "vtkOversketchWeld.h"
 
 #include "vtkCellArray.h"
@@ -60,14 +59,14 @@ void Followers::Bind()
       Binding& binding = this->Bindings[static_cast<std::size_t>(corners->GetId(corner))];
       for (int k = 0; k < 3; ++k)
       {
-        binding.vertices[k] = source->GetId(k);
+        binding.vertices[k] = static_cast<int>(source->GetId(k));
         binding.weights[k] = weights->GetComponent(t, 3 * corner + k);
       }
     }
   }
 }
 
-bool Followers::Place(vtkOversketchLaplacianDeform* step, const double translation[3], vtkPoints* points)
+bool Followers::Place(const Drag& drag, const double translation[3], vtkPoints* points)
 {
   if (this->Dragged->GetNumberOfPoints() == 0)
   {
@@ -75,7 +74,7 @@ bool Followers::Place(vtkOversketchLaplacianDeform* step, const double translati
     const double none[3] = { 0.0, 0.0, 0.0 };
     this->Dragged->SetDataTypeToDouble();
     this->Dragged->DeepCopy(this->Before);
-    if (!step->Drag(none, this->Dragged))
+    if (!drag(none, this->Dragged))
     {
       return false;
     }
@@ -87,7 +86,7 @@ bool Followers::Place(vtkOversketchLaplacianDeform* step, const double translati
       this->Bind();
     }
   }
-  if (!step->Drag(translation, this->Dragged))
+  if (!drag(translation, this->Dragged))
   {
     return false;
   }

@@ -3,14 +3,15 @@
 #ifndef vtkOversketchFollowers_h
 #define vtkOversketchFollowers_h
 
+#include "Mesh/place.h"
+
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
+#include <functional>
 #include <vector>
 
-class vtkOversketchLaplacianDeform;
 class vtkPolyData;
 
 namespace oversketch
@@ -28,15 +29,13 @@ public:
   Followers(vtkPolyData* output, std::vector<int> vertices, vtkPolyData* deformed, vtkPolyData* restored);
 
   bool Fits(vtkPoints* points) const;
-  // Asks the step, whose output `deformed` was, where its points go.
-  bool Place(vtkOversketchLaplacianDeform* step, const double translation[3], vtkPoints* points);
+  // How the step whose output `deformed` was places its points: writes where the translation takes them into
+  // a copy of its output's points, double; false where it cannot.
+  using Drag = std::function<bool(const double translation[3], vtkPoints* points)>;
+  // Writes the places of the output's points under that drag; false where it cannot.
+  bool Place(const Drag& drag, const double translation[3], vtkPoints* points);
 
 private:
-  struct Binding
-  {
-    std::array<vtkIdType, 3> vertices{};
-    std::array<double, 3> weights{};
-  };
   void Bind();
 
   vtkSmartPointer<vtkPoints> Rest, Before;         // of the output, of the deformation

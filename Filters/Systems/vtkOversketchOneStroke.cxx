@@ -84,7 +84,7 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       if (this->Remeshed)
       {
         inner.Following = std::make_unique<Followers>(output,
-          inner.Welding->Transfer(mesh, inner.Output("Stretch"), inner.Output("Restore"), output),
+          inner.Welding->Transfer(mesh, { inner.Output("Stretch"), inner.Output("Restore") }, output),
           inner.Output(inner.Deformation),
           inner.Output("Restore"));
       }
@@ -167,7 +167,8 @@ bool vtkOversketchOneStroke::Drag(const double translation[3], vtkPoints* points
     return false;
   }
   auto* step = vtkOversketchLaplacianDeform::SafeDownCast(this->GetStep(this->Inner->Deformation));
-  return this->Inner->Following->Place(step, translation, points);
+  return this->Inner->Following->Place(
+    [step](const double by[3], vtkPoints* places) { return step->Drag(by, places); }, translation, points);
 }
 
 void vtkOversketchOneStroke::GetRegion(vtkPolyData* region)

@@ -1,28 +1,33 @@
 #include "vtkOversketchWeld.h"
 
+#include "Mesh/weld.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchRuns.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <queue>
+#include <string>
 
 namespace oversketch
 {
 
 namespace
 {
+
+const char* const remedy = "vtkOversketchRemesh writes it";
 
 // A point of a result as a mix of points of the mesh: ids ascending, weights above rounding, sum 1.
 using Mix = std::vector<std::pair<vtkIdType, double>>;
@@ -56,10 +61,6 @@ void Normalise(Mix& mix)
       merged.begin(), merged.end(), [](const auto& entry) { return std::abs(entry.second) < 1e-12; }),
     merged.end());
   mix = std::move(merged);
-  if (mix.size() == 1)
-  {
-    mix[0].second = 1.0;
-  }
 }
 
 // The rotation that takes one surface normal to another, applied to a normal of the user's.
@@ -109,223 +110,307 @@ vtkSmartPointer<vtkPoints> NewPoints(vtkPolyData* like, vtkIdType count)
   return points;
 }
 
-} // namespace
-
-Weld::Weld(vtkPolyData* mesh)
+vtkSmartPointer<vtkCellArray> CellsOf(const std::vector<Triangle>& triangles)
 {
-  this->Surface = MeshOf(mesh);
-  this->Corners = this->Surface.triangles;
-  this->FindVertices();
-  vtkNew<vtkIdTypeArray> cells;
-  cells->SetName("OriginalCell");
-  cells->SetNumberOfTuples(mesh->GetNumberOfPolys());
-  std::iota(cells->GetPointer(0), cells->GetPointer(0) + mesh->GetNumberOfPolys(), vtkIdType(0));
-  this->Inner->GetCellData()->AddArray(cells);
-  if (this->Vertices.empty())
-  {
-    this->Inner->SetPoints(mesh->GetPoints());
-    this->Inner->SetPolys(mesh->GetPolys());
-    return;
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  for (const Vector3& p : this->Surface.points)
-  {
-    points->InsertNextPoint(p.data());
-  }
-  vtkNew<vtkCellArray> polys;
-  for (const Triangle& t : this->Surface.triangles)
+  auto polys = vtkSmartPointer<vtkCellArray>::New();
+  const auto count = static_cast<vtkIdType>(triangles.size());
+  polys->AllocateExact(count, 3 * count);
+  for (const Triangle& t : triangles)
   {
     const vtkIdType ids[3] = { t[0], t[1], t[2] };
     polys->InsertNextCell(3, ids);
   }
-  this->Inner->SetPoints(points);
-  this->Inner->SetPolys(polys);
-  this->FindAttributeClasses(mesh);
-  this->FindCharts();
+  return polys;
 }
 
-Weld::~Weld() = default;
-
-void Weld::FindVertices()
+// The geometry of a mesh without its arrays: what SharedMesh keeps serves any step that reads no normals.
+std::shared_ptr<const MeshData> SharedGeometry(vtkPolyData* mesh)
 {
-  const auto& p = this->Surface.points;
-  const int count = this->Surface.vertexCount();
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  const auto compare = [&](int a, int b)
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(mesh->GetPoints());
+  bare->SetPolys(mesh->GetPolys());
+  return SharedMesh(bare);
+}
+
+// SourceCell and SourceWeights of a remeshed mesh.
+class Sources
+{
+public:
+  explicit Sources(vtkPolyData* remeshed)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (p[a][k] != p[b][k])
-        return p[a][k] < p[b][k] ? -1 : 1;
-    }
-    return 0;
-  };
-  std::sort(order.begin(),
-    order.end(),
-    [&](int a, int b)
-    {
-      const int c = compare(a, b);
-      return c != 0 ? c < 0 : a < b;
-    });
-  // The lowest point of each position stands for it; vertices keep the order of those.
-  std::vector<int> first(count);
-  bool identity = true;
-  for (int i = 0; i < count; ++i)
-  {
-    const bool same = i > 0 && compare(order[i - 1], order[i]) == 0;
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-    identity = identity && !same;
+    const vtkIdType cells = remeshed->GetNumberOfPolys();
+    this->Cells = As<vtkIdTypeArray>(
+      RequireArray(remeshed->GetCellData(), "SourceCell", 3, cells, "remeshed mesh", remedy));
+    this->Weights = As<vtkDoubleArray>(
+      RequireArray(remeshed->GetCellData(), "SourceWeights", 9, cells, "remeshed mesh", remedy));
   }
-  if (identity)
+  // Of a triangle's corner: the triangle it lies on, and the weights of that one's corners.
+  vtkIdType Cell(vtkIdType triangle, int corner) const
+  {
+    return this->Cells->GetPointer(0)[3 * triangle + corner];
+  }
+  const double* WeightsAt(vtkIdType triangle, int corner) const
+  {
+    return this->Weights->GetPointer(0) + 9 * triangle + 3 * corner;
+  }
+
+private:
+  // The array itself where it is of that type.
+  template <typename Array>
+  static vtkSmartPointer<Array> As(vtkDataArray* array)
+  {
+    vtkSmartPointer<Array> typed = Array::SafeDownCast(array);
+    if (!typed)
+    {
+      typed = vtkSmartPointer<Array>::New();
+      typed->DeepCopy(array);
+    }
+    return typed;
+  }
+
+  vtkSmartPointer<vtkIdTypeArray> Cells;
+  vtkSmartPointer<vtkDoubleArray> Weights;
+};
+
+} // namespace
+
+// Where the corners of the last remeshing come from, through all of them: points of the mesh, each standing
+// for its class.
+class Weld::Origins
+{
+public:
+  Origins(const Weld& weld, const std::vector<vtkPolyData*>& remeshings)
+    : Welding(weld)
+  {
+    for (vtkPolyData* remeshing : remeshings)
+    {
+      this->Chain.emplace_back(remeshing);
+    }
+  }
+
+  // The one point that the corner is as a whole, told at a glance; -1 where it takes a mix to tell.
+  int WholeAt(vtkIdType triangle, int corner) const
+  {
+    for (auto sources = this->Chain.rbegin(); sources != this->Chain.rend(); ++sources)
+    {
+      const double* weights = sources->WeightsAt(triangle, corner);
+      int whole = -1;
+      for (int k = 0; k < 3; ++k)
+      {
+        if (weights[k] != 0.0)
+        {
+          if (whole >= 0 || weights[k] != 1.0)
+          {
+            return -1;
+          }
+          whole = k;
+        }
+      }
+      if (whole < 0)
+      {
+        return -1;
+      }
+      triangle = sources->Cell(triangle, corner);
+      corner = whole;
+    }
+    return this->PointAt(triangle, corner);
+  }
+
+  Mix MixAt(vtkIdType triangle, int corner) const
+  {
+    struct Share
+    {
+      vtkIdType triangle;
+      int corner;
+      double weight;
+    };
+    std::vector<Share> shares{ { triangle, corner, 1.0 } }, earlier;
+    for (auto sources = this->Chain.rbegin(); sources != this->Chain.rend(); ++sources)
+    {
+      earlier.clear();
+      for (const Share& share : shares)
+      {
+        const double* weights = sources->WeightsAt(share.triangle, share.corner);
+        for (int k = 0; k < 3; ++k)
+        {
+          if (weights[k] != 0.0)
+          {
+            earlier.push_back({ sources->Cell(share.triangle, share.corner), k, share.weight * weights[k] });
+          }
+        }
+      }
+      shares.swap(earlier);
+    }
+    Mix mix;
+    for (const Share& share : shares)
+    {
+      mix.emplace_back(this->PointAt(share.triangle, share.corner), share.weight);
+    }
+    Normalise(mix);
+    return mix;
+  }
+
+private:
+  int PointAt(vtkIdType triangle, int corner) const
+  {
+    return this->Welding.ClassOf(this->Welding.CornersOf()[static_cast<std::size_t>(triangle)][corner]);
+  }
+
+  const Weld& Welding;
+  std::vector<Sources> Chain;
+};
+
+// The points of the output: one per vertex of the last remeshing, or one per chart where the mesh was split.
+class Weld::Split
+{
+public:
+  Split(const Weld& weld, const Origins& origins, const MeshData& result)
+    : Triangles(result.Surface.triangles)
+  {
+    // Where nothing was split, one corner speaks for all.
+    const bool one = weld.Vertices.empty();
+    const std::vector<int> loose = weld.LoosePoints();
+    std::size_t nextLoose = 0;
+    const Mesh& mesh = result.Surface;
+    const Lists& around = result.Neighbours.vertexTriangles;
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      const std::size_t begin = this->Vertices.size();
+      for (const int* t = around.begin(v); t != around.end(v); ++t)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          if (mesh.triangles[*t][corner] == v)
+          {
+            const bool told = one && this->Vertices.size() > begin;
+            this->Triangles[*t][corner] =
+              static_cast<int>(told ? begin : this->PointOf(begin, v, origins, *t, corner));
+          }
+        }
+      }
+      if (this->Vertices.size() == begin)
+      {
+        // A vertex without a triangle, which nothing tells the source of: the remesher keeps them, in their
+        // order.
+        this->Add(v, loose.at(nextLoose++), {});
+      }
+    }
+  }
+
+  std::vector<Triangle> Triangles;
+  std::vector<int> Vertices; // per point, in the last remeshing
+  std::vector<int> Whole;    // per point, the point of the mesh that it is; -1 for a mix
+  Mix Of(vtkIdType point) const
+  {
+    const int whole = this->Whole[static_cast<std::size_t>(point)];
+    return whole >= 0 ? Mix{ { whole, 1.0 } }
+                      : this->Mixes[static_cast<std::size_t>(this->MixOf[static_cast<std::size_t>(point)])];
+  }
+
+private:
+  // Of the points from begin on, which are the vertex's, the one that comes from where the corner does.
+  std::size_t PointOf(std::size_t begin, int vertex, const Origins& origins, int triangle, int corner)
+  {
+    Mix mix;
+    int whole = origins.WholeAt(triangle, corner);
+    if (whole < 0)
+    {
+      mix = origins.MixAt(triangle, corner);
+      whole = mix.size() == 1 ? static_cast<int>(mix[0].first) : -1;
+    }
+    std::size_t point = begin;
+    while (point < this->Vertices.size() &&
+           (this->Whole[point] != whole || (whole < 0 && !SameMix(this->Mixes[this->MixOf[point]], mix))))
+    {
+      ++point;
+    }
+    if (point == this->Vertices.size())
+    {
+      this->Add(vertex, whole, std::move(mix));
+    }
+    return point;
+  }
+
+  void Add(int vertex, int whole, Mix mix)
+  {
+    this->Vertices.push_back(vertex);
+    this->Whole.push_back(whole);
+    this->MixOf.push_back(whole < 0 ? static_cast<int>(this->Mixes.size()) : -1);
+    if (whole < 0)
+    {
+      this->Mixes.push_back(std::move(mix));
+    }
+  }
+
+  std::vector<int> MixOf; // per point, into Mixes
+  std::vector<Mix> Mixes;
+};
+
+Weld::Weld(vtkPolyData* mesh)
+{
+  RequirePolygonsOnly(mesh);
+  std::vector<Vector3> positions(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    mesh->GetPoint(static_cast<vtkIdType>(i), positions[i].data());
+  }
+  this->Vertices = weldPoints(positions);
+  const bool welded = !this->Vertices.empty();
+  Mesh split;
+  if (welded)
+  {
+    split = MeshOf(mesh);
+    const Mesh surface = weldedMesh(split, this->Vertices);
+    auto points = NewPoints(mesh, surface.vertexCount());
+    for (int v = 0; v < surface.vertexCount(); ++v)
+    {
+      points->SetPoint(v, surface.points[v].data());
+    }
+    this->Geometry->SetPoints(points);
+    this->Geometry->SetPolys(CellsOf(surface.triangles));
+  }
+  else
+  {
+    this->Geometry->SetPoints(mesh->GetPoints());
+    this->Geometry->SetPolys(mesh->GetPolys());
+  }
+  this->Data = SharedMesh(this->Geometry);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("OriginalCell");
+  cells->SetNumberOfTuples(mesh->GetNumberOfPolys());
+  std::iota(cells->GetPointer(0), cells->GetPointer(0) + mesh->GetNumberOfPolys(), vtkIdType(0));
+  this->Geometry->GetCellData()->AddArray(cells);
+  if (!welded)
   {
     return;
   }
-  this->Vertices.resize(count);
-  std::vector<Vector3> points;
-  for (int i = 0; i < count; ++i)
+
+  std::vector<std::pair<vtkDataArray*, int>> components;
+  for (int a = 0; a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
   {
-    if (first[i] == i)
+    vtkDataArray* array = mesh->GetPointData()->GetArray(a);
+    for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
     {
-      this->Vertices[i] = static_cast<vtkIdType>(points.size());
-      points.push_back(p[i]);
-    }
-    else
-    {
-      this->Vertices[i] = this->Vertices[first[i]];
+      components.emplace_back(array, c);
     }
   }
-  this->Surface.points = std::move(points);
-  for (Triangle& t : this->Surface.triangles)
+  this->Classes =
+    attributeClasses(this->Vertices, { static_cast<int>(components.size()), [&components](int point, int k) {
+                                        return components[k].first->GetComponent(point, components[k].second);
+                                      } });
+  this->Corners = std::move(split.triangles);
+  const Charts charts = findCharts(this->Data->Surface, this->Data->Neighbours, this->Corners, this->Classes);
+  if (charts.count > 1)
   {
-    for (int& v : t)
-    {
-      v = static_cast<int>(this->Vertices[v]);
-    }
+    vtkNew<vtkIntArray> numbers;
+    numbers->SetName("Chart");
+    numbers->SetNumberOfTuples(static_cast<vtkIdType>(charts.of.size()));
+    std::copy(charts.of.begin(), charts.of.end(), numbers->GetPointer(0));
+    this->Geometry->GetCellData()->AddArray(numbers);
   }
 }
 
-void Weld::FindAttributeClasses(vtkPolyData* mesh)
-{
-  vtkPointData* data = mesh->GetPointData();
-  const int count = static_cast<int>(mesh->GetNumberOfPoints());
-  std::vector<vtkDataArray*> arrays;
-  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
-  {
-    if (vtkDataArray* array = data->GetArray(a))
-    {
-      arrays.push_back(array);
-    }
-  }
-  const auto compare = [&](int a, int b)
-  {
-    if (this->Vertices[a] != this->Vertices[b])
-    {
-      return this->Vertices[a] < this->Vertices[b] ? -1 : 1;
-    }
-    for (vtkDataArray* array : arrays)
-    {
-      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-      {
-        const double x = array->GetComponent(a, c), y = array->GetComponent(b, c);
-        if (x != y)
-          return x < y ? -1 : 1;
-      }
-    }
-    return 0;
-  };
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(),
-    order.end(),
-    [&](int a, int b)
-    {
-      const int c = compare(a, b);
-      return c != 0 ? c < 0 : a < b;
-    });
-  this->AttributeClasses.resize(count);
-  for (int i = 0; i < count; ++i)
-  {
-    const bool same = i > 0 && compare(order[i - 1], order[i]) == 0;
-    this->AttributeClasses[order[i]] = same ? this->AttributeClasses[order[i - 1]] : order[i];
-  }
-}
-
-void Weld::FindCharts()
-{
-  const Adjacency adjacency = buildAdjacency(this->Surface);
-  const int triangles = this->Surface.triangleCount();
-  const auto classAt = [&](int triangle, int vertex)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (this->Surface.triangles[triangle][k] == vertex)
-      {
-        return this->AttributeClasses[this->Corners[triangle][k]];
-      }
-    }
-    return vtkIdType(-1);
-  };
-  // Neighbours across an edge of two triangles, and whether an attribute jumps there.
-  const auto eachNeighbour = [&](int triangle, auto&& visit)
-  {
-    for (int edge : adjacency.triangleEdges[triangle])
-    {
-      if (edge >= 0 && adjacency.edges[edge].triangleCount == 2)
-      {
-        const int* pair = adjacency.trianglesBegin(edge);
-        const int other = pair[0] == triangle ? pair[1] : pair[0];
-        const MeshEdge& e = adjacency.edges[edge];
-        visit(other,
-          classAt(triangle, e.v0) != classAt(other, e.v0) || classAt(triangle, e.v1) != classAt(other, e.v1));
-      }
-    }
-  };
-  // A seam may end inside a patch of the texture. A triangle joins a chart only if no triangle across one of
-  // its seams is already there, so every seam separates two charts.
-  vtkNew<vtkIntArray> charts;
-  charts->SetName("Chart");
-  charts->SetNumberOfTuples(triangles);
-  charts->FillComponent(0, -1);
-  int* chart = charts->GetPointer(0);
-  int count = 0;
-  for (int seed = 0; seed < triangles; ++seed)
-  {
-    if (chart[seed] >= 0)
-    {
-      continue;
-    }
-    std::queue<int> queue({ seed });
-    chart[seed] = count;
-    while (!queue.empty())
-    {
-      const int t = queue.front();
-      queue.pop();
-      eachNeighbour(t,
-        [&](int other, bool seam)
-        {
-          if (seam || chart[other] >= 0)
-          {
-            return;
-          }
-          bool clash = false;
-          eachNeighbour(
-            other, [&](int beyond, bool jump) { clash = clash || (jump && chart[beyond] == count); });
-          if (!clash)
-          {
-            chart[other] = count;
-            queue.push(other);
-          }
-        });
-    }
-    ++count;
-  }
-  if (count > 1)
-  {
-    this->Inner->GetCellData()->AddArray(charts);
-  }
-}
+Weld::~Weld() = default;
 
 void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) const
 {
@@ -335,7 +420,8 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
   points->SetDataType(mesh->GetPoints()->GetDataType());
   points->DeepCopy(mesh->GetPoints());
   std::vector<char> changed(static_cast<std::size_t>(count), 0);
-  Mesh after = this->Surface;
+  const Mesh& before = this->Data->Surface;
+  Mesh after = before;
   for (int v = 0; v < after.vertexCount(); ++v)
   {
     moved->GetPoint(v, after.points[v].data());
@@ -343,7 +429,7 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
   for (vtkIdType i = 0; i < count; ++i)
   {
     const vtkIdType v = this->VertexOf(i);
-    if (after.points[v] != this->Surface.points[v])
+    if (after.points[v] != before.points[v])
     {
       points->SetPoint(i, after.points[v].data());
       changed[i] = 1;
@@ -352,18 +438,18 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
   output->SetPoints(points);
   if (vtkDataArray* old = mesh->GetPointData()->GetNormals())
   {
-    const std::vector<Vector3> before = vertexNormals(this->Surface);
-    const std::vector<Vector3> now = vertexNormals(after);
+    const std::vector<Vector3>& normalsBefore = this->Data->Normals;
+    const std::vector<Vector3> normalsNow = vertexNormals(after);
     auto normals = vtkSmartPointer<vtkDataArray>::Take(old->NewInstance());
     normals->DeepCopy(old);
     for (vtkIdType i = 0; i < count; ++i)
     {
       const vtkIdType v = this->VertexOf(i);
-      if (before[v] != now[v])
+      if (normalsBefore[v] != normalsNow[v])
       {
         Vector3 n;
         old->GetTuple(i, n.data());
-        normals->SetTuple(i, Turned(n, before[v], now[v]).data());
+        normals->SetTuple(i, Turned(n, normalsBefore[v], normalsNow[v]).data());
       }
     }
     output->GetPointData()->SetNormals(normals);
@@ -371,111 +457,17 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
   RefreshCellNormals(output, changed);
 }
 
-std::vector<int> Weld::Transfer(vtkPolyData* mesh,
-  vtkPolyData* stretched,
-  vtkPolyData* restored,
-  vtkPolyData* output) const
+// The first points of the vertices without a triangle, in their order.
+std::vector<int> Weld::LoosePoints() const
 {
-  const char* remedy = "vtkOversketchRemesh writes it";
-  const auto sources = [&](vtkPolyData* remeshed)
-  {
-    return std::make_pair(
-      RequireArray(
-        remeshed->GetCellData(), "SourceCell", 3, remeshed->GetNumberOfPolys(), "remeshed mesh", remedy),
-      RequireArray(
-        remeshed->GetCellData(), "SourceWeights", 9, remeshed->GetNumberOfPolys(), "remeshed mesh", remedy));
-  };
-  const auto first = sources(stretched);
-  const auto second = sources(restored);
-  const auto mixAt = [&](vtkIdType cell, int corner)
-  {
-    Mix mix;
-    const auto between = static_cast<vtkIdType>(second.first->GetComponent(cell, corner));
-    for (int k = 0; k < 3; ++k)
-    {
-      const double outer = second.second->GetComponent(cell, 3 * corner + k);
-      if (outer == 0.0)
-      {
-        continue;
-      }
-      const auto source = static_cast<std::size_t>(first.first->GetComponent(between, k));
-      for (int j = 0; j < 3; ++j)
-      {
-        const double weight = outer * first.second->GetComponent(between, 3 * k + j);
-        const vtkIdType point = this->Corners[source][j];
-        mix.emplace_back(this->AttributeClasses.empty() ? point : this->AttributeClasses[point], weight);
-      }
-    }
-    Normalise(mix);
-    return mix;
-  };
-
-  const Mesh result = MeshOf(restored);
-  const Adjacency adjacency = buildAdjacency(result);
-  std::vector<Triangle> triangles = result.triangles;
-  std::vector<Mix> mixes;    // per point of the output
-  std::vector<int> vertexOf; // per point of the output, in result
-  for (int v = 0; v < result.vertexCount(); ++v)
-  {
-    const std::size_t begin = mixes.size();
-    for (const int* t = adjacency.vertexTriangles.begin(v); t != adjacency.vertexTriangles.end(v); ++t)
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        if (result.triangles[*t][corner] != v)
-        {
-          continue;
-        }
-        // Where nothing was split, one corner speaks for all.
-        std::size_t point = begin;
-        if (this->Vertices.empty() ? mixes.size() == begin : true)
-        {
-          const Mix mix = mixAt(*t, corner);
-          while (point < mixes.size() && !SameMix(mixes[point], mix))
-          {
-            ++point;
-          }
-          if (point == mixes.size())
-          {
-            mixes.push_back(mix);
-            vertexOf.push_back(v);
-          }
-        }
-        triangles[*t][corner] = static_cast<int>(point);
-      }
-    }
-    if (mixes.size() == begin)
-    {
-      // A vertex without a triangle: nothing tells its source.
-      mixes.push_back({});
-      vertexOf.push_back(v);
-    }
-  }
-
-  const auto count = static_cast<vtkIdType>(mixes.size());
-  auto points = NewPoints(mesh, count);
-  vtkDataArray* oldNormals = mesh->GetPointData()->GetNormals();
-  std::vector<Vector3> before, now; // of the surface, where the mesh's own have to turn with it
-  if (oldNormals)
-  {
-    before = vertexNormals(this->Surface);
-    now = vertexNormals(result);
-  }
-  vtkPointData* from = mesh->GetPointData();
-  vtkPointData* to = output->GetPointData();
-  to->InterpolateAllocate(from, count);
-  std::vector<char> changed(mixes.size(), 0);
-  vtkNew<vtkIdList> ids;
-  std::vector<double> weights;
-  // The first points of the vertices without a triangle, which the remesher keeps, in their order.
-  std::vector<vtkIdType> loose;
-  std::size_t nextLoose = 0;
-  std::vector<char> known(this->Surface.points.size(), 0);
-  for (const Triangle& t : this->Surface.triangles)
+  std::vector<char> known(this->Data->Surface.points.size(), 0);
+  for (const Triangle& t : this->Data->Surface.triangles)
   {
     known[t[0]] = known[t[1]] = known[t[2]] = 1;
   }
-  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  std::vector<int> loose;
+  const auto points = this->Vertices.empty() ? known.size() : this->Vertices.size();
+  for (int p = 0; p < static_cast<int>(points); ++p)
   {
     char& seen = known[this->VertexOf(p)];
     if (!seen)
@@ -484,60 +476,106 @@ std::vector<int> Weld::Transfer(vtkPolyData* mesh,
       seen = 1;
     }
   }
+  return loose;
+}
+
+void Weld::CarryPoints(vtkPolyData* mesh,
+  const Split& split,
+  const MeshData& result,
+  vtkPolyData* output) const
+{
+  vtkPointData* from = mesh->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  const auto count = static_cast<vtkIdType>(split.Whole.size());
+  auto points = NewPoints(mesh, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    Mix& mix = mixes[i];
-    const int v = vertexOf[i];
-    if (mix.empty())
-    {
-      mix = { { loose.at(nextLoose++), 1.0 } };
-    }
-    points->SetPoint(i, result.points[v].data());
-    ids->Reset();
-    weights.clear();
-    Vector3 oldSurface = Vector3::Zero();
-    for (const auto& [point, weight] : mix)
-    {
-      ids->InsertNextId(point);
-      weights.push_back(weight);
-      if (oldNormals)
-      {
-        oldSurface += weight * before[this->VertexOf(point)];
-      }
-    }
-    if (mix.size() == 1)
-    {
-      to->CopyData(from, mix[0].first, i);
-    }
-    else
-    {
-      to->InterpolatePoint(from, i, ids, weights.data());
-    }
-    changed[i] = mix.size() > 1 || this->Surface.points[this->VertexOf(mix[0].first)] != result.points[v];
-    if (oldNormals && (changed[i] || before[this->VertexOf(mix[0].first)] != now[v]))
-    {
-      Vector3 n;
-      to->GetNormals()->GetTuple(i, n.data());
-      to->GetNormals()->SetTuple(i, Turned(n, oldSurface, now[v]).normalized().eval().data());
-    }
+    points->SetPoint(i, result.Surface.points[split.Vertices[i]].data());
   }
   output->SetPoints(points);
-  vtkNew<vtkCellArray> polys;
-  output->GetCellData()->CopyAllocate(mesh->GetCellData(), static_cast<vtkIdType>(triangles.size()));
-  vtkDataArray* cells = RequireArray(
-    restored->GetCellData(), "OriginalCell", 1, restored->GetNumberOfPolys(), "remeshed mesh", remedy);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    const vtkIdType corners[3] = { triangles[t][0], triangles[t][1], triangles[t][2] };
-    polys->InsertNextCell(3, corners);
-    const auto cell = static_cast<vtkIdType>(t);
-    output->GetCellData()->CopyData(
-      mesh->GetCellData(), static_cast<vtkIdType>(cells->GetComponent(cell, 0)), cell);
-  }
-  output->SetPolys(polys);
-  output->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  to->InterpolateAllocate(from, count);
+  vtkNew<vtkIdList> ids;
+  std::vector<double> weights;
+  EachRun(
+    split.Whole,
+    [&](vtkIdType first, vtkIdType length, vtkIdType source) { to->CopyData(from, first, length, source); },
+    [&](vtkIdType i)
+    {
+      ids->Reset();
+      weights.clear();
+      for (const auto& [point, weight] : split.Of(i))
+      {
+        ids->InsertNextId(point);
+        weights.push_back(weight);
+      }
+      to->InterpolatePoint(from, i, ids, weights.data());
+    });
+}
+
+// Where the surface has turned, the mesh's own normals turn with it.
+void Weld::CarryNormals(vtkPolyData* mesh,
+  const Split& split,
+  const MeshData& result,
+  vtkPolyData* output) const
+{
+  const auto count = static_cast<vtkIdType>(split.Whole.size());
+  const Mesh& surface = this->Data->Surface;
+  const std::vector<Vector3>& before = this->Data->Normals;
+  const std::vector<Vector3>& now = result.Normals;
+  std::vector<char> changed(split.Whole.size(), 0);
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals() ? output->GetPointData()->GetNormals() : nullptr;
+  vtkSMPTools::For(0,
+    count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const int v = split.Vertices[i], whole = split.Whole[i];
+        changed[i] = whole < 0 || surface.points[this->VertexOf(whole)] != result.Surface.points[v];
+        if (!normals || !(changed[i] || before[this->VertexOf(whole)] != now[v]))
+        {
+          continue;
+        }
+        Vector3 n, old = Vector3::Zero();
+        for (const auto& [point, weight] : split.Of(i))
+        {
+          old += weight * before[this->VertexOf(point)];
+        }
+        normals->GetTuple(i, n.data());
+        normals->SetTuple(i, Turned(n, old, now[v]).normalized().eval().data());
+      }
+    });
   RefreshCellNormals(output, changed);
-  return vertexOf;
+}
+
+std::vector<int> Weld::Transfer(vtkPolyData* mesh,
+  const std::vector<vtkPolyData*>& remeshings,
+  vtkPolyData* output) const
+{
+  vtkPolyData* last = remeshings.back();
+  const std::shared_ptr<const MeshData> result = SharedGeometry(last);
+  const Split split(*this, Origins(*this, remeshings), *result);
+  const bool sameTriangles = this->Vertices.empty();
+  output->SetPolys(sameTriangles ? last->GetPolys() : CellsOf(split.Triangles).Get());
+  this->CarryPoints(mesh, split, *result, output);
+
+  vtkCellData* from = mesh->GetCellData();
+  vtkCellData* to = output->GetCellData();
+  vtkDataArray* cells =
+    RequireArray(last->GetCellData(), "OriginalCell", 1, last->GetNumberOfPolys(), "remeshed mesh", remedy);
+  std::vector<vtkIdType> sources(split.Triangles.size());
+  for (std::size_t t = 0; t < sources.size(); ++t)
+  {
+    sources[t] = static_cast<vtkIdType>(cells->GetComponent(static_cast<vtkIdType>(t), 0));
+  }
+  to->CopyAllocate(from, static_cast<vtkIdType>(sources.size()));
+  EachRun(
+    sources,
+    [&](vtkIdType first, vtkIdType length, vtkIdType source) { to->CopyData(from, first, length, source); },
+    [](vtkIdType) {});
+  output->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  this->CarryNormals(mesh, split, *result, output);
+  return split.Vertices;
 }
 
 } // namespace oversketch

@@ -4,14 +4,13 @@
 #ifndef vtkOversketchWeld_h
 #define vtkOversketchWeld_h
 
-#include "Mesh/mesh.h"
+#include "vtkOversketchSharedMesh.h"
 
 #include "vtkNew.h"
-#include "vtkType.h"
+#include "vtkPolyData.h"
 
+#include <memory>
 #include <vector>
-
-class vtkPolyData;
 
 namespace oversketch
 {
@@ -29,7 +28,7 @@ public:
   // triangles in its order, their numbers as cell array OriginalCell, so that the remesher hands them on,
   // and, where the reader split points along seams of an attribute, cell array Chart: neighbours in one chart
   // agree in all attributes of their common points.
-  vtkPolyData* Welded() const { return this->Inner; }
+  vtkPolyData* Welded() const { return this->Geometry; }
 
   // The welded vertex of a point of the mesh.
   vtkIdType VertexOf(vtkIdType point) const
@@ -41,25 +40,33 @@ public:
   // normals turn as the surface does, and are not touched where it did not move.
   void Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) const;
 
-  // restored in the user's terms: restored was remeshed from deformed, whose connectivity is that of
-  // stretched, which was remeshed from the welded mesh; both carry SourceCell and SourceWeights. Point arrays
-  // are interpolated from mesh, once per chart along seams; cell arrays come from OriginalCell, the cell that
-  // lay under a triangle's middle. Returns the vertex of restored that each point of the output is.
+  // The last of the remeshings in the user's terms: the first was remeshed from the welded mesh, each further
+  // one from the one before it, which may have been moved in between; all carry SourceCell and SourceWeights
+  // (vtkOversketchRemesh). Point arrays are interpolated from mesh, once per chart along seams; cell arrays
+  // come from OriginalCell, the cell that lay under a triangle's middle. Returns the vertex of the last
+  // remeshing that each point of the output is.
   std::vector<int> Transfer(vtkPolyData* mesh,
-    vtkPolyData* stretched,
-    vtkPolyData* restored,
+    const std::vector<vtkPolyData*>& remeshings,
     vtkPolyData* output) const;
 
 private:
-  void FindVertices();
-  void FindAttributeClasses(vtkPolyData* mesh);
-  void FindCharts();
+  class Origins;
+  class Split;
 
-  std::vector<vtkIdType> Vertices;         // welded vertex per point; empty when that is the identity
-  std::vector<vtkIdType> AttributeClasses; // points that agree in position and all attributes share one
-  Mesh Surface;                            // of the welded mesh
-  std::vector<Triangle> Corners;           // points of the mesh per triangle
-  vtkNew<vtkPolyData> Inner;
+  const std::vector<Triangle>& CornersOf() const
+  {
+    return this->Vertices.empty() ? this->Data->Surface.triangles : this->Corners;
+  }
+  int ClassOf(int point) const { return this->Vertices.empty() ? point : this->Classes[point]; }
+  std::vector<int> LoosePoints() const;
+  void CarryPoints(vtkPolyData* mesh, const Split& split, const MeshData& result, vtkPolyData* output) const;
+  void CarryNormals(vtkPolyData* mesh, const Split& split, const MeshData& result, vtkPolyData* output) const;
+
+  std::vector<int> Vertices; // welded vertex per point; empty when that is the identity
+  std::vector<int> Classes; // points that agree in position and all attributes share one; empty like Vertices
+  std::vector<Triangle> Corners; // points of the mesh per triangle; empty like Vertices
+  vtkNew<vtkPolyData> Geometry;
+  std::shared_ptr<const MeshData> Data; // of Geometry
 };
 
 } // namespace oversketch
