@@ -154,7 +154,7 @@ void LiveStroke::run()
 bool LiveStroke::section(vtkPolyData* stroke, vtkPolyData* section)
 {
   const bool current = !this->exists() || this->system_->GetMTime() <= this->systemTime_;
-  const bool found = this->system_->MatchSection(this->result_, stroke, section);
+  const bool found = this->system_->Preview(this->result_, stroke, section);
   if (current)
   {
     this->systemTime_ = this->system_->GetMTime(); // a look that found nothing changes no parameter

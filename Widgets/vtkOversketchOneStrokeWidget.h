@@ -156,7 +156,7 @@ public:
   ///@{
   /**
    * Off: the host finds sections itself, in its own time, so that the pen never waits for the curves of a
-   * large mesh. It looks for the stroke that PutSought writes, with vtkOversketchOneStroke::MatchSection of a
+   * large mesh. It looks for the stroke that PutSought writes, with vtkOversketchOneStroke::Preview of a
    * system of its own, and gives what it found to the pen's representation
    * (vtkOversketchStrokeRepresentation::SetSection) while that stroke is drawn. Default on.
    */

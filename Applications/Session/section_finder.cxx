@@ -148,7 +148,7 @@ void SectionFinder::work()
     }
     watch.ticket = request.ticket;
     vtkNew<vtkPolyData> section;
-    system->MatchSection(mesh, request.stroke, section);
+    system->Preview(mesh, request.stroke, section);
     auto copy = vtkSmartPointer<vtkPolyData>::New(); // the system goes on with its own
     copy->DeepCopy(section);
     {

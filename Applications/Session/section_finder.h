@@ -21,7 +21,7 @@ namespace oversketch_session
 class SectionFinder
 {
 public:
-  // What vtkOversketchOneStroke::MatchSection gives, bit for bit, with its back end Host; empty where there
+  // What vtkOversketchOneStroke::Preview gives, bit for bit, with its back end Host; empty where there
   // is nothing to take hold of.
   struct Found
   {

@@ -3,6 +3,8 @@
 #ifndef vtkOversketchFollowers_h
 #define vtkOversketchFollowers_h
 
+#include "OversketchFiltersSystemsModule.h" // For export macro
+
 #include "Mesh/place.h"
 
 #include "vtkNew.h"
@@ -19,7 +21,7 @@ namespace oversketch
 
 class Weld;
 
-class Followers
+class OVERSKETCHFILTERSSYSTEMS_EXPORT Followers
 {
 public:
   // Of an output that Weld::Move made of a deformation.

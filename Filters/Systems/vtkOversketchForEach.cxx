@@ -1,15 +1,14 @@
 #include "vtkOversketchForEach.h"
 
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchStepRunner.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -60,121 +59,182 @@ std::vector<Leaf> ListOf(vtkDataObjectTree* tree)
   return leaves;
 }
 
-// Throws unless both collections have their leaves at the same places.
-void RequireSamePlaces(const std::vector<Leaf>& models, const std::vector<Leaf>& strokes)
+// What one of the filter's further ports gets: the same for all models, or a leaf for each of them.
+struct Given
 {
+  int port;
+  bool each = false;
+  std::vector<Leaf> leaves;              // where each model has its own
+  vtkSmartPointer<vtkDataObject> single; // else; null where there is none
+
+  // In messages: the second input of a filter that takes models is a stroke as a rule.
+  std::string name() const { return this->port == 1 ? "stroke" : "input " + std::to_string(this->port); }
+  vtkDataObject* of(std::size_t model) const { return this->each ? this->leaves[model].data : this->single; }
+};
+
+// Throws unless both collections have their leaves at the same places.
+void RequireSamePlaces(const std::vector<Leaf>& models, const Given& given)
+{
+  const std::string name = given.name();
   std::ostringstream message;
-  if (models.size() != strokes.size())
+  if (models.size() != given.leaves.size())
   {
-    message << "There are " << models.size() << " models and " << strokes.size() << " strokes";
+    message << "There are " << models.size() << " models and " << given.leaves.size()
+            << (given.port == 1 ? " strokes" : " leaves on " + name);
   }
   else
   {
     const auto differ = std::mismatch(models.begin(),
       models.end(),
-      strokes.begin(),
+      given.leaves.begin(),
       [](const Leaf& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
     if (differ.first == models.end())
     {
       return;
     }
-    message << "Leaf " << differ.first->flatIndex << " of the models has no stroke at its place";
+    message << "Leaf " << differ.first->flatIndex << " of the models has no " << name << " at its place";
   }
-  message << "; give one stroke, or a collection of strokes of the same structure.";
+  message << "; give one " << name << ", or a collection of the same structure as the models'.";
   throw Error(Failure::BadStroke, message.str());
 }
 
-// Runs a filter on one pair after the other: hears its errors instead of letting them be printed, passes its
-// progress on and a cancel in.
-class Driver
+bool Needs(vtkAlgorithm* filter, int port)
+{
+  vtkInformation* info = filter->GetInputPortInformation(port);
+  return !info->Has(vtkAlgorithm::INPUT_IS_OPTIONAL()) || info->Get(vtkAlgorithm::INPUT_IS_OPTIONAL()) == 0;
+}
+
+bool HoldsAnything(vtkDataObject* data)
+{
+  return data && data->GetNumberOfElements(vtkDataObject::CELL) > 0;
+}
+
+// Throws where the filter would get nothing on a port that it needs, whatever the model.
+void RequireGiven(vtkAlgorithm* filter, const std::vector<Leaf>& models, const std::vector<Given>& given)
+{
+  for (const Given& one : given)
+  {
+    if (one.each)
+    {
+      RequireSamePlaces(models, one);
+    }
+    else if (!one.single && Needs(filter, one.port))
+    {
+      throw Error(Failure::BadStroke,
+        one.port == 1 ? "There is no stroke: the stroke input holds no polyline."
+                      : "There is nothing on " + one.name() + ", which the filter needs.");
+    }
+  }
+}
+
+// Connects the filter to one model after the other, and takes its inputs away at the end.
+class Inputs
 {
 public:
-  Driver(vtkAlgorithm* filter, vtkAlgorithm* self)
+  Inputs(vtkAlgorithm* filter, const std::vector<Leaf>& models, const std::vector<Given>& given)
     : Filter(filter)
-    , Self(self)
+    , Models(models)
+    , Others(given)
   {
-    this->Observer->SetClientData(this);
-    this->Observer->SetCallback([](vtkObject*, unsigned long event, void* client, void* data)
-      { static_cast<Driver*>(client)->Hear(event, data); });
-    for (const unsigned long event :
-      { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
+  }
+  ~Inputs()
+  {
+    for (int port = 0; port < this->Filter->GetNumberOfInputPorts(); ++port)
     {
-      this->Filter->AddObserver(event, this->Observer);
+      this->Filter->SetInputDataObject(port, nullptr);
     }
-    this->Filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
   }
-  ~Driver()
-  {
-    this->Filter->RemoveObserver(this->Observer);
-    this->Filter->GetExecutive()->RemoveObserver(this->Observer);
-    this->Filter->SetInputDataObject(0, nullptr);
-    this->Filter->SetInputDataObject(1, nullptr);
-  }
-  Driver(const Driver&) = delete;
-  Driver& operator=(const Driver&) = delete;
+  Inputs(const Inputs&) = delete;
+  Inputs& operator=(const Inputs&) = delete;
 
-  // What the filter makes of the pair, or a null pointer: then FirstError says why. Progress goes from a
-  // share of the whole to another; warnings are passed on with the name of the model.
-  vtkSmartPointer<vtkDataObject> Run(const std::string& name,
-    vtkDataObject* model,
-    vtkDataObject* stroke,
-    double from,
-    double to)
+  void Connect(std::size_t model)
   {
-    this->FirstError.clear();
-    this->Name = name;
-    this->From = from;
-    this->To = to;
-    this->Filter->SetInputDataObject(0, model);
-    this->Filter->SetInputDataObject(1, stroke);
-    this->Filter->SetAbortExecute(0);
-    this->Filter->Modified(); // after a refusal, the next run would otherwise be taken for done
-    this->Filter->Update();
-    if (this->Self->GetAbortExecute())
+    this->Filter->SetInputDataObject(0, this->Models[model].data);
+    for (const Given& one : this->Others)
     {
-      this->Filter->Modified();
-      throw Error(Failure::Cancelled, "cancelled");
+      vtkDataObject* data = one.of(model);
+      if (!data && Needs(this->Filter, one.port))
+      {
+        throw Error(Failure::BadStroke, "There is no " + one.name() + " for it.");
+      }
+      this->Filter->SetInputDataObject(one.port, data);
     }
-    vtkDataObject* made = this->Filter->GetOutputDataObject(0);
-    if (!this->FirstError.empty())
-    {
-      return nullptr;
-    }
-    auto result = vtkSmartPointer<vtkDataObject>::Take(made->NewInstance());
-    result->ShallowCopy(made);
-    return result;
   }
-
-  std::string FirstError;
 
 private:
-  void Hear(unsigned long event, const void* data)
+  vtkAlgorithm* Filter;
+  const std::vector<Leaf>& Models;
+  const std::vector<Given>& Others;
+};
+
+struct Refusals
+{
+  int count = 0;
+  unsigned long firstCode = vtkErrorCode::NoError;
+};
+
+// Runs the filter on every model that is there and puts what it makes into the output, whose structure is the
+// models'. A model that it refuses is told of by self, with the beginning of its title.
+Refusals DriveAll(vtkAlgorithm* filter,
+  vtkAlgorithm* self,
+  const std::vector<Leaf>& models,
+  const std::vector<Given>& given,
+  const std::string& beginning,
+  vtkDataObjectTree* output)
+{
+  const auto held = static_cast<double>(
+    std::count_if(models.begin(), models.end(), [](const Leaf& leaf) { return leaf.data != nullptr; }));
+  double done = 0.0;
+  std::string name;
+  StepRunner::Listener listener;
+  listener.progress = [&](double share) { self->UpdateProgress((done + share) / held); };
+  listener.warning = [&](const std::string& message)
+  { vtkWarningWithObjectMacro(self, << name << ": " << message); };
+  listener.cancelled = [self] { return self->GetAbortExecute() != 0; };
+  StepRunner runner(filter, listener);
+  Inputs inputs(filter, models, given);
+  Refusals refused;
+  const auto place = LeavesOf(output);
+  std::size_t i = 0;
+  // The structures are equal, so both are walked in step.
+  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem(), ++i)
   {
-    if (event == vtkCommand::ProgressEvent)
+    if (!models[i].data)
     {
-      this->Self->UpdateProgress(this->From + (this->To - this->From) * this->Filter->GetProgress());
-      if (this->Self->GetAbortExecute())
+      continue;
+    }
+    name = beginning + models[i].title;
+    vtkDataObject* made = nullptr;
+    try
+    {
+      inputs.Connect(i);
+      runner.Run();
+      made = filter->GetOutputDataObject(0);
+    }
+    catch (const Error& error)
+    {
+      if (error.failure() == Failure::Cancelled)
       {
-        this->Filter->SetAbortExecute(1);
+        throw;
+      }
+      vtkErrorWithObjectMacro(self, << name << ": " << error.what());
+      if (refused.count++ == 0)
+      {
+        refused.firstCode = vtkErrorCode::UserError + static_cast<unsigned long>(error.failure());
       }
     }
-    else if (event == vtkCommand::WarningEvent)
+    vtkDataObject* type = filter->GetOutputDataObject(0);
+    auto result = vtkSmartPointer<vtkDataObject>::Take((type ? type : models[i].data.Get())->NewInstance());
+    if (made)
     {
-      vtkWarningWithObjectMacro(this->Self, << this->Name << ": " << MessageOf(data));
+      result->ShallowCopy(made);
     }
-    else if (this->FirstError.empty()) // the executive of a failed filter adds an error of its own
-    {
-      this->FirstError = MessageOf(data);
-    }
+    output->SetDataSetFrom(place, result);
+    done += 1.0;
+    self->UpdateProgress(done / held);
   }
-
-  vtkAlgorithm* Filter;
-  vtkAlgorithm* Self;
-  vtkNew<vtkCallbackCommand> Observer;
-  std::string Name;
-  double From = 0.0;
-  double To = 1.0;
-};
+  return refused;
+}
 
 } // namespace
 
@@ -190,11 +250,8 @@ vtkOversketchForEach::~vtkOversketchForEach() = default;
 
 int vtkOversketchForEach::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  if (port == 1)
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataObjectTree" : "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0); // the driven filter tells what it needs
   return 1;
 }
 
@@ -203,6 +260,7 @@ void vtkOversketchForEach::SetFilter(vtkAlgorithm* filter)
   if (filter != this->Filter)
   {
     this->Filter = filter;
+    this->SetNumberOfInputPorts(filter ? std::max(2, filter->GetNumberOfInputPorts()) : 2);
     this->Modified();
   }
 }
@@ -227,14 +285,13 @@ vtkMTimeType vtkOversketchForEach::GetMTime()
   return this->Filter ? std::max(own, this->Filter->GetMTime()) : own;
 }
 
-vtkSmartPointer<vtkDataObject> vtkOversketchForEach::Broadcast(vtkDataObject* stroke)
+vtkSmartPointer<vtkDataObject> vtkOversketchForEach::Broadcast(vtkDataObject* single)
 {
-  auto* lines = vtkPolyData::SafeDownCast(stroke);
-  const bool here = lines && lines->GetNumberOfCells() > 0;
+  const bool here = HoldsAnything(single);
   const int ranks = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
   if (ranks == 1)
   {
-    return here ? stroke : nullptr;
+    return here ? single : nullptr;
   }
   const int rank = this->Controller->GetLocalProcessId();
   const int mine = here ? rank : ranks;
@@ -244,8 +301,12 @@ vtkSmartPointer<vtkDataObject> vtkOversketchForEach::Broadcast(vtkDataObject* st
   {
     return nullptr;
   }
-  vtkSmartPointer<vtkDataObject> all = rank == owner ? stroke : vtkSmartPointer<vtkPolyData>::New();
-  if (!this->Controller->Broadcast(all.Get(), owner))
+  int type = here ? single->GetDataObjectType() : 0;
+  const bool told = this->Controller->Broadcast(&type, 1, owner) != 0;
+  const auto all = rank == owner
+                     ? vtkSmartPointer<vtkDataObject>(single)
+                     : vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
+  if (!told || !this->Controller->Broadcast(all.Get(), owner))
   {
     throw Error(Failure::Unexpected, "The stroke could not be sent to the other ranks.");
   }
@@ -262,82 +323,43 @@ int vtkOversketchForEach::RequestData(vtkInformation*,
       this->NumberOfFailures = 0;
       vtkDataObjectTree* models = vtkDataObjectTree::GetData(inputs[0]);
       vtkDataObjectTree* output = vtkDataObjectTree::GetData(outputs);
-      vtkDataObject* strokes = vtkDataObject::GetData(inputs[1]);
-      auto* strokeTree = vtkDataObjectTree::SafeDownCast(strokes);
-      // First of all, for the other ranks wait for it: no refusal may come before.
-      const auto stroke = strokeTree ? nullptr : this->Broadcast(strokes);
-      if (!this->Filter || this->Filter->GetNumberOfInputPorts() != 2 ||
-          this->Filter->GetNumberOfOutputPorts() < 1)
+      std::vector<Given> given;
+      for (int port = 1; port < this->GetNumberOfInputPorts(); ++port)
       {
-        throw Error(Failure::Unexpected,
-          this->Filter ? "The filter to drive does not take two inputs; set one that takes model and stroke."
-                       : "There is no filter to drive; set one that takes model and stroke.");
-      }
-      output->CopyStructure(models);
-      output->GetFieldData()->PassData(models->GetFieldData());
-      const std::vector<Leaf> pairs = ListOf(models);
-      const std::vector<Leaf> theirs = strokeTree ? ListOf(strokeTree) : std::vector<Leaf>();
-      const auto held = static_cast<double>(
-        std::count_if(pairs.begin(), pairs.end(), [](const Leaf& leaf) { return leaf.data != nullptr; }));
-      if (held == 0)
-      {
-        return;
-      }
-      if (strokeTree)
-      {
-        RequireSamePlaces(pairs, theirs);
-      }
-      else if (!stroke)
-      {
-        throw Error(Failure::BadStroke, "There is no stroke: the stroke input holds no polyline.");
-      }
-
-      Driver driver(this->Filter, this);
-      const auto place = LeavesOf(output);
-      const bool several = this->Controller && this->Controller->GetNumberOfProcesses() > 1;
-      const std::string rank =
-        several ? "rank " + std::to_string(this->Controller->GetLocalProcessId()) + ", " : "";
-      unsigned long firstCode = vtkErrorCode::NoError;
-      std::size_t i = 0;
-      double done = 0.0;
-      // The structures are equal, so both are walked in step.
-      for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem(), ++i)
-      {
-        const Leaf& model = pairs[i];
-        if (!model.data)
+        vtkDataObject* data = vtkDataObject::GetData(inputs[port]);
+        auto* tree = vtkDataObjectTree::SafeDownCast(data);
+        Given one{ port, tree != nullptr, {}, nullptr };
+        if (tree)
         {
-          continue;
-        }
-        const std::string name = rank + model.title;
-        vtkSmartPointer<vtkDataObject> made;
-        unsigned long code = vtkErrorCode::UserError + static_cast<unsigned long>(Failure::BadStroke);
-        if (strokeTree && !theirs[i].data)
-        {
-          driver.FirstError = "There is no stroke for it.";
+          one.leaves = ListOf(tree);
         }
         else
         {
-          vtkDataObject* drawn = strokeTree ? theirs[i].data : stroke;
-          made = driver.Run(name, model.data, drawn, done / held, (done + 1.0) / held);
-          code = this->Filter->GetErrorCode();
+          one.single = this->Broadcast(data); // the other ranks wait for it: no refusal may come before
         }
-        done += 1.0;
-        if (!made)
-        {
-          vtkErrorMacro(<< name << ": " << driver.FirstError);
-          if (this->NumberOfFailures++ == 0)
-          {
-            firstCode = code != vtkErrorCode::NoError
-                          ? code
-                          : vtkErrorCode::UserError + static_cast<unsigned long>(Failure::InnerStep);
-          }
-          vtkDataObject* type = this->Filter->GetOutputDataObject(0);
-          made = vtkSmartPointer<vtkDataObject>::Take((type ? type : model.data.Get())->NewInstance());
-        }
-        output->SetDataSetFrom(place, made);
-        this->UpdateProgress(done / held);
+        given.push_back(std::move(one));
       }
-      this->SetErrorCode(firstCode);
+      if (!this->Filter || this->Filter->GetNumberOfInputPorts() < 1 ||
+          this->Filter->GetNumberOfOutputPorts() < 1)
+      {
+        throw Error(Failure::Unexpected,
+          this->Filter ? "The filter to drive does not take a model and give another; set one that does."
+                       : "There is no filter to drive; set one that takes model and stroke.");
+      }
+      given.resize(std::min<std::size_t>(given.size(), this->Filter->GetNumberOfInputPorts() - 1));
+      output->CopyStructure(models);
+      output->GetFieldData()->PassData(models->GetFieldData());
+      const std::vector<Leaf> places = ListOf(models);
+      if (std::any_of(places.begin(), places.end(), [](const Leaf& leaf) { return leaf.data != nullptr; }))
+      {
+        RequireGiven(this->Filter, places, given);
+        const bool several = this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+        const std::string rank =
+          several ? "rank " + std::to_string(this->Controller->GetLocalProcessId()) + ", " : "";
+        const Refusals refused = DriveAll(this->Filter, this, places, given, rank, output);
+        this->NumberOfFailures = refused.count;
+        this->SetErrorCode(refused.firstCode);
+      }
     });
 }
 

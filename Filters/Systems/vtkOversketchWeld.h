@@ -4,6 +4,8 @@
 #ifndef vtkOversketchWeld_h
 #define vtkOversketchWeld_h
 
+#include "OversketchFiltersSystemsModule.h" // For export macro
+
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkNew.h"
@@ -15,7 +17,7 @@
 namespace oversketch
 {
 
-class Weld
+class OVERSKETCHFILTERSSYSTEMS_EXPORT Weld
 {
 public:
   // Throws Error(BadMesh) as MeshOf does. The mesh is kept, not copied.

@@ -93,3 +93,12 @@ function (oversketch_pytest name file)
   set_tests_properties(${name} PROPERTIES TIMEOUT 600
     ENVIRONMENT "${oversketch_test_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_BUILD=${PROJECT_BINARY_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()
+
+# oversketch_link_systems(<target>): all systems that are built.
+function (oversketch_link_systems target)
+  foreach (name IN LISTS oversketch_systems)
+    string(TOUPPER "${name}" upper)
+    target_link_libraries(${target} PUBLIC Oversketch::Filters${name})
+    target_compile_definitions(${target} PUBLIC OVERSKETCH_WITH_${upper})
+  endforeach ()
+endfunction ()

@@ -78,7 +78,7 @@ list(SORT targets)
 message(STATUS "has ${targets};")
 """)
     names = everything.partition("has ")[2].split("; ")[0].split(";")
-    assert {"Oversketch::FiltersSystems", "Oversketch::Widgets", "Oversketch::KernelsRay"} <= set(names)
+    assert {"Oversketch::FiltersOneStroke", "Oversketch::Widgets", "Oversketch::KernelsRay"} <= set(names)
     message = configure(prefix, tmp_path / "unknown", "find_package(Oversketch REQUIRED COMPONENTS FiltersMagic Widgets)\n", code=1)
     listed = ", ".join(name.partition("::")[2] for name in names)
     assert "Oversketch has no component FiltersMagic. The installed one has: " + listed in message
@@ -89,7 +89,7 @@ message(STATUS "has ${targets};")
 
 @pytest.mark.parametrize("component, has, lacks", [
     ("KernelsSparse", "OpenCL_FOUND", "VTK_FOUND"),
-    ("FiltersSystems", "VTK_CommonExecutionModel_FOUND", "VTK_RenderingCore_FOUND"),
+    ("FiltersOneStroke", "VTK_CommonExecutionModel_FOUND", "VTK_RenderingCore_FOUND"),
     ("Widgets", "VTK_RenderingCore_FOUND", "VTK_GUISupportQt_FOUND"),
 ])
 def test_only_what_a_component_needs_is_looked_for(prefix, tmp_path, component, has, lacks):

@@ -1,4 +1,4 @@
-// Sections found on a thread of their own: the same as MatchSection's, for the newest stroke.
+// Sections found on a thread of their own: the same as Preview's, for the newest stroke.
 #include "section_finder.h"
 #include "sessions.h"
 
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> expected(vtkPolyData* mesh, vtkPolyData* stroke)
   vtkNew<vtkOversketchOneStroke> system;
   system->SetBackendToHost();
   auto section = vtkSmartPointer<vtkPolyData>::New();
-  system->MatchSection(mesh, stroke, section);
+  system->Preview(mesh, stroke, section);
   return section;
 }
 
@@ -123,7 +123,7 @@ bool same(vtkPolyData* a, vtkPolyData* b)
 
 } // namespace
 
-TEST(SectionFinder, FindsWhatMatchSectionFinds)
+TEST(SectionFinder, FindsWhatPreviewFinds)
 {
   for (const auto& [model, name] : { std::pair("dog", "dog_longer_leg"),
          std::pair("dog", "dog_curled_tail"),

@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkReverseSense.h"
 #include "vtkTable.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +31,12 @@ public:
   static Mover* New();
   vtkTypeMacro(Mover, vtkPolyDataAlgorithm);
   int runs = 0;
+  bool third = false; // moves by the first sample of its third input, too
+  void takeAThird()
+  {
+    this->third = true;
+    this->SetNumberOfInputPorts(3);
+  }
 
 protected:
   Mover() { this->SetNumberOfInputPorts(2); }
@@ -53,6 +60,12 @@ protected:
     output->DeepCopy(model);
     double step[3];
     stroke->GetPoint(0, step);
+    if (this->third)
+    {
+      double more[3];
+      vtkPolyData::GetData(inputs[2])->GetPoint(0, more);
+      step[0] += more[0];
+    }
     for (vtkIdType i = 0; i < model->GetNumberOfPoints(); ++i)
     {
       double p[3];
@@ -285,7 +298,41 @@ TEST_F(ForEach, WhatCannotBePairedOrDrivenIsRefusedWhole)
   expectNothing(oversketch::Failure::Unexpected, "There is no filter to drive");
   vtkNew<vtkPLYReader> reader;
   this->filter->SetFilter(reader);
-  expectNothing(oversketch::Failure::Unexpected, "does not take two inputs");
+  expectNothing(oversketch::Failure::Unexpected, "does not take a model");
+}
+
+// A filter of any number of inputs: each is the same for all models or has a leaf for each.
+TEST_F(ForEach, FurtherInputsAreGivenToo)
+{
+  vtkNew<Mover> three;
+  three->takeAThird();
+  this->filter->SetFilter(three);
+  ASSERT_EQ(this->filter->GetNumberOfInputPorts(), 3);
+  this->filter->SetStrokeData(strokeFrom(10, 0));
+  this->filter->SetInputDataObject(2, aStrokeForEach(this->models));
+  this->filter->Update();
+  const auto before = leavesOf(this->models), after = leavesOf(this->filter->GetOutputDataObject(0));
+  ASSERT_EQ(after.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_DOUBLE_EQ(firstX(after[i]), firstX(before[i]) + 10 + static_cast<double>(i + 1));
+  }
+  this->filter->SetInputDataObject(2, vtkNew<vtkPolyData>());
+  Ear ear(this->filter);
+  this->filter->Update();
+  ASSERT_EQ(ear.errors.size(), 1u);
+  EXPECT_NE(ear.errors[0].find("There is nothing on input 2, which the filter needs."), std::string::npos)
+    << ear.errors[0];
+  EXPECT_EQ(this->filter->GetErrorCode(), codeOf(oversketch::Failure::BadStroke));
+}
+
+TEST_F(ForEach, AFilterOfOneInputNeedsNoStroke)
+{
+  vtkNew<vtkReverseSense> reverse;
+  this->filter->SetFilter(reverse);
+  this->filter->Update();
+  EXPECT_EQ(this->filter->GetErrorCode(), 0u);
+  EXPECT_EQ(leavesOf(this->filter->GetOutputDataObject(0)).size(), 3u);
 }
 
 TEST_F(ForEach, NothingInNothingOutSilently)

@@ -3,14 +3,10 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstring>
 
 using namespace oversketch;
 
@@ -76,62 +72,27 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
     step->SetInputConnection(1, this->StrokeStep->GetOutputPort());
   }
 
-  this->Stages = { { "Stroke", this->StrokeStep, 0.01 },
-    { "Silhouette", this->Silhouette, 0.02 },
-    { "Snake", this->Snake, 0.03 },
-    { "Visibility", this->Visibility, 0.04 },
-    { "Outline", this->Outline, 0.04 },
-    { "Match", this->Match, 0.01 },
-    { "Targets", this->Targets, 0.01 },
-    { "ShapeDiameter", this->ShapeDiameter, 0.30 },
-    { "MixtureRegion", this->MixtureRegion, 0.06 },
-    { "RegionBorder", this->RegionBorder, 0.01 },
-    { "Deform", this->Deform, 0.08 },
-    { "Correction", this->Correction, 0.02 },
-    { "Stretch", this->Stretch, 0.12 },
-    { "Restore", this->Restore, 0.12 },
-    { "DeformCorrected", this->DeformCorrected, 0.06 },
-    { "DeformRemeshed", this->DeformRemeshed, 0.06 },
-    { "CorrectionRemeshed", this->CorrectionRemeshed, 0.02 },
-    { "DeformRemeshedCorrected", this->DeformRemeshedCorrected, 0.06 } };
-
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback(
-    [](vtkObject* caller, unsigned long event, void* client, void* data)
-    {
-      auto* pipeline = static_cast<Pipeline*>(client);
-      vtkOversketchOneStroke* system = pipeline->Self;
-      auto* step = vtkAlgorithm::SafeDownCast(caller);
-      if (event == vtkCommand::ErrorEvent)
-      {
-        // The executive of a failed step adds an error of its own, after the step's.
-        if (pipeline->FirstError.empty())
-        {
-          pipeline->FirstError = MessageOf(data);
-        }
-      }
-      else if (event == vtkCommand::WarningEvent)
-      {
-        vtkWarningWithObjectMacro(system, << MessageOf(data));
-      }
-      else if (event == vtkCommand::ProgressEvent && step && pipeline->Running)
-      {
-        system->UpdateProgress(pipeline->Done + step->GetProgress() * pipeline->Running->share);
-        if (system->GetAbortExecute())
-        {
-          step->SetAbortExecute(1);
-        }
-      }
-    });
-  for (Stage& stage : this->Stages)
-  {
-    for (const unsigned long event :
-      { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
-    {
-      stage.step->AddObserver(event, this->Observer);
-    }
-    stage.step->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
-  }
+  const auto stage = [self](const char* name, vtkAlgorithm* step, double share)
+  { self->AddStage(name, step, share); };
+  stage("Stroke", this->StrokeStep, 0.01);
+  stage("Silhouette", this->Silhouette, 0.02);
+  stage("Snake", this->Snake, 0.03);
+  stage("Visibility", this->Visibility, 0.04);
+  stage("Outline", this->Outline, 0.04);
+  stage("Match", this->Match, 0.01);
+  stage("Targets", this->Targets, 0.01);
+  stage("ShapeDiameter", this->ShapeDiameter, 0.30);
+  stage("MixtureRegion", this->MixtureRegion, 0.06);
+  stage("RegionBorder", this->RegionBorder, 0.01);
+  stage("Deform", this->Deform, 0.08);
+  stage("Correction", this->Correction, 0.02);
+  stage("Stretch", this->Stretch, 0.12);
+  stage("Restore", this->Restore, 0.12);
+  // These repeat others.
+  self->AddStage("DeformCorrected", this->DeformCorrected, 0.06, Listed::No);
+  self->AddStage("DeformRemeshed", this->DeformRemeshed, 0.06, Listed::No);
+  self->AddStage("CorrectionRemeshed", this->CorrectionRemeshed, 0.02, Listed::No);
+  self->AddStage("DeformRemeshedCorrected", this->DeformRemeshedCorrected, 0.06, Listed::No);
   this->SetAmendments(true);
 }
 
@@ -213,64 +174,22 @@ void vtkOversketchOneStroke::Pipeline::FeedStroke(vtkPolyData* stroke)
   }
 }
 
-vtkOversketchOneStroke::Pipeline::Stage* vtkOversketchOneStroke::Pipeline::Find(const char* name)
-{
-  for (Stage& stage : this->Stages)
-  {
-    if (name && std::strcmp(stage.name, name) == 0)
-    {
-      return &stage;
-    }
-  }
-  return nullptr;
-}
-
-void vtkOversketchOneStroke::Pipeline::Run(const char* name)
-{
-  if (this->Self->GetAbortExecute())
-  {
-    throw Error(Failure::Cancelled, "cancelled");
-  }
-  Stage& stage = *this->Find(name);
-  this->FirstError.clear();
-  this->Running = &stage;
-  stage.step->SetAbortExecute(0); // set after its work was done, it would stop the next run
-  const auto start = std::chrono::steady_clock::now();
-  stage.step->Update();
-  stage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  this->Running = nullptr;
-  this->Done += stage.share;
-  if (this->Self->GetAbortExecute())
-  {
-    // The step may have stopped half-way; make it run again next time.
-    stage.step->Modified();
-    throw Error(Failure::Cancelled, "cancelled");
-  }
-  if (!this->FirstError.empty())
-  {
-    const auto code =
-      static_cast<long>(stage.step->GetErrorCode()) - static_cast<long>(vtkErrorCode::UserError);
-    stage.step->Modified();
-    throw Error(code > 0 ? static_cast<Failure>(code) : Failure::InnerStep, this->FirstError);
-  }
-}
-
 void vtkOversketchOneStroke::Pipeline::RunCurves()
 {
   for (const char* name : { "Silhouette", "Snake", "Visibility" })
   {
-    this->Run(name);
+    this->Self->RunStage(name);
   }
   if (this->Match->GetNumberOfInputConnections(0) > 1)
   {
-    this->Run("Outline");
+    this->Self->RunStage("Outline");
   }
 }
 
 bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
 {
-  vtkPolyData* before = this->Output("RegionBorder");
-  return wantsRemeshing(MeshOf(before), MeshOf(this->Output(this->Deformation)), RegionOf(before));
+  vtkPolyData* before = this->Self->StageOutput("RegionBorder");
+  return wantsRemeshing(MeshOf(before), MeshOf(this->Self->StageOutput(this->Deformation)), RegionOf(before));
 }
 
 const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
@@ -281,28 +200,28 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
   {
     return deform;
   }
-  this->Run(correction);
-  vtkAlgorithm* step = this->Find(correction)->step;
-  const auto handlesAdded = this->Output(correction)->GetNumberOfPoints() -
+  this->Self->RunStage(correction);
+  vtkAlgorithm* step = this->Self->GetStep(correction);
+  const auto handlesAdded = this->Self->StageOutput(correction)->GetNumberOfPoints() -
                             vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0))->GetNumberOfPoints();
   auto* before = vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0));
   const int folds = foldedEdges(MeshOf(before), RegionOf(before));
   const Judgement plain = this->Judged(deform, folds);
-  auto* other = vtkOversketchLaplacianDeform::SafeDownCast(this->Find(again)->step);
+  auto* other = vtkOversketchLaplacianDeform::SafeDownCast(this->Self->GetStep(again));
   const double weight =
-    vtkOversketchLaplacianDeform::SafeDownCast(this->Find(deform)->step)->GetHandleWeight();
+    vtkOversketchLaplacianDeform::SafeDownCast(this->Self->GetStep(deform))->GetHandleWeight();
   Judgement judged = plain;
   if (handlesAdded > 0)
   {
     other->SetHandleWeight(weight);
-    this->Run(again);
+    this->Self->RunStage(again);
     judged = this->Judged(again, folds);
   }
   if (judged.folds > Judgement::tolerableFolds)
   {
     // Handles that pull less fold less, and still reach the stroke within a fraction of a pixel.
     other->SetHandleWeight(0.2 * weight);
-    this->Run(again);
+    this->Self->RunStage(again);
     judged = this->Judged(again, folds);
   }
   return judged.betterThan(plain) ? again : deform;
@@ -310,17 +229,49 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
 
 Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
 {
-  const oversketch::Mesh mesh = MeshOf(this->Output(stage));
+  const oversketch::Mesh mesh = MeshOf(this->Self->StageOutput(stage));
   return { outlineError(mesh,
              ViewOf(this->Stroke),
-             StrokeOf(this->Output("Stroke")),
-             ContextOf(this->Self, this->Done, this->Done)),
-    foldedEdges(mesh, RegionOf(this->Output(stage))) - foldsBefore };
+             StrokeOf(this->Self->StageOutput("Stroke")),
+             ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone())),
+    foldedEdges(mesh, RegionOf(this->Self->StageOutput(stage))) - foldsBefore };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
-  vtkPolyData* before = this->Output("RegionBorder");
+  vtkPolyData* before = this->Self->StageOutput("RegionBorder");
   const int folds = foldedEdges(MeshOf(before), RegionOf(before));
   return this->Judged("Restore", folds).keptAgainst(this->Judged(this->Deformation, folds));
+}
+
+void vtkOversketchOneStroke::Pipeline::RunRemeshed()
+{
+  this->Self->RunStage("Stretch");
+  this->Self->RunStage("DeformRemeshed");
+  const char* remeshed = this->Corrected("DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
+  this->Restore->SetInputConnection(0, this->Self->GetStep(remeshed)->GetOutputPort());
+  this->Self->RunStage("Restore");
+  this->Self->Remeshed = this->Self->Remesh == RemeshOn || this->RemeshingKept();
+  if (this->Self->Remeshed)
+  {
+    this->Deformation = remeshed;
+  }
+}
+
+void vtkOversketchOneStroke::Pipeline::PutOutput(vtkPolyData* mesh, vtkPolyData* output)
+{
+  vtkPolyData* deformed = this->Self->StageOutput(this->Deformation);
+  if (this->Self->Remeshed)
+  {
+    vtkPolyData* restored = this->Self->StageOutput("Restore");
+    this->Following = std::make_unique<Followers>(output,
+      this->Welding->Transfer(mesh, { this->Self->StageOutput("Stretch"), restored }, output),
+      deformed,
+      restored);
+  }
+  else
+  {
+    this->Welding->Move(mesh, deformed, output);
+    this->Following = std::make_unique<Followers>(output, *this->Welding, deformed);
+  }
 }

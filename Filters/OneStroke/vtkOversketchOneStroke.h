@@ -42,18 +42,16 @@
 #ifndef vtkOversketchOneStroke_h
 #define vtkOversketchOneStroke_h
 
-#include "OversketchFiltersSystemsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "OversketchFiltersOneStrokeModule.h" // For export macro
+#include "vtkOversketchSystem.h"
 
 #include <memory>
 
-class vtkPoints;
-
-class OVERSKETCHFILTERSSYSTEMS_EXPORT vtkOversketchOneStroke : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSONESTROKE_EXPORT vtkOversketchOneStroke : public vtkOversketchSystem
 {
 public:
   static vtkOversketchOneStroke* New();
-  vtkTypeMacro(vtkOversketchOneStroke, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchOneStroke, vtkOversketchSystem);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -62,12 +60,6 @@ public:
   void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
   void SetStrokeData(vtkPolyData* stroke);
 
-  enum BackendType
-  {
-    Auto = 0,
-    OpenCL = 1,
-    Host = 2
-  };
   enum RemeshType
   {
     RemeshAuto = 0,
@@ -75,23 +67,10 @@ public:
     RemeshOff = 2
   };
 
-  ///@{
   /**
-   * Where rays, mixtures and the visibility test run: Auto (default) takes OpenCL where there is a device;
-   * Host takes Embree for the rays. Without an OpenCL device the host does the work, with a warning if OpenCL
-   * was asked for.
+   * What the rays of the last run ran on: OpenCL or Host (Embree).
    */
-  void SetBackend(int backend);
-  int GetBackend() const { return this->Backend; }
-  void SetBackendToAuto() { this->SetBackend(Auto); }
-  void SetBackendToOpenCL() { this->SetBackend(OpenCL); }
-  void SetBackendToHost() { this->SetBackend(Host); }
-  ///@}
-
-  /**
-   * What the rays of the last run ran on: OpenCL or Host.
-   */
-  int GetBackendUsed() const;
+  int GetBackendUsed() override;
 
   ///@{
   /**
@@ -137,63 +116,34 @@ public:
   vtkBooleanMacro(AsPublished, bool);
   ///@}
 
+  ///@{
   /**
-   * Computes what no stroke changes, the shape diameter of the mesh on port 0, so that the next Update need
-   * not: to be called while the hand is busy. Reports progress and honours AbortExecute like a run; leaves
-   * the output as it is. Returns false when it was stopped or the mesh cannot be used (the next Update says
-   * why).
+   * Prepare computes the shape diameter of the mesh on port 0. Preview runs the steps up to {Match} and gives
+   * its section; while mesh and view stay the same a call costs the match alone, and inner outputs up to
+   * {Match} are those of the preview. The hold is the section that the last run matched.
+   *
+   * Drag: where the output was not remeshed it is that of vtkOversketchLaplacianDeform::Drag with all targets
+   * moved, else the remeshed points follow the triangles of the deformation that they lie on.
    */
-  bool Prepare();
-
-  /**
-   * Preview of what a stroke would take hold of, for a pen that is still down: runs the steps up to {Match}
-   * on a mesh and a stroke of its own and writes the section (vtkOversketchMatch). The curves of mesh and
-   * view are kept, also for the next Update; while they stand a call costs the match alone. False, and
-   * `section` empty, where there is nothing to take hold of, silently; a stroke of one sample makes the
-   * curves. The output, the inputs and Drag stay as they are; inner outputs up to {Match} are those of the
-   * preview.
-   */
-  bool MatchSection(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* section);
-
-  /**
-   * Preview of the output for the stroke moved so that all targets move by one vector [world]: writes places
-   * into `points`, which are a copy of the last output's points (same number, float or double). Where the
-   * output was not remeshed it is that of vtkOversketchLaplacianDeform::Drag, else the remeshed points follow
-   * the triangles of the deformation that they lie on. Neither the output nor the pipeline changes: to keep
-   * the place, move the stroke and Update. False, with an error, after a run that failed or when `points` do
-   * not fit.
-   */
-  bool Drag(const double translation[3], vtkPoints* points);
-
-  /**
-   * The triangles of the region that the last run moved, where they are now, as a mesh of its own without
-   * arrays. Empty after a run that failed.
-   */
-  void GetRegion(vtkPolyData* region);
+  bool Prepare() override;
+  bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override;
+  void GetHold(vtkPolyData* hold) override;
+  void GetRegion(vtkPolyData* region) override;
+  bool Drag(const double translation[3], vtkPoints* points) override;
+  ///@}
 
   /**
    * True when the last output was remeshed.
    */
   vtkGetMacro(Remeshed, bool);
 
-  ///@{
   /**
-   * The output of an inner step after the last run, by the names above; null when there is no such step.
-   * Empty for steps that did not run (Outline as published, Stretch and Restore without remeshing). Deform is
-   * the deformation that the output was made of. Not to be changed.
+   * By the names above, of which {Deform} is the deformation that the output was made of. Outline is empty as
+   * published, Stretch and Restore are without remeshing. For GetStep {Deform} is the step that deforms the
+   * mesh as it came, {DeformRemeshed} the one between the remeshers, {DeformCorrected} and
+   * {DeformRemeshedCorrected} those with the handles of {Correction} and {CorrectionRemeshed}.
    */
-  int GetNumberOfInnerOutputs() const;
-  const char* GetInnerOutputName(int index) const;
-  vtkPolyData* GetInnerOutput(const char* name);
-  ///@}
-
-  /**
-   * An inner step itself, to set parameters that the system does not repeat or to read its counters; null for
-   * an unknown name. {Deform} is the step that deforms the mesh as it came, {DeformRemeshed} the one between
-   * the remeshers, {DeformCorrected} and {DeformRemeshedCorrected} those with the handles of {Correction} and
-   * {CorrectionRemeshed}.
-   */
-  vtkAlgorithm* GetStep(const char* name);
+  vtkPolyData* GetInnerOutput(const char* name) override;
 
   /**
    * The step, for GetStep, whose deformation the last output was made of: Deform, DeformCorrected,
@@ -201,32 +151,17 @@ public:
    */
   const char* GetDeformationName() const;
 
-  /**
-   * Seconds that a step took in the last run, 0 where it did not execute.
-   */
-  double GetStageTime(const char* name) const;
-
-  /**
-   * Name of the running step, for progress displays; empty outside a run.
-   */
-  const char* GetStageName() const;
-
-  /**
-   * Includes the inner steps: a parameter set through GetStep makes the system run again.
-   */
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkOversketchOneStroke();
   ~vtkOversketchOneStroke() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void BackendChanged() override;
 
 private:
   vtkOversketchOneStroke(const vtkOversketchOneStroke&) = delete;
   void operator=(const vtkOversketchOneStroke&) = delete;
 
-  int Backend = Auto;
   int Remesh = RemeshAuto;
   bool CorrectOutline = true;
   bool AsPublished = false;

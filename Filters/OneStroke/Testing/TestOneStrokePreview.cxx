@@ -71,17 +71,17 @@ TEST_F(Preview, TheSectionIsTheOneThatTheStrokeWillTake)
   vtkNew<vtkPolyData> section;
   auto* outline = vtkOversketchOutline::SafeDownCast(this->filter->GetStep("Outline"));
   Ear ear(this->filter);
-  EXPECT_FALSE(this->filter->MatchSection(this->mesh, begun(this->stroke, 1), section));
+  EXPECT_FALSE(this->filter->Preview(this->mesh, begun(this->stroke, 1), section));
   const vtkIdType traces = outline->GetTraceCount();
   EXPECT_EQ(traces, 1);
   vtkIdType grown = 0;
   for (vtkIdType n = 20; n <= this->stroke->GetNumberOfPoints(); n += 10)
   {
-    ASSERT_TRUE(this->filter->MatchSection(this->mesh, begun(this->stroke, n), section)) << n;
+    ASSERT_TRUE(this->filter->Preview(this->mesh, begun(this->stroke, n), section)) << n;
     grown += section->GetNumberOfPoints() > 0;
   }
   EXPECT_GT(grown, 5);
-  ASSERT_TRUE(this->filter->MatchSection(this->mesh, this->stroke, section));
+  ASSERT_TRUE(this->filter->Preview(this->mesh, this->stroke, section));
   EXPECT_EQ(this->filter->GetOutput()->GetNumberOfPoints(), 0);
   this->filter->Update();
   EXPECT_EQ(outline->GetTraceCount(), traces) << "the curves were made again";
@@ -98,14 +98,14 @@ TEST_F(Preview, NothingToTakeHoldOfIsSilent)
 {
   Ear ear(this->filter);
   vtkNew<vtkPolyData> section, empty;
-  EXPECT_FALSE(this->filter->MatchSection(empty, this->stroke, section));
-  EXPECT_FALSE(this->filter->MatchSection(this->mesh, empty, section));
-  EXPECT_FALSE(this->filter->MatchSection(nullptr, this->stroke, section));
-  ASSERT_TRUE(this->filter->MatchSection(this->mesh, this->stroke, section));
-  EXPECT_FALSE(this->filter->MatchSection(this->mesh, begun(this->stroke, 2), section)); // too short
+  EXPECT_FALSE(this->filter->Preview(empty, this->stroke, section));
+  EXPECT_FALSE(this->filter->Preview(this->mesh, empty, section));
+  EXPECT_FALSE(this->filter->Preview(nullptr, this->stroke, section));
+  ASSERT_TRUE(this->filter->Preview(this->mesh, this->stroke, section));
+  EXPECT_FALSE(this->filter->Preview(this->mesh, begun(this->stroke, 2), section)); // too short
   EXPECT_EQ(section->GetNumberOfPoints(), 0);
   EXPECT_TRUE(ear.errors.empty());
-  EXPECT_TRUE(this->filter->MatchSection(this->mesh, this->stroke, section));
+  EXPECT_TRUE(this->filter->Preview(this->mesh, this->stroke, section));
   this->filter->Update();
   EXPECT_EQ(this->filter->GetErrorCode(), 0u);
 }
@@ -127,7 +127,7 @@ TEST_F(Preview, ADragIsTheDeformationOfMovedTargets)
   vtkNew<vtkPolyData> section;
   vtkNew<vtkPolyData> result;
   result->ShallowCopy(this->filter->GetOutput());
-  ASSERT_TRUE(this->filter->MatchSection(result, this->stroke, section));
+  ASSERT_TRUE(this->filter->Preview(result, this->stroke, section));
 
   auto* step =
     vtkOversketchLaplacianDeform::SafeDownCast(this->filter->GetStep(this->filter->GetDeformationName()));

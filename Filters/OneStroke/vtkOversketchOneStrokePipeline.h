@@ -23,42 +23,29 @@
 #include "vtkOversketchVisibility.h"
 #include "vtkOversketchWeld.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
 struct vtkOversketchOneStroke::Pipeline
 {
-  struct Stage
-  {
-    const char* name;
-    vtkAlgorithm* step;
-    double share; // of the whole run, for progress
-    double seconds = 0.0;
-  };
-
   explicit Pipeline(vtkOversketchOneStroke* self);
 
   // Brings the persistent inner inputs up to date; they change only where what the steps read has changed.
   void FeedMesh(vtkPolyData* mesh);
   void FeedStroke(vtkPolyData* stroke);
-  // Runs one step, forwarding its events and failing with its first error.
-  void Run(const char* name);
   // The curves that a stroke in the present view can take hold of.
   void RunCurves();
-  Stage* Find(const char* name); // null where there is none of that name
-  vtkPolyData* Output(const char* name)
-  {
-    return vtkPolyData::SafeDownCast(this->Find(name)->step->GetOutputDataObject(0));
-  }
   void SetAmendments(bool on);
   bool WantsRemeshing();
+  // Remeshes, deforms what was made, remeshes again, and says whether that is kept.
+  void RunRemeshed();
   bool RemeshingKept();
+  // The user's mesh with what the steps made of it.
+  void PutOutput(vtkPolyData* mesh, vtkPolyData* output);
   // Adds handles where the outline of a deformation has left the stroke, and deforms again. Returns the name
   // of the better deformation.
   const char* Corrected(const char* deform, const char* correction, const char* again);
@@ -91,15 +78,10 @@ struct vtkOversketchOneStroke::Pipeline
   vtkNew<vtkOversketchCorrection> Correction, CorrectionRemeshed;
   vtkNew<vtkOversketchLaplacianDeform> DeformCorrected, DeformRemeshedCorrected;
   vtkNew<vtkOversketchRemesh> Restore;
-  std::vector<Stage> Stages;
+  vtkNew<vtkPolyData> Hold;           // the section that the last run matched
   const char* Deformation = "Deform"; // the stage whose output the last result was made of
   // How that result follows a drag; null after a run that failed.
   std::unique_ptr<oversketch::Followers> Following;
-
-  vtkNew<vtkCallbackCommand> Observer;
-  Stage* Running = nullptr;
-  double Done = 0.0; // share of the steps that are finished
-  std::string FirstError;
 };
 
 #endif

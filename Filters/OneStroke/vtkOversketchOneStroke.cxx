@@ -36,15 +36,10 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
   vtkInformationVector* outputs)
 {
   Pipeline& inner = *this->Inner;
-  inner.Done = 0.0;
-  inner.Running = nullptr;
   inner.Following.reset();
+  inner.Hold->Initialize();
   this->Remeshed = false;
-  for (Pipeline::Stage& stage : inner.Stages)
-  {
-    stage.seconds = 0.0;
-  }
-  return RunFilter(this,
+  return this->RunSystem(
     [&]
     {
       vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
@@ -55,45 +50,24 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       }
       inner.FeedStroke(vtkPolyData::GetData(inputs[1]));
       inner.FeedMesh(mesh);
-      inner.Run("Stroke");
+      this->RunStage("Stroke");
       inner.RunCurves();
       for (const char* name : { "Match", "Targets", "ShapeDiameter", "MixtureRegion", "RegionBorder" })
       {
-        inner.Run(name);
+        this->RunStage(name);
       }
+      inner.Hold->ShallowCopy(this->StageOutput("Match"));
       if (this->Remesh != RemeshOn)
       {
-        inner.Run("Deform");
+        this->RunStage("Deform");
         inner.Deformation = inner.Corrected("Deform", "Correction", "DeformCorrected");
       }
       const bool automatic = this->Remesh == RemeshAuto && !this->AsPublished;
       if (this->Remesh == RemeshOn || (automatic && inner.WantsRemeshing()))
       {
-        inner.Run("Stretch");
-        inner.Run("DeformRemeshed");
-        const char* remeshed =
-          inner.Corrected("DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
-        inner.Restore->SetInputConnection(0, inner.Find(remeshed)->step->GetOutputPort());
-        inner.Run("Restore");
-        this->Remeshed = this->Remesh == RemeshOn || inner.RemeshingKept();
-        if (this->Remeshed)
-        {
-          inner.Deformation = remeshed;
-        }
+        inner.RunRemeshed();
       }
-      if (this->Remeshed)
-      {
-        inner.Following = std::make_unique<Followers>(output,
-          inner.Welding->Transfer(mesh, { inner.Output("Stretch"), inner.Output("Restore") }, output),
-          inner.Output(inner.Deformation),
-          inner.Output("Restore"));
-      }
-      else
-      {
-        inner.Welding->Move(mesh, inner.Output(inner.Deformation), output);
-        inner.Following =
-          std::make_unique<Followers>(output, *inner.Welding, inner.Output(inner.Deformation));
-      }
+      inner.PutOutput(mesh, output);
     });
 }
 
@@ -110,47 +84,45 @@ bool vtkOversketchOneStroke::Prepare()
   {
     return false;
   }
-  this->SetAbortExecute(0);
-  try
-  {
-    this->Inner->Done = 0.0;
-    this->Inner->FeedMesh(mesh);
-    this->Inner->Run("ShapeDiameter");
-    return true;
-  }
-  catch (const std::exception&)
-  {
-    return false;
-  }
+  return this->Try(
+    [&]
+    {
+      this->Inner->FeedMesh(mesh);
+      this->RunStage("ShapeDiameter");
+      return true;
+    });
 }
 
-bool vtkOversketchOneStroke::MatchSection(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* section)
+bool vtkOversketchOneStroke::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold)
 {
-  Pipeline& inner = *this->Inner;
-  section->Initialize();
+  hold->Initialize();
   if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
   {
     return false;
   }
-  this->SetAbortExecute(0);
-  try
-  {
-    inner.Done = 0.0;
-    inner.FeedStroke(stroke);
-    inner.FeedMesh(mesh);
-    inner.RunCurves();
-    if (stroke->GetNumberOfPoints() < 2)
+  return this->Try(
+    [&]
     {
-      return false;
-    }
-    inner.Run("Stroke");
-    inner.Run("Match");
-    section->ShallowCopy(inner.Output("Match"));
-    return section->GetNumberOfPoints() > 0;
-  }
-  catch (const std::exception&)
+      this->Inner->FeedStroke(stroke);
+      this->Inner->FeedMesh(mesh);
+      this->Inner->RunCurves();
+      if (stroke->GetNumberOfPoints() < 2)
+      {
+        return false;
+      }
+      this->RunStage("Stroke");
+      this->RunStage("Match");
+      hold->ShallowCopy(this->StageOutput("Match"));
+      return hold->GetNumberOfPoints() > 0;
+    });
+}
+
+void vtkOversketchOneStroke::GetHold(vtkPolyData* hold)
+{
+  hold->Initialize();
+  if (this->Inner->Following)
   {
-    return false;
+    hold->ShallowCopy(this->Inner->Hold);
   }
 }
 
@@ -178,7 +150,7 @@ void vtkOversketchOneStroke::GetRegion(vtkPolyData* region)
   {
     return;
   }
-  vtkPolyData* mesh = this->Inner->Output(this->Remeshed ? "Restore" : this->Inner->Deformation);
+  vtkPolyData* mesh = this->StageOutput(this->Remeshed ? "Restore" : this->Inner->Deformation);
   const std::vector<char> inside = LabelsOf(mesh->GetPointData()->GetArray("Region"));
   std::vector<vtkIdType> number(inside.size(), -1);
   vtkNew<vtkPoints> points;
@@ -204,20 +176,14 @@ void vtkOversketchOneStroke::GetRegion(vtkPolyData* region)
   region->SetPolys(triangles);
 }
 
-void vtkOversketchOneStroke::SetBackend(int backend)
+void vtkOversketchOneStroke::BackendChanged()
 {
-  backend = std::clamp<int>(backend, Auto, Host);
-  if (backend != this->Backend)
-  {
-    this->Backend = backend;
-    this->Inner->ShapeDiameter->SetBackend(backend);
-    this->Inner->MixtureRegion->SetBackend(backend);
-    this->Inner->Visibility->SetBackend(backend);
-    this->Modified();
-  }
+  this->Inner->ShapeDiameter->SetBackend(this->GetBackend());
+  this->Inner->MixtureRegion->SetBackend(this->GetBackend());
+  this->Inner->Visibility->SetBackend(this->GetBackend());
 }
 
-int vtkOversketchOneStroke::GetBackendUsed() const
+int vtkOversketchOneStroke::GetBackendUsed()
 {
   return this->Inner->ShapeDiameter->GetBackendUsed();
 }
@@ -249,35 +215,9 @@ void vtkOversketchOneStroke::SetAsPublished(bool published)
   }
 }
 
-int vtkOversketchOneStroke::GetNumberOfInnerOutputs() const
-{
-  // The last four stages repeat others, and Deform stands for all four deformations.
-  return static_cast<int>(this->Inner->Stages.size()) - 4;
-}
-
-const char* vtkOversketchOneStroke::GetInnerOutputName(int index) const
-{
-  if (index < 0 || index >= this->GetNumberOfInnerOutputs())
-  {
-    return nullptr;
-  }
-  return this->Inner->Stages[static_cast<std::size_t>(index)].name;
-}
-
 vtkPolyData* vtkOversketchOneStroke::GetInnerOutput(const char* name)
 {
-  if (name && std::strcmp(name, "Deform") == 0)
-  {
-    name = this->Inner->Deformation;
-  }
-  vtkAlgorithm* step = this->GetStep(name);
-  return step ? vtkPolyData::SafeDownCast(step->GetOutputDataObject(0)) : nullptr;
-}
-
-vtkAlgorithm* vtkOversketchOneStroke::GetStep(const char* name)
-{
-  const Pipeline::Stage* stage = this->Inner->Find(name);
-  return stage ? stage->step : nullptr;
+  return this->StageOutput(name && std::strcmp(name, "Deform") == 0 ? this->Inner->Deformation : name);
 }
 
 const char* vtkOversketchOneStroke::GetDeformationName() const
@@ -285,32 +225,9 @@ const char* vtkOversketchOneStroke::GetDeformationName() const
   return this->Inner->Deformation;
 }
 
-double vtkOversketchOneStroke::GetStageTime(const char* name) const
-{
-  const Pipeline::Stage* stage = this->Inner->Find(name);
-  return stage ? stage->seconds : 0.0;
-}
-
-const char* vtkOversketchOneStroke::GetStageName() const
-{
-  return this->Inner->Running ? this->Inner->Running->name : "";
-}
-
-vtkMTimeType vtkOversketchOneStroke::GetMTime()
-{
-  vtkMTimeType latest = this->Superclass::GetMTime();
-  for (const Pipeline::Stage& stage : this->Inner->Stages)
-  {
-    latest = std::max(latest, stage.step->GetMTime());
-  }
-  return latest;
-}
-
 void vtkOversketchOneStroke::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Backend: " << this->Backend << "\n";
-  os << indent << "BackendUsed: " << this->GetBackendUsed() << "\n";
   os << indent << "Remesh: " << this->Remesh << "\n";
   os << indent << "AdjustNormals: " << this->GetAdjustNormals() << "\n";
   os << indent << "CorrectOutline: " << this->CorrectOutline << "\n";

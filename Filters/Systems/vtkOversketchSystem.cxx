@@ -1,0 +1,197 @@
+#include "vtkOversketchSystem.h"
+
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchStepRunner.h"
+
+#include "vtkErrorCode.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <chrono>
+
+using namespace oversketch;
+
+vtkOversketchSystem::vtkOversketchSystem() = default;
+
+vtkOversketchSystem::~vtkOversketchSystem() = default;
+
+void vtkOversketchSystem::SetBackend(int backend)
+{
+  backend = std::clamp<int>(backend, Auto, Host);
+  if (backend != this->Backend)
+  {
+    this->Backend = backend;
+    this->BackendChanged();
+    this->Modified();
+  }
+}
+
+bool vtkOversketchSystem::Preview(vtkPolyData*, vtkPolyData*, vtkPolyData* hold)
+{
+  hold->Initialize();
+  return false;
+}
+
+void vtkOversketchSystem::GetHold(vtkPolyData* hold)
+{
+  hold->Initialize();
+}
+
+void vtkOversketchSystem::GetRegion(vtkPolyData* region)
+{
+  region->Initialize();
+}
+
+bool vtkOversketchSystem::Drag(const double*, vtkPoints*)
+{
+  return false;
+}
+
+void vtkOversketchSystem::AddStage(const char* name, vtkAlgorithm* step, double share, Listed listed)
+{
+  this->Stages.push_back({ name, step, share, listed });
+}
+
+const vtkOversketchSystem::Stage* vtkOversketchSystem::Find(const char* name) const
+{
+  for (const Stage& stage : this->Stages)
+  {
+    if (name && stage.Name == name)
+    {
+      return &stage;
+    }
+  }
+  return nullptr;
+}
+
+const vtkOversketchSystem::Stage* vtkOversketchSystem::FindListed(int index) const
+{
+  for (const Stage& stage : this->Stages)
+  {
+    if (stage.IsListed == Listed::Yes && index-- == 0)
+    {
+      return &stage;
+    }
+  }
+  return nullptr;
+}
+
+const char* vtkOversketchSystem::GetStage(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfStages()
+           ? this->Stages[static_cast<std::size_t>(index)].Name.c_str()
+           : nullptr;
+}
+
+vtkAlgorithm* vtkOversketchSystem::GetStep(const char* name)
+{
+  const Stage* stage = this->Find(name);
+  return stage ? stage->Step : nullptr;
+}
+
+int vtkOversketchSystem::GetNumberOfInnerOutputs() const
+{
+  return static_cast<int>(std::count_if(this->Stages.begin(),
+    this->Stages.end(),
+    [](const Stage& stage) { return stage.IsListed == Listed::Yes; }));
+}
+
+const char* vtkOversketchSystem::GetInnerOutputName(int index) const
+{
+  const Stage* stage = this->FindListed(index);
+  return stage ? stage->Name.c_str() : nullptr;
+}
+
+vtkPolyData* vtkOversketchSystem::GetInnerOutput(const char* name)
+{
+  return this->StageOutput(name);
+}
+
+vtkPolyData* vtkOversketchSystem::StageOutput(const char* name)
+{
+  vtkAlgorithm* step = this->GetStep(name);
+  return step ? vtkPolyData::SafeDownCast(step->GetOutputDataObject(0)) : nullptr;
+}
+
+double vtkOversketchSystem::GetStageTime(const char* name) const
+{
+  const Stage* stage = this->Find(name);
+  return stage ? stage->Seconds : 0.0;
+}
+
+const char* vtkOversketchSystem::GetStageName() const
+{
+  return this->Running ? this->Running->Name.c_str() : "";
+}
+
+vtkMTimeType vtkOversketchSystem::GetMTime()
+{
+  vtkMTimeType latest = this->Superclass::GetMTime();
+  for (const Stage& stage : this->Stages)
+  {
+    latest = std::max(latest, stage.Step->GetMTime());
+  }
+  return latest;
+}
+
+int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
+{
+  this->Done = 0.0;
+  for (Stage& stage : this->Stages)
+  {
+    stage.Seconds = 0.0;
+  }
+  return RunFilter(this, body);
+}
+
+bool vtkOversketchSystem::Try(const std::function<bool()>& body)
+{
+  this->Done = 0.0;
+  this->SetAbortExecute(0);
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    return body();
+  }
+  catch (const Error& error)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError + static_cast<unsigned long>(error.failure()));
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError + static_cast<unsigned long>(Failure::Unexpected));
+  }
+  return false;
+}
+
+void vtkOversketchSystem::RunStage(const char* name)
+{
+  const auto stage = std::find_if(
+    this->Stages.begin(), this->Stages.end(), [name](const Stage& known) { return known.Name == name; });
+  StepRunner::Listener listener;
+  listener.progress = [&](double share) { this->UpdateProgress(this->Done + share * stage->Share); };
+  listener.warning = [this](const std::string& message) { vtkWarningMacro(<< message); };
+  listener.cancelled = [this] { return this->GetAbortExecute() != 0; };
+  StepRunner runner(stage->Step, listener);
+  const struct Shown // for as long as the step runs, also when it throws
+  {
+    Shown(vtkOversketchSystem* system, const Stage* running)
+      : System(system)
+    {
+      this->System->Running = running;
+    }
+    ~Shown() { this->System->Running = nullptr; }
+    vtkOversketchSystem* System;
+  } shown(this, &*stage);
+  const auto start = std::chrono::steady_clock::now();
+  runner.Run();
+  stage->Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  this->Done += stage->Share;
+}
+
+void vtkOversketchSystem::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Backend: " << this->Backend << "\n";
+  os << indent << "BackendUsed: " << this->GetBackendUsed() << "\n";
+}

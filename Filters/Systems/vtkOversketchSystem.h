@@ -1,0 +1,179 @@
+/**
+ * @class vtkOversketchSystem
+ * @brief what every system of a paper is: named steps, run one after the other, and what hosts ask of it
+ *
+ * A system is one filter over many: it owns its steps, connects them, runs them by name and makes its output
+ * of what they made. This base knows no step. It runs them, hears their errors and warnings, adds up their
+ * progress, passes a cancel in, takes their times and finds their outputs.
+ *
+ * Before, during and after a run a host may ask for more: Prepare, Preview, GetHold, GetRegion, Drag. A
+ * system that has nothing to say to one of them leaves it as it is here.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
+ * failure; output empty. After AbortExecute the output is empty and the error code Cancelled; call Modified()
+ * before the next Update.
+ *
+ * @sa vtkOversketchOneStroke vtkOversketchForEach
+ */
+#ifndef vtkOversketchSystem_h
+#define vtkOversketchSystem_h
+
+#include "OversketchFiltersSystemsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <functional> // for RunSystem
+#include <string>     // for Stage
+#include <vector>     // for Stages
+
+class vtkPoints;
+
+class OVERSKETCHFILTERSSYSTEMS_EXPORT vtkOversketchSystem : public vtkPolyDataAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkOversketchSystem, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum BackendType
+  {
+    Auto = 0,
+    OpenCL = 1,
+    Host = 2
+  };
+
+  ///@{
+  /**
+   * Where steps run that can run in more than one place: Auto (default) takes OpenCL where there is a device;
+   * Host the processor. Without an OpenCL device the host does the work, with a warning if OpenCL was asked
+   * for.
+   */
+  void SetBackend(int backend);
+  int GetBackend() const { return this->Backend; }
+  void SetBackendToAuto() { this->SetBackend(Auto); }
+  void SetBackendToOpenCL() { this->SetBackend(OpenCL); }
+  void SetBackendToHost() { this->SetBackend(Host); }
+  ///@}
+
+  /**
+   * Where the last run ran: OpenCL or Host.
+   */
+  virtual int GetBackendUsed() { return Host; }
+
+  /**
+   * Computes what no stroke changes, so that the next Update need not: to be called while the hand is busy.
+   * Reports progress and honours AbortExecute like a run; leaves the output as it is. Returns false where
+   * there is nothing to compute, when it was stopped, or when the mesh cannot be used; then the error code
+   * tells which (the next Update says it in words).
+   */
+  virtual bool Prepare() { return false; }
+
+  /**
+   * What a stroke would take hold of, for a pen that is still down: on a mesh and a stroke of its own, a
+   * polyline on the mesh. What it makes of mesh and view is kept, also for the next Update; a stroke of one
+   * sample makes that alone. The output and the inputs stay as they are. False, and `hold` empty, where there
+   * is nothing to take hold of or the call was stopped; the error code tells why.
+   */
+  virtual bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold);
+
+  ///@{
+  /**
+   * What the last run took hold of, a polyline on the mesh that came in, and the triangles that it moved,
+   * where they are now, as a mesh of its own without arrays. Empty after a run that failed, or where the
+   * system has none.
+   */
+  virtual void GetHold(vtkPolyData* hold);
+  virtual void GetRegion(vtkPolyData* region);
+  ///@}
+
+  /**
+   * The output for a stroke moved by one vector [world], a preview: writes places into `points`, which are a
+   * copy of the last output's points (same number, float or double). Neither the output nor the pipeline
+   * changes: to keep the place, move the stroke and Update. False after a run that failed, where `points` do
+   * not fit (both with an error), or where the system cannot be dragged.
+   */
+  virtual bool Drag(const double translation[3], vtkPoints* points);
+
+  ///@{
+  /**
+   * The names of all steps in their order, and a step by its name, to set parameters that the system does not
+   * repeat or to read its counters; null for an unknown name.
+   */
+  int GetNumberOfStages() const { return static_cast<int>(this->Stages.size()); }
+  const char* GetStage(int index) const;
+  vtkAlgorithm* GetStep(const char* name);
+  ///@}
+
+  ///@{
+  /**
+   * The outputs of inner steps after the last run, by name; null when there is no such step, empty for steps
+   * that did not run. Steps that repeat another one are not among the names. Not to be changed.
+   */
+  int GetNumberOfInnerOutputs() const;
+  const char* GetInnerOutputName(int index) const;
+  virtual vtkPolyData* GetInnerOutput(const char* name);
+  ///@}
+
+  /**
+   * Seconds that a step took in the last run, 0 where it did not execute.
+   */
+  double GetStageTime(const char* name) const;
+
+  /**
+   * Name of the running step, for progress displays; empty outside a run.
+   */
+  const char* GetStageName() const;
+
+  /**
+   * Includes the steps: a parameter set through GetStep makes the system run again.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkOversketchSystem();
+  ~vtkOversketchSystem() override;
+
+  // To be called by heirs, which own their steps: in the order of the steps, with the share of the run that a
+  // step takes, for progress. A step that repeats another one is no inner output of its own.
+  enum class Listed
+  {
+    Yes,
+    No
+  };
+  void AddStage(const char* name, vtkAlgorithm* step, double share, Listed listed = Listed::Yes);
+
+  // The body of a RequestData: times and progress begin anew; see oversketch::RunFilter.
+  int RunSystem(const std::function<void()>& body);
+  // The same outside a run: without an error event. Returns whether body returned true; where it threw, the
+  // error code tells why.
+  bool Try(const std::function<bool()>& body);
+  // Runs a step. Throws its first error, or Cancelled.
+  void RunStage(const char* name);
+  // The output of a step by its own name.
+  vtkPolyData* StageOutput(const char* name);
+  // The share of the run that is done [0 to 1].
+  double GetDone() const { return this->Done; }
+
+  // Hands a new back end to the steps that have a choice.
+  virtual void BackendChanged() {}
+
+private:
+  vtkOversketchSystem(const vtkOversketchSystem&) = delete;
+  void operator=(const vtkOversketchSystem&) = delete;
+
+  struct Stage
+  {
+    std::string Name;
+    vtkAlgorithm* Step;
+    double Share;
+    Listed IsListed;
+    double Seconds = 0.0;
+  };
+  const Stage* Find(const char* name) const;
+  const Stage* FindListed(int index) const;
+
+  int Backend = Auto;
+  std::vector<Stage> Stages;
+  const Stage* Running = nullptr;
+  double Done = 0.0;
+};
+
+#endif
