@@ -163,50 +163,23 @@ CurveSet ReadCurves(vtkPolyData* input, int meshVertices, const std::string& hol
   return set;
 }
 
-StepKey::StepKey(vtkPolyData* curves,
-  vtkPolyData* mesh,
-  const View& view,
-  const std::vector<double>& parameters)
-  : Values(parameters)
+MeshKey CurvesKey(vtkPolyData* curves)
 {
-  if (curves)
+  std::vector<vtkDataArray*> arrays;
+  for (const char* name : { "MeshVertices", "MeshWeights", "Normals", "Display", "Offset" })
   {
-    std::vector<vtkDataArray*> arrays;
-    for (const char* name : { "MeshVertices", "MeshWeights", "Normals", "Display", "Offset" })
-    {
-      arrays.push_back(curves->GetPointData()->GetArray(name));
-    }
-    for (const char* name : { "CurveId", "Visible", "Hole" })
-    {
-      arrays.push_back(curves->GetCellData()->GetArray(name));
-    }
-    this->Curves = MeshKey(curves, arrays);
+    arrays.push_back(curves->GetPointData()->GetArray(name));
   }
-  if (mesh)
+  for (const char* name : { "CurveId", "Visible", "Hole" })
   {
-    this->Mesh = MeshKey(mesh, { mesh->GetPointData()->GetNormals() });
+    arrays.push_back(curves->GetCellData()->GetArray(name));
   }
-  for (const Eigen::Matrix4d* matrix : { &view.viewTransform(), &view.projectionTransform() })
-  {
-    this->Values.insert(this->Values.end(), matrix->data(), matrix->data() + matrix->size());
-  }
-  this->Values.push_back(view.width());
-  this->Values.push_back(view.height());
+  return MeshKey(curves, arrays);
 }
 
-void KeptCurves::Provide(const StepKey& key,
-  vtkPolyData* output,
-  const std::function<void(vtkPolyData* result)>& make)
+MeshKey SurfaceKey(vtkPolyData* mesh)
 {
-  if (!this->Result || !(this->Key == key))
-  {
-    this->Result = nullptr; // so that nothing stale is left when making fails
-    auto result = vtkSmartPointer<vtkPolyData>::New();
-    make(result);
-    this->Result = result;
-    this->Key = key;
-  }
-  output->ShallowCopy(this->Result);
+  return MeshKey(mesh, { mesh->GetPointData()->GetNormals() });
 }
 
 } // namespace oversketch

@@ -7,9 +7,6 @@
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 
-#include "vtkSmartPointer.h"
-
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,33 +35,9 @@ CurveSet ReadCurves(vtkPolyData* input,
   const std::string& holder,
   Unbound unbound = Unbound::Refused);
 
-// What a step of this module has read: its result stands while this does. Null inputs are allowed.
-class StepKey
-{
-public:
-  StepKey() = default;
-  StepKey(vtkPolyData* curves, vtkPolyData* mesh, const View& view, const std::vector<double>& parameters);
-  bool operator==(const StepKey& other) const
-  {
-    return this->Curves == other.Curves && this->Mesh == other.Mesh && this->Values == other.Values;
-  }
-
-private:
-  MeshKey Curves, Mesh;
-  std::vector<double> Values;
-};
-
-// The last result of a step, so that the same question is answered with the same arrays.
-class KeptCurves
-{
-public:
-  // Copies the kept result, shallowly, to the output; first has it made where the key is a new one.
-  void Provide(const StepKey& key, vtkPolyData* output, const std::function<void(vtkPolyData* result)>& make);
-
-private:
-  StepKey Key;
-  vtkSmartPointer<vtkPolyData> Result;
-};
+// All that a step of this module reads of curves, and of a mesh.
+MeshKey CurvesKey(vtkPolyData* curves);
+MeshKey SurfaceKey(vtkPolyData* mesh);
 
 } // namespace oversketch
 #endif

@@ -3,6 +3,7 @@
 #include "Silhouette/match.h"
 #include "vtkOversketchCurveTools.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -104,7 +105,7 @@ CurvePoint BlendPoints(const CurvePoint& a, const CurvePoint& b, double t)
 // The curves in the view of the last run, for the next stroke over them.
 struct vtkOversketchMatch::Cache
 {
-  std::vector<StepKey> Keys; // of the inputs
+  StepKey Key; // of the inputs
   std::vector<Source> Sources;
   std::vector<MatchCandidate> Candidates;
 
@@ -133,17 +134,18 @@ int vtkOversketchMatch::FillInputPortInformation(int port, vtkInformation* info)
 void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& view)
 {
   const int connections = inputs->GetNumberOfInformationObjects();
-  std::vector<StepKey> keys;
-  keys.reserve(static_cast<std::size_t>(connections));
+  std::vector<MeshKey> curves;
+  curves.reserve(static_cast<std::size_t>(connections));
   for (int c = 0; c < connections; ++c)
   {
-    keys.emplace_back(vtkPolyData::GetData(inputs, c), nullptr, view, std::vector<double>());
+    curves.push_back(CurvesKey(vtkPolyData::GetData(inputs, c)));
   }
-  if (keys == this->Keys)
+  const StepKey key(curves, view, {});
+  if (key == this->Key)
   {
     return;
   }
-  this->Keys.clear();
+  this->Key = StepKey();
   this->Sources.clear();
   this->Candidates.clear();
   for (int c = 0; c < connections; ++c)
@@ -189,7 +191,7 @@ void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& v
       this->Sources.push_back({ std::move(curve), offset, set.Ids[i], c });
     }
   }
-  this->Keys = keys;
+  this->Key = key;
 }
 
 void vtkOversketchMatch::SetStrokeData(vtkPolyData* stroke)

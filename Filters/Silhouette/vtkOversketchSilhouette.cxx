@@ -3,6 +3,7 @@
 #include "Silhouette/extract.h"
 #include "vtkOversketchCurveTools.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkInformation.h"
@@ -17,7 +18,7 @@ struct vtkOversketchSilhouette::Cache
 {
   std::shared_ptr<const MeshData> Data;
   std::unique_ptr<SilhouetteExtractor> Extractor; // of Data; made for the second view of a mesh
-  KeptCurves Kept;
+  KeptOutput Kept;
 
   std::vector<Curve> Extract(vtkPolyData* input, const View& view)
   {
@@ -66,7 +67,7 @@ int vtkOversketchSilhouette::RequestData(vtkInformation*,
       }
       const View view = ViewOf(vtkPolyData::GetData(inputs[1]));
       Cache& cache = *this->Internals;
-      cache.Kept.Provide(StepKey(nullptr, input, view, {}),
+      cache.Kept.Provide(StepKey({ SurfaceKey(input) }, view, {}),
         output,
         [&](vtkPolyData* result)
         {

@@ -3,6 +3,7 @@
 #include "Silhouette/snake.h"
 #include "vtkOversketchCurveTools.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkInformation.h"
@@ -15,7 +16,7 @@ using namespace oversketch;
 struct vtkOversketchSnake::Cache
 {
   std::shared_ptr<const MeshData> Data;
-  KeptCurves Kept;
+  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchSnake);
@@ -54,7 +55,7 @@ int vtkOversketchSnake::RequestData(vtkInformation*,
       }
       const View view = ViewOf(vtkPolyData::GetData(inputs[2]));
       Cache& cache = *this->Internals;
-      cache.Kept.Provide(StepKey(curves, mesh, view, { this->Epsilon }),
+      cache.Kept.Provide(StepKey({ CurvesKey(curves), SurfaceKey(mesh) }, view, { this->Epsilon }),
         output,
         [&](vtkPolyData* result)
         {

@@ -3,6 +3,7 @@
 #include "Silhouette/visibility.h"
 #include "vtkOversketchCurveTools.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellData.h"
@@ -24,7 +25,7 @@ static_assert(int(vtkOversketchVisibility::BACKEND_AUTO) == int(Backend::Auto) &
 struct vtkOversketchVisibility::Cache
 {
   std::shared_ptr<const MeshData> Data;
-  KeptCurves Kept;
+  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchVisibility);
@@ -67,8 +68,9 @@ int vtkOversketchVisibility::RequestData(vtkInformation*,
       options.rejoin = this->Rejoin;
       options.backend = static_cast<oversketch::Backend>(this->Backend);
       Cache& cache = *this->Internals;
-      cache.Kept.Provide(
-        StepKey(curves, mesh, view, { this->CuspAngle, double(this->Rejoin), double(this->Backend) }),
+      cache.Kept.Provide(StepKey({ CurvesKey(curves), SurfaceKey(mesh) },
+                           view,
+                           { this->CuspAngle, double(this->Rejoin), double(this->Backend) }),
         output,
         [&](vtkPolyData* result)
         {

@@ -1,0 +1,62 @@
+/**
+ * The last result of a step, so that the same question is answered with the same arrays, and what tells one
+ * question from another. For use in the .cxx of filters; not wrapped.
+ */
+#ifndef vtkOversketchKept_h
+#define vtkOversketchKept_h
+
+#include "OversketchFiltersCoreModule.h" // For export macro
+
+#include "Mesh/view.h"
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <vector>
+
+class vtkPolyData;
+
+namespace oversketch
+{
+
+/**
+ * What a step has read: its inputs, with the arrays it looks at, its parameters, and the view where it has
+ * one. Its result stands while this does.
+ */
+class OVERSKETCHFILTERSCORE_EXPORT StepKey
+{
+public:
+  StepKey() = default;
+  StepKey(const std::vector<MeshKey>& inputs, const std::vector<double>& parameters);
+  StepKey(const std::vector<MeshKey>& inputs, const View& view, const std::vector<double>& parameters);
+  bool operator==(const StepKey& other) const
+  {
+    return this->Inputs == other.Inputs && this->Values == other.Values;
+  }
+  bool operator!=(const StepKey& other) const { return !(*this == other); }
+
+private:
+  std::vector<MeshKey> Inputs;
+  std::vector<double> Values;
+};
+
+/**
+ * The last result of a step.
+ */
+class OVERSKETCHFILTERSCORE_EXPORT KeptOutput
+{
+public:
+  /**
+   * Copies the kept result, shallowly, to the output; first has it made where the key is a new one. Nothing
+   * is kept when making it throws.
+   */
+  void Provide(const StepKey& key, vtkPolyData* output, const std::function<void(vtkPolyData* result)>& make);
+
+private:
+  StepKey Key;
+  vtkSmartPointer<vtkPolyData> Result;
+};
+
+} // namespace oversketch
+#endif
