@@ -4,6 +4,9 @@
 #include "Remesh/sizing.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchRuns.h"
+#include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -21,14 +24,28 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <sstream>
 
 using namespace oversketch;
 
+// The last result, and what it was made from.
 struct vtkOversketchRemesh::Cache
 {
+  // What a run reads.
+  struct Question
+  {
+    vtkDataArray* Region = nullptr;
+    vtkDataArray* Diameters = nullptr; // null: they limit nothing
+    vtkDataArray* Charts = nullptr;    // null: one
+    std::vector<Binding> Handles;
+    double Factor = 1.0; // k
+    double Guide = 0.0;  // L, 0: the region's own mean
+    StepKey Key;
+  };
   struct Carried // an array of the input and what became of it
   {
     vtkAbstractArray* Source;
@@ -36,20 +53,30 @@ struct vtkOversketchRemesh::Cache
     bool Points, Normals;
     vtkSmartPointer<vtkAbstractArray> Result;
   };
-  MeshKey Key;
-  std::vector<double> Values; // everything else that was read
-  RemeshResult Result;
-  std::vector<Triangle> InputTriangles;
-  vtkSmartPointer<vtkPoints> Points;
+
+  static Question Read(vtkOversketchRemesh* self, vtkPolyData* input, vtkPolyData* handles);
+  void Remesh(vtkOversketchRemesh* self, vtkPolyData* input, const Question& question);
+  void KeepMesh(vtkPolyData* input);
+  void Write(vtkPolyData* input, vtkPolyData* output);
+  void WriteHandles(vtkPolyData* handles, vtkPolyData* output) const;
+
+  StepKey Key;
+  RemeshResult Result;               // without what is kept as arrays
+  vtkSmartPointer<vtkPoints> Points; // null: nothing is kept
   vtkSmartPointer<vtkCellArray> Polys;
   vtkSmartPointer<vtkIdTypeArray> SourceCell;
   vtkSmartPointer<vtkDoubleArray> SourceWeights;
   vtkSmartPointer<vtkDoubleArray> GuideLength;
   std::vector<Carried> Arrays;
+
+private:
+  std::vector<Carried> Carry(vtkPolyData* input, vtkPolyData* output, bool points) const;
 };
 
 namespace
 {
+
+const char* const handlesRemedy = "take them from vtkOversketchTargets";
 
 double FieldValue(vtkDataObject* object,
   const char* name,
@@ -68,9 +95,14 @@ double FieldValue(vtkDataObject* object,
   return array->GetComponent(0, 0);
 }
 
-bool IsReal(vtkAbstractArray* array)
+template <typename Array>
+vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
 {
-  return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
 }
 
 vtkSmartPointer<vtkAbstractArray> LikeArray(vtkAbstractArray* array, std::size_t tuples)
@@ -83,63 +115,280 @@ vtkSmartPointer<vtkAbstractArray> LikeArray(vtkAbstractArray* array, std::size_t
   return result;
 }
 
+// Whether new points take the mix of their triangle's corners, or what the nearest corner has.
+bool Mixes(vtkAbstractArray* array)
+{
+  const bool real = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+  return real && !(array->GetName() && std::strcmp(array->GetName(), "Region") == 0);
+}
+
+void NormaliseTuple(vtkDataArray* values, vtkIdType tuple)
+{
+  Vector3 n;
+  values->GetTuple(tuple, n.data());
+  if (n.norm() > 0.0)
+  {
+    n.normalize();
+    values->SetTuple(tuple, n.data());
+  }
+}
+
 vtkSmartPointer<vtkAbstractArray> CarryPointArray(vtkAbstractArray* array,
   bool normals,
   const RemeshResult& result,
-  const std::vector<Triangle>& triangles)
+  vtkCellArray* triangles)
 {
   auto carried = LikeArray(array, result.pointSource.size());
-  const bool linear = IsReal(array) && !(array->GetName() && std::strcmp(array->GetName(), "Region") == 0);
+  const bool linear = Mixes(array);
+  auto* directions = normals ? vtkDataArray::SafeDownCast(carried) : nullptr;
   vtkNew<vtkIdList> corners;
-  corners->SetNumberOfIds(3);
-  for (std::size_t i = 0; i < result.pointSource.size(); ++i)
-  {
-    const auto target = static_cast<vtkIdType>(i);
-    if (result.pointSource[i] >= 0)
+  EachRun(
+    result.pointSource,
+    [&](vtkIdType first, vtkIdType count, vtkIdType source)
+    { carried->InsertTuples(first, count, source, array); },
+    [&](vtkIdType point)
     {
-      carried->SetTuple(target, result.pointSource[i], array);
-      continue;
-    }
-    std::array<double, 3> weights = result.places[i].weights;
-    const Triangle& t = triangles[result.places[i].triangle];
-    if (linear)
-    {
-      for (int k = 0; k < 3; ++k)
+      const SurfacePoint& place = result.places[static_cast<std::size_t>(point)];
+      std::array<double, 3> weights = place.weights;
+      triangles->GetCellAtId(place.triangle, corners);
+      if (linear)
       {
-        corners->SetId(k, t[k]);
+        carried->InterpolateTuple(point, corners, array, weights.data());
       }
-      carried->InterpolateTuple(target, corners, array, weights.data());
-    }
-    else
-    {
-      carried->SetTuple(target, t[std::max_element(weights.begin(), weights.end()) - weights.begin()], array);
-    }
-    auto* values = normals ? vtkDataArray::SafeDownCast(carried) : nullptr;
-    if (values && values->GetNumberOfComponents() == 3)
-    {
-      Vector3 n;
-      values->GetTuple(target, n.data());
-      if (n.norm() > 0.0)
+      else
       {
-        n.normalize();
-        values->SetTuple(target, n.data());
+        const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+        carried->SetTuple(point, corners->GetId(nearest), array);
       }
-    }
-  }
+      if (directions && directions->GetNumberOfComponents() == 3)
+      {
+        NormaliseTuple(directions, point);
+      }
+    });
   return carried;
 }
 
 vtkSmartPointer<vtkAbstractArray> CarryCellArray(vtkAbstractArray* array, const RemeshResult& result)
 {
   auto carried = LikeArray(array, result.triangleSource.size());
-  for (std::size_t i = 0; i < result.triangleSource.size(); ++i)
-  {
-    carried->SetTuple(static_cast<vtkIdType>(i), result.triangleSource[i], array);
-  }
+  EachRun(
+    result.triangleSource,
+    [&](vtkIdType first, vtkIdType count, vtkIdType source)
+    { carried->InsertTuples(first, count, source, array); },
+    [](vtkIdType) {});
   return carried;
 }
 
 } // namespace
+
+vtkOversketchRemesh::Cache::Question vtkOversketchRemesh::Cache::Read(vtkOversketchRemesh* self,
+  vtkPolyData* input,
+  vtkPolyData* handles)
+{
+  RequirePolygonsOnly(input); // the key does not see other cells
+  const vtkIdType count = input->GetNumberOfPoints();
+  Question question;
+  question.Region = RequireArray(
+    input->GetPointData(), "Region", 1, count, "mesh", "run vtkOversketchMixtureRegion first, or make it");
+  if (self->LimitByDiameter)
+  {
+    question.Diameters = RequireArray(input->GetPointData(),
+      "ShapeDiameter",
+      1,
+      count,
+      "mesh",
+      "run vtkOversketchShapeDiameter first, or turn LimitByDiameter off");
+  }
+  if (input->GetCellData()->GetArray("Chart"))
+  {
+    question.Charts = RequireArray(
+      input->GetCellData(), "Chart", 1, input->GetNumberOfCells(), "mesh", "one chart number per triangle");
+  }
+  if (handles)
+  {
+    question.Handles = ReadBindings(handles, static_cast<int>(count), "handles", handlesRemedy);
+  }
+  if (!question.Handles.empty() && self->Stage == Stretch)
+  {
+    const double factor = FieldValue(handles, "SectionLength", "handles", handlesRemedy) /
+                          FieldValue(handles, "TargetLength", "handles", handlesRemedy);
+    question.Factor = std::min(1.0, std::max(self->MinimumFactor, factor));
+  }
+  if (self->Stage == Restore && input->GetFieldData()->GetAbstractArray("GuideLength"))
+  {
+    question.Guide = FieldValue(input, "GuideLength", "mesh", "let stage Stretch make it, or remove it");
+  }
+
+  std::vector<double> values{ static_cast<double>(self->Stage),
+    static_cast<double>(self->Iterations),
+    question.Factor,
+    question.Guide,
+    self->ProtectSection ? 1.0 : 0.0,
+    self->MinimumFactor };
+  for (const Binding& binding : question.Handles)
+  {
+    values.insert(values.end(), binding.vertices.begin(), binding.vertices.end());
+    values.insert(values.end(), binding.weights.begin(), binding.weights.end());
+  }
+  question.Key =
+    StepKey({ MeshKey(input, { question.Region, question.Diameters, question.Charts }) }, values);
+  return question;
+}
+
+void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
+  vtkPolyData* input,
+  const Question& question)
+{
+  *this = Cache();
+  const std::shared_ptr<const MeshData> data = SharedMesh(input);
+  const Mesh& mesh = data->Surface;
+  const std::vector<char> mask = LabelsOf(question.Region);
+  std::vector<double> diameter;
+  for (vtkIdType i = 0; question.Diameters && i < input->GetNumberOfPoints(); ++i)
+  {
+    diameter.push_back(question.Diameters->GetComponent(i, 0));
+  }
+  std::vector<int> chart;
+  for (vtkIdType i = 0; question.Charts && i < input->GetNumberOfCells(); ++i)
+  {
+    chart.push_back(static_cast<int>(question.Charts->GetComponent(i, 0)));
+  }
+  const std::vector<char> active = regionTriangles(mesh, mask);
+  const double guide = question.Guide == 0.0 ? guideLength(mesh, active) : question.Guide;
+  Sizing sizing;
+  sizing.length = guide * question.Factor;
+  sizing.minimumFactor = self->MinimumFactor;
+  const std::vector<double> targets = targetLengths(mesh, active, diameter, sizing);
+  this->Result =
+    remesh({ mesh, mask, targets, chart, question.Handles, self->ProtectSection, self->Iterations },
+      ContextOf(self));
+  ++self->RemeshCount;
+  self->GuideLength = guide;
+  self->Factor = question.Factor;
+  this->KeepMesh(input);
+  if (self->Stage == Stretch && guide > 0.0)
+  {
+    this->GuideLength = NewArray<vtkDoubleArray>("GuideLength", 1, 1);
+    this->GuideLength->SetValue(0, guide);
+  }
+  this->Key = question.Key;
+}
+
+// The result's mesh and what its corners were made from, as arrays.
+void vtkOversketchRemesh::Cache::KeepMesh(vtkPolyData* input)
+{
+  const Mesh& mesh = this->Result.mesh;
+  this->Points = vtkSmartPointer<vtkPoints>::New();
+  this->Points->SetDataType(input->GetPoints()->GetDataType());
+  this->Points->SetNumberOfPoints(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    this->Points->SetPoint(v, mesh.points[v].data());
+  }
+  const int cells = mesh.triangleCount();
+  this->Polys = vtkSmartPointer<vtkCellArray>::New();
+  this->Polys->AllocateExact(cells, 3 * static_cast<vtkIdType>(cells));
+  this->SourceCell = NewArray<vtkIdTypeArray>("SourceCell", 3, cells);
+  this->SourceWeights = NewArray<vtkDoubleArray>("SourceWeights", 9, cells);
+  vtkIdType* source = this->SourceCell->GetPointer(0);
+  double* weight = this->SourceWeights->GetPointer(0);
+  for (int t = 0; t < cells; ++t)
+  {
+    const vtkIdType ids[3] = { mesh.triangles[t][0], mesh.triangles[t][1], mesh.triangles[t][2] };
+    this->Polys->InsertNextCell(3, ids);
+    for (const SurfacePoint& at : this->Result.corners[t])
+    {
+      *source++ = at.triangle;
+      weight = std::copy(at.weights.begin(), at.weights.end(), weight);
+    }
+  }
+  this->Result.mesh = Mesh();
+  this->Result.corners.clear();
+}
+
+// Arrays of the input, each carried over once for as long as it stands.
+std::vector<vtkOversketchRemesh::Cache::Carried> vtkOversketchRemesh::Cache::Carry(vtkPolyData* input,
+  vtkPolyData* output,
+  bool points) const
+{
+  vtkDataSetAttributes* from = input->GetPointData();
+  vtkDataSetAttributes* to = output->GetPointData();
+  if (!points)
+  {
+    from = input->GetCellData();
+    to = output->GetCellData();
+  }
+  std::vector<Carried> carried;
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(i);
+    const int attribute = from->IsArrayAnAttribute(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (attribute == vtkDataSetAttributes::GLOBALIDS ||
+        (!points && (name == "SourceCell" || name == "SourceWeights")))
+    {
+      continue;
+    }
+    Carried item{ array, array->GetMTime(), points, attribute == vtkDataSetAttributes::NORMALS, nullptr };
+    for (const Carried& known : this->Arrays)
+    {
+      if (known.Source == item.Source && known.Time == item.Time && known.Points == points &&
+          known.Normals == item.Normals)
+      {
+        item.Result = known.Result;
+      }
+    }
+    if (!item.Result)
+    {
+      item.Result = points ? CarryPointArray(array, item.Normals, this->Result, input->GetPolys())
+                           : CarryCellArray(array, this->Result);
+    }
+    carried.push_back(item);
+    const int index = to->AddArray(item.Result);
+    if (attribute >= 0)
+    {
+      to->SetActiveAttribute(index, attribute);
+    }
+  }
+  return carried;
+}
+
+void vtkOversketchRemesh::Cache::Write(vtkPolyData* input, vtkPolyData* output)
+{
+  output->SetPoints(this->Points);
+  output->SetPolys(this->Polys);
+  std::vector<Carried> carried = this->Carry(input, output, true);
+  const std::vector<Carried> ofCells = this->Carry(input, output, false);
+  carried.insert(carried.end(), ofCells.begin(), ofCells.end());
+  this->Arrays = std::move(carried);
+  output->GetCellData()->AddArray(this->SourceCell);
+  output->GetCellData()->AddArray(this->SourceWeights);
+  output->GetFieldData()->PassData(input->GetFieldData());
+  if (this->GuideLength)
+  {
+    output->GetFieldData()->AddArray(this->GuideLength);
+  }
+}
+
+void vtkOversketchRemesh::Cache::WriteHandles(vtkPolyData* handles, vtkPolyData* output) const
+{
+  output->ShallowCopy(handles);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Binding& binding : this->Result.handles)
+  {
+    Vector3 position = Vector3::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      Vector3 p;
+      this->Points->GetPoint(binding.vertices[k], p.data());
+      position += binding.weights[k] * p;
+    }
+    points->InsertNextPoint(position.data());
+  }
+  output->SetPoints(points);
+  WriteBindings(this->Result.handles, output);
+}
 
 vtkStandardNewMacro(vtkOversketchRemesh);
 
@@ -175,221 +424,20 @@ int vtkOversketchRemesh::RequestData(vtkInformation*,
     {
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      vtkPolyData* boundHandles = vtkPolyData::GetData(outputs, 1);
-      const vtkIdType pointCount = input->GetNumberOfPoints();
-      if (pointCount == 0)
+      if (input->GetNumberOfPoints() == 0)
       {
         return;
       }
       Cache& cache = *this->Internals;
-
-      // What is read.
-      RequirePolygonsOnly(input);
-      vtkDataArray* region = RequireArray(input->GetPointData(),
-        "Region",
-        1,
-        pointCount,
-        "mesh",
-        "run vtkOversketchMixtureRegion first, or make it");
-      vtkDataArray* diameters = nullptr;
-      if (this->LimitByDiameter)
+      const Cache::Question question = Cache::Read(this, input, handles);
+      if (!cache.Points || cache.Key != question.Key)
       {
-        diameters = RequireArray(input->GetPointData(),
-          "ShapeDiameter",
-          1,
-          pointCount,
-          "mesh",
-          "run vtkOversketchShapeDiameter first, or turn LimitByDiameter off");
+        cache.Remesh(this, input, question);
       }
-      vtkDataArray* charts = input->GetCellData()->GetArray("Chart");
-      if (charts)
-      {
-        RequireArray(input->GetCellData(),
-          "Chart",
-          1,
-          input->GetNumberOfCells(),
-          "mesh",
-          "one chart number per triangle");
-      }
-      const Mesh mesh = MeshOf(input);
-      std::vector<Binding> bindings;
-      double factor = 1.0;
+      cache.Write(input, vtkPolyData::GetData(outputs, 0));
       if (handles)
       {
-        bindings =
-          ReadBindings(handles, mesh.vertexCount(), "handles", "take them from vtkOversketchTargets");
-      }
-      if (!bindings.empty() && this->Stage == STRETCH)
-      {
-        const std::string remedy = "take the handles from vtkOversketchTargets";
-        factor = FieldValue(handles, "SectionLength", "handles", remedy) /
-                 FieldValue(handles, "TargetLength", "handles", remedy);
-        factor = std::min(1.0, std::max(this->MinimumFactor, factor));
-      }
-      double guide = 0.0;
-      if (this->Stage == RESTORE && input->GetFieldData()->GetAbstractArray("GuideLength"))
-      {
-        guide = FieldValue(input, "GuideLength", "mesh", "let stage Stretch make it, or remove it");
-      }
-
-      const MeshKey key(input, { region, diameters, charts });
-      std::vector<double> values{ static_cast<double>(this->Stage),
-        static_cast<double>(this->Iterations),
-        factor,
-        guide,
-        this->ProtectSection ? 1.0 : 0.0,
-        this->MinimumFactor };
-      for (const Binding& binding : bindings)
-      {
-        values.insert(values.end(), binding.vertices.begin(), binding.vertices.end());
-        values.insert(values.end(), binding.weights.begin(), binding.weights.end());
-      }
-      if (cache.Key != key || cache.Values != values)
-      {
-        cache = Cache();
-        const std::vector<char> mask = LabelsOf(region);
-        std::vector<double> diameter;
-        for (vtkIdType i = 0; diameters && i < pointCount; ++i)
-        {
-          diameter.push_back(diameters->GetComponent(i, 0));
-        }
-        std::vector<int> chart;
-        for (vtkIdType i = 0; charts && i < input->GetNumberOfCells(); ++i)
-        {
-          chart.push_back(static_cast<int>(charts->GetComponent(i, 0)));
-        }
-        const std::vector<char> active = regionTriangles(mesh, mask);
-        if (guide == 0.0)
-        {
-          guide = guideLength(mesh, active);
-        }
-        Sizing sizing;
-        sizing.length = guide * factor;
-        sizing.minimumFactor = this->MinimumFactor;
-        const std::vector<double> targets = targetLengths(mesh, active, diameter, sizing);
-        cache.Result = remesh(
-          { mesh, mask, targets, chart, bindings, this->ProtectSection, this->Iterations }, ContextOf(this));
-        ++this->RemeshCount;
-        cache.InputTriangles = mesh.triangles;
-        this->GuideLength = guide;
-        this->Factor = factor;
-
-        cache.Points = vtkSmartPointer<vtkPoints>::New();
-        cache.Points->SetDataType(input->GetPoints()->GetDataType());
-        cache.Points->SetNumberOfPoints(cache.Result.mesh.vertexCount());
-        for (int v = 0; v < cache.Result.mesh.vertexCount(); ++v)
-        {
-          cache.Points->SetPoint(v, cache.Result.mesh.points[v].data());
-        }
-        const int cells = cache.Result.mesh.triangleCount();
-        cache.Polys = vtkSmartPointer<vtkCellArray>::New();
-        cache.Polys->AllocateExact(cells, 3 * static_cast<vtkIdType>(cells));
-        cache.SourceCell = vtkSmartPointer<vtkIdTypeArray>::New();
-        cache.SourceCell->SetName("SourceCell");
-        cache.SourceCell->SetNumberOfComponents(3);
-        cache.SourceCell->SetNumberOfTuples(cells);
-        cache.SourceWeights = vtkSmartPointer<vtkDoubleArray>::New();
-        cache.SourceWeights->SetName("SourceWeights");
-        cache.SourceWeights->SetNumberOfComponents(9);
-        cache.SourceWeights->SetNumberOfTuples(cells);
-        for (int t = 0; t < cells; ++t)
-        {
-          const Triangle& corners = cache.Result.mesh.triangles[t];
-          const vtkIdType ids[3] = { corners[0], corners[1], corners[2] };
-          cache.Polys->InsertNextCell(3, ids);
-          for (int k = 0; k < 3; ++k)
-          {
-            const SurfacePoint& at = cache.Result.corners[t][k];
-            cache.SourceCell->SetTypedComponent(t, k, at.triangle);
-            for (int i = 0; i < 3; ++i)
-            {
-              cache.SourceWeights->SetTypedComponent(t, 3 * k + i, at.weights[i]);
-            }
-          }
-        }
-        if (this->Stage == STRETCH && guide > 0.0)
-        {
-          cache.GuideLength = vtkSmartPointer<vtkDoubleArray>::New();
-          cache.GuideLength->SetName("GuideLength");
-          cache.GuideLength->InsertNextValue(guide);
-        }
-        // Kept as arrays now.
-        cache.Result.mesh = Mesh();
-        cache.Result.corners.clear();
-        cache.Values = values;
-        cache.Key = key;
-      }
-
-      // Arrays of the input, each carried over once for as long as it stands.
-      std::vector<Cache::Carried> carried;
-      const auto carry = [&](vtkDataSetAttributes* from, vtkDataSetAttributes* to, bool points)
-      {
-        for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-        {
-          vtkAbstractArray* array = from->GetAbstractArray(i);
-          const int attribute = from->IsArrayAnAttribute(i);
-          const std::string name = array->GetName() ? array->GetName() : "";
-          if (attribute == vtkDataSetAttributes::GLOBALIDS ||
-              (!points && (name == "SourceCell" || name == "SourceWeights")))
-          {
-            continue;
-          }
-          Cache::Carried item{
-            array, array->GetMTime(), points, attribute == vtkDataSetAttributes::NORMALS, nullptr
-          };
-          for (const Cache::Carried& known : cache.Arrays)
-          {
-            if (known.Source == item.Source && known.Time == item.Time && known.Points == points &&
-                known.Normals == item.Normals)
-            {
-              item.Result = known.Result;
-            }
-          }
-          if (!item.Result)
-          {
-            item.Result = points ? CarryPointArray(array, item.Normals, cache.Result, cache.InputTriangles)
-                                 : CarryCellArray(array, cache.Result);
-          }
-          carried.push_back(item);
-          const int index = to->AddArray(item.Result);
-          if (attribute >= 0)
-          {
-            to->SetActiveAttribute(index, attribute);
-          }
-        }
-      };
-      output->SetPoints(cache.Points);
-      output->SetPolys(cache.Polys);
-      carry(input->GetPointData(), output->GetPointData(), true);
-      carry(input->GetCellData(), output->GetCellData(), false);
-      cache.Arrays = carried;
-      output->GetCellData()->AddArray(cache.SourceCell);
-      output->GetCellData()->AddArray(cache.SourceWeights);
-      output->GetFieldData()->PassData(input->GetFieldData());
-      if (cache.GuideLength)
-      {
-        output->GetFieldData()->AddArray(cache.GuideLength);
-      }
-
-      if (handles)
-      {
-        boundHandles->ShallowCopy(handles);
-        vtkNew<vtkPoints> points;
-        points->SetDataTypeToDouble();
-        for (const Binding& binding : cache.Result.handles)
-        {
-          Vector3 position = Vector3::Zero();
-          for (int k = 0; k < 3; ++k)
-          {
-            Vector3 p;
-            cache.Points->GetPoint(binding.vertices[k], p.data());
-            position += binding.weights[k] * p;
-          }
-          points->InsertNextPoint(position.data());
-        }
-        boundHandles->SetPoints(points);
-        WriteBindings(cache.Result.handles, boundHandles);
+        cache.WriteHandles(handles, vtkPolyData::GetData(outputs, 1));
       }
     });
 }
@@ -397,7 +445,7 @@ int vtkOversketchRemesh::RequestData(vtkInformation*,
 void vtkOversketchRemesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Stage: " << (this->Stage == STRETCH ? "Stretch" : "Restore") << "\n";
+  os << indent << "Stage: " << (this->Stage == Stretch ? "Stretch" : "Restore") << "\n";
   os << indent << "Iterations: " << this->Iterations << "\n";
   os << indent << "LimitByDiameter: " << (this->LimitByDiameter ? "On" : "Off") << "\n";
   os << indent << "ProtectSection: " << (this->ProtectSection ? "On" : "Off") << "\n";

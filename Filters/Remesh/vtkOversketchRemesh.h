@@ -75,10 +75,10 @@ public:
   vtkTypeMacro(vtkOversketchRemesh, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Stages
+  enum StageType
   {
-    STRETCH = 0,
-    RESTORE = 1
+    Stretch = 0,
+    Restore = 1
   };
 
   /**
@@ -90,12 +90,12 @@ public:
 
   ///@{
   /**
-   * STRETCH: before deforming, to length L k; RESTORE: after it, to length L. Default STRETCH.
+   * Stretch: before deforming, to length L k; Restore: after it, to length L. Default Stretch.
    */
-  vtkSetClampMacro(Stage, int, STRETCH, RESTORE);
+  vtkSetClampMacro(Stage, int, Stretch, Restore);
   vtkGetMacro(Stage, int);
-  void SetStageToStretch() { this->SetStage(STRETCH); }
-  void SetStageToRestore() { this->SetStage(RESTORE); }
+  void SetStageToStretch() { this->SetStage(Stretch); }
+  void SetStageToRestore() { this->SetStage(Restore); }
   ///@}
 
   ///@{
@@ -156,7 +156,7 @@ private:
   vtkOversketchRemesh(const vtkOversketchRemesh&) = delete;
   void operator=(const vtkOversketchRemesh&) = delete;
 
-  int Stage = STRETCH;
+  int Stage = Stretch;
   int Iterations = 5;
   bool LimitByDiameter = true;
   bool ProtectSection = true;

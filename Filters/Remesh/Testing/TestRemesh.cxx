@@ -117,14 +117,14 @@ TEST(A11_1, MeanEdgeIsLKAfterStretchAndLAfterRestore)
   {
     const auto input = withRegion(c.mesh, c.inside);
     const Quality before = qualityOf(input);
-    Remeshed stretch(input, vtkOversketchRemesh::STRETCH, handlesOn(input, c.k, 1.0));
+    Remeshed stretch(input, vtkOversketchRemesh::Stretch, handlesOn(input, c.k, 1.0));
     const auto dense = stretch.run();
     EXPECT_NEAR(stretch.filter->GetGuideLength(), before.meanEdge, 1e-12);
     const Quality afterStretch = qualityOf(dense);
     EXPECT_GT(dense->GetNumberOfPoints(), input->GetNumberOfPoints());
     const double a = afterStretch.meanEdge / (c.k * before.meanEdge);
     EXPECT_NEAR(a, 1.0, 0.2);
-    Remeshed restore(dense, vtkOversketchRemesh::RESTORE);
+    Remeshed restore(dense, vtkOversketchRemesh::Restore);
     const Quality afterRestore = qualityOf(restore.run());
     EXPECT_EQ(restore.filter->GetGuideLength(), stretch.filter->GetGuideLength());
     const double b = afterRestore.meanEdge / before.meanEdge;
@@ -183,10 +183,10 @@ TEST(A11_2, StretchedLimbKeepsItsTrianglesAndTheMeshItsTopology)
   {
     const Quality before = qualityOf(c.input);
     const Quality without = qualityOf(mapped(c.input, c.map));
-    Remeshed stretch(c.input, vtkOversketchRemesh::STRETCH, handlesOn(c.input, 1.0, 2.5));
+    Remeshed stretch(c.input, vtkOversketchRemesh::Stretch, handlesOn(c.input, 1.0, 2.5));
     const auto dense = stretch.run();
     const auto deformed = mapped(dense, c.map);
-    Remeshed restore(deformed, vtkOversketchRemesh::RESTORE, stretch.filter->GetHandlesOutput());
+    Remeshed restore(deformed, vtkOversketchRemesh::Restore, stretch.filter->GetHandlesOutput());
     const auto result = restore.run();
     expectOutsideUntouched(c.input, dense);
     expectOutsideUntouched(deformed, result);
@@ -215,7 +215,7 @@ TEST(Remesh, BadTrianglesBecomeEvenOnes)
   const Mesh mesh = torus(1.0, 0.4, 160, 12);
   const auto input = withRegion(mesh, [](const Vector3&) { return true; });
   const Quality before = qualityOf(input);
-  const auto output = Remeshed(input, vtkOversketchRemesh::RESTORE).run();
+  const auto output = Remeshed(input, vtkOversketchRemesh::Restore).run();
   const Quality after = qualityOf(output);
   EXPECT_LT(before.smallest, 20.0);
   EXPECT_GT(after.smallest, 25.0);
@@ -243,7 +243,7 @@ TEST(Remesh, TheSectionKeepsItsPlaceWhenProtected)
   ASSERT_GT(handles->GetNumberOfPoints(), 5);
   for (const bool protect : { true, false })
   {
-    Remeshed stretch(input, vtkOversketchRemesh::STRETCH, handles);
+    Remeshed stretch(input, vtkOversketchRemesh::Stretch, handles);
     stretch.filter->SetProtectSection(protect);
     const auto output = stretch.run();
     vtkPolyData* bound = stretch.filter->GetHandlesOutput();
@@ -298,7 +298,7 @@ TEST(Remesh, EveryCornerKnowsWhereItCameFromAndChartsKeepTheirSeams)
   };
   for (const double k : { 0.4, 1.0 })
   {
-    Remeshed stretch(input, vtkOversketchRemesh::STRETCH, handlesOn(input, k, 1.0));
+    Remeshed stretch(input, vtkOversketchRemesh::Stretch, handlesOn(input, k, 1.0));
     const auto output = stretch.run();
     const Mesh result = MeshOf(output);
     vtkDataArray* cell = output->GetCellData()->GetArray("SourceCell");
@@ -340,7 +340,7 @@ TEST(Remesh, AFinAndABorderStay)
   const Quality before = qualityOf(input);
   for (const double k : { 1.0, 0.5 })
   {
-    Remeshed stretch(input, vtkOversketchRemesh::STRETCH, handlesOn(input, k, 1.0));
+    Remeshed stretch(input, vtkOversketchRemesh::Stretch, handlesOn(input, k, 1.0));
     const Quality after = qualityOf(stretch.run());
     EXPECT_EQ(after.nonManifoldEdges, 1);
     EXPECT_NEAR(after.borderLength, before.borderLength, 1e-12);
@@ -357,7 +357,7 @@ TEST(Remesh, AThinSheetDoesNotExplodeAndALimitIsFollowed)
   {
     const auto input = withRegion(mesh, upperHalf, diameter);
     const int before = qualityOf(input).triangles;
-    const Quality after = qualityOf(Remeshed(input, vtkOversketchRemesh::RESTORE).run());
+    const Quality after = qualityOf(Remeshed(input, vtkOversketchRemesh::Restore).run());
     EXPECT_LT(after.triangles, 5 * before) << diameter;
     if (diameter == 1.6 * edge)
     {

@@ -32,7 +32,7 @@ TEST(Remesh, DataAreCarriedOver)
   input->GetCellData()->AddArray(cells);
   input->GetFieldData()->AddArray(doubles("Note", { 7.0 }));
   const auto content = contentOf(input);
-  Remeshed stretch(input, vtkOversketchRemesh::STRETCH, handlesOn(input, 0.4, 1.0));
+  Remeshed stretch(input, vtkOversketchRemesh::Stretch, handlesOn(input, 0.4, 1.0));
   const auto output = stretch.run();
   EXPECT_EQ(contentOf(input), content);
   ASSERT_NE(output->GetPointData()->GetScalars(), nullptr);
@@ -73,11 +73,11 @@ TEST(Remesh, SameBitsForAnyNumberOfThreadsColdOrKept)
   for (const int threads : { 1, 2 })
   {
     vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
-      [&] { results.push_back(contentOf(Remeshed(input, vtkOversketchRemesh::STRETCH, handles).run())); });
+      [&] { results.push_back(contentOf(Remeshed(input, vtkOversketchRemesh::Stretch, handles).run())); });
   }
   EXPECT_EQ(results[0], results[1]);
 
-  Remeshed stretch(input, vtkOversketchRemesh::STRETCH, handles);
+  Remeshed stretch(input, vtkOversketchRemesh::Stretch, handles);
   EXPECT_EQ(contentOf(stretch.run()), results[0]);
   EXPECT_EQ(stretch.filter->GetRemeshCount(), 1);
   vtkPoints* points = stretch.filter->GetOutput()->GetPoints();
@@ -164,7 +164,7 @@ TEST(Remesh, RefusesWhatItCannotRead)
   {
     const auto input = withRegion(icosphere(2), upperHalf);
     const auto handles = handlesOn(input, 1.0, 2.0);
-    Remeshed stretch(input, vtkOversketchRemesh::STRETCH, handles);
+    Remeshed stretch(input, vtkOversketchRemesh::Stretch, handles);
     const auto good = contentOf(stretch.run());
     vtkNew<vtkPolyData> badInput, badHandles;
     badInput->DeepCopy(input);
@@ -183,11 +183,11 @@ TEST(Remesh, RefusesWhatItCannotRead)
 TEST(Remesh, NothingToDoIsNoError)
 {
   vtkNew<vtkPolyData> empty;
-  Remeshed none(empty, vtkOversketchRemesh::STRETCH);
+  Remeshed none(empty, vtkOversketchRemesh::Stretch);
   Ear ear(none.filter);
   EXPECT_EQ(none.run()->GetNumberOfPoints(), 0);
   const auto outside = withRegion(icosphere(2), [](const Vector3&) { return false; });
-  Remeshed same(outside, vtkOversketchRemesh::RESTORE);
+  Remeshed same(outside, vtkOversketchRemesh::Restore);
   const auto output = same.run();
   expectOutsideUntouched(outside, output);
   EXPECT_EQ(output->GetNumberOfPoints(), outside->GetNumberOfPoints());
@@ -199,8 +199,8 @@ TEST(Remesh, ACancelledRunIsSilentAndARetryComplete)
 {
   const auto input = withRegion(icosphere(4), upperHalf);
   const auto whole =
-    contentOf(Remeshed(input, vtkOversketchRemesh::STRETCH, handlesOn(input, 0.5, 1.0)).run());
-  Remeshed stretch(input, vtkOversketchRemesh::STRETCH, handlesOn(input, 0.5, 1.0));
+    contentOf(Remeshed(input, vtkOversketchRemesh::Stretch, handlesOn(input, 0.5, 1.0)).run());
+  Remeshed stretch(input, vtkOversketchRemesh::Stretch, handlesOn(input, 0.5, 1.0));
   expectCancel(stretch.filter, 0.4);
   EXPECT_EQ(stretch.filter->GetRemeshCount(), 0);
   EXPECT_EQ(contentOf(stretch.run()), whole);
