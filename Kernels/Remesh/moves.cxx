@@ -287,17 +287,14 @@ int Patch::split(int h, std::array<int, 4>& neighbours)
   return m;
 }
 
-bool Patch::collapse(int h, double longest)
+// Fills spokes_ and ring_ with what is round a half-edge's origin; false where the mesh would not stay a
+// surface without it, or an edge longer than `longest` would come.
+bool Patch::ringToCollapse(int h, double longest)
 {
-  if (!this->inner(h) || this->fixed(this->origin(h)))
-  {
-    return false;
-  }
-  const int from = this->origin(h), to = this->target(h);
+  const int to = this->target(h);
   // Link condition: the two vertices opposite the edge are the only common neighbours, and stay in at least
   // three triangles (one on a border).
-  const int wings[2] = { this->origin(previousHalfEdge(h)), this->origin(previousHalfEdge(this->twin_[h])) };
-  for (const int wing : wings)
+  for (const int wing : { this->origin(previousHalfEdge(h)), this->origin(previousHalfEdge(this->twin_[h])) })
   {
     if (this->valence_[wing] <= (this->border_[wing] ? 2 : 3))
     {
@@ -327,12 +324,16 @@ bool Patch::collapse(int h, double longest)
   {
     return false;
   }
+  // A triangle that is left must not lie upon another.
   const int rim = this->twin_[nextHalfEdge(this->spokes_[1])];
-  if (n == 3 && (rim < 0 || this->origin(previousHalfEdge(rim)) == to))
-  {
-    return false; // the triangle left would lie upon another
-  }
+  return n > 3 || (rim >= 0 && this->origin(previousHalfEdge(rim)) != to);
+}
 
+// Fills before_ and after_ for the ring; false where a triangle would turn over or become too narrow, or the
+// surface would lose what the vertex stands for.
+bool Patch::shapeSurvivesCollapse(int h)
+{
+  const int from = this->origin(h), to = this->target(h), n = static_cast<int>(this->ring_.size());
   // Triangle i lies between spokes i and i + 1: the first and the last go, the others move to `to`.
   this->before_.resize(n);
   this->after_.resize(n);
@@ -364,10 +365,13 @@ bool Patch::collapse(int h, double longest)
     near = squaredDistance(goal, this->points_[this->ring_[i]], this->points_[this->ring_[i + 1]], old) <=
            deviation * deviation;
   }
-  if (!near)
-  {
-    return false;
-  }
+  return near;
+}
+
+// Whether there would be more folded edges.
+bool Patch::collapseFolds(int h) const
+{
+  const int n = static_cast<int>(this->ring_.size());
   int folds = this->foldsOver(nextHalfEdge(h), this->after_[1]) +
               this->foldsOver(nextHalfEdge(this->spokes_[n - 1]), this->after_[n - 2]);
   for (int i = 1; i + 1 < n; ++i)
@@ -380,11 +384,18 @@ bool Patch::collapse(int h, double longest)
     folds -= this->foldsOver(nextHalfEdge(this->spokes_[i]), this->before_[i]) +
              foldWeight(this->before_[i], this->before_[i + 1 == n ? 0 : i + 1]);
   }
-  if (folds > 0)
+  return folds > 0;
+}
+
+bool Patch::collapse(int h, double longest)
+{
+  if (!this->inner(h) || this->fixed(this->origin(h)) || !this->ringToCollapse(h, longest) ||
+      !this->shapeSurvivesCollapse(h) || this->collapseFolds(h))
   {
     return false;
   }
-
+  const int from = this->origin(h), to = this->target(h), n = static_cast<int>(this->ring_.size());
+  const int wings[2] = { this->origin(previousHalfEdge(h)), this->origin(previousHalfEdge(this->twin_[h])) };
   const int t0 = this->spokes_[0] / 3, t1 = this->spokes_[n - 1] / 3;
   const int first = nextHalfEdge(this->spokes_[0]);    // `to` to the first wing
   const int last = nextHalfEdge(this->spokes_[n - 1]); // the last wing to `to`

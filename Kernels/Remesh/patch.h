@@ -118,6 +118,9 @@ private:
     return this->cross(this->at(3 * t), this->at(3 * t + 1), this->at(3 * t + 2));
   }
   int foldsOver(int h, const Vector3& own) const;
+  bool ringToCollapse(int h, double longest);
+  bool shapeSurvivesCollapse(int h);
+  bool collapseFolds(int h) const;
   bool middleOf(int h, SurfacePoint& result, bool& straight) const;
   void link(int h, int twin, int was);
   void join(int h, int twin);

@@ -28,21 +28,28 @@ std::vector<int> edgeMiddles(const OutlineLoop& loop)
   return middles;
 }
 
-} // namespace
-
-std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<OutlineLoop>& loops,
-  const std::vector<VisibleCurve>& curves,
-  double attachDistance,
-  bool bindEdges)
+// A smoothed loop, and what hangs on it.
+struct Track
 {
-  struct Track
-  {
-    Polyline points;
-    std::vector<double> lengths;
-    NearestPlace nearest;
-    bool closed;
-    double whole() const { return this->lengths.back(); }
-  };
+  Polyline points;
+  std::vector<double> lengths;
+  NearestPlace nearest;
+  bool closed;
+  double whole() const { return this->lengths.back(); }
+};
+
+struct Attachment
+{
+  int loop = -1;
+  NearestPlace::Answer place;
+  double along = 0.0; // px along the loop
+  Vector2 offset = Vector2::Zero();
+  int curve = -1, point = -1;
+  Binding edge{};
+};
+
+std::vector<Track> tracksOf(const std::vector<OutlineLoop>& loops)
+{
   std::vector<Track> tracks;
   for (const OutlineLoop& loop : loops)
   {
@@ -50,142 +57,202 @@ std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<Outl
     tracks.push_back(
       { smooth, arcLengths(smooth, loop.closed), NearestPlace(smooth, loop.closed), loop.closed });
   }
-  struct Attachment
+  return tracks;
+}
+
+// One silhouette curve against the loops: which of its points hang on which.
+class CurveAttacher
+{
+public:
+  CurveAttacher(const std::vector<Track>& tracks,
+    const VisibleCurve& curve,
+    int number,
+    double attachDistance)
+    : tracks_(tracks)
+    , curve_(curve)
+    , count_(static_cast<int>(curve.display.size()))
+    , attachDistance_(attachDistance)
+    , found_(curve.display.size())
   {
-    int loop = -1;
-    NearestPlace::Answer place;
-    double along = 0.0; // px along the loop
-    Vector2 offset = Vector2::Zero();
-    int curve = -1, point = -1;
-    Binding edge{};
-  };
-  std::vector<std::vector<Attachment>> attached(loops.size());
-  for (int c = 0; c < static_cast<int>(curves.size()); ++c)
-  {
-    const VisibleCurve& curve = curves[c];
-    const int count = static_cast<int>(curve.display.size());
-    std::vector<Attachment> found(curve.display.size());
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < this->count_; ++i)
     {
-      double limit = curve.reach.empty() ? attachDistance : std::min(attachDistance, curve.reach[i]);
-      for (int l = 0; l < static_cast<int>(tracks.size()); ++l)
-      {
-        const NearestPlace::Answer place = tracks[l].nearest(curve.display[i], limit);
-        if (place.segment >= 0 && (found[i].loop < 0 || place.distance < limit))
-        {
-          const std::vector<double>& lengths = tracks[l].lengths;
-          limit = place.distance;
-          found[i] = { l,
-            place,
-            lengths[place.segment] + place.t * (lengths[place.segment + 1] - lengths[place.segment]),
-            curve.display[i] - place.place,
-            c,
-            i };
-        }
-      }
+      this->findNearest(i, number);
     }
-    // The step from point i to the next, along the loop they both hang on.
-    const auto next = [&](int i) { return i + 1 < count ? i + 1 : curve.closed ? 0 : -1; };
-    const auto progress = [&](int i, int j)
-    {
-      const Track& track = tracks[found[i].loop];
-      double step = found[j].along - found[i].along;
-      if (track.closed && std::abs(step) > 0.5 * track.whole())
-      {
-        step -= std::copysign(track.whole(), step);
-      }
-      return step;
-    };
-    const auto together = [&](int i, int j) { return found[i].loop >= 0 && found[i].loop == found[j].loop; };
     double run = 0.0;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < this->count_; ++i)
     {
-      const int j = next(i);
-      run += j >= 0 && together(i, j) ? progress(i, j) : 0.0;
+      const int j = this->next(i);
+      run += j >= 0 && this->together(i, j) ? this->progress(i, j) : 0.0;
     }
-    const double sign = run < 0.0 ? -1.0 : 1.0;
-    // +1: the step runs along the loop; -1: it runs back or leaves it sideways; 0: nothing to tell.
-    const auto verdict = [&](int i, int j)
+    this->sign_ = run < 0.0 ? -1.0 : 1.0;
+  }
+
+  // Adds those that run along their loop to the loop's attachments.
+  void addTo(std::vector<std::vector<Attachment>>& attached) const
+  {
+    for (int i = 0; i < this->count_; ++i)
     {
-      const double length = (curve.display[j] - curve.display[i]).norm();
-      if (together(i, j))
-      {
-        return sign * progress(i, j) >= 0.3 * length ? 1 : length < 0.25 ? 0 : -1;
-      }
-      return length > 2.0 * attachDistance ? 0 : -1; // a long step says nothing of its ends
-    };
-    for (int i = 0; i < count; ++i)
-    {
-      if (found[i].loop < 0)
+      if (this->found_[i].loop < 0)
       {
         continue;
       }
-      const int after = next(i), before = i > 0 ? i - 1 : curve.closed ? count - 1 : -1;
-      const int ahead = after >= 0 ? verdict(i, after) : 0, behind = before >= 0 ? verdict(before, i) : 0;
+      const int after = this->next(i), before = this->previous(i);
+      const int ahead = after >= 0 ? this->verdict(i, after) : 0,
+                behind = before >= 0 ? this->verdict(before, i) : 0;
       if (ahead > 0 || behind > 0 || (ahead == 0 && behind == 0))
       {
-        attached[found[i].loop].push_back(found[i]);
+        attached[this->found_[i].loop].push_back(this->found_[i]);
       }
     }
   }
 
-  std::vector<std::vector<OutlineStation>> outlines(loops.size());
-  for (std::size_t l = 0; l < loops.size(); ++l)
+private:
+  void findNearest(int i, int number)
   {
-    const Track& track = tracks[l];
-    std::vector<Attachment>& list = attached[l];
-    std::stable_sort(
-      list.begin(), list.end(), [](const Attachment& a, const Attachment& b) { return a.along < b.along; });
+    double limit = this->curve_.reach.empty() ? this->attachDistance_
+                                              : std::min(this->attachDistance_, this->curve_.reach[i]);
+    Attachment& found = this->found_[i];
+    for (int l = 0; l < static_cast<int>(this->tracks_.size()); ++l)
+    {
+      const NearestPlace::Answer place = this->tracks_[l].nearest(this->curve_.display[i], limit);
+      if (place.segment >= 0 && (found.loop < 0 || place.distance < limit))
+      {
+        const std::vector<double>& lengths = this->tracks_[l].lengths;
+        limit = place.distance;
+        found = { l,
+          place,
+          lengths[place.segment] + place.t * (lengths[place.segment + 1] - lengths[place.segment]),
+          this->curve_.display[i] - place.place,
+          number,
+          i };
+      }
+    }
+  }
+
+  int next(int i) const { return i + 1 < this->count_ ? i + 1 : this->curve_.closed ? 0 : -1; }
+  int previous(int i) const { return i > 0 ? i - 1 : this->curve_.closed ? this->count_ - 1 : -1; }
+  bool together(int i, int j) const
+  {
+    return this->found_[i].loop >= 0 && this->found_[i].loop == this->found_[j].loop;
+  }
+
+  // The step from point i to the next, along the loop they both hang on.
+  double progress(int i, int j) const
+  {
+    const Track& track = this->tracks_[this->found_[i].loop];
+    double step = this->found_[j].along - this->found_[i].along;
+    if (track.closed && std::abs(step) > 0.5 * track.whole())
+    {
+      step -= std::copysign(track.whole(), step);
+    }
+    return step;
+  }
+
+  // +1: the step runs along the loop; -1: it runs back or leaves it sideways; 0: nothing to tell.
+  int verdict(int i, int j) const
+  {
+    const double length = (this->curve_.display[j] - this->curve_.display[i]).norm();
+    if (this->together(i, j))
+    {
+      return this->sign_ * this->progress(i, j) >= 0.3 * length ? 1 : length < 0.25 ? 0 : -1;
+    }
+    return length > 2.0 * this->attachDistance_ ? 0 : -1; // a long step says nothing of its ends
+  }
+
+  const std::vector<Track>& tracks_;
+  const VisibleCurve& curve_;
+  const int count_;
+  const double attachDistance_;
+  std::vector<Attachment> found_; // per point of the curve
+  double sign_ = 1.0;             // of its way along the loops
+};
+
+void sortAlong(std::vector<Attachment>& list)
+{
+  std::stable_sort(
+    list.begin(), list.end(), [](const Attachment& a, const Attachment& b) { return a.along < b.along; });
+}
+
+void addEdges(const OutlineLoop& loop, int number, const Track& track, std::vector<Attachment>& list)
+{
+  for (const int middle : edgeMiddles(loop))
+  {
+    Attachment edge;
+    edge.loop = number;
+    edge.place.segment = middle;
+    edge.place.place = track.points[middle];
+    edge.along = track.lengths[middle];
+    edge.offset = loop.points[middle] - edge.place.place;
+    edge.edge = loop.edges[middle];
+    list.push_back(edge);
+  }
+  sortAlong(list);
+}
+
+// The offset of a loop point between two attached ones, the second of which is list[next].
+Vector2 offsetBetween(const Track& track, const std::vector<Attachment>& list, double along, std::size_t next)
+{
+  if (list.empty())
+  {
+    return Vector2::Zero();
+  }
+  const bool wraps = next == 0 || next == list.size();
+  const Attachment& a = wraps ? list.back() : list[next - 1];
+  const Attachment& b = wraps ? list.front() : list[next];
+  if (wraps && !track.closed)
+  {
+    return next == 0 ? b.offset : a.offset;
+  }
+  double gap = b.along - a.along, step = along - a.along;
+  gap += wraps ? track.whole() : 0.0;
+  step += step < 0.0 ? track.whole() : 0.0;
+  return gap > 0.0 ? Vector2(a.offset + step / gap * (b.offset - a.offset)) : a.offset;
+}
+
+// The points of a loop, and what hangs on it, in their order along it.
+std::vector<OutlineStation> stationsOf(const Track& track, const std::vector<Attachment>& list)
+{
+  std::vector<OutlineStation> stations;
+  std::size_t k = 0;
+  for (int i = 0; i < static_cast<int>(track.points.size()); ++i)
+  {
+    // A loop point that stands for a mesh edge takes its own place.
+    const bool own = k < list.size() && list[k].place.segment == i && list[k].curve < 0;
+    if (!own)
+    {
+      stations.push_back(
+        { track.points[i], offsetBetween(track, list, track.lengths[i], k), -1, -1, Binding() });
+    }
+    for (; k < list.size() && list[k].place.segment == i; ++k)
+    {
+      stations.push_back({ list[k].place.place, list[k].offset, list[k].curve, list[k].point, list[k].edge });
+    }
+  }
+  return stations;
+}
+
+} // namespace
+
+std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<OutlineLoop>& loops,
+  const std::vector<VisibleCurve>& curves,
+  double attachDistance,
+  bool bindEdges)
+{
+  const std::vector<Track> tracks = tracksOf(loops);
+  std::vector<std::vector<Attachment>> attached(loops.size());
+  for (int c = 0; c < static_cast<int>(curves.size()); ++c)
+  {
+    CurveAttacher(tracks, curves[c], c, attachDistance).addTo(attached);
+  }
+  std::vector<std::vector<OutlineStation>> outlines;
+  for (int l = 0; l < static_cast<int>(loops.size()); ++l)
+  {
+    sortAlong(attached[l]);
     if (bindEdges)
     {
-      for (const int middle : edgeMiddles(loops[l]))
-      {
-        Attachment edge;
-        edge.loop = static_cast<int>(l);
-        edge.place.segment = middle;
-        edge.place.place = track.points[middle];
-        edge.along = track.lengths[middle];
-        edge.offset = loops[l].points[middle] - edge.place.place;
-        edge.edge = loops[l].edges[middle];
-        list.push_back(edge);
-      }
-      std::stable_sort(
-        list.begin(), list.end(), [](const Attachment& a, const Attachment& b) { return a.along < b.along; });
+      addEdges(loops[l], l, tracks[l], attached[l]);
     }
-    // The offset of a loop point between two attached ones.
-    const auto offsetAt = [&](double along, std::size_t nextIndex)
-    {
-      if (list.empty())
-      {
-        return Vector2(Vector2::Zero());
-      }
-      const bool wraps = nextIndex == 0 || nextIndex == list.size();
-      const Attachment& a = wraps ? list.back() : list[nextIndex - 1];
-      const Attachment& b = wraps ? list.front() : list[nextIndex];
-      if (wraps && !track.closed)
-      {
-        return nextIndex == 0 ? b.offset : a.offset;
-      }
-      double gap = b.along - a.along, step = along - a.along;
-      gap += wraps ? track.whole() : 0.0;
-      step += step < 0.0 ? track.whole() : 0.0;
-      return Vector2(gap > 0.0 ? a.offset + step / gap * (b.offset - a.offset) : a.offset);
-    };
-    std::size_t k = 0;
-    for (int i = 0; i < static_cast<int>(track.points.size()); ++i)
-    {
-      // A loop point that stands for a mesh edge takes its own place.
-      const bool own = k < list.size() && list[k].place.segment == i && list[k].curve < 0;
-      if (!own)
-      {
-        outlines[l].push_back({ track.points[i], offsetAt(track.lengths[i], k), -1, -1, Binding() });
-      }
-      for (; k < list.size() && list[k].place.segment == i; ++k)
-      {
-        outlines[l].push_back(
-          { list[k].place.place, list[k].offset, list[k].curve, list[k].point, list[k].edge });
-      }
-    }
+    outlines.push_back(stationsOf(tracks[l], attached[l]));
   }
   return outlines;
 }

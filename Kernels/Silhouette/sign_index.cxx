@@ -1,8 +1,10 @@
 #include "Silhouette/sign_index.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #ifdef __SSE__
 #include <xmmintrin.h>
@@ -111,6 +113,154 @@ SignChanges findSignChanges(const Mesh& mesh,
   return changes;
 }
 
+// Puts vertices and their edges to higher ones into clumps, each closed before it is too large.
+class SignIndex::ClumpMaker
+{
+public:
+  explicit ClumpMaker(SignIndex& index)
+    : index_(index)
+    , clumpOf_(index.mesh.points.size(), -1)
+  {
+  }
+
+  // With its edges [firstEdge, end).
+  void add(int vertex, int firstEdge, int end)
+  {
+    if (this->owners_.size() == clumpVertices || !this->put(vertex))
+    {
+      this->close();
+      this->put(vertex);
+    }
+    this->owners_.push_back({ vertex, firstEdge, 0 });
+    for (int e = firstEdge; e < end; ++e)
+    {
+      const int other = this->index_.adjacency.edges[e].v1;
+      if (!this->put(other))
+      {
+        this->close();
+        this->put(vertex);
+        this->put(other);
+        this->owners_.push_back({ vertex, e, 0 });
+      }
+      ++this->owners_.back().edgeCount;
+    }
+  }
+
+  // Closes the last clump and lays the boxes out in rows.
+  void finish()
+  {
+    if (!this->owners_.empty())
+    {
+      this->close();
+    }
+    SignIndex& index = this->index_;
+    index.values.resize(index.values.size() + 3, 0.0f); // signsOf reads four at a time
+    const std::size_t count = index.clumps.size();
+    this->openClump();
+    index.boxes.resize(8 * count);
+    for (std::size_t c = 0; c < count; ++c)
+    {
+      for (std::size_t k = 0; k < 8; ++k)
+      {
+        index.boxes[k * count + c] = this->bounds_[c][k];
+      }
+    }
+  }
+
+private:
+  struct Owner
+  {
+    int vertex, firstEdge, edgeCount;
+  };
+
+  void openClump()
+  {
+    this->index_.clumps.push_back(
+      { static_cast<int>(this->index_.vertices.size()), static_cast<int>(this->index_.fans.size()) });
+  }
+
+  // False where the clump has no room for it.
+  bool put(int vertex)
+  {
+    const int clump = static_cast<int>(this->index_.clumps.size());
+    if (this->clumpOf_[vertex] == clump)
+    {
+      return true;
+    }
+    if (static_cast<int>(this->locals_.size()) == localLimit)
+    {
+      return false;
+    }
+    this->clumpOf_[vertex] = clump;
+    this->locals_.push_back(vertex);
+    return true;
+  }
+
+  void close()
+  {
+    this->openClump();
+    std::sort(this->locals_.begin(), this->locals_.end());
+    this->writeValues();
+    for (const Owner& owner : this->owners_)
+    {
+      Fan fan{ 0, owner.firstEdge, this->number(owner.vertex) };
+      for (int e = owner.firstEdge; e < owner.firstEdge + owner.edgeCount; ++e)
+      {
+        fan.others |= std::uint64_t(1) << this->number(this->index_.adjacency.edges[e].v1);
+      }
+      if (fan.others != 0)
+      {
+        this->index_.fans.push_back(fan);
+      }
+    }
+    this->index_.vertices.insert(this->index_.vertices.end(), this->locals_.begin(), this->locals_.end());
+    this->locals_.clear();
+    this->owners_.clear();
+  }
+
+  int number(int vertex) const
+  {
+    return static_cast<int>(
+      std::lower_bound(this->locals_.begin(), this->locals_.end(), vertex) - this->locals_.begin());
+  }
+
+  // The clump's four rows, and their box.
+  void writeValues()
+  {
+    SignIndex& index = this->index_;
+    const int size = static_cast<int>(this->locals_.size());
+    const std::size_t rows = index.values.size();
+    index.values.resize(rows + 4 * this->locals_.size());
+    for (int i = 0; i < size; ++i)
+    {
+      const int vertex = this->locals_[i];
+      const Vector3& n = index.normals[vertex];
+      const double offset = -n.dot(index.mesh.points[vertex] - index.centre);
+      index.reach = std::max(index.reach, std::abs(offset));
+      const double row[4] = { n[0], n[1], n[2], offset };
+      for (int k = 0; k < 4; ++k)
+      {
+        index.values[rows + k * size + i] = static_cast<float>(row[k]);
+      }
+    }
+    std::array<float, 8> bound;
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto [low, high] = std::minmax_element(
+        index.values.begin() + rows + k * size, index.values.begin() + rows + (k + 1) * size);
+      bound[k] = 0.5f * (*low + *high);
+      bound[4 + k] = std::max(*high - bound[k], bound[k] - *low);
+    }
+    this->bounds_.push_back(bound);
+  }
+
+  SignIndex& index_;
+  std::vector<Owner> owners_; // of edges in the open clump
+  std::vector<int> locals_;   // its vertices
+  std::vector<int> clumpOf_;  // per vertex the last clump that it was put into
+  std::vector<std::array<float, 8>> bounds_;
+};
+
 SignIndex::SignIndex(const Mesh& surface,
   const Adjacency& neighbours,
   const std::vector<Vector3>& vertexNormals)
@@ -132,114 +282,13 @@ SignIndex::SignIndex(const Mesh& surface,
   {
     ++firstEdge[edge.v0 + 1];
   }
-  for (int v = 0; v < count; ++v)
-  {
-    firstEdge[v + 1] += firstEdge[v];
-  }
-
-  struct Owner
-  {
-    int vertex, firstEdge, edgeCount;
-  };
-  std::vector<Owner> owners;
-  std::vector<int> locals;
-  std::vector<int> clumpOf(count, -1); // the last one that the vertex was put into
-  std::vector<std::array<float, 8>> bounds;
-  const auto close = [&]
-  {
-    this->clumps.push_back({ static_cast<int>(this->vertices.size()), static_cast<int>(this->fans.size()) });
-    std::sort(locals.begin(), locals.end());
-    const int size = static_cast<int>(locals.size());
-    std::array<float, 8> bound;
-    const std::size_t rows = this->values.size();
-    this->values.resize(rows + 4 * locals.size());
-    for (int i = 0; i < size; ++i)
-    {
-      const Vector3& n = this->normals[locals[i]];
-      const double offset = -n.dot(this->mesh.points[locals[i]] - this->centre);
-      this->reach = std::max(this->reach, std::abs(offset));
-      const double row[4] = { n[0], n[1], n[2], offset };
-      for (int k = 0; k < 4; ++k)
-      {
-        this->values[rows + k * size + i] = static_cast<float>(row[k]);
-      }
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      const auto [low, high] = std::minmax_element(
-        this->values.begin() + rows + k * size, this->values.begin() + rows + (k + 1) * size);
-      bound[k] = 0.5f * (*low + *high);
-      bound[4 + k] = std::max(*high - bound[k], bound[k] - *low);
-    }
-    bounds.push_back(bound);
-    for (const Owner& owner : owners)
-    {
-      const auto number = [&](int v)
-      { return static_cast<int>(std::lower_bound(locals.begin(), locals.end(), v) - locals.begin()); };
-      Fan fan{ 0, owner.firstEdge, number(owner.vertex) };
-      for (int e = owner.firstEdge; e < owner.firstEdge + owner.edgeCount; ++e)
-      {
-        fan.others |= std::uint64_t(1) << number(this->adjacency.edges[e].v1);
-      }
-      if (fan.others != 0)
-      {
-        this->fans.push_back(fan);
-      }
-    }
-    this->vertices.insert(this->vertices.end(), locals.begin(), locals.end());
-    locals.clear();
-    owners.clear();
-  };
-  const auto put = [&](int v)
-  {
-    const int clump = static_cast<int>(this->clumps.size());
-    if (clumpOf[v] == clump)
-    {
-      return true;
-    }
-    if (static_cast<int>(locals.size()) == localLimit)
-    {
-      return false;
-    }
-    clumpOf[v] = clump;
-    locals.push_back(v);
-    return true;
-  };
+  std::partial_sum(firstEdge.begin(), firstEdge.end(), firstEdge.begin());
+  ClumpMaker maker(*this);
   for (const int v : clumpOrder(this->adjacency, count))
   {
-    if (owners.size() == clumpVertices || !put(v))
-    {
-      close();
-      put(v);
-    }
-    owners.push_back({ v, firstEdge[v], 0 });
-    for (int e = firstEdge[v]; e < firstEdge[v + 1]; ++e)
-    {
-      if (!put(this->adjacency.edges[e].v1))
-      {
-        close();
-        put(v);
-        put(this->adjacency.edges[e].v1);
-        owners.push_back({ v, e, 0 });
-      }
-      ++owners.back().edgeCount;
-    }
+    maker.add(v, firstEdge[v], firstEdge[v + 1]);
   }
-  if (!owners.empty())
-  {
-    close();
-  }
-  this->values.resize(this->values.size() + 3, 0.0f); // signsOf reads four at a time
-  const std::size_t clumpCount = this->clumps.size();
-  this->clumps.push_back({ static_cast<int>(this->vertices.size()), static_cast<int>(this->fans.size()) });
-  this->boxes.resize(8 * clumpCount);
-  for (std::size_t c = 0; c < clumpCount; ++c)
-  {
-    for (std::size_t k = 0; k < 8; ++k)
-    {
-      this->boxes[k * clumpCount + c] = bounds[c][k];
-    }
-  }
+  maker.finish();
 }
 
 void SignIndex::fetch(int clump) const

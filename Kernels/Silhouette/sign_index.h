@@ -62,6 +62,8 @@ private:
     int vertex; // local number
   };
 
+  class ClumpMaker;
+
   // Has the memory bring a clump's numbers: clumps apart in memory are no pattern that it sees by itself.
   void fetch(int clump) const;
 

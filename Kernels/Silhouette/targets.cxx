@@ -1,7 +1,10 @@
 #include "Silhouette/targets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numeric>
 
 namespace oversketch
@@ -18,6 +21,270 @@ Vector2 directionAt(const Polyline& points, const std::vector<double>& lengths, 
   return placeAt(lengths, count, length + reach).of(points) -
          placeAt(lengths, count, length - reach).of(points);
 }
+
+// The layers of handles, and which of them stay (see keepOneLayer).
+class LayerChooser
+{
+public:
+  LayerChooser(const std::vector<Handle>& handles,
+    const std::vector<SectionPoint>& section,
+    const Mesh& mesh,
+    const Adjacency& adjacency,
+    const View& view)
+    : handles_(handles)
+    , section_(section)
+    , mesh_(mesh)
+    , adjacency_(adjacency)
+    , count_(static_cast<int>(handles.size()))
+    , leader_(handles.size())
+  {
+    Polyline curve;
+    for (const SectionPoint& p : section)
+    {
+      curve.push_back(p.display);
+    }
+    this->along_ = arcLengths(curve);
+    this->joinNeighbours();
+    if (this->rankLayers())
+    {
+      this->measure(view);
+      this->kept_.resize(handles.size());
+      for (int h = 0; h < this->count_; ++h)
+      {
+        this->kept_[h] = this->layerOf(h) == this->main_;
+      }
+      // The nearest layer within reach joins; what it brings may reach further ones.
+      while (this->joinOne())
+      {
+      }
+    }
+  }
+
+  std::vector<Handle> kept() const
+  {
+    if (this->kept_.empty())
+    {
+      return this->handles_; // of one layer
+    }
+    std::vector<Handle> result;
+    for (int h = 0; h < this->count_; ++h)
+    {
+      if (this->kept_[h])
+      {
+        result.push_back(this->handles_[h]);
+      }
+    }
+    return result;
+  }
+
+private:
+  const SectionPoint& pointOf(int h) const { return this->section_[this->handles_[h].point]; }
+  const std::array<int, 3>& verticesOf(int h) const { return this->pointOf(h).binding.vertices; }
+  // Where a handle is along the section [px].
+  double at(int h) const { return this->along_[this->handles_[h].point]; }
+
+  // A layer goes by its first handle.
+  int layerOf(int h)
+  {
+    while (this->leader_[h] != h)
+    {
+      h = this->leader_[h] = this->leader_[this->leader_[h]];
+    }
+    return h;
+  }
+
+  void join(int a, int b)
+  {
+    a = this->layerOf(a);
+    b = this->layerOf(b);
+    this->leader_[std::max(a, b)] = std::min(a, b);
+  }
+
+  // Handles whose vertices coincide or are neighbours are of one layer.
+  void joinNeighbours()
+  {
+    std::iota(this->leader_.begin(), this->leader_.end(), 0);
+    std::vector<int> handleAt(this->mesh_.points.size(), -1);
+    for (int h = 0; h < this->count_; ++h)
+    {
+      for (const int v : this->verticesOf(h))
+      {
+        if (handleAt[v] >= 0)
+        {
+          this->join(h, handleAt[v]);
+        }
+        handleAt[v] = h;
+      }
+    }
+    const Lists& neighbours = this->adjacency_.vertexVertices;
+    for (int h = 0; h < this->count_; ++h)
+    {
+      for (const int v : this->verticesOf(h))
+      {
+        for (const int* n = neighbours.begin(v); n != neighbours.end(v); ++n)
+        {
+          if (handleAt[*n] >= 0)
+          {
+            this->join(h, handleAt[*n]);
+          }
+        }
+      }
+    }
+  }
+
+  // Finds the layer that covers most: the gaps between its own neighbours, none counted beyond a tenth of the
+  // section. False where there is only one.
+  bool rankLayers()
+  {
+    std::vector<double> covers(this->handles_.size(), 0.0);
+    std::vector<int> previous(this->handles_.size(), -1), layers;
+    for (int h = 0; h < this->count_; ++h)
+    {
+      const int layer = this->layerOf(h);
+      if (previous[layer] < 0)
+      {
+        layers.push_back(layer);
+      }
+      else
+      {
+        covers[layer] += std::min(this->at(h) - this->at(previous[layer]), 0.1 * this->along_.back());
+      }
+      previous[layer] = h;
+    }
+    if (layers.size() < 2)
+    {
+      return false;
+    }
+    this->main_ =
+      *std::max_element(layers.begin(), layers.end(), [&](int a, int b) { return covers[a] < covers[b]; });
+    std::copy_if(layers.begin(),
+      layers.end(),
+      std::back_inserter(this->open_),
+      [this](int layer) { return layer != this->main_; });
+    return true;
+  }
+
+  // Sizes that turn gaps in the image plane into geodesic lengths.
+  void measure(const View& view)
+  {
+    const Lists& neighbours = this->adjacency_.vertexVertices;
+    int edges = 0;
+    for (int h = 0; h < this->count_; ++h)
+    {
+      const SectionPoint& q = this->pointOf(h);
+      for (const int v : q.binding.vertices)
+      {
+        for (const int* n = neighbours.begin(v); n != neighbours.end(v); ++n)
+        {
+          this->edge_ += (this->mesh_.points[*n] - this->mesh_.points[v]).norm();
+          ++edges;
+        }
+      }
+      const double depth = view.depth(q.position);
+      this->pixel_ +=
+        (view.toWorld(q.display + Vector2(1.0, 0.0), depth) - view.toWorld(q.display, depth)).norm() /
+        this->count_;
+    }
+    this->edge_ = edges > 0 ? this->edge_ / edges : 0.0;
+  }
+
+  double reachOver(double gap) const { return 2.5 * gap * this->pixel_ + 6.0 * this->edge_; }
+
+  // Gap of each open layer to what is kept, along the section.
+  std::vector<double> gaps()
+  {
+    std::vector<double> gap(this->handles_.size(), infinite);
+    for (const bool forward : { true, false })
+    {
+      double last = infinite;
+      for (int k = 0; k < this->count_; ++k)
+      {
+        const int h = forward ? k : this->count_ - 1 - k;
+        if (this->kept_[h])
+        {
+          last = this->at(h);
+        }
+        else
+        {
+          double& least = gap[this->layerOf(h)];
+          least = std::min(least, std::abs(this->at(h) - last));
+        }
+      }
+    }
+    return gap;
+  }
+
+  // Way along edges from each open layer to what is kept, as far as it matters.
+  std::vector<double> ways(const std::vector<double>& gap)
+  {
+    std::vector<int> sources;
+    double reach = 0.0;
+    for (int h = 0; h < this->count_; ++h)
+    {
+      if (this->kept_[h])
+      {
+        sources.insert(sources.end(), this->verticesOf(h).begin(), this->verticesOf(h).end());
+      }
+      else
+      {
+        reach = std::max(reach, this->reachOver(gap[this->layerOf(h)]));
+      }
+    }
+    const std::vector<double> distance = edgeDistances(this->mesh_, this->adjacency_, sources, reach);
+    std::vector<double> way(this->handles_.size(), infinite);
+    for (int h = 0; h < this->count_; ++h)
+    {
+      for (const int v : this->verticesOf(h))
+      {
+        double& least = way[this->layerOf(h)];
+        least = std::min(least, distance[v]);
+      }
+    }
+    return way;
+  }
+
+  bool joinOne()
+  {
+    if (this->open_.empty())
+    {
+      return false;
+    }
+    const std::vector<double> gap = this->gaps(), way = this->ways(gap);
+    int joins = -1;
+    for (const int layer : this->open_)
+    {
+      if (way[layer] <= this->reachOver(gap[layer]) && (joins < 0 || gap[layer] < gap[joins]))
+      {
+        joins = layer;
+      }
+    }
+    if (joins < 0)
+    {
+      return false;
+    }
+    for (int h = 0; h < this->count_; ++h)
+    {
+      this->kept_[h] = this->kept_[h] || this->layerOf(h) == joins;
+    }
+    this->open_.erase(std::find(this->open_.begin(), this->open_.end(), joins));
+    return true;
+  }
+
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+  const std::vector<Handle>& handles_;
+  const std::vector<SectionPoint>& section_;
+  const Mesh& mesh_;
+  const Adjacency& adjacency_;
+  const int count_;
+  std::vector<double> along_; // lengths along the section in the image plane
+  std::vector<int> leader_;   // per handle, towards the first one of its layer
+  int main_ = -1;             // the layer that covers most
+  std::vector<int> open_;     // layers that have not joined
+  std::vector<char> kept_;    // per handle; empty where there is one layer
+  double edge_ = 0.0;         // mean length of the mesh edges at the handles
+  double pixel_ = 0.0;        // a pixel's size in the world there
+};
 
 } // namespace
 
@@ -119,182 +386,7 @@ std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles,
   const Adjacency& adjacency,
   const View& view)
 {
-  const int count = static_cast<int>(handles.size());
-  const auto binding = [&](int h) -> const Binding& { return section[handles[h].point].binding; };
-
-  // Layers: handles whose vertices coincide or are neighbours, found by union over the vertices.
-  std::vector<int> leader(count);
-  std::iota(leader.begin(), leader.end(), 0);
-  const auto find = [&](int h)
-  {
-    while (leader[h] != h)
-    {
-      h = leader[h] = leader[leader[h]];
-    }
-    return h;
-  };
-  const auto join = [&](int a, int b)
-  {
-    a = find(a);
-    b = find(b);
-    leader[std::max(a, b)] = std::min(a, b);
-  };
-  std::vector<int> handleAt(mesh.points.size(), -1);
-  for (int h = 0; h < count; ++h)
-  {
-    for (const int v : binding(h).vertices)
-    {
-      if (handleAt[v] >= 0)
-      {
-        join(h, handleAt[v]);
-      }
-      handleAt[v] = h;
-    }
-  }
-  for (int h = 0; h < count; ++h)
-  {
-    for (const int v : binding(h).vertices)
-    {
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
-      {
-        if (handleAt[*n] >= 0)
-        {
-          join(h, handleAt[*n]);
-        }
-      }
-    }
-  }
-
-  // Lengths along the section in the image plane; a pixel's size in the world turns gaps into geodesic
-  // lengths.
-  Polyline curve;
-  for (const SectionPoint& p : section)
-  {
-    curve.push_back(p.display);
-  }
-  const std::vector<double> along = arcLengths(curve);
-  const auto at = [&](int h) { return along[handles[h].point]; };
-
-  // What each layer covers: the gaps between its own neighbours, none counted beyond a tenth of the section.
-  std::vector<double> covers(count, 0.0);
-  std::vector<int> previous(count, -1), layers;
-  for (int h = 0; h < count; ++h)
-  {
-    const int layer = find(h);
-    if (previous[layer] < 0)
-    {
-      layers.push_back(layer);
-    }
-    else
-    {
-      covers[layer] += std::min(at(h) - at(previous[layer]), 0.1 * along.back());
-    }
-    previous[layer] = h;
-  }
-  if (layers.size() < 2)
-  {
-    return handles;
-  }
-  const int main =
-    *std::max_element(layers.begin(), layers.end(), [&](int a, int b) { return covers[a] < covers[b]; });
-
-  double edge = 0.0, pixel = 0.0;
-  int edges = 0;
-  for (int h = 0; h < count; ++h)
-  {
-    const SectionPoint& q = section[handles[h].point];
-    for (const int v : q.binding.vertices)
-    {
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
-      {
-        edge += (mesh.points[*n] - mesh.points[v]).norm();
-        ++edges;
-      }
-    }
-    const double depth = view.depth(q.position);
-    pixel +=
-      (view.toWorld(q.display + Vector2(1.0, 0.0), depth) - view.toWorld(q.display, depth)).norm() / count;
-  }
-  edge = edges > 0 ? edge / edges : 0.0;
-
-  std::vector<char> kept(count, 0);
-  for (int h = 0; h < count; ++h)
-  {
-    kept[h] = find(h) == main;
-  }
-  std::vector<int> open;
-  std::copy_if(
-    layers.begin(), layers.end(), std::back_inserter(open), [main](int layer) { return layer != main; });
-  while (!open.empty())
-  {
-    // Gap of each open layer to what is kept, along the section.
-    std::vector<double> gap(count, std::numeric_limits<double>::infinity());
-    for (const bool forward : { true, false })
-    {
-      double last = std::numeric_limits<double>::infinity();
-      for (int k = 0; k < count; ++k)
-      {
-        const int h = forward ? k : count - 1 - k;
-        if (kept[h])
-        {
-          last = at(h);
-        }
-        else
-        {
-          gap[find(h)] = std::min(gap[find(h)], std::abs(at(h) - last));
-        }
-      }
-    }
-    std::vector<int> sources;
-    double reach = 0.0;
-    for (int h = 0; h < count; ++h)
-    {
-      if (kept[h])
-      {
-        sources.insert(sources.end(), binding(h).vertices.begin(), binding(h).vertices.end());
-      }
-      else
-      {
-        reach = std::max(reach, 2.5 * gap[find(h)] * pixel + 6.0 * edge);
-      }
-    }
-    const std::vector<double> distance = edgeDistances(mesh, adjacency, sources, reach);
-    std::vector<double> geodesic(count, std::numeric_limits<double>::infinity());
-    for (int h = 0; h < count; ++h)
-    {
-      for (const int v : binding(h).vertices)
-      {
-        geodesic[find(h)] = std::min(geodesic[find(h)], distance[v]);
-      }
-    }
-    // The nearest layer within reach joins; what it brings may reach further ones.
-    int joins = -1;
-    for (const int layer : open)
-    {
-      if (geodesic[layer] <= 2.5 * gap[layer] * pixel + 6.0 * edge && (joins < 0 || gap[layer] < gap[joins]))
-      {
-        joins = layer;
-      }
-    }
-    if (joins < 0)
-    {
-      break;
-    }
-    for (int h = 0; h < count; ++h)
-    {
-      kept[h] = kept[h] || find(h) == joins;
-    }
-    open.erase(std::find(open.begin(), open.end(), joins));
-  }
-  std::vector<Handle> result;
-  for (int h = 0; h < count; ++h)
-  {
-    if (kept[h])
-    {
-      result.push_back(handles[h]);
-    }
-  }
-  return result;
+  return LayerChooser(handles, section, mesh, adjacency, view).kept();
 }
 
 } // namespace oversketch
