@@ -1,0 +1,83 @@
+"""The meshes are those that were recorded, to the bit: shipped strokes, strokes of the acceptance run, saved sessions and a
+collection, on both back ends, on one thread and on two, in filters that ran before and in fresh ones.
+
+Bits depend on the processor, the compiler and the libraries. On a platform that nobody recorded (record.py does it) one
+thread is compared with two, kept with fresh, and the figures of each mesh with those recorded, within recorded.py's
+tolerances; the output says so.
+"""
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import bits  # noqa: E402
+import recorded  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def made():
+    """{back end: (rows on one thread, rows on two)}."""
+    rows = {backend: [] for backend in bits.BACKENDS}
+    for count, arguments in ((1, []), (2, ["--cold"])):
+        running = [bits.Process(backend, count, *arguments) for backend in bits.BACKENDS]  # side by side
+        for backend, process in zip(bits.BACKENDS, running):
+            found, said = process.rows()
+            rows[backend].append(found)
+        print(said, end="")  # what is not here is not here for all of them
+    return rows
+
+
+@pytest.fixture(scope="module")
+def known():
+    return recorded.Recorded()
+
+
+def test_threads_and_what_was_kept_change_nothing(made):
+    for backend, (one, two) in made.items():
+        assert len(one) > 20 and one.keys() == two.keys()
+        assert [name for name in one if one[name] != two[name]] == [], backend
+
+
+def test_all_that_was_recorded_was_run(made, known):
+    here = {name for name, path, _ in bits.meshes.models()}
+    absent = {name for name in known.figures if name.startswith("acceptance/") and name.split("/")[1].split("-")[0] not in here}
+    beyond = {name for name in known.figures if name.startswith("each/")}  # of which only some are run
+    rows = made["embree"][0]
+    assert set(known.figures) - absent - beyond <= set(rows) <= set(known.figures)
+    if not absent:
+        groups = [sum(name.startswith(group) for name in rows) for group in bits.GROUPS]
+        assert groups == [20, 80, 3, bits.SOME + 3]
+
+
+def test_meshes_are_those_that_were_recorded(made, known):
+    platform = bits.platform()
+    print(f"\nplatform: {platform}")
+    rows = {backend: one for backend, (one, _) in made.items()}
+    wrong = [f"{name}, {backend}: {', '.join(apart)}" for backend, found in rows.items() for name, row in found.items()
+             for apart in [recorded.apart(known.figures[name], row)] if apart]
+    digests = known.on(platform)
+    if digests is None:
+        print("NOT RECORDED: no digests of this platform. Compared are one thread with two, kept with fresh, and points, triangles, "
+              "bounds and the share that moved with those of another platform.")
+        for other, there in known.platforms:
+            same = sum(row.mesh == there[name].mesh[backend] for backend, found in rows.items() for name, row in found.items())
+            print(f"{same} of {sum(map(len, rows.values()))} meshes have the bits recorded on {other}")
+    else:
+        for backend, found in rows.items():
+            for name, row in found.items():
+                if row.input != digests[name].input:
+                    wrong.append(f"{name}: other mesh or stroke than was recorded; the figures alone were compared")
+                elif row.mesh != digests[name].mesh[backend]:
+                    wrong.append(f"{name}, {backend}: other points or polygons")
+                elif row.arrays != digests[name].arrays[backend]:
+                    wrong.append(f"{name}, {backend}: other arrays")
+    assert wrong == []
+    print(f"{sum(map(len, rows.values()))} meshes", "near to those recorded" if digests is None else "the same to the bit")
+
+
+def test_the_figures_tell_one_mesh_from_another(known):
+    for name, figures in known.figures.items():
+        if name.startswith("shipped"):
+            limb = recorded.Figures(figures.points, figures.triangles, figures.bounds, 0.0)
+            assert recorded.apart(figures, bits.Row("", "", "", *limb)), name
