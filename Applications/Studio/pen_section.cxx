@@ -1,6 +1,6 @@
 #include "pen_section.h"
 
-#include "vtkOversketchOneStrokeWidget.h"
+#include "vtkOversketchHeldStrokeWidget.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 
@@ -18,14 +18,13 @@ constexpr int rest = 100; // ms without a frame: camera and pen have come to res
 
 } // namespace
 
-PenSection::PenSection(vtkOversketchOneStrokeWidget* widget, QObject* parent)
+PenSection::PenSection(vtkOversketchHeldStrokeWidget* widget, QObject* parent)
   : QObject(parent)
   , widget_(widget)
   , rest_(new QTimer(this))
   // From the finder's thread to this object's.
   , finder_([this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); })
 {
-  this->widget_->FindsSectionsOff();
   this->rest_->setSingleShot(true);
   this->rest_->setInterval(rest);
   connect(this->rest_, &QTimer::timeout, this, &PenSection::rested);
@@ -76,8 +75,20 @@ void PenSection::rested()
 void PenSection::look()
 {
   this->grew_ = false;
+  if (!this->widget_->GetEnabled())
+  {
+    return; // nobody draws
+  }
   vtkNew<vtkPolyData> stroke;
-  this->widget_->PutSought(stroke);
+  vtkOversketchStrokeRepresentation* drawn = this->widget_->GetPen()->GetStrokeRepresentation();
+  if (!drawn->IsDrawing() || drawn->GetNumberOfSamples() == 0)
+  {
+    drawn->PutView(stroke);
+  }
+  else if (!this->widget_->IsRedrawing()) // a part alone says nothing
+  {
+    drawn->GetPolyData(stroke);
+  }
   if (stroke->GetNumberOfPoints() > 0)
   {
     this->asked_ = this->finder_.find(stroke);

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 class QTimer;
-class vtkOversketchOneStrokeWidget;
+class vtkOversketchHeldStrokeWidget;
 class vtkPolyData;
 
 namespace oversketch_studio
@@ -22,7 +22,7 @@ class PenSection : public QObject
 
 public:
   // Of a widget, which must outlive it.
-  explicit PenSection(vtkOversketchOneStrokeWidget* widget, QObject* parent = nullptr);
+  explicit PenSection(vtkOversketchHeldStrokeWidget* widget, QObject* parent = nullptr);
   ~PenSection() override;
 
   // The mesh that is drawn over from here on.
@@ -42,7 +42,7 @@ private:
   void show();
   void rested();
 
-  vtkOversketchOneStrokeWidget* widget_;
+  vtkOversketchHeldStrokeWidget* widget_;
   QTimer* rest_;                           // since the last frame
   bool grew_ = false;                      // the line, since a section was last looked for
   bool waits_ = false;                     // a section, for a frame to show it

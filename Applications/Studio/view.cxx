@@ -4,27 +4,24 @@
 #include "key_list.h"
 #include "latency.h"
 
+#include "vtkOversketchHeldStrokeRepresentation.h"
+#include "vtkOversketchHeldStrokeWidget.h"
 #include "vtkOversketchInteractorStyle.h"
-#include "vtkOversketchOneStrokeRepresentation.h"
-#include "vtkOversketchOneStrokeWidget.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkLightKit.h"
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPNGWriter.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindowInteractor.h"
@@ -92,6 +89,19 @@ View::View(QWidget* parent)
   this->section_->VisibilityOff();
   this->renderer_->AddActor(this->section_);
 
+  this->regionNormals_->SplittingOff();
+  this->regionMapper_->SetInputConnection(this->regionNormals_->GetOutputPort());
+  this->regionMapper_->ScalarVisibilityOff();
+  this->regionMapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  this->regionMapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -200.0);
+  this->region_->SetMapper(this->regionMapper_);
+  this->region_->GetProperty()->SetColor(0.98, 0.62, 0.20);
+  this->region_->GetProperty()->SetAmbient(0.12);
+  this->region_->GetProperty()->SetDiffuse(0.85);
+  this->region_->PickableOff();
+  this->region_->VisibilityOff();
+  this->renderer_->AddActor(this->region_);
+
   this->mirrorMapper_->SetInputConnection(this->mirrorPlane_->GetOutputPort());
   this->mirror_->SetMapper(this->mirrorMapper_);
   this->mirror_->GetProperty()->SetOpacity(0.15);
@@ -105,7 +115,6 @@ View::View(QWidget* parent)
 
   this->interactor()->SetInteractorStyle(this->style_);
   this->style_->SetDefaultRenderer(this->renderer_);
-  this->widget_->RunsStrokesOff();
   this->widget_->SetInteractor(this->interactor());
   this->widget_->SetDefaultRenderer(this->renderer_);
 
@@ -303,7 +312,7 @@ void View::fitScreen()
   vtkOversketchStrokeRepresentation* drawn = this->pen()->GetStrokeRepresentation();
   for (vtkProperty2D* line : { drawn->GetProperty(),
          drawn->GetSectionProperty(),
-         this->widget_->GetOneStrokeRepresentation()->GetProperty() })
+         this->widget_->GetHeldStrokeRepresentation()->GetProperty() })
   {
     line->SetLineWidth(static_cast<float>(lineWidth * ratio));
   }
@@ -351,7 +360,6 @@ void View::showMesh(vtkPolyData* mesh, bool reset)
 {
   this->meshMapper_->SetInputData(mesh);
   this->skin_.dress(this->mesh_, this->meshMapper_, mesh);
-  this->widget_->SetInputData(mesh);
   this->penSection_.setMesh(mesh);
   if (reset)
   {
@@ -463,7 +471,9 @@ void View::clearStroke()
 
 void View::showRegion(vtkPolyData* region)
 {
-  this->widget_->GetOneStrokeRepresentation()->SetRegion(region);
+  const bool any = region && region->GetNumberOfPolys() > 0;
+  this->regionNormals_->SetInputData(any ? region : nullptr);
+  this->region_->SetVisibility(any);
   this->renderSoon();
 }
 
@@ -472,7 +482,7 @@ void View::offerStroke(vtkPolyData* stroke,
   const std::shared_ptr<const oversketch_session::Following>& following)
 {
   this->following_ = stroke ? following : nullptr;
-  this->widget_->SetStrokeAt(stroke, place.data());
+  this->widget_->HoldStroke(stroke, place.data());
   this->renderSoon();
 }
 
@@ -512,32 +522,7 @@ void View::setStabilizer(double pixels)
 
 void View::lookFrom(vtkPolyData* stroke)
 {
-  vtkDataArray* view = stroke->GetCellData()->GetArray("ViewTransform");
-  vtkDataArray* projection = stroke->GetCellData()->GetArray("ProjectionTransform");
-  double toCamera[16], toWorld[16], toClip[16];
-  view->GetTuple(0, toCamera);
-  projection->GetTuple(0, toClip);
-  vtkMatrix4x4::Invert(toCamera, toWorld);
-  vtkCamera* camera = this->renderer_->GetActiveCamera();
-  const double distance = camera->GetDistance();
-  const double position[3] = { toWorld[3], toWorld[7], toWorld[11] };
-  camera->SetPosition(position);
-  camera->SetFocalPoint(position[0] - distance * toWorld[2],
-    position[1] - distance * toWorld[6],
-    position[2] - distance * toWorld[10]);
-  camera->SetViewUp(toWorld[1], toWorld[5], toWorld[9]);
-  // The last row of a perspective takes the depth, that of a parallel projection is 0 0 0 1.
-  const bool perspective = toClip[15] == 0.0;
-  camera->SetParallelProjection(!perspective);
-  if (perspective)
-  {
-    camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(1.0 / toClip[5])));
-  }
-  else
-  {
-    camera->SetParallelScale(1.0 / toClip[5]);
-  }
-  this->renderer_->ResetCameraClippingRange();
+  this->style_->LookFrom(stroke);
   this->render();
 }
 
@@ -555,15 +540,16 @@ bool View::showsKeys() const
 
 void View::screenshot(const QString& path, bool overlays)
 {
-  const int section = this->section_->GetVisibility(), mirror = this->mirror_->GetVisibility(),
-            hint = this->hint_.isVisible();
+  const int section = this->section_->GetVisibility(), region = this->region_->GetVisibility(),
+            mirror = this->mirror_->GetVisibility(), hint = this->hint_.isVisible();
   const bool keys = this->style_->GetShowKeys();
-  vtkProp* lines = this->widget_->GetOneStrokeRepresentation();
+  vtkProp* lines = this->widget_->GetHeldStrokeRepresentation();
   const int shown = lines->GetVisibility();
   if (!overlays)
   {
     lines->VisibilityOff();
     this->section_->VisibilityOff();
+    this->region_->VisibilityOff();
     this->mirror_->VisibilityOff();
     this->hint_.setVisible(false);
     this->style_->SetShowKeys(false);
@@ -574,6 +560,7 @@ void View::screenshot(const QString& path, bool overlays)
   picture->ReadFrontBufferOff();
   picture->Update();
   this->section_->SetVisibility(section);
+  this->region_->SetVisibility(region);
   this->mirror_->SetVisibility(mirror);
   this->hint_.setVisible(hint);
   this->style_->SetShowKeys(keys);

@@ -23,11 +23,12 @@ class vtkCallbackCommand;
 class vtkGenericOpenGLRenderWindow;
 class vtkLightKit;
 class vtkOversketchInteractorStyle;
-class vtkOversketchOneStrokeWidget;
+class vtkOversketchHeldStrokeWidget;
 class vtkOversketchStrokeWidget;
 class vtkPlaneSource;
 class vtkPolyData;
 class vtkPolyDataMapper;
+class vtkPolyDataNormals;
 class vtkRenderer;
 
 namespace oversketch_studio
@@ -106,13 +107,14 @@ private:
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkLightKit> lights_;
-  vtkNew<vtkPolyDataMapper> meshMapper_, sectionMapper_, mirrorMapper_;
-  vtkNew<vtkActor> mesh_, section_, mirror_;
+  vtkNew<vtkPolyDataMapper> meshMapper_, sectionMapper_, regionMapper_, mirrorMapper_;
+  vtkNew<vtkActor> mesh_, section_, region_, mirror_;
+  vtkNew<vtkPolyDataNormals> regionNormals_;
   Skin skin_; // of the mesh
   vtkNew<vtkPlaneSource> mirrorPlane_;
   Hint hint_;
   vtkNew<vtkOversketchInteractorStyle> style_;
-  vtkNew<vtkOversketchOneStrokeWidget> widget_; // shows and moves strokes; the document runs them
+  vtkNew<vtkOversketchHeldStrokeWidget> widget_; // shows and moves strokes; the document runs them
   PenSection penSection_;
   std::shared_ptr<const oversketch_session::Following> following_;
   std::unique_ptr<Preview> preview_; // while a stroke is moved

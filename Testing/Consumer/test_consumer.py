@@ -78,19 +78,19 @@ list(SORT targets)
 message(STATUS "has ${targets};")
 """)
     names = everything.partition("has ")[2].split("; ")[0].split(";")
-    assert {"Oversketch::FiltersOneStroke", "Oversketch::Widgets", "Oversketch::KernelsRay"} <= set(names)
-    message = configure(prefix, tmp_path / "unknown", "find_package(Oversketch REQUIRED COMPONENTS FiltersMagic Widgets)\n", code=1)
+    assert {"Oversketch::FiltersOneStroke", "Oversketch::WidgetsPen", "Oversketch::KernelsRay"} <= set(names)
+    message = configure(prefix, tmp_path / "unknown", "find_package(Oversketch REQUIRED COMPONENTS FiltersMagic WidgetsPen)\n", code=1)
     listed = ", ".join(name.partition("::")[2] for name in names)
     assert "Oversketch has no component FiltersMagic. The installed one has: " + listed in message
-    optional = "find_package(Oversketch REQUIRED COMPONENTS Widgets OPTIONAL_COMPONENTS FiltersMagic)\n"
-    configure(prefix, tmp_path / "optional", optional + "if (NOT Oversketch_Widgets_FOUND OR Oversketch_FiltersMagic_FOUND)\n"
+    optional = "find_package(Oversketch REQUIRED COMPONENTS WidgetsPen OPTIONAL_COMPONENTS FiltersMagic)\n"
+    configure(prefix, tmp_path / "optional", optional + "if (NOT Oversketch_WidgetsPen_FOUND OR Oversketch_FiltersMagic_FOUND)\n"
               "message(FATAL_ERROR wrong)\nendif ()\n")
 
 
 @pytest.mark.parametrize("component, has, lacks", [
     ("KernelsSparse", "OpenCL_FOUND", "VTK_FOUND"),
     ("FiltersOneStroke", "VTK_CommonExecutionModel_FOUND", "VTK_RenderingCore_FOUND"),
-    ("Widgets", "VTK_RenderingCore_FOUND", "VTK_GUISupportQt_FOUND"),
+    ("WidgetsOneStroke", "VTK_RenderingCore_FOUND", "VTK_GUISupportQt_FOUND"),
 ])
 def test_only_what_a_component_needs_is_looked_for(prefix, tmp_path, component, has, lacks):
     configure(prefix, tmp_path / component, f"""

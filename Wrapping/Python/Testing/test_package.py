@@ -12,7 +12,7 @@ import oversketch
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 HEADERS = sorted(
     p
-    for p in [*SOURCE.glob("Filters/*/vtkOversketch*.h"), *SOURCE.glob("Widgets/vtkOversketch*.h")]
+    for p in [*SOURCE.glob("Filters/*/vtkOversketch*.h"), *SOURCE.glob("Widgets/*/vtkOversketch*.h")]
     if re.search(r"^class \w+_EXPORT vtk", p.read_text(), re.M)
 )
 

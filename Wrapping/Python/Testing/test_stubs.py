@@ -15,7 +15,7 @@ SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 PACKAGE = pathlib.Path(oversketch.__file__).parent
 HEADERS = sorted(
     p
-    for p in [*SOURCE.glob("Filters/*/vtkOversketch*.h"), *SOURCE.glob("Widgets/vtkOversketch*.h")]
+    for p in [*SOURCE.glob("Filters/*/vtkOversketch*.h"), *SOURCE.glob("Widgets/*/vtkOversketch*.h")]
     if re.search(r"^class \w+_EXPORT vtk", p.read_text(), re.M)
 )
 

@@ -1,0 +1,63 @@
+// A camera as the interactor style moves it: taken at a press, changed, put back.
+#ifndef oversketch_camera_state_h
+#define oversketch_camera_state_h
+
+#include "OversketchWidgetsCameraModule.h" // For export macro
+#include "trackball.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+class vtkCamera;
+class vtkRenderer;
+
+namespace oversketch
+{
+
+struct CameraState
+{
+  Eigen::Vector3d position, focal, up;
+  double angle = 30.0, scale = 1.0;
+
+  explicit CameraState(vtkCamera* camera);
+  void putInto(vtkCamera* camera) const;
+  Eigen::Vector3d direction() const { return (this->focal - this->position).normalized(); }
+  // Turns the camera about its focal point.
+  void turn(const Eigen::Quaterniond& rotation);
+  void move(const Eigen::Vector3d& by);
+};
+
+// A copy of the renderer's camera whose clipping range comes from its distance to the focal point, not from
+// the scene: that of a scene behind the camera makes no projection.
+OVERSKETCHWIDGETSCAMERA_EXPORT vtkSmartPointer<vtkCamera> unclippedCamera(vtkRenderer* renderer);
+
+// Height of the picture at the focal point, in world units.
+double viewHeight(vtkCamera* camera);
+
+// The view that a camera had first, and how far it has been zoomed and spun since.
+struct FirstView
+{
+  vtkWeakPointer<vtkCamera> camera;
+  CameraState state;
+  double spin; // degrees in [0, 360)
+
+  double zoom() const;
+  void setZoom(double zoom) const; // clamped to [0.1, 10]
+  void roll(double degrees);
+};
+
+// The lines of sight of the moment it was made, whatever the camera does later.
+class SightLines
+{
+public:
+  explicit SightLines(vtkRenderer* renderer);
+  // Through a display position [px], away from the viewer.
+  Line at(double x, double y) const;
+
+private:
+  vtkWeakPointer<vtkRenderer> renderer_;
+  Eigen::Matrix4d worldFromView_;
+};
+
+} // namespace oversketch
+#endif

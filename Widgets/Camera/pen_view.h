@@ -1,0 +1,35 @@
+// The view that a stroke is drawn in: the one reading of it from a camera or a stroke, and the way back.
+#ifndef oversketch_pen_view_h
+#define oversketch_pen_view_h
+
+#include "Mesh/view.h"
+#include "OversketchWidgetsCameraModule.h" // For export macro
+
+#include <array>
+
+class vtkPolyData;
+class vtkRenderer;
+
+namespace oversketch
+{
+
+struct OVERSKETCHWIDGETSCAMERA_EXPORT PenView
+{
+  std::array<double, 16> view{}, projection{}; // row-major
+  std::array<int, 2> size{};                   // px
+
+  static PenView of(vtkRenderer* renderer);
+  // Of a stroke that carries its view. Throws Error for others.
+  static PenView of(vtkPolyData* stroke);
+  // Throws Error for matrices that make no view.
+  View kernelView() const;
+  // The same to the eye: a camera that was turned away and back differs by rounding.
+  bool operator==(const PenView& other) const;
+  // The same eye and direction, whatever the zoom and the size of the window.
+  bool fromTheSamePlace(const PenView& other) const;
+  // Puts the renderer's camera where the view was seen from.
+  void putInto(vtkRenderer* renderer) const;
+};
+
+} // namespace oversketch
+#endif

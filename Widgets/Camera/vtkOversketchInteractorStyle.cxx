@@ -1,0 +1,588 @@
+#include "vtkOversketchInteractorStyle.h"
+
+#include "Mesh/context.h"
+#include "camera_keys.h"
+#include "camera_state.h"
+#include "key_list.h"
+#include "mesh_picker.h"
+#include "pen_view.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkOversketchInteractorStyle);
+
+namespace
+{
+
+using oversketch::CameraAction;
+using oversketch::CameraState;
+using oversketch::FirstView;
+using oversketch::Line;
+using oversketch::SightLines;
+
+constexpr double stepDegrees = 5.0, stepOfHeight = 0.05, stepOfZoom = 1.1;
+
+enum class Button
+{
+  Left,
+  Middle,
+  Right
+};
+
+struct Drag
+{
+  Button button;
+  CameraState atPress;
+  SightLines sight;
+  Line pressed;
+  Eigen::Vector3d anchor; // the point that stays under the cursor
+  double y, zoom;
+};
+
+} // namespace
+
+struct vtkOversketchInteractorStyle::Internals
+{
+  vtkOversketchInteractorStyle* style;
+  std::vector<FirstView> firstViews;
+  std::unique_ptr<Drag> drag;
+  oversketch::MeshPicker picker;
+  oversketch::KeyList keyList;
+  std::string keyText; // the host's
+  unsigned long charTag = 0;
+
+  explicit Internals(vtkOversketchInteractorStyle* self)
+    : style(self)
+  {
+  }
+
+  vtkRenderWindowInteractor* interactor() const { return this->style->Interactor; }
+
+  vtkRenderer* renderer() const
+  {
+    if (!this->style->CurrentRenderer && this->interactor())
+    {
+      const int* at = this->interactor()->GetEventPosition();
+      this->style->FindPokedRenderer(at[0], at[1]);
+    }
+    return this->style->CurrentRenderer;
+  }
+
+  // Turns to the renderer under the cursor, outside a drag.
+  void poke()
+  {
+    if (!this->drag)
+    {
+      const int* at = this->interactor()->GetEventPosition();
+      this->style->FindPokedRenderer(at[0], at[1]);
+    }
+  }
+
+  // The first view of the renderer's camera; null without a camera and, unless it is to be remembered now,
+  // before the style first changed it.
+  FirstView* firstView(bool remember = true)
+  {
+    vtkRenderer* in = this->renderer();
+    if (!in || !in->IsActiveCameraCreated())
+    {
+      return nullptr;
+    }
+    auto& views = this->firstViews;
+    views.erase(
+      std::remove_if(views.begin(), views.end(), [](const FirstView& v) { return !v.camera; }), views.end());
+    vtkCamera* camera = in->GetActiveCamera();
+    const auto known =
+      std::find_if(views.begin(), views.end(), [&](const FirstView& v) { return v.camera == camera; });
+    if (known != views.end())
+    {
+      return &*known;
+    }
+    return remember ? &views.emplace_back(FirstView{ camera, CameraState(camera), 0.0 }) : nullptr;
+  }
+
+  void show()
+  {
+    vtkRenderer* in = this->style->CurrentRenderer;
+    if (this->style->AutoAdjustCameraClippingRange)
+    {
+      in->ResetCameraClippingRange();
+    }
+    if (this->interactor()->GetLightFollowCamera())
+    {
+      in->UpdateLightsGeometryToFollowCamera();
+    }
+    this->style->InvokeEvent(vtkCommand::InteractionEvent);
+    this->interactor()->Render();
+  }
+
+  // One step of the camera, outside a drag.
+  template <typename Change>
+  void step(const Change& change)
+  {
+    FirstView* first = this->drag ? nullptr : this->firstView();
+    if (first)
+    {
+      this->style->InvokeEvent(vtkCommand::StartInteractionEvent);
+      change(*first);
+      this->show();
+      this->style->InvokeEvent(vtkCommand::EndInteractionEvent);
+    }
+  }
+
+  void wheel(double steps)
+  {
+    this->poke();
+    this->step([&](FirstView& first) { first.setZoom(first.zoom() * std::pow(stepOfZoom, steps)); });
+  }
+  void press(Button button, int state);
+  void move();
+  void release(Button button);
+  void endDrag();
+  void act(const CameraAction& action);
+  void updateKeyList();
+
+  bool swallowChar(vtkObject*, unsigned long, void*) { return this->action().kind != CameraAction::None; }
+  // What the key in the interactor means.
+  CameraAction action() const
+  {
+    vtkRenderWindowInteractor* keys = this->interactor();
+    if (!keys || !keys->GetKeySym() || keys->GetControlKey() || keys->GetAltKey())
+    {
+      return {};
+    }
+    return oversketch::cameraAction(
+      keys->GetKeySym(), keys->GetShiftKey() != 0, this->style->KeyProfile == Prose);
+  }
+};
+
+void vtkOversketchInteractorStyle::Internals::press(Button button, int state)
+{
+  this->poke();
+  FirstView* first = this->drag ? nullptr : this->firstView();
+  if (!first)
+  {
+    return;
+  }
+  const int* at = this->interactor()->GetEventPosition();
+  vtkRenderer* in = this->style->CurrentRenderer;
+  const SightLines sight(in);
+  Drag begun{
+    button, CameraState(first->camera), sight, sight.at(at[0], at[1]), {}, double(at[1]), first->zoom()
+  };
+  const double* picked = state == VTKIS_ZOOM ? nullptr : this->picker.pick(at[0], at[1], in);
+  if (picked)
+  {
+    begun.anchor = begun.pressed.projection(Eigen::Vector3d(picked));
+  }
+  else if (state == VTKIS_ROTATE)
+  {
+    return;
+  }
+  else
+  {
+    const Eigen::Hyperplane<double, 3> focalPlane(begun.atPress.direction(), begun.atPress.focal);
+    begun.anchor = begun.pressed.intersectionPoint(focalPlane);
+  }
+  this->drag = std::make_unique<Drag>(begun);
+  this->style->GrabFocus(this->style->EventCallbackCommand);
+  this->style->StartState(state);
+}
+
+void vtkOversketchInteractorStyle::Internals::move()
+{
+  FirstView* first = this->drag ? this->firstView() : nullptr;
+  if (!first)
+  {
+    return;
+  }
+  const int* at = this->interactor()->GetEventPosition();
+  // Always from the press, so that a way there and back again ends where it began.
+  CameraState camera = this->drag->atPress;
+  const Line now = this->drag->sight.at(at[0], at[1]);
+  switch (this->style->State)
+  {
+    case VTKIS_ROTATE:
+      camera.turn(
+        oversketch::trackballTurn(camera.focal, this->drag->anchor, this->drag->pressed, now).conjugate());
+      camera.putInto(first->camera);
+      break;
+    case VTKIS_PAN:
+      camera.move(this->drag->anchor - now.intersectionPoint(Eigen::Hyperplane<double, 3>(
+                                         camera.direction(), this->drag->anchor)));
+      camera.putInto(first->camera);
+      break;
+    default: // the height of the view is one decade of zoom
+      first->setZoom(
+        this->drag->zoom *
+        std::pow(10.0, (at[1] - this->drag->y) / std::max(1, this->style->CurrentRenderer->GetSize()[1])));
+  }
+  this->show();
+}
+
+void vtkOversketchInteractorStyle::Internals::release(Button button)
+{
+  if (this->drag && this->drag->button == button)
+  {
+    this->endDrag();
+  }
+}
+
+void vtkOversketchInteractorStyle::Internals::endDrag()
+{
+  this->drag.reset();
+  this->style->ReleaseFocus();
+  this->style->StopState();
+}
+
+void vtkOversketchInteractorStyle::Internals::act(const CameraAction& action)
+{
+  using Eigen::Vector3d;
+  const double degrees = stepDegrees * action.sign;
+  switch (action.kind)
+  {
+    case CameraAction::Spin:
+      return this->step([&](FirstView& first) { first.roll(degrees); });
+    case CameraAction::Look:
+      return this->style->LookAlong(action.axis, action.sign < 0);
+    case CameraAction::Turn:
+      return this->step(
+        [&](FirstView& first)
+        {
+          CameraState camera(first.camera);
+          camera.turn(Eigen::Quaterniond(
+            Eigen::AngleAxisd(-vtkMath::RadiansFromDegrees(degrees), Vector3d::Unit(action.axis))));
+          camera.putInto(first.camera);
+        });
+    case CameraAction::Orbit:
+      return this->step(
+        [&](FirstView& first)
+        {
+          action.axis == 0 ? first.camera->Azimuth(degrees) : first.camera->Elevation(degrees);
+          first.camera->OrthogonalizeViewUp();
+        });
+    case CameraAction::Pan:
+      return this->step(
+        [&](FirstView& first)
+        {
+          first.camera->OrthogonalizeViewUp();
+          CameraState camera(first.camera);
+          const Vector3d axes[] = { camera.direction().cross(camera.up), camera.up, camera.direction() };
+          camera.move(action.sign * stepOfHeight * oversketch::viewHeight(first.camera) * axes[action.axis]);
+          camera.putInto(first.camera);
+        });
+    case CameraAction::Zoom:
+      return this->step(
+        [&](FirstView& first) { first.setZoom(first.zoom() * std::pow(stepOfZoom, action.sign)); });
+    case CameraAction::Reset:
+      return this->style->ResetToFirstView();
+    case CameraAction::Center:
+      return this->style->CenterOnMesh();
+    case CameraAction::ShowKeys:
+      return this->style->SetShowKeys(!this->style->ShowKeys);
+    case CameraAction::Quit:
+      return this->interactor()->ExitCallback();
+    case CameraAction::None:
+      return;
+  }
+}
+
+void vtkOversketchInteractorStyle::Internals::updateKeyList()
+{
+  const bool own = this->keyText.empty();
+  this->keyList.show(this->style->ShowKeys ? this->renderer() : nullptr,
+    own ? oversketch::cameraHelp(this->style->Mode == Draw, this->style->KeyProfile == Prose)
+        : this->keyText);
+}
+
+vtkOversketchInteractorStyle::vtkOversketchInteractorStyle()
+  : Inner(std::make_unique<Internals>(this))
+{
+}
+
+vtkOversketchInteractorStyle::~vtkOversketchInteractorStyle()
+{
+  this->SetInteractor(nullptr);
+}
+
+void vtkOversketchInteractorStyle::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  if (interactor == this->Interactor)
+  {
+    return;
+  }
+  Internals& inner = *this->Inner;
+  if (this->Interactor)
+  {
+    if (inner.drag)
+    {
+      inner.drag.reset();
+      this->ReleaseFocus();
+      this->State = VTKIS_NONE;
+    }
+    this->Interactor->RemoveObserver(inner.charTag);
+    inner.keyList.show(nullptr, {});
+    this->SetCurrentRenderer(nullptr);
+  }
+  this->Superclass::SetInteractor(interactor);
+  if (interactor)
+  {
+    // Before any widget, which would switch itself off on i.
+    inner.charTag = interactor->AddObserver(vtkCommand::CharEvent, &inner, &Internals::swallowChar, 1.0f);
+  }
+}
+
+void vtkOversketchInteractorStyle::SetMode(int mode)
+{
+  const int clamped = std::clamp<int>(mode, Navigate, Draw);
+  if (clamped != this->Mode)
+  {
+    this->Mode = clamped;
+    this->Inner->updateKeyList();
+    this->Modified();
+  }
+}
+
+void vtkOversketchInteractorStyle::SetKeyProfile(int profile)
+{
+  const int clamped = std::clamp<int>(profile, Table, Prose);
+  if (clamped != this->KeyProfile)
+  {
+    this->KeyProfile = clamped;
+    this->Inner->updateKeyList();
+    this->Modified();
+  }
+}
+
+void vtkOversketchInteractorStyle::SetShowKeys(bool show)
+{
+  if (show != this->ShowKeys)
+  {
+    this->ShowKeys = show;
+    this->Inner->updateKeyList();
+    this->Modified();
+    if (this->Interactor)
+    {
+      this->Interactor->Render();
+    }
+  }
+}
+
+void vtkOversketchInteractorStyle::SetKeyList(const char* text)
+{
+  const std::string given = text ? text : "";
+  if (given != this->Inner->keyText)
+  {
+    this->Inner->keyText = given;
+    this->Inner->updateKeyList();
+    this->Modified();
+  }
+}
+
+const char* vtkOversketchInteractorStyle::GetKeyList() const
+{
+  return this->Inner->keyText.empty() ? nullptr : this->Inner->keyText.c_str();
+}
+
+void vtkOversketchInteractorStyle::SetZoom(double zoom)
+{
+  if (std::isfinite(zoom) && zoom != this->GetZoom())
+  {
+    this->Inner->step([&](FirstView& first) { first.setZoom(zoom); });
+    this->Modified();
+  }
+}
+
+double vtkOversketchInteractorStyle::GetZoom()
+{
+  const FirstView* first = this->Inner->firstView(false);
+  return first ? first->zoom() : 1.0;
+}
+
+void vtkOversketchInteractorStyle::SetSpin(double degrees)
+{
+  if (std::isfinite(degrees) && degrees != this->GetSpin())
+  {
+    this->Inner->step([&](FirstView& first) { first.roll(degrees - first.spin); });
+    this->Modified();
+  }
+}
+
+double vtkOversketchInteractorStyle::GetSpin()
+{
+  const FirstView* first = this->Inner->firstView(false);
+  return first ? first->spin : 0.0;
+}
+
+void vtkOversketchInteractorStyle::SaveFirstView()
+{
+  if (FirstView* first = this->Inner->firstView())
+  {
+    first->state = CameraState(first->camera);
+    first->spin = 0.0;
+    this->Modified();
+  }
+}
+
+void vtkOversketchInteractorStyle::ResetToFirstView()
+{
+  this->Inner->step(
+    [](FirstView& first)
+    {
+      first.state.putInto(first.camera);
+      first.spin = 0.0;
+    });
+}
+
+void vtkOversketchInteractorStyle::CenterOnMesh()
+{
+  this->Inner->step(
+    [this](FirstView& first)
+    {
+      double bounds[6];
+      this->CurrentRenderer->ComputeVisiblePropBounds(bounds);
+      if (vtkMath::AreBoundsInitialized(bounds))
+      {
+        CameraState camera(first.camera);
+        camera.move(
+          0.5 * Eigen::Vector3d(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]) -
+          camera.focal);
+        camera.putInto(first.camera);
+      }
+    });
+}
+
+void vtkOversketchInteractorStyle::LookAlong(int axis, bool against)
+{
+  this->Inner->step(
+    [&](FirstView& first)
+    {
+      CameraState camera(first.camera);
+      const int a = std::clamp(axis, 0, 2);
+      camera.position =
+        camera.focal - (against ? -1.0 : 1.0) * first.camera->GetDistance() * Eigen::Vector3d::Unit(a);
+      camera.up = Eigen::Vector3d::Unit(a == 1 ? 2 : 1);
+      camera.putInto(first.camera);
+      first.spin = 0.0;
+    });
+}
+
+bool vtkOversketchInteractorStyle::LookFrom(vtkPolyData* stroke)
+{
+  vtkRenderer* in = this->Inner->drag ? nullptr : this->Inner->renderer();
+  if (!in || !stroke)
+  {
+    return false;
+  }
+  try
+  {
+    const auto view = oversketch::PenView::of(stroke);
+    in->GetActiveCamera(); // makes one where there is none
+    this->Inner->step([&](FirstView&) { view.putInto(in); });
+    return true;
+  }
+  catch (const oversketch::Error&)
+  {
+    return false;
+  }
+}
+
+void vtkOversketchInteractorStyle::OnMouseMove()
+{
+  this->Inner->move();
+}
+
+void vtkOversketchInteractorStyle::OnLeftButtonDown()
+{
+  const bool control = this->Interactor->GetControlKey() || this->Interactor->GetAltKey();
+  const bool shift = this->Interactor->GetShiftKey();
+  if (control || shift || this->Mode == Navigate)
+  {
+    this->Inner->press(Button::Left, !shift ? VTKIS_ROTATE : control ? VTKIS_ZOOM : VTKIS_PAN);
+  }
+}
+
+void vtkOversketchInteractorStyle::OnLeftButtonUp()
+{
+  this->Inner->release(Button::Left);
+}
+
+void vtkOversketchInteractorStyle::OnMiddleButtonDown()
+{
+  this->Inner->press(Button::Middle,
+    this->Interactor->GetShiftKey()     ? VTKIS_PAN
+    : this->Interactor->GetControlKey() ? VTKIS_ZOOM
+                                        : VTKIS_ROTATE);
+}
+
+void vtkOversketchInteractorStyle::OnMiddleButtonUp()
+{
+  this->Inner->release(Button::Middle);
+}
+
+void vtkOversketchInteractorStyle::OnRightButtonDown()
+{
+  this->Inner->press(Button::Right, VTKIS_PAN);
+}
+
+void vtkOversketchInteractorStyle::OnRightButtonUp()
+{
+  this->Inner->release(Button::Right);
+}
+
+void vtkOversketchInteractorStyle::OnMouseWheelForward()
+{
+  this->Inner->wheel(this->MouseWheelMotionFactor);
+}
+
+void vtkOversketchInteractorStyle::OnMouseWheelBackward()
+{
+  this->Inner->wheel(-this->MouseWheelMotionFactor);
+}
+
+void vtkOversketchInteractorStyle::OnKeyPress()
+{
+  Internals& inner = *this->Inner;
+  if (inner.drag)
+  {
+    const char* key = this->Interactor->GetKeySym();
+    if (key && std::string(key) == "Escape")
+    {
+      if (FirstView* first = inner.firstView())
+      {
+        inner.drag->atPress.putInto(first->camera);
+        inner.show();
+      }
+      inner.endDrag();
+    }
+    return;
+  }
+  const CameraAction action = inner.action();
+  if (action.kind != CameraAction::None)
+  {
+    inner.poke();
+    inner.act(action);
+  }
+}
+
+void vtkOversketchInteractorStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "KeyProfile: " << this->KeyProfile << "\n";
+  os << indent << "Zoom: " << this->GetZoom() << "\n";
+  os << indent << "Spin: " << this->GetSpin() << "\n";
+  os << indent << "ShowKeys: " << this->ShowKeys << "\n";
+  os << indent << "KeyList: " << (this->GetKeyList() ? this->GetKeyList() : "(none)") << "\n";
+}

@@ -1,0 +1,190 @@
+/**
+ * @class vtkOversketchInteractorStyle
+ * @brief the camera for drawing on models: trackball, pan, zoom, spin and a key for each view
+ *
+ * Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", Ch. 4, App. A, Table 1.
+ *
+ * | mouse | what it does | without a middle button |
+ * |---|---|---|
+ * | middle drag | turn: the picked point of the mesh stays under the cursor | Alt or Ctrl + left drag |
+ * | right drag, Shift + middle drag | pan: the point under the cursor stays there | Shift + left drag |
+ * | wheel, Ctrl + middle drag up or down | zoom | two fingers up or down, Ctrl + Shift + left drag |
+ *
+ * Plain left drag turns too in the mode Navigate; in the mode Draw it belongs to the tool that draws, and the
+ * style leaves it alone. Middle drag turns in both. (Alt + left is what modelling programs use; Ctrl + left
+ * is there because many window managers keep Alt + left for themselves.) Escape during a drag takes the
+ * camera back to where it was pressed. A turn that starts beside the mesh does nothing.
+ *
+ * | key | alone | with Shift |
+ * |---|---|---|
+ * | r | spin the picture counter-clockwise | clockwise |
+ * | x, y, z | look along +x, +y, +z | along -x, -y, -z |
+ * | 1, 2, 3 | turn clockwise about x, y, z | counter-clockwise |
+ * | w | back to the first view | |
+ * | c | centre the camera on the mesh | |
+ * | h | spin clockwise | pan in |
+ * | l | spin counter-clockwise | pan out |
+ * | i, m, j, k | rotate the camera up, down, left, right | pan it up, down, left, right |
+ * | p | zoom out | pan in |
+ * | n | zoom in | pan out |
+ * | ?, F1 | show or hide the list of keys and the mode | |
+ * | q | quit (vtkRenderWindowInteractor::ExitCallback) | |
+ *
+ * Steps: 5 degrees; 5 % of the view's height at the focal point; zoom by 1.1. "Clockwise about an axis" turns
+ * the camera by -5 degrees (right hand) about the world's axis through the focal point. Keys with Ctrl or Alt
+ * are left to the host. h is the table's, so the list of keys is on ? and F1.
+ *
+ * Departures: the table's keys 6 to 0 (planes of the profile editor) are not here. VTK's own keys (m, q, e,
+ * f, u, s, 3, p, i, ...) do nothing: this style has none, and characters of the table above do not reach
+ * other observers of the interactor's CharEvent, so that i does not switch off VTK's widgets.
+ *
+ * Fires StartInteractionEvent, InteractionEvent and EndInteractionEvent for each drag and each key that moves
+ * the camera. The list of keys needs VTK::RenderingFreeType.
+ *
+ * @sa vtkOversketchCameraWidget (zoom slider and spin dial on screen), vtkOversketchStrokeWidget
+ */
+#ifndef vtkOversketchInteractorStyle_h
+#define vtkOversketchInteractorStyle_h
+
+#include "OversketchWidgetsCameraModule.h" // For export macro
+#include "vtkInteractorStyle.h"
+
+#include <memory>
+
+class vtkPolyData;
+
+class OVERSKETCHWIDGETSCAMERA_EXPORT vtkOversketchInteractorStyle : public vtkInteractorStyle
+{
+public:
+  static vtkOversketchInteractorStyle* New();
+  vtkTypeMacro(vtkOversketchInteractorStyle, vtkInteractorStyle);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ModeType
+  {
+    Navigate = 0,
+    Draw = 1
+  };
+  enum KeyProfileType
+  {
+    Table = 0,
+    Prose = 1
+  };
+
+  ///@{
+  /**
+   * Whose the left button is: the camera's (Navigate, default) or a tool's (Draw).
+   */
+  void SetMode(int mode);
+  vtkGetMacro(Mode, int);
+  void SetModeToNavigate() { this->SetMode(Navigate); }
+  void SetModeToDraw() { this->SetMode(Draw); }
+  ///@}
+
+  ///@{
+  /**
+   * The thesis contradicts itself about p and n: its table (Table, default) is as above; its prose (Prose)
+   * has p pan in and n pan out, with Shift zoom out and zoom in.
+   */
+  void SetKeyProfile(int profile);
+  vtkGetMacro(KeyProfile, int);
+  void SetKeyProfileToTable() { this->SetKeyProfile(Table); }
+  void SetKeyProfileToProse() { this->SetKeyProfile(Prose); }
+  ///@}
+
+  ///@{
+  /**
+   * Apparent size, in multiples of that in the first view [0.1 to 10, default 1]: the parallel scale is
+   * divided by it, or the tangent of half the view angle. A slider is best logarithmic. Setting it renders.
+   * 1, and without effect, while there is no camera.
+   */
+  void SetZoom(double zoom);
+  double GetZoom();
+  ///@}
+
+  ///@{
+  /**
+   * Turn about the view axis, counter-clockwise in the picture, for a dial [degrees, any; kept in [0, 360),
+   * default 0]. What spins by key changes it too; a view along an axis or the first view sets it to 0.
+   * Setting it renders. 0, and without effect, while there is no camera.
+   */
+  void SetSpin(double degrees);
+  double GetSpin();
+  ///@}
+
+  ///@{
+  /**
+   * Whether the list of keys and the mode are on screen. Default off.
+   */
+  void SetShowKeys(bool show);
+  vtkGetMacro(ShowKeys, bool);
+  vtkBooleanMacro(ShowKeys, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What that list says, UTF-8. Null or empty (default): the mode and the keys above, in English. For hosts
+   * with keys or a language of their own.
+   */
+  void SetKeyList(const char* text);
+  const char* GetKeyList() const;
+  ///@}
+
+  /**
+   * Makes the present view the first view, that of key w and of Zoom 1. Without it, the first view of a
+   * camera is the one before this style first changes it; call it after loading another model.
+   */
+  void SaveFirstView();
+
+  ///@{
+  /**
+   * What keys w, c, and x, y, z with their Shift do (axis 0, 1, 2).
+   */
+  void ResetToFirstView();
+  void CenterOnMesh();
+  void LookAlong(int axis, bool against);
+  ///@}
+
+  /**
+   * Puts the camera where a stroke was drawn that carries its view (vtkOversketchStrokeWidget::GetStroke);
+   * the window keeps its size. False, and nothing changed, without a renderer, during a drag, or for another
+   * polydata.
+   */
+  bool LookFrom(vtkPolyData* stroke);
+
+  void SetInteractor(vtkRenderWindowInteractor* interactor) override;
+
+  ///@{
+  /**
+   * Events of the interactor.
+   */
+  void OnMouseMove() override;
+  void OnLeftButtonDown() override;
+  void OnLeftButtonUp() override;
+  void OnMiddleButtonDown() override;
+  void OnMiddleButtonUp() override;
+  void OnRightButtonDown() override;
+  void OnRightButtonUp() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
+  void OnKeyPress() override;
+  void OnChar() override {}
+  ///@}
+
+protected:
+  vtkOversketchInteractorStyle();
+  ~vtkOversketchInteractorStyle() override;
+
+private:
+  vtkOversketchInteractorStyle(const vtkOversketchInteractorStyle&) = delete;
+  void operator=(const vtkOversketchInteractorStyle&) = delete;
+
+  int Mode = Navigate;
+  int KeyProfile = Table;
+  bool ShowKeys = false;
+
+  struct Internals;
+  std::unique_ptr<Internals> Inner;
+};
+
+#endif

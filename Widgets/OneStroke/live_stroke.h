@@ -1,0 +1,79 @@
+// The stroke that can still be changed, the mesh it was drawn on and the mesh that it made.
+#ifndef oversketch_live_stroke_h
+#define oversketch_live_stroke_h
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
+class vtkOversketchOneStroke;
+class vtkPoints;
+class vtkTrivialProducer;
+
+namespace oversketch
+{
+
+class LiveStroke
+{
+public:
+  // Of a stroke that somebody else holds and changes: no points while there is none.
+  explicit LiveStroke(vtkPolyData* stroke);
+  ~LiveStroke();
+  LiveStroke(const LiveStroke&) = delete;
+  LiveStroke& operator=(const LiveStroke&) = delete;
+
+  vtkOversketchOneStroke* system() const { return this->system_; }
+  void setSystem(vtkOversketchOneStroke* system);
+  void setSource(vtkAlgorithmOutput* source);
+  vtkAlgorithmOutput* outputPort();
+  vtkPolyData* output() { return this->output_; }
+
+  bool exists() { return this->stroke_->GetNumberOfPoints() > 0; }
+  // It is another one, or has been changed.
+  void strokeChanges();
+  // The mesh that the stroke made becomes the one that the next is drawn on.
+  void commit();
+  // The mesh is again as it was before the stroke.
+  void drop();
+
+  // Brings the mesh up to date where the source, the stroke or the system has changed. A source that has
+  // changed starts anew, without a stroke. Returns whether anything changed.
+  bool update();
+  // Why the stroke did nothing; empty when it did, or there is none.
+  const std::string& message() const { return this->message_; }
+
+  // What a stroke would take hold of on the present mesh.
+  bool section(vtkPolyData* stroke, vtkPolyData* section);
+  // A place in the middle of what the stroke took hold of; of the mesh where it did not. False without a
+  // stroke.
+  bool middle(double place[3]);
+  // The part of the present mesh that moved; empty where there is none.
+  vtkSmartPointer<vtkPolyData> region();
+
+  // Shows the mesh with the stroke moved by a vector [world]; the way back.
+  void drag(const double translation[3]);
+  void endDrag();
+
+private:
+  void run();
+
+  vtkSmartPointer<vtkAlgorithm> source_;
+  int sourcePort_ = 0;
+  vtkSmartPointer<vtkPolyData> sourceSeen_;
+  vtkMTimeType sourceTime_ = 0, systemTime_ = 0;
+  vtkSmartPointer<vtkOversketchOneStroke> system_;
+  vtkSmartPointer<vtkPolyData> stroke_;
+  vtkNew<vtkPolyData> base_, result_, output_;
+  vtkNew<vtkTrivialProducer> producer_;
+  vtkSmartPointer<vtkPoints> dragged_; // null while the output is the result
+  vtkNew<vtkPolyData> held_;           // the section of the last run
+  bool stale_ = false, acted_ = false;
+  std::string message_;
+};
+
+} // namespace oversketch
+#endif

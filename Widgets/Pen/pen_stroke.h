@@ -1,0 +1,33 @@
+// A stroke as the pen makes it: samples in the viewport and the view they were drawn in.
+#ifndef oversketch_pen_stroke_h
+#define oversketch_pen_stroke_h
+
+#include "Stroke/polyline.h"
+#include "pen_view.h"
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace oversketch
+{
+
+struct PenStroke
+{
+  PenView view;
+  Polyline points; // px from the viewport's lower left corner
+  std::vector<double> pressures, times;
+
+  int count() const { return static_cast<int>(this->points.size()); }
+  void add(const Vector2& point, double pressure, double time);
+  void removeLast(double length);
+  // This stroke with the part that `over` was drawn over replaced.
+  PenStroke resketched(const PenStroke& over) const;
+  void putInto(vtkPolyData* polyData) const;
+  // Of a polydata that holds one stroke with its view; without Pressure it is 1, without Time 0. Throws Error
+  // for others.
+  static PenStroke of(vtkPolyData* polyData);
+};
+
+} // namespace oversketch
+#endif

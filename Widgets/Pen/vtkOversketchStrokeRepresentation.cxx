@@ -1,0 +1,323 @@
+#include "vtkOversketchStrokeRepresentation.h"
+
+#include "last_frame.h"
+#include "pen_stroke.h"
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkActor2D.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <array>
+#include <optional>
+
+vtkStandardNewMacro(vtkOversketchStrokeRepresentation);
+
+namespace
+{
+
+using oversketch::PenStroke;
+using oversketch::PenView;
+using oversketch::Vector2;
+
+// A line in the picture that grows by segments.
+struct Line2D
+{
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkActor2D> actor;
+
+  explicit Line2D(vtkProperty2D* property)
+  {
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(this->data);
+    this->actor->SetMapper(mapper);
+    this->actor->SetProperty(property);
+    this->actor->PickableOff();
+    this->set({});
+  }
+  void set(const oversketch::Polyline& points)
+  {
+    vtkNew<vtkPoints> none;
+    none->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> lines;
+    this->data->SetPoints(none);
+    this->data->SetLines(lines);
+    for (const Vector2& point : points)
+    {
+      this->add(point);
+    }
+  }
+  void add(const Vector2& point)
+  {
+    const vtkIdType last = this->data->GetPoints()->InsertNextPoint(point[0], point[1], 0.0);
+    if (last > 0)
+    {
+      const vtkIdType ids[2] = { last - 1, last };
+      this->data->GetLines()->InsertNextCell(2, ids);
+    }
+    this->data->GetPoints()->Modified();
+    this->data->GetLines()->Modified();
+    this->data->Modified();
+  }
+};
+
+} // namespace
+
+struct vtkOversketchStrokeRepresentation::Internals
+{
+  vtkNew<vtkProperty2D> property, sectionProperty;
+  Line2D section{ sectionProperty }, running{ property }, kept{ property };
+  std::optional<PenStroke> drawing; // while the pen is down
+  PenStroke stroke;                 // drawn last
+  bool over = false;                // the pen draws over it
+  oversketch::LastFrame frame;
+  // What the window's last frame shows: its size, and whether the stroke drawn last is in it.
+  std::array<int, 2> shownSize{ 0, 0 };
+  bool strokeShown = false;
+
+  const PenStroke& current() const { return this->drawing ? *this->drawing : this->stroke; }
+};
+
+vtkOversketchStrokeRepresentation::vtkOversketchStrokeRepresentation()
+  : Inner(std::make_unique<Internals>())
+{
+  this->Inner->property->SetColor(0.86, 0.13, 0.12);
+  this->Inner->property->SetLineWidth(3.0);
+  this->Inner->sectionProperty->SetColor(0.16, 0.42, 0.95);
+  this->Inner->sectionProperty->SetLineWidth(4.0);
+  this->Inner->frame.overlay()->AddViewProp(this->Inner->section.actor);
+  this->Inner->frame.overlay()->AddViewProp(this->Inner->running.actor);
+  this->PickableOff();
+  this->DragableOff();
+}
+
+vtkOversketchStrokeRepresentation::~vtkOversketchStrokeRepresentation() = default;
+
+void vtkOversketchStrokeRepresentation::BeginStroke(bool over)
+{
+  Internals& inner = *this->Inner;
+  vtkRenderWindow* window = this->Renderer ? this->Renderer->GetRenderWindow() : nullptr;
+  if (!window || inner.drawing)
+  {
+    return;
+  }
+  PenStroke begun;
+  begun.view = PenView::of(this->Renderer);
+  inner.over = over && inner.stroke.count() > 0 && inner.stroke.view == begun.view;
+  inner.drawing = begun;
+  inner.running.set({});
+  // The frame that is kept must be of this size, and without a stroke that is not drawn over.
+  const int* size = window->GetSize();
+  if (inner.shownSize != std::array<int, 2>{ size[0], size[1] } || (inner.strokeShown && !inner.over))
+  {
+    window->Render();
+  }
+  const int* origin = this->Renderer->GetOrigin();
+  inner.running.actor->SetPosition(origin[0], origin[1]);
+  inner.section.actor->SetPosition(origin[0], origin[1]);
+  inner.frame.freeze(window);
+}
+
+void vtkOversketchStrokeRepresentation::AddSample(double x, double y, double pressure, double time)
+{
+  Internals& inner = *this->Inner;
+  if (!inner.drawing || !this->Renderer)
+  {
+    return;
+  }
+  const int* origin = this->Renderer->GetOrigin();
+  inner.drawing->add(Vector2(x - origin[0], y - origin[1]), pressure, time);
+  inner.running.add(inner.drawing->points.back());
+}
+
+void vtkOversketchStrokeRepresentation::RemoveLast(double length)
+{
+  Internals& inner = *this->Inner;
+  PenStroke& from = inner.drawing ? *inner.drawing : inner.stroke;
+  from.removeLast(length);
+  (inner.drawing ? inner.running : inner.kept).set(from.points);
+}
+
+bool vtkOversketchStrokeRepresentation::EndStroke()
+{
+  Internals& inner = *this->Inner;
+  const bool whole = inner.drawing && inner.drawing->count() > 1;
+  if (whole)
+  {
+    inner.stroke = inner.over ? inner.stroke.resketched(*inner.drawing) : *inner.drawing;
+    inner.kept.set(inner.stroke.points);
+  }
+  this->DropStroke();
+  return whole;
+}
+
+void vtkOversketchStrokeRepresentation::DropStroke()
+{
+  Internals& inner = *this->Inner;
+  inner.drawing.reset();
+  inner.running.set({});
+  inner.section.set({});
+  inner.frame.thaw();
+}
+
+void vtkOversketchStrokeRepresentation::Clear()
+{
+  this->DropStroke();
+  this->Inner->stroke = {};
+  this->Inner->kept.set({});
+}
+
+bool vtkOversketchStrokeRepresentation::IsDrawing() const
+{
+  return this->Inner->drawing.has_value();
+}
+
+bool vtkOversketchStrokeRepresentation::FitsRenderer()
+{
+  const Internals& inner = *this->Inner;
+  if (!inner.drawing || !this->Renderer)
+  {
+    return false;
+  }
+  const int* size = this->Renderer->GetSize();
+  return inner.drawing->view.size == std::array<int, 2>{ size[0], size[1] } &&
+         (!inner.frame.frozen() || inner.frame.fits());
+}
+
+vtkIdType vtkOversketchStrokeRepresentation::GetNumberOfSamples() const
+{
+  return this->Inner->current().count();
+}
+
+void vtkOversketchStrokeRepresentation::GetPolyData(vtkPolyData* stroke)
+{
+  this->Inner->current().putInto(stroke);
+}
+
+bool vtkOversketchStrokeRepresentation::SetStroke(vtkPolyData* stroke)
+{
+  Internals& inner = *this->Inner;
+  if (inner.drawing || !stroke)
+  {
+    return false;
+  }
+  try
+  {
+    inner.stroke = PenStroke::of(stroke);
+  }
+  catch (const oversketch::Error&)
+  {
+    return false;
+  }
+  inner.kept.set(inner.stroke.points);
+  return true;
+}
+
+void vtkOversketchStrokeRepresentation::PutView(vtkPolyData* stroke)
+{
+  PenStroke begun;
+  if (this->Renderer)
+  {
+    begun.view = PenView::of(this->Renderer);
+    begun.add(Vector2::Zero(), 1.0, 0.0);
+  }
+  begun.putInto(stroke);
+}
+
+void vtkOversketchStrokeRepresentation::SetSection(vtkPolyData* section)
+{
+  vtkDataArray* places = section ? section->GetPointData()->GetArray("Display") : nullptr;
+  oversketch::Polyline line;
+  if (this->Inner->drawing && places && places->GetNumberOfComponents() == 2)
+  {
+    vtkNew<vtkIdList> ids;
+    section->GetCellPoints(0, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      Vector2 place;
+      places->GetTuple(ids->GetId(i), place.data());
+      line.push_back(place);
+    }
+  }
+  this->Inner->section.set(line);
+}
+
+vtkProperty2D* vtkOversketchStrokeRepresentation::GetProperty()
+{
+  return this->Inner->property;
+}
+
+vtkProperty2D* vtkOversketchStrokeRepresentation::GetSectionProperty()
+{
+  return this->Inner->sectionProperty;
+}
+
+void vtkOversketchStrokeRepresentation::SetRenderer(vtkRenderer* renderer)
+{
+  if (renderer != this->Renderer)
+  {
+    this->DropStroke();
+    this->Inner->shownSize = { 0, 0 };
+  }
+  this->Superclass::SetRenderer(renderer);
+}
+
+void vtkOversketchStrokeRepresentation::BuildRepresentation() {}
+
+void vtkOversketchStrokeRepresentation::GetActors2D(vtkPropCollection* actors)
+{
+  actors->AddItem(this->Inner->kept.actor);
+}
+
+void vtkOversketchStrokeRepresentation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Inner->kept.actor->ReleaseGraphicsResources(window);
+  this->Inner->running.actor->ReleaseGraphicsResources(window);
+  this->Inner->section.actor->ReleaseGraphicsResources(window);
+}
+
+int vtkOversketchStrokeRepresentation::RenderOverlay(vtkViewport* viewport)
+{
+  Internals& inner = *this->Inner;
+  vtkRenderWindow* window = this->Renderer ? this->Renderer->GetRenderWindow() : nullptr;
+  if (!window)
+  {
+    return 0;
+  }
+  const int* size = window->GetSize();
+  inner.shownSize = { size[0], size[1] };
+  inner.strokeShown = inner.stroke.count() > 1 && (!inner.drawing || inner.over) &&
+                      inner.stroke.view == PenView::of(this->Renderer);
+  int drawn = 0;
+  if (inner.strokeShown)
+  {
+    drawn += inner.kept.actor->RenderOverlay(viewport);
+  }
+  if (inner.drawing && !inner.frame.frozen())
+  {
+    for (vtkActor2D* actor : { inner.section.actor.Get(), inner.running.actor.Get() })
+    {
+      actor->SetPosition(0.0, 0.0);
+      drawn += actor->RenderOverlay(viewport);
+    }
+  }
+  return drawn;
+}
+
+void vtkOversketchStrokeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Drawing: " << this->IsDrawing() << "\n";
+  os << indent << "Samples: " << this->GetNumberOfSamples() << "\n";
+}
