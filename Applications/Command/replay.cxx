@@ -5,7 +5,7 @@
 #include "session_file.h"
 #include "terminal.h"
 
-#include "vtkOversketchOneStroke.h"
+#include "vtkOversketchSystem.h"
 
 namespace oversketch_command
 {
@@ -24,7 +24,7 @@ void replay(const Options& options)
   if (!file.digest.empty())
   {
     session.backend =
-      file.origin.backend == "opencl" ? vtkOversketchOneStroke::OpenCL : vtkOversketchOneStroke::Host;
+      file.origin.backend == "opencl" ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
   }
   const double count = static_cast<double>(session.nodes.size());
   Evaluator evaluator;
@@ -44,6 +44,10 @@ void replay(const Options& options)
     }
   }
   vtkPolyData* result = resultOf(session, outcomes);
+  if (!result)
+  {
+    throw Failed(options.session + ": none of its steps makes a mesh");
+  }
   Notes notes;
   writeMesh(result, options.output, notes);
   say(notes);
@@ -51,8 +55,7 @@ void replay(const Options& options)
   {
     return; // saved before its first result: there is nothing to compare with
   }
-  for (const std::string& difference :
-    differences(file.origin, originHere(evaluator.system()->GetBackendUsed())))
+  for (const std::string& difference : differences(file.origin, originHere(backendUsedBy(outcomes))))
   {
     say("note: " + difference);
   }

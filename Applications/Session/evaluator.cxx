@@ -1,16 +1,14 @@
 #include "evaluator.h"
 
-#include "vtkOversketchMirror.h"
-#include "vtkOversketchOneStroke.h"
+#include "system_runner.h"
+#include "texture.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkExecutive.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
+#include "vtkOversketchSystem.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <tuple>
+#include <utility>
 
 namespace oversketch_session
 {
@@ -18,309 +16,321 @@ namespace oversketch_session
 namespace
 {
 
-double between(const Point& a, const Point& b)
+using Ports = std::map<int, std::set<int>>;
+
+// The output ports that steps refer to, by the ids of those that they are of.
+Ports portsOf(const Session& session)
 {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  Ports ports;
+  for (const Node& node : session.nodes)
+  {
+    for (const auto& named : node.step->inputs)
+    {
+      if (const auto* output = std::get_if<StepOutput>(&named.second))
+      {
+        ports[output->step].insert(output->port);
+      }
+    }
+  }
+  return ports;
 }
 
-// The middle and the length of the first line of a polydata.
-std::optional<Section> sectionOf(vtkPolyData* matched)
+bool isElsewhere(const Node& node, const Outcome& outcome)
 {
-  vtkNew<vtkIdList> ids;
-  if (matched && matched->GetNumberOfCells() > 0)
+  if (!node.committed || !outcome.section)
   {
-    matched->GetCellPoints(0, ids);
+    return false;
   }
-  if (ids->GetNumberOfIds() < 2)
-  {
-    return std::nullopt;
-  }
-  std::vector<Point> points(static_cast<std::size_t>(ids->GetNumberOfIds()));
-  Section section;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    matched->GetPoint(ids->GetId(static_cast<vtkIdType>(i)), points[i].data());
-    section.length += i > 0 ? between(points[i - 1], points[i]) : 0.0;
-  }
-  section.middle = points.back();
-  double left = 0.5 * section.length;
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    const double step = between(points[i - 1], points[i]);
-    if (step >= left && step > 0.0)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        section.middle[k] = points[i - 1][k] + left / step * (points[i][k] - points[i - 1][k]);
-      }
-      break;
-    }
-    left -= step;
-  }
-  return section;
+  const Point &a = node.committed->middle, &b = outcome.section->middle;
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) >
+         0.5 * std::min(node.committed->length, outcome.section->length);
 }
 
-// Keeps the first error that a VTK object tells: "ERROR: In file, line n\nclass (address): message\n\n".
-void hearError(const void* data, std::string& first)
+std::size_t bytesOf(const Outcome& outcome)
 {
-  if (first.empty())
+  if (!outcome.failure.empty())
   {
-    first = static_cast<const char*>(data);
-    const std::size_t colon = first.find("): ");
-    first.erase(0, colon == std::string::npos ? 0 : colon + 3);
-    first.erase(first.find_last_not_of(" \n") + 1);
+    return 0; // a mesh passed by is another outcome's
   }
-}
-
-// Of the mesh that was made of the system's output, with the mirror where there is one.
-std::shared_ptr<const Following> followingOf(vtkOversketchOneStroke* system,
-  vtkPolyData* made,
-  vtkOversketchMirror* mirror)
-{
-  vtkPoints* rest = made->GetPoints();
-  auto following = std::make_shared<Following>();
-  following->count = rest->GetNumberOfPoints();
-  vtkSmartPointer<vtkPoints> moved[3];
-  for (int axis = 0; axis < 3; ++axis)
+  std::size_t kilobytes = outcome.mesh->GetActualMemorySize();
+  for (const auto& port : outcome.outputs)
   {
-    double unit[3] = { 0.0, 0.0, 0.0 };
-    unit[axis] = 1.0;
-    moved[axis] = vtkSmartPointer<vtkPoints>::New();
-    moved[axis]->SetDataTypeToDouble();
-    moved[axis]->SetNumberOfPoints(following->count);
-    if (!system->Drag(unit, moved[axis]))
-    {
-      return nullptr;
-    }
-    if (mirror)
-    {
-      vtkNew<vtkPolyData> side;
-      side->ShallowCopy(system->GetOutput());
-      side->SetPoints(moved[axis]);
-      mirror->SetInputData(1, side);
-      mirror->Update();
-      moved[axis] = mirror->GetOutput()->GetPoints();
-      if (mirror->GetOutput()->GetNumberOfPoints() != following->count)
-      {
-        return nullptr;
-      }
-    }
+    kilobytes += port.second->GetActualMemorySize();
   }
-  for (vtkIdType i = 0; i < following->count; ++i)
+  std::size_t bytes = 0;
+  if (outcome.details)
   {
-    std::array<float, 9> moves{};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        moves[3 * static_cast<std::size_t>(axis) + static_cast<std::size_t>(k)] =
-          static_cast<float>(moved[axis]->GetPoint(i)[k] - rest->GetPoint(i)[k]);
-      }
-    }
-    if (moves != std::array<float, 9>{})
-    {
-      following->points.push_back(i);
-      following->moves.push_back(moves);
-    }
+    kilobytes += outcome.details->region->GetActualMemorySize();
+    const auto& following = outcome.details->following;
+    bytes = following ? following->points.size() * (sizeof(vtkIdType) + sizeof(following->moves[0])) : 0;
   }
-  return following;
-}
-
-// Hears the system while it runs.
-class Ear
-{
-public:
-  Ear(vtkOversketchOneStroke* system, std::size_t node, const Evaluator::Watch& watch)
-    : System(system)
-    , Node(node)
-    , Watch(watch)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long event, void* self, void* data)
-      { static_cast<Ear*>(self)->hear(event, data); });
-    for (const unsigned long event :
-      { vtkCommand::ProgressEvent, vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
-    {
-      system->AddObserver(event, this->Command);
-    }
-    // Its executive repeats a failure in words of its own.
-    system->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
-  }
-  ~Ear()
-  {
-    this->System->RemoveObserver(this->Command);
-    this->System->GetExecutive()->RemoveObserver(this->Command);
-  }
-  Ear(const Ear&) = delete;
-  Ear& operator=(const Ear&) = delete;
-
-  std::string Failure;
-
-private:
-  void hear(unsigned long event, void* data)
-  {
-    if (event == vtkCommand::ProgressEvent)
-    {
-      if (this->Watch.cancelled && this->Watch.cancelled())
-      {
-        this->System->AbortExecuteOn();
-      }
-      if (this->Watch.progress)
-      {
-        this->Watch.progress(this->Node, this->System->GetStageName(), *static_cast<double*>(data));
-      }
-    }
-    else if (event == vtkCommand::ErrorEvent)
-    {
-      hearError(data, this->Failure);
-    }
-  }
-
-  vtkOversketchOneStroke* System;
-  std::size_t Node;
-  const Evaluator::Watch& Watch;
-  vtkNew<vtkCallbackCommand> Command;
-};
-
-vtkSmartPointer<vtkPolyData> shared(vtkPolyData* data)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(data);
-  return copy;
+  return 1024 * kilobytes + bytes;
 }
 
 } // namespace
 
-Evaluator::Evaluator(std::size_t bytes)
-  : system_(vtkSmartPointer<vtkOversketchOneStroke>::New())
+struct Evaluator::Run
+{
+  const Session& session;
+  const Watch& watch;
+  std::vector<Outcome>& outcomes; // of the nodes up to the one that is run
+  Ports ports;
+  std::uint64_t mesh = 0; // the number of the outcome that comes to the node
+};
+
+struct Evaluator::Runner
+{
+  explicit Runner(const SystemRow& row)
+    : steps(row)
+  {
+  }
+
+  SystemRunner steps;
+  std::uint64_t last = 0; // the number of the last outcome, 0 where it did nothing
+};
+
+Evaluator::Evaluator(std::size_t bytes, const std::vector<SystemRow>& rows)
+  : rows_(rows)
   , budget_(bytes)
 {
 }
 
 Evaluator::~Evaluator() = default;
 
-vtkOversketchOneStroke* Evaluator::system()
+bool Evaluator::Place::operator<(const Place& other) const
 {
-  return this->system_;
+  if (this->made.owner_before(other.made) || other.made.owner_before(this->made))
+  {
+    return this->made.owner_before(other.made);
+  }
+  return std::tie(this->inputs, this->backend) < std::tie(other.inputs, other.backend);
 }
 
-bool Evaluator::Key::operator==(const Key& other) const
+Evaluator::Runner* Evaluator::runner(const std::string& name)
 {
-  using Held = std::weak_ptr<const Action>;
-  return this->mesh == other.mesh && this->backend == other.backend &&
-         std::equal(this->actions.begin(),
-           this->actions.end(),
-           other.actions.begin(),
-           other.actions.end(),
-           [](const Held& a, const Held& b) { return !a.owner_before(b) && !b.owner_before(a); });
-}
-
-bool Evaluator::Key::canComeAgain() const
-{
-  return std::none_of(this->actions.begin(),
-    this->actions.end(),
-    [](const std::weak_ptr<const Action>& action) { return action.expired(); });
-}
-
-const Outcome* Evaluator::find(const Key& key)
-{
-  const auto it =
-    std::find_if(this->kept_.begin(), this->kept_.end(), [&](const Kept& kept) { return kept.key == key; });
-  if (it == this->kept_.end())
+  const SystemRow* row = findSystem(name, this->rows_);
+  if (!row)
   {
     return nullptr;
   }
-  this->kept_.splice(this->kept_.begin(), this->kept_, it);
-  return &this->kept_.front().outcome;
+  auto& runner = this->runners_[name];
+  if (!runner)
+  {
+    runner = std::make_unique<Runner>(*row);
+  }
+  return runner.get();
 }
 
-void Evaluator::keep(const Key& key, const Outcome& outcome, std::size_t inUse)
+vtkOversketchSystem* Evaluator::system(const std::string& name)
 {
-  // A mesh passed by is another outcome's.
-  const std::size_t bytes =
-    outcome.failure.empty()
-      ? std::size_t(1024) * (outcome.mesh->GetActualMemorySize() + outcome.region->GetActualMemorySize()) +
-          (outcome.following ? outcome.following->points.size() * (sizeof(vtkIdType) + sizeof(float) * 9) : 0)
-      : 0;
-  this->kept_.push_front({ key, outcome, bytes });
+  Runner* runner = this->runner(name);
+  return runner ? runner->steps.system() : nullptr;
+}
+
+std::uint64_t Evaluator::numberOf(const Place& place)
+{
+  const auto [at, isNew] = this->numbers_.insert({ place, this->last_ + 1 });
+  if (isNew)
+  {
+    this->kept_[++this->last_].place = place;
+  }
+  this->kept_.at(at->second).used = this->run_;
+  return at->second;
+}
+
+void Evaluator::forget()
+{
+  for (auto it = this->kept_.begin(); it != this->kept_.end();)
+  {
+    const Place& place = it->second.place;
+    const bool canComeAgain =
+      !place.made.expired() && std::all_of(place.inputs.begin(),
+                                 place.inputs.end(),
+                                 [this](std::uint64_t number) { return this->kept_.count(number) > 0; });
+    if (!canComeAgain)
+    {
+      this->numbers_.erase(place);
+    }
+    it = canComeAgain ? std::next(it) : this->kept_.erase(it);
+  }
+  for (auto it = this->pictures_.begin(); it != this->pictures_.end();)
+  {
+    it = it->first.expired() ? this->pictures_.erase(it) : std::next(it);
+  }
+}
+
+void Evaluator::giveUp()
+{
   std::size_t sum = 0;
-  std::size_t count = 0;
-  for (auto it = this->kept_.begin(); it != this->kept_.end(); ++it, ++count)
+  std::vector<Kept*> others; // than those in use
+  for (auto& named : this->kept_)
   {
-    sum += it->bytes;
-    if (sum > this->budget_ && count >= inUse)
+    sum += named.second.bytes;
+    if (named.second.outcome && named.second.used != this->run_)
     {
-      this->kept_.erase(it, this->kept_.end());
-      return;
+      others.push_back(&named.second);
     }
+  }
+  std::sort(others.begin(), others.end(), [](const Kept* a, const Kept* b) { return a->used < b->used; });
+  for (auto it = others.begin(); it != others.end() && sum > this->budget_; ++it)
+  {
+    sum -= (*it)->bytes;
+    (*it)->outcome.reset();
+    (*it)->bytes = 0;
   }
 }
 
-bool Evaluator::runOne(const Action& action,
-  vtkPolyData* mesh,
-  std::size_t node,
-  const Watch& watch,
-  Outcome& outcome)
+vtkSmartPointer<vtkImageData> Evaluator::pictureOf(const Image& image)
 {
-  ++this->runs_;
-  vtkOversketchOneStroke* system = this->system_;
-  system->SetInputData(0, mesh);
-  system->SetStrokeData(action.stroke.own());
-  if (system->GetAsPublished() != action.parameters.asPublished)
+  auto& picture = this->pictures_[image.bytes];
+  if (!picture)
   {
-    system->SetAsPublished(action.parameters.asPublished);
+    picture = oversketch_files::pictureOf(*image.bytes);
   }
-  // The halves of a mirrored mesh are told by the points' ids, which remeshing does not keep.
-  system->SetRemesh(action.mirror ? int(vtkOversketchOneStroke::RemeshOff) : action.parameters.remesh);
-  system->SetAdjustNormals(action.parameters.adjustNormals);
-  std::string failure;
+  return picture;
+}
+
+std::string Evaluator::resolve(Run& run,
+  std::size_t index,
+  const SystemRow& row,
+  std::map<std::string, vtkSmartPointer<vtkDataObject>>& inputs,
+  std::vector<std::uint64_t>& numbers)
+{
+  const auto& nodes = run.session.nodes;
+  for (const SystemInput& input : row.inputs)
   {
-    Ear ear(system, node, watch);
-    system->Modified(); // a run that failed before would report an empty success
-    system->Update();
-    failure = ear.Failure;
-  }
-  if (watch.cancelled && watch.cancelled())
-  {
-    return false;
-  }
-  vtkNew<vtkOversketchMirror> mirror;
-  vtkSmartPointer<vtkPolyData> made = system->GetOutput();
-  if (failure.empty() && made->GetNumberOfPolys() == 0)
-  {
-    failure = "the deformation gave no mesh";
-  }
-  outcome.section = failure.empty() ? sectionOf(system->GetInnerOutput("Match")) : std::nullopt;
-  if (failure.empty() && action.mirror)
-  {
-    mirror->SetInputData(0, mesh);
-    mirror->SetInputData(1, made);
-    mirror->SetAxis(action.mirror->axis);
-    mirror->SetOffset(action.mirror->offset);
-    if (outcome.section)
+    const std::string what = "its input '" + input.name + "' ";
+    const auto given = nodes[index].step->inputs.find(input.name);
+    if (given == nodes[index].step->inputs.end())
     {
-      mirror->SetSide(
-        outcome.section->middle[static_cast<std::size_t>(action.mirror->axis)] < action.mirror->offset
-          ? vtkOversketchMirror::Below
-          : vtkOversketchMirror::Above);
+      if (input.kind == SystemInput::Kind::Mesh && run.outcomes[index].mesh)
+      {
+        inputs[input.name] = run.outcomes[index].mesh;
+        numbers.push_back(run.mesh);
+      }
+      else if (input.kind == SystemInput::Kind::Mesh)
+      {
+        return "there is no mesh yet that it could act on";
+      }
+      else if (!input.optional)
+      {
+        return what + "is missing";
+      }
     }
-    vtkNew<vtkCallbackCommand> ear;
-    ear->SetClientData(&failure);
-    ear->SetCallback([](vtkObject*, unsigned long, void* first, void* data)
-      { hearError(data, *static_cast<std::string*>(first)); });
-    mirror->AddObserver(vtkCommand::ErrorEvent, ear);
-    mirror->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, ear);
-    mirror->Update();
-    made = mirror->GetOutput();
+    else if (const auto* lines = std::get_if<Lines>(&given->second))
+    {
+      inputs[input.name] = lines->own();
+    }
+    else if (const auto* image = std::get_if<Image>(&given->second))
+    {
+      inputs[input.name] = this->pictureOf(*image);
+      if (!inputs[input.name])
+      {
+        return what + "is the picture '" + image->name + "', which cannot be read";
+      }
+    }
+    else
+    {
+      const StepOutput& output = std::get<StepOutput>(given->second);
+      const auto node =
+        std::find_if(nodes.begin(), nodes.end(), [&](const Node& one) { return one.id == output.step; });
+      if (node == nodes.end())
+      {
+        return what + "is of a step that is no longer there";
+      }
+      const std::string whose = what + "is of '" + node->name + "', which ";
+      const auto at = static_cast<std::size_t>(node - nodes.begin());
+      if (at >= index)
+      {
+        return whose + (at == index ? "is itself" : "comes after it");
+      }
+      const Outcome& outcome = run.outcomes[at];
+      if (!node->on || !outcome.failure.empty())
+      {
+        return whose + (node->on ? "did nothing" : "is off");
+      }
+      const auto port = outcome.outputs.find(output.port);
+      if (output.port != 0 && port == outcome.outputs.end())
+      {
+        return whose + "has no output " + std::to_string(output.port);
+      }
+      if (output.port == 0)
+      {
+        inputs[input.name] = outcome.mesh;
+      }
+      else
+      {
+        inputs[input.name] = port->second;
+      }
+      numbers.push_back(outcome.number);
+    }
   }
-  outcome.failure = failure;
-  outcome.mesh = failure.empty() ? shared(made) : vtkSmartPointer<vtkPolyData>(mesh);
-  outcome.matched = failure.empty() ? shared(system->GetInnerOutput("Match")) : nullptr;
-  if (failure.empty())
+  return {};
+}
+
+bool Evaluator::runNode(Run& run, std::size_t index)
+{
+  const std::shared_ptr<const Step>& step = run.session.nodes[index].step;
+  Outcome& outcome = run.outcomes[index];
+  std::map<std::string, vtkSmartPointer<vtkDataObject>> inputs;
+  std::vector<std::uint64_t> numbers;
+  outcome.failure = faultOf(*step, this->rows_);
+  if (outcome.failure.empty())
   {
-    outcome.region = vtkSmartPointer<vtkPolyData>::New();
-    system->GetRegion(outcome.region);
-    outcome.following = followingOf(system, outcome.mesh, action.mirror ? mirror.Get() : nullptr);
+    outcome.failure = this->resolve(run, index, *findSystem(step->system, this->rows_), inputs, numbers);
+  }
+  if (!outcome.failure.empty())
+  {
+    return true;
+  }
+  const std::uint64_t number = this->numberOf({ step, numbers, run.session.backend });
+  Kept& kept = this->kept_.at(number);
+  Runner& runner = *this->runner(step->system);
+  std::set<int> ports; // that it has and others refer to
+  for (const int port : run.ports[run.session.nodes[index].id])
+  {
+    if (port > 0 && port < runner.steps.system()->GetNumberOfOutputPorts())
+    {
+      ports.insert(port);
+    }
+  }
+  const auto isKept = [&](int port) { return kept.outcome->outputs.count(port) > 0; };
+  if (kept.outcome && (!kept.outcome->failure.empty() || std::all_of(ports.begin(), ports.end(), isKept)))
+  {
+    outcome = *kept.outcome;
+  }
+  else
+  {
+    if (run.watch.details && !this->finish(runner, run.watch.cancelled))
+    {
+      return false;
+    }
+    Listener listener;
+    listener.cancelled = run.watch.cancelled;
+    if (run.watch.progress)
+    {
+      listener.progress = [&](const std::string& stage, double share)
+      { run.watch.progress(index, stage, share); };
+    }
+    if (run.watch.warning)
+    {
+      listener.warning = [&](const std::string& message) { run.watch.warning(index, message); };
+    }
+    ++this->runs_;
+    runner.last = 0;
+    if (!runner.steps.run(*step, inputs, run.session.backend, ports, listener, outcome))
+    {
+      return false;
+    }
+    outcome.number = outcome.failure.empty() ? number : 0;
+    outcome.details = kept.outcome ? kept.outcome->details : nullptr;
+    runner.last = outcome.number;
+    kept.outcome = outcome;
+    kept.bytes = bytesOf(outcome);
+  }
+  if (outcome.failure.empty())
+  {
+    run.mesh = number;
   }
   return true;
 }
@@ -328,55 +338,77 @@ bool Evaluator::runOne(const Action& action,
 bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes)
 {
   outcomes.clear();
-  this->kept_.remove_if([](const Kept& kept) { return !kept.key.canComeAgain(); });
-  this->system_->SetBackend(session.backend);
+  this->forget();
+  ++this->run_;
+  Run run{ session, watch, outcomes, portsOf(session) };
+  run.mesh = session.mesh ? this->numberOf({ session.mesh.identity(), {}, 0 }) : 0;
   vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
-  Key key{ session.mesh, session.backend, {} };
   for (std::size_t i = 0; i < session.nodes.size(); ++i)
   {
-    const Node& node = session.nodes[i];
-    Outcome outcome;
-    outcome.mesh = mesh;
-    if (node.on)
+    outcomes.emplace_back();
+    outcomes[i].mesh = mesh;
+    if (session.nodes[i].on && !this->runNode(run, i))
     {
-      key.actions.push_back(node.action);
-      if (const Outcome* kept = this->find(key))
-      {
-        outcome = *kept;
-      }
-      else if (this->runOne(*node.action, mesh, i, watch, outcome))
-      {
-        this->keep(key, outcome, i + 1);
-      }
-      else
-      {
-        return false;
-      }
-      // What a failed stroke leaves is the mesh before it, and so is what comes after.
-      if (!outcome.failure.empty())
-      {
-        key.actions.pop_back();
-      }
-      outcome.elsewhere = node.committed && outcome.section &&
-                          between(node.committed->middle, outcome.section->middle) >
-                            0.5 * std::min(node.committed->length, outcome.section->length);
+      outcomes.pop_back();
+      return false;
     }
-    mesh = outcome.mesh;
-    outcomes.push_back(outcome);
+    outcomes[i].elsewhere = isElsewhere(session.nodes[i], outcomes[i]);
+    mesh = outcomes[i].mesh;
   }
+  this->giveUp();
   return true;
 }
 
-void Evaluator::prepare(vtkPolyData* mesh, const Watch& watch)
+bool Evaluator::finish(Runner& runner, const std::function<bool()>& cancelled)
 {
-  const Ear ear(this->system_, 0, watch);
-  this->system_->SetInputData(0, shared(mesh));
-  this->system_->Prepare();
+  const auto kept = this->kept_.find(runner.last);
+  if (kept == this->kept_.end() || !kept->second.outcome || kept->second.outcome->details)
+  {
+    return true;
+  }
+  Outcome& outcome = *kept->second.outcome;
+  outcome.details = runner.steps.details(outcome.mesh, cancelled);
+  kept->second.bytes = bytesOf(outcome);
+  return outcome.details != nullptr;
+}
+
+bool Evaluator::details(std::vector<Outcome>& outcomes, const Watch& watch)
+{
+  bool done = true;
+  for (const auto& named : this->runners_)
+  {
+    done = done && this->finish(*named.second, watch.cancelled);
+  }
+  for (Outcome& outcome : outcomes)
+  {
+    const auto kept = this->kept_.find(outcome.number);
+    if (kept != this->kept_.end() && kept->second.outcome)
+    {
+      outcome.details = kept->second.outcome->details;
+    }
+  }
+  this->giveUp();
+  return done;
+}
+
+void Evaluator::prepare(const SystemRow& row, vtkPolyData* mesh, int backend, const Watch& watch)
+{
+  Listener listener;
+  listener.cancelled = watch.cancelled;
+  this->runner(row.name)->steps.prepare(mesh, backend, listener);
 }
 
 vtkPolyData* resultOf(const Session& session, const std::vector<Outcome>& outcomes)
 {
   return outcomes.empty() ? session.mesh.Get() : outcomes.back().mesh.Get();
+}
+
+int backendUsedBy(const std::vector<Outcome>& outcomes)
+{
+  const bool onDevice = std::any_of(outcomes.begin(),
+    outcomes.end(),
+    [](const Outcome& outcome) { return outcome.backendUsed == vtkOversketchSystem::OpenCL; });
+  return onDevice ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
 }
 
 } // namespace oversketch_session

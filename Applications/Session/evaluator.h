@@ -1,115 +1,122 @@
-// Runs a session: the mesh goes through the strokes that are on, one after the other.
+// Runs a session: the mesh goes through the steps that are on, one after the other.
 #ifndef oversketch_evaluator_h
 #define oversketch_evaluator_h
 
-#include "session.h"
+#include "outcome.h"
+#include "systems.h"
 
-#include <array>
+#include "vtkImageData.h"
+
 #include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <list>
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
-
-class vtkOversketchOneStroke;
 
 namespace oversketch_session
 {
 
-// How a node's mesh follows while its stroke is moved by hand, a preview: point points[i] goes by the sum of
-// the vector's x, y, z [world] times the three vectors of moves[i].
-struct Following
-{
-  vtkIdType count = 0; // of the mesh's points
-  std::vector<vtkIdType> points;
-  std::vector<std::array<float, 9>> moves;
-};
-
-// What a node made.
-struct Outcome
-{
-  vtkSmartPointer<vtkPolyData> mesh; // where the node is off or failed: the mesh as it came to it
-  std::string failure;               // why it did nothing; empty when it acted or is off
-  // Where it took hold, with the polyline itself; absent where it did nothing.
-  std::optional<Section> section;
-  vtkSmartPointer<vtkPolyData> matched;
-  // The part of the mesh that it moved, as a mesh of its own, and how it follows; null where it did nothing.
-  vtkSmartPointer<vtkPolyData> region;
-  std::shared_ptr<const Following> following;
-  // True when that is another place than when it was committed: its middle is further from the committed one
-  // than half the length of the shorter of both.
-  bool elsewhere = false;
-};
+class SystemRunner;
 
 class Evaluator
 {
 public:
-  // Keeps outcomes of strokes that someone still holds (a session, a history), up to a sum of about that many
-  // bytes, the least recently used go first; those of the session being run stay in any case.
-  explicit Evaluator(std::size_t bytes = std::size_t(2) << 30);
+  // Keeps outcomes of steps that someone still holds (a session, a history), up to a sum of about that many
+  // bytes, the least recently used go first; those of the session being run stay in any case. Steps name
+  // systems of that list, which must outlive it.
+  explicit Evaluator(std::size_t bytes = std::size_t(2) << 30,
+    const std::vector<SystemRow>& rows = systems());
   ~Evaluator();
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
 
   struct Watch
   {
-    // Polled while a stroke runs; true ends the run.
+    // Polled while a step runs; true ends the run.
     std::function<bool()> cancelled;
     // Node, stage and share done of the node [0 to 1].
     std::function<void(std::size_t node, const std::string& stage, double share)> progress;
+    std::function<void(std::size_t node, const std::string& message)> warning;
+    // Whether details() will be called for all nodes.
+    bool details = false;
   };
 
   // One outcome a node. A node that fails is passed by, with its reason; the rest goes on. What was run
-  // before for the same strokes in the same order on the same mesh is not run again. The same session gives
-  // the same bits, whatever is kept. Returns false when it was cancelled: outcomes are those of the nodes
-  // before.
+  // before for the same steps in the same order on the same mesh is not run again. The same session gives the
+  // same bits, whatever is kept. Returns false when it was cancelled: outcomes are those of the nodes before.
   bool run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes);
 
-  // Computes what the next stroke on this mesh will need whatever it is, until cancelled. Nothing depends on
-  // it but time.
-  void prepare(vtkPolyData* mesh, const Watch& watch);
+  // What comes after the meshes: fills in the details of those outcomes of the last run that acted. Where the
+  // run was not watched for them, only of the last that each system ran. Returns false when it was cancelled:
+  // some are missing, and come with the next call for this session.
+  bool details(std::vector<Outcome>& outcomes, const Watch& watch);
 
-  // Strokes run since the start, to see what was kept.
+  // Computes what the next step of a system on this mesh will need whatever it is, until cancelled. Nothing
+  // depends on it but time.
+  void prepare(const SystemRow& row, vtkPolyData* mesh, int backend, const Watch& watch);
+
+  // Steps run since the start, to see what was kept.
   std::size_t runs() const { return this->runs_; }
-  // The system that runs them, for what is shown of the last stroke: its inner outputs.
-  vtkOversketchOneStroke* system();
+  // The instance that runs a system's steps, for what is shown of the last one: its inner outputs. Null where
+  // the list has no such system.
+  vtkOversketchSystem* system(const std::string& name);
 
 private:
-  // What an outcome depends on: the actions up to it that are on.
-  struct Key
+  // What an outcome depends on. Numbers are those of outcomes.
+  struct Place
   {
-    SharedData mesh;
+    std::weak_ptr<const void> made;    // the step, or the mesh that was opened; nobody makes one twice
+    std::vector<std::uint64_t> inputs; // what it takes: the mesh before it and what it refers to
     int backend = 0;
-    std::vector<std::weak_ptr<const Action>> actions;
 
-    bool operator==(const Key& other) const;
-    bool canComeAgain() const; // nobody makes an action twice
+    bool operator<(const Place& other) const;
   };
   struct Kept
   {
-    Key key;
-    Outcome outcome;
+    Place place;
+    std::optional<Outcome> outcome; // absent where it was given up: the number is known
     std::size_t bytes = 0;
+    std::uint64_t used = 0; // by which run
   };
+  // A run on its way.
+  struct Run;
+  // Who runs a system's steps, and whose outcome its last one is.
+  struct Runner;
 
-  const Outcome* find(const Key& key);
-  // Gives up the least recently used beyond the budget, but not the first inUse.
-  void keep(const Key& key, const Outcome& outcome, std::size_t inUse);
-  bool runOne(const Action& action,
-    vtkPolyData* mesh,
-    std::size_t node,
-    const Watch& watch,
-    Outcome& outcome);
+  Runner* runner(const std::string& name);
+  std::uint64_t numberOf(const Place& place);
+  void forget(); // what cannot come again
+  void giveUp(); // what is beyond the budget
+  bool runNode(Run& run, std::size_t index);
+  // Why a step cannot be run, or empty, with its inputs, and the numbers of the outcomes that they are.
+  std::string resolve(Run& run,
+    std::size_t index,
+    const SystemRow& row,
+    std::map<std::string, vtkSmartPointer<vtkDataObject>>& inputs,
+    std::vector<std::uint64_t>& numbers);
+  // Of the last that it ran, where they are missing; false when cancelled.
+  bool finish(Runner& runner, const std::function<bool()>& cancelled);
+  vtkSmartPointer<vtkImageData> pictureOf(const Image& image);
 
-  vtkSmartPointer<vtkOversketchOneStroke> system_;
-  std::list<Kept> kept_; // the most recently used first
+  const std::vector<SystemRow>& rows_;
+  std::map<std::string, std::unique_ptr<Runner>> runners_; // by system
+  std::map<std::uint64_t, Kept> kept_;                     // what an outcome takes comes before it
+  std::map<Place, std::uint64_t> numbers_;
+  std::map<std::weak_ptr<const std::string>, vtkSmartPointer<vtkImageData>, std::owner_less<>> pictures_;
   std::size_t budget_;
+  std::uint64_t last_ = 0, run_ = 0;
   std::size_t runs_ = 0;
 };
 
-// The mesh that a session shows: what its last node made.
+// The mesh that a session shows: what its last node made. Null where there is none yet.
 vtkPolyData* resultOf(const Session& session, const std::vector<Outcome>& outcomes);
+
+// Where it was made: OpenCL where any step ran there, else Host (vtkOversketchSystem::BackendType).
+int backendUsedBy(const std::vector<Outcome>& outcomes);
 
 } // namespace oversketch_session
 #endif

@@ -1,9 +1,10 @@
-// Undo and redo without limit over values that share what they have in common.
+// Undo and redo without limit. What is kept of a change is what it changed.
 #ifndef oversketch_history_h
 #define oversketch_history_h
 
 #include "session.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -14,28 +15,99 @@ class History
 {
 public:
   explicit History(Session start)
-    : states_{ std::move(start) }
+    : now_(std::move(start))
   {
   }
 
-  const Session& now() const { return this->states_[this->at_]; }
+  const Session& now() const { return this->now_; }
   bool canUndo() const { return this->at_ > 0; }
-  bool canRedo() const { return this->at_ + 1 < this->states_.size(); }
+  bool canRedo() const { return this->at_ < this->edits_.size(); }
 
   // What was undone before is given up, as everywhere.
   void commit(Session next)
   {
-    this->states_.resize(this->at_ + 1);
-    this->states_.push_back(std::move(next));
+    this->edits_.resize(this->at_);
+    this->edits_.push_back(between(this->now_, next));
+    this->now_ = std::move(next);
     ++this->at_;
   }
   // Learned after the commit, such as where a stroke took hold: no step of its own.
-  void amend(Session next) { this->states_[this->at_] = std::move(next); }
-  void undo() { this->at_ -= this->canUndo() ? 1 : 0; }
-  void redo() { this->at_ += this->canRedo() ? 1 : 0; }
+  void amend(Session next)
+  {
+    if (this->canUndo())
+    {
+      Edit& last = this->edits_[this->at_ - 1];
+      last = between(applied(this->now_, last.first, last.after, last.before), next);
+    }
+    if (this->canRedo())
+    {
+      Edit& following = this->edits_[this->at_];
+      following = between(next, applied(this->now_, following.first, following.before, following.after));
+    }
+    this->now_ = std::move(next);
+  }
+  void undo()
+  {
+    if (this->canUndo())
+    {
+      const Edit& edit = this->edits_[--this->at_];
+      this->now_ = applied(std::move(this->now_), edit.first, edit.after, edit.before);
+    }
+  }
+  void redo()
+  {
+    if (this->canRedo())
+    {
+      const Edit& edit = this->edits_[this->at_++];
+      this->now_ = applied(std::move(this->now_), edit.first, edit.before, edit.after);
+    }
+  }
 
 private:
-  std::vector<Session> states_;
+  // Two sessions, each with only those nodes, from the place `first` on, that the other has not.
+  struct Edit
+  {
+    std::size_t first = 0;
+    Session before, after;
+  };
+
+  static Edit between(const Session& before, const Session& after)
+  {
+    const auto &a = before.nodes, &b = after.nodes;
+    const std::size_t most = std::min(a.size(), b.size());
+    std::size_t first = 0, last = 0; // nodes that both begin and end with
+    while (first < most && a[first] == b[first])
+    {
+      ++first;
+    }
+    while (first + last < most && a[a.size() - 1 - last] == b[b.size() - 1 - last])
+    {
+      ++last;
+    }
+    const auto part = [&](const Session& of)
+    {
+      return Session{ of.meshName,
+        of.mesh,
+        { of.nodes.begin() + static_cast<std::ptrdiff_t>(first),
+          of.nodes.end() - static_cast<std::ptrdiff_t>(last) },
+        of.backend };
+    };
+    return { first, part(before), part(after) };
+  }
+
+  static Session applied(Session to, std::size_t first, const Session& gone, const Session& come)
+  {
+    const auto at = to.nodes.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto place = to.nodes.erase(at, at + static_cast<std::ptrdiff_t>(gone.nodes.size()));
+    to.nodes.insert(place, come.nodes.begin(), come.nodes.end());
+    to.meshName = come.meshName;
+    to.mesh = come.mesh;
+    to.backend = come.backend;
+    return to;
+  }
+
+  Session now_;
+  std::vector<Edit> edits_; // the first at_ of them lead here
   std::size_t at_ = 0;
 };
 

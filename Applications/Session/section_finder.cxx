@@ -1,36 +1,23 @@
 #include "section_finder.h"
 
-#include "vtkOversketchOneStroke.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchStepRunner.h"
+#include "vtkOversketchSystem.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace oversketch_session
 {
 
-namespace
-{
-
-// VTK's commands carry one pointer.
-struct Watch
-{
-  const std::atomic<std::uint64_t>& oldest;
-  std::uint64_t ticket = 0;
-
-  bool cancelled() const { return this->ticket < this->oldest; }
-};
-
-} // namespace
-
-SectionFinder::SectionFinder(std::function<void()> found)
-  : found_(std::move(found))
+SectionFinder::SectionFinder(const SystemRow& system, std::function<void()> found)
+  : system_(system)
+  , found_(std::move(found))
   , thread_([this] { this->work(); })
 {
 }
@@ -69,16 +56,17 @@ void SectionFinder::setMesh(vtkPolyData* mesh)
 SectionFinder::ViewKey SectionFinder::viewOf(vtkPolyData* stroke)
 {
   ViewKey key{};
-  std::size_t at = 0;
-  for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
+  try
   {
-    vtkDataArray* values = stroke->GetCellData()->GetArray(name);
-    for (int c = 0;
-         values && values->GetNumberOfTuples() > 0 && c < values->GetNumberOfComponents() && at < key.size();
-         ++c)
-    {
-      key[at++] = values->GetComponent(0, c);
-    }
+    const oversketch::View view = oversketch::ViewOf(stroke);
+    std::copy_n(view.viewTransform().data(), 16, key.begin());
+    std::copy_n(view.projectionTransform().data(), 16, key.begin() + 16);
+    key[32] = view.width();
+    key[33] = view.height();
+  }
+  catch (const oversketch::Error&)
+  {
+    return {}; // nothing will be found for it
   }
   return key;
 }
@@ -111,21 +99,9 @@ std::optional<SectionFinder::Found> SectionFinder::take()
 
 void SectionFinder::work()
 {
-  vtkNew<vtkOversketchOneStroke> system;
+  const vtkSmartPointer<vtkOversketchSystem> system = this->system_.make();
   // The curves do not wait for a device that a stroke is being run on.
   system->SetBackendToHost();
-  Watch watch{ this->oldest_ };
-  vtkNew<vtkCallbackCommand> ear;
-  ear->SetClientData(&watch);
-  ear->SetCallback(
-    [](vtkObject* caller, unsigned long, void* client, void*)
-    {
-      if (static_cast<Watch*>(client)->cancelled())
-      {
-        static_cast<vtkOversketchOneStroke*>(caller)->AbortExecuteOn();
-      }
-    });
-  system->AddObserver(vtkCommand::ProgressEvent, ear);
   vtkSmartPointer<vtkPolyData> mesh;
   for (;;)
   {
@@ -146,14 +122,22 @@ void SectionFinder::work()
       this->next_.reset();
       this->runningView_ = request.view;
     }
-    watch.ticket = request.ticket;
+    const auto cancelled = [&] { return request.ticket < this->oldest_; };
     vtkNew<vtkPolyData> section;
-    system->Preview(mesh, request.stroke, section);
+    try
+    {
+      oversketch::StepRunner(system, { {}, {}, cancelled })
+        .Run([&] { system->Preview(mesh, request.stroke, section); });
+    }
+    catch (const oversketch::Error&)
+    {
+      section->Initialize();
+    }
     auto copy = vtkSmartPointer<vtkPolyData>::New(); // the system goes on with its own
     copy->DeepCopy(section);
     {
       const std::lock_guard<std::mutex> lock(this->mutex_);
-      if (watch.cancelled())
+      if (cancelled())
       {
         continue;
       }

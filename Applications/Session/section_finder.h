@@ -3,6 +3,8 @@
 #ifndef oversketch_section_finder_h
 #define oversketch_section_finder_h
 
+#include "systems.h"
+
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -21,16 +23,16 @@ namespace oversketch_session
 class SectionFinder
 {
 public:
-  // What vtkOversketchOneStroke::Preview gives, bit for bit, with its back end Host; empty where there
-  // is nothing to take hold of.
+  // What the system's Preview gives, bit for bit, with its back end Host; empty where there is nothing to
+  // take hold of.
   struct Found
   {
     std::uint64_t ticket = 0;
     vtkSmartPointer<vtkPolyData> section; // a copy that nobody else touches
   };
 
-  // `found` is called on the finder's thread when there is something to take.
-  explicit SectionFinder(std::function<void()> found);
+  // For strokes of a system. `found` is called on the finder's thread when there is something to take.
+  SectionFinder(const SystemRow& system, std::function<void()> found);
   // Cancels what runs and waits for it.
   ~SectionFinder();
   SectionFinder(const SectionFinder&) = delete;
@@ -48,7 +50,7 @@ public:
   std::uint64_t find(vtkPolyData* stroke);
 
 private:
-  // View, projection and size of the window, as the stroke carries them.
+  // View, projection and size of the window that the stroke was drawn in; zeros where it carries none.
   using ViewKey = std::array<double, 34>;
   // VTK collects its garbage without a lock: what goes to another thread is moved there.
   struct Request
@@ -60,6 +62,7 @@ private:
   static ViewKey viewOf(vtkPolyData* stroke);
   void work();
 
+  const SystemRow& system_;
   std::function<void()> found_;
   std::mutex mutex_;
   std::condition_variable wake_;

@@ -1,11 +1,12 @@
-// What a person made of a mesh: the mesh they opened and the strokes they drew on it, in order. Values: a
-// change is a new Session that shares all that did not change, so undo keeps sessions and costs next to
-// nothing.
+// What a person made: the mesh they opened, if any, and the steps that they took on it, in order. Values: a
+// change is a new Session that shares all that did not change.
 #ifndef oversketch_session_h
 #define oversketch_session_h
 
 #include "shared_data.h"
+#include "step.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -17,60 +18,58 @@ namespace oversketch_session
 
 using Point = std::array<double, 3>;
 
-// Those parameters of vtkOversketchOneStroke that belong to one stroke; its names and defaults.
-struct Parameters
-{
-  int remesh = 0; // vtkOversketchOneStroke::RemeshType
-  bool adjustNormals = false;
-  bool asPublished = false;
-
-  bool operator==(const Parameters& other) const
-  {
-    return this->remesh == other.remesh && this->adjustNormals == other.adjustNormals &&
-           this->asPublished == other.asPublished;
-  }
-};
-
-// The plane where one coordinate has one value; a stroke acts on both sides of it (Filters/Deform,
-// vtkOversketchMirror).
-struct MirrorPlane
-{
-  int axis = 0; // 0, 1, 2: x, y, z
-  double offset = 0.0;
-};
-
-// A stroke and how it acts. Never changed once made: results are kept by its identity.
-struct Action
-{
-  SharedData stroke; // with its view
-  Parameters parameters;
-  std::optional<MirrorPlane> mirror;
-};
-
-// The place on the model that a stroke took hold of, in the world.
+// The place on the model that a step took hold of, in the world.
 struct Section
 {
   Point middle{};
   double length = 0.0;
+
+  bool operator==(const Section& other) const
+  {
+    return this->middle == other.middle && this->length == other.length;
+  }
 };
 
-// An action in the history.
+// A step in the history.
 struct Node
 {
-  std::shared_ptr<const Action> action;
+  int id = 0; // from 1, unique in its session; stays when the step is changed
+  std::shared_ptr<const Step> step;
   std::string name; // for the reader of the history
   bool on = true;   // off: the mesh passes by
-  // Where the stroke took hold when it was committed; absent until it has run once.
+  // Where it took hold when it was committed; absent until it has run once.
   std::optional<Section> committed;
+
+  bool operator==(const Node& other) const
+  {
+    return this->id == other.id && this->step == other.step && this->name == other.name &&
+           this->on == other.on && this->committed == other.committed;
+  }
 };
 
 struct Session
 {
   std::string meshName; // of the file that was opened, without its folder
-  SharedData mesh;
+  SharedData mesh;      // null where the first step makes one
   std::vector<Node> nodes;
-  int backend = 0; // vtkOversketchOneStroke::BackendType
+  int backend = 0; // vtkOversketchSystem::BackendType
 };
+
+// The next id: greater than all that the session names, so that nothing refers to a new step by chance.
+inline int freshId(const Session& session)
+{
+  int last = 0;
+  for (const Node& node : session.nodes)
+  {
+    last = std::max(last, node.id);
+    for (const auto& named : node.step->inputs)
+    {
+      const auto* output = std::get_if<StepOutput>(&named.second);
+      last = std::max(last, output ? output->step : 0);
+    }
+  }
+  return last + 1;
+}
 
 } // namespace oversketch_session
 #endif

@@ -1,10 +1,13 @@
 #include "session_file.h"
 
 #include "files.h"
+#include "json_reader.h"
 #include "mesh_file.h"
+#include "node_json.h"
+#include "texture.h"
 
 #include "OpenCL/device.h"
-#include "vtkOversketchOneStroke.h"
+#include "vtkOversketchSystem.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -15,10 +18,11 @@
 
 #include "vtk_jsoncpp.h"
 
-#include <cmath>
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <limits>
-#include <sstream>
+#include <set>
 
 namespace oversketch_session
 {
@@ -31,9 +35,7 @@ namespace
 {
 
 constexpr const char* formatName = "oversketch-session";
-constexpr int formatVersion = 1;
-const char* const backendNames[] = { "auto", "opencl", "embree" };
-const char* const remeshNames[] = { "auto", "on", "off" };
+constexpr int newestVersion = 2;
 
 // MD5, in hexadecimal.
 class Digest
@@ -90,162 +92,6 @@ std::string processorName()
   return "unknown";
 }
 
-Json::Value pointOf(const Point& p)
-{
-  Json::Value value(Json::arrayValue);
-  for (const double x : p)
-  {
-    value.append(x);
-  }
-  return value;
-}
-
-// Reads members of a JSON object, and says which is wrong.
-class Reader
-{
-public:
-  Reader(const Json::Value& object, std::string where)
-    : Object(object)
-    , Where(std::move(where))
-  {
-    if (!object.isObject())
-    {
-      throw Failed(this->Where + " is no object; the session is damaged");
-    }
-  }
-  bool has(const char* name) const { return this->Object.isMember(name) && !this->Object[name].isNull(); }
-  const Json::Value& get(const char* name) const
-  {
-    if (!this->has(name))
-    {
-      throw Failed(this->Where + " lacks '" + name + "'; the session is damaged");
-    }
-    return this->Object[name];
-  }
-  std::string text(const char* name) const
-  {
-    const Json::Value& value = this->get(name);
-    this->require(value.isString(), name, "a string");
-    return value.asString();
-  }
-  bool yes(const char* name) const
-  {
-    const Json::Value& value = this->get(name);
-    this->require(value.isBool(), name, "true or false");
-    return value.asBool();
-  }
-  double number(const char* name) const
-  {
-    const Json::Value& value = this->get(name);
-    this->require(value.isNumeric() && std::isfinite(value.asDouble()), name, "a number");
-    return value.asDouble();
-  }
-  int integer(const char* name, int most) const
-  {
-    const Json::Value& value = this->get(name);
-    this->require(
-      value.isInt() && value.asInt() >= 0 && value.asInt() <= most, name, "a number in its range");
-    return value.asInt();
-  }
-  template <std::size_t N>
-  int choice(const char* name, const char* const (&choices)[N]) const
-  {
-    const std::string chosen = this->text(name);
-    for (std::size_t i = 0; i < N; ++i)
-    {
-      if (chosen == choices[i])
-      {
-        return static_cast<int>(i);
-      }
-    }
-    throw Failed(this->Where + ": '" + name + "' is '" + chosen + "', which this version does not know");
-  }
-  Point point(const char* name) const
-  {
-    const Json::Value& value = this->get(name);
-    this->require(value.isArray() && value.size() == 3, name, "three numbers");
-    Point p{};
-    for (Json::ArrayIndex i = 0; i < 3; ++i)
-    {
-      this->require(value[i].isNumeric() && std::isfinite(value[i].asDouble()), name, "three numbers");
-      p[i] = value[i].asDouble();
-    }
-    return p;
-  }
-  const std::string& where() const { return this->Where; }
-
-private:
-  void require(bool good, const char* name, const char* what) const
-  {
-    if (!good)
-    {
-      throw Failed(this->Where + ": '" + name + "' is not " + what + "; the session is damaged");
-    }
-  }
-
-  const Json::Value& Object;
-  std::string Where;
-};
-
-// The bytes of an entry whose name tells its digest.
-const std::string& entryOf(const Package& package, const std::string& name, const std::string& path)
-{
-  const auto it = package.find(name);
-  if (it == package.end())
-  {
-    throw Failed(path + ": lacks its entry " + name + "; the session is damaged");
-  }
-  return *it->second;
-}
-
-Json::Value jsonOf(const Node& node, const std::string& entry)
-{
-  Json::Value json;
-  const Parameters& parameters = node.action->parameters;
-  json["name"] = node.name;
-  json["on"] = node.on;
-  json["stroke"] = entry;
-  json["remesh"] = remeshNames[parameters.remesh];
-  json["adjust_normals"] = parameters.adjustNormals;
-  json["as_published"] = parameters.asPublished;
-  if (node.action->mirror)
-  {
-    json["mirror"]["axis"] = node.action->mirror->axis;
-    json["mirror"]["offset"] = node.action->mirror->offset;
-  }
-  if (node.committed)
-  {
-    json["section"]["middle"] = pointOf(node.committed->middle);
-    json["section"]["length"] = node.committed->length;
-  }
-  return json;
-}
-
-Node nodeOf(const Reader& json, const Package& package, const std::string& path)
-{
-  auto action = std::make_shared<Action>();
-  const std::string entry = json.text("stroke");
-  action->stroke = oversketch_files::parseStroke(path + ": " + entry, entryOf(package, entry, path));
-  action->parameters.remesh = json.choice("remesh", remeshNames);
-  action->parameters.adjustNormals = json.yes("adjust_normals");
-  action->parameters.asPublished = json.yes("as_published");
-  if (json.has("mirror"))
-  {
-    const Reader mirror(json.get("mirror"), json.where() + ", mirror");
-    action->mirror = MirrorPlane{ mirror.integer("axis", 2), mirror.number("offset") };
-  }
-  Node node;
-  node.name = json.text("name");
-  node.on = json.yes("on");
-  if (json.has("section"))
-  {
-    const Reader section(json.get("section"), json.where() + ", section");
-    node.committed = Section{ section.point("middle"), section.number("length") };
-  }
-  node.action = action;
-  return node;
-}
-
 } // namespace
 
 Origin originHere(int backendUsed)
@@ -253,8 +99,8 @@ Origin originHere(int backendUsed)
   Origin origin;
   origin.version = OVERSKETCH_VERSION;
   origin.processor = processorName();
-  origin.backend = backendNames[backendUsed];
-  if (backendUsed == vtkOversketchOneStroke::OpenCL)
+  origin.backend = backendWords()[static_cast<std::size_t>(backendUsed)];
+  if (backendUsed == vtkOversketchSystem::OpenCL)
   {
     if (const auto device = oversketch::Device::instance())
     {
@@ -311,107 +157,150 @@ Package Encoder::encode(const SessionFile& file)
 {
   const Session& session = file.session;
   Package package;
-  std::map<SharedData, Entry> entries;
-  const auto put = [&](const std::string& folder, const SharedData& data)
+  Entries entries;
+  const auto put = [&](const std::shared_ptr<const void>& identity, const auto& make)
   {
-    const auto known = this->last_.find(data);
-    Entry entry;
-    if (known != this->last_.end())
-    {
-      entry = known->second;
-    }
-    else
-    {
-      vtkNew<vtkPolyData> copy; // a writer keeps ranges in the arrays
-      copy->DeepCopy(data);
-      entry.bytes = std::make_shared<std::string>(oversketch_files::bytesOf(copy));
-      entry.name = folder + "/" + digestOf(*entry.bytes) + ".vtp";
-    }
+    const auto known = this->last_.find(identity);
+    const Entry entry = known == this->last_.end() ? make() : known->second;
     package[entry.name] = entry.bytes;
-    entries[data] = entry;
+    entries[identity] = entry;
     return entry.name;
   };
+  const auto polydata = [](const std::string& folder, vtkPolyData* own)
+  {
+    Entry entry;
+    entry.bytes = std::make_shared<std::string>(oversketch_files::bytesOf(own));
+    entry.name = folder + "/" + digestOf(*entry.bytes) + ".vtp";
+    return entry;
+  };
+  EntryWriter writer;
+  writer.lines = [&](const Lines& lines)
+  { return put(lines.identity(), [&] { return polydata("strokes", lines.own()); }); };
+  writer.image = [&](const Image& image)
+  {
+    return put(image.bytes,
+      [&]
+      {
+        return Entry{ "images/" + digestOf(*image.bytes) + "." +
+                        oversketch_files::pictureFormatOf(*image.bytes),
+          image.bytes };
+      });
+  };
   Json::Value json;
+  const bool isFirst = isVersion1(session);
+  const char* const list = isFirst ? "strokes" : "steps";
   json["format"] = formatName;
-  json["format_version"] = formatVersion;
-  json["mesh"] = put("mesh", session.mesh);
+  json["format_version"] = isFirst ? 1 : 2;
+  if (session.mesh)
+  {
+    json["mesh"] = put(session.mesh.identity(),
+      [&]
+      {
+        vtkNew<vtkPolyData> copy; // a writer keeps ranges in the arrays
+        copy->DeepCopy(session.mesh);
+        return polydata("mesh", copy);
+      });
+  }
   json["mesh_name"] = session.meshName;
-  json["backend"] = backendNames[session.backend];
-  json["strokes"] = Json::arrayValue;
+  json["backend"] = backendWords()[static_cast<std::size_t>(session.backend)];
+  json[list] = Json::arrayValue;
   for (const Node& node : session.nodes)
   {
-    json["strokes"].append(jsonOf(node, put("strokes", node.action->stroke)));
+    json[list].append(isFirst ? jsonOf1(node, this->rows_, writer) : jsonOf2(node, this->rows_, writer));
   }
   json["made_by"]["version"] = file.origin.version;
   json["made_by"]["backend"] = file.origin.backend;
   json["made_by"]["device"] = file.origin.device;
   json["made_by"]["processor"] = file.origin.processor;
   json["result_md5"] = file.digest;
-  Json::StreamWriterBuilder writer;
-  writer["indentation"] = "  ";
-  package[sessionEntry] = std::make_shared<std::string>(Json::writeString(writer, json) + "\n");
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = "  ";
+  package[sessionEntry] = std::make_shared<std::string>(Json::writeString(builder, json) + "\n");
   this->last_ = std::move(entries);
   return package;
 }
 
-SessionFile decode(const Package& package, const std::string& path)
+namespace
+{
+
+// The history of either version, with ids that differ.
+std::vector<Node> nodesOf(const JsonReader& json,
+  bool isFirst,
+  const std::vector<SystemRow>& rows,
+  const Package& package,
+  const std::string& path)
+{
+  std::vector<Node> nodes;
+  std::set<int> ids;
+  for (const JsonReader& one : isFirst ? json.list("strokes", "stroke") : json.list("steps", "step"))
+  {
+    Node node = isFirst ? nodeOf1(one, rows, package, path) : nodeOf2(one, rows, package, path);
+    if (isFirst)
+    {
+      node.id = static_cast<int>(nodes.size()) + 1;
+    }
+    if (!ids.insert(node.id).second)
+    {
+      one.refuse("id", "is that of another step; the session is damaged");
+    }
+    nodes.push_back(std::move(node));
+  }
+  return nodes;
+}
+
+SessionFile decodeAny(const Package& package, const std::string& path, const std::vector<SystemRow>& rows)
 {
   if (package.count(sessionEntry) == 0)
   {
     throw Failed(path + ": holds no " + sessionEntry + "; it is no session");
   }
-  Json::Value root;
-  Json::CharReaderBuilder builder;
-  Json::CharReaderBuilder::strictMode(&builder.settings_);
-  std::string errors;
-  std::istringstream stream(*package.at(sessionEntry));
-  bool parsed = false;
-  try
-  {
-    parsed = Json::parseFromStream(builder, stream, &root, &errors);
-  }
-  catch (const Json::Exception& error)
-  {
-    errors = error.what();
-  }
-  if (!parsed)
-  {
-    throw Failed(path + ": its " + sessionEntry + " is damaged: " + errors.substr(0, errors.find('\n')));
-  }
-  const Reader json(root, path + ": " + sessionEntry);
+  const Json::Value root = JsonReader::parse(*package.at(sessionEntry), path + ": its " + sessionEntry);
+  const JsonReader json(root, path + ": " + sessionEntry);
   if (json.text("format") != formatName)
   {
     throw Failed(path + ": is no session");
   }
-  const int version = json.integer("format_version", std::numeric_limits<int>::max());
-  if (version != formatVersion)
+  const int version = json.integer("format_version", 0, std::numeric_limits<int>::max());
+  if (version < 1 || version > newestVersion)
   {
     throw Failed(path + ": is a session of format version " + std::to_string(version) +
-                 ", and this program reads version " + std::to_string(formatVersion) +
+                 ", and this program reads versions up to " + std::to_string(newestVersion) +
                  "; open it with the version of Oversketch that wrote it");
   }
   SessionFile file;
   Session& session = file.session;
-  const std::string mesh = json.text("mesh");
-  session.mesh = oversketch_files::parseMesh(path + ": " + mesh, entryOf(package, mesh, path));
+  if (version == 1 || json.has("mesh"))
+  {
+    const std::string mesh = json.text("mesh");
+    session.mesh = oversketch_files::parseMesh(path + ": " + mesh, *entryOf(package, mesh, path));
+  }
   session.meshName = json.text("mesh_name");
-  session.backend = json.choice("backend", backendNames);
-  const Json::Value& strokes = json.get("strokes");
-  if (!strokes.isArray())
-  {
-    throw Failed(json.where() + ": 'strokes' is not a list; the session is damaged");
-  }
-  for (Json::ArrayIndex i = 0; i < strokes.size(); ++i)
-  {
-    session.nodes.push_back(
-      nodeOf(Reader(strokes[i], json.where() + ", stroke " + std::to_string(i + 1)), package, path));
-  }
-  const Reader origin(json.get("made_by"), json.where() + ", made_by");
+  session.backend = json.choice("backend", backendWords());
+  session.nodes = nodesOf(json, version == 1, rows, package, path);
+  const JsonReader origin = json.object("made_by");
   file.origin = {
     origin.text("version"), origin.text("backend"), origin.text("device"), origin.text("processor")
   };
   file.digest = json.text("result_md5");
   return file;
+}
+
+} // namespace
+
+SessionFile decode(const Package& package, const std::string& path, const std::vector<SystemRow>& rows)
+{
+  try
+  {
+    return decodeAny(package, path, rows);
+  }
+  catch (const Failed& failed)
+  {
+    // What it quotes of a damaged text may be anything.
+    std::string message = failed.what();
+    std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    throw Failed(message);
+  }
 }
 
 SessionFile readSession(const std::string& path)

@@ -4,6 +4,7 @@
 
 #include "package.h"
 #include "session.h"
+#include "systems.h"
 
 #include <map>
 #include <memory>
@@ -22,8 +23,7 @@ struct Origin
   std::string processor; // of the machine
 };
 
-// Of this program on this machine, for results that ran on that backend
-// (vtkOversketchOneStroke::BackendType).
+// Of this program on this machine, for results that ran on that backend (vtkOversketchSystem::BackendType).
 Origin originHere(int backendUsed);
 
 // What differs between two, in words for the user; empty when nothing does.
@@ -40,11 +40,17 @@ struct SessionFile
 // Hexadecimal MD5 of points (their type and bits) and polygons of a mesh: equal digests, equal meshes.
 std::string digestOf(vtkPolyData* mesh);
 
-// Makes what the format holds; strokes and meshes are named by their content. What the session before shared
-// with this one is not encoded again.
+// Makes what the format holds, of version 1 where that can tell all of the session, else of version 2;
+// strokes, meshes and pictures are named by their content. What the session before shared with this one is
+// not encoded again.
 class Encoder
 {
 public:
+  // For steps of the systems of that list, which must outlive it.
+  explicit Encoder(const std::vector<SystemRow>& rows = systems())
+    : rows_(rows)
+  {
+  }
   Package encode(const SessionFile& file);
 
 private:
@@ -53,10 +59,14 @@ private:
     std::string name;
     std::shared_ptr<const std::string> bytes;
   };
-  std::map<SharedData, Entry> last_;
+  using Entries = std::map<std::shared_ptr<const void>, Entry>; // by the identity of what they hold
+  const std::vector<SystemRow>& rows_;
+  Entries last_;
 };
 // Throws Failed, naming the path and the entry.
-SessionFile decode(const Package& package, const std::string& path);
+SessionFile decode(const Package& package,
+  const std::string& path,
+  const std::vector<SystemRow>& rows = systems());
 
 // Both at once. A path of a folder is read as one.
 SessionFile readSession(const std::string& path);

@@ -31,9 +31,16 @@ public:
   operator vtkPolyData*() const { return this->Get(); }
   vtkPolyData* operator->() const { return this->Get(); }
 
-  // A shallow copy, for a pipeline.
+  // What stays the same while this is the same data.
+  std::shared_ptr<const void> identity() const { return this->held_; }
+
+  // A shallow copy, for a pipeline; null where there is nothing.
   vtkSmartPointer<vtkPolyData> own() const
   {
+    if (!this->held_)
+    {
+      return nullptr;
+    }
     auto copy = vtkSmartPointer<vtkPolyData>::New();
     copy->ShallowCopy(this->Get());
     return copy;

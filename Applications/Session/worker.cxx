@@ -3,7 +3,7 @@
 #include "session_file.h"
 
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchOneStroke.h"
+#include "vtkOversketchSystem.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -29,15 +29,25 @@ vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
   return copy;
 }
 
-// True where `next` is `session` with strokes added at its end.
+// True where `next` is `session` with steps added at its end.
 bool continues(const Session& session, const Session& next)
 {
-  return session.mesh == next.mesh && session.backend == next.backend &&
+  return session.mesh.identity() == next.mesh.identity() && session.backend == next.backend &&
          session.nodes.size() <= next.nodes.size() &&
          std::equal(session.nodes.begin(),
            session.nodes.end(),
            next.nodes.begin(),
-           [](const Node& a, const Node& b) { return a.action == b.action && a.on == b.on; });
+           [](const Node& a, const Node& b) { return a.id == b.id && a.step == b.step && a.on == b.on; });
+}
+
+// The system that the next step is most likely of; null where there is none.
+const SystemRow* nextOf(const Session& session)
+{
+  if (session.nodes.empty())
+  {
+    return systems().empty() ? nullptr : &systems().front();
+  }
+  return findSystem(session.nodes.back().step->system);
 }
 
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
@@ -86,7 +96,7 @@ std::uint64_t Worker::submit(Session session)
     const std::lock_guard<std::mutex> lock(this->mutex_);
     replaced = this->next_ ? this->ticket_ : 0;
     ticket = ++this->ticket_;
-    if (this->wanted_ == 0 || !this->running_.mesh || !continues(this->running_, session))
+    if (this->wanted_ == 0 || !this->running_ || !continues(*this->running_, session))
     {
       this->wanted_ = ticket;
     }
@@ -139,8 +149,38 @@ void Worker::work()
     }
     this->runOne(ticket, session);
     const std::lock_guard<std::mutex> lock(this->mutex_);
-    this->running_ = Session();
+    this->running_.reset();
   }
+}
+
+std::vector<Worker::NodeState> Worker::statesOf(const std::vector<Outcome>& outcomes)
+{
+  std::map<std::uint64_t, NodeState> copies;
+  std::vector<NodeState> states;
+  for (const Outcome& outcome : outcomes)
+  {
+    const auto known = this->copied_.find(outcome.number);
+    NodeState state = known == this->copied_.end() ? NodeState() : known->second;
+    if (outcome.hold && !state.hold)
+    {
+      state.hold = copied(outcome.hold);
+    }
+    if (outcome.details && !state.region)
+    {
+      state.region = copied(outcome.details->region);
+      state.following = outcome.details->following;
+    }
+    state.failure = outcome.failure;
+    state.section = outcome.section;
+    state.elsewhere = outcome.elsewhere;
+    if (outcome.number != 0)
+    {
+      copies[outcome.number] = state;
+    }
+    states.push_back(std::move(state));
+  }
+  this->copied_ = std::move(copies);
+  return states;
 }
 
 void Worker::runOne(std::uint64_t ticket, const Session& session)
@@ -148,6 +188,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   Evaluator::Watch watch;
+  watch.details = true;
   watch.cancelled = [&] { return this->wanted_ != ticket; };
   watch.progress = [&](std::size_t node, const std::string& stage, double share)
   {
@@ -165,29 +206,34 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     }
     return;
   }
+  vtkPolyData* shown = resultOf(session, outcomes);
   Result result;
   result.ticket = ticket;
-  for (const Outcome& outcome : outcomes)
+  result.nodes = this->statesOf(outcomes);
+  result.backendUsed = backendUsedBy(outcomes);
+  if (shown)
   {
-    result.nodes.push_back({ outcome.failure,
-      outcome.section,
-      copied(outcome.matched),
-      outcome.elsewhere,
-      copied(outcome.region),
-      outcome.following });
+    result.mesh = copied(shown);
+    result.display = withNormals(result.mesh);
   }
-  vtkPolyData* shown = resultOf(session, outcomes);
-  result.mesh = copied(shown);
-  result.display = withNormals(result.mesh);
-  result.digest = digestOf(shown);
-  result.backendUsed = this->evaluator_.system()->GetBackendUsed();
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (this->listener_.done)
   {
     this->listener_.done(std::move(result)); // this thread keeps nothing of it
   }
+  if (!this->evaluator_.details(outcomes, watch) || watch.cancelled())
+  {
+    return;
+  }
+  if (this->listener_.detailed)
+  {
+    this->listener_.detailed({ ticket, this->statesOf(outcomes), shown ? digestOf(shown) : std::string() });
+  }
   watch.cancelled = [&] { return this->wanted_ != ticket || this->waiting_; };
-  this->evaluator_.prepare(shown, watch);
+  if (const SystemRow* next = shown ? nextOf(session) : nullptr)
+  {
+    this->evaluator_.prepare(*next, shown, session.backend, watch);
+  }
 }
 
 } // namespace oversketch_session

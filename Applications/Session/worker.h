@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -27,9 +28,10 @@ public:
   {
     std::string failure;
     std::optional<Section> section;
-    SharedData matched; // the place itself, a polyline; null where it did nothing
+    SharedData hold; // the place itself, a polyline; null where it did nothing
     bool elsewhere = false;
-    // What it moved, and how that follows while the stroke is moved by hand; null where it did nothing.
+    // What it moved, and how that follows while the stroke is moved by hand; null where it did nothing, and
+    // before the details have come.
     SharedData region;
     std::shared_ptr<const Following> following;
   };
@@ -38,17 +40,24 @@ public:
   {
     std::uint64_t ticket = 0;
     std::vector<NodeState> nodes;
-    SharedData mesh;      // that the session shows
+    SharedData mesh;      // that the session shows; null where it has made none yet
     SharedData display;   // the same with point normals, computed where it has none
-    std::string digest;   // digestOf(mesh)
-    int backendUsed = 0;  // vtkOversketchOneStroke::BackendType
+    int backendUsed = 0;  // vtkOversketchSystem::BackendType
     double seconds = 0.0; // that the run took
   };
-  // Called on the worker's thread. A session that a newer one replaced, or that was cancelled, calls
-  // cancelled.
+  // What comes after it, while the mesh is being shown.
+  struct Details
+  {
+    std::uint64_t ticket = 0;
+    std::vector<NodeState> nodes; // those of the result, whole
+    std::string digest;           // digestOf(mesh); empty where there is no mesh
+  };
+  // Called on the worker's thread. Each session is answered once: done, or cancelled where a newer one
+  // replaced it or it was cancelled. Details follow on done, unless something newer is to be run first.
   struct Listener
   {
     std::function<void(Result)> done;
+    std::function<void(Details)> detailed;
     std::function<void(std::uint64_t ticket)> cancelled;
     std::function<void(std::uint64_t ticket, std::size_t node, const std::string& stage, double share)>
       progress;
@@ -60,7 +69,7 @@ public:
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  // Runs it as soon as it can, instead of what runs or waits; then prepares its result for the next stroke.
+  // Runs it as soon as it can, instead of what runs or waits; then prepares its result for the next step.
   // The session's data must not be changed afterwards. Returns the ticket, one more than the last.
   std::uint64_t submit(Session session);
   // Stops what runs or waits, if anything does.
@@ -69,13 +78,15 @@ public:
 private:
   void work();
   void runOne(std::uint64_t ticket, const Session& session);
+  // What the outcomes are, as copies; of those that were copied for the last session the same ones.
+  std::vector<NodeState> statesOf(const std::vector<Outcome>& outcomes);
 
   Listener listener_;
   Evaluator evaluator_;
+  std::map<std::uint64_t, NodeState> copied_; // by the outcomes' numbers
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::optional<Session> next_;
-  Session running_;
+  std::optional<Session> next_, running_;
   std::uint64_t ticket_ = 0;               // of the newest session
   std::atomic<std::uint64_t> wanted_{ 0 }; // the ticket that may run; all others are to stop
   std::atomic<bool> waiting_{ false };     // a session does, so nothing is to be prepared

@@ -30,12 +30,7 @@ QStringList listOf(const Notes& notes)
   return list;
 }
 
-vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->DeepCopy(data);
-  return copy;
-}
+const char* const strokeInput = "Stroke";
 
 std::size_t indexOf(int node)
 {
@@ -55,10 +50,21 @@ Document::Document(QObject* parent)
     QMetaObject::invokeMethod(
       this, [this, made = std::move(result)] { this->take(made); }, Qt::QueuedConnection);
   };
+  listener.detailed = [this](Worker::Details details)
+  {
+    QMetaObject::invokeMethod(
+      this, [this, made = std::move(details)] { this->takeDetails(made); }, Qt::QueuedConnection);
+  };
   listener.cancelled = [this](std::uint64_t ticket)
   {
     QMetaObject::invokeMethod(
-      this, [this, ticket] { this->answered(ticket); }, Qt::QueuedConnection);
+      this,
+      [this, ticket]
+      {
+        this->detailed_ = std::max(this->detailed_, ticket); // nothing will come
+        this->answered(ticket);
+      },
+      Qt::QueuedConnection);
   };
   listener.progress = [this](std::uint64_t, std::size_t, const std::string& stage, double share)
   {
@@ -115,6 +121,7 @@ void Document::start(Session session, bool modified)
   this->history_ = std::make_unique<History>(std::move(session));
   this->modified_ = modified;
   this->result_ = {};
+  this->digest_.clear();
   this->run();
 }
 
@@ -123,6 +130,10 @@ QStringList Document::save(const QString& path)
   const std::string file = path.toStdString();
   if (extensionOf(file) == sessionExtension)
   {
+    if (!this->isBusy() && this->digest_.empty() && this->result_.mesh)
+    {
+      this->digest_ = digestOf(this->result_.mesh); // it is on its way
+    }
     writeSession(file, this->file());
     this->path_ = path;
     this->modified_ = false;
@@ -148,10 +159,10 @@ SessionFile Document::file() const
 {
   SessionFile file;
   file.session = this->session();
-  if (!this->isBusy() && this->result_.mesh)
+  if (!this->isBusy() && !this->digest_.empty())
   {
     file.origin = originHere(this->result_.backendUsed);
-    file.digest = this->result_.digest;
+    file.digest = this->digest_;
   }
   return file;
 }
@@ -171,17 +182,16 @@ std::optional<MirrorPlane> Document::mirrorPlane(int choice) const
   return MirrorPlane{ axis, aside ? middle : 0.0 };
 }
 
-void Document::addStroke(vtkPolyData* stroke,
-  const Parameters& parameters,
-  const std::optional<MirrorPlane>& mirror)
+void Document::addStroke(vtkPolyData* stroke, const std::optional<MirrorPlane>& mirror)
 {
-  auto action = std::make_shared<Action>();
-  action->stroke = copied(stroke);
-  action->parameters = parameters;
-  action->mirror = mirror;
+  auto step = std::make_shared<Step>();
+  step->system = "OneStroke";
+  step->inputs[strokeInput] = Lines(stroke);
+  step->mirror = mirror;
   Session next = this->session();
   Node node;
-  node.action = action;
+  node.id = freshId(next);
+  node.step = step;
   node.name = tr("Stroke %1").arg(next.nodes.size() + 1).toStdString();
   next.nodes.push_back(node);
   this->commit(std::move(next));
@@ -191,23 +201,21 @@ void Document::redraw(int index, vtkPolyData* stroke)
 {
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
-  auto action = std::make_shared<Action>(*node.action);
-  action->stroke = copied(stroke);
-  node.action = action;
+  auto step = std::make_shared<Step>(*node.step);
+  step->inputs[strokeInput] = Lines(stroke);
+  node.step = step;
   node.committed.reset(); // it takes hold anew
   this->commit(std::move(next));
 }
 
-void Document::setParameters(int index,
-  const Parameters& parameters,
-  const std::optional<MirrorPlane>& mirror)
+void Document::setParameters(int index, const Values& values, const std::optional<MirrorPlane>& mirror)
 {
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
-  auto action = std::make_shared<Action>(*node.action);
-  action->parameters = parameters;
-  action->mirror = mirror;
-  node.action = action;
+  auto step = std::make_shared<Step>(*node.step);
+  step->values = values;
+  step->mirror = mirror;
+  node.step = step;
   this->commit(std::move(next));
 }
 
@@ -331,8 +339,21 @@ void Document::take(const Worker::Result& result)
     return;
   }
   this->result_ = result;
+  this->digest_.clear();
   this->answered(result.ticket);
-  if (result.ticket == this->ticket_)
+  emit this->shown();
+}
+
+void Document::takeDetails(const Worker::Details& details)
+{
+  if (details.ticket != this->result_.ticket)
+  {
+    return; // a newer result has been taken
+  }
+  this->result_.nodes = details.nodes;
+  this->digest_ = details.digest;
+  this->detailed_ = details.ticket;
+  if (details.ticket == this->ticket_)
   {
     // Learn where new strokes took hold, so that later ones can be told from it.
     Session learned = this->session();
@@ -340,13 +361,13 @@ void Document::take(const Worker::Result& result)
     {
       if (!learned.nodes[i].committed)
       {
-        learned.nodes[i].committed = result.nodes[i].section;
+        learned.nodes[i].committed = details.nodes[i].section;
       }
     }
     this->history_->amend(std::move(learned));
     this->keep();
   }
-  emit this->shown();
+  emit this->detailed();
   if (!this->autosave_.failure().empty())
   {
     emit this->autosaveFailed(QString::fromStdString(this->autosave_.failure()));

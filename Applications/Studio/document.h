@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace oversketch_studio
 {
@@ -43,21 +44,24 @@ public:
   bool isModified() const { return this->modified_; }
   bool canUndo() const { return this->history_ && this->history_->canUndo(); }
   bool canRedo() const { return this->history_ && this->history_->canRedo(); }
-  // The newest result; its mesh stays while the next is computed.
+  // The newest result; its mesh stays while the next is computed. What moved, how it follows a hand and the
+  // digest come after the mesh has been shown.
   const oversketch_session::Worker::Result& result() const { return this->result_; }
+  // digestOf(result().mesh); empty before it is known.
+  const std::string& digest() const { return this->digest_; }
   bool isBusy() const { return this->ticket_ != this->answered_; }
+  // Nothing is computed, and all is there that follows on the mesh.
+  bool isSettled() const { return !this->isBusy() && this->detailed_ == this->ticket_; }
 
   // The plane that an interface offers: 0 none, 1 to 3 across x, y, z. It goes through the origin, or through
   // the middle of the model where that lies elsewhere.
   std::optional<oversketch_session::MirrorPlane> mirrorPlane(int choice) const;
 
   // Changes of the history, each one step of undo.
-  void addStroke(vtkPolyData* stroke,
-    const oversketch_session::Parameters& parameters,
-    const std::optional<oversketch_session::MirrorPlane>& mirror);
+  void addStroke(vtkPolyData* stroke, const std::optional<oversketch_session::MirrorPlane>& mirror);
   void redraw(int node, vtkPolyData* stroke);
   void setParameters(int node,
-    const oversketch_session::Parameters& parameters,
+    const oversketch_session::Values& values,
     const std::optional<oversketch_session::MirrorPlane>& mirror);
   void setOn(int node, bool on);
   void rename(int node, const QString& name);
@@ -68,7 +72,7 @@ public:
   // Stops the computing and goes back to the history that is shown (Redo brings the change back).
   void cancel();
 
-  // Where models compute (vtkOversketchOneStroke::BackendType): the open one from here on, where this is
+  // Where models compute (vtkOversketchSystem::BackendType): the open one from here on, where this is
   // another choice than the last, as a change of its history; those that are opened later. A session that is
   // opened keeps its own until then.
   void setBackend(int backend);
@@ -78,9 +82,10 @@ public:
 
 signals:
   void opened();
-  // The history changed; its result follows with shown().
+  // The history changed; its result follows with shown(), and what comes after the mesh with detailed().
   void changed();
   void shown();
+  void detailed();
   void progressed(const QString& stage, double share);
   // Nothing is computed any more.
   void idle();
@@ -92,6 +97,7 @@ private:
   void run();
   void keep();
   void take(const oversketch_session::Worker::Result& result);
+  void takeDetails(const oversketch_session::Worker::Details& details);
   void answered(std::uint64_t ticket);
   oversketch_session::SessionFile file() const;
 
@@ -101,7 +107,8 @@ private:
   bool modified_ = false;
   bool discarded_ = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result result_;
-  std::uint64_t ticket_ = 0, answered_ = 0;
+  std::string digest_; // of its mesh
+  std::uint64_t ticket_ = 0, answered_ = 0, detailed_ = 0;
   oversketch_session::Autosave autosave_;
   // Last, so that it ends first: it calls the rest.
   std::unique_ptr<oversketch_session::Worker> worker_;

@@ -17,7 +17,7 @@ namespace oversketch_studio
 {
 
 using oversketch_session::Node;
-using oversketch_session::Parameters;
+using oversketch_session::Values;
 
 QComboBox* mirrorChoice(QWidget* parent)
 {
@@ -185,22 +185,25 @@ void HistoryPanel::showParameters()
   if (any)
   {
     const Node& node = this->document_->session().nodes[static_cast<std::size_t>(row)];
-    this->remesh_->setCurrentIndex(node.action->parameters.remesh);
-    this->adjustNormals_->setChecked(node.action->parameters.adjustNormals);
-    this->asPublished_->setChecked(node.action->parameters.asPublished);
-    this->mirror_->setCurrentIndex(node.action->mirror ? node.action->mirror->axis + 1 : 0);
-    this->remesh_->setEnabled(!node.action->mirror); // its halves are told by the points' ids
+    const auto* system = oversketch_session::findSystem(node.step->system);
+    const auto value = [&](const char* property) {
+      return oversketch_session::valueOf(*node.step, *oversketch_session::findParameter(*system, property));
+    };
+    this->remesh_->setCurrentIndex(std::get<int>(value("Remesh")));
+    this->adjustNormals_->setChecked(std::get<bool>(value("AdjustNormals")));
+    this->asPublished_->setChecked(std::get<bool>(value("AsPublished")));
+    this->mirror_->setCurrentIndex(node.step->mirror ? node.step->mirror->axis + 1 : 0);
+    this->remesh_->setEnabled(!node.step->mirror); // its halves are told by the points' ids
   }
 }
 
 void HistoryPanel::edit()
 {
-  Parameters parameters;
-  parameters.remesh = this->remesh_->currentIndex();
-  parameters.adjustNormals = this->adjustNormals_->isChecked();
-  parameters.asPublished = this->asPublished_->isChecked();
+  const Values values{ { "Remesh", this->remesh_->currentIndex() },
+    { "AdjustNormals", this->adjustNormals_->isChecked() },
+    { "AsPublished", this->asPublished_->isChecked() } };
   this->document_->setParameters(
-    this->current(), parameters, this->document_->mirrorPlane(this->mirror_->currentIndex()));
+    this->current(), values, this->document_->mirrorPlane(this->mirror_->currentIndex()));
 }
 
 void HistoryPanel::itemChanged(QListWidgetItem* item)

@@ -50,6 +50,11 @@ QString meshFilter()
   return extensions.mid(1);
 }
 
+vtkSmartPointer<vtkPolyData> strokeOf(const Node& node)
+{
+  return linesOf(*node.step, "Stroke");
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -100,6 +105,7 @@ MainWindow::MainWindow(QWidget* parent)
       this->refresh();
     });
   connect(this->document_, &Document::shown, this, &MainWindow::showResult);
+  connect(this->document_, &Document::detailed, this, &MainWindow::showDetails);
   connect(this->document_, &Document::idle, this, &MainWindow::refresh);
   connect(this->view_, &View::strokeDrawn, this, &MainWindow::strokeDrawn);
   connect(this->view_, &View::strokeChanged, this, &MainWindow::strokeChanged);
@@ -116,16 +122,15 @@ MainWindow::MainWindow(QWidget* parent)
     {
       this->redrawn_ = node;
       this->setDrawing(true);
-      this->view_->lookFrom(this->document_->session().nodes[static_cast<std::size_t>(node)].action->stroke);
+      this->view_->lookFrom(strokeOf(this->document_->session().nodes[static_cast<std::size_t>(node)]));
       this->offerStroke();
       this->advise();
     });
   connect(this->history_,
     &HistoryPanel::viewAsked,
     this,
-    [this](int node) {
-      this->view_->lookFrom(this->document_->session().nodes[static_cast<std::size_t>(node)].action->stroke);
-    });
+    [this](int node)
+    { this->view_->lookFrom(strokeOf(this->document_->session().nodes[static_cast<std::size_t>(node)])); });
   connect(this->history_, &HistoryPanel::selected, this, &MainWindow::select);
   // Of the frame, not of the window, which is no longer one when it closes at its end and the focus goes.
   connect(qApp,
@@ -387,7 +392,7 @@ void MainWindow::strokeDrawn(vtkPolyData* stroke)
     return;
   }
   this->offered_ = static_cast<int>(this->document_->session().nodes.size());
-  this->document_->addStroke(stroke, {}, this->document_->mirrorPlane(this->mirror_->currentIndex()));
+  this->document_->addStroke(stroke, this->document_->mirrorPlane(this->mirror_->currentIndex()));
   this->drawn_ = false;
 }
 
@@ -444,7 +449,7 @@ void MainWindow::showSection(int node)
 {
   const auto& states = this->document_->result().nodes;
   this->view_->showSection(node >= 0 && static_cast<std::size_t>(node) < states.size()
-                             ? states[static_cast<std::size_t>(node)].matched.Get()
+                             ? states[static_cast<std::size_t>(node)].hold.Get()
                              : nullptr);
 }
 
@@ -474,7 +479,7 @@ void MainWindow::offerStroke()
     this->document_->session().mesh->GetCenter(place.data());
   }
   this->offered_ = node;
-  this->view_->offerStroke(nodes[static_cast<std::size_t>(node)].action->stroke, place, state.following);
+  this->view_->offerStroke(strokeOf(nodes[static_cast<std::size_t>(node)]), place, state.following);
   this->view_->showRegion(this->region_->isChecked() ? state.region.Get() : nullptr);
 }
 
@@ -490,6 +495,22 @@ void MainWindow::showResult()
     this->offerStroke();
   }
   this->refresh();
+}
+
+// The stroke was offered with the mesh; now the mesh can follow it.
+void MainWindow::showDetails()
+{
+  if (this->document_->isBusy())
+  {
+    return;
+  }
+  const auto& states = this->document_->result().nodes;
+  if (this->offered_ >= 0 && static_cast<std::size_t>(this->offered_) < states.size())
+  {
+    const auto& state = states[static_cast<std::size_t>(this->offered_)];
+    this->view_->setFollowing(state.following);
+    this->view_->showRegion(this->region_->isChecked() ? state.region.Get() : nullptr);
+  }
 }
 
 void MainWindow::refresh()

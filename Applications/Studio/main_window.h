@@ -79,6 +79,7 @@ private:
   // The stroke that can be taken hold of: the selected one, else the last.
   void offerStroke();
   void showResult();
+  void showDetails();
 
   Document* document_;
   View* view_;

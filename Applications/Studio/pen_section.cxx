@@ -23,7 +23,8 @@ PenSection::PenSection(vtkOversketchHeldStrokeWidget* widget, QObject* parent)
   , widget_(widget)
   , rest_(new QTimer(this))
   // From the finder's thread to this object's.
-  , finder_([this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); })
+  , finder_(*oversketch_session::findSystem("OneStroke"),
+      [this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); })
 {
   this->rest_->setSingleShot(true);
   this->rest_->setInterval(rest);

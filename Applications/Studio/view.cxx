@@ -486,6 +486,11 @@ void View::offerStroke(vtkPolyData* stroke,
   this->renderSoon();
 }
 
+void View::setFollowing(const std::shared_ptr<const oversketch_session::Following>& following)
+{
+  this->following_ = following;
+}
+
 // The mesh under the hand: a preview, until the document has run the moved stroke.
 void View::followHand()
 {

@@ -57,6 +57,8 @@ public:
   void offerStroke(vtkPolyData* stroke,
     const oversketch_session::Point& place,
     const std::shared_ptr<const oversketch_session::Following>& following);
+  // How it follows, where that is known only now.
+  void setFollowing(const std::shared_ptr<const oversketch_session::Following>& following);
   void showMirror(const std::optional<oversketch_session::MirrorPlane>& plane);
   // Where to draw, with a line of text; empty shows none.
   void showHint(const QString& text);

@@ -27,7 +27,8 @@ struct Desk
   std::condition_variable told;
   bool ready = false;
   std::vector<std::uint64_t> tickets; // of the answers, in their order
-  SectionFinder finder{ [this]
+  SectionFinder finder{ *findSystem("OneStroke"),
+    [this]
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
       this->ready = true;

@@ -2,7 +2,6 @@
 #include "sessions.h"
 
 #include "Harness/shapes.h"
-#include "history.h"
 
 #include "vtkWeakPointer.h"
 
@@ -17,19 +16,19 @@ using namespace oversketch_test;
 namespace
 {
 
-std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Session& session)
+std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Session& session, bool details = false)
 {
   std::vector<Outcome> outcomes;
-  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  Evaluator::Watch watch;
+  watch.details = details;
+  EXPECT_TRUE(evaluator.run(session, watch, outcomes));
   EXPECT_EQ(outcomes.size(), session.nodes.size());
   return outcomes;
 }
 
-Session with(Session session, std::size_t node, const Parameters& parameters)
+Session with(Session session, std::size_t node, const std::string& property, const Value& value)
 {
-  auto action = std::make_shared<Action>(*session.nodes[node].action);
-  action->parameters = parameters;
-  session.nodes[node].action = action;
+  session.nodes[node] = changed(session.nodes[node], [&](Step& step) { step.values[property] = value; });
   return session;
 }
 
@@ -57,12 +56,17 @@ TEST(Session, AStrokeInHandIsFollowedAsTheSystemDragsIt)
   const Session session = dogSession();
   for (const int remesh : { vtkOversketchOneStroke::RemeshOff, vtkOversketchOneStroke::RemeshOn })
   {
-    Parameters parameters;
-    parameters.remesh = remesh;
     Evaluator evaluator;
-    const auto outcomes = outcomesOf(evaluator, with(session, 0, parameters));
-    const Outcome& leg = outcomes[0];
-    ASSERT_TRUE(leg.following && leg.region);
+    auto outcomes = outcomesOf(evaluator, with(session, 0, "Remesh", remesh), true);
+    ASSERT_TRUE(evaluator.details(outcomes, {}));
+    const Outcome& outcome = outcomes[0];
+    ASSERT_TRUE(outcome.details && outcome.details->following);
+    const struct
+    {
+      vtkPolyData* mesh;
+      const Following* following;
+      vtkPolyData* region;
+    } leg{ outcome.mesh, outcome.details->following.get(), outcome.details->region };
     EXPECT_EQ(leg.following->count, leg.mesh->GetNumberOfPoints());
     EXPECT_GT(leg.following->points.size(), 100u);
     EXPECT_LT(leg.following->points.size(), static_cast<std::size_t>(leg.mesh->GetNumberOfPoints()) / 2);
@@ -70,7 +74,7 @@ TEST(Session, AStrokeInHandIsFollowedAsTheSystemDragsIt)
     alone->SetBackendToHost();
     alone->SetRemesh(remesh);
     alone->SetInputData(0, session.mesh);
-    alone->SetStrokeData(session.nodes[0].action->stroke);
+    alone->SetStrokeData(strokeOf(session.nodes[0]));
     alone->Update();
     const double by[3] = { 0.05, -0.1, 0.02 };
     vtkNew<vtkPoints> dragged;
@@ -111,22 +115,26 @@ TEST(Session, BothSidesOfAMirrorFollowAHand)
   Session session;
   session.mesh = toPolyData(icosphere(4));
   session.backend = vtkOversketchOneStroke::Host;
-  auto action = std::make_shared<Action>();
-  action->stroke = toStroke(bulge, view);
-  action->mirror = MirrorPlane{ 0, 0.0 };
-  session.nodes.resize(1);
-  session.nodes[0].action = action;
+  session.nodes = { changed(nodeOf(toStroke(bulge, view), "bulge"),
+    [](Step& step)
+    {
+      step.values.clear(); // a mirrored step is not remeshed, whatever it says
+      step.mirror = MirrorPlane{ 0, 0.0 };
+    }) };
   Evaluator evaluator;
-  const Outcome ball = outcomesOf(evaluator, session)[0];
-  ASSERT_EQ(ball.failure, "");
-  ASSERT_TRUE(ball.following);
+  auto outcomes = outcomesOf(evaluator, session);
+  ASSERT_EQ(outcomes[0].failure, "");
+  EXPECT_EQ(outcomes[0].mesh->GetNumberOfPoints(), session.mesh->GetNumberOfPoints());
+  ASSERT_TRUE(evaluator.details(outcomes, {}));
+  ASSERT_TRUE(outcomes[0].details && outcomes[0].details->following);
+  const Following* following = outcomes[0].details->following.get();
   std::map<std::array<double, 3>, std::array<float, 9>> moves;
   int left = 0, right = 0;
-  for (std::size_t i = 0; i < ball.following->points.size(); ++i)
+  for (std::size_t i = 0; i < following->points.size(); ++i)
   {
     double p[3];
-    session.mesh->GetPoint(ball.following->points[i], p);
-    moves[{ p[0], p[1], p[2] }] = ball.following->moves[i];
+    session.mesh->GetPoint(following->points[i], p);
+    moves[{ p[0], p[1], p[2] }] = following->moves[i];
   }
   for (const auto& [place, move] : moves)
   {
@@ -156,9 +164,9 @@ TEST(Session, StrokesActInTheirOrder)
   // The same by hand.
   vtkNew<vtkOversketchOneStroke> first, second;
   first->SetInputData(session.mesh);
-  first->SetStrokeData(session.nodes[0].action->stroke);
+  first->SetStrokeData(strokeOf(session.nodes[0]));
   second->SetInputConnection(first->GetOutputPort());
-  second->SetStrokeData(session.nodes[1].action->stroke);
+  second->SetStrokeData(strokeOf(session.nodes[1]));
   for (vtkOversketchOneStroke* system : { first.Get(), second.Get() })
   {
     system->SetBackendToHost();
@@ -186,9 +194,7 @@ TEST(Session, OnlyWhatDependsOnAChangeRunsAgain)
   outcomesOf(evaluator, renamed);
   EXPECT_EQ(evaluator.runs(), 2u) << "a name is no change of the mesh";
 
-  Parameters adjusted = session.nodes[1].action->parameters;
-  adjusted.adjustNormals = true;
-  const auto edited = outcomesOf(evaluator, with(session, 1, adjusted));
+  const auto edited = outcomesOf(evaluator, with(session, 1, "AdjustNormals", true));
   EXPECT_EQ(evaluator.runs(), 3u) << "the first stroke does not depend on the second";
   EXPECT_EQ(edited[0].mesh, whole[0].mesh);
   EXPECT_GT(largestMove(edited[1].mesh, whole[1].mesh), 0.0);
@@ -207,8 +213,7 @@ TEST(Session, OnlyWhatDependsOnAChangeRunsAgain)
 TEST(Session, AFailedStrokeIsPassedByAndTheRestGoesOn)
 {
   Session session = dogSession();
-  session.nodes.insert(
-    session.nodes.begin(), nodeOf(elsewhereStroke(session.nodes[0].action->stroke), "dot"));
+  session.nodes.insert(session.nodes.begin(), nodeOf(elsewhereStroke(strokeOf(session.nodes[0])), "dot"));
   Evaluator evaluator;
   const auto outcomes = outcomesOf(evaluator, session);
   EXPECT_NE(outcomes[0].failure.find("px long"), std::string::npos) << outcomes[0].failure;
@@ -269,13 +274,13 @@ TEST(Session, AStrokeThatTakesHoldElsewhereIsMarked)
   EXPECT_TRUE(outcomes[1].elsewhere);
   // The middle lies on the matched curve's own bounds and its length is at least the distance of its ends.
   double box[6];
-  outcomes[0].matched->GetBounds(box);
+  outcomes[0].hold->GetBounds(box);
   for (int k = 0; k < 3; ++k)
   {
     EXPECT_GE(outcomes[0].section->middle[static_cast<std::size_t>(k)], box[2 * k]);
     EXPECT_LE(outcomes[0].section->middle[static_cast<std::size_t>(k)], box[2 * k + 1]);
   }
-  EXPECT_GE(outcomes[0].section->length, outcomes[0].matched->GetLength() * 0.5);
+  EXPECT_GE(outcomes[0].section->length, outcomes[0].hold->GetLength() * 0.5);
 }
 
 TEST(Session, KeptResultsStayWithinTheirBudget)
@@ -303,44 +308,4 @@ TEST(Session, WhatNobodyCanAskForAgainIsNotKept)
   EXPECT_FALSE(second) << "nobody holds its stroke";
   outcomesOf(evaluator, session);
   EXPECT_EQ(evaluator.runs(), 2u) << "the first is kept";
-}
-
-TEST(History, UndoRedoAndANewBranch)
-{
-  Session session = dogSession();
-  session.nodes.clear();
-  History history(session);
-  EXPECT_FALSE(history.canUndo() || history.canRedo());
-  for (int i = 0; i < 1000; ++i)
-  {
-    session.nodes.push_back(nodeOf(dogSession().nodes[0].action->stroke, std::to_string(i)));
-    history.commit(session);
-    session = history.now();
-    if (i == 3)
-    {
-      break;
-    }
-  }
-  EXPECT_EQ(history.now().nodes.size(), 4u);
-  history.undo();
-  history.undo();
-  EXPECT_EQ(history.now().nodes.size(), 2u);
-  history.redo();
-  EXPECT_EQ(history.now().nodes.back().name, "2");
-  Session amended = history.now();
-  amended.nodes.back().name = "third";
-  history.amend(amended);
-  EXPECT_TRUE(history.canRedo()) << "an amendment is no step";
-  history.redo();
-  history.undo();
-  EXPECT_EQ(history.now().nodes.back().name, "third");
-  Session branch = history.now();
-  branch.nodes.pop_back();
-  history.commit(branch);
-  EXPECT_FALSE(history.canRedo());
-  for (int i = 0; i < 10; ++i)
-  {
-    history.undo();
-  }
-  EXPECT_TRUE(history.now().nodes.empty());
 }

@@ -11,15 +11,32 @@
 namespace oversketch_test
 {
 
-inline oversketch_session::Node nodeOf(vtkPolyData* stroke, const std::string& name)
+inline oversketch_session::Node nodeOf(vtkPolyData* stroke, const std::string& name, int id = 1)
 {
-  auto action = std::make_shared<oversketch_session::Action>();
-  action->stroke = vtkSmartPointer<vtkPolyData>(stroke);
-  action->parameters.remesh = vtkOversketchOneStroke::RemeshOff;
+  auto step = std::make_shared<oversketch_session::Step>();
+  step->system = "OneStroke";
+  step->inputs["Stroke"] = oversketch_session::Lines(stroke);
+  step->values["Remesh"] = int(vtkOversketchOneStroke::RemeshOff);
   oversketch_session::Node node;
-  node.action = action;
+  node.id = id;
+  node.step = step;
   node.name = name;
   return node;
+}
+
+// The same step with something else about it.
+template <typename Change>
+oversketch_session::Node changed(oversketch_session::Node node, const Change& change)
+{
+  auto step = std::make_shared<oversketch_session::Step>(*node.step);
+  change(*step);
+  node.step = step;
+  return node;
+}
+
+inline vtkSmartPointer<vtkPolyData> strokeOf(const oversketch_session::Node& node)
+{
+  return oversketch_session::linesOf(*node.step, "Stroke");
 }
 
 // The dog, its leg drawn longer and its tail curled.
@@ -29,8 +46,8 @@ inline oversketch_session::Session dogSession()
   session.meshName = "dog.ply";
   session.mesh = shippedModel("dog");
   session.backend = vtkOversketchOneStroke::Host;
-  session.nodes = { nodeOf(shippedStroke("dog_longer_leg"), "leg"),
-    nodeOf(shippedStroke("dog_curled_tail"), "tail") };
+  session.nodes = { nodeOf(shippedStroke("dog_longer_leg"), "leg", 1),
+    nodeOf(shippedStroke("dog_curled_tail"), "tail", 2) };
   return session;
 }
 

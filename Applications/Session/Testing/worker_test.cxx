@@ -24,6 +24,7 @@ struct Desk
   std::mutex mutex;
   std::condition_variable told;
   std::vector<Worker::Result> done;
+  std::vector<Worker::Details> details;
   std::vector<std::uint64_t> cancelled;
   std::vector<std::string> stages;
 
@@ -34,6 +35,12 @@ struct Desk
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
       this->done.push_back(result);
+      this->told.notify_all();
+    };
+    listener.detailed = [this](const Worker::Details& following)
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->details.push_back(following);
       this->told.notify_all();
     };
     listener.cancelled = [this](std::uint64_t ticket)
@@ -82,11 +89,49 @@ TEST(Worker, GivesWhatTheEvaluatorGives)
   const Worker::Result& result = desk.done[0];
   EXPECT_EQ(result.ticket, ticket);
   EXPECT_TRUE(identical(result.mesh, outcomes[1].mesh));
-  EXPECT_EQ(result.digest, digestOf(outcomes[1].mesh));
   ASSERT_EQ(result.nodes.size(), 2u);
   EXPECT_EQ(result.nodes[1].section->middle, outcomes[1].section->middle);
-  EXPECT_GT(result.nodes[1].matched->GetNumberOfPoints(), 1);
+  EXPECT_GT(result.nodes[1].hold->GetNumberOfPoints(), 1);
   EXPECT_EQ(result.backendUsed, int(vtkOversketchOneStroke::Host));
+}
+
+TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)
+{
+  Session session = dogSession();
+  Desk desk;
+  Worker worker(desk.listener());
+  worker.submit(session);
+  ASSERT_TRUE(desk.wait([&] { return !desk.details.empty(); }));
+  {
+    const std::lock_guard<std::mutex> lock(desk.mutex);
+    ASSERT_EQ(desk.done.size(), 1u);
+    EXPECT_FALSE(desk.done[0].nodes[1].region || desk.done[0].nodes[1].following) << "they came first";
+    EXPECT_EQ(desk.details[0].ticket, desk.done[0].ticket);
+    EXPECT_EQ(desk.details[0].digest, digestOf(desk.done[0].mesh));
+    for (const Worker::NodeState& node : desk.details[0].nodes)
+    {
+      ASSERT_TRUE(node.region && node.following && node.hold);
+      EXPECT_GT(node.region->GetNumberOfPolys(), 10);
+    }
+  }
+  session.nodes[1] = changed(session.nodes[1], [](Step& step) { step.values["AdjustNormals"] = true; });
+  worker.submit(session);
+  ASSERT_TRUE(desk.wait([&] { return desk.details.size() == 2; }));
+  const auto &before = desk.details[0].nodes, &after = desk.details[1].nodes;
+  EXPECT_EQ(before[0].region.identity(), after[0].region.identity()) << "copied again";
+  EXPECT_EQ(before[0].hold.identity(), after[0].hold.identity()) << "copied again";
+  EXPECT_EQ(desk.done[1].nodes[0].following, before[0].following) << "known with the mesh";
+  EXPECT_NE(before[1].region.identity(), after[1].region.identity());
+}
+
+TEST(Worker, AnswersASessionWithoutAMesh)
+{
+  Desk desk;
+  Worker worker(desk.listener());
+  worker.submit({});
+  ASSERT_TRUE(desk.wait([&] { return !desk.details.empty(); }));
+  EXPECT_FALSE(desk.done[0].mesh || desk.done[0].display);
+  EXPECT_EQ(desk.details[0].digest, "");
 }
 
 TEST(Worker, TheNewestSessionWins)
@@ -104,7 +149,7 @@ TEST(Worker, TheNewestSessionWins)
   }
   ASSERT_TRUE(desk.wait([&] { return !desk.done.empty() && desk.done.back().ticket == last; }));
   EXPECT_EQ(desk.done.size() + desk.cancelled.size(), std::size_t(count)) << "each is answered once";
-  EXPECT_EQ(desk.done.back().digest, expected);
+  EXPECT_EQ(digestOf(desk.done.back().mesh), expected);
 }
 
 TEST(Worker, CancelStopsWhatRunsAndTheNextRunIsWhole)
@@ -120,7 +165,7 @@ TEST(Worker, CancelStopsWhatRunsAndTheNextRunIsWhole)
   EXPECT_EQ(desk.cancelled[0], ticket);
   worker.submit(dogSession());
   ASSERT_TRUE(desk.wait([&] { return !desk.done.empty(); }));
-  EXPECT_EQ(desk.done[0].digest, expected);
+  EXPECT_EQ(digestOf(desk.done[0].mesh), expected);
 }
 
 // An interface waits until its newest session is answered: one that is lost would make it wait for ever.
@@ -137,7 +182,7 @@ TEST(Worker, AnswersEachSessionOnceWhateverComesBetween)
     {
       line.push_back({ 50.0 + 2.0 * i, 80.0 + away - 0.06 * i * i });
     }
-    ball.nodes.push_back(nodeOf(toStroke(line, view), "bulge"));
+    ball.nodes.push_back(nodeOf(toStroke(line, view), "bulge", freshId(ball)));
   }
   std::vector<std::string> expected; // of so many strokes
   for (std::size_t count = 0; count <= ball.nodes.size(); ++count)
@@ -192,7 +237,7 @@ TEST(Worker, AnswersEachSessionOnceWhateverComesBetween)
     for (const Worker::Result& result : desk.done)
     {
       ++answers[result.ticket];
-      EXPECT_EQ(result.digest, wanted[result.ticket]);
+      EXPECT_EQ(digestOf(result.mesh), wanted[result.ticket]);
     }
     for (const std::uint64_t ticket : desk.cancelled)
     {
@@ -219,16 +264,16 @@ TEST(Worker, AStrokeAfterThePreparationComputesNoShapeDiameter)
   Evaluator evaluator;
   std::vector<Outcome> outcomes;
   ASSERT_TRUE(evaluator.run(session, {}, outcomes));
-  evaluator.prepare(outcomes[0].mesh, {});
+  evaluator.prepare(*findSystem("OneStroke"), outcomes[0].mesh, session.backend, {});
   session.nodes.push_back(second);
   ASSERT_TRUE(evaluator.run(session, {}, outcomes));
   EXPECT_EQ(evaluator.runs(), 2u);
-  const double prepared = evaluator.system()->GetStageTime("ShapeDiameter");
+  const double prepared = evaluator.system("OneStroke")->GetStageTime("ShapeDiameter");
   Evaluator cold;
   std::vector<Outcome> same;
   ASSERT_TRUE(cold.run(session, {}, same));
   EXPECT_TRUE(identical(outcomes[1].mesh, same[1].mesh));
-  EXPECT_LT(prepared, 0.1 * cold.system()->GetStageTime("ShapeDiameter"));
+  EXPECT_LT(prepared, 0.1 * cold.system("OneStroke")->GetStageTime("ShapeDiameter"));
 }
 
 TEST(Worker, EndsAtOnceInTheMiddleOfARun)

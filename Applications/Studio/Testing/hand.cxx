@@ -69,12 +69,12 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
   connect(this->view_, &View::strokeChanged, this, [this] { ++this->deeds_.moved; });
   connect(this->document_, &Document::opened, this, [this] { ++this->deeds_.opened; });
   connect(this->document_,
-    &Document::shown,
+    &Document::detailed,
     this,
     [this]
     {
-      this->deeds_.meshes += this->shown_ != this->document_->result().digest;
-      this->shown_ = this->document_->result().digest;
+      this->deeds_.meshes += this->shown_ != this->document_->digest();
+      this->shown_ = this->document_->digest();
     });
   connect(this->document_,
     &Document::progressed,
@@ -260,7 +260,7 @@ int Hand::dragOfTheStroke()
   {
     return this->strokeBesideTheModel();
   }
-  const oversketch_session::SharedData stroke = nodes.back().action->stroke;
+  const auto stroke = oversketch_session::linesOf(*nodes.back().step, "Stroke");
   if (this->oneIn(2))
   {
     this->view_->lookFrom(stroke);

@@ -41,9 +41,10 @@ TEST(Preview, NormalsAreThoseOfTheMovedMesh)
   std::vector<Outcome> outcomes;
   Evaluator evaluator;
   ASSERT_TRUE(evaluator.run(session, {}, outcomes));
-  ASSERT_TRUE(outcomes[0].following);
+  ASSERT_TRUE(evaluator.details(outcomes, {}));
+  ASSERT_TRUE(outcomes[0].details && outcomes[0].details->following);
   const auto rest = withNormals(outcomes[0].mesh), kept = withNormals(outcomes[0].mesh);
-  Preview preview(rest, outcomes[0].following);
+  Preview preview(rest, outcomes[0].details->following);
   vtkNew<vtkPolyData> bare;
   for (const double by : { 0.1, -0.2, 0.0 })
   {

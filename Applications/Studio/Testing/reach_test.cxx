@@ -66,7 +66,7 @@ struct Scene
 
   void wait()
   {
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !this->document->isBusy(); }, 600000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return this->document->isSettled(); }, 600000));
   }
   // A line across the view that trembles by so much.
   void draw(double tremble)
@@ -297,17 +297,17 @@ TEST(Reach, TheListOfKeysIsTrue)
 TEST(Reach, AStrokeIsChangedWithKeysAlone)
 {
   Scene scene(true);
-  const std::string before = scene.document->result().digest;
+  const std::string before = scene.document->digest();
   auto* list = scene.window.findChild<QListWidget*>();
   list->setFocus();
   QTest::keyClick(list, Qt::Key_Space); // off
   ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.document->session().nodes[0].on; }, 600000));
   scene.wait();
-  EXPECT_NE(scene.document->result().digest, before);
+  EXPECT_NE(scene.document->digest(), before);
   QTest::keyClick(&scene.window, Qt::Key_Z, Qt::ControlModifier);
   scene.wait();
   EXPECT_TRUE(scene.document->session().nodes[0].on);
-  EXPECT_EQ(scene.document->result().digest, before);
+  EXPECT_EQ(scene.document->digest(), before);
   list->setCurrentRow(0);
   list->setFocus();
   QTest::keyClick(list, Qt::Key_Delete);
@@ -367,7 +367,7 @@ TEST(Preferences, AreKeptAndHold)
 {
   const auto roughness = [](const Scene& scene)
   {
-    vtkPolyData* stroke = scene.document->session().nodes.back().action->stroke;
+    const auto stroke = oversketch_session::linesOf(*scene.document->session().nodes.back().step, "Stroke");
     double box[6];
     stroke->GetBounds(box);
     return box[3] - box[2];

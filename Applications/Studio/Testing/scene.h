@@ -31,14 +31,14 @@ struct Scene
     this->view = this->window.findChild<View*>();
     this->document = this->window.findChild<Document*>();
     this->wait();
-    EXPECT_TRUE(
-      QTest::qWaitFor([this] { return this->document->result().mesh && !this->document->isBusy(); }, 600000));
+    EXPECT_TRUE(QTest::qWaitFor(
+      [this] { return this->document->result().mesh && this->document->isSettled(); }, 600000));
   }
   ~Scene() { this->document->discardAutosave(); }
 
   void wait()
   {
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !this->document->isBusy(); }, 600000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return this->document->isSettled(); }, 600000));
   }
   vtkRenderer* renderer() { return this->view->renderWindow()->GetRenderers()->GetFirstRenderer(); }
   // Where a place of the world is in the view, in pixels from its upper left corner.

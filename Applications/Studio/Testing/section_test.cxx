@@ -52,13 +52,13 @@ TEST(PenSection, IsSeenUnderAPenThatStandsAndIsWhatTheStrokeTakesHoldOf)
   scene.wait();
   const auto& nodes = scene.document->result().nodes;
   ASSERT_EQ(nodes.size(), 1u);
-  ASSERT_TRUE(nodes[0].matched) << nodes[0].failure;
-  const vtkIdType places = nodes[0].matched->GetNumberOfPoints();
+  ASSERT_TRUE(nodes[0].hold) << nodes[0].failure;
+  const vtkIdType places = nodes[0].hold->GetNumberOfPoints();
   ASSERT_GT(places, 10);
   int met = 0;
   for (vtkIdType i = 0; i < places; ++i)
   {
-    const QColor colour = drawn.pixelColor(scene.seen(nodes[0].matched->GetPoint(i)));
+    const QColor colour = drawn.pixelColor(scene.seen(nodes[0].hold->GetPoint(i)));
     met += isBlue(colour) || isRed(colour);
   }
   EXPECT_GT(met, 0.9 * static_cast<double>(places)) << "blue is another place than the one that is taken";

@@ -102,7 +102,7 @@ Count coloursOf(View* view, const QString& path, std::array<double, 2>& middles)
 
 bool settles(Document* document)
 {
-  return QTest::qWaitFor([document] { return !document->isBusy(); }, 600000);
+  return QTest::qWaitFor([document] { return document->isSettled(); }, 600000);
 }
 
 } // namespace

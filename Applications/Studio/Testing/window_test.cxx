@@ -39,7 +39,7 @@ constexpr int eventsOfASequence = 200;
 // a minute under the sanitizers.
 bool settles(const Document& document)
 {
-  return QTest::qWaitFor([&] { return !document.isBusy(); }, 600000);
+  return QTest::qWaitFor([&] { return document.isSettled(); }, 600000);
 }
 
 // A body with six limbs, the same on both sides of x: 1,280 triangles.
@@ -81,20 +81,20 @@ std::string replayed(const oversketch_session::Session& session)
 // What is shown is what the history makes of the mesh, all of it undone and all of it redone.
 void expectTheHistoryHolds(Document& document)
 {
-  const std::string drawn = document.result().digest;
+  const std::string drawn = document.digest();
   int steps = 0;
   for (; document.canUndo(); ++steps)
   {
     document.undo();
   }
   ASSERT_TRUE(settles(document));
-  EXPECT_EQ(document.result().digest, replayed(document.session()));
+  EXPECT_EQ(document.digest(), replayed(document.session()));
   for (; steps > 0; --steps)
   {
     document.redo();
   }
   ASSERT_TRUE(settles(document));
-  EXPECT_EQ(document.result().digest, drawn);
+  EXPECT_EQ(document.digest(), drawn);
 }
 
 // Hands of even numbers wait for what each of their acts brings, and do the same each time; those of odd

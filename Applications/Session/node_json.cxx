@@ -1,0 +1,300 @@
+#include "node_json.h"
+
+#include "files.h"
+#include "mesh_file.h"
+#include "texture.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace oversketch_session
+{
+
+using oversketch_files::Failed;
+
+namespace
+{
+
+constexpr int largest = std::numeric_limits<int>::max();
+constexpr int largestId = 1000000000;
+
+// Version 1 knows one system, with one input and these parameters: member and property.
+const char* const system1 = "OneStroke";
+const char* const stroke1 = "Stroke";
+constexpr std::pair<const char*, const char*> members1[] = { { "remesh", "Remesh" },
+  { "adjust_normals", "AdjustNormals" },
+  { "as_published", "AsPublished" } };
+
+// A member that is a value of the parameter.
+Value valueOf(const JsonReader& values, const std::string& name, const Parameter& parameter)
+{
+  if (!parameter.choices.empty())
+  {
+    return values.choice(name, wordsOf(parameter));
+  }
+  struct Kinds
+  {
+    const JsonReader& values;
+    const std::string& name;
+    Value operator()(bool) const { return this->values.yes(this->name); }
+    Value operator()(int) const { return this->values.integer(this->name, -largest, largest); }
+    Value operator()(double) const { return this->values.number(this->name); }
+    Value operator()(const std::vector<double>&) const { return this->values.numbers(this->name); }
+    Value operator()(const std::string&) const { return this->values.text(this->name); }
+  };
+  return std::visit(Kinds{ values, name }, parameter.initial);
+}
+
+// A step holds no value that is the default.
+void setValue(Step& step, const JsonReader& values, const std::string& name, const Parameter& parameter)
+{
+  const Value value = valueOf(values, name, parameter);
+  if (value != parameter.initial)
+  {
+    step.values[parameter.property] = value;
+  }
+}
+
+Json::Value jsonOfInput(const Input& input, const EntryWriter& entries)
+{
+  Json::Value json;
+  if (const auto* lines = std::get_if<Lines>(&input))
+  {
+    json["lines"] = entries.lines(*lines);
+  }
+  else if (const auto* image = std::get_if<Image>(&input))
+  {
+    json["image"] = entries.image(*image);
+    json["image_name"] = image->name;
+  }
+  else
+  {
+    json["step"] = std::get<StepOutput>(input).step;
+    json["port"] = std::get<StepOutput>(input).port;
+  }
+  return json;
+}
+
+Lines linesOf(const JsonReader& json, const char* member, const Package& package, const std::string& path)
+{
+  const std::string entry = json.text(member);
+  return Lines(oversketch_files::parseStroke(path + ": " + entry, *entryOf(package, entry, path)));
+}
+
+Input inputOf(const JsonReader& json, SystemInput::Kind kind, const Package& package, const std::string& path)
+{
+  if (json.has("step"))
+  {
+    return StepOutput{ json.integer("step", 1, largestId), json.integer("port", 0, largest) };
+  }
+  if (kind != SystemInput::Kind::Picture)
+  {
+    return linesOf(json, "lines", package, path);
+  }
+  const std::string entry = json.text("image");
+  const Image image{ json.text("image_name"), entryOf(package, entry, path) };
+  if (!oversketch_files::pictureOf(*image.bytes))
+  {
+    throw Failed(path + ": " + entry + " is no PNG or JPEG picture, or a damaged one");
+  }
+  return image;
+}
+
+// What both versions tell of a step alike.
+void putCommon(Json::Value& json, const Node& node)
+{
+  json["name"] = node.name;
+  json["on"] = node.on;
+  if (node.step->mirror)
+  {
+    json["mirror"]["axis"] = node.step->mirror->axis;
+    json["mirror"]["offset"] = node.step->mirror->offset;
+  }
+  if (node.committed)
+  {
+    json["section"]["middle"] = jsonOf(node.committed->middle);
+    json["section"]["length"] = node.committed->length;
+  }
+}
+
+Node commonOf(const JsonReader& json, Step& step)
+{
+  if (json.has("mirror"))
+  {
+    const JsonReader mirror = json.object("mirror");
+    step.mirror = MirrorPlane{ mirror.integer("axis", 0, 2), mirror.number("offset") };
+  }
+  Node node;
+  node.name = json.text("name");
+  node.on = json.yes("on");
+  if (json.has("section"))
+  {
+    const JsonReader section = json.object("section");
+    node.committed = Section{ section.point("middle"), section.number("length") };
+  }
+  return node;
+}
+
+} // namespace
+
+const std::shared_ptr<const std::string>& entryOf(const Package& package,
+  const std::string& name,
+  const std::string& path)
+{
+  const auto it = package.find(name);
+  if (it == package.end())
+  {
+    throw Failed(path + ": lacks its entry " + name + "; the session is damaged");
+  }
+  return it->second;
+}
+
+Json::Value jsonOf(const Parameter& parameter, const Value& value)
+{
+  struct Kinds
+  {
+    const std::vector<Choice>& choices;
+    Json::Value operator()(bool yes) const { return yes; }
+    Json::Value operator()(int number) const
+    {
+      return this->choices.empty() ? Json::Value(number)
+                                   : Json::Value(this->choices[static_cast<std::size_t>(number)].word);
+    }
+    Json::Value operator()(double number) const { return number; }
+    Json::Value operator()(const std::string& text) const { return text; }
+    Json::Value operator()(const std::vector<double>& numbers) const
+    {
+      Json::Value list(Json::arrayValue);
+      for (const double number : numbers)
+      {
+        list.append(number);
+      }
+      return list;
+    }
+  };
+  return std::visit(Kinds{ parameter.choices }, value);
+}
+
+bool isVersion1(const Session& session)
+{
+  const auto isKnown = [](const auto& value)
+  {
+    return std::any_of(std::begin(members1),
+      std::end(members1),
+      [&](const auto& member) { return value.first == member.second; });
+  };
+  const auto isStroke = [&](const Node& node)
+  {
+    const Step& step = *node.step;
+    return step.system == system1 && step.inputs.size() == 1 && step.inputs.count(stroke1) == 1 &&
+           std::holds_alternative<Lines>(step.inputs.at(stroke1)) &&
+           std::all_of(step.values.begin(), step.values.end(), isKnown);
+  };
+  return session.mesh && std::all_of(session.nodes.begin(), session.nodes.end(), isStroke);
+}
+
+Json::Value jsonOf1(const Node& node, const std::vector<SystemRow>& rows, const EntryWriter& entries)
+{
+  Json::Value json;
+  putCommon(json, node);
+  json["stroke"] = entries.lines(std::get<Lines>(node.step->inputs.at(stroke1)));
+  for (const auto& [member, property] : members1)
+  {
+    const Parameter* parameter = findParameter(*findSystem(system1, rows), property);
+    json[member] = jsonOf(*parameter, valueOf(*node.step, *parameter));
+  }
+  return json;
+}
+
+Node nodeOf1(const JsonReader& json,
+  const std::vector<SystemRow>& rows,
+  const Package& package,
+  const std::string& path)
+{
+  const SystemRow* row = findSystem(system1, rows);
+  if (!row)
+  {
+    throw Failed(json.where() + ": is a step of " + system1 + ", which this version does not have");
+  }
+  auto step = std::make_shared<Step>();
+  step->system = system1;
+  step->inputs[stroke1] = linesOf(json, "stroke", package, path);
+  for (const auto& [member, property] : members1)
+  {
+    setValue(*step, json, member, *findParameter(*row, property));
+  }
+  Node node = commonOf(json, *step);
+  node.step = step;
+  return node;
+}
+
+Json::Value jsonOf2(const Node& node, const std::vector<SystemRow>& rows, const EntryWriter& entries)
+{
+  const Step& step = *node.step;
+  Json::Value json;
+  putCommon(json, node);
+  json["id"] = node.id;
+  json["system"] = step.system;
+  json["values"] = Json::objectValue;
+  json["inputs"] = Json::objectValue;
+  if (const SystemRow* row = findSystem(step.system, rows))
+  {
+    for (const Parameter& parameter : row->parameters)
+    {
+      json["values"][parameter.property] = jsonOf(parameter, valueOf(step, parameter));
+    }
+  }
+  for (const auto& [name, input] : step.inputs)
+  {
+    json["inputs"][name] = jsonOfInput(input, entries);
+  }
+  return json;
+}
+
+Node nodeOf2(const JsonReader& json,
+  const std::vector<SystemRow>& rows,
+  const Package& package,
+  const std::string& path)
+{
+  auto step = std::make_shared<Step>();
+  step->system = json.text("system");
+  const SystemRow* row = findSystem(step->system, rows);
+  if (!row)
+  {
+    json.refuse("system", "is '" + step->system + "', which this version does not have");
+  }
+  const JsonReader values = json.object("values"), inputs = json.object("inputs");
+  for (const std::string& name : values.names())
+  {
+    const Parameter* parameter = findParameter(*row, name);
+    if (!parameter)
+    {
+      values.refuse(name, "is no parameter of " + row->name + " in this version");
+    }
+    setValue(*step, values, name, *parameter);
+  }
+  for (const std::string& name : inputs.names())
+  {
+    const SystemInput* input = findInput(*row, name);
+    if (!input)
+    {
+      inputs.refuse(name, "is no input of " + row->name + " in this version");
+    }
+    step->inputs[name] = inputOf(inputs.object(name), input->kind, package, path);
+  }
+  for (const SystemInput& input : row->inputs)
+  {
+    if (!input.optional && input.kind != SystemInput::Kind::Mesh)
+    {
+      inputs.get(input.name);
+    }
+  }
+  Node node = commonOf(json, *step);
+  node.id = json.integer("id", 1, largestId);
+  node.step = step;
+  return node;
+}
+
+} // namespace oversketch_session

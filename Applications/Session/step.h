@@ -1,0 +1,65 @@
+// One step of a session: a system, its parameters and what it is given. Values.
+#ifndef oversketch_step_h
+#define oversketch_step_h
+
+#include "lines.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace oversketch_session
+{
+
+// Of a parameter of a system.
+using Value = std::variant<bool, int, double, std::vector<double>, std::string>;
+// By the class's own names of them ("AdjustNormals").
+using Values = std::map<std::string, Value>;
+
+// A picture, kept as the bytes of its file (PNG or JPEG).
+struct Image
+{
+  std::string name; // of the file, without its folder
+  std::shared_ptr<const std::string> bytes;
+};
+
+// What an earlier step of the session puts out, whatever that is by now. The id stays with the step while it
+// is moved, renamed or given other parameters.
+struct StepOutput
+{
+  int step = 0;
+  int port = 0;
+};
+
+using Input = std::variant<Lines, Image, StepOutput>;
+
+// The plane where one coordinate has one value; a step acts on both sides of it (Filters/Deform,
+// vtkOversketchMirror).
+struct MirrorPlane
+{
+  int axis = 0; // 0, 1, 2: x, y, z
+  double offset = 0.0;
+};
+
+// Never changed once made: results are kept by its identity.
+struct Step
+{
+  std::string system;                  // "OneStroke"; see systems.h
+  Values values;                       // where they are not the system's defaults
+  std::map<std::string, Input> inputs; // by their names in systems.h; the mesh comes from the step before
+  std::optional<MirrorPlane> mirror;   // only of systems whose points keep their ids
+};
+
+// The lines of an input, for a pipeline; null where it holds none.
+inline vtkSmartPointer<vtkPolyData> linesOf(const Step& step, const std::string& input)
+{
+  const auto it = step.inputs.find(input);
+  const Lines* lines = it == step.inputs.end() ? nullptr : std::get_if<Lines>(&it->second);
+  return lines ? lines->own() : nullptr;
+}
+
+} // namespace oversketch_session
+#endif

@@ -1,0 +1,129 @@
+// The systems that a session's steps may name, each with its inputs and parameters: the one list that
+// evaluator, session file, command, report and panel read. To add a system: a row in systems.cxx.
+#ifndef oversketch_systems_h
+#define oversketch_systems_h
+
+#include "step.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+class vtkOversketchSystem;
+
+namespace oversketch_session
+{
+
+// A value of a parameter that is one of a few.
+struct Choice
+{
+  std::string word;  // "off": in files and on command lines
+  std::string title; // "never": in a window
+};
+
+struct Parameter
+{
+  std::string property;        // as the class calls it: SetRemesh, GetRemesh
+  std::string word;            // "remesh": --remesh on a command line
+  std::string title;           // "New triangles": in a window
+  std::string help;            // a line; ends without a stop
+  std::vector<Choice> choices; // of an int that counts them from 0; empty for others
+  std::function<void(vtkOversketchSystem*, const Value&)> set;
+  std::function<Value(vtkOversketchSystem*)> get;
+  Value initial; // of a fresh instance; its alternative is that of all values of the parameter
+};
+
+struct SystemInput
+{
+  enum class Kind
+  {
+    Mesh,   // what the step before made, unless a step names another
+    Stroke, // lines in pixels with the view that they were drawn in
+    Curves, // lines on the mesh
+    Picture
+  };
+
+  std::string name; // "Stroke"
+  std::string word; // "stroke": STROKE.vtp on a command line, --stroke where it may be absent
+  std::string help; // a line; ends without a stop
+  Kind kind = Kind::Mesh;
+  int port = 0;
+  bool optional = false;
+};
+
+// Output port 0 of every system is the mesh that the next step gets.
+struct SystemRow
+{
+  std::string name;  // "OneStroke", of vtkOversketchOneStroke
+  std::string verb;  // "one-stroke": of the command
+  std::string title; // "Stroke": a step of it, in a window
+  std::string brief; // what it does, in a few words that follow on the verb
+  std::string help;  // the same in sentences
+  vtkSmartPointer<vtkOversketchSystem> (*make)() = nullptr;
+  std::vector<SystemInput> inputs;
+  std::vector<Parameter> parameters;
+  // The values with which its output's points keep their ids, in place of the step's own when it acts on both
+  // sides of a mirror plane. Null: they never do, and it cannot.
+  std::optional<Values> mirrored;
+  // What else the class lets be set, each with the reason why no step holds it.
+  std::map<std::string, std::string> leftOut;
+};
+
+// Those that are built.
+const std::vector<SystemRow>& systems();
+
+// By name or by verb; null where there is none.
+const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows = systems());
+const SystemRow* findVerb(const std::string& verb);
+
+const Parameter* findParameter(const SystemRow& row, const std::string& property);
+const SystemInput* findInput(const SystemRow& row, const std::string& name);
+// The first input of a kind, null where there is none.
+const SystemInput* findInput(const SystemRow& row, SystemInput::Kind kind);
+
+// The words of its choices.
+std::vector<std::string> wordsOf(const Parameter& parameter);
+// What a step's parameter is: its value, or the default.
+const Value& valueOf(const Step& step, const Parameter& parameter);
+
+// Why no system of the list can run the step, whatever its inputs hold: the name of the system, of a
+// parameter or of an input is unknown, or a value is none of the parameter's. Empty where one can.
+std::string faultOf(const Step& step, const std::vector<SystemRow>& rows = systems());
+
+// The words of vtkOversketchSystem::BackendType, in files and on command lines.
+const std::vector<std::string>& backendWords();
+
+// For rows: a parameter of the class T by its setter and getter.
+template <typename T, typename Setter, typename Getter>
+Parameter parameter(const std::string& property,
+  const std::string& word,
+  const std::string& title,
+  const std::string& help,
+  Setter setter,
+  Getter getter,
+  std::vector<Choice> choices = {})
+{
+  using Held = std::decay_t<decltype((std::declval<T&>().*getter)())>;
+  Parameter made;
+  made.property = property;
+  made.word = word;
+  made.title = title;
+  made.help = help;
+  made.choices = std::move(choices);
+  made.set = [setter](vtkOversketchSystem* system, const Value& value)
+  { (static_cast<T*>(system)->*setter)(std::get<Held>(value)); };
+  made.get = [getter](vtkOversketchSystem* system) -> Value
+  { return Held((static_cast<T*>(system)->*getter)()); };
+  return made;
+}
+// The row with the defaults of a fresh instance.
+SystemRow withDefaults(SystemRow row);
+
+} // namespace oversketch_session
+#endif
