@@ -1,8 +1,8 @@
 // The command `oversketch`. Exit code 0: done, 1: could not, 2: bad use.
 #include "files.h"
-#include "one_stroke.h"
 #include "options.h"
 #include "replay.h"
+#include "run_system.h"
 #include "version.h"
 
 #include <csignal>
@@ -21,19 +21,17 @@ int run(const std::vector<std::string>& arguments)
   switch (options.action)
   {
     case Action::Help:
-      std::fputs(helpText().c_str(), stdout);
-      break;
-    case Action::OneStrokeHelp:
-      std::fputs(oneStrokeHelpText().c_str(), stdout);
-      break;
-    case Action::ReplayHelp:
-      std::fputs(replayHelpText().c_str(), stdout);
+      std::fputs((options.isReplay  ? replayHelpText()
+                   : options.system ? helpText(*options.system)
+                                    : helpText())
+                   .c_str(),
+        stdout);
       break;
     case Action::Version:
       std::fputs(versionText().c_str(), stdout);
       break;
-    case Action::OneStroke:
-      oneStroke(options);
+    case Action::RunSystem:
+      runSystem(options);
       break;
     case Action::Replay:
       replay(options);

@@ -3,36 +3,303 @@
 #include "mesh_file.h"
 
 #include <algorithm>
-#include <map>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <sstream>
 
 namespace oversketch_command
 {
 
 using namespace oversketch_files;
+using namespace oversketch_session;
 
 namespace
 {
+
+std::string listOf(const std::vector<std::string>& words, const std::string& between)
+{
+  std::string list;
+  for (const std::string& word : words)
+  {
+    list += (list.empty() ? "" : between) + word;
+  }
+  return list;
+}
 
 int choiceOf(const std::string& option, const std::string& value, const std::vector<std::string>& choices)
 {
   const auto it = std::find(choices.begin(), choices.end(), value);
   if (it == choices.end())
   {
-    std::string list;
-    for (const std::string& choice : choices)
-    {
-      list += (list.empty() ? "" : ", ") + choice;
-    }
-    throw BadUse(option + " is one of " + list + ", not '" + value + "'");
+    throw BadUse(option + " is one of " + listOf(choices, ", ") + ", not '" + value + "'");
   }
   return static_cast<int>(it - choices.begin());
 }
 
-void requireExtension(const std::string& option, const std::string& path, const std::string& extension)
+std::vector<double> numbersOf(const std::string& option, const std::string& text)
 {
-  if (!path.empty() && extensionOf(path) != extension)
+  std::vector<double> numbers;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');)
   {
-    throw BadUse(option + " writes a " + extension + " file, not '" + path + "'");
+    char* end = nullptr;
+    numbers.push_back(std::strtod(part.c_str(), &end));
+    if (part.empty() || *end != '\0' || !std::isfinite(numbers.back()))
+    {
+      throw BadUse(option + " takes numbers, not '" + text + "'");
+    }
+  }
+  return numbers;
+}
+
+// A value of the kind that the parameter's default is; a switch has none and means the other than its
+// default.
+Value valueOf(const Parameter& parameter, const std::string& option, const std::string& text)
+{
+  if (const bool* usual = std::get_if<bool>(&parameter.initial))
+  {
+    return !*usual;
+  }
+  if (!parameter.choices.empty())
+  {
+    return choiceOf(option, text, wordsOf(parameter));
+  }
+  if (std::holds_alternative<std::string>(parameter.initial))
+  {
+    return text;
+  }
+  const std::vector<double> numbers = numbersOf(option, text);
+  if (std::holds_alternative<std::vector<double>>(parameter.initial))
+  {
+    return numbers;
+  }
+  if (numbers.size() != 1)
+  {
+    throw BadUse(option + " takes one number, not '" + text + "'");
+  }
+  if (std::holds_alternative<double>(parameter.initial))
+  {
+    return numbers[0];
+  }
+  if (numbers[0] != std::floor(numbers[0]) || std::abs(numbers[0]) > 1e9)
+  {
+    throw BadUse(option + " takes a whole number, not '" + text + "'");
+  }
+  return static_cast<int>(numbers[0]);
+}
+
+// "PNG" or "auto|on|off"; empty for a switch.
+std::string valueName(const Parameter& parameter)
+{
+  if (!parameter.choices.empty())
+  {
+    return listOf(wordsOf(parameter), "|");
+  }
+  struct Kinds
+  {
+    std::string operator()(bool) const { return ""; }
+    std::string operator()(int) const { return "N"; }
+    std::string operator()(double) const { return "X"; }
+    std::string operator()(const std::vector<double>&) const { return "X,X,…"; }
+    std::string operator()(const std::string&) const { return "TEXT"; }
+  };
+  return std::visit(Kinds{}, parameter.initial);
+}
+
+bool isLines(const SystemInput& input)
+{
+  return input.kind == SystemInput::Kind::Stroke || input.kind == SystemInput::Kind::Curves;
+}
+
+// "MESH", "STROKE.vtp"
+std::string fileName(const SystemInput& input)
+{
+  std::string name = input.word;
+  std::transform(name.begin(),
+    name.end(),
+    name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name + (isLines(input) ? ".vtp" : "");
+}
+
+std::string fileHelp(const SystemInput& input)
+{
+  switch (input.kind)
+  {
+    case SystemInput::Kind::Mesh:
+      return input.help + ", of triangles: " + meshExtensions;
+    case SystemInput::Kind::Picture:
+      return input.help + ": .png .jpg";
+    default:
+      return input.help;
+  }
+}
+
+// An option that a command line may have once, and what becomes of it.
+struct Option
+{
+  bool takesValue = false;
+  std::function<void(const std::string& name, const std::string& value)> take;
+};
+using OptionTable = std::map<std::string, Option>;
+
+Option fileOption(std::string& place, const std::string& extension = {})
+{
+  return { true,
+    [&place, extension](const std::string& name, const std::string& value)
+    {
+      if (!place.empty())
+      {
+        throw BadUse(name + " is given twice");
+      }
+      if (value.empty())
+      {
+        throw BadUse(name + " needs a value");
+      }
+      if (!extension.empty() && extensionOf(value) != extension)
+      {
+        throw BadUse(name + " writes a " + extension + " file, not '" + value + "'");
+      }
+      place = value;
+    } };
+}
+
+OptionTable tableOf(Options& options)
+{
+  OptionTable table = { { "-o", fileOption(options.output) }, { "--output", fileOption(options.output) } };
+  if (options.isReplay)
+  {
+    return table;
+  }
+  table["--report"] = fileOption(options.report, ".json");
+  table["--inner"] = fileOption(options.inner);
+  table["--backend"] = { true, [&options](const std::string& name, const std::string& value) {
+                          options.backend = choiceOf(name, value, backendWords());
+                        } };
+  if (findInput(*options.system, SystemInput::Kind::Stroke))
+  {
+    table["--picture"] = fileOption(options.picture, ".png");
+  }
+  for (const SystemInput& input : options.system->inputs)
+  {
+    if (input.optional)
+    {
+      table["--" + input.word] = fileOption(options.inputs[input.name]);
+    }
+  }
+  for (const Parameter& parameter : options.system->parameters)
+  {
+    table["--" + parameter.word] = { !std::holds_alternative<bool>(parameter.initial),
+      [&options, &parameter](const std::string& name, const std::string& value)
+      { options.values[parameter.property] = valueOf(parameter, name, value); } };
+  }
+  return table;
+}
+
+// Takes what is an option; the rest are files. True where help is asked for.
+bool takeOptions(const std::vector<std::string>& arguments,
+  const std::string& verb,
+  const OptionTable& table,
+  std::vector<std::string>& files)
+{
+  bool onlyFiles = false;
+  for (std::size_t i = 1; i < arguments.size(); ++i)
+  {
+    const std::string& argument = arguments[i];
+    if (onlyFiles || argument.size() < 2 || argument[0] != '-')
+    {
+      files.push_back(argument);
+      continue;
+    }
+    const std::size_t equals = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
+    const std::string name = argument.substr(0, equals);
+    const bool isHelp = name == "--help" || name == "-h";
+    const auto option = table.find(name);
+    if (name == "--")
+    {
+      onlyFiles = true;
+      continue;
+    }
+    if (!isHelp && option == table.end())
+    {
+      throw BadUse("'" + name + "' is no option of " + verb);
+    }
+    const bool takesValue = !isHelp && option->second.takesValue;
+    if (!takesValue && equals != std::string::npos)
+    {
+      throw BadUse(name + " takes no value");
+    }
+    if (isHelp)
+    {
+      return true;
+    }
+    if (takesValue && equals == std::string::npos && ++i == arguments.size())
+    {
+      throw BadUse(name + " needs a value");
+    }
+    const bool isApart = takesValue && equals == std::string::npos;
+    option->second.take(name,
+      isApart      ? arguments[i]
+      : takesValue ? argument.substr(equals + 1)
+                   : std::string());
+  }
+  return false;
+}
+
+std::vector<std::string> verbs()
+{
+  std::vector<std::string> all;
+  for (const SystemRow& system : systems())
+  {
+    all.push_back(system.verb);
+  }
+  all.emplace_back("replay");
+  return all;
+}
+
+// The files that must be there, by their order.
+void takeFiles(const std::vector<std::string>& files, Options& options)
+{
+  std::vector<std::string*> places;
+  std::vector<std::string> wanted;
+  if (options.isReplay)
+  {
+    places = { &options.session };
+    wanted = { "a session" };
+  }
+  else
+  {
+    for (const SystemInput& input : options.system->inputs)
+    {
+      if (!input.optional)
+      {
+        places.push_back(&options.inputs[input.name]);
+        wanted.push_back("a " + input.word);
+      }
+    }
+  }
+  const std::string verb = options.isReplay ? "replay" : options.system->verb;
+  if (files.size() > places.size())
+  {
+    throw BadUse("'" + files[places.size()] + "' is one file too many");
+  }
+  if (files.size() < places.size())
+  {
+    throw BadUse(verb + " needs " + listOf(wanted, " and "));
+  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    *places[i] = files[i];
+  }
+  if (options.output.empty())
+  {
+    throw BadUse(verb + " needs -o OUT, the mesh to write");
+  }
+  if (!isMeshExtension(extensionOf(options.output)))
+  {
+    throw BadUse("'" + options.output + "' is none of the mesh formats " + meshExtensions);
   }
 }
 
@@ -43,180 +310,76 @@ Options parseArguments(const std::vector<std::string>& arguments)
   Options options;
   if (arguments.empty())
   {
-    throw BadUse("a command is needed: one-stroke or replay");
+    throw BadUse("a command is needed: " + listOf(verbs(), " or "));
   }
-  const std::string& first = arguments[0];
-  if (first == "--help" || first == "-h" || first == "--version")
+  const std::string& verb = arguments[0];
+  if (verb == "--help" || verb == "-h" || verb == "--version")
   {
     if (arguments.size() > 1)
     {
       throw BadUse("'" + arguments[1] + "' is one argument too many");
     }
-    options.action = first == "--version" ? Action::Version : Action::Help;
+    options.action = verb == "--version" ? Action::Version : Action::Help;
     return options;
   }
-  if (first != "one-stroke" && first != "replay")
+  options.isReplay = verb == "replay";
+  options.system = findVerb(verb);
+  if (!options.isReplay && !options.system)
   {
-    throw BadUse("'" + first + "' is no command; there are one-stroke and replay");
-  }
-  const bool replay = first == "replay";
-  options.action = replay ? Action::Replay : Action::OneStroke;
-  std::map<std::string, std::string*> values = { { "-o", &options.output }, { "--output", &options.output } };
-  if (!replay)
-  {
-    values.insert(
-      { { "--picture", &options.picture }, { "--report", &options.report }, { "--inner", &options.inner } });
+    throw BadUse("'" + verb + "' is no command; there are " + listOf(verbs(), " and "));
   }
   std::vector<std::string> files;
-  bool onlyFiles = false;
-  for (std::size_t i = 1; i < arguments.size(); ++i)
+  if (takeOptions(arguments, verb, tableOf(options), files))
   {
-    std::string option = arguments[i];
-    if (onlyFiles || option.size() < 2 || option[0] != '-')
-    {
-      files.push_back(option);
-      continue;
-    }
-    const std::size_t equals = option.rfind("--", 0) == 0 ? option.find('=') : std::string::npos;
-    const auto value = [&]
-    {
-      if (equals != std::string::npos)
-      {
-        return arguments[i].substr(equals + 1);
-      }
-      if (++i == arguments.size())
-      {
-        throw BadUse(option + " needs a value");
-      }
-      return arguments[i];
-    };
-    option = option.substr(0, equals);
-    const bool isSwitch =
-      option == "--help" || (!replay && (option == "--adjust-normals" || option == "--as-published"));
-    if (isSwitch && equals != std::string::npos)
-    {
-      throw BadUse(option + " takes no value");
-    }
-    if (option == "--")
-    {
-      onlyFiles = true;
-    }
-    else if (option == "--help" || option == "-h")
-    {
-      options.action = replay ? Action::ReplayHelp : Action::OneStrokeHelp;
-      return options;
-    }
-    else if (values.count(option) > 0)
-    {
-      std::string& place = *values.at(option);
-      if (!place.empty())
-      {
-        throw BadUse(option + " is given twice");
-      }
-      place = value();
-      if (place.empty())
-      {
-        throw BadUse(option + " needs a value");
-      }
-    }
-    else if (replay)
-    {
-      throw BadUse("'" + option + "' is no option of replay");
-    }
-    else if (option == "--backend")
-    {
-      options.backend = choiceOf(option, value(), { "auto", "opencl", "embree" });
-    }
-    else if (option == "--remesh")
-    {
-      options.remesh = choiceOf(option, value(), { "auto", "on", "off" });
-    }
-    else if (option == "--adjust-normals")
-    {
-      options.adjustNormals = true;
-    }
-    else if (option == "--as-published")
-    {
-      options.asPublished = true;
-    }
-    else
-    {
-      throw BadUse("'" + option + "' is no option of one-stroke");
-    }
+    return options; // help
   }
-  const std::size_t wanted = replay ? 1 : 2;
-  if (files.size() > wanted)
-  {
-    throw BadUse("'" + files[wanted] + "' is one file too many");
-  }
-  if (files.size() < wanted)
-  {
-    throw BadUse(replay ? "replay needs a session" : "one-stroke needs a mesh and a stroke");
-  }
-  (replay ? options.session : options.mesh) = files[0];
-  options.stroke = files.back();
-  if (options.output.empty())
-  {
-    throw BadUse(first + " needs -o OUT, the mesh to write");
-  }
-  if (!isMeshExtension(extensionOf(options.output)))
-  {
-    throw BadUse("'" + options.output + "' is none of the mesh formats " + meshExtensions);
-  }
-  requireExtension("--picture", options.picture, ".png");
-  requireExtension("--report", options.report, ".json");
+  options.action = options.isReplay ? Action::Replay : Action::RunSystem;
+  takeFiles(files, options);
   return options;
 }
 
-std::string helpText()
+std::vector<OptionText> filesOf(const SystemRow& system)
 {
-  return "Oversketch: a stroke and a mesh go in, a mesh comes out.\n"
-         "\n"
-         "  oversketch one-stroke MESH STROKE.vtp -o OUT [options]   deform a mesh by one stroke\n"
-         "  oversketch one-stroke --help                             its options\n"
-         "  oversketch replay SESSION.oversketch -o OUT              make the mesh of a saved session again\n"
-         "  oversketch --version                                     what this program is made of and runs "
-         "on\n"
-         "  oversketch --help                                        this text\n"
-         "\n"
-         "Exit code 0: done; 1: could not, a message says why; 2: the command line makes no sense.\n";
+  std::vector<OptionText> files;
+  for (const SystemInput& input : system.inputs)
+  {
+    if (!input.optional)
+    {
+      files.push_back({ fileName(input), "", fileHelp(input) });
+    }
+  }
+  return files;
 }
 
-std::string oneStrokeHelpText()
+std::vector<OptionText> optionsOf(const SystemRow& system)
 {
-  return "oversketch one-stroke MESH STROKE.vtp -o OUT [options]\n"
-         "\n"
-         "Moves the part of the silhouette that the stroke was drawn beside onto the stroke, and the limb "
-         "with it.\n"
-         "\n"
-         "  MESH                 triangle mesh: .obj .ply .stl .off .vtp .gltf .glb\n"
-         "  STROKE.vtp           one polyline in pixels, with the view that it was drawn in\n"
-         "  -o, --output OUT     the mesh to write, in any of these formats\n"
-         "  --picture PNG        picture of the result from the stroke's view: stroke red, silhouette blue, "
-         "region orange\n"
-         "  --report JSON        times of the stages, counts, distances\n"
-         "  --backend auto|opencl|embree\n"
-         "                       where rays and mixtures are computed; auto takes OpenCL where there is a "
-         "device\n"
-         "  --remesh auto|on|off remesh the region before and after; auto does so where the deformation "
-         "needs it\n"
-         "  --adjust-normals     let details turn with the limb (slower)\n"
-         "  --as-published       without the amendments to the published method\n"
-         "  --inner DIR          write what every stage made as .vtp files into this folder\n";
-}
-
-std::string replayHelpText()
-{
-  return "oversketch replay SESSION -o OUT\n"
-         "\n"
-         "Opens the model of a session and draws its strokes again: bit for bit the mesh that was saved, "
-         "where "
-         "version, back end,\n"
-         "device and processor are those that saved it. Says so where they are not, and where the mesh "
-         "differs.\n"
-         "\n"
-         "  SESSION              .oversketch file, or a folder of the same content\n"
-         "  -o, --output OUT     the mesh to write: .obj .ply .stl .off .vtp .gltf .glb\n";
+  std::vector<OptionText> options = {
+    { "-o, --output", "OUT", std::string("the mesh to write: ") + meshExtensions }
+  };
+  for (const SystemInput& input : system.inputs)
+  {
+    if (input.optional)
+    {
+      options.push_back({ "--" + input.word, fileName(input), fileHelp(input) });
+    }
+  }
+  if (findInput(system, SystemInput::Kind::Stroke))
+  {
+    options.push_back({ "--picture",
+      "PNG",
+      "picture of the result from the stroke's view: stroke red, the place that it took hold of blue, what "
+      "moved orange; needs a display" });
+  }
+  options.push_back({ "--report", "JSON", "times of the stages, counts, distances" });
+  options.push_back({ "--backend",
+    listOf(backendWords(), "|"),
+    "where rays and mixtures are computed; auto takes OpenCL where there is a device" });
+  for (const Parameter& parameter : system.parameters)
+  {
+    options.push_back({ "--" + parameter.word, valueName(parameter), parameter.help });
+  }
+  options.push_back({ "--inner", "DIR", "write what every stage made as .vtp files into this folder" });
+  return options;
 }
 
 } // namespace oversketch_command

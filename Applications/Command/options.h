@@ -1,7 +1,10 @@
-// The command line of `oversketch`.
+// The command line of `oversketch`: its verbs, their options and files, all from the list of systems.
 #ifndef oversketch_command_options_h
 #define oversketch_command_options_h
 
+#include "systems.h"
+
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,29 +20,42 @@ struct BadUse : std::runtime_error
 
 enum class Action
 {
-  Help,
-  OneStrokeHelp,
-  ReplayHelp,
+  Help, // of the command, of a system or of replay
   Version,
-  OneStroke,
+  RunSystem,
   Replay
 };
 
 struct Options
 {
   Action action = Action::Help;
-  std::string mesh, stroke, output, picture, report, inner; // one-stroke
-  std::string session;                                      // replay; its output is above
-  int backend = 0;                                          // vtkOversketchOneStroke::BackendType
-  int remesh = 0;                                           // vtkOversketchOneStroke::RemeshType
-  bool adjustNormals = false;
-  bool asPublished = false;
+  const oversketch_session::SystemRow* system = nullptr; // null for replay and what is of none
+  bool isReplay = false;
+  std::map<std::string, std::string> inputs; // files, by the names of the system's inputs
+  oversketch_session::Values values;
+  std::string session; // replay
+  std::string output, picture, report, inner;
+  int backend = 0; // vtkOversketchSystem::BackendType
 };
 
 // Throws BadUse, naming the argument.
 Options parseArguments(const std::vector<std::string>& arguments);
+
+// An option as help and man page show it.
+struct OptionText
+{
+  std::string names; // "-o, --output"
+  std::string value; // "OUT", empty for a switch
+  std::string help;  // ends without a stop
+};
+// What a system's verb takes, in the order of its help: files that must be there, then options.
+std::vector<OptionText> filesOf(const oversketch_session::SystemRow& system);
+std::vector<OptionText> optionsOf(const oversketch_session::SystemRow& system);
+
+// "oversketch one-stroke MESH STROKE.vtp -o OUT [options]"
+std::string usageOf(const oversketch_session::SystemRow& system);
 std::string helpText();
-std::string oneStrokeHelpText();
+std::string helpText(const oversketch_session::SystemRow& system);
 std::string replayHelpText();
 
 } // namespace oversketch_command

@@ -3,12 +3,13 @@
 #include "files.h"
 
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchOneStroke.h"
+#include "vtkOversketchSystem.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCleanPolyData.h"
 #include "vtkCullerCollection.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
@@ -32,8 +33,9 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
+#include <set>
 
 namespace oversketch_command
 {
@@ -51,37 +53,57 @@ constexpr double blue[3] = { 0.13, 0.33, 0.80 };
 constexpr double orange[3] = { 1.00, 0.66, 0.26 };
 constexpr double clay[3] = { 0.86, 0.86, 0.87 };
 
-// The mesh in camera space, so that the lights stand still in the picture whatever the view; coloured by
-// region.
-vtkSmartPointer<vtkPolyData> modelOf(vtkPolyData* mesh, const View& view)
+using Place = std::array<float, 3>;
+
+Place placeOf(vtkPolyData* data, vtkIdType point)
 {
-  auto model = vtkSmartPointer<vtkPolyData>::New();
+  double p[3];
+  data->GetPoint(point, p);
+  return { static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]) };
+}
+
+// The mesh in camera space, so that the lights stand still in the picture whatever the view, without the
+// seams of its texture; coloured by whether a point is one of the region's.
+vtkSmartPointer<vtkPolyData> modelOf(vtkPolyData* mesh, vtkPolyData* region, const View& view)
+{
+  std::set<Place> moved;
+  for (vtkIdType i = 0; i < region->GetNumberOfPoints(); ++i)
+  {
+    moved.insert(placeOf(region, i));
+  }
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(mesh->GetPoints());
+  bare->SetPolys(mesh->GetPolys());
+  vtkNew<vtkCleanPolyData> weld;
+  weld->SetInputData(bare);
+  weld->SetTolerance(0.0);
+  weld->Update();
+  vtkPolyData* whole = weld->GetOutput();
+  vtkNew<vtkPolyData> model;
   vtkNew<vtkPoints> points;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetName("Colour");
   colours->SetNumberOfComponents(3);
-  vtkDataArray* region = mesh->GetPointData()->GetArray("Region");
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < whole->GetNumberOfPoints(); ++i)
   {
     oversketch::Vector3 world;
-    mesh->GetPoint(i, world.data());
+    whole->GetPoint(i, world.data());
     points->InsertNextPoint((view.viewTransform() * world.homogeneous()).head<3>().eval().data());
-    const double* colour = region && region->GetComponent(i, 0) != 0.0 ? orange : clay;
+    const double* colour = moved.count(placeOf(whole, i)) > 0 ? orange : clay;
     for (int c = 0; c < 3; ++c)
     {
       colours->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * colour[c])));
     }
   }
   model->SetPoints(points);
-  model->SetPolys(mesh->GetPolys());
+  model->SetPolys(whole->GetPolys());
   model->GetPointData()->SetScalars(colours);
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(model);
   normals->SplittingOff();
   normals->ConsistencyOff();
   normals->Update();
-  model->ShallowCopy(normals->GetOutput());
-  return model;
+  return normals->GetOutput();
 }
 
 // The stroke's camera over geometry given in camera space. Near and far of the stroke's own matrix mean
@@ -111,7 +133,7 @@ void aim(vtkCamera* camera, const View& view, const double bounds[6])
   camera->UseExplicitProjectionTransformMatrixOn();
 }
 
-void light(vtkRenderer* renderer,
+void addLamp(vtkRenderer* renderer,
   double x,
   double y,
   double z,
@@ -193,6 +215,65 @@ std::vector<std::vector<Vector2>> linesOf(vtkPolyData* data, const View* view)
   return lines;
 }
 
+// The model under the lamps of the gallery.
+void light(vtkRenderer* scene, vtkPolyData* model, const View& view)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(model);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToPhong();
+  property->SetAmbient(0.24);
+  property->SetDiffuse(0.80);
+  property->SetSpecular(0.10);
+  property->SetSpecularPower(25.0);
+  // Surfaces that turn away darken a little, which draws the contour as ink would.
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl",
+    true,
+    "//VTK::Light::Impl\n"
+    "  gl_FragData[0].rgb *= mix(0.50, 1.0, smoothstep(0.0, 0.40, abs(normalVCVSOutput.z)));\n",
+    false);
+
+  scene->GetCullers()->RemoveAllItems(); // they know nothing of an explicit projection
+  scene->SetBackground(0.93, 0.93, 0.92);
+  scene->SetBackground2(1.0, 1.0, 1.0);
+  scene->GradientBackgroundOn();
+  scene->AutomaticLightCreationOff();
+  scene->AddActor(actor);
+  addLamp(scene, -0.45, 0.80, 0.75, 1.0, 0.98, 0.94, 0.80);
+  addLamp(scene, 0.90, 0.10, 0.55, 0.90, 0.94, 1.0, 0.28);
+  addLamp(scene, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.24);
+  aim(scene->GetActiveCamera(), view, model->GetBounds());
+}
+
+// The lines in pixel coordinates over everything: what was taken hold of, and the stroke.
+void draw(vtkRenderer* ink, vtkPolyData* hold, vtkPolyData* stroke, const View& view)
+{
+  const double white[3] = { 1.0, 1.0, 1.0 };
+  const double thickness = std::clamp(view.height() / 170.0, 2.0, 8.0);
+  double z = 0.0;
+  const auto add = [&](const std::vector<std::vector<Vector2>>& lines, const double colour[3])
+  {
+    for (const auto& [extra, paint] : { std::pair(0.5 * thickness, white), std::pair(0.0, colour) })
+    {
+      z += 1.0;
+      for (const auto& line : lines)
+      {
+        ink->AddActor(ribbonOf(line, thickness + extra, paint, z));
+      }
+    }
+  };
+  add(linesOf(hold, &view), blue);
+  add(linesOf(stroke, nullptr), red);
+  vtkCamera* page = ink->GetActiveCamera();
+  page->ParallelProjectionOn();
+  page->SetPosition(0.5 * view.width(), 0.5 * view.height(), 100.0);
+  page->SetFocalPoint(0.5 * view.width(), 0.5 * view.height(), 0.0);
+  page->SetParallelScale(0.5 * view.height());
+  page->SetClippingRange(1.0, 200.0);
+}
+
 } // namespace
 
 void requireDisplay()
@@ -217,71 +298,17 @@ void requireDisplay()
   }
 }
 
-void writePicture(vtkOversketchOneStroke* system, vtkPolyData* stroke, const std::string& path)
+void writePicture(vtkOversketchSystem* system, vtkPolyData* stroke, const std::string& path)
 {
   const View view = oversketch::ViewOf(stroke);
   const int width = view.width(), height = view.height();
-  vtkPolyData* mesh = system->GetInnerOutput(system->GetRemeshed() ? "Restore" : "Deform");
-  const vtkSmartPointer<vtkPolyData> model = modelOf(mesh, view);
-
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(model);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkProperty* property = actor->GetProperty();
-  property->SetInterpolationToPhong();
-  property->SetAmbient(0.24);
-  property->SetDiffuse(0.80);
-  property->SetSpecular(0.10);
-  property->SetSpecularPower(25.0);
-  // Surfaces that turn away darken a little, which draws the contour as ink would.
-  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl",
-    true,
-    "//VTK::Light::Impl\n"
-    "  gl_FragData[0].rgb *= mix(0.50, 1.0, smoothstep(0.0, 0.40, abs(normalVCVSOutput.z)));\n",
-    false);
-
-  vtkNew<vtkRenderer> scene;
-  scene->GetCullers()->RemoveAllItems(); // they know nothing of an explicit projection
-  scene->SetBackground(0.93, 0.93, 0.92);
-  scene->SetBackground2(1.0, 1.0, 1.0);
-  scene->GradientBackgroundOn();
-  scene->AutomaticLightCreationOff();
-  scene->AddActor(actor);
-  light(scene, -0.45, 0.80, 0.75, 1.0, 0.98, 0.94, 0.80);
-  light(scene, 0.90, 0.10, 0.55, 0.90, 0.94, 1.0, 0.28);
-  light(scene, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.24);
-  aim(scene->GetActiveCamera(), view, model->GetBounds());
-
-  // The lines lie in pixel coordinates over everything.
-  vtkNew<vtkRenderer> ink;
+  vtkNew<vtkPolyData> region, hold;
+  system->GetRegion(region);
+  system->GetHold(hold);
+  vtkNew<vtkRenderer> scene, ink;
+  light(scene, modelOf(system->GetOutput(), region, view), view);
   ink->SetLayer(1);
-  const double white[3] = { 1.0, 1.0, 1.0 };
-  const double thickness = std::clamp(height / 170.0, 2.0, 8.0);
-  vtkPolyData* match = system->GetInnerOutput("Match");
-  double z = 0.0;
-  const auto draw = [&](const std::vector<std::vector<Vector2>>& lines, const double colour[3])
-  {
-    for (const auto& [extra, paint] : { std::pair(0.5 * thickness, white), std::pair(0.0, colour) })
-    {
-      z += 1.0;
-      for (const auto& line : lines)
-      {
-        ink->AddActor(ribbonOf(line, thickness + extra, paint, z));
-      }
-    }
-  };
-  if (match)
-  {
-    draw(linesOf(match, &view), blue);
-  }
-  draw(linesOf(stroke, nullptr), red);
-  vtkCamera* page = ink->GetActiveCamera();
-  page->ParallelProjectionOn();
-  page->SetPosition(0.5 * width, 0.5 * height, 100.0);
-  page->SetFocalPoint(0.5 * width, 0.5 * height, 0.0);
-  page->SetParallelScale(0.5 * height);
-  page->SetClippingRange(1.0, 200.0);
+  draw(ink, hold, stroke, view);
 
   // Larger and averaged: smooth edges without depending on the driver's multisampling.
   const int factor = std::clamp(4096 / std::max(width, height), 1, 3);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-class vtkOversketchOneStroke;
+class vtkOversketchSystem;
 class vtkPolyData;
 
 namespace oversketch_command
@@ -13,10 +13,9 @@ namespace oversketch_command
 // Throws Failed where there is no display to render with (VTK would end the program).
 void requireDisplay();
 
-// The result as the stroke's view shows it, in the stroke's viewport size: the region orange, the rest light
-// grey, the section of the silhouette that was matched blue, the stroke red (the colours of the paper's
-// figures).
-void writePicture(vtkOversketchOneStroke* system, vtkPolyData* stroke, const std::string& path);
+// The result as the stroke's view shows it, in the stroke's viewport size: the part that moved orange, the
+// rest light grey, what the stroke took hold of blue, the stroke red (the colours of the papers' figures).
+void writePicture(vtkOversketchSystem* system, vtkPolyData* stroke, const std::string& path);
 
 } // namespace oversketch_command
 #endif

@@ -1,22 +1,21 @@
 #include "report.h"
 
-#include "vtkOversketchLaplacianDeform.h"
-#include "vtkOversketchOneStroke.h"
+#include "node_json.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
+#include "vtkOversketchSystem.h"
+
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkTriangle.h"
 #include "vtk_jsoncpp.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace oversketch_command
 {
+
+using namespace oversketch_session;
 
 namespace
 {
@@ -27,77 +26,39 @@ Json::Value number(double value)
   return std::isfinite(value) ? Json::Value(value) : Json::Value();
 }
 
-double fieldOf(vtkPolyData* data, const char* name)
-{
-  vtkDataArray* array = data ? data->GetFieldData()->GetArray(name) : nullptr;
-  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : std::nan("");
-}
-
-vtkIdType pointsOf(vtkPolyData* data)
-{
-  return data ? data->GetNumberOfPoints() : 0;
-}
-
-Json::Value count(vtkIdType value)
-{
-  return Json::Value(static_cast<Json::Int64>(value));
-}
-
 Json::Value countsOf(vtkPolyData* mesh)
 {
   Json::Value json;
-  json["points"] = count(mesh->GetNumberOfPoints());
-  json["triangles"] = count(mesh->GetNumberOfPolys());
+  json["points"] = static_cast<Json::Int64>(mesh->GetNumberOfPoints());
+  json["triangles"] = static_cast<Json::Int64>(mesh->GetNumberOfPolys());
   return json;
 }
 
-// Vertices of the region and the share of the area of triangles wholly in it.
-Json::Value regionOf(vtkPolyData* mesh)
+// The field arrays of one value.
+void addFigures(vtkPolyData* data, const std::string& name, Json::Value& json)
 {
-  vtkDataArray* region = mesh ? mesh->GetPointData()->GetArray("Region") : nullptr;
-  Json::Value json;
-  if (!region)
+  vtkFieldData* fields = data ? data->GetFieldData() : nullptr;
+  for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
   {
-    return json;
-  }
-  vtkIdType vertices = 0;
-  for (vtkIdType i = 0; i < region->GetNumberOfTuples(); ++i)
-  {
-    vertices += region->GetComponent(i, 0) != 0.0;
-  }
-  double inside = 0.0, all = 0.0;
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    double p[3][3];
-    bool in = true;
-    for (int k = 0; k < 3; ++k)
+    vtkDataArray* array = fields->GetArray(i); // null for texts
+    if (array && array->GetName() && array->GetNumberOfValues() == 1)
     {
-      mesh->GetPoint(ids[k], p[k]);
-      in = in && region->GetComponent(ids[k], 0) != 0.0;
+      json[name][array->GetName()] = number(array->GetComponent(0, 0));
     }
-    const double area = vtkTriangle::TriangleArea(p[0], p[1], p[2]);
-    all += area;
-    inside += in ? area : 0.0;
   }
-  json["vertices"] = count(vertices);
-  json["of_vertices"] = count(region->GetNumberOfTuples());
-  json["area_share"] = number(inside / all);
-  return json;
 }
 
-Json::Value deformationOf(vtkOversketchLaplacianDeform* step)
+Json::Value optionsOf(const Options& options)
 {
+  Step step;
+  step.values = options.values;
   Json::Value json;
-  if (step)
+  json["backend"] = backendWords()[static_cast<std::size_t>(options.backend)];
+  for (const Parameter& parameter : options.system->parameters)
   {
-    json["movable_vertices"] = count(step->GetMovableCount());
-    json["active_handles"] = count(step->GetActiveHandleCount());
-    json["mean_handle_residual"] = number(step->GetMeanHandleResidual());
-    json["maximum_handle_residual"] = number(step->GetMaximumHandleResidual());
+    std::string name = parameter.word;
+    std::replace(name.begin(), name.end(), '-', '_');
+    json[name] = jsonOf(parameter, valueOf(step, parameter));
   }
   return json;
 }
@@ -105,52 +66,44 @@ Json::Value deformationOf(vtkOversketchLaplacianDeform* step)
 } // namespace
 
 std::string Report::json(const Options& options,
-  vtkOversketchOneStroke* system,
+  vtkOversketchSystem* system,
   vtkPolyData* mesh,
   vtkPolyData* result) const
 {
-  const char* const backends[] = { "auto", "opencl", "embree" };
-  const char* const remeshes[] = { "auto", "on", "off" };
-  Json::Value stages;
-  for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
-  {
-    const char* name = system->GetInnerOutputName(i);
-    stages[name] = number(1e3 * system->GetStageTime(name));
-  }
-  // Deform stands for all deformations among the inner outputs; each took its own time.
-  for (const char* name :
-    { "DeformCorrected", "DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected" })
-  {
-    stages[name] = number(1e3 * system->GetStageTime(name));
-  }
-  vtkPolyData* match = system->GetInnerOutput("Match");
-  vtkPolyData* targets = system->GetInnerOutput("Targets");
-  auto* deform = vtkOversketchLaplacianDeform::SafeDownCast(system->GetStep(system->GetDeformationName()));
   Json::Value json;
   json["oversketch"] = OVERSKETCH_VERSION;
-  json["mesh"] = options.mesh;
-  json["stroke"] = options.stroke;
+  json["command"] = options.system->verb;
+  for (const SystemInput& input : options.system->inputs)
+  {
+    if (!options.inputs.at(input.name).empty())
+    {
+      json[input.word] = options.inputs.at(input.name);
+    }
+  }
   json["output"] = options.output;
-  json["options"]["backend"] = backends[options.backend];
-  json["options"]["remesh"] = remeshes[options.remesh];
-  json["options"]["adjust_normals"] = options.adjustNormals;
-  json["options"]["as_published"] = options.asPublished;
-  json["backend_used"] = system->GetBackendUsed() == vtkOversketchOneStroke::OpenCL ? "opencl" : "embree";
-  json["remeshed"] = system->GetRemeshed();
+  json["options"] = optionsOf(options);
+  json["backend_used"] = backendWords()[static_cast<std::size_t>(system->GetBackendUsed())];
   json["milliseconds"]["read"] = number(this->readMilliseconds);
   json["milliseconds"]["run"] = number(this->runMilliseconds);
   json["milliseconds"]["write"] = number(this->writeMilliseconds);
-  json["stage_milliseconds"] = stages;
-  json["before"] = countsOf(mesh);
+  for (int i = 0; i < system->GetNumberOfStages(); ++i)
+  {
+    const char* name = system->GetStage(i);
+    json["stage_milliseconds"][name] = number(1e3 * system->GetStageTime(name));
+  }
+  if (mesh)
+  {
+    json["before"] = countsOf(mesh);
+  }
   json["after"] = countsOf(result);
-  json["match"]["distance_px"] = number(fieldOf(match, "Distance"));
-  json["match"]["score_px"] = number(fieldOf(match, "Score"));
-  json["match"]["points"] = count(pointsOf(match));
-  json["targets"]["handles"] = count(pointsOf(targets));
-  json["targets"]["section_length"] = number(fieldOf(targets, "SectionLength"));
-  json["targets"]["target_length"] = number(fieldOf(targets, "TargetLength"));
-  json["region"] = regionOf(system->GetInnerOutput("RegionBorder"));
-  json["deformation"] = deformationOf(deform);
+  json["fields"] = Json::objectValue;
+  for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
+  {
+    const char* name = system->GetInnerOutputName(i);
+    addFigures(system->GetInnerOutput(name), name, json["fields"]);
+  }
+  addFigures(result, "Output", json["fields"]);
+  oversketch_command::addFigures(system, json);
   Json::StreamWriterBuilder writer;
   writer["indentation"] = "  ";
   writer["precision"] = 9;

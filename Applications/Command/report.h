@@ -4,8 +4,13 @@
 
 #include "options.h"
 
-class vtkOversketchOneStroke;
+class vtkOversketchSystem;
 class vtkPolyData;
+
+namespace Json
+{
+class Value;
+}
 
 namespace oversketch_command
 {
@@ -14,14 +19,17 @@ struct Report
 {
   double readMilliseconds = 0.0, runMilliseconds = 0.0, writeMilliseconds = 0.0;
 
-  // JSON: files and options; times [ms]; counts before and after; the matched section with its distance and
-  // score [px] and lengths [model length]; the region's size; the handles' residuals [model length]; what ran
-  // where.
+  // JSON: files and options; times [ms]; counts before (where there was a mesh) and after; each field array
+  // of one value that a stage or the system put out; what ran where; and what addFigures adds.
   std::string json(const Options& options,
-    vtkOversketchOneStroke* system,
+    vtkOversketchSystem* system,
     vtkPolyData* mesh,
     vtkPolyData* result) const;
 };
+
+// Of one stroke: the matched section with its distance and score [px] and lengths [model length]; the
+// region's size; the handles' residuals [model length]; whether it was remeshed. Nothing of other systems.
+void addFigures(vtkOversketchSystem* system, Json::Value& json);
 
 } // namespace oversketch_command
 #endif

@@ -45,6 +45,8 @@ def test_help_and_version():
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--report", "r.txt"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--adjust-normals=yes"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--fast"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--remesh"], ["one-stroke", "a.obj", "s.vtp", "-o", ""],
+    ["one-stroke", "--help=all"], ["one-stroke", "a.obj", "--", "-o", "o.obj"],
 ])
 def test_bad_use(arguments):
     assert "--help" in refuse(2, *arguments)
@@ -61,6 +63,12 @@ def test_report_and_inner_stages(folder, tmp_path):
     stages = report["stage_milliseconds"]
     assert stages["ShapeDiameter"] > 0 and sum(stages.values()) <= report["milliseconds"]["run"]
     assert report["match"]["distance_px"] > 1
+    # The same of any system: the field arrays of one value.
+    assert report["fields"]["Match"]["Distance"] == report["match"]["distance_px"]
+    assert report["fields"]["Targets"]["SectionLength"] == report["targets"]["section_length"]
+    assert report["command"] == "one-stroke" and report["mesh"].endswith("body.vtp") and report["stroke"].endswith("longer.vtp")
+    assert report["options"] == {"backend": "embree", "remesh": "off", "adjust_normals": False, "as_published": False}
+    assert "DeformRemeshedCorrected" in stages
     inner = {path.stem: read(path) for path in (tmp_path / "inner" / "stages").iterdir()}
     for name in ("Stroke", "Silhouette", "Snake", "Visibility", "Outline", "Match", "Targets", "ShapeDiameter",
                  "MixtureRegion", "RegionBorder", "Deform"):
@@ -166,6 +174,36 @@ def test_progress_on_a_terminal_and_interrupt(tmp_path):
     # The line starts over each time and names the step.
     assert re.search(rb"\r *\d+ %  [A-Z][A-Za-z]+", seen) and b"interrupted" in seen
     assert os.listdir(tmp_path) == []
+
+
+def test_is_a_session_of_one_step(folder, tmp_path):
+    """The same bits from the verb and from a session that tells the step, in either version of the format."""
+    import zipfile
+    done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "verb.vtp", *QUICK, "--adjust-normals")
+    assert done.returncode == 0, done.stderr
+    text = {"format": "oversketch-session", "format_version": 2, "mesh": "a.vtp", "mesh_name": "body.vtp", "backend": "embree",
+            "steps": [{"id": 5, "name": "longer", "on": True, "system": "OneStroke",
+                       "values": {"Remesh": "off", "AdjustNormals": True}, "inputs": {"Stroke": {"lines": "b.vtp"}}}],
+            "made_by": dict.fromkeys(("version", "backend", "device", "processor"), ""), "result_md5": ""}
+    with zipfile.ZipFile(tmp_path / "step.oversketch", "w") as file:
+        file.writestr("session.json", json.dumps(text))
+        file.write(folder / "body.vtp", "a.vtp")
+        file.write(folder / "longer.vtp", "b.vtp")
+    done = run("replay", tmp_path / "step.oversketch", "-o", tmp_path / "session.vtp")
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    assert (tmp_path / "verb.vtp").read_bytes() == (tmp_path / "session.vtp").read_bytes()
+
+
+def test_the_manual_page_names_every_option():
+    page = pathlib.Path(COMMAND).parents[1] / "Applications" / "Packaging" / "oversketch.1"
+    if not page.exists():
+        pytest.skip(f"{page} is not built")
+    text = page.read_text()
+    assert ".\\\"" not in text and "@" not in text
+    text = text.replace("\\-", "-")
+    for arguments in (["--help"], ["one-stroke", "--help"], ["replay", "--help"]):
+        options = set(re.findall(r"(?<![\w-])--?[a-z][a-z-]*", run(*arguments).stdout))
+        assert options and all(option in text for option in options), arguments
 
 
 def test_every_shipped_stroke_works(tmp_path):

@@ -1,0 +1,126 @@
+#include "report.h"
+
+#ifdef OVERSKETCH_WITH_ONESTROKE
+#include "vtkOversketchLaplacianDeform.h"
+#include "vtkOversketchOneStroke.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangle.h"
+#endif
+#include "vtk_jsoncpp.h"
+
+#include <cmath>
+
+namespace oversketch_command
+{
+
+#ifdef OVERSKETCH_WITH_ONESTROKE
+namespace
+{
+
+// A figure that could not be had is null.
+Json::Value number(double value)
+{
+  return std::isfinite(value) ? Json::Value(value) : Json::Value();
+}
+
+double fieldOf(vtkPolyData* data, const char* name)
+{
+  vtkDataArray* array = data ? data->GetFieldData()->GetArray(name) : nullptr;
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : std::nan("");
+}
+
+vtkIdType pointsOf(vtkPolyData* data)
+{
+  return data ? data->GetNumberOfPoints() : 0;
+}
+
+Json::Value count(vtkIdType value)
+{
+  return Json::Value(static_cast<Json::Int64>(value));
+}
+
+// Vertices of the region and the share of the area of triangles wholly in it.
+Json::Value regionOf(vtkPolyData* mesh)
+{
+  vtkDataArray* region = mesh ? mesh->GetPointData()->GetArray("Region") : nullptr;
+  Json::Value json;
+  if (!region)
+  {
+    return json;
+  }
+  vtkIdType vertices = 0;
+  for (vtkIdType i = 0; i < region->GetNumberOfTuples(); ++i)
+  {
+    vertices += region->GetComponent(i, 0) != 0.0;
+  }
+  double inside = 0.0, all = 0.0;
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    double p[3][3];
+    bool in = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh->GetPoint(ids[k], p[k]);
+      in = in && region->GetComponent(ids[k], 0) != 0.0;
+    }
+    const double area = vtkTriangle::TriangleArea(p[0], p[1], p[2]);
+    all += area;
+    inside += in ? area : 0.0;
+  }
+  json["vertices"] = count(vertices);
+  json["of_vertices"] = count(region->GetNumberOfTuples());
+  json["area_share"] = number(inside / all);
+  return json;
+}
+
+Json::Value deformationOf(vtkOversketchLaplacianDeform* step)
+{
+  Json::Value json;
+  if (step)
+  {
+    json["movable_vertices"] = count(step->GetMovableCount());
+    json["active_handles"] = count(step->GetActiveHandleCount());
+    json["mean_handle_residual"] = number(step->GetMeanHandleResidual());
+    json["maximum_handle_residual"] = number(step->GetMaximumHandleResidual());
+  }
+  return json;
+}
+
+} // namespace
+
+void addFigures(vtkOversketchSystem* system, Json::Value& json)
+{
+  auto* stroke = vtkOversketchOneStroke::SafeDownCast(system);
+  if (!stroke)
+  {
+    return;
+  }
+  vtkPolyData* match = stroke->GetInnerOutput("Match");
+  vtkPolyData* targets = stroke->GetInnerOutput("Targets");
+  json["remeshed"] = stroke->GetRemeshed();
+  json["match"]["distance_px"] = number(fieldOf(match, "Distance"));
+  json["match"]["score_px"] = number(fieldOf(match, "Score"));
+  json["match"]["points"] = count(pointsOf(match));
+  json["targets"]["handles"] = count(pointsOf(targets));
+  json["targets"]["section_length"] = number(fieldOf(targets, "SectionLength"));
+  json["targets"]["target_length"] = number(fieldOf(targets, "TargetLength"));
+  json["region"] = regionOf(stroke->GetInnerOutput("RegionBorder"));
+  json["deformation"] =
+    deformationOf(vtkOversketchLaplacianDeform::SafeDownCast(stroke->GetStep(stroke->GetDeformationName())));
+}
+#else
+void addFigures(vtkOversketchSystem*, Json::Value&) {}
+#endif
+
+} // namespace oversketch_command

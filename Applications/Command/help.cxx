@@ -1,0 +1,117 @@
+#include "options.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace oversketch_command
+{
+
+using namespace oversketch_session;
+
+namespace
+{
+
+constexpr std::size_t column = 23;   // where helps begin
+constexpr std::size_t longest = 110; // of a line
+
+// Lines of at most `longest`, all but the first indented; `at` characters of the first are there already.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t at)
+{
+  std::istringstream words(text);
+  std::string lines;
+  for (std::string word; words >> word;)
+  {
+    const bool isFirst = lines.empty();
+    if (!isFirst && at + 1 + word.size() > longest)
+    {
+      lines += "\n" + std::string(indent, ' ');
+      at = indent;
+    }
+    else if (!isFirst)
+    {
+      lines += ' ';
+      ++at;
+    }
+    lines += word;
+    at += word.size();
+  }
+  return lines;
+}
+
+std::string lineOf(const OptionText& option)
+{
+  const std::string name = "  " + option.names + (option.value.empty() ? "" : " " + option.value);
+  const std::string gap =
+    name.size() + 1 < column ? std::string(column - name.size(), ' ') : "\n" + std::string(column, ' ');
+  return name + gap + wrapped(option.help, column, column) + "\n";
+}
+
+std::string examples(const std::vector<std::pair<std::string, std::string>>& lines)
+{
+  std::size_t most = 0;
+  for (const auto& line : lines)
+  {
+    most = std::max(most, line.first.size());
+  }
+  std::string text;
+  for (const auto& [usage, what] : lines)
+  {
+    text += "  " + usage + std::string(most - usage.size() + 3, ' ') + what + "\n";
+  }
+  return text;
+}
+
+} // namespace
+
+std::string usageOf(const SystemRow& system)
+{
+  std::string usage = "oversketch " + system.verb;
+  for (const OptionText& file : filesOf(system))
+  {
+    usage += " " + file.names;
+  }
+  return usage + " -o OUT [options]";
+}
+
+std::string helpText()
+{
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const SystemRow& system : systems())
+  {
+    lines.emplace_back(usageOf(system), system.brief);
+    lines.emplace_back("oversketch " + system.verb + " --help", "its options");
+  }
+  lines.emplace_back("oversketch replay SESSION.oversketch -o OUT", "make the mesh of a saved session again");
+  lines.emplace_back("oversketch --version", "what this program is made of and runs on");
+  lines.emplace_back("oversketch --help", "this text");
+  return "Oversketch: a stroke and a mesh go in, a mesh comes out.\n\n" + examples(lines) +
+         "\nExit code 0: done; 1: could not, a message says why; 2: the command line makes no sense.\n";
+}
+
+std::string helpText(const SystemRow& system)
+{
+  std::string text = usageOf(system) + "\n\n" + wrapped(system.help, 0, 0) + "\n\n";
+  for (const OptionText& file : filesOf(system))
+  {
+    text += lineOf(file);
+  }
+  for (const OptionText& option : optionsOf(system))
+  {
+    text += lineOf(option);
+  }
+  return text;
+}
+
+std::string replayHelpText()
+{
+  return "oversketch replay SESSION -o OUT\n"
+         "\n"
+         "Takes the steps of a session again: bit for bit the mesh that was saved, where version, back end,\n"
+         "device and processor are those that saved it. Says so where they are not, and where the mesh "
+         "differs.\n"
+         "\n"
+         "  SESSION              .oversketch file, or a folder of the same content\n"
+         "  -o, --output OUT     the mesh to write: .obj .ply .stl .off .vtp .gltf .glb\n";
+}
+
+} // namespace oversketch_command
