@@ -19,7 +19,7 @@ from sheet import GREEN, MAGENTA, PURPLE, Sheet, View, by_value, clay, curve, lo
 mesh, stroke = load("dog_longer_leg")
 diameter = vtkOversketchShapeDiameter()
 diameter.SetInputConnection(mesh.GetOutputPort())
-diameter.SetBackendToEmbree()
+diameter.SetBackendToHost()
 diameter.Update()
 
 model, view = mesh.GetOutput(), View(stroke.GetOutput())

@@ -182,6 +182,12 @@ struct vtkOversketchMixtureRegion::Cache
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // empty: none kept
 
   MixtureFit Fit(vtkOversketchMixtureRegion* self, const std::vector<double>& samples, int components);
+  // Makes Whole of the diameters.
+  void FitWhole(vtkOversketchMixtureRegion* self, vtkDataArray* diameters);
+  // ln p_fg - ln p_whole per vertex, of the foreground that the seeds stand for.
+  std::vector<double> RatiosOf(vtkOversketchMixtureRegion* self, const std::vector<int>& seeds);
+  // Makes Arrays of the section.
+  void Grow(vtkOversketchMixtureRegion* self, const Section& section, double sectionLength, double endLength);
 };
 
 // On the device where the back end asks for it; should it be missing or fail, on the host, with a warning.
@@ -192,12 +198,12 @@ MixtureFit vtkOversketchMixtureRegion::Cache::Fit(vtkOversketchMixtureRegion* se
   MixtureOptions options;
   options.components = components;
   std::string warning;
-  if (const auto device = Device::choose(static_cast<oversketch::Backend>(self->Backend), warning))
+  if (const auto device = Device::choose(self->KernelBackend(), warning))
   {
     try
     {
       MixtureFit fit = fitMixtureOnDevice(*device, samples, options);
-      self->BackendUsed = BACKEND_OPENCL;
+      self->UsedBackend(Backend::OpenCL);
       return fit;
     }
     catch (const Error& error)
@@ -209,8 +215,88 @@ MixtureFit vtkOversketchMixtureRegion::Cache::Fit(vtkOversketchMixtureRegion* se
   {
     vtkWarningWithObjectMacro(self, << warning);
   }
-  self->BackendUsed = BACKEND_HOST;
+  self->UsedBackend(Backend::Host);
   return fitMixture(samples, options, ContextOf(self, 0.0, 0.4));
+}
+
+void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* self, vtkDataArray* diameters)
+{
+  this->Diameters = DiametersOf(diameters);
+  const auto [low, high] = std::minmax_element(this->Diameters.begin(), this->Diameters.end());
+  const double from = *low, range = *high - *low;
+  this->Scaled.resize(this->Diameters.size());
+  std::transform(this->Diameters.begin(),
+    this->Diameters.end(),
+    this->Scaled.begin(),
+    [&](double d) { return range > 0.0 ? (d - from) / range : 0.0; });
+  const int count = this->Data->Surface.vertexCount();
+  const std::vector<double> samples =
+    Pick(this->Scaled, drawWithoutReplacement(count, self->MaximumSamples, self->Seed));
+  ++self->WholeFitCount;
+  self->WholeSampleCount = static_cast<vtkIdType>(samples.size());
+  this->Whole = this->Fit(self, samples, self->Components).mixture;
+}
+
+std::vector<double> vtkOversketchMixtureRegion::Cache::RatiosOf(vtkOversketchMixtureRegion* self,
+  const std::vector<int>& seeds)
+{
+  const MeshData& mesh = *this->Data;
+  const std::vector<int> around = expandSeeds(mesh.Surface,
+    mesh.Neighbours,
+    seeds,
+    3 * static_cast<std::size_t>(self->Components),
+    self->SeedTolerance * 0.5 * boundingDiagonal(mesh.Surface));
+  const std::vector<double> known = Pick(this->Scaled, around);
+  const std::vector<double> samples =
+    Pick(known, drawWithoutReplacement(static_cast<int>(known.size()), self->MaximumSamples, self->Seed));
+  const Mixture foreground =
+    this->Fit(self, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, self->Components)).mixture;
+  std::vector<double> ratios(this->Scaled.size());
+  ContextOf(self).parallelFor(mesh.Surface.vertexCount(),
+    [&](int begin, int end)
+    {
+      for (int v = begin; v < end; ++v)
+      {
+        ratios[v] = logDensity(foreground, this->Scaled[v]) - logDensity(this->Whole, this->Scaled[v]);
+      }
+    });
+  return ratios;
+}
+
+void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
+  const Section& section,
+  double sectionLength,
+  double endLength)
+{
+  const MeshData& mesh = *this->Data;
+  RegionEvidence evidence{ section.seeds, {}, this->Diameters, sectionLength, section.ends, endLength };
+  if (!section.seeds.empty())
+  {
+    evidence.ratio = this->RatiosOf(self, section.seeds);
+  }
+  const RegionOptions options{
+    self->Lambda, self->FillIslands, self->LimitRunaway, self->CutAtJunction, self->ReachEnds
+  };
+  if (this->PartsData != this->Data)
+  {
+    this->Parts = findParts(mesh.Surface, mesh.Neighbours);
+    this->PartsData = this->Data;
+  }
+  const std::vector<char> region = detectRegion(
+    mesh.Surface, mesh.Neighbours, mesh.Normals, this->Parts, evidence, options, ContextOf(self, 0.4, 1.0));
+  std::vector<char> isSeed(region.size(), 0);
+  for (int seed : section.seeds)
+  {
+    isSeed[seed] = 1;
+  }
+  std::vector<double> probability(region.size());
+  std::transform(evidence.ratio.begin(),
+    evidence.ratio.end(),
+    probability.begin(),
+    [](double ratio) { return 1.0 / (1.0 + std::exp(-ratio)); });
+  this->Arrays = { ArrayOf<vtkUnsignedCharArray>("Region", region),
+    ArrayOf<vtkUnsignedCharArray>("RegionSeed", isSeed),
+    ArrayOf<vtkDoubleArray>("RegionProbability", probability) };
 }
 
 vtkStandardNewMacro(vtkOversketchMixtureRegion);
@@ -244,7 +330,6 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
       }
       Cache& cache = *this->Internals;
       cache.Data = SharedMesh(input);
-      const MeshData& mesh = *cache.Data;
       vtkDataArray* diameters = RequireArray(input->GetPointData(),
         "ShapeDiameter",
         1,
@@ -252,31 +337,18 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
         "mesh",
         "compute it with vtkOversketchShapeDiameter");
       const Section section =
-        SectionOf(handles, mesh.Surface.vertexCount(), this->SeedMargin, this->ReachEnds);
-      const std::vector<int>& seeds = section.seeds;
+        SectionOf(handles, cache.Data->Surface.vertexCount(), this->SeedMargin, this->ReachEnds);
       const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
       // Edge paths are up to half as long again as the way, and a foreshortened end as it looks.
       const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;
 
       const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
-      const FitKey fitKey(this->Components, this->MaximumSamples, this->Seed, this->Backend);
+      const FitKey fitKey(this->Components, this->MaximumSamples, this->Seed, this->GetBackend());
       if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.Whole.empty())
       {
         cache.Whole.clear();
         cache.Arrays.clear();
-        cache.Diameters = DiametersOf(diameters);
-        const auto [low, high] = std::minmax_element(cache.Diameters.begin(), cache.Diameters.end());
-        const double from = *low, range = *high - *low;
-        cache.Scaled.resize(cache.Diameters.size());
-        std::transform(cache.Diameters.begin(),
-          cache.Diameters.end(),
-          cache.Scaled.begin(),
-          [&](double d) { return range > 0.0 ? (d - from) / range : 0.0; });
-        const std::vector<double> samples = Pick(
-          cache.Scaled, drawWithoutReplacement(mesh.Surface.vertexCount(), this->MaximumSamples, this->Seed));
-        ++this->WholeFitCount;
-        this->WholeSampleCount = static_cast<vtkIdType>(samples.size());
-        cache.Whole = cache.Fit(this, samples, this->Components).mixture;
+        cache.FitWhole(this, diameters);
         cache.MeshRead = meshKey;
         cache.FitRead = fitKey;
       }
@@ -289,64 +361,12 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
         this->LimitRunaway,
         this->CutAtJunction,
         this->ReachEnds);
-      if (cache.Arrays.empty() || cache.GrowthRead != growthKey || cache.SectionRead.seeds != seeds ||
+      if (cache.Arrays.empty() || cache.GrowthRead != growthKey || cache.SectionRead.seeds != section.seeds ||
           cache.SectionRead.ends != section.ends)
       {
         cache.Arrays.clear();
         ++this->GrowthCount;
-        RegionEvidence evidence{ seeds, {}, cache.Diameters, sectionLength, section.ends, endLength };
-        if (!seeds.empty())
-        {
-          const std::vector<int> around = expandSeeds(mesh.Surface,
-            mesh.Neighbours,
-            seeds,
-            3 * static_cast<std::size_t>(this->Components),
-            this->SeedTolerance * 0.5 * boundingDiagonal(mesh.Surface));
-          const std::vector<double> known = Pick(cache.Scaled, around);
-          const std::vector<double> samples = Pick(
-            known, drawWithoutReplacement(static_cast<int>(known.size()), this->MaximumSamples, this->Seed));
-          const Mixture foreground =
-            cache.Fit(this, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, this->Components))
-              .mixture;
-          evidence.ratio.resize(cache.Scaled.size());
-          ContextOf(this).parallelFor(mesh.Surface.vertexCount(),
-            [&](int begin, int end)
-            {
-              for (int v = begin; v < end; ++v)
-              {
-                evidence.ratio[v] =
-                  logDensity(foreground, cache.Scaled[v]) - logDensity(cache.Whole, cache.Scaled[v]);
-              }
-            });
-        }
-        const RegionOptions options{
-          this->Lambda, this->FillIslands, this->LimitRunaway, this->CutAtJunction, this->ReachEnds
-        };
-        if (cache.PartsData != cache.Data)
-        {
-          cache.Parts = findParts(mesh.Surface, mesh.Neighbours);
-          cache.PartsData = cache.Data;
-        }
-        const std::vector<char> region = detectRegion(mesh.Surface,
-          mesh.Neighbours,
-          mesh.Normals,
-          cache.Parts,
-          evidence,
-          options,
-          ContextOf(this, 0.4, 1.0));
-        std::vector<char> isSeed(region.size(), 0);
-        for (int seed : seeds)
-        {
-          isSeed[seed] = 1;
-        }
-        std::vector<double> probability(region.size());
-        std::transform(evidence.ratio.begin(),
-          evidence.ratio.end(),
-          probability.begin(),
-          [](double ratio) { return 1.0 / (1.0 + std::exp(-ratio)); });
-        cache.Arrays = { ArrayOf<vtkUnsignedCharArray>("Region", region),
-          ArrayOf<vtkUnsignedCharArray>("RegionSeed", isSeed),
-          ArrayOf<vtkDoubleArray>("RegionProbability", probability) };
+        cache.Grow(this, section, sectionLength, endLength);
         cache.GrowthRead = growthKey;
         cache.SectionRead = section;
       }
@@ -371,8 +391,6 @@ void vtkOversketchMixtureRegion::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Components: " << this->Components << '\n'
      << indent << "MaximumSamples: " << this->MaximumSamples << '\n'
      << indent << "Seed: " << this->Seed << '\n'
-     << indent << "Backend: " << this->Backend << '\n'
-     << indent << "BackendUsed: " << this->BackendUsed << '\n'
      << indent << "WholeFitCount: " << this->WholeFitCount << '\n'
      << indent << "GrowthCount: " << this->GrowthCount << '\n'
      << indent << "WholeSampleCount: " << this->WholeSampleCount << '\n';

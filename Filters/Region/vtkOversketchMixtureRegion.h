@@ -38,7 +38,7 @@
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray; BadRegion when there are no
  * seeds and when the region reaches everything, so that nothing would hold the mesh. A mesh without points
- * gives an empty output silently. Without an OpenCL device (see Backend) the host computes, with a warning.
+ * gives an empty output silently. Mixtures are fitted on the back end that is chosen, see SetBackend.
  *
  * Deterministic: samples are drawn by a generator with the fixed Seed. Device (double precision) and host
  * agree to 1e-5.
@@ -53,23 +53,16 @@
 #define vtkOversketchMixtureRegion_h
 
 #include "OversketchFiltersRegionModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchBackendFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchMixtureRegion : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchMixtureRegion : public vtkOversketchBackendFilter
 {
 public:
   static vtkOversketchMixtureRegion* New();
-  vtkTypeMacro(vtkOversketchMixtureRegion, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchMixtureRegion, vtkOversketchBackendFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum BackendType
-  {
-    BACKEND_AUTO = 0,
-    BACKEND_OPENCL = 1,
-    BACKEND_HOST = 2
-  };
 
   /**
    * The handles, on port 1.
@@ -171,24 +164,6 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
-  ///@{
-  /**
-   * Where the mixtures are fitted: BACKEND_AUTO (default) and BACKEND_OPENCL on the OpenCL device where there
-   * is one, else, and with BACKEND_HOST, on the host. The environment variable OVERSKETCH_OPENCL=off hides
-   * the device.
-   */
-  vtkSetClampMacro(Backend, int, BACKEND_AUTO, BACKEND_HOST);
-  vtkGetMacro(Backend, int);
-  void SetBackendToAuto() { this->SetBackend(BACKEND_AUTO); }
-  void SetBackendToOpenCL() { this->SetBackend(BACKEND_OPENCL); }
-  void SetBackendToHost() { this->SetBackend(BACKEND_HOST); }
-  ///@}
-
-  /**
-   * Where the last mixture was fitted: BACKEND_OPENCL or BACKEND_HOST; BACKEND_AUTO before the first one.
-   */
-  vtkGetMacro(BackendUsed, int);
-
   /**
    * How many times the whole mesh's mixture has been fitted.
    */
@@ -224,8 +199,6 @@ private:
   int Components = 4;
   int MaximumSamples = 2048;
   int Seed = 1;
-  int Backend = BACKEND_AUTO;
-  int BackendUsed = BACKEND_AUTO;
   vtkIdType WholeFitCount = 0;
   vtkIdType GrowthCount = 0;
   vtkIdType WholeSampleCount = 0;

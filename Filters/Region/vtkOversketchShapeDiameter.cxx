@@ -18,11 +18,6 @@
 
 using namespace oversketch;
 
-static_assert(int(vtkOversketchShapeDiameter::BACKEND_AUTO) == int(Backend::Auto) &&
-                int(vtkOversketchShapeDiameter::BACKEND_OPENCL) == int(Backend::OpenCL) &&
-                int(vtkOversketchShapeDiameter::BACKEND_EMBREE) == int(Backend::Host),
-  "the filter's numbers are the kernel's");
-
 // The array and what it was made from.
 struct vtkOversketchShapeDiameter::Cache
 {
@@ -60,7 +55,7 @@ int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
       RequirePolygonsOnly(input); // the key does not see other cells
       const MeshKey key(input, { input->GetPointData()->GetNormals() });
       const Cache::Parameters values(
-        this->RayCount, this->ConeAngle, this->InverseAngleWeights, this->Backend);
+        this->RayCount, this->ConeAngle, this->InverseAngleWeights, this->GetBackend());
       Cache& cache = *this->Internals;
       if (!cache.Array || cache.Key != key || cache.Values != values)
       {
@@ -70,7 +65,7 @@ int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
         options.rayCount = this->RayCount;
         options.coneAngle = this->ConeAngle;
         options.inverseAngleWeights = this->InverseAngleWeights;
-        options.backend = static_cast<oversketch::Backend>(this->Backend);
+        options.backend = this->KernelBackend();
         ++this->RayCastCount;
         const ShapeDiameter result = computeShapeDiameter(cache.Mesh->Surface,
           cache.Mesh->Neighbours,
@@ -83,7 +78,7 @@ int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
         {
           vtkWarningMacro(<< result.warning);
         }
-        this->BackendUsed = static_cast<int>(result.used);
+        this->UsedBackend(result.used);
         this->TracedRayCount = static_cast<vtkIdType>(result.raysTraced);
         this->NewRayCount = static_cast<vtkIdType>(result.raysCast);
         auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -105,8 +100,6 @@ void vtkOversketchShapeDiameter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RayCount: " << this->RayCount << "\n"
      << indent << "ConeAngle: " << this->ConeAngle << "\n"
      << indent << "InverseAngleWeights: " << this->InverseAngleWeights << "\n"
-     << indent << "Backend: " << this->Backend << "\n"
-     << indent << "BackendUsed: " << this->BackendUsed << "\n"
      << indent << "RayCastCount: " << this->RayCastCount << "\n"
      << indent << "TracedRayCount: " << this->TracedRayCount << "\n"
      << indent << "NewRayCount: " << this->NewRayCount << "\n";

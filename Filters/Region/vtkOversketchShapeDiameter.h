@@ -21,7 +21,7 @@
  * the bounding-box diagonal. Everything else is passed; nothing is interpolated or dropped.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh. A mesh without points gives an empty
- * output silently. Without an OpenCL device (see Backend) the host computes, with a warning.
+ * output silently. Rays are cast on the back end that is chosen, see SetBackend.
  *
  * Deterministic: same result bit for bit for any number of threads. OpenCL and Embree trace the same rays;
  * their lengths agree to 1e-4, usually to the last bits, as lengths are refined in double precision.
@@ -39,23 +39,16 @@
 #define vtkOversketchShapeDiameter_h
 
 #include "OversketchFiltersRegionModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchBackendFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchShapeDiameter : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchShapeDiameter : public vtkOversketchBackendFilter
 {
 public:
   static vtkOversketchShapeDiameter* New();
-  vtkTypeMacro(vtkOversketchShapeDiameter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchShapeDiameter, vtkOversketchBackendFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum BackendType
-  {
-    BACKEND_AUTO = 0,
-    BACKEND_OPENCL = 1,
-    BACKEND_EMBREE = 2
-  };
 
   ///@{
   /**
@@ -83,25 +76,6 @@ public:
   vtkGetMacro(InverseAngleWeights, bool);
   vtkBooleanMacro(InverseAngleWeights, bool);
   ///@}
-
-  ///@{
-  /**
-   * Where rays are cast: BACKEND_AUTO (default) and BACKEND_OPENCL on the OpenCL device where there is one,
-   * else, and with BACKEND_EMBREE, on the host by Embree. The environment variable OVERSKETCH_OPENCL=off
-   * hides the device.
-   */
-  vtkSetClampMacro(Backend, int, BACKEND_AUTO, BACKEND_EMBREE);
-  vtkGetMacro(Backend, int);
-  void SetBackendToAuto() { this->SetBackend(BACKEND_AUTO); }
-  void SetBackendToOpenCL() { this->SetBackend(BACKEND_OPENCL); }
-  void SetBackendToEmbree() { this->SetBackend(BACKEND_EMBREE); }
-  ///@}
-
-  /**
-   * Where the present result was computed: BACKEND_OPENCL or BACKEND_EMBREE; BACKEND_AUTO before the first
-   * one.
-   */
-  vtkGetMacro(BackendUsed, int);
 
   /**
    * How many times rays have been cast: executions that the kept result did not answer.
@@ -131,8 +105,6 @@ private:
   int RayCount = 32;
   double ConeAngle = 60.0;
   bool InverseAngleWeights = false;
-  int Backend = BACKEND_AUTO;
-  int BackendUsed = BACKEND_AUTO;
   vtkIdType RayCastCount = 0;
   vtkIdType TracedRayCount = 0;
   vtkIdType NewRayCount = 0;

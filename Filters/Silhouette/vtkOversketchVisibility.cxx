@@ -17,11 +17,6 @@
 
 using namespace oversketch;
 
-static_assert(int(vtkOversketchVisibility::BACKEND_AUTO) == int(Backend::Auto) &&
-                int(vtkOversketchVisibility::BACKEND_OPENCL) == int(Backend::OpenCL) &&
-                int(vtkOversketchVisibility::BACKEND_HOST) == int(Backend::Host),
-  "the filter's numbers are the kernel's");
-
 struct vtkOversketchVisibility::Cache
 {
   std::shared_ptr<const MeshData> Data;
@@ -66,11 +61,11 @@ int vtkOversketchVisibility::RequestData(vtkInformation*,
       VisibilityOptions options;
       options.cuspAngle = this->CuspAngle;
       options.rejoin = this->Rejoin;
-      options.backend = static_cast<oversketch::Backend>(this->Backend);
+      options.backend = this->KernelBackend();
       Cache& cache = *this->Internals;
       cache.Kept.Provide(StepKey({ CurvesKey(curves), SurfaceKey(mesh) },
                            view,
-                           { this->CuspAngle, double(this->Rejoin), double(this->Backend) }),
+                           { this->CuspAngle, double(this->Rejoin), double(this->GetBackend()) }),
         output,
         [&](vtkPolyData* result)
         {
@@ -84,7 +79,7 @@ int vtkOversketchVisibility::RequestData(vtkInformation*,
           {
             vtkWarningMacro(<< found.warning);
           }
-          this->BackendUsed = static_cast<int>(found.used);
+          this->UsedBackend(found.used);
           std::vector<Curve> parts;
           vtkNew<vtkIntArray> curveIds;
           curveIds->SetName("CurveId");
@@ -108,7 +103,5 @@ void vtkOversketchVisibility::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CuspAngle: " << this->CuspAngle << "\n"
      << indent << "Rejoin: " << this->Rejoin << "\n"
-     << indent << "Backend: " << this->Backend << "\n"
-     << indent << "BackendUsed: " << this->BackendUsed << "\n"
      << indent << "TestCount: " << this->TestCount << "\n";
 }

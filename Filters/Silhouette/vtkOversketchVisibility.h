@@ -29,7 +29,7 @@
  * Nothing else is passed.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray, BadStroke. No curves give an
- * empty output silently. Without an OpenCL device (see Backend) the host computes, with a warning.
+ * empty output silently. Points are tested on the back end that is chosen, see SetBackend.
  *
  * Deterministic for any number of threads; the device decides bit for bit like the host where it has double
  * precision, else within 1e-5 of the picture's extent. Cost: one pass over vertices and triangles. The result
@@ -41,23 +41,16 @@
 #define vtkOversketchVisibility_h
 
 #include "OversketchFiltersSilhouetteModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchBackendFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchVisibility : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchVisibility : public vtkOversketchBackendFilter
 {
 public:
   static vtkOversketchVisibility* New();
-  vtkTypeMacro(vtkOversketchVisibility, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchVisibility, vtkOversketchBackendFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum BackendType
-  {
-    BACKEND_AUTO = 0,
-    BACKEND_OPENCL = 1,
-    BACKEND_HOST = 2
-  };
 
   /**
    * The mesh, on port 1.
@@ -90,24 +83,6 @@ public:
   vtkBooleanMacro(Rejoin, bool);
   ///@}
 
-  ///@{
-  /**
-   * Where points are tested: BACKEND_AUTO (default) and BACKEND_OPENCL on the OpenCL device where there is
-   * one, else, and with BACKEND_HOST, on the host. The environment variable OVERSKETCH_OPENCL=off hides the
-   * device.
-   */
-  vtkSetClampMacro(Backend, int, BACKEND_AUTO, BACKEND_HOST);
-  vtkGetMacro(Backend, int);
-  void SetBackendToAuto() { this->SetBackend(BACKEND_AUTO); }
-  void SetBackendToOpenCL() { this->SetBackend(BACKEND_OPENCL); }
-  void SetBackendToHost() { this->SetBackend(BACKEND_HOST); }
-  ///@}
-
-  /**
-   * Where the present result was computed: BACKEND_OPENCL or BACKEND_HOST; BACKEND_AUTO before the first one.
-   */
-  vtkGetMacro(BackendUsed, int);
-
   /**
    * How many times visibility has been tested: executions that the kept result did not answer.
    */
@@ -125,8 +100,6 @@ private:
 
   double CuspAngle = 90.0;
   bool Rejoin = true;
-  int Backend = BACKEND_AUTO;
-  int BackendUsed = BACKEND_AUTO;
   vtkIdType TestCount = 0;
 
   struct Cache;

@@ -1,5 +1,4 @@
-// How the points of a system's output follow while the deformation that they were made of is dragged. Not
-// installed.
+// How the points of a system's output follow while the deformation that they were made of is dragged.
 #ifndef vtkOversketchFollowers_h
 #define vtkOversketchFollowers_h
 

@@ -15,17 +15,6 @@ vtkOversketchSystem::vtkOversketchSystem() = default;
 
 vtkOversketchSystem::~vtkOversketchSystem() = default;
 
-void vtkOversketchSystem::SetBackend(int backend)
-{
-  backend = std::clamp<int>(backend, Auto, Host);
-  if (backend != this->Backend)
-  {
-    this->Backend = backend;
-    this->BackendChanged();
-    this->Modified();
-  }
-}
-
 bool vtkOversketchSystem::Preview(vtkPolyData*, vtkPolyData*, vtkPolyData* hold)
 {
   hold->Initialize();
@@ -192,6 +181,4 @@ void vtkOversketchSystem::RunStage(const char* name)
 void vtkOversketchSystem::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Backend: " << this->Backend << "\n";
-  os << indent << "BackendUsed: " << this->GetBackendUsed() << "\n";
 }

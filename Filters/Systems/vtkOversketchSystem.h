@@ -19,7 +19,7 @@
 #define vtkOversketchSystem_h
 
 #include "OversketchFiltersSystemsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchBackendFilter.h"
 
 #include <functional> // for RunSystem
 #include <string>     // for Stage
@@ -27,36 +27,16 @@
 
 class vtkPoints;
 
-class OVERSKETCHFILTERSSYSTEMS_EXPORT vtkOversketchSystem : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSYSTEMS_EXPORT vtkOversketchSystem : public vtkOversketchBackendFilter
 {
 public:
-  vtkAbstractTypeMacro(vtkOversketchSystem, vtkPolyDataAlgorithm);
+  vtkAbstractTypeMacro(vtkOversketchSystem, vtkOversketchBackendFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum BackendType
-  {
-    Auto = 0,
-    OpenCL = 1,
-    Host = 2
-  };
-
-  ///@{
-  /**
-   * Where steps run that can run in more than one place: Auto (default) takes OpenCL where there is a device;
-   * Host the processor. Without an OpenCL device the host does the work, with a warning if OpenCL was asked
-   * for.
-   */
-  void SetBackend(int backend);
-  int GetBackend() const { return this->Backend; }
-  void SetBackendToAuto() { this->SetBackend(Auto); }
-  void SetBackendToOpenCL() { this->SetBackend(OpenCL); }
-  void SetBackendToHost() { this->SetBackend(Host); }
-  ///@}
 
   /**
    * Where the last run ran: OpenCL or Host.
    */
-  virtual int GetBackendUsed() { return Host; }
+  int GetBackendUsed() override { return Host; }
 
   /**
    * Computes what no stroke changes, so that the next Update need not: to be called while the hand is busy.
@@ -152,9 +132,6 @@ protected:
   // The share of the run that is done [0 to 1].
   double GetDone() const { return this->Done; }
 
-  // Hands a new back end to the steps that have a choice.
-  virtual void BackendChanged() {}
-
 private:
   vtkOversketchSystem(const vtkOversketchSystem&) = delete;
   void operator=(const vtkOversketchSystem&) = delete;
@@ -170,7 +147,6 @@ private:
   const Stage* Find(const char* name) const;
   const Stage* FindListed(int index) const;
 
-  int Backend = Auto;
   std::vector<Stage> Stages;
   const Stage* Running = nullptr;
   double Done = 0.0;

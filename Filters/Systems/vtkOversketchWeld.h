@@ -1,6 +1,5 @@
 // A mesh as a system computes on it: points that share a position are one vertex, whatever attributes a
-// reader split them for. And the way back: the user's arrays on the deformed and on the remeshed result. Not
-// installed.
+// reader split them for. And the way back: the user's arrays on the deformed and on the remeshed result.
 #ifndef vtkOversketchWeld_h
 #define vtkOversketchWeld_h
 

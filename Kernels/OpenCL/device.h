@@ -2,6 +2,7 @@
 #ifndef oversketch_device_h
 #define oversketch_device_h
 
+#include "Mesh/backend.h"
 #include "Mesh/context.h"
 #include "OpenCL/opencl.h"
 
@@ -15,15 +16,6 @@
 
 namespace oversketch
 {
-
-// Where a kernel that has both forms runs. Auto and OpenCL mean the device; where there is none, or it fails,
-// the host stands in with a warning.
-enum class Backend : int
-{
-  Auto = 0,
-  OpenCL = 1,
-  Host = 2
-};
 
 struct DeviceInfo
 {

@@ -50,7 +50,7 @@ struct Chain
     this->snake->SetInputData(1, mesh);
     this->visibility->SetInputConnection(0, this->snake->GetOutputPort());
     this->visibility->SetInputData(1, mesh);
-    this->visibility->SetBackend(vtkOversketchVisibility::BACKEND_HOST);
+    this->visibility->SetBackend(vtkOversketchVisibility::Host);
     this->outline->SetInputData(0, mesh);
     this->outline->SetInputConnection(2, this->visibility->GetOutputPort());
     this->match->AddInputConnection(0, this->visibility->GetOutputPort());

@@ -100,7 +100,7 @@ void table1(const std::string& folder)
     for (const bool opencl : { false, true })
     {
       vtkNew<vtkOversketchShapeDiameter> sdf;
-      opencl ? sdf->SetBackendToOpenCL() : sdf->SetBackendToEmbree();
+      opencl ? sdf->SetBackendToOpenCL() : sdf->SetBackendToHost();
       sdf->SetInputData(mesh);
       sdf->Update(); // the first run compiles the kernels
       ms[opencl] = median(5,

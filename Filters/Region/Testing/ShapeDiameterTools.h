@@ -47,14 +47,14 @@ inline std::vector<double> diameters(vtkPolyData* mesh,
   filter->SetInverseAngleWeights(inverse);
   filter->Update();
   EXPECT_EQ(filter->GetTracedRayCount(), 32 * mesh->GetNumberOfPoints());
-  if (backend == Filter::BACKEND_EMBREE || Device::instance())
+  if (backend == Filter::Host || Device::instance())
   {
     EXPECT_EQ(filter->GetBackendUsed(), backend);
   }
   return valuesOf(filter);
 }
 
-const int backends[] = { Filter::BACKEND_OPENCL, Filter::BACKEND_EMBREE };
+const int backends[] = { Filter::OpenCL, Filter::Host };
 
 // A mesh of any of the formats of the shared data, null where it is absent.
 inline vtkSmartPointer<vtkPolyData> read(const std::string& name)

@@ -302,7 +302,7 @@ TEST(MixtureRegion, SameResultColdCachedAndForAnyNumberOfThreadsAndBackend)
         p.region->SetBackendToHost();
         p.region->SetHandlesData(handles);
         regions.push_back(p.smoothed());
-        EXPECT_EQ(p.region->GetBackendUsed(), vtkOversketchMixtureRegion::BACKEND_HOST);
+        EXPECT_EQ(p.region->GetBackendUsed(), vtkOversketchMixtureRegion::Host);
         p.region->SetLambda(0.3);
         p.smoothed();
         p.region->SetLambda(0.2);
@@ -321,7 +321,7 @@ TEST(MixtureRegion, SameResultColdCachedAndForAnyNumberOfThreadsAndBackend)
 TEST(MixtureRegion, WithoutADeviceTheHostComputesAndSaysSo)
 {
   Pipeline p(surfaceOf(body(1)));
-  p.diameter->SetBackendToEmbree();
+  p.diameter->SetBackendToHost();
   p.region->SetHandlesData(handlesAt(p.mesh, front, up, { 1.65, 0, 0 }, 0.6));
   p.diameter->Update();
   Ear ear(p.region);
@@ -330,7 +330,7 @@ TEST(MixtureRegion, WithoutADeviceTheHostComputesAndSaysSo)
   unsetenv("OVERSKETCH_OPENCL");
   EXPECT_TRUE(ear.errors.empty());
   EXPECT_FALSE(ear.warnings.empty());
-  EXPECT_EQ(p.region->GetBackendUsed(), vtkOversketchMixtureRegion::BACKEND_HOST);
+  EXPECT_EQ(p.region->GetBackendUsed(), vtkOversketchMixtureRegion::Host);
 }
 
 TEST(MixtureRegion, TheRegionReachesTheEndsOfTheSectionThatMove)

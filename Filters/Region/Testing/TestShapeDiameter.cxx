@@ -137,7 +137,7 @@ TEST(A6_2, SphereAndSlabPinTheFullOpening)
         ASSERT_NEAR(d / 2.0, 1.0 + c, 0.01);
       }
     }
-    const auto values = diameters(sphereData, Filter::BACKEND_EMBREE, angle);
+    const auto values = diameters(sphereData, Filter::Host, angle);
     double mean = 0.0;
     for (const double d : values)
     {
@@ -213,8 +213,8 @@ TEST(A6_4, BackendsAgreeOnRealMeshes)
       std::cout << name << " is absent: set OVERSKETCH_DATA\n";
       continue;
     }
-    const auto device = diameters(mesh, Filter::BACKEND_OPENCL);
-    const auto embree = diameters(mesh, Filter::BACKEND_EMBREE);
+    const auto device = diameters(mesh, Filter::OpenCL);
+    const auto embree = diameters(mesh, Filter::Host);
     double worst = 0.0;
     for (std::size_t i = 0; i < device.size(); ++i)
     {
@@ -277,8 +277,8 @@ TEST(ShapeDiameter, InverseAngleWeightsFavourTheAxis)
 {
   // In a sphere the axis is the longest way.
   const auto mesh = toPolyData(icosphere(3));
-  const auto even = diameters(mesh, Filter::BACKEND_EMBREE, 120.0, false);
-  const auto weighted = diameters(mesh, Filter::BACKEND_EMBREE, 120.0, true);
+  const auto even = diameters(mesh, Filter::Host, 120.0, false);
+  const auto weighted = diameters(mesh, Filter::Host, 120.0, true);
   for (std::size_t i = 0; i < even.size(); ++i)
   {
     EXPECT_GT(weighted[i], even[i] + 0.005);

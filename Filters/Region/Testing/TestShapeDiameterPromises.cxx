@@ -79,7 +79,7 @@ TEST(ShapeDiameter, CastsRaysAgainOnlyWhenWhatItReadsChanges)
   again(3);
   filter->InverseAngleWeightsOn();
   again(4);
-  filter->SetBackendToEmbree();
+  filter->SetBackendToHost();
   again(5);
   copy->GetPoints()->Modified();
   copy->Modified();
@@ -128,21 +128,21 @@ TEST(ShapeDiameter, CastsOnlyTheRaysThatAChangeCanAlter)
 TEST(ShapeDiameter, GoesOnWithoutADeviceAndSaysSo)
 {
   const auto mesh = toPolyData(torus(1.0, 0.4, 40, 20));
-  const auto embree = diameters(mesh, Filter::BACKEND_EMBREE);
+  const auto embree = diameters(mesh, Filter::Host);
   const NoDevice noDevice;
-  for (const int backend : { Filter::BACKEND_AUTO, Filter::BACKEND_OPENCL, Filter::BACKEND_EMBREE })
+  for (const int backend : { Filter::Auto, Filter::OpenCL, Filter::Host })
   {
     vtkNew<Filter> filter;
     Ear ear(filter);
     filter->SetInputData(mesh);
     filter->SetBackend(backend);
-    EXPECT_EQ(filter->GetBackendUsed(), Filter::BACKEND_AUTO);
+    EXPECT_EQ(filter->GetBackendUsed(), Filter::Auto);
     filter->Update();
     filter->Modified();
     filter->Update();
     EXPECT_TRUE(ear.errors.empty());
-    EXPECT_EQ(ear.warnings.size(), backend == Filter::BACKEND_EMBREE ? 0u : 1u);
-    EXPECT_EQ(filter->GetBackendUsed(), Filter::BACKEND_EMBREE);
+    EXPECT_EQ(ear.warnings.size(), backend == Filter::Host ? 0u : 1u);
+    EXPECT_EQ(filter->GetBackendUsed(), Filter::Host);
     EXPECT_EQ(valuesOf(filter), embree);
   }
 }
@@ -261,8 +261,8 @@ TEST(ShapeDiameter, OddMeshesGiveFiniteValues)
   }
   // Every facet twice: the inside is as thick as before.
   const Mesh once = icosphere(2);
-  EXPECT_EQ(diameters(toPolyData(twice, &once.points), Filter::BACKEND_EMBREE),
-    diameters(toPolyData(once, &once.points), Filter::BACKEND_EMBREE));
+  EXPECT_EQ(diameters(toPolyData(twice, &once.points), Filter::Host),
+    diameters(toPolyData(once, &once.points), Filter::Host));
 }
 
 TEST(ShapeDiameter, DirtyMeshesGiveFiniteValuesOrOneMessage)
@@ -331,17 +331,17 @@ TEST(ShapeDiameter, ParametersAreClampedAndPrinted)
   EXPECT_EQ(filter->GetRayCount(), 32);
   EXPECT_EQ(filter->GetConeAngle(), 60.0);
   EXPECT_FALSE(filter->GetInverseAngleWeights());
-  EXPECT_EQ(filter->GetBackend(), Filter::BACKEND_AUTO);
+  EXPECT_EQ(filter->GetBackend(), Filter::Auto);
   filter->SetRayCount(0);
   EXPECT_EQ(filter->GetRayCount(), 1);
   filter->SetConeAngle(360.0);
   EXPECT_EQ(filter->GetConeAngle(), 179.9);
   filter->SetBackend(17);
-  EXPECT_EQ(filter->GetBackend(), Filter::BACKEND_EMBREE);
+  EXPECT_EQ(filter->GetBackend(), Filter::Host);
   filter->SetBackendToOpenCL();
-  EXPECT_EQ(filter->GetBackend(), Filter::BACKEND_OPENCL);
+  EXPECT_EQ(filter->GetBackend(), Filter::OpenCL);
   filter->SetBackendToAuto();
-  EXPECT_EQ(filter->GetBackend(), Filter::BACKEND_AUTO);
+  EXPECT_EQ(filter->GetBackend(), Filter::Auto);
   std::ostringstream print;
   filter->Print(print);
   for (const char* name : { "RayCount",

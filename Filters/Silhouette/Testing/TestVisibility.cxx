@@ -450,7 +450,7 @@ TEST(Visibility, TheFilterGivesTheSameOnDeviceAndHostAndForAnyThreads)
   vtkSMPTools::Initialize(1);
   CurveChain one(mesh, torusView(58.0));
   one.visibility->Update();
-  EXPECT_EQ(one.visibility->GetBackendUsed(), vtkOversketchVisibility::BACKEND_HOST);
+  EXPECT_EQ(one.visibility->GetBackendUsed(), vtkOversketchVisibility::Host);
   vtkSMPTools::Initialize(2);
   CurveChain two(mesh, torusView(58.0));
   two.visibility->Update();
@@ -459,7 +459,7 @@ TEST(Visibility, TheFilterGivesTheSameOnDeviceAndHostAndForAnyThreads)
   {
     two.visibility->SetBackendToOpenCL();
     two.visibility->Update();
-    EXPECT_EQ(two.visibility->GetBackendUsed(), vtkOversketchVisibility::BACKEND_OPENCL);
+    EXPECT_EQ(two.visibility->GetBackendUsed(), vtkOversketchVisibility::OpenCL);
     expectSame(one.visibility->GetOutput(), two.visibility->GetOutput());
   }
   // Without a device the host stands in and says so.
@@ -470,7 +470,7 @@ TEST(Visibility, TheFilterGivesTheSameOnDeviceAndHostAndForAnyThreads)
   three.visibility->Update();
   unsetenv("OVERSKETCH_OPENCL");
   EXPECT_EQ(ear.warnings.size(), 1u);
-  EXPECT_EQ(three.visibility->GetBackendUsed(), vtkOversketchVisibility::BACKEND_HOST);
+  EXPECT_EQ(three.visibility->GetBackendUsed(), vtkOversketchVisibility::Host);
   expectSame(one.visibility->GetOutput(), three.visibility->GetOutput());
 }
 

@@ -1,0 +1,18 @@
+// Where a kernel runs that has two forms.
+#ifndef oversketch_backend_h
+#define oversketch_backend_h
+
+namespace oversketch
+{
+
+// Auto and OpenCL mean the OpenCL device; where there is none, or it fails, the host stands in with a
+// warning.
+enum class Backend : int
+{
+  Auto = 0,
+  OpenCL = 1,
+  Host = 2
+};
+
+} // namespace oversketch
+#endif
