@@ -176,7 +176,10 @@ std::string faultOf(const Step& step, const std::vector<SystemRow>& rows)
 
 const std::vector<std::string>& backendWords()
 {
-  static const std::vector<std::string> words = { "auto", "opencl", "embree" };
+  static const std::vector<std::string> words = { vtkOversketchSystem::GetBackendWord(
+                                                    vtkOversketchSystem::Auto),
+    vtkOversketchSystem::GetBackendWord(vtkOversketchSystem::OpenCL),
+    vtkOversketchSystem::GetBackendWord(vtkOversketchSystem::Host) };
   return words;
 }
 

@@ -365,11 +365,6 @@ void fillIslands(const MeshParts& parts, const Adjacency& adjacency, std::vector
   }
 }
 
-void fillIslands(const Mesh& mesh, const Adjacency& adjacency, std::vector<char>& region)
-{
-  fillIslands(findParts(mesh, adjacency), adjacency, region);
-}
-
 void dropSeedless(const Adjacency& adjacency, const std::vector<char>& isSeed, std::vector<char>& region)
 {
   const Pieces pieces = piecesOf(adjacency, region, 1);
@@ -520,16 +515,6 @@ std::vector<char> detectRegion(const Mesh& mesh,
       "shorter stroke, or one on a part that differs more in thickness from the rest.");
   }
   return region;
-}
-
-std::vector<char> detectRegion(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<Vector3>& normals,
-  const RegionEvidence& evidence,
-  const RegionOptions& options,
-  const Context& context)
-{
-  return detectRegion(mesh, adjacency, normals, findParts(mesh, adjacency), evidence, options, context);
 }
 
 } // namespace oversketch

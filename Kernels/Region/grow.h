@@ -37,7 +37,6 @@ std::vector<char> growRegion(const Adjacency& adjacency,
 
 // Selects every connected piece of the unselected rest of a mesh component but the one of the largest area.
 void fillIslands(const MeshParts& parts, const Adjacency& adjacency, std::vector<char>& region);
-void fillIslands(const Mesh& mesh, const Adjacency& adjacency, std::vector<char>& region);
 
 // Deselects connected pieces of the region without a seed.
 void dropSeedless(const Adjacency& adjacency, const std::vector<char>& isSeed, std::vector<char>& region);
@@ -82,12 +81,6 @@ std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
   const MeshParts& parts,
-  const RegionEvidence& evidence,
-  const RegionOptions& options,
-  const Context& context = {});
-std::vector<char> detectRegion(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<Vector3>& normals,
   const RegionEvidence& evidence,
   const RegionOptions& options,
   const Context& context = {});

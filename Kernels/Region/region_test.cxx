@@ -159,7 +159,7 @@ TEST(Islands, AllButTheLargestRestByAreaAreFilled)
   const Adjacency adjacency = buildAdjacency(mesh);
   // A belt: the smaller cap joins it. Finer triangles would not make the cap count for more.
   std::vector<char> region = where(mesh, [](const Vector3& p) { return p[2] > 0.3 && p[2] < 0.6; });
-  fillIslands(mesh, adjacency, region);
+  fillIslands(findParts(mesh, adjacency), adjacency, region);
   EXPECT_EQ(region, where(mesh, [](const Vector3& p) { return p[2] > 0.3; }));
 }
 
@@ -178,7 +178,8 @@ TEST(Islands, ASeparatePartIsNoIsland)
   }
   std::vector<char> region = where(mesh, [](const Vector3& p) { return p[2] > 0.5 && p[0] < 1.5; });
   const std::vector<char> before = region;
-  fillIslands(mesh, buildAdjacency(mesh), region);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  fillIslands(findParts(mesh, adjacency), adjacency, region);
   EXPECT_EQ(region, before);
 }
 
@@ -211,6 +212,7 @@ TEST(Runaway, ARegionOfMoreThanHalfIsGrownAgainNearTheSection)
   const Mesh mesh = icosphere(4);
   const Adjacency adjacency = buildAdjacency(mesh);
   const std::vector<Vector3> normals = vertexNormals(mesh);
+  const MeshParts parts = findParts(mesh, adjacency);
   RegionEvidence evidence;
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
@@ -225,17 +227,17 @@ TEST(Runaway, ARegionOfMoreThanHalfIsGrownAgainNearTheSection)
   evidence.sectionLength = 0.5;
   RegionOptions options;
   options.cutAtJunction = false;
-  const std::vector<char> limited = detectRegion(mesh, adjacency, normals, evidence, options);
+  const std::vector<char> limited = detectRegion(mesh, adjacency, normals, parts, evidence, options);
   const std::vector<double> distance = edgeDistances(mesh, adjacency, evidence.seeds);
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
     EXPECT_EQ(limited[v] != 0, distance[v] <= 0.5) << v;
   }
   options.limitRunaway = false;
-  const std::vector<char> published = detectRegion(mesh, adjacency, normals, evidence, options);
+  const std::vector<char> published = detectRegion(mesh, adjacency, normals, parts, evidence, options);
   EXPECT_GT(2 * std::count(published.begin(), published.end(), 1), mesh.vertexCount());
   std::fill(evidence.ratio.begin(), evidence.ratio.end(), 5.0);
-  EXPECT_THROW(detectRegion(mesh, adjacency, normals, evidence, options), Error);
+  EXPECT_THROW(detectRegion(mesh, adjacency, normals, parts, evidence, options), Error);
 }
 
 // Islands of many sizes on bodies of one part and of two: what is filled is what a walk over all of the rest
