@@ -30,12 +30,11 @@ struct CameraAction
 };
 
 // What a key does, by its X11 symbol and the state of Shift, never by the case of a letter: with Caps Lock a
-// plain key gives a capital, and Shift with a digit gives another symbol on each layout. `prose` takes the
-// thesis's prose for p and n instead of its table.
-CameraAction cameraAction(const std::string& keySymbol, bool shift, bool prose);
+// plain key gives a capital, and Shift with a digit gives another symbol on each layout.
+CameraAction cameraAction(const std::string& keySymbol, bool shift);
 
 // What is shown on screen: the mode, and a line for each drag and key; at most 26 lines of 58 characters.
-std::string cameraHelp(bool drawing, bool prose);
+std::string cameraHelp(bool drawing);
 
 // Lines, and characters of the longest one, of UTF-8 text; at least 1.
 std::pair<int, int> extentOf(const std::string& text);

@@ -162,8 +162,7 @@ struct vtkOversketchInteractorStyle::Internals
     {
       return {};
     }
-    return oversketch::cameraAction(
-      keys->GetKeySym(), keys->GetShiftKey() != 0, this->style->KeyProfile == Prose);
+    return oversketch::cameraAction(keys->GetKeySym(), keys->GetShiftKey() != 0);
   }
 };
 
@@ -302,8 +301,7 @@ void vtkOversketchInteractorStyle::Internals::updateKeyList()
 {
   const bool own = this->keyText.empty();
   this->keyList.show(this->style->ShowKeys ? this->renderer() : nullptr,
-    own ? oversketch::cameraHelp(this->style->Mode == Draw, this->style->KeyProfile == Prose)
-        : this->keyText);
+    own ? oversketch::cameraHelp(this->style->Mode == Draw) : this->keyText);
 }
 
 vtkOversketchInteractorStyle::vtkOversketchInteractorStyle()
@@ -349,17 +347,6 @@ void vtkOversketchInteractorStyle::SetMode(int mode)
   if (clamped != this->Mode)
   {
     this->Mode = clamped;
-    this->Inner->updateKeyList();
-    this->Modified();
-  }
-}
-
-void vtkOversketchInteractorStyle::SetKeyProfile(int profile)
-{
-  const int clamped = std::clamp<int>(profile, Table, Prose);
-  if (clamped != this->KeyProfile)
-  {
-    this->KeyProfile = clamped;
     this->Inner->updateKeyList();
     this->Modified();
   }
@@ -580,7 +567,6 @@ void vtkOversketchInteractorStyle::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "KeyProfile: " << this->KeyProfile << "\n";
   os << indent << "Zoom: " << this->GetZoom() << "\n";
   os << indent << "Spin: " << this->GetSpin() << "\n";
   os << indent << "ShowKeys: " << this->ShowKeys << "\n";

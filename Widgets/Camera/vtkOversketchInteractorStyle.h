@@ -65,11 +65,6 @@ public:
     Navigate = 0,
     Draw = 1
   };
-  enum KeyProfileType
-  {
-    Table = 0,
-    Prose = 1
-  };
 
   ///@{
   /**
@@ -79,17 +74,6 @@ public:
   vtkGetMacro(Mode, int);
   void SetModeToNavigate() { this->SetMode(Navigate); }
   void SetModeToDraw() { this->SetMode(Draw); }
-  ///@}
-
-  ///@{
-  /**
-   * The thesis contradicts itself about p and n: its table (Table, default) is as above; its prose (Prose)
-   * has p pan in and n pan out, with Shift zoom out and zoom in.
-   */
-  void SetKeyProfile(int profile);
-  vtkGetMacro(KeyProfile, int);
-  void SetKeyProfileToTable() { this->SetKeyProfile(Table); }
-  void SetKeyProfileToProse() { this->SetKeyProfile(Prose); }
   ///@}
 
   ///@{
@@ -180,7 +164,6 @@ private:
   void operator=(const vtkOversketchInteractorStyle&) = delete;
 
   int Mode = Navigate;
-  int KeyProfile = Table;
   bool ShowKeys = false;
 
   struct Internals;

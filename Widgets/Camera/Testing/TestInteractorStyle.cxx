@@ -356,13 +356,6 @@ TEST(Keys, EachGoesWhereTheTableSays)
   EXPECT_NEAR(scene.camera()->GetParallelScale(), 1.0 / 1.1, 1e-15);
   scene.key("p");
   EXPECT_NEAR(scene.camera()->GetParallelScale(), 1.0, 1e-15);
-  scene.style->SetKeyProfileToProse();
-  scene.key("p");
-  EXPECT_NEAR(scene.camera()->GetPosition()[2], 9.9, 1e-12);
-  scene.key("n");
-  scene.key("n", Shift);
-  EXPECT_NEAR(scene.camera()->GetPosition()[2], 10.0, 1e-12);
-  EXPECT_NEAR(scene.camera()->GetParallelScale(), 1.0 / 1.1, 1e-15);
 }
 
 TEST(Keys, EachIsUndoneByItsReverse)
