@@ -326,7 +326,7 @@ Options parseArguments(const std::vector<std::string>& arguments)
   options.system = findVerb(verb);
   if (!options.isReplay && !options.system)
   {
-    throw BadUse("'" + verb + "' is no command; there are " + listOf(verbs(), " and "));
+    throw BadUse("'" + verb + "' is no command; commands are " + listOf(verbs(), " and "));
   }
   std::vector<std::string> files;
   if (takeOptions(arguments, verb, tableOf(options), files))
