@@ -1,7 +1,11 @@
 #include "Mesh/mesh.h"
 
+#include "Mesh/context.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <queue>
 
 namespace oversketch
@@ -10,152 +14,292 @@ namespace oversketch
 namespace
 {
 
-// Lists of `count` buckets from (bucket, value) pairs given in order; order within a bucket is kept.
-template <typename Visit>
-Lists gather(int count, const Visit& visit)
+// A side of a triangle, seen from its lower vertex: the higher one in the upper half of the number, then the
+// half-edge, 3 t + k for edge k of triangle t.
+using Side = std::uint64_t;
+
+int endOf(Side side)
 {
-  Lists lists;
-  lists.offsets.assign(count + 1, 0);
-  visit([&](int bucket, int) { ++lists.offsets[bucket + 1]; });
-  for (int i = 0; i < count; ++i)
+  return static_cast<int>(side >> 32);
+}
+
+int halfEdgeOf(Side side)
+{
+  return static_cast<int>(side & 0xffffffffu);
+}
+
+// Few numbers are sorted by counting how many are smaller: no branch can go wrong in that.
+void sortSides(Side* begin, Side* end)
+{
+  constexpr std::ptrdiff_t few = 12;
+  const std::ptrdiff_t count = end - begin;
+  if (count > few)
   {
-    lists.offsets[i + 1] += lists.offsets[i];
+    std::sort(begin, end);
+    return;
   }
-  lists.values.resize(lists.offsets[count]);
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  visit([&](int bucket, int value) { lists.values[next[bucket]++] = value; });
-  return lists;
+  Side sides[few];
+  int rank[few] = {};
+  std::copy(begin, end, sides);
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    for (std::ptrdiff_t j = i + 1; j < count; ++j)
+    {
+      const int later = sides[j] < sides[i] ? 1 : 0;
+      rank[i] += later;
+      rank[j] += 1 - later;
+    }
+  }
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    begin[rank[i]] = sides[i];
+  }
+}
+
+// The sides of some vertices, as many as one thread takes at a time: those of a vertex together, ascending.
+struct Sides
+{
+  static constexpr int vertices = 4096;
+  std::vector<Side> all;
+  std::vector<int> counts; // per vertex
+  int edges = 0;           // different ends, over all vertices
+
+  // A collapsed triangle has no edges: the two that remain of it are one, and the triangles on either side of
+  // it are true neighbours.
+  void gather(const Mesh& mesh, const Lists& around, int begin, int end)
+  {
+    this->all.reserve(around.offsets[end] - around.offsets[begin]); // half of two a triangle, or so
+    this->counts.reserve(end - begin);
+    for (int v = begin; v < end; ++v)
+    {
+      const std::size_t first = this->all.size();
+      for (const int* t = around.begin(v); t != around.end(v); ++t)
+      {
+        const Triangle& c = mesh.triangles[*t];
+        if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
+        {
+          continue;
+        }
+        const int k = c[0] == v ? 0 : c[1] == v ? 1 : 2, before = k == 0 ? 2 : k - 1;
+        this->add(v, c[k == 2 ? 0 : k + 1], 3 * *t + k);
+        this->add(v, c[before], 3 * *t + before);
+      }
+      sortSides(this->all.data() + first, this->all.data() + this->all.size());
+      this->counts.push_back(static_cast<int>(this->all.size() - first));
+      for (std::size_t i = first; i < this->all.size(); ++i)
+      {
+        this->edges += i == first || endOf(this->all[i]) != endOf(this->all[i - 1]) ? 1 : 0;
+      }
+    }
+  }
+
+private:
+  void add(int v, int end, int halfEdge)
+  {
+    if (end > v)
+    {
+      this->all.push_back(static_cast<Side>(end) << 32 | static_cast<std::uint32_t>(halfEdge));
+    }
+  }
+};
+
+// Each vertex lists its lower neighbours, then its higher ones: both ascend because the edges do.
+void listNeighbours(Adjacency& adjacency)
+{
+  const std::vector<int>& firstEdge = adjacency.firstEdge;
+  const int vertices = static_cast<int>(firstEdge.size()) - 1;
+  std::vector<int>& offsets = adjacency.vertexVertices.offsets;
+  offsets.assign(firstEdge.size(), 0);
+  adjacency.borderVertex.assign(vertices, 0);
+  for (const MeshEdge& e : adjacency.edges)
+  {
+    ++offsets[e.v1 + 1];
+    if (e.triangleCount == 1)
+    {
+      adjacency.borderVertex[e.v0] = adjacency.borderVertex[e.v1] = 1;
+    }
+  }
+  for (int v = 0; v < vertices; ++v)
+  {
+    offsets[v + 1] += offsets[v] + firstEdge[v + 1] - firstEdge[v];
+  }
+  std::vector<int>& values = adjacency.vertexVertices.values;
+  values.resize(offsets[vertices]);
+  std::vector<int> next(offsets.begin(), offsets.end() - 1);
+  for (int v = 0; v < vertices; ++v)
+  {
+    // All lower neighbours of v have entered themselves by now.
+    for (int e = firstEdge[v]; e < firstEdge[v + 1]; ++e)
+    {
+      const int other = adjacency.edges[e].v1;
+      values[next[v]++] = other;
+      values[next[other]++] = v;
+    }
+  }
+}
+
+Vector3 unit(const Vector3& n)
+{
+  const double length = n.norm();
+  return length > 0.0 ? Vector3(n / length) : Vector3(Vector3::Zero());
+}
+
+// The corners at the vertex are summed in the order of their triangles.
+template <typename FacetNormal>
+Vector3 normalAt(const Mesh& mesh, const Lists& around, int vertex, const FacetNormal& facet)
+{
+  Vector3 sum = Vector3::Zero();
+  for (const int* t = around.begin(vertex); t != around.end(vertex); ++t)
+  {
+    const Triangle& c = mesh.triangles[*t];
+    for (int k = 0; k < 3; ++k)
+    {
+      if (c[k] == vertex)
+      {
+        const Vector3& p = mesh.points[vertex];
+        const Vector3 a = mesh.points[c[(k + 1) % 3]] - p;
+        const Vector3 b = mesh.points[c[(k + 2) % 3]] - p;
+        sum += std::atan2(a.cross(b).norm(), a.dot(b)) * facet(*t);
+      }
+    }
+  }
+  return unit(sum);
 }
 
 } // namespace
 
 int Adjacency::findEdge(int a, int b) const
 {
-  const auto key = std::minmax(a, b);
-  const auto less = [](const MeshEdge& e, const std::pair<int, int>& k)
-  { return e.v0 < k.first || (e.v0 == k.first && e.v1 < k.second); };
-  const auto it = std::lower_bound(
-    this->edges.begin(), this->edges.end(), std::pair<int, int>(key.first, key.second), less);
-  return it != this->edges.end() && it->v0 == key.first && it->v1 == key.second
-           ? static_cast<int>(it - this->edges.begin())
-           : -1;
+  const auto [low, high] = std::minmax(a, b);
+  const auto begin = this->edges.begin() + this->firstEdge[low];
+  const auto end = this->edges.begin() + this->firstEdge[low + 1];
+  const auto it = std::lower_bound(begin, end, high, [](const MeshEdge& e, int v) { return e.v1 < v; });
+  return it != end && it->v1 == high ? static_cast<int>(it - this->edges.begin()) : -1;
+}
+
+Lists trianglesAround(const Mesh& mesh)
+{
+  Lists lists;
+  lists.offsets.assign(mesh.points.size() + 1, 0);
+  const auto eachCorner = [&mesh](auto&& visit)
+  {
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+    {
+      const Triangle& v = mesh.triangles[t];
+      visit(v[0], t);
+      if (v[1] != v[0])
+        visit(v[1], t);
+      if (v[2] != v[0] && v[2] != v[1])
+        visit(v[2], t);
+    }
+  };
+  eachCorner([&](int v, int) { ++lists.offsets[v + 1]; });
+  std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
+  lists.values.resize(lists.offsets.back());
+  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
+  eachCorner([&](int v, int t) { lists.values[next[v]++] = t; });
+  return lists;
 }
 
 Adjacency buildAdjacency(const Mesh& mesh)
 {
+  return buildAdjacency(mesh, Context());
+}
+
+Adjacency buildAdjacency(const Mesh& mesh, const Context& context)
+{
   const int vertices = mesh.vertexCount();
-  const int triangles = mesh.triangleCount();
   Adjacency adjacency;
-  adjacency.vertexTriangles = gather(vertices,
-    [&](auto&& add)
-    {
-      for (int t = 0; t < triangles; ++t)
-      {
-        const Triangle& v = mesh.triangles[t];
-        add(v[0], t);
-        if (v[1] != v[0])
-          add(v[1], t);
-        if (v[2] != v[0] && v[2] != v[1])
-          add(v[2], t);
-      }
-    });
-  // Half-edges bucketed by their lower vertex, then sorted per bucket: edges come out ascending.
-  struct Half
+  adjacency.vertexTriangles = trianglesAround(mesh);
+  const Lists& around = adjacency.vertexTriangles;
+  // Edges come out ascending: each belongs to its lower vertex.
+  std::vector<Sides> parts((vertices + Sides::vertices - 1) / Sides::vertices);
+  const auto eachPart = [&](auto&& visit)
   {
-    int v1, triangle, corner;
+    context.parallelFor(static_cast<int>(parts.size()),
+      [&](int begin, int end)
+      {
+        for (int part = begin; part < end; ++part)
+        {
+          visit(part, part * Sides::vertices, std::min((part + 1) * Sides::vertices, vertices));
+        }
+      });
   };
-  std::vector<int> offsets(vertices + 1, 0);
-  const auto eachHalf = [&](auto&& visit)
+  eachPart([&](int part, int begin, int end) { parts[part].gather(mesh, around, begin, end); });
+  std::vector<int> firstEdge(parts.size() + 1, 0), firstSide(parts.size() + 1, 0); // of a part
+  for (std::size_t part = 0; part < parts.size(); ++part)
   {
-    for (int t = 0; t < triangles; ++t)
-    {
-      const Triangle& v = mesh.triangles[t];
-      // A collapsed triangle has no edges: the two that remain of it are one, and the triangles on either
-      // side of it are true neighbours.
-      for (int k = 0; k < 3 && v[0] != v[1] && v[1] != v[2] && v[2] != v[0]; ++k)
-      {
-        visit(std::min(v[k], v[(k + 1) % 3]), Half{ std::max(v[k], v[(k + 1) % 3]), t, k });
-      }
-    }
-  };
-  eachHalf([&](int v0, const Half&) { ++offsets[v0 + 1]; });
-  for (int i = 0; i < vertices; ++i)
-  {
-    offsets[i + 1] += offsets[i];
+    firstEdge[part + 1] = firstEdge[part] + parts[part].edges;
+    firstSide[part + 1] = firstSide[part] + static_cast<int>(parts[part].all.size());
   }
-  std::vector<Half> halves(offsets[vertices]);
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  eachHalf([&](int v0, const Half& half) { halves[next[v0]++] = half; });
-  adjacency.triangleEdges.assign(triangles, { -1, -1, -1 });
-  adjacency.borderVertex.assign(vertices, 0);
-  adjacency.edges.reserve(halves.size() / 2 + 1);
-  for (int v0 = 0; v0 < vertices; ++v0)
-  {
-    const auto begin = halves.begin() + offsets[v0];
-    const auto end = halves.begin() + offsets[v0 + 1];
-    std::sort(begin,
-      end,
-      [](const Half& a, const Half& b) { return a.v1 != b.v1 ? a.v1 < b.v1 : a.triangle < b.triangle; });
-    for (auto it = begin; it != end;)
+  adjacency.edges.resize(firstEdge.back());
+  adjacency.firstEdge.resize(vertices + 1);
+  adjacency.firstEdge[vertices] = firstEdge.back();
+  adjacency.edgeTriangles.resize(firstSide.back());
+  adjacency.triangleEdges.assign(mesh.triangles.size(), { -1, -1, -1 });
+  eachPart(
+    [&](int part, int begin, int end)
     {
-      MeshEdge edge{ v0, it->v1, static_cast<int>(adjacency.edgeTriangles.size()), 0 };
-      const int id = static_cast<int>(adjacency.edges.size());
-      for (; it != end && it->v1 == edge.v1; ++it)
+      const Side* side = parts[part].all.data();
+      int place = firstSide[part], e = firstEdge[part] - 1;
+      for (int v = begin; v < end; ++v)
       {
-        adjacency.triangleEdges[it->triangle][it->corner] = id;
-        adjacency.edgeTriangles.push_back(it->triangle);
-        ++edge.triangleCount;
+        adjacency.firstEdge[v] = e + 1;
+        int last = -1;
+        for (const Side* stop = side + parts[part].counts[v - begin]; side != stop; ++side, ++place)
+        {
+          if (endOf(*side) != last)
+          {
+            last = endOf(*side);
+            adjacency.edges[++e] = { v, last, place, 0 };
+          }
+          const int h = halfEdgeOf(*side);
+          ++adjacency.edges[e].triangleCount;
+          adjacency.edgeTriangles[place] = h / 3;
+          adjacency.triangleEdges[h / 3][h % 3] = e;
+        }
       }
-      if (edge.triangleCount == 1)
-      {
-        adjacency.borderVertex[edge.v0] = adjacency.borderVertex[edge.v1] = 1;
-      }
-      adjacency.edges.push_back(edge);
-    }
-  }
-  adjacency.vertexVertices = gather(vertices,
-    [&](auto&& add)
-    {
-      // Lower neighbours first, then higher ones: both ascend because the edges do.
-      for (const MeshEdge& e : adjacency.edges)
-      {
-        add(e.v1, e.v0);
-      }
-      for (const MeshEdge& e : adjacency.edges)
-      {
-        add(e.v0, e.v1);
-      }
+      parts[part] = Sides();
     });
+  listNeighbours(adjacency);
   return adjacency;
 }
 
 Vector3 facetNormal(const Mesh& mesh, int triangle)
 {
   const Triangle& t = mesh.triangles[triangle];
-  const Vector3 n = (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
-  const double length = n.norm();
-  return length > 0.0 ? Vector3(n / length) : Vector3(Vector3::Zero());
+  return unit((mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]));
+}
+
+Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex)
+{
+  return normalAt(mesh, around, vertex, [&mesh](int t) { return facetNormal(mesh, t); });
 }
 
 std::vector<Vector3> vertexNormals(const Mesh& mesh)
 {
-  std::vector<Vector3> normals(mesh.points.size(), Vector3::Zero());
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-  {
-    const Vector3 n = facetNormal(mesh, t);
-    for (int k = 0; k < 3; ++k)
+  return vertexNormals(mesh, trianglesAround(mesh), Context());
+}
+
+std::vector<Vector3> vertexNormals(const Mesh& mesh, const Lists& around, const Context& context)
+{
+  std::vector<Vector3> facets(mesh.triangles.size()), normals(mesh.points.size());
+  context.parallelFor(mesh.triangleCount(),
+    [&](int begin, int end)
     {
-      const Vector3& p = mesh.points[mesh.triangles[t][k]];
-      const Vector3 a = mesh.points[mesh.triangles[t][(k + 1) % 3]] - p;
-      const Vector3 b = mesh.points[mesh.triangles[t][(k + 2) % 3]] - p;
-      normals[mesh.triangles[t][k]] += std::atan2(a.cross(b).norm(), a.dot(b)) * n;
-    }
-  }
-  for (Vector3& n : normals)
-  {
-    const double length = n.norm();
-    n = length > 0.0 ? Vector3(n / length) : Vector3(Vector3::Zero());
-  }
+      for (int t = begin; t < end; ++t)
+      {
+        facets[t] = facetNormal(mesh, t);
+      }
+    });
+  context.parallelFor(mesh.vertexCount(),
+    [&](int begin, int end)
+    {
+      for (int v = begin; v < end; ++v)
+      {
+        normals[v] = normalAt(mesh, around, v, [&facets](int t) -> const Vector3& { return facets[t]; });
+      }
+    });
   return normals;
 }
 

@@ -13,6 +13,8 @@
 namespace oversketch
 {
 
+struct Context;
+
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 using Triangle = std::array<int, 3>;
@@ -47,6 +49,7 @@ struct Adjacency
   Lists vertexTriangles;                         // ascending triangle ids
   Lists vertexVertices;                          // ascending vertex ids, each neighbour once
   std::vector<MeshEdge> edges;                   // ascending by (v0, v1)
+  std::vector<int> firstEdge;                    // per vertex, of its edges to higher ones; #vertices + 1
   std::vector<int> edgeTriangles;                // ascending per edge
   std::vector<std::array<int, 3>> triangleEdges; // edge k of a triangle joins its corners k and (k + 1) % 3
   std::vector<char> borderVertex;                // 1 where an edge with exactly one triangle ends
@@ -63,13 +66,20 @@ struct Adjacency
   }
 };
 
+// Per vertex its triangles, ascending; a triangle with a repeated vertex is there once.
+Lists trianglesAround(const Mesh& mesh);
+
 // A triangle with a repeated vertex has no edges (-1 in triangleEdges); it stays in the lists of its
 // vertices.
 Adjacency buildAdjacency(const Mesh& mesh);
+Adjacency buildAdjacency(const Mesh& mesh, const Context& context);
 
 // Unit vertex normals, each incident triangle weighted by its angle at the vertex; zero for a vertex without
-// a triangle of positive area.
+// a triangle of positive area. `around`: see trianglesAround.
 std::vector<Vector3> vertexNormals(const Mesh& mesh);
+std::vector<Vector3> vertexNormals(const Mesh& mesh, const Lists& around, const Context& context);
+// That of one vertex.
+Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex);
 
 // Unit facet normal, zero for a degenerate triangle.
 Vector3 facetNormal(const Mesh& mesh, int triangle);
