@@ -83,33 +83,26 @@ std::vector<char> movableVertices(const Adjacency& adjacency,
   return movable;
 }
 
-std::vector<double> cotangentWeights(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<char>& wanted)
+double cotangentWeight(const Mesh& mesh, const Adjacency& adjacency, int edge)
 {
-  std::vector<double> weights(adjacency.edges.size(), 0.0);
-  for (int t = 0; t < mesh.triangleCount(); ++t)
+  double weight = 0.0;
+  for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
   {
-    const Triangle& c = mesh.triangles[t];
-    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0] || !(wanted[c[0]] || wanted[c[1]] || wanted[c[2]]))
-    {
-      continue;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3& p = mesh.points[c[(k + 2) % 3]];
-      const Vector3 a = mesh.points[c[k]] - p;
-      const Vector3 b = mesh.points[c[(k + 1) % 3]] - p;
-      const double cosine = a.dot(b);
-      const double sine = a.cross(b).norm();
-      // Without area the cotangent is infinite (clamped), or undefined where two corners coincide (0).
-      const double cotangent = std::abs(cosine) < largestCotangent * sine ? cosine / sine
-                               : cosine == 0.0                            ? 0.0
-                                               : std::copysign(largestCotangent, cosine);
-      weights[adjacency.triangleEdges[t][k]] += 0.5 * cotangent;
-    }
+    const Triangle& c = mesh.triangles[*t];
+    const std::array<int, 3>& sides = adjacency.triangleEdges[*t];
+    const int k = sides[0] == edge ? 0 : sides[1] == edge ? 1 : 2;
+    const Vector3& p = mesh.points[c[(k + 2) % 3]];
+    const Vector3 a = mesh.points[c[k]] - p;
+    const Vector3 b = mesh.points[c[(k + 1) % 3]] - p;
+    const double cosine = a.dot(b);
+    const double sine = a.cross(b).norm();
+    // Without area the cotangent is infinite (clamped), or undefined where two corners coincide (0).
+    const double cotangent = std::abs(cosine) < largestCotangent * sine ? cosine / sine
+                             : cosine == 0.0                            ? 0.0
+                                             : std::copysign(largestCotangent, cosine);
+    weight += 0.5 * cotangent;
   }
-  return weights;
+  return weight;
 }
 
 namespace
@@ -121,12 +114,14 @@ namespace
 struct LaplacianRows
 {
   const Adjacency& adjacency;
-  int entries; // of a block: 1 or 9
+  int entries;                 // of a block: 1 or 9
+  std::vector<int> firstBlock; // of a vertex with a row
   std::vector<double> blocks;
 
+  // rows: the vertices that have one.
   LaplacianRows(const Mesh& mesh,
     const Adjacency& neighbours,
-    const std::vector<char>& rows,
+    const std::vector<int>& rows,
     bool adjust,
     const Context& context);
   int ringSize(int i) const { return this->adjacency.vertexVertices.size(i) + 1; }
@@ -136,8 +131,7 @@ struct LaplacianRows
   }
   double* block(int i, int k)
   {
-    return this->blocks.data() +
-           (static_cast<std::size_t>(this->adjacency.vertexVertices.offsets[i]) + i + k) * this->entries;
+    return this->blocks.data() + (static_cast<std::size_t>(this->firstBlock[i]) + k) * this->entries;
   }
   const double* block(int i, int k) const { return const_cast<LaplacianRows*>(this)->block(i, k); }
 
@@ -147,22 +141,29 @@ private:
 
 LaplacianRows::LaplacianRows(const Mesh& mesh,
   const Adjacency& neighbours,
-  const std::vector<char>& rows,
+  const std::vector<int>& rows,
   bool adjust,
   const Context& context)
   : adjacency(neighbours)
   , entries(adjust ? 9 : 1)
-  , blocks((neighbours.vertexVertices.values.size() + rows.size()) * this->entries, 0.0)
+  , firstBlock(mesh.points.size(), -1)
 {
-  const std::vector<double> weights = cotangentWeights(mesh, neighbours, rows);
-  context.parallelFor(mesh.vertexCount(),
+  int count = 0;
+  for (const int i : rows)
+  {
+    this->firstBlock[i] = count;
+    count += this->ringSize(i);
+  }
+  this->blocks.resize(static_cast<std::size_t>(count) * this->entries, 0.0);
+  context.parallelFor(static_cast<int>(rows.size()),
     [&](int begin, int end)
     {
-      for (int i = begin; i < end; ++i)
+      for (int row = begin; row < end; ++row)
       {
-        for (int k = 0; rows[i] && k + 1 < this->ringSize(i); ++k)
+        const int i = rows[row];
+        for (int k = 0; k + 1 < this->ringSize(i); ++k)
         {
-          const double w = weights[neighbours.findEdge(i, this->ringVertex(i, k))];
+          const double w = cotangentWeight(mesh, neighbours, neighbours.findEdge(i, this->ringVertex(i, k)));
           double* own = this->block(i, this->ringSize(i) - 1);
           double* other = this->block(i, k);
           for (int c = 0; c < this->entries; c += 4)
@@ -171,7 +172,7 @@ LaplacianRows::LaplacianRows(const Mesh& mesh,
             other[c] -= w;
           }
         }
-        if (rows[i] && adjust)
+        if (adjust)
         {
           this->adjust(mesh, i);
         }
@@ -228,7 +229,6 @@ void LaplacianRows::adjust(const Mesh& mesh, int i)
 // them.
 template <int B>
 BlockMatrix normalMatrixOf(const LaplacianRows& laplacian,
-  const std::vector<char>& rows,
   const LaplacianShape& shape,
   const Context& context)
 {
@@ -256,7 +256,7 @@ BlockMatrix normalMatrixOf(const LaplacianRows& laplacian,
           for (int r = 0; r < laplacian.ringSize(v); ++r)
           {
             const int i = laplacian.ringVertex(v, r);
-            if (!rows[i])
+            if (laplacian.firstBlock[i] < 0)
             {
               continue;
             }
@@ -359,19 +359,24 @@ LaplacianShape::LaplacianShape(const Mesh& mesh,
     }
   }
   // Rows of movable vertices and, for a C1 join, of the fixed ones beside them.
-  std::vector<char> rows = movable;
+  std::vector<int> rows = this->vertices;
+  std::vector<char> hasRow = movable;
   for (const int v : this->vertices)
   {
     for (const int* n = adjacency.vertexVertices.begin(v); borderRows && n != adjacency.vertexVertices.end(v);
          ++n)
     {
-      rows[*n] = 1;
+      if (!hasRow[*n])
+      {
+        hasRow[*n] = 1;
+        rows.push_back(*n);
+      }
     }
   }
   const LaplacianRows laplacian(mesh, adjacency, rows, adjustNormals, context);
   context.checkpoint(0.2);
-  this->normal = adjustNormals ? normalMatrixOf<3>(laplacian, rows, *this, context)
-                               : normalMatrixOf<1>(laplacian, rows, *this, context);
+  this->normal = adjustNormals ? normalMatrixOf<3>(laplacian, *this, context)
+                               : normalMatrixOf<1>(laplacian, *this, context);
   context.checkpoint(0.6);
   this->elimination = std::make_shared<Elimination>(this->normal.pattern, this->positions, context);
 }

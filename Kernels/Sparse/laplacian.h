@@ -23,12 +23,9 @@ struct LaplacianOptions
   bool adjustNormals = false; // fit a similarity to each one-ring: one system of 3n unknowns
 };
 
-// Cotangent weight (cot A + cot B) / 2 of each edge of the adjacency that has a triangle with a vertex marked
-// in `wanted`, 0 elsewhere. |cot| is clamped to 1000, so that slivers and triangles without area stay finite;
-// a triangle with a repeated vertex counts for nothing.
-std::vector<double> cotangentWeights(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<char>& wanted);
+// Cotangent weight (cot A + cot B) / 2 of an edge. |cot| is clamped to 1000, so that slivers and triangles
+// without area stay finite; a triangle with a repeated vertex counts for nothing.
+double cotangentWeight(const Mesh& mesh, const Adjacency& adjacency, int edge);
 
 // The vertices that may move, one byte per vertex: in the region, without a neighbour outside it, in a
 // connected piece with a handle. Throws Error(Failure::BadRegion) when there is none.
