@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 // Written here because what libraries offer (cv::findContours, marching squares on a mask) follows pixel
 // centres or the stairs between pixels: half a pixel of bias or of noise, which the targets would hand on to
@@ -16,47 +17,98 @@ namespace
 
 constexpr int largestWindow = 4096;
 
-// Triangles seen in the image plane, those left out that reach behind the eye or lie outside the window, if
-// one is given.
-struct Picture
+constexpr int trianglesPerPart = 8192; // of a picture, for one thread at a time
+
+// The vertices seen in the image plane.
+struct Projection
 {
   std::vector<Vector2> points;
   std::vector<double> nearness; // per point: its weight on screen, 1 orthographic, 1 / distance perspective
-  std::vector<Triangle> triangles;
+  std::vector<char> seen;       // per point: not behind the eye
+
+  Projection(const Mesh& mesh, const View& view, const Context& context)
+    : points(mesh.points.size(), Vector2::Zero())
+    , nearness(mesh.points.size(), 1.0)
+    , seen(mesh.points.size(), 0)
+  {
+    context.parallelFor(mesh.vertexCount(),
+      [&](int begin, int end)
+      {
+        for (int v = begin; v < end; ++v)
+        {
+          if (view.inFront(mesh.points[v]))
+          {
+            const Vector3 display = view.toDisplay(mesh.points[v]);
+            this->points[v] = display.head<2>();
+            this->nearness[v] = view.perspective() ? -1.0 / display[2] : 1.0;
+            this->seen[v] = this->points[v].allFinite();
+          }
+        }
+      });
+  }
+  bool sees(const Triangle& t) const { return this->seen[t[0]] && this->seen[t[1]] && this->seen[t[2]]; }
 };
 
-Picture project(const Mesh& mesh, const View& view, const PixelWindow* window = nullptr)
+int partCount(const Mesh& mesh)
 {
-  const auto outside = [&](const Vector2& a, const Vector2& b, const Vector2& c)
-  {
-    const Vector2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-    return high[0] < window->x - 1 || low[0] > window->x + window->width + 1 || high[1] < window->y - 1 ||
-           low[1] > window->y + window->height + 1;
-  };
-  Picture picture;
-  picture.points.resize(mesh.points.size(), Vector2::Zero());
-  picture.nearness.resize(mesh.points.size(), 1.0);
-  std::vector<char> seen(mesh.points.size(), 0);
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-  {
-    if (view.inFront(mesh.points[v]))
-    {
-      const Vector3 display = view.toDisplay(mesh.points[v]);
-      picture.points[v] = display.head<2>();
-      picture.nearness[v] = view.perspective() ? -1.0 / display[2] : 1.0;
-      seen[v] = picture.points[v].allFinite();
-    }
-  }
-  for (const Triangle& t : mesh.triangles)
-  {
-    if (seen[t[0]] && seen[t[1]] && seen[t[2]] &&
-        !(window && outside(picture.points[t[0]], picture.points[t[1]], picture.points[t[2]])))
-    {
-      picture.triangles.push_back(t);
-    }
-  }
-  return picture;
+  return (mesh.triangleCount() + trianglesPerPart - 1) / trianglesPerPart;
 }
+
+// Calls visit(part, triangle) for all triangles of the mesh, those of a part in their order; threads take
+// parts.
+template <typename Visit>
+void eachTriangle(const Mesh& mesh, const Context& context, const Visit& visit)
+{
+  context.parallelFor(partCount(mesh),
+    [&](int begin, int end)
+    {
+      for (int part = begin; part < end; ++part)
+      {
+        const int last = std::min((part + 1) * trianglesPerPart, mesh.triangleCount());
+        for (int t = part * trianglesPerPart; t < last; ++t)
+        {
+          visit(part, mesh.triangles[t]);
+        }
+      }
+    });
+}
+
+// Triangles seen in the image plane, those left out that reach behind the eye or lie outside the window.
+struct Picture : Projection
+{
+  std::vector<Triangle> triangles;
+
+  Picture(const Mesh& mesh, const View& view, const PixelWindow& window, const Context& context)
+    : Projection(mesh, view, context)
+  {
+    const auto outside = [&window](const Vector2& a, const Vector2& b, const Vector2& c)
+    {
+      const Vector2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+      return high[0] < window.x - 1 || low[0] > window.x + window.width + 1 || high[1] < window.y - 1 ||
+             low[1] > window.y + window.height + 1;
+    };
+    std::vector<std::vector<Triangle>> parts(partCount(mesh));
+    eachTriangle(mesh,
+      context,
+      [&](int part, const Triangle& t)
+      {
+        if (this->sees(t) && !outside(this->points[t[0]], this->points[t[1]], this->points[t[2]]))
+        {
+          parts[part].push_back(t);
+        }
+      });
+    std::size_t count = 0;
+    for (const std::vector<Triangle>& part : parts)
+    {
+      count += part.size();
+    }
+    this->triangles.reserve(count);
+    for (const std::vector<Triangle>& part : parts)
+    {
+      this->triangles.insert(this->triangles.end(), part.begin(), part.end());
+    }
+  }
+};
 
 // An end of a covered interval, on the mesh edge that makes it.
 struct End
@@ -86,35 +138,39 @@ std::vector<std::vector<Interval>> coveredIntervals(const Picture& picture,
   const Context& context)
 {
   const int along = 1 - axis;
-  const auto lineRange = [&](const Triangle& t)
-  {
-    const double a = picture.points[t[0]][axis], b = picture.points[t[1]][axis],
-                 c = picture.points[t[2]][axis];
-    // Lines with low <= centre < high; clamped before the cast, since a point near the eye may be anywhere.
-    const double low = std::ceil(std::min({ a, b, c }) - 0.5) - firstLine;
-    const double high = std::ceil(std::max({ a, b, c }) - 0.5) - firstLine;
-    return std::pair(static_cast<int>(std::clamp(low, 0.0, static_cast<double>(lineCount))),
-      static_cast<int>(std::clamp(high, 0.0, static_cast<double>(lineCount))));
-  };
+  // Per triangle its lines: low <= centre < high.
+  std::vector<std::array<int, 2>> lines(picture.triangles.size());
+  context.parallelFor(static_cast<int>(lines.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const Triangle& t = picture.triangles[i];
+        const double a = picture.points[t[0]][axis], b = picture.points[t[1]][axis],
+                     c = picture.points[t[2]][axis];
+        // Clamped before the cast, since a point near the eye may be anywhere.
+        const auto lineAt = [&](double at)
+        {
+          return static_cast<int>(
+            std::clamp(std::ceil(at - 0.5) - firstLine, 0.0, static_cast<double>(lineCount)));
+        };
+        lines[i] = { lineAt(std::min({ a, b, c })), lineAt(std::max({ a, b, c })) };
+      }
+    });
   std::vector<std::size_t> offsets(static_cast<std::size_t>(lineCount) + 1, 0);
-  for (const Triangle& t : picture.triangles)
+  for (const auto& [low, high] : lines)
   {
-    const auto [low, high] = lineRange(t);
     for (int line = low; line < high; ++line)
     {
       ++offsets[line + 1];
     }
   }
-  for (int line = 0; line < lineCount; ++line)
-  {
-    offsets[line + 1] += offsets[line];
-  }
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<int> onLine(offsets.back());
   std::vector<std::size_t> fill(offsets.begin(), offsets.end() - 1);
-  for (std::size_t i = 0; i < picture.triangles.size(); ++i)
+  for (std::size_t i = 0; i < lines.size(); ++i)
   {
-    const auto [low, high] = lineRange(picture.triangles[i]);
-    for (int line = low; line < high; ++line)
+    for (int line = lines[i][0]; line < lines[i][1]; ++line)
     {
       onLine[fill[line]++] = static_cast<int>(i);
     }
@@ -211,6 +267,13 @@ public:
     return i >= 0 && j >= 0 && i < this->window_.width && j < this->window_.height;
   }
   bool operator()(int i, int j) const { return this->inside(i, j) && this->covered_[this->index(i, j)]; }
+  // Covered as its four neighbours are: no outline here. Most pixels are that.
+  bool within(int i, int j) const
+  {
+    const char* pixel = this->covered_.data() + this->index(i, j);
+    return i > 0 && j > 0 && i + 1 < this->window_.width && j + 1 < this->window_.height && pixel[0] &&
+           pixel[-1] && pixel[1] && pixel[-this->window_.width] && pixel[this->window_.width];
+  }
 
   // Where the boundary crosses the line from the centre of covered pixel (i, j) to that of its neighbour in
   // direction 0..3 = +x, +y, -x, -y, which is not covered; and the mesh edge that makes it.
@@ -270,16 +333,23 @@ PixelWindow pixelsOf(const Eigen::AlignedBox2d& box)
 
 } // namespace
 
-PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& stroke)
+PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context)
 {
-  const Picture picture = project(mesh, view);
-  Eigen::AlignedBox2d box;
-  for (const Triangle& t : picture.triangles)
-  {
-    for (const int v : t)
+  const Projection projection(mesh, view, context);
+  std::vector<Eigen::AlignedBox2d> boxes(partCount(mesh));
+  eachTriangle(mesh,
+    context,
+    [&](int part, const Triangle& t)
     {
-      box.extend(picture.points[v]);
-    }
+      for (int k = 0; projection.sees(t) && k < 3; ++k)
+      {
+        boxes[part].extend(projection.points[t[k]]);
+      }
+    });
+  Eigen::AlignedBox2d box;
+  for (const Eigen::AlignedBox2d& part : boxes)
+  {
+    box.extend(part);
   }
   if (box.isEmpty())
   {
@@ -328,7 +398,7 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
   {
     return loops;
   }
-  const Picture picture = project(mesh, view, &window);
+  const Picture picture(mesh, view, window, context);
   context.checkpoint(0.1);
   const Coverage covered(picture, window, context);
   context.checkpoint(0.8);
@@ -340,7 +410,7 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
   {
     for (int startX = 0; startX < window.width; ++startX)
     {
-      if (!covered(startX, startY))
+      if (covered.within(startX, startY) || !covered(startX, startY))
       {
         continue;
       }

@@ -25,7 +25,10 @@ struct PixelWindow
 
 // The pixels the mesh's picture may touch, at most 4096 a side: of a larger picture the part round the stroke
 // (or round the viewport, without a stroke). Triangles with a corner at or behind the eye have no picture.
-PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& stroke);
+PixelWindow outlineWindow(const Mesh& mesh,
+  const View& view,
+  const Polyline& stroke,
+  const Context& context = {});
 
 // The pixels within `margin` px of the stroke's box, at most 4096 a side round its middle: who asks for the
 // outline near the stroke only need not look at the whole picture.
