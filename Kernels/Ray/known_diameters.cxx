@@ -57,7 +57,7 @@ public:
     , normals_(normals)
     , context_(context)
     , cone_(coneDirections(known.options.rayCount, known.options.coneAngle))
-    , match_(matchMeshes(known.mesh, known.normals, mesh, normals, context))
+    , match_(matchMeshes(*known.mesh, *known.normals, mesh, normals, context))
   {
   }
 
@@ -76,20 +76,24 @@ public:
     }
     this->dropCones(vertices, kept);
     this->dropRays(vertices, makeCaster, kept);
-    for (int v = 0; v < this->mesh_.vertexCount(); ++v)
-    {
-      if (kept[v])
+    this->context_.parallelFor(this->mesh_.vertexCount(),
+      [&](int begin, int end)
       {
-        const int before = this->match_.vertices[v];
-        result.diameter[v] = this->known_.measures.diameter[before];
-        result.measured[v] = this->known_.measures.measured[before];
-        result.reach[v] = this->known_.measures.reach[before];
-        const auto lengths = this->lengths(v);
-        std::copy(lengths,
-          lengths + this->cone_.size(),
-          result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->cone_.size()));
-      }
-    }
+        for (int v = begin; v < end; ++v)
+        {
+          if (kept[v])
+          {
+            const int before = this->match_.vertices[v];
+            result.diameter[v] = this->known_.measures.diameter[before];
+            result.measured[v] = this->known_.measures.measured[before];
+            result.reach[v] = this->known_.measures.reach[before];
+            const auto lengths = this->lengths(v);
+            std::copy(lengths,
+              lengths + this->cone_.size(),
+              result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->cone_.size()));
+          }
+        }
+      });
     return kept;
   }
 
@@ -112,7 +116,7 @@ private:
       reaches.push_back(this->reach(v));
     }
     const RayScene changed(
-      changedFacets(this->known_.mesh, this->mesh_, this->match_, {}), this->scene_.frame, this->context_);
+      changedFacets(*this->known_.mesh, this->mesh_, this->match_, {}), this->scene_.frame, this->context_);
     const std::vector<char> met = conesThatMeet(changed,
       this->scene_,
       this->normals_,
@@ -137,7 +141,7 @@ private:
   void dropRays(const std::vector<int>& vertices, const MakeCaster& makeCaster, std::vector<char>& kept) const
   {
     this->context_.checkpoint(0.0);
-    const Mesh mesh = changedFacets(this->known_.mesh, this->mesh_, this->match_, vertices);
+    const Mesh mesh = changedFacets(*this->known_.mesh, this->mesh_, this->match_, vertices);
     if (vertices.empty() || fewFacets * mesh.triangles.size() > this->mesh_.triangles.size())
     {
       return;

@@ -13,13 +13,12 @@ void RayScene::findPlaces()
 {
   std::iota(this->places.begin(), this->places.end(), 0);
   // Vertices at one place lie in one cell of the curve.
-  const auto sameCell = [this](int a, int b)
-  { return curveCell(this->points[a]) == curveCell(this->points[b]); };
   std::vector<int> cell;
   for (auto begin = this->order.begin(); begin != this->order.end();)
   {
-    const auto end =
-      std::find_if_not(begin + 1, this->order.end(), [&](int v) { return sameCell(*begin, v); });
+    const std::array<std::uint32_t, 3> own = curveCell(this->points[*begin]);
+    const auto end = std::find_if_not(
+      begin + 1, this->order.end(), [&](int v) { return curveCell(this->points[v]) == own; });
     if (end - begin > 1)
     {
       cell.assign(begin, end);

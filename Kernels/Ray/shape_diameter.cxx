@@ -400,7 +400,7 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
       hits->assign(mesh.points.size() * static_cast<std::size_t>(options.rayCount), ConeHit());
     }
     else if (known && known->filled && known->used == used && known->options == options &&
-             RayFrame(known->mesh) == scene.frame)
+             RayFrame(*known->mesh) == scene.frame)
     {
       kept = takeOver(*known, mesh, scene, normals, makeCaster, context, measures);
     }
@@ -448,8 +448,11 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
   if (known)
   {
     known->filled = false; // if memory runs out here
-    known->mesh = mesh;
-    known->normals = normals;
+    const bool meshKept = known->nextMesh.get() == &mesh, normalsKept = known->nextNormals.get() == &normals;
+    known->mesh = meshKept ? known->nextMesh : std::make_shared<const Mesh>(mesh);
+    known->normals = normalsKept ? known->nextNormals : std::make_shared<const std::vector<Vector3>>(normals);
+    known->nextMesh = nullptr;
+    known->nextNormals = nullptr;
     known->options = options;
     known->used = result.used;
     known->measures = std::move(measures);

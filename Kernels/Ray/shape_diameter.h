@@ -7,6 +7,7 @@
 #include "OpenCL/device.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,15 +57,19 @@ struct ConeMeasures
 
 // What a computation leaves for that of the next mesh. A vertex whose point and normal stayed keeps its value
 // if its cone, as far as its rays went, meets no facet that came or went; only the others are cast again.
-// Some 43 bytes a triangle and half a byte a ray.
+// Without mesh and normals 7 bytes a triangle and half a byte a ray.
 struct KnownDiameters
 {
   bool filled = false;
-  Mesh mesh;
-  std::vector<Vector3> normals;
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const std::vector<Vector3>> normals;
   ShapeDiameterOptions options;
   Backend used = Backend::Host;
   ConeMeasures measures;
+
+  // Set by who keeps the mesh that is measured next, which is then not copied.
+  std::shared_ptr<const Mesh> nextMesh;
+  std::shared_ptr<const std::vector<Vector3>> nextNormals;
 };
 
 // Directions of a cone round +z, equal in solid angle: cos phi_k = 1 - (1 - cos beta)(k + 0.5)/N, beta half
