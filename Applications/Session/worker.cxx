@@ -56,7 +56,9 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
   shown->ShallowCopy(mesh);
   if (!mesh->GetPointData()->GetNormals())
   {
-    const std::vector<oversketch::Vector3> normals = oversketch::vertexNormals(oversketch::MeshOf(mesh));
+    const oversketch::Mesh surface = oversketch::MeshOf(mesh);
+    const std::vector<oversketch::Vector3> normals =
+      oversketch::vertexNormals(surface, oversketch::trianglesAround(surface), oversketch::ThreadsOnly());
     vtkNew<vtkFloatArray> array;
     array->SetName("Normals");
     array->SetNumberOfComponents(3);

@@ -1,11 +1,12 @@
 #include "vtkOversketchFilterTools.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -13,9 +14,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -56,6 +57,106 @@ void Fail(vtkAlgorithm* self, Failure failure, const std::string& message)
       output->Initialize();
     }
   }
+}
+
+// Calls convert(i) for all of [0, count), in threads; returns the first one that it refused, or count.
+template <class Convert>
+vtkIdType FirstRefused(vtkIdType count, const Convert& convert)
+{
+  std::atomic<vtkIdType> first{ count };
+  vtkSMPTools::For(0,
+    count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType i = begin;
+      while (i < end && convert(i))
+      {
+        ++i;
+      }
+      vtkIdType known = first;
+      while (i < end && i < known && !first.compare_exchange_weak(known, i))
+      {
+      }
+    });
+  return first;
+}
+
+std::vector<Vector3> PointsOf(vtkPolyData* polyData)
+{
+  std::vector<Vector3> points(static_cast<std::size_t>(polyData->GetNumberOfPoints()));
+  if (points.empty())
+  {
+    return points;
+  }
+  vtkDataArray* array = polyData->GetPoints()->GetData();
+  const auto convert = [&points](const auto* values)
+  {
+    return FirstRefused(static_cast<vtkIdType>(points.size()),
+      [&points, values](vtkIdType i)
+      {
+        Vector3& point = points[static_cast<std::size_t>(i)];
+        point = Vector3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+        return point.allFinite();
+      });
+  };
+  vtkIdType bad = 0;
+  if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(array))
+  {
+    bad = convert(floats->GetPointer(0));
+  }
+  else if (auto* doubles = vtkAOSDataArrayTemplate<double>::FastDownCast(array))
+  {
+    bad = convert(doubles->GetPointer(0));
+  }
+  else
+  {
+    vtkNew<vtkDoubleArray> copy;
+    copy->DeepCopy(array);
+    bad = convert(copy->GetPointer(0));
+  }
+  if (bad < polyData->GetNumberOfPoints())
+  {
+    std::ostringstream message;
+    message << "Point " << bad << " of the mesh is not finite; repair or remove it.";
+    throw Error(Failure::BadMesh, message.str());
+  }
+  return points;
+}
+
+std::vector<Triangle> TrianglesOf(vtkPolyData* polyData)
+{
+  const vtkIdType points = polyData->GetNumberOfPoints();
+  vtkCellArray* polys = polyData->GetPolys();
+  std::vector<Triangle> triangles(static_cast<std::size_t>(polys->GetNumberOfCells()));
+  const auto convert = [&triangles, points](const auto* offsets, const auto* ids)
+  {
+    return FirstRefused(static_cast<vtkIdType>(triangles.size()),
+      [&triangles, points, offsets, ids](vtkIdType i)
+      {
+        Triangle& triangle = triangles[static_cast<std::size_t>(i)];
+        bool good = offsets[i + 1] - offsets[i] == 3;
+        for (int k = 0; good && k < 3; ++k)
+        {
+          const vtkIdType id = ids[offsets[i] + k];
+          triangle[k] = static_cast<int>(id);
+          good = id >= 0 && id < points;
+        }
+        return good;
+      });
+  };
+  const vtkIdType bad =
+    polys->IsStorage64Bit()
+      ? convert(polys->GetOffsetsArray64()->GetPointer(0), polys->GetConnectivityArray64()->GetPointer(0))
+      : convert(polys->GetOffsetsArray32()->GetPointer(0), polys->GetConnectivityArray32()->GetPointer(0));
+  if (bad < polys->GetNumberOfCells())
+  {
+    std::ostringstream message;
+    message << "Cell " << bad << " of the mesh "
+            << (polys->GetCellSize(bad) == 3 ? "names a point that does not exist; repair the mesh."
+                                             : "is not a triangle; pass the mesh through vtkTriangleFilter.");
+    throw Error(Failure::BadMesh, message.str());
+  }
+  return triangles;
 }
 
 } // namespace
@@ -102,7 +203,7 @@ std::string MessageOf(const void* eventData)
   return text;
 }
 
-Context ContextOf(vtkAlgorithm* self, double from, double to)
+Context ThreadsOnly()
 {
   Context context;
   context.parallelFor = [](int count, const Context::Body& body)
@@ -111,6 +212,12 @@ Context ContextOf(vtkAlgorithm* self, double from, double to)
       count,
       [&body](vtkIdType begin, vtkIdType end) { body(static_cast<int>(begin), static_cast<int>(end)); });
   };
+  return context;
+}
+
+Context ContextOf(vtkAlgorithm* self, double from, double to)
+{
+  Context context = ThreadsOnly();
   // Parts of a step may overlap; what is shown never falls back.
   context.progress = [self, from, to](double done)
   { self->UpdateProgress(std::max(self->GetProgress(), from + done * (to - from))); };
@@ -128,69 +235,17 @@ void RequirePolygonsOnly(vtkPolyData* polyData)
   }
 }
 
+MeshWork& MeshWorkDone()
+{
+  static MeshWork work;
+  return work;
+}
+
 Mesh MeshOf(vtkPolyData* polyData)
 {
   RequirePolygonsOnly(polyData);
-  Mesh mesh;
-  const vtkIdType points = polyData->GetNumberOfPoints();
-  mesh.points.resize(static_cast<std::size_t>(points));
-  for (vtkIdType i = 0; i < points; ++i)
-  {
-    polyData->GetPoint(i, mesh.points[static_cast<std::size_t>(i)].data());
-    if (!mesh.points[static_cast<std::size_t>(i)].allFinite())
-    {
-      std::ostringstream message;
-      message << "Point " << i << " of the mesh is not finite; repair or remove it.";
-      throw Error(Failure::BadMesh, message.str());
-    }
-  }
-  vtkCellArray* polys = polyData->GetPolys();
-  mesh.triangles.reserve(static_cast<std::size_t>(polys->GetNumberOfCells()));
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(polys->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    const bool triangle = size == 3;
-    if (!triangle || std::any_of(ids, ids + size, [points](vtkIdType id) { return id < 0 || id >= points; }))
-    {
-      std::ostringstream message;
-      message << "Cell " << it->GetCurrentCellId() << " of the mesh "
-              << (triangle ? "names a point that does not exist; repair the mesh."
-                           : "is not a triangle; pass the mesh through vtkTriangleFilter.");
-      throw Error(Failure::BadMesh, message.str());
-    }
-    mesh.triangles.push_back(
-      { static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]) });
-  }
-  return mesh;
-}
-
-std::vector<Vector3> NormalsOf(vtkPolyData* polyData, const Mesh& mesh)
-{
-  vtkDataArray* array = polyData->GetPointData()->GetNormals();
-  if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != mesh.vertexCount())
-  {
-    return vertexNormals(mesh);
-  }
-  std::vector<Vector3> normals(mesh.points.size());
-  for (int i = 0; i < mesh.vertexCount(); ++i)
-  {
-    array->GetTuple(i, normals[i].data());
-    const double length = normals[i].norm();
-    if (!std::isfinite(length))
-    {
-      std::ostringstream message;
-      message << "Normal " << i << " of the mesh is not finite; remove the point normals or recompute them.";
-      throw Error(Failure::BadMesh, message.str());
-    }
-    if (length > 0.0)
-    {
-      normals[i] /= length;
-    }
-  }
-  return normals;
+  ++MeshWorkDone().Conversions;
+  return { PointsOf(polyData), TrianglesOf(polyData) };
 }
 
 View ViewOf(vtkPolyData* stroke)

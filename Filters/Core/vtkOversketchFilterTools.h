@@ -13,6 +13,7 @@
 
 #include "vtkType.h"
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -52,6 +53,11 @@ OVERSKETCHFILTERSCORE_EXPORT Context ContextOf(vtkAlgorithm* self, double from =
 OVERSKETCHFILTERSCORE_EXPORT void RequirePolygonsOnly(vtkPolyData* polyData);
 
 /**
+ * Threads from vtkSMPTools, without progress or cancel.
+ */
+OVERSKETCHFILTERSCORE_EXPORT Context ThreadsOnly();
+
+/**
  * The mesh as kernels see it; vertex i is point i, triangle i is polygon i. Throws Error(BadMesh) naming the
  * first offending cell or point when a polygon is not a triangle, an id is out of range, a point is not
  * finite, or there are lines, vertices or strips besides the polygons (remedy: vtkTriangleFilter).
@@ -59,10 +65,15 @@ OVERSKETCHFILTERSCORE_EXPORT void RequirePolygonsOnly(vtkPolyData* polyData);
 OVERSKETCHFILTERSCORE_EXPORT Mesh MeshOf(vtkPolyData* polyData);
 
 /**
- * Unit vertex normals: the active point normals where the polydata has them with the right size
- * (re-normalised), else computed (angle-weighted). Absent normals are no error.
+ * What has been made of whole meshes since the process started; a test sees by it what sharing spares.
  */
-OVERSKETCHFILTERSCORE_EXPORT std::vector<Vector3> NormalsOf(vtkPolyData* polyData, const Mesh& mesh);
+struct MeshWork
+{
+  std::atomic<int> Conversions{ 0 }; // by MeshOf
+  std::atomic<int> Linkings{ 0 };    // adjacencies, by SharedMesh
+  std::atomic<int> Normals{ 0 };     // computed, by SharedMesh
+};
+OVERSKETCHFILTERSCORE_EXPORT MeshWork& MeshWorkDone();
 
 /**
  * The one view of the stroke polydata, from cell arrays ViewTransform, ProjectionTransform (16 components

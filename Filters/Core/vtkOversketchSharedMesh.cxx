@@ -2,36 +2,86 @@
 
 #include "vtkOversketchFilterTools.h"
 
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <mutex>
+#include <cmath>
+#include <sstream>
 
 namespace oversketch
 {
 
+struct MeshData::Links
+{
+  std::once_flag Once;
+  Adjacency Neighbours;
+};
+
 namespace
 {
 
-struct Entry
+// The normals that a polydata brings along; null where it brings none.
+std::shared_ptr<const std::vector<Vector3>> OwnNormals(vtkPolyData* polyData)
 {
-  MeshKey Key;
-  std::weak_ptr<const MeshData> Data;
+  vtkDataArray* array = polyData->GetPointData()->GetNormals();
+  if (!array || array->GetNumberOfComponents() != 3 ||
+      array->GetNumberOfTuples() != polyData->GetNumberOfPoints())
+  {
+    return nullptr;
+  }
+  std::vector<Vector3> normals(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    array->GetTuple(static_cast<vtkIdType>(i), normals[i].data());
+    const double length = normals[i].norm();
+    if (!std::isfinite(length))
+    {
+      std::ostringstream message;
+      message << "Normal " << i << " of the mesh is not finite; remove the point normals or recompute them.";
+      throw Error(Failure::BadMesh, message.str());
+    }
+    if (length > 0.0)
+    {
+      normals[i] /= length;
+    }
+  }
+  return std::make_shared<const std::vector<Vector3>>(std::move(normals));
+}
+
+// What tells meshes apart, and their parts.
+struct Key
+{
+  explicit Key(vtkPolyData* polyData)
+    : Whole(polyData, { polyData->GetPointData()->GetNormals() })
+    , Shape(polyData)
+    , Polys(polyData->GetPolys(), polyData->GetPolys()->GetMTime())
+  {
+  }
+
+  MeshKey Whole, Shape; // with and without point normals
+  std::pair<const void*, vtkMTimeType> Polys;
 };
 
 struct Register
 {
   std::mutex Mutex;
-  std::vector<Entry> Entries;
+  std::vector<std::pair<Key, std::weak_ptr<const MeshData>>> Entries;
 
-  std::shared_ptr<const MeshData> Find(const MeshKey& key)
+  // The first that somebody holds and that fits. With the mutex locked.
+  template <class Fits>
+  std::shared_ptr<const MeshData> Find(const Fits& fits) const
   {
-    for (const Entry& entry : this->Entries)
+    for (const auto& [key, data] : this->Entries)
     {
-      if (entry.Key == key)
+      if (fits(key))
       {
-        return entry.Data.lock();
+        if (auto found = data.lock())
+        {
+          return found;
+        }
       }
     }
     return nullptr;
@@ -46,33 +96,69 @@ Register& TheRegister()
 
 } // namespace
 
+const Adjacency& MeshData::Neighbours() const
+{
+  std::call_once(this->Linked->Once,
+    [this]
+    {
+      this->Linked->Neighbours = buildAdjacency(*this->Shape, ThreadsOnly());
+      ++MeshWorkDone().Linkings;
+    });
+  return this->Linked->Neighbours;
+}
+
+std::shared_ptr<const std::vector<Vector3>> MeshData::KeptNormals() const
+{
+  std::call_once(this->NormalsOnce,
+    [this]
+    {
+      if (!this->VertexNormals)
+      {
+        this->VertexNormals = std::make_shared<const std::vector<Vector3>>(
+          vertexNormals(*this->Shape, this->Neighbours().vertexTriangles, ThreadsOnly()));
+        ++MeshWorkDone().Normals;
+      }
+    });
+  return this->VertexNormals;
+}
+
+const std::vector<Vector3>& MeshData::Normals() const
+{
+  return *this->KeptNormals();
+}
+
 std::shared_ptr<const MeshData> SharedMesh(vtkPolyData* polyData)
 {
   RequirePolygonsOnly(polyData); // the key does not see other cells
-  const MeshKey key(polyData, { polyData->GetPointData()->GetNormals() });
+  const Key key(polyData);
   Register& known = TheRegister();
-  {
-    const std::lock_guard<std::mutex> lock(known.Mutex);
-    if (auto found = known.Find(key))
-    {
-      return found;
-    }
-  }
-  // Built outside the lock: another thread's mesh need not wait.
-  auto data = std::make_shared<MeshData>();
-  data->Surface = MeshOf(polyData);
-  data->Normals = NormalsOf(polyData, data->Surface);
-  data->Neighbours = buildAdjacency(data->Surface);
-  const std::lock_guard<std::mutex> lock(known.Mutex);
-  if (auto found = known.Find(key))
+  const auto same = [&key](const Key& other) { return other.Whole == key.Whole; };
+  std::unique_lock<std::mutex> lock(known.Mutex);
+  if (auto found = known.Find(same))
   {
     return found;
   }
+  const auto sameShape = known.Find([&key](const Key& other) { return other.Shape == key.Shape; });
+  const auto samePolys =
+    sameShape ? sameShape : known.Find([&key](const Key& other) { return other.Polys == key.Polys; });
+  lock.unlock(); // another thread's mesh need not wait
+  const std::shared_ptr<MeshData> data(new MeshData);
+  data->VertexNormals = OwnNormals(polyData); // before anybody can change them
+  data->Shape = sameShape ? sameShape->Shape : std::make_shared<const Mesh>(MeshOf(polyData));
+  // Polygons that were changed without Modified() show here.
+  const bool sameLinks = samePolys && samePolys->Surface().vertexCount() == data->Shape->vertexCount() &&
+                         samePolys->Surface().triangles == data->Shape->triangles;
+  data->Linked = sameLinks ? samePolys->Linked : std::make_shared<MeshData::Links>();
+  lock.lock();
+  if (auto found = known.Find(same))
+  {
+    return found; // another thread was quicker
+  }
   auto& entries = known.Entries;
   entries.erase(
-    std::remove_if(entries.begin(), entries.end(), [](const Entry& entry) { return entry.Data.expired(); }),
+    std::remove_if(entries.begin(), entries.end(), [](const auto& entry) { return entry.second.expired(); }),
     entries.end());
-  entries.push_back({ key, data });
+  entries.emplace_back(key, data);
   return data;
 }
 

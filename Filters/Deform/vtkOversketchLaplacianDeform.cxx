@@ -183,50 +183,59 @@ void vtkOversketchLaplacianDeform::SetHandlesData(vtkPolyData* handles)
 // Makes Points, PointNormals and CellNormals from the input and the displacement of each vertex.
 void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input)
 {
-  const std::vector<Vector3>& moves = this->Moves;
-  const Mesh& before = this->Data->Surface;
-  Mesh after = before;
+  const Mesh& before = this->Data->Surface();
   this->Points = vtkSmartPointer<vtkPoints>::New();
   this->Points->SetDataType(input->GetPoints()->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
   this->Points->DeepCopy(input->GetPoints());
-  std::vector<char> moved(moves.size(), 0);
+  std::vector<int> moved;
   for (int v = 0; v < before.vertexCount(); ++v)
   {
-    if (moves[v] != Vector3::Zero())
+    if (this->Moves[v] != Vector3::Zero())
     {
-      moved[v] = 1;
-      after.points[v] += moves[v];
-      this->Points->SetPoint(v, after.points[v].data());
+      moved.push_back(v);
+      const Vector3 place = before.points[v] + this->Moves[v];
+      this->Points->SetPoint(v, place.data());
     }
   }
   this->PointNormals = nullptr;
   this->CellNormals = nullptr;
   vtkDataArray* pointNormals = input->GetPointData()->GetNormals();
   vtkDataArray* cellNormals = input->GetCellData()->GetNormals();
-  std::vector<char> touched(moves.size(), 0);
+  const bool turnsPoints = UsableNormals(pointNormals, before.vertexCount());
+  const bool turnsCells = UsableNormals(cellNormals, before.triangleCount());
+  if (!turnsPoints && !turnsCells)
+  {
+    return;
+  }
+  Mesh after = before;
+  std::vector<char> isMoved(this->Moves.size(), 0), touched(this->Moves.size(), 0);
+  for (const int v : moved)
+  {
+    isMoved[v] = 1;
+    after.points[v] += this->Moves[v];
+  }
   std::vector<std::pair<int, Vector3>> changed;
   for (int t = 0; t < after.triangleCount(); ++t)
   {
     const Triangle& c = after.triangles[t];
-    if (moved[c[0]] || moved[c[1]] || moved[c[2]])
+    if (isMoved[c[0]] || isMoved[c[1]] || isMoved[c[2]])
     {
       touched[c[0]] = touched[c[1]] = touched[c[2]] = 1;
       changed.emplace_back(t, facetNormal(after, t));
     }
   }
-  if (UsableNormals(cellNormals, after.triangleCount()))
+  if (turnsCells)
   {
     this->CellNormals = WithNormals(cellNormals, changed);
   }
-  if (UsableNormals(pointNormals, after.vertexCount()))
+  if (turnsPoints)
   {
-    const std::vector<Vector3> normals = vertexNormals(after);
     changed.clear();
     for (int v = 0; v < after.vertexCount(); ++v)
     {
       if (touched[v])
       {
-        changed.emplace_back(v, normals[v]);
+        changed.emplace_back(v, vertexNormal(after, this->Data->Neighbours().vertexTriangles, v));
       }
     }
     this->PointNormals = WithNormals(pointNormals, changed);
@@ -254,7 +263,7 @@ bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* 
     oversketch::Drag drag{ cache.Shape->vertices, {}, cache.System->response(Context()) };
     for (const int v : drag.vertices)
     {
-      drag.rest.push_back(cache.Data->Surface.points[v] + cache.Moves[v]);
+      drag.rest.push_back(cache.Data->Surface().points[v] + cache.Moves[v]);
     }
     cache.Dragged = std::move(drag);
     ++this->SolveCount;
@@ -310,15 +319,15 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     cache.Points = nullptr;
     cache.Data = SharedMesh(input);
     const ShapeRegister::Key key{ systemKey,
-      movableVertices(cache.Data->Neighbours, region, handles.Bindings),
+      movableVertices(cache.Data->Neighbours(), region, handles.Bindings),
       this->BorderRows,
       this->AdjustNormals };
     auto shape = Shapes().Find(key);
     if (!shape)
     {
       cache.Shape = nullptr;
-      shape = std::make_shared<LaplacianShape>(cache.Data->Surface,
-        cache.Data->Neighbours,
+      shape = std::make_shared<LaplacianShape>(cache.Data->Surface(),
+        cache.Data->Neighbours(),
         key.Movable,
         this->BorderRows,
         this->AdjustNormals,

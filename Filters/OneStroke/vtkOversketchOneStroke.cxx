@@ -39,7 +39,7 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
   inner.Following.reset();
   inner.Hold->Initialize();
   this->Remeshed = false;
-  return this->RunSystem(
+  const int done = this->RunSystem(
     [&]
     {
       vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
@@ -60,7 +60,7 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       if (this->Remesh != RemeshOn)
       {
         this->RunStage("Deform");
-        inner.Deformation = inner.Corrected("Deform", "Correction", "DeformCorrected");
+        inner.Deformation = inner.Corrected("RegionBorder", "Deform", "Correction", "DeformCorrected");
       }
       const bool automatic = this->Remesh == RemeshAuto && !this->AsPublished;
       if (this->Remesh == RemeshOn || (automatic && inner.WantsRemeshing()))
@@ -69,6 +69,8 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       }
       inner.PutOutput(mesh, output);
     });
+  inner.MadeMeshes.clear();
+  return done;
 }
 
 bool vtkOversketchOneStroke::Prepare()

@@ -188,11 +188,13 @@ void vtkOversketchOneStroke::Pipeline::RunCurves()
 
 bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
 {
-  vtkPolyData* before = this->Self->StageOutput("RegionBorder");
-  return wantsRemeshing(MeshOf(before), MeshOf(this->Self->StageOutput(this->Deformation)), RegionOf(before));
+  return wantsRemeshing(this->Made("RegionBorder").Data->Surface(),
+    this->Made(this->Deformation).Data->Surface(),
+    RegionOf(this->Self->StageOutput("RegionBorder")));
 }
 
-const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
+const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* before,
+  const char* deform,
   const char* correction,
   const char* again)
 {
@@ -200,12 +202,12 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
   {
     return deform;
   }
+  this->Made(deform); // for the correction, too
   this->Self->RunStage(correction);
   vtkAlgorithm* step = this->Self->GetStep(correction);
   const auto handlesAdded = this->Self->StageOutput(correction)->GetNumberOfPoints() -
                             vtkPolyData::SafeDownCast(step->GetInputDataObject(0, 0))->GetNumberOfPoints();
-  auto* before = vtkPolyData::SafeDownCast(step->GetInputDataObject(3, 0));
-  const int folds = foldedEdges(MeshOf(before), RegionOf(before));
+  const int folds = this->Folds(before);
   const Judgement plain = this->Judged(deform, folds);
   auto* other = vtkOversketchLaplacianDeform::SafeDownCast(this->Self->GetStep(again));
   const double weight =
@@ -214,6 +216,7 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
   if (handlesAdded > 0)
   {
     other->SetHandleWeight(weight);
+    this->MadeMeshes.erase(again);
     this->Self->RunStage(again);
     judged = this->Judged(again, folds);
   }
@@ -221,26 +224,50 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* deform,
   {
     // Handles that pull less fold less, and still reach the stroke within a fraction of a pixel.
     other->SetHandleWeight(0.2 * weight);
+    this->MadeMeshes.erase(again);
     this->Self->RunStage(again);
     judged = this->Judged(again, folds);
   }
   return judged.betterThan(plain) ? again : deform;
 }
 
+vtkOversketchOneStroke::Pipeline::MadeMesh& vtkOversketchOneStroke::Pipeline::Made(const char* stage)
+{
+  MadeMesh& made = this->MadeMeshes[stage];
+  if (!made.Data)
+  {
+    made.Data = SharedMesh(this->Self->StageOutput(stage));
+  }
+  return made;
+}
+
+int vtkOversketchOneStroke::Pipeline::Folds(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  if (!made.Folds)
+  {
+    made.Folds =
+      foldedEdges(made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage)));
+  }
+  return *made.Folds;
+}
+
 Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
 {
-  const oversketch::Mesh mesh = MeshOf(this->Self->StageOutput(stage));
-  return { outlineError(mesh,
-             ViewOf(this->Stroke),
-             StrokeOf(this->Self->StageOutput("Stroke")),
-             ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone())),
-    foldedEdges(mesh, RegionOf(this->Self->StageOutput(stage))) - foldsBefore };
+  MadeMesh& made = this->Made(stage);
+  if (!made.Outline)
+  {
+    made.Outline = outlineError(made.Data->Surface(),
+      ViewOf(this->Stroke),
+      StrokeOf(this->Self->StageOutput("Stroke")),
+      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
+  }
+  return { *made.Outline, this->Folds(stage) - foldsBefore };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
-  vtkPolyData* before = this->Self->StageOutput("RegionBorder");
-  const int folds = foldedEdges(MeshOf(before), RegionOf(before));
+  const int folds = this->Folds("RegionBorder");
   return this->Judged("Restore", folds).keptAgainst(this->Judged(this->Deformation, folds));
 }
 
@@ -248,7 +275,8 @@ void vtkOversketchOneStroke::Pipeline::RunRemeshed()
 {
   this->Self->RunStage("Stretch");
   this->Self->RunStage("DeformRemeshed");
-  const char* remeshed = this->Corrected("DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
+  const char* remeshed =
+    this->Corrected("Stretch", "DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
   this->Restore->SetInputConnection(0, this->Self->GetStep(remeshed)->GetOutputPort());
   this->Self->RunStage("Restore");
   this->Self->Remeshed = this->Self->Remesh == RemeshOn || this->RemeshingKept();

@@ -16,6 +16,7 @@
 #include "vtkOversketchRegionBorder.h"
 #include "vtkOversketchRemesh.h"
 #include "vtkOversketchShapeDiameter.h"
+#include "vtkOversketchSharedMesh.h"
 #include "vtkOversketchSilhouette.h"
 #include "vtkOversketchSnake.h"
 #include "vtkOversketchStrokeFilter.h"
@@ -26,7 +27,10 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,8 +52,19 @@ struct vtkOversketchOneStroke::Pipeline
   void PutOutput(vtkPolyData* mesh, vtkPolyData* output);
   // Adds handles where the outline of a deformation has left the stroke, and deforms again. Returns the name
   // of the better deformation.
-  const char* Corrected(const char* deform, const char* correction, const char* again);
+  const char* Corrected(const char* before, const char* deform, const char* correction, const char* again);
   oversketch::Judgement Judged(const char* stage, int foldsBefore);
+  int Folds(const char* stage);
+
+  // The mesh that a step of this run made, held until the run ends, so that it is converted and judged once.
+  struct MadeMesh
+  {
+    std::shared_ptr<const oversketch::MeshData> Data;
+    std::optional<int> Folds;
+    std::optional<oversketch::OutlineError> Outline;
+  };
+  MadeMesh& Made(const char* stage);
+  std::map<std::string, MadeMesh> MadeMeshes;
 
   vtkOversketchOneStroke* Self;
 

@@ -229,7 +229,7 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
     this->Diameters.end(),
     this->Scaled.begin(),
     [&](double d) { return range > 0.0 ? (d - from) / range : 0.0; });
-  const int count = this->Data->Surface.vertexCount();
+  const int count = this->Data->Surface().vertexCount();
   const std::vector<double> samples =
     Pick(this->Scaled, drawWithoutReplacement(count, self->MaximumSamples, self->Seed));
   ++self->WholeFitCount;
@@ -241,23 +241,24 @@ std::vector<double> vtkOversketchMixtureRegion::Cache::RatiosOf(vtkOversketchMix
   const std::vector<int>& seeds)
 {
   const MeshData& mesh = *this->Data;
-  const std::vector<int> around = expandSeeds(mesh.Surface,
-    mesh.Neighbours,
+  const std::vector<int> around = expandSeeds(mesh.Surface(),
+    mesh.Neighbours(),
     seeds,
     3 * static_cast<std::size_t>(self->Components),
-    self->SeedTolerance * 0.5 * boundingDiagonal(mesh.Surface));
+    self->SeedTolerance * 0.5 * boundingDiagonal(mesh.Surface()));
   const std::vector<double> known = Pick(this->Scaled, around);
   const std::vector<double> samples =
     Pick(known, drawWithoutReplacement(static_cast<int>(known.size()), self->MaximumSamples, self->Seed));
   const Mixture foreground =
     this->Fit(self, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, self->Components)).mixture;
   std::vector<double> ratios(this->Scaled.size());
-  ContextOf(self).parallelFor(mesh.Surface.vertexCount(),
+  const LogDensity ofForeground(foreground), ofWhole(this->Whole);
+  ContextOf(self).parallelFor(mesh.Surface().vertexCount(),
     [&](int begin, int end)
     {
       for (int v = begin; v < end; ++v)
       {
-        ratios[v] = logDensity(foreground, this->Scaled[v]) - logDensity(this->Whole, this->Scaled[v]);
+        ratios[v] = ofForeground(this->Scaled[v]) - ofWhole(this->Scaled[v]);
       }
     });
   return ratios;
@@ -279,21 +280,30 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
   };
   if (this->PartsData != this->Data)
   {
-    this->Parts = findParts(mesh.Surface, mesh.Neighbours);
+    this->Parts = findParts(mesh.Surface(), mesh.Neighbours());
     this->PartsData = this->Data;
   }
-  const std::vector<char> region = detectRegion(
-    mesh.Surface, mesh.Neighbours, mesh.Normals, this->Parts, evidence, options, ContextOf(self, 0.4, 1.0));
+  const std::vector<char> region = detectRegion(mesh.Surface(),
+    mesh.Neighbours(),
+    mesh.Normals(),
+    this->Parts,
+    evidence,
+    options,
+    ContextOf(self, 0.4, 1.0));
   std::vector<char> isSeed(region.size(), 0);
   for (int seed : section.seeds)
   {
     isSeed[seed] = 1;
   }
   std::vector<double> probability(region.size());
-  std::transform(evidence.ratio.begin(),
-    evidence.ratio.end(),
-    probability.begin(),
-    [](double ratio) { return 1.0 / (1.0 + std::exp(-ratio)); });
+  ContextOf(self).parallelFor(mesh.Surface().vertexCount(),
+    [&](int begin, int end)
+    {
+      std::transform(evidence.ratio.begin() + begin,
+        evidence.ratio.begin() + end,
+        probability.begin() + begin,
+        [](double ratio) { return 1.0 / (1.0 + std::exp(-ratio)); });
+    });
   this->Arrays = { ArrayOf<vtkUnsignedCharArray>("Region", region),
     ArrayOf<vtkUnsignedCharArray>("RegionSeed", isSeed),
     ArrayOf<vtkDoubleArray>("RegionProbability", probability) };
@@ -337,7 +347,7 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
         "mesh",
         "compute it with vtkOversketchShapeDiameter");
       const Section section =
-        SectionOf(handles, cache.Data->Surface.vertexCount(), this->SeedMargin, this->ReachEnds);
+        SectionOf(handles, cache.Data->Surface().vertexCount(), this->SeedMargin, this->ReachEnds);
       const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
       // Edge paths are up to half as long again as the way, and a foreshortened end as it looks.
       const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;

@@ -60,7 +60,7 @@ int vtkOversketchRegionBorder::RequestData(vtkInformation*,
         cache.Region = nullptr;
         ++this->SmoothingCount;
         const std::vector<char> smooth =
-          smoothBorder(cache.Data->Neighbours, LabelsOf(seeds), LabelsOf(region), rings);
+          smoothBorder(cache.Data->Neighbours(), LabelsOf(seeds), LabelsOf(region), rings);
         const auto selected = std::count(smooth.begin(), smooth.end(), 1);
         if (selected == 0 || selected == count)
         {

@@ -66,10 +66,12 @@ int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
         options.coneAngle = this->ConeAngle;
         options.inverseAngleWeights = this->InverseAngleWeights;
         options.backend = this->KernelBackend();
+        cache.Known.nextMesh = cache.Mesh->KeptSurface();
+        cache.Known.nextNormals = cache.Mesh->KeptNormals();
         ++this->RayCastCount;
-        const ShapeDiameter result = computeShapeDiameter(cache.Mesh->Surface,
-          cache.Mesh->Neighbours,
-          cache.Mesh->Normals,
+        const ShapeDiameter result = computeShapeDiameter(cache.Mesh->Surface(),
+          cache.Mesh->Neighbours(),
+          cache.Mesh->Normals(),
           options,
           ContextOf(this),
           nullptr,

@@ -21,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -148,7 +149,7 @@ vtkSmartPointer<vtkAbstractArray> CarryPointArray(vtkAbstractArray* array,
     { carried->InsertTuples(first, count, source, array); },
     [&](vtkIdType point)
     {
-      const SurfacePoint& place = result.places[static_cast<std::size_t>(point)];
+      const SurfacePoint place = result.place(static_cast<int>(point));
       std::array<double, 3> weights = place.weights;
       triangles->GetCellAtId(place.triangle, corners);
       if (linear)
@@ -241,7 +242,7 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
 {
   *this = Cache();
   const std::shared_ptr<const MeshData> data = SharedMesh(input);
-  const Mesh& mesh = data->Surface;
+  const Mesh& mesh = data->Surface();
   const std::vector<char> mask = LabelsOf(question.Region);
   std::vector<double> diameter;
   for (vtkIdType i = 0; question.Diameters && i < input->GetNumberOfPoints(); ++i)
@@ -281,29 +282,43 @@ void vtkOversketchRemesh::Cache::KeepMesh(vtkPolyData* input)
   this->Points = vtkSmartPointer<vtkPoints>::New();
   this->Points->SetDataType(input->GetPoints()->GetDataType());
   this->Points->SetNumberOfPoints(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    this->Points->SetPoint(v, mesh.points[v].data());
-  }
   const int cells = mesh.triangleCount();
-  this->Polys = vtkSmartPointer<vtkCellArray>::New();
-  this->Polys->AllocateExact(cells, 3 * static_cast<vtkIdType>(cells));
   this->SourceCell = NewArray<vtkIdTypeArray>("SourceCell", 3, cells);
   this->SourceWeights = NewArray<vtkDoubleArray>("SourceWeights", 9, cells);
-  vtkIdType* source = this->SourceCell->GetPointer(0);
-  double* weight = this->SourceWeights->GetPointer(0);
-  for (int t = 0; t < cells; ++t)
-  {
-    const vtkIdType ids[3] = { mesh.triangles[t][0], mesh.triangles[t][1], mesh.triangles[t][2] };
-    this->Polys->InsertNextCell(3, ids);
-    for (const SurfacePoint& at : this->Result.corners[t])
+  auto connectivity = NewArray<vtkIdTypeArray>(nullptr, 1, 3 * static_cast<vtkIdType>(cells));
+  auto offsets = NewArray<vtkIdTypeArray>(nullptr, 1, static_cast<vtkIdType>(cells) + 1);
+  vtkSMPTools::For(0,
+    mesh.vertexCount(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      *source++ = at.triangle;
-      weight = std::copy(at.weights.begin(), at.weights.end(), weight);
-    }
-  }
+      for (vtkIdType v = begin; v < end; ++v)
+      {
+        this->Points->SetPoint(v, mesh.points[v].data());
+      }
+    });
+  vtkSMPTools::For(0,
+    cells,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType* id = connectivity->GetPointer(3 * begin);
+      vtkIdType* source = this->SourceCell->GetPointer(3 * begin);
+      double* weight = this->SourceWeights->GetPointer(9 * begin);
+      for (vtkIdType t = begin; t < end; ++t)
+      {
+        offsets->SetValue(t, 3 * t);
+        id = std::copy(mesh.triangles[t].begin(), mesh.triangles[t].end(), id);
+        for (const SurfacePoint& at : this->Result.corners(static_cast<int>(t)))
+        {
+          *source++ = at.triangle;
+          weight = std::copy(at.weights.begin(), at.weights.end(), weight);
+        }
+      }
+    });
+  offsets->SetValue(cells, 3 * static_cast<vtkIdType>(cells));
+  this->Polys = vtkSmartPointer<vtkCellArray>::New();
+  this->Polys->SetData(offsets, connectivity);
   this->Result.mesh = Mesh();
-  this->Result.corners.clear();
+  this->Result.insideCorners = {};
 }
 
 // Arrays of the input, each carried over once for as long as it stands.

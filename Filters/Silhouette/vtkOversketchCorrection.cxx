@@ -3,6 +3,7 @@
 #include "Silhouette/correction.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -71,7 +72,8 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       }
       const View view = ViewOf(stroke);
       const Polyline samples = StrokeOf(stroke);
-      const Mesh mesh = MeshOf(deformed);
+      const std::shared_ptr<const MeshData> data = SharedMesh(deformed);
+      const Mesh& mesh = data->Surface();
       const std::vector<char> chosen = LabelsOf(RequireArray(deformed->GetPointData(),
         "Region",
         1,

@@ -60,10 +60,11 @@ double EdgeLength(const CurvePoint& p, const MeshData& mesh, const View& view)
   int edges = 0;
   for (const int v : p.binding.vertices)
   {
-    for (const int* n = mesh.Neighbours.vertexVertices.begin(v); n != mesh.Neighbours.vertexVertices.end(v);
+    for (const int* n = mesh.Neighbours().vertexVertices.begin(v);
+         n != mesh.Neighbours().vertexVertices.end(v);
          ++n)
     {
-      sum += (mesh.Surface.points[*n] - mesh.Surface.points[v]).norm();
+      sum += (mesh.Surface().points[*n] - mesh.Surface().points[v]).norm();
       ++edges;
     }
   }
@@ -97,8 +98,8 @@ Curve PlaceLoop(const std::vector<OutlineStation>& stations,
     else if (station.bound())
     {
       curve.points[i].binding = station.edge;
-      curve.points[i].position = station.edge.of(mesh.Surface.points);
-      curve.points[i].normal = station.edge.of(mesh.Normals).normalized();
+      curve.points[i].position = station.edge.of(mesh.Surface().points);
+      curve.points[i].normal = station.edge.of(mesh.Normals()).normalized();
     }
     if (station.bound())
     {
@@ -179,12 +180,12 @@ int vtkOversketchOutline::RequestData(vtkInformation*,
       vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
       const View view = ViewOf(stroke);
       const std::shared_ptr<const MeshData> data = SharedMesh(input);
-      const Mesh& mesh = data->Surface;
+      const Mesh& mesh = data->Surface();
       CurveSet set = ReadCurves(vtkPolyData::GetData(inputs[2]), mesh.vertexCount(), "silhouette curves");
 
       // A picture of ordinary size has a window of its own, so that a new stroke in the same view finds its
       // loops.
-      const PixelWindow window = outlineWindow(mesh, view, StrokeOf(stroke));
+      const PixelWindow window = outlineWindow(mesh, view, StrokeOf(stroke), ContextOf(this, 0.0, 0.0));
       Cache& cache = *this->Internals;
       if (cache.Data != data || !cache.Seen || !SameView(*cache.Seen, view) || !(cache.Window == window))
       {

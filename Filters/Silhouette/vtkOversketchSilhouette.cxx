@@ -27,11 +27,12 @@ struct vtkOversketchSilhouette::Cache
     {
       this->Extractor.reset();
       this->Data = data;
-      return extractSilhouette(data->Surface, data->Neighbours, data->Normals, view);
+      return extractSilhouette(data->Surface(), data->Neighbours(), data->Normals(), view);
     }
     if (!this->Extractor)
     {
-      this->Extractor = std::make_unique<SilhouetteExtractor>(data->Surface, data->Neighbours, data->Normals);
+      this->Extractor =
+        std::make_unique<SilhouetteExtractor>(data->Surface(), data->Neighbours(), data->Normals());
     }
     return (*this->Extractor)(view);
   }

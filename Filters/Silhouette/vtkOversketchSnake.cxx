@@ -62,10 +62,14 @@ int vtkOversketchSnake::RequestData(vtkInformation*,
           ++this->SmoothingCount;
           cache.Data = SharedMesh(mesh);
           const MeshData& data = *cache.Data;
-          const CurveSet read = ReadCurves(curves, data.Surface.vertexCount(), "silhouette curves");
-          WriteCurves(
-            smoothSilhouette(
-              read.Curves, data.Surface, data.Neighbours, data.Normals, view, this->Epsilon, ContextOf(this)),
+          const CurveSet read = ReadCurves(curves, data.Surface().vertexCount(), "silhouette curves");
+          WriteCurves(smoothSilhouette(read.Curves,
+                        data.Surface(),
+                        data.Neighbours(),
+                        data.Normals(),
+                        view,
+                        this->Epsilon,
+                        ContextOf(this)),
             view,
             result);
         });

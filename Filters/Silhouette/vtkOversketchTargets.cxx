@@ -121,11 +121,11 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
       const Polyline samples = StrokeOf(stroke);
       this->Internals->Data = SharedMesh(meshData);
       const MeshData& mesh = *this->Internals->Data;
-      const std::vector<SectionPoint> section = ReadSection(input, mesh.Surface, view);
+      const std::vector<SectionPoint> section = ReadSection(input, mesh.Surface(), view);
       std::vector<Handle> handles = mapTargets(section, samples, view, this->Omega);
       if (this->SingleLayer)
       {
-        handles = keepOneLayer(handles, section, mesh.Surface, mesh.Neighbours, view);
+        handles = keepOneLayer(handles, section, mesh.Surface(), mesh.Neighbours(), view);
         if (handles.size() < 2)
         {
           throw Error(Failure::NoMatch,

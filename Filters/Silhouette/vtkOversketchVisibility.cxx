@@ -72,9 +72,9 @@ int vtkOversketchVisibility::RequestData(vtkInformation*,
           ++this->TestCount;
           cache.Data = SharedMesh(mesh);
           const MeshData& data = *cache.Data;
-          const CurveSet read = ReadCurves(curves, data.Surface.vertexCount(), "silhouette curves");
+          const CurveSet read = ReadCurves(curves, data.Surface().vertexCount(), "silhouette curves");
           const VisibilityResult found =
-            findVisible(read.Curves, data.Surface, data.Normals, view, options, ContextOf(this));
+            findVisible(read.Curves, data.Surface(), data.Normals(), view, options, ContextOf(this));
           if (!found.warning.empty())
           {
             vtkWarningMacro(<< found.warning);

@@ -265,36 +265,11 @@ class Weld::Split
 {
 public:
   Split(const Weld& weld, const Origins& origins, const MeshData& result)
-    : Triangles(result.Surface.triangles)
+    : Triangles(result.Surface().triangles)
   {
-    // Where nothing was split, one corner speaks for all.
-    const bool one = weld.Vertices.empty();
     const std::vector<int> loose = weld.LoosePoints();
-    std::size_t nextLoose = 0;
-    const Mesh& mesh = result.Surface;
-    const Lists& around = result.Neighbours.vertexTriangles;
-    for (int v = 0; v < mesh.vertexCount(); ++v)
-    {
-      const std::size_t begin = this->Vertices.size();
-      for (const int* t = around.begin(v); t != around.end(v); ++t)
-      {
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          if (mesh.triangles[*t][corner] == v)
-          {
-            const bool told = one && this->Vertices.size() > begin;
-            this->Triangles[*t][corner] =
-              static_cast<int>(told ? begin : this->PointOf(begin, v, origins, *t, corner));
-          }
-        }
-      }
-      if (this->Vertices.size() == begin)
-      {
-        // A vertex without a triangle, which nothing tells the source of: the remesher keeps them, in their
-        // order.
-        this->Add(v, loose.at(nextLoose++), {});
-      }
-    }
+    weld.Vertices.empty() ? this->TakeVertices(origins, result.Surface(), loose)
+                          : this->SplitVertices(origins, result.Surface(), loose);
   }
 
   std::vector<Triangle> Triangles;
@@ -308,6 +283,81 @@ public:
   }
 
 private:
+  // Where nothing was split, every vertex is a point, and one corner speaks for all.
+  void TakeVertices(const Origins& origins, const Mesh& mesh, const std::vector<int>& loose)
+  {
+    std::vector<int> corners(mesh.points.size(), -1); // the first of each vertex, 3 t + k
+    for (int h = 3 * mesh.triangleCount() - 1; h >= 0; --h)
+    {
+      corners[mesh.triangles[h / 3][h % 3]] = h;
+    }
+    this->Vertices.resize(mesh.points.size());
+    std::iota(this->Vertices.begin(), this->Vertices.end(), 0);
+    this->Whole.resize(mesh.points.size());
+    vtkSMPTools::For(0,
+      mesh.vertexCount(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType v = begin; v < end; ++v)
+        {
+          this->Whole[v] = corners[v] < 0 ? -1 : origins.WholeAt(corners[v] / 3, corners[v] % 3);
+        }
+      });
+    this->MixOf.assign(mesh.points.size(), -1);
+    std::vector<int> mixed;
+    std::size_t nextLoose = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (corners[v] < 0)
+      {
+        this->Whole[v] = loose.at(nextLoose++);
+      }
+      else if (this->Whole[v] < 0)
+      {
+        this->MixOf[v] = static_cast<int>(mixed.size());
+        mixed.push_back(v);
+      }
+    }
+    this->Mixes.resize(mixed.size());
+    vtkSMPTools::For(0,
+      static_cast<vtkIdType>(mixed.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          Mix& mix = this->Mixes[i];
+          mix = origins.MixAt(corners[mixed[i]] / 3, corners[mixed[i]] % 3);
+          this->Whole[mixed[i]] = mix.size() == 1 ? static_cast<int>(mix[0].first) : -1;
+        }
+      });
+  }
+
+  void SplitVertices(const Origins& origins, const Mesh& mesh, const std::vector<int>& loose)
+  {
+    std::size_t nextLoose = 0;
+    const Lists around = trianglesAround(mesh);
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      const std::size_t begin = this->Vertices.size();
+      for (const int* t = around.begin(v); t != around.end(v); ++t)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          if (mesh.triangles[*t][corner] == v)
+          {
+            this->Triangles[*t][corner] = static_cast<int>(this->PointOf(begin, v, origins, *t, corner));
+          }
+        }
+      }
+      if (this->Vertices.size() == begin)
+      {
+        // A vertex without a triangle, which nothing tells the source of: the remesher keeps them, in their
+        // order.
+        this->Add(v, loose.at(nextLoose++), {});
+      }
+    }
+  }
+
   // Of the points from begin on, which are the vertex's, the one that comes from where the corner does.
   std::size_t PointOf(std::size_t begin, int vertex, const Origins& origins, int triangle, int corner)
   {
@@ -399,7 +449,8 @@ Weld::Weld(vtkPolyData* mesh)
                                         return components[k].first->GetComponent(point, components[k].second);
                                       } });
   this->Corners = std::move(split.triangles);
-  const Charts charts = findCharts(this->Data->Surface, this->Data->Neighbours, this->Corners, this->Classes);
+  const Charts charts =
+    findCharts(this->Data->Surface(), this->Data->Neighbours(), this->Corners, this->Classes);
   if (charts.count > 1)
   {
     vtkNew<vtkIntArray> numbers;
@@ -420,7 +471,7 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
   points->SetDataType(mesh->GetPoints()->GetDataType());
   points->DeepCopy(mesh->GetPoints());
   std::vector<char> changed(static_cast<std::size_t>(count), 0);
-  const Mesh& before = this->Data->Surface;
+  const Mesh& before = this->Data->Surface();
   Mesh after = before;
   for (int v = 0; v < after.vertexCount(); ++v)
   {
@@ -438,8 +489,9 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
   output->SetPoints(points);
   if (vtkDataArray* old = mesh->GetPointData()->GetNormals())
   {
-    const std::vector<Vector3>& normalsBefore = this->Data->Normals;
-    const std::vector<Vector3> normalsNow = vertexNormals(after);
+    const std::vector<Vector3>& normalsBefore = this->Data->Normals();
+    const std::vector<Vector3> normalsNow =
+      vertexNormals(after, this->Data->Neighbours().vertexTriangles, ThreadsOnly());
     auto normals = vtkSmartPointer<vtkDataArray>::Take(old->NewInstance());
     normals->DeepCopy(old);
     for (vtkIdType i = 0; i < count; ++i)
@@ -460,8 +512,8 @@ void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) cons
 // The first points of the vertices without a triangle, in their order.
 std::vector<int> Weld::LoosePoints() const
 {
-  std::vector<char> known(this->Data->Surface.points.size(), 0);
-  for (const Triangle& t : this->Data->Surface.triangles)
+  std::vector<char> known(this->Data->Surface().points.size(), 0);
+  for (const Triangle& t : this->Data->Surface().triangles)
   {
     known[t[0]] = known[t[1]] = known[t[2]] = 1;
   }
@@ -488,10 +540,15 @@ void Weld::CarryPoints(vtkPolyData* mesh,
   vtkPointData* to = output->GetPointData();
   const auto count = static_cast<vtkIdType>(split.Whole.size());
   auto points = NewPoints(mesh, count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    points->SetPoint(i, result.Surface.points[split.Vertices[i]].data());
-  }
+  vtkSMPTools::For(0,
+    count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        points->SetPoint(i, result.Surface().points[split.Vertices[i]].data());
+      }
+    });
   output->SetPoints(points);
   to->InterpolateAllocate(from, count);
   vtkNew<vtkIdList> ids;
@@ -519,11 +576,12 @@ void Weld::CarryNormals(vtkPolyData* mesh,
   vtkPolyData* output) const
 {
   const auto count = static_cast<vtkIdType>(split.Whole.size());
-  const Mesh& surface = this->Data->Surface;
-  const std::vector<Vector3>& before = this->Data->Normals;
-  const std::vector<Vector3>& now = result.Normals;
-  std::vector<char> changed(split.Whole.size(), 0);
+  const Mesh& surface = this->Data->Surface();
   vtkDataArray* normals = mesh->GetPointData()->GetNormals() ? output->GetPointData()->GetNormals() : nullptr;
+  const std::vector<Vector3> none;
+  const std::vector<Vector3>& before = normals ? this->Data->Normals() : none;
+  const std::vector<Vector3>& now = normals ? result.Normals() : none;
+  std::vector<char> changed(split.Whole.size(), 0);
   vtkSMPTools::For(0,
     count,
     [&](vtkIdType begin, vtkIdType end)
@@ -531,7 +589,7 @@ void Weld::CarryNormals(vtkPolyData* mesh,
       for (vtkIdType i = begin; i < end; ++i)
       {
         const int v = split.Vertices[i], whole = split.Whole[i];
-        changed[i] = whole < 0 || surface.points[this->VertexOf(whole)] != result.Surface.points[v];
+        changed[i] = whole < 0 || surface.points[this->VertexOf(whole)] != result.Surface().points[v];
         if (!normals || !(changed[i] || before[this->VertexOf(whole)] != now[v]))
         {
           continue;
@@ -563,7 +621,7 @@ std::vector<int> Weld::Transfer(vtkPolyData* mesh,
   vtkCellData* to = output->GetCellData();
   vtkDataArray* cells =
     RequireArray(last->GetCellData(), "OriginalCell", 1, last->GetNumberOfPolys(), "remeshed mesh", remedy);
-  std::vector<vtkIdType> sources(split.Triangles.size());
+  std::vector<vtkIdType> sources(from->GetNumberOfArrays() > 0 ? split.Triangles.size() : 0);
   for (std::size_t t = 0; t < sources.size(); ++t)
   {
     sources[t] = static_cast<vtkIdType>(cells->GetComponent(static_cast<vtkIdType>(t), 0));

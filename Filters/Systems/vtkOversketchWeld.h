@@ -56,7 +56,7 @@ private:
 
   const std::vector<Triangle>& CornersOf() const
   {
-    return this->Vertices.empty() ? this->Data->Surface.triangles : this->Corners;
+    return this->Vertices.empty() ? this->Data->Surface().triangles : this->Corners;
   }
   int ClassOf(int point) const { return this->Vertices.empty() ? point : this->Classes[point]; }
   std::vector<int> LoosePoints() const;

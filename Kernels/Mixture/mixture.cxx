@@ -17,13 +17,6 @@ namespace
 
 constexpr double logTwoPi = 1.8378770664093453;
 
-// ln(weight N(x; mean, variance)).
-double logTerm(const Gaussian& g, double x)
-{
-  const double d = x - g.mean;
-  return std::log(g.weight) - 0.5 * (logTwoPi + std::log(g.variance) + d * d / g.variance);
-}
-
 // Mixture and candidate in equal shares is where the log-likelihood is expanded; the true weight is the
 // expansion's maximum, kept inside (0, 1).
 struct Insertion
@@ -87,19 +80,31 @@ std::vector<double> sortedSamples(const std::vector<double>& samples)
 
 } // namespace
 
-double logDensity(const Mixture& mixture, double x)
+LogDensity::LogDensity(const Mixture& mixture)
 {
-  double terms[maximumMixtureComponents];
-  double largest = -std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < mixture.size(); ++k)
+  for (const Gaussian& g : mixture)
   {
-    terms[k] = logTerm(mixture[k], x);
-    largest = std::max(largest, terms[k]);
+    this->terms_.push_back({ g.mean, g.variance, std::log(g.weight), logTwoPi + std::log(g.variance) });
+  }
+}
+
+double LogDensity::operator()(double x) const
+{
+  double logs[maximumMixtureComponents];
+  double largest = -std::numeric_limits<double>::infinity();
+  const std::size_t count = this->terms_.size();
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    // ln(weight N(x; mean, variance))
+    const Term& term = this->terms_[k];
+    const double d = x - term.mean;
+    logs[k] = term.logWeight - 0.5 * (term.logScale + d * d / term.variance);
+    largest = std::max(largest, logs[k]);
   }
   double sum = 0.0;
-  for (std::size_t k = 0; k < mixture.size(); ++k)
+  for (std::size_t k = 0; k < count; ++k)
   {
-    sum += std::exp(terms[k] - largest);
+    sum += std::exp(logs[k] - largest);
   }
   return largest + std::log(sum);
 }

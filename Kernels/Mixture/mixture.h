@@ -36,8 +36,21 @@ struct MixtureFit
   int steps = 0;              // EM steps in all
 };
 
-// ln of the mixture's density at x; finite for every finite x.
-double logDensity(const Mixture& mixture, double x);
+// ln of a mixture's density; finite for every finite x. The logarithms of weights and variances are taken
+// once, not for every x.
+class LogDensity
+{
+public:
+  explicit LogDensity(const Mixture& mixture);
+  double operator()(double x) const;
+
+private:
+  struct Term
+  {
+    double mean, variance, logWeight, logScale;
+  };
+  std::vector<Term> terms_;
+};
 
 // One EM step: responsibilities of the components, then weights, means and variances from them.
 // logLikelihood is that of the mixture given, not of the one returned.

@@ -115,7 +115,7 @@ TEST(A7_2, LikelihoodNeverFallsInEMNorWithMoreComponents)
     double direct = 0.0;
     for (double x : samples)
     {
-      direct += logDensity(fit.mixture, x);
+      direct += LogDensity(fit.mixture)(x);
     }
     EXPECT_NEAR(fit.logLikelihood, direct, 1e-8);
     before = fit.logLikelihood;
@@ -230,7 +230,7 @@ TEST(Mixture, ALoneSampleFarFromTheRestKeepsTheLikelihoodFinite)
     double direct = 0.0;
     for (double x : samples)
     {
-      direct += logDensity(host.mixture, x);
+      direct += LogDensity(host.mixture)(x);
     }
     EXPECT_NEAR(host.logLikelihood, direct, 1e-8 * std::abs(direct));
     if (const auto device = Device::instance(); device && device->info().fp64)
@@ -249,7 +249,7 @@ TEST(Mixture, ConstantSamplesKeepTheVarianceFloor)
   ASSERT_EQ(fit.mixture.size(), 1u);
   EXPECT_DOUBLE_EQ(fit.mixture[0].mean, 0.25);
   EXPECT_DOUBLE_EQ(fit.mixture[0].variance, 1e-4);
-  EXPECT_TRUE(std::isfinite(logDensity(fit.mixture, 1.0)));
+  EXPECT_TRUE(std::isfinite(LogDensity(fit.mixture)(1.0)));
 }
 
 TEST(Mixture, NoSamplesIsAnError)

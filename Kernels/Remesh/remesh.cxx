@@ -242,6 +242,9 @@ public:
 private:
   void addPoints()
   {
+    const std::size_t most = this->input_.mesh.points.size() + this->patch_.vertexCount();
+    this->result_.mesh.points.reserve(most);
+    this->result_.pointSource.reserve(most);
     this->outputOfInput_.assign(this->input_.mesh.points.size(), -1);
     this->output_.assign(this->patch_.vertexCount(), -1);
     for (const bool region : { false, true })
@@ -253,6 +256,7 @@ private:
           this->addInputPoint(v);
         }
       }
+      this->result_.outsidePoints = region ? this->result_.outsidePoints : this->result_.mesh.vertexCount();
     }
     // New ones as the triangles meet them.
     for (int t = 0; t < this->patch_.triangleCount(); ++t)
@@ -262,7 +266,8 @@ private:
         const int v = this->patch_.origin(h);
         if (this->output_[v] < 0)
         {
-          this->output_[v] = this->addPoint(this->patch_.point(v), -1, this->patch_.place(v));
+          this->output_[v] = this->addPoint(this->patch_.point(v), -1);
+          this->result_.places.push_back(this->inInput(this->patch_.place(v)));
         }
       }
     }
@@ -272,25 +277,28 @@ private:
   {
     const Vector3& old = this->input_.mesh.points[v];
     const int own = this->cutout_.vertexOf[v];
+    SurfacePoint at;
     if (own < 0)
     {
-      this->outputOfInput_[v] = this->addPoint(old, v, SurfacePoint());
+      this->outputOfInput_[v] = this->addPoint(old, v);
     }
     else if (this->patch_.aliveVertex(own))
     {
-      const SurfacePoint& at = this->patch_.place(own);
+      at = this->patch_.place(own);
       // A vertex that came to lie on another one's old place is not that one: fixed places never move.
       const bool still = at.triangle < 0 || (isWhole(at) && this->patch_.point(own) == old);
-      this->outputOfInput_[v] = this->output_[own] =
-        this->addPoint(this->patch_.point(own), still ? v : -1, at);
+      this->outputOfInput_[v] = this->output_[own] = this->addPoint(this->patch_.point(own), still ? v : -1);
+    }
+    if (this->input_.region[v] && this->outputOfInput_[v] >= 0)
+    {
+      this->result_.places.push_back(this->inInput(at));
     }
   }
 
-  int addPoint(const Vector3& point, int source, const SurfacePoint& at)
+  int addPoint(const Vector3& point, int source)
   {
     this->result_.mesh.points.push_back(point);
     this->result_.pointSource.push_back(source);
-    this->result_.places.push_back(this->inInput(at));
     return this->result_.mesh.vertexCount() - 1;
   }
 
@@ -303,17 +311,9 @@ private:
   void addTriangles(const Context& context)
   {
     Mesh& mesh = this->result_.mesh;
-    for (int t = 0; t < this->input_.mesh.triangleCount(); ++t)
-    {
-      if (!this->active_[t])
-      {
-        const Triangle& c = this->input_.mesh.triangles[t];
-        mesh.triangles.push_back(
-          { this->outputOfInput_[c[0]], this->outputOfInput_[c[1]], this->outputOfInput_[c[2]] });
-        this->result_.triangleSource.push_back(t);
-        this->result_.corners.push_back(wholeTriangle(t));
-      }
-    }
+    std::vector<int>& source = this->result_.triangleSource;
+    const std::size_t all = this->input_.mesh.triangles.size();
+    const auto changed = static_cast<std::size_t>(std::count(this->active_.begin(), this->active_.end(), 1));
     std::vector<int> order;
     for (int t = 0; t < this->patch_.triangleCount(); ++t)
     {
@@ -322,10 +322,30 @@ private:
         order.push_back(t);
       }
     }
-    const int outside = mesh.triangleCount(), count = static_cast<int>(order.size());
-    mesh.triangles.resize(outside + count);
-    this->result_.triangleSource.resize(outside + count);
-    this->result_.corners.resize(outside + count);
+    const int count = static_cast<int>(order.size()), outside = static_cast<int>(all - changed);
+    this->result_.outsideTriangles = outside;
+    source.reserve(outside + order.size());
+    for (std::size_t t = 0; t < all; ++t)
+    {
+      if (!this->active_[t])
+      {
+        source.push_back(static_cast<int>(t));
+      }
+    }
+    source.resize(outside + order.size());
+    mesh.triangles.resize(outside + order.size());
+    this->result_.insideCorners.resize(order.size());
+    context.parallelFor(outside,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          const Triangle& c = this->input_.mesh.triangles[source[i]];
+          mesh.triangles[i] = {
+            this->outputOfInput_[c[0]], this->outputOfInput_[c[1]], this->outputOfInput_[c[2]]
+          };
+        }
+      });
     context.parallelFor(count,
       [&](int begin, int end)
       {
@@ -339,21 +359,16 @@ private:
     context.checkpoint(1.0);
   }
 
-  static std::array<SurfacePoint, 3> wholeTriangle(int t)
-  {
-    return { { { t, { 1.0, 0.0, 0.0 } }, { t, { 0.0, 1.0, 0.0 } }, { t, { 0.0, 0.0, 1.0 } } } };
-  }
-
   void findSource(int slot, int i)
   {
     const Triangle t = this->patch_.triangle(slot);
-    std::array<SurfacePoint, 3>& corners = this->result_.corners[i];
+    std::array<SurfacePoint, 3>& corners = this->result_.insideCorners[i - this->result_.outsideTriangles];
     const auto still = [this](int v) { return this->result_.pointSource[this->output_[v]] >= 0; };
     if (slot < this->cutout_.mesh.triangleCount() && t == this->cutout_.mesh.triangles[slot] && still(t[0]) &&
         still(t[1]) && still(t[2]))
     {
       this->result_.triangleSource[i] = this->cutout_.triangles[slot];
-      corners = wholeTriangle(this->cutout_.triangles[slot]);
+      corners = RemeshResult::wholeTriangle(this->cutout_.triangles[slot]);
       return;
     }
     const Vector3 middle =
@@ -378,9 +393,7 @@ private:
     {
       return;
     }
-    const std::vector<int> oneChart;
-    const std::vector<char> all(this->result_.mesh.triangles.size(), 1);
-    const Surface now(this->result_.mesh, all, oneChart);
+    const Surface now(this->result_.mesh);
     for (const Binding& handle : this->input_.handles)
     {
       std::vector<int> support = supportOf(handle);

@@ -28,13 +28,30 @@ struct RemeshResult
   Mesh mesh;
   // Points outside the region come first, in their order; then those of the region that stayed; then new
   // ones.
-  std::vector<int> pointSource;     // the input point it is, or -1 for one that moved or is new
-  std::vector<SurfacePoint> places; // where on the input each point is
+  std::vector<int> pointSource; // the input point it is, or -1 for one that moved or is new
   // Triangles outside the region come first, in their order.
   std::vector<int> triangleSource; // the input triangle under its middle
-  std::vector<std::array<SurfacePoint, 3>>
-    corners; // where on the input each corner is, in the triangle's own chart
   std::vector<Binding> handles;
+
+  // Where on the input a point is, and each corner of a triangle, in the triangle's own chart. Of points that
+  // are input points and triangles that are input triangles nothing is stored.
+  SurfacePoint place(int point) const
+  {
+    return this->pointSource[point] >= 0 ? SurfacePoint() : this->places[point - this->outsidePoints];
+  }
+  std::array<SurfacePoint, 3> corners(int triangle) const
+  {
+    return triangle < this->outsideTriangles ? wholeTriangle(this->triangleSource[triangle])
+                                             : this->insideCorners[triangle - this->outsideTriangles];
+  }
+  static std::array<SurfacePoint, 3> wholeTriangle(int t)
+  {
+    return { { { t, { 1.0, 0.0, 0.0 } }, { t, { 0.0, 1.0, 0.0 } }, { t, { 0.0, 0.0, 1.0 } } } };
+  }
+
+  int outsidePoints = 0, outsideTriangles = 0; // those outside the region
+  std::vector<SurfacePoint> places;            // of the others
+  std::vector<std::array<SurfacePoint, 3>> insideCorners;
 };
 
 // Botsch and Kobbelt's loop: split edges over 4/3 of the target, collapse those under 4/5, flip towards

@@ -25,21 +25,56 @@ struct ActiveEdge
   bool whole;  // not to be split: frozen, or folded
 };
 
+// The active triangles and those beside them, by themselves: all that follows is as large as they are. The
+// vertices of active ones are numbered in their order, so that sums are the same as over the whole mesh; the
+// others have no number, -1, nor a point.
+struct Part
+{
+  Mesh mesh;
+  std::vector<char> active;  // per triangle of the part
+  std::vector<int> vertices; // in the whole mesh
+
+  Part(const Mesh& whole, const std::vector<char>& wholeActive)
+  {
+    std::vector<int> number(whole.points.size(), -1);
+    for (int t = 0; t < whole.triangleCount(); ++t)
+    {
+      for (int k = 0; wholeActive[t] && k < 3; ++k)
+      {
+        number[whole.triangles[t][k]] = 0;
+      }
+    }
+    for (int v = 0; v < whole.vertexCount(); ++v)
+    {
+      if (number[v] == 0)
+      {
+        number[v] = this->mesh.vertexCount();
+        this->mesh.points.push_back(whole.points[v]);
+        this->vertices.push_back(v);
+      }
+    }
+    for (int t = 0; t < whole.triangleCount(); ++t)
+    {
+      const Triangle& c = whole.triangles[t];
+      const Triangle inside{ number[c[0]], number[c[1]], number[c[2]] };
+      if ((inside[0] >= 0) + (inside[1] >= 0) + (inside[2] >= 0) > 1)
+      {
+        this->mesh.triangles.push_back(inside);
+        this->active.push_back(wholeActive[t]);
+      }
+    }
+  }
+};
+
 // Edges of the active triangles, ascending.
-std::vector<ActiveEdge> activeEdges(const Mesh& mesh, const std::vector<char>& active)
+std::vector<ActiveEdge> activeEdges(const Part& part)
 {
   struct Side
   {
     int v1, halfEdge;
   };
-  std::vector<char> inside(mesh.points.size(), 0);
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-  {
-    for (int k = 0; active[t] && k < 3; ++k)
-    {
-      inside[mesh.triangles[t][k]] = 1;
-    }
-  }
+  const Mesh& mesh = part.mesh;
+  const std::vector<char>& active = part.active;
   // Bucketed by the lower end, then sorted per bucket: several times quicker than sorting pairs.
   const auto eachSide = [&](auto&& visit)
   {
@@ -49,7 +84,7 @@ std::vector<ActiveEdge> activeEdges(const Mesh& mesh, const std::vector<char>& a
       for (int k = 0; k < 3; ++k)
       {
         const int a = c[k], b = c[(k + 1) % 3];
-        if (inside[a] && inside[b])
+        if (a >= 0 && b >= 0)
         {
           visit(std::min(a, b), Side{ std::max(a, b), 3 * t + k });
         }
@@ -163,29 +198,32 @@ std::vector<char> regionTriangles(const Mesh& mesh, const std::vector<char>& reg
 
 double guideLength(const Mesh& mesh, const std::vector<char>& active)
 {
-  const std::vector<ActiveEdge> edges = activeEdges(mesh, active);
+  const Part part(mesh, active);
+  const std::vector<ActiveEdge> edges = activeEdges(part);
   double sum = 0.0;
   for (const ActiveEdge& e : edges)
   {
-    sum += (mesh.points[e.v0] - mesh.points[e.v1]).norm();
+    sum += (part.mesh.points[e.v0] - part.mesh.points[e.v1]).norm();
   }
   return edges.empty() ? 0.0 : sum / static_cast<double>(edges.size());
 }
 
-std::vector<double> targetLengths(const Mesh& mesh,
-  const std::vector<char>& active,
+std::vector<double> targetLengths(const Mesh& whole,
+  const std::vector<char>& wholeActive,
   const std::vector<double>& diameters,
   const Sizing& sizing)
 {
-  const std::vector<ActiveEdge> edges = activeEdges(mesh, active);
-  std::vector<double> limit(mesh.points.size(), infinite);
-  for (std::size_t v = 0; v < diameters.size(); ++v)
+  const Part part(whole, wholeActive);
+  const Mesh& mesh = part.mesh;
+  const std::vector<char>& active = part.active;
+  const std::vector<ActiveEdge> edges = activeEdges(part);
+  const auto limitOf = [&diameters](int v)
   {
-    if (std::isfinite(diameters[v]) && diameters[v] > 0.0)
-    {
-      limit[v] = 0.5 * diameters[v];
-    }
-  }
+    return !diameters.empty() && std::isfinite(diameters[v]) && diameters[v] > 0.0 ? 0.5 * diameters[v]
+                                                                                   : infinite;
+  };
+  std::vector<double> limit(mesh.points.size());
+  std::transform(part.vertices.begin(), part.vertices.end(), limit.begin(), limitOf);
   // Half a triangle per active one at least, even where the area is nothing: what the input has is no growth.
   const auto expected = [&](double lowest)
   {
@@ -221,11 +259,9 @@ std::vector<double> targetLengths(const Mesh& mesh,
     }
     lowest = enough;
   }
-  std::vector<double> target(mesh.points.size(), sizing.length);
-  for (std::size_t v = 0; v < target.size(); ++v)
-  {
-    target[v] = std::min(sizing.length, std::max(limit[v], lowest));
-  }
+  const auto within = [&](double wanted) { return std::min(sizing.length, std::max(wanted, lowest)); };
+  std::vector<double> target(mesh.points.size());
+  std::transform(limit.begin(), limit.end(), target.begin(), within);
   spread(mesh, edges, sizing.gradation, infinite, target);
   // Near edges that stay as they are (folded ones may still be collapsed): from above towards short ones,
   // from below towards long ones.
@@ -252,14 +288,19 @@ std::vector<double> targetLengths(const Mesh& mesh,
   // No target is over the wanted length, nor under 0.
   spread(mesh, edges, sizing.gradation, sizing.length, above);
   spread(mesh, edges, sizing.gradation, 0.0, below);
+  std::vector<double> result(whole.points.size());
+  for (int v = 0; v < whole.vertexCount(); ++v)
+  {
+    result[v] = within(limitOf(v));
+  }
   for (std::size_t v = 0; v < target.size(); ++v)
   {
     // A border edge much shorter than wanted is the outside's flaw: it shall not make the inside finer
     // without end.
     const double shortest = std::max(above[v], sizing.minimumFactor * sizing.length);
-    target[v] = std::max(std::min(target[v], shortest), -below[v]);
+    result[part.vertices[v]] = std::max(std::min(target[v], shortest), -below[v]);
   }
-  return target;
+  return result;
 }
 
 } // namespace oversketch

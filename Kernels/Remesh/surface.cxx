@@ -53,10 +53,26 @@ SurfacePoint seenFrom(const Mesh& mesh, const SurfacePoint& at, int triangle)
 
 } // namespace
 
+const std::vector<int> Surface::oneChart;
+
 Surface::Surface(const Mesh& mesh, const std::vector<char>& active, const std::vector<int>& charts)
   : mesh_(mesh)
   , charts_(charts)
 {
+  this->listTriangles(active);
+  this->linkHalfEdges(active);
+}
+
+Surface::Surface(const Mesh& mesh)
+  : mesh_(mesh)
+  , charts_(oneChart)
+{
+  this->listTriangles(std::vector<char>(mesh.triangles.size(), 1));
+}
+
+void Surface::listTriangles(const std::vector<char>& active)
+{
+  const Mesh& mesh = this->mesh_;
   std::vector<int>& offsets = this->vertexTriangles_.offsets;
   offsets.assign(mesh.points.size() + 1, 0);
   for (int t = 0; t < mesh.triangleCount(); ++t)
@@ -66,10 +82,7 @@ Surface::Surface(const Mesh& mesh, const std::vector<char>& active, const std::v
       ++offsets[mesh.triangles[t][k] + 1];
     }
   }
-  for (std::size_t i = 1; i < offsets.size(); ++i)
-  {
-    offsets[i] += offsets[i - 1];
-  }
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   this->vertexTriangles_.values.resize(offsets.back());
   std::vector<int> next(offsets.begin(), offsets.end() - 1);
   for (int t = 0; t < mesh.triangleCount(); ++t)
@@ -79,7 +92,29 @@ Surface::Surface(const Mesh& mesh, const std::vector<char>& active, const std::v
       this->vertexTriangles_.values[next[mesh.triangles[t][k]]++] = t;
     }
   }
-  this->linkHalfEdges(active);
+}
+
+// As linkHalfEdges finds it, where all triangles are active; -1 where there is none.
+int Surface::findTwin(int h) const
+{
+  const auto origin = [this](int side) { return this->mesh_.triangles[side / 3][side % 3]; };
+  const auto target = [this](int side) { return this->mesh_.triangles[side / 3][(side % 3 + 1) % 3]; };
+  const int a = origin(h), b = target(h);
+  int twin = -1, others = 0, last = -1;
+  for (const int* t = this->vertexTriangles_.begin(a); a != b && t != this->vertexTriangles_.end(a); ++t)
+  {
+    for (int side = 3 * *t; *t != last && side < 3 * *t + 3; ++side)
+    {
+      const bool against = origin(side) == b && target(side) == a;
+      if (side != h && (against || (origin(side) == a && target(side) == b)))
+      {
+        twin = against ? side : -1;
+        ++others;
+      }
+    }
+    last = *t;
+  }
+  return others == 1 ? twin : -1;
 }
 
 // Half-edges of the vertices of active triangles, bucketed by the lower end and matched there.
@@ -183,7 +218,7 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
     {
       // Over the edge first: most often that is all.
       const int corner = from.weights[0] == 0.0 ? 0 : from.weights[1] == 0.0 ? 1 : 2;
-      const int twin = this->twins_[nextHalfEdge(3 * from.triangle + corner)];
+      const int twin = this->twin(nextHalfEdge(3 * from.triangle + corner));
       if (twin >= 0 && this->chart(twin / 3) == chart && consider(twin / 3))
       {
         continue;

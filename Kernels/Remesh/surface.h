@@ -88,6 +88,9 @@ public:
   // The triangles of mesh with active[t] != 0. charts: one number per triangle of mesh, or empty for one
   // chart. All three are kept by reference.
   Surface(const Mesh& mesh, const std::vector<char>& active, const std::vector<int>& charts);
+  // All triangles of mesh, which is kept by reference, as one chart, for a few questions: twins are looked
+  // for as they are asked after, not stored.
+  explicit Surface(const Mesh& mesh);
 
   const Mesh& mesh() const { return this->mesh_; }
   const std::vector<int>& charts() const { return this->charts_; }
@@ -113,11 +116,16 @@ public:
   int triangleWith(const std::vector<int>& vertices) const;
 
 private:
+  void listTriangles(const std::vector<char>& active);
   void linkHalfEdges(const std::vector<char>& active);
+  int twin(int h) const { return this->twins_.empty() ? this->findTwin(h) : this->twins_[h]; }
+  int findTwin(int h) const;
+
+  static const std::vector<int> oneChart;
 
   const Mesh& mesh_;
   const std::vector<int>& charts_;
-  Lists vertexTriangles_; // active triangles only, ascending
+  Lists vertexTriangles_; // active triangles only, ascending; twice where one has a vertex twice
   std::vector<int> twins_;
 };
 

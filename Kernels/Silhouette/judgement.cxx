@@ -3,6 +3,7 @@
 #include "Silhouette/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -31,47 +32,50 @@ bool narrow(const Mesh& mesh, const Triangle& t)
 
 } // namespace
 
-int foldedEdges(const Mesh& mesh, const std::vector<char>& regionVertex)
+int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& regionVertex)
 {
-  // One ring more: a triangle outside may share an edge with one that has a corner in the region.
-  std::vector<char> near = regionVertex;
-  for (const Triangle& t : mesh.triangles)
+  const auto eachTriangleAt = [&](const std::vector<char>& chosen, auto&& visit)
   {
-    if (regionVertex[t[0]] || regionVertex[t[1]] || regionVertex[t[2]])
+    for (int v = 0; v < mesh.vertexCount(); ++v)
     {
-      near[t[0]] = near[t[1]] = near[t[2]] = 1;
-    }
-  }
-  Mesh part;
-  for (const Triangle& t : mesh.triangles)
-  {
-    if (near[t[0]] || near[t[1]] || near[t[2]])
-    {
-      part.triangles.push_back(t);
-    }
-  }
-  std::vector<int> place(mesh.points.size(), -1);
-  for (Triangle& t : part.triangles)
-  {
-    for (int& v : t)
-    {
-      if (place[v] < 0)
+      if (chosen[v])
       {
-        place[v] = part.vertexCount();
-        part.points.push_back(mesh.points[v]);
+        std::for_each(adjacency.vertexTriangles.begin(v), adjacency.vertexTriangles.end(v), visit);
       }
-      v = place[v];
     }
-  }
-  const Adjacency adjacency = buildAdjacency(part);
+  };
+  // One ring more: a triangle outside may share an edge with one that has a corner in the region.
+  std::vector<char> near = regionVertex, part(mesh.triangles.size(), 0);
+  eachTriangleAt(regionVertex,
+    [&](int t)
+    {
+      for (const int v : mesh.triangles[t])
+      {
+        near[v] = 1;
+      }
+    });
+  eachTriangleAt(near, [&part](int t) { part[t] = 1; });
   const double limit = std::cos(100.0 * pi / 180.0);
   int folded = 0;
-  for (int e = 0; e < static_cast<int>(adjacency.edges.size()); ++e)
+  for (int t = 0; t < mesh.triangleCount(); ++t)
   {
-    if (adjacency.edges[e].triangleCount == 2)
+    for (int k = 0; part[t] && k < 3; ++k)
     {
-      const int* t = adjacency.trianglesBegin(e);
-      folded += facetNormal(part, t[0]).dot(facetNormal(part, t[1])) < limit;
+      const int e = adjacency.triangleEdges[t][k];
+      std::array<int, 2> pair{ -1, -1 };
+      int count = 0; // of the edge's triangles, those of the part
+      for (int i = 0; e >= 0 && i < adjacency.edges[e].triangleCount; ++i)
+      {
+        const int other = adjacency.trianglesBegin(e)[i];
+        if (part[other])
+        {
+          pair[std::min(count++, 1)] = other;
+        }
+      }
+      if (count == 2 && pair[0] == t)
+      {
+        folded += facetNormal(mesh, pair[0]).dot(facetNormal(mesh, pair[1])) < limit;
+      }
     }
   }
   return folded;
@@ -142,7 +146,7 @@ OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& st
   };
   constexpr double near = 50.0; // px; no outline that is nearer than this lies outside the window
   const OutlineError error = measure(strokeWindow(stroke, near));
-  return error.worst <= near ? error : measure(outlineWindow(mesh, view, stroke));
+  return error.worst <= near ? error : measure(outlineWindow(mesh, view, stroke, context));
 }
 
 bool Judgement::keptAgainst(const Judgement& plain) const

@@ -98,12 +98,12 @@ TEST(Judgement, AStripFoldedOverAHundredDegreesHasAFoldPerEdgeOfTheLine)
   for (const double degrees : { 0.0, 60.0, 99.0, -99.0 })
   {
     const Mesh strip = foldedStrip(degrees);
-    EXPECT_EQ(foldedEdges(strip, all(strip.points.size())), 0) << degrees;
+    EXPECT_EQ(foldedEdges(strip, buildAdjacency(strip), all(strip.points.size())), 0) << degrees;
   }
   for (const double degrees : { 101.0, -101.0, 135.0, 179.0 })
   {
     const Mesh strip = foldedStrip(degrees);
-    EXPECT_EQ(foldedEdges(strip, all(strip.points.size())), around) << degrees;
+    EXPECT_EQ(foldedEdges(strip, buildAdjacency(strip), all(strip.points.size())), around) << degrees;
   }
 }
 
@@ -118,7 +118,7 @@ TEST(Judgement, FoldsCountInTheRegionAndTwoRingsRoundIt)
       const double row = v / (around + 1);
       region[v] = row >= from && row <= to;
     }
-    return foldedEdges(strip, region);
+    return foldedEdges(strip, buildAdjacency(strip), region);
   };
   EXPECT_EQ(foldsOf(6, 6), around);
   EXPECT_EQ(foldsOf(0, 5), around);

@@ -16,9 +16,9 @@ TEST(SharedMesh, IsFoundAgainByAShallowCopyAndForgottenWithItsLastHolder)
 {
   const auto sphere = toPolyData(icosphere(2));
   auto first = SharedMesh(sphere);
-  EXPECT_EQ(first->Surface.vertexCount(), 162);
-  EXPECT_EQ(first->Neighbours.edges.size(), 480u);
-  EXPECT_EQ(first->Normals.size(), 162u);
+  EXPECT_EQ(first->Surface().vertexCount(), 162);
+  EXPECT_EQ(first->Neighbours().edges.size(), 480u);
+  EXPECT_EQ(first->Normals().size(), 162u);
   vtkNew<vtkPolyData> copy;
   copy->ShallowCopy(sphere);
   EXPECT_EQ(SharedMesh(copy), first);
@@ -36,11 +36,11 @@ TEST(SharedMesh, SeesMovedPointsNewNormalsAndForeignCells)
   sphere->GetPoints()->Modified();
   const auto second = SharedMesh(sphere);
   EXPECT_NE(first, second);
-  EXPECT_EQ(second->Surface.points[0], Vector3(9, 9, 9));
-  EXPECT_NE(first->Surface.points[0], second->Surface.points[0]);
+  EXPECT_EQ(second->Surface().points[0], Vector3(9, 9, 9));
+  EXPECT_NE(first->Surface().points[0], second->Surface().points[0]);
   std::vector<Vector3> normals(mesh.points.size(), Vector3(0, 0, 2));
   sphere->GetPointData()->SetNormals(toPolyData(mesh, &normals)->GetPointData()->GetNormals());
-  EXPECT_EQ(SharedMesh(sphere)->Normals[3], Vector3(0, 0, 1));
+  EXPECT_EQ(SharedMesh(sphere)->Normals()[3], Vector3(0, 0, 1));
   const auto mixed = toPolyData(mesh);
   const auto kept = SharedMesh(mixed);
   vtkNew<vtkCellArray> line;

@@ -2,6 +2,7 @@
 #include "Harness/shipped.h"
 
 #include "Mesh/context.h"
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchMatch.h"
 #include "vtkOversketchOneStroke.h"
 
@@ -59,6 +60,25 @@ TEST(OneStroke, MovesTheRegionAndNothingElse)
   }
   EXPECT_GT(moved, inside / 2);
   EXPECT_LT(inside, s.mesh->GetNumberOfPoints() / 2);
+}
+
+// The welded mesh, the stretched one, that one deformed, once more with the outline corrected (and again with
+// weaker handles), and the restored one. A mesh that was only deformed has the links of the one before it.
+TEST(OneStroke, ConvertsAndLinksEachMeshOnceAndTakesNormalsOfTheFirstAlone)
+{
+  System s;
+  s.filter->SetRemeshToOn();
+  const oversketch::MeshWork& work = oversketch::MeshWorkDone();
+  for (const bool first : { true, false })
+  {
+    const int conversions = work.Conversions, linkings = work.Linkings, normals = work.Normals;
+    s.filter->SetStrokeData(shippedStroke(first ? strokeName : "dog_curled_tail"));
+    s.filter->Update();
+    ASSERT_EQ(s.filter->GetErrorCode(), 0u);
+    EXPECT_LE(work.Conversions - conversions, first ? 6 : 5);
+    EXPECT_LE(work.Linkings - linkings, first ? 2 : 1);
+    EXPECT_LE(work.Normals - normals, first ? 1 : 0);
+  }
 }
 
 // The result is the same for any number of threads, cold and cached, from run to run.
