@@ -103,6 +103,10 @@ def test_parameters_of_the_base_are_the_class_s_own(tmp_path):
     assert said == {"Size": "1.5", "Count": "3"}
 
 
+def test_stops_at_a_base_that_is_not_there(tmp_path):
+    assert "vtkOversketchSystem, which no room has" in refusal(header(tmp_path, base="vtkOversketchSystem"))
+
+
 def test_all_headers_are_understood():
     paths = [path for path in sorted(SOURCE.glob("Filters/*/vtkOversketch*.h")) if "_EXPORT vtkOversketch" in path.read_text()]
     assert len(proxies(*paths)) > 15

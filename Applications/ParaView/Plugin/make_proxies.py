@@ -55,7 +55,10 @@ class Header:
         self.name = self.kind.replace("vtkOversketch", "")
         self.filter = f"static {self.kind}* New();" in self.text  # else the base of others
         base = re.search(rf"^class \w+ {self.kind} : public (vtkOversketch\w+)", self.text, re.M)
-        self.base = Header(next(path.parents[1].glob(f"*/{base.group(1)}.h"))) if base else None
+        found = list(path.parents[1].glob(f"*/{base.group(1)}.h")) if base else []
+        if base and not found:
+            raise SystemExit(f"make_proxies.py: {self.kind} derives from {base.group(1)}, which no room has")
+        self.base = Header(found[0]) if found else None
         top = re.match(r"/\*\*(.*?)\*/", self.text, re.S).group(1)
         body = prose(top)
         self.brief = re.search(r"@brief (.*?)\n\n", body, re.S).group(1).replace("\n", " ")
