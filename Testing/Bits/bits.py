@@ -89,7 +89,8 @@ def row(made: vtkPolyData, mesh: vtkPolyData, drawn: Any) -> Row:
         bounds = [float(f"{b:.6g}") for b in made.GetBounds()]
         before, after = (vtk_to_numpy(m.GetPoints().GetData()).astype(float) for m in (mesh, made))
         moved = round(1.0 - float(judge.surviving(before, after).mean()), 4)
-    return Row(source.hexdigest()[:SHORT], digest(made), digest_of_arrays(made)[:SHORT], made.GetNumberOfPoints(), made.GetNumberOfPolys(), bounds, moved)
+    counts = made.GetNumberOfPoints(), made.GetNumberOfPolys()
+    return Row(source.hexdigest()[:SHORT], digest(made), digest_of_arrays(made)[:SHORT], *counts, bounds, moved)
 
 
 # ---------------------------------------------------------------------------------------------------------- runs

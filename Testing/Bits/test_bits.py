@@ -53,27 +53,29 @@ def test_all_that_was_recorded_was_run(made, known):
 def test_meshes_are_those_that_were_recorded(made, known):
     platform = bits.platform()
     print(f"\nplatform: {platform}")
-    rows = {backend: one for backend, (one, _) in made.items()}
-    wrong = [f"{name}, {backend}: {', '.join(apart)}" for backend, found in rows.items() for name, row in found.items()
-             for apart in [recorded.apart(known.figures[name], row)] if apart]
+    runs = [(name, backend, row) for backend, (one, _) in made.items() for name, row in one.items()]
     digests = known.on(platform)
     if digests is None:
         print("NOT RECORDED: no digests of this platform. Compared are one thread with two, kept with fresh, and points, triangles, "
               "bounds and the share that moved with those of another platform.")
         for other, there in known.platforms:
-            same = sum(row.mesh == there[name].mesh[backend] for backend, found in rows.items() for name, row in found.items())
-            print(f"{same} of {sum(map(len, rows.values()))} meshes have the bits recorded on {other}")
-    else:
-        for backend, found in rows.items():
-            for name, row in found.items():
-                if row.input != digests[name].input:
-                    wrong.append(f"{name}: other mesh or stroke than was recorded; the figures alone were compared")
-                elif row.mesh != digests[name].mesh[backend]:
-                    wrong.append(f"{name}, {backend}: other points or polygons")
-                elif row.arrays != digests[name].arrays[backend]:
-                    wrong.append(f"{name}, {backend}: other arrays")
+            same = sum(row.mesh == there[name].mesh[backend] for name, backend, row in runs)
+            print(f"{same} of {len(runs)} meshes have the bits recorded on {other}")
+        far = [f"{name}, {backend}: {', '.join(recorded.apart(known.figures[name], row))}" for name, backend, row in runs
+               if recorded.apart(known.figures[name], row)]
+        print("\n".join(far + [f"{len(runs) - len(far)} meshes near to those recorded"]))
+        assert len(far) <= recorded.FEW * len(runs)
+        return
+    wrong = []
+    for name, backend, row in runs:
+        if row.input != digests[name].input:
+            wrong.append(f"{name}: other mesh or stroke than was recorded")
+        elif row.mesh != digests[name].mesh[backend]:
+            wrong.append(f"{name}, {backend}: other points or polygons; {', '.join(recorded.apart(known.figures[name], row)) or 'near'}")
+        elif row.arrays != digests[name].arrays[backend]:
+            wrong.append(f"{name}, {backend}: other arrays")
     assert wrong == []
-    print(f"{sum(map(len, rows.values()))} meshes", "near to those recorded" if digests is None else "the same to the bit")
+    print(f"{len(runs)} meshes the same to the bit")
 
 
 def test_the_figures_tell_one_mesh_from_another(known):
