@@ -90,7 +90,8 @@ private:
         of.mesh,
         { of.nodes.begin() + static_cast<std::ptrdiff_t>(first),
           of.nodes.end() - static_cast<std::ptrdiff_t>(last) },
-        of.backend };
+        of.backend,
+        of.pictures };
     };
     return { first, part(before), part(after) };
   }
@@ -103,6 +104,7 @@ private:
     to.meshName = come.meshName;
     to.mesh = come.mesh;
     to.backend = come.backend;
+    to.pictures = come.pictures;
     return to;
   }
 

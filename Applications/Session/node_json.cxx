@@ -3,6 +3,7 @@
 #include "files.h"
 #include "mesh_file.h"
 #include "texture.h"
+#include "vtkOversketchFilterTools.h"
 
 #include <algorithm>
 #include <iterator>
@@ -83,6 +84,17 @@ Lines linesOf(const JsonReader& json, const char* member, const Package& package
   return Lines(oversketch_files::parseStroke(path + ": " + entry, *entryOf(package, entry, path)));
 }
 
+Image imageOf(const JsonReader& json, const Package& package, const std::string& path)
+{
+  const std::string entry = json.text("image");
+  const Image image{ json.text("image_name"), entryOf(package, entry, path) };
+  if (!oversketch_files::pictureOf(*image.bytes))
+  {
+    throw Failed(path + ": " + entry + " is no PNG or JPEG picture, or a damaged one");
+  }
+  return image;
+}
+
 Input inputOf(const JsonReader& json, SystemInput::Kind kind, const Package& package, const std::string& path)
 {
   if (json.has("step"))
@@ -93,13 +105,7 @@ Input inputOf(const JsonReader& json, SystemInput::Kind kind, const Package& pac
   {
     return linesOf(json, "lines", package, path);
   }
-  const std::string entry = json.text("image");
-  const Image image{ json.text("image_name"), entryOf(package, entry, path) };
-  if (!oversketch_files::pictureOf(*image.bytes))
-  {
-    throw Failed(path + ": " + entry + " is no PNG or JPEG picture, or a damaged one");
-  }
-  return image;
+  return imageOf(json, package, path);
 }
 
 // What both versions tell of a step alike.
@@ -192,7 +198,8 @@ bool isVersion1(const Session& session)
            std::holds_alternative<Lines>(step.inputs.at(stroke1)) &&
            std::all_of(step.values.begin(), step.values.end(), isKnown);
   };
-  return session.mesh && std::all_of(session.nodes.begin(), session.nodes.end(), isStroke);
+  return session.mesh && session.pictures.empty() &&
+         std::all_of(session.nodes.begin(), session.nodes.end(), isStroke);
 }
 
 Json::Value jsonOf1(const Node& node, const std::vector<SystemRow>& rows, const EntryWriter& entries)
@@ -295,6 +302,42 @@ Node nodeOf2(const JsonReader& json,
   node.id = json.integer("id", 1, largestId);
   node.step = step;
   return node;
+}
+
+Json::Value jsonOf(const Picture& picture, const EntryWriter& entries)
+{
+  Json::Value json = jsonOfInput(picture.image, entries);
+  json["frame"] = entries.lines(picture.frame);
+  json["opacity"] = picture.opacity;
+  json["shown"] = picture.shown;
+  return json;
+}
+
+Picture pictureOf(const JsonReader& json, const Package& package, const std::string& path)
+{
+  Picture picture;
+  picture.image = imageOf(json, package, path);
+  picture.frame = linesOf(json, "frame", package, path);
+  picture.opacity = json.number("opacity");
+  picture.shown = json.yes("shown");
+  if (!(picture.opacity >= 0.0 && picture.opacity <= 1.0))
+  {
+    json.refuse("opacity", "is not between 0 and 1");
+  }
+  try
+  {
+    const vtkSmartPointer<vtkPolyData> frame = picture.frame.own();
+    oversketch::ViewOf(frame);
+    if (oversketch::StrokeOf(frame).size() != 2)
+    {
+      json.refuse("frame", "has not two corners");
+    }
+  }
+  catch (const oversketch::Error&)
+  {
+    json.refuse("frame", "is no stroke with its view");
+  }
+  return picture;
 }
 
 } // namespace oversketch_session

@@ -1,4 +1,4 @@
-// Steps of a session as JSON, in both versions of the format: see README.md beside this.
+// Steps and pictures of a session as JSON, in both versions of the format: see README.md beside this.
 #ifndef oversketch_node_json_h
 #define oversketch_node_json_h
 
@@ -29,6 +29,8 @@ struct EntryWriter
 Json::Value jsonOf1(const Node& node, const std::vector<SystemRow>& rows, const EntryWriter& entries);
 Json::Value jsonOf2(const Node& node, const std::vector<SystemRow>& rows, const EntryWriter& entries);
 
+Json::Value jsonOf(const Picture& picture, const EntryWriter& entries);
+
 // Throw Failed, naming the path, the entry and the member. Version 1 has no ids.
 Node nodeOf1(const JsonReader& json,
   const std::vector<SystemRow>& rows,
@@ -38,6 +40,8 @@ Node nodeOf2(const JsonReader& json,
   const std::vector<SystemRow>& rows,
   const Package& package,
   const std::string& path);
+
+Picture pictureOf(const JsonReader& json, const Package& package, const std::string& path);
 
 // The bytes of an entry. Throws Failed where there is none.
 const std::shared_ptr<const std::string>& entryOf(const Package& package,

@@ -47,12 +47,23 @@ struct Node
   }
 };
 
+// A picture in the scene, behind the model: seen in the view that it was put there in.
+struct Picture
+{
+  Image image;
+  Lines frame; // a stroke with its view, from the picture's lower left corner to its upper right one
+  double opacity = 1.0;
+  bool shown = true;
+};
+using Pictures = std::vector<std::shared_ptr<const Picture>>;
+
 struct Session
 {
   std::string meshName; // of the file that was opened, without its folder
   SharedData mesh;      // null where the first step makes one
   std::vector<Node> nodes;
-  int backend = 0; // vtkOversketchSystem::BackendType
+  int backend = 0;   // vtkOversketchSystem::BackendType
+  Pictures pictures; // no step depends on them
 };
 
 // The next id: greater than all that the session names, so that nothing refers to a new step by chance.

@@ -208,6 +208,10 @@ Package Encoder::encode(const SessionFile& file)
   {
     json[list].append(isFirst ? jsonOf1(node, this->rows_, writer) : jsonOf2(node, this->rows_, writer));
   }
+  for (const auto& picture : session.pictures)
+  {
+    json["pictures"].append(jsonOf(*picture, writer));
+  }
   json["made_by"]["version"] = file.origin.version;
   json["made_by"]["backend"] = file.origin.backend;
   json["made_by"]["device"] = file.origin.device;
@@ -277,6 +281,13 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
   session.meshName = json.text("mesh_name");
   session.backend = json.choice("backend", backendWords());
   session.nodes = nodesOf(json, version == 1, rows, package, path);
+  if (version > 1 && json.has("pictures"))
+  {
+    for (const JsonReader& one : json.list("pictures", "picture"))
+    {
+      session.pictures.push_back(std::make_shared<Picture>(pictureOf(one, package, path)));
+    }
+  }
   const JsonReader origin = json.object("made_by");
   file.origin = {
     origin.text("version"), origin.text("backend"), origin.text("device"), origin.text("processor")

@@ -2,6 +2,7 @@
 
 #include "files.h"
 #include "mesh_file.h"
+#include "row_texts.h"
 
 #include <QFileInfo>
 
@@ -29,8 +30,6 @@ QStringList listOf(const Notes& notes)
   }
   return list;
 }
-
-const char* const strokeInput = "Stroke";
 
 std::size_t indexOf(int node)
 {
@@ -66,11 +65,13 @@ Document::Document(QObject* parent)
       },
       Qt::QueuedConnection);
   };
-  listener.progress = [this](std::uint64_t, std::size_t, const std::string& stage, double share)
+  listener.progress = [this](std::uint64_t, std::size_t node, const std::string& stage, double share)
   {
     const QString name = QString::fromStdString(stage);
     QMetaObject::invokeMethod(
-      this, [this, name, share] { emit this->progressed(name, share); }, Qt::QueuedConnection);
+      this,
+      [this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); },
+      Qt::QueuedConnection);
   };
   this->worker_ = std::make_unique<Worker>(std::move(listener));
 }
@@ -122,7 +123,7 @@ void Document::start(Session session, bool modified)
   this->modified_ = modified;
   this->result_ = {};
   this->digest_.clear();
-  this->run();
+  this->run(Change::Edited);
 }
 
 QStringList Document::save(const QString& path)
@@ -137,7 +138,7 @@ QStringList Document::save(const QString& path)
     writeSession(file, this->file());
     this->path_ = path;
     this->modified_ = false;
-    emit this->changed();
+    emit this->changed(Change::Saved);
     return {};
   }
   Notes notes;
@@ -169,7 +170,7 @@ SessionFile Document::file() const
 
 std::optional<MirrorPlane> Document::mirrorPlane(int choice) const
 {
-  if (choice == 0 || !this->isOpen())
+  if (choice == 0 || !this->isOpen() || !this->session().mesh)
   {
     return std::nullopt;
   }
@@ -182,30 +183,26 @@ std::optional<MirrorPlane> Document::mirrorPlane(int choice) const
   return MirrorPlane{ axis, aside ? middle : 0.0 };
 }
 
-void Document::addStroke(vtkPolyData* stroke, const std::optional<MirrorPlane>& mirror)
+void Document::add(const Step& step)
 {
-  auto step = std::make_shared<Step>();
-  step->system = "OneStroke";
-  step->inputs[strokeInput] = Lines(stroke);
-  step->mirror = mirror;
   Session next = this->session();
   Node node;
   node.id = freshId(next);
-  node.step = step;
-  node.name = tr("Stroke %1").arg(next.nodes.size() + 1).toStdString();
+  node.step = std::make_shared<Step>(step);
+  node.name = tr("%1 %2").arg(titleOf(step.system)).arg(next.nodes.size() + 1).toStdString();
   next.nodes.push_back(node);
-  this->commit(std::move(next));
+  this->commit(std::move(next), Change::Drawn);
 }
 
-void Document::redraw(int index, vtkPolyData* stroke)
+void Document::redraw(int index, const Step& drawn)
 {
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
   auto step = std::make_shared<Step>(*node.step);
-  step->inputs[strokeInput] = Lines(stroke);
+  step->inputs = drawn.inputs;
   node.step = step;
   node.committed.reset(); // it takes hold anew
-  this->commit(std::move(next));
+  this->commit(std::move(next), Change::Drawn);
 }
 
 void Document::setParameters(int index, const Values& values, const std::optional<MirrorPlane>& mirror)
@@ -255,6 +252,38 @@ void Document::move(int from, int to)
   this->commit(std::move(next));
 }
 
+void Document::addPicture(const Picture& picture)
+{
+  Pictures pictures = this->session().pictures;
+  pictures.push_back(std::make_shared<Picture>(picture));
+  this->commitPictures(std::move(pictures));
+}
+
+void Document::setPicture(int index, const Picture& picture)
+{
+  Pictures pictures = this->session().pictures;
+  pictures[indexOf(index)] = std::make_shared<Picture>(picture);
+  this->commitPictures(std::move(pictures));
+}
+
+void Document::removePicture(int index)
+{
+  Pictures pictures = this->session().pictures;
+  pictures.erase(pictures.begin() + index);
+  this->commitPictures(std::move(pictures));
+}
+
+// The mesh does not depend on them: nothing is run.
+void Document::commitPictures(Pictures pictures)
+{
+  Session next = this->session();
+  next.pictures = std::move(pictures);
+  this->history_->commit(std::move(next));
+  this->modified_ = true;
+  this->keep();
+  emit this->changed(Change::Pictures);
+}
+
 void Document::setBackend(int backend)
 {
   const bool chosen = backend != this->backend_;
@@ -271,14 +300,14 @@ void Document::undo()
 {
   this->history_->undo();
   this->modified_ = true;
-  this->run();
+  this->run(Change::Edited);
 }
 
 void Document::redo()
 {
   this->history_->redo();
   this->modified_ = true;
-  this->run();
+  this->run(Change::Edited);
 }
 
 void Document::cancel()
@@ -293,18 +322,18 @@ void Document::cancel()
   }
 }
 
-void Document::commit(Session session)
+void Document::commit(Session session, Change change)
 {
   this->history_->commit(std::move(session));
   this->modified_ = true;
-  this->run();
+  this->run(change);
 }
 
-void Document::run()
+void Document::run(Change change)
 {
   this->ticket_ = this->worker_->submit(this->session());
   this->keep(); // before its result is there, so that no crash can take the stroke
-  emit this->changed();
+  emit this->changed(change);
 }
 
 void Document::keep()

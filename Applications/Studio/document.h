@@ -57,9 +57,10 @@ public:
   // the middle of the model where that lies elsewhere.
   std::optional<oversketch_session::MirrorPlane> mirrorPlane(int choice) const;
 
-  // Changes of the history, each one step of undo.
-  void addStroke(vtkPolyData* stroke, const std::optional<oversketch_session::MirrorPlane>& mirror);
-  void redraw(int node, vtkPolyData* stroke);
+  // Changes of the history, each one step of undo. A step that the hand has made; what it has made of a step
+  // that is there: the inputs of another.
+  void add(const oversketch_session::Step& step);
+  void redraw(int node, const oversketch_session::Step& step);
   void setParameters(int node,
     const oversketch_session::Values& values,
     const std::optional<oversketch_session::MirrorPlane>& mirror);
@@ -67,6 +68,10 @@ public:
   void rename(int node, const QString& name);
   void remove(int node);
   void move(int from, int to);
+  // A picture in the scene: added, shown in another way, taken away.
+  void addPicture(const oversketch_session::Picture& picture);
+  void setPicture(int index, const oversketch_session::Picture& picture);
+  void removePicture(int index);
   void undo();
   void redo();
   // Stops the computing and goes back to the history that is shown (Redo brings the change back).
@@ -80,21 +85,33 @@ public:
   // Ends the autosave: the work is saved or not wanted.
   void discardAutosave();
 
+  // What a change is of: what the hand has just drawn, the history otherwise, pictures alone, or the file
+  // that it is saved in.
+  enum class Change
+  {
+    Drawn,
+    Edited,
+    Pictures,
+    Saved
+  };
+
 signals:
   void opened();
-  // The history changed; its result follows with shown(), and what comes after the mesh with detailed().
-  void changed();
+  // The document changed. The result of what was drawn or edited follows with shown(), and what comes after
+  // the mesh with detailed().
+  void changed(Change change);
   void shown();
   void detailed();
-  void progressed(const QString& stage, double share);
+  void progressed(int node, const QString& stage, double share);
   // Nothing is computed any more.
   void idle();
   void autosaveFailed(const QString& why);
 
 private:
   void start(oversketch_session::Session session, bool modified);
-  void commit(oversketch_session::Session session);
-  void run();
+  void commit(oversketch_session::Session session, Change change = Change::Edited);
+  void commitPictures(oversketch_session::Pictures pictures);
+  void run(Change change);
   void keep();
   void take(const oversketch_session::Worker::Result& result);
   void takeDetails(const oversketch_session::Worker::Details& details);

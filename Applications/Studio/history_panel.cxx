@@ -1,11 +1,10 @@
 #include "history_panel.h"
 
 #include "document.h"
+#include "row_texts.h"
+#include "step_panel.h"
 
 #include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -16,18 +15,7 @@
 namespace oversketch_studio
 {
 
-using oversketch_session::Node;
-using oversketch_session::Values;
-
-QComboBox* mirrorChoice(QWidget* parent)
-{
-  auto* choice = new QComboBox(parent);
-  choice->addItems({ HistoryPanel::tr("One side"),
-    HistoryPanel::tr("Both sides of x"),
-    HistoryPanel::tr("Both sides of y"),
-    HistoryPanel::tr("Both sides of z") });
-  return choice;
-}
+using namespace oversketch_session;
 
 HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   : QWidget(parent)
@@ -37,24 +25,54 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
       tr("The strokes that you draw are listed here. Tick one off, draw it anew, change how it acts: "
          "the model follows."),
       this->list_->viewport()))
-  , remesh_(new QComboBox(this))
-  , adjustNormals_(new QCheckBox(tr("Details turn with the limb"), this))
-  , asPublished_(new QCheckBox(tr("As published"), this))
-  , mirror_(mirrorChoice(this))
+  , form_(new StepPanel(this))
 {
   this->list_->setObjectName("history");
   this->list_->setToolTip(tr("The strokes, in the order in which they act. Unticked strokes do nothing."));
   this->list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
   this->list_->setAccessibleName(tr("Strokes"));
-  this->remesh_->setAccessibleName(tr("New triangles"));
-  this->mirror_->setAccessibleName(tr("Acts on"));
   this->empty_->setWordWrap(true);
   this->empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  this->remesh_->addItems({ tr("where it is needed"), tr("always"), tr("never") });
-  this->remesh_->setToolTip(tr("New triangles where the stroke stretches the model"));
-  this->adjustNormals_->setToolTip(tr("Slower; better where a limb is bent far"));
-  this->asPublished_->setToolTip(tr("Without the amendments to the published method"));
+  this->makeActions();
 
+  auto* buttons = new QHBoxLayout;
+  for (QAction* one : this->strokeActions())
+  {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(one);
+    buttons->addWidget(button);
+  }
+  buttons->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(this->list_);
+  auto* inList = new QVBoxLayout(this->list_->viewport());
+  inList->addWidget(this->empty_, 0, Qt::AlignTop);
+  layout->addLayout(buttons);
+  layout->addWidget(this->form_);
+  this->form_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+
+  connect(this->list_, &QListWidget::itemChanged, this, &HistoryPanel::itemChanged);
+  connect(this->list_,
+    &QListWidget::currentRowChanged,
+    this,
+    [this](int row)
+    {
+      if (!this->filling_)
+      {
+        this->showStep();
+        emit this->selected(row);
+      }
+    });
+  connect(this->form_,
+    &StepPanel::edited,
+    this,
+    [this](const Values& values, int mirror)
+    { this->document_->setParameters(this->current(), values, this->document_->mirrorPlane(mirror)); });
+  this->refresh();
+}
+
+void HistoryPanel::makeActions()
+{
   const auto action = [this](const QString& text, const QKeySequence& keys, const QString& help)
   {
     auto* made = new QAction(text, this);
@@ -71,47 +89,6 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   // In the view this key is nobody's, in a name that is edited it is the editor's.
   this->remove_->setShortcutContext(Qt::WidgetShortcut);
   this->list_->addAction(this->remove_);
-
-  auto* buttons = new QHBoxLayout;
-  for (QAction* one : this->strokeActions())
-  {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(one);
-    buttons->addWidget(button);
-  }
-  buttons->addStretch();
-  auto* form = new QFormLayout;
-  form->addRow(tr("New triangles"), this->remesh_);
-  form->addRow(this->adjustNormals_);
-  form->addRow(this->asPublished_);
-  form->addRow(tr("Acts on"), this->mirror_);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(this->list_);
-  auto* inList = new QVBoxLayout(this->list_->viewport());
-  inList->addWidget(this->empty_, 0, Qt::AlignTop);
-  layout->addLayout(buttons);
-  layout->addLayout(form);
-
-  connect(document, &Document::changed, this, &HistoryPanel::refresh);
-  connect(document, &Document::shown, this, &HistoryPanel::refresh);
-  connect(this->list_, &QListWidget::itemChanged, this, &HistoryPanel::itemChanged);
-  connect(this->list_,
-    &QListWidget::currentRowChanged,
-    this,
-    [this](int row)
-    {
-      if (!this->filling_)
-      {
-        this->showParameters();
-        emit this->selected(row);
-      }
-    });
-  connect(this->remesh_, QOverload<int>::of(&QComboBox::activated), this, [this] { this->edit(); });
-  connect(this->mirror_, QOverload<int>::of(&QComboBox::activated), this, [this] { this->edit(); });
-  for (QCheckBox* box : { this->adjustNormals_, this->asPublished_ })
-  {
-    connect(box, &QCheckBox::clicked, this, [this] { this->edit(); });
-  }
   connect(this->redraw_, &QAction::triggered, this, [this] { emit this->redrawAsked(this->current()); });
   connect(this->view_, &QAction::triggered, this, [this] { emit this->viewAsked(this->current()); });
   const auto shift = [this](int by)
@@ -123,7 +100,6 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   connect(this->up_, &QAction::triggered, this, [shift] { shift(-1); });
   connect(this->down_, &QAction::triggered, this, [shift] { shift(1); });
   connect(this->remove_, &QAction::triggered, this, [this] { this->document_->remove(this->current()); });
-  this->refresh();
 }
 
 int HistoryPanel::current() const
@@ -158,52 +134,33 @@ void HistoryPanel::refresh()
           item->setToolTip(tr("Takes hold in another place than when it was drawn"));
         }
       }
+      if (item->toolTip().isEmpty())
+      {
+        const SystemRow* system = findSystem(nodes[i].step->system);
+        item->setToolTip(system ? rowSentence(system->brief) : QString());
+      }
       this->list_->addItem(item);
     }
     this->list_->setCurrentRow(std::min(row, this->list_->count() - 1));
   }
   this->empty_->setVisible(this->list_->count() == 0);
   this->filling_ = false;
-  this->showParameters();
+  this->showStep();
 }
 
-void HistoryPanel::showParameters()
+void HistoryPanel::showStep()
 {
   const int row = this->current();
-  const bool any = row >= 0;
-  for (QWidget* one :
-    std::initializer_list<QWidget*>{ this->remesh_, this->adjustNormals_, this->asPublished_, this->mirror_ })
-  {
-    one->setEnabled(any);
-  }
-  for (QAction* one : { this->redraw_, this->view_, this->remove_ })
-  {
-    one->setEnabled(any);
-  }
+  const Step* step =
+    row < 0 ? nullptr : this->document_->session().nodes[static_cast<std::size_t>(row)].step.get();
+  const SystemRow* system = step ? findSystem(step->system) : nullptr;
+  const bool isDrawn = system && findInput(*system, SystemInput::Kind::Stroke);
+  this->redraw_->setEnabled(isDrawn);
+  this->view_->setEnabled(isDrawn);
+  this->remove_->setEnabled(step);
   this->up_->setEnabled(row > 0);
-  this->down_->setEnabled(any && row + 1 < this->list_->count());
-  if (any)
-  {
-    const Node& node = this->document_->session().nodes[static_cast<std::size_t>(row)];
-    const auto* system = oversketch_session::findSystem(node.step->system);
-    const auto value = [&](const char* property) {
-      return oversketch_session::valueOf(*node.step, *oversketch_session::findParameter(*system, property));
-    };
-    this->remesh_->setCurrentIndex(std::get<int>(value("Remesh")));
-    this->adjustNormals_->setChecked(std::get<bool>(value("AdjustNormals")));
-    this->asPublished_->setChecked(std::get<bool>(value("AsPublished")));
-    this->mirror_->setCurrentIndex(node.step->mirror ? node.step->mirror->axis + 1 : 0);
-    this->remesh_->setEnabled(!node.step->mirror); // its halves are told by the points' ids
-  }
-}
-
-void HistoryPanel::edit()
-{
-  const Values values{ { "Remesh", this->remesh_->currentIndex() },
-    { "AdjustNormals", this->adjustNormals_->isChecked() },
-    { "AsPublished", this->asPublished_->isChecked() } };
-  this->document_->setParameters(
-    this->current(), values, this->document_->mirrorPlane(this->mirror_->currentIndex()));
+  this->down_->setEnabled(step && row + 1 < this->list_->count());
+  this->form_->show(step);
 }
 
 void HistoryPanel::itemChanged(QListWidgetItem* item)

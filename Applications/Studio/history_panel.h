@@ -1,12 +1,10 @@
-// The list of strokes, with what each does and how it acts.
+// The list of steps, of any kind, with what each does and how it acts.
 #ifndef oversketch_studio_history_panel_h
 #define oversketch_studio_history_panel_h
 
 #include <QWidget>
 
 class QAction;
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QListWidget;
 class QListWidgetItem;
@@ -15,9 +13,7 @@ namespace oversketch_studio
 {
 
 class Document;
-
-// A choice of mirror planes: none, x, y, z. Its index is what Document::mirrorPlane takes.
-QComboBox* mirrorChoice(QWidget* parent);
+class StepPanel;
 
 class HistoryPanel : public QWidget
 {
@@ -26,7 +22,7 @@ class HistoryPanel : public QWidget
 public:
   HistoryPanel(Document* document, QWidget* parent = nullptr);
 
-  // The selected stroke, or -1.
+  // The selected step, or -1.
   int current() const;
   // What can be done with it, for a menu.
   QList<QAction*> strokeActions() const
@@ -34,25 +30,25 @@ public:
     return { this->redraw_, this->view_, this->up_, this->down_, this->remove_ };
   }
 
+  // Brings it up to what the document is.
+  void refresh();
+
 signals:
   void selected(int node);
-  // The stroke is to be drawn anew.
+  // The step is to be drawn anew.
   void redrawAsked(int node);
-  // The camera is to go where the stroke was drawn.
+  // The camera is to go where the step was drawn.
   void viewAsked(int node);
 
 private:
-  void refresh();
-  void showParameters();
-  void edit();
+  void makeActions();
+  void showStep();
   void itemChanged(QListWidgetItem* item);
 
   Document* document_;
   QListWidget* list_;
   QLabel* empty_; // says what will be listed
-  QComboBox* remesh_;
-  QCheckBox *adjustNormals_, *asPublished_;
-  QComboBox* mirror_;
+  StepPanel* form_;
   QAction *redraw_, *view_, *up_, *down_, *remove_;
   bool filling_ = false;
 };

@@ -1,11 +1,11 @@
 #include "key_list.h"
 
+#include "tool.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace oversketch_studio
 {
@@ -20,13 +20,17 @@ struct Texts
 
 } // namespace
 
-QString keyList(bool drawing)
+QString keyList(const Tool& tool, const QVector<Tool*>& all)
 {
   using T = Texts;
-  const std::vector<std::pair<QString, QString>> rows = {
-    { T::tr("Left drag"), drawing ? T::tr("draw; on the red line: move it") : T::tr("turn the model") },
-    { T::tr("Shift + left drag"),
-      drawing ? T::tr("on the red line: draw a part anew; else: pan") : T::tr("pan") },
+  QStringList keys, modes;
+  for (const Tool* one : all)
+  {
+    keys << one->key().toString().toLower();
+    modes << one->mode();
+  }
+  QVector<QPair<QString, QString>> rows = tool.keys();
+  rows += {
     { T::tr("Middle drag"), T::tr("turn (or Ctrl + left drag)") },
     { T::tr("Right drag"), T::tr("pan") },
     { T::tr("Wheel"), T::tr("zoom (or Ctrl + Shift + left drag)") },
@@ -40,7 +44,7 @@ QString keyList(bool drawing)
     { "r  l  h", T::tr("spin counter-clockwise (r, l), clockwise (h)") },
     { "p  n", T::tr("zoom out, in (Shift: pan in, out)") },
     { "w  c", T::tr("back to the first view; centre on the model") },
-    { "d  t  o", T::tr("draw; turn; show what moves") },
+    { keys.join("  ") + "  o", T::tr("%1; show what moves").arg(modes.join("; ")) },
     { "?  F1", T::tr("show or hide this list") },
     { "q", T::tr("quit") },
   };
@@ -49,10 +53,10 @@ QString keyList(bool drawing)
   {
     widest = std::max(widest, row.first.size());
   }
-  QStringList lines{ drawing ? T::tr("Mode: draw") : T::tr("Mode: turn"), QString() };
-  for (const auto& [keys, what] : rows)
+  QStringList lines{ T::tr("Mode: %1").arg(tool.mode()), QString() };
+  for (const auto& [hand, what] : rows)
   {
-    lines << (what.isEmpty() ? QString() : keys.leftJustified(widest + 3) + what);
+    lines << (what.isEmpty() ? QString() : hand.leftJustified(widest + 3) + what);
   }
   return lines.join('\n');
 }

@@ -3,12 +3,16 @@
 #define oversketch_studio_key_list_h
 
 #include <QString>
+#include <QVector>
 
 namespace oversketch_studio
 {
 
-// In the user's language, in columns for a font of fixed width. `drawing`: whose the left button is.
-QString keyList(bool drawing);
+class Tool;
+
+// In the user's language, in columns for a font of fixed width: of the tool that has the left button, one of
+// all.
+QString keyList(const Tool& tool, const QVector<Tool*>& all);
 
 } // namespace oversketch_studio
 #endif

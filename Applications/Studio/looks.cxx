@@ -23,6 +23,7 @@ QPalette darkPalette()
   {
     palette.setColor(QPalette::Disabled, role, dim);
   }
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(70, 74, 80));
   return palette;
 }
 

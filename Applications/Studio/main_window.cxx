@@ -1,31 +1,21 @@
 #include "main_window.h"
 
-#include "document.h"
 #include "files.h"
 #include "history_panel.h"
 #include "latency.h"
 #include "looks.h"
-#include "mesh_file.h"
-#include "resources.h"
-#include "view.h"
+#include "scene_panel.h"
+#include "tools.h"
+#include "viewport.h"
 
 #include <QAction>
 #include <QApplication>
-#include <QCloseEvent>
-#include <QComboBox>
-#include <QDateTime>
-#include <QDir>
-#include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFrame>
 #include <QLabel>
-#include <QMessageBox>
-#include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QStandardPaths>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QTimer>
@@ -35,24 +25,21 @@ namespace oversketch_studio
 {
 
 using namespace oversketch_session;
-using oversketch_files::Failed;
 
 namespace
 {
 
-QString meshFilter()
+std::size_t indexOf(int node)
 {
-  QString extensions;
-  for (const QString& extension : QString::fromLatin1(oversketch_files::meshExtensions).split(' '))
-  {
-    extensions += " *" + extension;
-  }
-  return extensions.mid(1);
+  return static_cast<std::size_t>(node);
 }
 
-vtkSmartPointer<vtkPolyData> strokeOf(const Node& node)
+// The first stroke that a step was given, with its view.
+vtkSmartPointer<vtkPolyData> strokeOf(const Step& step)
 {
-  return linesOf(*node.step, "Stroke");
+  const SystemRow* row = findSystem(step.system);
+  const SystemInput* input = row ? findInput(*row, SystemInput::Kind::Stroke) : nullptr;
+  return input ? linesOf(step, input->name) : nullptr;
 }
 
 } // namespace
@@ -60,10 +47,11 @@ vtkSmartPointer<vtkPolyData> strokeOf(const Node& node)
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
   , document_(new Document(this))
-  , view_(new View(this))
+  , view_(new Viewport(this))
+  , tools_(oversketch_studio::makeTools(this->view_, this->document_))
   , frame_(new QFrame(this))
+  , scene_(new ScenePanel(this->document_, this))
   , history_(new HistoryPanel(this->document_, this))
-  , dock_(new QDockWidget(tr("History"), this))
   , advice_(new QLabel(this))
   , mode_(new QLabel(this))
   , progress_(new QProgressBar(this))
@@ -76,62 +64,18 @@ MainWindow::MainWindow(QWidget* parent)
   this->frame_->setAutoFillBackground(true);
   this->setCentralWidget(this->frame_);
   this->setAcceptDrops(true);
-  this->dock_->setObjectName("history dock");
-  this->dock_->setWidget(this->history_);
-  this->addDockWidget(Qt::RightDockWidgetArea, this->dock_);
+  this->addDock(tr("&Scene"), "scene dock", this->scene_);
+  this->addDock(tr("&History"), "history dock", this->history_);
   this->makeMenus();
   this->makeTools();
   this->makeStatus();
-
-  connect(this->document_, &Document::opened, this, [this] { this->reset_ = true; });
-  connect(this->document_,
-    &Document::changed,
-    this,
-    [this]
-    {
-      if (!this->document_->isBusy()) // it has been saved
-      {
-        this->refresh();
-        return;
-      }
-      this->view_->awaitMesh();
-      if (!this->drawn_)
-      {
-        this->view_->clearStroke(); // it tells nothing of what is shown from here on
-        this->offered_ = -1;
-      }
-      this->view_->showSection(nullptr);
-      this->view_->showRegion(nullptr);
-      this->refresh();
-    });
-  connect(this->document_, &Document::shown, this, &MainWindow::showResult);
-  connect(this->document_, &Document::detailed, this, &MainWindow::showDetails);
-  connect(this->document_, &Document::idle, this, &MainWindow::refresh);
-  connect(this->view_, &View::strokeDrawn, this, &MainWindow::strokeDrawn);
-  connect(this->view_, &View::strokeChanged, this, &MainWindow::strokeChanged);
-  connect(this->view_,
-    &View::lineMovesAlone,
-    this,
-    [this] { this->advice_->setText(tr("The model follows when you let go of the line.")); });
-  connect(this->view_, &View::lineLeft, this, &MainWindow::advise);
-  connect(this->view_, &View::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
-  connect(this->history_,
-    &HistoryPanel::redrawAsked,
-    this,
-    [this](int node)
-    {
-      this->redrawn_ = node;
-      this->setDrawing(true);
-      this->view_->lookFrom(strokeOf(this->document_->session().nodes[static_cast<std::size_t>(node)]));
-      this->offerStroke();
-      this->advise();
-    });
-  connect(this->history_,
-    &HistoryPanel::viewAsked,
-    this,
-    [this](int node)
-    { this->view_->lookFrom(strokeOf(this->document_->session().nodes[static_cast<std::size_t>(node)])); });
-  connect(this->history_, &HistoryPanel::selected, this, &MainWindow::select);
+  this->listenToDocument();
+  this->listenToPanels();
+  for (Tool* tool : this->tools_)
+  {
+    this->listenToTool(tool);
+  }
+  connect(this->view_, &Viewport::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
   // Of the frame, not of the window, which is no longer one when it closes at its end and the focus goes.
   connect(qApp,
     &QApplication::focusChanged,
@@ -144,276 +88,152 @@ MainWindow::MainWindow(QWidget* parent)
   this->restoreGeometry(settings.value("geometry").toByteArray());
   this->restoreState(settings.value("state").toByteArray());
   this->apply(Preferences::read());
-  this->setDrawing(true);
+  this->setTool(this->tools_.first());
   this->view_->setFocus();
   this->refresh();
 }
 
 MainWindow::~MainWindow() = default;
 
-bool MainWindow::tried(const std::function<void()>& run)
+void MainWindow::listenToDocument()
 {
-  try
-  {
-    run();
-    return true;
-  }
-  catch (const std::bad_alloc&)
-  {
-    QMessageBox::critical(this, tr("Oversketch"), tr("Out of memory; the file is too large or damaged."));
-  }
-  catch (const std::exception& error)
-  {
-    QMessageBox::critical(this, tr("Oversketch"), QString::fromStdString(error.what()));
-  }
-  return false;
+  connect(this->document_, &Document::opened, this, [this] { this->reset_ = true; });
+  connect(this->document_, &Document::changed, this, &MainWindow::changed);
+  connect(this->document_, &Document::shown, this, &MainWindow::showResult);
+  connect(this->document_, &Document::detailed, this, &MainWindow::showDetails);
+  connect(this->document_, &Document::idle, this, &MainWindow::refresh);
 }
 
-void MainWindow::tell(const QStringList& notes)
+void MainWindow::listenToPanels()
 {
-  if (!notes.isEmpty())
-  {
-    QMessageBox::information(this, tr("Oversketch"), notes.join('\n'));
-  }
-}
-
-bool MainWindow::open(const QString& path)
-{
-  QStringList notes;
-  bool opened = false;
-  this->tried(
-    [&]
+  connect(this->history_,
+    &HistoryPanel::redrawAsked,
+    this,
+    [this](int node)
     {
-      opened = this->document_->open(
-        path, [this] { return this->mayLeave(); }, notes);
+      if (Tool* tool = this->toolOf(node))
+      {
+        this->setTool(tool);
+        this->redrawn_ = node;
+        this->lookFrom(node);
+        this->offerStep();
+        this->advise();
+      }
     });
-  if (opened)
-  {
-    this->remember(path);
-    this->view_->showHint({});
-    this->redrawn_ = -1;
-    this->tell(notes);
-  }
-  return opened;
+  connect(this->history_, &HistoryPanel::viewAsked, this, &MainWindow::lookFrom);
+  connect(this->history_, &HistoryPanel::selected, this, &MainWindow::select);
+  connect(this->scene_, &ScenePanel::addAsked, this, &MainWindow::addPictureAsked);
+  connect(this->scene_,
+    &ScenePanel::viewAsked,
+    this,
+    [this](int picture)
+    { this->view_->lookFrom(this->document_->session().pictures[indexOf(picture)]->frame.own()); });
 }
 
-bool MainWindow::offerRecovery()
+void MainWindow::listenToTool(Tool* tool)
 {
-  for (const LeftBehind& left : leftBehind(autosaveRoot()))
-  {
-    QMessageBox box(QMessageBox::Question,
-      tr("Oversketch"),
-      tr("Oversketch ended before your work on %1 was saved. Open it again?")
-        .arg(QString::fromStdString(left.meshName)),
-      QMessageBox::NoButton,
-      this);
-    box.setInformativeText(left.strokes == 1
-                             ? tr("It holds one stroke.")
-                             : tr("It holds %n strokes.", nullptr, static_cast<int>(left.strokes)));
-    QPushButton* again = box.addButton(tr("Open it"), QMessageBox::AcceptRole);
-    QPushButton* away = box.addButton(tr("Throw it away"), QMessageBox::DestructiveRole);
-    box.addButton(tr("Ask next time"), QMessageBox::RejectRole);
-    box.setDefaultButton(again);
-    box.exec();
-    if (box.clickedButton() == again)
-    {
-      return this->tried([&] { this->document_->recover(left); });
-    }
-    if (box.clickedButton() == away)
-    {
-      removeLeftBehind(left);
-    }
-  }
-  return false;
+  connect(tool, &Tool::drawn, this, &MainWindow::stepDrawn);
+  connect(tool, &Tool::changed, this, &MainWindow::stepChanged);
+  connect(tool,
+    &Tool::movesAlone,
+    this,
+    [this] { this->advice_->setText(tr("The model follows when you let go of the line.")); });
+  connect(tool, &Tool::left, this, &MainWindow::advise);
 }
 
-void MainWindow::openShippedModel()
+void MainWindow::changed(Document::Change change)
 {
-  const QString path = shippedModel();
-  QStringList none;
-  if (!path.isEmpty() && this->tried(
-                           [&]
-                           {
-                             this->document_->open(
-                               path, [] { return true; }, none);
-                           }))
+  switch (change)
   {
-    this->view_->showHint(tr("Draw a line like this, and the tail follows"));
+    case Document::Change::Edited:
+      this->offerNothing(); // it tells nothing of what is shown from here on
+      [[fallthrough]];
+    case Document::Change::Drawn:
+      this->view_->awaitMesh();
+      this->view_->showSection(nullptr);
+      this->view_->showRegion(nullptr);
+      this->history_->refresh();
+      [[fallthrough]];
+    case Document::Change::Pictures:
+      this->view_->showPictures(this->document_->session().pictures);
+      this->scene_->refresh();
+      break;
+    case Document::Change::Saved:
+      break;
   }
+  this->refresh();
 }
 
-void MainWindow::openAsked()
-{
-  const QString path = QFileDialog::getOpenFileName(this,
-    tr("Open a model or a session"),
-    QSettings().value("folder").toString(),
-    tr("Models and sessions (%1 *.oversketch);;All files (*)").arg(meshFilter()));
-  if (!path.isEmpty())
-  {
-    this->open(path);
-  }
-}
-
-bool MainWindow::save()
-{
-  const QString path = this->document_->path();
-  return path.isEmpty() ? this->saveAs() : this->tried([&] { this->document_->save(path); });
-}
-
-bool MainWindow::saveAs()
+void MainWindow::stepDrawn(const Step& step)
 {
   if (!this->document_->isOpen())
-  {
-    return false;
-  }
-  QString path = QFileDialog::getSaveFileName(this,
-    tr("Save the session"),
-    QDir(QSettings().value("folder").toString())
-      .filePath(QFileInfo(this->document_->name()).completeBaseName() + ".oversketch"),
-    tr("Sessions (*.oversketch)"));
-  if (path.isEmpty())
-  {
-    return false;
-  }
-  if (QFileInfo(path).suffix() != "oversketch")
-  {
-    path += ".oversketch";
-  }
-  return this->tried(
-    [&]
-    {
-      this->document_->save(path);
-      this->remember(path);
-    });
-}
-
-void MainWindow::exportAsked()
-{
-  if (!this->document_->isOpen())
-  {
-    return;
-  }
-  const QString path = QFileDialog::getSaveFileName(this,
-    tr("Export the mesh"),
-    QDir(QSettings().value("folder").toString())
-      .filePath(QFileInfo(this->document_->name()).completeBaseName() + ".ply"),
-    tr("Meshes (%1)").arg(meshFilter()));
-  if (!path.isEmpty())
-  {
-    this->tried([&] { this->tell(this->document_->save(path)); });
-  }
-}
-
-void MainWindow::screenshot()
-{
-  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QString name =
-    tr("Oversketch %1.png").arg(QDateTime::currentDateTime().toString("yyyy-MM-dd hh.mm.ss"));
-  QString path = QFileDialog::getSaveFileName(
-    this, tr("Save a picture of the model"), QDir(folder).filePath(name), tr("Pictures (*.png)"));
-  if (path.isEmpty())
-  {
-    return;
-  }
-  if (QFileInfo(path).suffix() != "png")
-  {
-    path += ".png";
-  }
-  const bool overlays =
-    QMessageBox::question(this, tr("Oversketch"), tr("With the lines and texts over the model?")) ==
-    QMessageBox::Yes;
-  this->tried([&] { this->view_->screenshot(path, overlays); });
-}
-
-bool MainWindow::mayLeave()
-{
-  if (!this->document_->isOpen() || !this->document_->isModified())
-  {
-    return true;
-  }
-  const auto answer = QMessageBox::question(this,
-    tr("Oversketch"),
-    tr("Save the session of %1?").arg(this->document_->name()),
-    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel,
-    QMessageBox::Save);
-  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && this->save());
-}
-
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-  if (!this->mayLeave())
-  {
-    event->ignore();
-    return;
-  }
-  QSettings settings;
-  settings.setValue("geometry", this->saveGeometry());
-  settings.setValue("state", this->saveState());
-  this->document_->discardAutosave();
-  event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event)
-{
-  if (event->mimeData()->hasUrls())
-  {
-    event->acceptProposedAction();
-  }
-}
-
-void MainWindow::dropEvent(QDropEvent* event)
-{
-  const QList<QUrl> urls = event->mimeData()->urls();
-  event->acceptProposedAction();
-  if (urls.isEmpty())
-  {
-    return;
-  }
-  // Who dragged it need not wait for an answer to our questions.
-  const QString path = urls.first().toLocalFile();
-  QTimer::singleShot(0, this, [this, path] { this->open(path); });
-}
-
-void MainWindow::strokeDrawn(vtkPolyData* stroke)
-{
-  if (!this->document_->isOpen() || stroke->GetNumberOfPoints() == 0)
   {
     return;
   }
   this->view_->showHint({});
-  this->drawn_ = true;
-  if (this->redrawn_ >= 0 &&
-      static_cast<std::size_t>(this->redrawn_) < this->document_->session().nodes.size())
+  const int count = static_cast<int>(this->document_->session().nodes.size());
+  if (this->redrawn_ >= 0 && this->redrawn_ < count)
   {
     this->offered_ = this->redrawn_;
     this->redrawn_ = -1;
-    this->document_->redraw(this->offered_, stroke);
-    this->drawn_ = false;
+    this->document_->redraw(this->offered_, step);
     return;
   }
-  this->offered_ = static_cast<int>(this->document_->session().nodes.size());
-  this->document_->addStroke(stroke, this->document_->mirrorPlane(this->mirror_->currentIndex()));
-  this->drawn_ = false;
+  this->offered_ = count;
+  this->document_->add(step);
 }
 
-void MainWindow::strokeChanged(vtkPolyData* stroke)
+void MainWindow::stepChanged(const Step& step)
 {
-  if (this->offered_ >= 0 &&
-      static_cast<std::size_t>(this->offered_) < this->document_->session().nodes.size())
+  if (this->offered_ >= 0 && indexOf(this->offered_) < this->document_->session().nodes.size())
   {
-    this->drawn_ = true;
-    this->document_->redraw(this->offered_, stroke);
-    this->drawn_ = false;
+    this->document_->redraw(this->offered_, step);
   }
 }
 
-void MainWindow::setDrawing(bool drawing)
+void MainWindow::setTool(Tool* tool)
 {
-  this->view_->setDrawing(drawing);
-  (drawing ? this->draw_ : this->turn_)->setChecked(true);
-  this->mode_->setText(drawing ? tr("Draw") : tr("Turn"));
-  this->redrawn_ = drawing ? this->redrawn_ : -1;
+  const int at = this->tools_.indexOf(tool);
+  this->view_->setTool(tool);
+  this->toolActions_[at]->setChecked(true);
+  this->options_->setCurrentIndex(at);
+  const QString mode = tool->mode();
+  this->mode_->setText(mode.left(1).toUpper() + mode.mid(1));
+  this->redrawn_ = tool->system().empty() ? -1 : this->redrawn_;
   this->advise();
+}
+
+Tool* MainWindow::toolOf(int node) const
+{
+  const std::string& system = this->document_->session().nodes[indexOf(node)].step->system;
+  for (Tool* tool : this->tools_)
+  {
+    if (tool->system() == system)
+    {
+      return tool;
+    }
+  }
+  return nullptr;
+}
+
+void MainWindow::lookFrom(int node)
+{
+  this->view_->lookFrom(strokeOf(*this->document_->session().nodes[indexOf(node)].step));
+}
+
+void MainWindow::apply(const Preferences& preferences)
+{
+  this->preferences_ = preferences;
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setPalette(preferences.dark ? darkPalette() : QApplication::style()->standardPalette());
+  this->dark_->setChecked(preferences.dark);
+  this->view_->setDark(preferences.dark);
+  this->drawToolIcons();
+  for (Tool* tool : this->tools_)
+  {
+    tool->setSteadiness(preferences.stabilizer);
+  }
+  this->document_->setBackend(preferences.backend);
 }
 
 void MainWindow::askPreferences()
@@ -426,78 +246,86 @@ void MainWindow::askPreferences()
   }
 }
 
-void MainWindow::apply(const Preferences& preferences)
-{
-  this->preferences_ = preferences;
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
-  QApplication::setPalette(preferences.dark ? darkPalette() : QApplication::style()->standardPalette());
-  this->dark_->setChecked(preferences.dark);
-  this->view_->setDark(preferences.dark);
-  this->view_->setStabilizer(preferences.stabilizer);
-  this->document_->setBackend(preferences.backend);
-}
-
 void MainWindow::select(int node)
 {
   this->redrawn_ = -1;
   this->showSection(node);
-  this->offerStroke();
+  this->offerStep();
   this->advise();
 }
 
 void MainWindow::showSection(int node)
 {
   const auto& states = this->document_->result().nodes;
-  this->view_->showSection(node >= 0 && static_cast<std::size_t>(node) < states.size()
-                             ? states[static_cast<std::size_t>(node)].hold.Get()
-                             : nullptr);
+  this->view_->showSection(
+    node >= 0 && indexOf(node) < states.size() ? states[indexOf(node)].hold.Get() : nullptr);
 }
 
-void MainWindow::offerStroke()
+void MainWindow::offerNothing()
+{
+  this->offered_ = -1;
+  for (Tool* tool : this->tools_)
+  {
+    tool->offerNothing();
+  }
+}
+
+void MainWindow::offerStep()
 {
   const auto& nodes = this->document_->session().nodes;
   const auto& states = this->document_->result().nodes;
   const int last = static_cast<int>(nodes.size()) - 1;
   const int node = this->history_->current() >= 0 ? this->history_->current() : last;
-  this->offered_ = -1;
   this->view_->showRegion(nullptr);
   // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
-  if (this->redrawn_ >= 0 || node < 0 || node > last || states.size() != nodes.size() ||
-      !nodes[static_cast<std::size_t>(node)].on || this->document_->isBusy())
+  const bool can = this->redrawn_ < 0 && node >= 0 && node <= last && states.size() == nodes.size() &&
+                   nodes[indexOf(node)].on && !this->document_->isBusy();
+  Tool* tool = can ? this->toolOf(node) : nullptr;
+  this->offerNothing();
+  if (!tool)
   {
-    this->view_->clearStroke();
     return;
   }
-  const auto& state = states[static_cast<std::size_t>(node)];
+  const auto& state = states[indexOf(node)];
   Point place{};
   if (state.section)
   {
     place = state.section->middle;
   }
-  else
+  else if (vtkPolyData* mesh = this->view_->mesh())
   {
-    this->document_->session().mesh->GetCenter(place.data());
+    mesh->GetCenter(place.data());
   }
   this->offered_ = node;
-  this->view_->offerStroke(strokeOf(nodes[static_cast<std::size_t>(node)]), place, state.following);
+  tool->offer(*nodes[indexOf(node)].step, state, place);
   this->view_->showRegion(this->region_->isChecked() ? state.region.Get() : nullptr);
 }
 
+// The mesh is painted first; what follows on it can wait.
 void MainWindow::showResult()
 {
   const Worker::Result& result = this->document_->result();
-  Latency::of().meshComes();
-  this->view_->showMesh(result.display, this->reset_);
-  this->reset_ = false;
-  this->showSection(this->history_->current());
-  if (!this->document_->isBusy())
+  if (result.display)
   {
-    this->offerStroke();
+    Latency::of().meshComes();
+    this->view_->showMesh(result.display, this->reset_);
+    this->reset_ = false;
+    this->showSection(this->history_->current());
+    if (!this->document_->isBusy())
+    {
+      this->offerStep();
+    }
+    this->view_->renderNow();
+    for (Tool* tool : this->tools_)
+    {
+      tool->setMesh(result.display);
+    }
   }
+  this->history_->refresh();
   this->refresh();
 }
 
-// The stroke was offered with the mesh; now the mesh can follow it.
+// The step was offered with the mesh; now the mesh can follow it.
 void MainWindow::showDetails()
 {
   if (this->document_->isBusy())
@@ -505,10 +333,13 @@ void MainWindow::showDetails()
     return;
   }
   const auto& states = this->document_->result().nodes;
-  if (this->offered_ >= 0 && static_cast<std::size_t>(this->offered_) < states.size())
+  if (this->offered_ >= 0 && indexOf(this->offered_) < states.size())
   {
-    const auto& state = states[static_cast<std::size_t>(this->offered_)];
-    this->view_->setFollowing(state.following);
+    const auto& state = states[indexOf(this->offered_)];
+    if (Tool* tool = this->toolOf(this->offered_))
+    {
+      tool->setFollowing(state.following);
+    }
     this->view_->showRegion(this->region_->isChecked() ? state.region.Get() : nullptr);
   }
 }
@@ -544,38 +375,18 @@ void MainWindow::advise()
   }
   const auto& nodes = this->document_->session().nodes;
   const auto& states = this->document_->result().nodes;
-  if (this->redrawn_ >= 0)
-  {
-    this->advice_->setText(tr("Draw the selected stroke anew. T leaves it as it is."));
-  }
-  else if (!nodes.empty() && states.size() == nodes.size() && nodes.back().on &&
-           !states.back().failure.empty())
+  if (this->redrawn_ < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on &&
+      !states.back().failure.empty())
   {
     this->advice_->setText(
       tr("The last stroke did nothing: %1").arg(QString::fromStdString(states.back().failure)));
+    return;
   }
-  else if (!this->view_->isDrawing())
-  {
-    this->advice_->setText(tr("Drag the model to turn it. D draws."));
-  }
-  else if (this->history_->current() >= 0)
-  {
-    this->advice_->setText(
-      tr("Blue is where the selected stroke took hold. Change how it acts on the right, or "
-         "draw it anew (Ctrl+R)."));
-  }
-  else if (nodes.empty())
-  {
-    this->advice_->setText(tr("Draw a line beside a limb's outline: the limb follows. The middle button "
-                              "turns the model, F1 lists the keys."));
-  }
-  else
-  {
-    this->advice_->setText(
-      tr("Draw on, or drag the red line to move the stroke (Shift: draw a part anew; Return: "
-         "leave it and draw there). Ctrl+Z undoes. The "
-         "middle button turns the model."));
-  }
+  Tool::Situation situation;
+  situation.empty = nodes.empty();
+  situation.selected = this->history_->current() >= 0;
+  situation.redraws = this->redrawn_ >= 0;
+  this->advice_->setText(this->view_->tool()->advice(situation));
 }
 
 } // namespace oversketch_studio

@@ -2,29 +2,32 @@
 #ifndef oversketch_studio_main_window_h
 #define oversketch_studio_main_window_h
 
+#include "document.h"
 #include "preferences.h"
 
 #include <QMainWindow>
+#include <QVector>
 
 #include <functional>
 
 class QAction;
-class QComboBox;
 class QDockWidget;
 class QFrame;
 class QLabel;
 class QMenu;
 class QProgressBar;
 class QPushButton;
+class QStackedWidget;
 class QTimer;
-class vtkPolyData;
+class QToolBar;
 
 namespace oversketch_studio
 {
 
-class Document;
 class HistoryPanel;
-class View;
+class ScenePanel;
+class Tool;
+class Viewport;
 
 class MainWindow : public QMainWindow
 {
@@ -48,58 +51,75 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
-  // Menus, tool bar, status bar: main_window_menus.cxx.
+  // Menus, strip of tools, bar of options, status bar: main_window_menus.cxx.
   void makeMenus();
+  void makeToolMenu();
+  void makeViewMenu();
   void makeTools();
+  void drawToolIcons();
   void makeStatus();
   QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, const std::function<void()>& run);
+  QDockWidget* addDock(const QString& title, const QString& name, QWidget* panel);
   void remember(const QString& path);
   void fillRecent();
 
-  // Runs what may throw Failed and says why in a box. Returns whether it went well.
+  // Files: main_window_files.cxx. tried runs what may throw Failed and says why in a box; returns whether it
+  // went well.
   bool tried(const std::function<void()>& run);
   void tell(const QStringList& notes);
-
   void openAsked();
   bool save();
   bool saveAs();
   void exportAsked();
   void screenshot();
+  void addPicture(const QString& path);
+  void addPictureAsked();
   // Whether what is not saved may be left.
   bool mayLeave();
-  void strokeDrawn(vtkPolyData* stroke);
-  void strokeChanged(vtkPolyData* stroke);
-  void setDrawing(bool drawing);
+
+  void listenToDocument();
+  void listenToPanels();
+  void listenToTool(Tool* tool);
+  void changed(Document::Change change);
+  void stepDrawn(const oversketch_session::Step& step);
+  void stepChanged(const oversketch_session::Step& step);
+  void setTool(Tool* tool);
+  // The one that draws steps of a node's system; null where none does.
+  Tool* toolOf(int node) const;
+  void lookFrom(int node);
   void askPreferences();
   void apply(const Preferences& preferences);
   void refresh();
   void advise();
   void select(int node);
-  void showSection(int node); // where the stroke took hold
-  // The stroke that can be taken hold of: the selected one, else the last.
-  void offerStroke();
+  void showSection(int node); // where the step took hold
+  // The step that can be taken hold of: the selected one, else the last.
+  void offerStep();
+  void offerNothing();
   void showResult();
   void showDetails();
 
   Document* document_;
-  View* view_;
-  QFrame* frame_; // about the view, in the colour of the focus while keys go there
+  Viewport* view_;
+  QVector<Tool*> tools_;
+  QVector<QAction*> toolActions_; // of the same order
+  QFrame* frame_;                 // about the view, in the colour of the focus while keys go there
+  ScenePanel* scene_;
   HistoryPanel* history_;
-  QDockWidget* dock_;
+  QToolBar* strip_ = nullptr;
+  QStackedWidget* options_ = nullptr; // of the tools, in their order
   QLabel* advice_;
   QLabel* mode_;
   QProgressBar* progress_;
   QPushButton* cancel_;
   QTimer* patience_; // progress is shown for what takes longer than a moment
   QMenu* recent_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *save_ = nullptr, *draw_ = nullptr, *turn_ = nullptr,
-          *dark_ = nullptr, *region_ = nullptr;
-  QComboBox* mirror_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *save_ = nullptr, *dark_ = nullptr, *region_ = nullptr;
+  QVector<QAction*> dockActions_;
   Preferences preferences_;
-  int redrawn_ = -1; // the stroke that the next one replaces
+  int redrawn_ = -1; // the step that the next one replaces
   int offered_ = -1; // the one that can be taken hold of in the view
   bool reset_ = false;
-  bool drawn_ = false; // the change that is on its way is a stroke just drawn
 };
 
 } // namespace oversketch_studio

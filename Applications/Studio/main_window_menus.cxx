@@ -1,24 +1,25 @@
 // The window's menus, tool bar and status bar.
 #include "main_window.h"
 
-#include "document.h"
 #include "history_panel.h"
-#include "view.h"
+#include "tool.h"
+#include "viewport.h"
 
 #include "vtkVersion.h"
 
 #include <QAction>
 #include <QActionGroup>
-#include <QComboBox>
-#include <QCoreApplication>
+#include <QApplication>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
@@ -31,29 +32,7 @@ namespace
 
 constexpr int recentFiles = 10;
 constexpr int patience = 500; // ms
-
-// The stages of vtkOversketchOneStroke that take long enough to be read, in words.
-QString stageText(const QString& name)
-{
-  static const struct
-  {
-    const char *name, *text;
-  } stages[] = {
-    { "ShapeDiameter", QT_TRANSLATE_NOOP("oversketch_studio::MainWindow", "Measuring the thickness") },
-    { "MixtureRegion", QT_TRANSLATE_NOOP("oversketch_studio::MainWindow", "Finding the limb") },
-    { "Stretch", QT_TRANSLATE_NOOP("oversketch_studio::MainWindow", "Making triangles") },
-    { "Restore", QT_TRANSLATE_NOOP("oversketch_studio::MainWindow", "Evening out triangles") },
-  };
-  for (const auto& stage : stages)
-  {
-    if (name == stage.name)
-    {
-      return MainWindow::tr(stage.text);
-    }
-  }
-  return name.startsWith("Deform") || name.startsWith("Correction") ? MainWindow::tr("Deforming")
-                                                                    : MainWindow::tr("Finding the outline");
-}
+constexpr int toolIcon = 24;  // px as Qt counts them
 
 } // namespace
 
@@ -79,6 +58,8 @@ void MainWindow::makeMenus()
   this->add(file, tr("&Export mesh…"), QKeySequence(tr("Ctrl+E")), [this] { this->exportAsked(); });
   this->add(file, tr("Save a &picture…"), QKeySequence(tr("F12")), [this] { this->screenshot(); });
   file->addSeparator();
+  this->add(file, tr("Add a p&icture…"), {}, [this] { this->addPictureAsked(); });
+  file->addSeparator();
   this->add(file, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), [this] { this->close(); });
 
   QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
@@ -90,35 +71,8 @@ void MainWindow::makeMenus()
 
   this->menuBar()->addMenu(tr("&Stroke"))->addActions(this->history_->strokeActions());
 
-  QMenu* tools = this->menuBar()->addMenu(tr("&Tools"));
-  auto* modes = new QActionGroup(this);
-  this->draw_ = this->add(tools, tr("&Draw"), QKeySequence(tr("D")), [this] { this->setDrawing(true); });
-  this->turn_ = this->add(tools, tr("&Turn"), QKeySequence(tr("T")), [this] { this->setDrawing(false); });
-  for (QAction* mode : { this->draw_, this->turn_ })
-  {
-    mode->setCheckable(true);
-    modes->addAction(mode);
-  }
-  this->draw_->setToolTip(tr("The left button draws (D). The middle button always turns."));
-  this->turn_->setToolTip(tr("The left button turns the model (T)"));
-
-  QMenu* show = this->menuBar()->addMenu(tr("&View"));
-  this->dark_ = this->add(show,
-    tr("&Dark"),
-    {},
-    [this]
-    {
-      this->preferences_.dark = this->dark_->isChecked();
-      this->apply(this->preferences_);
-      this->preferences_.write();
-    });
-  this->dark_->setCheckable(true);
-  this->region_ =
-    this->add(show, tr("&Region that moves"), QKeySequence(tr("O")), [this] { this->offerStroke(); });
-  this->region_->setCheckable(true);
-  QAction* history = this->dock_->toggleViewAction();
-  history->setText(tr("&History"));
-  show->addAction(history);
+  this->makeToolMenu();
+  this->makeViewMenu();
 
   QMenu* help = this->menuBar()->addMenu(tr("&Help"));
   this->add(help,
@@ -138,27 +92,97 @@ void MainWindow::makeMenus()
     });
 }
 
+void MainWindow::makeToolMenu()
+{
+  QMenu* menu = this->menuBar()->addMenu(tr("&Tools"));
+  auto* group = new QActionGroup(this);
+  for (Tool* tool : this->tools_)
+  {
+    QAction* action = this->add(menu, tool->title(), tool->key(), [this, tool] { this->setTool(tool); });
+    action->setCheckable(true);
+    action->setToolTip(tool->help());
+    group->addAction(action);
+    this->toolActions_ << action;
+  }
+}
+
+void MainWindow::makeViewMenu()
+{
+  QMenu* show = this->menuBar()->addMenu(tr("&View"));
+  this->dark_ = this->add(show,
+    tr("&Dark"),
+    {},
+    [this]
+    {
+      this->preferences_.dark = this->dark_->isChecked();
+      this->apply(this->preferences_);
+      this->preferences_.write();
+    });
+  this->dark_->setCheckable(true);
+  this->region_ =
+    this->add(show, tr("&Region that moves"), QKeySequence(tr("O")), [this] { this->offerStep(); });
+  this->region_->setCheckable(true);
+  show->addActions({ this->dockActions_.begin(), this->dockActions_.end() });
+}
+
+QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* panel)
+{
+  auto* dock = new QDockWidget(QString(title).remove('&'), this);
+  dock->setObjectName(name);
+  dock->setWidget(panel);
+  this->addDockWidget(Qt::RightDockWidgetArea, dock);
+  dock->toggleViewAction()->setText(title);
+  this->dockActions_ << dock->toggleViewAction();
+  return dock;
+}
+
+// A strip of tools at the left, above the view the options of the one that is in the hand.
 void MainWindow::makeTools()
 {
-  auto* bar = this->addToolBar(tr("Tools"));
-  bar->setObjectName("tools bar");
-  bar->toggleViewAction()->setEnabled(false); // nothing else would show it again
-  bar->addActions({ this->draw_, this->turn_ });
-  bar->addSeparator();
+  const auto fixed = [this](Qt::ToolBarArea area, const QString& title, const QString& name)
+  {
+    auto* bar = new QToolBar(title, this);
+    this->addToolBar(area, bar);
+    bar->setObjectName(name);
+    bar->setMovable(false);
+    bar->toggleViewAction()->setEnabled(false); // nothing else would show it again
+    return bar;
+  };
+  QToolBar* bar = fixed(Qt::TopToolBarArea, tr("Options"), "options bar");
+  this->options_ = new QStackedWidget(bar);
+  for (Tool* tool : this->tools_)
+  {
+    QWidget* options = tool->makeOptions(this->options_);
+    this->options_->addWidget(options ? options : new QWidget(this->options_));
+  }
+  bar->addWidget(this->options_);
+  auto* space = new QWidget(bar);
+  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(space);
   bar->addActions({ this->undo_, this->redo_ });
-  bar->addSeparator();
-  auto* label = new QLabel(tr("New strokes act on "), bar);
-  bar->addWidget(label);
-  this->mirror_ = mirrorChoice(bar);
-  label->setBuddy(this->mirror_);
-  this->mirror_->setObjectName("mirror");
-  this->mirror_->setAccessibleName(tr("New strokes act on"));
-  this->mirror_->setToolTip(tr("Strokes act on one side of the model, or on both sides of this plane"));
-  bar->addWidget(this->mirror_);
-  connect(this->mirror_,
-    QOverload<int>::of(&QComboBox::activated),
-    this,
-    [this] { this->view_->showMirror(this->document_->mirrorPlane(this->mirror_->currentIndex())); });
+  this->strip_ = fixed(Qt::LeftToolBarArea, tr("Tools"), "tools strip");
+  this->strip_->setIconSize(QSize(toolIcon, toolIcon));
+  this->strip_->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  this->strip_->addActions({ this->toolActions_.begin(), this->toolActions_.end() });
+}
+
+// In the colours that the window has now, as fine as the screen is.
+void MainWindow::drawToolIcons()
+{
+  const qreal ratio = this->devicePixelRatioF();
+  for (int i = 0; i < this->tools_.size(); ++i)
+  {
+    QPixmap picture(QSize(toolIcon, toolIcon) * ratio);
+    picture.setDevicePixelRatio(ratio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(
+      QApplication::palette().color(QPalette::ButtonText), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(this->tools_[i]->icon());
+    painter.end();
+    this->toolActions_[i]->setIcon(QIcon(picture));
+  }
 }
 
 void MainWindow::makeStatus()
@@ -188,9 +212,11 @@ void MainWindow::makeStatus()
   connect(this->document_,
     &Document::progressed,
     this,
-    [this](const QString& stage, double share)
+    [this](int node, const QString& stage, double share)
     {
-      this->progress_->setFormat(stageText(stage));
+      const bool isThere = node < static_cast<int>(this->document_->session().nodes.size());
+      const Tool* tool = isThere ? this->toolOf(node) : nullptr;
+      this->progress_->setFormat(tool ? tool->stage(stage) : stage);
       this->progress_->setValue(static_cast<int>(100.0 * share));
     });
   connect(this->cancel_, &QPushButton::clicked, this->document_, &Document::cancel);

@@ -18,7 +18,7 @@ import numpy
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from desk import Desk, Studio, until  # noqa: E402
 
-LEFT, TOP, RIGHT, BOTTOM = 10, 70, 880, 760  # the model's part of the window
+LEFT, TOP, RIGHT, BOTTOM = 90, 70, 880, 760  # the model's part of the window
 
 
 def highest(desk):

@@ -18,7 +18,7 @@ def untranslated(text):
 
 
 def test_no_sentence_is_fixed():
-    sources = [path for path in STUDIO.glob("*.cxx") if path.stem != "latency"]
+    sources = [path for path in [*STUDIO.glob("*.cxx"), *STUDIO.glob("Tools/*.cxx")] if path.stem != "latency"]
     assert len(sources) > 5
     assert {path.name: untranslated(path.read_text()) for path in sources if untranslated(path.read_text())} == {}
 

@@ -6,6 +6,8 @@
 #include "mesh_file.h"
 #include "session_file.h"
 
+#include "vtkCellArray.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -334,6 +336,44 @@ TEST(SessionFile2, IsWrittenOnlyWhereVersion1CannotTellIt)
   Session more = session;
   more.nodes.push_back(liftedBall().nodes[0]);
   EXPECT_EQ(versionOf(more), 2);
+}
+
+TEST(SessionFile2, PicturesOfTheSceneComeBack)
+{
+  oversketch_files::catchMessages();
+  SessionFile file;
+  file.session = dogSession();
+  const Lines stroke = std::get<Lines>(file.session.nodes[0].step->inputs.at("Stroke"));
+  vtkNew<vtkPolyData> frame; // two samples of it
+  frame->DeepCopy(stroke.own());
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({ 0, 1 });
+  frame->SetLines(line);
+  Picture picture;
+  picture.image = oversketch_test::picture();
+  picture.frame = Lines(frame);
+  picture.opacity = 0.25;
+  picture.shown = false;
+  file.session.pictures.push_back(std::make_shared<Picture>(picture));
+  const Package package = Encoder().encode(file);
+  EXPECT_NE(jsonOf(package).find("\"format_version\" : 2"), std::string::npos);
+  const SessionFile read = decode(package, "x");
+  ASSERT_EQ(read.session.pictures.size(), 1u);
+  const Picture& back = *read.session.pictures[0];
+  EXPECT_EQ(back.image.name, picture.image.name);
+  EXPECT_EQ(*back.image.bytes, *picture.image.bytes);
+  EXPECT_EQ(back.opacity, 0.25);
+  EXPECT_FALSE(back.shown);
+  EXPECT_EQ(jsonOf(Encoder().encode(read)), jsonOf(package));
+  const auto refusal = [&](const std::string& from, const std::string& to)
+  { return refusalOf([&] { decode(edited(package, from, to), "x"); }); };
+  EXPECT_NE(
+    refusal("\"opacity\" : 0.25", "\"opacity\" : 2").find("is not between 0 and 1"), std::string::npos);
+  EXPECT_NE(refusal("\"frame\" :", "\"corner\" :").find("lacks 'frame'"), std::string::npos);
+  picture.frame = stroke; // of more samples than two
+  file.session.pictures = { std::make_shared<Picture>(picture) };
+  EXPECT_NE(
+    refusalOf([&] { decode(Encoder().encode(file), "x"); }).find("has not two corners"), std::string::npos);
 }
 
 TEST(SessionFile2, RefusalsNameWhatIsWrong)

@@ -3,7 +3,8 @@
 #include "document.h"
 #include "main_window.h"
 #include "mesh_file.h"
-#include "view.h"
+#include "tool.h"
+#include "viewport.h"
 
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
@@ -61,12 +62,15 @@ void Hand::Deeds::add(const Deeds& other)
 Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
   : random_(seed)
   , window_(window)
-  , view_(window.findChild<View*>())
+  , view_(window.findChild<Viewport*>())
   , document_(window.findChild<Document*>())
   , folder_(folder)
 {
-  connect(this->view_, &View::strokeDrawn, this, [this] { ++this->deeds_.strokes; });
-  connect(this->view_, &View::strokeChanged, this, [this] { ++this->deeds_.moved; });
+  for (Tool* tool : window.findChildren<Tool*>())
+  {
+    connect(tool, &Tool::drawn, this, [this] { ++this->deeds_.strokes; });
+    connect(tool, &Tool::changed, this, [this] { ++this->deeds_.moved; });
+  }
   connect(this->document_, &Document::opened, this, [this] { ++this->deeds_.opened; });
   connect(this->document_,
     &Document::detailed,
@@ -79,7 +83,7 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
   connect(this->document_,
     &Document::progressed,
     this,
-    [this](const QString& stage, double share)
+    [this](int, const QString& stage, double share)
     { this->stage_ = QString("%1 %2 %").arg(stage).arg(100.0 * share); });
   for (const QAction* action : window.findChildren<QAction*>())
   {
@@ -197,7 +201,7 @@ int Hand::act()
 // A bow beside the outermost point of the model in some direction, as a person draws it.
 int Hand::strokeBesideTheModel()
 {
-  if (!this->view_->isDrawing())
+  if (this->view_->tool()->system().empty())
   {
     QTest::keyClick(this->view_, Qt::Key_D);
   }

@@ -18,7 +18,7 @@ namespace oversketch_studio
 
 class Document;
 class MainWindow;
-class View;
+class Viewport;
 
 class Hand : public QObject
 {
@@ -72,7 +72,7 @@ private:
 
   std::mt19937 random_;
   MainWindow& window_;
-  View* view_;
+  Viewport* view_;
   Document* document_;
   QString folder_, stage_;
   QStringList complaints_;

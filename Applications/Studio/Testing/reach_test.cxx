@@ -3,7 +3,8 @@
 #include "history_panel.h"
 #include "main_window.h"
 #include "preferences.h"
-#include "view.h"
+#include "tool.h"
+#include "viewport.h"
 
 #include "vtkOversketchInteractorStyle.h"
 
@@ -52,14 +53,14 @@ struct Scene
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->window, 60000));
     QApplication::setActiveWindow(&this->window);
     this->window.openShippedModel();
-    this->view = this->window.findChild<View*>();
+    this->view = this->window.findChild<Viewport*>();
     this->document = this->window.findChild<Document*>();
     EXPECT_TRUE(this->document->isOpen());
     this->wait();
     if (stroke)
     {
       this->draw(0.0);
-      this->window.findChild<QListWidget*>()->setCurrentRow(0);
+      this->window.findChild<QListWidget*>("history")->setCurrentRow(0);
     }
   }
   ~Scene() { this->document->discardAutosave(); }
@@ -84,7 +85,7 @@ struct Scene
   }
 
   MainWindow window;
-  View* view = nullptr;
+  Viewport* view = nullptr;
   Document* document = nullptr;
 };
 
@@ -224,7 +225,7 @@ TEST(Reach, TabGoesThroughEverythingAndShowsWhereItIs)
     // Where the keys go is seen: on the widget itself, or on the frame about the view.
     const auto seen = [](QWidget* widget)
     {
-      QWidget* shown = qobject_cast<View*>(widget) ? widget->parentWidget() : widget;
+      QWidget* shown = qobject_cast<Viewport*>(widget) ? widget->parentWidget() : widget;
       return shown->grab().toImage();
     };
     if (next != at)
@@ -298,7 +299,7 @@ TEST(Reach, AStrokeIsChangedWithKeysAlone)
 {
   Scene scene(true);
   const std::string before = scene.document->digest();
-  auto* list = scene.window.findChild<QListWidget*>();
+  auto* list = scene.window.findChild<QListWidget*>("history");
   list->setFocus();
   QTest::keyClick(list, Qt::Key_Space); // off
   ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.document->session().nodes[0].on; }, 600000));
@@ -346,16 +347,16 @@ TEST(Texts, EverythingThatIsSeenIsTranslated)
   {
     Scene scene(true);
     EXPECT_GE(unmarked(&scene.window), 60);
-    for (const char* mode : { "Draw", "Turn" })
+    for (Tool* tool : scene.view->findChildren<Tool*>())
     {
-      scene.view->setDrawing(*mode == 'D');
+      scene.view->setTool(tool);
       const QStringList lines = QString::fromUtf8(scene.view->camera()->GetKeyList()).split('\n');
       EXPECT_GE(lines.size(), 15);
       for (const QString& line : lines)
       {
         EXPECT_TRUE(line.isEmpty() || line.contains(QString::fromUtf8("¡"))) << qPrintable(line);
       }
-      EXPECT_TRUE(lines[0].endsWith(QString(mode).toLower())) << qPrintable(lines[0]);
+      EXPECT_TRUE(lines[0].endsWith(tool->mode())) << qPrintable(lines[0]);
     }
     const PreferencesDialog dialog(Preferences::read());
     EXPECT_GE(unmarked(&dialog), 10);

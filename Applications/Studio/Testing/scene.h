@@ -4,7 +4,7 @@
 
 #include "document.h"
 #include "main_window.h"
-#include "view.h"
+#include "viewport.h"
 
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
@@ -28,7 +28,7 @@ struct Scene
     this->window.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->window, 60000));
     this->window.openShippedModel();
-    this->view = this->window.findChild<View*>();
+    this->view = this->window.findChild<Viewport*>();
     this->document = this->window.findChild<Document*>();
     this->wait();
     EXPECT_TRUE(QTest::qWaitFor(
@@ -80,7 +80,7 @@ struct Scene
   void release() { QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, this->end); }
 
   MainWindow window;
-  View* view = nullptr;
+  Viewport* view = nullptr;
   Document* document = nullptr;
   QPoint end;
 };

@@ -3,7 +3,7 @@
 #include "main_window.h"
 #include "mesh_file.h"
 #include "texture.h"
-#include "view.h"
+#include "viewport.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -64,7 +64,7 @@ struct Count
 };
 
 // Pixels of the view in which one colour stands out, and where they are.
-Count coloursOf(View* view, const QString& path, std::array<double, 2>& middles)
+Count coloursOf(Viewport* view, const QString& path, std::array<double, 2>& middles)
 {
   view->screenshot(path, false);
   vtkNew<vtkPNGReader> reader;
@@ -131,7 +131,7 @@ TEST(Skin, ATextureIsShownAndSurvivesAStrokeAndFiles)
   MainWindow window;
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 60000));
-  auto* view = window.findChild<View*>();
+  auto* view = window.findChild<Viewport*>();
   auto* document = window.findChild<Document*>();
   std::array<double, 2> middles{};
   window.openShippedModel();
@@ -204,6 +204,6 @@ TEST(Skin, ColoursOfPointsAreShown)
   ASSERT_TRUE(window.open(path));
   ASSERT_TRUE(settles(document));
   std::array<double, 2> middles{};
-  EXPECT_GT(coloursOf(window.findChild<View*>(), folder.filePath("blue.png"), middles).blue, 30000);
+  EXPECT_GT(coloursOf(window.findChild<Viewport*>(), folder.filePath("blue.png"), middles).blue, 30000);
   document->discardAutosave();
 }

@@ -6,7 +6,7 @@
 #include "files.h"
 #include "hand.h"
 #include "main_window.h"
-#include "view.h"
+#include "viewport.h"
 
 #include "vtkRenderWindow.h"
 
@@ -112,7 +112,7 @@ void play(unsigned number,
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 60000));
   QApplication::setActiveWindow(&window);
-  auto* view = window.findChild<View*>();
+  auto* view = window.findChild<Viewport*>();
   auto* document = window.findChild<Document*>();
   Hand hand(number, window, folder.path());
   open(window, folder.path());
@@ -162,7 +162,7 @@ TEST(Window, LivesThroughRandomHands)
       {
         const QString path = QDir(folder).filePath("body.ply");
         writeModel(path.toStdString());
-        window.findChild<View*>()->renderWindow()->SetMultiSamples(0); // in half the time
+        window.findChild<Viewport*>()->renderWindow()->SetMultiSamples(0); // in half the time
         window.open(path);
       },
       deeds);

@@ -1,18 +1,17 @@
-#include "view.h"
+#include "viewport.h"
 
 #include "files.h"
 #include "key_list.h"
 #include "latency.h"
+#include "tool.h"
 
-#include "vtkOversketchHeldStrokeRepresentation.h"
-#include "vtkOversketchHeldStrokeWidget.h"
 #include "vtkOversketchInteractorStyle.h"
 #include "vtkOversketchStrokeRepresentation.h"
-#include "vtkOversketchStrokeWidget.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkLightKit.h"
 #include "vtkPNGWriter.h"
@@ -23,7 +22,6 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
-#include "vtkProperty2D.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
@@ -33,23 +31,22 @@
 #include <QTabletEvent>
 #include <QTimer>
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
 namespace oversketch_studio
 {
 
-using oversketch_session::MirrorPlane;
+using namespace oversketch_session;
 
 namespace
 {
 
 // The paper's colour of a silhouette section.
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
-constexpr float lineWidth = 3.0F;    // px as Qt counts them, of the stroke and of the section
-constexpr double grabDistance = 6.0; // px as Qt counts them
-constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
+constexpr float lineWidth = 3.0F; // px as Qt counts them, of the section
+constexpr int awaitTime = 500;    // ms; what takes longer shows its progress
 
 // Ambient occlusion would make a picture drawn by the processor wait.
 bool drawsOnProcessor(vtkRenderWindow* window)
@@ -60,14 +57,34 @@ bool drawsOnProcessor(vtkRenderWindow* window)
 
 } // namespace
 
-View::View(QWidget* parent)
+Viewport::Viewport(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
-  , penSection_(this->widget_)
   , await_(new QTimer(this))
 {
   this->setRenderWindow(this->window_);
   this->window_->AddRenderer(this->renderer_);
   this->window_->SetMultiSamples(4);
+  this->makeScene();
+  this->listen();
+  this->await_->setSingleShot(true);
+  connect(this->await_,
+    &QTimer::timeout,
+    this,
+    [this]
+    {
+      if (this->renderWaits_)
+      {
+        this->renderNow();
+      }
+    });
+  this->setFocusPolicy(Qt::StrongFocus);
+  this->setAccessibleName(tr("Model"));
+  this->fitScreen();
+  this->setDark(true);
+}
+
+void Viewport::makeScene()
+{
   this->lights_->AddLightsToRenderer(this->renderer_);
   this->lights_->SetKeyLightWarmth(0.55);
   this->lights_->SetKeyToFillRatio(2.5);
@@ -89,18 +106,7 @@ View::View(QWidget* parent)
   this->section_->VisibilityOff();
   this->renderer_->AddActor(this->section_);
 
-  this->regionNormals_->SplittingOff();
-  this->regionMapper_->SetInputConnection(this->regionNormals_->GetOutputPort());
-  this->regionMapper_->ScalarVisibilityOff();
-  this->regionMapper_->SetResolveCoincidentTopologyToPolygonOffset();
-  this->regionMapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -200.0);
-  this->region_->SetMapper(this->regionMapper_);
-  this->region_->GetProperty()->SetColor(0.98, 0.62, 0.20);
-  this->region_->GetProperty()->SetAmbient(0.12);
-  this->region_->GetProperty()->SetDiffuse(0.85);
-  this->region_->PickableOff();
-  this->region_->VisibilityOff();
-  this->renderer_->AddActor(this->region_);
+  this->makeRegion();
 
   this->mirrorMapper_->SetInputConnection(this->mirrorPlane_->GetOutputPort());
   this->mirror_->SetMapper(this->mirrorMapper_);
@@ -112,148 +118,120 @@ View::View(QWidget* parent)
   this->renderer_->AddActor(this->mirror_);
 
   this->hint_.addTo(this->renderer_);
+}
 
+void Viewport::makeRegion()
+{
+  this->regionNormals_->SplittingOff();
+  this->regionMapper_->SetInputConnection(this->regionNormals_->GetOutputPort());
+  this->regionMapper_->ScalarVisibilityOff();
+  // Over the surface that it is a part of.
+  this->regionMapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  this->regionMapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -200.0);
+  this->region_->SetMapper(this->regionMapper_);
+  this->region_->GetProperty()->SetColor(0.98, 0.62, 0.20);
+  this->region_->GetProperty()->SetAmbient(0.12);
+  this->region_->GetProperty()->SetDiffuse(0.85);
+  this->region_->PickableOff();
+  this->region_->VisibilityOff();
+  this->renderer_->AddActor(this->region_);
+}
+
+void Viewport::listen()
+{
   this->interactor()->SetInteractorStyle(this->style_);
   this->style_->SetDefaultRenderer(this->renderer_);
-  this->widget_->SetInteractor(this->interactor());
-  this->widget_->SetDefaultRenderer(this->renderer_);
-
-  this->ear_->SetClientData(this);
-  this->ear_->SetCallback(
-    [](vtkObject*, unsigned long event, void* self, void*)
-    {
-      auto* view = static_cast<View*>(self);
-      if (event == vtkCommand::WidgetValueChangedEvent)
-      {
-        Latency::of().strokeEnd();
-        if (view->widget_->IsNew())
-        {
-          view->following_ = nullptr; // until it has been run
-          emit view->strokeDrawn(view->widget_->GetStroke());
-        }
-        else
-        {
-          if (view->preview_)
-          {
-            view->meshMapper_->SetInputData(view->preview_->mesh());
-          }
-          emit view->strokeChanged(view->widget_->GetStroke());
-        }
-      }
-      else if (event == vtkCommand::InteractionEvent)
-      {
-        if (view->widget_->IsMoving())
-        {
-          view->followHand();
-        }
-        else
-        {
-          Latency::of().sample();
-          view->penSection_.lineGrows();
-        }
-      }
-      else if (event == vtkCommand::EndInteractionEvent)
-      {
-        view->letGo();
-      }
-      else if (event == vtkCommand::StartInteractionEvent)
-      {
-        view->hint_.setVisible(false);
-        view->preview_ = nullptr;
-        if (view->pen()->IsDrawing())
-        {
-          view->penSection_.lineBegins();
-        }
-      }
-      else if (event == vtkCommand::RenderEvent)
-      {
-        if (!view->interactor()->GetEnableRender())
-        {
-          view->renderSoon();
-        }
-      }
-      else if (event == vtkCommand::ExitEvent)
-      {
-        emit view->quitAsked();
-      }
-    });
+  this->observer_->SetClientData(this);
+  this->observer_->SetCallback(
+    [](vtkObject*, unsigned long event, void* self, void*) { static_cast<Viewport*>(self)->heard(event); });
   // One frame for all events that have come, so that a quick hand does not wait for each of its samples.
   this->interactor()->EnableRenderOff();
-  this->interactor()->AddObserver(vtkCommand::RenderEvent, this->ear_);
+  this->interactor()->AddObserver(vtkCommand::RenderEvent, this->observer_);
   // Key q, by the style.
-  this->interactor()->AddObserver(vtkCommand::ExitEvent, this->ear_);
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
+  this->interactor()->AddObserver(vtkCommand::ExitEvent, this->observer_);
+  this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->observer_);
+}
+
+Viewport::~Viewport()
+{
+  this->interactor()->RemoveObserver(this->observer_);
+  this->style_->RemoveObserver(this->observer_);
+  // Tools hold parts of the window, which goes first.
+  for (Tool* tool : this->findChildren<Tool*>(QString(), Qt::FindDirectChildrenOnly))
   {
-    this->widget_->AddObserver(event, this->ear_);
+    delete tool;
   }
-  this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->ear_);
-  connect(&this->penSection_, &PenSection::frameWanted, this, &View::renderNow);
-  this->await_->setSingleShot(true);
-  connect(this->await_,
-    &QTimer::timeout,
-    this,
-    [this]
-    {
-      if (this->renderWaits_)
-      {
-        this->renderNow();
-      }
-    });
-  this->setFocusPolicy(Qt::StrongFocus);
-  this->setAccessibleName(tr("Model"));
-  this->fitScreen();
-  this->setDark(true);
-  this->setDrawing(true);
 }
 
-View::~View()
+void Viewport::heard(unsigned long event)
 {
-  this->interactor()->RemoveObserver(this->ear_);
-  this->widget_->RemoveObserver(this->ear_);
-  this->style_->RemoveObserver(this->ear_);
-  this->widget_->SetEnabled(0);
-  this->widget_->SetInteractor(nullptr);
+  if (event == vtkCommand::StartInteractionEvent)
+  {
+    this->hideHint();
+    emit this->cameraMoves();
+  }
+  else if (event == vtkCommand::ExitEvent)
+  {
+    emit this->quitAsked();
+  }
+  else if (!this->interactor()->GetEnableRender())
+  {
+    this->renderSoon();
+  }
 }
 
-vtkOversketchStrokeWidget* View::pen() const
+void Viewport::setTool(Tool* tool)
 {
-  return this->widget_->GetPen();
+  if (this->tool_)
+  {
+    this->tool_->stop();
+  }
+  this->tool_ = tool;
+  tool->start();
+  this->style_->SetKeyList(keyList(*tool, this->findChildren<Tool*>().toVector()).toUtf8().constData());
 }
 
-void View::render()
+void Viewport::setHandCursor(Qt::CursorShape shape)
+{
+  this->setDefaultCursor(shape);
+  this->setCursor(this->defaultCursor());
+}
+
+void Viewport::render()
 {
   this->await_->stop();
   this->renderWaits_ = false;
-  this->penSection_.frameBegins();
+  if (this->tool_)
+  {
+    this->tool_->frameBegins();
+  }
+  this->backdrop_.look(this->renderer_);
   Latency::of().frameBegins();
   this->window_->Render();
   this->paintWaits_ = true;
 }
 
 // And paints it, so that no frame is drawn that nobody sees.
-void View::renderNow()
+void Viewport::renderNow()
 {
   this->render();
   this->repaint();
 }
 
 // Qt puts a repaint off that follows closely on the last.
-void View::paintNow()
+void Viewport::paintNow()
 {
   this->update();
   QEvent now(QEvent::UpdateRequest);
   QCoreApplication::sendEvent(this->window(), &now);
 }
 
-void View::awaitMesh()
+void Viewport::awaitMesh()
 {
   this->await_->start(awaitTime);
 }
 
-void View::awaitNoMore()
+void Viewport::awaitNoMore()
 {
   this->await_->stop();
   if (std::exchange(this->renderWaits_, false))
@@ -262,7 +240,7 @@ void View::awaitNoMore()
   }
 }
 
-void View::renderSoon()
+void Viewport::renderSoon()
 {
   if (this->await_->isActive())
   {
@@ -283,14 +261,18 @@ void View::renderSoon()
   }
 }
 
-void View::paintGL()
+void Viewport::paintGL()
 {
   this->paintWaits_ = false;
   // What Qt asks for is drawn now.
+  this->backdrop_.look(this->renderer_);
   this->interactor()->EnableRenderOn();
   QVTKOpenGLNativeWidget::paintGL();
   this->interactor()->EnableRenderOff();
-  this->penSection_.framePainted();
+  if (this->tool_)
+  {
+    this->tool_->framePainted();
+  }
   if (Latency::of().isOn())
   {
     this->window_->WaitForCompletion();
@@ -298,45 +280,39 @@ void View::paintGL()
   }
 }
 
-void View::resizeGL(int width, int height)
+void Viewport::resizeGL(int width, int height)
 {
   QVTKOpenGLNativeWidget::resizeGL(width, height);
   this->fitScreen();
 }
 
 // VTK counts the screen's own pixels.
-void View::fitScreen()
+void Viewport::fitScreen()
 {
   const double ratio = this->devicePixelRatioF();
   this->section_->GetProperty()->SetLineWidth(static_cast<float>(lineWidth * ratio));
-  vtkOversketchStrokeRepresentation* drawn = this->pen()->GetStrokeRepresentation();
-  for (vtkProperty2D* line : { drawn->GetProperty(),
-         drawn->GetSectionProperty(),
-         this->widget_->GetHeldStrokeRepresentation()->GetProperty() })
+  for (Tool* tool : this->findChildren<Tool*>())
   {
-    line->SetLineWidth(static_cast<float>(lineWidth * ratio));
+    tool->setPixelRatio(ratio);
   }
-  this->widget_->SetGrabDistance(grabDistance * ratio);
-  this->pen()->SetStabilizer(this->stabilizer_ * ratio);
   this->placeHint();
 }
 
-void View::keyPressEvent(QKeyEvent* event)
+void Viewport::keyPressEvent(QKeyEvent* event)
 {
-  if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !this->widget_->IsMoving() &&
-      !this->pen()->IsDrawing())
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
   {
-    this->clearStroke();
+    emit this->returned();
   }
   QVTKOpenGLNativeWidget::keyPressEvent(event);
 }
 
-bool View::event(QEvent* event)
+bool Viewport::event(QEvent* event)
 {
   // VTK hears of the mouse before the functions for its events do.
   const auto type = event->type();
   const bool press = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
-  const bool release = type == QEvent::MouseButtonRelease && this->pen()->IsDrawing();
+  const bool release = type == QEvent::MouseButtonRelease && this->tool_ && this->tool_->draws();
   if (press || type == QEvent::Wheel || type == QEvent::KeyPress)
   {
     this->awaitNoMore();
@@ -356,11 +332,11 @@ bool View::event(QEvent* event)
   return QVTKOpenGLNativeWidget::event(event);
 }
 
-void View::showMesh(vtkPolyData* mesh, bool reset)
+void Viewport::showMesh(vtkPolyData* mesh, bool reset)
 {
   this->meshMapper_->SetInputData(mesh);
   this->skin_.dress(this->mesh_, this->meshMapper_, mesh);
-  this->penSection_.setMesh(mesh);
+  this->backdrop_.setMesh(mesh);
   if (reset)
   {
     vtkCamera* camera = this->renderer_->GetActiveCamera();
@@ -384,14 +360,51 @@ void View::showMesh(vtkPolyData* mesh, bool reset)
   this->renderSoon();
 }
 
-void View::showSection(vtkPolyData* section)
+void Viewport::showPreview(vtkPolyData* mesh)
+{
+  this->meshMapper_->SetInputData(mesh);
+}
+
+vtkPolyData* Viewport::mesh() const
+{
+  return this->meshMapper_->GetInput();
+}
+
+void Viewport::showPictures(const Pictures& pictures)
+{
+  this->backdrop_.set(pictures, this->renderer_);
+  this->renderSoon();
+}
+
+Lines Viewport::frameFor(int width, int height)
+{
+  vtkNew<vtkOversketchStrokeRepresentation> reader;
+  reader->SetRenderer(this->renderer_);
+  vtkNew<vtkPolyData> frame;
+  reader->PutView(frame);
+  const int* size = this->renderer_->GetSize();
+  const double scale = std::min(double(size[0]) / width, double(size[1]) / height);
+  const double half[2] = { 0.5 * scale * width, 0.5 * scale * height };
+  vtkNew<vtkPoints> corners;
+  corners->SetDataTypeToDouble();
+  corners->InsertNextPoint(0.5 * size[0] - half[0], 0.5 * size[1] - half[1], 0.0);
+  corners->InsertNextPoint(0.5 * size[0] + half[0], 0.5 * size[1] + half[1], 0.0);
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({ 0, 1 });
+  frame->SetPoints(corners);
+  frame->SetLines(line);
+  frame->GetPointData()->Initialize();
+  return Lines(frame);
+}
+
+void Viewport::showSection(vtkPolyData* section)
 {
   this->sectionMapper_->SetInputData(section);
   this->section_->SetVisibility(section != nullptr);
   this->renderSoon();
 }
 
-void View::showMirror(const std::optional<MirrorPlane>& plane)
+void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
 {
   vtkPolyData* mesh = this->meshMapper_->GetInput();
   this->mirror_->SetVisibility(plane && mesh);
@@ -417,19 +430,24 @@ void View::showMirror(const std::optional<MirrorPlane>& plane)
   this->renderSoon();
 }
 
-void View::showHint(const QString& text)
+void Viewport::showHint(const QString& text)
 {
   this->hint_.setText(text.toStdString());
   this->placeHint();
   this->renderSoon();
 }
 
-void View::placeHint()
+void Viewport::hideHint()
+{
+  this->hint_.setVisible(false);
+}
+
+void Viewport::placeHint()
 {
   this->hint_.place(this->renderer_, this->meshMapper_->GetInput(), this->devicePixelRatioF());
 }
 
-void View::setDark(bool dark)
+void Viewport::setDark(bool dark)
 {
   if (dark)
   {
@@ -451,25 +469,7 @@ void View::setDark(bool dark)
   this->renderSoon();
 }
 
-void View::setDrawing(bool drawing)
-{
-  this->drawing_ = drawing;
-  this->widget_->SetEnabled(drawing ? 1 : 0);
-  if (!drawing)
-  {
-    this->style_->SetModeToNavigate();
-  }
-  this->style_->SetKeyList(keyList(drawing).toUtf8().constData());
-  this->setDefaultCursor(drawing ? Qt::CrossCursor : Qt::OpenHandCursor);
-  this->setCursor(this->defaultCursor());
-}
-
-void View::clearStroke()
-{
-  this->offerStroke(nullptr, {}, nullptr);
-}
-
-void View::showRegion(vtkPolyData* region)
+void Viewport::showRegion(vtkPolyData* region)
 {
   const bool any = region && region->GetNumberOfPolys() > 0;
   this->regionNormals_->SetInputData(any ? region : nullptr);
@@ -477,82 +477,35 @@ void View::showRegion(vtkPolyData* region)
   this->renderSoon();
 }
 
-void View::offerStroke(vtkPolyData* stroke,
-  const oversketch_session::Point& place,
-  const std::shared_ptr<const oversketch_session::Following>& following)
-{
-  this->following_ = stroke ? following : nullptr;
-  this->widget_->HoldStroke(stroke, place.data());
-  this->renderSoon();
-}
-
-void View::setFollowing(const std::shared_ptr<const oversketch_session::Following>& following)
-{
-  this->following_ = following;
-}
-
-// The mesh under the hand: a preview, until the document has run the moved stroke.
-void View::followHand()
-{
-  vtkPolyData* shown = this->meshMapper_->GetInput();
-  if (!this->preview_)
-  {
-    if (!this->following_ || !shown || shown->GetNumberOfPoints() != this->following_->count)
-    {
-      emit this->lineMovesAlone();
-      return;
-    }
-    this->preview_ = std::make_unique<Preview>(shown, this->following_);
-    this->meshMapper_->SetInputData(this->preview_->mesh());
-  }
-  this->preview_->moveTo(this->widget_->GetTranslation());
-}
-
-// The mesh is as it was. Of a stroke that was moved the preview stays until the result comes: see the
-// constructor.
-void View::letGo()
-{
-  if (this->preview_ && this->meshMapper_->GetInput() == this->preview_->mesh())
-  {
-    this->meshMapper_->SetInputData(this->preview_->rest());
-  }
-  emit this->lineLeft();
-}
-
-void View::setStabilizer(double pixels)
-{
-  this->stabilizer_ = pixels;
-  this->fitScreen();
-}
-
-void View::lookFrom(vtkPolyData* stroke)
+void Viewport::lookFrom(vtkPolyData* stroke)
 {
   this->style_->LookFrom(stroke);
   this->render();
 }
 
-void View::showKeys(bool show)
+void Viewport::showKeys(bool show)
 {
   this->style_->SetShowKeys(show);
   this->hint_.setVisible(false); // it would be under the list
   this->render();
 }
 
-bool View::showsKeys() const
+bool Viewport::showsKeys() const
 {
   return this->style_->GetShowKeys();
 }
 
-void View::screenshot(const QString& path, bool overlays)
+void Viewport::screenshot(const QString& path, bool overlays)
 {
   const int section = this->section_->GetVisibility(), region = this->region_->GetVisibility(),
             mirror = this->mirror_->GetVisibility(), hint = this->hint_.isVisible();
   const bool keys = this->style_->GetShowKeys();
-  vtkProp* lines = this->widget_->GetHeldStrokeRepresentation();
-  const int shown = lines->GetVisibility();
   if (!overlays)
   {
-    lines->VisibilityOff();
+    for (Tool* tool : this->findChildren<Tool*>())
+    {
+      tool->showLines(false);
+    }
     this->section_->VisibilityOff();
     this->region_->VisibilityOff();
     this->mirror_->VisibilityOff();
@@ -569,7 +522,10 @@ void View::screenshot(const QString& path, bool overlays)
   this->mirror_->SetVisibility(mirror);
   this->hint_.setVisible(hint);
   this->style_->SetShowKeys(keys);
-  lines->SetVisibility(shown);
+  for (Tool* tool : this->findChildren<Tool*>())
+  {
+    tool->showLines(true);
+  }
   this->render();
   oversketch_files::writeWhole(path.toStdString(),
     [&](const std::string& file)
@@ -586,10 +542,13 @@ void View::screenshot(const QString& path, bool overlays)
     });
 }
 
-void View::tabletEvent(QTabletEvent* event)
+void Viewport::tabletEvent(QTabletEvent* event)
 {
   // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  this->pen()->SetPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+  if (this->tool_)
+  {
+    this->tool_->setPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+  }
   event->ignore();
 }
 

@@ -21,8 +21,10 @@ class PenSection : public QObject
   Q_OBJECT
 
 public:
-  // Of a widget, which must outlive it.
-  explicit PenSection(vtkOversketchHeldStrokeWidget* widget, QObject* parent = nullptr);
+  // Of strokes of a system, and of a widget, which must outlive it.
+  PenSection(const oversketch_session::SystemRow& system,
+    vtkOversketchHeldStrokeWidget* widget,
+    QObject* parent = nullptr);
   ~PenSection() override;
 
   // The mesh that is drawn over from here on.

@@ -18,13 +18,14 @@ constexpr int rest = 100; // ms without a frame: camera and pen have come to res
 
 } // namespace
 
-PenSection::PenSection(vtkOversketchHeldStrokeWidget* widget, QObject* parent)
+PenSection::PenSection(const oversketch_session::SystemRow& system,
+  vtkOversketchHeldStrokeWidget* widget,
+  QObject* parent)
   : QObject(parent)
   , widget_(widget)
   , rest_(new QTimer(this))
   // From the finder's thread to this object's.
-  , finder_(*oversketch_session::findSystem("OneStroke"),
-      [this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); })
+  , finder_(system, [this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); })
 {
   this->rest_->setSingleShot(true);
   this->rest_->setInterval(rest);

@@ -1,20 +1,16 @@
-// The model, the pen and the camera in a Qt widget.
-#ifndef oversketch_studio_view_h
-#define oversketch_studio_view_h
+// The model in a Qt widget: window, light, camera, frames. What the left button does is a tool's.
+#ifndef oversketch_studio_viewport_h
+#define oversketch_studio_viewport_h
 
-#include "evaluator.h"
+#include "backdrop.h"
 #include "hint.h"
-#include "pen_section.h"
-#include "preview.h"
 #include "session.h"
 #include "skin.h"
 
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 
-#include <memory>
 #include <optional>
 
 class QTimer;
@@ -23,8 +19,6 @@ class vtkCallbackCommand;
 class vtkGenericOpenGLRenderWindow;
 class vtkLightKit;
 class vtkOversketchInteractorStyle;
-class vtkOversketchHeldStrokeWidget;
-class vtkOversketchStrokeWidget;
 class vtkPlaneSource;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -34,58 +28,61 @@ class vtkRenderer;
 namespace oversketch_studio
 {
 
-class View : public QVTKOpenGLNativeWidget
+class Tool;
+
+class Viewport : public QVTKOpenGLNativeWidget
 {
   Q_OBJECT
 
 public:
-  explicit View(QWidget* parent = nullptr);
-  ~View() override;
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  // Takes a tool up, instead of the last.
+  void setTool(Tool* tool);
+  Tool* tool() const { return this->tool_; }
 
   // Shows a mesh instead of the last; with `reset` the camera looks at all of it from the front.
   void showMesh(vtkPolyData* mesh, bool reset);
+  // The mesh as a tool shows it meanwhile, with the same skin.
+  void showPreview(vtkPolyData* mesh);
+  vtkPolyData* mesh() const;
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
   // something.
   void awaitMesh();
-  // Where a stroke took hold (blue); null shows none.
+  // Where a step took hold (blue); null shows none.
   void showSection(vtkPolyData* section);
-  // The part of the model that a stroke moved (orange); null shows none.
+  // The part of the model that a step moved (orange); null shows none.
   void showRegion(vtkPolyData* region);
-  // The stroke that can be taken hold of, a place in the plane that it stands in, and how the mesh that is
-  // shown follows it (null: the line goes alone); a null stroke offers none. Return in the view ends the
-  // offer, so that the next stroke can begin on it.
-  void offerStroke(vtkPolyData* stroke,
-    const oversketch_session::Point& place,
-    const std::shared_ptr<const oversketch_session::Following>& following);
-  // How it follows, where that is known only now.
-  void setFollowing(const std::shared_ptr<const oversketch_session::Following>& following);
   void showMirror(const std::optional<oversketch_session::MirrorPlane>& plane);
+  // The pictures behind the model, each in the view that it was put there in.
+  void showPictures(const oversketch_session::Pictures& pictures);
+  // Where a picture of that size [px] fills the present view.
+  oversketch_session::Lines frameFor(int width, int height);
   // Where to draw, with a line of text; empty shows none.
   void showHint(const QString& text);
+  void hideHint();
   void setDark(bool dark);
-  // Pen or camera: whose the left button is.
-  void setDrawing(bool drawing);
-  bool isDrawing() const { return this->drawing_; }
-  // How far the line trails behind the pen [px as Qt counts them].
-  void setStabilizer(double pixels);
-  // Takes the line of the last stroke away; it is offered no more.
-  void clearStroke();
-  // The camera that a stroke was drawn in.
+  // The camera that a stroke was drawn in, or a picture was put into the scene in.
   void lookFrom(vtkPolyData* stroke);
   void showKeys(bool show);
   bool showsKeys() const;
   // Writes what the window shows; without overlays only the model. Throws Failed.
   void screenshot(const QString& path, bool overlays);
+
+  // For tools.
   vtkOversketchInteractorStyle* camera() { return this->style_; }
+  vtkRenderer* renderer() { return this->renderer_; }
+  void setHandCursor(Qt::CursorShape shape);
+  // A frame with the next turn of the event loop, and at once.
+  void renderSoon();
+  void renderNow();
 
 signals:
-  void strokeDrawn(vtkPolyData* stroke);
-  // The stroke that was offered has been moved or drawn anew in part.
-  void strokeChanged(vtkPolyData* stroke);
-  // The hand moves a stroke that the mesh cannot follow before it is let go; it lets go.
-  void lineMovesAlone();
-  void lineLeft();
   void quitAsked();
+  // Key Return; the camera is about to be moved.
+  void returned();
+  void cameraMoves();
 
 protected:
   bool event(QEvent* event) override;
@@ -95,16 +92,15 @@ protected:
   void tabletEvent(QTabletEvent* event) override;
 
 private:
+  void makeScene();
+  void makeRegion();
+  void listen();
+  void heard(unsigned long event);
   void render();
-  void renderSoon();
-  void renderNow();
   void paintNow();
   void awaitNoMore();
   void placeHint();
   void fitScreen();
-  void followHand();
-  void letGo();
-  vtkOversketchStrokeWidget* pen() const;
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
@@ -114,15 +110,11 @@ private:
   vtkNew<vtkPolyDataNormals> regionNormals_;
   Skin skin_; // of the mesh
   vtkNew<vtkPlaneSource> mirrorPlane_;
+  Backdrop backdrop_;
   Hint hint_;
   vtkNew<vtkOversketchInteractorStyle> style_;
-  vtkNew<vtkOversketchHeldStrokeWidget> widget_; // shows and moves strokes; the document runs them
-  PenSection penSection_;
-  std::shared_ptr<const oversketch_session::Following> following_;
-  std::unique_ptr<Preview> preview_; // while a stroke is moved
-  vtkNew<vtkCallbackCommand> ear_;
-  double stabilizer_ = 6.0;
-  bool drawing_ = true;
+  vtkNew<vtkCallbackCommand> observer_;
+  Tool* tool_ = nullptr;
   bool occlusionAsked_ = false;
   QTimer* await_; // runs while a mesh is awaited
   bool renderWaits_ = false, paintWaits_ = false;

@@ -1,0 +1,98 @@
+// What the left button does in the viewport: one tool a system, and one that turns the model. To add one: a
+// file here and a row in tools.cxx.
+#ifndef oversketch_studio_tool_h
+#define oversketch_studio_tool_h
+
+#include "session.h"
+#include "worker.h"
+
+#include <QKeySequence>
+#include <QObject>
+#include <QPainterPath>
+#include <QPair>
+#include <QString>
+#include <QVector>
+
+#include <memory>
+#include <string>
+
+class QWidget;
+
+namespace oversketch_studio
+{
+
+class Tool : public QObject
+{
+  Q_OBJECT
+
+public:
+  using QObject::QObject;
+
+  // Its name for menus, with its letter; its key; what it does, in a sentence; what the hand does with it, in
+  // a word; its picture in lines, in a square of 24.
+  virtual QString title() const = 0;
+  virtual QKeySequence key() const = 0;
+  virtual QString help() const = 0;
+  virtual QString mode() const = 0;
+  virtual QPainterPath icon() const = 0;
+  // What mouse and keys do with it: pairs of keys and words, for the list of keys.
+  virtual QVector<QPair<QString, QString>> keys() const = 0;
+  // What a person new to it reads on the shipped model.
+  virtual QString hint() const { return {}; }
+  // What to do next.
+  struct Situation
+  {
+    bool empty = true;     // no step has been taken
+    bool selected = false; // a step is
+    bool redraws = false;  // what is drawn next replaces the selected step's
+  };
+  virtual QString advice(const Situation& situation) const = 0;
+  // A stage of its system's, in words.
+  virtual QString stage(const QString& name) const { return name; }
+
+  // Whose steps it makes (SystemRow::name); empty: none.
+  virtual std::string system() const { return {}; }
+  // What new steps are made with, for the bar above the viewport; null where there is nothing to choose.
+  virtual QWidget* makeOptions(QWidget*) { return nullptr; }
+
+  // It is taken up, and put down.
+  virtual void start() = 0;
+  virtual void stop() = 0;
+  // Whether the hand draws at this moment; whether it holds something that follows it.
+  virtual bool draws() const { return false; }
+  virtual bool moves() const { return false; }
+
+  // A step of its system that can be taken hold of, with what is known of it, and a place on the model; no
+  // step any more; how the mesh follows it, where that is known only later.
+  virtual void offer(const oversketch_session::Step&,
+    const oversketch_session::Worker::NodeState&,
+    const oversketch_session::Point&)
+  {
+  }
+  virtual void offerNothing() {}
+  virtual void setFollowing(const std::shared_ptr<const oversketch_session::Following>&) {}
+
+  // The mesh that is drawn over from here on, once it is on screen.
+  virtual void setMesh(vtkPolyData*) {}
+  // The screen's pixels a pixel as Qt counts them; how far the line trails behind the pen [px as Qt counts
+  // them]; the pen's pressure, where it has one.
+  virtual void setPixelRatio(double) {}
+  virtual void setSteadiness(double) {}
+  virtual void setPressure(double) {}
+  // A frame begins; it has been painted.
+  virtual void frameBegins() {}
+  virtual void framePainted() {}
+  // Its lines, for a picture without them.
+  virtual void showLines(bool) {}
+
+signals:
+  // The hand has made a step; it has changed the one that was offered.
+  void drawn(const oversketch_session::Step& step);
+  void changed(const oversketch_session::Step& step);
+  // The hand moves a step that the mesh cannot follow before it is let go; it lets go.
+  void movesAlone();
+  void left();
+};
+
+} // namespace oversketch_studio
+#endif

@@ -1,0 +1,19 @@
+#include "tools.h"
+
+#include "one_stroke_tool.h"
+#include "turn_tool.h"
+
+namespace oversketch_studio
+{
+
+QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
+{
+  return {
+#ifdef OVERSKETCH_WITH_ONESTROKE
+    new OneStrokeTool(viewport, document),
+#endif
+    new TurnTool(viewport),
+  };
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,17 @@
+// The list of tools.
+#ifndef oversketch_studio_tools_h
+#define oversketch_studio_tools_h
+
+#include "tool.h"
+
+namespace oversketch_studio
+{
+
+class Document;
+class Viewport;
+
+// In the order of the strip; objects of the viewport's.
+QVector<Tool*> makeTools(Viewport* viewport, const Document* document);
+
+} // namespace oversketch_studio
+#endif

@@ -1,0 +1,20 @@
+// What the list of systems says, in the user's language.
+#ifndef oversketch_studio_row_texts_h
+#define oversketch_studio_row_texts_h
+
+#include <QString>
+
+#include <string>
+
+namespace oversketch_studio
+{
+
+// A text of a row (Applications/Session/systems.cxx); translators find it under "Systems".
+QString rowText(const std::string& text);
+// The same as a sentence: it begins with a capital letter.
+QString rowSentence(const std::string& text);
+// What a step of a system is called.
+QString titleOf(const std::string& system);
+
+} // namespace oversketch_studio
+#endif

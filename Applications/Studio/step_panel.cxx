@@ -1,0 +1,166 @@
+#include "step_panel.h"
+
+#include "mirror_choice.h"
+#include "row_texts.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSpinBox>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+StepPanel::StepPanel(QWidget* parent)
+  : QStackedWidget(parent)
+{
+  for (const SystemRow& row : systems())
+  {
+    this->addPage(row);
+  }
+  if (!this->pages_.empty())
+  {
+    this->shown_ = &this->pages_.find(systems().front().name)->second;
+    this->setCurrentWidget(this->shown_->widget);
+  }
+  this->show(nullptr);
+}
+
+StepPanel::~StepPanel() = default;
+
+void StepPanel::addPage(const SystemRow& row)
+{
+  Page page;
+  page.row = &row;
+  page.widget = new QWidget(this);
+  auto* form = new QFormLayout(page.widget);
+  form->setContentsMargins(0, 0, 0, 0);
+  for (const Parameter& parameter : row.parameters)
+  {
+    const Field field = this->addField(parameter, page.widget, form);
+    if (field.widget)
+    {
+      page.fields.push_back(field);
+    }
+  }
+  if (row.mirrored)
+  {
+    page.mirror = mirrorChoice(page.widget);
+    page.mirror->setAccessibleName(tr("Acts on"));
+    page.mirror->setToolTip(tr("One side of the model, or both sides of this plane"));
+    form->addRow(tr("Acts on"), page.mirror);
+    connect(page.mirror, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
+  }
+  this->addWidget(page.widget);
+  this->pages_[row.name] = page;
+}
+
+// A choice is a combo box, yes or no a check box, a number a spin box; others are the command's.
+StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, QFormLayout* form)
+{
+  Field field;
+  field.parameter = &parameter;
+  const QString title = rowText(parameter.title);
+  if (!parameter.choices.empty())
+  {
+    auto* choice = new QComboBox(page);
+    for (const Choice& one : parameter.choices)
+    {
+      choice->addItem(rowText(one.title));
+    }
+    connect(choice, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
+    field.widget = choice;
+    field.read = [](QWidget* widget) -> Value { return static_cast<QComboBox*>(widget)->currentIndex(); };
+    field.write = [](QWidget* widget, const Value& value)
+    { static_cast<QComboBox*>(widget)->setCurrentIndex(std::get<int>(value)); };
+  }
+  else if (std::holds_alternative<bool>(parameter.initial))
+  {
+    auto* box = new QCheckBox(title, page);
+    connect(box, &QCheckBox::clicked, this, [this] { this->read(); });
+    field.widget = box;
+    field.read = [](QWidget* widget) -> Value { return static_cast<QCheckBox*>(widget)->isChecked(); };
+    field.write = [](QWidget* widget, const Value& value)
+    { static_cast<QCheckBox*>(widget)->setChecked(std::get<bool>(value)); };
+  }
+  else if (std::holds_alternative<int>(parameter.initial))
+  {
+    auto* number = new QSpinBox(page);
+    number->setRange(-1000000, 1000000);
+    connect(number, &QSpinBox::editingFinished, this, [this] { this->read(); });
+    field.widget = number;
+    field.read = [](QWidget* widget) -> Value { return static_cast<QSpinBox*>(widget)->value(); };
+    field.write = [](QWidget* widget, const Value& value)
+    { static_cast<QSpinBox*>(widget)->setValue(std::get<int>(value)); };
+  }
+  else if (std::holds_alternative<double>(parameter.initial))
+  {
+    auto* number = new QDoubleSpinBox(page);
+    number->setRange(-1e6, 1e6);
+    number->setDecimals(4);
+    connect(number, &QDoubleSpinBox::editingFinished, this, [this] { this->read(); });
+    field.widget = number;
+    field.read = [](QWidget* widget) -> Value { return static_cast<QDoubleSpinBox*>(widget)->value(); };
+    field.write = [](QWidget* widget, const Value& value)
+    { static_cast<QDoubleSpinBox*>(widget)->setValue(std::get<double>(value)); };
+  }
+  else
+  {
+    return field;
+  }
+  field.widget->setToolTip(rowSentence(parameter.help));
+  field.widget->setAccessibleName(title);
+  const bool saysItself = std::holds_alternative<bool>(parameter.initial);
+  saysItself ? form->addRow(field.widget) : form->addRow(title, field.widget);
+  return field;
+}
+
+void StepPanel::show(const Step* step)
+{
+  const auto known = step ? this->pages_.find(step->system) : this->pages_.end();
+  if (known != this->pages_.end())
+  {
+    this->shown_ = &known->second;
+    this->setCurrentWidget(this->shown_->widget);
+  }
+  if (!this->shown_)
+  {
+    return;
+  }
+  for (const Field& field : this->shown_->fields)
+  {
+    // What the mirror's plane decides is not the user's.
+    const bool decided =
+      step && step->mirror && this->shown_->row->mirrored->count(field.parameter->property) > 0;
+    field.widget->setEnabled(step && !decided);
+    if (step)
+    {
+      field.write(field.widget, valueOf(*step, *field.parameter));
+    }
+  }
+  if (this->shown_->mirror)
+  {
+    this->shown_->mirror->setEnabled(step != nullptr);
+    this->shown_->mirror->setCurrentIndex(step && step->mirror ? step->mirror->axis + 1 : 0);
+  }
+  this->values_ = step ? step->values : Values();
+}
+
+void StepPanel::read()
+{
+  Values values = this->values_;
+  for (const Field& field : this->shown_->fields)
+  {
+    values[field.parameter->property] = field.read(field.widget);
+  }
+  const int mirror = this->shown_->mirror ? this->shown_->mirror->currentIndex() : 0;
+  if (values != this->values_ || this->shown_->mirror)
+  {
+    emit this->edited(values, mirror);
+  }
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,59 @@
+// How the selected step acts: a form for each system, made of its row in the list.
+#ifndef oversketch_studio_step_panel_h
+#define oversketch_studio_step_panel_h
+
+#include "systems.h"
+
+#include <QStackedWidget>
+
+#include <map>
+#include <vector>
+
+class QComboBox;
+class QFormLayout;
+
+namespace oversketch_studio
+{
+
+class StepPanel : public QStackedWidget
+{
+  Q_OBJECT
+
+public:
+  explicit StepPanel(QWidget* parent = nullptr);
+  ~StepPanel() override;
+
+  // Null: no step is selected; the form that was last seen stays, and can do nothing.
+  void show(const oversketch_session::Step* step);
+
+signals:
+  // The user has changed something; `mirror` is a choice of mirrorChoice.
+  void edited(const oversketch_session::Values& values, int mirror);
+
+private:
+  // A parameter and what it is changed with.
+  struct Field
+  {
+    const oversketch_session::Parameter* parameter = nullptr;
+    QWidget* widget = nullptr;
+    oversketch_session::Value (*read)(QWidget*) = nullptr;
+    void (*write)(QWidget*, const oversketch_session::Value&) = nullptr;
+  };
+  struct Page
+  {
+    QWidget* widget = nullptr;
+    std::vector<Field> fields;
+    QComboBox* mirror = nullptr;
+    const oversketch_session::SystemRow* row = nullptr;
+  };
+  void addPage(const oversketch_session::SystemRow& row);
+  Field addField(const oversketch_session::Parameter& parameter, QWidget* page, QFormLayout* form);
+  void read();
+
+  std::map<std::string, Page> pages_; // by the system's name
+  Page* shown_ = nullptr;
+  oversketch_session::Values values_; // of the step that is shown, also those that no field holds
+};
+
+} // namespace oversketch_studio
+#endif
