@@ -13,7 +13,7 @@ if [ "${1:-}" = paraview ]; then
 fi
 oversketch_install
 if [ "${1:-}" = tsan ]; then
-  oversketch_build tsan
+  oversketch_build tsan --target tests
   # VTK's own threads: TBB's locks are in a library that the sanitizer does not see into.
   VTK_SMP_BACKEND_IN_USE=STDThread TSAN_OPTIONS="suppressions=$oversketch_root/Testing/tsan.supp" ctest --preset tsan
   exit
@@ -21,6 +21,6 @@ fi
 oversketch_build release
 oversketch_build release --target benchmarks # nothing is measured here; they must build
 ctest --preset release -j2
-oversketch_build asan
+oversketch_build asan --target tests # the command and the Studio are run by Python, which it cannot judge
 # Leaks are not counted: VTK, PoCL and Mesa keep memory until the process ends.
 ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 ctest --preset asan -j2

@@ -25,7 +25,7 @@ namespace
 {
 
 // A figure that could not be had is null.
-Json::Value number(double value)
+Json::Value jsonNumber(double value)
 {
   return std::isfinite(value) ? Json::Value(value) : Json::Value();
 }
@@ -80,7 +80,7 @@ Json::Value regionOf(vtkPolyData* mesh)
   }
   json["vertices"] = count(vertices);
   json["of_vertices"] = count(region->GetNumberOfTuples());
-  json["area_share"] = number(inside / all);
+  json["area_share"] = jsonNumber(inside / all);
   return json;
 }
 
@@ -91,8 +91,8 @@ Json::Value deformationOf(vtkOversketchLaplacianDeform* step)
   {
     json["movable_vertices"] = count(step->GetMovableCount());
     json["active_handles"] = count(step->GetActiveHandleCount());
-    json["mean_handle_residual"] = number(step->GetMeanHandleResidual());
-    json["maximum_handle_residual"] = number(step->GetMaximumHandleResidual());
+    json["mean_handle_residual"] = jsonNumber(step->GetMeanHandleResidual());
+    json["maximum_handle_residual"] = jsonNumber(step->GetMaximumHandleResidual());
   }
   return json;
 }
@@ -109,12 +109,12 @@ void addFigures(vtkOversketchSystem* system, Json::Value& json)
   vtkPolyData* match = stroke->GetInnerOutput("Match");
   vtkPolyData* targets = stroke->GetInnerOutput("Targets");
   json["remeshed"] = stroke->GetRemeshed();
-  json["match"]["distance_px"] = number(fieldOf(match, "Distance"));
-  json["match"]["score_px"] = number(fieldOf(match, "Score"));
+  json["match"]["distance_px"] = jsonNumber(fieldOf(match, "Distance"));
+  json["match"]["score_px"] = jsonNumber(fieldOf(match, "Score"));
   json["match"]["points"] = count(pointsOf(match));
   json["targets"]["handles"] = count(pointsOf(targets));
-  json["targets"]["section_length"] = number(fieldOf(targets, "SectionLength"));
-  json["targets"]["target_length"] = number(fieldOf(targets, "TargetLength"));
+  json["targets"]["section_length"] = jsonNumber(fieldOf(targets, "SectionLength"));
+  json["targets"]["target_length"] = jsonNumber(fieldOf(targets, "TargetLength"));
   json["region"] = regionOf(stroke->GetInnerOutput("RegionBorder"));
   json["deformation"] =
     deformationOf(vtkOversketchLaplacianDeform::SafeDownCast(stroke->GetStep(stroke->GetDeformationName())));

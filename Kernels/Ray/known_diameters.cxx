@@ -11,8 +11,8 @@ namespace oversketch
 namespace
 {
 
-constexpr int raysPerBlock = 1 << 18; // a cancel waits for one at most
-constexpr int fewFacets = 4;          // a part of all: so few changed ones are tried by rays on them alone
+constexpr int raysBetweenChecks = 1 << 18; // a cancel waits for one at most
+constexpr int fewFacets = 4; // a part of all: so few changed ones are tried by rays on them alone
 
 // The facets that one of two meshes has and the other has not, and the given vertices at the end.
 Mesh changedFacets(const Mesh& before,
@@ -150,7 +150,7 @@ private:
     const std::unique_ptr<RayCaster> caster = makeCaster(changed);
     const int rays = static_cast<int>(this->cone_.size());
     const int total = static_cast<int>(vertices.size());
-    const int blockSize = std::max(1, raysPerBlock / rays);
+    const int blockSize = std::max(1, raysBetweenChecks / rays);
     std::vector<RayHit> hits;
     for (int first = 0; first < total; first += blockSize)
     {

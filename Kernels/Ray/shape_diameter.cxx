@@ -161,10 +161,10 @@ void fillUnmeasured(const Mesh& mesh, const Adjacency& adjacency, ShapeDiameter&
 
 // The rays of all vertices that have a normal and are not known: what is the same for each, and the work on a
 // part of them.
-class Cones
+class VertexRays
 {
 public:
-  Cones(const Mesh& mesh,
+  VertexRays(const Mesh& mesh,
     const RayScene& scene,
     const std::vector<Vector3>& normals,
     const ShapeDiameterOptions& options,
@@ -273,7 +273,7 @@ private:
   std::vector<float> starts_;
 };
 
-void traceAndSummarise(const Cones& cones,
+void traceAndSummarise(const VertexRays& cones,
   RayCaster& caster,
   const Context& context,
   ConeMeasures& result,
@@ -404,7 +404,7 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
     {
       kept = takeOver(*known, mesh, scene, normals, makeCaster, context, measures);
     }
-    Cones cones(mesh, scene, normals, options, kept);
+    VertexRays cones(mesh, scene, normals, options, kept);
     if (cones.vertexCount() > 0)
     {
       const std::unique_ptr<RayCaster> caster = makeCaster(scene);

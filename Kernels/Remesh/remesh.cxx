@@ -16,7 +16,7 @@ namespace
 
 constexpr double longest = 4.0 / 3.0;
 constexpr double shortest = 4.0 / 5.0;
-constexpr int checkEvery = 4096; // moves between two looks at whether to stop
+constexpr int movesBetweenChecks = 4096; // moves between two looks at whether to stop
 
 struct Steps // the passes of one remeshing, for progress and cancelling
 {
@@ -26,7 +26,7 @@ struct Steps // the passes of one remeshing, for progress and cancelling
 
   void tick()
   {
-    if (++this->moves % checkEvery == 0)
+    if (++this->moves % movesBetweenChecks == 0)
     {
       this->context.checkpoint(std::min(1.0, this->done));
     }
@@ -349,7 +349,7 @@ private:
     context.parallelFor(count,
       [&](int begin, int end)
       {
-        for (int i = begin; i < end && (i % checkEvery != 0 || !context.cancelled()); ++i)
+        for (int i = begin; i < end && (i % movesBetweenChecks != 0 || !context.cancelled()); ++i)
         {
           const Triangle t = this->patch_.triangle(order[i]);
           mesh.triangles[outside + i] = { this->output_[t[0]], this->output_[t[1]], this->output_[t[2]] };

@@ -1,5 +1,8 @@
 # Warnings that our own sources must be free of. VTK's headers come in as system headers.
 set(oversketch_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+if (CMAKE_UNITY_BUILD) # names of several files meet; each by itself is what the other builds look at
+  list(APPEND oversketch_warnings -Wno-shadow -Wno-subobject-linkage)
+endif ()
 # VTK 9.1's own macros leave a semicolon that -Wpedantic refuses.
 set(oversketch_filter_warnings ${oversketch_warnings})
 list(REMOVE_ITEM oversketch_filter_warnings -Wpedantic)
@@ -45,33 +48,57 @@ endfunction ()
 
 # Compiled OpenCL programs, ours and PoCL's, stay in the build tree: a test neither needs nor changes the user's own.
 set(oversketch_test_caches "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/Testing/Temporary/cache")
+set(oversketch_python_caches "${oversketch_test_caches}")
+if (oversketch_ccache) # those that build find there what this build has compiled
+  list(APPEND oversketch_python_caches "CCACHE_DIR=${oversketch_ccache}")
+endif ()
 
-# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY]): one GoogleTest program, its tests under ctest.
-# Tests of the specification's facts are named after stage and place: TEST(A3_2, ...). With DISPLAY, for tests that draw, it is
-# one test of ctest on a virtual display.
+# oversketch_test_program(<target>): a program of C++ tests, part of the target `tests`, which is all that the sanitizers need.
+# It is compiled to be compiled soon: it need not be quick, and its own arithmetic is not what is on trial. Addresses are watched
+# in it too, since what it reads is the libraries'.
+add_custom_target(tests)
+function (oversketch_test_program target)
+  add_dependencies(tests ${target})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=address,undefined")
+    target_compile_options(${target} PRIVATE -fno-sanitize=undefined)
+  endif ()
+endfunction ()
+
+# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [COST <number>]): one GoogleTest program, its tests
+# under ctest. Tests of the specification's facts are named after stage and place: TEST(A3_2, ...). With DISPLAY, for tests that
+# draw, it is one test of ctest on a virtual display; under a sanitizer, where a process takes long to begin, it is one test as
+# well. Of those, the ones with the highest cost begin first.
 function (oversketch_gtest name)
   if (NOT OVERSKETCH_BUILD_TESTING)
     return()
   endif ()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "COST" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
+  oversketch_test_program(${name})
   if (arg_DISPLAY)
     target_compile_definitions(${name} PRIVATE "OVERSKETCH_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
     vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType)
     # Without -noreset the server starts anew whenever the last window is gone, and the next one meets it half up.
     add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:${name}>)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 1500 ENVIRONMENT "${oversketch_test_caches}")
+  elseif (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    add_test(NAME ${name} COMMAND ${name})
+  else ()
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600
+      ENVIRONMENT "${oversketch_test_caches}")
     return()
   endif ()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600
-    ENVIRONMENT "${oversketch_test_caches}")
+  set_tests_properties(${name} PROPERTIES TIMEOUT 3000 ENVIRONMENT "${oversketch_test_caches}")
+  if (arg_COST)
+    set_tests_properties(${name} PROPERTIES COST ${arg_COST})
+  endif ()
 endfunction ()
 
-# oversketch_filter_module(<module> CLASSES <class>... [KERNELS <target>...] [PRIVATE_SOURCES ...] [HEADERS ...]):
-# a VTK module whose filters are thin shells over the named kernels.
+# oversketch_filter_module(<module> CLASSES <class>... [SOURCES <file>...] [HEADERS <file>...] [KERNELS <target>...]): a VTK
+# module whose filters are thin shells over the named kernels. SOURCES are files beside the classes that are not wrapped.
 macro (oversketch_filter_module module)
   cmake_parse_arguments(oversketch "" "" "CLASSES;KERNELS;SOURCES;HEADERS" ${ARGN})
   vtk_module_add_module(${module}
@@ -91,7 +118,7 @@ function (oversketch_pytest name file)
     COMMAND xvfb-run -a -s "-screen 0 2560x2048x24 -noreset" ${ARGN} ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
       ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600
-    ENVIRONMENT "${oversketch_test_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_BUILD=${PROJECT_BINARY_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
+    ENVIRONMENT "${oversketch_python_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_BUILD=${PROJECT_BINARY_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()
 
 # oversketch_link_systems(<target>): all systems that are built.

@@ -29,7 +29,7 @@ struct vtkOversketchHeldStrokeWidget::Internals
 namespace
 {
 
-vtkOversketchHeldStrokeWidget* cast(vtkAbstractWidget* widget)
+vtkOversketchHeldStrokeWidget* held(vtkAbstractWidget* widget)
 {
   return static_cast<vtkOversketchHeldStrokeWidget*>(widget);
 }
@@ -264,7 +264,7 @@ void vtkOversketchHeldStrokeWidget::EndMove(bool keep)
 
 void vtkOversketchHeldStrokeWidget::Press(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(cast(widget)); // an observer may let go of it
+  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (self->Moving || from->GetControlKey() || from->GetAltKey() || !self->CurrentRenderer ||
@@ -316,7 +316,7 @@ void vtkOversketchHeldStrokeWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::MoveTo(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(cast(widget)); // an observer may let go of it
+  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
   const int* at = self->Interactor->GetEventPosition();
   if (!self->Moving)
   {
@@ -339,7 +339,7 @@ void vtkOversketchHeldStrokeWidget::MoveTo(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::Release(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(cast(widget)); // an observer may let go of it
+  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
   if (self->Moving)
   {
     self->EventCallbackCommand->SetAbortFlag(1);
@@ -351,7 +351,7 @@ void vtkOversketchHeldStrokeWidget::Release(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::Key(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(cast(widget)); // an observer may let go of it
+  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
   const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
   bool used = self->Moving;
   if (self->Moving)

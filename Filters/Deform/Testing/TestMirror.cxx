@@ -15,14 +15,14 @@ namespace
 {
 
 // A sphere symmetric about x = 0, and the same with a bump drawn out round a place on one side.
-struct Scene
+struct MirrorScene
 {
   Mesh mesh = icosphere(3);
   std::vector<Vector3> normals = vertexNormals(mesh);
   vtkSmartPointer<vtkPolyData> before, after;
   vtkNew<vtkOversketchMirror> filter;
 
-  explicit Scene(const Vector3& centre = Vector3(0.6, 0.8, 0.0), double offset = 0.0)
+  explicit MirrorScene(const Vector3& centre = Vector3(0.6, 0.8, 0.0), double offset = 0.0)
   {
     for (Vector3& p : this->mesh.points)
     {
@@ -68,34 +68,35 @@ struct Scene
 
 TEST(Mirror, TheOtherSideFollowsExactly)
 {
-  Scene s;
+  MirrorScene s;
   s.filter->Update();
   vtkPolyData* output = s.filter->GetOutput();
   ASSERT_EQ(output->GetNumberOfPoints(), s.before->GetNumberOfPoints());
   int followed = 0;
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
-    const Vector3 old = Scene::at(s.before, i);
+    const Vector3 old = MirrorScene::at(s.before, i);
     if (std::abs(old[0]) < 1e-9)
     {
-      EXPECT_EQ(Scene::at(output, i)[0], old[0]) << "points in the plane stay in it";
+      EXPECT_EQ(MirrorScene::at(output, i)[0], old[0]) << "points in the plane stay in it";
       continue;
     }
     if (old[0] > 0.0)
     {
-      EXPECT_EQ(Scene::at(output, i), Scene::at(s.after, i)) << "the side that leads is as it was deformed";
+      EXPECT_EQ(MirrorScene::at(output, i), MirrorScene::at(s.after, i))
+        << "the side that leads is as it was deformed";
       continue;
     }
     const vtkIdType leader = s.partner(i, 0.0);
     if (!s.moved(leader))
     {
-      EXPECT_EQ(Scene::at(output, i), old);
+      EXPECT_EQ(MirrorScene::at(output, i), old);
       continue;
     }
     ++followed;
-    Vector3 expected = Scene::at(s.after, leader);
+    Vector3 expected = MirrorScene::at(s.after, leader);
     expected[0] = -expected[0];
-    EXPECT_EQ(Scene::at(output, i), expected);
+    EXPECT_EQ(MirrorScene::at(output, i), expected);
     Vector3 normal, leaders;
     output->GetPointData()->GetNormals()->GetTuple(i, normal.data());
     s.after->GetPointData()->GetNormals()->GetTuple(leader, leaders.data());
@@ -107,13 +108,13 @@ TEST(Mirror, TheOtherSideFollowsExactly)
 
 TEST(Mirror, WhatTheOtherSideDidIsTakenBack)
 {
-  Scene s(Vector3(-0.6, 0.8, 0.0)); // deformed below, led from above, where nothing moved
+  MirrorScene s(Vector3(-0.6, 0.8, 0.0)); // deformed below, led from above, where nothing moved
   s.filter->Update();
   for (vtkIdType i = 0; i < s.before->GetNumberOfPoints(); ++i)
   {
-    if (std::abs(Scene::at(s.before, i)[0]) > 1e-9)
+    if (std::abs(MirrorScene::at(s.before, i)[0]) > 1e-9)
     {
-      EXPECT_EQ(Scene::at(s.filter->GetOutput(), i), Scene::at(s.before, i));
+      EXPECT_EQ(MirrorScene::at(s.filter->GetOutput(), i), MirrorScene::at(s.before, i));
     }
   }
   s.filter->SetSideToBelow();
@@ -121,23 +122,24 @@ TEST(Mirror, WhatTheOtherSideDidIsTakenBack)
   vtkIdType moved = 0;
   for (vtkIdType i = 0; i < s.before->GetNumberOfPoints(); ++i)
   {
-    moved += Scene::at(s.filter->GetOutput(), i) != Scene::at(s.before, i) && Scene::at(s.before, i)[0] > 0.0;
+    moved += MirrorScene::at(s.filter->GetOutput(), i) != MirrorScene::at(s.before, i) &&
+             MirrorScene::at(s.before, i)[0] > 0.0;
   }
   EXPECT_GT(moved, 20);
 }
 
 TEST(Mirror, APlaneAwayFromTheOrigin)
 {
-  Scene s(Vector3(0.6, 0.8, 0.0), 3.0);
+  MirrorScene s(Vector3(0.6, 0.8, 0.0), 3.0);
   s.filter->Update();
   int followed = 0;
   for (vtkIdType i = 0; i < s.before->GetNumberOfPoints(); ++i)
   {
-    if (Scene::at(s.before, i)[0] < 3.0 - 1e-9 && s.moved(s.partner(i, 3.0)))
+    if (MirrorScene::at(s.before, i)[0] < 3.0 - 1e-9 && s.moved(s.partner(i, 3.0)))
     {
-      Vector3 expected = Scene::at(s.after, s.partner(i, 3.0));
+      Vector3 expected = MirrorScene::at(s.after, s.partner(i, 3.0));
       expected[0] = 6.0 - expected[0];
-      EXPECT_EQ(Scene::at(s.filter->GetOutput(), i), expected);
+      EXPECT_EQ(MirrorScene::at(s.filter->GetOutput(), i), expected);
       ++followed;
     }
   }
@@ -146,19 +148,19 @@ TEST(Mirror, APlaneAwayFromTheOrigin)
 
 TEST(Mirror, InputsStayAndBadOnesAreRefused)
 {
-  Scene s;
+  MirrorScene s;
   vtkNew<vtkPolyData> kept;
   kept->DeepCopy(s.after);
   s.filter->Update();
   for (vtkIdType i = 0; i < kept->GetNumberOfPoints(); ++i)
   {
-    ASSERT_EQ(Scene::at(kept, i), Scene::at(s.after, i));
+    ASSERT_EQ(MirrorScene::at(kept, i), MirrorScene::at(s.after, i));
   }
   // One point off its mirrored place.
-  Scene crooked;
+  MirrorScene crooked;
   for (vtkIdType i = 0; i < crooked.before->GetNumberOfPoints(); ++i)
   {
-    const Vector3 p = Scene::at(crooked.before, i);
+    const Vector3 p = MirrorScene::at(crooked.before, i);
     if (p[0] > 1e-3 && crooked.moved(i))
     {
       const vtkIdType partner = crooked.partner(i, 0.0);
@@ -168,7 +170,7 @@ TEST(Mirror, InputsStayAndBadOnesAreRefused)
       break;
     }
   }
-  Scene other;
+  MirrorScene other;
   other.filter->SetInputData(1, toPolyData(icosphere(2)));
   expectRefusal(other.filter, Failure::BadMesh, "deform without remeshing");
   vtkNew<vtkOversketchMirror> empty;

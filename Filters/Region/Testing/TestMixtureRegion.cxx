@@ -23,7 +23,7 @@ namespace
 
 const Vector3 front(0, -1, 0), up(0, 0, 1);
 
-std::string text(double value)
+std::string percent(double value)
 {
   std::ostringstream stream;
   stream.precision(3);
@@ -156,9 +156,9 @@ TEST(A8_2, OneOfFourEqualLimbs)
     EXPECT_EQ(others, 0) << published;
     EXPECT_GT(othersLikely, 1.5 * limb) << "a global threshold would do as well, so the test shows nothing";
     fact("A8_2",
-      std::string(published ? "as published: " : "amended: ") + text(100 * selected / limb) +
-        " % of the limb, " + text(100 * bodySelected / body) + " % of the body, " + text(others) +
-        " vertices of other limbs; a global threshold takes " + text(othersLikely));
+      std::string(published ? "as published: " : "amended: ") + percent(100 * selected / limb) +
+        " % of the limb, " + percent(100 * bodySelected / body) + " % of the body, " + percent(others) +
+        " vertices of other limbs; a global threshold takes " + percent(othersLikely));
   }
 }
 

@@ -14,7 +14,7 @@ namespace
 
 const View view = orthographicView(front, up, 200.0);
 
-vtkSmartPointer<vtkPolyData> goodStroke()
+vtkSmartPointer<vtkPolyData> arcStroke()
 {
   return toStroke(arc(view, 1.2, 20.0, 80.0), view);
 }
@@ -30,7 +30,7 @@ Mesh twoLayers(double depth)
 TEST(Targets, HandlesAreNumberedBoundAndOnTheMesh)
 {
   const auto mesh = sphere(4);
-  Chain chain(mesh, goodStroke(), true);
+  Chain chain(mesh, arcStroke(), true);
   vtkPolyData* handles = chain.targets->GetOutput();
   const vtkIdType count = handles->GetNumberOfPoints();
   ASSERT_GT(count, 5);
@@ -63,7 +63,7 @@ TEST(Targets, HandlesAreNumberedBoundAndOnTheMesh)
 
 TEST(Targets, OmegaBlendsTheEnds)
 {
-  Chain chain(sphere(5), goodStroke());
+  Chain chain(sphere(5), arcStroke());
   chain.targets->SetOmega(0.5);
   chain.targets->Update();
   vtkPolyData* handles = chain.targets->GetOutput();
@@ -158,7 +158,7 @@ TEST(Targets, AGapInOneLayerDoesNotSplitIt)
 {
   // Control points between 45 and 60 degrees are lost; both sides stay, being near each other on the mesh.
   const auto mesh = sphere(5);
-  Chain chain(mesh, goodStroke(), true);
+  Chain chain(mesh, arcStroke(), true);
   vtkNew<vtkPolyData> section;
   section->DeepCopy(chain.match->GetOutput());
   vtkIdType left = 0;
@@ -172,7 +172,7 @@ TEST(Targets, AGapInOneLayerDoesNotSplitIt)
   }
   vtkNew<vtkOversketchTargets> targets;
   targets->SetInputData(section);
-  targets->SetStrokeData(goodStroke());
+  targets->SetStrokeData(arcStroke());
   targets->SetMeshData(mesh);
   targets->Update();
   EXPECT_EQ(targets->GetOutput()->GetNumberOfPoints(), left);
@@ -180,7 +180,7 @@ TEST(Targets, AGapInOneLayerDoesNotSplitIt)
 
 TEST(Targets, RefusesBadInputs)
 {
-  Chain chain(sphere(3), goodStroke(), true);
+  Chain chain(sphere(3), arcStroke(), true);
   const auto refuses =
     [&](vtkPolyData* section, vtkPolyData* stroke, vtkPolyData* mesh, Failure failure, const char* words)
   {
@@ -191,28 +191,28 @@ TEST(Targets, RefusesBadInputs)
     expectRefusal(targets, failure, words);
   };
   vtkPolyData* good = chain.match->GetOutput();
-  refuses(good, goodStroke(), sphere(1), Failure::BadMesh, "MeshVertices");
+  refuses(good, arcStroke(), sphere(1), Failure::BadMesh, "MeshVertices");
   vtkNew<vtkPolyData> bare;
   bare->ShallowCopy(good);
   bare->GetPointData()->RemoveArray("MeshVertices");
-  refuses(bare, goodStroke(), sphere(3), Failure::MissingArray, "MeshVertices");
-  refuses(chain.silhouette->GetOutput(), goodStroke(), sphere(3), Failure::BadMesh, "open polyline");
+  refuses(bare, arcStroke(), sphere(3), Failure::MissingArray, "MeshVertices");
+  refuses(chain.silhouette->GetOutput(), arcStroke(), sphere(3), Failure::BadMesh, "open polyline");
   vtkNew<vtkPolyData> odd;
   odd->DeepCopy(good);
   odd->GetPointData()->GetArray("Display")->SetComponent(2, 0, std::nan(""));
-  refuses(odd, goodStroke(), sphere(3), Failure::BadMesh, "Display");
+  refuses(odd, arcStroke(), sphere(3), Failure::BadMesh, "Display");
   vtkNew<vtkPolyData> loose;
   loose->DeepCopy(good);
   for (vtkIdType i = 0; i < loose->GetNumberOfPoints(); ++i)
     loose->GetPointData()->GetArray("MeshVertices")->SetTuple3(i, -1, -1, -1);
-  refuses(loose, goodStroke(), sphere(3), Failure::NoMatch, "two control points");
+  refuses(loose, arcStroke(), sphere(3), Failure::NoMatch, "two control points");
   refuses(good, toStroke({ { 9, 9 }, { 9, 9 } }, view), sphere(3), Failure::BadStroke, "no length");
 
   vtkNew<vtkPolyData> empty;
   vtkNew<vtkOversketchTargets> targets;
   Ear ear(targets);
   targets->SetInputData(empty);
-  targets->SetStrokeData(goodStroke());
+  targets->SetStrokeData(arcStroke());
   targets->SetMeshData(empty);
   targets->Update();
   EXPECT_TRUE(ear.errors.empty());
