@@ -7,8 +7,8 @@ namespace oversketch
 
 // Push and relabel, the highest node first, with gaps and heights found anew now and then (Cherkassky and
 // Goldberg 1997); only its first half, which tells the cut. It goes from the sink to the source: what the
-// narrow part between them holds back then stays on the wide side. The libraries' flows, Boost's and OpenCV's
-// (behind its GrabCut), take two to four times as long on the bands of a junction cut.
+// narrow part between them holds back then stays on the wide side. The benchmark "junction flow" sets it beside
+// Boost's two flows.
 class Preflow
 {
 public:

@@ -1,6 +1,6 @@
-// The linear systems of the deformation: factor, solve, drag; the plain form and the one that adjusts
+// The linear systems of the deformation: order, factor, solve, drag; the plain form and the one that adjusts
 // normals. Every side gets the same matrix. The region is a disk about the highest vertex of the bunny; sizes
-// are numbers of unknowns.
+// are numbers of unknowns. CHOLMOD runs with its own minimum degree and with METIS's nested dissection.
 #include "benchmark_frame.h"
 
 #include "Sparse/cholesky.h"
@@ -17,8 +17,10 @@
 #include <dlfcn.h>
 #endif
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <memory>
 
 namespace oversketch_bench
@@ -64,17 +66,19 @@ Sparse toEigen(const BlockMatrix& matrix)
 }
 
 #ifdef OVERSKETCH_CHOLMOD
-// CHOLMOD's supernodal factor, minimum degree, and a solve that keeps its workspace.
+// CHOLMOD's supernodal factor and a solve that keeps its workspace.
 class Cholmod
 {
 public:
-  explicit Cholmod(const Sparse& matrix)
+  static constexpr std::array<int, 2> orderings = { CHOLMOD_AMD, CHOLMOD_METIS };
+
+  Cholmod(const Sparse& matrix, int ordering)
     : lower_(matrix.triangularView<Eigen::Lower>())
   {
     cholmod_start(&this->common_);
     this->common_.supernodal = CHOLMOD_SUPERNODAL;
     this->common_.nmethods = 1;
-    this->common_.method[0].ordering = CHOLMOD_AMD;
+    this->common_.method[0].ordering = ordering;
     this->common_.postorder = 1;
     this->lower_.makeCompressed();
     this->matrix_.nrow = this->matrix_.ncol = static_cast<std::size_t>(matrix.rows());
@@ -102,7 +106,13 @@ public:
   {
     cholmod_free_factor(&this->factor_, &this->common_);
     this->factor_ = cholmod_analyze(&this->matrix_, &this->common_);
+    if (this->factor_ == nullptr)
+    {
+      std::fprintf(stderr, "This CHOLMOD has no such order.\n");
+      std::exit(1);
+    }
   }
+  double entries() const { return this->common_.lnz; }
   void factorise() { cholmod_factorize(&this->matrix_, this->factor_, &this->common_); }
   void solve(Eigen::MatrixXd& rightSide)
   {
@@ -125,9 +135,10 @@ public:
     std::copy_n(static_cast<const double*>(this->solution_->x), given.nzmax, rightSide.data());
   }
 
-  // "CHOLMOD" and the BLAS that it runs on, which gets two threads if it can.
-  static std::string name()
+  // "CHOLMOD", the order, and the BLAS that it runs on, which gets two threads if it can.
+  static std::string name(int ordering)
   {
+    const std::string order = ordering == CHOLMOD_METIS ? "CHOLMOD METIS" : "CHOLMOD AMD";
     Dl_info where{};
     void* product = dlsym(RTLD_DEFAULT, "dgemm_");
     if (product && dladdr(product, &where) &&
@@ -137,9 +148,9 @@ public:
       {
         set(2);
       }
-      return "CHOLMOD, OpenBLAS";
+      return order + ", OpenBLAS";
     }
-    return "CHOLMOD, reference BLAS";
+    return order + ", reference BLAS";
   }
 
 private:
@@ -245,7 +256,7 @@ struct Case
   std::vector<Vector3> points;
   std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> eigen;
 #ifdef OVERSKETCH_CHOLMOD
-  std::unique_ptr<Cholmod> cholmod;
+  std::map<int, std::unique_ptr<Cholmod>> cholmods; // by ordering
 #endif
   Eigen::MatrixXd answer;
   int turn = 0;
@@ -273,14 +284,15 @@ struct Case
     }
   }
 #ifdef OVERSKETCH_CHOLMOD
-  void readyCholmod()
+  void readyCholmod(int ordering)
   {
     this->shape(false);
-    if (!this->cholmod)
+    std::unique_ptr<Cholmod>& made = this->cholmods[ordering];
+    if (!made)
     {
-      this->cholmod = std::make_unique<Cholmod>(this->eigenMatrices[0]);
-      this->cholmod->analyse();
-      this->cholmod->factorise();
+      made = std::make_unique<Cholmod>(this->eigenMatrices[0], ordering);
+      made->analyse();
+      made->factorise();
     }
   }
 #endif
@@ -316,9 +328,52 @@ void addJob(const std::string& job,
   const std::string& who,
   int threadCount,
   const std::function<void()>& prepare,
-  const std::function<void()>& run)
+  const std::function<void()>& run,
+  const std::function<std::map<std::string, double>()>& figures = {})
 {
-  add({ job, size, who, threadCount, prepare, run, {} });
+  add({ job, size, who, threadCount, prepare, run, figures });
+}
+
+// Order of elimination and the shape of the factor, from the pattern alone.
+void orderJobs(const std::shared_ptr<Case>& of, const std::string& size)
+{
+  const std::string job = "Laplacian order";
+  const auto open = [=] { of->shape(false); };
+  const auto entries = [](const std::shared_ptr<double>& count) {
+    return [=] { return std::map<std::string, double>{ { "factor_entries", *count } }; };
+  };
+  const auto own = std::make_shared<double>(0.0);
+  addJob(
+    job,
+    size,
+    "ours",
+    2,
+    open,
+    [=]
+    {
+      const Elimination made(of->matrices[0].pattern, of->shapes[0]->positions, threads());
+      *own = static_cast<double>(made.storedCount(of->matrices[0].block));
+    },
+    entries(own));
+#ifdef OVERSKETCH_CHOLMOD
+  for (const int ordering : Cholmod::orderings)
+  {
+    const auto count = std::make_shared<double>(0.0);
+    addJob(
+      job,
+      size,
+      Cholmod::name(ordering),
+      1,
+      open,
+      [=]
+      {
+        Cholmod peer(of->eigenMatrices[0], ordering);
+        peer.analyse();
+        *count = peer.entries();
+      },
+      entries(count));
+  }
+#endif
 }
 
 // Order of elimination and factor of one form's matrix.
@@ -341,13 +396,16 @@ void factorJobs(const std::shared_ptr<Case>& of, const std::string& size)
   addJob(job, size, "ours", 2, open, [=] { factorOurs(*of, false); });
   addJob(job, size, "Eigen", 1, open, [=] { Eigen::SimplicialLDLT<Sparse> eigen(of->eigenMatrices[0]); });
 #ifdef OVERSKETCH_CHOLMOD
-  const auto cholmod = [=](bool adjusted)
+  const auto cholmod = [=](bool adjusted, int ordering)
   {
-    Cholmod peer(of->eigenMatrices[adjusted]);
+    Cholmod peer(of->eigenMatrices[adjusted], ordering);
     peer.analyse();
     peer.factorise();
   };
-  addJob(job, size, Cholmod::name(), 2, open, [=] { cholmod(false); });
+  for (const int ordering : Cholmod::orderings)
+  {
+    addJob(job, size, Cholmod::name(ordering), 2, open, [=] { cholmod(false, ordering); });
+  }
 #endif
   const std::string adjusted = "adjusted normals";
   const auto openBoth = [=]
@@ -358,7 +416,10 @@ void factorJobs(const std::shared_ptr<Case>& of, const std::string& size)
   addJob(adjusted, size, "ours", 2, openBoth, [=] { factorOurs(*of, true); });
   addJob(adjusted, size, "plain form", 2, openBoth, [=] { factorOurs(*of, false); });
 #ifdef OVERSKETCH_CHOLMOD
-  addJob(adjusted, size, Cholmod::name(), 2, openBoth, [=] { cholmod(true); });
+  for (const int ordering : Cholmod::orderings)
+  {
+    addJob(adjusted, size, Cholmod::name(ordering), 2, openBoth, [=] { cholmod(true, ordering); });
+  }
 #endif
 }
 
@@ -376,8 +437,16 @@ void againJobs(const std::shared_ptr<Case>& of, const std::string& size)
   addJob(
     job, size, "Eigen", 1, [=] { of->readyEigen(); }, [=] { of->eigen->factorize(of->eigenMatrices[0]); });
 #ifdef OVERSKETCH_CHOLMOD
-  addJob(
-    job, size, Cholmod::name(), 2, [=] { of->readyCholmod(); }, [=] { of->cholmod->factorise(); });
+  for (const int ordering : Cholmod::orderings)
+  {
+    addJob(
+      job,
+      size,
+      Cholmod::name(ordering),
+      2,
+      [=] { of->readyCholmod(ordering); },
+      [=] { of->cholmods[ordering]->factorise(); });
+  }
 #endif
 }
 
@@ -399,17 +468,20 @@ void solveJobs(const std::shared_ptr<Case>& of, const std::string& size)
     [=] { of->readyEigen(); },
     [=] { of->answer = of->eigen->solve(of->rightSide(of->next())); });
 #ifdef OVERSKETCH_CHOLMOD
-  addJob(
-    job,
-    size,
-    Cholmod::name(),
-    2,
-    [=] { of->readyCholmod(); },
-    [=]
-    {
-      of->answer = of->rightSide(of->next());
-      of->cholmod->solve(of->answer);
-    });
+  for (const int ordering : Cholmod::orderings)
+  {
+    addJob(
+      job,
+      size,
+      Cholmod::name(ordering),
+      2,
+      [=] { of->readyCholmod(ordering); },
+      [=]
+      {
+        of->answer = of->rightSide(of->next());
+        of->cholmods[ordering]->solve(of->answer);
+      });
+  }
 #endif
 }
 
@@ -451,6 +523,7 @@ void jobs()
     of->model = model;
     of->share = share;
     write(*of, size);
+    orderJobs(of, size);
     factorJobs(of, size);
     againJobs(of, size);
     solveJobs(of, size);

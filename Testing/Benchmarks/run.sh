@@ -16,11 +16,21 @@ oversketch_install
 mkdir -p "$folder"
 rm -f "$folder"/*.json "$folder"/*.triplets
 oversketch_build release --target benchmarks
+# measure PROGRAM NAME OPTION...: into NAME.json and NAME.log.
+measure() {
+  echo "Measuring: $2"
+  OVERSKETCH_BENCHMARKS=$folder oversketch_display "$1" --data="$meshes" --benchmark_out="$folder/$2.json" \
+    --benchmark_out_format=json "${@:3}" >"$folder/$2.log" 2>&1 || { tail -n 20 "$folder/$2.log" >&2; exit 1; }
+}
 for program in build/release/bin/*_benchmark; do
   name=$(basename "$program" _benchmark)
-  echo "Measuring: $name"
-  OVERSKETCH_BENCHMARKS=$folder oversketch_display "$program" --data="$meshes" --benchmark_out="$folder/$name.json" \
-    --benchmark_out_format=json >"$folder/$name.log" 2>&1 || { tail -n 20 "$folder/$name.log" >&2; exit 1; }
+  if [ "$name" = memory ]; then # a process for each size, or all would show the memory of the largest
+    for size in 5k 30k 180k 1M; do
+      measure "$program" "memory_$size" --sizes=$size
+    done
+  else
+    measure "$program" "$name"
+  fi
 done
 echo "Measuring: Python peers"
 environment=$(mktemp -d)
