@@ -13,28 +13,16 @@
 
 using namespace oversketch;
 
-// What depends on the mesh alone, kept between views, and the last result.
+// What depends on the mesh alone, held for the next view, and the last result.
 struct vtkOversketchSilhouette::Cache
 {
   std::shared_ptr<const MeshData> Data;
-  std::unique_ptr<SilhouetteExtractor> Extractor; // of Data; made for the second view of a mesh
   KeptOutput Kept;
 
   std::vector<Curve> Extract(vtkPolyData* input, const View& view)
   {
-    const std::shared_ptr<const MeshData> data = SharedMesh(input);
-    if (data != this->Data)
-    {
-      this->Extractor.reset();
-      this->Data = data;
-      return extractSilhouette(data->Surface(), data->Neighbours(), data->Normals(), view);
-    }
-    if (!this->Extractor)
-    {
-      this->Extractor =
-        std::make_unique<SilhouetteExtractor>(data->Surface(), data->Neighbours(), data->Normals());
-    }
-    return (*this->Extractor)(view);
+    this->Data = SharedMesh(input);
+    return extractSilhouette(this->Data->Surface(), this->Data->Neighbours(), this->Data->Normals(), view);
   }
 };
 

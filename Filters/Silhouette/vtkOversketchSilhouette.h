@@ -26,8 +26,7 @@
  * points gives an empty output silently.
  *
  * Deterministic. Cost: the first view of a mesh takes adjacency, normals and one pass over vertices and
- * edges; the second makes an index of normals (30 bytes a triangle), with which it and every later one take
- * time in proportion to the curves rather than to the mesh. All that is kept while points, polygons and
+ * edges; later ones that pass alone. What depends on the mesh stays while its points, polygons and point
  * normals stand, and the result, as the same arrays, while the view does too.
  *
  * @sa vtkOversketchSnake

@@ -17,27 +17,35 @@ public:
   Extraction(const Mesh& surface,
     const Adjacency& neighbours,
     const std::vector<Vector3>& vertexNormals,
-    const View& eye,
-    const SignChanges& changes)
+    const View& eye)
     : mesh(surface)
     , adjacency(neighbours)
     , normals(vertexNormals)
     , view(eye)
-    , least(tolerance * changes.least)
-    , most(tolerance * changes.most)
   {
-    for (std::size_t word = 0; word < changes.edges.size(); ++word)
+    // An index of the signs, by boxes round clumps of vertices, would halve this pass; making it costs as
+    // much as some seventy views save, and a mesh is seldom looked at from that many.
+    std::vector<char> plus(surface.points.size());
+    double largest = 0.0;
+    for (int v = 0; v < surface.vertexCount(); ++v)
     {
-      for (std::uint64_t bits = changes.edges[word]; bits != 0; bits &= bits - 1)
+      const double value = this->g(v);
+      largest = std::max(largest, std::abs(value));
+      plus[v] = value >= 0.0;
+    }
+    this->limit = tolerance * largest;
+    for (int e = 0; e < static_cast<int>(neighbours.edges.size()); ++e)
+    {
+      if (plus[neighbours.edges[e].v0] != plus[neighbours.edges[e].v1])
       {
-        this->crossings.push_back({ static_cast<int>(64 * word) + __builtin_ctzll(bits), 0, 0, 0 });
+        this->crossings.push_back({ e, 0, 0, 0 });
       }
     }
   }
 
-  // slotOf: one 0 for every triangle, and so again afterwards.
-  std::vector<Curve> run(std::vector<int>& slotOf)
+  std::vector<Curve> run()
   {
+    std::vector<int> slotOf(this->mesh.triangles.size(), 0);
     const int count = static_cast<int>(this->crossings.size());
     this->points.reserve(count);
     this->slots.reserve(2 * count + 1);
@@ -126,24 +134,15 @@ private:
     }
   }
 
-  double g(int vertex) const { return silhouetteValue(this->mesh, this->normals, this->view, vertex); }
-
-  bool onSilhouette(double value)
+  // Its sign is counted as + for g >= 0.
+  double g(int vertex) const
   {
-    if (std::abs(value) > this->least && std::abs(value) <= this->most)
-    {
-      // Too near to tell without the largest |g| itself.
-      double largest = 0.0;
-      for (int v = 0; v < this->mesh.vertexCount(); ++v)
-      {
-        largest = std::max(largest, std::abs(this->g(v)));
-      }
-      this->least = this->most = tolerance * largest;
-    }
-    return std::abs(value) <= this->least;
+    return this->normals[vertex].dot(this->view.towardsViewer(this->mesh.points[vertex]));
   }
 
-  CurvePoint pointOn(const Crossing& e)
+  bool onSilhouette(double value) const { return std::abs(value) <= this->limit; }
+
+  CurvePoint pointOn(const Crossing& e) const
   {
     const double g0 = this->g(e.v0), g1 = this->g(e.v1);
     // Of two ends on the silhouette the one that counts as + is taken, so that a run round it is one run.
@@ -215,7 +214,7 @@ private:
   const Adjacency& adjacency;
   const std::vector<Vector3>& normals;
   const View& view;
-  double least, most;              // |g| up to the one is on the silhouette, beyond the other it is not
+  double limit = 0.0;              // |g| up to it is on the silhouette
   std::vector<Crossing> crossings; // by edge
   std::vector<Slot> slots;
   std::vector<CurvePoint> points; // of the crossings
@@ -228,28 +227,7 @@ std::vector<Curve> extractSilhouette(const Mesh& mesh,
   const std::vector<Vector3>& normals,
   const View& view)
 {
-  std::vector<int> slotOf(mesh.triangles.size(), 0);
-  return Extraction(mesh, adjacency, normals, view, findSignChanges(mesh, adjacency, normals, view))
-    .run(slotOf);
-}
-
-SilhouetteExtractor::SilhouetteExtractor(const Mesh& surface,
-  const Adjacency& neighbours,
-  const std::vector<Vector3>& vertexNormals)
-  : mesh(surface)
-  , adjacency(neighbours)
-  , normals(vertexNormals)
-  , index(surface, neighbours, vertexNormals)
-  , slotOf(surface.triangles.size(), 0)
-{
-}
-
-std::vector<Curve> SilhouetteExtractor::operator()(const View& view)
-{
-  this->index.find(view, this->changes);
-  Extraction extraction(this->mesh, this->adjacency, this->normals, view, this->changes);
-  std::fill(this->changes.edges.begin(), this->changes.edges.end(), 0);
-  return extraction.run(this->slotOf);
+  return Extraction(mesh, adjacency, normals, view).run();
 }
 
 } // namespace oversketch

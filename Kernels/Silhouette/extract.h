@@ -5,7 +5,6 @@
 #include "Mesh/context.h"
 #include "Mesh/view.h"
 #include "Silhouette/curves.h"
-#include "Silhouette/sign_index.h"
 
 namespace oversketch
 {
@@ -19,24 +18,6 @@ std::vector<Curve> extractSilhouette(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
   const View& view);
-
-// For one view after another: the same curves, bit for bit, in time that grows with their length rather than
-// with the mesh. Mesh, adjacency and normals must outlive it and stay as they are.
-class SilhouetteExtractor
-{
-public:
-  SilhouetteExtractor(const Mesh& mesh, const Adjacency& adjacency, const std::vector<Vector3>& normals);
-  std::vector<Curve> operator()(const View& view);
-
-private:
-  const Mesh& mesh;
-  const Adjacency& adjacency;
-  const std::vector<Vector3>& normals;
-  SignIndex index;
-  // Kept clean between views.
-  SignChanges changes;
-  std::vector<int> slotOf; // by triangle, see Extraction
-};
 
 } // namespace oversketch
 #endif

@@ -147,9 +147,8 @@ TEST(Extract, CurvesEndAtNonManifoldEdges)
   expectChained(mesh, curves);
 }
 
-// Bodies and views that try the index: rough, open, not manifold, far from the origin, fans of more spokes
-// than a word has bits, vertices exactly on the silhouette; and views that come back.
-TEST(Extract, ViewAfterViewIsTheSameAsEachAlone)
+// Rough, open, not manifold, far from the origin, large fans, vertices exactly on the silhouette.
+TEST(Extract, CurvesOfHostileBodiesRunFromTriangleToTriangle)
 {
   Mesh rough = icosphere(4);
   for (int v = 0; v < rough.vertexCount(); ++v)
@@ -177,7 +176,7 @@ TEST(Extract, ViewAfterViewIsTheSameAsEachAlone)
     drum.triangles.push_back({ 0, i + 2, next });
     drum.triangles.push_back({ 1, next, i + 2 });
   }
-  int compared = 0;
+  std::size_t count = 0;
   const Mesh loose{ { { 1, 2, 3 } }, {} };
   const std::vector<Mesh> meshes{ rough, far, fin, drum, cylinder(1.0, 4.0, 8, 5), Mesh(), loose };
   for (const Mesh& mesh : meshes)
@@ -185,29 +184,18 @@ TEST(Extract, ViewAfterViewIsTheSameAsEachAlone)
     const Adjacency adjacency = buildAdjacency(mesh);
     const std::vector<Vector3> normals = vertexNormals(mesh);
     const Vector3 middle = mesh.points.empty() ? Vector3(0, 0, 0) : mesh.points[0];
-    SilhouetteExtractor extractor(mesh, adjacency, normals);
     for (int k = 0; k < 20; ++k)
     {
       const Vector3 from(std::cos(0.5 * pi * (k % 10)), std::sin(0.7 * (k % 10)), 0.3 * (k % 3));
       const View view = k % 2 == 0 ? orthographicView(from, Vector3(0.1, 0.2, 1), 100.0)
                                    : perspectiveView(middle + (2 + k % 4) * from, Vector3(0.1, 0.2, 1), 40.0);
-      const auto alone = extractSilhouette(mesh, adjacency, normals, view);
-      const auto again = extractor(view);
-      ASSERT_EQ(alone.size(), again.size());
-      for (std::size_t c = 0; c < alone.size(); ++c)
+      const auto curves = extractSilhouette(mesh, adjacency, normals, view);
+      expectChained(mesh, curves);
+      for (const Curve& curve : curves)
       {
-        ASSERT_EQ(alone[c].closed, again[c].closed);
-        ASSERT_EQ(alone[c].points.size(), again[c].points.size());
-        for (std::size_t i = 0; i < alone[c].points.size(); ++i)
-        {
-          const CurvePoint &a = alone[c].points[i], &b = again[c].points[i];
-          ASSERT_EQ(a.binding.vertices, b.binding.vertices);
-          ASSERT_EQ(a.binding.weights, b.binding.weights);
-          ASSERT_TRUE(a.position == b.position && a.normal == b.normal);
-          ++compared;
-        }
+        count += curve.points.size();
       }
     }
   }
-  EXPECT_GT(compared, 10000);
+  EXPECT_GT(count, 10000u);
 }

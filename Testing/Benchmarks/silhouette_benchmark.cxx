@@ -61,11 +61,8 @@ void ours(const std::string& size)
     {
       state->filter = vtkSmartPointer<vtkOversketchSilhouette>::New();
       state->filter->SetInputData(0, model(size).polyData);
-      for (int view = 0; view < 2; ++view) // what depends on the mesh alone is made for the first two views
-      {
-        look();
-        state->filter->Update();
-      }
+      look(); // what depends on the mesh alone is made for the first view
+      state->filter->Update();
     }
     look();
   };
