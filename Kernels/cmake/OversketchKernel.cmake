@@ -54,15 +54,11 @@ if (oversketch_ccache) # those that build find there what this build has compile
 endif ()
 
 # oversketch_test_program(<target>): a program of C++ tests, part of the target `tests`, which is all that the sanitizers need.
-# It is compiled to be compiled soon: it need not be quick, and its own arithmetic is not what is on trial. Addresses are watched
-# in it too, since what it reads is the libraries'.
+# It is compiled to be compiled soon: it need not be quick.
 add_custom_target(tests)
 function (oversketch_test_program target)
   add_dependencies(tests ${target})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=address,undefined")
-    target_compile_options(${target} PRIVATE -fno-sanitize=undefined)
-  endif ()
 endfunction ()
 
 # oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [COST <number>]): one GoogleTest program, its tests
