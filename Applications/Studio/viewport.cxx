@@ -45,7 +45,7 @@ namespace
 
 // The paper's colour of a silhouette section.
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
-constexpr float lineWidth = 3.0F; // px as Qt counts them, of the section
+constexpr float sectionWidth = 3.0F; // px as Qt counts them, of the section
 constexpr int awaitTime = 500;    // ms; what takes longer shows its progress
 
 // Ambient occlusion would make a picture drawn by the processor wait.
@@ -290,7 +290,7 @@ void Viewport::resizeGL(int width, int height)
 void Viewport::fitScreen()
 {
   const double ratio = this->devicePixelRatioF();
-  this->section_->GetProperty()->SetLineWidth(static_cast<float>(lineWidth * ratio));
+  this->section_->GetProperty()->SetLineWidth(static_cast<float>(sectionWidth * ratio));
   for (Tool* tool : this->findChildren<Tool*>())
   {
     tool->setPixelRatio(ratio);
