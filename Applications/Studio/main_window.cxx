@@ -64,8 +64,8 @@ MainWindow::MainWindow(QWidget* parent)
   this->frame_->setAutoFillBackground(true);
   this->setCentralWidget(this->frame_);
   this->setAcceptDrops(true);
-  this->addDock(tr("&Scene"), "scene dock", this->scene_);
-  this->addDock(tr("&History"), "history dock", this->history_);
+  this->addDock(tr("&Scene"), "scene_dock", this->scene_);
+  this->addDock(tr("&History"), "history_dock", this->history_);
   this->makeMenus();
   this->makeTools();
   this->makeStatus();

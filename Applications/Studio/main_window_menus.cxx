@@ -148,7 +148,7 @@ void MainWindow::makeTools()
     bar->toggleViewAction()->setEnabled(false); // nothing else would show it again
     return bar;
   };
-  QToolBar* bar = fixed(Qt::TopToolBarArea, tr("Options"), "options bar");
+  QToolBar* bar = fixed(Qt::TopToolBarArea, tr("Options"), "options_bar");
   this->options_ = new QStackedWidget(bar);
   for (Tool* tool : this->tools_)
   {
@@ -160,7 +160,7 @@ void MainWindow::makeTools()
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
   bar->addActions({ this->undo_, this->redo_ });
-  this->strip_ = fixed(Qt::LeftToolBarArea, tr("Tools"), "tools strip");
+  this->strip_ = fixed(Qt::LeftToolBarArea, tr("Tools"), "tools_strip");
   this->strip_->setIconSize(QSize(toolIcon, toolIcon));
   this->strip_->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   this->strip_->addActions({ this->toolActions_.begin(), this->toolActions_.end() });

@@ -46,7 +46,7 @@ namespace
 // The paper's colour of a silhouette section.
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
 constexpr float sectionWidth = 3.0F; // px as Qt counts them, of the section
-constexpr int awaitTime = 500;    // ms; what takes longer shows its progress
+constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
 
 // Ambient occlusion would make a picture drawn by the processor wait.
 bool drawsOnProcessor(vtkRenderWindow* window)
