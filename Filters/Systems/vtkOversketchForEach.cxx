@@ -251,7 +251,10 @@ vtkOversketchForEach::~vtkOversketchForEach() = default;
 int vtkOversketchForEach::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataObjectTree" : "vtkDataObject");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0); // the driven filter tells what it needs
+  if (port > 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // the driven filter tells what it needs
+  }
   return 1;
 }
 

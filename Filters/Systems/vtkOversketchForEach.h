@@ -9,7 +9,7 @@
  *
  * Input 0 (Models, vtkDataObjectTree): the models, a collection (vtkDataObjectTree: vtkMultiBlockDataSet,
  * vtkPartitionedDataSet, vtkPartitionedDataSetCollection, nested as they like).
- * Input 1 (Strokes, optional, vtkDataObjectTree or vtkPolyData): what the filter's port 1 gets, a stroke as a
+ * Input 1 (Strokes, optional, vtkDataObject): what the filter's port 1 gets, a stroke as a
  * rule: one for all models (vtkPolyData, or whatever the filter takes), or a collection whose leaves stand at
  * the same flat indices as the models'. May be left out where the filter can do without. Inputs 2 and on are
  * the same for the filter's further ports.
