@@ -1,0 +1,49 @@
+// The toy's tool: two lines round a part of the model, and the scene's picture pushes it.
+#ifndef oversketch_studio_push_tool_h
+#define oversketch_studio_push_tool_h
+
+#include "tool.h"
+
+#include "vtkNew.h"
+
+class vtkCallbackCommand;
+class vtkOversketchStrokeWidget;
+
+namespace oversketch_studio
+{
+
+class Document;
+class Viewport;
+
+class PushTool : public Tool
+{
+  Q_OBJECT
+
+public:
+  PushTool(Viewport* viewport, const Document* document);
+  ~PushTool() override;
+
+  QString title() const override;
+  QKeySequence key() const override;
+  QString help() const override;
+  QString mode() const override;
+  QPainterPath icon() const override;
+  QVector<QPair<QString, QString>> keys() const override;
+  QString advice(const Situation& situation) const override;
+  std::string system() const override { return "PushBetween"; }
+  void start() override;
+  void stop() override;
+  bool draws() const override;
+
+private:
+  void strokeEnds();
+
+  Viewport* viewport_;
+  const Document* document_;
+  vtkNew<vtkOversketchStrokeWidget> pen_;
+  vtkNew<vtkCallbackCommand> observer_;
+  oversketch_session::Lines first_; // until the second is drawn
+};
+
+} // namespace oversketch_studio
+#endif
