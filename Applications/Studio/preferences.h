@@ -16,7 +16,7 @@ struct Preferences
   double stabilizer = 6.0; // how far the line trails behind the pen [px of the screen, 0 to 100]
   bool dark = true;
   // For models that are opened from now on; a session keeps its own.
-  int backend = 0; // vtkOversketchOneStroke::BackendType
+  int backend = 0; // vtkOversketchSystem::BackendType
 
   // What QSettings holds; values out of range count as the nearest in range.
   static Preferences read();
