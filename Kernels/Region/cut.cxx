@@ -25,7 +25,7 @@ struct Facet
 {
   char selected; // corners in the region
   Role role;
-  int node; // in the graph; -1 outside the band
+  int node; // in the network; -1 outside the band
 };
 
 double areaOf(const Mesh& mesh, int triangle)
@@ -114,7 +114,7 @@ std::vector<char> minimumCut(const Mesh& mesh,
   double faithful)
 {
   const double scale = 1e9 / boundingDiagonal(mesh); // whole numbers below 2^53 keep the flow exact
-  FlowGraph graph(nodes);
+  FlowNetwork network{ std::vector<double>(nodes, 0.0), std::vector<double>(nodes, 0.0), {} };
   for (const int t : band)
   {
     const Facet& facet = facets[t];
@@ -124,7 +124,7 @@ std::vector<char> minimumCut(const Mesh& mesh,
     }
     if (facet.selected == 0 || facet.selected == 3)
     {
-      (facet.selected == 3 ? graph.source : graph.sink)[facet.node] +=
+      (facet.selected == 3 ? network.source : network.sink)[facet.node] +=
         std::round(scale * faithful * areaOf(mesh, t) / width);
     }
     for (const int e : adjacency.triangleEdges[t])
@@ -157,18 +157,18 @@ std::vector<char> minimumCut(const Mesh& mesh,
                                          (1.0 + width * std::max(0.0, -curvature)));
           if (a.node >= 0 && b.node >= 0)
           {
-            graph.addEdge(a.node, b.node, cost);
+            network.links.push_back({ a.node, b.node, cost });
           }
           else
           {
             const Facet& fixed = a.node >= 0 ? b : a;
-            (fixed.role == Inside ? graph.source : graph.sink)[std::max(a.node, b.node)] += cost;
+            (fixed.role == Inside ? network.source : network.sink)[std::max(a.node, b.node)] += cost;
           }
         }
       }
     }
   }
-  const std::vector<char> side = graph.sourceSide();
+  const std::vector<char> side = leastCut(network);
   std::vector<char> inside(facets.size());
   for (std::size_t t = 0; t < facets.size(); ++t)
   {

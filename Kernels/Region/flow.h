@@ -2,40 +2,27 @@
 #ifndef oversketch_flow_h
 #define oversketch_flow_h
 
-#include <array>
 #include <vector>
 
 namespace oversketch
 {
 
-// Nodes, edges between them that carry as much either way, and what each node may take from the source and
-// give to the sink. Capacities are whole numbers whose sums stay below 2^53, so that all of it is exact.
-class FlowGraph
+// Nodes, what each may take from the source and give to the sink, and links between them that carry as much
+// either way. Capacities are whole numbers whose sums stay below 2^53, so that all of it is exact.
+struct FlowNetwork
 {
-public:
-  explicit FlowGraph(int nodes)
-    : source(nodes, 0.0)
-    , sink(nodes, 0.0)
+  struct Link
   {
-  }
-
-  void addEdge(int a, int b, double capacity) { this->edges.push_back({ { a, b }, capacity }); }
-
-  // 1 for the nodes on the source's side of the least cut, of several such cuts the one with the fewest.
-  std::vector<char> sourceSide() const;
-
-  std::vector<double> source, sink; // capacities, by node
-
-private:
-  struct Edge
-  {
-    std::array<int, 2> ends;
+    int a, b;
     double capacity;
   };
-  std::vector<Edge> edges;
 
-  friend class Preflow;
+  std::vector<double> source, sink; // by node
+  std::vector<Link> links;
 };
+
+// 1 for the nodes on the source's side of the least cut, of several such cuts the one with the fewest.
+std::vector<char> leastCut(const FlowNetwork& network);
 
 } // namespace oversketch
 #endif

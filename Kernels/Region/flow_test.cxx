@@ -10,43 +10,20 @@ using namespace oversketch;
 namespace
 {
 
-struct Link
+// Of the cut between the nodes with 1 and the others.
+double costOf(const FlowNetwork& network, const std::vector<char>& side)
 {
-  int a, b;
-  double capacity;
-};
-
-struct Network
-{
-  std::vector<double> source, sink;
-  std::vector<Link> links;
-
-  double cost(const std::vector<char>& side) const
+  double sum = 0.0;
+  for (std::size_t v = 0; v < side.size(); ++v)
   {
-    double sum = 0.0;
-    for (std::size_t v = 0; v < side.size(); ++v)
-    {
-      sum += side[v] ? this->sink[v] : this->source[v];
-    }
-    for (const Link& link : this->links)
-    {
-      sum += side[link.a] != side[link.b] ? link.capacity : 0.0;
-    }
-    return sum;
+    sum += side[v] ? network.sink[v] : network.source[v];
   }
-
-  std::vector<char> cut() const
+  for (const FlowNetwork::Link& link : network.links)
   {
-    FlowGraph graph(static_cast<int>(this->source.size()));
-    graph.source = this->source;
-    graph.sink = this->sink;
-    for (const Link& link : this->links)
-    {
-      graph.addEdge(link.a, link.b, link.capacity);
-    }
-    return graph.sourceSide();
+    sum += side[link.a] != side[link.b] ? link.capacity : 0.0;
   }
-};
+  return sum;
+}
 
 } // namespace
 
@@ -57,7 +34,7 @@ TEST(Flow, TheCutIsTheLeastOfAllAndTheSmallestOfThose)
   for (int round = 0; round < 400; ++round)
   {
     const int count = 2 + below(9);
-    Network network{ std::vector<double>(count, 0.0), std::vector<double>(count, 0.0), {} };
+    FlowNetwork network{ std::vector<double>(count, 0.0), std::vector<double>(count, 0.0), {} };
     for (int v = 0; v < count; ++v)
     {
       (below(2) ? network.source : network.sink)[v] = below(3) ? 0 : below(6); // small: ties are frequent
@@ -71,8 +48,8 @@ TEST(Flow, TheCutIsTheLeastOfAllAndTheSmallestOfThose)
         network.links.push_back({ a, b, double(below(6)) });
       }
     }
-    const std::vector<char> found = network.cut();
-    const double cost = network.cost(found);
+    const std::vector<char> found = leastCut(network);
+    const double cost = costOf(network, found);
     for (unsigned set = 0; set < 1u << count; ++set)
     {
       std::vector<char> side(count);
@@ -80,8 +57,8 @@ TEST(Flow, TheCutIsTheLeastOfAllAndTheSmallestOfThose)
       {
         side[v] = static_cast<char>(set >> v & 1u);
       }
-      ASSERT_GE(network.cost(side), cost);
-      if (network.cost(side) == cost)
+      ASSERT_GE(costOf(network, side), cost);
+      if (costOf(network, side) == cost)
       {
         for (int v = 0; v < count; ++v)
         {
@@ -98,7 +75,9 @@ TEST(Flow, ALargeGridIsCutAtItsNarrowPlace)
   constexpr int width = 200, height = 60, narrow = 150;
   std::mt19937 random(4);
   const auto capacity = [&] { return 1000.0 + static_cast<double>(random() % 1000u); };
-  Network network{ std::vector<double>(width * height, 0.0), std::vector<double>(width * height, 0.0), {} };
+  FlowNetwork network{
+    std::vector<double>(width * height, 0.0), std::vector<double>(width * height, 0.0), {}
+  };
   for (int y = 0; y < height; ++y)
   {
     network.source[y * width] = network.sink[y * width + width - 1] = 1e6;
@@ -115,7 +94,7 @@ TEST(Flow, ALargeGridIsCutAtItsNarrowPlace)
       }
     }
   }
-  const std::vector<char> side = network.cut();
+  const std::vector<char> side = leastCut(network);
   for (int v = 0; v < width * height; ++v)
   {
     ASSERT_EQ(side[v] != 0, v % width <= narrow) << v;
@@ -124,9 +103,7 @@ TEST(Flow, ALargeGridIsCutAtItsNarrowPlace)
 
 TEST(Flow, WithoutASourceNothingIsOnItsSide)
 {
-  FlowGraph graph(2);
-  graph.addEdge(0, 1, 5.0);
-  graph.sink[1] = 2.0;
-  EXPECT_EQ(graph.sourceSide(), (std::vector<char>{ 0, 0 }));
-  EXPECT_TRUE(FlowGraph(0).sourceSide().empty());
+  const FlowNetwork network{ { 0.0, 0.0 }, { 0.0, 2.0 }, { { 0, 1, 5.0 } } };
+  EXPECT_EQ(leastCut(network), (std::vector<char>{ 0, 0 }));
+  EXPECT_TRUE(leastCut(FlowNetwork()).empty());
 }

@@ -1,12 +1,9 @@
 // Growing the region, its amendments, the junction cut and the border, all that follows once the evidence is
 // known; what a mesh alone decides (adjacency, parts, areas) is kept, as the filters keep it. Limit: an
 // allowance of 5 ns for each neighbour that growing (queue and count), the cut (distances and dual graph of
-// its band) and the border have to look at once, given as the figure limit_ms. "junction flow" is the least
-// cut alone, of the whole band, each side from a list of links: beside Boost's two flows.
+// its band) and the border have to look at once, given as the figure limit_ms.
 #include "Harness/polydata.h"
 #include "bunny_stroke.h"
-
-#include "junction_flow.h"
 
 #include "Region/border.h"
 #include "Region/cut.h"
@@ -166,38 +163,6 @@ void region(const std::string& size)
   add(job);
 }
 
-void flows(const std::string& size)
-{
-  const auto network = std::make_shared<Network>();
-  const auto open = [=]
-  {
-    if (network->source.empty())
-    {
-      const Case made(size);
-      *network = junctionNetwork(
-        made.mesh, made.adjacency, made.normals, made.evidence.diameter, made.isSeed, made.region);
-    }
-  };
-  const struct
-  {
-    const char* who;
-    std::vector<char> (*run)(const Network&);
-  } sides[] = { { "ours", oursOf },
-    { "Boost Boykov-Kolmogorov", boykovKolmogorovOf },
-    { "Boost push-relabel", pushRelabelOf } };
-  for (const auto& side : sides)
-  {
-    const auto found = std::make_shared<std::vector<char>>();
-    const auto figures = [=]
-    {
-      return std::map<std::string, double>{ { "nodes", double(found->size()) },
-        { "cut", network->cost(*found) } };
-    };
-    add(
-      { "junction flow", size, side.who, 1, open, [=, run = side.run] { *found = run(*network); }, figures });
-  }
-}
-
 } // namespace
 
 void jobs()
@@ -205,7 +170,6 @@ void jobs()
   for (const std::string& size : sizes({ "5k", "30k", "180k", "1M" }))
   {
     region(size);
-    flows(size);
   }
 }
 
