@@ -1,5 +1,6 @@
 #include "vtkOversketchWeld.h"
 
+#include "Mesh/mix.h"
 #include "Mesh/weld.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchRuns.h"
@@ -28,40 +29,6 @@ namespace
 {
 
 const char* const remedy = "vtkOversketchRemesh writes it";
-
-// A point of a result as a mix of points of the mesh: ids ascending, weights above rounding, sum 1.
-using Mix = std::vector<std::pair<vtkIdType, double>>;
-
-bool SameMix(const Mix& a, const Mix& b)
-{
-  return a.size() == b.size() && std::equal(a.begin(),
-                                   a.end(),
-                                   b.begin(),
-                                   [](const auto& x, const auto& y)
-                                   { return x.first == y.first && std::abs(x.second - y.second) < 1e-9; });
-}
-
-void Normalise(Mix& mix)
-{
-  std::sort(mix.begin(), mix.end());
-  Mix merged;
-  for (const auto& entry : mix)
-  {
-    if (!merged.empty() && merged.back().first == entry.first)
-    {
-      merged.back().second += entry.second;
-    }
-    else
-    {
-      merged.push_back(entry);
-    }
-  }
-  merged.erase(
-    std::remove_if(
-      merged.begin(), merged.end(), [](const auto& entry) { return std::abs(entry.second) < 1e-12; }),
-    merged.end());
-  mix = std::move(merged);
-}
 
 // The rotation that takes one surface normal to another, applied to a normal of the user's.
 Vector3 Turned(const Vector3& normal, const Vector3& before, const Vector3& after)
@@ -246,8 +213,7 @@ public:
     {
       mix.emplace_back(this->PointAt(share.triangle, share.corner), share.weight);
     }
-    Normalise(mix);
-    return mix;
+    return normalisedMix(std::move(mix));
   }
 
 private:
@@ -327,7 +293,7 @@ private:
         {
           Mix& mix = this->Mixes[i];
           mix = origins.MixAt(corners[mixed[i]] / 3, corners[mixed[i]] % 3);
-          this->Whole[mixed[i]] = mix.size() == 1 ? static_cast<int>(mix[0].first) : -1;
+          this->Whole[mixed[i]] = mix.size() == 1 ? mix[0].first : -1;
         }
       });
   }
@@ -366,11 +332,11 @@ private:
     if (whole < 0)
     {
       mix = origins.MixAt(triangle, corner);
-      whole = mix.size() == 1 ? static_cast<int>(mix[0].first) : -1;
+      whole = mix.size() == 1 ? mix[0].first : -1;
     }
     std::size_t point = begin;
     while (point < this->Vertices.size() &&
-           (this->Whole[point] != whole || (whole < 0 && !SameMix(this->Mixes[this->MixOf[point]], mix))))
+           (this->Whole[point] != whole || (whole < 0 && !sameMix(this->Mixes[this->MixOf[point]], mix))))
     {
       ++point;
     }
