@@ -1,5 +1,6 @@
 #include "Ray/mesh_match.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -27,14 +28,14 @@ public:
   {
     for (const std::uint64_t x : bitsOf(v))
     {
-      this->value_ = (this->value_ ^ x) * 0x9e3779b97f4a7c15u;
-      this->value_ ^= this->value_ >> 32;
+      this->Value = (this->Value ^ x) * 0x9e3779b97f4a7c15u;
+      this->Value ^= this->Value >> 32;
     }
   }
-  std::uint32_t value() const { return static_cast<std::uint32_t>(this->value_); }
+  std::uint32_t value() const { return static_cast<std::uint32_t>(this->Value); }
 
 private:
-  std::uint64_t value_ = 0;
+  std::uint64_t Value = 0;
 };
 
 bool same(const Vector3& a, const Vector3& b)
@@ -42,33 +43,90 @@ bool same(const Vector3& a, const Vector3& b)
   return bitsOf(a) == bitsOf(b);
 }
 
-// Per item now the first one before that is equal to it, or -1; and which ones before are not the first of
-// their kind.
+// Per item now an equal one before, or -1; and which ones before are equal to none now.
 struct Pairs
 {
   std::vector<int> found;
-  std::vector<char> repeated;
+  std::vector<char> gone;
 };
 
+// Most of a mesh keeps its order: each item is sought behind the one found last. What has taken the place of
+// others is as long as they were; where some were left out, those that follow come a little later.
+template <typename Equal>
+Pairs matchInOrder(int before, int now, const Equal& equal)
+{
+  constexpr int window = 64;
+  Pairs pairs{ std::vector<int>(now, -1), std::vector<char>(before, 1) };
+  int next = 0, missed = 0;
+  for (int i = 0; i < now && next < before; ++i)
+  {
+    int at = next;
+    if (!equal(at, i))
+    {
+      at = next + missed;
+      if (at >= before || !equal(at, i))
+      {
+        ++missed;
+        at = before;
+        if ((missed & (missed - 1)) == 0) // now and then only, so that all searches together stay short
+        {
+          const int end = static_cast<int>(std::min<long>(before, next + static_cast<long>(window) * missed));
+          for (at = next; at < end && !equal(at, i); ++at)
+          {
+          }
+          at = at < end ? at : before;
+        }
+      }
+    }
+    if (at < before)
+    {
+      pairs.found[i] = at;
+      pairs.gone[at] = 0;
+      next = at + 1;
+      missed = 0;
+    }
+  }
+  return pairs;
+}
+
+// hash(side, i): of item i before (side 0) or now (side 1); equal(a, side, b): whether item a before is item
+// b of the side.
 template <typename HashOf, typename Equal>
 Pairs match(int before, int now, const HashOf& hash, const Equal& equal, const Context& context)
 {
-  std::vector<std::uint32_t> hashes[2] = { std::vector<std::uint32_t>(before),
-    std::vector<std::uint32_t>(now) };
+  Pairs pairs = matchInOrder(before, now, [&](int a, int b) { return equal(a, 1, b); });
+  // The others by their hashes.
+  std::vector<int> rest[2];
+  for (int i = 0; i < before; ++i)
+  {
+    if (pairs.gone[i])
+    {
+      rest[0].push_back(i);
+    }
+  }
+  for (int i = 0; i < now; ++i)
+  {
+    if (pairs.found[i] < 0)
+    {
+      rest[1].push_back(i);
+    }
+  }
+  std::vector<std::uint32_t> hashes[2];
   for (int side = 0; side < 2; ++side)
   {
-    context.parallelFor(static_cast<int>(hashes[side].size()),
+    hashes[side].resize(rest[side].size());
+    context.parallelFor(static_cast<int>(rest[side].size()),
       [&](int begin, int end)
       {
         for (int i = begin; i < end; ++i)
         {
-          hashes[side][i] = hash(side, i);
+          hashes[side][i] = hash(side, rest[side][i]);
         }
       });
   }
   // Open addressing, at most half full.
   std::uint32_t mask = 1;
-  while (mask < 2 * static_cast<std::uint32_t>(before))
+  while (mask < 2 * static_cast<std::uint32_t>(rest[0].size()))
   {
     mask *= 2;
   }
@@ -77,27 +135,36 @@ Pairs match(int before, int now, const HashOf& hash, const Equal& equal, const C
   const auto place = [&](int side, int i)
   {
     std::uint32_t at = hashes[side][i] & mask;
-    while (table[at] >= 0 && !(hashes[0][table[at]] == hashes[side][i] && equal(table[at], side, i)))
+    while (table[at] >= 0 &&
+           !(hashes[0][table[at]] == hashes[side][i] && equal(rest[0][table[at]], side, rest[side][i])))
     {
       at = (at + 1) & mask;
     }
     return at;
   };
-  Pairs pairs{ std::vector<int>(now, -1), std::vector<char>(before, 0) };
-  for (int i = 0; i < before; ++i)
+  const int unfound = static_cast<int>(rest[0].size());
+  for (int i = 0; i < unfound; ++i)
   {
     int& entry = table[place(0, i)];
-    pairs.repeated[i] = entry >= 0;
-    entry = entry >= 0 ? entry : i;
+    pairs.gone[rest[0][i]] = entry < 0; // equal ones once
+    entry = entry < 0 ? i : entry;
   }
-  context.parallelFor(now,
+  context.parallelFor(static_cast<int>(rest[1].size()),
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
       {
-        pairs.found[i] = table[place(1, i)];
+        const int entry = table[place(1, i)];
+        pairs.found[rest[1][i]] = entry < 0 ? -1 : rest[0][entry];
       }
     });
+  for (const int i : rest[1])
+  {
+    if (pairs.found[i] >= 0)
+    {
+      pairs.gone[pairs.found[i]] = 0;
+    }
+  }
   return pairs;
 }
 
@@ -147,17 +214,16 @@ MeshMatch matchMeshes(const Mesh& before,
              same(before.points[s[2]], points[t[2]]);
     },
     context);
-  std::vector<char> stays = facets.repeated;
   for (int t = 0; t < now.triangleCount(); ++t)
   {
     if (facets.found[t] < 0)
+    {
       result.added.push_back(t);
-    else
-      stays[facets.found[t]] = 1;
+    }
   }
   for (int t = 0; t < before.triangleCount(); ++t)
   {
-    if (!stays[t])
+    if (facets.gone[t])
     {
       result.removed.push_back(t);
     }

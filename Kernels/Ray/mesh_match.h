@@ -13,7 +13,7 @@ namespace oversketch
 struct MeshMatch
 {
   std::vector<int> vertices; // per vertex now: one before with the same point and normal, or -1
-  std::vector<int> added;    // facets now that were not there before, ascending
+  std::vector<int> added;    // facets now that were not there before, or fewer times, ascending
   std::vector<int> removed;  // facets before that are there no more, ascending, equal ones once
 };
 
