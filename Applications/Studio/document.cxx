@@ -31,16 +31,11 @@ QStringList listOf(const Notes& notes)
   return list;
 }
 
-std::size_t indexOf(int node)
-{
-  return static_cast<std::size_t>(node);
-}
-
 } // namespace
 
 Document::Document(QObject* parent)
   : QObject(parent)
-  , autosave_(autosaveRoot())
+  , Saver(autosaveRoot())
 {
   // The worker's thread posts to this object's; what arrives after a newer change is left aside there.
   Worker::Listener listener;
@@ -60,7 +55,7 @@ Document::Document(QObject* parent)
       this,
       [this, ticket]
       {
-        this->detailed_ = std::max(this->detailed_, ticket); // nothing will come
+        this->Detailed = std::max(this->Detailed, ticket); // nothing will come
         this->answered(ticket);
       },
       Qt::QueuedConnection);
@@ -73,7 +68,7 @@ Document::Document(QObject* parent)
       [this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); },
       Qt::QueuedConnection);
   };
-  this->worker_ = std::make_unique<Worker>(std::move(listener));
+  this->Background = std::make_unique<Worker>(std::move(listener));
 }
 
 Document::~Document() = default;
@@ -92,13 +87,13 @@ bool Document::open(const QString& path, const std::function<bool()>& mayLeave, 
   {
     session.mesh = readMesh(file, said);
     session.meshName = QFileInfo(path).fileName().toStdString();
-    session.backend = this->backend_;
+    session.backend = this->Backend;
   }
   if (!mayLeave())
   {
     return false;
   }
-  this->path_ = saved ? path : QString();
+  this->Path = saved ? path : QString();
   this->start(std::move(session), false);
   notes += listOf(said);
   emit this->opened();
@@ -108,9 +103,9 @@ bool Document::open(const QString& path, const std::function<bool()>& mayLeave, 
 void Document::recover(const LeftBehind& left)
 {
   this->start(readSession(left.folder).session, true);
-  this->path_.clear();
+  this->Path.clear();
   // The old folder goes only when the new one is on the disk.
-  if (this->autosave_.wait().empty())
+  if (this->Saver.wait().empty())
   {
     removeLeftBehind(left);
   }
@@ -119,10 +114,10 @@ void Document::recover(const LeftBehind& left)
 
 void Document::start(Session session, bool modified)
 {
-  this->history_ = std::make_unique<History>(std::move(session));
-  this->modified_ = modified;
-  this->result_ = {};
-  this->digest_.clear();
+  this->Changes = std::make_unique<History>(std::move(session));
+  this->Modified = modified;
+  this->Result = {};
+  this->Digest.clear();
   this->run(Change::Edited);
 }
 
@@ -131,18 +126,18 @@ QStringList Document::save(const QString& path)
   const std::string file = path.toStdString();
   if (extensionOf(file) == sessionExtension)
   {
-    if (!this->isBusy() && this->digest_.empty() && this->result_.mesh)
+    if (!this->isBusy() && this->Digest.empty() && this->Result.mesh)
     {
-      this->digest_ = digestOf(this->result_.mesh); // it is on its way
+      this->Digest = digestOf(this->Result.mesh); // it is on its way
     }
     writeSession(file, this->file());
-    this->path_ = path;
-    this->modified_ = false;
+    this->Path = path;
+    this->Modified = false;
     emit this->changed(Change::Saved);
     return {};
   }
   Notes notes;
-  writeMesh((this->result_.mesh ? this->result_.mesh : this->session().mesh).own(), file, notes);
+  writeMesh((this->Result.mesh ? this->Result.mesh : this->session().mesh).own(), file, notes);
   return listOf(notes);
 }
 
@@ -152,18 +147,18 @@ QString Document::name() const
   {
     return {};
   }
-  return this->path_.isEmpty() ? QString::fromStdString(this->session().meshName)
-                               : QFileInfo(this->path_).fileName();
+  return this->Path.isEmpty() ? QString::fromStdString(this->session().meshName)
+                              : QFileInfo(this->Path).fileName();
 }
 
 SessionFile Document::file() const
 {
   SessionFile file;
   file.session = this->session();
-  if (!this->isBusy() && !this->digest_.empty())
+  if (!this->isBusy() && !this->Digest.empty())
   {
-    file.origin = originHere(this->result_.backendUsed);
-    file.digest = this->digest_;
+    file.origin = originHere(this->Result.backendUsed);
+    file.digest = this->Digest;
   }
   return file;
 }
@@ -278,16 +273,16 @@ void Document::commitPictures(Pictures pictures)
 {
   Session next = this->session();
   next.pictures = std::move(pictures);
-  this->history_->commit(std::move(next));
-  this->modified_ = true;
+  this->Changes->commit(std::move(next));
+  this->Modified = true;
   this->keep();
   emit this->changed(Change::Pictures);
 }
 
 void Document::setBackend(int backend)
 {
-  const bool chosen = backend != this->backend_;
-  this->backend_ = backend;
+  const bool chosen = backend != this->Backend;
+  this->Backend = backend;
   if (chosen && this->isOpen() && this->session().backend != backend)
   {
     Session next = this->session();
@@ -298,15 +293,15 @@ void Document::setBackend(int backend)
 
 void Document::undo()
 {
-  this->history_->undo();
-  this->modified_ = true;
+  this->Changes->undo();
+  this->Modified = true;
   this->run(Change::Edited);
 }
 
 void Document::redo()
 {
-  this->history_->redo();
-  this->modified_ = true;
+  this->Changes->redo();
+  this->Modified = true;
   this->run(Change::Edited);
 }
 
@@ -314,7 +309,7 @@ void Document::cancel()
 {
   if (this->isBusy())
   {
-    this->worker_->cancel();
+    this->Background->cancel();
     if (this->canUndo())
     {
       this->undo();
@@ -324,36 +319,36 @@ void Document::cancel()
 
 void Document::commit(Session session, Change change)
 {
-  this->history_->commit(std::move(session));
-  this->modified_ = true;
+  this->Changes->commit(std::move(session));
+  this->Modified = true;
   this->run(change);
 }
 
 void Document::run(Change change)
 {
-  this->ticket_ = this->worker_->submit(this->session());
+  this->Ticket = this->Background->submit(this->session());
   this->keep(); // before its result is there, so that no crash can take the stroke
   emit this->changed(change);
 }
 
 void Document::keep()
 {
-  if (!this->discarded_)
+  if (!this->Discarded)
   {
-    this->autosave_.keep(this->file());
+    this->Saver.keep(this->file());
   }
 }
 
 void Document::discardAutosave()
 {
-  this->discarded_ = true;
-  this->autosave_.discard();
+  this->Discarded = true;
+  this->Saver.discard();
 }
 
 void Document::answered(std::uint64_t ticket)
 {
   const bool before = this->isBusy();
-  this->answered_ = std::max(this->answered_, ticket);
+  this->Answered = std::max(this->Answered, ticket);
   if (before && !this->isBusy())
   {
     emit this->idle();
@@ -362,27 +357,27 @@ void Document::answered(std::uint64_t ticket)
 
 void Document::take(const Worker::Result& result)
 {
-  if (result.ticket < this->ticket_ && result.nodes.size() > this->session().nodes.size())
+  if (result.ticket < this->Ticket && result.nodes.size() > this->session().nodes.size())
   {
     this->answered(result.ticket); // of a history that was left
     return;
   }
-  this->result_ = result;
-  this->digest_.clear();
+  this->Result = result;
+  this->Digest.clear();
   this->answered(result.ticket);
   emit this->shown();
 }
 
 void Document::takeDetails(const Worker::Details& details)
 {
-  if (details.ticket != this->result_.ticket)
+  if (details.ticket != this->Result.ticket)
   {
     return; // a newer result has been taken
   }
-  this->result_.nodes = details.nodes;
-  this->digest_ = details.digest;
-  this->detailed_ = details.ticket;
-  if (details.ticket == this->ticket_)
+  this->Result.nodes = details.nodes;
+  this->Digest = details.digest;
+  this->Detailed = details.ticket;
+  if (details.ticket == this->Ticket)
   {
     // Learn where new strokes took hold, so that later ones can be told from it.
     Session learned = this->session();
@@ -393,13 +388,13 @@ void Document::takeDetails(const Worker::Details& details)
         learned.nodes[i].committed = details.nodes[i].section;
       }
     }
-    this->history_->amend(std::move(learned));
+    this->Changes->amend(std::move(learned));
     this->keep();
   }
   emit this->detailed();
-  if (!this->autosave_.failure().empty())
+  if (!this->Saver.failure().empty())
   {
-    emit this->autosaveFailed(QString::fromStdString(this->autosave_.failure()));
+    emit this->autosaveFailed(QString::fromStdString(this->Saver.failure()));
   }
 }
 

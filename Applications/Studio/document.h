@@ -17,6 +17,12 @@
 namespace oversketch_studio
 {
 
+// Qt's lists count in int.
+inline std::size_t indexOf(int row)
+{
+  return static_cast<std::size_t>(row);
+}
+
 class Document : public QObject
 {
   Q_OBJECT
@@ -35,23 +41,23 @@ public:
   // format drops.
   QStringList save(const QString& path);
 
-  const oversketch_session::Session& session() const { return this->history_->now(); }
-  bool isOpen() const { return this->history_ != nullptr; }
+  const oversketch_session::Session& session() const { return this->Changes->now(); }
+  bool isOpen() const { return this->Changes != nullptr; }
   // The file that Save writes to; empty until the session has one.
-  const QString& path() const { return this->path_; }
+  const QString& path() const { return this->Path; }
   // The name for titles: the session's file, or the mesh that was opened.
   QString name() const;
-  bool isModified() const { return this->modified_; }
-  bool canUndo() const { return this->history_ && this->history_->canUndo(); }
-  bool canRedo() const { return this->history_ && this->history_->canRedo(); }
+  bool isModified() const { return this->Modified; }
+  bool canUndo() const { return this->Changes && this->Changes->canUndo(); }
+  bool canRedo() const { return this->Changes && this->Changes->canRedo(); }
   // The newest result; its mesh stays while the next is computed. What moved, how it follows a hand and the
   // digest come after the mesh has been shown.
-  const oversketch_session::Worker::Result& result() const { return this->result_; }
+  const oversketch_session::Worker::Result& result() const { return this->Result; }
   // digestOf(result().mesh); empty before it is known.
-  const std::string& digest() const { return this->digest_; }
-  bool isBusy() const { return this->ticket_ != this->answered_; }
+  const std::string& digest() const { return this->Digest; }
+  bool isBusy() const { return this->Ticket != this->Answered; }
   // Nothing is computed, and all is there that follows on the mesh.
-  bool isSettled() const { return !this->isBusy() && this->detailed_ == this->ticket_; }
+  bool isSettled() const { return !this->isBusy() && this->Detailed == this->Ticket; }
 
   // The plane that an interface offers: 0 none, 1 to 3 across x, y, z. It goes through the origin, or through
   // the middle of the model where that lies elsewhere.
@@ -118,17 +124,17 @@ private:
   void answered(std::uint64_t ticket);
   oversketch_session::SessionFile file() const;
 
-  std::unique_ptr<oversketch_session::History> history_;
-  QString path_;
-  int backend_ = 0;
-  bool modified_ = false;
-  bool discarded_ = false; // what comes after the end is not to be kept
-  oversketch_session::Worker::Result result_;
-  std::string digest_; // of its mesh
-  std::uint64_t ticket_ = 0, answered_ = 0, detailed_ = 0;
-  oversketch_session::Autosave autosave_;
+  std::unique_ptr<oversketch_session::History> Changes;
+  QString Path;
+  int Backend = 0;
+  bool Modified = false;
+  bool Discarded = false; // what comes after the end is not to be kept
+  oversketch_session::Worker::Result Result;
+  std::string Digest; // of its mesh
+  std::uint64_t Ticket = 0, Answered = 0, Detailed = 0;
+  oversketch_session::Autosave Saver;
   // Last, so that it ends first: it calls the rest.
-  std::unique_ptr<oversketch_session::Worker> worker_;
+  std::unique_ptr<oversketch_session::Worker> Background;
 };
 
 } // namespace oversketch_studio

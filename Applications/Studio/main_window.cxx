@@ -29,11 +29,6 @@ using namespace oversketch_session;
 namespace
 {
 
-std::size_t indexOf(int node)
-{
-  return static_cast<std::size_t>(node);
-}
-
 // The first stroke that a step was given, with its view.
 vtkSmartPointer<vtkPolyData> strokeOf(const Step& step)
 {
@@ -46,41 +41,41 @@ vtkSmartPointer<vtkPolyData> strokeOf(const Step& step)
 
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
-  , document_(new Document(this))
-  , view_(new Viewport(this))
-  , tools_(oversketch_studio::makeTools(this->view_, this->document_))
-  , frame_(new QFrame(this))
-  , scene_(new ScenePanel(this->document_, this))
-  , history_(new HistoryPanel(this->document_, this))
-  , advice_(new QLabel(this))
-  , mode_(new QLabel(this))
-  , progress_(new QProgressBar(this))
-  , cancel_(new QPushButton(tr("&Cancel"), this))
-  , patience_(new QTimer(this))
+  , OpenDocument(new Document(this))
+  , View(new Viewport(this))
+  , Tools(oversketch_studio::makeTools(this->View, this->OpenDocument))
+  , Frame(new QFrame(this))
+  , Scene(new ScenePanel(this->OpenDocument, this))
+  , History(new HistoryPanel(this->OpenDocument, this))
+  , Advice(new QLabel(this))
+  , Mode(new QLabel(this))
+  , Progress(new QProgressBar(this))
+  , Cancel(new QPushButton(tr("&Cancel"), this))
+  , Patience(new QTimer(this))
 {
-  auto* about = new QVBoxLayout(this->frame_);
+  auto* about = new QVBoxLayout(this->Frame);
   about->setContentsMargins(2, 2, 2, 2);
-  about->addWidget(this->view_);
-  this->frame_->setAutoFillBackground(true);
-  this->setCentralWidget(this->frame_);
+  about->addWidget(this->View);
+  this->Frame->setAutoFillBackground(true);
+  this->setCentralWidget(this->Frame);
   this->setAcceptDrops(true);
-  this->addDock(tr("&Scene"), "scene_dock", this->scene_);
-  this->addDock(tr("&History"), "history_dock", this->history_);
+  this->addDock(tr("&Scene"), "scene_dock", this->Scene);
+  this->addDock(tr("&History"), "history_dock", this->History);
   this->makeMenus();
   this->makeTools();
   this->makeStatus();
   this->listenToDocument();
   this->listenToPanels();
-  for (Tool* tool : this->tools_)
+  for (Tool* tool : this->Tools)
   {
     this->listenToTool(tool);
   }
-  connect(this->view_, &Viewport::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
+  connect(this->View, &Viewport::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
   // Of the frame, not of the window, which is no longer one when it closes at its end and the focus goes.
   connect(qApp,
     &QApplication::focusChanged,
-    this->frame_,
-    [frame = this->frame_, view = static_cast<QWidget*>(this->view_)](QWidget*, QWidget* now)
+    this->Frame,
+    [frame = this->Frame, view = static_cast<QWidget*>(this->View)](QWidget*, QWidget* now)
     { frame->setBackgroundRole(now == view ? QPalette::Highlight : QPalette::Window); });
 
   QSettings settings;
@@ -88,8 +83,8 @@ MainWindow::MainWindow(QWidget* parent)
   this->restoreGeometry(settings.value("geometry").toByteArray());
   this->restoreState(settings.value("state").toByteArray());
   this->apply(Preferences::read());
-  this->setTool(this->tools_.first());
-  this->view_->setFocus();
+  this->setTool(this->Tools.first());
+  this->View->setFocus();
   this->refresh();
 }
 
@@ -97,16 +92,16 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::listenToDocument()
 {
-  connect(this->document_, &Document::opened, this, [this] { this->reset_ = true; });
-  connect(this->document_, &Document::changed, this, &MainWindow::changed);
-  connect(this->document_, &Document::shown, this, &MainWindow::showResult);
-  connect(this->document_, &Document::detailed, this, &MainWindow::showDetails);
-  connect(this->document_, &Document::idle, this, &MainWindow::refresh);
+  connect(this->OpenDocument, &Document::opened, this, [this] { this->Reset = true; });
+  connect(this->OpenDocument, &Document::changed, this, &MainWindow::changed);
+  connect(this->OpenDocument, &Document::shown, this, &MainWindow::showResult);
+  connect(this->OpenDocument, &Document::detailed, this, &MainWindow::showDetails);
+  connect(this->OpenDocument, &Document::idle, this, &MainWindow::refresh);
 }
 
 void MainWindow::listenToPanels()
 {
-  connect(this->history_,
+  connect(this->History,
     &HistoryPanel::redrawAsked,
     this,
     [this](int node)
@@ -114,20 +109,20 @@ void MainWindow::listenToPanels()
       if (Tool* tool = this->toolOf(node))
       {
         this->setTool(tool);
-        this->redrawn_ = node;
+        this->Redrawn = node;
         this->lookFrom(node);
         this->offerStep();
         this->advise();
       }
     });
-  connect(this->history_, &HistoryPanel::viewAsked, this, &MainWindow::lookFrom);
-  connect(this->history_, &HistoryPanel::selected, this, &MainWindow::select);
-  connect(this->scene_, &ScenePanel::addAsked, this, &MainWindow::addPictureAsked);
-  connect(this->scene_,
+  connect(this->History, &HistoryPanel::viewAsked, this, &MainWindow::lookFrom);
+  connect(this->History, &HistoryPanel::selected, this, &MainWindow::select);
+  connect(this->Scene, &ScenePanel::addAsked, this, &MainWindow::addPictureAsked);
+  connect(this->Scene,
     &ScenePanel::viewAsked,
     this,
     [this](int picture)
-    { this->view_->lookFrom(this->document_->session().pictures[indexOf(picture)]->frame.own()); });
+    { this->View->lookFrom(this->OpenDocument->session().pictures[indexOf(picture)]->frame.own()); });
 }
 
 void MainWindow::listenToTool(Tool* tool)
@@ -137,7 +132,7 @@ void MainWindow::listenToTool(Tool* tool)
   connect(tool,
     &Tool::movesAlone,
     this,
-    [this] { this->advice_->setText(tr("The model follows when you let go of the line.")); });
+    [this] { this->Advice->setText(tr("The model follows when you let go of the line.")); });
   connect(tool, &Tool::left, this, &MainWindow::advise);
 }
 
@@ -149,14 +144,14 @@ void MainWindow::changed(Document::Change change)
       this->offerNothing(); // it tells nothing of what is shown from here on
       [[fallthrough]];
     case Document::Change::Drawn:
-      this->view_->awaitMesh();
-      this->view_->showSection(nullptr);
-      this->view_->showRegion(nullptr);
-      this->history_->refresh();
+      this->View->awaitMesh();
+      this->View->showSection(nullptr);
+      this->View->showRegion(nullptr);
+      this->History->refresh();
       [[fallthrough]];
     case Document::Change::Pictures:
-      this->view_->showPictures(this->document_->session().pictures);
-      this->scene_->refresh();
+      this->View->showPictures(this->OpenDocument->session().pictures);
+      this->Scene->refresh();
       break;
     case Document::Change::Saved:
       break;
@@ -166,47 +161,47 @@ void MainWindow::changed(Document::Change change)
 
 void MainWindow::stepDrawn(const Step& step)
 {
-  if (!this->document_->isOpen())
+  if (!this->OpenDocument->isOpen())
   {
     return;
   }
-  this->view_->showHint({});
-  const int count = static_cast<int>(this->document_->session().nodes.size());
-  if (this->redrawn_ >= 0 && this->redrawn_ < count)
+  this->View->showHint({});
+  const int count = static_cast<int>(this->OpenDocument->session().nodes.size());
+  if (this->Redrawn >= 0 && this->Redrawn < count)
   {
-    this->offered_ = this->redrawn_;
-    this->redrawn_ = -1;
-    this->document_->redraw(this->offered_, step);
+    this->Offered = this->Redrawn;
+    this->Redrawn = -1;
+    this->OpenDocument->redraw(this->Offered, step);
     return;
   }
-  this->offered_ = count;
-  this->document_->add(step);
+  this->Offered = count;
+  this->OpenDocument->add(step);
 }
 
 void MainWindow::stepChanged(const Step& step)
 {
-  if (this->offered_ >= 0 && indexOf(this->offered_) < this->document_->session().nodes.size())
+  if (this->Offered >= 0 && indexOf(this->Offered) < this->OpenDocument->session().nodes.size())
   {
-    this->document_->redraw(this->offered_, step);
+    this->OpenDocument->redraw(this->Offered, step);
   }
 }
 
 void MainWindow::setTool(Tool* tool)
 {
-  const int at = this->tools_.indexOf(tool);
-  this->view_->setTool(tool);
-  this->toolActions_[at]->setChecked(true);
-  this->options_->setCurrentIndex(at);
+  const int at = this->Tools.indexOf(tool);
+  this->View->setTool(tool);
+  this->ToolActions[at]->setChecked(true);
+  this->Options->setCurrentIndex(at);
   const QString mode = tool->mode();
-  this->mode_->setText(mode.left(1).toUpper() + mode.mid(1));
-  this->redrawn_ = tool->system().empty() ? -1 : this->redrawn_;
+  this->Mode->setText(mode.left(1).toUpper() + mode.mid(1));
+  this->Redrawn = tool->system().empty() ? -1 : this->Redrawn;
   this->advise();
 }
 
 Tool* MainWindow::toolOf(int node) const
 {
-  const std::string& system = this->document_->session().nodes[indexOf(node)].step->system;
-  for (Tool* tool : this->tools_)
+  const std::string& system = this->OpenDocument->session().nodes[indexOf(node)].step->system;
+  for (Tool* tool : this->Tools)
   {
     if (tool->system() == system)
     {
@@ -218,37 +213,37 @@ Tool* MainWindow::toolOf(int node) const
 
 void MainWindow::lookFrom(int node)
 {
-  this->view_->lookFrom(strokeOf(*this->document_->session().nodes[indexOf(node)].step));
+  this->View->lookFrom(strokeOf(*this->OpenDocument->session().nodes[indexOf(node)].step));
 }
 
 void MainWindow::apply(const Preferences& preferences)
 {
-  this->preferences_ = preferences;
+  this->Settings = preferences;
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   QApplication::setPalette(preferences.dark ? darkPalette() : QApplication::style()->standardPalette());
-  this->dark_->setChecked(preferences.dark);
-  this->view_->setDark(preferences.dark);
+  this->Dark->setChecked(preferences.dark);
+  this->View->setDark(preferences.dark);
   this->drawToolIcons();
-  for (Tool* tool : this->tools_)
+  for (Tool* tool : this->Tools)
   {
     tool->setSteadiness(preferences.stabilizer);
   }
-  this->document_->setBackend(preferences.backend);
+  this->OpenDocument->setBackend(preferences.backend);
 }
 
 void MainWindow::askPreferences()
 {
-  PreferencesDialog dialog(this->preferences_, this);
+  PreferencesDialog dialog(this->Settings, this);
   if (dialog.exec() == QDialog::Accepted)
   {
     this->apply(dialog.preferences());
-    this->preferences_.write();
+    this->Settings.write();
   }
 }
 
 void MainWindow::select(int node)
 {
-  this->redrawn_ = -1;
+  this->Redrawn = -1;
   this->showSection(node);
   this->offerStep();
   this->advise();
@@ -256,15 +251,15 @@ void MainWindow::select(int node)
 
 void MainWindow::showSection(int node)
 {
-  const auto& states = this->document_->result().nodes;
-  this->view_->showSection(
+  const auto& states = this->OpenDocument->result().nodes;
+  this->View->showSection(
     node >= 0 && indexOf(node) < states.size() ? states[indexOf(node)].hold.Get() : nullptr);
 }
 
 void MainWindow::offerNothing()
 {
-  this->offered_ = -1;
-  for (Tool* tool : this->tools_)
+  this->Offered = -1;
+  for (Tool* tool : this->Tools)
   {
     tool->offerNothing();
   }
@@ -272,14 +267,14 @@ void MainWindow::offerNothing()
 
 void MainWindow::offerStep()
 {
-  const auto& nodes = this->document_->session().nodes;
-  const auto& states = this->document_->result().nodes;
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto& states = this->OpenDocument->result().nodes;
   const int last = static_cast<int>(nodes.size()) - 1;
-  const int node = this->history_->current() >= 0 ? this->history_->current() : last;
-  this->view_->showRegion(nullptr);
+  const int node = this->History->current() >= 0 ? this->History->current() : last;
+  this->View->showRegion(nullptr);
   // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
-  const bool can = this->redrawn_ < 0 && node >= 0 && node <= last && states.size() == nodes.size() &&
-                   nodes[indexOf(node)].on && !this->document_->isBusy();
+  const bool can = this->Redrawn < 0 && node >= 0 && node <= last && states.size() == nodes.size() &&
+                   nodes[indexOf(node)].on && !this->OpenDocument->isBusy();
   Tool* tool = can ? this->toolOf(node) : nullptr;
   this->offerNothing();
   if (!tool)
@@ -292,75 +287,75 @@ void MainWindow::offerStep()
   {
     place = state.section->middle;
   }
-  else if (vtkPolyData* mesh = this->view_->mesh())
+  else if (vtkPolyData* mesh = this->View->mesh())
   {
     mesh->GetCenter(place.data());
   }
-  this->offered_ = node;
+  this->Offered = node;
   tool->offer(*nodes[indexOf(node)].step, state, place);
-  this->view_->showRegion(this->region_->isChecked() ? state.region.Get() : nullptr);
+  this->View->showRegion(this->Region->isChecked() ? state.region.Get() : nullptr);
 }
 
 // The mesh is painted first; what follows on it can wait.
 void MainWindow::showResult()
 {
-  const Worker::Result& result = this->document_->result();
+  const Worker::Result& result = this->OpenDocument->result();
   if (result.display)
   {
     Latency::of().meshComes();
-    this->view_->showMesh(result.display, this->reset_);
-    this->reset_ = false;
-    this->showSection(this->history_->current());
-    if (!this->document_->isBusy())
+    this->View->showMesh(result.display, this->Reset);
+    this->Reset = false;
+    this->showSection(this->History->current());
+    if (!this->OpenDocument->isBusy())
     {
       this->offerStep();
     }
-    this->view_->renderNow();
-    for (Tool* tool : this->tools_)
+    this->View->renderNow();
+    for (Tool* tool : this->Tools)
     {
       tool->setMesh(result.display);
     }
   }
-  this->history_->refresh();
+  this->History->refresh();
   this->refresh();
 }
 
 // The step was offered with the mesh; now the mesh can follow it.
 void MainWindow::showDetails()
 {
-  if (this->document_->isBusy())
+  if (this->OpenDocument->isBusy())
   {
     return;
   }
-  const auto& states = this->document_->result().nodes;
-  if (this->offered_ >= 0 && indexOf(this->offered_) < states.size())
+  const auto& states = this->OpenDocument->result().nodes;
+  if (this->Offered >= 0 && indexOf(this->Offered) < states.size())
   {
-    const auto& state = states[indexOf(this->offered_)];
-    if (Tool* tool = this->toolOf(this->offered_))
+    const auto& state = states[indexOf(this->Offered)];
+    if (Tool* tool = this->toolOf(this->Offered))
     {
       tool->setFollowing(state.following);
     }
-    this->view_->showRegion(this->region_->isChecked() ? state.region.Get() : nullptr);
+    this->View->showRegion(this->Region->isChecked() ? state.region.Get() : nullptr);
   }
 }
 
 void MainWindow::refresh()
 {
-  const bool open = this->document_->isOpen();
-  this->undo_->setEnabled(this->document_->canUndo());
-  this->redo_->setEnabled(this->document_->canRedo());
-  this->save_->setEnabled(open);
-  this->setWindowModified(this->document_->isModified());
-  this->setWindowTitle(open ? tr("%1[*] - Oversketch").arg(this->document_->name()) : tr("Oversketch"));
-  if (!this->document_->isBusy())
+  const bool open = this->OpenDocument->isOpen();
+  this->Undo->setEnabled(this->OpenDocument->canUndo());
+  this->Redo->setEnabled(this->OpenDocument->canRedo());
+  this->Save->setEnabled(open);
+  this->setWindowModified(this->OpenDocument->isModified());
+  this->setWindowTitle(open ? tr("%1[*] - Oversketch").arg(this->OpenDocument->name()) : tr("Oversketch"));
+  if (!this->OpenDocument->isBusy())
   {
-    this->patience_->stop();
-    this->progress_->hide();
-    this->cancel_->hide();
+    this->Patience->stop();
+    this->Progress->hide();
+    this->Cancel->hide();
   }
-  else if (!this->patience_->isActive() && !this->progress_->isVisible())
+  else if (!this->Patience->isActive() && !this->Progress->isVisible())
   {
-    this->patience_->start();
+    this->Patience->start();
   }
   this->advise();
 }
@@ -368,25 +363,25 @@ void MainWindow::refresh()
 // What to do next.
 void MainWindow::advise()
 {
-  if (!this->document_->isOpen())
+  if (!this->OpenDocument->isOpen())
   {
-    this->advice_->setText(tr("Open a model with Ctrl+O, or drop one here."));
+    this->Advice->setText(tr("Open a model with Ctrl+O, or drop one here."));
     return;
   }
-  const auto& nodes = this->document_->session().nodes;
-  const auto& states = this->document_->result().nodes;
-  if (this->redrawn_ < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on &&
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto& states = this->OpenDocument->result().nodes;
+  if (this->Redrawn < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on &&
       !states.back().failure.empty())
   {
-    this->advice_->setText(
+    this->Advice->setText(
       tr("The last stroke did nothing: %1").arg(QString::fromStdString(states.back().failure)));
     return;
   }
   Tool::Situation situation;
   situation.empty = nodes.empty();
-  situation.selected = this->history_->current() >= 0;
-  situation.redraws = this->redrawn_ >= 0;
-  this->advice_->setText(this->view_->tool()->advice(situation));
+  situation.selected = this->History->current() >= 0;
+  situation.redraws = this->Redrawn >= 0;
+  this->Advice->setText(this->View->tool()->advice(situation));
 }
 
 } // namespace oversketch_studio

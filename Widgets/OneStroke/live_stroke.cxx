@@ -1,12 +1,11 @@
 #include "live_stroke.h"
 
-#include "vtkOversketchFilterTools.h"
+#include "Mesh/context.h"
 #include "vtkOversketchOneStroke.h"
+#include "vtkOversketchStepRunner.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
-#include "vtkCallbackCommand.h"
-#include "vtkExecutive.h"
 #include "vtkPoints.h"
 #include "vtkTrivialProducer.h"
 
@@ -14,39 +13,39 @@ namespace oversketch
 {
 
 LiveStroke::LiveStroke(vtkPolyData* stroke)
-  : system_(vtkSmartPointer<vtkOversketchOneStroke>::New())
-  , stroke_(stroke)
+  : System(vtkSmartPointer<vtkOversketchOneStroke>::New())
+  , Stroke(stroke)
 {
-  this->producer_->SetOutput(this->output_);
+  this->Producer->SetOutput(this->Output);
 }
 
 LiveStroke::~LiveStroke() = default;
 
 void LiveStroke::setSystem(vtkOversketchOneStroke* system)
 {
-  if (system && system != this->system_)
+  if (system && system != this->System)
   {
     this->endDrag();
-    this->system_ = system;
-    this->stale_ = true;
+    this->System = system;
+    this->Stale = true;
   }
 }
 
 void LiveStroke::setSource(vtkAlgorithmOutput* source)
 {
-  this->source_ = source ? source->GetProducer() : nullptr;
-  this->sourcePort_ = source ? source->GetIndex() : 0;
+  this->Source = source ? source->GetProducer() : nullptr;
+  this->SourcePort = source ? source->GetIndex() : 0;
 }
 
 vtkAlgorithmOutput* LiveStroke::outputPort()
 {
-  return this->producer_->GetOutputPort();
+  return this->Producer->GetOutputPort();
 }
 
 void LiveStroke::strokeChanges()
 {
   this->endDrag();
-  this->stale_ = true;
+  this->Stale = true;
 }
 
 void LiveStroke::commit()
@@ -54,42 +53,42 @@ void LiveStroke::commit()
   this->endDrag();
   if (this->exists())
   {
-    this->base_->ShallowCopy(this->output_);
-    this->stroke_->Initialize();
-    this->held_->Initialize();
-    this->message_.clear();
-    this->acted_ = this->stale_ = false;
+    this->Base->ShallowCopy(this->Output);
+    this->Stroke->Initialize();
+    this->Held->Initialize();
+    this->Message.clear();
+    this->Acted = this->Stale = false;
   }
 }
 
 void LiveStroke::drop()
 {
   this->endDrag();
-  this->stroke_->Initialize();
-  this->held_->Initialize();
-  this->message_.clear();
-  this->acted_ = this->stale_ = false;
-  this->result_->ShallowCopy(this->base_);
-  this->output_->ShallowCopy(this->base_);
+  this->Stroke->Initialize();
+  this->Held->Initialize();
+  this->Message.clear();
+  this->Acted = this->Stale = false;
+  this->Result->ShallowCopy(this->Base);
+  this->Output->ShallowCopy(this->Base);
 }
 
 bool LiveStroke::update()
 {
   bool changed = false;
-  if (this->source_)
+  if (this->Source)
   {
-    this->source_->Update(this->sourcePort_);
-    auto* mesh = vtkPolyData::SafeDownCast(this->source_->GetOutputDataObject(this->sourcePort_));
-    if (mesh && (mesh != this->sourceSeen_ || mesh->GetMTime() != this->sourceTime_))
+    this->Source->Update(this->SourcePort);
+    auto* mesh = vtkPolyData::SafeDownCast(this->Source->GetOutputDataObject(this->SourcePort));
+    if (mesh && (mesh != this->SourceSeen || mesh->GetMTime() != this->SourceTime))
     {
-      this->sourceSeen_ = mesh;
-      this->sourceTime_ = mesh->GetMTime();
-      this->base_->ShallowCopy(mesh);
+      this->SourceSeen = mesh;
+      this->SourceTime = mesh->GetMTime();
+      this->Base->ShallowCopy(mesh);
       this->drop();
       changed = true;
     }
   }
-  if (this->exists() && !this->dragged_ && (this->stale_ || this->system_->GetMTime() > this->systemTime_))
+  if (this->exists() && !this->Dragged && (this->Stale || this->System->GetMTime() > this->SystemTime))
   {
     this->run();
     changed = true;
@@ -99,53 +98,43 @@ bool LiveStroke::update()
 
 void LiveStroke::run()
 {
-  // The first error is the step's own; the executives add theirs.
-  vtkNew<vtkCallbackCommand> ear;
-  std::string said;
-  ear->SetClientData(&said);
-  ear->SetCallback(
-    [](vtkObject*, unsigned long, void* text, void* data)
-    {
-      auto& first = *static_cast<std::string*>(text);
-      if (first.empty())
-      {
-        first = MessageOf(data);
-      }
-    });
-  const unsigned long tag = this->system_->AddObserver(vtkCommand::ErrorEvent, ear);
-  vtkExecutive* executive = this->system_->GetExecutive();
-  const unsigned long executiveTag = executive->AddObserver(vtkCommand::ErrorEvent, ear);
-  this->system_->SetInputData(0, this->base_);
-  this->system_->SetInputData(1, this->stroke_);
-  this->system_->SetAbortExecute(0);
-  this->system_->Modified(); // a run that failed counts as done for its pipeline
-  this->system_->Update();
-  this->system_->RemoveObserver(tag);
-  executive->RemoveObserver(executiveTag);
-  this->stale_ = false;
-  this->acted_ = this->system_->GetErrorCode() == 0 && said.empty();
-  this->message_ = said;
-  this->held_->Initialize();
-  if (this->acted_)
+  this->System->SetInputData(0, this->Base);
+  this->System->SetInputData(1, this->Stroke);
+  this->System->Modified(); // what ran before may have had another mesh in the same data object
+  this->Message.clear();
+  try
   {
-    this->result_->ShallowCopy(this->system_->GetOutput());
-    this->held_->ShallowCopy(this->system_->GetInnerOutput("Match"));
+    StepRunner::Listener listener;
+    listener.warning = [](const std::string& message) { vtkGenericWarningMacro(<< message); };
+    StepRunner(this->System, listener).Run();
+  }
+  catch (const Error& error)
+  {
+    this->Message = error.what();
+  }
+  this->Stale = false;
+  this->Acted = this->Message.empty();
+  this->Held->Initialize();
+  if (this->Acted)
+  {
+    this->Result->ShallowCopy(this->System->GetOutput());
+    this->Held->ShallowCopy(this->System->GetInnerOutput("Match"));
   }
   else
   {
-    this->result_->ShallowCopy(this->base_);
+    this->Result->ShallowCopy(this->Base);
   }
-  this->output_->ShallowCopy(this->result_);
-  this->systemTime_ = this->system_->GetMTime();
+  this->Output->ShallowCopy(this->Result);
+  this->SystemTime = this->System->GetMTime();
 }
 
 bool LiveStroke::section(vtkPolyData* stroke, vtkPolyData* section)
 {
-  const bool current = !this->exists() || this->system_->GetMTime() <= this->systemTime_;
-  const bool found = this->system_->Preview(this->result_, stroke, section);
+  const bool current = !this->exists() || this->System->GetMTime() <= this->SystemTime;
+  const bool found = this->System->Preview(this->Result, stroke, section);
   if (current)
   {
-    this->systemTime_ = this->system_->GetMTime(); // a look that found nothing changes no parameter
+    this->SystemTime = this->System->GetMTime(); // a look that found nothing changes no parameter
   }
   return found;
 }
@@ -156,54 +145,54 @@ bool LiveStroke::middle(double place[3])
   {
     return false;
   }
-  if (this->held_->GetNumberOfPoints() > 0)
+  if (this->Held->GetNumberOfPoints() > 0)
   {
-    this->held_->GetPoint(this->held_->GetNumberOfPoints() / 2, place);
+    this->Held->GetPoint(this->Held->GetNumberOfPoints() / 2, place);
     return true;
   }
-  if (this->base_->GetNumberOfPoints() == 0)
+  if (this->Base->GetNumberOfPoints() == 0)
   {
     return false;
   }
-  this->base_->GetCenter(place);
+  this->Base->GetCenter(place);
   return true;
 }
 
 vtkSmartPointer<vtkPolyData> LiveStroke::region()
 {
   auto part = vtkSmartPointer<vtkPolyData>::New();
-  if (this->acted_)
+  if (this->Acted)
   {
-    this->system_->GetRegion(part);
+    this->System->GetRegion(part);
   }
   return part;
 }
 
 void LiveStroke::drag(const double translation[3])
 {
-  if (!this->acted_ || this->stale_)
+  if (!this->Acted || this->Stale)
   {
     return; // only the line goes
   }
-  if (!this->dragged_)
+  if (!this->Dragged)
   {
-    this->dragged_ = vtkSmartPointer<vtkPoints>::New();
-    this->dragged_->SetDataType(this->result_->GetPoints()->GetDataType());
-    this->dragged_->DeepCopy(this->result_->GetPoints());
+    this->Dragged = vtkSmartPointer<vtkPoints>::New();
+    this->Dragged->SetDataType(this->Result->GetPoints()->GetDataType());
+    this->Dragged->DeepCopy(this->Result->GetPoints());
   }
-  if (this->system_->Drag(translation, this->dragged_))
+  if (this->System->Drag(translation, this->Dragged))
   {
-    this->output_->SetPoints(this->dragged_);
-    this->output_->Modified();
+    this->Output->SetPoints(this->Dragged);
+    this->Output->Modified();
   }
 }
 
 void LiveStroke::endDrag()
 {
-  if (this->dragged_)
+  if (this->Dragged)
   {
-    this->dragged_ = nullptr;
-    this->output_->ShallowCopy(this->result_);
+    this->Dragged = nullptr;
+    this->Output->ShallowCopy(this->Result);
   }
 }
 
