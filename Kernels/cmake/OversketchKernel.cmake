@@ -1,7 +1,7 @@
 # Warnings that our own sources must be free of. VTK's headers come in as system headers.
 set(oversketch_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
 if (CMAKE_UNITY_BUILD) # names of several files meet; each by itself is what the other builds look at
-  list(APPEND oversketch_warnings -Wno-shadow -Wno-subobject-linkage)
+  list(APPEND oversketch_warnings -Wno-shadow -Wno-subobject-linkage) # names of several files meet
 endif ()
 if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=") # what they add makes the standard library's own expressions look uninitialised to GCC
   list(APPEND oversketch_warnings -Wno-maybe-uninitialized)
@@ -57,22 +57,23 @@ if (oversketch_ccache) # those that build find there what this build has compile
 endif ()
 
 # oversketch_test_program(<target>): a program of C++ tests, part of the target `tests`, which is all that the sanitizers need.
-# It is compiled to be compiled soon: it need not be quick.
+# It is compiled to be compiled soon: its files together, since most of the time goes into the headers, and it need not be quick.
 add_custom_target(tests)
 function (oversketch_test_program target)
   add_dependencies(tests ${target})
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-shadow -Wno-subobject-linkage) # names of several files meet
 endfunction ()
 
-# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [COST <number>]): one GoogleTest program, its tests
+# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [SHARDS <number>]): one GoogleTest program, its tests
 # under ctest. Tests of the specification's facts are named after stage and place: TEST(A3_2, ...). With DISPLAY, for tests that
 # draw, it is one test of ctest on a virtual display; under a sanitizer, where a process takes long to begin, it is one test as
-# well. Of those, the ones with the highest cost begin first.
+# well, or so many SHARDS of a long one, which begin first.
 function (oversketch_gtest name)
   if (NOT OVERSKETCH_BUILD_TESTING)
     return()
   endif ()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "COST" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "SHARDS" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
@@ -84,6 +85,15 @@ function (oversketch_gtest name)
     # Without -noreset the server starts anew whenever the last window is gone, and the next one meets it half up.
     add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:${name}>)
   elseif (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    if (arg_SHARDS)
+      foreach (shard RANGE 1 ${arg_SHARDS})
+        math(EXPR index "${shard} - 1")
+        add_test(NAME ${name}_${shard} COMMAND ${name})
+        set_tests_properties(${name}_${shard} PROPERTIES TIMEOUT 3000 COST 200
+          ENVIRONMENT "${oversketch_test_caches};GTEST_TOTAL_SHARDS=${arg_SHARDS};GTEST_SHARD_INDEX=${index}")
+      endforeach ()
+      return()
+    endif ()
     add_test(NAME ${name} COMMAND ${name})
   else ()
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600
@@ -91,9 +101,6 @@ function (oversketch_gtest name)
     return()
   endif ()
   set_tests_properties(${name} PROPERTIES TIMEOUT 3000 ENVIRONMENT "${oversketch_test_caches}")
-  if (arg_COST)
-    set_tests_properties(${name} PROPERTIES COST ${arg_COST})
-  endif ()
 endfunction ()
 
 # oversketch_filter_module(<module> CLASSES <class>... [SOURCES <file>...] [HEADERS <file>...] [KERNELS <target>...]): a VTK

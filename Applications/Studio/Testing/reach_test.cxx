@@ -74,7 +74,7 @@ struct Scene
   {
     const int width = this->view->width(), y = this->view->height() / 3;
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, { width / 4, y });
-    for (int x = width / 4; x < 3 * width / 4; x += 4)
+    for (int x = width / 4; x < 3 * width / 4; x += 12)
     {
       const int up = static_cast<int>(std::lround(tremble * std::sin(x)));
       QTest::mouseMove(this->view, { x, y + up });

@@ -148,7 +148,7 @@ TEST(Skin, ATextureIsShownAndSurvivesAStrokeAndFiles)
 
   const int width = view->width(), y = view->height() / 3;
   QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, { width / 4, y });
-  for (int x = width / 4; x < 3 * width / 4; x += 4)
+  for (int x = width / 4; x < 3 * width / 4; x += 12)
   {
     QTest::mouseMove(view, { x, y });
     QApplication::processEvents();

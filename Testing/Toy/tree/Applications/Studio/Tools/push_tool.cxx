@@ -15,22 +15,22 @@ using namespace oversketch_session;
 
 PushTool::PushTool(Viewport* viewport, const Document* document)
   : Tool(viewport)
-  , viewport_(viewport)
-  , document_(document)
+  , View(viewport)
+  , OpenDocument(document)
 {
-  this->pen_->SetInteractor(viewport->interactor());
-  this->pen_->SetDefaultRenderer(viewport->renderer());
-  this->observer_->SetClientData(this);
-  this->observer_->SetCallback(
+  this->Pen->SetInteractor(viewport->interactor());
+  this->Pen->SetDefaultRenderer(viewport->renderer());
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
     [](vtkObject*, unsigned long, void* self, void*) { static_cast<PushTool*>(self)->strokeEnds(); });
-  this->pen_->AddObserver(vtkCommand::WidgetValueChangedEvent, this->observer_);
+  this->Pen->AddObserver(vtkCommand::WidgetValueChangedEvent, this->Observer);
 }
 
 PushTool::~PushTool()
 {
-  this->pen_->RemoveObserver(this->observer_);
-  this->pen_->SetEnabled(0);
-  this->pen_->SetInteractor(nullptr);
+  this->Pen->RemoveObserver(this->Observer);
+  this->Pen->SetEnabled(0);
+  this->Pen->SetInteractor(nullptr);
 }
 
 QString PushTool::title() const
@@ -73,36 +73,36 @@ QString PushTool::advice(const Situation&) const
 
 void PushTool::start()
 {
-  this->pen_->SetEnabled(1);
-  this->viewport_->setHandCursor(Qt::CrossCursor);
+  this->Pen->SetEnabled(1);
+  this->View->setHandCursor(Qt::CrossCursor);
 }
 
 void PushTool::stop()
 {
-  this->pen_->SetEnabled(0);
-  this->first_ = {};
+  this->Pen->SetEnabled(0);
+  this->First = {};
 }
 
 bool PushTool::draws() const
 {
-  return this->pen_->IsDrawing();
+  return this->Pen->IsDrawing();
 }
 
 void PushTool::strokeEnds()
 {
-  const Lines drawn(this->pen_->GetStroke());
-  const Pictures& pictures = this->document_->session().pictures;
-  if (!this->first_ || pictures.empty())
+  const Lines drawn(this->Pen->GetStroke());
+  const Pictures& pictures = this->OpenDocument->session().pictures;
+  if (!this->First || pictures.empty())
   {
-    this->first_ = drawn;
+    this->First = drawn;
     return;
   }
   Step step;
   step.system = this->system();
-  step.inputs["FirstStroke"] = this->first_;
+  step.inputs["FirstStroke"] = this->First;
   step.inputs["SecondStroke"] = drawn;
   step.inputs["Brightness"] = pictures.front()->image;
-  this->first_ = {};
+  this->First = {};
   emit this->drawn(step);
 }
 

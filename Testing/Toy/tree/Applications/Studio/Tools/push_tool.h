@@ -38,11 +38,11 @@ public:
 private:
   void strokeEnds();
 
-  Viewport* viewport_;
-  const Document* document_;
-  vtkNew<vtkOversketchStrokeWidget> pen_;
-  vtkNew<vtkCallbackCommand> observer_;
-  oversketch_session::Lines first_; // until the second is drawn
+  Viewport* View;
+  const Document* OpenDocument;
+  vtkNew<vtkOversketchStrokeWidget> Pen;
+  vtkNew<vtkCallbackCommand> Observer;
+  oversketch_session::Lines First; // until the second is drawn
 };
 
 } // namespace oversketch_studio
