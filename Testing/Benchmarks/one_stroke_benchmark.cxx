@@ -76,8 +76,8 @@ struct Session
   vtkSmartPointer<vtkPolyData> mesh;
   std::array<vtkSmartPointer<vtkPolyData>, 2> strokes, made;
   vtkSmartPointer<vtkOversketchOneStroke> first, next;
-  double newRays = 1.0; // the part of the rays that the second mesh needs after the first
-  int turn = 0;
+  double newRays = 1.0;             // the part of the rays that the second mesh needs after the first
+  int nextStroke = 0, nextMesh = 0; // whose turn it is
 };
 
 void session(const std::string& size, const std::string& kind, int remesh)
@@ -113,7 +113,7 @@ void session(const std::string& size, const std::string& kind, int remesh)
   job.prepare = [=]
   {
     state->open(size, remesh);
-    state->first->SetStrokeData(state->strokes[++state->turn % 2]);
+    state->first->SetStrokeData(state->strokes[++state->nextStroke % 2]);
   };
   job.run = [state] { Session::update(state->first); };
   job.figures = [=] { return stages(state->first); };
@@ -123,7 +123,7 @@ void session(const std::string& size, const std::string& kind, int remesh)
   job.prepare = [=]
   {
     state->open(size, remesh);
-    state->next->SetInputData(0, state->made[++state->turn % 2]);
+    state->next->SetInputData(0, state->made[++state->nextMesh % 2]);
   };
   job.run = [state] { Session::update(state->next); };
   job.figures = [=]
