@@ -73,7 +73,7 @@ class Document
 {
 public:
   explicit Document(const std::string& path)
-    : folder_(fs::absolute(path).parent_path())
+    : Folder(fs::absolute(path).parent_path())
   {
     std::string text = wholeFile(path);
     if (text.compare(0, 4, "glTF") == 0)
@@ -83,23 +83,23 @@ public:
       text = all.substr(std::min<std::size_t>(20, all.size()), length);
       if (next + 8 <= all.size())
       {
-        this->binary_ = all.substr(next + 8, word(all, next));
+        this->Binary = all.substr(next + 8, word(all, next));
       }
     }
     const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
     std::string why;
-    if (!reader->parse(text.data(), text.data() + text.size(), &this->json_, &why) || !this->json_.isObject())
+    if (!reader->parse(text.data(), text.data() + text.size(), &this->Root, &why) || !this->Root.isObject())
     {
       throw Failed(path + ": is not glTF");
     }
   }
 
-  const Json::Value& json() const { return this->json_; }
+  const Json::Value& json() const { return this->Root; }
 
   // One of a list's members; null where it is not there.
   Json::Value at(const char* list, const Json::Value& index) const
   {
-    const Json::Value& all = this->json_[list];
+    const Json::Value& all = this->Root[list];
     return all.isArray() && index.isUInt() && index.asUInt() < all.size() ? all[index.asUInt()]
                                                                           : Json::Value();
   }
@@ -119,7 +119,7 @@ public:
       return {};
     }
     const std::string bytes =
-      buffer["uri"].isString() ? this->resolved(buffer["uri"].asString()) : this->binary_;
+      buffer["uri"].isString() ? this->resolved(buffer["uri"].asString()) : this->Binary;
     const std::size_t from = view.get("byteOffset", 0).asUInt(), length = view["byteLength"].asUInt();
     return from <= bytes.size() ? bytes.substr(from, length) : std::string();
   }
@@ -129,7 +129,7 @@ private:
   {
     if (uri.rfind("data:", 0) != 0)
     {
-      return wholeFile(this->folder_ / unescaped(uri));
+      return wholeFile(this->Folder / unescaped(uri));
     }
     const std::size_t comma = uri.find(',');
     if (comma == std::string::npos)
@@ -145,9 +145,9 @@ private:
     return bytes;
   }
 
-  fs::path folder_;
-  Json::Value json_;
-  std::string binary_;
+  fs::path Folder;
+  Json::Value Root;
+  std::string Binary;
 };
 
 // What the base colours of all primitives have in common.

@@ -72,23 +72,23 @@ class MemoryFile
 {
 public:
   explicit MemoryFile(const std::string& text)
-    : descriptor_(memfd_create("oversketch.obj", MFD_CLOEXEC))
+    : Descriptor(memfd_create("oversketch.obj", MFD_CLOEXEC))
   {
     std::ofstream stream(this->path(), std::ios::binary);
     stream << text;
     stream.close();
-    if (this->descriptor_ < 0 || !stream)
+    if (this->Descriptor < 0 || !stream)
     {
       throw Failed("an OBJ file with relative indices could not be kept in memory");
     }
   }
-  ~MemoryFile() { close(this->descriptor_); }
+  ~MemoryFile() { close(this->Descriptor); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
-  std::string path() const { return "/proc/self/fd/" + std::to_string(this->descriptor_); }
+  std::string path() const { return "/proc/self/fd/" + std::to_string(this->Descriptor); }
 
 private:
-  int descriptor_;
+  int Descriptor;
 };
 
 // vtkOBJReader leaves group ids short where a file holds lines or points besides faces.

@@ -63,92 +63,92 @@ Autosave::Autosave(const std::string& root)
   std::error_code error;
   fs::create_directories(root, error);
   const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-  this->folder_ = (fs::path(root) / (std::to_string(now) + "-" + std::to_string(::getpid()))).string();
-  this->lock_ = error ? -1 : takeLock(this->folder_);
-  if (this->lock_ < 0)
+  this->Folder = (fs::path(root) / (std::to_string(now) + "-" + std::to_string(::getpid()))).string();
+  this->Lock = error ? -1 : takeLock(this->Folder);
+  if (this->Lock < 0)
   {
     throw Failed(root + ": cannot keep the session there: " +
                  (error ? error.message() : std::string(std::strerror(errno))));
   }
-  this->thread_ = std::thread([this] { this->work(); });
+  this->Thread = std::thread([this] { this->work(); });
 }
 
 Autosave::~Autosave()
 {
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    this->stop_ = true;
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Stop = true;
   }
-  this->wake_.notify_one();
-  this->thread_.join();
+  this->Wake.notify_one();
+  this->Thread.join();
   std::error_code ignored;
-  if (!fs::exists(this->folder_, ignored))
+  if (!fs::exists(this->Folder, ignored))
   {
-    fs::remove(lockOf(this->folder_), ignored);
+    fs::remove(lockOf(this->Folder), ignored);
   }
-  ::close(this->lock_);
+  ::close(this->Lock);
 }
 
 void Autosave::keep(SessionFile file)
 {
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    this->next_ = std::move(file);
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Next = std::move(file);
   }
-  this->wake_.notify_one();
+  this->Wake.notify_one();
 }
 
 std::string Autosave::wait()
 {
-  std::unique_lock<std::mutex> lock(this->mutex_);
-  this->idle_.wait(lock, [this] { return !this->next_ && !this->writing_; });
-  return this->failure_;
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  this->Idle.wait(lock, [this] { return !this->Next && !this->Writing; });
+  return this->Failure;
 }
 
 std::string Autosave::failure()
 {
-  const std::lock_guard<std::mutex> lock(this->mutex_);
-  return this->failure_;
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Failure;
 }
 
 void Autosave::discard()
 {
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    this->next_.reset();
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Next.reset();
   }
   this->wait();
   std::error_code ignored;
-  fs::remove_all(this->folder_, ignored);
+  fs::remove_all(this->Folder, ignored);
 }
 
 void Autosave::work()
 {
-  std::unique_lock<std::mutex> lock(this->mutex_);
+  std::unique_lock<std::mutex> lock(this->Mutex);
   for (;;)
   {
-    this->wake_.wait(lock, [this] { return this->stop_ || this->next_; });
-    if (!this->next_)
+    this->Wake.wait(lock, [this] { return this->Stop || this->Next; });
+    if (!this->Next)
     {
       return;
     }
-    const SessionFile file = std::move(*this->next_);
-    this->next_.reset();
-    this->writing_ = true;
+    const SessionFile file = std::move(*this->Next);
+    this->Next.reset();
+    this->Writing = true;
     lock.unlock();
     std::string failure;
     try
     {
-      writeFolder(this->folder_, this->encoder_.encode(file), sessionEntry);
+      writeFolder(this->Folder, this->Encode.encode(file), sessionEntry);
     }
     catch (const std::exception& error)
     {
       failure = error.what();
     }
     lock.lock();
-    this->failure_ = failure;
-    this->writing_ = false;
-    this->idle_.notify_all();
+    this->Failure = failure;
+    this->Writing = false;
+    this->Idle.notify_all();
   }
 }
 

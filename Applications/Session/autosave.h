@@ -40,20 +40,20 @@ public:
   std::string failure();
   // The work is saved elsewhere or given up: removes the folder.
   void discard();
-  const std::string& folder() const { return this->folder_; }
+  const std::string& folder() const { return this->Folder; }
 
 private:
   void work();
 
-  std::string folder_;
-  int lock_ = -1;
-  std::mutex mutex_;
-  std::condition_variable wake_, idle_;
-  std::optional<SessionFile> next_;
-  bool writing_ = false, stop_ = false;
-  std::string failure_;
-  Encoder encoder_;
-  std::thread thread_;
+  std::string Folder;
+  int Lock = -1;
+  std::mutex Mutex;
+  std::condition_variable Wake, Idle;
+  std::optional<SessionFile> Next;
+  bool Writing = false, Stop = false;
+  std::string Failure;
+  Encoder Encode;
+  std::thread Thread;
 };
 
 // A session that a program left behind when it ended without saving or discarding it.

@@ -90,8 +90,8 @@ struct Evaluator::Runner
 };
 
 Evaluator::Evaluator(std::size_t bytes, const std::vector<SystemRow>& rows)
-  : rows_(rows)
-  , budget_(bytes)
+  : Rows(rows)
+  , Budget(bytes)
 {
 }
 
@@ -108,12 +108,12 @@ bool Evaluator::Place::operator<(const Place& other) const
 
 Evaluator::Runner* Evaluator::runner(const std::string& name)
 {
-  const SystemRow* row = findSystem(name, this->rows_);
+  const SystemRow* row = findSystem(name, this->Rows);
   if (!row)
   {
     return nullptr;
   }
-  auto& runner = this->runners_[name];
+  auto& runner = this->Runners[name];
   if (!runner)
   {
     runner = std::make_unique<Runner>(*row);
@@ -129,33 +129,33 @@ vtkOversketchSystem* Evaluator::system(const std::string& name)
 
 std::uint64_t Evaluator::numberOf(const Place& place)
 {
-  const auto [at, isNew] = this->numbers_.insert({ place, this->last_ + 1 });
+  const auto [at, isNew] = this->Numbers.insert({ place, this->Last + 1 });
   if (isNew)
   {
-    this->kept_[++this->last_].place = place;
+    this->Outcomes[++this->Last].place = place;
   }
-  this->kept_.at(at->second).used = this->run_;
+  this->Outcomes.at(at->second).used = this->RunCount;
   return at->second;
 }
 
 void Evaluator::forget()
 {
-  for (auto it = this->kept_.begin(); it != this->kept_.end();)
+  for (auto it = this->Outcomes.begin(); it != this->Outcomes.end();)
   {
     const Place& place = it->second.place;
     const bool canComeAgain =
       !place.made.expired() && std::all_of(place.inputs.begin(),
                                  place.inputs.end(),
-                                 [this](std::uint64_t number) { return this->kept_.count(number) > 0; });
+                                 [this](std::uint64_t number) { return this->Outcomes.count(number) > 0; });
     if (!canComeAgain)
     {
-      this->numbers_.erase(place);
+      this->Numbers.erase(place);
     }
-    it = canComeAgain ? std::next(it) : this->kept_.erase(it);
+    it = canComeAgain ? std::next(it) : this->Outcomes.erase(it);
   }
-  for (auto it = this->pictures_.begin(); it != this->pictures_.end();)
+  for (auto it = this->Pictures.begin(); it != this->Pictures.end();)
   {
-    it = it->first.expired() ? this->pictures_.erase(it) : std::next(it);
+    it = it->first.expired() ? this->Pictures.erase(it) : std::next(it);
   }
 }
 
@@ -163,16 +163,16 @@ void Evaluator::giveUp()
 {
   std::size_t sum = 0;
   std::vector<Kept*> others; // than those in use
-  for (auto& named : this->kept_)
+  for (auto& named : this->Outcomes)
   {
     sum += named.second.bytes;
-    if (named.second.outcome && named.second.used != this->run_)
+    if (named.second.outcome && named.second.used != this->RunCount)
     {
       others.push_back(&named.second);
     }
   }
   std::sort(others.begin(), others.end(), [](const Kept* a, const Kept* b) { return a->used < b->used; });
-  for (auto it = others.begin(); it != others.end() && sum > this->budget_; ++it)
+  for (auto it = others.begin(); it != others.end() && sum > this->Budget; ++it)
   {
     sum -= (*it)->bytes;
     (*it)->outcome.reset();
@@ -182,7 +182,7 @@ void Evaluator::giveUp()
 
 vtkSmartPointer<vtkImageData> Evaluator::pictureOf(const Image& image)
 {
-  auto& picture = this->pictures_[image.bytes];
+  auto& picture = this->Pictures[image.bytes];
   if (!picture)
   {
     picture = oversketch_files::pictureOf(*image.bytes);
@@ -274,17 +274,17 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   Outcome& outcome = run.outcomes[index];
   std::map<std::string, vtkSmartPointer<vtkDataObject>> inputs;
   std::vector<std::uint64_t> numbers;
-  outcome.failure = faultOf(*step, this->rows_);
+  outcome.failure = faultOf(*step, this->Rows);
   if (outcome.failure.empty())
   {
-    outcome.failure = this->resolve(run, index, *findSystem(step->system, this->rows_), inputs, numbers);
+    outcome.failure = this->resolve(run, index, *findSystem(step->system, this->Rows), inputs, numbers);
   }
   if (!outcome.failure.empty())
   {
     return true;
   }
   const std::uint64_t number = this->numberOf({ step, numbers, run.session.backend });
-  Kept& kept = this->kept_.at(number);
+  Kept& kept = this->Outcomes.at(number);
   Runner& runner = *this->runner(step->system);
   std::set<int> ports; // that it has and others refer to
   for (const int port : run.ports[run.session.nodes[index].id])
@@ -316,7 +316,7 @@ bool Evaluator::runNode(Run& run, std::size_t index)
     {
       listener.warning = [&](const std::string& message) { run.watch.warning(index, message); };
     }
-    ++this->runs_;
+    ++this->Runs;
     runner.last = 0;
     if (!runner.steps.run(*step, inputs, run.session.backend, ports, listener, outcome))
     {
@@ -339,7 +339,7 @@ bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outc
 {
   outcomes.clear();
   this->forget();
-  ++this->run_;
+  ++this->RunCount;
   Run run{ session, watch, outcomes, portsOf(session) };
   run.mesh = session.mesh ? this->numberOf({ session.mesh.identity(), {}, 0 }) : 0;
   vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
@@ -361,8 +361,8 @@ bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outc
 
 bool Evaluator::finish(Runner& runner, const std::function<bool()>& cancelled)
 {
-  const auto kept = this->kept_.find(runner.last);
-  if (kept == this->kept_.end() || !kept->second.outcome || kept->second.outcome->details)
+  const auto kept = this->Outcomes.find(runner.last);
+  if (kept == this->Outcomes.end() || !kept->second.outcome || kept->second.outcome->details)
   {
     return true;
   }
@@ -375,14 +375,14 @@ bool Evaluator::finish(Runner& runner, const std::function<bool()>& cancelled)
 bool Evaluator::details(std::vector<Outcome>& outcomes, const Watch& watch)
 {
   bool done = true;
-  for (const auto& named : this->runners_)
+  for (const auto& named : this->Runners)
   {
     done = done && this->finish(*named.second, watch.cancelled);
   }
   for (Outcome& outcome : outcomes)
   {
-    const auto kept = this->kept_.find(outcome.number);
-    if (kept != this->kept_.end() && kept->second.outcome)
+    const auto kept = this->Outcomes.find(outcome.number);
+    if (kept != this->Outcomes.end() && kept->second.outcome)
     {
       outcome.details = kept->second.outcome->details;
     }

@@ -60,7 +60,7 @@ public:
   void prepare(const SystemRow& row, vtkPolyData* mesh, int backend, const Watch& watch);
 
   // Steps run since the start, to see what was kept.
-  std::size_t runs() const { return this->runs_; }
+  std::size_t runs() const { return this->Runs; }
   // The instance that runs a system's steps, for what is shown of the last one: its inner outputs. Null where
   // the list has no such system.
   vtkOversketchSystem* system(const std::string& name);
@@ -102,14 +102,14 @@ private:
   bool finish(Runner& runner, const std::function<bool()>& cancelled);
   vtkSmartPointer<vtkImageData> pictureOf(const Image& image);
 
-  const std::vector<SystemRow>& rows_;
-  std::map<std::string, std::unique_ptr<Runner>> runners_; // by system
-  std::map<std::uint64_t, Kept> kept_;                     // what an outcome takes comes before it
-  std::map<Place, std::uint64_t> numbers_;
-  std::map<std::weak_ptr<const std::string>, vtkSmartPointer<vtkImageData>, std::owner_less<>> pictures_;
-  std::size_t budget_;
-  std::uint64_t last_ = 0, run_ = 0;
-  std::size_t runs_ = 0;
+  const std::vector<SystemRow>& Rows;
+  std::map<std::string, std::unique_ptr<Runner>> Runners; // by system
+  std::map<std::uint64_t, Kept> Outcomes;                 // what an outcome takes comes before it
+  std::map<Place, std::uint64_t> Numbers;
+  std::map<std::weak_ptr<const std::string>, vtkSmartPointer<vtkImageData>, std::owner_less<>> Pictures;
+  std::size_t Budget;
+  std::uint64_t Last = 0, RunCount = 0;
+  std::size_t Runs = 0;
 };
 
 // The mesh that a session shows: what its last node made. Null where there is none yet.

@@ -15,51 +15,51 @@ class History
 {
 public:
   explicit History(Session start)
-    : now_(std::move(start))
+    : Now(std::move(start))
   {
   }
 
-  const Session& now() const { return this->now_; }
-  bool canUndo() const { return this->at_ > 0; }
-  bool canRedo() const { return this->at_ < this->edits_.size(); }
+  const Session& now() const { return this->Now; }
+  bool canUndo() const { return this->At > 0; }
+  bool canRedo() const { return this->At < this->Edits.size(); }
 
   // What was undone before is given up, as everywhere.
   void commit(Session next)
   {
-    this->edits_.resize(this->at_);
-    this->edits_.push_back(between(this->now_, next));
-    this->now_ = std::move(next);
-    ++this->at_;
+    this->Edits.resize(this->At);
+    this->Edits.push_back(between(this->Now, next));
+    this->Now = std::move(next);
+    ++this->At;
   }
   // Learned after the commit, such as where a stroke took hold: no step of its own.
   void amend(Session next)
   {
     if (this->canUndo())
     {
-      Edit& last = this->edits_[this->at_ - 1];
-      last = between(applied(this->now_, last.first, last.after, last.before), next);
+      Edit& last = this->Edits[this->At - 1];
+      last = between(applied(this->Now, last.first, last.after, last.before), next);
     }
     if (this->canRedo())
     {
-      Edit& following = this->edits_[this->at_];
-      following = between(next, applied(this->now_, following.first, following.before, following.after));
+      Edit& following = this->Edits[this->At];
+      following = between(next, applied(this->Now, following.first, following.before, following.after));
     }
-    this->now_ = std::move(next);
+    this->Now = std::move(next);
   }
   void undo()
   {
     if (this->canUndo())
     {
-      const Edit& edit = this->edits_[--this->at_];
-      this->now_ = applied(std::move(this->now_), edit.first, edit.after, edit.before);
+      const Edit& edit = this->Edits[--this->At];
+      this->Now = applied(std::move(this->Now), edit.first, edit.after, edit.before);
     }
   }
   void redo()
   {
     if (this->canRedo())
     {
-      const Edit& edit = this->edits_[this->at_++];
-      this->now_ = applied(std::move(this->now_), edit.first, edit.before, edit.after);
+      const Edit& edit = this->Edits[this->At++];
+      this->Now = applied(std::move(this->Now), edit.first, edit.before, edit.after);
     }
   }
 
@@ -108,9 +108,9 @@ private:
     return to;
   }
 
-  Session now_;
-  std::vector<Edit> edits_; // the first at_ of them lead here
-  std::size_t at_ = 0;
+  Session Now;
+  std::vector<Edit> Edits; // the first At of them lead here
+  std::size_t At = 0;
 };
 
 } // namespace oversketch_session

@@ -13,12 +13,12 @@ namespace oversketch_session
 using oversketch_files::Failed;
 
 JsonReader::JsonReader(const Json::Value& object, std::string where)
-  : object_(object)
-  , where_(std::move(where))
+  : Object(object)
+  , Where(std::move(where))
 {
   if (!object.isObject())
   {
-    throw Failed(this->where_ + " is no object; the session is damaged");
+    throw Failed(this->Where + " is no object; the session is damaged");
   }
 }
 
@@ -47,16 +47,16 @@ Json::Value JsonReader::parse(const std::string& text, const std::string& where)
 
 bool JsonReader::has(const std::string& name) const
 {
-  return this->object_.isMember(name) && !this->object_[name].isNull();
+  return this->Object.isMember(name) && !this->Object[name].isNull();
 }
 
 const Json::Value& JsonReader::get(const std::string& name) const
 {
   if (!this->has(name))
   {
-    throw Failed(this->where_ + " lacks '" + name + "'; the session is damaged");
+    throw Failed(this->Where + " lacks '" + name + "'; the session is damaged");
   }
-  return this->object_[name];
+  return this->Object[name];
 }
 
 void JsonReader::require(bool good, const std::string& name, const char* what) const
@@ -69,7 +69,7 @@ void JsonReader::require(bool good, const std::string& name, const char* what) c
 
 void JsonReader::refuse(const std::string& name, const std::string& what) const
 {
-  throw Failed(this->where_ + ": '" + name + "' " + what);
+  throw Failed(this->Where + ": '" + name + "' " + what);
 }
 
 std::string JsonReader::text(const std::string& name) const
@@ -139,14 +139,14 @@ std::vector<JsonReader> JsonReader::list(const std::string& name, const std::str
   std::vector<JsonReader> objects;
   for (Json::ArrayIndex i = 0; i < value.size(); ++i)
   {
-    objects.emplace_back(value[i], this->where_ + ", " + ofWhat + " " + std::to_string(i + 1));
+    objects.emplace_back(value[i], this->Where + ", " + ofWhat + " " + std::to_string(i + 1));
   }
   return objects;
 }
 
 JsonReader JsonReader::object(const std::string& name) const
 {
-  return { this->get(name), this->where_ + ", " + name };
+  return { this->get(name), this->Where + ", " + name };
 }
 
 Json::Value jsonOf(const Point& point)

@@ -35,17 +35,17 @@ public:
   // A list of objects, and an object among the members.
   std::vector<JsonReader> list(const std::string& name, const std::string& ofWhat) const;
   JsonReader object(const std::string& name) const;
-  std::vector<std::string> names() const { return this->object_.getMemberNames(); }
+  std::vector<std::string> names() const { return this->Object.getMemberNames(); }
 
   // What is wrong with a member, as an exception to throw.
   [[noreturn]] void refuse(const std::string& name, const std::string& what) const;
-  const std::string& where() const { return this->where_; }
+  const std::string& where() const { return this->Where; }
 
 private:
   void require(bool good, const std::string& name, const char* what) const;
 
-  const Json::Value& object_;
-  std::string where_;
+  const Json::Value& Object;
+  std::string Where;
 };
 
 // A point as JSON.

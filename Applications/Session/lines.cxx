@@ -266,18 +266,18 @@ Lines::Lines(vtkPolyData* data)
   {
     Packer packer;
     packer.pack(data);
-    this->held_ = std::make_shared<const std::string>(packer.take());
+    this->Held = std::make_shared<const std::string>(packer.take());
   }
 }
 
 vtkSmartPointer<vtkPolyData> Lines::own() const
 {
-  if (!this->held_)
+  if (!this->Held)
   {
     return nullptr;
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  Unpacker(*this->held_).unpack(data);
+  Unpacker(*this->Held).unpack(data);
   return data;
 }
 

@@ -22,12 +22,12 @@ public:
   // A new polydata each time, for whoever asks; null where there is nothing.
   vtkSmartPointer<vtkPolyData> own() const;
 
-  explicit operator bool() const { return this->held_ != nullptr; }
+  explicit operator bool() const { return this->Held != nullptr; }
   // What stays the same while these are the same lines.
-  std::shared_ptr<const void> identity() const { return this->held_; }
+  std::shared_ptr<const void> identity() const { return this->Held; }
 
 private:
-  std::shared_ptr<const std::string> held_;
+  std::shared_ptr<const std::string> Held;
 };
 
 } // namespace oversketch_session

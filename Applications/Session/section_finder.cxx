@@ -16,21 +16,21 @@ namespace oversketch_session
 {
 
 SectionFinder::SectionFinder(const SystemRow& system, std::function<void()> found)
-  : system_(system)
-  , found_(std::move(found))
-  , thread_([this] { this->work(); })
+  : System(system)
+  , WhenFound(std::move(found))
+  , Thread([this] { this->work(); })
 {
 }
 
 SectionFinder::~SectionFinder()
 {
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    this->stop_ = true;
-    this->oldest_ = std::numeric_limits<std::uint64_t>::max();
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Stop = true;
+    this->Oldest = std::numeric_limits<std::uint64_t>::max();
   }
-  this->wake_.notify_one();
-  this->thread_.join();
+  this->Wake.notify_one();
+  this->Thread.join();
 }
 
 void SectionFinder::setMesh(vtkPolyData* mesh)
@@ -46,11 +46,11 @@ void SectionFinder::setMesh(vtkPolyData* mesh)
     triangles->DeepCopy(mesh->GetPolys());
     copy->SetPolys(triangles);
   }
-  const std::lock_guard<std::mutex> lock(this->mutex_);
-  this->mesh_ = std::move(copy);
-  this->next_.reset();
-  this->answer_.reset();
-  this->oldest_ = this->ticket_ + 1;
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Mesh = std::move(copy);
+  this->Next.reset();
+  this->Answer.reset();
+  this->Oldest = this->Ticket + 1;
 }
 
 SectionFinder::ViewKey SectionFinder::viewOf(vtkPolyData* stroke)
@@ -79,27 +79,27 @@ std::uint64_t SectionFinder::find(vtkPolyData* stroke)
   request.stroke->DeepCopy(stroke);
   std::uint64_t ticket = 0;
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    ticket = request.ticket = ++this->ticket_;
-    if (request.view != this->runningView_)
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    ticket = request.ticket = ++this->Ticket;
+    if (request.view != this->RunningView)
     {
-      this->oldest_ = ticket;
+      this->Oldest = ticket;
     }
-    this->next_ = std::move(request);
+    this->Next = std::move(request);
   }
-  this->wake_.notify_one();
+  this->Wake.notify_one();
   return ticket;
 }
 
 std::optional<SectionFinder::Found> SectionFinder::take()
 {
-  const std::lock_guard<std::mutex> lock(this->mutex_);
-  return std::exchange(this->answer_, std::nullopt);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::exchange(this->Answer, std::nullopt);
 }
 
 void SectionFinder::work()
 {
-  const vtkSmartPointer<vtkOversketchSystem> system = this->system_.make();
+  const vtkSmartPointer<vtkOversketchSystem> system = this->System.make();
   // The curves do not wait for a device that a stroke is being run on.
   system->SetBackendToHost();
   vtkSmartPointer<vtkPolyData> mesh;
@@ -107,22 +107,22 @@ void SectionFinder::work()
   {
     Request request;
     {
-      std::unique_lock<std::mutex> lock(this->mutex_);
-      this->wake_.wait(lock, [this] { return this->stop_ || this->next_; });
-      if (this->stop_)
+      std::unique_lock<std::mutex> lock(this->Mutex);
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next; });
+      if (this->Stop)
       {
         return;
       }
-      if (this->mesh_)
+      if (this->Mesh)
       {
-        mesh = this->mesh_;
-        this->mesh_ = nullptr;
+        mesh = this->Mesh;
+        this->Mesh = nullptr;
       }
-      request = std::move(*this->next_);
-      this->next_.reset();
-      this->runningView_ = request.view;
+      request = std::move(*this->Next);
+      this->Next.reset();
+      this->RunningView = request.view;
     }
-    const auto cancelled = [&] { return request.ticket < this->oldest_; };
+    const auto cancelled = [&] { return request.ticket < this->Oldest; };
     vtkNew<vtkPolyData> section;
     try
     {
@@ -136,14 +136,14 @@ void SectionFinder::work()
     auto copy = vtkSmartPointer<vtkPolyData>::New(); // the system goes on with its own
     copy->DeepCopy(section);
     {
-      const std::lock_guard<std::mutex> lock(this->mutex_);
+      const std::lock_guard<std::mutex> lock(this->Mutex);
       if (cancelled())
       {
         continue;
       }
-      this->answer_ = Found{ request.ticket, std::move(copy) };
+      this->Answer = Found{ request.ticket, std::move(copy) };
     }
-    this->found_();
+    this->WhenFound();
   }
 }
 

@@ -62,18 +62,18 @@ private:
   static ViewKey viewOf(vtkPolyData* stroke);
   void work();
 
-  const SystemRow& system_;
-  std::function<void()> found_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  vtkSmartPointer<vtkPolyData> mesh_; // until the thread takes it
-  std::optional<Request> next_;
-  std::optional<Found> answer_;
-  ViewKey runningView_{};
-  std::uint64_t ticket_ = 0;               // of the newest stroke
-  std::atomic<std::uint64_t> oldest_{ 0 }; // what was asked before this one is cancelled
-  bool stop_ = false;
-  std::thread thread_;
+  const SystemRow& System;
+  std::function<void()> WhenFound;
+  std::mutex Mutex;
+  std::condition_variable Wake;
+  vtkSmartPointer<vtkPolyData> Mesh; // until the thread takes it
+  std::optional<Request> Next;
+  std::optional<Found> Answer;
+  ViewKey RunningView{};
+  std::uint64_t Ticket = 0;               // of the newest stroke
+  std::atomic<std::uint64_t> Oldest{ 0 }; // what was asked before this one is cancelled
+  bool Stop = false;
+  std::thread Thread;
 };
 
 } // namespace oversketch_session

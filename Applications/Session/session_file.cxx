@@ -160,8 +160,8 @@ Package Encoder::encode(const SessionFile& file)
   Entries entries;
   const auto put = [&](const std::shared_ptr<const void>& identity, const auto& make)
   {
-    const auto known = this->last_.find(identity);
-    const Entry entry = known == this->last_.end() ? make() : known->second;
+    const auto known = this->Last.find(identity);
+    const Entry entry = known == this->Last.end() ? make() : known->second;
     package[entry.name] = entry.bytes;
     entries[identity] = entry;
     return entry.name;
@@ -206,7 +206,7 @@ Package Encoder::encode(const SessionFile& file)
   json[list] = Json::arrayValue;
   for (const Node& node : session.nodes)
   {
-    json[list].append(isFirst ? jsonOf1(node, this->rows_, writer) : jsonOf2(node, this->rows_, writer));
+    json[list].append(isFirst ? jsonOf1(node, this->Rows, writer) : jsonOf2(node, this->Rows, writer));
   }
   for (const auto& picture : session.pictures)
   {
@@ -220,7 +220,7 @@ Package Encoder::encode(const SessionFile& file)
   Json::StreamWriterBuilder builder;
   builder["indentation"] = "  ";
   package[sessionEntry] = std::make_shared<std::string>(Json::writeString(builder, json) + "\n");
-  this->last_ = std::move(entries);
+  this->Last = std::move(entries);
   return package;
 }
 

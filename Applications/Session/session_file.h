@@ -48,7 +48,7 @@ class Encoder
 public:
   // For steps of the systems of that list, which must outlive it.
   explicit Encoder(const std::vector<SystemRow>& rows = systems())
-    : rows_(rows)
+    : Rows(rows)
   {
   }
   Package encode(const SessionFile& file);
@@ -60,8 +60,8 @@ private:
     std::shared_ptr<const std::string> bytes;
   };
   using Entries = std::map<std::shared_ptr<const void>, Entry>; // by the identity of what they hold
-  const std::vector<SystemRow>& rows_;
-  Entries last_;
+  const std::vector<SystemRow>& Rows;
+  Entries Last;
 };
 // Throws Failed, naming the path and the entry.
 SessionFile decode(const Package& package,

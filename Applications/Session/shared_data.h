@@ -23,21 +23,21 @@ public:
     if (data)
     {
       data->GetBounds(); // kept by the data, for all who ask later
-      this->held_ = std::make_shared<const vtkSmartPointer<vtkPolyData>>(std::move(data));
+      this->Held = std::make_shared<const vtkSmartPointer<vtkPolyData>>(std::move(data));
     }
   }
 
-  vtkPolyData* Get() const { return this->held_ ? this->held_->Get() : nullptr; }
+  vtkPolyData* Get() const { return this->Held ? this->Held->Get() : nullptr; }
   operator vtkPolyData*() const { return this->Get(); }
   vtkPolyData* operator->() const { return this->Get(); }
 
   // What stays the same while this is the same data.
-  std::shared_ptr<const void> identity() const { return this->held_; }
+  std::shared_ptr<const void> identity() const { return this->Held; }
 
   // A shallow copy, for a pipeline; null where there is nothing.
   vtkSmartPointer<vtkPolyData> own() const
   {
-    if (!this->held_)
+    if (!this->Held)
     {
       return nullptr;
     }
@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  std::shared_ptr<const vtkSmartPointer<vtkPolyData>> held_;
+  std::shared_ptr<const vtkSmartPointer<vtkPolyData>> Held;
 };
 
 } // namespace oversketch_session

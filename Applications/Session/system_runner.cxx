@@ -106,8 +106,8 @@ oversketch::StepRunner::Listener listenerOf(vtkOversketchSystem* system, const L
 } // namespace
 
 SystemRunner::SystemRunner(const SystemRow& row)
-  : row_(row)
-  , system_(row.make())
+  : Row(row)
+  , System(row.make())
 {
 }
 
@@ -115,27 +115,27 @@ SystemRunner::~SystemRunner() = default;
 
 void SystemRunner::feed(const Step& step, const Data& inputs)
 {
-  for (const SystemInput& input : this->row_.inputs)
+  for (const SystemInput& input : this->Row.inputs)
   {
     const auto given = inputs.find(input.name);
-    this->system_->SetInputDataObject(input.port, given == inputs.end() ? nullptr : given->second.Get());
+    this->System->SetInputDataObject(input.port, given == inputs.end() ? nullptr : given->second.Get());
   }
   this->setValues(step);
 }
 
 void SystemRunner::setValues(const Step& step)
 {
-  for (const Parameter& one : this->row_.parameters)
+  for (const Parameter& one : this->Row.parameters)
   {
     const Value* value = &valueOf(step, one);
     if (step.mirror)
     {
-      const auto instead = this->row_.mirrored->find(one.property);
-      value = instead == this->row_.mirrored->end() ? value : &instead->second;
+      const auto instead = this->Row.mirrored->find(one.property);
+      value = instead == this->Row.mirrored->end() ? value : &instead->second;
     }
-    if (one.get(this->system_) != *value)
+    if (one.get(this->System) != *value)
     {
-      one.set(this->system_, *value);
+      one.set(this->System, *value);
     }
   }
 }
@@ -147,36 +147,35 @@ bool SystemRunner::run(const Step& step,
   const Listener& listener,
   Outcome& outcome)
 {
-  this->mirror_ = nullptr;
+  this->Mirror = nullptr;
   this->feed(step, inputs);
-  this->system_->SetBackend(backend);
-  vtkSmartPointer<vtkPolyData> made = this->system_->GetOutput();
+  this->System->SetBackend(backend);
+  vtkSmartPointer<vtkPolyData> made = this->System->GetOutput();
   std::string failure;
   std::optional<Section> section;
   vtkNew<vtkPolyData> hold;
   try
   {
     // Modified, since a run that failed before would report an empty success.
-    this->system_->Modified();
-    failure =
-      failureOf(this->system_, listenerOf(this->system_, listener), [this] { this->system_->Update(); });
+    this->System->Modified();
+    failure = failureOf(this->System, listenerOf(this->System, listener), [this] { this->System->Update(); });
     if (failure.empty() && made->GetNumberOfPolys() == 0)
     {
       failure = "no mesh came of it";
     }
     if (failure.empty())
     {
-      this->system_->GetHold(hold);
+      this->System->GetHold(hold);
       section = sectionOf(hold);
     }
     if (failure.empty() && step.mirror)
     {
       oversketch::StepRunner::Listener quiet;
       quiet.cancelled = listener.cancelled;
-      this->mirror_ = vtkSmartPointer<vtkOversketchMirror>::New();
+      this->Mirror = vtkSmartPointer<vtkOversketchMirror>::New();
       this->setMirror(*step.mirror, inputs, section);
-      failure = failureOf(this->mirror_, quiet, [this] { this->mirror_->Update(); });
-      made = this->mirror_->GetOutput();
+      failure = failureOf(this->Mirror, quiet, [this] { this->Mirror->Update(); });
+      made = this->Mirror->GetOutput();
     }
   }
   catch (const oversketch::Error&)
@@ -189,10 +188,10 @@ bool SystemRunner::run(const Step& step,
     outcome.mesh = shared(made.Get());
     outcome.section = section;
     outcome.hold = shared(hold.Get());
-    outcome.backendUsed = this->system_->GetBackendUsed();
+    outcome.backendUsed = this->System->GetBackendUsed();
     for (const int port : ports)
     {
-      outcome.outputs[port] = shared(this->system_->GetOutputDataObject(port));
+      outcome.outputs[port] = shared(this->System->GetOutputDataObject(port));
     }
   }
   return true;
@@ -202,15 +201,15 @@ void SystemRunner::setMirror(const MirrorPlane& plane,
   const Data& inputs,
   const std::optional<Section>& section)
 {
-  const SystemInput* before = findInput(this->row_, SystemInput::Kind::Mesh);
-  this->mirror_->SetInputDataObject(0, inputs.at(before->name));
-  this->mirror_->SetInputData(1, this->system_->GetOutput());
-  this->mirror_->SetAxis(plane.axis);
-  this->mirror_->SetOffset(plane.offset);
+  const SystemInput* before = findInput(this->Row, SystemInput::Kind::Mesh);
+  this->Mirror->SetInputDataObject(0, inputs.at(before->name));
+  this->Mirror->SetInputData(1, this->System->GetOutput());
+  this->Mirror->SetAxis(plane.axis);
+  this->Mirror->SetOffset(plane.offset);
   if (section)
   {
     const bool below = section->middle[static_cast<std::size_t>(plane.axis)] < plane.offset;
-    this->mirror_->SetSide(below ? vtkOversketchMirror::Below : vtkOversketchMirror::Above);
+    this->Mirror->SetSide(below ? vtkOversketchMirror::Below : vtkOversketchMirror::Above);
   }
 }
 
@@ -219,7 +218,7 @@ std::shared_ptr<const Details> SystemRunner::details(vtkPolyData* made,
 {
   auto details = std::make_shared<Details>();
   details->region = vtkSmartPointer<vtkPolyData>::New();
-  this->system_->GetRegion(details->region);
+  this->System->GetRegion(details->region);
   try
   {
     details->following = this->following(made, cancelled);
@@ -248,19 +247,19 @@ std::shared_ptr<const Following> SystemRunner::following(vtkPolyData* made,
     unit[axis] = 1.0;
     moved[axis] = vtkSmartPointer<vtkPoints>::New();
     moved[axis]->SetDataTypeToDouble();
-    moved[axis]->DeepCopy(this->system_->GetOutput()->GetPoints());
-    if (!this->system_->Drag(unit, moved[axis]))
+    moved[axis]->DeepCopy(this->System->GetOutput()->GetPoints());
+    if (!this->System->Drag(unit, moved[axis]))
     {
       return nullptr;
     }
-    if (this->mirror_)
+    if (this->Mirror)
     {
       vtkNew<vtkPolyData> side;
-      side->ShallowCopy(this->system_->GetOutput());
+      side->ShallowCopy(this->System->GetOutput());
       side->SetPoints(moved[axis]);
-      this->mirror_->SetInputData(1, side);
-      this->mirror_->Update();
-      moved[axis] = this->mirror_->GetOutput()->GetPoints();
+      this->Mirror->SetInputData(1, side);
+      this->Mirror->Update();
+      moved[axis] = this->Mirror->GetOutput()->GetPoints();
     }
     if (moved[axis]->GetNumberOfPoints() != following->count)
     {
@@ -289,17 +288,17 @@ std::shared_ptr<const Following> SystemRunner::following(vtkPolyData* made,
 
 void SystemRunner::prepare(vtkPolyData* mesh, int backend, const Listener& listener)
 {
-  const SystemInput* input = findInput(this->row_, SystemInput::Kind::Mesh);
+  const SystemInput* input = findInput(this->Row, SystemInput::Kind::Mesh);
   if (!input)
   {
     return;
   }
-  this->system_->SetBackend(backend);
-  this->system_->SetInputDataObject(input->port, shared(mesh));
+  this->System->SetBackend(backend);
+  this->System->SetInputDataObject(input->port, shared(mesh));
   try
   {
     // What keeps it from preparing, the next run tells.
-    failureOf(this->system_, listenerOf(this->system_, listener), [this] { this->system_->Prepare(); });
+    failureOf(this->System, listenerOf(this->System, listener), [this] { this->System->Prepare(); });
   }
   catch (const oversketch::Error&)
   {

@@ -51,7 +51,7 @@ public:
   // but time.
   void prepare(vtkPolyData* mesh, int backend, const Listener& listener);
 
-  vtkOversketchSystem* system() { return this->system_; }
+  vtkOversketchSystem* system() { return this->System; }
 
 private:
   void feed(const Step& step, const Data& inputs);
@@ -59,9 +59,9 @@ private:
   void setMirror(const MirrorPlane& plane, const Data& inputs, const std::optional<Section>& section);
   std::shared_ptr<const Following> following(vtkPolyData* made, const std::function<bool()>& cancelled);
 
-  const SystemRow& row_;
-  vtkSmartPointer<vtkOversketchSystem> system_;
-  vtkSmartPointer<vtkOversketchMirror> mirror_; // of the last step, where it has one
+  const SystemRow& Row;
+  vtkSmartPointer<vtkOversketchSystem> System;
+  vtkSmartPointer<vtkOversketchMirror> Mirror; // of the last step, where it has one
 };
 
 } // namespace oversketch_session

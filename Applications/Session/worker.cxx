@@ -75,40 +75,40 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
 } // namespace
 
 Worker::Worker(Listener listener)
-  : listener_(std::move(listener))
-  , thread_([this] { this->work(); })
+  : Report(std::move(listener))
+  , Thread([this] { this->work(); })
 {
 }
 
 Worker::~Worker()
 {
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    this->stop_ = true;
-    this->wanted_ = 0;
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Stop = true;
+    this->Wanted = 0;
   }
-  this->wake_.notify_one();
-  this->thread_.join();
+  this->Wake.notify_one();
+  this->Thread.join();
 }
 
 std::uint64_t Worker::submit(Session session)
 {
   std::uint64_t replaced = 0, ticket = 0;
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    replaced = this->next_ ? this->ticket_ : 0;
-    ticket = ++this->ticket_;
-    if (this->wanted_ == 0 || !this->running_ || !continues(*this->running_, session))
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    replaced = this->Next ? this->Ticket : 0;
+    ticket = ++this->Ticket;
+    if (this->Wanted == 0 || !this->Running || !continues(*this->Running, session))
     {
-      this->wanted_ = ticket;
+      this->Wanted = ticket;
     }
-    this->next_ = std::move(session);
-    this->waiting_ = true;
+    this->Next = std::move(session);
+    this->Waiting = true;
   }
-  this->wake_.notify_one();
-  if (replaced && this->listener_.cancelled)
+  this->Wake.notify_one();
+  if (replaced && this->Report.cancelled)
   {
-    this->listener_.cancelled(replaced);
+    this->Report.cancelled(replaced);
   }
   return ticket;
 }
@@ -117,15 +117,15 @@ void Worker::cancel()
 {
   std::uint64_t waiting = 0;
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    waiting = this->next_ ? this->ticket_ : 0;
-    this->next_.reset();
-    this->waiting_ = false;
-    this->wanted_ = 0;
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    waiting = this->Next ? this->Ticket : 0;
+    this->Next.reset();
+    this->Waiting = false;
+    this->Wanted = 0;
   }
-  if (waiting && this->listener_.cancelled)
+  if (waiting && this->Report.cancelled)
   {
-    this->listener_.cancelled(waiting);
+    this->Report.cancelled(waiting);
   }
 }
 
@@ -136,22 +136,22 @@ void Worker::work()
     Session session;
     std::uint64_t ticket = 0;
     {
-      std::unique_lock<std::mutex> lock(this->mutex_);
-      this->wake_.wait(lock, [this] { return this->stop_ || this->next_; });
-      if (this->stop_)
+      std::unique_lock<std::mutex> lock(this->Mutex);
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next; });
+      if (this->Stop)
       {
         return;
       }
-      session = std::move(*this->next_);
-      this->running_ = session;
-      this->next_.reset();
-      this->waiting_ = false;
-      ticket = this->ticket_;
-      this->wanted_ = ticket;
+      session = std::move(*this->Next);
+      this->Running = session;
+      this->Next.reset();
+      this->Waiting = false;
+      ticket = this->Ticket;
+      this->Wanted = ticket;
     }
     this->runOne(ticket, session);
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    this->running_.reset();
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Running.reset();
   }
 }
 
@@ -161,8 +161,8 @@ std::vector<Worker::NodeState> Worker::statesOf(const std::vector<Outcome>& outc
   std::vector<NodeState> states;
   for (const Outcome& outcome : outcomes)
   {
-    const auto known = this->copied_.find(outcome.number);
-    NodeState state = known == this->copied_.end() ? NodeState() : known->second;
+    const auto known = this->Copied.find(outcome.number);
+    NodeState state = known == this->Copied.end() ? NodeState() : known->second;
     if (outcome.hold && !state.hold)
     {
       state.hold = copied(outcome.hold);
@@ -181,7 +181,7 @@ std::vector<Worker::NodeState> Worker::statesOf(const std::vector<Outcome>& outc
     }
     states.push_back(std::move(state));
   }
-  this->copied_ = std::move(copies);
+  this->Copied = std::move(copies);
   return states;
 }
 
@@ -191,20 +191,20 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   const Clock::time_point start = Clock::now();
   Evaluator::Watch watch;
   watch.details = true;
-  watch.cancelled = [&] { return this->wanted_ != ticket; };
+  watch.cancelled = [&] { return this->Wanted != ticket; };
   watch.progress = [&](std::size_t node, const std::string& stage, double share)
   {
-    if (this->listener_.progress)
+    if (this->Report.progress)
     {
-      this->listener_.progress(ticket, node, stage, share);
+      this->Report.progress(ticket, node, stage, share);
     }
   };
   std::vector<Outcome> outcomes;
-  if (!this->evaluator_.run(session, watch, outcomes) || watch.cancelled())
+  if (!this->Runner.run(session, watch, outcomes) || watch.cancelled())
   {
-    if (this->listener_.cancelled)
+    if (this->Report.cancelled)
     {
-      this->listener_.cancelled(ticket);
+      this->Report.cancelled(ticket);
     }
     return;
   }
@@ -219,22 +219,22 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     result.display = withNormals(result.mesh);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (this->listener_.done)
+  if (this->Report.done)
   {
-    this->listener_.done(std::move(result)); // this thread keeps nothing of it
+    this->Report.done(std::move(result)); // this thread keeps nothing of it
   }
-  if (!this->evaluator_.details(outcomes, watch) || watch.cancelled())
+  if (!this->Runner.details(outcomes, watch) || watch.cancelled())
   {
     return;
   }
-  if (this->listener_.detailed)
+  if (this->Report.detailed)
   {
-    this->listener_.detailed({ ticket, this->statesOf(outcomes), shown ? digestOf(shown) : std::string() });
+    this->Report.detailed({ ticket, this->statesOf(outcomes), shown ? digestOf(shown) : std::string() });
   }
-  watch.cancelled = [&] { return this->wanted_ != ticket || this->waiting_; };
+  watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
   if (const SystemRow* next = shown ? nextOf(session) : nullptr)
   {
-    this->evaluator_.prepare(*next, shown, session.backend, watch);
+    this->Runner.prepare(*next, shown, session.backend, watch);
   }
 }
 

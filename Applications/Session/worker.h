@@ -81,17 +81,17 @@ private:
   // What the outcomes are, as copies; of those that were copied for the last session the same ones.
   std::vector<NodeState> statesOf(const std::vector<Outcome>& outcomes);
 
-  Listener listener_;
-  Evaluator evaluator_;
-  std::map<std::uint64_t, NodeState> copied_; // by the outcomes' numbers
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  std::optional<Session> next_, running_;
-  std::uint64_t ticket_ = 0;               // of the newest session
-  std::atomic<std::uint64_t> wanted_{ 0 }; // the ticket that may run; all others are to stop
-  std::atomic<bool> waiting_{ false };     // a session does, so nothing is to be prepared
-  bool stop_ = false;
-  std::thread thread_;
+  Listener Report;
+  Evaluator Runner;
+  std::map<std::uint64_t, NodeState> Copied; // by the outcomes' numbers
+  std::mutex Mutex;
+  std::condition_variable Wake;
+  std::optional<Session> Next, Running;
+  std::uint64_t Ticket = 0;               // of the newest session
+  std::atomic<std::uint64_t> Wanted{ 0 }; // the ticket that may run; all others are to stop
+  std::atomic<bool> Waiting{ false };     // a session does, so nothing is to be prepared
+  bool Stop = false;
+  std::thread Thread;
 };
 
 } // namespace oversketch_session

@@ -42,10 +42,10 @@ void Backdrop::set(const Pictures& pictures, vtkRenderer* renderer)
   for (const auto& picture : pictures)
   {
     // What was decoded stays, also where how it is shown has changed.
-    const auto known = std::find_if(this->cards_.begin(),
-      this->cards_.end(),
+    const auto known = std::find_if(this->Cards.begin(),
+      this->Cards.end(),
       [&](const auto& card) { return card && card->picture->image.bytes == picture->image.bytes; });
-    std::unique_ptr<Card> card = known != this->cards_.end() ? std::move(*known) : std::make_unique<Card>();
+    std::unique_ptr<Card> card = known != this->Cards.end() ? std::move(*known) : std::make_unique<Card>();
     const bool isNew = !card->picture;
     card->picture = picture;
     const vtkSmartPointer<vtkPolyData> frame = picture->frame.own();
@@ -72,20 +72,20 @@ void Backdrop::set(const Pictures& pictures, vtkRenderer* renderer)
     this->place(*card);
     next.push_back(std::move(card));
   }
-  for (const auto& gone : this->cards_)
+  for (const auto& gone : this->Cards)
   {
     if (gone)
     {
       renderer->RemoveActor(gone->actor);
     }
   }
-  this->cards_ = std::move(next);
+  this->Cards = std::move(next);
 }
 
 void Backdrop::setMesh(vtkPolyData* mesh)
 {
-  mesh->GetBounds(this->box_);
-  for (const auto& card : this->cards_)
+  mesh->GetBounds(this->Box);
+  for (const auto& card : this->Cards)
   {
     this->place(*card);
   }
@@ -99,8 +99,7 @@ void Backdrop::place(Card& card) const
   for (int corner = 0; corner < 8; ++corner)
   {
     depth = std::min(depth,
-      view.depth(
-        { this->box_[corner & 1], this->box_[2 + (corner >> 1 & 1)], this->box_[4 + (corner >> 2)] }));
+      view.depth({ this->Box[corner & 1], this->Box[2 + (corner >> 1 & 1)], this->Box[4 + (corner >> 2)] }));
   }
   if (view.perspective())
   {
@@ -116,7 +115,7 @@ void Backdrop::place(Card& card) const
 void Backdrop::look(vtkRenderer* renderer)
 {
   const auto now = oversketch::PenView::of(renderer);
-  for (const auto& card : this->cards_)
+  for (const auto& card : this->Cards)
   {
     card->actor->SetVisibility(card->picture->shown && now.fromTheSamePlace(card->view));
   }

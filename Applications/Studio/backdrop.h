@@ -32,8 +32,8 @@ private:
   struct Card;
   void place(Card& card) const;
 
-  std::vector<std::unique_ptr<Card>> cards_;
-  double box_[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }; // of the mesh
+  std::vector<std::unique_ptr<Card>> Cards;
+  double Box[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }; // of the mesh
 };
 
 } // namespace oversketch_studio

@@ -28,14 +28,14 @@ constexpr int dashes = 13;
 
 Hint::Hint()
 {
-  vtkTextProperty* look = this->text_->GetTextProperty();
+  vtkTextProperty* look = this->Text->GetTextProperty();
   look->SetJustificationToCentered();
   look->SetVerticalJustificationToBottom();
   look->SetFontSize(18);
   vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(this->dashes_);
-  this->arch_->SetMapper(mapper);
-  this->arch_->GetProperty()->SetColor(0.86, 0.13, 0.12); // the pen's
+  mapper->SetInputData(this->Dashes);
+  this->Arch->SetMapper(mapper);
+  this->Arch->GetProperty()->SetColor(0.86, 0.13, 0.12); // the pen's
   this->setVisible(false);
 }
 
@@ -43,31 +43,31 @@ Hint::~Hint() = default;
 
 void Hint::addTo(vtkRenderer* renderer)
 {
-  renderer->AddActor2D(this->arch_);
-  renderer->AddActor2D(this->text_);
+  renderer->AddActor2D(this->Arch);
+  renderer->AddActor2D(this->Text);
 }
 
 void Hint::setText(const std::string& text)
 {
-  this->text_->SetInput(text.c_str());
+  this->Text->SetInput(text.c_str());
   this->setVisible(!text.empty());
 }
 
 void Hint::setVisible(bool visible)
 {
-  this->text_->SetVisibility(visible);
-  this->arch_->SetVisibility(visible);
+  this->Text->SetVisibility(visible);
+  this->Arch->SetVisibility(visible);
 }
 
 bool Hint::isVisible() const
 {
-  return this->text_->GetVisibility();
+  return this->Text->GetVisibility();
 }
 
 void Hint::setDark(bool dark)
 {
   const double grey = dark ? 0.95 : 0.1;
-  this->text_->GetTextProperty()->SetColor(grey, grey, grey);
+  this->Text->GetTextProperty()->SetColor(grey, grey, grey);
 }
 
 void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
@@ -103,14 +103,14 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
         0.0));
     }
   }
-  this->dashes_->SetPoints(points);
-  this->dashes_->SetLines(lines);
-  this->arch_->GetProperty()->SetLineWidth(static_cast<float>(3.0 * ratio));
+  this->Dashes->SetPoints(points);
+  this->Dashes->SetLines(lines);
+  this->Arch->GetProperty()->SetLineWidth(static_cast<float>(3.0 * ratio));
   double extent[2];
-  this->text_->GetSize(renderer, extent);
+  this->Text->GetSize(renderer, extent);
   const double half = 0.5 * extent[0] + gap * ratio;
   const int* size = renderer->GetSize();
-  this->text_->SetPosition(std::max(half, std::min(highest[0], size[0] - half)),
+  this->Text->SetPosition(std::max(half, std::min(highest[0], size[0] - half)),
     std::min(highest[1] + (archHeight - archBelow + gap) * ratio, size[1] - extent[1] - gap * ratio));
 }
 

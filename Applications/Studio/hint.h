@@ -34,9 +34,9 @@ public:
   void place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio);
 
 private:
-  vtkNew<vtkTextActor> text_;
-  vtkNew<vtkActor2D> arch_;
-  vtkNew<vtkPolyData> dashes_;
+  vtkNew<vtkTextActor> Text;
+  vtkNew<vtkActor2D> Arch;
+  vtkNew<vtkPolyData> Dashes;
 };
 
 } // namespace oversketch_studio

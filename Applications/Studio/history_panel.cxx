@@ -19,20 +19,20 @@ using namespace oversketch_session;
 
 HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   : QWidget(parent)
-  , document_(document)
-  , list_(new QListWidget(this))
-  , empty_(new QLabel(
+  , OpenDocument(document)
+  , List(new QListWidget(this))
+  , Empty(new QLabel(
       tr("The strokes that you draw are listed here. Tick one off, draw it anew, change how it acts: "
          "the model follows."),
-      this->list_->viewport()))
-  , form_(new StepPanel(this))
+      this->List->viewport()))
+  , Form(new StepPanel(this))
 {
-  this->list_->setObjectName("history");
-  this->list_->setToolTip(tr("The strokes, in the order in which they act. Unticked strokes do nothing."));
-  this->list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
-  this->list_->setAccessibleName(tr("Strokes"));
-  this->empty_->setWordWrap(true);
-  this->empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  this->List->setObjectName("history");
+  this->List->setToolTip(tr("The strokes, in the order in which they act. Unticked strokes do nothing."));
+  this->List->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  this->List->setAccessibleName(tr("Strokes"));
+  this->Empty->setWordWrap(true);
+  this->Empty->setAttribute(Qt::WA_TransparentForMouseEvents);
   this->makeActions();
 
   auto* buttons = new QHBoxLayout;
@@ -44,30 +44,30 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   }
   buttons->addStretch();
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(this->list_);
-  auto* inList = new QVBoxLayout(this->list_->viewport());
-  inList->addWidget(this->empty_, 0, Qt::AlignTop);
+  layout->addWidget(this->List);
+  auto* inList = new QVBoxLayout(this->List->viewport());
+  inList->addWidget(this->Empty, 0, Qt::AlignTop);
   layout->addLayout(buttons);
-  layout->addWidget(this->form_);
-  this->form_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  layout->addWidget(this->Form);
+  this->Form->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 
-  connect(this->list_, &QListWidget::itemChanged, this, &HistoryPanel::itemChanged);
-  connect(this->list_,
+  connect(this->List, &QListWidget::itemChanged, this, &HistoryPanel::itemChanged);
+  connect(this->List,
     &QListWidget::currentRowChanged,
     this,
     [this](int row)
     {
-      if (!this->filling_)
+      if (!this->Filling)
       {
         this->showStep();
         emit this->selected(row);
       }
     });
-  connect(this->form_,
+  connect(this->Form,
     &StepPanel::edited,
     this,
     [this](const Values& values, int mirror)
-    { this->document_->setParameters(this->current(), values, this->document_->mirrorPlane(mirror)); });
+    { this->OpenDocument->setParameters(this->current(), values, this->OpenDocument->mirrorPlane(mirror)); });
   this->refresh();
 }
 
@@ -80,42 +80,42 @@ void HistoryPanel::makeActions()
     made->setToolTip(help);
     return made;
   };
-  this->redraw_ =
+  this->Redraw =
     action(tr("&Redraw"), QKeySequence(tr("Ctrl+R")), tr("Draw this stroke anew; the later ones follow"));
-  this->view_ = action(tr("&View"), QKeySequence(tr("Ctrl+L")), tr("Look from where this stroke was drawn"));
-  this->up_ = action(tr("&Up"), QKeySequence(tr("Ctrl+Up")), tr("Let it act earlier"));
-  this->down_ = action(tr("&Down"), QKeySequence(tr("Ctrl+Down")), tr("Let it act later"));
-  this->remove_ = action(tr("De&lete"), QKeySequence::Delete, tr("Take this stroke away"));
+  this->View = action(tr("&View"), QKeySequence(tr("Ctrl+L")), tr("Look from where this stroke was drawn"));
+  this->Up = action(tr("&Up"), QKeySequence(tr("Ctrl+Up")), tr("Let it act earlier"));
+  this->Down = action(tr("&Down"), QKeySequence(tr("Ctrl+Down")), tr("Let it act later"));
+  this->Remove = action(tr("De&lete"), QKeySequence::Delete, tr("Take this stroke away"));
   // In the view this key is nobody's, in a name that is edited it is the editor's.
-  this->remove_->setShortcutContext(Qt::WidgetShortcut);
-  this->list_->addAction(this->remove_);
-  connect(this->redraw_, &QAction::triggered, this, [this] { emit this->redrawAsked(this->current()); });
-  connect(this->view_, &QAction::triggered, this, [this] { emit this->viewAsked(this->current()); });
+  this->Remove->setShortcutContext(Qt::WidgetShortcut);
+  this->List->addAction(this->Remove);
+  connect(this->Redraw, &QAction::triggered, this, [this] { emit this->redrawAsked(this->current()); });
+  connect(this->View, &QAction::triggered, this, [this] { emit this->viewAsked(this->current()); });
   const auto shift = [this](int by)
   {
     const int row = this->current();
-    this->document_->move(row, row + by);
-    this->list_->setCurrentRow(row + by);
+    this->OpenDocument->move(row, row + by);
+    this->List->setCurrentRow(row + by);
   };
-  connect(this->up_, &QAction::triggered, this, [shift] { shift(-1); });
-  connect(this->down_, &QAction::triggered, this, [shift] { shift(1); });
-  connect(this->remove_, &QAction::triggered, this, [this] { this->document_->remove(this->current()); });
+  connect(this->Up, &QAction::triggered, this, [shift] { shift(-1); });
+  connect(this->Down, &QAction::triggered, this, [shift] { shift(1); });
+  connect(this->Remove, &QAction::triggered, this, [this] { this->OpenDocument->remove(this->current()); });
 }
 
 int HistoryPanel::current() const
 {
-  return this->list_->currentRow();
+  return this->List->currentRow();
 }
 
 void HistoryPanel::refresh()
 {
-  this->filling_ = true;
+  this->Filling = true;
   const int row = this->current();
-  this->list_->clear();
-  if (this->document_->isOpen())
+  this->List->clear();
+  if (this->OpenDocument->isOpen())
   {
-    const auto& nodes = this->document_->session().nodes;
-    const auto& states = this->document_->result().nodes;
+    const auto& nodes = this->OpenDocument->session().nodes;
+    const auto& states = this->OpenDocument->result().nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
       auto* item = new QListWidgetItem(QString::fromStdString(nodes[i].name));
@@ -139,12 +139,12 @@ void HistoryPanel::refresh()
         const SystemRow* system = findSystem(nodes[i].step->system);
         item->setToolTip(system ? rowSentence(system->brief) : QString());
       }
-      this->list_->addItem(item);
+      this->List->addItem(item);
     }
-    this->list_->setCurrentRow(std::min(row, this->list_->count() - 1));
+    this->List->setCurrentRow(std::min(row, this->List->count() - 1));
   }
-  this->empty_->setVisible(this->list_->count() == 0);
-  this->filling_ = false;
+  this->Empty->setVisible(this->List->count() == 0);
+  this->Filling = false;
   this->showStep();
 }
 
@@ -152,32 +152,32 @@ void HistoryPanel::showStep()
 {
   const int row = this->current();
   const Step* step =
-    row < 0 ? nullptr : this->document_->session().nodes[static_cast<std::size_t>(row)].step.get();
+    row < 0 ? nullptr : this->OpenDocument->session().nodes[static_cast<std::size_t>(row)].step.get();
   const SystemRow* system = step ? findSystem(step->system) : nullptr;
   const bool isDrawn = system && findInput(*system, SystemInput::Kind::Stroke);
-  this->redraw_->setEnabled(isDrawn);
-  this->view_->setEnabled(isDrawn);
-  this->remove_->setEnabled(step);
-  this->up_->setEnabled(row > 0);
-  this->down_->setEnabled(step && row + 1 < this->list_->count());
-  this->form_->show(step);
+  this->Redraw->setEnabled(isDrawn);
+  this->View->setEnabled(isDrawn);
+  this->Remove->setEnabled(step);
+  this->Up->setEnabled(row > 0);
+  this->Down->setEnabled(step && row + 1 < this->List->count());
+  this->Form->show(step);
 }
 
 void HistoryPanel::itemChanged(QListWidgetItem* item)
 {
-  if (this->filling_)
+  if (this->Filling)
   {
     return;
   }
   // The change makes the list anew, which must wait until the list is done with the item.
-  const int row = this->list_->row(item);
+  const int row = this->List->row(item);
   const bool on = item->checkState() == Qt::Checked;
   const QString name = item->text();
   QMetaObject::invokeMethod(
     this,
     [this, row, on, name]
     {
-      const auto& nodes = this->document_->session().nodes;
+      const auto& nodes = this->OpenDocument->session().nodes;
       if (static_cast<std::size_t>(row) >= nodes.size())
       {
         return;
@@ -185,11 +185,11 @@ void HistoryPanel::itemChanged(QListWidgetItem* item)
       const Node& node = nodes[static_cast<std::size_t>(row)];
       if (on != node.on)
       {
-        this->document_->setOn(row, on);
+        this->OpenDocument->setOn(row, on);
       }
       else if (name.toStdString() != node.name)
       {
-        this->document_->rename(row, name);
+        this->OpenDocument->rename(row, name);
       }
     },
     Qt::QueuedConnection);

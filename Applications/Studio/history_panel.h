@@ -27,7 +27,7 @@ public:
   // What can be done with it, for a menu.
   QList<QAction*> strokeActions() const
   {
-    return { this->redraw_, this->view_, this->up_, this->down_, this->remove_ };
+    return { this->Redraw, this->View, this->Up, this->Down, this->Remove };
   }
 
   // Brings it up to what the document is.
@@ -45,12 +45,12 @@ private:
   void showStep();
   void itemChanged(QListWidgetItem* item);
 
-  Document* document_;
-  QListWidget* list_;
-  QLabel* empty_; // says what will be listed
-  StepPanel* form_;
-  QAction *redraw_, *view_, *up_, *down_, *remove_;
-  bool filling_ = false;
+  Document* OpenDocument;
+  QListWidget* List;
+  QLabel* Empty; // says what will be listed
+  StepPanel* Form;
+  QAction *Redraw, *View, *Up, *Down, *Remove;
+  bool Filling = false;
 };
 
 } // namespace oversketch_studio

@@ -17,20 +17,20 @@ Latency& Latency::of()
 
 void Latency::begin(const char* what)
 {
-  if (this->path_)
+  if (this->Path)
   {
-    this->waiting_[what].push_back(Clock::now());
+    this->Waiting[what].push_back(Clock::now());
   }
 }
 
 void Latency::frameBegins()
 {
-  this->frame_ = Clock::now();
+  this->Frame = Clock::now();
 }
 
 void Latency::framePainted()
 {
-  if (!this->path_ || !this->frame_)
+  if (!this->Path || !this->Frame)
   {
     return;
   }
@@ -40,34 +40,34 @@ void Latency::framePainted()
   bool plain = true;
   const auto answer = [&](const char* what)
   {
-    for (const Clock::time_point& start : this->waiting_[what])
+    for (const Clock::time_point& start : this->Waiting[what])
     {
-      this->times_[what].push_back(since(start));
+      this->Times[what].push_back(since(start));
       plain = false;
     }
-    this->waiting_[what].clear();
+    this->Waiting[what].clear();
   };
   answer("sample");
-  if (this->meshComes_)
+  if (this->MeshComes)
   {
     answer("stroke");
-    this->meshComes_ = false;
+    this->MeshComes = false;
   }
   if (plain)
   {
-    this->times_["redraw"].push_back(since(*this->frame_));
+    this->Times["redraw"].push_back(since(*this->Frame));
   }
-  this->frame_.reset();
+  this->Frame.reset();
 }
 
 void Latency::write() const
 {
-  if (!this->path_)
+  if (!this->Path)
   {
     return;
   }
   QJsonObject all;
-  for (const auto& [what, times] : this->times_)
+  for (const auto& [what, times] : this->Times)
   {
     QJsonArray list;
     for (const double ms : times)
@@ -76,7 +76,7 @@ void Latency::write() const
     }
     all[QString::fromStdString(what)] = list;
   }
-  oversketch_files::writeText(*this->path_, QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString());
+  oversketch_files::writeText(*this->Path, QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString());
 }
 
 } // namespace oversketch_studio

@@ -20,17 +20,17 @@ public:
   static Latency& of();
 
   // From here on times are kept.
-  void writeTo(const std::string& path) { this->path_ = path; }
+  void writeTo(const std::string& path) { this->Path = path; }
 
   // A sample of the pen, or the end of a stroke, has come.
   void sample() { this->begin("sample"); }
   void strokeEnd() { this->begin("stroke"); }
   // The deformed mesh is what the next frame shows.
-  void meshComes() { this->meshComes_ = true; }
+  void meshComes() { this->MeshComes = true; }
   // A frame begins; it is painted. A frame that nothing waited for is a plain redraw.
   void frameBegins();
   void framePainted();
-  bool isOn() const { return this->path_.has_value(); }
+  bool isOn() const { return this->Path.has_value(); }
 
   // Writes {"sample": [ms, ...], "stroke": [...], "redraw": [...]}. Throws Failed.
   void write() const;
@@ -39,11 +39,11 @@ private:
   using Clock = std::chrono::steady_clock;
   void begin(const char* what);
 
-  std::optional<std::string> path_;
-  std::map<std::string, std::vector<Clock::time_point>> waiting_;
-  std::map<std::string, std::vector<double>> times_; // ms
-  std::optional<Clock::time_point> frame_;
-  bool meshComes_ = false;
+  std::optional<std::string> Path;
+  std::map<std::string, std::vector<Clock::time_point>> Waiting;
+  std::map<std::string, std::vector<double>> Times; // ms
+  std::optional<Clock::time_point> Frame;
+  bool MeshComes = false;
 };
 
 } // namespace oversketch_studio

@@ -99,27 +99,27 @@ private:
   void showResult();
   void showDetails();
 
-  Document* document_;
-  Viewport* view_;
-  QVector<Tool*> tools_;
-  QVector<QAction*> toolActions_; // of the same order
-  QFrame* frame_;                 // about the view, in the colour of the focus while keys go there
-  ScenePanel* scene_;
-  HistoryPanel* history_;
-  QToolBar* strip_ = nullptr;
-  QStackedWidget* options_ = nullptr; // of the tools, in their order
-  QLabel* advice_;
-  QLabel* mode_;
-  QProgressBar* progress_;
-  QPushButton* cancel_;
-  QTimer* patience_; // progress is shown for what takes longer than a moment
-  QMenu* recent_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *save_ = nullptr, *dark_ = nullptr, *region_ = nullptr;
-  QVector<QAction*> dockActions_;
-  Preferences preferences_;
-  int redrawn_ = -1; // the step that the next one replaces
-  int offered_ = -1; // the one that can be taken hold of in the view
-  bool reset_ = false;
+  Document* OpenDocument;
+  Viewport* View;
+  QVector<Tool*> Tools;
+  QVector<QAction*> ToolActions; // of the same order
+  QFrame* Frame;                 // about the view, in the colour of the focus while keys go there
+  ScenePanel* Scene;
+  HistoryPanel* History;
+  QToolBar* Strip = nullptr;
+  QStackedWidget* Options = nullptr; // of the tools, in their order
+  QLabel* Advice;
+  QLabel* Mode;
+  QProgressBar* Progress;
+  QPushButton* Cancel;
+  QTimer* Patience; // progress is shown for what takes longer than a moment
+  QMenu* Recent = nullptr;
+  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Dark = nullptr, *Region = nullptr;
+  QVector<QAction*> DockActions;
+  Preferences Settings;
+  int Redrawn = -1; // the step that the next one replaces
+  int Offered = -1; // the one that can be taken hold of in the view
+  bool Reset = false;
 };
 
 } // namespace oversketch_studio

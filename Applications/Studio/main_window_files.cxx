@@ -76,14 +76,14 @@ bool MainWindow::open(const QString& path)
   this->tried(
     [&]
     {
-      opened = this->document_->open(
+      opened = this->OpenDocument->open(
         path, [this] { return this->mayLeave(); }, notes);
     });
   if (opened)
   {
     this->remember(path);
-    this->view_->showHint({});
-    this->redrawn_ = -1;
+    this->View->showHint({});
+    this->Redrawn = -1;
     this->tell(notes);
   }
   return opened;
@@ -109,7 +109,7 @@ bool MainWindow::offerRecovery()
     box.exec();
     if (box.clickedButton() == again)
     {
-      return this->tried([&] { this->document_->recover(left); });
+      return this->tried([&] { this->OpenDocument->recover(left); });
     }
     if (box.clickedButton() == away)
     {
@@ -126,11 +126,11 @@ void MainWindow::openShippedModel()
   if (!path.isEmpty() && this->tried(
                            [&]
                            {
-                             this->document_->open(
+                             this->OpenDocument->open(
                                path, [] { return true; }, none);
                            }))
   {
-    this->view_->showHint(this->view_->tool()->hint());
+    this->View->showHint(this->View->tool()->hint());
   }
 }
 
@@ -148,20 +148,20 @@ void MainWindow::openAsked()
 
 bool MainWindow::save()
 {
-  const QString path = this->document_->path();
-  return path.isEmpty() ? this->saveAs() : this->tried([&] { this->document_->save(path); });
+  const QString path = this->OpenDocument->path();
+  return path.isEmpty() ? this->saveAs() : this->tried([&] { this->OpenDocument->save(path); });
 }
 
 bool MainWindow::saveAs()
 {
-  if (!this->document_->isOpen())
+  if (!this->OpenDocument->isOpen())
   {
     return false;
   }
   QString path = QFileDialog::getSaveFileName(this,
     tr("Save the session"),
     QDir(QSettings().value("folder").toString())
-      .filePath(QFileInfo(this->document_->name()).completeBaseName() + ".oversketch"),
+      .filePath(QFileInfo(this->OpenDocument->name()).completeBaseName() + ".oversketch"),
     tr("Sessions (*.oversketch)"));
   if (path.isEmpty())
   {
@@ -174,25 +174,25 @@ bool MainWindow::saveAs()
   return this->tried(
     [&]
     {
-      this->document_->save(path);
+      this->OpenDocument->save(path);
       this->remember(path);
     });
 }
 
 void MainWindow::exportAsked()
 {
-  if (!this->document_->isOpen())
+  if (!this->OpenDocument->isOpen())
   {
     return;
   }
   const QString path = QFileDialog::getSaveFileName(this,
     tr("Export the mesh"),
     QDir(QSettings().value("folder").toString())
-      .filePath(QFileInfo(this->document_->name()).completeBaseName() + ".ply"),
+      .filePath(QFileInfo(this->OpenDocument->name()).completeBaseName() + ".ply"),
     tr("Meshes (%1)").arg(meshFilter()));
   if (!path.isEmpty())
   {
-    this->tried([&] { this->tell(this->document_->save(path)); });
+    this->tried([&] { this->tell(this->OpenDocument->save(path)); });
   }
 }
 
@@ -214,18 +214,18 @@ void MainWindow::screenshot()
   const bool overlays =
     QMessageBox::question(this, tr("Oversketch"), tr("With the lines and texts over the model?")) ==
     QMessageBox::Yes;
-  this->tried([&] { this->view_->screenshot(path, overlays); });
+  this->tried([&] { this->View->screenshot(path, overlays); });
 }
 
 bool MainWindow::mayLeave()
 {
-  if (!this->document_->isOpen() || !this->document_->isModified())
+  if (!this->OpenDocument->isOpen() || !this->OpenDocument->isModified())
   {
     return true;
   }
   const auto answer = QMessageBox::question(this,
     tr("Oversketch"),
-    tr("Save the session of %1?").arg(this->document_->name()),
+    tr("Save the session of %1?").arg(this->OpenDocument->name()),
     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel,
     QMessageBox::Save);
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && this->save());
@@ -241,7 +241,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
   QSettings settings;
   settings.setValue("geometry", this->saveGeometry());
   settings.setValue("state", this->saveState());
-  this->document_->discardAutosave();
+  this->OpenDocument->discardAutosave();
   event->accept();
 }
 
@@ -291,7 +291,7 @@ void MainWindow::addPictureAsked()
 
 void MainWindow::addPicture(const QString& path)
 {
-  if (!this->document_->isOpen())
+  if (!this->OpenDocument->isOpen())
   {
     return;
   }
@@ -312,9 +312,9 @@ void MainWindow::addPicture(const QString& path)
         this->tell({ tr("%1 is no PNG or JPEG picture, or a damaged one.").arg(path) });
         return;
       }
-      picture.frame = this->view_->frameFor(pixels->GetDimensions()[0], pixels->GetDimensions()[1]);
-      this->view_->showHint({}); // it might not be legible before it
-      this->document_->addPicture(picture);
+      picture.frame = this->View->frameFor(pixels->GetDimensions()[0], pixels->GetDimensions()[1]);
+      this->View->showHint({}); // it might not be legible before it
+      this->OpenDocument->addPicture(picture);
     });
 }
 

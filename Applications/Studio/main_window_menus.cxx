@@ -51,9 +51,9 @@ void MainWindow::makeMenus()
 {
   QMenu* file = this->menuBar()->addMenu(tr("&File"));
   this->add(file, tr("&Open…"), QKeySequence::Open, [this] { this->openAsked(); });
-  this->recent_ = file->addMenu(tr("Open &recent"));
-  connect(this->recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
-  this->save_ = this->add(file, tr("&Save session"), QKeySequence::Save, [this] { this->save(); });
+  this->Recent = file->addMenu(tr("Open &recent"));
+  connect(this->Recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  this->Save = this->add(file, tr("&Save session"), QKeySequence::Save, [this] { this->save(); });
   this->add(file, tr("Save session &as…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { this->saveAs(); });
   this->add(file, tr("&Export mesh…"), QKeySequence(tr("Ctrl+E")), [this] { this->exportAsked(); });
   this->add(file, tr("Save a &picture…"), QKeySequence(tr("F12")), [this] { this->screenshot(); });
@@ -63,13 +63,14 @@ void MainWindow::makeMenus()
   this->add(file, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), [this] { this->close(); });
 
   QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
-  this->undo_ = this->add(edit, tr("&Undo"), QKeySequence(tr("Ctrl+Z")), [this] { this->document_->undo(); });
-  this->redo_ = this->add(edit, tr("&Redo"), {}, [this] { this->document_->redo(); });
-  this->redo_->setShortcuts({ QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y")) });
+  this->Undo =
+    this->add(edit, tr("&Undo"), QKeySequence(tr("Ctrl+Z")), [this] { this->OpenDocument->undo(); });
+  this->Redo = this->add(edit, tr("&Redo"), {}, [this] { this->OpenDocument->redo(); });
+  this->Redo->setShortcuts({ QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y")) });
   edit->addSeparator();
   this->add(edit, tr("&Preferences…"), QKeySequence(tr("Ctrl+,")), [this] { this->askPreferences(); });
 
-  this->menuBar()->addMenu(tr("&Stroke"))->addActions(this->history_->strokeActions());
+  this->menuBar()->addMenu(tr("&Stroke"))->addActions(this->History->strokeActions());
 
   this->makeToolMenu();
   this->makeViewMenu();
@@ -78,7 +79,7 @@ void MainWindow::makeMenus()
   this->add(help,
     tr("&Keys and mode"),
     QKeySequence(tr("F1")),
-    [this] { this->view_->showKeys(!this->view_->showsKeys()); });
+    [this] { this->View->showKeys(!this->View->showsKeys()); });
   this->add(help,
     tr("&About Oversketch"),
     {},
@@ -96,33 +97,33 @@ void MainWindow::makeToolMenu()
 {
   QMenu* menu = this->menuBar()->addMenu(tr("&Tools"));
   auto* group = new QActionGroup(this);
-  for (Tool* tool : this->tools_)
+  for (Tool* tool : this->Tools)
   {
     QAction* action = this->add(menu, tool->title(), tool->key(), [this, tool] { this->setTool(tool); });
     action->setCheckable(true);
     action->setToolTip(tool->help());
     group->addAction(action);
-    this->toolActions_ << action;
+    this->ToolActions << action;
   }
 }
 
 void MainWindow::makeViewMenu()
 {
   QMenu* show = this->menuBar()->addMenu(tr("&View"));
-  this->dark_ = this->add(show,
+  this->Dark = this->add(show,
     tr("&Dark"),
     {},
     [this]
     {
-      this->preferences_.dark = this->dark_->isChecked();
-      this->apply(this->preferences_);
-      this->preferences_.write();
+      this->Settings.dark = this->Dark->isChecked();
+      this->apply(this->Settings);
+      this->Settings.write();
     });
-  this->dark_->setCheckable(true);
-  this->region_ =
+  this->Dark->setCheckable(true);
+  this->Region =
     this->add(show, tr("&Region that moves"), QKeySequence(tr("O")), [this] { this->offerStep(); });
-  this->region_->setCheckable(true);
-  show->addActions({ this->dockActions_.begin(), this->dockActions_.end() });
+  this->Region->setCheckable(true);
+  show->addActions({ this->DockActions.begin(), this->DockActions.end() });
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* panel)
@@ -132,7 +133,7 @@ QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWid
   dock->setWidget(panel);
   this->addDockWidget(Qt::RightDockWidgetArea, dock);
   dock->toggleViewAction()->setText(title);
-  this->dockActions_ << dock->toggleViewAction();
+  this->DockActions << dock->toggleViewAction();
   return dock;
 }
 
@@ -149,28 +150,28 @@ void MainWindow::makeTools()
     return bar;
   };
   QToolBar* bar = fixed(Qt::TopToolBarArea, tr("Options"), "options_bar");
-  this->options_ = new QStackedWidget(bar);
-  for (Tool* tool : this->tools_)
+  this->Options = new QStackedWidget(bar);
+  for (Tool* tool : this->Tools)
   {
-    QWidget* options = tool->makeOptions(this->options_);
-    this->options_->addWidget(options ? options : new QWidget(this->options_));
+    QWidget* options = tool->makeOptions(this->Options);
+    this->Options->addWidget(options ? options : new QWidget(this->Options));
   }
-  bar->addWidget(this->options_);
+  bar->addWidget(this->Options);
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
-  bar->addActions({ this->undo_, this->redo_ });
-  this->strip_ = fixed(Qt::LeftToolBarArea, tr("Tools"), "tools_strip");
-  this->strip_->setIconSize(QSize(toolIcon, toolIcon));
-  this->strip_->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-  this->strip_->addActions({ this->toolActions_.begin(), this->toolActions_.end() });
+  bar->addActions({ this->Undo, this->Redo });
+  this->Strip = fixed(Qt::LeftToolBarArea, tr("Tools"), "tools_strip");
+  this->Strip->setIconSize(QSize(toolIcon, toolIcon));
+  this->Strip->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  this->Strip->addActions({ this->ToolActions.begin(), this->ToolActions.end() });
 }
 
 // In the colours that the window has now, as fine as the screen is.
 void MainWindow::drawToolIcons()
 {
   const qreal ratio = this->devicePixelRatioF();
-  for (int i = 0; i < this->tools_.size(); ++i)
+  for (int i = 0; i < this->Tools.size(); ++i)
   {
     QPixmap picture(QSize(toolIcon, toolIcon) * ratio);
     picture.setDevicePixelRatio(ratio);
@@ -179,52 +180,52 @@ void MainWindow::drawToolIcons()
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(
       QApplication::palette().color(QPalette::ButtonText), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(this->tools_[i]->icon());
+    painter.drawPath(this->Tools[i]->icon());
     painter.end();
-    this->toolActions_[i]->setIcon(QIcon(picture));
+    this->ToolActions[i]->setIcon(QIcon(picture));
   }
 }
 
 void MainWindow::makeStatus()
 {
-  this->advice_->setObjectName("advice");
-  this->advice_->setIndent(6);
-  this->mode_->setObjectName("mode");
-  this->progress_->setAccessibleName(tr("Progress"));
-  this->progress_->setRange(0, 100);
-  this->progress_->setFixedWidth(220); // for the longest stage
-  this->progress_->hide();
-  this->cancel_->hide();
-  this->statusBar()->addWidget(this->advice_, 1);
-  this->statusBar()->addPermanentWidget(this->progress_);
-  this->statusBar()->addPermanentWidget(this->cancel_);
-  this->statusBar()->addPermanentWidget(this->mode_);
-  this->patience_->setSingleShot(true);
-  this->patience_->setInterval(patience);
-  connect(this->patience_,
+  this->Advice->setObjectName("advice");
+  this->Advice->setIndent(6);
+  this->Mode->setObjectName("mode");
+  this->Progress->setAccessibleName(tr("Progress"));
+  this->Progress->setRange(0, 100);
+  this->Progress->setFixedWidth(220); // for the longest stage
+  this->Progress->hide();
+  this->Cancel->hide();
+  this->statusBar()->addWidget(this->Advice, 1);
+  this->statusBar()->addPermanentWidget(this->Progress);
+  this->statusBar()->addPermanentWidget(this->Cancel);
+  this->statusBar()->addPermanentWidget(this->Mode);
+  this->Patience->setSingleShot(true);
+  this->Patience->setInterval(patience);
+  connect(this->Patience,
     &QTimer::timeout,
     this,
     [this]
     {
-      this->progress_->show();
-      this->cancel_->show();
+      this->Progress->show();
+      this->Cancel->show();
     });
-  connect(this->document_,
+  connect(this->OpenDocument,
     &Document::progressed,
     this,
     [this](int node, const QString& stage, double share)
     {
-      const bool isThere = node < static_cast<int>(this->document_->session().nodes.size());
+      const bool isThere = node < static_cast<int>(this->OpenDocument->session().nodes.size());
       const Tool* tool = isThere ? this->toolOf(node) : nullptr;
-      this->progress_->setFormat(tool ? tool->stage(stage) : stage);
-      this->progress_->setValue(static_cast<int>(100.0 * share));
+      this->Progress->setFormat(tool ? tool->stage(stage) : stage);
+      this->Progress->setValue(static_cast<int>(100.0 * share));
     });
-  connect(this->cancel_, &QPushButton::clicked, this->document_, &Document::cancel);
-  connect(this->document_,
+  connect(this->Cancel, &QPushButton::clicked, this->OpenDocument, &Document::cancel);
+  connect(this->OpenDocument,
     &Document::autosaveFailed,
     this,
     [this](const QString& why) {
-      this->advice_->setText(tr("The session cannot be kept while you work: %1. Save it yourself.").arg(why));
+      this->Advice->setText(tr("The session cannot be kept while you work: %1. Save it yourself.").arg(why));
     });
 }
 
@@ -241,16 +242,16 @@ void MainWindow::remember(const QString& path)
 
 void MainWindow::fillRecent()
 {
-  this->recent_->clear();
+  this->Recent->clear();
   const QStringList recent = QSettings().value("recent").toStringList();
   for (const QString& path : recent)
   {
-    this->add(this->recent_, path, {}, [this, path] { this->open(path); });
+    this->add(this->Recent, path, {}, [this, path] { this->open(path); });
   }
-  this->recent_->setDisabled(false);
+  this->Recent->setDisabled(false);
   if (recent.isEmpty())
   {
-    this->recent_->addAction(tr("None yet"))->setEnabled(false);
+    this->Recent->addAction(tr("None yet"))->setEnabled(false);
   }
 }
 

@@ -41,23 +41,23 @@ void Preferences::write() const
 
 PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* parent)
   : QDialog(parent)
-  , stabilizer_(new QDoubleSpinBox(this))
-  , dark_(new QCheckBox(tr("&Dark window"), this))
-  , backend_(new QComboBox(this))
+  , Stabilizer(new QDoubleSpinBox(this))
+  , Dark(new QCheckBox(tr("&Dark window"), this))
+  , Backend(new QComboBox(this))
 {
   this->setWindowTitle(tr("Preferences"));
-  this->stabilizer_->setRange(0.0, longestString);
-  this->stabilizer_->setDecimals(0);
-  this->stabilizer_->setSuffix(tr(" px"));
-  this->stabilizer_->setSpecialValueText(tr("off"));
-  this->stabilizer_->setValue(preferences.stabilizer);
-  this->stabilizer_->setToolTip(
+  this->Stabilizer->setRange(0.0, longestString);
+  this->Stabilizer->setDecimals(0);
+  this->Stabilizer->setSuffix(tr(" px"));
+  this->Stabilizer->setSpecialValueText(tr("off"));
+  this->Stabilizer->setValue(preferences.stabilizer);
+  this->Stabilizer->setToolTip(
     tr("The line trails behind the pen by this much, so that a trembling hand leaves no trace"));
-  this->dark_->setChecked(preferences.dark);
-  this->backend_->addItems(
+  this->Dark->setChecked(preferences.dark);
+  this->Backend->addItems(
     { tr("OpenCL where there is a device"), tr("OpenCL"), tr("the processor (Embree)") });
-  this->backend_->setCurrentIndex(preferences.backend);
-  this->backend_->setToolTip(tr(
+  this->Backend->setCurrentIndex(preferences.backend);
+  this->Backend->setToolTip(tr(
     "What measures the thickness of a model. The open one is computed again at once; Undo takes that back. "
     "A session keeps what it was saved with, until you choose another."));
 
@@ -65,18 +65,18 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
-  form->addRow(tr("&Steady hand"), this->stabilizer_);
-  form->addRow(tr("&Compute on"), this->backend_);
-  form->addRow(this->dark_);
+  form->addRow(tr("&Steady hand"), this->Stabilizer);
+  form->addRow(tr("&Compute on"), this->Backend);
+  form->addRow(this->Dark);
   form->addRow(buttons);
 }
 
 Preferences PreferencesDialog::preferences() const
 {
   Preferences chosen;
-  chosen.stabilizer = this->stabilizer_->value();
-  chosen.dark = this->dark_->isChecked();
-  chosen.backend = this->backend_->currentIndex();
+  chosen.stabilizer = this->Stabilizer->value();
+  chosen.dark = this->Dark->isChecked();
+  chosen.backend = this->Backend->currentIndex();
   return chosen;
 }
 

@@ -32,9 +32,9 @@ public:
   Preferences preferences() const;
 
 private:
-  QDoubleSpinBox* stabilizer_;
-  QCheckBox* dark_;
-  QComboBox* backend_;
+  QDoubleSpinBox* Stabilizer;
+  QCheckBox* Dark;
+  QComboBox* Backend;
 };
 
 } // namespace oversketch_studio

@@ -34,11 +34,11 @@ private:
   void showPicture();
   void setShown(int picture, bool shown);
 
-  Document* document_;
-  QListWidget* list_;
-  QSlider* opacity_;
-  QToolButton *add_, *view_, *remove_;
-  bool filling_ = false;
+  Document* OpenDocument;
+  QListWidget* List;
+  QSlider* Opacity;
+  QToolButton *Add, *View, *Remove;
+  bool Filling = false;
 };
 
 } // namespace oversketch_studio

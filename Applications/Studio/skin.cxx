@@ -14,10 +14,10 @@ namespace oversketch_studio
 
 Skin::Skin()
 {
-  this->texture_->SetColorModeToDirectScalars();
-  this->texture_->InterpolateOn();
-  this->texture_->MipmapOn();
-  this->texture_->RepeatOn();
+  this->Texture->SetColorModeToDirectScalars();
+  this->Texture->InterpolateOn();
+  this->Texture->MipmapOn();
+  this->Texture->RepeatOn();
 }
 
 Skin::~Skin() = default;
@@ -25,15 +25,15 @@ Skin::~Skin() = default;
 void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh)
 {
   std::string bytes = oversketch_files::textureOf(mesh);
-  if (bytes != this->bytes_)
+  if (bytes != this->Bytes)
   {
-    this->texture_->SetInputData(oversketch_files::pictureOf(bytes));
-    this->bytes_ = std::move(bytes);
+    this->Texture->SetInputData(oversketch_files::pictureOf(bytes));
+    this->Bytes = std::move(bytes);
   }
-  this->textured_ = !this->bytes_.empty() && this->texture_->GetInput();
-  actor->SetTexture(this->textured_ ? this->texture_.Get() : nullptr);
+  this->Textured = !this->Bytes.empty() && this->Texture->GetInput();
+  actor->SetTexture(this->Textured ? this->Texture.Get() : nullptr);
   vtkDataArray* colours = oversketch_files::coloursOf(mesh);
-  const bool coloured = colours && colours->GetName() && !this->textured_;
+  const bool coloured = colours && colours->GetName() && !this->Textured;
   mapper->SetScalarVisibility(coloured);
   if (coloured)
   {
@@ -46,21 +46,21 @@ void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh)
 
 void Skin::setPlain(vtkActor* actor, double red, double green, double blue)
 {
-  this->plain_[0] = red;
-  this->plain_[1] = green;
-  this->plain_[2] = blue;
+  this->Plain[0] = red;
+  this->Plain[1] = green;
+  this->Plain[2] = blue;
   this->colour(actor);
 }
 
 void Skin::colour(vtkActor* actor)
 {
-  if (this->textured_)
+  if (this->Textured)
   {
     actor->GetProperty()->SetColor(1.0, 1.0, 1.0); // the picture's own
   }
   else
   {
-    actor->GetProperty()->SetColor(this->plain_);
+    actor->GetProperty()->SetColor(this->Plain);
   }
 }
 

@@ -29,10 +29,10 @@ public:
 private:
   void colour(vtkActor* actor);
 
-  vtkNew<vtkTexture> texture_;
-  std::string bytes_; // of the texture, which is decoded once
-  bool textured_ = false;
-  double plain_[3] = { 1.0, 1.0, 1.0 };
+  vtkNew<vtkTexture> Texture;
+  std::string Bytes; // of the texture, which is decoded once
+  bool Textured = false;
+  double Plain[3] = { 1.0, 1.0, 1.0 };
 };
 
 } // namespace oversketch_studio

@@ -21,10 +21,10 @@ StepPanel::StepPanel(QWidget* parent)
   {
     this->addPage(row);
   }
-  if (!this->pages_.empty())
+  if (!this->Pages.empty())
   {
-    this->shown_ = &this->pages_.find(systems().front().name)->second;
-    this->setCurrentWidget(this->shown_->widget);
+    this->Shown = &this->Pages.find(systems().front().name)->second;
+    this->setCurrentWidget(this->Shown->widget);
   }
   this->show(nullptr);
 }
@@ -55,7 +55,7 @@ void StepPanel::addPage(const SystemRow& row)
     connect(page.mirror, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
   }
   this->addWidget(page.widget);
-  this->pages_[row.name] = page;
+  this->Pages[row.name] = page;
 }
 
 // A choice is a combo box, yes or no a check box, a number a spin box; others are the command's.
@@ -120,44 +120,44 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
 
 void StepPanel::show(const Step* step)
 {
-  const auto known = step ? this->pages_.find(step->system) : this->pages_.end();
-  if (known != this->pages_.end())
+  const auto known = step ? this->Pages.find(step->system) : this->Pages.end();
+  if (known != this->Pages.end())
   {
-    this->shown_ = &known->second;
-    this->setCurrentWidget(this->shown_->widget);
+    this->Shown = &known->second;
+    this->setCurrentWidget(this->Shown->widget);
   }
-  if (!this->shown_)
+  if (!this->Shown)
   {
     return;
   }
-  for (const Field& field : this->shown_->fields)
+  for (const Field& field : this->Shown->fields)
   {
     // What the mirror's plane decides is not the user's.
     const bool decided =
-      step && step->mirror && this->shown_->row->mirrored->count(field.parameter->property) > 0;
+      step && step->mirror && this->Shown->row->mirrored->count(field.parameter->property) > 0;
     field.widget->setEnabled(step && !decided);
     if (step)
     {
       field.write(field.widget, valueOf(*step, *field.parameter));
     }
   }
-  if (this->shown_->mirror)
+  if (this->Shown->mirror)
   {
-    this->shown_->mirror->setEnabled(step != nullptr);
-    this->shown_->mirror->setCurrentIndex(step && step->mirror ? step->mirror->axis + 1 : 0);
+    this->Shown->mirror->setEnabled(step != nullptr);
+    this->Shown->mirror->setCurrentIndex(step && step->mirror ? step->mirror->axis + 1 : 0);
   }
-  this->values_ = step ? step->values : Values();
+  this->StepValues = step ? step->values : Values();
 }
 
 void StepPanel::read()
 {
-  Values values = this->values_;
-  for (const Field& field : this->shown_->fields)
+  Values values = this->StepValues;
+  for (const Field& field : this->Shown->fields)
   {
     values[field.parameter->property] = field.read(field.widget);
   }
-  const int mirror = this->shown_->mirror ? this->shown_->mirror->currentIndex() : 0;
-  if (values != this->values_ || this->shown_->mirror)
+  const int mirror = this->Shown->mirror ? this->Shown->mirror->currentIndex() : 0;
+  if (values != this->StepValues || this->Shown->mirror)
   {
     emit this->edited(values, mirror);
   }

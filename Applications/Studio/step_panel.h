@@ -50,9 +50,9 @@ private:
   Field addField(const oversketch_session::Parameter& parameter, QWidget* page, QFormLayout* form);
   void read();
 
-  std::map<std::string, Page> pages_; // by the system's name
-  Page* shown_ = nullptr;
-  oversketch_session::Values values_; // of the step that is shown, also those that no field holds
+  std::map<std::string, Page> Pages; // by the system's name
+  Page* Shown = nullptr;
+  oversketch_session::Values StepValues; // of the step that is shown, also those that no field holds
 };
 
 } // namespace oversketch_studio

@@ -59,20 +59,20 @@ bool drawsOnProcessor(vtkRenderWindow* window)
 
 Viewport::Viewport(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
-  , await_(new QTimer(this))
+  , Await(new QTimer(this))
 {
-  this->setRenderWindow(this->window_);
-  this->window_->AddRenderer(this->renderer_);
-  this->window_->SetMultiSamples(4);
+  this->setRenderWindow(this->Window);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->SetMultiSamples(4);
   this->makeScene();
   this->listen();
-  this->await_->setSingleShot(true);
-  connect(this->await_,
+  this->Await->setSingleShot(true);
+  connect(this->Await,
     &QTimer::timeout,
     this,
     [this]
     {
-      if (this->renderWaits_)
+      if (this->RenderWaits)
       {
         this->renderNow();
       }
@@ -85,77 +85,77 @@ Viewport::Viewport(QWidget* parent)
 
 void Viewport::makeScene()
 {
-  this->lights_->AddLightsToRenderer(this->renderer_);
-  this->lights_->SetKeyLightWarmth(0.55);
-  this->lights_->SetKeyToFillRatio(2.5);
+  this->Lights->AddLightsToRenderer(this->Renderer);
+  this->Lights->SetKeyLightWarmth(0.55);
+  this->Lights->SetKeyToFillRatio(2.5);
 
-  this->mesh_->SetMapper(this->meshMapper_);
-  this->mesh_->GetProperty()->SetInterpolationToGouraud();
-  this->mesh_->GetProperty()->SetSpecular(0.15);
-  this->mesh_->GetProperty()->SetSpecularPower(20.0);
-  this->renderer_->AddActor(this->mesh_);
+  this->Mesh->SetMapper(this->MeshMapper);
+  this->Mesh->GetProperty()->SetInterpolationToGouraud();
+  this->Mesh->GetProperty()->SetSpecular(0.15);
+  this->Mesh->GetProperty()->SetSpecularPower(20.0);
+  this->Renderer->AddActor(this->Mesh);
 
   // Drawn over the surface that it lies on.
-  this->section_->SetMapper(this->sectionMapper_);
-  this->sectionMapper_->ScalarVisibilityOff();
-  this->sectionMapper_->SetResolveCoincidentTopologyToPolygonOffset();
-  this->sectionMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -60000.0);
-  this->section_->GetProperty()->SetColor(sectionColour[0], sectionColour[1], sectionColour[2]);
-  this->section_->GetProperty()->LightingOff();
-  this->section_->PickableOff();
-  this->section_->VisibilityOff();
-  this->renderer_->AddActor(this->section_);
+  this->Section->SetMapper(this->SectionMapper);
+  this->SectionMapper->ScalarVisibilityOff();
+  this->SectionMapper->SetResolveCoincidentTopologyToPolygonOffset();
+  this->SectionMapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -60000.0);
+  this->Section->GetProperty()->SetColor(sectionColour[0], sectionColour[1], sectionColour[2]);
+  this->Section->GetProperty()->LightingOff();
+  this->Section->PickableOff();
+  this->Section->VisibilityOff();
+  this->Renderer->AddActor(this->Section);
 
   this->makeRegion();
 
-  this->mirrorMapper_->SetInputConnection(this->mirrorPlane_->GetOutputPort());
-  this->mirror_->SetMapper(this->mirrorMapper_);
-  this->mirror_->GetProperty()->SetOpacity(0.15);
-  this->mirror_->GetProperty()->SetEdgeVisibility(true);
-  this->mirror_->GetProperty()->LightingOff();
-  this->mirror_->PickableOff();
-  this->mirror_->VisibilityOff();
-  this->renderer_->AddActor(this->mirror_);
+  this->MirrorMapper->SetInputConnection(this->MirrorSheet->GetOutputPort());
+  this->Mirror->SetMapper(this->MirrorMapper);
+  this->Mirror->GetProperty()->SetOpacity(0.15);
+  this->Mirror->GetProperty()->SetEdgeVisibility(true);
+  this->Mirror->GetProperty()->LightingOff();
+  this->Mirror->PickableOff();
+  this->Mirror->VisibilityOff();
+  this->Renderer->AddActor(this->Mirror);
 
-  this->hint_.addTo(this->renderer_);
+  this->HintBox.addTo(this->Renderer);
 }
 
 void Viewport::makeRegion()
 {
-  this->regionNormals_->SplittingOff();
-  this->regionMapper_->SetInputConnection(this->regionNormals_->GetOutputPort());
-  this->regionMapper_->ScalarVisibilityOff();
+  this->RegionNormals->SplittingOff();
+  this->RegionMapper->SetInputConnection(this->RegionNormals->GetOutputPort());
+  this->RegionMapper->ScalarVisibilityOff();
   // Over the surface that it is a part of.
-  this->regionMapper_->SetResolveCoincidentTopologyToPolygonOffset();
-  this->regionMapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -200.0);
-  this->region_->SetMapper(this->regionMapper_);
-  this->region_->GetProperty()->SetColor(0.98, 0.62, 0.20);
-  this->region_->GetProperty()->SetAmbient(0.12);
-  this->region_->GetProperty()->SetDiffuse(0.85);
-  this->region_->PickableOff();
-  this->region_->VisibilityOff();
-  this->renderer_->AddActor(this->region_);
+  this->RegionMapper->SetResolveCoincidentTopologyToPolygonOffset();
+  this->RegionMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -200.0);
+  this->Region->SetMapper(this->RegionMapper);
+  this->Region->GetProperty()->SetColor(0.98, 0.62, 0.20);
+  this->Region->GetProperty()->SetAmbient(0.12);
+  this->Region->GetProperty()->SetDiffuse(0.85);
+  this->Region->PickableOff();
+  this->Region->VisibilityOff();
+  this->Renderer->AddActor(this->Region);
 }
 
 void Viewport::listen()
 {
-  this->interactor()->SetInteractorStyle(this->style_);
-  this->style_->SetDefaultRenderer(this->renderer_);
-  this->observer_->SetClientData(this);
-  this->observer_->SetCallback(
+  this->interactor()->SetInteractorStyle(this->Style);
+  this->Style->SetDefaultRenderer(this->Renderer);
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
     [](vtkObject*, unsigned long event, void* self, void*) { static_cast<Viewport*>(self)->heard(event); });
   // One frame for all events that have come, so that a quick hand does not wait for each of its samples.
   this->interactor()->EnableRenderOff();
-  this->interactor()->AddObserver(vtkCommand::RenderEvent, this->observer_);
+  this->interactor()->AddObserver(vtkCommand::RenderEvent, this->Observer);
   // Key q, by the style.
-  this->interactor()->AddObserver(vtkCommand::ExitEvent, this->observer_);
-  this->style_->AddObserver(vtkCommand::StartInteractionEvent, this->observer_);
+  this->interactor()->AddObserver(vtkCommand::ExitEvent, this->Observer);
+  this->Style->AddObserver(vtkCommand::StartInteractionEvent, this->Observer);
 }
 
 Viewport::~Viewport()
 {
-  this->interactor()->RemoveObserver(this->observer_);
-  this->style_->RemoveObserver(this->observer_);
+  this->interactor()->RemoveObserver(this->Observer);
+  this->Style->RemoveObserver(this->Observer);
   // Tools hold parts of the window, which goes first.
   for (Tool* tool : this->findChildren<Tool*>(QString(), Qt::FindDirectChildrenOnly))
   {
@@ -182,13 +182,13 @@ void Viewport::heard(unsigned long event)
 
 void Viewport::setTool(Tool* tool)
 {
-  if (this->tool_)
+  if (this->CurrentTool)
   {
-    this->tool_->stop();
+    this->CurrentTool->stop();
   }
-  this->tool_ = tool;
+  this->CurrentTool = tool;
   tool->start();
-  this->style_->SetKeyList(keyList(*tool, this->findChildren<Tool*>().toVector()).toUtf8().constData());
+  this->Style->SetKeyList(keyList(*tool, this->findChildren<Tool*>().toVector()).toUtf8().constData());
 }
 
 void Viewport::setHandCursor(Qt::CursorShape shape)
@@ -199,16 +199,16 @@ void Viewport::setHandCursor(Qt::CursorShape shape)
 
 void Viewport::render()
 {
-  this->await_->stop();
-  this->renderWaits_ = false;
-  if (this->tool_)
+  this->Await->stop();
+  this->RenderWaits = false;
+  if (this->CurrentTool)
   {
-    this->tool_->frameBegins();
+    this->CurrentTool->frameBegins();
   }
-  this->backdrop_.look(this->renderer_);
+  this->Behind.look(this->Renderer);
   Latency::of().frameBegins();
-  this->window_->Render();
-  this->paintWaits_ = true;
+  this->Window->Render();
+  this->PaintWaits = true;
 }
 
 // And paints it, so that no frame is drawn that nobody sees.
@@ -228,13 +228,13 @@ void Viewport::paintNow()
 
 void Viewport::awaitMesh()
 {
-  this->await_->start(awaitTime);
+  this->Await->start(awaitTime);
 }
 
 void Viewport::awaitNoMore()
 {
-  this->await_->stop();
-  if (std::exchange(this->renderWaits_, false))
+  this->Await->stop();
+  if (std::exchange(this->RenderWaits, false))
   {
     this->renderSoon();
   }
@@ -242,18 +242,18 @@ void Viewport::awaitNoMore()
 
 void Viewport::renderSoon()
 {
-  if (this->await_->isActive())
+  if (this->Await->isActive())
   {
-    this->renderWaits_ = true;
+    this->RenderWaits = true;
   }
-  else if (!this->renderWaits_)
+  else if (!this->RenderWaits)
   {
-    this->renderWaits_ = true;
+    this->RenderWaits = true;
     QTimer::singleShot(0,
       this,
       [this]
       {
-        if (this->renderWaits_ && !this->await_->isActive())
+        if (this->RenderWaits && !this->Await->isActive())
         {
           this->renderNow();
         }
@@ -263,19 +263,19 @@ void Viewport::renderSoon()
 
 void Viewport::paintGL()
 {
-  this->paintWaits_ = false;
+  this->PaintWaits = false;
   // What Qt asks for is drawn now.
-  this->backdrop_.look(this->renderer_);
+  this->Behind.look(this->Renderer);
   this->interactor()->EnableRenderOn();
   QVTKOpenGLNativeWidget::paintGL();
   this->interactor()->EnableRenderOff();
-  if (this->tool_)
+  if (this->CurrentTool)
   {
-    this->tool_->framePainted();
+    this->CurrentTool->framePainted();
   }
   if (Latency::of().isOn())
   {
-    this->window_->WaitForCompletion();
+    this->Window->WaitForCompletion();
     Latency::of().framePainted();
   }
 }
@@ -290,7 +290,7 @@ void Viewport::resizeGL(int width, int height)
 void Viewport::fitScreen()
 {
   const double ratio = this->devicePixelRatioF();
-  this->section_->GetProperty()->SetLineWidth(static_cast<float>(sectionWidth * ratio));
+  this->Section->GetProperty()->SetLineWidth(static_cast<float>(sectionWidth * ratio));
   for (Tool* tool : this->findChildren<Tool*>())
   {
     tool->setPixelRatio(ratio);
@@ -312,7 +312,7 @@ bool Viewport::event(QEvent* event)
   // VTK hears of the mouse before the functions for its events do.
   const auto type = event->type();
   const bool press = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
-  const bool release = type == QEvent::MouseButtonRelease && this->tool_ && this->tool_->draws();
+  const bool release = type == QEvent::MouseButtonRelease && this->CurrentTool && this->CurrentTool->draws();
   if (press || type == QEvent::Wheel || type == QEvent::KeyPress)
   {
     this->awaitNoMore();
@@ -320,11 +320,11 @@ bool Viewport::event(QEvent* event)
   if (press || release)
   {
     // The pen draws over what is on screen; the line's end is seen before all that a stroke's end brings.
-    if (this->renderWaits_)
+    if (this->RenderWaits)
     {
       this->render();
     }
-    if (this->paintWaits_)
+    if (this->PaintWaits)
     {
       this->paintNow();
     }
@@ -334,26 +334,26 @@ bool Viewport::event(QEvent* event)
 
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)
 {
-  this->meshMapper_->SetInputData(mesh);
-  this->skin_.dress(this->mesh_, this->meshMapper_, mesh);
-  this->backdrop_.setMesh(mesh);
+  this->MeshMapper->SetInputData(mesh);
+  this->MeshSkin.dress(this->Mesh, this->MeshMapper, mesh);
+  this->Behind.setMesh(mesh);
   if (reset)
   {
-    vtkCamera* camera = this->renderer_->GetActiveCamera();
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->SetPosition(0.0, 0.0, 1.0);
     camera->SetFocalPoint(0.0, 0.0, 0.0);
     camera->SetViewUp(0.0, 1.0, 0.0);
-    this->renderer_->ResetCamera(mesh->GetBounds());
-    this->style_->SaveFirstView();
+    this->Renderer->ResetCamera(mesh->GetBounds());
+    this->Style->SaveFirstView();
     // Room for what is drawn beside the model.
-    this->renderer_->SetSSAORadius(0.1 * mesh->GetLength());
-    this->renderer_->SetSSAOBias(0.002 * mesh->GetLength());
+    this->Renderer->SetSSAORadius(0.1 * mesh->GetLength());
+    this->Renderer->SetSSAOBias(0.002 * mesh->GetLength());
   }
-  this->renderer_->ResetCameraClippingRange();
-  if (!this->occlusionAsked_ && this->isValid())
+  this->Renderer->ResetCameraClippingRange();
+  if (!this->OcclusionAsked && this->isValid())
   {
-    this->occlusionAsked_ = true;
-    this->renderer_->SetUseSSAO(!drawsOnProcessor(this->window_));
+    this->OcclusionAsked = true;
+    this->Renderer->SetUseSSAO(!drawsOnProcessor(this->Window));
   }
   this->placeHint();
   this->awaitNoMore();
@@ -362,27 +362,27 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
 
 void Viewport::showPreview(vtkPolyData* mesh)
 {
-  this->meshMapper_->SetInputData(mesh);
+  this->MeshMapper->SetInputData(mesh);
 }
 
 vtkPolyData* Viewport::mesh() const
 {
-  return this->meshMapper_->GetInput();
+  return this->MeshMapper->GetInput();
 }
 
 void Viewport::showPictures(const Pictures& pictures)
 {
-  this->backdrop_.set(pictures, this->renderer_);
+  this->Behind.set(pictures, this->Renderer);
   this->renderSoon();
 }
 
 Lines Viewport::frameFor(int width, int height)
 {
   vtkNew<vtkOversketchStrokeRepresentation> reader;
-  reader->SetRenderer(this->renderer_);
+  reader->SetRenderer(this->Renderer);
   vtkNew<vtkPolyData> frame;
   reader->PutView(frame);
-  const int* size = this->renderer_->GetSize();
+  const int* size = this->Renderer->GetSize();
   const double scale = std::min(double(size[0]) / width, double(size[1]) / height);
   const double half[2] = { 0.5 * scale * width, 0.5 * scale * height };
   vtkNew<vtkPoints> corners;
@@ -399,15 +399,15 @@ Lines Viewport::frameFor(int width, int height)
 
 void Viewport::showSection(vtkPolyData* section)
 {
-  this->sectionMapper_->SetInputData(section);
-  this->section_->SetVisibility(section != nullptr);
+  this->SectionMapper->SetInputData(section);
+  this->Section->SetVisibility(section != nullptr);
   this->renderSoon();
 }
 
 void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
 {
-  vtkPolyData* mesh = this->meshMapper_->GetInput();
-  this->mirror_->SetVisibility(plane && mesh);
+  vtkPolyData* mesh = this->MeshMapper->GetInput();
+  this->Mirror->SetVisibility(plane && mesh);
   if (plane && mesh)
   {
     // A little larger than the model, in the plane.
@@ -423,105 +423,105 @@ void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
     std::copy(origin, origin + 3, second);
     first[a] = box[2 * a + 1] + margin;
     second[b] = box[2 * b + 1] + margin;
-    this->mirrorPlane_->SetOrigin(origin);
-    this->mirrorPlane_->SetPoint1(first);
-    this->mirrorPlane_->SetPoint2(second);
+    this->MirrorSheet->SetOrigin(origin);
+    this->MirrorSheet->SetPoint1(first);
+    this->MirrorSheet->SetPoint2(second);
   }
   this->renderSoon();
 }
 
 void Viewport::showHint(const QString& text)
 {
-  this->hint_.setText(text.toStdString());
+  this->HintBox.setText(text.toStdString());
   this->placeHint();
   this->renderSoon();
 }
 
 void Viewport::hideHint()
 {
-  this->hint_.setVisible(false);
+  this->HintBox.setVisible(false);
 }
 
 void Viewport::placeHint()
 {
-  this->hint_.place(this->renderer_, this->meshMapper_->GetInput(), this->devicePixelRatioF());
+  this->HintBox.place(this->Renderer, this->MeshMapper->GetInput(), this->devicePixelRatioF());
 }
 
 void Viewport::setDark(bool dark)
 {
   if (dark)
   {
-    this->renderer_->SetBackground(0.13, 0.14, 0.16);
-    this->renderer_->SetBackground2(0.22, 0.24, 0.27);
-    this->skin_.setPlain(this->mesh_, 0.78, 0.76, 0.73);
-    this->mirror_->GetProperty()->SetColor(0.6, 0.8, 1.0);
-    this->hint_.setDark(true);
+    this->Renderer->SetBackground(0.13, 0.14, 0.16);
+    this->Renderer->SetBackground2(0.22, 0.24, 0.27);
+    this->MeshSkin.setPlain(this->Mesh, 0.78, 0.76, 0.73);
+    this->Mirror->GetProperty()->SetColor(0.6, 0.8, 1.0);
+    this->HintBox.setDark(true);
   }
   else
   {
-    this->renderer_->SetBackground(0.80, 0.82, 0.84);
-    this->renderer_->SetBackground2(0.95, 0.96, 0.97);
-    this->skin_.setPlain(this->mesh_, 0.90, 0.88, 0.85);
-    this->mirror_->GetProperty()->SetColor(0.2, 0.4, 0.7);
-    this->hint_.setDark(false);
+    this->Renderer->SetBackground(0.80, 0.82, 0.84);
+    this->Renderer->SetBackground2(0.95, 0.96, 0.97);
+    this->MeshSkin.setPlain(this->Mesh, 0.90, 0.88, 0.85);
+    this->Mirror->GetProperty()->SetColor(0.2, 0.4, 0.7);
+    this->HintBox.setDark(false);
   }
-  this->renderer_->GradientBackgroundOn();
+  this->Renderer->GradientBackgroundOn();
   this->renderSoon();
 }
 
 void Viewport::showRegion(vtkPolyData* region)
 {
   const bool any = region && region->GetNumberOfPolys() > 0;
-  this->regionNormals_->SetInputData(any ? region : nullptr);
-  this->region_->SetVisibility(any);
+  this->RegionNormals->SetInputData(any ? region : nullptr);
+  this->Region->SetVisibility(any);
   this->renderSoon();
 }
 
 void Viewport::lookFrom(vtkPolyData* stroke)
 {
-  this->style_->LookFrom(stroke);
+  this->Style->LookFrom(stroke);
   this->render();
 }
 
 void Viewport::showKeys(bool show)
 {
-  this->style_->SetShowKeys(show);
-  this->hint_.setVisible(false); // it would be under the list
+  this->Style->SetShowKeys(show);
+  this->HintBox.setVisible(false); // it would be under the list
   this->render();
 }
 
 bool Viewport::showsKeys() const
 {
-  return this->style_->GetShowKeys();
+  return this->Style->GetShowKeys();
 }
 
 void Viewport::screenshot(const QString& path, bool overlays)
 {
-  const int section = this->section_->GetVisibility(), region = this->region_->GetVisibility(),
-            mirror = this->mirror_->GetVisibility(), hint = this->hint_.isVisible();
-  const bool keys = this->style_->GetShowKeys();
+  const int section = this->Section->GetVisibility(), region = this->Region->GetVisibility(),
+            mirror = this->Mirror->GetVisibility(), hint = this->HintBox.isVisible();
+  const bool keys = this->Style->GetShowKeys();
   if (!overlays)
   {
     for (Tool* tool : this->findChildren<Tool*>())
     {
       tool->showLines(false);
     }
-    this->section_->VisibilityOff();
-    this->region_->VisibilityOff();
-    this->mirror_->VisibilityOff();
-    this->hint_.setVisible(false);
-    this->style_->SetShowKeys(false);
+    this->Section->VisibilityOff();
+    this->Region->VisibilityOff();
+    this->Mirror->VisibilityOff();
+    this->HintBox.setVisible(false);
+    this->Style->SetShowKeys(false);
   }
   this->render();
   vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(this->window_);
+  picture->SetInput(this->Window);
   picture->ReadFrontBufferOff();
   picture->Update();
-  this->section_->SetVisibility(section);
-  this->region_->SetVisibility(region);
-  this->mirror_->SetVisibility(mirror);
-  this->hint_.setVisible(hint);
-  this->style_->SetShowKeys(keys);
+  this->Section->SetVisibility(section);
+  this->Region->SetVisibility(region);
+  this->Mirror->SetVisibility(mirror);
+  this->HintBox.setVisible(hint);
+  this->Style->SetShowKeys(keys);
   for (Tool* tool : this->findChildren<Tool*>())
   {
     tool->showLines(true);
@@ -545,9 +545,9 @@ void Viewport::screenshot(const QString& path, bool overlays)
 void Viewport::tabletEvent(QTabletEvent* event)
 {
   // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  if (this->tool_)
+  if (this->CurrentTool)
   {
-    this->tool_->setPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+    this->CurrentTool->setPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
   }
   event->ignore();
 }

@@ -40,7 +40,7 @@ public:
 
   // Takes a tool up, instead of the last.
   void setTool(Tool* tool);
-  Tool* tool() const { return this->tool_; }
+  Tool* tool() const { return this->CurrentTool; }
 
   // Shows a mesh instead of the last; with `reset` the camera looks at all of it from the front.
   void showMesh(vtkPolyData* mesh, bool reset);
@@ -71,8 +71,8 @@ public:
   void screenshot(const QString& path, bool overlays);
 
   // For tools.
-  vtkOversketchInteractorStyle* camera() { return this->style_; }
-  vtkRenderer* renderer() { return this->renderer_; }
+  vtkOversketchInteractorStyle* camera() { return this->Style; }
+  vtkRenderer* renderer() { return this->Renderer; }
   void setHandCursor(Qt::CursorShape shape);
   // A frame with the next turn of the event loop, and at once.
   void renderSoon();
@@ -102,22 +102,22 @@ private:
   void placeHint();
   void fitScreen();
 
-  vtkNew<vtkGenericOpenGLRenderWindow> window_;
-  vtkNew<vtkRenderer> renderer_;
-  vtkNew<vtkLightKit> lights_;
-  vtkNew<vtkPolyDataMapper> meshMapper_, sectionMapper_, regionMapper_, mirrorMapper_;
-  vtkNew<vtkActor> mesh_, section_, region_, mirror_;
-  vtkNew<vtkPolyDataNormals> regionNormals_;
-  Skin skin_; // of the mesh
-  vtkNew<vtkPlaneSource> mirrorPlane_;
-  Backdrop backdrop_;
-  Hint hint_;
-  vtkNew<vtkOversketchInteractorStyle> style_;
-  vtkNew<vtkCallbackCommand> observer_;
-  Tool* tool_ = nullptr;
-  bool occlusionAsked_ = false;
-  QTimer* await_; // runs while a mesh is awaited
-  bool renderWaits_ = false, paintWaits_ = false;
+  vtkNew<vtkGenericOpenGLRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkLightKit> Lights;
+  vtkNew<vtkPolyDataMapper> MeshMapper, SectionMapper, RegionMapper, MirrorMapper;
+  vtkNew<vtkActor> Mesh, Section, Region, Mirror;
+  vtkNew<vtkPolyDataNormals> RegionNormals;
+  Skin MeshSkin; // of the mesh
+  vtkNew<vtkPlaneSource> MirrorSheet;
+  Backdrop Behind;
+  Hint HintBox;
+  vtkNew<vtkOversketchInteractorStyle> Style;
+  vtkNew<vtkCallbackCommand> Observer;
+  Tool* CurrentTool = nullptr;
+  bool OcclusionAsked = false;
+  QTimer* Await; // runs while a mesh is awaited
+  bool RenderWaits = false, PaintWaits = false;
 };
 
 } // namespace oversketch_studio

@@ -32,13 +32,13 @@ class Error : public std::runtime_error
 public:
   Error(Failure failure, const std::string& message)
     : std::runtime_error(message)
-    , failure_(failure)
+    , Fail(failure)
   {
   }
-  Failure failure() const { return this->failure_; }
+  Failure failure() const { return this->Fail; }
 
 private:
-  Failure failure_;
+  Failure Fail;
 };
 
 // A default-constructed context runs serially and cannot be cancelled.

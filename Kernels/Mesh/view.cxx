@@ -11,10 +11,10 @@ View::View(const Eigen::Matrix4d& viewTransform,
   const Eigen::Matrix4d& projectionTransform,
   int width,
   int height)
-  : view_(viewTransform)
-  , projection_(projectionTransform)
-  , width_(width)
-  , height_(height)
+  : ViewFromWorld(viewTransform)
+  , Projection(projectionTransform)
+  , Width(width)
+  , Height(height)
 {
   if (!viewTransform.allFinite() || !projectionTransform.allFinite())
   {
@@ -32,31 +32,31 @@ View::View(const Eigen::Matrix4d& viewTransform,
   const double focal = projectionTransform(0, 0) * projectionTransform(1, 1) -
                        projectionTransform(0, 1) * projectionTransform(1, 0);
   const Eigen::RowVector4d w = projectionTransform.row(3);
-  this->perspective_ = w[0] != 0.0 || w[1] != 0.0 || w[2] != 0.0;
-  if (!(scale > 0.0) || !(std::abs(focal) > 0.0) || (!this->perspective_ && w[3] == 0.0))
+  this->Perspective = w[0] != 0.0 || w[1] != 0.0 || w[2] != 0.0;
+  if (!(scale > 0.0) || !(std::abs(focal) > 0.0) || (!this->Perspective && w[3] == 0.0))
   {
     throw Error(Failure::BadStroke,
       "The stroke's ViewTransform or ProjectionTransform is singular; record the stroke again.");
   }
-  this->viewInverse_ = viewTransform.inverse();
+  this->ViewInverse = viewTransform.inverse();
   // The plane of constant camera z has this normal in world space, whatever the scale in the matrix.
-  this->normal_ = rotation.row(2).transpose().normalized();
-  this->eye_ = this->viewInverse_.topRightCorner<3, 1>() / this->viewInverse_(3, 3);
+  this->Normal = rotation.row(2).transpose().normalized();
+  this->Eye = this->ViewInverse.topRightCorner<3, 1>() / this->ViewInverse(3, 3);
 }
 
 Vector3 View::toDisplay(const Vector3& world) const
 {
-  const Eigen::Vector4d camera = this->view_ * world.homogeneous();
-  const Eigen::Vector4d clip = this->projection_ * camera;
+  const Eigen::Vector4d camera = this->ViewFromWorld * world.homogeneous();
+  const Eigen::Vector4d clip = this->Projection * camera;
   return {
-    (clip[0] / clip[3] + 1.0) * 0.5 * this->width_, (clip[1] / clip[3] + 1.0) * 0.5 * this->height_, camera[2]
+    (clip[0] / clip[3] + 1.0) * 0.5 * this->Width, (clip[1] / clip[3] + 1.0) * 0.5 * this->Height, camera[2]
   };
 }
 
 Vector3 View::toScreen(const Vector3& world) const
 {
   Vector3 display = this->toDisplay(world);
-  if (this->perspective_)
+  if (this->Perspective)
   {
     display[2] = -1.0 / display[2];
   }
@@ -65,21 +65,21 @@ Vector3 View::toScreen(const Vector3& world) const
 
 double View::depth(const Vector3& world) const
 {
-  return this->view_.row(2).dot(world.homogeneous());
+  return this->ViewFromWorld.row(2).dot(world.homogeneous());
 }
 
 Vector3 View::toWorld(const Vector2& display, double z) const
 {
-  const double x = 2.0 * display[0] / this->width_ - 1.0;
-  const double y = 2.0 * display[1] / this->height_ - 1.0;
+  const double x = 2.0 * display[0] / this->Width - 1.0;
+  const double y = 2.0 * display[1] / this->Height - 1.0;
   // Solve the two rows (P_x - x P_w) . (cx, cy, z, 1) = 0 and (P_y - y P_w) . (...) = 0 for cx, cy.
-  const Eigen::RowVector4d rowX = this->projection_.row(0) - x * this->projection_.row(3);
-  const Eigen::RowVector4d rowY = this->projection_.row(1) - y * this->projection_.row(3);
+  const Eigen::RowVector4d rowX = this->Projection.row(0) - x * this->Projection.row(3);
+  const Eigen::RowVector4d rowY = this->Projection.row(1) - y * this->Projection.row(3);
   Eigen::Matrix2d a;
   a << rowX[0], rowX[1], rowY[0], rowY[1];
   const Vector2 b(-(rowX[2] * z + rowX[3]), -(rowY[2] * z + rowY[3]));
   const Vector2 c = a.inverse() * b;
-  return (this->viewInverse_ * Eigen::Vector4d(c[0], c[1], z, 1.0)).head<3>();
+  return (this->ViewInverse * Eigen::Vector4d(c[0], c[1], z, 1.0)).head<3>();
 }
 
 } // namespace oversketch

@@ -20,20 +20,20 @@ public:
     int width,
     int height);
 
-  int width() const { return this->width_; }
-  int height() const { return this->height_; }
-  bool perspective() const { return this->perspective_; }
+  int width() const { return this->Width; }
+  int height() const { return this->Height; }
+  bool perspective() const { return this->Perspective; }
 
   // Unit vector towards the viewer along the view-plane normal, in world space.
-  const Vector3& normal() const { return this->normal_; }
+  const Vector3& normal() const { return this->Normal; }
   // The eye in world space; meaningful for a perspective view only.
-  const Vector3& eye() const { return this->eye_; }
+  const Vector3& eye() const { return this->Eye; }
 
   // d(v) of the specification: the unit vector towards the viewer when orthographic, eye - v, not
   // normalised, when perspective.
   Vector3 towardsViewer(const Vector3& world) const
   {
-    return this->perspective_ ? Vector3(this->eye_ - world) : this->normal_;
+    return this->Perspective ? Vector3(this->Eye - world) : this->Normal;
   }
 
   // (x px, y px, camera-space z): display coordinates from the lower left corner, y up; z grows towards
@@ -46,16 +46,16 @@ public:
   Vector3 toWorld(const Vector2& display, double z) const;
   double depth(const Vector3& world) const;
   // False for a point at or behind the eye of a perspective view: it has no place on screen.
-  bool inFront(const Vector3& world) const { return !this->perspective_ || this->depth(world) < 0.0; }
+  bool inFront(const Vector3& world) const { return !this->Perspective || this->depth(world) < 0.0; }
 
-  const Eigen::Matrix4d& viewTransform() const { return this->view_; }
-  const Eigen::Matrix4d& projectionTransform() const { return this->projection_; }
+  const Eigen::Matrix4d& viewTransform() const { return this->ViewFromWorld; }
+  const Eigen::Matrix4d& projectionTransform() const { return this->Projection; }
 
 private:
-  Eigen::Matrix4d view_, projection_, viewInverse_;
-  Vector3 normal_, eye_;
-  int width_, height_;
-  bool perspective_;
+  Eigen::Matrix4d ViewFromWorld, Projection, ViewInverse;
+  Vector3 Normal, Eye;
+  int Width, Height;
+  bool Perspective;
 };
 
 } // namespace oversketch

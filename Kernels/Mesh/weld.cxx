@@ -17,28 +17,28 @@ class PositionTable
 {
 public:
   explicit PositionTable(const std::vector<Vector3>& points)
-    : points_(points)
+    : Points(points)
   {
     std::size_t size = 16;
     while (size < 2 * points.size())
     {
       size *= 2;
     }
-    this->slots_.assign(size, -1);
+    this->Slots.assign(size, -1);
   }
 
   int firstAt(int point)
   {
-    const std::size_t mask = this->slots_.size() - 1;
-    for (std::size_t slot = hash(this->points_[point]) & mask;; slot = (slot + 1) & mask)
+    const std::size_t mask = this->Slots.size() - 1;
+    for (std::size_t slot = hash(this->Points[point]) & mask;; slot = (slot + 1) & mask)
     {
-      int& known = this->slots_[slot];
+      int& known = this->Slots[slot];
       if (known < 0)
       {
         known = point;
         return point;
       }
-      if (this->points_[known] == this->points_[point])
+      if (this->Points[known] == this->Points[point])
       {
         return known;
       }
@@ -60,8 +60,8 @@ private:
     return static_cast<std::size_t>(h);
   }
 
-  const std::vector<Vector3>& points_;
-  std::vector<int> slots_;
+  const std::vector<Vector3>& Points;
+  std::vector<int> Slots;
 };
 
 } // namespace

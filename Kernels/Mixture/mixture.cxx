@@ -84,7 +84,7 @@ LogDensity::LogDensity(const Mixture& mixture)
 {
   for (const Gaussian& g : mixture)
   {
-    this->terms_.push_back({ g.mean, g.variance, std::log(g.weight), logTwoPi + std::log(g.variance) });
+    this->Terms.push_back({ g.mean, g.variance, std::log(g.weight), logTwoPi + std::log(g.variance) });
   }
 }
 
@@ -92,11 +92,11 @@ double LogDensity::operator()(double x) const
 {
   double logs[maximumMixtureComponents];
   double largest = -std::numeric_limits<double>::infinity();
-  const std::size_t count = this->terms_.size();
+  const std::size_t count = this->Terms.size();
   for (std::size_t k = 0; k < count; ++k)
   {
     // ln(weight N(x; mean, variance))
-    const Term& term = this->terms_[k];
+    const Term& term = this->Terms[k];
     const double d = x - term.mean;
     logs[k] = term.logWeight - 0.5 * (term.logScale + d * d / term.variance);
     largest = std::max(largest, logs[k]);

@@ -49,7 +49,7 @@ private:
   {
     double mean, variance, logWeight, logScale;
   };
-  std::vector<Term> terms_;
+  std::vector<Term> Terms;
 };
 
 // One EM step: responsibilities of the components, then weights, means and variances from them.

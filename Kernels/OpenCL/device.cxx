@@ -9,28 +9,28 @@ namespace oversketch
 {
 
 Device::Device(const cl::Device& device)
-  : device_(device)
-  , context_(device)
-  , queue_(this->context_, device)
+  : ClDevice(device)
+  , Context(device)
+  , Queue(this->Context, device)
 {
   const auto text = [](std::string value)
   {
     value.resize(std::strlen(value.c_str())); // some drivers count the terminating zero
     return value;
   };
-  this->info_.platform = text(cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>());
-  this->info_.device = text(device.getInfo<CL_DEVICE_NAME>());
-  this->info_.version = text(device.getInfo<CL_DEVICE_VERSION>());
-  this->info_.maxWorkGroupSize = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
-  this->info_.localMemory = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
-  this->info_.maxAllocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-  this->info_.computeUnits = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-  this->info_.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
-  this->info_.cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
-  this->options_ = "-cl-std=CL1.2";
+  this->Info.platform = text(cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>());
+  this->Info.device = text(device.getInfo<CL_DEVICE_NAME>());
+  this->Info.version = text(device.getInfo<CL_DEVICE_VERSION>());
+  this->Info.maxWorkGroupSize = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+  this->Info.localMemory = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+  this->Info.maxAllocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+  this->Info.computeUnits = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+  this->Info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+  this->Info.cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+  this->Options = "-cl-std=CL1.2";
   if (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
   {
-    this->options_ += " -cl-fp32-correctly-rounded-divide-sqrt";
+    this->Options += " -cl-fp32-correctly-rounded-divide-sqrt";
   }
 }
 
@@ -100,10 +100,10 @@ std::shared_ptr<Device> Device::choose(Backend wanted, std::string& warning)
 
 cl::Program Device::program(const std::string& name, const std::string& source, const std::string& options)
 {
-  const std::lock_guard<std::mutex> lock(this->mutex_);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   const std::string key = name + ' ' + options;
-  const auto known = this->programs_.find(key);
-  if (known != this->programs_.end())
+  const auto known = this->Programs.find(key);
+  if (known != this->Programs.end())
   {
     return known->second;
   }
@@ -111,8 +111,8 @@ cl::Program Device::program(const std::string& name, const std::string& source, 
   try
   {
     bool compiled = false;
-    program = buildProgram(this->context_, this->device_, source, this->options_ + ' ' + options, compiled);
-    this->compilations_ += compiled ? 1 : 0;
+    program = buildProgram(this->Context, this->ClDevice, source, this->Options + ' ' + options, compiled);
+    this->Compilations += compiled ? 1 : 0;
   }
   catch (const cl::BuildError& error)
   {
@@ -128,13 +128,13 @@ cl::Program Device::program(const std::string& name, const std::string& source, 
   {
     throw Error(Failure::NoDevice, this->describe(error.what(), error.err()));
   }
-  this->programs_.emplace(key, program);
+  this->Programs.emplace(key, program);
   return program;
 }
 
 std::string Device::describe(const char* call, int code) const
 {
-  return "OpenCL device " + this->info_.device + " failed: " + call + " gave error " + std::to_string(code) +
+  return "OpenCL device " + this->Info.device + " failed: " + call + " gave error " + std::to_string(code) +
          '.';
 }
 

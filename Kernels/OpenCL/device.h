@@ -42,10 +42,10 @@ public:
   // so.
   static std::shared_ptr<Device> choose(Backend wanted, std::string& warning);
 
-  const DeviceInfo& info() const { return this->info_; }
-  const cl::Context& context() const { return this->context_; }
+  const DeviceInfo& info() const { return this->Info; }
+  const cl::Context& context() const { return this->Context; }
   // In order, safe to enqueue to from several threads; buffers and cl::Kernel objects are the caller's own.
-  const cl::CommandQueue& queue() const { return this->queue_; }
+  const cl::CommandQueue& queue() const { return this->Queue; }
 
   // The program built from OpenCL C 1.2 source, once per process and pair of name and options. The source is
   // what oversketch_embed_cl() made of a .cl file; options are of the kind "-D NAME=value". Correctly rounded
@@ -55,7 +55,7 @@ public:
   cl::Program program(const std::string& name, const std::string& source, const std::string& options = "");
 
   // How many programs were compiled from source: 0 while the cache has them all.
-  int compilations() const { return this->compilations_; }
+  int compilations() const { return this->Compilations; }
 
   // Runs body and turns a cl::Error into Error(Failure::NoDevice), so that the caller can go on with the
   // host.
@@ -77,14 +77,14 @@ private:
   static std::shared_ptr<Device> find();
   std::string describe(const char* call, int code) const;
 
-  cl::Device device_;
-  cl::Context context_;
-  cl::CommandQueue queue_;
-  DeviceInfo info_;
-  std::string options_;
-  std::mutex mutex_;
-  std::atomic<int> compilations_ = 0;
-  std::map<std::string, cl::Program> programs_;
+  cl::Device ClDevice;
+  cl::Context Context;
+  cl::CommandQueue Queue;
+  DeviceInfo Info;
+  std::string Options;
+  std::mutex Mutex;
+  std::atomic<int> Compilations = 0;
+  std::map<std::string, cl::Program> Programs;
 };
 
 // A read-only buffer with a copy of the values. OpenCL has no empty buffers: an empty vector gives one unused

@@ -30,13 +30,13 @@ public:
     const auto* bytes = static_cast<const unsigned char*>(data);
     for (std::size_t i = 0; i < size; ++i)
     {
-      this->value_ = (this->value_ ^ bytes[i]) * 1099511628211u;
+      this->Value = (this->Value ^ bytes[i]) * 1099511628211u;
     }
   }
-  std::uint64_t value() const { return this->value_; }
+  std::uint64_t value() const { return this->Value; }
 
 private:
-  std::uint64_t value_ = 14695981039346656037u;
+  std::uint64_t Value = 14695981039346656037u;
 };
 
 struct Header

@@ -85,16 +85,16 @@ class Builder
 {
 public:
   Builder(const RayScene& scene, const Context& context)
-    : scene_(scene)
-    , context_(context)
-    , prims_(scene.facets.size())
+    : Scene(scene)
+    , Caller(context)
+    , Prims(scene.facets.size())
   {
-    context.parallelFor(static_cast<int>(this->prims_.size()),
+    context.parallelFor(static_cast<int>(this->Prims.size()),
       [&](int begin, int end)
       {
         for (int t = begin; t < end; ++t)
         {
-          Prim& prim = this->prims_[t];
+          Prim& prim = this->Prims[t];
           prim.box = Box();
           for (const int v : scene.facets[t].places)
           {
@@ -112,8 +112,8 @@ public:
 
   Bvh build()
   {
-    Range whole{ 0, static_cast<int>(this->prims_.size()), 0, {}, {} };
-    for (const Prim& prim : this->prims_)
+    Range whole{ 0, static_cast<int>(this->Prims.size()), 0, {}, {} };
+    for (const Prim& prim : this->Prims)
     {
       whole.box.add(prim.box);
       whole.centres.add(prim.centre);
@@ -127,15 +127,15 @@ public:
     std::vector<Part> halves(firstCount);
     std::vector<std::vector<Range>> halfRanges(firstCount);
     std::vector<std::vector<int>> halfSlots(firstCount);
-    this->context_.parallelFor(firstCount,
+    this->Caller.parallelFor(firstCount,
       [&](int begin, int end)
       {
-        for (int i = begin; i < end && !this->context_.cancelled(); ++i)
+        for (int i = begin; i < end && !this->Caller.cancelled(); ++i)
         {
           this->expand(halves[i], second[i], halfRanges[i], halfSlots[i]);
         }
       });
-    this->context_.checkpoint(0.0);
+    this->Caller.checkpoint(0.0);
     for (int i = 0; i < firstCount; ++i)
     {
       const int node = append(top, halves[i]);
@@ -148,15 +148,15 @@ public:
     }
     const int partCount = static_cast<int>(third.size());
     std::vector<Part> parts(partCount);
-    this->context_.parallelFor(partCount,
+    this->Caller.parallelFor(partCount,
       [&](int begin, int end)
       {
-        for (int i = begin; i < end && !this->context_.cancelled(); ++i)
+        for (int i = begin; i < end && !this->Caller.cancelled(); ++i)
         {
           this->subtree(parts[i], third[i]);
         }
       });
-    this->context_.checkpoint(0.0);
+    this->Caller.checkpoint(0.0);
     return this->join(top, parts, thirdSlots);
   }
 
@@ -221,7 +221,7 @@ private:
     std::vector<Range> open;
     std::vector<int> slots;
     this->expand(part, range, open, slots);
-    for (std::size_t i = 0; i < open.size() && !this->context_.cancelled(); ++i)
+    for (std::size_t i = 0; i < open.size() && !this->Caller.cancelled(); ++i)
     {
       part.nodes[slots[i] / Bvh::width].child[slots[i] % Bvh::width] = static_cast<int>(part.nodes.size());
       this->subtree(part, open[i]);
@@ -245,8 +245,8 @@ private:
     {
       this->bestSplit(range, scale, bins, axis, bin);
     }
-    Prim* const begin = this->prims_.data() + range.begin;
-    Prim* const end = this->prims_.data() + range.end;
+    Prim* const begin = this->Prims.data() + range.begin;
+    Prim* const end = this->Prims.data() + range.end;
     Prim* middle;
     if (axis >= 0)
     {
@@ -299,7 +299,7 @@ private:
         side.centres.add(p->centre);
       }
     }
-    left.end = right.begin = static_cast<int>(middle - this->prims_.data());
+    left.end = right.begin = static_cast<int>(middle - this->Prims.data());
   }
 
   void bestSplit(const Range& range, const Quad& scale, int bins, int& axis, int& bin) const
@@ -308,7 +308,7 @@ private:
     int counts[3][binCount] = {};
     for (int i = range.begin; i < range.end; ++i)
     {
-      const Prim& prim = this->prims_[i];
+      const Prim& prim = this->Prims[i];
       const Quad along = (prim.centre - range.centres.low) * scale;
       for (int k = 0; k < 3; ++k)
       {
@@ -363,17 +363,17 @@ private:
     float low[3] = { 1.0f, 1.0f, 1.0f }, high[3] = { -1.0f, -1.0f, -1.0f };
     for (int i = 0; i < Bvh::width; ++i)
     {
-      pack.triangle[i] = i < range.count() ? this->prims_[range.begin + i].triangle() : -1;
+      pack.triangle[i] = i < range.count() ? this->Prims[range.begin + i].triangle() : -1;
       if (i < range.count())
       {
-        const RayFacet& facet = this->scene_.facets[pack.triangle[i]];
+        const RayFacet& facet = this->Scene.facets[pack.triangle[i]];
         for (int k = 0; k < 3; ++k)
         {
           low[k] = std::min(low[k], facet.normal[k]);
           high[k] = std::max(high[k], facet.normal[k]);
           for (int corner = 0; corner < 3; ++corner)
           {
-            pack.corner[corner][k][i] = this->scene_.points[facet.places[corner]][k];
+            pack.corner[corner][k][i] = this->Scene.points[facet.places[corner]][k];
           }
         }
       }
@@ -430,7 +430,7 @@ private:
     {
       bvh.nodes[slots[i] / Bvh::width].child[slots[i] % Bvh::width] = nodeStarts[i];
     }
-    this->context_.parallelFor(static_cast<int>(parts.size()),
+    this->Caller.parallelFor(static_cast<int>(parts.size()),
       [&](int begin, int end)
       {
         for (int i = begin; i < end; ++i)
@@ -477,9 +477,9 @@ private:
     bvh.stackSize = waiting[0];
   }
 
-  const RayScene& scene_;
-  const Context& context_;
-  std::vector<Prim> prims_;
+  const RayScene& Scene;
+  const Context& Caller;
+  std::vector<Prim> Prims;
 };
 
 } // namespace

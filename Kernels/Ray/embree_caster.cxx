@@ -76,16 +76,16 @@ class EmbreeCaster final : public RayCaster
 {
 public:
   explicit EmbreeCaster(const RayScene& scene)
-    : scene_(scene)
-    , device_(rtcNewDevice(nullptr))
+    : Scene(scene)
+    , Device(rtcNewDevice(nullptr))
   {
-    if (!this->device_)
+    if (!this->Device)
     {
       throw Error(Failure::Unexpected, "Embree could not be started on this processor.");
     }
-    this->embree_ = rtcNewScene(this->device_);
-    rtcSetSceneFlags(this->embree_, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(this->device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    this->Embree = rtcNewScene(this->Device);
+    rtcSetSceneFlags(this->Embree, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(geometry,
       RTC_BUFFER_TYPE_VERTEX,
       0,
@@ -104,10 +104,10 @@ public:
       scene.facets.size());
     rtcSetGeometryIntersectFilterFunction(geometry, keepNearestExit);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(this->embree_, geometry);
+    rtcAttachGeometry(this->Embree, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(this->embree_);
-    const RTCError error = rtcGetDeviceError(this->device_);
+    rtcCommitScene(this->Embree);
+    const RTCError error = rtcGetDeviceError(this->Device);
     if (error != RTC_ERROR_NONE)
     {
       this->release();
@@ -134,7 +134,7 @@ public:
           RayHit* found = hits.data() + first;
           const float start = std::max(rays.starts[i], nearestExit);
           Query query;
-          query.place = this->scene_.places[rays.vertices[i]];
+          query.place = this->Scene.places[rays.vertices[i]];
           query.keepsOn = false;
           // Nearly always the first facet that is hit is the one.
           for (int k = 0; k < rays.raysPerVertex; ++k)
@@ -145,10 +145,10 @@ public:
             if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID)
             {
               found[k] = { ray.ray.tfar, static_cast<int>(ray.hit.primID) };
-              prefetch(&this->scene_.facets[found[k].triangle]);
+              prefetch(&this->Scene.facets[found[k].triangle]);
             }
           }
-          query.facets = this->scene_.facets.data();
+          query.facets = this->Scene.facets.data();
           for (int k = 0; k < rays.raysPerVertex; ++k)
           {
             if (found[k].triangle >= 0 &&
@@ -185,7 +185,7 @@ private:
   {
     query.best = { std::numeric_limits<float>::max(), -1 };
     query.tied = false;
-    const std::array<float, 4>& origin = this->scene_.points[vertex];
+    const std::array<float, 4>& origin = this->Scene.points[vertex];
     RTCRayHit ray;
     ray.ray.org_x = origin[0];
     ray.ray.org_y = origin[1];
@@ -207,23 +207,23 @@ private:
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
     arguments.context = &query.context;
-    rtcIntersect1(this->embree_, &ray, &arguments);
+    rtcIntersect1(this->Embree, &ray, &arguments);
 #else
     rtcInitIntersectContext(&query.context);
-    rtcIntersect1(this->embree_, &query.context, &ray);
+    rtcIntersect1(this->Embree, &query.context, &ray);
 #endif
     return ray;
   }
 
   void release()
   {
-    rtcReleaseScene(this->embree_);
-    rtcReleaseDevice(this->device_);
+    rtcReleaseScene(this->Embree);
+    rtcReleaseDevice(this->Device);
   }
 
-  const RayScene& scene_;
-  RTCDevice device_;
-  RTCScene embree_ = nullptr;
+  const RayScene& Scene;
+  RTCDevice Device;
+  RTCScene Embree = nullptr;
 };
 
 } // namespace

@@ -51,24 +51,24 @@ public:
     const RayScene& scene,
     const std::vector<Vector3>& normals,
     const Context& context)
-    : known_(known)
-    , mesh_(mesh)
-    , scene_(scene)
-    , normals_(normals)
-    , context_(context)
-    , cone_(coneDirections(known.options.rayCount, known.options.coneAngle))
-    , match_(matchMeshes(*known.mesh, *known.normals, mesh, normals, context))
+    : Known(known)
+    , Model(mesh)
+    , Scene(scene)
+    , Normals(normals)
+    , Caller(context)
+    , Cone(coneDirections(known.options.rayCount, known.options.coneAngle))
+    , Match(matchMeshes(*known.mesh, *known.normals, mesh, normals, context))
   {
   }
 
   // Takes over what still holds. Returns per vertex 1 where it does.
   std::vector<char> takeOver(const MakeCaster& makeCaster, ConeMeasures& result) const
   {
-    std::vector<char> kept(this->mesh_.points.size(), 0);
+    std::vector<char> kept(this->Model.points.size(), 0);
     std::vector<int> vertices;
-    for (const int v : this->scene_.order)
+    for (const int v : this->Scene.order)
     {
-      if (this->match_.vertices[v] >= 0 && this->normals_[v].squaredNorm() > 0.0)
+      if (this->Match.vertices[v] >= 0 && this->Normals[v].squaredNorm() > 0.0)
       {
         vertices.push_back(v);
         kept[v] = 1;
@@ -76,21 +76,21 @@ public:
     }
     this->dropCones(vertices, kept);
     this->dropRays(vertices, makeCaster, kept);
-    this->context_.parallelFor(this->mesh_.vertexCount(),
+    this->Caller.parallelFor(this->Model.vertexCount(),
       [&](int begin, int end)
       {
         for (int v = begin; v < end; ++v)
         {
           if (kept[v])
           {
-            const int before = this->match_.vertices[v];
-            result.diameter[v] = this->known_.measures.diameter[before];
-            result.measured[v] = this->known_.measures.measured[before];
-            result.reach[v] = this->known_.measures.reach[before];
+            const int before = this->Match.vertices[v];
+            result.diameter[v] = this->Known.measures.diameter[before];
+            result.measured[v] = this->Known.measures.measured[before];
+            result.reach[v] = this->Known.measures.reach[before];
             const auto lengths = this->lengths(v);
             std::copy(lengths,
-              lengths + this->cone_.size(),
-              result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->cone_.size()));
+              lengths + this->Cone.size(),
+              result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->Cone.size()));
           }
         }
       });
@@ -98,17 +98,17 @@ public:
   }
 
 private:
-  float reach(int v) const { return this->known_.measures.reach[this->match_.vertices[v]]; }
+  float reach(int v) const { return this->Known.measures.reach[this->Match.vertices[v]]; }
   std::vector<std::uint8_t>::const_iterator lengths(int v) const
   {
-    return this->known_.measures.lengths.begin() +
-           static_cast<std::ptrdiff_t>(this->match_.vertices[v] * this->cone_.size());
+    return this->Known.measures.lengths.begin() +
+           static_cast<std::ptrdiff_t>(this->Match.vertices[v] * this->Cone.size());
   }
 
   // Drops the vertices whose cone as a whole may meet a changed facet; they stay in `vertices`.
   void dropCones(std::vector<int>& vertices, std::vector<char>& kept) const
   {
-    this->context_.checkpoint(0.0);
+    this->Caller.checkpoint(0.0);
     std::vector<float> reaches;
     reaches.reserve(vertices.size());
     for (const int v : vertices)
@@ -116,14 +116,9 @@ private:
       reaches.push_back(this->reach(v));
     }
     const RayScene changed(
-      changedFacets(*this->known_.mesh, this->mesh_, this->match_, {}), this->scene_.frame, this->context_);
-    const std::vector<char> met = conesThatMeet(changed,
-      this->scene_,
-      this->normals_,
-      vertices,
-      reaches,
-      std::acos(this->cone_.back()[2]),
-      this->context_);
+      changedFacets(*this->Known.mesh, this->Model, this->Match, {}), this->Scene.frame, this->Caller);
+    const std::vector<char> met = conesThatMeet(
+      changed, this->Scene, this->Normals, vertices, reaches, std::acos(this->Cone.back()[2]), this->Caller);
     std::size_t count = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
@@ -140,26 +135,26 @@ private:
   // length.
   void dropRays(const std::vector<int>& vertices, const MakeCaster& makeCaster, std::vector<char>& kept) const
   {
-    this->context_.checkpoint(0.0);
-    const Mesh mesh = changedFacets(*this->known_.mesh, this->mesh_, this->match_, vertices);
-    if (vertices.empty() || fewFacets * mesh.triangles.size() > this->mesh_.triangles.size())
+    this->Caller.checkpoint(0.0);
+    const Mesh mesh = changedFacets(*this->Known.mesh, this->Model, this->Match, vertices);
+    if (vertices.empty() || fewFacets * mesh.triangles.size() > this->Model.triangles.size())
     {
       return;
     }
-    const RayScene changed(mesh, this->scene_.frame, this->context_);
+    const RayScene changed(mesh, this->Scene.frame, this->Caller);
     const std::unique_ptr<RayCaster> caster = makeCaster(changed);
-    const int rays = static_cast<int>(this->cone_.size());
+    const int rays = static_cast<int>(this->Cone.size());
     const int total = static_cast<int>(vertices.size());
     const int blockSize = std::max(1, raysBetweenChecks / rays);
     std::vector<RayHit> hits;
     for (int first = 0; first < total; first += blockSize)
     {
-      this->context_.checkpoint(0.0);
+      this->Caller.checkpoint(0.0);
       const int count = std::min(blockSize, total - first);
-      RayBatch batch = conesOf(vertices.data() + first, count, this->normals_, this->cone_, this->context_);
+      RayBatch batch = conesOf(vertices.data() + first, count, this->Normals, this->Cone, this->Caller);
       std::iota(batch.vertices.begin(), batch.vertices.end(), mesh.vertexCount() - total + first);
-      caster->cast(batch, hits, this->context_);
-      this->context_.parallelFor(count,
+      caster->cast(batch, hits, this->Caller);
+      this->Caller.parallelFor(count,
         [&](int begin, int end)
         {
           for (int i = begin; i < end; ++i)
@@ -174,16 +169,16 @@ private:
           }
         });
     }
-    this->context_.checkpoint(0.0);
+    this->Caller.checkpoint(0.0);
   }
 
-  const KnownDiameters& known_;
-  const Mesh& mesh_;
-  const RayScene& scene_;
-  const std::vector<Vector3>& normals_;
-  const Context& context_;
-  const std::vector<Vector3> cone_;
-  const MeshMatch match_;
+  const KnownDiameters& Known;
+  const Mesh& Model;
+  const RayScene& Scene;
+  const std::vector<Vector3>& Normals;
+  const Context& Caller;
+  const std::vector<Vector3> Cone;
+  const MeshMatch Match;
 };
 
 } // namespace

@@ -31,8 +31,8 @@ class OpenCLCaster : public RayCaster
 {
 public:
   OpenCLCaster(const RayScene& scene, const std::shared_ptr<Device>& device, const Context& context)
-    : device_(device)
-    , bvh_(buildBvh(scene, context))
+    : ClDevice(device)
+    , Tree(buildBvh(scene, context))
   {
     static_assert(sizeof(Bvh::Node) == 9 * 8 * sizeof(float) && sizeof(Bvh::Pack) == 10 * 8 * sizeof(float) &&
                     offsetof(Bvh::Node, child) == 48 * sizeof(float) &&
@@ -41,18 +41,18 @@ public:
                     offsetof(RayFacet, offset) == 6 * sizeof(double) && sizeof(RayHit) == 2 * sizeof(float),
       "the sizes that cast_rays.cl counts in");
     // Few different programs: depths are rounded up. A node's children are written all at once.
-    const int stackSize = (this->bvh_.stackSize + Bvh::width + 31) / 32 * 32;
+    const int stackSize = (this->Tree.stackSize + Bvh::width + 31) / 32 * 32;
     device->guard(
       [&]
       {
-        this->kernel_ =
+        this->Kernel =
           cl::Kernel(device->program("cast_rays", cast_rays_cl, "-D STACK_SIZE=" + std::to_string(stackSize)),
             "cast_rays");
-        this->nodes_ = shared(*device, this->bvh_.nodes);
-        this->packs_ = shared(*device, this->bvh_.packs);
-        this->facets_ = shared(*device, scene.facets);
-        this->points_ = shared(*device, scene.points);
-        this->places_ = shared(*device, scene.places);
+        this->Nodes = shared(*device, this->Tree.nodes);
+        this->Packs = shared(*device, this->Tree.packs);
+        this->Facets = shared(*device, scene.facets);
+        this->Points = shared(*device, scene.points);
+        this->Places = shared(*device, scene.places);
       });
   }
 
@@ -64,28 +64,28 @@ public:
     {
       return;
     }
-    this->device_->guard(
+    this->ClDevice->guard(
       [&]
       {
-        const cl::Buffer vertices = shared(*this->device_, rays.vertices);
-        const cl::Buffer directions = shared(*this->device_, rays.directions);
-        const cl::Buffer found(this->device_->context(),
-          CL_MEM_WRITE_ONLY | (this->device_->info().cpu ? CL_MEM_USE_HOST_PTR : 0),
+        const cl::Buffer vertices = shared(*this->ClDevice, rays.vertices);
+        const cl::Buffer directions = shared(*this->ClDevice, rays.directions);
+        const cl::Buffer found(this->ClDevice->context(),
+          CL_MEM_WRITE_ONLY | (this->ClDevice->info().cpu ? CL_MEM_USE_HOST_PTR : 0),
           count * sizeof(RayHit),
-          this->device_->info().cpu ? hits.data() : nullptr);
+          this->ClDevice->info().cpu ? hits.data() : nullptr);
         int argument = 0;
         for (const cl::Buffer& buffer :
-          { this->nodes_, this->packs_, this->facets_, this->points_, this->places_, vertices, directions })
+          { this->Nodes, this->Packs, this->Facets, this->Points, this->Places, vertices, directions })
         {
-          this->kernel_.setArg(argument++, buffer);
+          this->Kernel.setArg(argument++, buffer);
         }
-        this->kernel_.setArg(argument++, rays.raysPerVertex);
-        this->kernel_.setArg(argument++, static_cast<int>(count));
-        this->kernel_.setArg(argument++, found);
-        const std::size_t group = std::min<std::size_t>(64, this->device_->info().maxWorkGroupSize);
-        const cl::CommandQueue& queue = this->device_->queue();
+        this->Kernel.setArg(argument++, rays.raysPerVertex);
+        this->Kernel.setArg(argument++, static_cast<int>(count));
+        this->Kernel.setArg(argument++, found);
+        const std::size_t group = std::min<std::size_t>(64, this->ClDevice->info().maxWorkGroupSize);
+        const cl::CommandQueue& queue = this->ClDevice->queue();
         queue.enqueueNDRangeKernel(
-          this->kernel_, cl::NullRange, cl::NDRange((count + group - 1) / group * group), cl::NDRange(group));
+          this->Kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group), cl::NDRange(group));
         // Where the buffer is the vector itself this only waits.
         queue.enqueueReadBuffer(found, CL_TRUE, 0, count * sizeof(RayHit), hits.data());
       });
@@ -94,10 +94,10 @@ public:
   bool onHost() const override { return false; }
 
 private:
-  std::shared_ptr<Device> device_;
-  Bvh bvh_;
-  cl::Kernel kernel_;
-  cl::Buffer nodes_, packs_, facets_, points_, places_;
+  std::shared_ptr<Device> ClDevice;
+  Bvh Tree;
+  cl::Kernel Kernel;
+  cl::Buffer Nodes, Packs, Facets, Points, Places;
 };
 
 } // namespace

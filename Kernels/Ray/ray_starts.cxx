@@ -125,23 +125,23 @@ class Clusters
 {
 public:
   Clusters(const RayScene& scene, const Context& context)
-    : scene_(scene)
-    , facets_(facetOrder(scene))
+    : Scene(scene)
+    , Facets(facetOrder(scene))
   {
-    std::vector<Cluster> clusters(facets_.size()), parents;
+    std::vector<Cluster> clusters(Facets.size()), parents;
     context.parallelFor(static_cast<int>(clusters.size()),
       [&](int begin, int end)
       {
         for (int i = begin; i < end; ++i)
         {
-          clusters[i] = this->ofFacet(this->facets_[i]);
+          clusters[i] = this->ofFacet(this->Facets[i]);
         }
       });
     do
     {
       const int count = static_cast<int>(clusters.size() + wide - 1) / wide;
-      this->levels_.emplace_back(count);
-      std::vector<Node>& nodes = this->levels_.back();
+      this->Levels.emplace_back(count);
+      std::vector<Node>& nodes = this->Levels.back();
       parents.assign(count, Cluster());
       context.parallelFor(count,
         [&](int begin, int end)
@@ -170,7 +170,7 @@ public:
     };
     Entry stack[12 * wide]; // more levels than facets can have ids
     int top = 0;
-    stack[top++] = { static_cast<int>(this->levels_.size()) - 1, 0 };
+    stack[top++] = { static_cast<int>(this->Levels.size()) - 1, 0 };
     while (top > 0)
     {
       const Entry entry = stack[--top];
@@ -181,7 +181,7 @@ public:
       }
       WideInt near;
       WideFloat squared;
-      measure(this->levels_[entry.level][entry.node], cones, squaredRadius, near, squared);
+      measure(this->Levels[entry.level][entry.node], cones, squaredRadius, near, squared);
       for (int i = 0; i < wide && any(near); ++i)
       {
         if (near[i])
@@ -201,13 +201,13 @@ public:
     };
     Entry stack[12 * wide];
     int top = 0;
-    stack[top++] = { static_cast<int>(this->levels_.size()) - 1, 0 };
+    stack[top++] = { static_cast<int>(this->Levels.size()) - 1, 0 };
     while (top > 0)
     {
       const Entry entry = stack[--top];
       WideInt near;
       WideFloat squared;
-      measure(this->levels_[entry.level][entry.node], cones, squaredRadius, near, squared);
+      measure(this->Levels[entry.level][entry.node], cones, squaredRadius, near, squared);
       const bool found = any(near);
       if (found && entry.level == 0)
       {
@@ -235,7 +235,7 @@ public:
     {
       WideInt near;
       WideFloat squared;
-      measure(this->levels_[0][node], cones, best, near, squared);
+      measure(this->Levels[0][node], cones, best, near, squared);
       for (int i = 0; i < wide && any(near); ++i)
       {
         if (near[i] && squared[i] < best && !this->touches(node * wide + i, place))
@@ -250,7 +250,7 @@ public:
 private:
   bool touches(int i, int place) const
   {
-    const std::array<int, 3>& corners = this->scene_.facets[this->facets_[i]].places;
+    const std::array<int, 3>& corners = this->Scene.facets[this->Facets[i]].places;
     return corners[0] == place || corners[1] == place || corners[2] == place;
   }
 
@@ -280,14 +280,14 @@ private:
 
   Cluster ofFacet(int i) const
   {
-    const RayFacet& facet = this->scene_.facets[i];
+    const RayFacet& facet = this->Scene.facets[i];
     Cluster cluster;
     cluster.axis = Vector3f(facet.normal[0], facet.normal[1], facet.normal[2]);
     if (cluster.axis.squaredNorm() > 0.0f) // rays pass through degenerate ones
     {
       for (const int v : facet.places)
       {
-        const Vector3f p(this->scene_.points[v].data());
+        const Vector3f p(this->Scene.points[v].data());
         cluster.low = cluster.low.cwiseMin(p);
         cluster.high = cluster.high.cwiseMax(p);
       }
@@ -321,9 +321,9 @@ private:
     return joined;
   }
 
-  const RayScene& scene_;
-  std::vector<int> facets_;
-  std::vector<std::vector<Node>> levels_; // the root last
+  const RayScene& Scene;
+  std::vector<int> Facets;
+  std::vector<std::vector<Node>> Levels; // the root last
 };
 
 } // namespace

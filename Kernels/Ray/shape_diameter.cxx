@@ -169,36 +169,36 @@ public:
     const std::vector<Vector3>& normals,
     const ShapeDiameterOptions& options,
     const std::vector<char>& known)
-    : mesh_(mesh)
-    , scene_(scene)
-    , normals_(normals)
-    , cone_(coneDirections(options.rayCount, options.coneAngle))
-    , weights_(options.rayCount, 1.0)
+    : Model(mesh)
+    , Scene(scene)
+    , Normals(normals)
+    , Cone(coneDirections(options.rayCount, options.coneAngle))
+    , Weights(options.rayCount, 1.0)
   {
     for (int k = 0; options.inverseAngleWeights && k < options.rayCount; ++k)
     {
-      this->weights_[k] = 1.0 / std::acos(this->cone_[k][2]);
+      this->Weights[k] = 1.0 / std::acos(this->Cone[k][2]);
     }
     // Rays traced together then visit the same nodes.
     std::copy_if(scene.order.begin(),
       scene.order.end(),
-      std::back_inserter(this->vertices_),
+      std::back_inserter(this->Vertices),
       [&](int v) { return !known[v] && normals[v].squaredNorm() > 0.0; });
-    this->starts_.resize(this->vertices_.size());
+    this->Starts.resize(this->Vertices.size());
   }
 
   // Only where they save more than they cost.
   void findStarts(const Context& context)
   {
-    if (this->vertices_.size() > this->scene_.points.size() / fewCones)
+    if (this->Vertices.size() > this->Scene.points.size() / fewCones)
     {
-      this->starts_ =
-        rayStarts(this->scene_, this->normals_, this->vertices_, std::acos(this->cone_.back()[2]), context);
+      this->Starts =
+        rayStarts(this->Scene, this->Normals, this->Vertices, std::acos(this->Cone.back()[2]), context);
     }
   }
 
-  int vertexCount() const { return static_cast<int>(this->vertices_.size()); }
-  int rayCount() const { return static_cast<int>(this->cone_.size()); }
+  int vertexCount() const { return static_cast<int>(this->Vertices.size()); }
+  int rayCount() const { return static_cast<int>(this->Cone.size()); }
 
   // Traces and summarises the vertices [first, first + count).
   void measure(int first,
@@ -209,8 +209,8 @@ public:
     std::vector<ConeHit>* allHits) const
   {
     const int rays = this->rayCount();
-    RayBatch batch = conesOf(this->vertices_.data() + first, count, this->normals_, this->cone_, context);
-    batch.starts.assign(this->starts_.begin() + first, this->starts_.begin() + first + count);
+    RayBatch batch = conesOf(this->Vertices.data() + first, count, this->Normals, this->Cone, context);
+    batch.starts.assign(this->Starts.begin() + first, this->Starts.begin() + first + count);
     std::vector<RayHit> hits;
     caster.cast(batch, hits, context);
     if (context.cancelled())
@@ -227,11 +227,11 @@ public:
           const std::size_t next = static_cast<std::size_t>(std::min(i + 1, end - 1)) * rays;
           for (std::size_t ray = next; ray < next + rays; ++ray)
           {
-            prefetch(&this->scene_.facets[std::max(hits[ray].triangle, 0)]);
+            prefetch(&this->Scene.facets[std::max(hits[ray].triangle, 0)]);
           }
           const int v = batch.vertices[i];
-          const Vector3 origin = this->scene_.inScene(this->mesh_.points[v]);
-          const Eigen::Matrix3d frame = frameAround(-this->normals_[v]);
+          const Vector3 origin = this->Scene.inScene(this->Model.points[v]);
+          const Eigen::Matrix3d frame = frameAround(-this->Normals[v]);
           float reach = 0.0f;
           for (int k = 0; k < rays; ++k)
           {
@@ -241,7 +241,7 @@ public:
               std::max(reach, hit.triangle >= 0 ? hit.distance : std::numeric_limits<float>::infinity());
             if (hit.triangle >= 0)
             {
-              lengths[k] = { refine(this->scene_, hit, origin, frame * this->cone_[k]), hit.triangle };
+              lengths[k] = { refine(this->Scene, hit, origin, frame * this->Cone[k]), hit.triangle };
             }
           }
           if (allHits)
@@ -249,7 +249,7 @@ public:
             std::copy(
               lengths.begin(), lengths.end(), allHits->begin() + static_cast<std::ptrdiff_t>(v) * rays);
           }
-          const double diameter = summarise(lengths.data(), this->weights_);
+          const double diameter = summarise(lengths.data(), this->Weights);
           result.measured[v] = diameter >= 0.0;
           result.diameter[v] = std::max(0.0, diameter);
           result.reach[v] = reach;
@@ -264,13 +264,13 @@ public:
   }
 
 private:
-  const Mesh& mesh_;
-  const RayScene& scene_;
-  const std::vector<Vector3>& normals_;
-  std::vector<Vector3> cone_;
-  std::vector<double> weights_;
-  std::vector<int> vertices_; // along the curve of the scene
-  std::vector<float> starts_;
+  const Mesh& Model;
+  const RayScene& Scene;
+  const std::vector<Vector3>& Normals;
+  std::vector<Vector3> Cone;
+  std::vector<double> Weights;
+  std::vector<int> Vertices; // along the curve of the scene
+  std::vector<float> Starts;
 };
 
 void traceAndSummarise(const VertexRays& cones,

@@ -59,21 +59,21 @@ class IslandFinder
 {
 public:
   IslandFinder(const MeshParts& meshParts, const Adjacency& neighbours, const std::vector<char>& selected)
-    : parts(meshParts)
-    , adjacency(neighbours)
-    , region(selected)
-    , floodOf(selected.size(), -1)
-    , restAreas(meshParts.count, 0.0)
-    , open(meshParts.count, 0)
+    : Parts(meshParts)
+    , Neighbours(neighbours)
+    , Grown(selected)
+    , FloodOf(selected.size(), -1)
+    , RestAreas(meshParts.count, 0.0)
+    , Open(meshParts.count, 0)
   {
     this->findRing();
-    for (Flood& flood : this->floods)
+    for (Flood& flood : this->Floods)
     {
       this->openOne(flood);
     }
-    while (this->crowded > 0)
+    while (this->Crowded > 0)
     {
-      for (int f = 0; f < int(this->floods.size()); ++f)
+      for (int f = 0; f < int(this->Floods.size()); ++f)
       {
         this->step(f);
       }
@@ -84,38 +84,38 @@ public:
   // walked to its end.
   bool find(std::vector<int>& islands)
   {
-    std::vector<std::vector<int>> pieces(this->floods.size());
-    for (int f = 0; f < int(this->floods.size()); ++f)
+    std::vector<std::vector<int>> pieces(this->Floods.size());
+    for (int f = 0; f < int(this->Floods.size()); ++f)
     {
       std::vector<int>& piece = pieces[this->leader(f)];
-      piece.insert(piece.end(), this->floods[f].vertices.begin(), this->floods[f].vertices.end());
+      piece.insert(piece.end(), this->Floods[f].vertices.begin(), this->Floods[f].vertices.end());
     }
-    std::vector<double> largest(this->parts.count, 0.0), walked(this->parts.count, 0.0);
-    for (int f = 0; f < int(this->floods.size()); ++f)
+    std::vector<double> largest(this->Parts.count, 0.0), walked(this->Parts.count, 0.0);
+    for (int f = 0; f < int(this->Floods.size()); ++f)
     {
-      const int part = this->floods[f].part;
-      if (this->leader(f) != f || this->floods[f].waiting > 0)
+      const int part = this->Floods[f].part;
+      if (this->leader(f) != f || this->Floods[f].waiting > 0)
       {
         continue;
       }
-      if (this->open[part] == 0)
+      if (this->Open[part] == 0)
       {
         return false;
       }
       double area = 0.0;
       for (const int v : pieces[f])
       {
-        area += this->parts.areas[v];
+        area += this->Parts.areas[v];
       }
       largest[part] = std::max(largest[part], area);
       walked[part] += area;
       islands.insert(islands.end(), pieces[f].begin(), pieces[f].end());
     }
-    for (int part = 0; part < this->parts.count; ++part)
+    for (int part = 0; part < this->Parts.count; ++part)
     {
       constexpr double margin = 1e-9;
-      if (walked[part] > 0.0 && !(this->restAreas[part] - walked[part] >
-                                  (1.0 + margin) * largest[part] + margin * this->restAreas[part]))
+      if (walked[part] > 0.0 && !(this->RestAreas[part] - walked[part] >
+                                  (1.0 + margin) * largest[part] + margin * this->RestAreas[part]))
       {
         return false;
       }
@@ -135,48 +135,49 @@ private:
   void findRing()
   {
     std::vector<int> ring;
-    std::vector<char> inRing(this->region.size(), 0);
-    for (int v = 0; v < int(this->region.size()); ++v)
+    std::vector<char> inRing(this->Grown.size(), 0);
+    for (int v = 0; v < int(this->Grown.size()); ++v)
     {
-      if (!this->region[v])
+      if (!this->Grown[v])
       {
         continue;
       }
-      this->restAreas[this->parts.of[v]] -= this->parts.areas[v];
-      for (const int* n = this->adjacency.vertexVertices.begin(v); n != this->adjacency.vertexVertices.end(v);
+      this->RestAreas[this->Parts.of[v]] -= this->Parts.areas[v];
+      for (const int* n = this->Neighbours.vertexVertices.begin(v);
+           n != this->Neighbours.vertexVertices.end(v);
            ++n)
       {
-        if (!this->region[*n] && !inRing[*n])
+        if (!this->Grown[*n] && !inRing[*n])
         {
           inRing[*n] = 1;
           ring.push_back(*n);
         }
       }
     }
-    for (int part = 0; part < this->parts.count; ++part)
+    for (int part = 0; part < this->Parts.count; ++part)
     {
-      this->restAreas[part] += this->parts.partAreas[part];
+      this->RestAreas[part] += this->Parts.partAreas[part];
     }
     for (const int start : ring)
     {
-      if (this->floodOf[start] >= 0)
+      if (this->FloodOf[start] >= 0)
       {
         continue;
       }
-      const int id = int(this->floods.size());
-      this->floods.push_back({ this->parts.of[start], id, { start } });
-      this->floodOf[start] = id;
-      std::vector<int>& vertices = this->floods.back().vertices;
+      const int id = int(this->Floods.size());
+      this->Floods.push_back({ this->Parts.of[start], id, { start } });
+      this->FloodOf[start] = id;
+      std::vector<int>& vertices = this->Floods.back().vertices;
       for (std::size_t i = 0; i < vertices.size(); ++i)
       {
         const int v = vertices[i];
-        for (const int* n = this->adjacency.vertexVertices.begin(v);
-             n != this->adjacency.vertexVertices.end(v);
+        for (const int* n = this->Neighbours.vertexVertices.begin(v);
+             n != this->Neighbours.vertexVertices.end(v);
              ++n)
         {
-          if (inRing[*n] && this->floodOf[*n] < 0)
+          if (inRing[*n] && this->FloodOf[*n] < 0)
           {
-            this->floodOf[*n] = id;
+            this->FloodOf[*n] = id;
             vertices.push_back(*n);
           }
         }
@@ -187,64 +188,64 @@ private:
   void openOne(Flood& flood)
   {
     flood.waiting = 1;
-    this->crowded += ++this->open[flood.part] == 2;
+    this->Crowded += ++this->Open[flood.part] == 2;
   }
 
-  void closeOne(int part) { this->crowded -= --this->open[part] == 1; }
+  void closeOne(int part) { this->Crowded -= --this->Open[part] == 1; }
 
   int leader(int flood)
   {
-    while (this->floods[flood].leader != flood)
+    while (this->Floods[flood].leader != flood)
     {
-      flood = this->floods[flood].leader = this->floods[this->floods[flood].leader].leader;
+      flood = this->Floods[flood].leader = this->Floods[this->Floods[flood].leader].leader;
     }
     return flood;
   }
 
   void step(int id)
   {
-    if (this->floods[id].next == this->floods[id].vertices.size())
+    if (this->Floods[id].next == this->Floods[id].vertices.size())
     {
       return;
     }
-    const int v = this->floods[id].vertices[this->floods[id].next++];
-    for (const int* n = this->adjacency.vertexVertices.begin(v); n != this->adjacency.vertexVertices.end(v);
+    const int v = this->Floods[id].vertices[this->Floods[id].next++];
+    for (const int* n = this->Neighbours.vertexVertices.begin(v); n != this->Neighbours.vertexVertices.end(v);
          ++n)
     {
-      if (this->region[*n])
+      if (this->Grown[*n])
       {
         continue;
       }
-      if (this->floodOf[*n] < 0)
+      if (this->FloodOf[*n] < 0)
       {
-        this->floodOf[*n] = id;
-        this->floods[id].vertices.push_back(*n);
+        this->FloodOf[*n] = id;
+        this->Floods[id].vertices.push_back(*n);
         continue;
       }
-      const int mine = this->leader(id), other = this->leader(this->floodOf[*n]);
+      const int mine = this->leader(id), other = this->leader(this->FloodOf[*n]);
       if (mine != other)
       {
         // A piece that has been walked to its end meets nobody, so both are open.
-        this->floods[other].leader = mine;
-        this->floods[mine].waiting += this->floods[other].waiting;
-        this->closeOne(this->floods[id].part);
+        this->Floods[other].leader = mine;
+        this->Floods[mine].waiting += this->Floods[other].waiting;
+        this->closeOne(this->Floods[id].part);
       }
     }
-    if (this->floods[id].next == this->floods[id].vertices.size() &&
-        --this->floods[this->leader(id)].waiting == 0)
+    if (this->Floods[id].next == this->Floods[id].vertices.size() &&
+        --this->Floods[this->leader(id)].waiting == 0)
     {
-      this->closeOne(this->floods[id].part);
+      this->closeOne(this->Floods[id].part);
     }
   }
 
-  const MeshParts& parts;
-  const Adjacency& adjacency;
-  const std::vector<char>& region;
-  std::vector<Flood> floods;
-  std::vector<int> floodOf; // by vertex
-  std::vector<double> restAreas;
-  std::vector<int> open; // by part: pieces not at their end
-  int crowded = 0;       // parts with several of those
+  const MeshParts& Parts;
+  const Adjacency& Neighbours;
+  const std::vector<char>& Grown;
+  std::vector<Flood> Floods;
+  std::vector<int> FloodOf; // by vertex
+  std::vector<double> RestAreas;
+  std::vector<int> Open; // by part: pieces not at their end
+  int Crowded = 0;       // parts with several of those
 };
 
 } // namespace

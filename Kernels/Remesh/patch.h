@@ -38,28 +38,28 @@ public:
     const std::vector<int>& protectedVertices,
     const std::vector<std::array<int, 2>>& protectedEdges);
 
-  int vertexCount() const { return static_cast<int>(this->points_.size()); }
-  int triangleCount() const { return static_cast<int>(this->active_.size()); }
-  bool aliveTriangle(int t) const { return this->active_[t] != 0; } // of the patch, not removed
-  bool aliveVertex(int v) const { return this->mergedInto_[v] == v; }
-  int mergedInto(int v) const { return this->mergedInto_[v]; } // v itself, or the vertex it was collapsed to
-  const Vector3& point(int v) const { return this->points_[v]; }
-  const SurfacePoint& place(int v) const { return this->places_[v]; } // of a vertex of the patch
+  int vertexCount() const { return static_cast<int>(this->Points.size()); }
+  int triangleCount() const { return static_cast<int>(this->Active.size()); }
+  bool aliveTriangle(int t) const { return this->Active[t] != 0; } // of the patch, not removed
+  bool aliveVertex(int v) const { return this->MergedInto[v] == v; }
+  int mergedInto(int v) const { return this->MergedInto[v]; } // v itself, or the vertex it was collapsed to
+  const Vector3& point(int v) const { return this->Points[v]; }
+  const SurfacePoint& place(int v) const { return this->Places[v]; } // of a vertex of the patch
   Triangle triangle(int t) const
   {
-    return { this->origin_[3 * t], this->origin_[3 * t + 1], this->origin_[3 * t + 2] };
+    return { this->Origin[3 * t], this->Origin[3 * t + 1], this->Origin[3 * t + 2] };
   }
-  int chart(int t) const { return this->charts_.empty() ? 0 : this->charts_[t]; }
+  int chart(int t) const { return this->Charts.empty() ? 0 : this->Charts[t]; }
 
   // Half-edges.
-  int origin(int h) const { return this->origin_[h]; }
-  int target(int h) const { return this->origin_[nextHalfEdge(h)]; }
-  int twin(int h) const { return this->twin_[h]; } // as Surface::twins()
+  int origin(int h) const { return this->Origin[h]; }
+  int target(int h) const { return this->Origin[nextHalfEdge(h)]; }
+  int twin(int h) const { return this->Twin[h]; } // as Surface::twins()
   // True for an edge of two triangles of the patch, wound alike.
-  bool inner(int h) const { return this->twin_[h] >= 0; }
-  bool splittable(int h) const { return this->twin_[h] >= borderEdge; } // inner, or on the border of the mesh
+  bool inner(int h) const { return this->Twin[h] >= 0; }
+  bool splittable(int h) const { return this->Twin[h] >= borderEdge; } // inner, or on the border of the mesh
   // True for an edge that is neither flipped nor collapsed: between charts, or given as protected.
-  bool protectedEdge(int h) const { return this->kept_[h] != 0; }
+  bool protectedEdge(int h) const { return this->Kept[h] != 0; }
   // A half-edge between a and b, a to b if there is one: inner or on the border of the mesh; else -1. guess:
   // an id that is likely to be it.
   int find(int a, int b, int guess = -1) const;
@@ -67,16 +67,16 @@ public:
   // True for a vertex that neither moves nor goes: on the patch's border (shared with a triangle outside), on
   // a border of the mesh, at a non-manifold edge or a pinched or doubly wound fan, on a protected edge, or
   // protected itself.
-  bool fixed(int v) const { return this->fixed_[v] != 0; }
+  bool fixed(int v) const { return this->Fixed[v] != 0; }
 
   // Calls visit(h) for one half-edge of every edge of triangle t of the patch that no triangle before it has
   // (for a wall: of each triangle at it). Of all triangles: for every edge of the patch.
   template <typename Visit>
   void eachEdge(int t, Visit&& visit) const
   {
-    for (int h = 3 * t; this->active_[t] && h < 3 * t + 3; ++h)
+    for (int h = 3 * t; this->Active[t] && h < 3 * t + 3; ++h)
     {
-      if (this->twin_[h] < h)
+      if (this->Twin[h] < h)
       {
         visit(h);
       }
@@ -86,8 +86,8 @@ public:
   // Squared length over squared target length.
   double relativeSquared(int a, int b) const
   {
-    const double size = 0.5 * (this->sizes_[a] + this->sizes_[b]);
-    return (this->points_[a] - this->points_[b]).squaredNorm() / (size * size);
+    const double size = 0.5 * (this->Sizes[a] + this->Sizes[b]);
+    return (this->Points[a] - this->Points[b]).squaredNorm() / (size * size);
   }
 
   // Each does its move and returns true, or finds it unsafe or of no use and changes nothing.
@@ -101,7 +101,7 @@ public:
   bool flip(int h, bool byAngle);
 
 private:
-  static constexpr int borderEdge = -1; // in twin_
+  static constexpr int borderEdge = -1; // in Twin
 
   friend class Relaxation;
 
@@ -110,7 +110,7 @@ private:
   template <typename Test>
   bool anyNeighbour(int v, Test&& test) const;
   bool joined(int a, int b) const;
-  const Vector3& at(int h) const { return this->points_[this->origin_[h]]; }
+  const Vector3& at(int h) const { return this->Points[this->Origin[h]]; }
   // Twice the area times the normal.
   Vector3 cross(const Vector3& a, const Vector3& b, const Vector3& c) const { return (b - a).cross(c - a); }
   Vector3 cross(int t) const
@@ -131,28 +131,28 @@ private:
   int addVertex(const SurfacePoint& at, bool fixedVertex, bool border);
   int addTriangle(int chart);
 
-  const Surface& surface_;
-  const std::vector<double>& inputSizes_;
+  const Surface& Original;
+  const std::vector<double>& InputSizes;
   // Per vertex.
-  std::vector<Vector3> points_;
-  std::vector<SurfacePoint> places_;
-  std::vector<double> sizes_;
-  std::vector<char> fixed_, border_; // border_: on a border of the mesh
-  std::vector<int> mergedInto_;
-  std::vector<int> out_;                // a half-edge of the patch that starts here
-  std::vector<int> valence_;            // triangles, outside ones too, and one more on a border
-  std::vector<int> listed_;             // index into lists_ for a vertex that is no disc, else -1
-  std::vector<std::vector<int>> lists_; // all its triangles, outside ones too
+  std::vector<Vector3> Points;
+  std::vector<SurfacePoint> Places;
+  std::vector<double> Sizes;
+  std::vector<char> Fixed, Border; // Border: on a border of the mesh
+  std::vector<int> MergedInto;
+  std::vector<int> Out;                // a half-edge of the patch that starts here
+  std::vector<int> Valence;            // triangles, outside ones too, and one more on a border
+  std::vector<int> Listed;             // index into Lists for a vertex that is no disc, else -1
+  std::vector<std::vector<int>> Lists; // all its triangles, outside ones too
   // Per triangle.
-  std::vector<char> active_;
-  std::vector<int> charts_; // or empty
+  std::vector<char> Active;
+  std::vector<int> Charts; // or empty
   // Per half-edge.
-  std::vector<int> origin_;
-  std::vector<int> twin_; // as Surface::twins()
-  std::vector<char> kept_;
+  std::vector<int> Origin;
+  std::vector<int> Twin; // as Surface::twins()
+  std::vector<char> Kept;
   // Of a collapse in progress, kept for their memory.
-  std::vector<int> spokes_, ring_;
-  std::vector<Vector3> before_, after_;
+  std::vector<int> Spokes, Ring;
+  std::vector<Vector3> Before, After;
 };
 
 } // namespace oversketch

@@ -16,8 +16,8 @@ class Relaxation
 {
 public:
   Relaxation(Patch& patch, const Context& context)
-    : patch_(patch)
-    , context_(context)
+    : Area(patch)
+    , Caller(context)
   {
   }
 
@@ -44,13 +44,13 @@ private:
   bool safe(int v) const;
   void settle();
 
-  Patch& patch_;
-  const Context& context_;
-  std::vector<Vector3> points_; // the new ones
-  std::vector<SurfacePoint> places_;
-  std::vector<char> moves_, unsafe_;
-  std::vector<Vector3> crosses_; // of the triangles with the new points
-  std::vector<Change> changes_;
+  Patch& Area;
+  const Context& Caller;
+  std::vector<Vector3> Points; // the new ones
+  std::vector<SurfacePoint> Places;
+  std::vector<char> Moves, Unsafe;
+  std::vector<Vector3> Crosses; // of the triangles with the new points
+  std::vector<Change> Changes;
 };
 
 } // namespace oversketch

@@ -52,27 +52,27 @@ public:
   // ratio: squared; how many times too long or too short.
   void add(const Patch& patch, int h, double ratio)
   {
-    const int rank = std::clamp(std::ilogb(ratio * ratio), 0, this->highest_);
-    this->edges_[rank].push_back({ patch.origin(h), patch.target(h), h });
+    const int rank = std::clamp(std::ilogb(ratio * ratio), 0, this->Highest);
+    this->Edges[rank].push_back({ patch.origin(h), patch.target(h), h });
   }
 
   // Calls visit(edge) from the highest rank down; it may add others.
   template <typename Visit>
   void run(Visit&& visit)
   {
-    for (; this->highest_ >= 0; --this->highest_)
+    for (; this->Highest >= 0; --this->Highest)
     {
       // NOLINTNEXTLINE(modernize-loop-convert): visit may lengthen this very list
-      for (std::size_t i = 0; i < this->edges_[this->highest_].size(); ++i)
+      for (std::size_t i = 0; i < this->Edges[this->Highest].size(); ++i)
       {
-        visit(Candidate(this->edges_[this->highest_][i]));
+        visit(Candidate(this->Edges[this->Highest][i]));
       }
     }
   }
 
 private:
-  int highest_ = 15;
-  std::array<std::vector<Candidate>, 16> edges_;
+  int Highest = 15;
+  std::array<std::vector<Candidate>, 16> Edges;
 };
 
 // The edges of the patch, by one half-edge each, for which test(h) is true; as they lie in memory. Threaded.
@@ -223,11 +223,11 @@ public:
     const Cutout& cutout,
     const Surface& surface,
     const Patch& patch)
-    : input_(input)
-    , active_(active)
-    , cutout_(cutout)
-    , surface_(surface)
-    , patch_(patch)
+    : Input(input)
+    , Active(active)
+    , Cut(cutout)
+    , Original(surface)
+    , Area(patch)
   {
   }
 
@@ -236,38 +236,38 @@ public:
     this->addPoints();
     this->addTriangles(context);
     this->rebind();
-    return std::move(this->result_);
+    return std::move(this->Result);
   }
 
 private:
   void addPoints()
   {
-    const std::size_t most = this->input_.mesh.points.size() + this->patch_.vertexCount();
-    this->result_.mesh.points.reserve(most);
-    this->result_.pointSource.reserve(most);
-    this->outputOfInput_.assign(this->input_.mesh.points.size(), -1);
-    this->output_.assign(this->patch_.vertexCount(), -1);
+    const std::size_t most = this->Input.mesh.points.size() + this->Area.vertexCount();
+    this->Result.mesh.points.reserve(most);
+    this->Result.pointSource.reserve(most);
+    this->OutputOfInput.assign(this->Input.mesh.points.size(), -1);
+    this->Output.assign(this->Area.vertexCount(), -1);
     for (const bool region : { false, true })
     {
-      for (int v = 0; v < this->input_.mesh.vertexCount(); ++v)
+      for (int v = 0; v < this->Input.mesh.vertexCount(); ++v)
       {
-        if ((this->input_.region[v] != 0) == region)
+        if ((this->Input.region[v] != 0) == region)
         {
           this->addInputPoint(v);
         }
       }
-      this->result_.outsidePoints = region ? this->result_.outsidePoints : this->result_.mesh.vertexCount();
+      this->Result.outsidePoints = region ? this->Result.outsidePoints : this->Result.mesh.vertexCount();
     }
     // New ones as the triangles meet them.
-    for (int t = 0; t < this->patch_.triangleCount(); ++t)
+    for (int t = 0; t < this->Area.triangleCount(); ++t)
     {
-      for (int h = 3 * t; this->patch_.aliveTriangle(t) && h < 3 * t + 3; ++h)
+      for (int h = 3 * t; this->Area.aliveTriangle(t) && h < 3 * t + 3; ++h)
       {
-        const int v = this->patch_.origin(h);
-        if (this->output_[v] < 0)
+        const int v = this->Area.origin(h);
+        if (this->Output[v] < 0)
         {
-          this->output_[v] = this->addPoint(this->patch_.point(v), -1);
-          this->result_.places.push_back(this->inInput(this->patch_.place(v)));
+          this->Output[v] = this->addPoint(this->Area.point(v), -1);
+          this->Result.places.push_back(this->inInput(this->Area.place(v)));
         }
       }
     }
@@ -275,74 +275,74 @@ private:
 
   void addInputPoint(int v)
   {
-    const Vector3& old = this->input_.mesh.points[v];
-    const int own = this->cutout_.vertexOf[v];
+    const Vector3& old = this->Input.mesh.points[v];
+    const int own = this->Cut.vertexOf[v];
     SurfacePoint at;
     if (own < 0)
     {
-      this->outputOfInput_[v] = this->addPoint(old, v);
+      this->OutputOfInput[v] = this->addPoint(old, v);
     }
-    else if (this->patch_.aliveVertex(own))
+    else if (this->Area.aliveVertex(own))
     {
-      at = this->patch_.place(own);
+      at = this->Area.place(own);
       // A vertex that came to lie on another one's old place is not that one: fixed places never move.
-      const bool still = at.triangle < 0 || (isWhole(at) && this->patch_.point(own) == old);
-      this->outputOfInput_[v] = this->output_[own] = this->addPoint(this->patch_.point(own), still ? v : -1);
+      const bool still = at.triangle < 0 || (isWhole(at) && this->Area.point(own) == old);
+      this->OutputOfInput[v] = this->Output[own] = this->addPoint(this->Area.point(own), still ? v : -1);
     }
-    if (this->input_.region[v] && this->outputOfInput_[v] >= 0)
+    if (this->Input.region[v] && this->OutputOfInput[v] >= 0)
     {
-      this->result_.places.push_back(this->inInput(at));
+      this->Result.places.push_back(this->inInput(at));
     }
   }
 
   int addPoint(const Vector3& point, int source)
   {
-    this->result_.mesh.points.push_back(point);
-    this->result_.pointSource.push_back(source);
-    return this->result_.mesh.vertexCount() - 1;
+    this->Result.mesh.points.push_back(point);
+    this->Result.pointSource.push_back(source);
+    return this->Result.mesh.vertexCount() - 1;
   }
 
   SurfacePoint inInput(SurfacePoint at) const
   {
-    at.triangle = at.triangle < 0 ? -1 : this->cutout_.triangles[at.triangle];
+    at.triangle = at.triangle < 0 ? -1 : this->Cut.triangles[at.triangle];
     return at;
   }
 
   void addTriangles(const Context& context)
   {
-    Mesh& mesh = this->result_.mesh;
-    std::vector<int>& source = this->result_.triangleSource;
-    const std::size_t all = this->input_.mesh.triangles.size();
-    const auto changed = static_cast<std::size_t>(std::count(this->active_.begin(), this->active_.end(), 1));
+    Mesh& mesh = this->Result.mesh;
+    std::vector<int>& source = this->Result.triangleSource;
+    const std::size_t all = this->Input.mesh.triangles.size();
+    const auto changed = static_cast<std::size_t>(std::count(this->Active.begin(), this->Active.end(), 1));
     std::vector<int> order;
-    for (int t = 0; t < this->patch_.triangleCount(); ++t)
+    for (int t = 0; t < this->Area.triangleCount(); ++t)
     {
-      if (this->patch_.aliveTriangle(t))
+      if (this->Area.aliveTriangle(t))
       {
         order.push_back(t);
       }
     }
     const int count = static_cast<int>(order.size()), outside = static_cast<int>(all - changed);
-    this->result_.outsideTriangles = outside;
+    this->Result.outsideTriangles = outside;
     source.reserve(outside + order.size());
     for (std::size_t t = 0; t < all; ++t)
     {
-      if (!this->active_[t])
+      if (!this->Active[t])
       {
         source.push_back(static_cast<int>(t));
       }
     }
     source.resize(outside + order.size());
     mesh.triangles.resize(outside + order.size());
-    this->result_.insideCorners.resize(order.size());
+    this->Result.insideCorners.resize(order.size());
     context.parallelFor(outside,
       [&](int begin, int end)
       {
         for (int i = begin; i < end; ++i)
         {
-          const Triangle& c = this->input_.mesh.triangles[source[i]];
+          const Triangle& c = this->Input.mesh.triangles[source[i]];
           mesh.triangles[i] = {
-            this->outputOfInput_[c[0]], this->outputOfInput_[c[1]], this->outputOfInput_[c[2]]
+            this->OutputOfInput[c[0]], this->OutputOfInput[c[1]], this->OutputOfInput[c[2]]
           };
         }
       });
@@ -351,8 +351,8 @@ private:
       {
         for (int i = begin; i < end && (i % movesBetweenChecks != 0 || !context.cancelled()); ++i)
         {
-          const Triangle t = this->patch_.triangle(order[i]);
-          mesh.triangles[outside + i] = { this->output_[t[0]], this->output_[t[1]], this->output_[t[2]] };
+          const Triangle t = this->Area.triangle(order[i]);
+          mesh.triangles[outside + i] = { this->Output[t[0]], this->Output[t[1]], this->Output[t[2]] };
           this->findSource(order[i], outside + i);
         }
       });
@@ -361,24 +361,23 @@ private:
 
   void findSource(int slot, int i)
   {
-    const Triangle t = this->patch_.triangle(slot);
-    std::array<SurfacePoint, 3>& corners = this->result_.insideCorners[i - this->result_.outsideTriangles];
-    const auto still = [this](int v) { return this->result_.pointSource[this->output_[v]] >= 0; };
-    if (slot < this->cutout_.mesh.triangleCount() && t == this->cutout_.mesh.triangles[slot] && still(t[0]) &&
+    const Triangle t = this->Area.triangle(slot);
+    std::array<SurfacePoint, 3>& corners = this->Result.insideCorners[i - this->Result.outsideTriangles];
+    const auto still = [this](int v) { return this->Result.pointSource[this->Output[v]] >= 0; };
+    if (slot < this->Cut.mesh.triangleCount() && t == this->Cut.mesh.triangles[slot] && still(t[0]) &&
         still(t[1]) && still(t[2]))
     {
-      this->result_.triangleSource[i] = this->cutout_.triangles[slot];
-      corners = RemeshResult::wholeTriangle(this->cutout_.triangles[slot]);
+      this->Result.triangleSource[i] = this->Cut.triangles[slot];
+      corners = RemeshResult::wholeTriangle(this->Cut.triangles[slot]);
       return;
     }
-    const Vector3 middle =
-      (this->patch_.point(t[0]) + this->patch_.point(t[1]) + this->patch_.point(t[2])) / 3.0;
+    const Vector3 middle = (this->Area.point(t[0]) + this->Area.point(t[1]) + this->Area.point(t[2])) / 3.0;
     for (int k = 0; k < 3; ++k)
     {
-      corners[k] = this->surface_.inChart(this->patch_.place(t[k]), this->patch_.chart(slot), middle);
+      corners[k] = this->Original.inChart(this->Area.place(t[k]), this->Area.chart(slot), middle);
     }
-    const int source = this->surface_.closest(middle, corners[0].triangle).triangle;
-    this->result_.triangleSource[i] = this->cutout_.triangles[source];
+    const int source = this->Original.closest(middle, corners[0].triangle).triangle;
+    this->Result.triangleSource[i] = this->Cut.triangles[source];
     for (SurfacePoint& corner : corners)
     {
       corner = this->inInput(corner);
@@ -389,25 +388,25 @@ private:
   // where one of its vertices went.
   void rebind()
   {
-    if (this->input_.handles.empty())
+    if (this->Input.handles.empty())
     {
       return;
     }
-    const Surface now(this->result_.mesh);
-    for (const Binding& handle : this->input_.handles)
+    const Surface now(this->Result.mesh);
+    for (const Binding& handle : this->Input.handles)
     {
       std::vector<int> support = supportOf(handle);
       bool kept = true;
       for (int& v : support)
       {
-        const int output = this->outputOfInput_[v];
-        kept = kept && output >= 0 && this->result_.pointSource[output] == v;
-        int own = this->cutout_.vertexOf[v];
-        while (output < 0 && !this->patch_.aliveVertex(own))
+        const int output = this->OutputOfInput[v];
+        kept = kept && output >= 0 && this->Result.pointSource[output] == v;
+        int own = this->Cut.vertexOf[v];
+        while (output < 0 && !this->Area.aliveVertex(own))
         {
-          own = this->patch_.mergedInto(own);
+          own = this->Area.mergedInto(own);
         }
-        v = output >= 0 ? output : this->output_[own];
+        v = output >= 0 ? output : this->Output[own];
       }
       Binding bound = handle;
       if (kept && (support.size() == 1 || now.triangleWith(support) >= 0))
@@ -415,7 +414,7 @@ private:
         for (int k = 0; k < 3; ++k)
         {
           // Vertices without weight may be gone.
-          const int v = this->outputOfInput_[handle.vertices[k]];
+          const int v = this->OutputOfInput[handle.vertices[k]];
           bound.vertices[k] = handle.weights[k] != 0.0 ? v : support[0];
         }
       }
@@ -423,15 +422,15 @@ private:
       {
         const int start = now.triangleWith({ support[0] });
         bound = start < 0 ? Binding::vertex(support[0])
-                          : this->bindingOf(now.closest(handle.of(this->input_.mesh.points), start));
+                          : this->bindingOf(now.closest(handle.of(this->Input.mesh.points), start));
       }
-      this->result_.handles.push_back(bound);
+      this->Result.handles.push_back(bound);
     }
   }
 
   Binding bindingOf(const SurfacePoint& at) const
   {
-    const Triangle& t = this->result_.mesh.triangles[at.triangle];
+    const Triangle& t = this->Result.mesh.triangles[at.triangle];
     Binding bound;
     int count = 0;
     for (int k = 0; k < 3; ++k)
@@ -449,14 +448,14 @@ private:
     return bound;
   }
 
-  const RemeshInput& input_;
-  const std::vector<char>& active_;
-  const Cutout& cutout_;
-  const Surface& surface_;
-  const Patch& patch_;
-  std::vector<int> output_;        // of a patch vertex
-  std::vector<int> outputOfInput_; // of an input vertex
-  RemeshResult result_;
+  const RemeshInput& Input;
+  const std::vector<char>& Active;
+  const Cutout& Cut;
+  const Surface& Original;
+  const Patch& Area;
+  std::vector<int> Output;        // of a patch vertex
+  std::vector<int> OutputOfInput; // of an input vertex
+  RemeshResult Result;
 };
 
 } // namespace

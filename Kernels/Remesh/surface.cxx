@@ -56,24 +56,24 @@ SurfacePoint seenFrom(const Mesh& mesh, const SurfacePoint& at, int triangle)
 const std::vector<int> Surface::oneChart;
 
 Surface::Surface(const Mesh& mesh, const std::vector<char>& active, const std::vector<int>& charts)
-  : mesh_(mesh)
-  , charts_(charts)
+  : Model(mesh)
+  , Charts(charts)
 {
   this->listTriangles(active);
   this->linkHalfEdges(active);
 }
 
 Surface::Surface(const Mesh& mesh)
-  : mesh_(mesh)
-  , charts_(oneChart)
+  : Model(mesh)
+  , Charts(oneChart)
 {
   this->listTriangles(std::vector<char>(mesh.triangles.size(), 1));
 }
 
 void Surface::listTriangles(const std::vector<char>& active)
 {
-  const Mesh& mesh = this->mesh_;
-  std::vector<int>& offsets = this->vertexTriangles_.offsets;
+  const Mesh& mesh = this->Model;
+  std::vector<int>& offsets = this->VertexTriangles.offsets;
   offsets.assign(mesh.points.size() + 1, 0);
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
@@ -83,13 +83,13 @@ void Surface::listTriangles(const std::vector<char>& active)
     }
   }
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  this->vertexTriangles_.values.resize(offsets.back());
+  this->VertexTriangles.values.resize(offsets.back());
   std::vector<int> next(offsets.begin(), offsets.end() - 1);
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
     for (int k = 0; active[t] && k < 3; ++k)
     {
-      this->vertexTriangles_.values[next[mesh.triangles[t][k]]++] = t;
+      this->VertexTriangles.values[next[mesh.triangles[t][k]]++] = t;
     }
   }
 }
@@ -97,11 +97,11 @@ void Surface::listTriangles(const std::vector<char>& active)
 // As linkHalfEdges finds it, where all triangles are active; -1 where there is none.
 int Surface::findTwin(int h) const
 {
-  const auto origin = [this](int side) { return this->mesh_.triangles[side / 3][side % 3]; };
-  const auto target = [this](int side) { return this->mesh_.triangles[side / 3][(side % 3 + 1) % 3]; };
+  const auto origin = [this](int side) { return this->Model.triangles[side / 3][side % 3]; };
+  const auto target = [this](int side) { return this->Model.triangles[side / 3][(side % 3 + 1) % 3]; };
   const int a = origin(h), b = target(h);
   int twin = -1, others = 0, last = -1;
-  for (const int* t = this->vertexTriangles_.begin(a); a != b && t != this->vertexTriangles_.end(a); ++t)
+  for (const int* t = this->VertexTriangles.begin(a); a != b && t != this->VertexTriangles.end(a); ++t)
   {
     for (int side = 3 * *t; *t != last && side < 3 * *t + 3; ++side)
     {
@@ -120,20 +120,20 @@ int Surface::findTwin(int h) const
 // Half-edges of the vertices of active triangles, bucketed by the lower end and matched there.
 void Surface::linkHalfEdges(const std::vector<char>& active)
 {
-  const Lists& around = this->vertexTriangles_;
-  const int count = 3 * this->mesh_.triangleCount();
+  const Lists& around = this->VertexTriangles;
+  const int count = 3 * this->Model.triangleCount();
   const auto ends = [this](int h)
   {
-    const Triangle& t = this->mesh_.triangles[h / 3];
+    const Triangle& t = this->Model.triangles[h / 3];
     return std::minmax(t[h % 3], t[(h + 1) % 3]);
   };
   const auto inside = [&around](int v) { return around.size(v) > 0; };
-  std::vector<int> offsets(this->mesh_.points.size() + 1, 0);
-  this->twins_.resize(count);
+  std::vector<int> offsets(this->Model.points.size() + 1, 0);
+  this->Twins.resize(count);
   for (int h = 0; h < count; ++h)
   {
     const auto [a, b] = ends(h);
-    this->twins_[h] = -2 - h;
+    this->Twins[h] = -2 - h;
     offsets[a + 1] += a != b && inside(a) && inside(b) ? 1 : 0;
   }
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
@@ -151,7 +151,7 @@ void Surface::linkHalfEdges(const std::vector<char>& active)
       sides[next[a]++] = { b, h };
     }
   }
-  for (std::size_t v = 0; v < this->mesh_.points.size(); ++v)
+  for (std::size_t v = 0; v < this->Model.points.size(); ++v)
   {
     const auto begin = sides.begin() + offsets[v], end = sides.begin() + offsets[v + 1];
     std::sort(
@@ -163,21 +163,21 @@ void Surface::linkHalfEdges(const std::vector<char>& active)
       {
       }
       const int a = first->h, b = (last - 1)->h;
-      const auto originOf = [this](int h) { return this->mesh_.triangles[h / 3][h % 3]; };
+      const auto originOf = [this](int h) { return this->Model.triangles[h / 3][h % 3]; };
       if (last - first == 1)
       {
-        this->twins_[a] = active[a / 3] ? -1 : -2 - a;
+        this->Twins[a] = active[a / 3] ? -1 : -2 - a;
       }
       else if (last - first == 2 && active[a / 3] && active[b / 3] && originOf(a) != originOf(b))
       {
-        this->twins_[a] = b;
-        this->twins_[b] = a;
+        this->Twins[a] = b;
+        this->Twins[b] = a;
       }
       else
       {
         for (auto side = first; side != last; ++side)
         {
-          this->twins_[side->h] = -2 - (side + 1 == last ? first : side + 1)->h;
+          this->Twins[side->h] = -2 - (side + 1 == last ? first : side + 1)->h;
         }
       }
       first = last;
@@ -191,8 +191,8 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
   double bestDistance = std::numeric_limits<double>::infinity();
   const auto consider = [&](int triangle)
   {
-    const Triangle& t = this->mesh_.triangles[triangle];
-    const Vector3 &a = this->mesh_.points[t[0]], &b = this->mesh_.points[t[1]], &c = this->mesh_.points[t[2]];
+    const Triangle& t = this->Model.triangles[triangle];
+    const Vector3 &a = this->Model.points[t[0]], &b = this->Model.points[t[1]], &c = this->Model.points[t[2]];
     const std::array<double, 3> w = closestWeights(a, b, c, p);
     const double distance = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
     const bool nearer = distance < bestDistance * (1.0 - 1e-12);
@@ -208,7 +208,7 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
   for (int step = 0; step < maximumSteps; ++step)
   {
     std::array<int, 3> support;
-    const int count = supportOf(this->mesh_, best, support);
+    const int count = supportOf(this->Model, best, support);
     if (count == 3)
     {
       break; // p stands over the triangle
@@ -227,7 +227,7 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
     for (int i = 0; i < count; ++i)
     {
       const int v = support[i];
-      for (const int* t = this->vertexTriangles_.begin(v); t != this->vertexTriangles_.end(v); ++t)
+      for (const int* t = this->VertexTriangles.begin(v); t != this->VertexTriangles.end(v); ++t)
       {
         if (*t != from.triangle && this->chart(*t) == chart)
         {
@@ -245,10 +245,10 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
 
 int Surface::triangleWith(const std::vector<int>& vertices) const
 {
-  for (const int* t = this->vertexTriangles_.begin(vertices[0]); t != this->vertexTriangles_.end(vertices[0]);
+  for (const int* t = this->VertexTriangles.begin(vertices[0]); t != this->VertexTriangles.end(vertices[0]);
        ++t)
   {
-    const auto holds = [&](int v) { return cornerOf(this->mesh_.triangles[*t], v) >= 0; };
+    const auto holds = [&](int v) { return cornerOf(this->Model.triangles[*t], v) >= 0; };
     if (std::all_of(vertices.begin(), vertices.end(), holds))
     {
       return *t;
@@ -260,16 +260,16 @@ int Surface::triangleWith(const std::vector<int>& vertices) const
 bool Surface::middle(const SurfacePoint& a, const SurfacePoint& b, int chart, SurfacePoint& result) const
 {
   std::array<int, 3> support;
-  supportOf(this->mesh_, a, support);
+  supportOf(this->Model, a, support);
   const int v = support[0];
-  for (const int* t = this->vertexTriangles_.begin(v); t != this->vertexTriangles_.end(v); ++t)
+  for (const int* t = this->VertexTriangles.begin(v); t != this->VertexTriangles.end(v); ++t)
   {
     if (chart >= 0 && this->chart(*t) != chart)
     {
       continue;
     }
-    const SurfacePoint first = seenFrom(this->mesh_, a, *t);
-    const SurfacePoint second = seenFrom(this->mesh_, b, *t);
+    const SurfacePoint first = seenFrom(this->Model, a, *t);
+    const SurfacePoint second = seenFrom(this->Model, b, *t);
     if (first.triangle >= 0 && second.triangle >= 0)
     {
       result.triangle = *t;
@@ -285,27 +285,27 @@ bool Surface::middle(const SurfacePoint& a, const SurfacePoint& b, int chart, Su
 
 SurfacePoint Surface::inChart(const SurfacePoint& at, int chart, const Vector3& towards) const
 {
-  if (this->charts_.empty())
+  if (this->Charts.empty())
   {
     return at;
   }
   std::array<int, 3> support;
-  const int count = supportOf(this->mesh_, at, support);
+  const int count = supportOf(this->Model, at, support);
   if (count == 3)
   {
     return at;
   }
   SurfacePoint best = at;
   double bestDistance = std::numeric_limits<double>::infinity();
-  for (const int* t = this->vertexTriangles_.begin(support[0]); t != this->vertexTriangles_.end(support[0]);
+  for (const int* t = this->VertexTriangles.begin(support[0]); t != this->VertexTriangles.end(support[0]);
        ++t)
   {
     if (this->chart(*t) == chart)
     {
-      const SurfacePoint place = seenFrom(this->mesh_, at, *t);
-      const Triangle& corners = this->mesh_.triangles[*t];
+      const SurfacePoint place = seenFrom(this->Model, at, *t);
+      const Triangle& corners = this->Model.triangles[*t];
       const Vector3 middle =
-        (this->mesh_.points[corners[0]] + this->mesh_.points[corners[1]] + this->mesh_.points[corners[2]]) /
+        (this->Model.points[corners[0]] + this->Model.points[corners[1]] + this->Model.points[corners[2]]) /
         3.0;
       const double distance = (middle - towards).squaredNorm();
       if (place.triangle >= 0 && distance < bestDistance)

@@ -92,14 +92,14 @@ public:
   // for as they are asked after, not stored.
   explicit Surface(const Mesh& mesh);
 
-  const Mesh& mesh() const { return this->mesh_; }
-  const std::vector<int>& charts() const { return this->charts_; }
-  int chart(int triangle) const { return this->charts_.empty() ? 0 : this->charts_[triangle]; }
+  const Mesh& mesh() const { return this->Model; }
+  const std::vector<int>& charts() const { return this->Charts; }
+  int chart(int triangle) const { return this->Charts.empty() ? 0 : this->Charts[triangle]; }
 
   // Per half-edge of mesh: the half-edge against it where exactly two triangles, both active and wound alike,
   // meet; -1 on a border, where an active triangle is alone; else the edge is a wall, and -2 - h is the next
   // half-edge h around it (itself for an inactive triangle away from active ones).
-  const std::vector<int>& twins() const { return this->twins_; }
+  const std::vector<int>& twins() const { return this->Twins; }
 
   // Nearest place to p reached by descent over neighbouring triangles from `start`, within start's chart.
   SurfacePoint closest(const Vector3& p, int start) const;
@@ -118,15 +118,15 @@ public:
 private:
   void listTriangles(const std::vector<char>& active);
   void linkHalfEdges(const std::vector<char>& active);
-  int twin(int h) const { return this->twins_.empty() ? this->findTwin(h) : this->twins_[h]; }
+  int twin(int h) const { return this->Twins.empty() ? this->findTwin(h) : this->Twins[h]; }
   int findTwin(int h) const;
 
   static const std::vector<int> oneChart;
 
-  const Mesh& mesh_;
-  const std::vector<int>& charts_;
-  Lists vertexTriangles_; // active triangles only, ascending; twice where one has a vertex twice
-  std::vector<int> twins_;
+  const Mesh& Model;
+  const std::vector<int>& Charts;
+  Lists VertexTriangles; // active triangles only, ascending; twice where one has a vertex twice
+  std::vector<int> Twins;
 };
 
 } // namespace oversketch

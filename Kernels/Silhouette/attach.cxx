@@ -68,31 +68,31 @@ public:
     const VisibleCurve& curve,
     int number,
     double attachDistance)
-    : tracks_(tracks)
-    , curve_(curve)
-    , count_(static_cast<int>(curve.display.size()))
-    , attachDistance_(attachDistance)
-    , found_(curve.display.size())
+    : Tracks(tracks)
+    , Curve(curve)
+    , Count(static_cast<int>(curve.display.size()))
+    , AttachDistance(attachDistance)
+    , Found(curve.display.size())
   {
-    for (int i = 0; i < this->count_; ++i)
+    for (int i = 0; i < this->Count; ++i)
     {
       this->findNearest(i, number);
     }
     double run = 0.0;
-    for (int i = 0; i < this->count_; ++i)
+    for (int i = 0; i < this->Count; ++i)
     {
       const int j = this->next(i);
       run += j >= 0 && this->together(i, j) ? this->progress(i, j) : 0.0;
     }
-    this->sign_ = run < 0.0 ? -1.0 : 1.0;
+    this->Sign = run < 0.0 ? -1.0 : 1.0;
   }
 
   // Adds those that run along their loop to the loop's attachments.
   void addTo(std::vector<std::vector<Attachment>>& attached) const
   {
-    for (int i = 0; i < this->count_; ++i)
+    for (int i = 0; i < this->Count; ++i)
     {
-      if (this->found_[i].loop < 0)
+      if (this->Found[i].loop < 0)
       {
         continue;
       }
@@ -101,7 +101,7 @@ public:
                 behind = before >= 0 ? this->verdict(before, i) : 0;
       if (ahead > 0 || behind > 0 || (ahead == 0 && behind == 0))
       {
-        attached[this->found_[i].loop].push_back(this->found_[i]);
+        attached[this->Found[i].loop].push_back(this->Found[i]);
       }
     }
   }
@@ -109,38 +109,38 @@ public:
 private:
   void findNearest(int i, int number)
   {
-    double limit = this->curve_.reach.empty() ? this->attachDistance_
-                                              : std::min(this->attachDistance_, this->curve_.reach[i]);
-    Attachment& found = this->found_[i];
-    for (int l = 0; l < static_cast<int>(this->tracks_.size()); ++l)
+    double limit =
+      this->Curve.reach.empty() ? this->AttachDistance : std::min(this->AttachDistance, this->Curve.reach[i]);
+    Attachment& found = this->Found[i];
+    for (int l = 0; l < static_cast<int>(this->Tracks.size()); ++l)
     {
-      const NearestPlace::Answer place = this->tracks_[l].nearest(this->curve_.display[i], limit);
+      const NearestPlace::Answer place = this->Tracks[l].nearest(this->Curve.display[i], limit);
       if (place.segment >= 0 && (found.loop < 0 || place.distance < limit))
       {
-        const std::vector<double>& lengths = this->tracks_[l].lengths;
+        const std::vector<double>& lengths = this->Tracks[l].lengths;
         limit = place.distance;
         found = { l,
           place,
           lengths[place.segment] + place.t * (lengths[place.segment + 1] - lengths[place.segment]),
-          this->curve_.display[i] - place.place,
+          this->Curve.display[i] - place.place,
           number,
           i };
       }
     }
   }
 
-  int next(int i) const { return i + 1 < this->count_ ? i + 1 : this->curve_.closed ? 0 : -1; }
-  int previous(int i) const { return i > 0 ? i - 1 : this->curve_.closed ? this->count_ - 1 : -1; }
+  int next(int i) const { return i + 1 < this->Count ? i + 1 : this->Curve.closed ? 0 : -1; }
+  int previous(int i) const { return i > 0 ? i - 1 : this->Curve.closed ? this->Count - 1 : -1; }
   bool together(int i, int j) const
   {
-    return this->found_[i].loop >= 0 && this->found_[i].loop == this->found_[j].loop;
+    return this->Found[i].loop >= 0 && this->Found[i].loop == this->Found[j].loop;
   }
 
   // The step from point i to the next, along the loop they both hang on.
   double progress(int i, int j) const
   {
-    const Track& track = this->tracks_[this->found_[i].loop];
-    double step = this->found_[j].along - this->found_[i].along;
+    const Track& track = this->Tracks[this->Found[i].loop];
+    double step = this->Found[j].along - this->Found[i].along;
     if (track.closed && std::abs(step) > 0.5 * track.whole())
     {
       step -= std::copysign(track.whole(), step);
@@ -151,20 +151,20 @@ private:
   // +1: the step runs along the loop; -1: it runs back or leaves it sideways; 0: nothing to tell.
   int verdict(int i, int j) const
   {
-    const double length = (this->curve_.display[j] - this->curve_.display[i]).norm();
+    const double length = (this->Curve.display[j] - this->Curve.display[i]).norm();
     if (this->together(i, j))
     {
-      return this->sign_ * this->progress(i, j) >= 0.3 * length ? 1 : length < 0.25 ? 0 : -1;
+      return this->Sign * this->progress(i, j) >= 0.3 * length ? 1 : length < 0.25 ? 0 : -1;
     }
-    return length > 2.0 * this->attachDistance_ ? 0 : -1; // a long step says nothing of its ends
+    return length > 2.0 * this->AttachDistance ? 0 : -1; // a long step says nothing of its ends
   }
 
-  const std::vector<Track>& tracks_;
-  const VisibleCurve& curve_;
-  const int count_;
-  const double attachDistance_;
-  std::vector<Attachment> found_; // per point of the curve
-  double sign_ = 1.0;             // of its way along the loops
+  const std::vector<Track>& Tracks;
+  const VisibleCurve& Curve;
+  const int Count;
+  const double AttachDistance;
+  std::vector<Attachment> Found; // per point of the curve
+  double Sign = 1.0;             // of its way along the loops
 };
 
 void sortAlong(std::vector<Attachment>& list)

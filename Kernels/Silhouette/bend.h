@@ -34,41 +34,41 @@ public:
   {
     const Triple toBefore = before - at, toAfter = after - at;
     const Triple a = toBefore - normal.dot(toBefore) * normal, b = toAfter - normal.dot(toAfter) * normal;
-    this->cross = a.cross(b).norm();
-    this->dot = a.dot(b);
+    this->Cross = a.cross(b).norm();
+    this->Dot = a.dot(b);
   }
   Bend(const CurvePoint& before, const CurvePoint& at, const CurvePoint& after)
     : Bend(Triple(before.position), Triple(at.position), Triple(at.normal), Triple(after.position))
   {
   }
 
-  double smoothness() const { return angleOf(this->cross, this->dot); }
+  double smoothness() const { return angleOf(this->Cross, this->Dot); }
   double angle() const { return straight - this->smoothness(); }
 
   bool matters() const
   {
     constexpr double margin = 1e-6; // the tangent of leastGain is itself to 1e-8
-    if (this->dot >= 0.0 || this->cross > -this->dot * leastGain * (1.0 + margin))
+    if (this->Dot >= 0.0 || this->Cross > -this->Dot * leastGain * (1.0 + margin))
     {
       return true;
     }
-    return this->cross >= -this->dot * leastGain * (1.0 - margin) && this->angle() > leastGain;
+    return this->Cross >= -this->Dot * leastGain * (1.0 - margin) && this->angle() > leastGain;
   }
 
   // Whether it is larger than another by more than leastGain.
   bool matters(const Bend& other) const
   {
-    if (other.isNone() && (this->dot >= 0.0 || this->cross > -this->dot * (leastGain + 2.0 * nothing)))
+    if (other.isNone() && (this->Dot >= 0.0 || this->Cross > -this->Dot * (leastGain + 2.0 * nothing)))
     {
       return true;
     }
     return !(other.angle() >= this->angle() - leastGain);
   }
 
-  bool isNone() const { return this->dot < 0.0 && this->cross < -this->dot * nothing; }
+  bool isNone() const { return this->Dot < 0.0 && this->Cross < -this->Dot * nothing; }
 
 private:
-  double cross, dot;
+  double Cross, Dot;
 };
 
 } // namespace oversketch

@@ -75,25 +75,25 @@ public:
   // a, b: from the edge's first vertex to the neighbours; e: the edge; n, dn: normal at the first vertex and
   // its change.
   EdgeSmoothness(const Triple& a, const Triple& b, const Triple& e, const Triple& n, const Triple& dn)
-    : aa(product(a, -e, a, -e))
-    , bb(product(b, -e, b, -e))
-    , ab(product(a, -e, b, -e))
-    , na(product(n, dn, a, -e))
-    , nb(product(n, dn, b, -e))
-    , nn(product(n, dn, n, dn))
+    : Aa(product(a, -e, a, -e))
+    , Bb(product(b, -e, b, -e))
+    , Ab(product(a, -e, b, -e))
+    , Na(product(n, dn, a, -e))
+    , Nb(product(n, dn, b, -e))
+    , Nn(product(n, dn, n, dn))
   {
   }
 
   // -cos E_smth: grows with E_smth and is cheaper than the angle.
   double operator()(double t) const
   {
-    const double n = this->nn(t), a = this->na(t), b = this->nb(t);
-    const double lengths = (this->aa(t) * n - a * a) * (this->bb(t) * n - b * b);
-    return lengths > 0.0 ? (a * b - this->ab(t) * n) / std::sqrt(lengths) : -1.0;
+    const double n = this->Nn(t), a = this->Na(t), b = this->Nb(t);
+    const double lengths = (this->Aa(t) * n - a * a) * (this->Bb(t) * n - b * b);
+    return lengths > 0.0 ? (a * b - this->Ab(t) * n) / std::sqrt(lengths) : -1.0;
   }
 
 private:
-  Quadratic aa, bb, ab, na, nb, nn;
+  Quadratic Aa, Bb, Ab, Na, Nb, Nn;
 };
 
 // Where E_smth is largest in [low, high] when it is pi nowhere: 33 samples, then golden section about the

@@ -18,10 +18,10 @@ public:
     const Adjacency& neighbours,
     const std::vector<Vector3>& vertexNormals,
     const View& eye)
-    : mesh(surface)
-    , adjacency(neighbours)
-    , normals(vertexNormals)
-    , view(eye)
+    : Model(surface)
+    , Neighbours(neighbours)
+    , Normals(vertexNormals)
+    , Camera(eye)
   {
     // An index of the signs, by boxes round clumps of vertices, would halve this pass; making it costs as
     // much as some seventy views save, and a mesh is seldom looked at from that many.
@@ -33,43 +33,43 @@ public:
       largest = std::max(largest, std::abs(value));
       plus[v] = value >= 0.0;
     }
-    this->limit = tolerance * largest;
+    this->Limit = tolerance * largest;
     for (int e = 0; e < static_cast<int>(neighbours.edges.size()); ++e)
     {
       if (plus[neighbours.edges[e].v0] != plus[neighbours.edges[e].v1])
       {
-        this->crossings.push_back({ e, 0, 0, 0 });
+        this->Crossings.push_back({ e, 0, 0, 0 });
       }
     }
   }
 
   std::vector<Curve> run()
   {
-    std::vector<int> slotOf(this->mesh.triangles.size(), 0);
-    const int count = static_cast<int>(this->crossings.size());
-    this->points.reserve(count);
-    this->slots.reserve(2 * count + 1);
-    this->slots.push_back({ -1 });
+    std::vector<int> slotOf(this->Model.triangles.size(), 0);
+    const int count = static_cast<int>(this->Crossings.size());
+    this->Points.reserve(count);
+    this->Slots.reserve(2 * count + 1);
+    this->Slots.push_back({ -1 });
     for (int c = 0; c < count; c += block)
     {
       const int end = std::min(c + block, count);
       this->link(c, end, slotOf);
       for (int i = c; i < end; ++i)
       {
-        this->points.push_back(this->pointOn(this->crossings[i]));
+        this->Points.push_back(this->pointOn(this->Crossings[i]));
       }
     }
-    this->crossings.push_back(
-      { -1, -1, -1, static_cast<int>(this->slots.size()) }); // where the last slots end
+    this->Crossings.push_back(
+      { -1, -1, -1, static_cast<int>(this->Slots.size()) }); // where the last slots end
     std::vector<Curve> curves;
     std::vector<int> chain;
     for (int seed = 0; seed < count; ++seed)
     {
-      const int first = this->crossings[seed].firstSlot, sides = this->slotCount(seed);
+      const int first = this->Crossings[seed].firstSlot, sides = this->slotCount(seed);
       // One curve runs through a usual edge; at any other, every triangle starts a curve of its own.
       for (int slot = first; slot < first + (sides == 2 ? 1 : sides); ++slot)
       {
-        if (this->slots[slot].visited)
+        if (this->Slots[slot].visited)
         {
           continue;
         }
@@ -105,30 +105,30 @@ private:
 
   int slotCount(int crossing) const
   {
-    return this->crossings[crossing + 1].firstSlot - this->crossings[crossing].firstSlot;
+    return this->Crossings[crossing + 1].firstSlot - this->Crossings[crossing].firstSlot;
   }
 
   void link(int begin, int end, std::vector<int>& slotOf)
   {
     for (int c = begin; c < end; ++c)
     {
-      Crossing& crossing = this->crossings[c];
-      const MeshEdge& edge = this->adjacency.edges[crossing.edge];
+      Crossing& crossing = this->Crossings[c];
+      const MeshEdge& edge = this->Neighbours.edges[crossing.edge];
       crossing.v0 = edge.v0;
       crossing.v1 = edge.v1;
       for (const int v : { edge.v0, edge.v1 })
       {
-        __builtin_prefetch(this->mesh.points[v].data());
-        __builtin_prefetch(this->normals[v].data());
+        __builtin_prefetch(this->Model.points[v].data());
+        __builtin_prefetch(this->Normals[v].data());
       }
-      crossing.firstSlot = static_cast<int>(this->slots.size());
-      const int* triangles = this->adjacency.edgeTriangles.data() + edge.firstTriangle;
+      crossing.firstSlot = static_cast<int>(this->Slots.size());
+      const int* triangles = this->Neighbours.edgeTriangles.data() + edge.firstTriangle;
       for (int i = 0; i < edge.triangleCount; ++i)
       {
         // Slot 0 is nobody's: it takes what the first of two has to say, so that nothing need be decided.
-        const int slot = static_cast<int>(this->slots.size()), other = slotOf[triangles[i]];
-        this->slots.push_back({ c, other });
-        this->slots[other].across = slot;
+        const int slot = static_cast<int>(this->Slots.size()), other = slotOf[triangles[i]];
+        this->Slots.push_back({ c, other });
+        this->Slots[other].across = slot;
         slotOf[triangles[i]] = other == 0 ? slot : 0;
       }
     }
@@ -137,10 +137,10 @@ private:
   // Its sign is counted as + for g >= 0.
   double g(int vertex) const
   {
-    return this->normals[vertex].dot(this->view.towardsViewer(this->mesh.points[vertex]));
+    return this->Normals[vertex].dot(this->Camera.towardsViewer(this->Model.points[vertex]));
   }
 
-  bool onSilhouette(double value) const { return std::abs(value) <= this->limit; }
+  bool onSilhouette(double value) const { return std::abs(value) <= this->Limit; }
 
   CurvePoint pointOn(const Crossing& e) const
   {
@@ -154,8 +154,8 @@ private:
       p.binding = Binding::vertex(firstPlus ? e.v1 : e.v0);
     else
       p.binding = Binding::edge(e.v0, e.v1, g1 / (g1 - g0));
-    p.position = p.binding.of(this->mesh.points);
-    p.normal = p.binding.of(this->normals).normalized();
+    p.position = p.binding.of(this->Model.points);
+    p.normal = p.binding.of(this->Normals).normalized();
     return p;
   }
 
@@ -163,13 +163,13 @@ private:
   // is back where it started; true for the latter.
   bool walk(int slot, std::vector<int>& chain)
   {
-    const int start = this->slots[slot].crossing;
-    while (!this->slots[slot].visited)
+    const int start = this->Slots[slot].crossing;
+    while (!this->Slots[slot].visited)
     {
-      this->slots[slot].visited = true;
-      slot = this->slots[slot].across;
-      this->slots[slot].visited = true;
-      const int crossing = this->slots[slot].crossing;
+      this->Slots[slot].visited = true;
+      slot = this->Slots[slot].across;
+      this->Slots[slot].visited = true;
+      const int crossing = this->Slots[slot].crossing;
       if (crossing == start)
       {
         return true;
@@ -179,7 +179,7 @@ private:
       {
         break;
       }
-      slot = 2 * this->crossings[crossing].firstSlot + 1 - slot; // the edge's other triangle
+      slot = 2 * this->Crossings[crossing].firstSlot + 1 - slot; // the edge's other triangle
     }
     return false;
   }
@@ -193,7 +193,7 @@ private:
     curve.points.reserve(chain.size());
     for (const int crossing : chain)
     {
-      const CurvePoint& p = this->points[crossing];
+      const CurvePoint& p = this->Points[crossing];
       if (curve.points.empty() || !sameVertex(curve.points.back(), p))
       {
         curve.points.push_back(p);
@@ -210,14 +210,14 @@ private:
     }
   }
 
-  const Mesh& mesh;
-  const Adjacency& adjacency;
-  const std::vector<Vector3>& normals;
-  const View& view;
-  double limit = 0.0;              // |g| up to it is on the silhouette
-  std::vector<Crossing> crossings; // by edge
-  std::vector<Slot> slots;
-  std::vector<CurvePoint> points; // of the crossings
+  const Mesh& Model;
+  const Adjacency& Neighbours;
+  const std::vector<Vector3>& Normals;
+  const View& Camera;
+  double Limit = 0.0;              // |g| up to it is on the silhouette
+  std::vector<Crossing> Crossings; // by edge
+  std::vector<Slot> Slots;
+  std::vector<CurvePoint> Points; // of the crossings
 };
 
 } // namespace

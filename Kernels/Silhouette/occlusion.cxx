@@ -106,8 +106,8 @@ class QueryCounts
 {
 public:
   explicit QueryCounts(const PointGrid<Real>& grid)
-    : width(grid.columns + 1)
-    , sums(static_cast<std::size_t>(this->width) * (grid.rows + 1), 0)
+    : Width(grid.columns + 1)
+    , Sums(static_cast<std::size_t>(this->Width) * (grid.rows + 1), 0)
   {
     for (int row = 0; row < grid.rows; ++row)
     {
@@ -130,11 +130,11 @@ public:
   }
 
 private:
-  int at(int column, int row) const { return this->sums[row * this->width + column]; }
-  int& at(int column, int row) { return this->sums[row * this->width + column]; }
+  int at(int column, int row) const { return this->Sums[row * this->Width + column]; }
+  int& at(int column, int row) { return this->Sums[row * this->Width + column]; }
 
-  int width;
-  std::vector<int> sums;
+  int Width;
+  std::vector<int> Sums;
 };
 
 template <typename Real>

@@ -238,21 +238,21 @@ class Coverage
 {
 public:
   Coverage(const Picture& picture, const PixelWindow& window, const Context& context)
-    : window_(window)
-    , rows_(coveredIntervals(picture, 1, window.y, window.height, context))
-    , columns_(coveredIntervals(picture, 0, window.x, window.width, context))
-    , covered_(static_cast<std::size_t>(window.width) * window.height, 0)
+    : Window(window)
+    , Rows(coveredIntervals(picture, 1, window.y, window.height, context))
+    , Columns(coveredIntervals(picture, 0, window.x, window.width, context))
+    , Covered(static_cast<std::size_t>(window.width) * window.height, 0)
   {
     for (int j = 0; j < window.height; ++j)
     {
-      for (const Interval& interval : this->rows_[j])
+      for (const Interval& interval : this->Rows[j])
       {
         const double low = std::ceil(interval.low.at - 0.5) - window.x;
         const double high = std::floor(interval.high.at - 0.5) - window.x;
         const int end = static_cast<int>(std::clamp(high, -1.0, window.width - 1.0));
         for (int i = static_cast<int>(std::clamp(low, 0.0, window.width * 1.0)); i <= end; ++i)
         {
-          this->covered_[this->index(i, j)] = 1;
+          this->Covered[this->index(i, j)] = 1;
         }
       }
     }
@@ -260,19 +260,19 @@ public:
 
   std::size_t index(int i, int j) const
   {
-    return static_cast<std::size_t>(j) * this->window_.width + static_cast<std::size_t>(i);
+    return static_cast<std::size_t>(j) * this->Window.width + static_cast<std::size_t>(i);
   }
   bool inside(int i, int j) const
   {
-    return i >= 0 && j >= 0 && i < this->window_.width && j < this->window_.height;
+    return i >= 0 && j >= 0 && i < this->Window.width && j < this->Window.height;
   }
-  bool operator()(int i, int j) const { return this->inside(i, j) && this->covered_[this->index(i, j)]; }
+  bool operator()(int i, int j) const { return this->inside(i, j) && this->Covered[this->index(i, j)]; }
   // Covered as its four neighbours are: no outline here. Most pixels are that.
   bool within(int i, int j) const
   {
-    const char* pixel = this->covered_.data() + this->index(i, j);
-    return i > 0 && j > 0 && i + 1 < this->window_.width && j + 1 < this->window_.height && pixel[0] &&
-           pixel[-1] && pixel[1] && pixel[-this->window_.width] && pixel[this->window_.width];
+    const char* pixel = this->Covered.data() + this->index(i, j);
+    return i > 0 && j > 0 && i + 1 < this->Window.width && j + 1 < this->Window.height && pixel[0] &&
+           pixel[-1] && pixel[1] && pixel[-this->Window.width] && pixel[this->Window.width];
   }
 
   // Where the boundary crosses the line from the centre of covered pixel (i, j) to that of its neighbour in
@@ -280,8 +280,8 @@ public:
   std::pair<Vector2, Binding> crossing(const Picture& picture, int i, int j, int direction) const
   {
     const bool horizontal = direction % 2 == 0;
-    const std::vector<Interval>& intervals = horizontal ? this->rows_[j] : this->columns_[i];
-    Vector2 place(this->window_.x + i + 0.5, this->window_.y + j + 0.5);
+    const std::vector<Interval>& intervals = horizontal ? this->Rows[j] : this->Columns[i];
+    Vector2 place(this->Window.x + i + 0.5, this->Window.y + j + 0.5);
     double& x = place[horizontal ? 0 : 1];
     const double towards = direction < 2 ? 1.0 : -1.0;
     const auto next = std::upper_bound(intervals.begin(),
@@ -301,9 +301,9 @@ public:
   }
 
 private:
-  PixelWindow window_;
-  std::vector<std::vector<Interval>> rows_, columns_;
-  std::vector<char> covered_;
+  PixelWindow Window;
+  std::vector<std::vector<Interval>> Rows, Columns;
+  std::vector<char> Covered;
 };
 
 constexpr int stepX[4] = { 1, 0, -1, 0 };

@@ -64,24 +64,24 @@ public:
     const std::vector<Vector3>& vertexNormals,
     const View& eye,
     double limit)
-    : mesh(surface)
-    , adjacency(neighbours)
-    , normals(vertexNormals)
-    , view(eye)
-    , epsilon(limit)
-    , closed(curve.closed)
+    : Model(surface)
+    , Neighbours(neighbours)
+    , Normals(vertexNormals)
+    , Camera(eye)
+    , Epsilon(limit)
+    , Closed(curve.closed)
   {
     for (const CurvePoint& p : curve.points)
     {
-      this->snaxels.emplace_back(p);
+      this->Snaxels.emplace_back(p);
     }
-    const int fixed = this->closed ? 0 : 1;
-    const int swept = static_cast<int>(this->snaxels.size()) - 2 * fixed;
-    this->sections = std::clamp(swept / leastSection, 1, Relocations::lanes);
-    this->heads.fill(this->snaxels.end());
-    for (int i = 0; i <= this->sections && swept > 0; ++i)
+    const int fixed = this->Closed ? 0 : 1;
+    const int swept = static_cast<int>(this->Snaxels.size()) - 2 * fixed;
+    this->Sections = std::clamp(swept / leastSection, 1, Relocations::lanes);
+    this->Heads.fill(this->Snaxels.end());
+    for (int i = 0; i <= this->Sections && swept > 0; ++i)
     {
-      this->heads[i] = std::next(this->snaxels.begin(), fixed + swept * i / this->sections);
+      this->Heads[i] = std::next(this->Snaxels.begin(), fixed + swept * i / this->Sections);
     }
   }
 
@@ -91,71 +91,71 @@ public:
     {
     }
     // Only after the last allowed sweep is there anything left to remove.
-    for (Snaxel& s : this->snaxels)
+    for (Snaxel& s : this->Snaxels)
     {
       s.stale = true;
     }
     while (this->sweepOnce(true))
     {
     }
-    return { std::vector<CurvePoint>(this->snaxels.begin(), this->snaxels.end()), this->closed };
+    return { std::vector<CurvePoint>(this->Snaxels.begin(), this->Snaxels.end()), this->Closed };
   }
 
 private:
   using Place = std::list<Snaxel>::iterator;
 
-  Snaxel& before(Place s) { return s == this->snaxels.begin() ? this->snaxels.back() : *std::prev(s); }
+  Snaxel& before(Place s) { return s == this->Snaxels.begin() ? this->Snaxels.back() : *std::prev(s); }
   Snaxel& after(Place s)
   {
     const Place next = std::next(s);
-    return next == this->snaxels.end() ? this->snaxels.front() : *next;
+    return next == this->Snaxels.end() ? this->Snaxels.front() : *next;
   }
 
   // Looks at every stale snaxel but fixed ends once, at one of each section in turn; false when nothing
   // changed.
   bool sweepOnce(bool removeOnly)
   {
-    if (this->snaxels.size() < 3)
+    if (this->Snaxels.size() < 3)
     {
       return false;
     }
-    this->changed = false;
-    std::copy_n(this->heads.begin(), this->places.size(), this->places.begin());
+    this->Changed = false;
+    std::copy_n(this->Heads.begin(), this->Places.size(), this->Places.begin());
     std::array<Place, Relocations::lanes> looked;
     for (bool open = true; open;)
     {
       int count = 0;
-      for (int section = 0; section < this->sections; ++section)
+      for (int section = 0; section < this->Sections; ++section)
       {
         if (this->goToEdgeSnaxel(section, removeOnly))
         {
-          looked[count] = this->places[section]++;
+          looked[count] = this->Places[section]++;
           this->put(looked[count], count);
           ++count;
         }
       }
-      open = count > 0 && !this->snaxels.empty();
+      open = count > 0 && !this->Snaxels.empty();
       if (open)
       {
-        const bool perspective = this->view.perspective();
-        this->relocations.find(Triple(perspective ? this->view.eye() : this->view.normal()),
+        const bool perspective = this->Camera.perspective();
+        this->Relocated.find(Triple(perspective ? this->Camera.eye() : this->Camera.normal()),
           perspective ? 1.0 : 0.0,
-          this->epsilon);
+          this->Epsilon);
         for (int i = 0; i < count; ++i)
         {
           this->settle(looked[i], i);
         }
       }
     }
-    return this->changed;
+    return this->Changed;
   }
 
   // Goes on to the section's next stale snaxel that may move along its edge, removes and splits on the way;
   // false at the section's end.
   bool goToEdgeSnaxel(int section, bool removeOnly)
   {
-    Place& s = this->places[section];
-    while (s != this->heads[section + 1])
+    Place& s = this->Places[section];
+    while (s != this->Heads[section + 1])
     {
       if (!s->stale)
       {
@@ -169,11 +169,11 @@ private:
       {
         this->replace(s, std::next(s));
         this->reconsider(previous, next);
-        if (this->closed && this->snaxels.size() < 3)
+        if (this->Closed && this->Snaxels.size() < 3)
         {
-          this->snaxels.clear();
-          this->heads.fill(this->snaxels.end());
-          this->places.fill(this->snaxels.end());
+          this->Snaxels.clear();
+          this->Heads.fill(this->Snaxels.end());
+          this->Places.fill(this->Snaxels.end());
         }
         continue; // with the follower of what was removed
       }
@@ -199,21 +199,21 @@ private:
   // Another snaxel, or what follows, takes the place of one that is gone.
   void replace(Place gone, Place by)
   {
-    std::replace(this->heads.begin(), this->heads.end(), gone, by);
-    std::replace(this->places.begin(), this->places.end(), gone, by);
-    this->snaxels.erase(gone);
+    std::replace(this->Heads.begin(), this->Heads.end(), gone, by);
+    std::replace(this->Places.begin(), this->Places.end(), gone, by);
+    this->Snaxels.erase(gone);
   }
 
   // What lies between these two is another than before.
   void reconsider(Snaxel& previous, Snaxel& next)
   {
-    previous.stale = next.stale = this->changed = true;
+    previous.stale = next.stale = this->Changed = true;
     previous.apart = next.apart = false;
   }
 
   void put(Place s, int i)
   {
-    Relocations& r = this->relocations;
+    Relocations& r = this->Relocated;
     r.before.set(i, this->before(s).position);
     r.after.set(i, this->after(s).position);
     r.at.set(i, s->position);
@@ -230,7 +230,7 @@ private:
   // Does to a snaxel what was found for it.
   void settle(Place place, int i)
   {
-    const Relocations::Found& found = this->relocations.found;
+    const Relocations::Found& found = this->Relocated.found;
     Snaxel &s = *place, &previous = this->before(place), &next = this->after(place);
     const Relocations::Verdict verdict = found.verdict[i];
     if (verdict == Relocations::Moves)
@@ -241,7 +241,7 @@ private:
     {
       return;
     }
-    previous.stale = next.stale = this->changed = true;
+    previous.stale = next.stale = this->Changed = true;
     if (s.binding.onVertex())
     {
       this->reconsider(previous, next);
@@ -251,7 +251,7 @@ private:
 
   CurvePoint pointAt(const Binding& binding) const
   {
-    return { binding, binding.of(this->mesh.points), binding.of(this->normals).normalized() };
+    return { binding, binding.of(this->Model.points), binding.of(this->Normals).normalized() };
   }
 
   bool inOneTriangle(const Snaxel& a, const Snaxel& b, const Snaxel& c) const
@@ -261,7 +261,7 @@ private:
     support.add(b.binding);
     support.add(c.binding);
     return support.count < 3 ||
-           (support.count == 3 && triangleWith(this->mesh, this->adjacency, support) >= 0);
+           (support.count == 3 && triangleWith(this->Model, this->Neighbours, support) >= 0);
   }
 
   // Replaces a bent vertex snaxel by edge snaxels on the spokes that the curve crosses on the side of the
@@ -269,7 +269,7 @@ private:
   bool split(Place s, const Snaxel& previous, const Snaxel& next)
   {
     const int centre = s->binding.vertices[0];
-    int& splits = this->splitCount[centre];
+    int& splits = this->SplitCount[centre];
     if (splits >= splitLimit || smoothness(previous, *s, next) >= straight - splitBend)
     {
       return false;
@@ -277,12 +277,12 @@ private:
     Support support;
     support.add(s->binding);
     support.add(previous.binding);
-    const int triangle = triangleWith(this->mesh, this->adjacency, support);
+    const int triangle = triangleWith(this->Model, this->Neighbours, support);
     if (triangle < 0)
     {
       return false;
     }
-    const Fan fan = fanOf(this->mesh, this->adjacency, centre, triangle);
+    const Fan fan = fanOf(this->Model, this->Neighbours, centre, triangle);
     const int from = fan.placeOf(previous.binding);
     const int to = fan.placeOf(next.binding);
     if (from < 0 || to < 0 || from == to)
@@ -312,7 +312,7 @@ private:
         if (place % 2 == 0)
         {
           spokes.push_back(fan.link[place / 2]);
-          turn(this->mesh.points[spokes.back()]);
+          turn(this->Model.points[spokes.back()]);
         }
       }
       turn(next.position);
@@ -337,7 +337,7 @@ private:
     }
     ++splits;
     const Place firstMade = made.begin();
-    this->snaxels.splice(s, made);
+    this->Snaxels.splice(s, made);
     this->replace(s, firstMade);
     return true;
   }
@@ -351,7 +351,7 @@ private:
     {
       CurvePoint p =
         this->pointAt(centre < end ? Binding::edge(centre, end, 1.0 - t) : Binding::edge(end, centre, t));
-      if (silhouetteDeviation(p, this->view) < this->epsilon)
+      if (silhouetteDeviation(p, this->Camera) < this->Epsilon)
       {
         return p;
       }
@@ -412,14 +412,14 @@ private:
   {
     constexpr double margin = 1e-9;
     const Vector3 place(position.x, position.y, position.z);
-    const Triple d(this->view.towardsViewer(place));
-    const double across = d.dot(normal), most = this->epsilon * this->epsilon * d.dot(d);
+    const Triple d(this->Camera.towardsViewer(place));
+    const double across = d.dot(normal), most = this->Epsilon * this->Epsilon * d.dot(d);
     if (across * across < most * (1.0 - margin))
     {
       return true;
     }
     const CurvePoint p{ Binding(), place, { normal.x, normal.y, normal.z } };
-    return across * across <= most * (1.0 + margin) && silhouetteDeviation(p, this->view) < this->epsilon;
+    return across * across <= most * (1.0 + margin) && silhouetteDeviation(p, this->Camera) < this->Epsilon;
   }
 
   // Finds the part [low, high] round t of a snaxel's edge where E_geo < epsilon; false when t itself is not
@@ -427,18 +427,18 @@ private:
   bool measure(Snaxel& s, double t) const
   {
     const int v0 = s.binding.vertices[0], v1 = s.binding.vertices[1];
-    s.ends[0] = this->mesh.points[v0];
-    s.ends[1] = this->mesh.points[v1];
-    s.endNormals[0] = this->normals[v0];
-    s.endNormals[1] = this->normals[v1];
-    const Triple d0(this->view.towardsViewer(s.ends[0]));
-    const Triple dd = Triple(this->view.towardsViewer(s.ends[1])) - d0;
+    s.ends[0] = this->Model.points[v0];
+    s.ends[1] = this->Model.points[v1];
+    s.endNormals[0] = this->Normals[v0];
+    s.endNormals[1] = this->Normals[v1];
+    const Triple d0(this->Camera.towardsViewer(s.ends[0]));
+    const Triple dd = Triple(this->Camera.towardsViewer(s.ends[1])) - d0;
     const Triple n0(s.endNormals[0]);
     const Triple dn = Triple(s.endNormals[1]) - n0;
     const Quadratic nd = product(n0, dn, d0, dd), nn = product(n0, dn, n0, dn),
                     lengths = product(d0, dd, d0, dd);
     const auto allowed = [&](double place)
-    { return nd(place) * nd(place) < this->epsilon * this->epsilon * nn(place) * lengths(place); };
+    { return nd(place) * nd(place) < this->Epsilon * this->Epsilon * nn(place) * lengths(place); };
     if (!allowed(t))
     {
       return false;
@@ -468,21 +468,21 @@ private:
     return true;
   }
 
-  const Mesh& mesh;
-  const Adjacency& adjacency;
-  const std::vector<Vector3>& normals;
-  const View& view;
-  double epsilon;
-  bool closed;
-  std::list<Snaxel> snaxels;
+  const Mesh& Model;
+  const Adjacency& Neighbours;
+  const std::vector<Vector3>& Normals;
+  const View& Camera;
+  double Epsilon;
+  bool Closed;
+  std::list<Snaxel> Snaxels;
   // The curve in sections of equal length: where each begins, and the next one after the last. A sweep goes
   // over all of them at once, so that what one snaxel waits for is worked on for others.
-  int sections;
-  std::array<Place, Relocations::lanes + 1> heads;
-  std::array<Place, Relocations::lanes> places; // that the sweep has come to
-  Relocations relocations;
-  bool changed = false;          // in this sweep
-  std::map<int, int> splitCount; // by vertex
+  int Sections;
+  std::array<Place, Relocations::lanes + 1> Heads;
+  std::array<Place, Relocations::lanes> Places; // that the sweep has come to
+  Relocations Relocated;
+  bool Changed = false;          // in this sweep
+  std::map<int, int> SplitCount; // by vertex
 };
 
 } // namespace

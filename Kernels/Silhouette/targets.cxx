@@ -31,27 +31,27 @@ public:
     const Mesh& mesh,
     const Adjacency& adjacency,
     const View& view)
-    : handles_(handles)
-    , section_(section)
-    , mesh_(mesh)
-    , adjacency_(adjacency)
-    , count_(static_cast<int>(handles.size()))
-    , leader_(handles.size())
+    : Handles(handles)
+    , Section(section)
+    , Model(mesh)
+    , Neighbours(adjacency)
+    , Count(static_cast<int>(handles.size()))
+    , Leader(handles.size())
   {
     Polyline curve;
     for (const SectionPoint& p : section)
     {
       curve.push_back(p.display);
     }
-    this->along_ = arcLengths(curve);
+    this->Along = arcLengths(curve);
     this->joinNeighbours();
     if (this->rankLayers())
     {
       this->measure(view);
-      this->kept_.resize(handles.size());
-      for (int h = 0; h < this->count_; ++h)
+      this->Kept.resize(handles.size());
+      for (int h = 0; h < this->Count; ++h)
       {
-        this->kept_[h] = this->layerOf(h) == this->main_;
+        this->Kept[h] = this->layerOf(h) == this->Main;
       }
       // The nearest layer within reach joins; what it brings may reach further ones.
       while (this->joinOne())
@@ -62,33 +62,33 @@ public:
 
   std::vector<Handle> kept() const
   {
-    if (this->kept_.empty())
+    if (this->Kept.empty())
     {
-      return this->handles_; // of one layer
+      return this->Handles; // of one layer
     }
     std::vector<Handle> result;
-    for (int h = 0; h < this->count_; ++h)
+    for (int h = 0; h < this->Count; ++h)
     {
-      if (this->kept_[h])
+      if (this->Kept[h])
       {
-        result.push_back(this->handles_[h]);
+        result.push_back(this->Handles[h]);
       }
     }
     return result;
   }
 
 private:
-  const SectionPoint& pointOf(int h) const { return this->section_[this->handles_[h].point]; }
+  const SectionPoint& pointOf(int h) const { return this->Section[this->Handles[h].point]; }
   const std::array<int, 3>& verticesOf(int h) const { return this->pointOf(h).binding.vertices; }
   // Where a handle is along the section [px].
-  double at(int h) const { return this->along_[this->handles_[h].point]; }
+  double at(int h) const { return this->Along[this->Handles[h].point]; }
 
   // A layer goes by its first handle.
   int layerOf(int h)
   {
-    while (this->leader_[h] != h)
+    while (this->Leader[h] != h)
     {
-      h = this->leader_[h] = this->leader_[this->leader_[h]];
+      h = this->Leader[h] = this->Leader[this->Leader[h]];
     }
     return h;
   }
@@ -97,15 +97,15 @@ private:
   {
     a = this->layerOf(a);
     b = this->layerOf(b);
-    this->leader_[std::max(a, b)] = std::min(a, b);
+    this->Leader[std::max(a, b)] = std::min(a, b);
   }
 
   // Handles whose vertices coincide or are neighbours are of one layer.
   void joinNeighbours()
   {
-    std::iota(this->leader_.begin(), this->leader_.end(), 0);
-    std::vector<int> handleAt(this->mesh_.points.size(), -1);
-    for (int h = 0; h < this->count_; ++h)
+    std::iota(this->Leader.begin(), this->Leader.end(), 0);
+    std::vector<int> handleAt(this->Model.points.size(), -1);
+    for (int h = 0; h < this->Count; ++h)
     {
       for (const int v : this->verticesOf(h))
       {
@@ -116,8 +116,8 @@ private:
         handleAt[v] = h;
       }
     }
-    const Lists& neighbours = this->adjacency_.vertexVertices;
-    for (int h = 0; h < this->count_; ++h)
+    const Lists& neighbours = this->Neighbours.vertexVertices;
+    for (int h = 0; h < this->Count; ++h)
     {
       for (const int v : this->verticesOf(h))
       {
@@ -136,9 +136,9 @@ private:
   // section. False where there is only one.
   bool rankLayers()
   {
-    std::vector<double> covers(this->handles_.size(), 0.0);
-    std::vector<int> previous(this->handles_.size(), -1), layers;
-    for (int h = 0; h < this->count_; ++h)
+    std::vector<double> covers(this->Handles.size(), 0.0);
+    std::vector<int> previous(this->Handles.size(), -1), layers;
+    for (int h = 0; h < this->Count; ++h)
     {
       const int layer = this->layerOf(h);
       if (previous[layer] < 0)
@@ -147,7 +147,7 @@ private:
       }
       else
       {
-        covers[layer] += std::min(this->at(h) - this->at(previous[layer]), 0.1 * this->along_.back());
+        covers[layer] += std::min(this->at(h) - this->at(previous[layer]), 0.1 * this->Along.back());
       }
       previous[layer] = h;
     }
@@ -155,52 +155,52 @@ private:
     {
       return false;
     }
-    this->main_ =
+    this->Main =
       *std::max_element(layers.begin(), layers.end(), [&](int a, int b) { return covers[a] < covers[b]; });
     std::copy_if(layers.begin(),
       layers.end(),
-      std::back_inserter(this->open_),
-      [this](int layer) { return layer != this->main_; });
+      std::back_inserter(this->Open),
+      [this](int layer) { return layer != this->Main; });
     return true;
   }
 
   // Sizes that turn gaps in the image plane into geodesic lengths.
   void measure(const View& view)
   {
-    const Lists& neighbours = this->adjacency_.vertexVertices;
+    const Lists& neighbours = this->Neighbours.vertexVertices;
     int edges = 0;
-    for (int h = 0; h < this->count_; ++h)
+    for (int h = 0; h < this->Count; ++h)
     {
       const SectionPoint& q = this->pointOf(h);
       for (const int v : q.binding.vertices)
       {
         for (const int* n = neighbours.begin(v); n != neighbours.end(v); ++n)
         {
-          this->edge_ += (this->mesh_.points[*n] - this->mesh_.points[v]).norm();
+          this->Edge += (this->Model.points[*n] - this->Model.points[v]).norm();
           ++edges;
         }
       }
       const double depth = view.depth(q.position);
-      this->pixel_ +=
+      this->Pixel +=
         (view.toWorld(q.display + Vector2(1.0, 0.0), depth) - view.toWorld(q.display, depth)).norm() /
-        this->count_;
+        this->Count;
     }
-    this->edge_ = edges > 0 ? this->edge_ / edges : 0.0;
+    this->Edge = edges > 0 ? this->Edge / edges : 0.0;
   }
 
-  double reachOver(double gap) const { return 2.5 * gap * this->pixel_ + 6.0 * this->edge_; }
+  double reachOver(double gap) const { return 2.5 * gap * this->Pixel + 6.0 * this->Edge; }
 
   // Gap of each open layer to what is kept, along the section.
   std::vector<double> gaps()
   {
-    std::vector<double> gap(this->handles_.size(), infinite);
+    std::vector<double> gap(this->Handles.size(), infinite);
     for (const bool forward : { true, false })
     {
       double last = infinite;
-      for (int k = 0; k < this->count_; ++k)
+      for (int k = 0; k < this->Count; ++k)
       {
-        const int h = forward ? k : this->count_ - 1 - k;
-        if (this->kept_[h])
+        const int h = forward ? k : this->Count - 1 - k;
+        if (this->Kept[h])
         {
           last = this->at(h);
         }
@@ -219,9 +219,9 @@ private:
   {
     std::vector<int> sources;
     double reach = 0.0;
-    for (int h = 0; h < this->count_; ++h)
+    for (int h = 0; h < this->Count; ++h)
     {
-      if (this->kept_[h])
+      if (this->Kept[h])
       {
         sources.insert(sources.end(), this->verticesOf(h).begin(), this->verticesOf(h).end());
       }
@@ -230,9 +230,9 @@ private:
         reach = std::max(reach, this->reachOver(gap[this->layerOf(h)]));
       }
     }
-    const std::vector<double> distance = edgeDistances(this->mesh_, this->adjacency_, sources, reach);
-    std::vector<double> way(this->handles_.size(), infinite);
-    for (int h = 0; h < this->count_; ++h)
+    const std::vector<double> distance = edgeDistances(this->Model, this->Neighbours, sources, reach);
+    std::vector<double> way(this->Handles.size(), infinite);
+    for (int h = 0; h < this->Count; ++h)
     {
       for (const int v : this->verticesOf(h))
       {
@@ -245,13 +245,13 @@ private:
 
   bool joinOne()
   {
-    if (this->open_.empty())
+    if (this->Open.empty())
     {
       return false;
     }
     const std::vector<double> gap = this->gaps(), way = this->ways(gap);
     int joins = -1;
-    for (const int layer : this->open_)
+    for (const int layer : this->Open)
     {
       if (way[layer] <= this->reachOver(gap[layer]) && (joins < 0 || gap[layer] < gap[joins]))
       {
@@ -262,28 +262,28 @@ private:
     {
       return false;
     }
-    for (int h = 0; h < this->count_; ++h)
+    for (int h = 0; h < this->Count; ++h)
     {
-      this->kept_[h] = this->kept_[h] || this->layerOf(h) == joins;
+      this->Kept[h] = this->Kept[h] || this->layerOf(h) == joins;
     }
-    this->open_.erase(std::find(this->open_.begin(), this->open_.end(), joins));
+    this->Open.erase(std::find(this->Open.begin(), this->Open.end(), joins));
     return true;
   }
 
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  const std::vector<Handle>& handles_;
-  const std::vector<SectionPoint>& section_;
-  const Mesh& mesh_;
-  const Adjacency& adjacency_;
-  const int count_;
-  std::vector<double> along_; // lengths along the section in the image plane
-  std::vector<int> leader_;   // per handle, towards the first one of its layer
-  int main_ = -1;             // the layer that covers most
-  std::vector<int> open_;     // layers that have not joined
-  std::vector<char> kept_;    // per handle; empty where there is one layer
-  double edge_ = 0.0;         // mean length of the mesh edges at the handles
-  double pixel_ = 0.0;        // a pixel's size in the world there
+  const std::vector<Handle>& Handles;
+  const std::vector<SectionPoint>& Section;
+  const Mesh& Model;
+  const Adjacency& Neighbours;
+  const int Count;
+  std::vector<double> Along; // lengths along the section in the image plane
+  std::vector<int> Leader;   // per handle, towards the first one of its layer
+  int Main = -1;             // the layer that covers most
+  std::vector<int> Open;     // layers that have not joined
+  std::vector<char> Kept;    // per handle; empty where there is one layer
+  double Edge = 0.0;         // mean length of the mesh edges at the handles
+  double Pixel = 0.0;        // a pixel's size in the world there
 };
 
 } // namespace

@@ -46,45 +46,46 @@ public:
     const View& eye,
     const VisibilityOptions& settings,
     const Context& caller)
-    : mesh(surface)
-    , normals(vertexNormals)
-    , view(eye)
-    , options(settings)
-    , context(caller)
+    : Model(surface)
+    , Normals(vertexNormals)
+    , Camera(eye)
+    , Options(settings)
+    , Caller(caller)
   {
   }
 
   VisibilityResult run(const std::vector<Curve>& curves)
   {
-    this->context.checkpoint(0.0);
-    this->nearest = -1e-6 * boundingDiagonal(this->mesh);
+    this->Caller.checkpoint(0.0);
+    this->Nearest = -1e-6 * boundingDiagonal(this->Model);
     for (const Curve& curve : curves)
     {
-      this->tracks.push_back(this->trackOf(curve));
-      this->markCuspsAndEyePlane(this->tracks.back());
+      this->Tracks.push_back(this->trackOf(curve));
+      this->markCuspsAndEyePlane(this->Tracks.back());
     }
     this->insertCrossings();
-    this->context.checkpoint(0.3);
+    this->Caller.checkpoint(0.3);
     std::vector<std::vector<Piece>> pieces;
-    for (const Track& track : this->tracks)
+    for (const Track& track : this->Tracks)
     {
       pieces.push_back(piecesOf(track));
     }
     VisibilityResult result;
     this->vote(pieces, result);
-    for (int i = 0; i < static_cast<int>(this->tracks.size()); ++i)
+    for (int i = 0; i < static_cast<int>(this->Tracks.size()); ++i)
     {
       this->emit(i, pieces[i], result.segments);
     }
-    this->context.checkpoint(1.0);
+    this->Caller.checkpoint(1.0);
     return result;
   }
 
 private:
   Vector3 screenOf(const Vector3& position) const
   {
-    const bool off = this->view.perspective() && !(this->view.depth(position) < this->nearest);
-    return off ? Vector3(0.0, 0.0, -std::numeric_limits<double>::infinity()) : this->view.toScreen(position);
+    const bool off = this->Camera.perspective() && !(this->Camera.depth(position) < this->Nearest);
+    return off ? Vector3(0.0, 0.0, -std::numeric_limits<double>::infinity())
+               : this->Camera.toScreen(position);
   }
 
   Track trackOf(const Curve& curve) const
@@ -99,7 +100,7 @@ private:
 
   void markCuspsAndEyePlane(Track& track) const
   {
-    const double limit = std::cos(this->options.cuspAngle * pi / 180.0);
+    const double limit = std::cos(this->Options.cuspAngle * pi / 180.0);
     const int n = track.size();
     for (int i = 0; i < n; ++i)
     {
@@ -143,7 +144,7 @@ private:
   {
     const double q0 = track.screen[first][2], q1 = track.screen[second][2];
     // Depth is -1/z in perspective, and affine on screen; along the segment in space z is.
-    const double share = this->view.perspective() ? place * q1 / (q0 + place * (q1 - q0)) : place;
+    const double share = this->Camera.perspective() ? place * q1 / (q0 + place * (q1 - q0)) : place;
     const Binding& a = track.curve.points[first].binding;
     const Binding& b = track.curve.points[second].binding;
     int vertices[6];
@@ -178,17 +179,17 @@ private:
       p.binding.vertices[k] = k < count ? vertices[k] : vertices[0];
       p.binding.weights[k] = k < count ? weights[k] : 0.0;
     }
-    p.position = p.binding.of(this->mesh.points);
-    p.normal = p.binding.of(this->normals).normalized();
+    p.position = p.binding.of(this->Model.points);
+    p.normal = p.binding.of(this->Normals).normalized();
     return p;
   }
 
   void insertCrossings()
   {
     std::vector<ImageSegment> segments;
-    for (int c = 0; c < static_cast<int>(this->tracks.size()); ++c)
+    for (int c = 0; c < static_cast<int>(this->Tracks.size()); ++c)
     {
-      const Track& track = this->tracks[c];
+      const Track& track = this->Tracks[c];
       for (int i = 0; i < track.segmentCount(); ++i)
       {
         const int j = track.after(i);
@@ -200,9 +201,9 @@ private:
     }
     const std::vector<Crossing> crossings = findCrossings(segments);
     auto crossing = crossings.begin();
-    for (int c = 0; c < static_cast<int>(this->tracks.size()); ++c)
+    for (int c = 0; c < static_cast<int>(this->Tracks.size()); ++c)
     {
-      const Track& old = this->tracks[c];
+      const Track& old = this->Tracks[c];
       Track track{ {}, {}, {} };
       track.curve.closed = old.curve.closed;
       const auto add = [&](const CurvePoint& p, const Vector3& screen, char cut)
@@ -242,7 +243,7 @@ private:
       {
         track.cut[0] |= cuts[0];
       }
-      this->tracks[c] = std::move(track);
+      this->Tracks[c] = std::move(track);
     }
   }
 
@@ -280,7 +281,7 @@ private:
     std::vector<Piece*> voters;
     for (std::size_t c = 0; c < pieces.size(); ++c)
     {
-      const Track& track = this->tracks[c];
+      const Track& track = this->Tracks[c];
       for (Piece& piece : pieces[c])
       {
         bool asked = false;
@@ -322,14 +323,14 @@ private:
 
   std::vector<char> test(const std::vector<OcclusionQuery>& queries, VisibilityResult& result) const
   {
-    const std::vector<Vector3> screen = projectVertices(this->mesh, this->view, this->context);
-    if (const std::shared_ptr<Device> device = Device::choose(this->options.backend, result.warning))
+    const std::vector<Vector3> screen = projectVertices(this->Model, this->Camera, this->Caller);
+    if (const std::shared_ptr<Device> device = Device::choose(this->Options.backend, result.warning))
     {
       try
       {
         std::vector<char> hidden = device->info().fp64
-                                     ? occludedOnDevice<double>(*device, this->mesh, screen, queries)
-                                     : occludedOnDevice<float>(*device, this->mesh, screen, queries);
+                                     ? occludedOnDevice<double>(*device, this->Model, screen, queries)
+                                     : occludedOnDevice<float>(*device, this->Model, screen, queries);
         result.used = Backend::OpenCL;
         return hidden;
       }
@@ -339,15 +340,15 @@ private:
       }
     }
     result.used = Backend::Host;
-    return occludedOnHost<double>(this->mesh, screen, queries, this->context);
+    return occludedOnHost<double>(this->Model, screen, queries, this->Caller);
   }
 
   // One segment per piece, or per run of visible neighbours.
   void emit(int source, const std::vector<Piece>& pieces, std::vector<VisibilitySegment>& segments) const
   {
-    const Track& track = this->tracks[source];
+    const Track& track = this->Tracks[source];
     const int count = static_cast<int>(pieces.size());
-    const bool rejoin = this->options.rejoin;
+    const bool rejoin = this->Options.rejoin;
     const bool allVisible =
       std::all_of(pieces.begin(), pieces.end(), [](const Piece& p) { return p.visible; });
     if (pieces[0].whole || (track.curve.closed && rejoin && allVisible))
@@ -376,13 +377,13 @@ private:
     }
   }
 
-  const Mesh& mesh;
-  const std::vector<Vector3>& normals;
-  const View& view;
-  const VisibilityOptions& options;
-  const Context& context;
-  double nearest = 0.0;
-  std::vector<Track> tracks;
+  const Mesh& Model;
+  const std::vector<Vector3>& Normals;
+  const View& Camera;
+  const VisibilityOptions& Options;
+  const Context& Caller;
+  double Nearest = 0.0;
+  std::vector<Track> Tracks;
 };
 
 } // namespace

@@ -114,30 +114,30 @@ struct Cholesky::Strips
 };
 
 Cholesky::Cholesky(std::shared_ptr<const Elimination> elimination, std::shared_ptr<FactorMemory> memory)
-  : elimination_(std::move(elimination))
-  , memory_(std::move(memory))
+  : Symbolic(std::move(elimination))
+  , Buffers(std::move(memory))
 {
 }
 
 void Cholesky::placePanels()
 {
-  this->panelPlaces_.clear();
-  this->vectorPlaces_.clear();
+  this->PanelPlaces.clear();
+  this->VectorPlaces.clear();
   std::size_t panels = 0, vectors = 0;
-  this->stripsSize_ = 0;
-  for (const Supernode& node : this->elimination_->supernodes)
+  this->StripsSize = 0;
+  for (const Supernode& node : this->Symbolic->supernodes)
   {
-    const PanelShape shape(node, this->block_);
-    this->panelPlaces_.push_back(panels);
-    this->vectorPlaces_.push_back(vectors);
+    const PanelShape shape(node, this->Block);
+    this->PanelPlaces.push_back(panels);
+    this->VectorPlaces.push_back(vectors);
     panels += shape.size();
     vectors += static_cast<std::size_t>(shape.others);
-    this->stripsSize_ = std::max(this->stripsSize_, Strips(shape, nullptr).size());
+    this->StripsSize = std::max(this->StripsSize, Strips(shape, nullptr).size());
   }
-  this->vectorPlaces_.push_back(vectors);
-  this->memory_->panels.reserve(panels); // cleared panel by panel, on the thread that works on it
-  this->runs_.resize(this->elimination_->supernodes.size());
-  this->smallest_.resize(static_cast<std::size_t>(this->elimination_->nodeCount()) * this->block_);
+  this->VectorPlaces.push_back(vectors);
+  this->Buffers->panels.reserve(panels); // cleared panel by panel, on the thread that works on it
+  this->Runs.resize(this->Symbolic->supernodes.size());
+  this->Smallest.resize(static_cast<std::size_t>(this->Symbolic->nodeCount()) * this->Block);
 }
 
 // Where the matrix that each supernode hands on is kept until its parent takes it. Each subtree, and the rest
@@ -146,8 +146,8 @@ void Cholesky::placePanels()
 // what their roots hand on.
 void Cholesky::placeUpdates()
 {
-  const Elimination& elimination = *this->elimination_;
-  this->updatePlaces_.assign(elimination.supernodes.size(), 0);
+  const Elimination& elimination = *this->Symbolic;
+  this->UpdatePlaces.assign(elimination.supernodes.size(), 0);
   const auto size = [this](int s)
   {
     const PanelShape shape = this->shapeOf(s);
@@ -163,7 +163,7 @@ void Cholesky::placeUpdates()
       if (node.subtree == subtree)
       {
         const int stack = node.depth % 2;
-        this->updatePlaces_[s] = top[stack];
+        this->UpdatePlaces[s] = top[stack];
         top[stack] += size(s);
         most[stack] = std::max(most[stack], top[stack]);
         for (const int child : node.children)
@@ -178,7 +178,7 @@ void Cholesky::placeUpdates()
     for (int s = first; s <= last; ++s)
     {
       const Supernode& node = elimination.supernodes[s];
-      this->updatePlaces_[s] += node.subtree == subtree && node.depth % 2 ? most[0] : 0;
+      this->UpdatePlaces[s] += node.subtree == subtree && node.depth % 2 ? most[0] : 0;
     }
     return most[0] + most[1];
   };
@@ -187,19 +187,19 @@ void Cholesky::placeUpdates()
   {
     const auto [first, root] = elimination.subtrees[subtree];
     stacks = std::max(stacks, place(subtree, first, root - 1));
-    this->updatePlaces_[root] = shared;
+    this->UpdatePlaces[root] = shared;
     shared += size(root);
   }
-  this->memory_->updates.reserve(shared);
-  this->stackSize_ = stacks;
+  this->Buffers->updates.reserve(shared);
+  this->StackSize = stacks;
 }
 
 // Where the supernode's update is: the stacks are those of the thread that works on its subtree.
 double* Cholesky::updateOf(int s, const Memory& stacks) const
 {
-  const int subtree = this->elimination_->supernodes[s].subtree;
-  const bool shared = subtree < 0 || this->elimination_->subtrees[subtree][1] == s;
-  return (shared ? this->memory_->updates : stacks).data() + this->updatePlaces_[s];
+  const int subtree = this->Symbolic->supernodes[s].subtree;
+  const bool shared = subtree < 0 || this->Symbolic->subtrees[subtree][1] == s;
+  return (shared ? this->Buffers->updates : stacks).data() + this->UpdatePlaces[s];
 }
 
 // Makes the panel: the matrix's entries and what the children handed on. place is scratch.
@@ -209,12 +209,12 @@ void Cholesky::assemble(int s,
   std::vector<int>& place,
   const Context& context)
 {
-  const Elimination& elimination = *this->elimination_;
+  const Elimination& elimination = *this->Symbolic;
   const Supernode& node = elimination.supernodes[s];
-  const int b = this->block_;
+  const int b = this->Block;
   const PanelShape shape = this->shapeOf(s);
   const std::size_t ld = static_cast<std::size_t>(shape.height);
-  double* panel = this->memory_->panels.data() + this->panelPlaces_[s];
+  double* panel = this->Buffers->panels.data() + this->PanelPlaces[s];
   for (int i = 0; i < node.columns; ++i)
   {
     place[node.first + i] = i * b;
@@ -227,10 +227,10 @@ void Cholesky::assemble(int s,
   {
     if (child >= 0)
     {
-      this->runs_[child] = runsOf(elimination.supernodes[child], node, b);
+      this->Runs[child] = runsOf(elimination.supernodes[child], node, b);
     }
   }
-  double* smallest = this->smallest_.data() + static_cast<std::size_t>(node.first) * b;
+  double* smallest = this->Smallest.data() + static_cast<std::size_t>(node.first) * b;
   context.parallelFor(node.columns,
     [&](int begin, int end)
     {
@@ -265,8 +265,8 @@ void Cholesky::assemble(int s,
 // nodes, or for the others at the first of these.
 void Cholesky::gather(int s, int begin, int end, double* into, int ld, const Memory& stacks) const
 {
-  const Supernode& node = this->elimination_->supernodes[s];
-  const int b = this->block_;
+  const Supernode& node = this->Symbolic->supernodes[s];
+  const int b = this->Block;
   const bool own = begin < node.columns;
   const int skipped = own ? 0 : this->shapeOf(s).own;
   for (const int child : node.children)
@@ -275,8 +275,8 @@ void Cholesky::gather(int s, int begin, int end, double* into, int ld, const Mem
     {
       continue;
     }
-    const Supernode& from = this->elimination_->supernodes[child];
-    const std::vector<Run>& runs = this->runs_[child];
+    const Supernode& from = this->Symbolic->supernodes[child];
+    const std::vector<Run>& runs = this->Runs[child];
     const int height = this->shapeOf(child).others;
     const double* values = this->updateOf(child, stacks);
     const auto position = [&](int place)
@@ -309,9 +309,9 @@ bool Cholesky::eliminate(int s, const Memory& stacks, double* packed, const Cont
   const DenseKernels& dense = denseKernels();
   const PanelShape shape = this->shapeOf(s);
   const Strips strips(shape, packed);
-  double* panel = this->memory_->panels.data() + this->panelPlaces_[s];
+  double* panel = this->Buffers->panels.data() + this->PanelPlaces[s];
   const double* smallest =
-    this->smallest_.data() + static_cast<std::size_t>(this->elimination_->supernodes[s].first) * this->block_;
+    this->Smallest.data() + static_cast<std::size_t>(this->Symbolic->supernodes[s].first) * this->Block;
   const std::size_t ld = static_cast<std::size_t>(shape.height);
   for (int done = 0; done < shape.columns; done += panelColumns)
   {
@@ -360,7 +360,7 @@ bool Cholesky::eliminate(int s, const Memory& stacks, double* packed, const Cont
       });
   }
   this->handOn(s, strips, stacks, context);
-  const Supernode& node = this->elimination_->supernodes[s];
+  const Supernode& node = this->Symbolic->supernodes[s];
   context.parallelFor(static_cast<int>(node.rows.size()),
     [&](int begin, int end)
     {
@@ -416,10 +416,10 @@ void Cholesky::handOn(int s, const Strips& strips, const Memory& stacks, const C
 
 bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
 {
-  const Elimination& elimination = *this->elimination_;
-  if (this->block_ != matrix.block)
+  const Elimination& elimination = *this->Symbolic;
+  if (this->Block != matrix.block)
   {
-    this->block_ = matrix.block;
+    this->Block = matrix.block;
     this->placePanels();
     this->placeUpdates();
   }
@@ -429,9 +429,9 @@ bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
   elimination.forSubtrees(context,
     [&](int subtree)
     {
-      const auto stacks = this->memory_->stacks.take(this->stackSize_);
+      const auto stacks = this->Buffers->stacks.take(this->StackSize);
       std::vector<int> place(elimination.order.size());
-      const auto strips = this->memory_->strips.take(this->stripsSize_);
+      const auto strips = this->Buffers->strips.take(this->StripsSize);
       const auto [first, last] = elimination.subtrees[subtree];
       for (int s = first; s <= last && good && !context.cancelled(); ++s)
       {
@@ -449,7 +449,7 @@ bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
     done += node.subtree < 0 ? 0.0 : workOf(node);
   }
   std::vector<int> place(elimination.order.size());
-  const auto strips = this->memory_->strips.take(this->stripsSize_);
+  const auto strips = this->Buffers->strips.take(this->StripsSize);
   for (int s = 0; s < static_cast<int>(elimination.supernodes.size()) && good; ++s)
   {
     if (elimination.supernodes[s].subtree < 0)
@@ -458,9 +458,9 @@ bool Cholesky::factorise(const BlockMatrix& matrix, const Context& context)
       done += workOf(elimination.supernodes[s]);
       // What is done sooner than another thread is woken stays on this one.
       const Context& worth =
-        workOf(elimination.supernodes[s]) * std::pow(this->block_, 3) > 4e6 ? context : serial;
-      this->assemble(s, matrix, this->memory_->updates, place, worth);
-      good = this->eliminate(s, this->memory_->updates, strips->data(), worth);
+        workOf(elimination.supernodes[s]) * std::pow(this->Block, 3) > 4e6 ? context : serial;
+      this->assemble(s, matrix, this->Buffers->updates, place, worth);
+      good = this->eliminate(s, this->Buffers->updates, strips->data(), worth);
     }
   }
   context.checkpoint(good ? 1.0 : done / total);

@@ -42,7 +42,7 @@ private:
   struct Strips;
   using Step = void (Cholesky::*)(int s, int sides, std::vector<double>& local);
 
-  PanelShape shapeOf(int s) const { return PanelShape(this->elimination_->supernodes[s], this->block_); }
+  PanelShape shapeOf(int s) const { return PanelShape(this->Symbolic->supernodes[s], this->Block); }
   void placePanels();
   void placeUpdates();
   double* updateOf(int s, const Memory& stacks) const;
@@ -58,18 +58,18 @@ private:
   void backward(int s, int sides, std::vector<double>& local);
   void sweep(const std::vector<int>& level, Step step, int sides, const Context& context);
 
-  std::shared_ptr<const Elimination> elimination_;
-  int block_ = 0;
+  std::shared_ptr<const Elimination> Symbolic;
+  int Block = 0;
   // Of each supernode: where its panel begins, what it hands on in the factorisation, and what in a solve
   // with one right-hand side.
-  std::vector<std::size_t> panelPlaces_, updatePlaces_, vectorPlaces_;
-  std::vector<std::vector<Run>> runs_; // of each supernode: how its rows lie in its parent's panel
-  std::size_t stackSize_ = 0;          // of the subtrees' updates, see placeUpdates
-  std::size_t stripsSize_ = 0;         // of the largest supernode's strips
-  std::shared_ptr<FactorMemory> memory_;
-  std::vector<double> smallest_; // pivots
-  std::vector<double> solution_; // in the new order, the right-hand sides side by side
-  std::vector<double> vectors_;
+  std::vector<std::size_t> PanelPlaces, UpdatePlaces, VectorPlaces;
+  std::vector<std::vector<Run>> Runs; // of each supernode: how its rows lie in its parent's panel
+  std::size_t StackSize = 0;          // of the subtrees' updates, see placeUpdates
+  std::size_t StripsSize = 0;         // of the largest supernode's strips
+  std::shared_ptr<FactorMemory> Buffers;
+  std::vector<double> Smallest; // pivots
+  std::vector<double> Solution; // in the new order, the right-hand sides side by side
+  std::vector<double> Vectors;
 };
 
 } // namespace oversketch

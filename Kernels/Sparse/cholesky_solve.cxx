@@ -34,9 +34,9 @@ inline void collect(const double* from, std::size_t step, int sides, double* to)
 // Solves for the supernode's own unknowns and hands on what the others get from them.
 void Cholesky::forward(int s, int sides, std::vector<double>& local)
 {
-  const Elimination& elimination = *this->elimination_;
+  const Elimination& elimination = *this->Symbolic;
   const Supernode& node = elimination.supernodes[s];
-  const int b = this->block_;
+  const int b = this->Block;
   const PanelShape shape = this->shapeOf(s);
   const std::size_t height = static_cast<std::size_t>(shape.height);
   local.resize(height * sides);
@@ -44,7 +44,7 @@ void Cholesky::forward(int s, int sides, std::vector<double>& local)
   {
     std::fill(local.data() + side * height + shape.columns, local.data() + (side + 1) * height, 0.0);
   }
-  double* own = this->solution_.data() + static_cast<std::size_t>(node.first) * b * sides;
+  double* own = this->Solution.data() + static_cast<std::size_t>(node.first) * b * sides;
   for (int i = 0; i < shape.columns; ++i)
   {
     scatter(own + i * sides, local.data() + i, height, sides);
@@ -56,8 +56,8 @@ void Cholesky::forward(int s, int sides, std::vector<double>& local)
       continue;
     }
     const int rows = this->shapeOf(child).others;
-    const double* from = this->vectors_.data() + this->vectorPlaces_[child] * sides;
-    for (const Run& run : this->runs_[child])
+    const double* from = this->Vectors.data() + this->VectorPlaces[child] * sides;
+    for (const Run& run : this->Runs[child])
     {
       for (int side = 0; side < sides; ++side)
       {
@@ -71,12 +71,12 @@ void Cholesky::forward(int s, int sides, std::vector<double>& local)
     }
   }
   denseKernels().forward(
-    this->memory_->panels.data() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
+    this->Buffers->panels.data() + this->PanelPlaces[s], shape.height, shape.columns, local.data(), sides);
   for (int i = 0; i < shape.columns; ++i)
   {
     collect(local.data() + i, height, sides, own + i * sides);
   }
-  double* handed = this->vectors_.data() + this->vectorPlaces_[s] * sides;
+  double* handed = this->Vectors.data() + this->VectorPlaces[s] * sides;
   for (int side = 0; side < sides; ++side)
   {
     std::copy_n(local.data() + side * height + shape.own, shape.others, handed + side * shape.others);
@@ -86,8 +86,8 @@ void Cholesky::forward(int s, int sides, std::vector<double>& local)
 // Solves for the supernode's own unknowns from those after them.
 void Cholesky::backward(int s, int sides, std::vector<double>& local)
 {
-  const Supernode& node = this->elimination_->supernodes[s];
-  const int b = this->block_;
+  const Supernode& node = this->Symbolic->supernodes[s];
+  const int b = this->Block;
   const PanelShape shape = this->shapeOf(s);
   const std::size_t height = static_cast<std::size_t>(shape.height);
   local.resize(height * sides);
@@ -97,7 +97,7 @@ void Cholesky::backward(int s, int sides, std::vector<double>& local)
     std::fill(first + shape.columns, first + shape.own, 0.0);
     std::fill(first + shape.own + shape.rows, first + shape.height, 0.0);
   }
-  double* own = this->solution_.data() + static_cast<std::size_t>(node.first) * b * sides;
+  double* own = this->Solution.data() + static_cast<std::size_t>(node.first) * b * sides;
   for (int i = 0; i < shape.columns; ++i)
   {
     scatter(own + i * sides, local.data() + i, height, sides);
@@ -105,14 +105,14 @@ void Cholesky::backward(int s, int sides, std::vector<double>& local)
   double* to = local.data() + shape.own;
   for (const int row : node.rows)
   {
-    const double* from = this->solution_.data() + static_cast<std::size_t>(row) * b * sides;
+    const double* from = this->Solution.data() + static_cast<std::size_t>(row) * b * sides;
     for (int k = 0; k < b; ++k, ++to)
     {
       scatter(from + k * sides, to, height, sides);
     }
   }
   denseKernels().backward(
-    this->memory_->panels.data() + this->panelPlaces_[s], shape.height, shape.columns, local.data(), sides);
+    this->Buffers->panels.data() + this->PanelPlaces[s], shape.height, shape.columns, local.data(), sides);
   for (int i = 0; i < shape.columns; ++i)
   {
     collect(local.data() + i, height, sides, own + i * sides);
@@ -134,14 +134,14 @@ void Cholesky::sweep(const std::vector<int>& level, Step step, int sides, const 
 
 void Cholesky::solve(Eigen::MatrixXd& rightSide, const Context& context)
 {
-  const Elimination& elimination = *this->elimination_;
-  const int b = this->block_;
-  const std::size_t all = this->smallest_.size();
+  const Elimination& elimination = *this->Symbolic;
+  const int b = this->Block;
+  const std::size_t all = this->Smallest.size();
   for (Eigen::Index solved = 0; solved < rightSide.cols();)
   {
     const int sides = rightSide.cols() - solved >= 3 ? 3 : 1;
-    this->solution_.resize(all * sides);
-    this->vectors_.resize(this->vectorPlaces_.back() * sides);
+    this->Solution.resize(all * sides);
+    this->Vectors.resize(this->VectorPlaces.back() * sides);
     double* outer = rightSide.data() + solved * rightSide.rows();
     // Calls move(entry outside, row inside) for each row; the sides of a row stand together inside.
     const auto permute = [&](const auto& move)
@@ -152,7 +152,7 @@ void Cholesky::solve(Eigen::MatrixXd& rightSide, const Context& context)
           for (int row = begin * b; row < end * b; ++row)
           {
             move(outer + static_cast<std::size_t>(elimination.inverse[row / b]) * b + row % b,
-              this->solution_.data() + static_cast<std::size_t>(row) * sides);
+              this->Solution.data() + static_cast<std::size_t>(row) * sides);
           }
         });
     };

@@ -89,14 +89,14 @@ private:
   Border sweep(int begin, int end, int axis) const;
   void measure(int begin, int end, int label);
 
-  const Lists& pattern_;
-  std::vector<int> label_; // of a node: which side of which piece it is in; -1 in a separator
+  const Lists& Pattern;
+  std::vector<int> Label; // of a node: which side of which piece it is in; -1 in a separator
 };
 
 Dissector::Dissector(const Lists& pattern, const std::vector<Vector3>& positions, const Context& context)
   : items(positions.size())
-  , pattern_(pattern)
-  , label_(positions.size(), -1)
+  , Pattern(pattern)
+  , Label(positions.size(), -1)
 {
   Vector3 low = Vector3::Constant(INFINITY), high = -low;
   for (const Vector3& p : positions)
@@ -121,7 +121,7 @@ Dissector::Dissector(const Lists& pattern, const std::vector<Vector3>& positions
       {
         Item& item = this->items[v];
         item.low = item.high = item.at;
-        for (const int* n = this->pattern_.begin(v); n != this->pattern_.end(v); ++n)
+        for (const int* n = this->Pattern.begin(v); n != this->Pattern.end(v); ++n)
         {
           for (int k = 0; k < 3; ++k)
           {
@@ -189,18 +189,18 @@ void Dissector::measure(int begin, int end, int label)
   {
     for (int i = begin; i < end; ++i)
     {
-      this->label_[this->items[i].node] = label;
+      this->Label[this->items[i].node] = label;
     }
     depths.assign(1, { start, 0.0F });
-    this->label_[start] = label + 1;
+    this->Label[start] = label + 1;
     for (std::size_t i = 0; i < depths.size(); ++i)
     {
       const auto [v, depth] = depths[i];
-      for (const int* n = this->pattern_.begin(v); n != this->pattern_.end(v); ++n)
+      for (const int* n = this->Pattern.begin(v); n != this->Pattern.end(v); ++n)
       {
-        if (this->label_[*n] == label)
+        if (this->Label[*n] == label)
         {
-          this->label_[*n] = label + 1;
+          this->Label[*n] = label + 1;
           depths.emplace_back(*n, depth + 1.0F);
         }
       }
@@ -260,24 +260,24 @@ std::array<int, 2> Dissector::cut(int begin, int end)
   const Buckets buckets(low, high, end - begin);
   for (int i = begin; i < end; ++i)
   {
-    this->label_[this->items[i].node] = label + (buckets.of(this->items[i].at[axis]) >= border.bucket);
+    this->Label[this->items[i].node] = label + (buckets.of(this->items[i].at[axis]) >= border.bucket);
   }
   std::vector<Item> sides[3];
   for (int i = begin; i < end; ++i)
   {
     const Item& item = this->items[i];
-    const int side = this->label_[item.node] - label;
+    const int side = this->Label[item.node] - label;
     const bool near = side == border.side && (side ? buckets.of(item.low[axis]) < border.bucket
                                                    : buckets.of(item.high[axis]) >= border.bucket);
-    const bool touches = near && std::any_of(this->pattern_.begin(item.node),
-                                   this->pattern_.end(item.node),
-                                   [&](int n) { return this->label_[n] == label + 1 - side; });
+    const bool touches = near && std::any_of(this->Pattern.begin(item.node),
+                                   this->Pattern.end(item.node),
+                                   [&](int n) { return this->Label[n] == label + 1 - side; });
     sides[touches ? 2 : side].push_back(item);
   }
   alongItself(sides[2]);
   for (const Item& item : sides[2])
   {
-    this->label_[item.node] = -1;
+    this->Label[item.node] = -1;
   }
   auto out = this->items.begin() + begin;
   for (const std::vector<Item>& side : sides)

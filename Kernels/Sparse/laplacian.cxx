@@ -474,9 +474,9 @@ LaplacianSystem::LaplacianSystem(std::shared_ptr<const LaplacianShape> shape,
   double handleWeight,
   const Context& context,
   std::shared_ptr<FactorMemory> memory)
-  : parts_(new Parts)
+  : Pieces(new Parts)
 {
-  Parts& parts = *this->parts_;
+  Parts& parts = *this->Pieces;
   parts.shape = std::move(shape);
   parts.handles = handles;
   parts.handleWeight = handleWeight;
@@ -511,7 +511,7 @@ LaplacianSystem::~LaplacianSystem() = default;
 
 const LaplacianShape& LaplacianSystem::shape() const
 {
-  return *this->parts_->shape;
+  return *this->Pieces->shape;
 }
 
 int LaplacianSystem::movableCount() const
@@ -521,11 +521,11 @@ int LaplacianSystem::movableCount() const
 
 bool LaplacianSystem::handleActive(int handle) const
 {
-  const Binding& binding = this->parts_->handles[handle];
+  const Binding& binding = this->Pieces->handles[handle];
   bool active = false;
   for (int k = 0; k < 3; ++k)
   {
-    active = active || (binding.weights[k] != 0.0 && this->parts_->shape->number[binding.vertices[k]] >= 0);
+    active = active || (binding.weights[k] != 0.0 && this->Pieces->shape->number[binding.vertices[k]] >= 0);
   }
   return active;
 }
@@ -533,7 +533,7 @@ bool LaplacianSystem::handleActive(int handle) const
 std::vector<Vector3> LaplacianSystem::solve(const std::vector<Vector3>& displacements,
   const Context& context) const
 {
-  const Parts& parts = *this->parts_;
+  const Parts& parts = *this->Pieces;
   const LaplacianShape& shape = *parts.shape;
   // x, y, z as columns; the adjusted form has them interleaved in one column.
   const int d = shape.normal.block;
@@ -570,7 +570,7 @@ std::vector<Vector3> LaplacianSystem::solve(const std::vector<Vector3>& displace
 
 std::vector<double> LaplacianSystem::response(const Context& context) const
 {
-  const Parts& parts = *this->parts_;
+  const Parts& parts = *this->Pieces;
   const LaplacianShape& shape = *parts.shape;
   const int d = shape.normal.block;
   const Eigen::Index count = static_cast<Eigen::Index>(shape.vertices.size());

@@ -96,7 +96,7 @@ public:
 
 private:
   struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<Parts> Pieces;
 };
 
 } // namespace oversketch

@@ -25,26 +25,26 @@ public:
   // What it held is lost if it has to grow.
   void reserve(std::size_t count)
   {
-    if (count > this->room_)
+    if (count > this->Room)
     {
-      this->data_.reset();
-      this->room_ = 0;
+      this->Data.reset();
+      this->Room = 0;
       const std::size_t room = count + count / 4; // what is never touched takes no memory
       const std::size_t size = (room * sizeof(double) + hugePage - 1) / hugePage * hugePage;
-      this->data_.reset(static_cast<double*>(std::aligned_alloc(hugePage, size)));
-      if (!this->data_)
+      this->Data.reset(static_cast<double*>(std::aligned_alloc(hugePage, size)));
+      if (!this->Data)
       {
         throw std::bad_alloc();
       }
 #if defined(__linux__)
-      madvise(this->data_.get(), size, MADV_HUGEPAGE); // where refused it is only slower
+      madvise(this->Data.get(), size, MADV_HUGEPAGE); // where refused it is only slower
 #endif
-      this->room_ = room;
+      this->Room = room;
     }
   }
   double* data() const
   {
-    return this->data_.get();
+    return this->Data.get();
   }
 
 private:
@@ -53,8 +53,8 @@ private:
   {
     void operator()(double* data) const { std::free(data); }
   };
-  std::unique_ptr<double, Free> data_;
-  std::size_t room_ = 0;
+  std::unique_ptr<double, Free> Data;
+  std::size_t Room = 0;
 };
 
 // Pieces of memory of one size for any number of threads.
@@ -67,19 +67,19 @@ public:
     MemoryPool* pool;
     void operator()(Memory* memory) const
     {
-      const std::lock_guard<std::mutex> lock(this->pool->mutex_);
-      this->pool->free_.emplace_back(memory);
+      const std::lock_guard<std::mutex> lock(this->pool->Mutex);
+      this->pool->Unused.emplace_back(memory);
     }
   };
   std::unique_ptr<Memory, Return> take(std::size_t count)
   {
     std::unique_ptr<Memory> memory;
     {
-      const std::lock_guard<std::mutex> lock(this->mutex_);
-      if (!this->free_.empty())
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      if (!this->Unused.empty())
       {
-        memory = std::move(this->free_.back());
-        this->free_.pop_back();
+        memory = std::move(this->Unused.back());
+        this->Unused.pop_back();
       }
     }
     if (!memory)
@@ -91,8 +91,8 @@ public:
   }
 
 private:
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Memory>> free_;
+  std::mutex Mutex;
+  std::vector<std::unique_ptr<Memory>> Unused;
 };
 
 // What one Cholesky factor lies in. The next one may take it over once the former is not used any more.

@@ -76,11 +76,11 @@ NearestPlace::NearestPlace(const Polyline& points, bool closed)
     const Vector2& end = points[(i + 1) % count];
     if (i % blockSize == 0)
     {
-      this->blocks_.push_back({ Eigen::AlignedBox2d(), i, i });
+      this->Blocks.push_back({ Eigen::AlignedBox2d(), i, i });
     }
-    this->starts_.push_back(start);
-    this->steps_.push_back(end - start);
-    Block& block = this->blocks_.back();
+    this->Starts.push_back(start);
+    this->Steps.push_back(end - start);
+    Block& block = this->Blocks.back();
     block.box.extend(start);
     block.box.extend(end);
     block.end = i + 1;
@@ -91,7 +91,7 @@ NearestPlace::Answer NearestPlace::operator()(const Vector2& point, double limit
 {
   Answer answer;
   double best = limit * limit;
-  for (const Block& block : this->blocks_)
+  for (const Block& block : this->Blocks)
   {
     if (block.box.squaredExteriorDistance(point) > best)
     {
@@ -99,11 +99,11 @@ NearestPlace::Answer NearestPlace::operator()(const Vector2& point, double limit
     }
     for (int i = block.begin; i < block.end; ++i)
     {
-      const Vector2 offset = point - this->starts_[i];
-      const double squaredLength = this->steps_[i].squaredNorm();
+      const Vector2 offset = point - this->Starts[i];
+      const double squaredLength = this->Steps[i].squaredNorm();
       const double t =
-        squaredLength > 0.0 ? std::clamp(offset.dot(this->steps_[i]) / squaredLength, 0.0, 1.0) : 0.0;
-      const double squared = (offset - t * this->steps_[i]).squaredNorm();
+        squaredLength > 0.0 ? std::clamp(offset.dot(this->Steps[i]) / squaredLength, 0.0, 1.0) : 0.0;
+      const double squared = (offset - t * this->Steps[i]).squaredNorm();
       if (squared < best || (squared == best && answer.segment < 0))
       {
         best = squared;
@@ -115,7 +115,7 @@ NearestPlace::Answer NearestPlace::operator()(const Vector2& point, double limit
   answer.distance = answer.segment < 0 ? std::numeric_limits<double>::infinity() : std::sqrt(best);
   if (answer.segment >= 0)
   {
-    answer.place = this->starts_[answer.segment] + answer.t * this->steps_[answer.segment];
+    answer.place = this->Starts[answer.segment] + answer.t * this->Steps[answer.segment];
   }
   return answer;
 }

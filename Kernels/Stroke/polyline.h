@@ -63,8 +63,8 @@ private:
     Eigen::AlignedBox2d box;
     int begin, end; // segments
   };
-  std::vector<Vector2> starts_, steps_;
-  std::vector<Block> blocks_;
+  std::vector<Vector2> Starts, Steps;
+  std::vector<Block> Blocks;
 };
 
 } // namespace oversketch

@@ -22,8 +22,8 @@ public:
   EmbreeScene(const oversketch::RayScene& scene, RTCBuildQuality quality)
   {
     static RTCDevice device = rtcNewDevice("threads=2");
-    this->scene_ = rtcNewScene(device);
-    rtcSetSceneBuildQuality(this->scene_, quality);
+    this->Scene = rtcNewScene(device);
+    rtcSetSceneBuildQuality(this->Scene, quality);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(geometry,
       RTC_BUFFER_TYPE_VERTEX,
@@ -42,11 +42,11 @@ public:
       sizeof(oversketch::RayFacet),
       scene.facets.size());
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(this->scene_, geometry);
+    rtcAttachGeometry(this->Scene, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(this->scene_);
+    rtcCommitScene(this->Scene);
   }
-  ~EmbreeScene() { rtcReleaseScene(this->scene_); }
+  ~EmbreeScene() { rtcReleaseScene(this->Scene); }
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
@@ -69,17 +69,17 @@ public:
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
 #if RTC_VERSION_MAJOR >= 4
-    rtcIntersect1(this->scene_, &ray);
+    rtcIntersect1(this->Scene, &ray);
 #else
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcIntersect1(this->scene_, &context, &ray);
+    rtcIntersect1(this->Scene, &context, &ray);
 #endif
     return ray.ray.tfar;
   }
 
 private:
-  RTCScene scene_;
+  RTCScene Scene;
 };
 
 } // namespace oversketch_bench

@@ -73,47 +73,47 @@ public:
   static constexpr std::array<int, 2> orderings = { CHOLMOD_AMD, CHOLMOD_METIS };
 
   Cholmod(const Sparse& matrix, int ordering)
-    : lower_(matrix.triangularView<Eigen::Lower>())
+    : Lower(matrix.triangularView<Eigen::Lower>())
   {
-    cholmod_start(&this->common_);
-    this->common_.supernodal = CHOLMOD_SUPERNODAL;
-    this->common_.nmethods = 1;
-    this->common_.method[0].ordering = ordering;
-    this->common_.postorder = 1;
-    this->lower_.makeCompressed();
-    this->matrix_.nrow = this->matrix_.ncol = static_cast<std::size_t>(matrix.rows());
-    this->matrix_.nzmax = static_cast<std::size_t>(this->lower_.nonZeros());
-    this->matrix_.p = this->lower_.outerIndexPtr();
-    this->matrix_.i = this->lower_.innerIndexPtr();
-    this->matrix_.x = this->lower_.valuePtr();
-    this->matrix_.stype = -1;
-    this->matrix_.itype = CHOLMOD_INT;
-    this->matrix_.xtype = CHOLMOD_REAL;
-    this->matrix_.dtype = CHOLMOD_DOUBLE;
-    this->matrix_.sorted = this->matrix_.packed = 1;
+    cholmod_start(&this->Common);
+    this->Common.supernodal = CHOLMOD_SUPERNODAL;
+    this->Common.nmethods = 1;
+    this->Common.method[0].ordering = ordering;
+    this->Common.postorder = 1;
+    this->Lower.makeCompressed();
+    this->Matrix.nrow = this->Matrix.ncol = static_cast<std::size_t>(matrix.rows());
+    this->Matrix.nzmax = static_cast<std::size_t>(this->Lower.nonZeros());
+    this->Matrix.p = this->Lower.outerIndexPtr();
+    this->Matrix.i = this->Lower.innerIndexPtr();
+    this->Matrix.x = this->Lower.valuePtr();
+    this->Matrix.stype = -1;
+    this->Matrix.itype = CHOLMOD_INT;
+    this->Matrix.xtype = CHOLMOD_REAL;
+    this->Matrix.dtype = CHOLMOD_DOUBLE;
+    this->Matrix.sorted = this->Matrix.packed = 1;
   }
   Cholmod(const Cholmod&) = delete;
   void operator=(const Cholmod&) = delete;
   ~Cholmod()
   {
-    cholmod_free_dense(&this->solution_, &this->common_);
-    cholmod_free_dense(&this->scratch_, &this->common_);
-    cholmod_free_dense(&this->more_, &this->common_);
-    cholmod_free_factor(&this->factor_, &this->common_);
-    cholmod_finish(&this->common_);
+    cholmod_free_dense(&this->Solution, &this->Common);
+    cholmod_free_dense(&this->Scratch, &this->Common);
+    cholmod_free_dense(&this->More, &this->Common);
+    cholmod_free_factor(&this->Factor, &this->Common);
+    cholmod_finish(&this->Common);
   }
   void analyse()
   {
-    cholmod_free_factor(&this->factor_, &this->common_);
-    this->factor_ = cholmod_analyze(&this->matrix_, &this->common_);
-    if (this->factor_ == nullptr)
+    cholmod_free_factor(&this->Factor, &this->Common);
+    this->Factor = cholmod_analyze(&this->Matrix, &this->Common);
+    if (this->Factor == nullptr)
     {
       std::fprintf(stderr, "This CHOLMOD has no such order.\n");
       std::exit(1);
     }
   }
-  double entries() const { return this->common_.lnz; }
-  void factorise() { cholmod_factorize(&this->matrix_, this->factor_, &this->common_); }
+  double entries() const { return this->Common.lnz; }
+  void factorise() { cholmod_factorize(&this->Matrix, this->Factor, &this->Common); }
   void solve(Eigen::MatrixXd& rightSide)
   {
     cholmod_dense given{};
@@ -124,15 +124,15 @@ public:
     given.xtype = CHOLMOD_REAL;
     given.dtype = CHOLMOD_DOUBLE;
     cholmod_solve2(CHOLMOD_A,
-      this->factor_,
+      this->Factor,
       &given,
       nullptr,
-      &this->solution_,
+      &this->Solution,
       nullptr,
-      &this->scratch_,
-      &this->more_,
-      &this->common_);
-    std::copy_n(static_cast<const double*>(this->solution_->x), given.nzmax, rightSide.data());
+      &this->Scratch,
+      &this->More,
+      &this->Common);
+    std::copy_n(static_cast<const double*>(this->Solution->x), given.nzmax, rightSide.data());
   }
 
   // "CHOLMOD", the order, and the BLAS that it runs on, which gets two threads if it can.
@@ -162,11 +162,11 @@ private:
     return name;
   }
 
-  Sparse lower_;
-  cholmod_common common_{};
-  cholmod_sparse matrix_{};
-  cholmod_factor* factor_ = nullptr;
-  cholmod_dense *solution_ = nullptr, *scratch_ = nullptr, *more_ = nullptr;
+  Sparse Lower;
+  cholmod_common Common{};
+  cholmod_sparse Matrix{};
+  cholmod_factor* Factor = nullptr;
+  cholmod_dense *Solution = nullptr, *Scratch = nullptr, *More = nullptr;
 };
 #endif
 

@@ -37,7 +37,7 @@ Context threaded()
   return context;
 }
 
-void ours(const std::string& job_, const std::string& size, Backend backend)
+void ours(const std::string& name, const std::string& size, Backend backend)
 {
   struct State
   {
@@ -47,7 +47,7 @@ void ours(const std::string& job_, const std::string& size, Backend backend)
   };
   auto state = std::make_shared<State>();
   Job job;
-  job.job = job_;
+  job.job = name;
   job.size = size;
   job.who = "ours";
   job.prepare = [=]
@@ -83,7 +83,7 @@ void ours(const std::string& job_, const std::string& size, Backend backend)
   add(job);
 }
 
-void raw(const std::string& job_, const std::string& size)
+void raw(const std::string& name, const std::string& size)
 {
   struct State
   {
@@ -94,7 +94,7 @@ void raw(const std::string& job_, const std::string& size)
   };
   auto state = std::make_shared<State>();
   Job job;
-  job.job = job_;
+  job.job = name;
   job.size = size;
   job.who = "limit";
   job.prepare = [=]

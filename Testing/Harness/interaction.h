@@ -115,18 +115,18 @@ class Counter
 {
 public:
   Counter(vtkObject* object, unsigned long event)
-    : object_(object)
+    : Object(object)
   {
-    this->command_->SetClientData(&this->count);
-    this->command_->SetCallback(
+    this->Command->SetClientData(&this->count);
+    this->Command->SetCallback(
       [](vtkObject*, unsigned long, void* times, void*) { ++*static_cast<int*>(times); });
-    object->AddObserver(event, this->command_);
+    object->AddObserver(event, this->Command);
   }
   ~Counter()
   {
-    if (this->object_)
+    if (this->Object)
     {
-      this->object_->RemoveObserver(this->command_);
+      this->Object->RemoveObserver(this->Command);
     }
   }
   Counter(const Counter&) = delete;
@@ -135,8 +135,8 @@ public:
   int count = 0;
 
 private:
-  vtkWeakPointer<vtkObject> object_;
-  vtkNew<vtkCallbackCommand> command_;
+  vtkWeakPointer<vtkObject> Object;
+  vtkNew<vtkCallbackCommand> Command;
 };
 
 // While it lives, counts VTK's errors and warnings of any object instead of letting them be printed.
@@ -144,24 +144,24 @@ class Quiet
 {
 public:
   Quiet()
-    : before_(vtkOutputWindow::GetInstance())
+    : Before(vtkOutputWindow::GetInstance())
   {
     vtkNew<vtkOutputWindow> window;
     window->SetDisplayModeToNever();
     vtkOutputWindow::SetInstance(window);
-    this->errors_ = std::make_unique<Counter>(window, vtkCommand::ErrorEvent);
-    this->warnings_ = std::make_unique<Counter>(window, vtkCommand::WarningEvent);
+    this->Errors = std::make_unique<Counter>(window, vtkCommand::ErrorEvent);
+    this->Warnings = std::make_unique<Counter>(window, vtkCommand::WarningEvent);
   }
-  ~Quiet() { vtkOutputWindow::SetInstance(this->before_); }
+  ~Quiet() { vtkOutputWindow::SetInstance(this->Before); }
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
-  int errors() const { return this->errors_->count; }
-  int warnings() const { return this->warnings_->count; }
+  int errors() const { return this->Errors->count; }
+  int warnings() const { return this->Warnings->count; }
 
 private:
-  vtkSmartPointer<vtkOutputWindow> before_;
-  std::unique_ptr<Counter> errors_, warnings_;
+  vtkSmartPointer<vtkOutputWindow> Before;
+  std::unique_ptr<Counter> Errors, Warnings;
 };
 
 } // namespace oversketch_test

@@ -70,43 +70,43 @@ class MemoryLevel
 {
 public:
   explicit MemoryLevel(const Sequences& sequences)
-    : sequences_(sequences)
+    : Numbers(sequences)
   {
   }
   void after(unsigned sequence)
   {
-    const unsigned done = sequence - this->sequences_.first, half = this->sequences_.count / 2;
+    const unsigned done = sequence - this->Numbers.first, half = this->Numbers.count / 2;
     if (done >= half)
     {
-      this->late_ += memoryInUse() / (this->sequences_.count - half);
+      this->Late += memoryInUse() / (this->Numbers.count - half);
     }
     else if (done >= half / 5)
     {
-      this->early_ += memoryInUse() / (half - half / 5);
+      this->Early += memoryInUse() / (half - half / 5);
     }
     if (done == half / 5)
     {
-      this->residentEarly_ = residentMemory();
+      this->ResidentEarly = residentMemory();
     }
   }
   // MiB from the first half to the second beyond what is known to stay of each sequence; 0 of few sequences.
   double growth(double known = 0.0) const
   {
-    const unsigned half = this->sequences_.count / 2;
-    const double apart = 0.5 * (this->sequences_.count - half / 5); // the middles of both
-    return this->sequences_.count < 20 ? 0.0 : this->late_ - this->early_ - known * apart;
+    const unsigned half = this->Numbers.count / 2;
+    const double apart = 0.5 * (this->Numbers.count - half / 5); // the middles of both
+    return this->Numbers.count < 20 ? 0.0 : this->Late - this->Early - known * apart;
   }
   void print() const
   {
-    std::cout << "sequences " << this->sequences_.first << " to " << this->sequences_.end() - 1
-              << " of 200 events; memory in use " << this->early_ << " MiB, later " << this->late_
-              << " MiB; resident " << this->residentEarly_ << " MiB, later " << residentMemory() << " MiB"
+    std::cout << "sequences " << this->Numbers.first << " to " << this->Numbers.end() - 1
+              << " of 200 events; memory in use " << this->Early << " MiB, later " << this->Late
+              << " MiB; resident " << this->ResidentEarly << " MiB, later " << residentMemory() << " MiB"
               << std::endl;
   }
 
 private:
-  Sequences sequences_;
-  double early_ = 0.0, late_ = 0.0, residentEarly_ = 0.0;
+  Sequences Numbers;
+  double Early = 0.0, Late = 0.0, ResidentEarly = 0.0;
 };
 
 } // namespace oversketch_test

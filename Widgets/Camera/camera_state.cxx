@@ -96,22 +96,22 @@ void FirstView::roll(double degrees)
 }
 
 SightLines::SightLines(vtkRenderer* renderer)
-  : renderer_(renderer)
+  : Renderer(renderer)
 {
   const auto camera = unclippedCamera(renderer);
   vtkMatrix4x4* viewFromWorld =
     camera->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
-  this->worldFromView_ =
+  this->WorldFromView =
     Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(viewFromWorld->GetData()).inverse();
 }
 
 Line SightLines::at(double x, double y) const
 {
-  this->renderer_->SetDisplayPoint(x, y, 0.0);
-  this->renderer_->DisplayToView();
-  const double* view = this->renderer_->GetViewPoint();
-  const Eigen::Vector4d near = this->worldFromView_ * Eigen::Vector4d(view[0], view[1], -1.0, 1.0);
-  const Eigen::Vector4d far = this->worldFromView_ * Eigen::Vector4d(view[0], view[1], 1.0, 1.0);
+  this->Renderer->SetDisplayPoint(x, y, 0.0);
+  this->Renderer->DisplayToView();
+  const double* view = this->Renderer->GetViewPoint();
+  const Eigen::Vector4d near = this->WorldFromView * Eigen::Vector4d(view[0], view[1], -1.0, 1.0);
+  const Eigen::Vector4d far = this->WorldFromView * Eigen::Vector4d(view[0], view[1], 1.0, 1.0);
   return Line::Through(near.hnormalized(), far.hnormalized());
 }
 

@@ -55,8 +55,8 @@ public:
   Line at(double x, double y) const;
 
 private:
-  vtkWeakPointer<vtkRenderer> renderer_;
-  Eigen::Matrix4d worldFromView_;
+  vtkWeakPointer<vtkRenderer> Renderer;
+  Eigen::Matrix4d WorldFromView;
 };
 
 } // namespace oversketch

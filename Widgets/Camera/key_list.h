@@ -25,8 +25,8 @@ public:
   void show(vtkRenderer* in, const std::string& text);
 
 private:
-  vtkNew<vtkTextActor> actor_;
-  vtkWeakPointer<vtkRenderer> in_;
+  vtkNew<vtkTextActor> Actor;
+  vtkWeakPointer<vtkRenderer> In;
 };
 
 } // namespace oversketch

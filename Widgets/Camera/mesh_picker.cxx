@@ -33,20 +33,20 @@ const double* MeshPicker::pick(int x, int y, vtkRenderer* renderer)
     {
       continue;
     }
-    const auto known = std::find_if(this->locators_.begin(),
-      this->locators_.end(),
+    const auto known = std::find_if(this->Locators.begin(),
+      this->Locators.end(),
       [&](const auto& locator) { return locator->GetDataSet() == mesh; });
-    now.push_back(known != this->locators_.end() ? *known : vtkSmartPointer<vtkStaticCellLocator>::New());
+    now.push_back(known != this->Locators.end() ? *known : vtkSmartPointer<vtkStaticCellLocator>::New());
     now.back()->SetDataSet(mesh);
     now.back()->Update(); // builds it again where the mesh has changed
   }
-  this->locators_.swap(now);
-  this->picker_->RemoveAllLocators();
-  for (const auto& locator : this->locators_)
+  this->Locators.swap(now);
+  this->Picker->RemoveAllLocators();
+  for (const auto& locator : this->Locators)
   {
-    this->picker_->AddLocator(locator);
+    this->Picker->AddLocator(locator);
   }
-  return this->picker_->Pick(x, y, 0.0, renderer) ? this->picker_->GetPickPosition() : nullptr;
+  return this->Picker->Pick(x, y, 0.0, renderer) ? this->Picker->GetPickPosition() : nullptr;
 }
 
 } // namespace oversketch

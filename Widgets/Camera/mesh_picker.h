@@ -17,15 +17,15 @@ namespace oversketch
 class MeshPicker
 {
 public:
-  MeshPicker() { this->picker_->SetTolerance(0.0); }
+  MeshPicker() { this->Picker->SetTolerance(0.0); }
 
   // The visible point at a display position [px], null where there is nothing. Meshes that the picker would
   // walk through cell by cell get a locator, which is kept while their actor shows them.
   const double* pick(int x, int y, vtkRenderer* renderer);
 
 private:
-  vtkNew<vtkCellPicker> picker_;
-  std::vector<vtkSmartPointer<vtkStaticCellLocator>> locators_;
+  vtkNew<vtkCellPicker> Picker;
+  std::vector<vtkSmartPointer<vtkStaticCellLocator>> Locators;
 };
 
 } // namespace oversketch

@@ -26,13 +26,13 @@ public:
   LiveStroke(const LiveStroke&) = delete;
   LiveStroke& operator=(const LiveStroke&) = delete;
 
-  vtkOversketchOneStroke* system() const { return this->system_; }
+  vtkOversketchOneStroke* system() const { return this->System; }
   void setSystem(vtkOversketchOneStroke* system);
   void setSource(vtkAlgorithmOutput* source);
   vtkAlgorithmOutput* outputPort();
-  vtkPolyData* output() { return this->output_; }
+  vtkPolyData* output() { return this->Output; }
 
-  bool exists() { return this->stroke_->GetNumberOfPoints() > 0; }
+  bool exists() { return this->Stroke->GetNumberOfPoints() > 0; }
   // It is another one, or has been changed.
   void strokeChanges();
   // The mesh that the stroke made becomes the one that the next is drawn on.
@@ -44,7 +44,7 @@ public:
   // changed starts anew, without a stroke. Returns whether anything changed.
   bool update();
   // Why the stroke did nothing; empty when it did, or there is none.
-  const std::string& message() const { return this->message_; }
+  const std::string& message() const { return this->Message; }
 
   // What a stroke would take hold of on the present mesh.
   bool section(vtkPolyData* stroke, vtkPolyData* section);
@@ -61,18 +61,18 @@ public:
 private:
   void run();
 
-  vtkSmartPointer<vtkAlgorithm> source_;
-  int sourcePort_ = 0;
-  vtkSmartPointer<vtkPolyData> sourceSeen_;
-  vtkMTimeType sourceTime_ = 0, systemTime_ = 0;
-  vtkSmartPointer<vtkOversketchOneStroke> system_;
-  vtkSmartPointer<vtkPolyData> stroke_;
-  vtkNew<vtkPolyData> base_, result_, output_;
-  vtkNew<vtkTrivialProducer> producer_;
-  vtkSmartPointer<vtkPoints> dragged_; // null while the output is the result
-  vtkNew<vtkPolyData> held_;           // the section of the last run
-  bool stale_ = false, acted_ = false;
-  std::string message_;
+  vtkSmartPointer<vtkAlgorithm> Source;
+  int SourcePort = 0;
+  vtkSmartPointer<vtkPolyData> SourceSeen;
+  vtkMTimeType SourceTime = 0, SystemTime = 0;
+  vtkSmartPointer<vtkOversketchOneStroke> System;
+  vtkSmartPointer<vtkPolyData> Stroke;
+  vtkNew<vtkPolyData> Base, Result, Output;
+  vtkNew<vtkTrivialProducer> Producer;
+  vtkSmartPointer<vtkPoints> Dragged; // null while the output is the result
+  vtkNew<vtkPolyData> Held;           // the section of the last run
+  bool Stale = false, Acted = false;
+  std::string Message;
 };
 
 } // namespace oversketch

@@ -17,13 +17,13 @@ namespace oversketch
 LastFrame::LastFrame()
 {
   vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputConnection(this->rectangle_->GetOutputPort());
-  this->picture_->SetMapper(mapper);
-  this->picture_->SetTexture(this->texture_);
-  this->picture_->GetProperty()->SetDisplayLocationToBackground();
-  this->texture_->InterpolateOff();
-  this->overlay_->InteractiveOff(); // events belong to the renderers below
-  this->overlay_->AddViewProp(this->picture_);
+  mapper->SetInputConnection(this->Rectangle->GetOutputPort());
+  this->Picture->SetMapper(mapper);
+  this->Picture->SetTexture(this->Texture);
+  this->Picture->GetProperty()->SetDisplayLocationToBackground();
+  this->Texture->InterpolateOff();
+  this->Overlay->InteractiveOff(); // events belong to the renderers below
+  this->Overlay->AddViewProp(this->Picture);
 }
 
 LastFrame::~LastFrame()
@@ -47,10 +47,10 @@ bool LastFrame::freeze(vtkRenderWindow* window)
   vtkNew<vtkImageData> image;
   image->SetDimensions(width, height, 1);
   image->GetPointData()->SetScalars(pixels);
-  this->texture_->SetInputData(image);
-  this->rectangle_->SetOrigin(0.0, 0.0, 0.0);
-  this->rectangle_->SetPoint1(width, 0.0, 0.0);
-  this->rectangle_->SetPoint2(0.0, height, 0.0);
+  this->Texture->SetInputData(image);
+  this->Rectangle->SetOrigin(0.0, 0.0, 0.0);
+  this->Rectangle->SetPoint1(width, 0.0, 0.0);
+  this->Rectangle->SetPoint2(0.0, height, 0.0);
 
   vtkRendererCollection* renderers = window->GetRenderers();
   vtkCollectionSimpleIterator at;
@@ -60,51 +60,51 @@ bool LastFrame::freeze(vtkRenderWindow* window)
     if (renderer->GetDraw())
     {
       renderer->DrawOff();
-      this->off_.emplace_back(renderer);
+      this->Off.emplace_back(renderer);
     }
   }
-  this->window_ = window;
-  this->layers_ = window->GetNumberOfLayers();
-  this->size_[0] = width;
-  this->size_[1] = height;
-  window->SetNumberOfLayers(this->layers_ + 1);
-  this->overlay_->SetLayer(this->layers_);
-  window->AddRenderer(this->overlay_);
-  this->frozen_ = true;
+  this->Window = window;
+  this->Layers = window->GetNumberOfLayers();
+  this->Size[0] = width;
+  this->Size[1] = height;
+  window->SetNumberOfLayers(this->Layers + 1);
+  this->Overlay->SetLayer(this->Layers);
+  window->AddRenderer(this->Overlay);
+  this->Frozen = true;
   return true;
 }
 
 void LastFrame::thaw()
 {
-  if (!this->frozen_)
+  if (!this->Frozen)
   {
     return;
   }
-  this->frozen_ = false;
-  for (const auto& renderer : this->off_)
+  this->Frozen = false;
+  for (const auto& renderer : this->Off)
   {
     renderer->DrawOn();
   }
-  this->off_.clear();
-  if (this->window_)
+  this->Off.clear();
+  if (this->Window)
   {
-    this->window_->RemoveRenderer(this->overlay_);
-    if (this->window_->GetNumberOfLayers() == this->layers_ + 1)
+    this->Window->RemoveRenderer(this->Overlay);
+    if (this->Window->GetNumberOfLayers() == this->Layers + 1)
     {
-      this->window_->SetNumberOfLayers(this->layers_);
+      this->Window->SetNumberOfLayers(this->Layers);
     }
   }
-  this->texture_->SetInputData(nullptr);
+  this->Texture->SetInputData(nullptr);
 }
 
 bool LastFrame::fits() const
 {
-  if (!this->window_)
+  if (!this->Window)
   {
     return false;
   }
-  const int* size = this->window_->GetSize();
-  return size[0] == this->size_[0] && size[1] == this->size_[1];
+  const int* size = this->Window->GetSize();
+  return size[0] == this->Size[0] && size[1] == this->Size[1];
 }
 
 } // namespace oversketch

@@ -32,21 +32,21 @@ public:
   bool freeze(vtkRenderWindow* window);
   // Switches on again what freeze() switched off. The next frame is a full one.
   void thaw();
-  bool frozen() const { return this->frozen_; }
+  bool frozen() const { return this->Frozen; }
   // True while the window has the size that it was frozen with.
   bool fits() const;
   // Covers the whole window, above all others; add to it what is to be drawn over the picture.
-  vtkRenderer* overlay() { return this->overlay_; }
+  vtkRenderer* overlay() { return this->Overlay; }
 
 private:
-  vtkNew<vtkRenderer> overlay_;
-  vtkNew<vtkTexture> texture_;
-  vtkNew<vtkTexturedActor2D> picture_;
-  vtkNew<vtkPlaneSource> rectangle_;
-  vtkWeakPointer<vtkRenderWindow> window_;
-  std::vector<vtkSmartPointer<vtkRenderer>> off_;
-  int layers_ = 1, size_[2] = { 0, 0 };
-  bool frozen_ = false;
+  vtkNew<vtkRenderer> Overlay;
+  vtkNew<vtkTexture> Texture;
+  vtkNew<vtkTexturedActor2D> Picture;
+  vtkNew<vtkPlaneSource> Rectangle;
+  vtkWeakPointer<vtkRenderWindow> Window;
+  std::vector<vtkSmartPointer<vtkRenderer>> Off;
+  int Layers = 1, Size[2] = { 0, 0 };
+  bool Frozen = false;
 };
 
 } // namespace oversketch

@@ -60,40 +60,40 @@ void Hand::Deeds::add(const Deeds& other)
 }
 
 Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
-  : random_(seed)
-  , window_(window)
-  , view_(window.findChild<Viewport*>())
-  , document_(window.findChild<Document*>())
-  , folder_(folder)
+  : Random(seed)
+  , Window(window)
+  , View(window.findChild<Viewport*>())
+  , OpenDocument(window.findChild<Document*>())
+  , Folder(folder)
 {
   for (Tool* tool : window.findChildren<Tool*>())
   {
-    connect(tool, &Tool::drawn, this, [this] { ++this->deeds_.strokes; });
-    connect(tool, &Tool::changed, this, [this] { ++this->deeds_.moved; });
+    connect(tool, &Tool::drawn, this, [this] { ++this->Doing.strokes; });
+    connect(tool, &Tool::changed, this, [this] { ++this->Doing.moved; });
   }
-  connect(this->document_, &Document::opened, this, [this] { ++this->deeds_.opened; });
-  connect(this->document_,
+  connect(this->OpenDocument, &Document::opened, this, [this] { ++this->Doing.opened; });
+  connect(this->OpenDocument,
     &Document::detailed,
     this,
     [this]
     {
-      this->deeds_.meshes += this->shown_ != this->document_->digest();
-      this->shown_ = this->document_->digest();
+      this->Doing.meshes += this->Shown != this->OpenDocument->digest();
+      this->Shown = this->OpenDocument->digest();
     });
-  connect(this->document_,
+  connect(this->OpenDocument,
     &Document::progressed,
     this,
     [this](int, const QString& stage, double share)
-    { this->stage_ = QString("%1 %2 %").arg(stage).arg(100.0 * share); });
+    { this->Stage = QString("%1 %2 %").arg(stage).arg(100.0 * share); });
   for (const QAction* action : window.findChildren<QAction*>())
   {
     if (action->text() == "&Undo")
     {
-      connect(action, &QAction::triggered, this, [this] { ++this->deeds_.undone; });
+      connect(action, &QAction::triggered, this, [this] { ++this->Doing.undone; });
     }
     else if (action->text() == "&Redo")
     {
-      connect(action, &QAction::triggered, this, [this] { ++this->deeds_.redone; });
+      connect(action, &QAction::triggered, this, [this] { ++this->Doing.redone; });
     }
   }
   // Whoever asks waits in a loop of its own, where timers go on. The answer comes from outside of the timer's
@@ -104,9 +104,9 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
     this,
     [this]
     {
-      if (!this->answering_ && QThread::currentThread()->loopLevel() > 0)
+      if (!this->Answering && QThread::currentThread()->loopLevel() > 0)
       {
-        this->answering_ = true;
+        this->Answering = true;
         QMetaObject::invokeMethod(
           this, [this] { this->answer(); }, Qt::QueuedConnection);
       }
@@ -129,9 +129,9 @@ QPoint Hand::near(const QPoint& place, int distance)
 // A mesh or a session that is there, or what says it were one.
 QString Hand::file()
 {
-  QStringList names = QDir(this->folder_).entryList(QDir::Files, QDir::Name);
+  QStringList names = QDir(this->Folder).entryList(QDir::Files, QDir::Name);
   names.removeAll("drawn.png");
-  return QDir(this->folder_).filePath(names[this->upTo(names.size() - 1)]);
+  return QDir(this->Folder).filePath(names[this->upTo(names.size() - 1)]);
 }
 
 int Hand::act()
@@ -156,15 +156,15 @@ int Hand::act()
     case 8:
     case 9:
     case 10:
-      QTest::mouseMove(this->view_, this->place(this->view_));
+      QTest::mouseMove(this->View, this->place(this->View));
       events = 1;
       break;
     case 11:
     case 12:
-      QTest::mouseRelease(this->view_,
+      QTest::mouseRelease(this->View,
         this->oneIn(4) ? Qt::MiddleButton : Qt::LeftButton,
         Qt::NoModifier,
-        this->place(this->view_));
+        this->place(this->View));
       events = 1;
       break;
     case 13:
@@ -201,16 +201,16 @@ int Hand::act()
 // A bow beside the outermost point of the model in some direction, as a person draws it.
 int Hand::strokeBesideTheModel()
 {
-  if (this->view_->tool()->system().empty())
+  if (this->View->tool()->system().empty())
   {
-    QTest::keyClick(this->view_, Qt::Key_D);
+    QTest::keyClick(this->View, Qt::Key_D);
   }
   if (this->oneIn(2))
   {
-    QTest::keyClick(this->view_, Qt::Key_Return); // whatever stroke could be taken hold of
+    QTest::keyClick(this->View, Qt::Key_Return); // whatever stroke could be taken hold of
   }
-  vtkRenderer* renderer = this->view_->renderWindow()->GetRenderers()->GetFirstRenderer();
-  vtkPolyData* mesh = this->document_->result().mesh;
+  vtkRenderer* renderer = this->View->renderWindow()->GetRenderers()->GetFirstRenderer();
+  vtkPolyData* mesh = this->OpenDocument->result().mesh;
   const double angle = 2.0 * M_PI * this->upTo(359) / 360.0;
   const double x = std::cos(angle), y = std::sin(angle);
   double outermost[2] = { 0.0, 0.0 }, most = -1e300;
@@ -228,12 +228,12 @@ int Hand::strokeBesideTheModel()
       outermost[1] = at[1];
     }
   }
-  const double ratio = this->view_->devicePixelRatioF();
+  const double ratio = this->View->devicePixelRatioF();
   const auto onView = [&](double a, double b)
-  { return QPoint(static_cast<int>(a / ratio), this->view_->height() - 1 - static_cast<int>(b / ratio)); };
-  if (!this->view_->rect().contains(onView(outermost[0], outermost[1])))
+  { return QPoint(static_cast<int>(a / ratio), this->View->height() - 1 - static_cast<int>(b / ratio)); };
+  if (!this->View->rect().contains(onView(outermost[0], outermost[1])))
   {
-    QTest::keyClick(this->view_, Qt::Key_W); // back to where it is seen
+    QTest::keyClick(this->View, Qt::Key_W); // back to where it is seen
     return 1;
   }
   const double away = 4 + this->upTo(25), half = 15 + this->upTo(45);
@@ -244,13 +244,13 @@ int Hand::strokeBesideTheModel()
     const QPoint at = onView(outermost[0] + out * x - along * y, outermost[1] + out * y + along * x);
     if (i == 0)
     {
-      QTest::mousePress(this->view_, Qt::LeftButton, Qt::NoModifier, at);
+      QTest::mousePress(this->View, Qt::LeftButton, Qt::NoModifier, at);
     }
-    QTest::mouseMove(this->view_, at);
+    QTest::mouseMove(this->View, at);
     QApplication::processEvents();
     if (i == steps)
     {
-      QTest::mouseRelease(this->view_, Qt::LeftButton, Qt::NoModifier, at);
+      QTest::mouseRelease(this->View, Qt::LeftButton, Qt::NoModifier, at);
     }
   }
   return steps + 3;
@@ -259,7 +259,7 @@ int Hand::strokeBesideTheModel()
 // Where the last stroke lies, if the view is still the one that it was drawn in.
 int Hand::dragOfTheStroke()
 {
-  const auto& nodes = this->document_->session().nodes;
+  const auto& nodes = this->OpenDocument->session().nodes;
   if (nodes.empty())
   {
     return this->strokeBesideTheModel();
@@ -267,22 +267,22 @@ int Hand::dragOfTheStroke()
   const auto stroke = oversketch_session::linesOf(*nodes.back().step, "Stroke");
   if (this->oneIn(2))
   {
-    this->view_->lookFrom(stroke);
+    this->View->lookFrom(stroke);
     QApplication::processEvents();
   }
   const double* at = stroke->GetPoint(this->upTo(static_cast<int>(stroke->GetNumberOfPoints()) - 1));
-  const double ratio = this->view_->devicePixelRatioF();
-  QPoint place(static_cast<int>(at[0] / ratio), this->view_->height() - 1 - static_cast<int>(at[1] / ratio));
-  QTest::mouseMove(this->view_, place);
-  QTest::mousePress(this->view_, Qt::LeftButton, this->oneIn(4) ? Qt::ShiftModifier : Qt::NoModifier, place);
+  const double ratio = this->View->devicePixelRatioF();
+  QPoint place(static_cast<int>(at[0] / ratio), this->View->height() - 1 - static_cast<int>(at[1] / ratio));
+  QTest::mouseMove(this->View, place);
+  QTest::mousePress(this->View, Qt::LeftButton, this->oneIn(4) ? Qt::ShiftModifier : Qt::NoModifier, place);
   constexpr int steps = 3;
   for (int i = 0; i < steps; ++i)
   {
     place = this->near(place, 12);
-    QTest::mouseMove(this->view_, place);
+    QTest::mouseMove(this->View, place);
     QApplication::processEvents();
   }
-  QTest::mouseRelease(this->view_, Qt::LeftButton, Qt::NoModifier, place);
+  QTest::mouseRelease(this->View, Qt::LeftButton, Qt::NoModifier, place);
   return steps + 3;
 }
 
@@ -290,7 +290,7 @@ int Hand::press()
 {
   const Qt::MouseButton button = this->oneIn(4) ? Qt::MiddleButton : Qt::LeftButton;
   const Qt::KeyboardModifiers held = modifiers[this->upTo(2)];
-  QTest::mousePress(this->view_, button, held, this->place(this->view_));
+  QTest::mousePress(this->View, button, held, this->place(this->View));
   return 1;
 }
 
@@ -327,7 +327,7 @@ int Hand::key()
     Qt::Key_Down };
   const Qt::Key one = keys[this->upTo(static_cast<int>(std::size(keys)) - 1)];
   QWidget* focused = QApplication::focusWidget();
-  QWidget* on = focused && this->oneIn(3) ? focused : this->view_;
+  QWidget* on = focused && this->oneIn(3) ? focused : this->View;
   QTest::keyClick(on, one, modifiers[this->upTo(1)]);
   return 1;
 }
@@ -338,29 +338,29 @@ int Hand::undoAndRedo()
   for (int i = 0; i < undone + redone; ++i)
   {
     QTest::keyClick(
-      this->view_, Qt::Key_Z, Qt::ControlModifier | (i < undone ? Qt::NoModifier : Qt::ShiftModifier));
+      this->View, Qt::Key_Z, Qt::ControlModifier | (i < undone ? Qt::NoModifier : Qt::ShiftModifier));
   }
   return undone + redone;
 }
 
 int Hand::wheel()
 {
-  const QPoint at = this->place(this->view_);
+  const QPoint at = this->place(this->View);
   QWheelEvent turn(at,
-    this->view_->mapToGlobal(at),
+    this->View->mapToGlobal(at),
     {},
     { 0, this->oneIn(2) ? 120 : -120 },
     Qt::NoButton,
     Qt::NoModifier,
     Qt::NoScrollPhase,
     false);
-  QApplication::sendEvent(this->view_, &turn);
+  QApplication::sendEvent(this->View, &turn);
   return 1;
 }
 
 int Hand::click()
 {
-  const auto widgets = this->window_.findChildren<QWidget*>();
+  const auto widgets = this->Window.findChildren<QWidget*>();
   QWidget* one = widgets[this->upTo(widgets.size() - 1)];
   if (one->isVisible() && one->width() > 0 && one->height() > 0)
   {
@@ -371,7 +371,7 @@ int Hand::click()
 
 int Hand::menuEntry()
 {
-  auto actions = this->window_.findChildren<QAction*>();
+  auto actions = this->Window.findChildren<QAction*>();
   if (this->oneIn(2))
   {
     // Those that ask for a file, and the preferences.
@@ -393,13 +393,13 @@ int Hand::drop()
   QMimeData files;
   files.setUrls({ QUrl::fromLocalFile(this->file()) });
   QDropEvent dropped({ 100, 100 }, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&this->window_, &dropped);
+  QApplication::sendEvent(&this->Window, &dropped);
   return 1;
 }
 
 void Hand::answer()
 {
-  this->answering_ = false;
+  this->Answering = false;
   if (QWidget* popup = QApplication::activePopupWidget())
   {
     this->answerPopup(popup);
@@ -410,7 +410,7 @@ void Hand::answer()
   {
     return;
   }
-  ++this->deeds_.questions;
+  ++this->Doing.questions;
   if (auto* file = qobject_cast<QFileDialog*>(asked))
   {
     this->answerFile(file);
@@ -419,7 +419,7 @@ void Hand::answer()
   {
     if (box->icon() == QMessageBox::Critical && !box->text().contains(damaged))
     {
-      this->complaints_ << box->text();
+      this->Complaints << box->text();
     }
     const auto buttons = box->buttons();
     buttons[this->upTo(buttons.size() - 1)]->click();
@@ -476,7 +476,7 @@ void Hand::answerFile(QFileDialog* dialog)
       const QStringList extensions = QString::fromLatin1(oversketch_files::meshExtensions).split(' ');
       name += extensions[this->upTo(extensions.size() - 1)];
     }
-    path = QDir(this->folder_).filePath(name);
+    path = QDir(this->Folder).filePath(name);
   }
   dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
   static_cast<QDialog*>(dialog)->accept();

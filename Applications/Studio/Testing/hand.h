@@ -41,17 +41,17 @@ public:
 
   // Does one thing of a few events, and returns how many.
   int act();
-  const Deeds& deeds() const { return this->deeds_; }
+  const Deeds& deeds() const { return this->Doing; }
   // What the window said was wrong; not that a file is damaged that is.
-  const QStringList& complaints() const { return this->complaints_; }
+  const QStringList& complaints() const { return this->Complaints; }
   // What is being computed, and how far it is.
-  const QString& stage() const { return this->stage_; }
+  const QString& stage() const { return this->Stage; }
 
   // A file that no reader takes.
   static const char* const damaged;
 
 private:
-  int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(this->random_); }
+  int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(this->Random); }
   bool oneIn(int times) { return this->upTo(times - 1) == 0; }
   QPoint place(QWidget* on);
   QPoint near(const QPoint& place, int distance);
@@ -70,15 +70,15 @@ private:
   void answerPopup(QWidget* popup);
   void answerFile(QFileDialog* dialog);
 
-  std::mt19937 random_;
-  MainWindow& window_;
-  Viewport* view_;
-  Document* document_;
-  QString folder_, stage_;
-  QStringList complaints_;
-  Deeds deeds_;
-  std::string shown_; // digest
-  bool answering_ = false;
+  std::mt19937 Random;
+  MainWindow& Window;
+  Viewport* View;
+  Document* OpenDocument;
+  QString Folder, Stage;
+  QStringList Complaints;
+  Deeds Doing;
+  std::string Shown; // digest
+  bool Answering = false;
 };
 
 } // namespace oversketch_studio

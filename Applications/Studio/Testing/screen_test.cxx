@@ -21,20 +21,20 @@ class AfterFrames
 {
 public:
   AfterFrames(vtkObject* of, std::function<void()> act)
-    : of_(of)
-    , act_(std::move(act))
+    : Of(of)
+    , Act(std::move(act))
   {
-    this->ear_->SetClientData(this);
-    this->ear_->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void*) { static_cast<AfterFrames*>(self)->act_(); });
-    of->AddObserver(vtkCommand::EndEvent, this->ear_);
+    this->Ear->SetClientData(this);
+    this->Ear->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*) { static_cast<AfterFrames*>(self)->Act(); });
+    of->AddObserver(vtkCommand::EndEvent, this->Ear);
   }
-  ~AfterFrames() { this->of_->RemoveObserver(this->ear_); }
+  ~AfterFrames() { this->Of->RemoveObserver(this->Ear); }
 
 private:
-  vtkObject* of_;
-  std::function<void()> act_;
-  vtkNew<vtkCallbackCommand> ear_;
+  vtkObject* Of;
+  std::function<void()> Act;
+  vtkNew<vtkCallbackCommand> Ear;
 };
 
 // Counts what is painted, or puts it off, as Qt does with what follows closely on the last.

@@ -36,23 +36,23 @@ constexpr double grabDistance = 6.0;
 
 HeldStrokeTool::HeldStrokeTool(const std::string& system, Viewport* viewport, const Document* document)
   : Tool(viewport)
-  , system_(system)
-  , input_(findInput(*findSystem(system), SystemInput::Kind::Stroke)->name)
-  , viewport_(viewport)
-  , document_(document)
-  , penSection_(*findSystem(system), this->widget_)
+  , System(system)
+  , Input(findInput(*findSystem(system), SystemInput::Kind::Stroke)->name)
+  , View(viewport)
+  , OpenDocument(document)
+  , Section(*findSystem(system), this->Widget)
 {
-  this->widget_->SetInteractor(viewport->interactor());
-  this->widget_->SetDefaultRenderer(viewport->renderer());
-  this->observer_->SetClientData(this);
-  this->observer_->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
+  this->Widget->SetInteractor(viewport->interactor());
+  this->Widget->SetDefaultRenderer(viewport->renderer());
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
     { static_cast<HeldStrokeTool*>(self)->heard(event); });
   for (const unsigned long event : { vtkCommand::StartInteractionEvent,
          vtkCommand::InteractionEvent,
          vtkCommand::EndInteractionEvent,
          vtkCommand::WidgetValueChangedEvent })
   {
-    this->widget_->AddObserver(event, this->observer_);
+    this->Widget->AddObserver(event, this->Observer);
   }
   // Return leaves the stroke alone, so that the next one can begin on it; a move of the camera, its preview.
   connect(viewport,
@@ -65,20 +65,20 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system, Viewport* viewport, co
         this->offerNothing();
       }
     });
-  connect(viewport, &Viewport::cameraMoves, this, [this] { this->preview_ = nullptr; });
-  connect(&this->penSection_, &PenSection::frameWanted, viewport, &Viewport::renderNow);
+  connect(viewport, &Viewport::cameraMoves, this, [this] { this->MovePreview = nullptr; });
+  connect(&this->Section, &PenSection::frameWanted, viewport, &Viewport::renderNow);
 }
 
 HeldStrokeTool::~HeldStrokeTool()
 {
-  this->widget_->RemoveObserver(this->observer_);
-  this->widget_->SetEnabled(0);
-  this->widget_->SetInteractor(nullptr);
+  this->Widget->RemoveObserver(this->Observer);
+  this->Widget->SetEnabled(0);
+  this->Widget->SetInteractor(nullptr);
 }
 
 vtkOversketchStrokeWidget* HeldStrokeTool::pen() const
 {
-  return this->widget_->GetPen();
+  return this->Widget->GetPen();
 }
 
 QVector<QPair<QString, QString>> HeldStrokeTool::keys() const
@@ -89,38 +89,38 @@ QVector<QPair<QString, QString>> HeldStrokeTool::keys() const
 
 QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
 {
-  if (!findSystem(this->system_)->mirrored)
+  if (!findSystem(this->System)->mirrored)
   {
     return nullptr;
   }
   auto* options = new QWidget(parent);
   auto* label = new QLabel(tr("New strokes act on"), options);
-  this->mirror_ = mirrorChoice(options);
-  label->setBuddy(this->mirror_);
-  this->mirror_->setObjectName("mirror");
-  this->mirror_->setAccessibleName(tr("New strokes act on"));
-  this->mirror_->setToolTip(tr("Strokes act on one side of the model, or on both sides of this plane"));
+  this->Mirror = mirrorChoice(options);
+  label->setBuddy(this->Mirror);
+  this->Mirror->setObjectName("mirror");
+  this->Mirror->setAccessibleName(tr("New strokes act on"));
+  this->Mirror->setToolTip(tr("Strokes act on one side of the model, or on both sides of this plane"));
   auto* row = new QHBoxLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
   row->addWidget(label);
-  row->addWidget(this->mirror_);
+  row->addWidget(this->Mirror);
   row->addStretch();
-  connect(this->mirror_,
+  connect(this->Mirror,
     QOverload<int>::of(&QComboBox::activated),
     this,
-    [this] { this->viewport_->showMirror(this->document_->mirrorPlane(this->mirror_->currentIndex())); });
+    [this] { this->View->showMirror(this->OpenDocument->mirrorPlane(this->Mirror->currentIndex())); });
   return options;
 }
 
 void HeldStrokeTool::start()
 {
-  this->widget_->SetEnabled(1);
-  this->viewport_->setHandCursor(Qt::CrossCursor);
+  this->Widget->SetEnabled(1);
+  this->View->setHandCursor(Qt::CrossCursor);
 }
 
 void HeldStrokeTool::stop()
 {
-  this->widget_->SetEnabled(0);
+  this->Widget->SetEnabled(0);
 }
 
 bool HeldStrokeTool::draws() const
@@ -130,52 +130,52 @@ bool HeldStrokeTool::draws() const
 
 bool HeldStrokeTool::moves() const
 {
-  return this->widget_->IsMoving();
+  return this->Widget->IsMoving();
 }
 
 void HeldStrokeTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
 {
-  this->following_ = state.following;
-  this->widget_->HoldStroke(linesOf(step, this->input_), place.data());
-  this->viewport_->renderSoon();
+  this->Followed = state.following;
+  this->Widget->HoldStroke(linesOf(step, this->Input), place.data());
+  this->View->renderSoon();
 }
 
 void HeldStrokeTool::offerNothing()
 {
-  this->following_ = nullptr;
-  this->widget_->HoldStroke(nullptr, nullptr);
-  this->viewport_->renderSoon();
+  this->Followed = nullptr;
+  this->Widget->HoldStroke(nullptr, nullptr);
+  this->View->renderSoon();
 }
 
 void HeldStrokeTool::setFollowing(const std::shared_ptr<const Following>& following)
 {
-  this->following_ = following;
+  this->Followed = following;
 }
 
 void HeldStrokeTool::setMesh(vtkPolyData* mesh)
 {
-  this->penSection_.setMesh(mesh);
+  this->Section.setMesh(mesh);
 }
 
 // VTK counts the screen's own pixels.
 void HeldStrokeTool::setPixelRatio(double ratio)
 {
-  this->ratio_ = ratio;
+  this->Ratio = ratio;
   vtkOversketchStrokeRepresentation* drawn = this->pen()->GetStrokeRepresentation();
   for (vtkProperty2D* line : { drawn->GetProperty(),
          drawn->GetSectionProperty(),
-         this->widget_->GetHeldStrokeRepresentation()->GetProperty() })
+         this->Widget->GetHeldStrokeRepresentation()->GetProperty() })
   {
     line->SetLineWidth(static_cast<float>(lineWidth * ratio));
   }
-  this->widget_->SetGrabDistance(grabDistance * ratio);
-  this->pen()->SetStabilizer(this->steadiness_ * ratio);
+  this->Widget->SetGrabDistance(grabDistance * ratio);
+  this->pen()->SetStabilizer(this->Steadiness * ratio);
 }
 
 void HeldStrokeTool::setSteadiness(double pixels)
 {
-  this->steadiness_ = pixels;
-  this->pen()->SetStabilizer(pixels * this->ratio_);
+  this->Steadiness = pixels;
+  this->pen()->SetStabilizer(pixels * this->Ratio);
 }
 
 void HeldStrokeTool::setPressure(double pressure)
@@ -185,7 +185,7 @@ void HeldStrokeTool::setPressure(double pressure)
 
 void HeldStrokeTool::showLines(bool show)
 {
-  this->widget_->GetHeldStrokeRepresentation()->SetVisibility(show);
+  this->Widget->GetHeldStrokeRepresentation()->SetVisibility(show);
 }
 
 void HeldStrokeTool::heard(unsigned long event)
@@ -193,11 +193,11 @@ void HeldStrokeTool::heard(unsigned long event)
   switch (event)
   {
     case vtkCommand::StartInteractionEvent:
-      this->viewport_->hideHint();
-      this->preview_ = nullptr;
+      this->View->hideHint();
+      this->MovePreview = nullptr;
       if (this->draws())
       {
-        this->penSection_.lineBegins();
+        this->Section.lineBegins();
       }
       break;
     case vtkCommand::InteractionEvent:
@@ -208,7 +208,7 @@ void HeldStrokeTool::heard(unsigned long event)
       else
       {
         Latency::of().sample();
-        this->penSection_.lineGrows();
+        this->Section.lineGrows();
       }
       break;
     case vtkCommand::EndInteractionEvent:
@@ -223,18 +223,18 @@ void HeldStrokeTool::strokeEnds()
 {
   Latency::of().strokeEnd();
   Step step;
-  step.system = this->system_;
-  step.inputs[this->input_] = Lines(this->widget_->GetStroke());
-  if (this->widget_->IsNew())
+  step.system = this->System;
+  step.inputs[this->Input] = Lines(this->Widget->GetStroke());
+  if (this->Widget->IsNew())
   {
-    this->following_ = nullptr; // until it has been run
-    step.mirror = this->mirror_ ? this->document_->mirrorPlane(this->mirror_->currentIndex()) : std::nullopt;
+    this->Followed = nullptr; // until it has been run
+    step.mirror = this->Mirror ? this->OpenDocument->mirrorPlane(this->Mirror->currentIndex()) : std::nullopt;
     emit this->drawn(step);
     return;
   }
-  if (this->preview_)
+  if (this->MovePreview)
   {
-    this->viewport_->showPreview(this->preview_->mesh()); // until the result comes
+    this->View->showPreview(this->MovePreview->mesh()); // until the result comes
   }
   emit this->changed(step);
 }
@@ -242,26 +242,26 @@ void HeldStrokeTool::strokeEnds()
 // The mesh under the hand: a preview, until the document has run the moved stroke.
 void HeldStrokeTool::followHand()
 {
-  vtkPolyData* shown = this->viewport_->mesh();
-  if (!this->preview_)
+  vtkPolyData* shown = this->View->mesh();
+  if (!this->MovePreview)
   {
-    if (!this->following_ || !shown || shown->GetNumberOfPoints() != this->following_->count)
+    if (!this->Followed || !shown || shown->GetNumberOfPoints() != this->Followed->count)
     {
       emit this->movesAlone();
       return;
     }
-    this->preview_ = std::make_unique<Preview>(shown, this->following_);
-    this->viewport_->showPreview(this->preview_->mesh());
+    this->MovePreview = std::make_unique<Preview>(shown, this->Followed);
+    this->View->showPreview(this->MovePreview->mesh());
   }
-  this->preview_->moveTo(this->widget_->GetTranslation());
+  this->MovePreview->moveTo(this->Widget->GetTranslation());
 }
 
 // The mesh is as it was; of a stroke that was moved the preview stays: see strokeEnds.
 void HeldStrokeTool::letGo()
 {
-  if (this->preview_ && this->viewport_->mesh() == this->preview_->mesh())
+  if (this->MovePreview && this->View->mesh() == this->MovePreview->mesh())
   {
-    this->viewport_->showPreview(this->preview_->rest());
+    this->View->showPreview(this->MovePreview->rest());
   }
   emit this->left();
 }

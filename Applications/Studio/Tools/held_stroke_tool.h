@@ -31,7 +31,7 @@ public:
   ~HeldStrokeTool() override;
 
   QVector<QPair<QString, QString>> keys() const override;
-  std::string system() const override { return this->system_; }
+  std::string system() const override { return this->System; }
   // Mirror, where the system's steps can have one.
   QWidget* makeOptions(QWidget* parent) override;
   void start() override;
@@ -47,8 +47,8 @@ public:
   void setPixelRatio(double ratio) override;
   void setSteadiness(double pixels) override;
   void setPressure(double pressure) override;
-  void frameBegins() override { this->penSection_.frameBegins(); }
-  void framePainted() override { this->penSection_.framePainted(); }
+  void frameBegins() override { this->Section.frameBegins(); }
+  void framePainted() override { this->Section.framePainted(); }
   void showLines(bool show) override;
 
 private:
@@ -58,16 +58,16 @@ private:
   void letGo();
   vtkOversketchStrokeWidget* pen() const;
 
-  std::string system_, input_; // the stroke's
-  Viewport* viewport_;
-  const Document* document_;
-  QComboBox* mirror_ = nullptr;
-  vtkNew<vtkOversketchHeldStrokeWidget> widget_; // shows and moves strokes; the document runs them
-  vtkNew<vtkCallbackCommand> observer_;
-  PenSection penSection_;
-  std::shared_ptr<const oversketch_session::Following> following_;
-  std::unique_ptr<Preview> preview_; // while a stroke is moved
-  double ratio_ = 1.0, steadiness_ = 6.0;
+  std::string System, Input; // the stroke's
+  Viewport* View;
+  const Document* OpenDocument;
+  QComboBox* Mirror = nullptr;
+  vtkNew<vtkOversketchHeldStrokeWidget> Widget; // shows and moves strokes; the document runs them
+  vtkNew<vtkCallbackCommand> Observer;
+  PenSection Section;
+  std::shared_ptr<const oversketch_session::Following> Followed;
+  std::unique_ptr<Preview> MovePreview; // while a stroke is moved
+  double Ratio = 1.0, Steadiness = 6.0;
 };
 
 } // namespace oversketch_studio

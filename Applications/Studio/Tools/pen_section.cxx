@@ -22,35 +22,35 @@ PenSection::PenSection(const oversketch_session::SystemRow& system,
   vtkOversketchHeldStrokeWidget* widget,
   QObject* parent)
   : QObject(parent)
-  , widget_(widget)
-  , rest_(new QTimer(this))
+  , Widget(widget)
+  , Rest(new QTimer(this))
   // From the finder's thread to this object's.
-  , finder_(system, [this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); })
+  , Finder(system, [this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); })
 {
-  this->rest_->setSingleShot(true);
-  this->rest_->setInterval(rest);
-  connect(this->rest_, &QTimer::timeout, this, &PenSection::rested);
+  this->Rest->setSingleShot(true);
+  this->Rest->setInterval(rest);
+  connect(this->Rest, &QTimer::timeout, this, &PenSection::rested);
 }
 
 PenSection::~PenSection() = default;
 
 void PenSection::setMesh(vtkPolyData* mesh)
 {
-  this->finder_.setMesh(mesh);
-  this->outdated_ = this->asked_;
-  this->grew_ = true; // the line is over another mesh
+  this->Finder.setMesh(mesh);
+  this->Outdated = this->Asked;
+  this->Grew = true; // the line is over another mesh
 }
 
 void PenSection::lineBegins()
 {
-  this->outdated_ = this->asked_;
+  this->Outdated = this->Asked;
   this->look();
 }
 
 void PenSection::frameBegins()
 {
-  this->waits_ = false;
-  if (this->grew_ && this->widget_->GetPen()->IsDrawing())
+  this->Waits = false;
+  if (this->Grew && this->Widget->GetPen()->IsDrawing())
   {
     this->look();
   }
@@ -58,17 +58,17 @@ void PenSection::frameBegins()
 
 void PenSection::framePainted()
 {
-  this->rest_->start();
+  this->Rest->start();
 }
 
 // The curves are made ready for the pen; what is under it is seen, also while it stands.
 void PenSection::rested()
 {
-  if (this->waits_)
+  if (this->Waits)
   {
     emit this->frameWanted();
   }
-  else if (!this->widget_->GetPen()->IsDrawing())
+  else if (!this->Widget->GetPen()->IsDrawing())
   {
     this->look();
   }
@@ -76,37 +76,37 @@ void PenSection::rested()
 
 void PenSection::look()
 {
-  this->grew_ = false;
-  if (!this->widget_->GetEnabled())
+  this->Grew = false;
+  if (!this->Widget->GetEnabled())
   {
     return; // nobody draws
   }
   vtkNew<vtkPolyData> stroke;
-  vtkOversketchStrokeRepresentation* drawn = this->widget_->GetPen()->GetStrokeRepresentation();
+  vtkOversketchStrokeRepresentation* drawn = this->Widget->GetPen()->GetStrokeRepresentation();
   if (!drawn->IsDrawing() || drawn->GetNumberOfSamples() == 0)
   {
     drawn->PutView(stroke);
   }
-  else if (!this->widget_->IsRedrawing()) // a part alone says nothing
+  else if (!this->Widget->IsRedrawing()) // a part alone says nothing
   {
     drawn->GetPolyData(stroke);
   }
   if (stroke->GetNumberOfPoints() > 0)
   {
-    this->asked_ = this->finder_.find(stroke);
+    this->Asked = this->Finder.find(stroke);
   }
 }
 
 void PenSection::show()
 {
-  vtkOversketchStrokeWidget* pen = this->widget_->GetPen();
-  const auto found = this->finder_.take();
-  if (found && found->ticket > this->outdated_ && pen->IsDrawing())
+  vtkOversketchStrokeWidget* pen = this->Widget->GetPen();
+  const auto found = this->Finder.take();
+  if (found && found->ticket > this->Outdated && pen->IsDrawing())
   {
     // The next sample's frame shows it; a frame of its own would keep that one waiting.
     pen->GetStrokeRepresentation()->SetSection(found->section);
-    this->waits_ = true;
-    this->rest_->start();
+    this->Waits = true;
+    this->Rest->start();
   }
 }
 

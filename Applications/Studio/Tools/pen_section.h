@@ -31,7 +31,7 @@ public:
   void setMesh(vtkPolyData* mesh);
   // The pen goes down; the line has grown; a frame begins that shows it; a frame has been painted.
   void lineBegins();
-  void lineGrows() { this->grew_ = true; }
+  void lineGrows() { this->Grew = true; }
   void frameBegins();
   void framePainted();
 
@@ -44,13 +44,13 @@ private:
   void show();
   void rested();
 
-  vtkOversketchHeldStrokeWidget* widget_;
-  QTimer* rest_;                           // since the last frame
-  bool grew_ = false;                      // the line, since a section was last looked for
-  bool waits_ = false;                     // a section, for a frame to show it
-  std::uint64_t asked_ = 0, outdated_ = 0; // tickets; the latter's stroke or mesh is gone
+  vtkOversketchHeldStrokeWidget* Widget;
+  QTimer* Rest;                          // since the last frame
+  bool Grew = false;                     // the line, since a section was last looked for
+  bool Waits = false;                    // a section, for a frame to show it
+  std::uint64_t Asked = 0, Outdated = 0; // tickets; the latter's stroke or mesh is gone
   // Last, so that it ends first: it calls the rest.
-  oversketch_session::SectionFinder finder_;
+  oversketch_session::SectionFinder Finder;
 };
 
 } // namespace oversketch_studio

@@ -14,22 +14,22 @@ namespace oversketch_studio
 {
 
 Preview::Preview(vtkPolyData* rest, const Following& following)
-  : rest_(rest)
-  , shown_(vtkSmartPointer<vtkPolyData>::New())
-  , following_(following)
+  : Rest(rest)
+  , Shown(vtkSmartPointer<vtkPolyData>::New())
+  , Followed(following)
 {
-  this->shown_->ShallowCopy(rest);
+  this->Shown->ShallowCopy(rest);
   vtkNew<vtkPoints> points;
   points->SetDataType(rest->GetPoints()->GetDataType());
   points->DeepCopy(rest->GetPoints());
-  this->shown_->SetPoints(points);
+  this->Shown->SetPoints(points);
   if (vtkDataArray* normals = rest->GetPointData()->GetNormals())
   {
     const auto own = vtkSmartPointer<vtkDataArray>::Take(normals->NewInstance());
     own->DeepCopy(normals);
-    this->shown_->GetPointData()->SetNormals(own);
+    this->Shown->GetPointData()->SetNormals(own);
     this->findTurned();
-    this->before_ = this->normals();
+    this->Before = this->normals();
   }
 }
 
@@ -38,14 +38,14 @@ Preview::~Preview() = default;
 // The points that move and those that share a triangle with one, and all triangles round these.
 void Preview::findTurned()
 {
-  const auto count = static_cast<std::size_t>(this->rest_->GetNumberOfPoints());
+  const auto count = static_cast<std::size_t>(this->Rest->GetNumberOfPoints());
   std::vector<char> moves(count, 0);
-  for (const vtkIdType point : this->following_->points)
+  for (const vtkIdType point : this->Followed->points)
   {
     moves[static_cast<std::size_t>(point)] = 1;
   }
   std::vector<int> place(count, -1);
-  const auto iterator = vtkSmartPointer<vtkCellArrayIterator>::Take(this->rest_->GetPolys()->NewIterator());
+  const auto iterator = vtkSmartPointer<vtkCellArrayIterator>::Take(this->Rest->GetPolys()->NewIterator());
   const auto eachFace = [&](const auto& visit)
   {
     for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
@@ -68,8 +68,8 @@ void Preview::findTurned()
           int& at = place[static_cast<std::size_t>(id)];
           if (at < 0)
           {
-            at = static_cast<int>(this->turned_.size());
-            this->turned_.push_back(id);
+            at = static_cast<int>(this->Turned.size());
+            this->Turned.push_back(id);
           }
         }
       }
@@ -84,7 +84,7 @@ void Preview::findTurned()
         {
           face.turned[k] = place[static_cast<std::size_t>(ids[k])];
         }
-        this->faces_.push_back(face);
+        this->Faces.push_back(face);
       }
     });
 }
@@ -92,13 +92,13 @@ void Preview::findTurned()
 // Of the surface as it is shown, weighted by the angles of the triangles at the point.
 std::vector<Preview::Vector> Preview::normals() const
 {
-  std::vector<Vector> sums(this->turned_.size(), Vector{});
-  for (const Face& face : this->faces_)
+  std::vector<Vector> sums(this->Turned.size(), Vector{});
+  for (const Face& face : this->Faces)
   {
     double at[3][3], side[3][3], normal[3];
     for (int k = 0; k < 3; ++k)
     {
-      this->shown_->GetPoint(face.points[static_cast<std::size_t>(k)], at[k]);
+      this->Shown->GetPoint(face.points[static_cast<std::size_t>(k)], at[k]);
     }
     for (int k = 0; k < 3; ++k)
     {
@@ -134,38 +134,38 @@ std::vector<Preview::Vector> Preview::normals() const
 
 void Preview::moveTo(const double by[3])
 {
-  for (std::size_t i = 0; i < this->following_->points.size(); ++i)
+  for (std::size_t i = 0; i < this->Followed->points.size(); ++i)
   {
     double place[3];
-    this->rest_->GetPoint(this->following_->points[i], place);
-    const std::array<float, 9>& moves = this->following_->moves[i];
+    this->Rest->GetPoint(this->Followed->points[i], place);
+    const std::array<float, 9>& moves = this->Followed->moves[i];
     for (std::size_t k = 0; k < 3; ++k)
     {
       place[k] += by[0] * moves[k] + by[1] * moves[3 + k] + by[2] * moves[6 + k];
     }
-    this->shown_->GetPoints()->SetPoint(this->following_->points[i], place);
+    this->Shown->GetPoints()->SetPoint(this->Followed->points[i], place);
   }
-  this->shown_->GetPoints()->Modified();
-  if (!this->turned_.empty())
+  this->Shown->GetPoints()->Modified();
+  if (!this->Turned.empty())
   {
     // The mesh's own normals, of its file perhaps, turned as those of the surface are.
     const std::vector<Vector> now = this->normals();
-    vtkDataArray* before = this->rest_->GetPointData()->GetNormals();
-    vtkDataArray* shown = this->shown_->GetPointData()->GetNormals();
-    for (std::size_t i = 0; i < this->turned_.size(); ++i)
+    vtkDataArray* before = this->Rest->GetPointData()->GetNormals();
+    vtkDataArray* shown = this->Shown->GetPointData()->GetNormals();
+    for (std::size_t i = 0; i < this->Turned.size(); ++i)
     {
       double normal[3];
-      before->GetTuple(this->turned_[i], normal);
+      before->GetTuple(this->Turned[i], normal);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        normal[c] += now[i][c] - this->before_[i][c];
+        normal[c] += now[i][c] - this->Before[i][c];
       }
       vtkMath::Normalize(normal);
-      shown->SetTuple(this->turned_[i], normal);
+      shown->SetTuple(this->Turned[i], normal);
     }
     shown->Modified();
   }
-  this->shown_->Modified();
+  this->Shown->Modified();
 }
 
 } // namespace oversketch_studio

@@ -26,24 +26,24 @@ public:
 
   // The mesh with the stroke moved by a vector [world].
   void moveTo(const double by[3]);
-  vtkPolyData* mesh() const { return this->shown_; }
-  vtkPolyData* rest() const { return this->rest_; }
+  vtkPolyData* mesh() const { return this->Shown; }
+  vtkPolyData* rest() const { return this->Rest; }
 
 private:
   using Vector = std::array<double, 3>;
   struct Face
   {
     std::array<vtkIdType, 3> points;
-    std::array<int, 3> turned; // places in turned_, or -1
+    std::array<int, 3> turned; // places in Turned, or -1
   };
   void findTurned();
   std::vector<Vector> normals() const;
 
-  vtkSmartPointer<vtkPolyData> rest_, shown_;
-  Following following_;
-  std::vector<vtkIdType> turned_; // points whose normals change
-  std::vector<Face> faces_;       // round them
-  std::vector<Vector> before_;    // normals of the surface at rest
+  vtkSmartPointer<vtkPolyData> Rest, Shown;
+  Following Followed;
+  std::vector<vtkIdType> Turned; // points whose normals change
+  std::vector<Face> Faces;       // round them
+  std::vector<Vector> Before;    // normals of the surface at rest
 };
 
 } // namespace oversketch_studio

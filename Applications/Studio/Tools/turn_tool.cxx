@@ -9,7 +9,7 @@ namespace oversketch_studio
 
 TurnTool::TurnTool(Viewport* viewport)
   : Tool(viewport)
-  , viewport_(viewport)
+  , View(viewport)
 {
 }
 
@@ -59,8 +59,8 @@ QString TurnTool::advice(const Situation&) const
 
 void TurnTool::start()
 {
-  this->viewport_->camera()->SetModeToNavigate();
-  this->viewport_->setHandCursor(Qt::OpenHandCursor);
+  this->View->camera()->SetModeToNavigate();
+  this->View->setHandCursor(Qt::OpenHandCursor);
 }
 
 } // namespace oversketch_studio

@@ -27,7 +27,7 @@ public:
   void stop() override {}
 
 private:
-  Viewport* viewport_;
+  Viewport* View;
 };
 
 } // namespace oversketch_studio

@@ -267,7 +267,7 @@ TEST(ShapeDiameter, OddMeshesGiveFiniteValues)
 
 TEST(ShapeDiameter, DirtyMeshesGiveFiniteValuesOrOneMessage)
 {
-  int read_ = 0;
+  int Read = 0;
   for (const char* name : { "dirty_degenerate_triangles.ply",
 
          "dirty_duplicate_vertices.obj",
@@ -293,7 +293,7 @@ TEST(ShapeDiameter, DirtyMeshesGiveFiniteValuesOrOneMessage)
     {
       continue;
     }
-    ++read_;
+    ++Read;
     vtkNew<Filter> filter;
     Ear ear(filter);
     filter->SetInputData(mesh);
@@ -307,7 +307,7 @@ TEST(ShapeDiameter, DirtyMeshesGiveFiniteValuesOrOneMessage)
       }
     }
   }
-  if (read_ == 0)
+  if (Read == 0)
   {
     GTEST_SKIP() << "no shared data: set OVERSKETCH_DATA";
   }
