@@ -8,9 +8,20 @@ cd "$(dirname "$0")/.." || exit 2
 for tool in clang-format clang-tidy; do
   command -v "$tool" >/dev/null || { echo "tidy.sh: $tool is absent; install Debian's package $tool" >&2; exit 2; }
 done
-database=build/release/compile_commands.json
-[ -f "$database" ] ||
-  { echo "tidy.sh: no $database; run cmake --preset release && cmake --build --preset release" >&2; exit 2; }
+[ -f build/release/compile_commands.json ] ||
+  { echo "tidy.sh: no build/release/compile_commands.json; run cmake --preset release && cmake --build --preset release" >&2; exit 2; }
+mkdir -p build/tidy
+database=build/tidy/compile_commands.json
+# What is compiled together is looked at file by file.
+python3 - build/release/compile_commands.json "$database" <<'EXPAND' || exit 2
+import json, re, sys
+found = []
+for entry in json.load(open(sys.argv[1])):
+    together = "/Unity/unity_" in entry["file"]
+    for file in re.findall('#include "(.+)"', open(entry["file"]).read()) if together else [entry["file"]]:
+        found.append({**entry, "file": file, "command": entry["command"].replace(entry["file"], file)})
+json.dump(found, open(sys.argv[2], "w"), indent=0)
+EXPAND
 
 if [ $# -gt 0 ]; then
   files=("$@")
@@ -27,6 +38,6 @@ found=0
 clang-format --dry-run -Werror "${files[@]}" || found=1
 # clang-tidy counts the warnings that it hides in other people's headers; those lines are dropped.
 [ ${#compiled[@]} -eq 0 ] || printf '%s\0' "${compiled[@]}" |
-  xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/release 2> >(grep -v ' warnings\? generated\.$' >&2) || found=1
+  xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy --extra-arg=-Wno-unknown-warning-option 2> >(grep -v ' warnings\? generated\.$' >&2) || found=1
 [ "$found" -eq 0 ] && echo "Nothing found in ${#files[@]} files; clang-tidy ran over ${#compiled[@]} of them."
 exit "$found"

@@ -4,13 +4,10 @@
 
 #include "options.h"
 
+#include "vtk_jsoncpp_fwd.h"
+
 class vtkOversketchSystem;
 class vtkPolyData;
-
-namespace Json
-{
-class Value;
-}
 
 namespace oversketch_command
 {
