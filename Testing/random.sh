@@ -13,7 +13,7 @@ shift || true
 parts=${*:-camera style stroke one_stroke window}
 oversketch_install
 oversketch_build asan --target widgets_camera_test widgets_style_test widgets_stroke_test widgets_one_stroke_test studio_window_test
-export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
+export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0 UBSAN_OPTIONS=print_stacktrace=1
 export OVERSKETCH_OPENCL=off LP_NUM_THREADS=0 # the cores are the shards'
 logs=build/asan/Testing/Temporary/random
 mkdir -p "$logs"

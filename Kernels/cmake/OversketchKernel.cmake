@@ -57,12 +57,16 @@ if (oversketch_ccache) # those that build find there what this build has compile
 endif ()
 
 # oversketch_test_program(<target>): a program of C++ tests, part of the target `tests`, which is all that the sanitizers need.
-# It is compiled to be compiled soon: its files together, since most of the time goes into the headers, and it need not be quick.
+# It is compiled to be compiled soon: its files together, since most of the time goes into the headers, and it need not be quick;
+# under the sanitizers, where optimizing it is most of the compile time, no more than helps a debugger.
 add_custom_target(tests)
 function (oversketch_test_program target)
   add_dependencies(tests ${target})
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-shadow -Wno-subobject-linkage) # names of several files meet
+  if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    target_compile_options(${target} PRIVATE -Og)
+  endif ()
 endfunction ()
 
 # oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [SHARDS <number>]): one GoogleTest program, its tests

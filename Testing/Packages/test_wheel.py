@@ -28,7 +28,10 @@ def environment(tmp_path_factory):
 @pytest.fixture(scope="module")
 def wheel(environment, tmp_path_factory):
     folder = tmp_path_factory.mktemp("wheel")
-    quick = {f"CMAKE_{language}_COMPILER_LAUNCHER": "ccache" for language in ("C", "CXX")} if shutil.which("ccache") else {}
+    # The compiler by its plain name, as CMake finds it: by another name the compiler's cache takes it for another.
+    quick = {"CC": "cc", "CXX": "c++"}
+    if shutil.which("ccache"):
+        quick |= {f"CMAKE_{language}_COMPILER_LAUNCHER": "ccache" for language in ("C", "CXX")}
     environment.run("-m", "pip", "wheel", SOURCE, "--no-deps", *environment.offline, "-w", folder, variables=quick)
     (made,) = folder.iterdir()
     return made

@@ -105,11 +105,12 @@ TEST(A7_4, WholeModelSamplesAreTheVerticesUpTo2048)
 TEST(A8_1, SeedsStaySelectedAndEachPieceHoldsOne)
 {
   int pieces = 0;
+  const Mesh mesh = surfaceOf(body(4));
   for (const bool published : { false, true })
   {
     for (const double lambda : { 0.0, 0.2, 5.0 })
     {
-      Pipeline p(surfaceOf(body(4)));
+      Pipeline p(mesh);
       if (published)
       {
         p.asPublished();
