@@ -131,11 +131,21 @@ function (oversketch_pytest name file)
     ENVIRONMENT "${oversketch_python_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_BUILD=${PROJECT_BINARY_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()
 
-# oversketch_link_systems(<target>): all systems that are built.
+# oversketch_link_systems(<target>): all systems that are built. Their headers are not seen by that.
 function (oversketch_link_systems target)
   foreach (name IN LISTS oversketch_systems)
+    target_link_libraries(${target} PUBLIC $<LINK_ONLY:Oversketch::Filters${name}>)
+  endforeach ()
+endfunction ()
+
+# oversketch_name_systems(<file>...): the files of this folder that name systems see the headers of all that are built, and
+# OVERSKETCH_WITH_<NAME>. No other file does, or each would be compiled anew for every system that is added.
+function (oversketch_name_systems)
+  foreach (name IN LISTS oversketch_systems)
     string(TOUPPER "${name}" upper)
-    target_link_libraries(${target} PUBLIC Oversketch::Filters${name})
-    target_compile_definitions(${target} PUBLIC OVERSKETCH_WITH_${upper})
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_DEFINITIONS OVERSKETCH_WITH_${upper})
+    # The compiler knows /usr/include, and finds it too early where it is named.
+    set_property(SOURCE ${ARGN} APPEND PROPERTY INCLUDE_DIRECTORIES
+      $<FILTER:$<TARGET_PROPERTY:Oversketch::Filters${name},INTERFACE_INCLUDE_DIRECTORIES>,EXCLUDE,^/usr/include$>)
   endforeach ()
 endfunction ()
