@@ -1,6 +1,7 @@
 #include "vtkOversketchWeld.h"
 
 #include "Mesh/mix.h"
+#include "Mesh/rotation.h"
 #include "Mesh/weld.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchRuns.h"
@@ -37,7 +38,7 @@ Vector3 Turned(const Vector3& normal, const Vector3& before, const Vector3& afte
   {
     return normal;
   }
-  return Eigen::Quaterniond::FromTwoVectors(before, after) * normal;
+  return rotationBetween(before, after) * normal;
 }
 
 // Cell normals of triangles whose points changed are computed anew.

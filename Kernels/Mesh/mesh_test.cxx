@@ -1,10 +1,12 @@
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
+#include "Mesh/rotation.h"
 #include "Mesh/view.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 using namespace oversketch;
 
@@ -106,4 +108,22 @@ TEST(View, RefusesSingularAndNonFiniteMatrices)
   EXPECT_THROW(View(bad, identity, 8, 6), Error);
   EXPECT_THROW(View(Eigen::Matrix4d::Zero(), identity, 8, 6), Error);
   EXPECT_THROW(View(identity, identity, 0, 6), Error);
+}
+
+TEST(Rotation, TakesOneDirectionToTheOtherThePlainWay)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  const auto any = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3 from = any();
+    const Vector3 to = i % 10 == 0 ? Vector3(-3.0 * from) : i % 10 == 1 ? Vector3(2.0 * from) : any();
+    const Eigen::Quaterniond rotation = oversketch::rotationBetween(from, to);
+    EXPECT_NEAR(rotation.norm(), 1.0, 1e-12);
+    EXPECT_LT((rotation * from.normalized() - to.normalized()).norm(), 1e-7);
+    // No more than the angle between them.
+    const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+    EXPECT_NEAR(2.0 * std::atan2(rotation.vec().norm(), rotation.w()), angle, 1e-6);
+  }
 }

@@ -1,5 +1,7 @@
 #include "trackball.h"
 
+#include "Mesh/rotation.h"
+
 #include <cmath>
 
 namespace oversketch
@@ -22,7 +24,7 @@ Eigen::Quaterniond trackballTurn(const Eigen::Vector3d& centre,
   const double inside = radius * radius - foot.squaredNorm();
   const Eigen::Vector3d to =
     inside > 0.0 ? Eigen::Vector3d(foot + side * std::sqrt(inside) * now.direction()) : foot;
-  return Eigen::Quaterniond::FromTwoVectors(from, to);
+  return rotationBetween(from, to);
 }
 
 } // namespace oversketch
