@@ -51,7 +51,7 @@ int main(int count, char** values)
   }
   catch (const BadUse& error)
   {
-    std::fprintf(stderr, "oversketch: %s; see oversketch --help\n", error.what());
+    std::fprintf(stderr, "oversketch: %s; see oversketch --help\n", printable(error.what()).c_str());
     return 2;
   }
   catch (const std::bad_alloc&)
@@ -60,7 +60,7 @@ int main(int count, char** values)
   }
   catch (const std::exception& error)
   {
-    std::fprintf(stderr, "oversketch: %s\n", error.what());
+    std::fprintf(stderr, "oversketch: %s\n", printable(error.what()).c_str());
   }
   return 1;
 }

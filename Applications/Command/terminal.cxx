@@ -50,7 +50,7 @@ void throwIfInterrupted()
 void say(const std::string& text)
 {
   clearProgress();
-  std::fprintf(stderr, "oversketch: %s\n", text.c_str());
+  std::fprintf(stderr, "oversketch: %s\n", printable(text).c_str());
 }
 
 void say(Notes& notes)

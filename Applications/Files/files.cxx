@@ -87,6 +87,25 @@ std::string takeError()
   return text.substr(0, text.find('\n'));
 }
 
+std::string printable(std::string text)
+{
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const auto c = static_cast<unsigned char>(text[i]);
+    // Those of one byte, and those that UTF-8 writes as C2 80 to C2 9F.
+    const bool isLong = c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (isLong)
+    {
+      text.erase(i, 1);
+    }
+    if (isLong || std::iscntrl(c) != 0)
+    {
+      text[i] = ' ';
+    }
+  }
+  return text;
+}
+
 std::string extensionOf(const std::string& path)
 {
   std::string extension = fs::path(path).extension().string();

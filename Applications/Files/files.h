@@ -26,6 +26,9 @@ void catchMessages();
 // First line of the first error since the last call, "" if there was none.
 std::string takeError();
 
+// The text with a space for every control character, so that a name from a file cannot steer a terminal.
+std::string printable(std::string text);
+
 // Lower-case extension with its dot, "" if there is none.
 std::string extensionOf(const std::string& path);
 // Size of the file in bytes. Throws Failed for an absent, unreadable or empty file and for a folder.

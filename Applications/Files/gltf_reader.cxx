@@ -1,154 +1,27 @@
-// vtkGLTFReader reads the geometry; what it leaves of materials, the picture of the base colour, is taken
-// from the document itself, with its own bytes.
+// The meshes of a glTF scene as one: nodes with their transforms, skins in their pose, morph targets by their
+// weights; and the picture of the base colour.
+#include "gltf_document.h"
 #include "mesh_file.h"
 #include "texture.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkBase64Utilities.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkFieldData.h"
+#include "vtkCellArray.h"
 #include "vtkFloatArray.h"
-#include "vtkGLTFReader.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtk_jsoncpp.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <memory>
 #include <set>
-#include <sstream>
-
-namespace fs = std::filesystem;
 
 namespace oversketch_files
 {
 
 namespace
 {
-
-std::string wholeFile(const fs::path& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-}
-
-std::uint32_t word(const std::string& bytes, std::size_t at)
-{
-  std::uint32_t value = 0;
-  if (at + 4 <= bytes.size())
-  {
-    std::memcpy(&value, bytes.data() + at, 4);
-  }
-  return value;
-}
-
-// "%20" to " ".
-std::string unescaped(const std::string& uri)
-{
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i)
-  {
-    if (uri[i] == '%' && i + 2 < uri.size())
-    {
-      text += static_cast<char>(std::strtol(uri.substr(i + 1, 2).c_str(), nullptr, 16));
-      i += 2;
-    }
-    else
-    {
-      text += uri[i];
-    }
-  }
-  return text;
-}
-
-// The JSON and the binary part of a .gltf or .glb.
-class Document
-{
-public:
-  explicit Document(const std::string& path)
-    : Folder(fs::absolute(path).parent_path())
-  {
-    std::string text = wholeFile(path);
-    if (text.compare(0, 4, "glTF") == 0)
-    {
-      const std::string all = std::move(text);
-      const std::size_t length = word(all, 12), next = 20 + length;
-      text = all.substr(std::min<std::size_t>(20, all.size()), length);
-      if (next + 8 <= all.size())
-      {
-        this->Binary = all.substr(next + 8, word(all, next));
-      }
-    }
-    const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
-    std::string why;
-    if (!reader->parse(text.data(), text.data() + text.size(), &this->Root, &why) || !this->Root.isObject())
-    {
-      throw Failed(path + ": is not glTF");
-    }
-  }
-
-  const Json::Value& json() const { return this->Root; }
-
-  // One of a list's members; null where it is not there.
-  Json::Value at(const char* list, const Json::Value& index) const
-  {
-    const Json::Value& all = this->Root[list];
-    return all.isArray() && index.isUInt() && index.asUInt() < all.size() ? all[index.asUInt()]
-                                                                          : Json::Value();
-  }
-
-  // The bytes of a picture; empty where they cannot be had.
-  std::string picture(const Json::Value& index) const
-  {
-    const Json::Value image = this->at("images", index);
-    if (image["uri"].isString())
-    {
-      return this->resolved(image["uri"].asString());
-    }
-    const Json::Value view = this->at("bufferViews", image["bufferView"]);
-    const Json::Value buffer = this->at("buffers", view["buffer"]);
-    if (!view.isObject() || !buffer.isObject())
-    {
-      return {};
-    }
-    const std::string bytes =
-      buffer["uri"].isString() ? this->resolved(buffer["uri"].asString()) : this->Binary;
-    const std::size_t from = view.get("byteOffset", 0).asUInt(), length = view["byteLength"].asUInt();
-    return from <= bytes.size() ? bytes.substr(from, length) : std::string();
-  }
-
-private:
-  std::string resolved(const std::string& uri) const
-  {
-    if (uri.rfind("data:", 0) != 0)
-    {
-      return wholeFile(this->Folder / unescaped(uri));
-    }
-    const std::size_t comma = uri.find(',');
-    if (comma == std::string::npos)
-    {
-      return {};
-    }
-    const std::string code = uri.substr(comma + 1);
-    std::string bytes(code.size(), '\0');
-    bytes.resize(vtkBase64Utilities::DecodeSafely(reinterpret_cast<const unsigned char*>(code.data()),
-      code.size(),
-      reinterpret_cast<unsigned char*>(bytes.data()),
-      bytes.size()));
-    return bytes;
-  }
-
-  fs::path Folder;
-  Json::Value Root;
-  std::string Binary;
-};
 
 // What the base colours of all primitives have in common.
 struct Skin
@@ -157,21 +30,21 @@ struct Skin
   std::set<std::string> dropped;  // properties of materials that are not kept
 };
 
-Skin skinOf(const Document& document)
+Skin skinOf(const GltfDocument& document)
 {
   Skin skin;
   for (const Json::Value& mesh : document.json()["meshes"])
   {
     for (const Json::Value& primitive : mesh["primitives"])
     {
-      const Json::Value material = document.at("materials", primitive["material"]);
+      const Json::Value material = document.find("materials", primitive["material"]);
       Json::Value picture;
       if (material.isObject())
       {
         const Json::Value& base = material["pbrMetallicRoughness"];
-        const Json::Value texture = document.at("textures", base["baseColorTexture"]["index"]);
+        const Json::Value texture = document.find("textures", base["baseColorTexture"]["index"]);
         picture = texture["source"];
-        const Json::Value sampler = document.at("samplers", texture["sampler"]);
+        const Json::Value sampler = document.find("samplers", texture["sampler"]);
         if (sampler.get("wrapS", 10497) != 10497 || sampler.get("wrapT", 10497) != 10497)
         {
           skin.dropped.insert("wrapping of textures");
@@ -229,16 +102,6 @@ void makeColoursBytes(vtkPointData* data, const std::string& path, Notes& notes)
   }
 }
 
-std::set<std::string> arraysOf(vtkPointData* data)
-{
-  std::set<std::string> names;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    names.insert(data->GetArrayName(i) ? data->GetArrayName(i) : "(no name)");
-  }
-  return names;
-}
-
 std::string joined(const std::set<std::string>& names)
 {
   std::string text;
@@ -249,104 +112,452 @@ std::string joined(const std::set<std::string>& names)
   return text;
 }
 
-// VTK's reader reads all pictures, and crashes on some that are damaged.
-void requirePictures(const Document& document, const std::string& path)
+using Matrix = Eigen::Matrix4d;
+
+std::vector<double> numbersOf(const Json::Value& list, std::size_t count)
 {
-  const Json::Value& images = document.json()["images"];
-  for (Json::ArrayIndex i = 0; i < images.size(); ++i)
+  std::vector<double> numbers;
+  if (list.isArray() && list.size() == count)
   {
-    const Json::Value& uri = images[i]["uri"];
-    const std::string name = uri.isString() ? uri.asString().substr(0, 60) : std::to_string(i);
-    if (!pictureOf(document.picture(i)))
+    for (const Json::Value& number : list)
     {
-      throw Failed(path + ": its picture " + name +
-                   " is absent, damaged or neither PNG nor JPEG; mend it or take it out of the file");
+      numbers.push_back(number.isNumeric() ? number.asDouble() : 0.0);
     }
-    if (name.rfind("data:", 0) != 0 && name.find('%') != std::string::npos)
+  }
+  return numbers;
+}
+
+Matrix transformOf(const Json::Value& node)
+{
+  const std::vector<double> matrix = numbersOf(node["matrix"], 16);
+  if (!matrix.empty())
+  {
+    return Eigen::Map<const Matrix>(matrix.data());
+  }
+  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+  if (const std::vector<double> t = numbersOf(node["translation"], 3); !t.empty())
+  {
+    transform.translate(Eigen::Vector3d(t[0], t[1], t[2]));
+  }
+  if (const std::vector<double> q = numbersOf(node["rotation"], 4); !q.empty())
+  {
+    transform.rotate(Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized());
+  }
+  if (const std::vector<double> s = numbersOf(node["scale"], 3); !s.empty())
+  {
+    transform.scale(Eigen::Vector3d(s[0], s[1], s[2]));
+  }
+  return transform.matrix();
+}
+
+// A scene's nodes in their order, with their transforms to the world.
+class Scene
+{
+public:
+  explicit Scene(GltfDocument& document)
+    : Document(document)
+    , ToWorld(document.json()["nodes"].size(), Matrix::Identity())
+    , Seen(document.json()["nodes"].size(), false)
+  {
+    const Json::Value& json = document.json();
+    const Json::Value scene = json["scene"].isNull() ? Json::Value(0U) : json["scene"];
+    if (json["scenes"].size() > 0)
     {
-      throw Failed(path + ": its picture " + name + " has a name that is not read; rename it without spaces");
+      this->visitAll(document.at("scenes", scene)["nodes"]);
+      return;
+    }
+    std::set<unsigned> children;
+    for (const Json::Value& node : json["nodes"])
+    {
+      for (const Json::Value& child : node["children"])
+      {
+        children.insert(child.isUInt() ? child.asUInt() : 0);
+      }
+    }
+    Json::Value roots(Json::arrayValue);
+    for (unsigned i = 0; i < this->Seen.size(); ++i)
+    {
+      if (children.count(i) == 0)
+      {
+        roots.append(i);
+      }
+    }
+    this->visitAll(roots);
+  }
+
+  const std::vector<unsigned>& nodes() const { return this->Order; }
+  const Matrix& toWorld(const Json::Value& node) const
+  {
+    this->Document.at("nodes", node);
+    return this->ToWorld[node.asUInt()];
+  }
+
+private:
+  void visitAll(const Json::Value& roots)
+  {
+    struct Waiting
+    {
+      Json::Value node;
+      Matrix parent;
+    };
+    std::vector<Waiting> waiting;
+    const auto push = [&](const Json::Value& nodes, const Matrix& parent)
+    {
+      for (Json::ArrayIndex i = nodes.size(); i > 0; --i)
+      {
+        waiting.push_back({ nodes[i - 1], parent });
+      }
+    };
+    push(roots, Matrix::Identity());
+    while (!waiting.empty())
+    {
+      const Waiting next = waiting.back();
+      waiting.pop_back();
+      const Json::Value& node = this->Document.at("nodes", next.node);
+      const unsigned at = next.node.asUInt();
+      if (this->Seen[at])
+      {
+        this->Document.refuse("its nodes " + std::to_string(at) +
+                              " is its own ancestor, or the child of two nodes; the file is damaged");
+      }
+      this->Seen[at] = true;
+      this->Order.push_back(at);
+      this->ToWorld[at] = next.parent * transformOf(node);
+      push(node["children"], this->ToWorld[at]);
+    }
+  }
+
+  GltfDocument& Document;
+  std::vector<Matrix> ToWorld;
+  std::vector<char> Seen;
+  std::vector<unsigned> Order;
+};
+
+// One primitive in the world.
+struct Part
+{
+  std::map<std::string, GltfNumbers> attributes; // POSITION among them
+  std::vector<vtkIdType> corners;                // three a triangle
+};
+
+// Triangles of a list, a strip or a fan of vertices; none of points and lines.
+std::vector<vtkIdType> trianglesOf(const std::vector<vtkIdType>& ids, int mode)
+{
+  std::vector<vtkIdType> corners;
+  const std::size_t count = ids.size() < 3 ? 0 : mode == 4 ? ids.size() / 3 : ids.size() - 2;
+  for (std::size_t i = 0; i < count && mode >= 4; ++i)
+  {
+    const std::size_t first = mode == 4 ? 3 * i : mode == 5 ? i : 0;
+    const std::size_t second = mode == 4 ? 3 * i + 1 : mode == 5 && i % 2 == 1 ? i + 2 : i + 1;
+    const std::size_t third = mode == 4 ? 3 * i + 2 : mode == 5 && i % 2 == 1 ? i + 1 : i + 2;
+    corners.insert(corners.end(), { ids[first], ids[second], ids[third] });
+  }
+  return corners;
+}
+
+void addMorphs(GltfDocument& document, const Json::Value& primitive, const Json::Value& weights, Part& part)
+{
+  for (Json::ArrayIndex i = 0; i < std::min(primitive["targets"].size(), weights.size()); ++i)
+  {
+    const double weight = weights[i].isNumeric() ? weights[i].asDouble() : 0.0;
+    for (const char* name : { "POSITION", "NORMAL" })
+    {
+      const Json::Value& target = primitive["targets"][i][name];
+      const auto it = part.attributes.find(name);
+      if (weight == 0.0 || target.isNull() || it == part.attributes.end())
+      {
+        continue;
+      }
+      const GltfNumbers moves = document.numbers(target);
+      if (moves.values.size() != it->second.values.size())
+      {
+        document.refuse("a morph target has another number of points than its mesh; the file is damaged");
+      }
+      for (std::size_t k = 0; k < moves.values.size(); ++k)
+      {
+        it->second.values[k] += weight * moves.values[k];
+      }
     }
   }
 }
 
-} // namespace
-
-vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes)
+// Positions by a matrix, normals by the inverse of its transpose.
+void transform(Part& part, const std::vector<Matrix>& matrices)
 {
-  const Document document(path);
-  Skin skin;
-  std::string picture;
-  try
+  const auto apply = [&](const char* name, const auto& move)
   {
-    requirePictures(document, path);
-    skin = skinOf(document);
-    if (skin.pictures.size() == 1 && !skin.pictures.begin()->isNull())
+    const auto it = part.attributes.find(name);
+    if (it == part.attributes.end())
     {
-      picture = document.picture(*skin.pictures.begin());
+      return;
+    }
+    for (std::size_t i = 0; i < it->second.count; ++i)
+    {
+      Eigen::Map<Eigen::Vector3d> vector(&it->second.values[3 * i]);
+      vector = move(matrices[matrices.size() == 1 ? 0 : i], Eigen::Vector3d(vector));
+    }
+  };
+  apply("POSITION",
+    [](const Matrix& m, const Eigen::Vector3d& p) -> Eigen::Vector3d { return (m * p.homogeneous()).head<3>(); });
+  apply("NORMAL",
+    [](const Matrix& m, const Eigen::Vector3d& n) -> Eigen::Vector3d
+    { return (m.topLeftCorner<3, 3>().inverse().transpose() * n).normalized(); });
+}
+
+// The matrix of each point of a skin: joints by their weights.
+std::vector<Matrix> skinned(GltfDocument& document, const Scene& scene, const Json::Value& index, const Part& part)
+{
+  const Json::Value& skin = document.at("skins", index);
+  std::vector<Matrix> joints;
+  for (const Json::Value& joint : skin["joints"])
+  {
+    joints.push_back(scene.toWorld(joint));
+  }
+  if (skin.isMember("inverseBindMatrices"))
+  {
+    const GltfNumbers bind = document.numbers(skin["inverseBindMatrices"]);
+    if (bind.components != 16 || bind.count < joints.size())
+    {
+      document.refuse("its skins " + std::to_string(index.asUInt()) + " lacks matrices of joints; the file is damaged");
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i)
+    {
+      joints[i] = joints[i] * Eigen::Map<const Matrix>(&bind.values[16 * i]);
     }
   }
-  catch (const Json::Exception& damage)
+  const GltfNumbers& names = part.attributes.at("JOINTS_0");
+  const GltfNumbers& weights = part.attributes.at("WEIGHTS_0");
+  std::vector<Matrix> matrices(names.count, Matrix::Zero());
+  for (std::size_t i = 0; i < names.count; ++i)
   {
-    throw Failed(path + ": is damaged: " + damage.what());
-  }
-  vtkNew<vtkGLTFReader> reader;
-  reader->SetFileName(fs::absolute(path).c_str());
-  takeError();
-  reader->Update();
-  const std::string error = takeError();
-  if (!error.empty())
-  {
-    throw Failed(path + ": could not be read: " + error);
-  }
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  vtkNew<vtkAppendPolyData> append;
-  int parts = 0;
-  std::set<std::string> lost;
-  if (blocks)
-  {
-    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    for (std::size_t k = 0; k < 4; ++k)
     {
-      if (auto* part = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
+      const double joint = names.values[4 * i + k], weight = weights.values[4 * i + k];
+      if (weight != 0.0 && !(joint >= 0.0 && joint < static_cast<double>(joints.size())))
       {
-        append->AddInputData(part);
-        lost.merge(arraysOf(part->GetPointData()));
-        ++parts;
+        document.refuse("a point of its skins " + std::to_string(index.asUInt()) +
+                        " hangs on a joint that is not there; the file is damaged");
+      }
+      if (weight != 0.0)
+      {
+        matrices[i] += weight * joints[static_cast<std::size_t>(joint)];
       }
     }
   }
-  if (parts == 0)
+  return matrices;
+}
+
+// Attributes of the same number of points, with the components that they must have.
+Part attributesOf(GltfDocument& document, const Json::Value& primitive, const std::string& where)
+{
+  static const std::map<std::string, std::size_t> components = {
+    { "POSITION", 3 }, { "NORMAL", 3 }, { "TANGENT", 4 }, { "JOINTS_0", 4 }, { "WEIGHTS_0", 4 }
+  };
+  const Json::Value& attributes = primitive["attributes"];
+  if (!attributes.isObject() || !attributes.isMember("POSITION"))
   {
-    throw Failed(path + ": holds no mesh");
+    document.refuse(where + " has no attribute POSITION; the file is damaged");
   }
-  append->Update();
-  takeError();
-  vtkSmartPointer<vtkPolyData> mesh = append->GetOutput();
-  mesh->GetFieldData()->Initialize(); // numbers of single parts
-  if (parts > 1)
+  Part part;
+  for (const std::string& name : attributes.getMemberNames())
   {
-    notes.push_back(path + ": its " + std::to_string(parts) + " parts are read as one mesh");
+    part.attributes[name] = document.numbers(attributes[name]);
   }
-  for (const std::string& name : arraysOf(mesh->GetPointData()))
+  for (const auto& [name, numbers] : part.attributes)
+  {
+    const auto known = components.find(name);
+    if (numbers.count != part.attributes["POSITION"].count ||
+        (known != components.end() && numbers.components != known->second))
+    {
+      document.refuse(where + ": its attribute " + name +
+                      " has another number of elements or components than it must have; the file is damaged");
+    }
+  }
+  return part;
+}
+
+Part partOf(GltfDocument& document, const Json::Value& primitive, const std::string& where)
+{
+  Part part = attributesOf(document, primitive, where);
+  const std::size_t points = part.attributes["POSITION"].count;
+  std::vector<vtkIdType> ids;
+  if (primitive.isMember("indices"))
+  {
+    const GltfNumbers indices = document.numbers(primitive["indices"]);
+    for (const double id : indices.values)
+    {
+      if (!(id >= 0.0 && id < static_cast<double>(points)))
+      {
+        document.refuse(where + " names a point that is not there; the file is damaged");
+      }
+      ids.push_back(static_cast<vtkIdType>(id));
+    }
+  }
+  else
+  {
+    for (std::size_t i = 0; i < points; ++i)
+    {
+      ids.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  part.corners = trianglesOf(ids, primitive["mode"].isInt() ? primitive["mode"].asInt() : 4);
+  return part;
+}
+
+std::vector<Part> partsOf(GltfDocument& document)
+{
+  const Scene scene(document);
+  std::vector<Part> parts;
+  std::size_t points = 0;
+  for (const unsigned at : scene.nodes())
+  {
+    const Json::Value& node = document.json()["nodes"][at];
+    if (node["mesh"].isNull())
+    {
+      continue;
+    }
+    const Json::Value& mesh = document.at("meshes", node["mesh"]);
+    for (Json::ArrayIndex i = 0; i < mesh["primitives"].size(); ++i)
+    {
+      const Json::Value& primitive = mesh["primitives"][i];
+      Part part = partOf(document, primitive, "its meshes " + node["mesh"].asString() + ", primitive " + std::to_string(i));
+      addMorphs(document, primitive, node["weights"].isArray() ? node["weights"] : mesh["weights"], part);
+      const bool isSkinned =
+        !node["skin"].isNull() && part.attributes.count("JOINTS_0") == 1 && part.attributes.count("WEIGHTS_0") == 1;
+      transform(part,
+        isSkinned ? skinned(document, scene, node["skin"], part)
+                  : std::vector<Matrix>{ scene.toWorld(at) });
+      points += part.attributes["POSITION"].count;
+      if (points > 100 * document.size()) // a mesh may be named by many nodes
+      {
+        document.refuse("asks for more points than a file of its size should; the file is damaged");
+      }
+      if (!part.corners.empty())
+      {
+        parts.push_back(std::move(part));
+      }
+    }
+  }
+  return parts;
+}
+
+// All parts as one mesh, with the attributes that all have; `lost` are the others.
+vtkSmartPointer<vtkPolyData> joinedMesh(const std::vector<Part>& parts, std::set<std::string>& lost)
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  std::map<std::string, vtkSmartPointer<vtkFloatArray>> arrays;
+  for (const auto& [name, numbers] : parts[0].attributes)
+  {
+    arrays[name] = vtkSmartPointer<vtkFloatArray>::New();
+    arrays[name]->SetName(name.c_str());
+    arrays[name]->SetNumberOfComponents(static_cast<int>(numbers.components));
+  }
+  for (const Part& part : parts)
+  {
+    for (const auto& [name, numbers] : part.attributes)
+    {
+      lost.insert(name);
+    }
+    for (auto it = arrays.begin(); it != arrays.end();)
+    {
+      const auto own = part.attributes.find(it->first);
+      const bool is = own != part.attributes.end() &&
+                      own->second.components == static_cast<std::size_t>(it->second->GetNumberOfComponents());
+      it = is ? std::next(it) : arrays.erase(it);
+    }
+  }
+  vtkNew<vtkCellArray> polys;
+  vtkIdType first = 0;
+  for (const Part& part : parts)
+  {
+    for (auto& [name, array] : arrays)
+    {
+      for (const double value : part.attributes.at(name).values)
+      {
+        array->InsertNextValue(static_cast<float>(value));
+      }
+    }
+    for (std::size_t i = 0; i < part.corners.size(); i += 3)
+    {
+      const vtkIdType ids[3] = { first + part.corners[i], first + part.corners[i + 1], first + part.corners[i + 2] };
+      polys->InsertNextCell(3, ids);
+    }
+    first += static_cast<vtkIdType>(part.attributes.at("POSITION").count);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(arrays["POSITION"]);
+  points->GetData()->SetName("Points");
+  mesh->SetPoints(points);
+  mesh->SetPolys(polys);
+  vtkPointData* data = mesh->GetPointData();
+  for (const auto& [name, array] : arrays)
   {
     lost.erase(name);
+    if (name == "NORMAL")
+    {
+      data->SetNormals(array);
+    }
+    else if (name == "TEXCOORD_0")
+    {
+      data->SetTCoords(array);
+    }
+    else if (name.rfind("JOINTS_", 0) != 0 && name.rfind("WEIGHTS_", 0) != 0 && name != "POSITION")
+    {
+      data->AddArray(array);
+    }
+  }
+  return mesh;
+}
+
+void requirePictures(GltfDocument& document)
+{
+  const Json::Value& images = document.json()["images"];
+  for (Json::ArrayIndex i = 0; i < images.size(); ++i)
+  {
+    if (!pictureOf(document.picture(i)))
+    {
+      const Json::Value& uri = images[i]["uri"];
+      document.refuse("its picture " + (uri.isString() ? uri.asString().substr(0, 60) : std::to_string(i)) +
+                      " is absent, damaged or neither PNG nor JPEG; mend it or take it out of the file");
+    }
+  }
+}
+
+void turnCoordinates(vtkPointData* data)
+{
+  vtkDataArray* coordinates = data->GetTCoords();
+  for (vtkIdType i = 0; coordinates && i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    coordinates->SetComponent(i, 1, 1.0 - coordinates->GetComponent(i, 1)); // glTF counts v from the top
+  }
+}
+
+vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& path, Notes& notes)
+{
+  requirePictures(document);
+  Skin skin = skinOf(document);
+  std::string picture;
+  if (skin.pictures.size() == 1 && !skin.pictures.begin()->isNull())
+  {
+    picture = document.picture(*skin.pictures.begin());
+  }
+  const std::vector<Part> parts = partsOf(document);
+  if (parts.empty())
+  {
+    document.refuse("holds no mesh");
+  }
+  std::set<std::string> lost;
+  const vtkSmartPointer<vtkPolyData> mesh = joinedMesh(parts, lost);
+  if (parts.size() > 1)
+  {
+    notes.push_back(path + ": its " + std::to_string(parts.size()) + " parts are read as one mesh");
   }
   if (!lost.empty())
   {
     notes.push_back(path + ": arrays that only some of its parts have are dropped: " + joined(lost));
   }
   makeColoursBytes(mesh->GetPointData(), path, notes);
-  if (vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords())
-  {
-    auto flipped = vtkSmartPointer<vtkDataArray>::Take(coordinates->NewInstance());
-    flipped->DeepCopy(coordinates);
-    for (vtkIdType i = 0; i < flipped->GetNumberOfTuples(); ++i)
-    {
-      flipped->SetComponent(i, 1, 1.0 - flipped->GetComponent(i, 1)); // glTF counts v from the top
-    }
-    mesh->GetPointData()->SetTCoords(flipped);
-  }
-
+  turnCoordinates(mesh->GetPointData());
   if (!picture.empty() && mesh->GetPointData()->GetTCoords())
   {
     setTexture(mesh, picture);
@@ -371,6 +582,21 @@ vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes)
     notes.push_back(path + ": not kept: " + joined(skin.dropped));
   }
   return mesh;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes)
+{
+  GltfDocument document(path);
+  try
+  {
+    return read(document, path, notes);
+  }
+  catch (const Json::Exception& damage) // a member of another type than it must be
+  {
+    throw Failed(path + ": is damaged: " + damage.what());
+  }
 }
 
 } // namespace oversketch_files

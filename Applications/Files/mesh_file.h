@@ -33,7 +33,7 @@ std::string bytesOf(vtkPolyData* data);
 void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes);
 
 // The single formats, used by the above. They throw Failed.
-void checkPly(const std::string& path); // that the file holds what its header announces
+vtkSmartPointer<vtkPolyData> readPly(const std::string& path);
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path);
 vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes);
 // After vtkOBJReader: which face wears which material (field array MaterialNames, cell array MaterialIds), one

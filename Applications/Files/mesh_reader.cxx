@@ -6,19 +6,20 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPLYReader.h"
 #include "vtkPointData.h"
 #include "vtkSTLReader.h"
 #include "vtkTriangleFilter.h"
 #include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 namespace oversketch_files
@@ -119,6 +120,46 @@ void checkXmlCounts(const std::string& path, const std::string& bytes)
   }
 }
 
+// The value of an attribute of an XML tag, "" where it has none.
+std::string attributeOf(const std::string& tag, const std::string& name)
+{
+  const std::size_t at = tag.find(' ' + name + '=');
+  const std::size_t from = at + name.size() + 2;
+  if (at == std::string::npos || from >= tag.size() || (tag[from] != '"' && tag[from] != '\''))
+  {
+    return "";
+  }
+  return tag.substr(from + 1, tag.find(tag[from], from + 1) - from - 1);
+}
+
+// vtkXMLPolyDataReader crashes where a part holds two arrays of a name.
+void checkXmlArrays(const std::string& path, const std::string& bytes)
+{
+  std::set<std::string> names;
+  std::string part;
+  for (std::size_t at = bytes.find('<'); at != std::string::npos; at = bytes.find('<', at + 1))
+  {
+    std::string tag = bytes.substr(at + 1, bytes.find('>', at) - at - 1);
+    std::replace_if(
+      tag.begin(), tag.end(), [](unsigned char c) { return std::isspace(c) != 0; }, ' ');
+    const std::string kind = tag.substr(0, tag.find(' '));
+    if (kind == "AppendedData")
+    {
+      return;
+    }
+    const std::string name = attributeOf(tag, "Name");
+    if (kind != "DataArray" && kind != "Array")
+    {
+      part = kind;
+      names.clear();
+    }
+    else if (!name.empty() && !names.insert(name).second)
+    {
+      throw Failed(path + ": its " + part + " holds two arrays " + name + "; the file is damaged");
+    }
+  }
+}
+
 std::string bytesOf(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
@@ -143,6 +184,7 @@ vtkSmartPointer<vtkPolyData> updated(Reader* reader, const std::string& path)
 vtkSmartPointer<vtkPolyData> readXml(const std::string& path, const std::string& bytes)
 {
   checkXmlCounts(path, bytes);
+  checkXmlArrays(path, bytes);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->ReadFromInputStringOn();
   reader->SetInputString(bytes);
@@ -188,6 +230,10 @@ void requireSound(const std::string& path, vtkPolyData* mesh)
   }
   for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
   {
+    if (!cells->IsValid())
+    {
+      throw Failed(path + ": its cells do not fit together (offsets beyond the connectivity); the file is damaged");
+    }
     auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
     for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
     {
@@ -269,8 +315,7 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   }
   else if (extension == ".ply")
   {
-    checkPly(path);
-    mesh = readWith<vtkPLYReader>(path);
+    mesh = readPly(path);
   }
   else if (extension == ".stl")
   {

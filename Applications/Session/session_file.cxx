@@ -19,7 +19,6 @@
 #include "vtk_jsoncpp.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <limits>
 #include <set>
@@ -36,6 +35,7 @@ namespace
 
 constexpr const char* formatName = "oversketch-session";
 constexpr int newestVersion = 2;
+constexpr std::size_t mostSteps = 10000;
 
 // MD5, in hexadecimal.
 class Digest
@@ -236,7 +236,14 @@ std::vector<Node> nodesOf(const JsonReader& json,
 {
   std::vector<Node> nodes;
   std::set<int> ids;
-  for (const JsonReader& one : isFirst ? json.list("strokes", "stroke") : json.list("steps", "step"))
+  const char* const list = isFirst ? "strokes" : "steps";
+  const std::vector<JsonReader> listed = json.list(list, isFirst ? "stroke" : "step");
+  if (listed.size() > mostSteps)
+  {
+    json.refuse(list,
+      "has " + std::to_string(listed.size()) + " entries; a session has at most " + std::to_string(mostSteps));
+  }
+  for (const JsonReader& one : listed)
   {
     Node node = isFirst ? nodeOf1(one, rows, package, path) : nodeOf2(one, rows, package, path);
     if (isFirst)
@@ -307,10 +314,7 @@ SessionFile decode(const Package& package, const std::string& path, const std::v
   catch (const Failed& failed)
   {
     // What it quotes of a damaged text may be anything.
-    std::string message = failed.what();
-    std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-    throw Failed(message);
+    throw Failed(oversketch_files::printable(failed.what()));
   }
 }
 

@@ -81,6 +81,9 @@ vtkIdType FirstRefused(vtkIdType count, const Convert& convert)
   return first;
 }
 
+// Coordinates beyond this overflow single precision, in which rays are cast.
+constexpr double LargestCoordinate = 1e12;
+
 std::vector<Vector3> PointsOf(vtkPolyData* polyData)
 {
   std::vector<Vector3> points(static_cast<std::size_t>(polyData->GetNumberOfPoints()));
@@ -96,7 +99,8 @@ std::vector<Vector3> PointsOf(vtkPolyData* polyData)
       {
         Vector3& point = points[static_cast<std::size_t>(i)];
         point = Vector3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
-        return point.allFinite();
+        return std::abs(point[0]) <= LargestCoordinate && std::abs(point[1]) <= LargestCoordinate &&
+               std::abs(point[2]) <= LargestCoordinate;
       });
   };
   vtkIdType bad = 0;
@@ -117,7 +121,15 @@ std::vector<Vector3> PointsOf(vtkPolyData* polyData)
   if (bad < polyData->GetNumberOfPoints())
   {
     std::ostringstream message;
-    message << "Point " << bad << " of the mesh is not finite; repair or remove it.";
+    if (points[static_cast<std::size_t>(bad)].allFinite())
+    {
+      message << "Point " << bad << " of the mesh lies beyond " << LargestCoordinate
+              << ", the largest coordinate that is taken; scale the mesh.";
+    }
+    else
+    {
+      message << "Point " << bad << " of the mesh is not finite; repair or remove it.";
+    }
     throw Error(Failure::BadMesh, message.str());
   }
   return points;
@@ -274,6 +286,14 @@ View ViewOf(vtkPolyData* stroke)
           throw Error(Failure::BadStroke, message.str());
         }
       }
+    }
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    if (!(arrays[2]->GetComponent(0, k) <= 1e6))
+    {
+      throw Error(Failure::BadStroke,
+        "The stroke's ViewportSize is larger than a million pixels; record the stroke again.");
     }
   }
   return View(MatrixOf(arrays[0]),

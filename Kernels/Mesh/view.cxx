@@ -16,11 +16,13 @@ View::View(const Eigen::Matrix4d& viewTransform,
   , Width(width)
   , Height(height)
 {
-  if (!viewTransform.allFinite() || !projectionTransform.allFinite())
+  constexpr double largest = 1e30; // its products still are finite
+  if (!(viewTransform.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largest) ||
+      !(projectionTransform.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largest))
   {
     throw Error(Failure::BadStroke,
-      "The stroke's ViewTransform or ProjectionTransform holds a value that is not finite; record the stroke "
-      "again.");
+      "The stroke's ViewTransform or ProjectionTransform holds a value that is not finite, or beyond 1e30; "
+      "record the stroke again.");
   }
   if (width <= 0 || height <= 0)
   {

@@ -63,6 +63,15 @@ std::vector<Crossing> findCrossings(const std::vector<ImageSegment>& segments)
   {
     return crossings;
   }
+  for (const ImageSegment& s : segments)
+  {
+    if (!s.from.allFinite() || !s.to.allFinite())
+    {
+      throw Error(Failure::BadStroke,
+        "A curve of the outline has no place in the picture: it passes through the plane of the camera, or the "
+        "mesh or the view is damaged. Draw the stroke in a view from farther away.");
+    }
+  }
   const Grid grid(segments);
   const int cellCount = grid.side * grid.side;
   std::vector<int> starts(cellCount + 1, 0), entries;

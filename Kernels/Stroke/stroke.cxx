@@ -77,6 +77,10 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
     refuse(
       "it is ", length, " px long; at least ", rules.minimumLength, " px are needed: draw a longer stroke.");
   }
+  if (!(length <= longestStroke))
+  {
+    refuse("it is ", length, " px long; at most ", longestStroke, " px are taken: record the stroke again.");
+  }
   if (isClosedStroke(clean, rules))
   {
     refuse("it is closed: its ends are ",

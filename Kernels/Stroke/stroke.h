@@ -15,6 +15,9 @@ struct StrokeRules
   double closedFraction = 0.1; // of the length: nearer ends that run on into each other close the stroke
 };
 
+// px: many times round the largest screen. What is longer is a damaged file or a scribble.
+constexpr double longestStroke = 1e5;
+
 // True when the stroke comes back to its start: its ends are nearer than two minimum spacings, or nearer than
 // closedFraction of its length while the direction it ends in is within 90 degrees of the one it started in.
 // A U round the tip of a limb comes back in the opposite direction and is open.
@@ -22,7 +25,7 @@ bool isClosedStroke(const Polyline& samples, const StrokeRules& rules);
 
 // Where the samples of the cleaned stroke lie on the given ones: jitter dropped (both ends kept), then
 // uniform in arc length. Throws Error(Failure::BadStroke) for fewer than two samples, one that is not finite,
-// and for a stroke that is too short or closed.
+// and for a stroke that is too short, longer than longestStroke, or closed.
 std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules = {});
 
 } // namespace oversketch

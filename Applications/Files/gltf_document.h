@@ -1,0 +1,69 @@
+// A glTF document, .gltf or .glb: its JSON, and the numbers and pictures that it names. Why not vtkGLTFReader: it
+// trusts indices, counts and offsets of the file, follows nodes in a circle, and opens what is no file.
+#ifndef oversketch_files_gltf_document_h
+#define oversketch_files_gltf_document_h
+
+#include "vtk_jsoncpp.h"
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace oversketch_files
+{
+
+// The numbers of an accessor, those that are normalized from 0 or -1 to 1.
+struct GltfNumbers
+{
+  std::size_t count = 0;
+  std::size_t components = 0;
+  std::vector<double> values; // count times components
+};
+
+class GltfDocument
+{
+public:
+  // All members throw Failed, which names file and member.
+  explicit GltfDocument(const std::string& path);
+
+  const Json::Value& json() const { return this->Root; }
+  // A member of one of the document's lists, such as ("accessors", 3).
+  const Json::Value& at(const std::string& list, const Json::Value& index) const;
+  // The same; null where it is not there.
+  const Json::Value& find(const std::string& list, const Json::Value& index) const;
+  // The numbers of an accessor.
+  GltfNumbers numbers(const Json::Value& accessor);
+  // The bytes of a picture; empty where they cannot be had.
+  std::string picture(const Json::Value& index);
+  // Bytes of the file and of the buffers that were read: what it may ask for is counted against them.
+  std::size_t size() const { return this->Size; }
+
+  [[noreturn]] void refuse(const std::string& why) const;
+
+private:
+  const std::string& buffer(const Json::Value& index);
+  std::string resolved(const std::string& uri) const;
+  std::size_t whole(const Json::Value& object, const char* member, const std::string& where) const;
+  // The bytes [offset, offset + length) of a buffer view.
+  const char* viewed(const Json::Value& view, std::size_t offset, std::size_t length, const std::string& where);
+  // count elements of `components` numbers each, from a buffer view.
+  void readInto(const Json::Value& description,
+    int type,
+    bool isNormalized,
+    std::size_t components,
+    std::size_t count,
+    const std::string& where,
+    std::vector<double>& values);
+
+  std::string Path;
+  std::filesystem::path Folder;
+  Json::Value Root;
+  std::string Binary;
+  std::map<unsigned, std::string> Buffers;
+  std::size_t Size = 0;
+};
+
+} // namespace oversketch_files
+#endif
