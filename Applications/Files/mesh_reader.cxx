@@ -135,6 +135,9 @@ std::string attributeOf(const std::string& tag, const std::string& name)
 // vtkXMLPolyDataReader crashes where a part holds two arrays of a name.
 void checkXmlArrays(const std::string& path, const std::string& bytes)
 {
+  static const std::set<std::string> parts = {
+    "PointData", "CellData", "FieldData", "Points", "Verts", "Lines", "Strips", "Polys"
+  };
   std::set<std::string> names;
   std::string part;
   for (std::size_t at = bytes.find('<'); at != std::string::npos; at = bytes.find('<', at + 1))
@@ -147,8 +150,9 @@ void checkXmlArrays(const std::string& path, const std::string& bytes)
     {
       return;
     }
-    const std::string name = attributeOf(tag, "Name");
-    if (kind != "DataArray" && kind != "Array")
+    const bool isArray = kind == "DataArray" || kind == "Array";
+    const std::string name = isArray ? attributeOf(tag, "Name") : "";
+    if (parts.count(kind) == 1)
     {
       part = kind;
       names.clear();

@@ -49,7 +49,7 @@ void writePly(vtkPolyData* mesh, const std::string& path)
   finish(writer.Get(), path);
   try
   {
-    checkPly(path); // the writer of VTK 9.1 does not notice a full disk
+    readPly(path); // the writer of VTK 9.1 does not notice a full disk
   }
   catch (const Failed&)
   {

@@ -6,7 +6,9 @@
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -39,18 +41,95 @@ std::string absolute(const std::string& corner, const long (&counts)[3])
   return text;
 }
 
-// The text of the file with absolute indices; "" where it has no others.
+// The largest index that was used of each kind, v, vt, vn, and where.
+class Indices
+{
+public:
+  explicit Indices(const std::string& path)
+    : Path(path)
+  {
+  }
+
+  // The corners of a line, with `counts` of each kind before it.
+  void add(const std::string& line, long number, const long (&counts)[3])
+  {
+    for (const char* at = line.c_str() + 1; *at != '\0';)
+    {
+      at += std::strspn(at, " \t\r");
+      for (int k = 0; k < 3; ++k)
+      {
+        char* end = nullptr;
+        const long given = std::strtol(at, &end, 10), index = given < 0 ? counts[k] + 1 + given : given;
+        if (end != at && index < 1)
+        {
+          this->refuse(number, k, given, counts[k]);
+        }
+        if (end != at && index > this->Most[k])
+        {
+          this->Most[k] = index;
+          this->Line[k] = number;
+        }
+        at = end;
+        if (*at != '/')
+        {
+          break;
+        }
+        ++at;
+      }
+      at += std::strcspn(at, " \t\r");
+    }
+  }
+
+  void requireWithin(const long (&counts)[3]) const
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (this->Most[k] > counts[k])
+      {
+        this->refuse(this->Line[k], k, this->Most[k], counts[k]);
+      }
+    }
+  }
+
+private:
+  [[noreturn]] void refuse(long line, int kind, long index, long count) const
+  {
+    const char* const kinds[] = { "vertex", "texture coordinate", "normal" };
+    throw Failed(this->Path + ": line " + std::to_string(line) + " names the " + kinds[kind] + ' ' +
+                 std::to_string(index) + ", and there are " + std::to_string(count) +
+                 ", counted from 1; the file is damaged");
+  }
+
+  std::string Path;
+  long Most[3] = { 0, 0, 0 }, Line[3] = { 0, 0, 0 };
+};
+
+bool isKeyword(const std::string& line, const char* keyword, std::size_t length)
+{
+  return line.compare(0, length, keyword) == 0 && line.size() > length && (line[length] == ' ' || line[length] == '\t');
+}
+
+// The text of the file with absolute indices; "" where it has no others. Throws Failed where one names what is
+// not there: vtkOBJReader would read past its arrays.
 std::string withAbsoluteIndices(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
+  Indices indices(path);
   long counts[3] = { 0, 0, 0 }; // v, vt, vn so far
+  long number = 0;
   bool relative = false;
   std::string text;
   for (std::string line; std::getline(file, line);)
   {
-    counts[0] += line.rfind("v ", 0) == 0;
-    counts[1] += line.rfind("vt ", 0) == 0;
-    counts[2] += line.rfind("vn ", 0) == 0;
+    ++number;
+    line.erase(0, std::min(line.find_first_not_of(" \t"), line.size()));
+    counts[0] += isKeyword(line, "v", 1);
+    counts[1] += isKeyword(line, "vt", 2);
+    counts[2] += isKeyword(line, "vn", 2);
+    if (isElement(line))
+    {
+      indices.add(line, number, counts);
+    }
     if (isElement(line) && line.find('-') != std::string::npos)
     {
       relative = true;
@@ -64,6 +143,7 @@ std::string withAbsoluteIndices(const std::string& path)
     }
     text += line + '\n';
   }
+  indices.requireWithin(counts);
   return relative ? text : "";
 }
 

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -429,7 +430,7 @@ Faces readFaces(File& file, const Element& element, vtkIdType points, vtkPolyDat
       if (!(corner >= 0.0 && corner < static_cast<double>(points)) || corner != std::floor(corner))
       {
         std::ostringstream message;
-        message << "its face " << i << " names the vertex " << corner << ", and there are " << points
+        message << std::setprecision(12) << "its face " << i << " names the vertex " << corner << ", and there are " << points
                 << ", counted from 0; the file is damaged";
         file.refuse(message.str());
       }

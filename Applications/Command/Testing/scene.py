@@ -17,8 +17,8 @@ WIDTH, HEIGHT, PIXELS = 400, 300, 70.0
 QUICK = ["--backend", "embree", "--remesh", "off"]
 
 
-def run(*arguments, **more):
-    done = subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=120, **more)
+def run(*arguments, timeout=120, **more):
+    done = subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=timeout, **more)
     assert done.returncode in (0, 1, 2), (done.returncode, done.stderr)
     return done
 
