@@ -1,5 +1,7 @@
 #include "Silhouette/crossings.h"
 
+#include "Mesh/context.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
