@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <mutex>
 
 namespace fs = std::filesystem;
@@ -137,6 +138,17 @@ std::uintmax_t requireReadable(const std::string& path)
     throw Failed(path + ": is empty");
   }
   return size;
+}
+
+std::string wholeFile(const std::string& path)
+{
+  std::error_code error;
+  if (!fs::is_regular_file(path, error))
+  {
+    return {};
+  }
+  std::ifstream stream(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
 void requireWritable(const std::string& path)

@@ -33,6 +33,8 @@ std::string printable(std::string text);
 std::string extensionOf(const std::string& path);
 // Size of the file in bytes. Throws Failed for an absent, unreadable or empty file and for a folder.
 std::uintmax_t requireReadable(const std::string& path);
+// The content of a file; empty where it is absent or no regular file, which may never end.
+std::string wholeFile(const std::string& path);
 // Throws Failed unless a file of this name can be made or replaced.
 void requireWritable(const std::string& path);
 // Calls write with the name of a temporary file beside path (same extension), and renames it to path. The

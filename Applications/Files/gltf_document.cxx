@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <cstdlib>
-#include <iterator>
+#include <cstring>
 #include <limits>
 #include <memory>
 
@@ -20,18 +18,6 @@ namespace oversketch_files
 
 namespace
 {
-
-// The content of a file; empty for what is no regular file, which may never end.
-std::string wholeFile(const fs::path& path)
-{
-  std::error_code error;
-  if (!fs::is_regular_file(path, error))
-  {
-    return {};
-  }
-  std::ifstream stream(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-}
 
 std::uint32_t word(const std::string& bytes, std::size_t at)
 {
@@ -192,7 +178,7 @@ std::string GltfDocument::resolved(const std::string& uri) const
 {
   if (uri.rfind("data:", 0) != 0)
   {
-    return wholeFile(this->Folder / unescaped(uri));
+    return wholeFile((this->Folder / unescaped(uri)).string());
   }
   const std::size_t comma = uri.find(',');
   if (comma == std::string::npos)

@@ -164,12 +164,6 @@ void checkXmlArrays(const std::string& path, const std::string& bytes)
   }
 }
 
-std::string bytesOf(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-}
-
 template <typename Reader>
 vtkSmartPointer<vtkPolyData> updated(Reader* reader, const std::string& path)
 {
@@ -332,7 +326,7 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   }
   else if (extension == ".vtp")
   {
-    mesh = readXml(path, bytesOf(path));
+    mesh = readXml(path, wholeFile(path));
   }
   else if (extension == ".gltf" || extension == ".glb")
   {
@@ -365,7 +359,7 @@ vtkSmartPointer<vtkPolyData> readStroke(const std::string& path)
   {
     throw Failed(path + ": a stroke file is XML PolyData (.vtp)");
   }
-  return parseStroke(path, bytesOf(path));
+  return parseStroke(path, wholeFile(path));
 }
 
 vtkSmartPointer<vtkPolyData> parseStroke(const std::string& path, const std::string& bytes)

@@ -16,9 +16,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iomanip>
-#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -75,9 +73,8 @@ class File
 public:
   explicit File(const std::string& path)
     : Path(path)
+    , Bytes(wholeFile(path))
   {
-    std::ifstream stream(path, std::ios::binary);
-    this->Bytes.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
     this->readHeader();
   }
 

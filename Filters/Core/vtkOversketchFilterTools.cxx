@@ -81,7 +81,7 @@ vtkIdType FirstRefused(vtkIdType count, const Convert& convert)
   return first;
 }
 
-// Coordinates beyond this overflow single precision, in which rays are cast.
+// Up to here the product of three coordinates fits single precision, in which rays are cast.
 constexpr double LargestCoordinate = 1e12;
 
 std::vector<Vector3> PointsOf(vtkPolyData* polyData)

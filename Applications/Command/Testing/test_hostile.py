@@ -38,7 +38,7 @@ def test_collected_files_are_refused(tmp_path, name):
 
 
 def test_a_name_cannot_steer_the_terminal(tmp_path):
-    name = "\x1b[2J\x1b[31m\xc2\x9b2J".encode("latin-1").decode("latin-1") + ".ply"
+    name = "\x1b[2J\x1b[31m\x9b2J.ply"
     done = run("one-stroke", tmp_path / name, tmp_path / "s.vtp", "-o", tmp_path / "out.ply")
     assert done.returncode == 1 and "there is no such file" in done.stderr
     assert not any(ord(c) < 32 and c != "\n" or 127 <= ord(c) < 160 for c in done.stderr)
