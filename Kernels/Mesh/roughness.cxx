@@ -1,0 +1,60 @@
+#include "Mesh/roughness.h"
+
+#include <cmath>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+// Whether triangle t has the edge in the direction from a to b.
+bool runsAlong(const Triangle& t, int a, int b)
+{
+  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+}
+
+} // namespace
+
+bool rougher(const Roughness& one, const Roughness& other)
+{
+  return one.meanAngle > 1.25 * other.meanAngle + 1.0 || one.sharpShare > other.sharpShare + 0.01;
+}
+
+Roughness roughness(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& region)
+{
+  double angles = 0.0, lengths = 0.0, sharp = 0.0;
+  int count = 0;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e)
+  {
+    const MeshEdge& edge = adjacency.edges[e];
+    if (edge.triangleCount != 2 || !(region[edge.v0] || region[edge.v1]))
+    {
+      continue;
+    }
+    const int* sides = adjacency.trianglesBegin(static_cast<int>(e));
+    const Vector3 first = facetNormal(mesh, sides[0]);
+    Vector3 second = facetNormal(mesh, sides[1]);
+    if (first.isZero(0.0) || second.isZero(0.0))
+    {
+      continue;
+    }
+    if (runsAlong(mesh.triangles[sides[0]], edge.v0, edge.v1) ==
+        runsAlong(mesh.triangles[sides[1]], edge.v0, edge.v1))
+    {
+      second = -second;
+    }
+    // Exact for small angles too, where the arc cosine is not.
+    const double angle = degrees * std::atan2(first.cross(second).norm(), first.dot(second));
+    const double length = (mesh.points[edge.v1] - mesh.points[edge.v0]).norm();
+    angles += angle;
+    lengths += length;
+    sharp += angle > sharpAngle ? length : 0.0;
+    ++count;
+  }
+  return { count > 0 ? angles / count : 0.0, lengths > 0.0 ? sharp / lengths : 0.0 };
+}
+
+} // namespace oversketch
