@@ -203,6 +203,7 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
+  this->NumberOfCandidates = 0;
   return RunFilter(this,
     [&]
     {
@@ -227,7 +228,11 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       MatchRules rules;
       rules.amendedScore = this->AmendedScore;
       rules.maximumDistance = this->MaximumDistance;
+      rules.maximumGap = this->MaximumGap;
+      rules.compareShapes = this->CompareShapes;
+      rules.rank = this->Candidate - 1;
       const MatchedSection match = matchStroke(candidates, samples, rules, ContextOf(this));
+      this->NumberOfCandidates = match.rivals;
       const Source& source = sources[match.candidate];
       Curve section;
       vtkNew<vtkDoubleArray> displays, offsets;
@@ -270,5 +275,9 @@ void vtkOversketchMatch::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AmendedScore: " << (this->AmendedScore ? "on" : "off") << '\n';
+  os << indent << "CompareShapes: " << (this->CompareShapes ? "on" : "off") << '\n';
+  os << indent << "Candidate: " << this->Candidate << '\n';
+  os << indent << "NumberOfCandidates: " << this->NumberOfCandidates << '\n';
   os << indent << "MaximumDistance: " << this->MaximumDistance << '\n';
+  os << indent << "MaximumGap: " << this->MaximumGap << '\n';
 }

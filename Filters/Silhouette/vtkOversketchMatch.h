@@ -32,8 +32,9 @@
  * came from. Other arrays are dropped.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray, BadStroke; BadMesh for unusable
- * curves; NoMatch when no section of at least 2 px with two points on the mesh fits, or D exceeds
- * MaximumDistance. Curves without points give an empty output silently.
+ * curves; NoMatch when no section of at least 2 px with two points on the mesh fits, D exceeds
+ * MaximumDistance, the stroke is farther than MaximumGap from every curve, or fewer than Candidate sections
+ * fit. Curves without points give an empty output silently.
  *
  * Deterministic. Cost: curve points plus stroke samples, times a search over blocks of the other; the curves
  * are read once while they and the view stand.
@@ -72,6 +73,39 @@ public:
 
   ///@{
   /**
+   * With AmendedScore: let the section stand against those that look like the stroke elsewhere (see above)
+   * [default on; off as published].
+   */
+  vtkSetMacro(CompareShapes, bool);
+  vtkGetMacro(CompareShapes, bool);
+  vtkBooleanMacro(CompareShapes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Which of the sections that fit is taken, 1 for the one that fits best [>= 1, default 1; read with
+   * CompareShapes]. A number beyond the last one is refused.
+   */
+  vtkSetClampMacro(Candidate, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Candidate, int);
+  ///@}
+
+  /**
+   * How many sections fitted the last stroke: so many candidates there are.
+   */
+  vtkGetMacro(NumberOfCandidates, int);
+
+  ///@{
+  /**
+   * Strokes of which no place is nearer to any visible curve are refused [px, >= 0, default 0: no limit, as
+   * published].
+   */
+  vtkSetClampMacro(MaximumGap, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumGap, double);
+  ///@}
+
+  ///@{
+  /**
    * Strokes whose D is larger are refused [px, >= 0, default 0: no limit, as published].
    */
   vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
@@ -90,7 +124,11 @@ private:
   void operator=(const vtkOversketchMatch&) = delete;
 
   bool AmendedScore = true;
+  bool CompareShapes = true;
+  int Candidate = 1;
+  int NumberOfCandidates = 0;
   double MaximumDistance = 0.0;
+  double MaximumGap = 0.0;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

@@ -1,9 +1,13 @@
 #include "Silhouette/match.h"
 
+#include "Silhouette/shape_search.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
+#include <string>
 
 namespace oversketch
 {
@@ -78,23 +82,47 @@ bool runsAlong(const Polyline& samples, const std::vector<NearestPlace>& outline
   return along >= share * static_cast<double>(samples.size());
 }
 
-} // namespace
+// The stroke's samples, and the loops that silhouettes are left to.
+struct Drawing
+{
+  Polyline samples;
+  NearestPlace nearest;
+  std::vector<NearestPlace> outlines;
 
-MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
-  const Polyline& stroke,
+  Drawing(const std::vector<MatchCandidate>& candidates, const Polyline& stroke, double spacing)
+    : samples(uniformPolyline(stroke, spacing))
+    , nearest(samples)
+  {
+    for (const MatchCandidate& candidate : candidates)
+    {
+      if (candidate.outline)
+      {
+        this->outlines.emplace_back(candidate.display, candidate.closed);
+      }
+    }
+  }
+};
+
+bool qualifies(const MatchCandidate& candidate,
+  const std::vector<Blend>& places,
+  const Polyline& section,
+  double spacing)
+{
+  const auto bound = std::count_if(places.begin(),
+    places.end(),
+    [&](const Blend& place) { return place.from == place.to && candidate.bound[place.from]; });
+  return bound >= 2 && arcLengths(section).back() >= spacing;
+}
+
+// The section between the places nearest to the stroke's ends. Its candidate is -1 where none qualifies.
+MatchedSection nearestSection(const std::vector<MatchCandidate>& candidates,
+  const Drawing& drawing,
   const MatchRules& rules,
   const Context& context)
 {
-  const Polyline samples = uniformPolyline(stroke, rules.spacing);
-  const NearestPlace onStroke(samples);
-  std::vector<NearestPlace> outlines;
-  for (const MatchCandidate& candidate : candidates)
-  {
-    if (candidate.outline)
-    {
-      outlines.emplace_back(candidate.display, candidate.closed);
-    }
-  }
+  const Polyline& samples = drawing.samples;
+  const NearestPlace& onStroke = drawing.nearest;
+  const std::vector<NearestPlace>& outlines = drawing.outlines;
   MatchedSection best, shadowed; // shadowed: the best of those left to an outline, should no outline qualify
   best.score = shadowed.score = infinity;
   for (std::size_t c = 0; c < candidates.size(); ++c)
@@ -118,6 +146,7 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
     {
       continue;
     }
+    const std::vector<double> lengths = arcLengths(candidate.display, candidate.closed);
     const bool inOrder = start.segment < end.segment || (start.segment == end.segment && start.t <= end.t);
     double leastBack = infinity;
     for (const bool forward : { true, false })
@@ -133,16 +162,18 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
         std::reverse(places.begin(), places.end());
       }
       const Polyline section = displayOf(candidate, places);
-      const auto bound = std::count_if(places.begin(),
-        places.end(),
-        [&](const Blend& place) { return place.from == place.to && candidate.bound[place.from]; });
-      if (bound < 2 || arcLengths(section).back() < rules.spacing)
+      if (!qualifies(candidate, places, section, rules.spacing))
       {
         continue;
       }
       const Polyline sectionSamples = uniformPolyline(section, rules.spacing);
       const double back = onStroke.meanDistance(sectionSamples);
-      MatchedSection match{ static_cast<int>(c), std::move(places), distance, distance };
+      MatchedSection match;
+      match.candidate = static_cast<int>(c);
+      match.places = std::move(places);
+      match.begin = lengths[start.segment] + start.t * (lengths[start.segment + 1] - lengths[start.segment]);
+      match.length = (forward ? 1.0 : -1.0) * arcLengths(section).back();
+      match.distance = match.score = distance;
       if (!rules.amendedScore)
       {
         if (back < leastBack)
@@ -161,14 +192,173 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
       }
     }
   }
+  return best.candidate >= 0 ? best : shadowed;
+}
+
+// The section that a part stands for, with its ends settled.
+MatchedSection sectionOf(const std::vector<MatchCandidate>& candidates,
+  const CandidatePart& part,
+  const Drawing& drawing)
+{
+  const MatchCandidate& candidate = candidates[part.candidate];
+  const std::vector<double> lengths = arcLengths(candidate.display, candidate.closed);
+  const int points = static_cast<int>(candidate.display.size());
+  const auto answerAt = [&](double length)
+  {
+    if (candidate.closed)
+    {
+      length -= lengths.back() * std::floor(length / lengths.back());
+    }
+    const Blend place = placeAt(lengths, points, length);
+    NearestPlace::Answer answer;
+    answer.segment = place.from;
+    answer.t = place.t;
+    if (!candidate.closed && place.from == points - 1) // the last point ends the last segment
+    {
+      answer.segment = points - 2;
+      answer.t = 1.0;
+    }
+    answer.place = place.of(candidate.display);
+    return answer;
+  };
+  // Within a tenth of the length of where it is, so that the ends cannot leap to another limb.
+  const auto settled = [&](double length, const Vector2& end)
+  {
+    const double window = 0.1 * std::abs(part.length);
+    const int steps = std::max(1, static_cast<int>(std::ceil(window)));
+    double best = length, least = (answerAt(length).place - end).squaredNorm();
+    for (int i = -steps; i <= steps; ++i)
+    {
+      const double at = length + window * i / steps;
+      const double squared = (answerAt(at).place - end).squaredNorm();
+      if (squared < least && (candidate.closed || (at >= 0.0 && at <= lengths.back())))
+      {
+        least = squared;
+        best = at;
+      }
+    }
+    return best;
+  };
+  const double begin = settled(part.begin, drawing.samples.front() - part.shift);
+  const double end = settled(part.begin + part.length, drawing.samples.back() - part.shift);
+  MatchedSection section;
+  section.candidate = part.candidate;
+  section.places = part.length > 0.0 ? placesBetween(candidate, answerAt(begin), answerAt(end))
+                                     : placesBetween(candidate, answerAt(end), answerAt(begin));
+  if (part.length < 0.0)
+  {
+    std::reverse(section.places.begin(), section.places.end());
+  }
+  section.begin = begin;
+  section.length = end - begin;
+  section.distance = NearestPlace(candidate.display, candidate.closed).meanDistance(drawing.samples);
+  section.score = part.score;
+  return section;
+}
+
+// The sections that fit, the best first: the one between the nearest places, and those of the stroke's shape.
+// Of those that are the same but for their ends, only the best, or that between the nearest places.
+std::vector<MatchedSection> rankedSections(const std::vector<MatchCandidate>& candidates,
+  const Drawing& drawing,
+  const MatchedSection& nearest,
+  const MatchRules& rules,
+  const Context& context)
+{
+  constexpr double same = 0.6;
+  std::vector<CandidatePart> parts = findShapes(candidates, drawing.samples, context);
+  std::optional<CandidatePart> own;
+  if (nearest.candidate >= 0)
+  {
+    own = CandidatePart{ nearest.candidate, nearest.begin, nearest.length, Vector2::Zero(), 0.0 };
+    scorePart(candidates, drawing.samples, *own);
+    const auto place = std::find_if(
+      parts.begin(), parts.end(), [&](const CandidatePart& part) { return part.score >= own->score; });
+    parts.insert(place, *own);
+  }
+  std::vector<CandidatePart> taken;
+  std::vector<MatchedSection> ranked;
+  for (const CandidatePart& part : parts)
+  {
+    if (std::any_of(taken.begin(),
+          taken.end(),
+          [&](const CandidatePart& other) { return likeness(candidates, part, other) > same; }))
+    {
+      continue;
+    }
+    const bool isNearest = own && likeness(candidates, part, *own) > same;
+    MatchedSection section = isNearest ? nearest : sectionOf(candidates, part, drawing);
+    const MatchCandidate& candidate = candidates[section.candidate];
+    const Polyline line = displayOf(candidate, section.places);
+    if (!isNearest && (!qualifies(candidate, section.places, line, rules.spacing) ||
+                        (!candidate.outline && !drawing.outlines.empty() &&
+                          runsAlong(uniformPolyline(line, rules.spacing), drawing.outlines))))
+    {
+      continue;
+    }
+    taken.push_back(isNearest ? *own : part);
+    ranked.push_back(std::move(section));
+  }
+  return ranked;
+}
+
+[[noreturn]] void refuse(const std::string& message)
+{
+  throw Error(Failure::NoMatch, message);
+}
+
+} // namespace
+
+MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
+  const Polyline& stroke,
+  const MatchRules& rules,
+  const Context& context)
+{
+  const Drawing drawing(candidates, stroke, rules.spacing);
+  if (rules.maximumGap > 0.0)
+  {
+    double gap = infinity;
+    for (const MatchCandidate& candidate : candidates)
+    {
+      const NearestPlace nearest(candidate.display, candidate.closed);
+      for (const Vector2& p : drawing.samples)
+      {
+        gap = std::min(gap, nearest(p, gap).distance);
+      }
+    }
+    if (gap > rules.maximumGap && std::isfinite(gap))
+    {
+      std::ostringstream message;
+      message << "The stroke is " << std::lround(gap)
+              << " px from any outline, more than MaximumGap = " << rules.maximumGap
+              << " px. Draw it along the outline that it is to replace.";
+      refuse(message.str());
+    }
+  }
+  MatchedSection match = nearestSection(candidates, drawing, rules, context);
+  if (rules.amendedScore && rules.compareShapes)
+  {
+    std::vector<MatchedSection> ranked = rankedSections(candidates, drawing, match, rules, context);
+    const int count = static_cast<int>(ranked.size());
+    if (count > 0 && rules.rank >= count)
+    {
+      std::ostringstream message;
+      message << "Only " << count << (count == 1 ? " section fits" : " sections fit")
+              << " the stroke; there is no number " << rules.rank + 1 << ". Lower Candidate.";
+      refuse(message.str());
+    }
+    if (count > 0)
+    {
+      match = std::move(ranked[static_cast<std::size_t>(rules.rank)]);
+      match.rivals = count;
+    }
+  }
   context.checkpoint(1.0);
-  MatchedSection& match = best.candidate >= 0 ? best : shadowed;
   if (match.candidate < 0)
   {
-    throw Error(Failure::NoMatch,
+    refuse(
       "No visible silhouette section fits the stroke: both its ends fall on one place of every curve, or "
-      "fewer than two "
-      "control points lie between them. Draw the stroke along the outline that it is to replace.");
+      "fewer "
+      "than two control points lie between them. Draw the stroke along the outline that it is to replace.");
   }
   if (rules.maximumDistance > 0.0 && match.distance > rules.maximumDistance)
   {
@@ -177,7 +367,7 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
             << " px from the stroke on average, more than "
             << "MaximumDistance = " << rules.maximumDistance
             << " px. Draw nearer to the outline or raise the limit.";
-    throw Error(Failure::NoMatch, message.str());
+    refuse(message.str());
   }
   return match;
 }

@@ -22,7 +22,10 @@ struct MatchRules
 {
   bool amendedScore = true;     // off: least D, as published
   double maximumDistance = 0.0; // px, 0 for no gate
+  double maximumGap = 0.0;      // px from the stroke to the nearest candidate, 0 for no gate
   double spacing = 2.0;         // px between the samples that D averages over
+  bool compareShapes = true;    // with the amended score: sections of the stroke's shape compete, see below
+  int rank = 0;                 // 0 for the section that fits best, 1 for the second, ...
 };
 
 struct MatchedSection
@@ -30,8 +33,10 @@ struct MatchedSection
   int candidate = -1;
   std::vector<Blend>
     places; // on the candidate, along the stroke: nearest to its first sample, points, nearest to its last
-  double distance = 0.0; // D of Eq. 3, px
+  double begin = 0.0, length = 0.0; // px along the candidate, as in CandidatePart
+  double distance = 0.0;            // D of Eq. 3, px
   double score = 0.0;    // what was minimised, px
+  int rivals = 1;        // sections that fit, this one among them
 };
 
 // The published rule takes the candidate of least D = mean over the stroke's samples of the distance to the
@@ -39,7 +44,14 @@ struct MatchedSection
 // stroke. The amended rule takes the section (both arcs compete) of least score = mean distance of the stroke
 // to the section + mean distance of the section to the stroke + half the sum of the two end gaps; a
 // silhouette curve that runs along an outline is left to the outline. Sections shorter than the spacing or
-// with fewer than two bound points do not qualify. Throws Error(Failure::NoMatch) when nothing does.
+// with fewer than two bound points do not qualify. Throws Error(Failure::NoMatch) when nothing does, and
+// where a gate or the rank asks for what there is not.
+//
+// With compareShapes the section found so far must stand against those that look like the stroke somewhere
+// else (findShapes): a stroke beside its limb has its ends nearest to another one, and the section between
+// them is the crotch, or the long way round the whole body. Where one of them has a lesser score, as it is
+// defined there, and is not the same section, it is taken: its ends are the places nearest to the stroke's
+// ends less its shift, within a tenth of its length.
 MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
   const Polyline& stroke,
   const MatchRules& rules,

@@ -1,0 +1,44 @@
+// The sections of the silhouette that look like a stroke, wherever a hand put it (amendment to SEED,
+// Sec. 3.3). Image-plane geometry.
+#ifndef oversketch_shape_search_h
+#define oversketch_shape_search_h
+
+#include "Silhouette/match.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+// A part of a candidate, by lengths along it [px]: from `begin` over `length`, against its direction where
+// that is negative. On a closed candidate it may run past the first point.
+struct CandidatePart
+{
+  int candidate = -1;
+  double begin = 0.0, length = 0.0;
+  Vector2 shift = Vector2::Zero(); // px: the stroke less this is what the hand meant to draw beside the part
+  double score = 0.0;              // px
+};
+
+// The score of a part: mean distance of the stroke to it + mean distance of it to the stroke + half the sum
+// of the gaps at its two ends, all after the stroke is shifted back, + 1.5 times the shift. Without a shift
+// that is the score of matchStroke; so a stroke drawn beside its limb pays the shift once and not three
+// times, and keeps the limb of its own shape. The shift is either none or the mean of the differences between
+// stroke and part at equal shares of their lengths.
+//
+// Parts begin at equal steps along every candidate, run both ways and are 0.3 to 2.2 times as long as the
+// stroke; those whose shape, less the shift, is nearest to the stroke's are scored. The best first.
+std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candidates,
+  const Polyline& stroke,
+  const Context& context = {});
+
+// The same score for one part, with the better of its two shifts, which is set.
+void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& stroke, CandidatePart& part);
+
+// The share of the one part that runs within 6 px of the other, the lesser of the two ways round.
+double likeness(const std::vector<MatchCandidate>& candidates,
+  const CandidatePart& a,
+  const CandidatePart& b);
+
+} // namespace oversketch
+#endif
