@@ -12,6 +12,12 @@
  * curve of which four fifths run within 3 px of a loop from vtkOversketchOutline is left to that loop, so
  * that its offsets are kept.
  *
+ * The ends of a stroke beside its limb are nearest to another limb, and the section between them is the crotch
+ * or the long way round the whole body. With CompareShapes sections that look like the stroke anywhere else
+ * compete with that one: their score counts a common shift of the whole stroke once (1.5 times its length)
+ * and not in each of the three terms. Where the section between the nearest places is the same one but for its
+ * ends, it stays as it is.
+ *
  * Input 0 (Curves, repeatable): curves from vtkOversketchVisibility and, optionally, loops from
  * vtkOversketchOutline: point arrays MeshVertices, MeshWeights, Normals and, optionally, Display and
  * Offset; cells with Visible 0 are ignored, cells of an input with cell array Hole are loops.
