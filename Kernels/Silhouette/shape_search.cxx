@@ -28,13 +28,13 @@ Polyline samplesOf(const Polyline& points, const std::vector<double>& lengths, i
 }
 
 // A candidate as a row of places at equal lengths.
-struct Track
+struct SearchTrack
 {
   Polyline places;
   double step = 0.0; // px
   bool closed = false;
 
-  Track(const MatchCandidate& candidate, double wanted)
+  SearchTrack(const MatchCandidate& candidate, double wanted)
     : closed(candidate.closed)
   {
     const std::vector<double> lengths = arcLengths(candidate.display, candidate.closed);
@@ -146,7 +146,7 @@ public:
   }
 
   // Adds the best to `found`.
-  void run(int candidate, const Track& track, int steps, std::vector<CandidatePart>& found)
+  void run(int candidate, const SearchTrack& track, int steps, std::vector<CandidatePart>& found)
   {
     std::vector<CandidatePart> parts;
     for (int begin = 0; begin < track.count(); begin += this->Stride)
@@ -172,7 +172,7 @@ public:
 
 private:
   // Mean distance after the shift, and some of the shift.
-  double difference(const Track& track, int begin, int steps) const
+  double difference(const SearchTrack& track, int begin, int steps) const
   {
     Vector2 differences[sampleCount], mean = Vector2::Zero();
     for (int i = 0; i < sampleCount; ++i)
@@ -233,7 +233,7 @@ std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candida
   for (std::size_t c = 0; c < candidates.size(); ++c)
   {
     context.checkpoint(static_cast<double>(c) / static_cast<double>(candidates.size()));
-    const Track track(candidates[c], spacing);
+    const SearchTrack track(candidates[c], spacing);
     constexpr int ratios = 14;
     for (int k = 0; k < ratios && track.count() > 0; ++k)
     {
