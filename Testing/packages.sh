@@ -54,18 +54,18 @@ bare=$folder/bare
 rm -rf "$bare"
 mkdir "$bare"
 tar -C "$bare" -xf "$folder/bare.tar"
-mkdir "$bare/work"
-cp "$folder"/debs/*.deb "$bare/work"
-cp -r "$oversketch_root/Testing/Consumer" "$bare/work/consumer"
-cp "$oversketch_root"/Testing/{Packages/installed_studio,Studio/desk}.py "$bare/work"
-in_root "$bare" 'cd /work
+mkdir "$bare/trial"
+cp "$folder"/debs/*.deb "$bare/trial"
+cp -r "$oversketch_root/Testing/Consumer" "$bare/trial/consumer"
+cp "$oversketch_root"/Testing/{Packages/installed_studio,Studio/desk}.py "$bare/trial"
+in_root "$bare" 'cd /trial
   apt-get update -qq
   apt-get install -y -qq ./*.deb >apt.log 2>&1 || { tail -n 40 apt.log >&2; exit 1; }
   echo "installed: $(dpkg-query -W -f="\${Package} \${Version} " "*oversketch*")"'
 in_root "$bare" '
   data=/usr/share/oversketch
   oversketch --version
-  cd /work
+  cd /trial
   oversketch one-stroke $data/Models/dog.ply $data/Strokes/dog_longer_leg.vtp -o dog.ply
   test -s dog.ply && echo "command: dog.ply has $(stat -c %s dog.ply) bytes"
   cat >program.py <<END
@@ -82,16 +82,16 @@ END
   python3 program.py
   grep -q "application/x-oversketch-session:\*.oversketch" /usr/share/mime/globs2 && echo "file type: known"'
 # What the tests themselves need comes only now: the packages have run without it.
-in_root "$bare" 'cd /work
+in_root "$bare" 'cd /trial
   apt-get install -y -qq --no-install-recommends g++ cmake ninja-build xvfb xauth python3-xlib >>apt.log 2>&1
   cmake -G Ninja -S consumer -B consumer/build -DCMAKE_BUILD_TYPE=Release >consumer.log 2>&1 &&
     cmake --build consumer/build >>consumer.log 2>&1 || { cat consumer.log >&2; exit 1; }
   data=/usr/share/oversketch
   echo "consumer: $(xvfb-run -a consumer/build/consumer $data/Models/dog.ply $data/Strokes/dog_longer_leg.vtp consumer.png) (points moved, furthest)"
   xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" python3 installed_studio.py studio.png'
-cp "$bare/work/consumer.png" "$folder/consumer.png"
-cp "$bare/work/studio.png" "$folder/studio.png"
-in_root "$bare" 'rm -rf /work /root/.cache /root/.config /root/.local
+cp "$bare/trial/consumer.png" "$folder/consumer.png"
+cp "$bare/trial/studio.png" "$folder/studio.png"
+in_root "$bare" 'rm -rf /trial /root/.cache /root/.config /root/.local
   apt-get purge -y -qq oversketch python3-oversketch liboversketch-dev liboversketch >/dev/null
   left=$(find / -xdev \( -path /proc -o -path /sys -o -path /dev -o -path /ccache -o -path /var/cache -o -path /var/log -o -path /tmp \) -prune -o -iname "*oversketch*" -print)
   test -z "$left" || { echo "left behind: $left" >&2; exit 1; }

@@ -81,16 +81,8 @@ TEST(Roughness, OfATubeFallsWithItsEdges)
 
 TEST(Roughness, LooksAtTheEdgesOfTheRegionOnly)
 {
-  Mesh mesh = hinge(60.0);
-  const int base = mesh.vertexCount();
-  for (const Vector3& p : hinge(20.0).points)
-  {
-    mesh.points.push_back(p + Vector3(10, 0, 0));
-  }
-  for (const Triangle& t : hinge(20.0).triangles)
-  {
-    mesh.triangles.push_back({ t[0] + base, t[1] + base, t[2] + base });
-  }
+  const int base = hinge(60.0).vertexCount();
+  const Mesh mesh = joined(hinge(60.0), hinge(20.0), Vector3(10, 0, 0));
   const Adjacency adjacency = buildAdjacency(mesh);
   std::vector<char> region(mesh.points.size(), 0);
   EXPECT_EQ(roughness(mesh, adjacency, region).meanAngle, 0.0);

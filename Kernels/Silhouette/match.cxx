@@ -195,7 +195,7 @@ MatchedSection nearestSection(const std::vector<MatchCandidate>& candidates,
   return best.candidate >= 0 ? best : shadowed;
 }
 
-// The section that a part stands for, with its ends settled.
+// The section that a part stands for, with its ends settled; its distance is left to who takes it.
 MatchedSection sectionOf(const std::vector<MatchCandidate>& candidates,
   const CandidatePart& part,
   const Drawing& drawing)
@@ -205,11 +205,7 @@ MatchedSection sectionOf(const std::vector<MatchCandidate>& candidates,
   const int points = static_cast<int>(candidate.display.size());
   const auto answerAt = [&](double length)
   {
-    if (candidate.closed)
-    {
-      length -= lengths.back() * std::floor(length / lengths.back());
-    }
-    const Blend place = placeAt(lengths, points, length);
+    const Blend place = placeOn(candidate, lengths, length);
     NearestPlace::Answer answer;
     answer.segment = place.from;
     answer.t = place.t;
@@ -221,10 +217,12 @@ MatchedSection sectionOf(const std::vector<MatchCandidate>& candidates,
     answer.place = place.of(candidate.display);
     return answer;
   };
-  // Within a tenth of the length of where it is, so that the ends cannot leap to another limb.
+  // Within a tenth of the length of where it is, so that the ends cannot leap to another limb; nor may they
+  // pass each other on the far side of a closed curve.
+  const double rest = candidate.closed ? 0.5 * (lengths.back() - std::abs(part.length)) : infinity;
+  const double window = std::min(0.1 * std::abs(part.length), 0.9 * rest);
   const auto settled = [&](double length, const Vector2& end)
   {
-    const double window = 0.1 * std::abs(part.length);
     const int steps = std::max(1, static_cast<int>(std::ceil(window)));
     double best = length, least = (answerAt(length).place - end).squaredNorm();
     for (int i = -steps; i <= steps; ++i)
@@ -251,7 +249,6 @@ MatchedSection sectionOf(const std::vector<MatchCandidate>& candidates,
   }
   section.begin = begin;
   section.length = end - begin;
-  section.distance = NearestPlace(candidate.display, candidate.closed).meanDistance(drawing.samples);
   section.score = part.score;
   return section;
 }
@@ -269,7 +266,10 @@ std::vector<MatchedSection> rankedSections(const std::vector<MatchCandidate>& ca
   std::optional<CandidatePart> own;
   if (nearest.candidate >= 0)
   {
-    own = CandidatePart{ nearest.candidate, nearest.begin, nearest.length, Vector2::Zero(), 0.0 };
+    own.emplace();
+    own->candidate = nearest.candidate;
+    own->begin = nearest.begin;
+    own->length = nearest.length;
     scorePart(candidates, drawing.samples, *own);
     const auto place = std::find_if(
       parts.begin(), parts.end(), [&](const CandidatePart& part) { return part.score >= own->score; });
@@ -281,11 +281,11 @@ std::vector<MatchedSection> rankedSections(const std::vector<MatchCandidate>& ca
   {
     if (std::any_of(taken.begin(),
           taken.end(),
-          [&](const CandidatePart& other) { return likeness(candidates, part, other) > same; }))
+          [&](const CandidatePart& other) { return likeness(part, other) > same; }))
     {
       continue;
     }
-    const bool isNearest = own && likeness(candidates, part, *own) > same;
+    const bool isNearest = own && likeness(part, *own) > same;
     MatchedSection section = isNearest ? nearest : sectionOf(candidates, part, drawing);
     const MatchCandidate& candidate = candidates[section.candidate];
     const Polyline line = displayOf(candidate, section.places);
@@ -334,10 +334,17 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
       refuse(message.str());
     }
   }
-  MatchedSection match = nearestSection(candidates, drawing, rules, context);
-  if (rules.amendedScore && rules.compareShapes)
+  const bool comparing = rules.amendedScore && rules.compareShapes;
+  const auto part = [&](double from, double to)
   {
-    std::vector<MatchedSection> ranked = rankedSections(candidates, drawing, match, rules, context);
+    Context shared = context;
+    shared.progress = [&context, from, to](double done) { context.progress(from + (to - from) * done); };
+    return shared;
+  };
+  MatchedSection match = nearestSection(candidates, drawing, rules, part(0.0, comparing ? 0.5 : 1.0));
+  if (comparing)
+  {
+    std::vector<MatchedSection> ranked = rankedSections(candidates, drawing, match, rules, part(0.5, 1.0));
     const int count = static_cast<int>(ranked.size());
     if (count > 0 && rules.rank >= count)
     {
@@ -350,6 +357,8 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
     {
       match = std::move(ranked[static_cast<std::size_t>(rules.rank)]);
       match.rivals = count;
+      const MatchCandidate& candidate = candidates[match.candidate];
+      match.distance = NearestPlace(candidate.display, candidate.closed).meanDistance(drawing.samples);
     }
   }
   context.checkpoint(1.0);
@@ -357,8 +366,8 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
   {
     refuse(
       "No visible silhouette section fits the stroke: both its ends fall on one place of every curve, or "
-      "fewer "
-      "than two control points lie between them. Draw the stroke along the outline that it is to replace.");
+      "fewer than two control points lie between them. Draw the stroke along the outline that it is to "
+      "replace.");
   }
   if (rules.maximumDistance > 0.0 && match.distance > rules.maximumDistance)
   {

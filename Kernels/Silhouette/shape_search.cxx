@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
+#include <utility>
 
 namespace oversketch
 {
@@ -13,18 +15,13 @@ namespace
 constexpr int sampleCount = 24;   // of the stroke and of a part, where shapes are compared
 constexpr int fineCount = 64;     // of both, where a part is scored
 constexpr double shiftCost = 1.5; // px of score for a px of shift
-constexpr std::size_t finalists = 24;
+constexpr std::size_t finalists =
+  24; // that are scored, of all parts and of those better than their neighbours
 
-Polyline samplesOf(const Polyline& points, const std::vector<double>& lengths, int count)
+// So many places at equal lengths, both ends among them.
+Polyline samplesOf(const Polyline& points, int count)
 {
-  Polyline samples;
-  samples.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-  {
-    samples.push_back(
-      placeAt(lengths, static_cast<int>(points.size()), lengths.back() * i / (count - 1)).of(points));
-  }
-  return samples;
+  return uniformPolyline(points, arcLengths(points).back() / (count - 1));
 }
 
 // A candidate as a row of places at equal lengths.
@@ -34,10 +31,9 @@ struct SearchTrack
   double step = 0.0; // px
   bool closed = false;
 
-  SearchTrack(const MatchCandidate& candidate, double wanted)
+  SearchTrack(const MatchCandidate& candidate, const std::vector<double>& lengths, double wanted)
     : closed(candidate.closed)
   {
-    const std::vector<double> lengths = arcLengths(candidate.display, candidate.closed);
     const int points = static_cast<int>(candidate.display.size());
     if (points < 2 || !(lengths.back() > 0.0))
     {
@@ -65,25 +61,6 @@ struct SearchTrack
   }
 };
 
-Polyline polylineOf(const std::vector<MatchCandidate>& candidates, const CandidatePart& part, int count)
-{
-  const MatchCandidate& candidate = candidates[static_cast<std::size_t>(part.candidate)];
-  const std::vector<double> lengths = arcLengths(candidate.display, candidate.closed);
-  Polyline samples;
-  samples.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i)
-  {
-    double length = part.begin + part.length * i / (count - 1);
-    if (candidate.closed)
-    {
-      length -= lengths.back() * std::floor(length / lengths.back());
-    }
-    samples.push_back(
-      placeAt(lengths, static_cast<int>(candidate.display.size()), length).of(candidate.display));
-  }
-  return samples;
-}
-
 double scoreOf(const Polyline& section,
   const NearestPlace& onSection,
   const Polyline& stroke,
@@ -110,20 +87,23 @@ struct Drawn
   NearestPlace nearest;
 
   explicit Drawn(const Polyline& stroke)
-    : fine(samplesOf(stroke, arcLengths(stroke), fineCount))
+    : fine(samplesOf(stroke, fineCount))
     , nearest(fine)
   {
   }
 
-  void score(const std::vector<MatchCandidate>& candidates, CandidatePart& part) const
+  void score(const MatchCandidate& candidate, const std::vector<double>& lengths, CandidatePart& part) const
   {
-    const Polyline section = polylineOf(candidates, part, fineCount);
-    const NearestPlace onSection(section);
+    Polyline& section = part.line;
+    section.clear();
     Vector2 mean = Vector2::Zero();
     for (int i = 0; i < fineCount; ++i)
     {
-      mean += (this->fine[static_cast<std::size_t>(i)] - section[static_cast<std::size_t>(i)]) / fineCount;
+      const double length = part.begin + part.length * i / (fineCount - 1);
+      section.push_back(placeOn(candidate, lengths, length).of(candidate.display));
+      mean += (this->fine[static_cast<std::size_t>(i)] - section.back()) / fineCount;
     }
+    const NearestPlace onSection(section);
     part.shift = Vector2::Zero();
     part.score = scoreOf(section, onSection, this->fine, this->nearest, part.shift);
     const double shifted = scoreOf(section, onSection, this->fine, this->nearest, mean);
@@ -135,126 +115,155 @@ struct Drawn
   }
 };
 
-// The parts that begin at every place of one candidate, of one length and direction, by their shape.
-class Sweep
+// Mean distance of the stroke to a part after the shift, and some of the shift.
+double difference(const Polyline& stroke, const SearchTrack& track, int begin, int steps)
 {
-public:
-  Sweep(const Polyline& strokeSamples, std::size_t keep)
-    : Stroke(strokeSamples)
-    , Keep(keep)
+  Vector2 differences[sampleCount], mean = Vector2::Zero();
+  for (int i = 0; i < sampleCount; ++i)
   {
+    const int at = begin + static_cast<int>(std::lround(static_cast<double>(steps) * i / (sampleCount - 1)));
+    differences[i] = stroke[static_cast<std::size_t>(i)] - track.at(at);
+    mean += differences[i] / sampleCount;
   }
-
-  // Adds the best to `found`.
-  void run(int candidate, const SearchTrack& track, int steps, std::vector<CandidatePart>& found)
+  double sum = 0.0;
+  for (const Vector2& d : differences)
   {
-    std::vector<CandidatePart> parts;
-    for (int begin = 0; begin < track.count(); begin += this->Stride)
-    {
-      if (track.holds(begin, steps))
-      {
-        parts.push_back({ candidate, begin * track.step, steps * track.step, Vector2::Zero(), 0.0 });
-        parts.back().score = this->difference(track, begin, steps);
-      }
-    }
-    const auto last = parts.begin() + static_cast<std::ptrdiff_t>(std::min(this->Keep, parts.size()));
-    std::partial_sort(parts.begin(), last, parts.end(), better);
-    found.insert(found.end(), parts.begin(), last);
+    sum += (d - mean).norm();
   }
+  return sum / sampleCount + 0.5 * shiftCost * mean.norm();
+}
 
-  static bool better(const CandidatePart& a, const CandidatePart& b)
-  {
-    return std::tie(a.score, a.candidate, a.begin, a.length) <
-           std::tie(b.score, b.candidate, b.begin, b.length);
-  }
+bool better(const CandidatePart& a, const CandidatePart& b)
+{
+  return std::tie(a.score, a.candidate, a.begin, a.length) <
+         std::tie(b.score, b.candidate, b.begin, b.length);
+}
 
-  int Stride = 1;
+// Leaves the best of them, in their order.
+void keepBest(std::vector<CandidatePart>& parts, std::size_t count)
+{
+  const auto last = parts.begin() + static_cast<std::ptrdiff_t>(std::min(count, parts.size()));
+  std::partial_sort(parts.begin(), last, parts.end(), better);
+  parts.erase(last, parts.end());
+}
 
-private:
-  // Mean distance after the shift, and some of the shift.
-  double difference(const SearchTrack& track, int begin, int steps) const
-  {
-    Vector2 differences[sampleCount], mean = Vector2::Zero();
-    for (int i = 0; i < sampleCount; ++i)
-    {
-      const int at =
-        begin + static_cast<int>(std::lround(static_cast<double>(steps) * i / (sampleCount - 1)));
-      differences[i] = this->Stroke[static_cast<std::size_t>(i)] - track.at(at);
-      mean += differences[i] / sampleCount;
-    }
-    double sum = 0.0;
-    for (const Vector2& d : differences)
-    {
-      sum += (d - mean).norm();
-    }
-    return sum / sampleCount + 0.5 * shiftCost * mean.norm();
-  }
-
-  const Polyline& Stroke;
-  const std::size_t Keep;
+// What the sweeps found.
+struct Findings
+{
+  std::vector<CandidatePart> best;   // many beside each other round the best places
+  std::vector<CandidatePart> minima; // better than their neighbours: other limbs of that shape are among them
 };
+
+// Adds the parts of one candidate, length and direction that are best by their shape.
+void sweep(const Polyline& stroke, int candidate, const SearchTrack& track, int steps, Findings& found)
+{
+  constexpr std::size_t kept = 6;
+  const int count = track.count();
+  std::vector<CandidatePart> parts, minima;
+  for (int begin = 0; begin < count; ++begin)
+  {
+    CandidatePart part;
+    part.candidate = candidate;
+    part.begin = begin * track.step;
+    part.length = steps * track.step;
+    part.score = track.holds(begin, steps) ? difference(stroke, track, begin, steps)
+                                           : std::numeric_limits<double>::infinity();
+    parts.push_back(part);
+  }
+  for (int begin = 0; begin < count; ++begin)
+  {
+    const auto scoreAt = [&](int i) { return parts[static_cast<std::size_t>((i + count) % count)].score; };
+    if (scoreAt(begin) <= scoreAt(begin - 1) && scoreAt(begin) < scoreAt(begin + 1))
+    {
+      minima.push_back(parts[static_cast<std::size_t>(begin)]);
+    }
+  }
+  parts.erase(std::remove_if(
+                parts.begin(), parts.end(), [](const CandidatePart& part) { return std::isinf(part.score); }),
+    parts.end());
+  keepBest(parts, kept);
+  keepBest(minima, kept);
+  found.best.insert(found.best.end(), parts.begin(), parts.end());
+  found.minima.insert(found.minima.end(), minima.begin(), minima.end());
+}
 
 } // namespace
 
-void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& stroke, CandidatePart& part)
+Blend placeOn(const MatchCandidate& candidate, const std::vector<double>& lengths, double length)
 {
-  Drawn(stroke).score(candidates, part);
+  const double whole = lengths.back();
+  return placeAt(lengths,
+    static_cast<int>(candidate.display.size()),
+    candidate.closed ? length - whole * std::floor(length / whole) : length);
 }
 
-double likeness(const std::vector<MatchCandidate>& candidates, const CandidatePart& a, const CandidatePart& b)
+void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& stroke, CandidatePart& part)
 {
-  constexpr double near = 6.0; // px
-  const Polyline p = polylineOf(candidates, a, fineCount), q = polylineOf(candidates, b, fineCount);
+  const MatchCandidate& candidate = candidates[static_cast<std::size_t>(part.candidate)];
+  Drawn(stroke).score(candidate, arcLengths(candidate.display, candidate.closed), part);
+}
+
+double likeness(const CandidatePart& a, const CandidatePart& b)
+{
   const auto share = [](const Polyline& of, const Polyline& on)
   {
+    constexpr double near = 6.0; // px
     const NearestPlace nearest(on);
     return static_cast<double>(std::count_if(
              of.begin(), of.end(), [&](const Vector2& point) { return nearest(point, near).segment >= 0; })) /
            static_cast<double>(of.size());
   };
-  return std::min(share(p, q), share(q, p));
+  return std::min(share(a.line, b.line), share(b.line, a.line));
 }
 
 std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candidates,
   const Polyline& stroke,
   const Context& context)
 {
-  const std::vector<double> lengths = arcLengths(stroke);
-  const Polyline samples = samplesOf(stroke, lengths, sampleCount);
+  std::vector<std::vector<double>> lengths; // along each candidate; empty for one without points
   double all = 0.0;
   for (const MatchCandidate& candidate : candidates)
   {
-    all += arcLengths(candidate.display, candidate.closed).back();
+    lengths.push_back(arcLengths(candidate.display, candidate.closed));
+    all += lengths.back().empty() ? 0.0 : lengths.back().back();
   }
+  const Polyline samples = samplesOf(stroke, sampleCount);
+  const double drawn = arcLengths(stroke).back();
   // Fine enough for the stroke, and no more work than for outlines of many viewports.
-  const double spacing = std::max({ 6.0, lengths.back() / 120.0, all / 6000.0 });
-  std::vector<CandidatePart> found;
-  Sweep sweep(samples, 6);
+  const double spacing = std::max({ 6.0, drawn / 120.0, all / 6000.0 });
+  Findings findings;
   for (std::size_t c = 0; c < candidates.size(); ++c)
   {
     context.checkpoint(static_cast<double>(c) / static_cast<double>(candidates.size()));
-    const SearchTrack track(candidates[c], spacing);
+    const SearchTrack track(candidates[c], lengths[c], spacing);
     constexpr int ratios = 14;
     for (int k = 0; k < ratios && track.count() > 0; ++k)
     {
-      const double length = 0.3 * std::pow(2.2 / 0.3, static_cast<double>(k) / (ratios - 1)) * lengths.back();
+      const double length = 0.3 * std::pow(2.2 / 0.3, static_cast<double>(k) / (ratios - 1)) * drawn;
       const int steps = static_cast<int>(std::lround(length / track.step));
-      if (steps >= 2)
+      for (const int signedSteps : { steps, -steps })
       {
-        sweep.run(static_cast<int>(c), track, steps, found);
-        sweep.run(static_cast<int>(c), track, -steps, found);
+        if (steps >= 2)
+        {
+          sweep(samples, static_cast<int>(c), track, signedSteps, findings);
+        }
       }
     }
   }
-  const auto last = found.begin() + static_cast<std::ptrdiff_t>(std::min(finalists, found.size()));
-  std::partial_sort(found.begin(), last, found.end(), Sweep::better);
-  found.erase(last, found.end());
-  const Drawn drawn(stroke);
+  keepBest(findings.best, finalists);
+  keepBest(findings.minima, finalists);
+  std::vector<CandidatePart> found = std::move(findings.best);
+  found.insert(found.end(), findings.minima.begin(), findings.minima.end());
+  const Drawn whole(stroke);
   for (CandidatePart& part : found)
   {
-    drawn.score(candidates, part);
+    const std::size_t c = static_cast<std::size_t>(part.candidate);
+    whole.score(candidates[c], lengths[c], part);
   }
-  std::sort(found.begin(), found.end(), Sweep::better);
+  std::sort(found.begin(), found.end(), better);
+  const auto same = [](const CandidatePart& a, const CandidatePart& b)
+  { return !better(a, b) && !better(b, a); };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
   return found;
 }
 

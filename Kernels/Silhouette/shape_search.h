@@ -18,7 +18,11 @@ struct CandidatePart
   double begin = 0.0, length = 0.0;
   Vector2 shift = Vector2::Zero(); // px: the stroke less this is what the hand meant to draw beside the part
   double score = 0.0;              // px
+  Polyline line;                   // places at equal lengths along it, made when it is scored
 };
+
+// The place at a length along a candidate (lengths: arcLengths of it), round and round a closed one.
+Blend placeOn(const MatchCandidate& candidate, const std::vector<double>& lengths, double length);
 
 // The score of a part: mean distance of the stroke to it + mean distance of it to the stroke + half the sum
 // of the gaps at its two ends, all after the stroke is shifted back, + 1.5 times the shift. Without a shift
@@ -35,10 +39,8 @@ std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candida
 // The same score for one part, with the better of its two shifts, which is set.
 void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& stroke, CandidatePart& part);
 
-// The share of the one part that runs within 6 px of the other, the lesser of the two ways round.
-double likeness(const std::vector<MatchCandidate>& candidates,
-  const CandidatePart& a,
-  const CandidatePart& b);
+// The share of the one scored part that runs within 6 px of the other, the lesser of the two ways round.
+double likeness(const CandidatePart& a, const CandidatePart& b);
 
 } // namespace oversketch
 #endif

@@ -157,5 +157,16 @@ inline View perspectiveView(const Vector3& eye,
   return View(v, p, width, height);
 }
 
+// Two meshes side by side.
+inline Mesh joined(const Mesh& a, const Mesh& b, const Vector3& shift)
+{
+  Mesh m = a;
+  for (const Vector3& p : b.points)
+    m.points.push_back(p + shift);
+  for (const Triangle& t : b.triangles)
+    m.triangles.push_back({ t[0] + a.vertexCount(), t[1] + a.vertexCount(), t[2] + a.vertexCount() });
+  return m;
+}
+
 } // namespace oversketch_test
 #endif

@@ -72,17 +72,6 @@ inline double angleOf(const Vector3& p)
   return std::atan2(p[1], p[0]) * 180.0 / pi;
 }
 
-// Two meshes side by side.
-inline Mesh joined(const Mesh& a, const Mesh& b, const Vector3& shift)
-{
-  Mesh m = a;
-  for (const Vector3& p : b.points)
-    m.points.push_back(p + shift);
-  for (const Triangle& t : b.triangles)
-    m.triangles.push_back({ t[0] + a.vertexCount(), t[1] + a.vertexCount(), t[2] + a.vertexCount() });
-  return m;
-}
-
 struct Chain
 {
   vtkNew<vtkOversketchSilhouette> silhouette;
