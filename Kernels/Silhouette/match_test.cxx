@@ -210,3 +210,22 @@ TEST(Match, SettledEndsDoNotPassEachOtherRoundAWholeLoop)
   EXPECT_GT(length, 400.0);
   EXPECT_LE(length, 2.0 * std::acos(-1.0) * 100.0);
 }
+
+TEST(ShapeSearch, ALineAcrossTheOutlineLooksLikeNoPartOfAStraightOne)
+{
+  MatchCandidate straight;
+  for (int i = 0; i <= 300; ++i)
+  {
+    straight.display.emplace_back(2.0 * i, 0.0);
+  }
+  straight.bound.assign(straight.display.size(), 1);
+  EXPECT_TRUE(findShapes({ straight }, { { 300, -50 }, { 300, 50 } }).empty());
+  EXPECT_FALSE(findShapes({ straight }, { { 250, 20 }, { 350, 20 } }).empty());
+}
+
+TEST(ShapeSearch, WhatIsOfTheSameShapeButFarAwayIsNotMeant)
+{
+  const std::vector<MatchCandidate> candidates{ twoLegs() };
+  EXPECT_FALSE(findShapes(candidates, roundLeg(170, Vector2(0, -100))).empty()); // of 420 px, 105 are a quarter
+  EXPECT_TRUE(findShapes(candidates, roundLeg(170, Vector2(0, -250))).empty());
+}

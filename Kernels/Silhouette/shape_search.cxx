@@ -15,6 +15,10 @@ namespace
 constexpr int sampleCount = 24;   // of the stroke and of a part, where shapes are compared
 constexpr int fineCount = 64;     // of both, where a part is scored
 constexpr double shiftCost = 1.5; // px of score for a px of shift
+constexpr double leastReach = 30.0,
+                 reach = 0.25; // px, and of the stroke's length: a hand does not miss by more
+constexpr double unlike =
+  0.2; // of the stroke's length: a part that is so far from it in the mean is another shape
 constexpr std::size_t finalists =
   24; // that are scored, of all parts and of those better than their neighbours
 
@@ -115,8 +119,9 @@ struct Drawn
   }
 };
 
-// Mean distance of the stroke to a part after the shift, and some of the shift.
-double difference(const Polyline& stroke, const SearchTrack& track, int begin, int steps)
+// Mean distance of the stroke to a part after the shift, and some of the shift; infinite where that is
+// another shape.
+double difference(const Polyline& stroke, double drawn, const SearchTrack& track, int begin, int steps)
 {
   Vector2 differences[sampleCount], mean = Vector2::Zero();
   for (int i = 0; i < sampleCount; ++i)
@@ -130,7 +135,9 @@ double difference(const Polyline& stroke, const SearchTrack& track, int begin, i
   {
     sum += (d - mean).norm();
   }
-  return sum / sampleCount + 0.5 * shiftCost * mean.norm();
+  const bool isLike =
+    sum / sampleCount <= unlike * drawn && mean.norm() <= std::max(leastReach, reach * drawn);
+  return isLike ? sum / sampleCount + 0.5 * shiftCost * mean.norm() : std::numeric_limits<double>::infinity();
 }
 
 bool better(const CandidatePart& a, const CandidatePart& b)
@@ -155,7 +162,12 @@ struct Findings
 };
 
 // Adds the parts of one candidate, length and direction that are best by their shape.
-void sweep(const Polyline& stroke, int candidate, const SearchTrack& track, int steps, Findings& found)
+void sweep(const Polyline& stroke,
+  double drawn,
+  int candidate,
+  const SearchTrack& track,
+  int steps,
+  Findings& found)
 {
   constexpr std::size_t kept = 6;
   const int count = track.count();
@@ -166,7 +178,7 @@ void sweep(const Polyline& stroke, int candidate, const SearchTrack& track, int 
     part.candidate = candidate;
     part.begin = begin * track.step;
     part.length = steps * track.step;
-    part.score = track.holds(begin, steps) ? difference(stroke, track, begin, steps)
+    part.score = track.holds(begin, steps) ? difference(stroke, drawn, track, begin, steps)
                                            : std::numeric_limits<double>::infinity();
     parts.push_back(part);
   }
@@ -245,7 +257,7 @@ std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candida
       {
         if (steps >= 2)
         {
-          sweep(samples, static_cast<int>(c), track, signedSteps, findings);
+          sweep(samples, drawn, static_cast<int>(c), track, signedSteps, findings);
         }
       }
     }

@@ -31,7 +31,9 @@ Blend placeOn(const MatchCandidate& candidate, const std::vector<double>& length
 // stroke and part at equal shares of their lengths.
 //
 // Parts begin at equal steps along every candidate, run both ways and are 0.3 to 2.2 times as long as the
-// stroke; those whose shape, less the shift, is nearest to the stroke's are scored. The best first.
+// stroke; those whose shape, less the shift, is nearest to the stroke's are scored, and of those
+// that are better than their neighbours the best. None whose mean distance then is over 0.2 of the stroke's
+// length: a line across the outline looks like no part of it. The best first.
 std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candidates,
   const Polyline& stroke,
   const Context& context = {});
