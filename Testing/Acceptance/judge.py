@@ -7,6 +7,10 @@ import picture
 # The bounds of the specification (stage 12) and of the project's acceptance: largest value that holds, or least.
 MEAN, WORST, BACK, FOLDS, UNTOUCHED, OVERLAP = 1.0, 2.5, 3.0, 10, 0.5, 0.95
 FOLD_ANGLE = 100.0  # degrees between the normals of two neighbours, above which their edge counts as folded
+SHARP_ANGLE = 40.0  # degrees, above which it counts as sharp
+# How much rougher than the same stroke's result without remeshing what moved may be: mean angle between neighbours, and share of
+# the edges' length that is sharp.
+ROUGHER, ROUGHER_BY, SHARPER_BY = 1.25, 1.0, 0.01
 
 
 # ----------------------------------------------------------------------------------------------- the outline
@@ -46,22 +50,40 @@ def outline_distances(view, points, triangles, stroke):
 
 # ----------------------------------------------------------------------------------------------- the surface
 
-def folded_edges(points, triangles):
-    """Edges of two triangles whose normals are more than 100 degrees apart."""
+def turns(points, triangles):
+    """Degrees between the normals of the two triangles at an edge, and that edge's ends, for every edge of exactly two
+    triangles that have an area."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a)
     size = np.linalg.norm(normal, axis=1)
     good = size > 0
     normal[good] /= size[good, None]
-    _, count, edge = meshes.edges_of(triangles)
+    pairs, count, edge = meshes.edges_of(triangles)
     order = np.argsort(edge.ravel(), kind="stable")
-    triangle = np.repeat(np.arange(len(triangles)), 3)[order]
     start = np.cumsum(count) - count
-    pair = start[count == 2]
-    p, q = triangle[pair], triangle[pair + 1]
-    both = good[p] & good[q]
-    cosine = (normal[p[both]] * normal[q[both]]).sum(1)
-    return int((cosine < np.cos(np.radians(FOLD_ANGLE))).sum())
+    twice = np.flatnonzero(count == 2)
+    sides = np.stack([order[start[twice]], order[start[twice] + 1]])
+    both = good[sides // 3].all(0)
+    sides, ends = sides[:, both], pairs[twice[both]]
+    p, q = normal[sides // 3]
+    return np.degrees(np.arctan2(np.linalg.norm(np.cross(p, q), axis=1), (p * q).sum(1))), ends
+
+
+def folded_edges(points, triangles):
+    """Edges of two triangles whose normals are more than 100 degrees apart."""
+    return int((turns(points, triangles)[0] > FOLD_ANGLE).sum())
+
+
+def roughness(points, triangles, moved):
+    """(mean angle between neighbouring triangles in degrees, share of the edges' length over 40 degrees) of the edges that
+    have an end among the moved points; zero where there are none."""
+    angle, ends = turns(points, triangles)
+    here = moved[ends].any(1)
+    angle, ends = angle[here], ends[here]
+    if not len(angle):
+        return 0.0, 0.0
+    length = np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
+    return float(angle.mean()), float(length[angle > SHARP_ANGLE].sum() / length.sum())
 
 
 def degenerate_triangles(points, triangles):
@@ -149,6 +171,7 @@ def judge(before, after, stroke, view, region=None, note=None):
         before["start"] = outline_distances(view, p0, t0, stroke)
     result["mean before"], result["worst before"] = before["start"][:2]
     result["folds"] = changed["folds"] - before["folds"]
+    result["angle"], result["sharp"] = roughness(p1, t1, ~surviving(p1, p0))
     stays = surviving(p0, p1)
     area = areas(p0, t0)
     result["untouched"] = float(area[stays[t0].all(1)].sum() / area.sum())
@@ -180,8 +203,18 @@ CHECKS = (
     ("mean", lambda v: v <= MEAN), ("worst", lambda v: v <= WORST), ("back", lambda v: v <= BACK),
     ("folds", lambda v: v <= FOLDS), ("untouched", lambda v: v >= UNTOUCHED), ("closed", bool), ("manifold", bool),
     ("degenerate", lambda v: v <= 0), ("outside changed", lambda v: v == 0), ("overlap", lambda v: v >= OVERLAP),
-    ("other limbs moved", lambda v: v == 0),
+    ("other limbs moved", lambda v: v == 0), ("rougher", lambda v: v <= 0),
 )
+
+
+def compare(result, plain):
+    """Adds to a result what it is beside the same stroke's without remeshing: `rougher`, degrees of mean angle or hundredths of
+    sharp length, whichever is more, above what is allowed (at most 0 holds). Two results without a moved edge are alike."""
+    if "angle" in result and "angle" in plain:
+        result["rougher"] = max(result["angle"] - (ROUGHER * plain["angle"] + ROUGHER_BY),
+                                100 * (result["sharp"] - plain["sharp"] - SHARPER_BY))
+        result["fails"] = failures(result)
+        result["holds"] = not result["fails"]
 
 
 def failures(result):

@@ -95,6 +95,46 @@ def test_folded_edges_are_counted():
     assert judge.folded_edges(upright, triangles) == 0
 
 
+def cube():
+    points = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+    quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    return points, np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
+
+
+def test_roughness_of_a_cube_and_of_a_part_of_it():
+    points, triangles = cube()
+    angle, sharp = judge.roughness(points, triangles, np.ones(8, bool))
+    assert angle == pytest.approx(90 * 12 / 18) and sharp == pytest.approx(12 / (12 + 6 * np.sqrt(2)))
+    assert judge.roughness(points, triangles, np.zeros(8, bool)) == (0.0, 0.0)
+    corner = np.arange(8) == 1  # three sharp edges end there, and diagonals
+    assert judge.roughness(points, triangles, corner)[0] == pytest.approx(90 * 3 / (triangles == 1).any(1).sum())
+
+
+def test_a_twisted_tube_is_rougher_than_a_smooth_one():
+    def tube(around, twist):
+        u, v = np.meshgrid(np.arange(around), np.arange(13), indexing="ij")
+        angle = 2 * np.pi * (u + twist * (v % 2)) / around
+        points = np.stack([np.cos(angle), np.sin(angle), v * 0.5], -1).reshape(-1, 3)
+        at = lambda i, j: (i % around) * 13 + j
+        i, j = (a.ravel() for a in np.meshgrid(np.arange(around), np.arange(12), indexing="ij"))
+        return points, np.vstack([np.c_[at(i, j), at(i + 1, j), at(i + 1, j + 1)], np.c_[at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
+
+    def measured(around, twist=0.0):
+        points, triangles = tube(around, twist)
+        angle, sharp = judge.roughness(points, triangles, np.ones(len(points), bool))
+        return {"angle": angle, "sharp": sharp, "mean": 0.0}
+
+    smooth = measured(16)
+    assert smooth["angle"] == pytest.approx(360 / 16 / 3, rel=0.1) and smooth["sharp"] == 0
+    for other, rougher in ((measured(16), False), (measured(20), False), (measured(8), True), (measured(16, 1.5), True)):
+        judge.compare(other, smooth)
+        assert (other["rougher"] > 0) == rougher == (other["fails"] == ["rougher"]) != other["holds"]
+    # Each of the two counts by itself.
+    for other, by in (({"angle": 1.25 * smooth["angle"] + 3, "sharp": 0.0}, 2), ({"angle": 0.0, "sharp": 0.03}, 2)):
+        judge.compare(other, smooth)
+        assert other["rougher"] == pytest.approx(by) and other["fails"] == ["rougher"]
+
+
 def test_topology_and_degenerate_triangles():
     points, triangles = sphere(12)
     assert judge.topology(triangles) == (0, 0, 0)

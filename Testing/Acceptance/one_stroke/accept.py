@@ -2,7 +2,7 @@
 remeshing off, by default and as published, judges the results, and prints one table.
 
     PYTHONPATH=build/release/lib/python3/dist-packages /usr/bin/python3 Testing/Acceptance/one_stroke/accept.py FOLDER
-        [--strokes FOLDER] [--only PART-OF-NAME ...] [--modes off,default,published,uncorrected] [--workers 2]
+        [--strokes FOLDER] [--only PART-OF-NAME ...] [--modes off,default,on,published,uncorrected] [--workers 2]
         [--limit SECONDS] [--backend auto|opencl|host] [--no-pictures]
 
 FOLDER receives table.md, results.json, a picture of every result and contact sheets. Models of the shared test data
@@ -31,6 +31,8 @@ def system(mode, backend):
     if mode in ("off", "uncorrected"):
         one_stroke.SetRemeshToOff()
         one_stroke.SetCorrectOutline(mode == "off")
+    elif mode == "on":
+        one_stroke.SetRemeshToOn()
     elif mode == "published":
         one_stroke.AsPublishedOn()
     if backend == "opencl":
@@ -70,6 +72,9 @@ def run(stroke_file, mesh_file, modes, backend, pictures):
             result["remeshed"] = bool(one_stroke.GetRemeshed())
         result["seconds"], result["messages"] = seconds, messages
         results[mode] = result
+        if mode in ("default", "on"):
+            plain = results["off"] if "off" in results else run(stroke_file, mesh_file, ["off"], backend, None)["off"]
+            judge.compare(result, plain)
         if pictures:
             image = show(view, before, after, samples, match, region)
             label = f"{Path(stroke_file).stem} {mode}"
@@ -119,16 +124,19 @@ ACCEPTANCE = frame.Run(
     title="Acceptance: one stroke deforms a mesh",
     units="px on an 800 x 600 picture: mean and worst distance of the stroke's middle 60 % to the result's outline, back: largest "
           "distance of the outline between to the stroke; folds: new edges with normals over 100 degrees apart; untouched: share "
-          "of the area; overlap: intersection over union of the region and the stroked capsule.",
-    modes={"off": "remesh off", "default": "default", "published": "as published",
+          "of the area; overlap: intersection over union of the region and the stroked capsule; angle: mean degrees between "
+          "neighbouring triangles of what moved; sharp: share of its edges' length over 40 degrees; rougher: how far these two "
+          "are over their bound against remesh off, in degrees or hundredths.",
+    modes={"off": "remesh off", "default": "default", "on": "remesh on", "published": "as published",
            "uncorrected": "remesh off, outline not corrected"},
     usual=("off", "default", "published"),
     counting=("off", "default"),
     bounds={"mean": "mean ≤ 1.0 px", "worst": "worst ≤ 2.5 px", "back": "back ≤ 3 px", "folds": "at most 10 new folds",
             "untouched": "half of the area untouched", "closed": "closed stays closed", "manifold": "manifold stays manifold",
             "degenerate": "no new degenerate triangle", "outside changed": "outside the region bit-identical",
-            "other limbs moved": "other limbs untouched", "overlap": "region overlaps the capsule by 0.95"},
-    columns=("mean", "worst", "back", "folds", "untouched", "overlap", "seconds"),
+            "other limbs moved": "other limbs untouched", "overlap": "region overlaps the capsule by 0.95",
+            "rougher": "no rougher than with remesh off: mean angle ≤ 1.25 times + 1 degree, sharp length ≤ 0.01 more"},
+    columns=("mean", "worst", "back", "folds", "untouched", "overlap", "angle", "sharp", "rougher", "seconds"),
     make=strokes.make_all,
     one=run,
 )
