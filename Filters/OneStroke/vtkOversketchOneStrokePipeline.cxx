@@ -116,6 +116,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   {
     step->SetLimitByDiameter(on);
     step->SetProtectSection(on);
+    step->SetKeepSmooth(on);
   }
 }
 

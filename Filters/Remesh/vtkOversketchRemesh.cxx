@@ -41,6 +41,7 @@ struct vtkOversketchRemesh::Cache
   {
     vtkDataArray* Region = nullptr;
     vtkDataArray* Diameters = nullptr; // null: they limit nothing
+    vtkDataArray* Lengths = nullptr;   // of stage Restore, null: those that fit the mesh
     vtkDataArray* Charts = nullptr;    // null: one
     std::vector<Binding> Handles;
     double Factor = 1.0; // k
@@ -68,6 +69,7 @@ struct vtkOversketchRemesh::Cache
   vtkSmartPointer<vtkIdTypeArray> SourceCell;
   vtkSmartPointer<vtkDoubleArray> SourceWeights;
   vtkSmartPointer<vtkDoubleArray> GuideLength;
+  vtkSmartPointer<vtkAbstractArray> EdgeLength; // null but for stage Stretch
   std::vector<Carried> Arrays;
 
 private:
@@ -215,6 +217,11 @@ vtkOversketchRemesh::Cache::Question vtkOversketchRemesh::Cache::Read(vtkOverske
                           FieldValue(handles, "TargetLength", "handles", handlesRemedy);
     question.Factor = std::min(1.0, std::max(self->MinimumFactor, factor));
   }
+  if (self->Stage == Restore && self->KeepSmooth && input->GetPointData()->GetAbstractArray("EdgeLength"))
+  {
+    question.Lengths = RequireArray(
+      input->GetPointData(), "EdgeLength", 1, count, "mesh", "let stage Stretch make it, or remove it");
+  }
   if (self->Stage == Restore && input->GetFieldData()->GetAbstractArray("GuideLength"))
   {
     question.Guide = FieldValue(input, "GuideLength", "mesh", "let stage Stretch make it, or remove it");
@@ -225,14 +232,15 @@ vtkOversketchRemesh::Cache::Question vtkOversketchRemesh::Cache::Read(vtkOverske
     question.Factor,
     question.Guide,
     self->ProtectSection ? 1.0 : 0.0,
+    self->KeepSmooth ? 1.0 : 0.0,
     self->MinimumFactor };
   for (const Binding& binding : question.Handles)
   {
     values.insert(values.end(), binding.vertices.begin(), binding.vertices.end());
     values.insert(values.end(), binding.weights.begin(), binding.weights.end());
   }
-  question.Key =
-    StepKey({ MeshKey(input, { question.Region, question.Diameters, question.Charts }) }, values);
+  question.Key = StepKey(
+    { MeshKey(input, { question.Region, question.Diameters, question.Charts, question.Lengths }) }, values);
   return question;
 }
 
@@ -244,11 +252,15 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   const std::shared_ptr<const MeshData> data = SharedMesh(input);
   const Mesh& mesh = data->Surface();
   const std::vector<char> mask = LabelsOf(question.Region);
-  std::vector<double> diameter;
-  for (vtkIdType i = 0; question.Diameters && i < input->GetNumberOfPoints(); ++i)
+  const auto valuesOf = [input](vtkDataArray* array)
   {
-    diameter.push_back(question.Diameters->GetComponent(i, 0));
-  }
+    std::vector<double> values;
+    for (vtkIdType i = 0; array && i < input->GetNumberOfPoints(); ++i)
+    {
+      values.push_back(array->GetComponent(i, 0));
+    }
+    return values;
+  };
   std::vector<int> chart;
   for (vtkIdType i = 0; question.Charts && i < input->GetNumberOfCells(); ++i)
   {
@@ -259,10 +271,25 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   Sizing sizing;
   sizing.length = guide * question.Factor;
   sizing.minimumFactor = self->MinimumFactor;
-  const std::vector<double> targets = targetLengths(mesh, active, diameter, sizing);
-  this->Result =
-    remesh({ mesh, mask, targets, chart, question.Handles, self->ProtectSection, self->Iterations },
-      ContextOf(self));
+  // Lengths are of the mesh before it is stretched, like L.
+  const std::vector<double> own =
+    self->KeepSmooth && !question.Lengths ? fittingLengths(mesh, active) : valuesOf(question.Lengths);
+  std::vector<double> fitting = own;
+  for (double& length : fitting)
+  {
+    length *= question.Factor;
+  }
+  const std::vector<double> targets =
+    targetLengths(mesh, active, valuesOf(question.Diameters), fitting, sizing);
+  this->Result = remesh({ mesh,
+                          mask,
+                          targets,
+                          chart,
+                          question.Handles,
+                          self->ProtectSection,
+                          self->Iterations,
+                          self->KeepSmooth },
+    ContextOf(self));
   ++self->RemeshCount;
   self->GuideLength = guide;
   self->Factor = question.Factor;
@@ -271,6 +298,12 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   {
     this->GuideLength = NewArray<vtkDoubleArray>("GuideLength", 1, 1);
     this->GuideLength->SetValue(0, guide);
+  }
+  if (self->Stage == Stretch && self->KeepSmooth)
+  {
+    const auto lengths = NewArray<vtkDoubleArray>("EdgeLength", 1, mesh.vertexCount());
+    std::copy(own.begin(), own.end(), lengths->GetPointer(0));
+    this->EdgeLength = CarryPointArray(lengths, false, this->Result, input->GetPolys());
   }
   this->Key = question.Key;
 }
@@ -383,6 +416,10 @@ void vtkOversketchRemesh::Cache::Write(vtkPolyData* input, vtkPolyData* output)
   {
     output->GetFieldData()->AddArray(this->GuideLength);
   }
+  if (this->EdgeLength)
+  {
+    output->GetPointData()->AddArray(this->EdgeLength);
+  }
 }
 
 void vtkOversketchRemesh::Cache::WriteHandles(vtkPolyData* handles, vtkPolyData* output) const
@@ -464,6 +501,7 @@ void vtkOversketchRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Iterations: " << this->Iterations << "\n";
   os << indent << "LimitByDiameter: " << (this->LimitByDiameter ? "On" : "Off") << "\n";
   os << indent << "ProtectSection: " << (this->ProtectSection ? "On" : "Off") << "\n";
+  os << indent << "KeepSmooth: " << (this->KeepSmooth ? "On" : "Off") << "\n";
   os << indent << "MinimumFactor: " << this->MinimumFactor << "\n";
   os << indent << "GuideLength: " << this->GuideLength << "\n";
   os << indent << "Factor: " << this->Factor << "\n";

@@ -13,6 +13,14 @@
  * - the target length of a vertex is min(L k, ShapeDiameter / 2), never under MinimumFactor L k, smoothed so
  * that it grows by at most half of the way walked; where the limit by diameter would more than quadruple the
  * number of triangles it is raised evenly until it does not;
+ * - (KeepSmooth) it is at most k times the length that fits the triangles round it: 3.9 times their area over
+ * half their perimeter, a side of even triangles as wide as they are, at least half the side of even ones of
+ * their area. The mean edge of long thin triangles is longer than a thin limb can bear: its facets twist;
+ * - (KeepSmooth) a flip, a collapse or a relaxation that makes the surface turn more sharply is refused. Over
+ * the edges that it touches, and beyond 20 degrees, the sum of length times (1 - cosine) may not grow by more
+ * than 0.0125 target lengths. After the total absolute curvature of N. Dyn, K. Hormann, S.-J. Kim and D. Levin,
+ * "Optimizing 3D triangulations using discrete curvature analysis", 2001;
+ * - (KeepSmooth) edges of 50 to 100 degrees, as of a box, keep their place (they may be split);
  * - next to edges that cannot change the target goes over to their length, so that no fan of needles forms
  * there;
  * - edges and vertices that carry handles keep their place (edges may be split), so that the section does not
@@ -29,7 +37,8 @@
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array Region (1 component, not 0 = in the region)
  * and, if LimitByDiameter is on, ShapeDiameter (1 component, model length; values that are not positive
  * limit nothing). Optional cell array Chart (1 component, integers): edges between different charts are
- * kept. Optional field array GuideLength: L for stage Restore.
+ * kept. For stage Restore, optional: field array GuideLength, L; with KeepSmooth point array EdgeLength (1
+ * component, model length), the lengths that fit; without them those of the mesh itself.
  * Input 1 (Handles, optional): handles, vtkPolyData with point arrays MeshVertices (3 components) and
  * MeshWeights (3), and for stage Stretch field arrays SectionLength and TargetLength. Without handles k is
  * 1.
@@ -44,7 +53,9 @@
  * chart,
  * - cell array SourceWeights, double[9]: per corner the weights of that triangle's corners (sum 1),
  *   so that an attribute that lives on corners (texture coordinates across seams) can be interpolated,
- * - field array GuideLength, double (stage Stretch): L.
+ * - field array GuideLength, double (stage Stretch): L,
+ * - point array EdgeLength, double (stage Stretch, with KeepSmooth): the lengths that fit the input's
+ * triangles, interpolated; 0 away from the region.
  * Output 1 (Handles): the handles bound to output 0: MeshVertices, MeshWeights (unused vertices repeat the
  * first) and positions; everything else passed. Empty if there are none.
  *
@@ -54,9 +65,9 @@
  *
  * Deterministic: splits, collapses and flips are made one by one in an order given by length and place;
  * threads relax all vertices at once, each from where its neighbours were. The result is kept while points,
- * polygons, Region, ShapeDiameter, Chart, handle bindings and parameters stand; then the same points,
- * polygons and (for unchanged input arrays) the same arrays come out. Cost: about 3 microseconds per triangle
- * of the region on two threads.
+ * polygons, Region, ShapeDiameter, EdgeLength, Chart, handle bindings and parameters stand; then the same
+ * points, polygons and (for unchanged input arrays) the same arrays come out. Cost: about 3 microseconds per
+ * triangle of the region on two threads.
  *
  * @sa vtkOversketchLaplacianDeform, vtkOversketchTargets, vtkOversketchShapeDiameter
  */
@@ -127,6 +138,16 @@ public:
 
   ///@{
   /**
+   * Leave what is smooth as smooth as it is, and what is sharp where it is (see the departures). Default on;
+   * off as published.
+   */
+  vtkSetMacro(KeepSmooth, bool);
+  vtkGetMacro(KeepSmooth, bool);
+  vtkBooleanMacro(KeepSmooth, bool);
+  ///@}
+
+  ///@{
+  /**
    * Least k, and least share of L k that the limit by diameter may ask for; dimensionless, 0.05 to 1. Default
    * 0.2.
    */
@@ -160,6 +181,7 @@ private:
   int Iterations = 5;
   bool LimitByDiameter = true;
   bool ProtectSection = true;
+  bool KeepSmooth = true;
   double MinimumFactor = 0.2;
   double GuideLength = 0.0;
   double Factor = 1.0;

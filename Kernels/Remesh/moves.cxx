@@ -120,6 +120,23 @@ int Patch::foldsOver(int h, const Vector3& own) const
   return folds;
 }
 
+// How sharply the surface turns between a triangle, given by its cross product, and what lies over its
+// half-edge h.
+double Patch::turnOver(int h, const Vector3& own, double length) const
+{
+  const int twin = this->Twin[h];
+  if (twin >= 0)
+  {
+    return turnWeight(own, this->cross(twin / 3), length);
+  }
+  double turn = 0.0;
+  for (int other = -2 - twin; twin != borderEdge && other != h; other = -2 - this->Twin[other])
+  {
+    turn += turnWeight(own, this->cross(other / 3), length);
+  }
+  return turn;
+}
+
 // Gives half-edge h the place of half-edge `was`, of which only its link, `twin`, is known any more.
 void Patch::link(int h, int twin, int was)
 {
@@ -385,10 +402,38 @@ bool Patch::collapseFolds(int h) const
   return folds > 0;
 }
 
+// Whether the surface would turn more sharply, beyond the slack.
+bool Patch::collapseTurns(int h) const
+{
+  const int n = static_cast<int>(this->Ring.size());
+  const Vector3 &old = this->Points[this->origin(h)], &goal = this->Points[this->target(h)];
+  const int last = nextHalfEdge(this->Spokes[n - 1]);
+  double turn = this->turnOver(nextHalfEdge(h), this->After[1], this->lengthOf(nextHalfEdge(h))) +
+                this->turnOver(last, this->After[n - 2], this->lengthOf(last));
+  for (int i = 1; i + 1 < n; ++i)
+  {
+    const int rim = nextHalfEdge(this->Spokes[i]);
+    turn += this->turnOver(rim, this->After[i], this->lengthOf(rim));
+    if (i + 2 < n)
+    {
+      turn += turnWeight(this->After[i], this->After[i + 1], (this->Points[this->Ring[i + 1]] - goal).norm());
+    }
+  }
+  turn -= turnSlack * this->Sizes[this->origin(h)];
+  for (int i = 0; turn > 0.0 && i < n; ++i)
+  {
+    const int rim = nextHalfEdge(this->Spokes[i]), next = i + 1 == n ? 0 : i + 1;
+    turn -= this->turnOver(rim, this->Before[i], this->lengthOf(rim)) +
+            turnWeight(this->Before[i], this->Before[next], (this->Points[this->Ring[next]] - old).norm());
+  }
+  return turn > 0.0;
+}
+
 bool Patch::collapse(int h, double longest)
 {
   if (!this->inner(h) || this->fixed(this->origin(h)) || !this->ringToCollapse(h, longest) ||
-      !this->shapeSurvivesCollapse(h) || this->collapseFolds(h))
+      !this->shapeSurvivesCollapse(h) || this->collapseFolds(h) ||
+      (this->KeepSmooth && this->collapseTurns(h)))
   {
     return false;
   }
@@ -468,6 +513,21 @@ bool Patch::flip(int h, bool byAngle)
                              this->foldsOver(g2, before[1]))
   {
     return false;
+  }
+  if (this->KeepSmooth)
+  {
+    const double rims[4] = { (pc - pa).norm(), (pd - pa).norm(), (pc - pb).norm(), (pd - pb).norm() };
+    const double turn = turnWeight(after[0], after[1], (pd - pc).norm()) +
+                        this->turnOver(h2, after[0], rims[0]) + this->turnOver(g1, after[0], rims[1]) +
+                        this->turnOver(h1, after[1], rims[2]) + this->turnOver(g2, after[1], rims[3]);
+    const double slack = 0.5 * turnSlack * (this->Sizes[a] + this->Sizes[b]);
+    if (turn > slack &&
+        turn - slack > turnWeight(before[0], before[1], (pb - pa).norm()) +
+                         this->turnOver(h1, before[0], rims[2]) + this->turnOver(h2, before[0], rims[0]) +
+                         this->turnOver(g1, before[1], rims[1]) + this->turnOver(g2, before[1], rims[3]))
+    {
+      return false;
+    }
   }
 
   const int twins[4] = { this->Twin[h1], this->Twin[h2], this->Twin[g1], this->Twin[g2] };

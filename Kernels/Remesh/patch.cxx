@@ -1,17 +1,33 @@
 #include "Remesh/patch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace oversketch
 {
+
+namespace
+{
+
+// An edge of the shape: over 50 degrees, more than between the sides of a tube of eight, and no fold.
+bool sharp(const Vector3& a, const Vector3& b)
+{
+  constexpr double limit = 0.4131759; // square of the cosine of 50 degrees
+  const double dot = a.dot(b);
+  return dot * std::abs(dot) < limit * (a.squaredNorm() * b.squaredNorm()) && !folded(a, b);
+}
+
+} // namespace
 
 Patch::Patch(const Surface& surface,
   const std::vector<char>& active,
   const std::vector<double>& sizes,
   const std::vector<int>& protectedVertices,
-  const std::vector<std::array<int, 2>>& protectedEdges)
+  const std::vector<std::array<int, 2>>& protectedEdges,
+  bool keepSmooth)
   : Original(surface)
   , InputSizes(sizes)
+  , KeepSmooth(keepSmooth)
   , Points(surface.mesh().points)
   , Places(Points.size())
   , Sizes(sizes)
@@ -84,7 +100,9 @@ Patch::Patch(const Surface& surface,
   }
   for (int h = 0; h < static_cast<int>(this->Twin.size()); ++h)
   {
-    if (this->inner(h) && this->chart(h / 3) != this->chart(this->Twin[h] / 3))
+    const int twin = this->Twin[h];
+    if (twin >= 0 && (this->chart(h / 3) != this->chart(twin / 3) ||
+                       (keepSmooth && h < twin && sharp(this->cross(h / 3), this->cross(twin / 3)))))
     {
       this->protect(h);
     }

@@ -32,11 +32,13 @@ class Patch
 public:
   // The triangles of surface with active != 0 may change. sizes: target edge length per vertex of the input.
   // Vertices and edges are protected besides those that protect themselves: see fixed() and protectedEdge().
+  // keepSmooth: sharp edges protect themselves too, and no move makes the surface turn more sharply.
   Patch(const Surface& surface,
     const std::vector<char>& active,
     const std::vector<double>& sizes,
     const std::vector<int>& protectedVertices,
-    const std::vector<std::array<int, 2>>& protectedEdges);
+    const std::vector<std::array<int, 2>>& protectedEdges,
+    bool keepSmooth);
 
   int vertexCount() const { return static_cast<int>(this->Points.size()); }
   int triangleCount() const { return static_cast<int>(this->Active.size()); }
@@ -58,7 +60,7 @@ public:
   // True for an edge of two triangles of the patch, wound alike.
   bool inner(int h) const { return this->Twin[h] >= 0; }
   bool splittable(int h) const { return this->Twin[h] >= borderEdge; } // inner, or on the border of the mesh
-  // True for an edge that is neither flipped nor collapsed: between charts, or given as protected.
+  // True for an edge that is neither flipped nor collapsed: between charts, sharp, or given as protected.
   bool protectedEdge(int h) const { return this->Kept[h] != 0; }
   // A half-edge between a and b, a to b if there is one: inner or on the border of the mesh; else -1. guess:
   // an id that is likely to be it.
@@ -118,9 +120,12 @@ private:
     return this->cross(this->at(3 * t), this->at(3 * t + 1), this->at(3 * t + 2));
   }
   int foldsOver(int h, const Vector3& own) const;
+  double turnOver(int h, const Vector3& own, double length) const;
+  double lengthOf(int h) const { return (this->at(nextHalfEdge(h)) - this->at(h)).norm(); }
   bool ringToCollapse(int h, double longest);
   bool shapeSurvivesCollapse(int h);
   bool collapseFolds(int h) const;
+  bool collapseTurns(int h) const;
   bool middleOf(int h, SurfacePoint& result, bool& straight) const;
   void link(int h, int twin, int was);
   void join(int h, int twin);
@@ -133,6 +138,7 @@ private:
 
   const Surface& Original;
   const std::vector<double>& InputSizes;
+  const bool KeepSmooth;
   // Per vertex.
   std::vector<Vector3> Points;
   std::vector<SurfacePoint> Places;

@@ -111,6 +111,7 @@ void Relaxation::see(int t)
     this->Changes[t] = { static_cast<float>(narrowness(a, b, d, this->Crosses[t])),
       static_cast<float>(narrowness(a0, b0, d0, before)),
       turned(before, this->Crosses[t]),
+      false,
       false };
   }
 }
@@ -122,13 +123,17 @@ void Relaxation::seeFolds(int t)
     return;
   }
   const Vector3& own = this->Crosses[t];
-  bool sharp = false;
+  bool folded = false, sharp = false;
   for (int h = 3 * t; h < 3 * t + 3; ++h)
   {
     const int twin = this->Area.Twin[h];
-    sharp = sharp || (twin >= 0 ? own.dot(this->Crosses[twin / 3]) < 0.0 : this->Area.foldsOver(h, own) > 0);
+    folded =
+      folded || (twin >= 0 ? own.dot(this->Crosses[twin / 3]) < 0.0 : this->Area.foldsOver(h, own) > 0);
+    sharp = sharp || (this->Area.KeepSmooth && (twin >= 0 ? turnWeight(own, this->Crosses[twin / 3], 1.0)
+                                                          : this->Area.turnOver(h, own, 1.0)) > 0.0);
   }
-  this->Changes[t].folded = sharp;
+  this->Changes[t].folded = folded;
+  this->Changes[t].sharp = sharp;
 }
 
 // How sharply the edges are folded at v and opposite.
@@ -152,11 +157,34 @@ int Relaxation::foldsAround(int v, const std::vector<Vector3>& at) const
   return folds;
 }
 
+// How sharply the surface turns at the edges at v and opposite.
+double Relaxation::turnAround(int v, const std::vector<Vector3>& at) const
+{
+  const Patch& patch = this->Area;
+  const auto crossOf = [&](int h)
+  {
+    const Triangle c = patch.triangle(h / 3);
+    return patch.cross(at[c[0]], at[c[1]], at[c[2]]);
+  };
+  const auto lengthOf = [&](int h) { return (at[patch.target(h)] - at[patch.origin(h)]).norm(); };
+  double turn = 0.0;
+  this->eachSpoke(v,
+    [&](int h)
+    {
+      const Vector3 own = crossOf(h);
+      const int opposite = nextHalfEdge(h), rim = patch.Twin[opposite];
+      turn += turnWeight(own, crossOf(patch.Twin[h]), lengthOf(h)) +
+              (rim >= 0 ? turnWeight(own, crossOf(rim), lengthOf(opposite))
+                        : patch.turnOver(opposite, own, lengthOf(opposite)));
+    });
+  return turn;
+}
+
 bool Relaxation::safe(int v) const
 {
   const Patch& patch = this->Area;
   float narrowest = 1.0F, narrowestBefore = 1.0F;
-  bool good = true, folded = false;
+  bool good = true, folded = false, sharp = false;
   this->eachSpoke(v,
     [&](int h)
     {
@@ -165,6 +193,7 @@ bool Relaxation::safe(int v) const
       narrowestBefore = std::min(narrowestBefore, change.narrowestBefore);
       good = good && !change.turned;
       folded = folded || change.folded;
+      sharp = sharp || change.sharp;
     });
   if (!good || narrowest < std::min(narrowestBefore, static_cast<float>(moveNarrowest)))
   {
@@ -183,7 +212,9 @@ bool Relaxation::safe(int v) const
                squaredDistance(this->Points[c[0]], this->Points[c[1]], this->Points[c[2]], old) <= deviation;
       });
   }
-  return near && (!folded || this->foldsAround(v, this->Points) <= this->foldsAround(v, patch.Points));
+  return near && (!folded || this->foldsAround(v, this->Points) <= this->foldsAround(v, patch.Points)) &&
+         (!sharp || this->turnAround(v, this->Points) <=
+                      this->turnAround(v, patch.Points) + turnSlack * patch.Sizes[v]);
 }
 
 // Takes back moves until all that are left are safe: taking back one may spoil those around it.

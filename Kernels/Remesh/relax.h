@@ -29,7 +29,7 @@ private:
   struct Change // of a triangle with a corner that moves
   {
     float narrowest, narrowestBefore;
-    bool turned, folded;
+    bool turned, folded, sharp;
   };
 
   template <typename Body>
@@ -41,6 +41,7 @@ private:
   void seeFolds(int t);
   bool changes(int t) const;
   int foldsAround(int v, const std::vector<Vector3>& at) const;
+  double turnAround(int v, const std::vector<Vector3>& at) const;
   bool safe(int v) const;
   void settle();
 

@@ -473,7 +473,7 @@ RemeshResult remesh(const RemeshInput& input, const Context& context)
   {
     carriers(input.handles, cutout, vertices, edges);
   }
-  Patch patch(surface, cutout.active, targets, vertices, edges);
+  Patch patch(surface, cutout.active, targets, vertices, edges, input.keepSmooth);
   Relaxation relaxation(patch, context);
   Steps steps{ context };
   steps.each = 1.0 / (input.iterations * 4.0 + 1.0);

@@ -21,6 +21,9 @@ struct RemeshInput
   std::vector<Binding> handles; // rebound to the result
   bool protectHandles = true;   // what carries handles stays where it is, and is only split
   int iterations = 5;
+  // Edges over 50 degrees stay where they are, and are only split; no move makes the surface turn more
+  // sharply.
+  bool keepSmooth = true;
 };
 
 struct RemeshResult

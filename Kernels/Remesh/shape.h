@@ -5,6 +5,7 @@
 #include "Remesh/patch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace oversketch
 {
@@ -32,6 +33,23 @@ inline double narrowness(const Vector3& a, const Vector3& b, const Vector3& c, c
 inline int foldWeight(const Vector3& a, const Vector3& b)
 {
   return a.dot(b) < 0.0 ? (folded(a, b) ? 1001 : 1) : 0;
+}
+
+constexpr double calmCosine = 0.9396926; // of 20 degrees
+// How much more a move may let the surface turn, in target lengths: as an edge that turns by 32 in place of
+// 30 degrees. Without it rows of narrow triangles along a ridge stay for ever.
+constexpr double turnSlack = 0.0125;
+
+// How much an edge of this length turns the surface more than 20 degrees; the triangles are given by vectors
+// along their normals. Grows with the square of the angle: the same turn spread over more edges weighs less.
+inline double turnWeight(const Vector3& a, const Vector3& b, double length)
+{
+  const double dot = a.dot(b), squared = a.squaredNorm() * b.squaredNorm();
+  if (!(squared > 0.0) || (dot > 0.0 && dot * dot >= calmCosine * calmCosine * squared))
+  {
+    return 0.0;
+  }
+  return length * (calmCosine - dot / std::sqrt(squared));
 }
 
 } // namespace oversketch

@@ -17,6 +17,12 @@ namespace
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double largestGrowth = 4.0;     // in triangles, by the limit by diameter
 constexpr double equilateral = 0.4330127; // area of a triangle with sides 1
+// Twice the area over the perimeter of an equilateral triangle is its side over 3.4641; the rest lets squares
+// that are cut in two pass for even, too.
+constexpr double sideByWidth = 3.9;
+// Least share of the side of equilateral triangles of the same area: needles ask for four times as many
+// triangles at most.
+constexpr double leastByArea = 0.5;
 
 struct ActiveEdge
 {
@@ -208,22 +214,77 @@ double guideLength(const Mesh& mesh, const std::vector<char>& active)
   return edges.empty() ? 0.0 : sum / static_cast<double>(edges.size());
 }
 
+std::vector<double> fittingLengths(const Mesh& mesh, const std::vector<char>& active)
+{
+  struct Sum
+  {
+    double area = 0.0, perimeter = 0.0, count = 0.0;
+    void add(const Sum& other)
+    {
+      this->area += other.area;
+      this->perimeter += other.perimeter;
+      this->count += other.count;
+    }
+  };
+  const auto gathered = [&](auto&& ofTriangle)
+  {
+    std::vector<Sum> sums(mesh.points.size());
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+    {
+      if (active[t])
+      {
+        const Sum sum = ofTriangle(mesh.triangles[t]);
+        for (const int v : mesh.triangles[t])
+        {
+          sums[v].add(sum);
+        }
+      }
+    }
+    return sums;
+  };
+  const std::vector<Sum> near = gathered(
+    [&](const Triangle& c)
+    {
+      const Vector3 &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
+      return Sum{ 0.5 * (q - p).cross(r - p).norm(), (q - p).norm() + (r - q).norm() + (p - r).norm(), 1.0 };
+    });
+  const std::vector<Sum> around = gathered(
+    [&](const Triangle& c)
+    {
+      Sum sum = near[c[0]];
+      sum.add(near[c[1]]);
+      sum.add(near[c[2]]);
+      return sum;
+    });
+  std::vector<double> lengths(mesh.points.size(), 0.0);
+  for (std::size_t v = 0; v < lengths.size(); ++v)
+  {
+    const Sum& sum = around[v];
+    if (sum.area > 0.0)
+    {
+      lengths[v] = std::max(sideByWidth * 2.0 * sum.area / sum.perimeter,
+        leastByArea * std::sqrt(sum.area / (equilateral * sum.count)));
+    }
+  }
+  return lengths;
+}
+
 std::vector<double> targetLengths(const Mesh& whole,
   const std::vector<char>& wholeActive,
   const std::vector<double>& diameters,
+  const std::vector<double>& fitting,
   const Sizing& sizing)
 {
   const Part part(whole, wholeActive);
   const Mesh& mesh = part.mesh;
   const std::vector<char>& active = part.active;
   const std::vector<ActiveEdge> edges = activeEdges(part);
-  const auto limitOf = [&diameters](int v)
-  {
-    return !diameters.empty() && std::isfinite(diameters[v]) && diameters[v] > 0.0 ? 0.5 * diameters[v]
-                                                                                   : infinite;
+  const auto valueOf = [](const std::vector<double>& values, int v)
+  { return !values.empty() && std::isfinite(values[v]) && values[v] > 0.0 ? values[v] : infinite; };
+  // Of vertex v of the whole mesh, where the limit by diameter may ask for `lowest` at least.
+  const auto wanted = [&](int v, double lowest) {
+    return std::min({ sizing.length, std::max(0.5 * valueOf(diameters, v), lowest), valueOf(fitting, v) });
   };
-  std::vector<double> limit(mesh.points.size());
-  std::transform(part.vertices.begin(), part.vertices.end(), limit.begin(), limitOf);
   // Half a triangle per active one at least, even where the area is nothing: what the input has is no growth.
   const auto expected = [&](double lowest)
   {
@@ -236,7 +297,7 @@ std::vector<double> targetLengths(const Mesh& whole,
         double mean = 0.0;
         for (const int v : c)
         {
-          mean += std::min(sizing.length, std::max(limit[v], lowest)) / 3.0;
+          mean += wanted(part.vertices[v], lowest) / 3.0;
         }
         const double area =
           0.5 * (mesh.points[c[1]] - mesh.points[c[0]]).cross(mesh.points[c[2]] - mesh.points[c[0]]).norm();
@@ -259,9 +320,9 @@ std::vector<double> targetLengths(const Mesh& whole,
     }
     lowest = enough;
   }
-  const auto within = [&](double wanted) { return std::min(sizing.length, std::max(wanted, lowest)); };
   std::vector<double> target(mesh.points.size());
-  std::transform(limit.begin(), limit.end(), target.begin(), within);
+  std::transform(
+    part.vertices.begin(), part.vertices.end(), target.begin(), [&](int v) { return wanted(v, lowest); });
   spread(mesh, edges, sizing.gradation, infinite, target);
   // Near edges that stay as they are (folded ones may still be collapsed): from above towards short ones,
   // from below towards long ones.
@@ -291,7 +352,7 @@ std::vector<double> targetLengths(const Mesh& whole,
   std::vector<double> result(whole.points.size());
   for (int v = 0; v < whole.vertexCount(); ++v)
   {
-    result[v] = within(limitOf(v));
+    result[v] = wanted(v, lowest);
   }
   for (std::size_t v = 0; v < target.size(); ++v)
   {

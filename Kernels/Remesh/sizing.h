@@ -15,6 +15,11 @@ std::vector<char> regionTriangles(const Mesh& mesh, const std::vector<char>& reg
 // L, the mean length of the edges of the active triangles; 0 if there is none.
 double guideLength(const Mesh& mesh, const std::vector<char>& active);
 
+// Per vertex the edge length of even triangles that are as wide as those round it (two rings): long thin ones
+// ask for shorter edges than their mean, since it is their width that makes a tube round. Where there is no
+// area, and away from active triangles, 0.
+std::vector<double> fittingLengths(const Mesh& mesh, const std::vector<char>& active);
+
 struct Sizing
 {
   double length = 0.0;    // the wanted length, L k
@@ -23,8 +28,9 @@ struct Sizing
   double minimumFactor = 0.2;
 };
 
-// Target length per vertex, min(length, diameter / 2), made smooth. diameters: one per vertex, or empty for
-// none; values that are not positive and finite limit nothing. The limit by diameter may raise the number of
+// Target length per vertex, min(length, diameter / 2, fitting), made smooth. diameters and fitting: one per
+// vertex, or empty for none; values that are not positive and finite limit nothing. The limit by diameter may
+// raise the number of
 // triangles to four times the input's (or as many as `length` alone would give, if that is more) and is
 // raised evenly where it would ask for more. Next to edges that cannot change (outside the region,
 // non-manifold) targets go over to the lengths of those edges, so that no fan of needles leads from a coarse
@@ -32,6 +38,7 @@ struct Sizing
 std::vector<double> targetLengths(const Mesh& mesh,
   const std::vector<char>& active,
   const std::vector<double>& diameters,
+  const std::vector<double>& fitting,
   const Sizing& sizing);
 
 } // namespace oversketch

@@ -211,8 +211,12 @@ TEST(Remesh, PrintsEveryParameter)
   vtkNew<vtkOversketchRemesh> filter;
   std::ostringstream os;
   filter->Print(os);
-  for (const char* name :
-    { "Stage: ", "Iterations: 5", "LimitByDiameter: On", "ProtectSection: On", "MinimumFactor: 0.2" })
+  for (const char* name : { "Stage: ",
+         "Iterations: 5",
+         "LimitByDiameter: On",
+         "ProtectSection: On",
+         "KeepSmooth: On",
+         "MinimumFactor: 0.2" })
   {
     EXPECT_NE(os.str().find(name), std::string::npos) << name;
   }
