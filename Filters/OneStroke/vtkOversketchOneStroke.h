@@ -16,7 +16,9 @@
  * stretches edges of the region by more than 1.5 (at least 1 % of them) or makes triangles narrow (an angle
  * under 30 degrees; at least 1 % of the region's more than before), and its result is kept only if the
  * outline has not left the stroke by 0.5 px more, in the mean and at worst, and no more edges are folded, or
- * if it is nearer to the stroke by 0.5 px at worst and no more than five edges were folded.
+ * if it is nearer to the stroke by 0.5 px at worst and no more than five edges were folded; and never where
+ * what moved is rougher (mean angle between triangles over 1.25 times plus 1 degree of the plain one's, or
+ * over 0.01 more of the edges' length beyond 40 degrees), since a limb is seen by its shading.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or
  * normals are welded for computing (exactly equal positions) and split again in the output. The mesh's

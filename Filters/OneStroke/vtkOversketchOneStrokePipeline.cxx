@@ -263,7 +263,9 @@ Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsB
       StrokeOf(this->Self->StageOutput("Stroke")),
       ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
   }
-  return { *made.Outline, this->Folds(stage) - foldsBefore };
+  return { *made.Outline,
+    this->Folds(stage) - foldsBefore,
+    roughness(made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage))) };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()

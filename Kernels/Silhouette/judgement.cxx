@@ -156,7 +156,7 @@ bool Judgement::keptAgainst(const Judgement& plain) const
                       this->outline.worst <= plain.outline.worst + step;
   const bool nearer = this->folds <= tolerableFolds && this->outline.mean <= plain.outline.mean &&
                       this->outline.worst <= plain.outline.worst - step;
-  return asGood || nearer;
+  return (asGood || nearer) && !rougher(this->roughness, plain.roughness);
 }
 
 bool Judgement::betterThan(const Judgement& first) const

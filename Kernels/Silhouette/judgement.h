@@ -4,6 +4,7 @@
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
+#include "Mesh/roughness.h"
 #include "Mesh/view.h"
 #include "Stroke/polyline.h"
 
@@ -34,14 +35,15 @@ OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& st
 struct Judgement
 {
   OutlineError outline;
-  int folds = 0; // folded edges that the mesh before did not have
+  int folds = 0;            // folded edges that the mesh before did not have
+  Roughness roughness = {}; // of what moved
 
   static constexpr int tolerableFolds = 5; // half of what the specification lets a result have (stage 12)
   // For a second deformation against the first: nearer to the stroke without more folds than are tolerable,
   // or fewer of too many folds for at most 2 px of distance.
   bool betterThan(const Judgement& first) const;
   // For a remeshed result against the plain one: no more folds and at most 0.5 px further from the stroke; or
-  // 0.5 px nearer with folds that are tolerable.
+  // 0.5 px nearer with folds that are tolerable; and no rougher.
   bool keptAgainst(const Judgement& plain) const;
 };
 

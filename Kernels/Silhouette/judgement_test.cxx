@@ -246,3 +246,15 @@ TEST(Judgement, ARemeshedResultIsKeptWhereItIsAsGood)
   EXPECT_FALSE(kept(1.0, 2.6, 5));
   EXPECT_FALSE(kept(1.1, 2.5, 5));
 }
+
+TEST(Judgement, ARemeshedResultThatIsRougherIsNotKept)
+{
+  const Judgement plain{ { 1.0, 3.0 }, 2, { 8.0, 0.02 } };
+  const auto kept = [&](double worst, double meanAngle, double sharpShare) {
+    return Judgement{ { 1.0, worst }, 2, { meanAngle, sharpShare } }.keptAgainst(plain);
+  };
+  EXPECT_TRUE(kept(3.0, 10.9, 0.029));
+  EXPECT_FALSE(kept(3.0, 11.1, 0.02));
+  EXPECT_FALSE(kept(3.0, 8.0, 0.031));
+  EXPECT_FALSE(kept(1.0, 11.1, 0.02)); // however near to the stroke
+}
