@@ -17,8 +17,8 @@
  * half their perimeter, a side of even triangles as wide as they are, at least half the side of even ones of
  * their area. The mean edge of long thin triangles is longer than a thin limb can bear: its facets twist;
  * - (KeepSmooth) a flip, a collapse or a relaxation that makes the surface turn more sharply is refused. Over
- * the edges that it touches, and beyond 20 degrees, the sum of length times (1 - cosine) may not grow by more
- * than 0.0125 target lengths. After the total absolute curvature of N. Dyn, K. Hormann, S.-J. Kim and D. Levin,
+ * the edges that it touches, and beyond 13 degrees, the sum of length times (1 - cosine) may not grow by more
+ * than 0.02 target lengths. After the total absolute curvature of N. Dyn, K. Hormann, S.-J. Kim and D. Levin,
  * "Optimizing 3D triangulations using discrete curvature analysis", 2001;
  * - (KeepSmooth) edges of 50 to 100 degrees, as of a box, keep their place (they may be split);
  * - next to edges that cannot change the target goes over to their length, so that no fan of needles forms

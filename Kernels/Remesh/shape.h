@@ -35,12 +35,12 @@ inline int foldWeight(const Vector3& a, const Vector3& b)
   return a.dot(b) < 0.0 ? (folded(a, b) ? 1001 : 1) : 0;
 }
 
-constexpr double calmCosine = 0.9396926; // of 20 degrees
+constexpr double calmCosine = 0.9743701; // of 13 degrees
 // How much more a move may let the surface turn, in target lengths: as an edge that turns by 32 in place of
 // 30 degrees. Without it rows of narrow triangles along a ridge stay for ever.
-constexpr double turnSlack = 0.0125;
+constexpr double turnSlack = 0.02;
 
-// How much an edge of this length turns the surface more than 20 degrees; the triangles are given by vectors
+// How much an edge of this length turns the surface more than 13 degrees; the triangles are given by vectors
 // along their normals. Grows with the square of the angle: the same turn spread over more edges weighs less.
 inline double turnWeight(const Vector3& a, const Vector3& b, double length)
 {
