@@ -7,7 +7,7 @@ oversketch_packages=(
   g++ cmake ninja-build ccache
   libvtk9-dev libvtk9-qt-dev qtbase5-dev python3-vtk9 python3-numpy libeigen3-dev libboost-dev libcgal-dev libembree-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd libsuitesparse-dev libtbb-dev
-  libarchive-dev libgtest-dev libbenchmark-dev python3-dev python3-pytest python3-pip python3-venv python3-matplotlib mypy
+  libarchive-dev libexpat1-dev libgtest-dev libbenchmark-dev python3-dev python3-pytest python3-pip python3-venv python3-matplotlib mypy
   python3-xlib xvfb xauth libgl1-mesa-dri doxygen at-spi2-core dbus-daemon gir1.2-atspi-2.0 python3-gi
   dpkg-dev file)
 oversketch_debian=$(. /etc/os-release && echo "${VERSION_ID:-13}") # testing has none

@@ -7,7 +7,9 @@
 
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <new>
+#include <stdexcept>
 
 using namespace oversketch_command;
 using namespace oversketch_files;
@@ -57,6 +59,17 @@ int main(int count, char** values)
   catch (const std::bad_alloc&)
   {
     std::fputs("oversketch: out of memory; the input is too large or damaged\n", stderr);
+  }
+  catch (const std::length_error&)
+  {
+    std::fputs("oversketch: out of memory; the input is too large or damaged\n", stderr);
+  }
+  catch (const std::filesystem::filesystem_error& error)
+  {
+    std::fprintf(stderr,
+      "oversketch: %s: %s\n",
+      printable(error.path1().string()).c_str(),
+      error.code().message().c_str());
   }
   catch (const std::exception& error)
   {

@@ -298,7 +298,7 @@ void requireDisplay()
   }
 }
 
-void writePicture(vtkOversketchSystem* system, vtkPolyData* stroke, const std::string& path)
+void writePicture(vtkOversketchSystem* system, vtkPolyData* stroke, const std::string& path, NewFiles& files)
 {
   const View view = oversketch::ViewOf(stroke);
   const int width = view.width(), height = view.height();
@@ -333,22 +333,20 @@ void writePicture(vtkOversketchSystem* system, vtkPolyData* stroke, const std::s
   smaller->SetShrinkFactors(factor, factor, 1);
   smaller->MeanOn();
   smaller->Update();
-  const std::string error = takeError();
-  if (!error.empty())
+  if (!takeError().empty())
   {
-    throw Failed(path + ": the picture could not be rendered: " + error);
+    throw Failed(path + ": the picture could not be rendered; does the display have OpenGL 3.2?");
   }
-  writeWhole(path,
+  files.write(path,
     [&](const std::string& temporary)
     {
       vtkNew<vtkPNGWriter> writer;
       writer->SetInputConnection(smaller->GetOutputPort());
       writer->SetFileName(temporary.c_str());
       writer->Write();
-      const std::string problem = takeError();
-      if (writer->GetErrorCode() != vtkErrorCode::NoError || !problem.empty())
+      if (writer->GetErrorCode() != vtkErrorCode::NoError || !takeError().empty())
       {
-        throw Failed(path + ": could not be written" + (problem.empty() ? "" : ": " + problem));
+        throw Failed(path + ": could not be written (is the disk full?)");
       }
     });
 }

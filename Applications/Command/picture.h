@@ -2,6 +2,8 @@
 #ifndef oversketch_command_picture_h
 #define oversketch_command_picture_h
 
+#include "files.h"
+
 #include <string>
 
 class vtkOversketchSystem;
@@ -15,7 +17,11 @@ void requireDisplay();
 
 // The result as the stroke's view shows it, in the stroke's viewport size: the part that moved orange, the
 // rest light grey, what the stroke took hold of blue, the stroke red (the colours of the papers' figures).
-void writePicture(vtkOversketchSystem* system, vtkPolyData* stroke, const std::string& path);
+// One of the files.
+void writePicture(vtkOversketchSystem* system,
+  vtkPolyData* stroke,
+  const std::string& path,
+  oversketch_files::NewFiles& files);
 
 } // namespace oversketch_command
 #endif

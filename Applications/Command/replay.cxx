@@ -15,8 +15,12 @@ using namespace oversketch_session;
 
 void replay(const Options& options)
 {
-  catchInterrupt();
+  catchSignals();
   catchMessages();
+  if (isSameFile(options.output, options.session))
+  {
+    throw BadUse("-o " + options.output + " would replace the session");
+  }
   requireWritable(options.output);
   SessionFile file = readSession(options.session);
   Session& session = file.session;
@@ -30,6 +34,7 @@ void replay(const Options& options)
   Evaluator evaluator;
   Evaluator::Watch watch;
   watch.cancelled = interrupted;
+  watch.warning = [&](std::size_t, const std::string& message) { warn(message); };
   watch.progress = [&](std::size_t node, const std::string& stage, double share)
   { showProgress((static_cast<double>(node) + share) / count, stage); };
   std::vector<Outcome> outcomes;
@@ -40,7 +45,7 @@ void replay(const Options& options)
   {
     if (!outcomes[i].failure.empty())
     {
-      say("warning: '" + session.nodes[i].name + "' did nothing: " + outcomes[i].failure);
+      warn("'" + session.nodes[i].name + "' did nothing: " + outcomes[i].failure);
     }
   }
   vtkPolyData* result = resultOf(session, outcomes);
@@ -49,7 +54,10 @@ void replay(const Options& options)
     throw Failed(options.session + ": none of its steps makes a mesh");
   }
   Notes notes;
-  writeMesh(result, options.output, notes);
+  NewFiles files;
+  writeMesh(result, options.output, notes, files);
+  throwIfInterrupted();
+  files.commit();
   say(notes);
   if (file.digest.empty())
   {
@@ -61,7 +69,7 @@ void replay(const Options& options)
   }
   if (digestOf(result) != file.digest)
   {
-    say("warning: the mesh is not bit for bit the one that was saved");
+    warn("the mesh is not bit for bit the one that was saved");
   }
 }
 

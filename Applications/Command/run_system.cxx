@@ -11,8 +11,7 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <utility>
 
 namespace oversketch_command
 {
@@ -23,7 +22,12 @@ using namespace oversketch_session;
 namespace
 {
 
-void writeInner(vtkOversketchSystem* system, const std::string& folder)
+std::string innerPath(const Options& options, const char* stage)
+{
+  return options.inner + "/" + stage + ".vtp";
+}
+
+void writeInner(const Options& options, vtkOversketchSystem* system, NewFiles& files)
 {
   for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
   {
@@ -32,14 +36,54 @@ void writeInner(vtkOversketchSystem* system, const std::string& folder)
     if (inner && inner->GetNumberOfPoints() > 0)
     {
       Notes none;
-      writeMesh(inner, folder + "/" + name + ".vtp", none);
+      writeMesh(inner, innerPath(options, name), none, files);
     }
   }
 }
 
-// Everything that can be known to fail is looked at before the work.
-void checkOutputs(const Options& options)
+// Throws BadUse where a file would be replaced that is read, or written as well. OUT may be the mesh, which
+// is then changed in its place.
+void requireApart(const Options& options, vtkOversketchSystem* system)
 {
+  std::vector<std::pair<std::string, std::string>> taken; // what it is, its path
+  const auto take = [&](const std::string& what, const std::string& path, bool mayBeMesh)
+  {
+    for (const auto& [other, its] : taken)
+    {
+      if (isSameFile(path, its) && !(mayBeMesh && other == "the mesh"))
+      {
+        throw BadUse(what + " " + path + " would replace " + other);
+      }
+    }
+    taken.emplace_back(what, path);
+  };
+  for (const SystemInput& input : options.system->inputs)
+  {
+    const std::string& path = options.inputs.at(input.name);
+    if (!path.empty())
+    {
+      taken.emplace_back(input.kind == SystemInput::Kind::Mesh ? "the mesh" : "the " + input.word, path);
+    }
+  }
+  take("-o", options.output, true);
+  for (const auto& [what, path] :
+    { std::pair("--report", options.report), std::pair("--picture", options.picture) })
+  {
+    if (!path.empty())
+    {
+      take(what, path, false);
+    }
+  }
+  for (int i = 0; !options.inner.empty() && i < system->GetNumberOfInnerOutputs(); ++i)
+  {
+    take("--inner:", innerPath(options, system->GetInnerOutputName(i)), false);
+  }
+}
+
+// Everything that can be known to fail is looked at before the work.
+void checkOutputs(const Options& options, vtkOversketchSystem* system)
+{
+  requireApart(options, system);
   for (const std::string* path : { &options.output, &options.picture, &options.report })
   {
     if (!path->empty())
@@ -55,24 +99,25 @@ void checkOutputs(const Options& options)
   {
     std::error_code error;
     std::filesystem::create_directories(options.inner, error);
-    if (!std::filesystem::is_directory(options.inner))
+    if (!std::filesystem::is_directory(options.inner, error))
     {
       throw Failed(options.inner + ": is no folder and could not be made one");
     }
-    requireWritable(options.inner + "/inner.vtp");
+    for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
+    {
+      requireWritable(innerPath(options, system->GetInnerOutputName(i)));
+    }
   }
 }
 
 Image readPicture(const std::string& path)
 {
   requireReadable(path);
-  std::ifstream stream(path, std::ios::binary);
   const Image image{ std::filesystem::path(path).filename().string(),
-    std::make_shared<const std::string>(
-      std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()) };
+    std::make_shared<const std::string>(wholeFile(path)) };
   if (!pictureOf(*image.bytes))
   {
-    throw Failed(path + ": is no PNG or JPEG picture, or a damaged one");
+    throw Failed(path + ": is " + notAPicture);
   }
   return image;
 }
@@ -116,9 +161,11 @@ void runSystem(const Options& options)
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point begin)
   { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); };
-  catchInterrupt();
+  catchSignals();
   catchMessages();
-  checkOutputs(options);
+  Evaluator evaluator;
+  vtkOversketchSystem* const system = evaluator.system(options.system->name);
+  checkOutputs(options, system);
 
   Notes notes;
   Report report;
@@ -128,11 +175,10 @@ void runSystem(const Options& options)
   say(notes);
   throwIfInterrupted();
 
-  Evaluator evaluator;
   Evaluator::Watch watch;
   watch.cancelled = interrupted;
   watch.progress = [](std::size_t, const std::string& stage, double share) { showProgress(share, stage); };
-  watch.warning = [](std::size_t, const std::string& message) { say("warning: " + message); };
+  watch.warning = [](std::size_t, const std::string& message) { warn(message); };
   std::vector<Outcome> outcomes;
   begin = Clock::now();
   evaluator.run(session, watch, outcomes);
@@ -145,23 +191,25 @@ void runSystem(const Options& options)
   }
 
   begin = Clock::now();
-  writeMesh(outcomes[0].mesh, options.output, notes);
+  NewFiles files;
+  writeMesh(outcomes[0].mesh, options.output, notes, files);
   report.writeMilliseconds = since(begin);
-  say(notes);
-  vtkOversketchSystem* system = evaluator.system(options.system->name);
   if (!options.inner.empty())
   {
-    writeInner(system, options.inner);
+    writeInner(options, system, files);
   }
   if (!options.report.empty())
   {
-    writeText(options.report, report.json(options, system, session.mesh, outcomes[0].mesh));
+    files.writeText(options.report, report.json(options, system, session.mesh, outcomes[0].mesh));
   }
   if (!options.picture.empty())
   {
     const SystemInput* drawn = findInput(*options.system, SystemInput::Kind::Stroke);
-    writePicture(system, linesOf(*session.nodes[0].step, drawn->name), options.picture);
+    writePicture(system, linesOf(*session.nodes[0].step, drawn->name), options.picture, files);
   }
+  throwIfInterrupted();
+  files.commit();
+  say(notes);
 }
 
 } // namespace oversketch_command

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <set>
 
 namespace oversketch_command
 {
@@ -18,7 +19,7 @@ volatile std::sig_atomic_t stop = 0;
 void interrupt(int)
 {
   stop = 1;
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGINT, endBySignal);
 }
 
 bool onTerminal()
@@ -29,9 +30,13 @@ bool onTerminal()
 
 } // namespace
 
-void catchInterrupt()
+void catchSignals()
 {
-  std::signal(SIGINT, interrupt);
+  endCleanly();
+  if (std::signal(SIGINT, interrupt) == SIG_IGN)
+  {
+    std::signal(SIGINT, SIG_IGN); // a shell's background job
+  }
 }
 
 bool interrupted()
@@ -51,6 +56,15 @@ void say(const std::string& text)
 {
   clearProgress();
   std::fprintf(stderr, "oversketch: %s\n", printable(text).c_str());
+}
+
+void warn(const std::string& text)
+{
+  static std::set<std::string> said;
+  if (said.insert(text).second)
+  {
+    say("warning: " + text);
+  }
 }
 
 void say(Notes& notes)

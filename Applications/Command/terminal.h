@@ -9,14 +9,17 @@
 namespace oversketch_command
 {
 
-// The first SIGINT asks to stop, the second ends the program at once.
-void catchInterrupt();
+// The first SIGINT asks to stop, the second ends the program at once, as SIGTERM and SIGHUP do; no temporary
+// file is left.
+void catchSignals();
 bool interrupted();
 // Throws Failed after the first interrupt.
 void throwIfInterrupted();
 
 // One line on stderr.
 void say(const std::string& text);
+// A warning, once however often it is given.
+void warn(const std::string& text);
 // Each note a line; they are gone afterwards.
 void say(oversketch_files::Notes& notes);
 

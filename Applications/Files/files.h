@@ -26,8 +26,9 @@ void catchMessages();
 // First line of the first error since the last call, "" if there was none.
 std::string takeError();
 
-// The text with a space for every control character, so that a name from a file cannot steer a terminal.
-std::string printable(std::string text);
+// The text with a space for every control character, also those that turn the direction of writing, and '?'
+// for bytes that are no UTF-8, so that a name from a file cannot steer a terminal.
+std::string printable(const std::string& text);
 
 // Lower-case extension with its dot, "" if there is none.
 std::string extensionOf(const std::string& path);
@@ -35,13 +36,55 @@ std::string extensionOf(const std::string& path);
 std::uintmax_t requireReadable(const std::string& path);
 // The content of a file; empty where it is absent or no regular file, which may never end.
 std::string wholeFile(const std::string& path);
-// Throws Failed unless a file of this name can be made or replaced.
+// Whether both names are of one file, which need not be there yet.
+bool isSameFile(const std::string& a, const std::string& b);
+// Throws Failed unless a file of this name can be made or replaced. A file without permission to write is not
+// replaced, not even by root.
 void requireWritable(const std::string& path);
-// Calls write with the name of a temporary file beside path (same extension), and renames it to path. The
-// temporary file is removed when write throws, so that no half-written file is left.
+
+// Files that appear together, each whole, or not at all. A file that is replaced keeps its mode and, where
+// that may be had, its owner; a symbolic link is followed.
+class NewFiles
+{
+public:
+  NewFiles() = default;
+  // What is not committed is removed.
+  ~NewFiles();
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+
+  // Calls write with the name of an empty temporary file beside path (same extension), which it fills. Throws
+  // what write throws, with path in place of the temporary name, and Failed where it cannot be made, stays
+  // empty, or path was written before.
+  void write(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+  void writeText(const std::string& path, const std::string& text);
+  // Puts all into their places, the first one first. Throws Failed; files that were not there before are then
+  // gone.
+  void commit();
+
+private:
+  struct File
+  {
+    std::string path, target; // as it was named, and where links lead
+    std::string temporary;
+    int slot = -1; // in the list that a signal empties
+  };
+  void dropLast();
+  void fill(File& file, const std::function<void(const std::string&)>& write);
+
+  std::vector<File> Files;
+};
+
+// One file alone.
 void writeWhole(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 // Writes text to the path, whole or not at all.
 void writeText(const std::string& path, const std::string& text);
+
+// Ends the program by that signal, without temporary files; where files are just being put into their places,
+// after that. Safe in a signal handler.
+void endBySignal(int signal);
+// From now on SIGTERM and SIGHUP end the program so, unless they are ignored.
+void endCleanly();
 
 } // namespace oversketch_files
 #endif

@@ -134,6 +134,15 @@ void GltfDocument::refuse(const std::string& why) const
   throw Failed(this->Path + ": " + why);
 }
 
+void GltfDocument::spend(std::size_t numbers)
+{
+  this->Spent += numbers;
+  if (this->Spent > 16 * this->Size + 1000000)
+  {
+    this->refuse("asks for more numbers than a file of its size should; the file is damaged");
+  }
+}
+
 const Json::Value& GltfDocument::find(const std::string& list, const Json::Value& index) const
 {
   const Json::Value& all = this->Root[list];
@@ -146,8 +155,8 @@ const Json::Value& GltfDocument::at(const std::string& list, const Json::Value& 
   const Json::Value& found = this->find(list, index);
   if (!found.isObject())
   {
-    this->refuse("names " + (index.isUInt() ? std::to_string(index.asUInt()) : "no number") + " of its " + list +
-                 ", which is not there; the file is damaged");
+    this->refuse("names " + (index.isUInt() ? std::to_string(index.asUInt()) : "no number") + " of its " +
+                 list + ", which is not there; the file is damaged");
   }
   return found;
 }
@@ -227,7 +236,8 @@ void GltfDocument::readInto(const Json::Value& description,
   const std::size_t bytes = sizeOf(type) * components;
   const Json::Value& view = this->at("bufferViews", description["bufferView"]);
   const std::size_t stride = view.isMember("byteStride") ? this->whole(view, "byteStride", where) : bytes;
-  const std::size_t offset = description.isMember("byteOffset") ? this->whole(description, "byteOffset", where) : 0;
+  const std::size_t offset =
+    description.isMember("byteOffset") ? this->whole(description, "byteOffset", where) : 0;
   if (stride < bytes || stride > 255 + bytes)
   {
     this->refuse(where + ": byteStride does not fit its type; the file is damaged");
@@ -273,6 +283,7 @@ GltfNumbers GltfDocument::numbers(const Json::Value& index)
     this->refuse(where + ": announces " + std::to_string(numbers.count) +
                  " elements, more than a file of its size can hold");
   }
+  this->spend(numbers.count * numbers.components);
   const bool isNormalized = accessor["normalized"].isBool() && accessor["normalized"].asBool();
   numbers.values.resize(numbers.count * numbers.components);
   if (hasView)
@@ -283,7 +294,8 @@ GltfNumbers GltfDocument::numbers(const Json::Value& index)
   if (sparse.isObject())
   {
     const std::size_t count = this->whole(sparse, "count", where);
-    const int indexType = sparse["indices"]["componentType"].isInt() ? sparse["indices"]["componentType"].asInt() : 0;
+    const int indexType =
+      sparse["indices"]["componentType"].isInt() ? sparse["indices"]["componentType"].asInt() : 0;
     if (count > numbers.count || sizeOf(indexType) == 0)
     {
       this->refuse(where + ": its sparse part does not fit; the file is damaged");
@@ -299,7 +311,8 @@ GltfNumbers GltfDocument::numbers(const Json::Value& index)
       }
       std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * numbers.components),
         numbers.components,
-        numbers.values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(places[i]) * numbers.components));
+        numbers.values.begin() +
+          static_cast<std::ptrdiff_t>(static_cast<std::size_t>(places[i]) * numbers.components));
     }
   }
   else if (!hasView)
@@ -322,7 +335,8 @@ std::string GltfDocument::picture(const Json::Value& index)
     return {};
   }
   const std::size_t length = view["byteLength"].asUInt64();
-  return { this->viewed(image["bufferView"], 0, length, "its images " + std::to_string(index.asUInt())), length };
+  return { this->viewed(image["bufferView"], 0, length, "its images " + std::to_string(index.asUInt())),
+    length };
 }
 
 } // namespace oversketch_files

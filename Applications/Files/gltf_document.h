@@ -1,5 +1,6 @@
-// A glTF document, .gltf or .glb: its JSON, and the numbers and pictures that it names. Why not vtkGLTFReader: it
-// trusts indices, counts and offsets of the file, follows nodes in a circle, and opens what is no file.
+// A glTF document, .gltf or .glb: its JSON, and the numbers and pictures that it names. Why not
+// vtkGLTFReader: it trusts indices, counts and offsets of the file, follows nodes in a circle, and opens what
+// is no file.
 #ifndef oversketch_files_gltf_document_h
 #define oversketch_files_gltf_document_h
 
@@ -37,8 +38,9 @@ public:
   GltfNumbers numbers(const Json::Value& accessor);
   // The bytes of a picture; empty where they cannot be had.
   std::string picture(const Json::Value& index);
-  // Bytes of the file and of the buffers that were read: what it may ask for is counted against them.
-  std::size_t size() const { return this->Size; }
+  // Takes so many numbers of what the file may ask for, which is counted against its size and that of the
+  // buffers that were read: many nodes may name one mesh.
+  void spend(std::size_t numbers);
 
   [[noreturn]] void refuse(const std::string& why) const;
 
@@ -47,7 +49,10 @@ private:
   std::string resolved(const std::string& uri) const;
   std::size_t whole(const Json::Value& object, const char* member, const std::string& where) const;
   // The bytes [offset, offset + length) of a buffer view.
-  const char* viewed(const Json::Value& view, std::size_t offset, std::size_t length, const std::string& where);
+  const char* viewed(const Json::Value& view,
+    std::size_t offset,
+    std::size_t length,
+    const std::string& where);
   // count elements of `components` numbers each, from a buffer view.
   void readInto(const Json::Value& description,
     int type,
@@ -62,7 +67,7 @@ private:
   Json::Value Root;
   std::string Binary;
   std::map<unsigned, std::string> Buffers;
-  std::size_t Size = 0;
+  std::size_t Size = 0, Spent = 0;
 };
 
 } // namespace oversketch_files

@@ -30,47 +30,54 @@ struct Skin
   std::set<std::string> dropped;  // properties of materials that are not kept
 };
 
+// The picture of a material; null for one without.
+Json::Value pictureNamed(const GltfDocument& document, const Json::Value& material, Skin& skin)
+{
+  const Json::Value& base = material["pbrMetallicRoughness"];
+  const Json::Value& texture = document.find("textures", base["baseColorTexture"]["index"]);
+  const Json::Value& sampler = document.find("samplers", texture["sampler"]);
+  if (sampler.get("wrapS", 10497) != 10497 || sampler.get("wrapT", 10497) != 10497)
+  {
+    skin.dropped.insert("wrapping of textures");
+  }
+  for (const char* name : { "baseColorFactor", "metallicRoughnessTexture" })
+  {
+    if (base.isMember(name))
+    {
+      skin.dropped.insert(name);
+    }
+  }
+  for (const std::string& name : material.getMemberNames())
+  {
+    if (name != "pbrMetallicRoughness" && name != "name")
+    {
+      skin.dropped.insert(name);
+    }
+  }
+  if (base["baseColorTexture"].get("texCoord", 0) != 0)
+  {
+    skin.dropped.insert("baseColorTexture on a second set of coordinates");
+    return {}; // other coordinates than those that are read
+  }
+  return texture["source"];
+}
+
 Skin skinOf(const GltfDocument& document)
 {
   Skin skin;
+  std::set<Json::Value> materials;
   for (const Json::Value& mesh : document.json()["meshes"])
   {
     for (const Json::Value& primitive : mesh["primitives"])
     {
-      const Json::Value material = document.find("materials", primitive["material"]);
-      Json::Value picture;
-      if (material.isObject())
-      {
-        const Json::Value& base = material["pbrMetallicRoughness"];
-        const Json::Value texture = document.find("textures", base["baseColorTexture"]["index"]);
-        picture = texture["source"];
-        const Json::Value sampler = document.find("samplers", texture["sampler"]);
-        if (sampler.get("wrapS", 10497) != 10497 || sampler.get("wrapT", 10497) != 10497)
-        {
-          skin.dropped.insert("wrapping of textures");
-        }
-        if (base["baseColorTexture"].get("texCoord", 0) != 0)
-        {
-          picture = Json::Value(); // other coordinates than those that are read
-          skin.dropped.insert("baseColorTexture on a second set of coordinates");
-        }
-        for (const char* name : { "baseColorFactor", "metallicRoughnessTexture" })
-        {
-          if (base.isMember(name))
-          {
-            skin.dropped.insert(name);
-          }
-        }
-        for (const std::string& name : material.getMemberNames())
-        {
-          if (name != "pbrMetallicRoughness" && name != "name")
-          {
-            skin.dropped.insert(name);
-          }
-        }
-      }
-      skin.pictures.insert(picture);
+      materials.insert(
+        document.find("materials", primitive["material"]).isObject() ? primitive["material"] : Json::Value());
     }
+  }
+  for (const Json::Value& index : materials)
+  {
+    const Json::Value& material = document.find("materials", index);
+    skin.pictures.insert(material.isObject() ? pictureNamed(document, material, skin) : Json::Value());
   }
   return skin;
 }
@@ -298,17 +305,25 @@ void transform(Part& part, const std::vector<Matrix>& matrices)
     }
   };
   apply("POSITION",
-    [](const Matrix& m, const Eigen::Vector3d& p) -> Eigen::Vector3d { return (m * p.homogeneous()).head<3>(); });
+    [](const Matrix& m, const Eigen::Vector3d& p) -> Eigen::Vector3d
+    { return (m * p.homogeneous()).head<3>(); });
   apply("NORMAL",
     [](const Matrix& m, const Eigen::Vector3d& n) -> Eigen::Vector3d
-    { return (m.topLeftCorner<3, 3>().inverse().transpose() * n).normalized(); });
+    {
+      const Eigen::Vector3d moved = (m.topLeftCorner<3, 3>().inverse().transpose() * n).normalized();
+      return moved.allFinite() ? moved : n; // where a scale is zero nothing is told
+    });
 }
 
 // The matrix of each point of a skin: joints by their weights.
-std::vector<Matrix> skinned(GltfDocument& document, const Scene& scene, const Json::Value& index, const Part& part)
+std::vector<Matrix> skinned(GltfDocument& document,
+  const Scene& scene,
+  const Json::Value& index,
+  const Part& part)
 {
   const Json::Value& skin = document.at("skins", index);
   std::vector<Matrix> joints;
+  document.spend(16 * skin["joints"].size());
   for (const Json::Value& joint : skin["joints"])
   {
     joints.push_back(scene.toWorld(joint));
@@ -318,7 +333,8 @@ std::vector<Matrix> skinned(GltfDocument& document, const Scene& scene, const Js
     const GltfNumbers bind = document.numbers(skin["inverseBindMatrices"]);
     if (bind.components != 16 || bind.count < joints.size())
     {
-      document.refuse("its skins " + std::to_string(index.asUInt()) + " lacks matrices of joints; the file is damaged");
+      document.refuse(
+        "its skins " + std::to_string(index.asUInt()) + " lacks matrices of joints; the file is damaged");
     }
     for (std::size_t i = 0; i < joints.size(); ++i)
     {
@@ -408,7 +424,6 @@ std::vector<Part> partsOf(GltfDocument& document)
 {
   const Scene scene(document);
   std::vector<Part> parts;
-  std::size_t points = 0;
   for (const unsigned at : scene.nodes())
   {
     const Json::Value& node = document.json()["nodes"][at];
@@ -420,18 +435,13 @@ std::vector<Part> partsOf(GltfDocument& document)
     for (Json::ArrayIndex i = 0; i < mesh["primitives"].size(); ++i)
     {
       const Json::Value& primitive = mesh["primitives"][i];
-      Part part = partOf(document, primitive, "its meshes " + node["mesh"].asString() + ", primitive " + std::to_string(i));
+      Part part = partOf(
+        document, primitive, "its meshes " + node["mesh"].asString() + ", primitive " + std::to_string(i));
       addMorphs(document, primitive, node["weights"].isArray() ? node["weights"] : mesh["weights"], part);
-      const bool isSkinned =
-        !node["skin"].isNull() && part.attributes.count("JOINTS_0") == 1 && part.attributes.count("WEIGHTS_0") == 1;
+      const bool isSkinned = !node["skin"].isNull() && part.attributes.count("JOINTS_0") == 1 &&
+                             part.attributes.count("WEIGHTS_0") == 1;
       transform(part,
-        isSkinned ? skinned(document, scene, node["skin"], part)
-                  : std::vector<Matrix>{ scene.toWorld(at) });
-      points += part.attributes["POSITION"].count;
-      if (points > 100 * document.size()) // a mesh may be named by many nodes
-      {
-        document.refuse("asks for more points than a file of its size should; the file is damaged");
-      }
+        isSkinned ? skinned(document, scene, node["skin"], part) : std::vector<Matrix>{ scene.toWorld(at) });
       if (!part.corners.empty())
       {
         parts.push_back(std::move(part));
@@ -479,7 +489,9 @@ vtkSmartPointer<vtkPolyData> joinedMesh(const std::vector<Part>& parts, std::set
     }
     for (std::size_t i = 0; i < part.corners.size(); i += 3)
     {
-      const vtkIdType ids[3] = { first + part.corners[i], first + part.corners[i + 1], first + part.corners[i + 2] };
+      const vtkIdType ids[3] = {
+        first + part.corners[i], first + part.corners[i + 1], first + part.corners[i + 2]
+      };
       polys->InsertNextCell(3, ids);
     }
     first += static_cast<vtkIdType>(part.attributes.at("POSITION").count);
@@ -509,18 +521,19 @@ vtkSmartPointer<vtkPolyData> joinedMesh(const std::vector<Part>& parts, std::set
   return mesh;
 }
 
-void requirePictures(GltfDocument& document)
+// The bytes of a picture that can be read.
+std::string soundPicture(GltfDocument& document, const Json::Value& index)
 {
-  const Json::Value& images = document.json()["images"];
-  for (Json::ArrayIndex i = 0; i < images.size(); ++i)
+  std::string picture = document.picture(index);
+  if (!pictureOf(picture))
   {
-    if (!pictureOf(document.picture(i)))
-    {
-      const Json::Value& uri = images[i]["uri"];
-      document.refuse("its picture " + (uri.isString() ? uri.asString().substr(0, 60) : std::to_string(i)) +
-                      " is absent, damaged or neither PNG nor JPEG; mend it or take it out of the file");
-    }
+    const Json::Value& uri = document.find("images", index)["uri"];
+    const bool isFile = uri.isString() && uri.asString().rfind("data:", 0) != 0;
+    document.refuse("its picture " +
+                    (isFile ? uri.asString().substr(0, 60) : index.toStyledString().substr(0, 10)) +
+                    " is absent or " + notAPicture + "; mend it or take it out of the file");
   }
+  return picture;
 }
 
 void turnCoordinates(vtkPointData* data)
@@ -534,12 +547,11 @@ void turnCoordinates(vtkPointData* data)
 
 vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& path, Notes& notes)
 {
-  requirePictures(document);
   Skin skin = skinOf(document);
   std::string picture;
   if (skin.pictures.size() == 1 && !skin.pictures.begin()->isNull())
   {
-    picture = document.picture(*skin.pictures.begin());
+    picture = soundPicture(document, *skin.pictures.begin());
   }
   const std::vector<Part> parts = partsOf(document);
   if (parts.empty())
@@ -593,9 +605,9 @@ vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes)
   {
     return read(document, path, notes);
   }
-  catch (const Json::Exception& damage) // a member of another type than it must be
+  catch (const Json::Exception&) // a member of another type than it must be
   {
-    throw Failed(path + ": is damaged: " + damage.what());
+    throw Failed(path + ": a member of its JSON is of another type than it must be; the file is damaged");
   }
 }
 

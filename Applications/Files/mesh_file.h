@@ -29,20 +29,26 @@ vtkSmartPointer<vtkPolyData> parseStroke(const std::string& name, const std::str
 // The bytes of a .vtp file that keeps every bit of the data; equal data gives equal bytes.
 std::string bytesOf(vtkPolyData* data);
 
-// Writes the mesh whole or not at all; the notes say what the format drops.
+// Writes the mesh whole or not at all; the notes say what the format drops. It is read back before it
+// appears, so that no file is left that cannot be read.
 void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes);
+// The same as one of several files, which appear together.
+void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes, NewFiles& files);
 
 // The single formats, used by the above. They throw Failed.
+vtkSmartPointer<vtkPolyData> readVtp(const std::string& name, const std::string& bytes);
 vtkSmartPointer<vtkPolyData> readPly(const std::string& path);
+vtkSmartPointer<vtkPolyData> readStl(const std::string& path);
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path);
+// Which face wears which material (field array MaterialNames, cell array MaterialIds), the names of the
+// libraries (field array MaterialLibraries), one array of texture coordinates (-1, -1 at points without), and
+// the picture.
 vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes);
-// After vtkOBJReader: which face wears which material (field array MaterialNames, cell array MaterialIds), one
-// array of texture coordinates for all of them (-1, -1 at points without), and the picture of the materials
-// (texture.h) where all have the same.
-void readObjMaterials(vtkPolyData* mesh, const std::string& path, Notes& notes);
-// Writes the texture and a library with one material, "texture", beside an OBJ file of that path; returns the
+// The picture of the materials (texture.h) where all that are worn have the same.
+void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes);
+// Makes the texture and a library with one material, "texture", beside an OBJ file of that path; returns the
 // library's name. Replaces no other file.
-std::string writeObjMaterial(vtkPolyData* mesh, const std::string& path);
+std::string writeObjMaterial(vtkPolyData* mesh, const std::string& path, NewFiles& files);
 // With the picture of the base colour (texture.h) where all parts share one; the notes name what is not kept.
 vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes);
 void writeOff(vtkPolyData* mesh, const std::string& path);

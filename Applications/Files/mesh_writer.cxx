@@ -27,10 +27,9 @@ void finish(Writer* writer, const std::string& path)
   takeError();
   writer->SetFileName(path.c_str());
   const int done = writer->Write();
-  const std::string error = takeError();
-  if (!done || writer->GetErrorCode() != vtkErrorCode::NoError || !error.empty())
+  if (!done || writer->GetErrorCode() != vtkErrorCode::NoError || !takeError().empty())
   {
-    throw Failed(path + ": could not be written" + (error.empty() ? " (is the disk full?)" : ": " + error));
+    throw Failed(path + ": could not be written (is the disk full?)");
   }
 }
 
@@ -47,14 +46,33 @@ void writePly(vtkPolyData* mesh, const std::string& path)
     writer->SetEnableAlpha(colours->GetNumberOfComponents() == 4);
   }
   finish(writer.Get(), path);
+}
+
+// Not every writer notices a full disk, and not every number fits into every format.
+void requireReadBack(vtkPolyData* mesh, const std::string& path)
+{
+  if (mesh->GetNumberOfPolys() == 0)
+  {
+    return; // lines, as inner stages put them out
+  }
+  std::string why;
   try
   {
-    readPly(path); // the writer of VTK 9.1 does not notice a full disk
+    Notes none;
+    // An STL file keeps no triangle whose corners are one in single precision.
+    const vtkIdType read = readMesh(path, none)->GetNumberOfPolys();
+    if (read == mesh->GetNumberOfPolys() || (extensionOf(path) == ".stl" && read < mesh->GetNumberOfPolys()))
+    {
+      return;
+    }
+    why = "it has " + std::to_string(read) + " polygons of " + std::to_string(mesh->GetNumberOfPolys());
   }
-  catch (const Failed&)
+  catch (const Failed& failed)
   {
-    throw Failed(path + ": could not be written (is the disk full?)");
+    why = failed.what();
+    why.erase(0, why.rfind(path + ": ", 0) == 0 ? path.size() + 2 : 0);
   }
+  throw Failed(path + ": could not be written (is the disk full?); what was written reads: " + why);
 }
 
 // The array of the texture, for formats that keep it.
@@ -134,12 +152,19 @@ std::string bytesOf(vtkPolyData* data)
   takeError();
   if (!writer->Write())
   {
-    throw Failed("could not encode a mesh: " + takeError());
+    throw Failed("a mesh could not be encoded; is there memory left?");
   }
   return writer->GetOutputString();
 }
 
 void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
+{
+  NewFiles files;
+  writeMesh(mesh, path, notes, files);
+  files.commit();
+}
+
+void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes, NewFiles& files)
 {
   const std::string extension = extensionOf(path);
   vtkPointData* points = mesh->GetPointData();
@@ -173,7 +198,7 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
     else if (keptTexture(mesh))
     {
       requireWritable(path);
-      library = writeObjMaterial(mesh, path);
+      library = writeObjMaterial(mesh, path, files);
       notes.push_back("OBJ keeps the texture beside it, in " + library);
     }
     write = [mesh, library](const std::string& file) { writeObj(mesh, file, library); };
@@ -218,7 +243,12 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
   {
     notes.push_back(extension.substr(1) + " keeps points in single precision");
   }
-  writeWhole(path, write);
+  files.write(path,
+    [&](const std::string& file)
+    {
+      write(file);
+      requireReadBack(mesh, file);
+    });
 }
 
 } // namespace oversketch_files

@@ -1,20 +1,20 @@
-// Why not vtkOBJReader alone: in VTK 9.3 it counts relative indices (-1 is the last one so far) of texture
-// coordinates and normals by the number of the other, so it is given absolute ones.
+// OBJ. Why not vtkOBJReader: it trusts indices, counts relative ones of texture coordinates by those of
+// normals, keeps an array of coordinates for each material, and loses which face wears which.
 #include "mesh_file.h"
+#include "text.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStringArray.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <memory>
-#include <sstream>
-
-#include <sys/mman.h>
-#include <unistd.h>
+#include <array>
+#include <map>
 
 namespace oversketch_files
 {
@@ -22,187 +22,374 @@ namespace oversketch_files
 namespace
 {
 
-bool isElement(const std::string& line)
+enum Kind
 {
-  return line.size() > 1 && (line[0] == 'f' || line[0] == 'l' || line[0] == 'p') &&
-         (line[1] == ' ' || line[1] == '\t');
-}
+  Vertex,
+  Coordinate,
+  Normal
+};
+constexpr std::array<int, 3> components = { 3, 2, 3 };
+constexpr vtkIdType noId = -1;
 
-// A corner, v/vt/vn, with absolute indices.
-std::string absolute(const std::string& corner, const long (&counts)[3])
+using Corner = std::array<vtkIdType, 3>; // ids of each kind, counted from 0
+
+struct Face
 {
-  std::istringstream parts(corner);
-  std::string part, text;
-  for (int k = 0; std::getline(parts, part, '/'); ++k)
-  {
-    const long index = part.empty() ? 0 : std::strtol(part.c_str(), nullptr, 10);
-    text += (k > 0 ? "/" : "") + (index < 0 && k < 3 ? std::to_string(counts[k] + 1 + index) : part);
-  }
-  return text;
-}
+  std::size_t end = 0; // behind its last corner
+  int material = 0;
+  float group = 0.0F;
+};
 
-// The largest index that was used of each kind, v, vt, vn, and where.
-class Indices
+class Obj
 {
 public:
-  explicit Indices(const std::string& path)
+  explicit Obj(const std::string& path)
     : Path(path)
   {
-  }
-
-  // The corners of a line, with `counts` of each kind before it.
-  void add(const std::string& line, long number, const long (&counts)[3])
-  {
-    for (const char* at = line.c_str() + 1; *at != '\0';)
+    const std::string text = wholeFile(path);
+    Words lines(text);
+    std::string joined; // of lines that a backslash ties together
+    for (std::string_view line; lines.line(line);)
     {
-      at += std::strspn(at, " \t\r");
-      for (int k = 0; k < 3; ++k)
+      ++this->Line;
+      const std::size_t end = line.find_last_not_of(" \t\r");
+      line = line.substr(0, end == std::string_view::npos ? 0 : end + 1);
+      const bool goesOn = !line.empty() && line.back() == '\\';
+      if (goesOn || !joined.empty())
       {
-        char* end = nullptr;
-        const long given = std::strtol(at, &end, 10), index = given < 0 ? counts[k] + 1 + given : given;
-        if (end != at && index < 1)
-        {
-          this->refuse(number, k, given, counts[k]);
-        }
-        if (end != at && index > this->Most[k])
-        {
-          this->Most[k] = index;
-          this->Line[k] = number;
-        }
-        at = end;
-        if (*at != '/')
-        {
-          break;
-        }
-        ++at;
+        joined += std::string(line.substr(0, line.size() - (goesOn ? 1 : 0))) + ' ';
       }
-      at += std::strcspn(at, " \t\r");
-    }
-  }
-
-  void requireWithin(const long (&counts)[3]) const
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (this->Most[k] > counts[k])
+      if (!goesOn)
       {
-        this->refuse(this->Line[k], k, this->Most[k], counts[k]);
+        this->read(joined.empty() ? line : std::string_view(joined));
+        joined.clear();
       }
     }
+    this->requireIds();
+  }
+
+  std::array<std::vector<float>, 3> values;
+  std::vector<Corner> corners;
+  std::vector<Face> faces;
+  std::vector<std::string> libraries, materials; // in the order of their first use
+  bool grouped = false;
+  vtkIdType others = 0; // lines and points
+
+  std::size_t count(Kind kind) const
+  {
+    return this->values[kind].size() / static_cast<std::size_t>(components[kind]);
+  }
+
+  // Whether all corners that have an id of the kind have that of their vertex.
+  bool followsVertices(Kind kind) const
+  {
+    for (const Corner& corner : this->corners)
+    {
+      if (corner[kind] != noId && corner[kind] != corner[Vertex])
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
 private:
-  [[noreturn]] void refuse(long line, int kind, long index, long count) const
+  [[noreturn]] void refuse(const std::string& why) const { throw Failed(this->Path + ": " + why); }
+
+  std::string where() const { return "line " + std::to_string(this->Line); }
+
+  void read(std::string_view line)
+  {
+    Words words(line);
+    const std::string_view keyword = words.next();
+    if (keyword == "v" || keyword == "vt" || keyword == "vn")
+    {
+      const Kind kind = keyword == "v" ? Vertex : keyword == "vt" ? Coordinate : Normal;
+      for (int k = 0; k < components[kind]; ++k)
+      {
+        const std::string_view word = words.next();
+        const std::optional<double> value = numberOf(word);
+        // A texture of one dimension has one coordinate.
+        if (!value && !(kind == Coordinate && k == 1 && word.empty()))
+        {
+          this->refuse(this->where() + (word.empty() ? " ends" : " has " + inQuotes(word)) +
+                       " where a number should be; the file is damaged");
+        }
+        this->values[kind].push_back(static_cast<float>(value.value_or(0.0)));
+      }
+    }
+    else if (keyword == "f")
+    {
+      this->readFace(words);
+    }
+    else if (keyword == "l" || keyword == "p")
+    {
+      ++this->others;
+    }
+    else if (keyword == "g")
+    {
+      this->Group += this->grouped ? 1.0F : 0.0F;
+      this->grouped = true;
+    }
+    else if (keyword == "usemtl")
+    {
+      this->Material = this->materialNamed(std::string(restOf(line, words)));
+    }
+    else if (keyword == "mtllib")
+    {
+      this->libraries.emplace_back(restOf(line, words));
+    }
+  }
+
+  static std::string_view restOf(std::string_view line, const Words& words)
+  {
+    const std::size_t from = line.find_first_not_of(" \t", words.at());
+    const std::size_t to = line.find_last_not_of(" \t\r");
+    return from == std::string_view::npos ? std::string_view() : line.substr(from, to + 1 - from);
+  }
+
+  int materialNamed(const std::string& name)
+  {
+    const auto [place, isNew] = this->Known.emplace(name, static_cast<int>(this->materials.size()));
+    if (isNew)
+    {
+      this->materials.push_back(name);
+    }
+    return place->second;
+  }
+
+  void readFace(Words& words)
+  {
+    std::size_t read = 0;
+    for (std::string_view word = words.next(); !word.empty() && word[0] != '#'; word = words.next(), ++read)
+    {
+      this->corners.push_back(this->cornerOf(word));
+    }
+    if (read < 3)
+    {
+      this->refuse(
+        this->where() + " has a face of " + std::to_string(read) + " corners; the file is damaged");
+    }
+    if (this->Material < 0)
+    {
+      this->Material =
+        this->materialNamed("NO_MATERIAL"); // of faces before the first usemtl, as VTK calls it
+    }
+    this->faces.push_back({ this->corners.size(), this->Material, this->Group });
+  }
+
+  // "v", "v/vt", "v//vn", "v/vt/vn", counted from 1, or back from -1, the last one so far.
+  Corner cornerOf(std::string_view word)
+  {
+    Corner corner = { noId, noId, noId };
+    const char* at = word.data();
+    const char* const end = at + word.size();
+    for (int kind = Vertex; kind <= Normal; ++kind)
+    {
+      long given = 0;
+      const std::from_chars_result done = std::from_chars(at + (at != end && *at == '+'), end, given);
+      const auto known = static_cast<long>(this->count(static_cast<Kind>(kind)));
+      if (done.ec == std::errc() && done.ptr != at)
+      {
+        const long index = given < 0 && given >= -known ? known + given : given - 1;
+        if (index < 0)
+        {
+          this->refuseIndex(this->Line, kind, given);
+        }
+        corner[static_cast<std::size_t>(kind)] = index;
+        if (index > this->Most[static_cast<std::size_t>(kind)].first)
+        {
+          this->Most[static_cast<std::size_t>(kind)] = { index, this->Line };
+        }
+        at = done.ptr;
+      }
+      else if (kind == Vertex || done.ec == std::errc::result_out_of_range)
+      {
+        this->refuse(
+          this->where() + " has " + inQuotes(word) + " where a corner should be; the file is damaged");
+      }
+      if (at == end || *at != '/')
+      {
+        break;
+      }
+      ++at;
+    }
+    if (at != end)
+    {
+      this->refuse(
+        this->where() + " has " + inQuotes(word) + " where a corner should be; the file is damaged");
+    }
+    return corner;
+  }
+
+  // A face may name what comes after it, so this is known at the end.
+  void requireIds() const
+  {
+    for (int kind = Vertex; kind <= Normal; ++kind)
+    {
+      const auto [index, line] = this->Most[static_cast<std::size_t>(kind)];
+      if (index >= static_cast<long>(this->count(static_cast<Kind>(kind))))
+      {
+        this->refuseIndex(line, kind, index + 1);
+      }
+    }
+  }
+
+  [[noreturn]] void refuseIndex(long line, int kind, long index) const
   {
     const char* const kinds[] = { "vertex", "texture coordinate", "normal" };
-    throw Failed(this->Path + ": line " + std::to_string(line) + " names the " + kinds[kind] + ' ' +
-                 std::to_string(index) + ", and there are " + std::to_string(count) +
+    this->refuse("line " + std::to_string(line) + " names the " + kinds[kind] + ' ' + std::to_string(index) +
+                 ", and there are " + std::to_string(this->count(static_cast<Kind>(kind))) +
                  ", counted from 1; the file is damaged");
   }
 
   std::string Path;
-  long Most[3] = { 0, 0, 0 }, Line[3] = { 0, 0, 0 };
+  long Line = 0;
+  int Material = noId;
+  float Group = 0.0F;
+  std::map<std::string, int> Known;
+  std::array<std::pair<long, long>, 3> Most = {
+    { { -1, 0 }, { -1, 0 }, { -1, 0 } }
+  }; // largest index, its line
 };
 
-bool isKeyword(const std::string& line, const char* keyword, std::size_t length)
+vtkSmartPointer<vtkFloatArray> arrayOf(const char* name, int width, std::size_t count, float initial)
 {
-  return line.compare(0, length, keyword) == 0 && line.size() > length && (line[length] == ' ' || line[length] == '\t');
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(width);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  array->FillValue(initial);
+  return array;
 }
 
-// The text of the file with absolute indices; "" where it has no others. Throws Failed where one names what is
-// not there: vtkOBJReader would read past its arrays.
-std::string withAbsoluteIndices(const std::string& path)
+// Points, and what they have: where corners differ from their vertices in texture coordinates or normals, a
+// point for each corner, else for each vertex.
+void setPoints(const Obj& obj, const std::string& path, vtkPolyData* mesh, Notes& notes)
 {
-  std::ifstream file(path, std::ios::binary);
-  Indices indices(path);
-  long counts[3] = { 0, 0, 0 }; // v, vt, vn so far
-  long number = 0;
-  bool relative = false;
-  std::string text;
-  for (std::string line; std::getline(file, line);)
+  const bool split = !obj.followsVertices(Coordinate) || !obj.followsVertices(Normal);
+  const std::size_t count = split ? obj.corners.size() : obj.count(Vertex);
+  const auto pointOf = [&](std::size_t corner)
+  { return split ? static_cast<vtkIdType>(corner) : obj.corners[corner][Vertex]; };
+  const auto points = arrayOf("Points", 3, count, 0.0F);
+  const auto coordinates = arrayOf("TCoords", 2, count, -1.0F); // for points without
+  const auto normals = arrayOf("Normals", 3, count, 0.0F);
+  bool hasCoordinates = false;
+  std::size_t withNormal = 0;
+  if (!split)
   {
-    ++number;
-    line.erase(0, std::min(line.find_first_not_of(" \t"), line.size()));
-    counts[0] += isKeyword(line, "v", 1);
-    counts[1] += isKeyword(line, "vt", 2);
-    counts[2] += isKeyword(line, "vn", 2);
-    if (isElement(line))
+    std::copy(obj.values[Vertex].begin(), obj.values[Vertex].end(), points->GetPointer(0));
+  }
+  for (std::size_t i = 0; i < obj.corners.size(); ++i)
+  {
+    const vtkIdType point = pointOf(i);
+    const auto copy = [&](Kind kind, vtkFloatArray* array)
     {
-      indices.add(line, number, counts);
-    }
-    if (isElement(line) && line.find('-') != std::string::npos)
-    {
-      relative = true;
-      std::istringstream words(line);
-      std::string word;
-      words >> line;
-      while (words >> word)
+      const vtkIdType from = obj.corners[i][kind];
+      if (from != noId)
       {
-        line += ' ' + absolute(word, counts);
+        array->SetTypedTuple(point, &obj.values[kind][static_cast<std::size_t>(from * components[kind])]);
       }
+      return from != noId;
+    };
+    if (split)
+    {
+      copy(Vertex, points);
     }
-    text += line + '\n';
+    hasCoordinates = copy(Coordinate, coordinates) || hasCoordinates;
+    withNormal += copy(Normal, normals) ? 1 : 0;
   }
-  indices.requireWithin(counts);
-  return relative ? text : "";
+  vtkNew<vtkPoints> made;
+  made->SetData(points);
+  mesh->SetPoints(made);
+  if (hasCoordinates)
+  {
+    mesh->GetPointData()->SetTCoords(coordinates);
+  }
+  if (withNormal == 0 && !split && obj.count(Normal) == count &&
+      count > 0) // named by nobody, in the vertices' order
+  {
+    std::copy(obj.values[Normal].begin(), obj.values[Normal].end(), normals->GetPointer(0));
+    withNormal = obj.corners.size();
+  }
+  if (withNormal == obj.corners.size() && withNormal > 0)
+  {
+    mesh->GetPointData()->SetNormals(normals);
+  }
+  else if (withNormal > 0)
+  {
+    notes.push_back(path + ": its normals are dropped, because only some corners have one");
+  }
+  vtkNew<vtkCellArray> polys;
+  std::size_t at = 0;
+  for (const Face& face : obj.faces)
+  {
+    polys->InsertNextCell(static_cast<int>(face.end - at));
+    for (; at < face.end; ++at)
+    {
+      polys->InsertCellPoint(pointOf(at));
+    }
+  }
+  mesh->SetPolys(polys);
 }
 
-// A file in memory with that text, until it goes.
-class MemoryFile
+template <typename List>
+vtkSmartPointer<vtkStringArray> namesOf(const char* name, const List& texts)
 {
-public:
-  explicit MemoryFile(const std::string& text)
-    : Descriptor(memfd_create("oversketch.obj", MFD_CLOEXEC))
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name);
+  for (const std::string& text : texts)
   {
-    std::ofstream stream(this->path(), std::ios::binary);
-    stream << text;
-    stream.close();
-    if (this->Descriptor < 0 || !stream)
-    {
-      throw Failed("an OBJ file with relative indices could not be kept in memory");
-    }
+    array->InsertNextValue(text);
   }
-  ~MemoryFile() { close(this->Descriptor); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  std::string path() const { return "/proc/self/fd/" + std::to_string(this->Descriptor); }
+  return array;
+}
 
-private:
-  int Descriptor;
-};
-
-// vtkOBJReader leaves group ids short where a file holds lines or points besides faces.
-void dropIncompleteArrays(const std::string& path, vtkPolyData* mesh, Notes& notes)
+// Groups, materials and their libraries.
+void setCells(const Obj& obj, vtkPolyData* mesh)
 {
-  vtkCellData* data = mesh->GetCellData();
-  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  const auto count = static_cast<vtkIdType>(obj.faces.size());
+  if (obj.grouped)
   {
-    if (data->GetAbstractArray(i)->GetNumberOfTuples() != mesh->GetNumberOfCells())
+    const auto groups = arrayOf("GroupIds", 1, obj.faces.size(), 0.0F);
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      notes.push_back(path + ": the cell array " + data->GetArrayName(i) + " is incomplete and dropped");
-      data->RemoveArray(i);
+      groups->SetValue(i, obj.faces[static_cast<std::size_t>(i)].group);
     }
+    mesh->GetCellData()->AddArray(groups);
   }
+  if (!obj.libraries.empty())
+  {
+    mesh->GetFieldData()->AddArray(namesOf("MaterialLibraries", obj.libraries));
+  }
+  if (obj.materials.empty() || (obj.materials.size() == 1 && obj.materials[0] == "NO_MATERIAL"))
+  {
+    return;
+  }
+  mesh->GetFieldData()->AddArray(namesOf("MaterialNames", obj.materials));
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("MaterialIds");
+  ids->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ids->SetValue(i, obj.faces[static_cast<std::size_t>(i)].material);
+  }
+  mesh->GetCellData()->AddArray(ids);
 }
 
 } // namespace
 
 vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes)
 {
-  const std::string text = withAbsoluteIndices(path);
-  const auto file = text.empty() ? nullptr : std::make_unique<const MemoryFile>(text);
-  vtkNew<vtkOBJReader> reader;
-  reader->SetFileName((file ? file->path() : path).c_str());
-  takeError();
-  reader->Update();
-  const std::string error = takeError();
-  if (!error.empty())
+  const Obj obj(path);
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  setPoints(obj, path, mesh, notes);
+  setCells(obj, mesh);
+  if (obj.others > 0)
   {
-    throw Failed(path + ": could not be read: " + error);
+    notes.push_back(path + ": " + std::to_string(obj.others) + " lines and vertices are dropped");
   }
-  vtkSmartPointer<vtkPolyData> mesh = reader->GetOutput();
-  readObjMaterials(mesh, path, notes);
-  dropIncompleteArrays(path, mesh, notes);
+  readObjPicture(mesh, path, notes);
   return mesh;
 }
 

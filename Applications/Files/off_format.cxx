@@ -1,14 +1,21 @@
+// OFF, text and binary, also with colours, normals or texture coordinates at the vertices (COFF, NOFF,
+// STOFF), which are read over. Why not CGAL's reader: it allocates what a file announces and reads on behind
+// a bad word.
 #include "mesh_file.h"
+#include "text.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
-#include <CGAL/IO/OFF.h>
-#include <CGAL/Simple_cartesian.h>
-
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 namespace oversketch_files
@@ -17,67 +24,167 @@ namespace oversketch_files
 namespace
 {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Polygon = std::vector<std::size_t>;
-
-// The counts in the header, against the size of the file: CGAL's reader allocates what they say. A count of
-// points or faces needs at least two bytes each in either form.
-void requireCounts(const std::string& path)
+// The numbers of an OFF file one after the other, as words or as big-endian words of four bytes.
+class Numbers
 {
-  const double size = static_cast<double>(requireReadable(path));
-  std::ifstream stream(path, std::ios::binary);
-  std::string line;
-  std::getline(stream, line);
-  if (line.find("OFF") == std::string::npos)
+public:
+  explicit Numbers(const std::string& path)
+    : Path(path)
+    , Bytes(wholeFile(path))
   {
-    throw Failed(path + ": is not an OFF file");
-  }
-  if (line.find("BINARY") != std::string::npos)
-  {
-    return;
-  }
-  line.erase(0, line.find("OFF") + 3);
-  while (line.find_first_not_of(" \t\r") == std::string::npos || line[line.find_first_not_of(" \t\r")] == '#')
-  {
-    if (!std::getline(stream, line))
+    Words words(this->Bytes);
+    std::string_view line;
+    words.line(line);
+    Words first(line);
+    const std::string_view keyword = first.next();
+    const std::size_t at = keyword.find("OFF");
+    if (at == std::string_view::npos || keyword.substr(at) != "OFF" || keyword.find('n') < at ||
+        keyword.find('4') < at)
     {
-      throw Failed(path + ": its OFF header does not end; the file is damaged");
+      this->refuse("is not an OFF file of points in space");
+    }
+    this->Binary = first.next() == "BINARY";
+    this->At =
+      this->Binary ? words.at() : static_cast<std::size_t>(keyword.data() + at + 3 - this->Bytes.data());
+    this->Extra = (keyword.find('N') < at ? 3 : 0) + (keyword.find("ST") < at ? 2 : 0);
+    this->Coloured = keyword.find('C') < at;
+  }
+
+  [[noreturn]] void refuse(const std::string& why) const { throw Failed(this->Path + ": " + why); }
+
+  double number()
+  {
+    if (this->Binary)
+    {
+      const std::uint32_t word = this->binary();
+      float value;
+      std::memcpy(&value, &word, 4);
+      return value;
+    }
+    const std::string_view word = this->word();
+    const std::optional<double> value = numberOf(word);
+    if (!value)
+    {
+      this->refuse(word.empty()
+                     ? "ends before all that its header announces; the file is truncated or damaged"
+                     : "holds " + inQuotes(word) + " where a number should be; the file is damaged");
+    }
+    return *value;
+  }
+
+  // A whole number from 0 to `most`; `what` is for the message.
+  std::size_t whole(const char* what, std::size_t most = 2147483647)
+  {
+    const double value = this->Binary ? static_cast<std::int32_t>(this->binary()) : this->number();
+    if (!(value >= 0.0 && value <= static_cast<double>(most)) || value != std::floor(value))
+    {
+      std::ostringstream message;
+      message << "announces " << std::setprecision(12) << value << " as " << what
+              << ", which cannot be in a file of its size; it is damaged";
+      this->refuse(message.str());
+    }
+    return static_cast<std::size_t>(value);
+  }
+
+  // A count of what takes at least two bytes each.
+  std::size_t count(const char* what) { return this->whole(what, this->Bytes.size() / 2); }
+
+  // What may follow a vertex' coordinates or a face's corners.
+  void skipRest(bool isFace)
+  {
+    if (this->Binary)
+    {
+      const std::size_t ofPoint = this->Extra + (this->Coloured ? 4 : 0);
+      for (std::size_t left = isFace ? this->count("the number of a face's colours") : ofPoint; left > 0;
+           --left)
+      {
+        this->binary();
+      }
+      return;
+    }
+    if (!isFace && this->Extra == 0 && !this->Coloured)
+    {
+      return; // further points may follow in the line
+    }
+    const std::size_t end = this->Bytes.find('\n', this->At);
+    this->At = end == std::string::npos ? this->Bytes.size() : end;
+  }
+
+private:
+  std::string_view word()
+  {
+    for (;;)
+    {
+      Words words(this->Bytes, this->At);
+      const std::string_view word = words.next();
+      if (word.empty() || word[0] != '#')
+      {
+        this->At = words.at();
+        return word;
+      }
+      const std::size_t end =
+        this->Bytes.find('\n', static_cast<std::size_t>(word.data() - this->Bytes.data()));
+      this->At = end == std::string::npos ? this->Bytes.size() : end;
     }
   }
-  double points = 0.0, faces = 0.0;
-  std::istringstream words(line);
-  if (!(words >> points >> faces) || !(points >= 0.0) || !(faces >= 0.0) || points + faces > size)
+
+  std::uint32_t binary()
   {
-    throw Failed(path + ": announces more elements than a file of its size can hold");
+    if (this->Bytes.size() - this->At < 4)
+    {
+      this->refuse("ends before all that its header announces; the file is truncated or damaged");
+    }
+    std::uint32_t value = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      value = value << 8 | static_cast<unsigned char>(this->Bytes[this->At++]);
+    }
+    return value;
   }
-}
+
+  std::string Path;
+  std::string Bytes;
+  std::size_t At = 0, Extra = 0;
+  bool Binary = false, Coloured = false;
+};
 
 } // namespace
 
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path)
 {
-  requireCounts(path);
-  std::vector<Point> soup;
-  std::vector<Polygon> polygons;
-  std::ifstream stream(path, std::ios::binary);
-  if (!CGAL::IO::read_OFF(stream, soup, polygons))
-  {
-    throw Failed(path + ": could not be read as OFF; the file is truncated or damaged");
-  }
+  Numbers numbers(path);
+  const std::size_t count = numbers.count("the number of its points");
+  const std::size_t faces = numbers.count("the number of its faces");
+  numbers.whole("the number of its edges");
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const Point& p : soup)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    points->InsertNextPoint(p.x(), p.y(), p.z());
+    std::array<double, 3> point{};
+    for (double& x : point)
+    {
+      x = numbers.number();
+    }
+    points->InsertNextPoint(point.data());
+    numbers.skipRest(false);
   }
   vtkNew<vtkCellArray> polys;
-  for (const Polygon& polygon : polygons)
+  std::vector<vtkIdType> corners;
+  for (std::size_t i = 0; i < faces; ++i)
   {
-    polys->InsertNextCell(static_cast<int>(polygon.size()));
-    for (const std::size_t id : polygon)
+    corners.resize(numbers.count("the number of a face's corners"));
+    for (vtkIdType& corner : corners)
     {
-      polys->InsertCellPoint(static_cast<vtkIdType>(id));
+      const std::size_t id = numbers.whole("a point's number");
+      if (id >= count)
+      {
+        numbers.refuse("its face " + std::to_string(i) + " names the point " + std::to_string(id) +
+                       ", and there are " + std::to_string(count) + ", counted from 0; the file is damaged");
+      }
+      corner = static_cast<vtkIdType>(id);
     }
+    polys->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+    numbers.skipRest(true);
   }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
@@ -87,25 +194,29 @@ vtkSmartPointer<vtkPolyData> readOff(const std::string& path)
 
 void writeOff(vtkPolyData* mesh, const std::string& path)
 {
-  std::vector<Point> soup;
+  std::ofstream stream(path, std::ios::binary);
+  stream << "OFF\n" << mesh->GetNumberOfPoints() << ' ' << mesh->GetNumberOfPolys() << " 0\n";
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double p[3];
     mesh->GetPoint(i, p);
-    soup.emplace_back(p[0], p[1], p[2]);
+    char text[96];
+    std::snprintf(text, sizeof text, "%.17g %.17g %.17g\n", p[0], p[1], p[2]);
+    stream << text;
   }
-  std::vector<Polygon> polygons;
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     it->GetCurrentCell(size, ids);
-    polygons.emplace_back(ids, ids + size);
+    stream << size;
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      stream << ' ' << ids[k];
+    }
+    stream << '\n';
   }
-  std::ofstream stream(path, std::ios::binary);
-  stream.precision(17);
-  CGAL::IO::write_OFF(stream, soup, polygons, CGAL::parameters::stream_precision(17));
   stream.close();
   if (!stream)
   {

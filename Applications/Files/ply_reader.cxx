@@ -230,7 +230,8 @@ private:
     const std::from_chars_result done = std::from_chars(number, end, value);
     if (done.ec == std::errc::invalid_argument)
     {
-      this->refuse("holds '" + std::string(from, std::min<std::size_t>(16, static_cast<std::size_t>(end - from))) +
+      this->refuse("holds '" +
+                   std::string(from, std::min<std::size_t>(16, static_cast<std::size_t>(end - from))) +
                    "' where a number should be; the file is damaged");
     }
     if (done.ec == std::errc::result_out_of_range) // too small counts as zero, too large is not finite
@@ -368,7 +369,8 @@ void readPoints(File& file, const Element& element, vtkPolyData* mesh)
   }
   addColumn<vtkFloatArray>(columns, element, "Normals", { "nx", "ny", "nz" });
   addColours(columns, element);
-  for (const auto& names : { std::array{ "u", "v" }, std::array{ "texture_u", "texture_v" }, std::array{ "s", "t" } })
+  for (const auto& names :
+    { std::array{ "u", "v" }, std::array{ "texture_u", "texture_v" }, std::array{ "s", "t" } })
   {
     if (columns.back().array->GetName() != std::string("TCoords"))
     {
@@ -389,8 +391,9 @@ void readPoints(File& file, const Element& element, vtkPolyData* mesh)
   {
     vtkDataArray* array = columns[k].array;
     const std::string name = array->GetName();
-    name == "Normals" ? data->SetNormals(array)
-                      : name == "TCoords" ? data->SetTCoords(array) : data->SetScalars(array);
+    name == "Normals"   ? data->SetNormals(array)
+    : name == "TCoords" ? data->SetTCoords(array)
+                        : data->SetScalars(array);
   }
 }
 
@@ -398,8 +401,9 @@ void readPoints(File& file, const Element& element, vtkPolyData* mesh)
 struct Faces
 {
   std::vector<vtkIdType> sizes;
-  std::vector<vtkIdType> corners;                 // their vertices
-  std::vector<std::array<double, 2>> coordinates; // texture coordinates of the corners; not finite where a face has none
+  std::vector<vtkIdType> corners; // their vertices
+  std::vector<std::array<double, 2>>
+    coordinates; // texture coordinates of the corners; not finite where a face has none
   bool textured = false;
 };
 
@@ -427,13 +431,14 @@ Faces readFaces(File& file, const Element& element, vtkIdType points, vtkPolyDat
       if (!(corner >= 0.0 && corner < static_cast<double>(points)) || corner != std::floor(corner))
       {
         std::ostringstream message;
-        message << std::setprecision(12) << "its face " << i << " names the vertex " << corner << ", and there are " << points
-                << ", counted from 0; the file is damaged";
+        message << std::setprecision(12) << "its face " << i << " names the vertex " << corner
+                << ", and there are " << points << ", counted from 0; the file is damaged";
         file.refuse(message.str());
       }
       faces.corners.push_back(static_cast<vtkIdType>(corner));
     }
-    const std::vector<double>* given = coordinatesAt < 0 ? nullptr : &row[static_cast<std::size_t>(coordinatesAt)];
+    const std::vector<double>* given =
+      coordinatesAt < 0 ? nullptr : &row[static_cast<std::size_t>(coordinatesAt)];
     const bool textured = given && given->size() == 2 * corners.size() && !corners.empty();
     faces.textured = faces.textured || textured;
     for (std::size_t k = 0; k < corners.size(); ++k)
@@ -450,8 +455,8 @@ Faces readFaces(File& file, const Element& element, vtkIdType points, vtkPolyDat
   return faces;
 }
 
-// A point for each pair of texture coordinates that a vertex has in its faces: the first stays at the vertex, the
-// others are appended.
+// A point for each pair of texture coordinates that a vertex has in its faces: the first stays at the vertex,
+// the others are appended.
 void spreadCoordinates(Faces& faces, vtkPolyData* mesh)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();

@@ -10,12 +10,15 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace oversketch_files
 {
 
 const char* const textureArray = "Texture";
+const char* const notAPicture =
+  "no PNG or JPEG picture, a damaged one, or one of more than 16384 pixels a side";
 
 namespace
 {
@@ -65,6 +68,37 @@ bool isWholePng(const std::string& bytes)
   return false;
 }
 
+// The size that the first frame header of a JPEG tells; zeros where there is none.
+std::array<std::uint32_t, 2> sizeOfJpeg(const std::string& bytes)
+{
+  const auto half = [&bytes](std::size_t at) { return static_cast<std::uint32_t>(bigWord(bytes, at) >> 16); };
+  for (std::size_t at = 2; at + 12 <= bytes.size();)
+  {
+    const auto marker = static_cast<unsigned char>(bytes[at + 1]);
+    if (static_cast<unsigned char>(bytes[at]) != 0xff)
+    {
+      break;
+    }
+    const bool isFrame =
+      marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    if (isFrame)
+    {
+      return { half(at + 7), half(at + 5) };
+    }
+    at += marker == 0xff ? 1 : 2 + half(at + 2); // fill bytes may precede a marker
+  }
+  return { 0, 0 };
+}
+
+// Decoders make what a header says of the first bytes on; no packing makes more than this of a byte.
+bool isPlausible(const std::array<std::uint32_t, 2>& size, std::size_t bytes)
+{
+  constexpr std::uint32_t longest = 16384;
+  constexpr std::uint64_t mostPixels = 8192;
+  return size[0] > 0 && size[1] > 0 && size[0] <= longest && size[1] <= longest &&
+         std::uint64_t(size[0]) * size[1] <= mostPixels * bytes;
+}
+
 template <typename Reader>
 vtkSmartPointer<vtkImageData> read(const std::string& bytes)
 {
@@ -112,11 +146,16 @@ vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes)
 {
   const std::string format = pictureFormatOf(bytes);
   takeError();
-  if (format == "png")
+  if (format == "png" && isWholePng(bytes) && bytes.size() > 33 &&
+      isPlausible({ bigWord(bytes, 16), bigWord(bytes, 20) }, bytes.size()))
   {
-    return isWholePng(bytes) ? read<vtkPNGReader>(bytes) : nullptr;
+    return read<vtkPNGReader>(bytes);
   }
-  return format == "jpeg" ? read<vtkJPEGReader>(bytes) : nullptr;
+  if (format == "jpeg" && isPlausible(sizeOfJpeg(bytes), bytes.size()))
+  {
+    return read<vtkJPEGReader>(bytes);
+  }
+  return nullptr;
 }
 
 } // namespace oversketch_files

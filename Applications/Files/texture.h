@@ -21,8 +21,11 @@ void setTexture(vtkPolyData* mesh, const std::string& bytes);
 
 // "png", "jpeg", or "" for other bytes.
 std::string pictureFormatOf(const std::string& bytes);
-// The picture; null where it cannot be read.
+// The picture; null where it cannot be read, is wider or higher than 16384 pixels, or says to be larger than
+// so few bytes can make it.
 vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes);
+// What such bytes are, for messages: "no PNG or JPEG picture, …".
+extern const char* const notAPicture;
 
 } // namespace oversketch_files
 #endif
