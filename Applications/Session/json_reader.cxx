@@ -34,13 +34,16 @@ Json::Value JsonReader::parse(const std::string& text, const std::string& where)
   {
     parsed = Json::parseFromStream(builder, stream, &root, &errors);
   }
-  catch (const Json::Exception& error)
+  catch (const Json::Exception&)
   {
-    errors = error.what();
+    throw Failed(where + " is damaged: it is nested too deep");
   }
   if (!parsed)
   {
-    throw Failed(where + " is damaged: " + errors.substr(0, errors.find('\n')));
+    // "* Line 1, Column 5\n  what was expected there"
+    const std::size_t from = errors.find("Line "), to = errors.find('\n');
+    throw Failed(where + " is damaged: it is no JSON" +
+                 (from < to ? ": " + errors.substr(from, to - from) : std::string()));
   }
   return root;
 }

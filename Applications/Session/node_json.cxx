@@ -78,24 +78,12 @@ Json::Value jsonOfInput(const Input& input, const EntryWriter& entries)
   return json;
 }
 
-Lines linesOf(const JsonReader& json, const char* member, const Package& package, const std::string& path)
+Image imageOf(const JsonReader& json, EntryReader& entries)
 {
-  const std::string entry = json.text(member);
-  return Lines(oversketch_files::parseStroke(path + ": " + entry, *entryOf(package, entry, path)));
+  return { json.text("image_name"), entries.picture(json.text("image")) };
 }
 
-Image imageOf(const JsonReader& json, const Package& package, const std::string& path)
-{
-  const std::string entry = json.text("image");
-  const Image image{ json.text("image_name"), entryOf(package, entry, path) };
-  if (!oversketch_files::pictureOf(*image.bytes))
-  {
-    throw Failed(path + ": " + entry + " is no PNG or JPEG picture, or a damaged one");
-  }
-  return image;
-}
-
-Input inputOf(const JsonReader& json, SystemInput::Kind kind, const Package& package, const std::string& path)
+Input inputOf(const JsonReader& json, SystemInput::Kind kind, EntryReader& entries)
 {
   if (json.has("step"))
   {
@@ -103,9 +91,9 @@ Input inputOf(const JsonReader& json, SystemInput::Kind kind, const Package& pac
   }
   if (kind != SystemInput::Kind::Picture)
   {
-    return linesOf(json, "lines", package, path);
+    return entries.lines(json.text("lines"));
   }
-  return imageOf(json, package, path);
+  return imageOf(json, entries);
 }
 
 // What both versions tell of a step alike.
@@ -145,16 +133,41 @@ Node commonOf(const JsonReader& json, Step& step)
 
 } // namespace
 
-const std::shared_ptr<const std::string>& entryOf(const Package& package,
-  const std::string& name,
-  const std::string& path)
+EntryReader::EntryReader(const Package& package, std::string path)
+  : Entries(package)
+  , Path(std::move(path))
 {
-  const auto it = package.find(name);
-  if (it == package.end())
+}
+
+const std::shared_ptr<const std::string>& EntryReader::bytes(const std::string& entry) const
+{
+  const auto it = this->Entries.find(entry);
+  if (it == this->Entries.end())
   {
-    throw Failed(path + ": lacks its entry " + name + "; the session is damaged");
+    throw Failed(this->Path + ": lacks its entry " + entry + "; the session is damaged");
   }
   return it->second;
+}
+
+Lines EntryReader::lines(const std::string& entry)
+{
+  auto it = this->Parsed.find(entry);
+  if (it == this->Parsed.end())
+  {
+    const Lines parsed(oversketch_files::parseStroke(this->Path + ": " + entry, *this->bytes(entry)));
+    it = this->Parsed.emplace(entry, parsed).first;
+  }
+  return it->second;
+}
+
+const std::shared_ptr<const std::string>& EntryReader::picture(const std::string& entry)
+{
+  const std::shared_ptr<const std::string>& bytes = this->bytes(entry);
+  if (this->Pictures.insert(entry).second && !oversketch_files::pictureOf(*bytes))
+  {
+    throw Failed(this->Path + ": " + entry + " is " + oversketch_files::notAPicture);
+  }
+  return bytes;
 }
 
 Json::Value jsonOf(const Parameter& parameter, const Value& value)
@@ -215,10 +228,7 @@ Json::Value jsonOf1(const Node& node, const std::vector<SystemRow>& rows, const 
   return json;
 }
 
-Node nodeOf1(const JsonReader& json,
-  const std::vector<SystemRow>& rows,
-  const Package& package,
-  const std::string& path)
+Node nodeOf1(const JsonReader& json, const std::vector<SystemRow>& rows, EntryReader& entries)
 {
   const SystemRow* row = findSystem(system1, rows);
   if (!row)
@@ -227,7 +237,7 @@ Node nodeOf1(const JsonReader& json,
   }
   auto step = std::make_shared<Step>();
   step->system = system1;
-  step->inputs[stroke1] = linesOf(json, "stroke", package, path);
+  step->inputs[stroke1] = entries.lines(json.text("stroke"));
   for (const auto& [member, property] : members1)
   {
     setValue(*step, json, member, *findParameter(*row, property));
@@ -260,10 +270,7 @@ Json::Value jsonOf2(const Node& node, const std::vector<SystemRow>& rows, const 
   return json;
 }
 
-Node nodeOf2(const JsonReader& json,
-  const std::vector<SystemRow>& rows,
-  const Package& package,
-  const std::string& path)
+Node nodeOf2(const JsonReader& json, const std::vector<SystemRow>& rows, EntryReader& entries)
 {
   auto step = std::make_shared<Step>();
   step->system = json.text("system");
@@ -289,7 +296,7 @@ Node nodeOf2(const JsonReader& json,
     {
       inputs.refuse(name, "is no input of " + row->name + " in this version");
     }
-    step->inputs[name] = inputOf(inputs.object(name), input->kind, package, path);
+    step->inputs[name] = inputOf(inputs.object(name), input->kind, entries);
   }
   for (const SystemInput& input : row->inputs)
   {
@@ -313,11 +320,11 @@ Json::Value jsonOf(const Picture& picture, const EntryWriter& entries)
   return json;
 }
 
-Picture pictureOf(const JsonReader& json, const Package& package, const std::string& path)
+Picture pictureOf(const JsonReader& json, EntryReader& entries)
 {
   Picture picture;
-  picture.image = imageOf(json, package, path);
-  picture.frame = linesOf(json, "frame", package, path);
+  picture.image = imageOf(json, entries);
+  picture.frame = entries.lines(json.text("frame"));
   picture.opacity = json.number("opacity");
   picture.shown = json.yes("shown");
   if (!(picture.opacity >= 0.0 && picture.opacity <= 1.0))

@@ -7,7 +7,9 @@
 #include "systems.h"
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,22 +33,32 @@ Json::Value jsonOf2(const Node& node, const std::vector<SystemRow>& rows, const 
 
 Json::Value jsonOf(const Picture& picture, const EntryWriter& entries);
 
+// The entries of a package, each parsed once however often it is named. Throws Failed, naming the path and
+// the entry.
+class EntryReader
+{
+public:
+  // The package must outlive this.
+  EntryReader(const Package& package, std::string path);
+
+  const std::string& path() const { return this->Path; }
+  const std::shared_ptr<const std::string>& bytes(const std::string& entry) const;
+  Lines lines(const std::string& entry);
+  // The bytes of a picture that can be read.
+  const std::shared_ptr<const std::string>& picture(const std::string& entry);
+
+private:
+  const Package& Entries;
+  std::string Path;
+  std::map<std::string, Lines> Parsed;
+  std::set<std::string> Pictures; // that were looked at
+};
+
 // Throw Failed, naming the path, the entry and the member. Version 1 has no ids.
-Node nodeOf1(const JsonReader& json,
-  const std::vector<SystemRow>& rows,
-  const Package& package,
-  const std::string& path);
-Node nodeOf2(const JsonReader& json,
-  const std::vector<SystemRow>& rows,
-  const Package& package,
-  const std::string& path);
+Node nodeOf1(const JsonReader& json, const std::vector<SystemRow>& rows, EntryReader& entries);
+Node nodeOf2(const JsonReader& json, const std::vector<SystemRow>& rows, EntryReader& entries);
 
-Picture pictureOf(const JsonReader& json, const Package& package, const std::string& path);
-
-// The bytes of an entry. Throws Failed where there is none.
-const std::shared_ptr<const std::string>& entryOf(const Package& package,
-  const std::string& name,
-  const std::string& path);
+Picture pictureOf(const JsonReader& json, EntryReader& entries);
 
 } // namespace oversketch_session
 #endif

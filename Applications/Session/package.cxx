@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace fs = std::filesystem;
 
@@ -20,8 +18,10 @@ using oversketch_files::Failed;
 namespace
 {
 
-// What deflate can at most make of a byte is about a thousand.
-constexpr std::uintmax_t mostInflation = 1100;
+// Deflate makes up to a thousand bytes of one, but not of meshes and strokes.
+constexpr std::uintmax_t mostInflation = 200, leastRoom = std::uintmax_t(1) << 24;
+
+using EntryChoice = std::function<bool(const std::string& name)>;
 
 void requirePlain(const std::string& path, const std::string& name)
 {
@@ -34,16 +34,13 @@ void requirePlain(const std::string& path, const std::string& name)
   }
 }
 
-Package readZip(const std::string& path)
+Package readZip(const std::string& path, const EntryChoice& isWanted)
 {
-  const std::uintmax_t most = mostInflation * oversketch_files::requireReadable(path);
+  const std::uintmax_t most = std::max(leastRoom, mostInflation * oversketch_files::requireReadable(path));
   const std::unique_ptr<archive, decltype(&archive_read_free)> zip(archive_read_new(), &archive_read_free);
   archive_read_support_format_zip(zip.get());
   const auto refuse = [&]
-  {
-    const char* why = archive_error_string(zip.get());
-    throw Failed(path + ": is no session, or a damaged one: " + (why ? why : "not a zip file"));
-  };
+  { throw Failed(path + ": is no session, or a damaged one: it is no whole zip file"); };
   if (archive_read_open_filename(zip.get(), path.c_str(), 1 << 20) != ARCHIVE_OK)
   {
     refuse();
@@ -64,9 +61,13 @@ Package readZip(const std::string& path)
     const char* pathname = archive_entry_pathname(entry);
     const std::string name = pathname ? pathname : "";
     requirePlain(path, name);
-    if (archive_entry_filetype(entry) == AE_IFDIR)
+    if (archive_entry_filetype(entry) == AE_IFDIR || (isWanted && !isWanted(name)))
     {
       continue;
+    }
+    if (package.count(name) == 1)
+    {
+      throw Failed(path + ": holds two entries " + name + "; the file is damaged");
     }
     auto bytes = std::make_shared<std::string>();
     const void* block = nullptr;
@@ -89,16 +90,15 @@ Package readZip(const std::string& path)
   }
 }
 
-Package readFolder(const std::string& path)
+Package readFolder(const std::string& path, const EntryChoice& isWanted)
 {
   Package package;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
   {
-    if (entry.is_regular_file())
+    const std::string name = entry.path().lexically_relative(path).generic_string();
+    if (entry.is_regular_file() && (!isWanted || isWanted(name)))
     {
-      std::ifstream stream(entry.path(), std::ios::binary);
-      package[entry.path().lexically_relative(path).generic_string()] = std::make_shared<std::string>(
-        std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+      package[name] = std::make_shared<std::string>(oversketch_files::wholeFile(entry.path().string()));
     }
   }
   return package;
@@ -106,11 +106,11 @@ Package readFolder(const std::string& path)
 
 } // namespace
 
-Package readPackage(const std::string& path)
+Package readPackage(const std::string& path, const EntryChoice& isWanted)
 {
   try
   {
-    return fs::is_directory(path) ? readFolder(path) : readZip(path);
+    return fs::is_directory(path) ? readFolder(path, isWanted) : readZip(path, isWanted);
   }
   catch (const fs::filesystem_error& error)
   {
@@ -129,8 +129,7 @@ void writeZip(const std::string& path, const Package& package)
       {
         if (state < ARCHIVE_OK)
         {
-          const char* why = archive_error_string(zip.get());
-          throw Failed(path + ": could not be written: " + (why ? why : "is the disk full?"));
+          throw Failed(path + ": could not be written (is the disk full?)");
         }
       };
       check(archive_write_set_format_zip(zip.get()));

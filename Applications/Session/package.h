@@ -2,6 +2,7 @@
 #ifndef oversketch_package_h
 #define oversketch_package_h
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,9 +13,11 @@ namespace oversketch_session
 // By name; names are relative paths of plain parts ("strokes/1.vtp").
 using Package = std::map<std::string, std::shared_ptr<const std::string>>;
 
-// Reads either form. Throws Failed, naming the path: absent, damaged, names that leave the folder, or more
-// bytes than a file of its size can honestly hold.
-Package readPackage(const std::string& path);
+// Reads those entries of either form that are wanted, all where no choice is given. Throws Failed, naming the
+// path: absent, damaged, names that leave the folder, a name twice, or more bytes than 16 MiB and 200 times
+// those of the zip file.
+Package readPackage(const std::string& path,
+  const std::function<bool(const std::string& name)>& isWanted = {});
 
 // Writes a zip file, entries stored as they are (a .vtp file hardly shrinks, and saving must not wait), whole
 // or not at all, on the disk when it returns. Equal packages give equal files. Throws Failed.

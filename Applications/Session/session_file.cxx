@@ -36,6 +36,7 @@ namespace
 constexpr const char* formatName = "oversketch-session";
 constexpr int newestVersion = 2;
 constexpr std::size_t mostSteps = 10000;
+constexpr std::size_t longestText = std::size_t(64) << 20; // of session.json [bytes]
 
 // MD5, in hexadecimal.
 class Digest
@@ -156,6 +157,11 @@ std::string digestOf(vtkPolyData* mesh)
 Package Encoder::encode(const SessionFile& file)
 {
   const Session& session = file.session;
+  if (session.nodes.size() > mostSteps)
+  {
+    throw Failed("a session has at most " + std::to_string(mostSteps) + " steps; this one has " +
+                 std::to_string(session.nodes.size()));
+  }
   Package package;
   Entries entries;
   const auto put = [&](const std::shared_ptr<const void>& identity, const auto& make)
@@ -231,8 +237,7 @@ namespace
 std::vector<Node> nodesOf(const JsonReader& json,
   bool isFirst,
   const std::vector<SystemRow>& rows,
-  const Package& package,
-  const std::string& path)
+  EntryReader& entries)
 {
   std::vector<Node> nodes;
   std::set<int> ids;
@@ -241,11 +246,12 @@ std::vector<Node> nodesOf(const JsonReader& json,
   if (listed.size() > mostSteps)
   {
     json.refuse(list,
-      "has " + std::to_string(listed.size()) + " entries; a session has at most " + std::to_string(mostSteps));
+      "has " + std::to_string(listed.size()) + " entries; a session has at most " +
+        std::to_string(mostSteps));
   }
   for (const JsonReader& one : listed)
   {
-    Node node = isFirst ? nodeOf1(one, rows, package, path) : nodeOf2(one, rows, package, path);
+    Node node = isFirst ? nodeOf1(one, rows, entries) : nodeOf2(one, rows, entries);
     if (isFirst)
     {
       node.id = static_cast<int>(nodes.size()) + 1;
@@ -259,13 +265,54 @@ std::vector<Node> nodesOf(const JsonReader& json,
   return nodes;
 }
 
-SessionFile decodeAny(const Package& package, const std::string& path, const std::vector<SystemRow>& rows)
+Json::Value rootOf(const Package& package, const std::string& path)
 {
-  if (package.count(sessionEntry) == 0)
+  const auto entry = package.find(sessionEntry);
+  if (entry == package.end())
   {
     throw Failed(path + ": holds no " + sessionEntry + "; it is no session");
   }
-  const Json::Value root = JsonReader::parse(*package.at(sessionEntry), path + ": its " + sessionEntry);
+  if (entry->second->size() > longestText)
+  {
+    throw Failed(path + ": its " + sessionEntry + " has " + std::to_string(entry->second->size()) +
+                 " bytes; that of a session has at most " + std::to_string(longestText));
+  }
+  return JsonReader::parse(*entry->second, path + ": its " + sessionEntry);
+}
+
+// All texts of a document, those of entries among them.
+void addTexts(const Json::Value& value, std::set<std::string>& texts)
+{
+  if (value.isString())
+  {
+    texts.insert(value.asString());
+  }
+  else if (value.isArray() || value.isObject())
+  {
+    for (const Json::Value& one : value)
+    {
+      addTexts(one, texts);
+    }
+  }
+}
+
+// What such words quote of a damaged text may be anything.
+template <typename Work>
+auto inPlainWords(const Work& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const Failed& failed)
+  {
+    throw Failed(oversketch_files::printable(failed.what()));
+  }
+}
+
+SessionFile decodeAny(const Package& package, const std::string& path, const std::vector<SystemRow>& rows)
+{
+  const Json::Value root = rootOf(package, path);
   const JsonReader json(root, path + ": " + sessionEntry);
   if (json.text("format") != formatName)
   {
@@ -280,19 +327,20 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
   }
   SessionFile file;
   Session& session = file.session;
+  EntryReader entries(package, path);
   if (version == 1 || json.has("mesh"))
   {
     const std::string mesh = json.text("mesh");
-    session.mesh = oversketch_files::parseMesh(path + ": " + mesh, *entryOf(package, mesh, path));
+    session.mesh = oversketch_files::parseMesh(path + ": " + mesh, *entries.bytes(mesh));
   }
   session.meshName = json.text("mesh_name");
   session.backend = json.choice("backend", backendWords());
-  session.nodes = nodesOf(json, version == 1, rows, package, path);
+  session.nodes = nodesOf(json, version == 1, rows, entries);
   if (version > 1 && json.has("pictures"))
   {
     for (const JsonReader& one : json.list("pictures", "picture"))
     {
-      session.pictures.push_back(std::make_shared<Picture>(pictureOf(one, package, path)));
+      session.pictures.push_back(std::make_shared<Picture>(pictureOf(one, entries)));
     }
   }
   const JsonReader origin = json.object("made_by");
@@ -307,20 +355,19 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
 
 SessionFile decode(const Package& package, const std::string& path, const std::vector<SystemRow>& rows)
 {
-  try
-  {
-    return decodeAny(package, path, rows);
-  }
-  catch (const Failed& failed)
-  {
-    // What it quotes of a damaged text may be anything.
-    throw Failed(oversketch_files::printable(failed.what()));
-  }
+  return inPlainWords([&] { return decodeAny(package, path, rows); });
 }
 
 SessionFile readSession(const std::string& path)
 {
-  return decode(readPackage(path), path);
+  return inPlainWords(
+    [&]
+    {
+      std::set<std::string> named{ sessionEntry };
+      const auto isNamed = [&named](const std::string& entry) { return named.count(entry) == 1; };
+      addTexts(rootOf(readPackage(path, isNamed), path), named);
+      return decodeAny(readPackage(path, isNamed), path, systems());
+    });
 }
 
 void writeSession(const std::string& path, const SessionFile& file)

@@ -68,7 +68,7 @@ SessionFile decode(const Package& package,
   const std::string& path,
   const std::vector<SystemRow>& rows = systems());
 
-// Both at once. A path of a folder is read as one.
+// Both at once. A path of a folder is read as one. Entries that the session does not name are not read.
 SessionFile readSession(const std::string& path);
 void writeSession(const std::string& path, const SessionFile& file);
 
