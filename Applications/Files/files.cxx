@@ -125,6 +125,14 @@ std::string printable(const std::string& text)
   return made;
 }
 
+std::string plainName(const std::string& name)
+{
+  std::string plain = printable(name);
+  std::replace_if(
+    plain.begin(), plain.end(), [](char c) { return std::strchr("\"<>&", c) != nullptr; }, '_');
+  return plain;
+}
+
 std::string extensionOf(const std::string& path)
 {
   std::string extension = fs::path(path).extension().string();

@@ -30,6 +30,9 @@ std::string takeError();
 // for bytes that are no UTF-8, so that a name from a file cannot steer a terminal.
 std::string printable(const std::string& text);
 
+// The name of an array as any file can keep it: VTK writes names into XML as they are.
+std::string plainName(const std::string& name);
+
 // Lower-case extension with its dot, "" if there is none.
 std::string extensionOf(const std::string& path);
 // Size of the file in bytes. Throws Failed for an absent, unreadable or empty file and for a folder.

@@ -377,7 +377,7 @@ Part attributesOf(GltfDocument& document, const Json::Value& primitive, const st
   Part part;
   for (const std::string& name : attributes.getMemberNames())
   {
-    part.attributes[name] = document.numbers(attributes[name]);
+    part.attributes[plainName(name)] = document.numbers(attributes[name]);
   }
   for (const auto& [name, numbers] : part.attributes)
   {

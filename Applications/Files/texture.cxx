@@ -9,9 +9,13 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <fstream>
 
 namespace oversketch_files
 {
@@ -99,16 +103,40 @@ bool isPlausible(const std::array<std::uint32_t, 2>& size, std::size_t bytes)
          std::uint64_t(size[0]) * size[1] <= mostPixels * bytes;
 }
 
-template <typename Reader>
-vtkSmartPointer<vtkImageData> read(const std::string& bytes)
+vtkSmartPointer<vtkImageData> updated(vtkImageReader2* reader)
 {
-  vtkNew<Reader> reader;
-  reader->SetMemoryBuffer(bytes.data());
-  reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
   reader->Update();
   const bool good =
     takeError().empty() && reader->GetErrorCode() == 0 && reader->GetOutput()->GetNumberOfPoints() > 0;
   return good ? reader->GetOutput() : nullptr;
+}
+
+vtkSmartPointer<vtkImageData> readPng(const std::string& bytes)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetMemoryBuffer(bytes.data());
+  reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
+  return updated(reader);
+}
+
+// From a file that lies in memory: of bytes in memory vtkJPEGReader reads on behind the end where a length is
+// wrong.
+vtkSmartPointer<vtkImageData> readJpeg(const std::string& bytes)
+{
+  const int file = ::memfd_create("oversketch.jpeg", MFD_CLOEXEC);
+  const std::string path = "/proc/self/fd/" + std::to_string(file);
+  std::ofstream stream(path, std::ios::binary);
+  stream << bytes;
+  stream.close();
+  vtkSmartPointer<vtkImageData> image;
+  if (file >= 0 && stream)
+  {
+    vtkNew<vtkJPEGReader> reader;
+    reader->SetFileName(path.c_str());
+    image = updated(reader);
+  }
+  ::close(file);
+  return image;
 }
 
 } // namespace
@@ -149,11 +177,11 @@ vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes)
   if (format == "png" && isWholePng(bytes) && bytes.size() > 33 &&
       isPlausible({ bigWord(bytes, 16), bigWord(bytes, 20) }, bytes.size()))
   {
-    return read<vtkPNGReader>(bytes);
+    return readPng(bytes);
   }
   if (format == "jpeg" && isPlausible(sizeOfJpeg(bytes), bytes.size()))
   {
-    return read<vtkJPEGReader>(bytes);
+    return readJpeg(bytes);
   }
   return nullptr;
 }

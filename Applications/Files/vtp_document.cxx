@@ -10,6 +10,11 @@
 namespace oversketch_files
 {
 
+namespace
+{
+const char* const notPolyData = "is not an XML PolyData file (.vtp)";
+}
+
 class VtpDocument::Parser
 {
 public:
@@ -42,14 +47,17 @@ public:
           XML_Parse(this->Expat.get(), text.data() + at, static_cast<int>(size), ends) != XML_STATUS_OK &&
           this->Problem.empty())
       {
-        this->Problem = "is no XML from line " + std::to_string(XML_GetCurrentLineNumber(this->Expat.get())) +
-                        ", column " + std::to_string(XML_GetCurrentColumnNumber(this->Expat.get()) + 1) +
-                        " on; the file is truncated or damaged";
+        this->Problem = this->HasRoot
+                          ? "is no XML from line " +
+                              std::to_string(XML_GetCurrentLineNumber(this->Expat.get())) + ", column " +
+                              std::to_string(XML_GetCurrentColumnNumber(this->Expat.get()) + 1) +
+                              " on; the file is truncated or damaged"
+                          : notPolyData;
       }
     }
-    if (!this->HasRoot)
+    if (this->Problem.empty() && !this->HasRoot)
     {
-      this->Problem = "is not an XML PolyData file (.vtp)";
+      this->Problem = notPolyData;
     }
     if (!this->Problem.empty())
     {
@@ -81,7 +89,7 @@ private:
       this->Document.Root = attributes;
       if (name != "VTKFile" || attributes["type"] != "PolyData")
       {
-        this->stop("is not an XML PolyData file (.vtp)");
+        this->stop(notPolyData);
       }
     }
     else if (name == "Piece")
@@ -96,7 +104,8 @@ private:
     }
     else if (this->Current && (name == "DataArray" || name == "Array"))
     {
-      const std::string& own = attributes["Name"];
+      std::string& own = attributes["Name"];
+      own = plainName(own);
       if (!own.empty() && !this->Current->names.insert(own).second)
       {
         this->stop("its " + this->CurrentName + " holds two arrays " + own + "; the file is damaged");

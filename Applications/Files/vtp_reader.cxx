@@ -468,13 +468,13 @@ private:
           kind,
           tuples >= 0 ? tuples : this->wholeOf(given, "NumberOfTuples of its " + kind + ' ' + array["Name"]));
       }
-      made->SetName(array["Name"].empty() ? nullptr : array["Name"].c_str());
+      made->SetName(array["Name"].empty() ? nullptr : array["Name"].c_str()); // plain already
       for (int k = 0; k < std::min(made->GetNumberOfComponents(), 1024); ++k)
       {
         const std::string name = array["ComponentName" + std::to_string(k)];
         if (!name.empty())
         {
-          made->SetComponentName(k, name.c_str());
+          made->SetComponentName(k, plainName(name).c_str());
         }
       }
       data->AddArray(made);
@@ -486,9 +486,9 @@ private:
     for (int role = 0; attributes && role < 7; ++role)
     {
       const auto named = section.attributes.find(roles[role]);
-      if (named != section.attributes.end() && data->GetAbstractArray(named->second.c_str()))
+      if (named != section.attributes.end() && data->GetAbstractArray(plainName(named->second).c_str()))
       {
-        attributes->SetActiveAttribute(named->second.c_str(), role);
+        attributes->SetActiveAttribute(plainName(named->second).c_str(), role);
       }
     }
   }

@@ -2,6 +2,8 @@
 import json
 import os
 import pathlib
+import subprocess
+import zipfile
 
 import pytest
 
@@ -44,6 +46,13 @@ def test_a_name_cannot_steer_the_terminal(tmp_path):
     assert not any(ord(c) < 32 and c != "\n" or 127 <= ord(c) < 160 for c in done.stderr)
 
 
+def test_bytes_that_are_no_text_cannot_either(tmp_path):
+    done = subprocess.run([COMMAND, "replay", os.fsencode(tmp_path) + b"/\x9b2J\xff\xe2\x80\xaegnp.oversketch", "-o",
+                           tmp_path / "out.ply"], capture_output=True, timeout=60)
+    assert done.returncode == 1 and b"there is no such file" in done.stderr
+    assert not any(byte in done.stderr.replace(b"\n", b"") for byte in (b"\x9b", b"\xff", b"\xe2\x80\xae")), done.stderr
+
+
 PLY = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" \
       "element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
 
@@ -59,6 +68,20 @@ PLY = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float
     ("zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4 names the vertex 0"),
     ("back.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", "line 4 names the vertex -4"),
     ("normal.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//1 3//1\n", "line 4 names the normal 1, and there are 0"),
+    ("nan.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 nan 0\nvertex 0 1 0\nendloop\nendfacet\n"
+     "endsolid a\n", "triangle 0 has a corner that is not finite"),
+    ("two.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid a\n",
+     "the triangle before line 7 has not three corners"),
+    ("short.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n",
+     "ends without endsolid"),
+    ("far.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "face 0 names the point 3, and there are 3"),
+    ("many.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "announces 4000000000"),
+    ("word.off", "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", "holds 'x' where a number should be"),
+    ("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "line 4 has a face of 2 corners"),
+    ("word.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n", "line 2 ends where a number should be"),
+    ("types.vtp", "<VTKFile type='ImageData'/>", "is not an XML PolyData file"),
+    ("broken.vtp", "<VTKFile type='PolyData'>\n<PolyData><Piece</VTKFile>", "is no XML from line 2"),
+    ("doctype.vtp", "<!DOCTYPE a [<!ENTITY a 'b'>]><VTKFile type='PolyData'/>", "has a document type"),
     ("deep.gltf", "[" * 100000, "is not glTF"),
     ("types.gltf", json.dumps({"nodes": 3, "scenes": "none", "meshes": {"primitives": 1}}), "damaged"),
     ("empty.gltf", json.dumps({"asset": {"version": "2.0"}}), "holds no mesh")])
@@ -67,3 +90,39 @@ def test_made_files_are_refused(tmp_path, name, text, says):
     path = write(stroke(outline(1.7)), tmp_path / "longer.vtp")
     message = refuse(1, "one-stroke", tmp_path / name, path, "-o", tmp_path / "out.ply", timeout=20)
     assert name in message and says in message, message
+
+
+def zipped(path, document, entries):
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, content in {"session.json": json.dumps(document), **entries}.items():
+            file.writestr(name, content)
+    return path
+
+
+def document(strokes):
+    return {"format": "oversketch-session", "format_version": 1, "mesh": "m", "mesh_name": "a", "backend": "embree", "result_md5": "",
+            "made_by": dict.fromkeys(("version", "backend", "device", "processor"), ""), "strokes": strokes}
+
+
+def test_entries_are_parsed_once_and_those_without_a_name_not_at_all(tmp_path):
+    mesh = write(body(), tmp_path / "m.vtp").read_bytes()
+    drawn = write(stroke(outline(1.7)), tmp_path / "s.vtp").read_bytes()
+    one = {"name": "a", "stroke": "s", "on": False, "remesh": "off", "adjust_normals": False, "as_published": False}
+    path = zipped(tmp_path / "same.oversketch", document([one] * 9000), {"m": mesh, "s": drawn, "unnamed": b"\0" * 300_000_000})
+    done = run("replay", path, "-o", tmp_path / "out.ply", timeout=20)  # 9000 strokes parsed one by one take longer
+    assert done.returncode == 0, done.stderr
+    assert read(tmp_path / "out.ply").GetNumberOfPoints() == body().GetNumberOfPoints()
+    path = zipped(tmp_path / "large.oversketch", document([one]), {"m": mesh, "s": b"\0" * 300_000_000})
+    assert "holds more than a file of its size can" in refuse(1, "replay", path, "-o", tmp_path / "o.ply", timeout=20)
+
+
+def test_a_library_or_picture_that_is_no_file_is_not_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "a.mtl")
+    (tmp_path / "b.mtl").write_text("newmtl b\nmap_Kd a.mtl\n")
+    lines = ["mtllib a.mtl", "mtllib b.mtl", "usemtl b"] + ["v %.17g %.17g %.17g" % tuple(p) for p in points_of(body())]
+    lines += ["vt 0 0"] + ["f " + " ".join(f"{v + 1}/1" for v in t) for t in triangles_of(body())]
+    (tmp_path / "in.obj").write_text("\n".join(lines) + "\n")
+    drawn = write(stroke(outline(1.7)), tmp_path / "s.vtp")
+    done = run("one-stroke", tmp_path / "in.obj", drawn, "-o", tmp_path / "out.vtp", *QUICK, timeout=60)
+    assert done.returncode == 0, done.stderr
+    assert "the material library a.mtl cannot be read" in done.stderr and "the picture a.mtl is no PNG or JPEG" in done.stderr
