@@ -1,0 +1,330 @@
+#include "targets.h"
+
+#include "Harness/polydata.h"
+#include "Harness/shapes.h"
+#include "mesh_file.h"
+#include "session_file.h"
+#include "texture.h"
+
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchOneStroke.h"
+#include "vtkOversketchStrokeFilter.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+using namespace oversketch;
+using namespace oversketch_files;
+using namespace oversketch_session;
+using oversketch_test::Ear;
+
+namespace oversketch_fuzz
+{
+
+namespace
+{
+
+void require(bool good, const std::string& what)
+{
+  if (!good)
+  {
+    throw std::logic_error(what);
+  }
+}
+
+// A folder in memory, where there is one, that goes with the program.
+const fs::path& scratch()
+{
+  struct Folder
+  {
+    Folder()
+    {
+      const fs::path memory = "/dev/shm";
+      this->Path = (fs::is_directory(memory) ? memory : fs::temp_directory_path()) /
+                   ("oversketch-fuzz-" + std::to_string(::getpid()));
+      fs::create_directories(this->Path);
+    }
+    ~Folder()
+    {
+      std::error_code ignored;
+      fs::remove_all(this->Path, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    fs::path Path;
+  };
+  static const Folder folder;
+  return folder.Path;
+}
+
+// Writes the bytes to a file, does the work with it, and checks that a refusal names the file.
+template <typename Work>
+void withFile(const std::string& name, const std::string& bytes, const Work& work)
+{
+  const std::string path = (scratch() / name).string();
+  std::ofstream(path, std::ios::binary) << bytes;
+  try
+  {
+    work(path);
+  }
+  catch (const Failed& failed)
+  {
+    require(std::string(failed.what()).find(path) == 0, std::string("no file is named: ") + failed.what());
+  }
+}
+
+// What could be read can be written in every format and read again, which writeMesh tries.
+void writeAgain(vtkPolyData* mesh, const std::string& bytes)
+{
+  for (vtkIdType i = 0; i < 3 * mesh->GetNumberOfPoints(); ++i)
+  {
+    if (!(std::abs(mesh->GetPoint(i / 3)[i % 3]) < 1e30))
+    {
+      return; // no number of single precision
+    }
+  }
+  static const char* const formats[] = { "vtp", "obj", "ply", "stl", "off", "gltf", "glb" };
+  const std::string format = formats[std::hash<std::string>()(bytes) % 7];
+  const fs::path folder = scratch() / "out";
+  fs::create_directories(folder);
+  try
+  {
+    Notes notes;
+    writeMesh(mesh, (folder / ("again." + format)).string(), notes);
+  }
+  catch (const Failed& failed)
+  {
+    // A mesh all of whose triangles are points in single precision leaves an STL file without any.
+    require(format == "stl", failed.what());
+  }
+  fs::remove_all(folder);
+}
+
+Target reader(const std::string& format)
+{
+  return { format,
+    [format](const std::string& bytes)
+    {
+      withFile("in." + format,
+        bytes,
+        [&bytes](const std::string& path)
+        {
+          Notes notes;
+          writeAgain(readMesh(path, notes), bytes);
+        });
+    } };
+}
+
+void takeStroke(const std::string& bytes)
+{
+  withFile("stroke.vtp",
+    bytes,
+    [](const std::string& path)
+    {
+      vtkNew<vtkOversketchStrokeFilter> filter;
+      const Ear ear(filter);
+      filter->SetInputData(readStroke(path));
+      filter->Update();
+      require((filter->GetErrorCode() != 0) == !ear.errors.empty(),
+        "an error code and no message, or the other way round");
+      require(ear.errors.size() < 2, "more than one message");
+      require(ear.errors.empty() || filter->GetOutput()->GetNumberOfPoints() == 0, "an error and an output");
+    });
+}
+
+void takePicture(const std::string& bytes)
+{
+  pictureOf(bytes);
+}
+
+// A whole session file.
+void takeSession(const std::string& bytes)
+{
+  withFile("in.oversketch",
+    bytes,
+    [](const std::string& path)
+    {
+      const SessionFile file = readSession(path);
+      writeSession((scratch() / "again.oversketch").string(), file);
+      const SessionFile again = readSession((scratch() / "again.oversketch").string());
+      require(again.session.nodes.size() == file.session.nodes.size(), "a session lost steps");
+    });
+}
+
+// The text of a session alone, beside entries that are sound; what follows a zero byte is one more, "e".
+void takeSessionText(const std::string& bytes)
+{
+  static const auto entry = [](vtkPolyData* data) { return std::make_shared<std::string>(bytesOf(data)); };
+  static const View view =
+    oversketch_test::orthographicView(Vector3::UnitZ(), Vector3::UnitY(), 100.0, 400, 300);
+  static const auto mesh = entry(oversketch_test::toPolyData(oversketch_test::icosphere(0)));
+  static const auto stroke =
+    entry(oversketch_test::toStroke({ { 100, 100 }, { 200, 150 }, { 300, 100 } }, view));
+  const std::size_t cut = std::min(bytes.find('\0'), bytes.size());
+  const Package package = { { sessionEntry, std::make_shared<std::string>(bytes.substr(0, cut)) },
+    { "m", mesh },
+    { "s", stroke },
+    { "e", std::make_shared<std::string>(bytes.substr(std::min(cut + 1, bytes.size()))) } };
+  try
+  {
+    const SessionFile file = decode(package, "in");
+    require(decode(Encoder().encode(file), "again").session.nodes.size() == file.session.nodes.size(),
+      "a session lost steps");
+  }
+  catch (const Failed& failed)
+  {
+    require(std::string(failed.what()).find("in") == 0, failed.what());
+  }
+}
+
+// Numbers from bytes; zeros behind their end.
+class Source
+{
+public:
+  explicit Source(const std::string& bytes)
+    : Bytes(bytes)
+  {
+  }
+  template <typename T>
+  T take()
+  {
+    T value = 0;
+    const std::size_t size = std::min(sizeof value, this->Bytes.size() - this->At);
+    std::memcpy(&value, this->Bytes.data() + this->At, size);
+    this->At += size;
+    return value;
+  }
+  bool ended() const { return this->At == this->Bytes.size(); }
+
+private:
+  const std::string& Bytes;
+  std::size_t At = 0;
+};
+
+// Tiny meshes of every kind; the first has a limb.
+vtkSmartPointer<vtkPolyData> tinyMesh(int which)
+{
+  Mesh mesh = which == 1   ? oversketch_test::torus(1.0, 0.4, 10, 6)
+              : which == 2 ? oversketch_test::cylinder(0.5, 2.0, 8, 6)
+                           : oversketch_test::icosphere(which == 0   ? 2
+                                                        : which == 3 ? 0
+                                                                     : 1);
+  for (Vector3& p : mesh.points)
+  {
+    if (which == 0 && p.x() > 0.6)
+    {
+      p.x() += 3.0 * (p.x() - 0.6);
+    }
+    if (which == 4)
+    {
+      p.z() = 0.0; // two sheets in one plane
+    }
+  }
+  if (which == 5)
+  {
+    mesh.triangles.push_back(mesh.triangles[0]);
+    mesh.triangles.push_back({ mesh.triangles[1][0], mesh.triangles[1][0], mesh.triangles[2][0] });
+    mesh.points[0] = mesh.points[1];
+  }
+  return oversketch_test::toPolyData(mesh);
+}
+
+View viewFrom(Source& source, int flags)
+{
+  const auto coordinate = [&source] { return source.take<std::int8_t>() / 32.0; };
+  const Vector3 eye(coordinate(), coordinate(), coordinate() + 4.0);
+  const int width = 1 + source.take<std::uint16_t>() % 1000, height = 1 + source.take<std::uint16_t>() % 1000;
+  return flags & 1 ? oversketch_test::perspectiveView(
+                       eye, Vector3::UnitY(), 1.0 + source.take<std::uint8_t>() / 2.0, width, height)
+                   : oversketch_test::orthographicView(
+                       eye, Vector3::UnitY(), 1.0 + source.take<std::uint8_t>(), width, height);
+}
+
+// The whole of system A: mesh, options, view and samples from bytes.
+void takeOneStroke(const std::string& bytes)
+{
+  Source source(bytes);
+  const auto mesh = tinyMesh(source.take<std::uint8_t>() % 6);
+  const int flags = source.take<std::uint8_t>();
+  const View view = viewFrom(source, flags);
+  std::vector<Vector2> samples;
+  while (!source.ended() && samples.size() < 64)
+  {
+    samples.emplace_back(source.take<std::int16_t>() / 16.0, source.take<std::int16_t>() / 16.0);
+  }
+  if (samples.empty())
+  {
+    return;
+  }
+  const auto stroke = oversketch_test::toStroke(samples, view);
+  if (flags & 2) // any numbers where the view should be
+  {
+    vtkDataArray* array =
+      stroke->GetCellData()->GetArray(flags & 4 ? "ViewTransform" : "ProjectionTransform");
+    double number = 0.0;
+    std::memcpy(&number,
+      bytes.data() + bytes.size() - std::min<std::size_t>(8, bytes.size()),
+      std::min<std::size_t>(8, bytes.size()));
+    array->SetComponent(0, flags >> 4, number);
+  }
+  vtkNew<vtkOversketchOneStroke> system;
+  const Ear ear(system);
+  system->SetBackendToHost();
+  system->SetRemesh(flags & 8 ? vtkOversketchOneStroke::RemeshOff : vtkOversketchOneStroke::RemeshAuto);
+  system->SetAsPublished(flags & 128 ? 1 : 0);
+  system->SetInputData(0, mesh);
+  system->SetStrokeData(stroke);
+  system->Update();
+  vtkPolyData* result = system->GetOutput();
+  require(ear.errors.size() < 2, "more than one message");
+  require((system->GetErrorCode() != 0) == !ear.errors.empty(),
+    "an error code and no message, or the other way round");
+  if (!ear.errors.empty())
+  {
+    require(result->GetNumberOfPoints() == 0, "an error and an output");
+    const auto unexpected = static_cast<unsigned long>(Failure::Unexpected);
+    require(system->GetErrorCode() - 40000 != unexpected, ear.errors[0]);
+    return;
+  }
+  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+  {
+    const double* p = result->GetPoint(i);
+    require(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]), "a point that is not finite");
+  }
+  require(result->GetNumberOfPolys() > 0, "no polygon and no message");
+}
+
+} // namespace
+
+const std::vector<Target>& targets()
+{
+  static const std::vector<Target> all = []
+  {
+    catchMessages();
+    vtkSMPTools::Initialize(1);
+    std::vector<Target> made;
+    for (const char* format : { "ply", "obj", "off", "stl", "gltf", "glb", "vtp" })
+    {
+      made.push_back(reader(format));
+    }
+    made.push_back({ "stroke", takeStroke });
+    made.push_back({ "picture", takePicture });
+    made.push_back({ "session", takeSession });
+    made.push_back({ "session_text", takeSessionText });
+    made.push_back({ "one_stroke", takeOneStroke });
+    return made;
+  }();
+  return all;
+}
+
+} // namespace oversketch_fuzz
