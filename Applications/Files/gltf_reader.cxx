@@ -1,6 +1,7 @@
 // The meshes of a glTF scene as one: nodes with their transforms, skins in their pose, morph targets by their
 // weights; and the picture of the base colour.
 #include "gltf_document.h"
+#include "gltf_materials.h"
 #include "mesh_file.h"
 #include "texture.h"
 
@@ -22,65 +23,6 @@ namespace oversketch_files
 
 namespace
 {
-
-// What the base colours of all primitives have in common.
-struct Skin
-{
-  std::set<Json::Value> pictures; // of the primitives; null for one without
-  std::set<std::string> dropped;  // properties of materials that are not kept
-};
-
-// The picture of a material; null for one without.
-Json::Value pictureNamed(const GltfDocument& document, const Json::Value& material, Skin& skin)
-{
-  const Json::Value& base = material["pbrMetallicRoughness"];
-  const Json::Value& texture = document.find("textures", base["baseColorTexture"]["index"]);
-  const Json::Value& sampler = document.find("samplers", texture["sampler"]);
-  if (sampler.get("wrapS", 10497) != 10497 || sampler.get("wrapT", 10497) != 10497)
-  {
-    skin.dropped.insert("wrapping of textures");
-  }
-  for (const char* name : { "baseColorFactor", "metallicRoughnessTexture" })
-  {
-    if (base.isMember(name))
-    {
-      skin.dropped.insert(name);
-    }
-  }
-  for (const std::string& name : material.getMemberNames())
-  {
-    if (name != "pbrMetallicRoughness" && name != "name")
-    {
-      skin.dropped.insert(name);
-    }
-  }
-  if (base["baseColorTexture"].get("texCoord", 0) != 0)
-  {
-    skin.dropped.insert("baseColorTexture on a second set of coordinates");
-    return {}; // other coordinates than those that are read
-  }
-  return texture["source"];
-}
-
-Skin skinOf(const GltfDocument& document)
-{
-  Skin skin;
-  std::set<Json::Value> materials;
-  for (const Json::Value& mesh : document.json()["meshes"])
-  {
-    for (const Json::Value& primitive : mesh["primitives"])
-    {
-      materials.insert(
-        document.find("materials", primitive["material"]).isObject() ? primitive["material"] : Json::Value());
-    }
-  }
-  for (const Json::Value& index : materials)
-  {
-    const Json::Value& material = document.find("materials", index);
-    skin.pictures.insert(material.isObject() ? pictureNamed(document, material, skin) : Json::Value());
-  }
-  return skin;
-}
 
 // Colours as bytes, which the other formats and the window take; VTK reads them as floats.
 void makeColoursBytes(vtkPointData* data, const std::string& path, Notes& notes)
@@ -521,21 +463,6 @@ vtkSmartPointer<vtkPolyData> joinedMesh(const std::vector<Part>& parts, std::set
   return mesh;
 }
 
-// The bytes of a picture that can be read.
-std::string soundPicture(GltfDocument& document, const Json::Value& index)
-{
-  std::string picture = document.picture(index);
-  if (!pictureOf(picture))
-  {
-    const Json::Value& uri = document.find("images", index)["uri"];
-    const bool isFile = uri.isString() && uri.asString().rfind("data:", 0) != 0;
-    document.refuse("its picture " +
-                    (isFile ? uri.asString().substr(0, 60) : index.toStyledString().substr(0, 10)) +
-                    " is absent or " + notAPicture + "; mend it or take it out of the file");
-  }
-  return picture;
-}
-
 void turnCoordinates(vtkPointData* data)
 {
   vtkDataArray* coordinates = data->GetTCoords();
@@ -547,7 +474,7 @@ void turnCoordinates(vtkPointData* data)
 
 vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& path, Notes& notes)
 {
-  Skin skin = skinOf(document);
+  GltfSkin skin = skinOf(document);
   std::string picture;
   if (skin.pictures.size() == 1 && !skin.pictures.begin()->isNull())
   {

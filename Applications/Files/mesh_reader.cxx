@@ -103,18 +103,27 @@ void requireSound(const std::string& path, vtkPolyData* mesh)
   requireArrays(path, mesh->GetCellData(), mesh->GetNumberOfCells(), "cells");
 }
 
+// Triangulating takes time by the square of the corners.
+constexpr vtkIdType mostCorners = 10000;
+
 vtkSmartPointer<vtkPolyData> trianglesOf(const std::string& path, vtkPolyData* mesh, Notes& notes)
 {
   const vtkIdType others = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   const vtkIdType strips = mesh->GetNumberOfStrips();
   bool triangles = true;
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); triangles && !it->IsDoneWithTraversal(); it->GoToNextCell())
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     it->GetCurrentCell(size, ids);
-    triangles = size == 3;
+    triangles = triangles && size == 3;
+    if (size > mostCorners)
+    {
+      throw Failed(path + ": its polygon " + std::to_string(it->GetCurrentCellId()) + " has " +
+                   std::to_string(size) + " corners; at most " + std::to_string(mostCorners) +
+                   " are triangulated: split it");
+    }
   }
   if (triangles && others + strips == 0)
   {

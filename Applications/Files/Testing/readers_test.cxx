@@ -75,16 +75,18 @@ std::string dataUri(const std::string& bytes)
   return "data:application/octet-stream;base64," + code;
 }
 
-// A glTF around four points (0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), four normals along z, and more bytes behind them, from 96 on,
-// which is view 2. The accessors 0 and 1 are points and normals; "rest" is the document's other members.
+// A glTF around four points (0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), four normals along z, and more bytes
+// behind them, from 96 on, which is view 2. The accessors 0 and 1 are points and normals; "rest" is the
+// document's other members.
 std::string gltf(const std::string& rest, const std::string& more = "", const std::string& accessors = "")
 {
   const std::string data = bytesOf<float>({ 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 }) +
                            bytesOf<float>({ 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1 }) + more;
-  return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + std::to_string(data.size()) + R"(,"uri":")" +
-         dataUri(data) + R"("}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48},)" +
-         R"({"buffer":0,"byteOffset":96,"byteLength":)" + std::to_string(data.size() - 96) + R"(}],"accessors":[)" +
-         R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":4},)" +
+  return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + std::to_string(data.size()) +
+         R"(,"uri":")" + dataUri(data) +
+         R"("}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48},)" +
+         R"({"buffer":0,"byteOffset":96,"byteLength":)" + std::to_string(data.size() - 96) +
+         R"(}],"accessors":[)" + R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":4},)" +
          R"({"bufferView":1,"componentType":5126,"type":"VEC3","count":4})" + accessors + "]," + rest + "}";
 }
 
@@ -140,25 +142,68 @@ TEST(Gltf, ASkinFollowsItsJoints)
 {
   // Points 0 and 1 hang on a joint at rest, 2 and 3 on one that is moved by (0, 0, 5), 3 by half of each.
   const std::string joints{ 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0 };
-  const auto mesh = readText(gltf(R"("scenes":[{"nodes":[0,1,2]}],"nodes":[{"mesh":0,"skin":0},{},{"translation":[0,0,5]}],
+  const auto mesh =
+    readText(gltf(R"("scenes":[{"nodes":[0,1,2]}],"nodes":[{"mesh":0,"skin":0},{},{"translation":[0,0,5]}],
     "skins":[{"joints":[1,2]}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},"mode":6}]}])",
-    joints + bytesOf<float>({ 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0 }),
-    R"(,{"bufferView":2,"componentType":5121,"type":"VEC4","count":4},
+      joints + bytesOf<float>({ 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0 }),
+      R"(,{"bufferView":2,"componentType":5121,"type":"VEC4","count":4},
         {"bufferView":2,"byteOffset":16,"componentType":5126,"type":"VEC4","count":4})"));
   expectPoint(mesh, 1, 1, 0, 0);
   expectPoint(mesh, 2, 1, 1, 5);
   expectPoint(mesh, 3, 0, 1, 2.5);
 }
 
+TEST(Gltf, ANormalStaysWhereAScaleIsZero)
+{
+  const auto mesh = readText(gltf(R"("nodes":[{"mesh":0,"scale":[1,0,0]}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"mode":6}]}])"));
+  ASSERT_TRUE(mesh->GetPointData()->GetNormals());
+  EXPECT_EQ(mesh->GetPointData()->GetNormals()->GetComponent(1, 2), 1.0);
+}
+
+TEST(Gltf, ManyNodesMayNotAskForMoreThanTheFileCanHold)
+{
+  std::string nodes = R"({"mesh":0})";
+  for (int i = 0; i < 2000; ++i)
+  {
+    nodes += R"(,{"mesh":0})";
+  }
+  std::string primitives = R"({"attributes":{"POSITION":0},"mode":6})";
+  for (int i = 0; i < 1000; ++i)
+  {
+    primitives += R"(,{"attributes":{"POSITION":0},"mode":6})";
+  }
+  try
+  {
+    readText(gltf(R"("nodes":[)" + nodes + R"(],"meshes":[{"primitives":[)" + primitives + "]}]"));
+    FAIL() << "8,000,000 points were read";
+  }
+  catch (const Failed& failed)
+  {
+    EXPECT_NE(std::string(failed.what()).find("asks for more numbers"), std::string::npos) << failed.what();
+  }
+}
+
+TEST(Polygons, OfTooManyCornersAreRefused)
+{
+  std::string text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n10001";
+  for (int i = 0; i < 10001; ++i)
+  {
+    text += " " + std::to_string(i % 3);
+  }
+  EXPECT_THROW(readText(text, "made.off"), Failed);
+}
+
 TEST(Ply, DoublesBytesAndCornersCoordinatesAreKept)
 {
-  const std::string text = "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty double x\n"
-                           "property double y\nproperty double z\nproperty uchar red\nproperty uchar green\n"
-                           "property uchar blue\nelement face 2\nproperty list uchar int vertex_indices\n"
-                           "property list uchar float texcoord\nend_header\n"
-                           "0.1 0 0 255 0 7\n1 0 0 0 0 0\n1 1 0 0 0 0\n0 1 1e-300 1 2 3\n"
-                           "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0.5 0 1 1 0 1\n";
+  const std::string text =
+    "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty double x\n"
+    "property double y\nproperty double z\nproperty uchar red\nproperty uchar green\n"
+    "property uchar blue\nelement face 2\nproperty list uchar int vertex_indices\n"
+    "property list uchar float texcoord\nend_header\n"
+    "0.1 0 0 255 0 7\n1 0 0 0 0 0\n1 1 0 0 0 0\n0 1 1e-300 1 2 3\n"
+    "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0.5 0 1 1 0 1\n";
   const auto mesh = readText(text, "made.ply");
   ASSERT_EQ(mesh->GetNumberOfPoints(), 5) << "vertex 0 has two pairs of coordinates, the others one";
   EXPECT_EQ(pointOf(mesh, 0)[0], 0.1) << "to the bit";
