@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 namespace oversketch_command
@@ -52,7 +53,9 @@ void requireApart(const Options& options, vtkOversketchSystem* system)
     {
       if (isSameFile(path, its) && !(mayBeMesh && other == "the mesh"))
       {
-        throw BadUse(what + " " + path + " would replace " + other);
+        std::ostringstream message;
+        message << what << ' ' << path << " would replace " << other;
+        throw BadUse(message.str());
       }
     }
     taken.emplace_back(what, path);
@@ -113,7 +116,7 @@ void checkOutputs(const Options& options, vtkOversketchSystem* system)
 Image readPicture(const std::string& path)
 {
   requireReadable(path);
-  const Image image{ std::filesystem::path(path).filename().string(),
+  Image image{ std::filesystem::path(path).filename().string(),
     std::make_shared<const std::string>(wholeFile(path)) };
   if (!pictureOf(*image.bytes))
   {

@@ -327,8 +327,10 @@ Part attributesOf(GltfDocument& document, const Json::Value& primitive, const st
     if (numbers.count != part.attributes["POSITION"].count ||
         (known != components.end() && numbers.components != known->second))
     {
-      document.refuse(where + ": its attribute " + name +
-                      " has another number of elements or components than it must have; the file is damaged");
+      std::string why = where + ": its attribute ";
+      why += name;
+      document.refuse(
+        why + " has another number of elements or components than it must have; the file is damaged");
     }
   }
   return part;
@@ -486,7 +488,7 @@ vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& pat
     document.refuse("holds no mesh");
   }
   std::set<std::string> lost;
-  const vtkSmartPointer<vtkPolyData> mesh = joinedMesh(parts, lost);
+  vtkSmartPointer<vtkPolyData> mesh = joinedMesh(parts, lost);
   if (parts.size() > 1)
   {
     notes.push_back(path + ": its " + std::to_string(parts.size()) + " parts are read as one mesh");

@@ -226,7 +226,7 @@ vtkSmartPointer<vtkPolyData> readStroke(const std::string& path)
 
 vtkSmartPointer<vtkPolyData> parseStroke(const std::string& path, const std::string& bytes)
 {
-  const vtkSmartPointer<vtkPolyData> stroke = readVtp(path, bytes);
+  vtkSmartPointer<vtkPolyData> stroke = readVtp(path, bytes);
   if (!stroke || stroke->GetNumberOfPoints() == 0 || stroke->GetNumberOfLines() == 0)
   {
     throw Failed(path + ": holds no polyline; the file is empty or damaged");

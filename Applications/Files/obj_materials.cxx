@@ -96,7 +96,9 @@ void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes)
     const fs::path file = (fs::absolute(path).parent_path() / library).lexically_normal();
     if (read.insert(file.string()).second && !readLibrary(file, pictures))
     {
-      notes.push_back(path + ": the material library " + library + " cannot be read");
+      std::string note = path + ": the material library ";
+      note += library;
+      notes.push_back(note + " cannot be read");
     }
   }
   std::set<fs::path> used;

@@ -67,7 +67,9 @@ Package readZip(const std::string& path, const EntryChoice& isWanted)
     }
     if (package.count(name) == 1)
     {
-      throw Failed(path + ": holds two entries " + name + "; the file is damaged");
+      std::string why = path + ": holds two entries ";
+      why += name;
+      throw Failed(why + "; the file is damaged");
     }
     auto bytes = std::make_shared<std::string>();
     const void* block = nullptr;

@@ -50,21 +50,21 @@ const fs::path& scratch()
     Folder()
     {
       const fs::path memory = "/dev/shm";
-      this->Path = (fs::is_directory(memory) ? memory : fs::temp_directory_path()) /
+      this->path = (fs::is_directory(memory) ? memory : fs::temp_directory_path()) /
                    ("oversketch-fuzz-" + std::to_string(::getpid()));
-      fs::create_directories(this->Path);
+      fs::create_directories(this->path);
     }
     ~Folder()
     {
       std::error_code ignored;
-      fs::remove_all(this->Path, ignored);
+      fs::remove_all(this->path, ignored);
     }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
-    fs::path Path;
+    fs::path path;
   };
   static const Folder folder;
-  return folder.Path;
+  return folder.path;
 }
 
 // Writes the bytes to a file, does the work with it, and checks that a refusal names the file.
