@@ -38,6 +38,8 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
   Pipeline& inner = *this->Inner;
   inner.Following.reset();
   inner.Hold->Initialize();
+  inner.Effect = StrokeEffect();
+  inner.Remark.clear();
   this->Remeshed = false;
   const int done = this->RunSystem(
     [&]
@@ -67,8 +69,13 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       {
         inner.RunRemeshed();
       }
+      inner.JudgeEffect();
       inner.PutOutput(mesh, output);
     });
+  if (!inner.Remark.empty())
+  {
+    vtkWarningMacro(<< inner.Remark);
+  }
   inner.MadeMeshes.clear();
   return done;
 }
@@ -217,6 +224,86 @@ void vtkOversketchOneStroke::SetAsPublished(bool published)
   }
 }
 
+void vtkOversketchOneStroke::SetCandidate(int candidate)
+{
+  this->Inner->Match->SetCandidate(candidate);
+}
+
+int vtkOversketchOneStroke::GetCandidate() const
+{
+  return this->Inner->Match->GetCandidate();
+}
+
+int vtkOversketchOneStroke::GetNumberOfCandidates() const
+{
+  return this->Inner->Match->GetNumberOfCandidates();
+}
+
+void vtkOversketchOneStroke::SetReach(double reach)
+{
+  this->Inner->MixtureRegion->SetReach(reach);
+}
+
+double vtkOversketchOneStroke::GetReach() const
+{
+  return this->Inner->MixtureRegion->GetReach();
+}
+
+const char* vtkOversketchOneStroke::GetRemark()
+{
+  return this->Inner->Remark.c_str();
+}
+
+double vtkOversketchOneStroke::GetOutlineDistance() const
+{
+  return this->Inner->Effect.outline.mean;
+}
+
+double vtkOversketchOneStroke::GetWorstOutlineDistance() const
+{
+  return this->Inner->Effect.outline.worst;
+}
+
+double vtkOversketchOneStroke::GetOutlineBackDistance() const
+{
+  return this->Inner->Effect.outlineBack;
+}
+
+int vtkOversketchOneStroke::GetNewFolds() const
+{
+  return this->Inner->Effect.folds;
+}
+
+double vtkOversketchOneStroke::GetStretch() const
+{
+  return this->Inner->Effect.stretch;
+}
+
+double vtkOversketchOneStroke::GetRoughnessBefore() const
+{
+  return this->Inner->Effect.before.meanAngle;
+}
+
+double vtkOversketchOneStroke::GetRoughness() const
+{
+  return this->Inner->Effect.after.meanAngle;
+}
+
+double vtkOversketchOneStroke::GetMovedShare() const
+{
+  return this->Inner->Effect.movedShare;
+}
+
+double vtkOversketchOneStroke::GetStrayDistance() const
+{
+  return this->Inner->Effect.strayDistance;
+}
+
+double vtkOversketchOneStroke::GetStrayMovement() const
+{
+  return this->Inner->Effect.strayMovement;
+}
+
 vtkPolyData* vtkOversketchOneStroke::GetInnerOutput(const char* name)
 {
   return this->StageOutput(name && std::strcmp(name, "Deform") == 0 ? this->Inner->Deformation : name);
@@ -234,5 +321,9 @@ void vtkOversketchOneStroke::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AdjustNormals: " << this->GetAdjustNormals() << "\n";
   os << indent << "CorrectOutline: " << this->CorrectOutline << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "Candidate: " << this->GetCandidate() << "\n";
+  os << indent << "Reach: " << this->GetReach() << "\n";
+  os << indent << "AllowTorn: " << this->AllowTorn << "\n";
+  os << indent << "Remark: " << this->GetRemark() << "\n";
   os << indent << "Remeshed: " << this->Remeshed << "\n";
 }

@@ -20,6 +20,11 @@
  * what moved is rougher (mean angle between triangles over 1.25 times plus 1 degree of the plain one's, or
  * over 0.01 more of the edges' length beyond 40 degrees), since a limb is seen by its shading.
  *
+ * Every result is judged before it is handed over, as it is seen by who drew: the outline against the stroke
+ * both ways, folded edges, stretch, roughness before and after, the share of the surface that moved and what
+ * moved beside the stroke (the figures below). What is not as drawn is said in one warning (vtkWarningMacro;
+ * GetRemark repeats it), in words and figures. A result that tears is refused, see AllowTorn.
+ *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or
  * normals are welded for computing (exactly equal positions) and split again in the output. The mesh's
  * normals are not read: the silhouette of the surface itself is meant.
@@ -31,7 +36,7 @@
  * region are bit-identical and, where nothing was remeshed, all points and cells keep their ids.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
- * failure; output empty. An empty mesh gives an empty output silently. After AbortExecute the output is empty
+ * failure; Torn where the result is refused; output empty. An empty mesh gives an empty output silently. After AbortExecute the output is empty
  * and the error code Cancelled; call Modified() before the next Update.
  *
  * Demand-driven: a new stroke computes neither shape diameter nor whole-model mixture again, a new stroke in
@@ -120,6 +125,58 @@ public:
 
   ///@{
   /**
+   * Which of the sections that fit the stroke is taken, 1 for the one that fits best [>= 1, default 1]; a
+   * number beyond the last one is refused. As published there is but one. GetNumberOfCandidates: how many
+   * there were for the last stroke.
+   */
+  void SetCandidate(int candidate);
+  int GetCandidate() const;
+  int GetNumberOfCandidates() const;
+  ///@}
+
+  ///@{
+  /**
+   * How much further into the body than found the region goes, less far where negative, in lengths of the
+   * section [-1 to 1, default 0]; see vtkOversketchMixtureRegion.
+   */
+  void SetReach(double reach);
+  double GetReach() const;
+  ///@}
+
+  ///@{
+  /**
+   * Hand over a result that is torn, with a warning: where one edge in a hundred of what moved is stretched or
+   * squeezed more than 8 times, or more than 0.7 of the surface moved. Default off: it is refused. As
+   * published nothing is refused.
+   */
+  vtkSetMacro(AllowTorn, bool);
+  vtkGetMacro(AllowTorn, bool);
+  vtkBooleanMacro(AllowTorn, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the last result is like: mean and worst distance of the stroke's middle 60 % to the outline, and the
+   * mean distance of the outline between its ends back to it [px]; folded edges that are new; by how much 99
+   * of 100 edges of what moved are stretched or squeezed at most; mean angle between triangles of what moved,
+   * before and after [degrees]; share of the surface that moved [0 to 1]; how far beside the stroke and its
+   * section something moved [px, 0: nothing beyond 30 px], and by how much at most [px]. Zero after a run that
+   * failed, where stretch is 1.
+   */
+  double GetOutlineDistance() const;
+  double GetWorstOutlineDistance() const;
+  double GetOutlineBackDistance() const;
+  int GetNewFolds() const;
+  double GetStretch() const;
+  double GetRoughnessBefore() const;
+  double GetRoughness() const;
+  double GetMovedShare() const;
+  double GetStrayDistance() const;
+  double GetStrayMovement() const;
+  ///@}
+
+  ///@{
+  /**
    * Prepare computes the shape diameter of the mesh on port 0. Preview runs the steps up to {Match} and gives
    * its section; while mesh and view stay the same a call costs the match alone, and inner outputs up to
    * {Match} are those of the preview. The hold is the section that the last run matched.
@@ -131,6 +188,7 @@ public:
   bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override;
   void GetHold(vtkPolyData* hold) override;
   void GetRegion(vtkPolyData* region) override;
+  const char* GetRemark() override;
   bool Drag(const double translation[3], vtkPoints* points) override;
   ///@}
 
@@ -167,6 +225,7 @@ private:
   int Remesh = RemeshAuto;
   bool CorrectOutline = true;
   bool AsPublished = false;
+  bool AllowTorn = false;
   bool Remeshed = false;
 
   struct Pipeline;

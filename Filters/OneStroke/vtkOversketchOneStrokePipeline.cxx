@@ -111,6 +111,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   this->MixtureRegion->SetLimitRunaway(on);
   this->MixtureRegion->SetCutAtJunction(on);
   this->MixtureRegion->SetReachEnds(on);
+  this->MixtureRegion->SetEvenSamples(on);
   this->RegionBorder->SetConfine(on);
   for (vtkOversketchRemesh* step : { this->Stretch.Get(), this->Restore.Get() })
   {
@@ -272,6 +273,62 @@ bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
   const int folds = this->Folds("RegionBorder");
   return this->Judged("Restore", folds).keptAgainst(this->Judged(this->Deformation, folds));
+}
+
+void vtkOversketchOneStroke::Pipeline::JudgeEffect()
+{
+  const std::string deformation = this->Deformation;
+  const bool remeshed = deformation.find("Remeshed") != std::string::npos;
+  const char* before = remeshed ? "Stretch" : "RegionBorder";
+  const Judgement judged =
+    this->Judged(this->Self->Remeshed ? "Restore" : this->Deformation, this->Folds("RegionBorder"));
+  StrokeEffect effect;
+  effect.outline = judged.outline;
+  effect.folds = judged.folds;
+  effect.after = judged.roughness;
+  const MeshData& plain = *this->Made("RegionBorder").Data;
+  effect.before =
+    roughness(plain.Surface(), plain.Neighbours(), RegionOf(this->Self->StageOutput("RegionBorder")));
+  const oversketch::View view = ViewOf(this->Stroke);
+  const Polyline stroke = StrokeOf(this->Self->StageOutput("Stroke"));
+  vtkPolyData* match = this->Self->StageOutput("Match");
+  Polyline section(static_cast<std::size_t>(match->GetNumberOfPoints()));
+  vtkDataArray* displays = match->GetPointData()->GetArray("Display");
+  for (std::size_t i = 0; displays && i < section.size(); ++i)
+  {
+    displays->GetTuple(static_cast<vtkIdType>(i), section[i].data());
+  }
+  const oversketch::Mesh& seen = this->Made(this->Self->Remeshed ? "Restore" : this->Deformation).Data->Surface();
+  effect.outlineBack =
+    outlineBack(seen, view, stroke, ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
+  measureMovement(this->Made(before).Data->Surface(),
+    this->Made(this->Deformation).Data->Surface(),
+    RegionOf(this->Self->StageOutput(before)),
+    view,
+    stroke,
+    section,
+    effect);
+  const std::string torn = tornBy(effect);
+  if (!torn.empty() && !this->Self->AllowTorn && !this->Self->AsPublished)
+  {
+    throw Error(Failure::Torn,
+      "The stroke would tear the mesh: " + torn +
+        ". Draw it nearer to the outline that it is to replace, or, if that is meant, turn AllowTorn on.");
+  }
+  this->Effect = effect;
+  std::vector<std::string> said = remarks(effect);
+  if (!torn.empty())
+  {
+    said.insert(said.begin(), torn);
+  }
+  for (const std::string& one : said)
+  {
+    this->Remark += (this->Remark.empty() ? "" : "; ") + one;
+  }
+  if (!this->Remark.empty())
+  {
+    this->Remark = "The result is not as drawn: " + this->Remark + ".";
+  }
 }
 
 void vtkOversketchOneStroke::Pipeline::RunRemeshed()

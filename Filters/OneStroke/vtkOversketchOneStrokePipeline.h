@@ -5,7 +5,7 @@
 
 #include "vtkOversketchOneStroke.h"
 
-#include "Silhouette/judgement.h"
+#include "Silhouette/effect.h"
 #include "vtkOversketchCorrection.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchFollowers.h"
@@ -55,6 +55,8 @@ struct vtkOversketchOneStroke::Pipeline
   const char* Corrected(const char* before, const char* deform, const char* correction, const char* again);
   oversketch::Judgement Judged(const char* stage, int foldsBefore);
   int Folds(const char* stage);
+  // What the run has done; throws Torn where that is refused.
+  void JudgeEffect();
 
   // The mesh that a step of this run made, held until the run ends, so that it is converted and judged once.
   struct MadeMesh
@@ -94,6 +96,8 @@ struct vtkOversketchOneStroke::Pipeline
   vtkNew<vtkOversketchLaplacianDeform> DeformCorrected, DeformRemeshedCorrected;
   vtkNew<vtkOversketchRemesh> Restore;
   vtkNew<vtkPolyData> Hold;           // the section that the last run matched
+  oversketch::StrokeEffect Effect;
+  std::string Remark;
   const char* Deformation = "Deform"; // the stage whose output the last result was made of
   // How that result follows a drag; null after a run that failed.
   std::unique_ptr<oversketch::Followers> Following;

@@ -18,9 +18,13 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <sstream>
 #include <tuple>
 
@@ -30,10 +34,10 @@ namespace
 {
 
 // What the whole mesh's mixture depends on besides the mesh and its diameters: components, samples, seed,
-// back end.
-using FitKey = std::tuple<int, int, int, int>;
-// What the region depends on besides that: lambda, tolerance, section and end length, amendments.
-using GrowthKey = std::tuple<double, double, double, double, bool, bool, bool, bool>;
+// whether they are even, back end.
+using FitKey = std::tuple<int, int, int, bool, int>;
+// What the region depends on besides that: lambda, tolerance, section and end length, shift, amendments.
+using GrowthKey = std::tuple<double, double, double, double, double, bool, bool, bool, bool>;
 
 std::vector<double> DiametersOf(vtkDataArray* array)
 {
@@ -62,7 +66,7 @@ double SectionLengthOf(vtkPolyData* handles)
     throw Error(Failure::MissingArray,
       "The handles have no field array SectionLength of one value, the length of the matched section: make "
       "them with "
-      "vtkOversketchTargets, or turn LimitRunaway and ReachEnds off.");
+      "vtkOversketchTargets, or turn LimitRunaway and ReachEnds off and leave Reach at 0.");
   }
   return length;
 }
@@ -174,21 +178,40 @@ struct vtkOversketchMixtureRegion::Cache
   // The whole mesh.
   MeshKey MeshRead;
   FitKey FitRead;
+  std::vector<int> PartsRead; // whose vertices it is fitted to, ascending; empty: all
   std::vector<double> Diameters, Scaled;
+  double Diagonal = 0.0; // of the box of these vertices
   Mixture Whole;
   // The region.
   GrowthKey GrowthRead;
   Section SectionRead;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // empty: none kept
 
+  const MeshParts& PartsOf();
   MixtureFit Fit(vtkOversketchMixtureRegion* self, const std::vector<double>& samples, int components);
-  // Makes Whole of the diameters.
-  void FitWhole(vtkOversketchMixtureRegion* self, vtkDataArray* diameters);
+  // The parts of the mesh that hold vertices, ascending.
+  std::vector<int> PartsWith(const std::vector<int>& vertices);
+  // Makes Whole of the diameters, of these parts of the mesh (none: of all).
+  void FitWhole(vtkOversketchMixtureRegion* self, vtkDataArray* diameters, const std::vector<int>& parts);
   // ln p_fg - ln p_whole per vertex, of the foreground that the seeds stand for.
   std::vector<double> RatiosOf(vtkOversketchMixtureRegion* self, const std::vector<int>& seeds);
   // Makes Arrays of the section.
-  void Grow(vtkOversketchMixtureRegion* self, const Section& section, double sectionLength, double endLength);
+  void Grow(vtkOversketchMixtureRegion* self,
+    const Section& section,
+    double sectionLength,
+    double endLength,
+    double shift);
 };
+
+const MeshParts& vtkOversketchMixtureRegion::Cache::PartsOf()
+{
+  if (this->PartsData != this->Data)
+  {
+    this->Parts = findParts(this->Data->Surface(), this->Data->Neighbours());
+    this->PartsData = this->Data;
+  }
+  return this->Parts;
+}
 
 // On the device where the back end asks for it; should it be missing or fail, on the host, with a warning.
 MixtureFit vtkOversketchMixtureRegion::Cache::Fit(vtkOversketchMixtureRegion* self,
@@ -219,19 +242,55 @@ MixtureFit vtkOversketchMixtureRegion::Cache::Fit(vtkOversketchMixtureRegion* se
   return fitMixture(samples, options, ContextOf(self, 0.0, 0.4));
 }
 
-void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* self, vtkDataArray* diameters)
+std::vector<int> vtkOversketchMixtureRegion::Cache::PartsWith(const std::vector<int>& vertices)
+{
+  const MeshParts& parts = this->PartsOf();
+  std::vector<int> held;
+  std::transform(vertices.begin(),
+    vertices.end(),
+    std::back_inserter(held),
+    [&parts](int v) { return parts.of[static_cast<std::size_t>(v)]; });
+  std::sort(held.begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
+  return static_cast<int>(held.size()) == parts.count ? std::vector<int>() : held;
+}
+
+void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* self,
+  vtkDataArray* diameters,
+  const std::vector<int>& parts)
 {
   this->Diameters = DiametersOf(diameters);
-  const auto [low, high] = std::minmax_element(this->Diameters.begin(), this->Diameters.end());
-  const double from = *low, range = *high - *low;
+  const int count = this->Data->Surface().vertexCount();
+  const auto isOf = [&](int v)
+  {
+    return parts.empty() ||
+           std::binary_search(parts.begin(), parts.end(), this->PartsOf().of[static_cast<std::size_t>(v)]);
+  };
+  std::vector<int> fitted;
+  Eigen::AlignedBox3d box;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (int v = 0; v < count; ++v)
+  {
+    if (isOf(v))
+    {
+      box.extend(this->Data->Surface().points[static_cast<std::size_t>(v)]);
+      fitted.push_back(v);
+      low = std::min(low, this->Diameters[static_cast<std::size_t>(v)]);
+      high = std::max(high, this->Diameters[static_cast<std::size_t>(v)]);
+    }
+  }
+  this->Diagonal = box.isEmpty() ? 0.0 : box.diagonal().norm();
+  const double range = high - low;
   this->Scaled.resize(this->Diameters.size());
   std::transform(this->Diameters.begin(),
     this->Diameters.end(),
     this->Scaled.begin(),
-    [&](double d) { return range > 0.0 ? (d - from) / range : 0.0; });
-  const int count = this->Data->Surface().vertexCount();
+    [&](double d) { return range > 0.0 ? (d - low) / range : 0.0; });
   const std::vector<double> samples =
-    Pick(this->Scaled, drawWithoutReplacement(count, self->MaximumSamples, self->Seed));
+    self->EvenSamples
+      ? evenSamples(
+          Pick(this->Scaled, fitted), Pick(this->PartsOf().areas, fitted), self->MaximumSamples)
+      : Pick(this->Scaled, drawWithoutReplacement(count, self->MaximumSamples, self->Seed));
   ++self->WholeFitCount;
   self->WholeSampleCount = static_cast<vtkIdType>(samples.size());
   this->Whole = this->Fit(self, samples, self->Components).mixture;
@@ -245,10 +304,12 @@ std::vector<double> vtkOversketchMixtureRegion::Cache::RatiosOf(vtkOversketchMix
     mesh.Neighbours(),
     seeds,
     3 * static_cast<std::size_t>(self->Components),
-    self->SeedTolerance * 0.5 * boundingDiagonal(mesh.Surface()));
+    self->SeedTolerance * 0.5 * this->Diagonal);
   const std::vector<double> known = Pick(this->Scaled, around);
   const std::vector<double> samples =
-    Pick(known, drawWithoutReplacement(static_cast<int>(known.size()), self->MaximumSamples, self->Seed));
+    self->EvenSamples
+      ? evenSamples(known, {}, self->MaximumSamples)
+      : Pick(known, drawWithoutReplacement(static_cast<int>(known.size()), self->MaximumSamples, self->Seed));
   const Mixture foreground =
     this->Fit(self, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, self->Components)).mixture;
   std::vector<double> ratios(this->Scaled.size());
@@ -267,7 +328,8 @@ std::vector<double> vtkOversketchMixtureRegion::Cache::RatiosOf(vtkOversketchMix
 void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
   const Section& section,
   double sectionLength,
-  double endLength)
+  double endLength,
+  double shift)
 {
   const MeshData& mesh = *this->Data;
   RegionEvidence evidence{ section.seeds, {}, this->Diameters, sectionLength, section.ends, endLength };
@@ -276,17 +338,12 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
     evidence.ratio = this->RatiosOf(self, section.seeds);
   }
   const RegionOptions options{
-    self->Lambda, self->FillIslands, self->LimitRunaway, self->CutAtJunction, self->ReachEnds
+    self->Lambda, self->FillIslands, self->LimitRunaway, self->CutAtJunction, self->ReachEnds, shift
   };
-  if (this->PartsData != this->Data)
-  {
-    this->Parts = findParts(mesh.Surface(), mesh.Neighbours());
-    this->PartsData = this->Data;
-  }
   const std::vector<char> region = detectRegion(mesh.Surface(),
     mesh.Neighbours(),
     mesh.Normals(),
-    this->Parts,
+    this->PartsOf(),
     evidence,
     options,
     ContextOf(self, 0.4, 1.0));
@@ -351,22 +408,29 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
       const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
       // Edge paths are up to half as long again as the way, and a foreshortened end as it looks.
       const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;
+      const double shift = this->Reach != 0.0 ? this->Reach * SectionLengthOf(handles) : 0.0;
 
       const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
-      const FitKey fitKey(this->Components, this->MaximumSamples, this->Seed, this->GetBackend());
-      if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.Whole.empty())
+      const FitKey fitKey(
+        this->Components, this->MaximumSamples, this->Seed, this->EvenSamples, this->GetBackend());
+      const std::vector<int> parts =
+        this->EvenSamples ? cache.PartsWith(section.seeds) : std::vector<int>();
+      if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.PartsRead != parts ||
+          cache.Whole.empty())
       {
         cache.Whole.clear();
         cache.Arrays.clear();
-        cache.FitWhole(this, diameters);
+        cache.FitWhole(this, diameters, parts);
         cache.MeshRead = meshKey;
         cache.FitRead = fitKey;
+        cache.PartsRead = parts;
       }
 
       const GrowthKey growthKey(this->Lambda,
         this->SeedTolerance,
         sectionLength,
         endLength,
+        shift,
         this->FillIslands,
         this->LimitRunaway,
         this->CutAtJunction,
@@ -376,7 +440,7 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
       {
         cache.Arrays.clear();
         ++this->GrowthCount;
-        cache.Grow(this, section, sectionLength, endLength);
+        cache.Grow(this, section, sectionLength, endLength, shift);
         cache.GrowthRead = growthKey;
         cache.SectionRead = section;
       }
@@ -398,6 +462,8 @@ void vtkOversketchMixtureRegion::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LimitRunaway: " << (this->LimitRunaway ? "On" : "Off") << '\n'
      << indent << "CutAtJunction: " << (this->CutAtJunction ? "On" : "Off") << '\n'
      << indent << "ReachEnds: " << (this->ReachEnds ? "On" : "Off") << '\n'
+     << indent << "Reach: " << this->Reach << '\n'
+     << indent << "EvenSamples: " << (this->EvenSamples ? "On" : "Off") << '\n'
      << indent << "Components: " << this->Components << '\n'
      << indent << "MaximumSamples: " << this->MaximumSamples << '\n'
      << indent << "Seed: " << this->Seed << '\n'

@@ -22,13 +22,15 @@
  * are as thick;
  * - where the section goes on beyond the region and is to move there, the border moves up to it, on a limb
  * all round (ReachEnds): else the moved part ends in a step at a border that nothing moves, in the middle of
- * a thickened thigh.
+ * a thickened thigh;
+ * - samples are even over the surface, not drawn at random (EvenSamples): the same shape with its vertices in
+ * another order, or more of them on one limb, has the same mixtures.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated.
  * Input 1 (Handles): handles (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3],
  * RelativePosition[1], UnmergedTarget[3] (read when ReachEnds is on), and field array SectionLength[1],
- * model length (read when LimitRunaway or ReachEnds is on).
+ * model length (read when LimitRunaway or ReachEnds is on, or with a Reach).
  *
  * Output 0: the input with point arrays
  * - Region, unsigned char: 1 for vertices of the region,
@@ -40,7 +42,7 @@
  * seeds and when the region reaches everything, so that nothing would hold the mesh. A mesh without points
  * gives an empty output silently. Mixtures are fitted on the back end that is chosen, see SetBackend.
  *
- * Deterministic: samples are drawn by a generator with the fixed Seed. Device (double precision) and host
+ * Deterministic: where samples are drawn, a generator with the fixed Seed draws them. Device (double precision) and host
  * agree to 1e-5.
  *
  * Cost: milliseconds for the mixtures, then linear in the vertices. The whole mesh's mixture is kept while
@@ -141,6 +143,26 @@ public:
 
   ///@{
   /**
+   * After all that, move the border along edges by this, outwards where positive [lengths of the section, -1
+   * to 1, default 0: stay where it was found]. Seeds stay in the region.
+   */
+  vtkSetClampMacro(Reach, double, -1.0, 1.0);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Take the samples at equal steps of the surface's area, of the seeds at equal steps of their number, in the
+   * order of their values; default on. Off: at random, as published. A draw depends on how the vertices are
+   * numbered and how densely they lie, and with it whether the region ends at a joint or runs over it.
+   */
+  vtkSetMacro(EvenSamples, bool);
+  vtkGetMacro(EvenSamples, bool);
+  vtkBooleanMacro(EvenSamples, bool);
+  ///@}
+
+  ///@{
+  /**
    * Most components of a mixture, 1 to 8; default 4 (Table 2). The seeds' mixture has no more than a third of
    * the samples.
    */
@@ -158,7 +180,7 @@ public:
 
   ///@{
   /**
-   * Seed of the generator that draws the samples; default 1.
+   * Seed of the generator that draws the samples when they are not even; default 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -196,6 +218,8 @@ private:
   bool LimitRunaway = true;
   bool CutAtJunction = true;
   bool ReachEnds = true;
+  double Reach = 0.0;
+  bool EvenSamples = true;
   int Components = 4;
   int MaximumSamples = 2048;
   int Seed = 1;

@@ -65,6 +65,12 @@ public:
   ///@}
 
   /**
+   * What is to be said of the last result because it is not as drawn, in words and figures; empty where there
+   * is nothing to say and after a run that failed. A warning said the same during the run.
+   */
+  virtual const char* GetRemark() { return ""; }
+
+  /**
    * The output for a stroke moved by one vector [world], a preview: writes places into `points`, which are a
    * copy of the last output's points (same number, float or double). Neither the output nor the pipeline
    * changes: to keep the place, move the stroke and Update. False after a run that failed, where `points` do

@@ -23,7 +23,8 @@ enum class Failure : int
   SolveFailed = 7,  // a linear system could not be factored
   Cancelled = 8,    // the caller asked to stop
   InnerStep = 9,    // a step inside a system failed
-  Unexpected = 10   // out of memory or a fault of a library
+  Unexpected = 10,  // out of memory or a fault of a library
+  Torn = 11         // the result is a wreck, and was not asked for all the same
 };
 
 // Thrown by kernels. The message names the array, cell or point and the remedy.

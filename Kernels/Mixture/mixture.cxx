@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace oversketch
 {
@@ -233,6 +234,41 @@ std::vector<int> drawWithoutReplacement(int population, int maximum, int seed)
   indices.resize(maximum);
   std::sort(indices.begin(), indices.end());
   return indices;
+}
+
+std::vector<double> evenSamples(const std::vector<double>& values, const std::vector<double>& weights, int maximum)
+{
+  std::vector<std::pair<double, double>> sorted; // value, weight
+  sorted.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    sorted.emplace_back(values[i], weights.empty() ? 1.0 : weights[i]);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  double all = 0.0;
+  for (const auto& [value, weight] : sorted)
+  {
+    all += weight;
+  }
+  if (!(all > 0.0))
+  {
+    return weights.empty() ? std::vector<double>() : evenSamples(values, {}, maximum);
+  }
+  const std::size_t count = std::min(sorted.size(), static_cast<std::size_t>(maximum));
+  const double step = all / static_cast<double>(count);
+  std::vector<double> samples;
+  samples.reserve(count);
+  double passed = 0.0;
+  for (const auto& [value, weight] : sorted)
+  {
+    passed += weight;
+    while (samples.size() < count && (static_cast<double>(samples.size()) + 0.5) * step <= passed)
+    {
+      samples.push_back(value);
+    }
+  }
+  samples.resize(count, sorted.back().first); // rounding may leave the last one
+  return samples;
 }
 
 } // namespace oversketch

@@ -268,3 +268,29 @@ TEST(Mixture, DrawsAreDistinctFixedAndComplete)
   EXPECT_NEAR(std::accumulate(drawn.begin(), drawn.end(), 0.0) / 2048.0, 4999.5, 250.0);
   EXPECT_EQ(drawWithoutReplacement(5, 2048, 1), (std::vector<int>{ 0, 1, 2, 3, 4 }));
 }
+
+TEST(Mixture, EvenSamplesFollowTheWeightsAndNotTheOrder)
+{
+  // A tenth of the weight on 1, the rest on 2 and 3 as one to two.
+  const std::vector<double> values{ 3.0, 1.0, 2.0, 3.0 }, weights{ 0.3, 0.1, 0.3, 0.3 };
+  std::vector<double> drawn;
+  for (int k = 0; k < 250; ++k)
+  {
+    drawn.insert(drawn.end(), values.begin(), values.end());
+  }
+  std::vector<double> weighed;
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+  {
+    weighed.push_back(weights[i % 4]);
+  }
+  const std::vector<double> samples = evenSamples(drawn, weighed, 100);
+  EXPECT_EQ(samples.size(), 100u);
+  EXPECT_TRUE(std::is_sorted(samples.begin(), samples.end()));
+  EXPECT_EQ(std::count(samples.begin(), samples.end(), 1.0), 10);
+  EXPECT_EQ(std::count(samples.begin(), samples.end(), 2.0), 30);
+  std::vector<double> otherValues(drawn.rbegin(), drawn.rend()), otherWeights(weighed.rbegin(), weighed.rend());
+  EXPECT_EQ(evenSamples(otherValues, otherWeights, 100), samples);
+  EXPECT_EQ(evenSamples(values, {}, 2048), (std::vector<double>{ 1.0, 2.0, 3.0, 3.0 }));
+  EXPECT_EQ(evenSamples(values, { 0.0, 0.0, 0.0, 0.0 }, 2), (std::vector<double>{ 1.0, 3.0 }));
+  EXPECT_TRUE(evenSamples({}, {}, 10).empty());
+}

@@ -501,6 +501,15 @@ std::vector<char> detectRegion(const Mesh& mesh,
       region = std::move(reached);
     }
   }
+  if (options.shift != 0.0)
+  {
+    region = shiftBorder(mesh, adjacency, isSeed, options.shift, region);
+    if (options.fillIslands)
+    {
+      fillIslands(parts, adjacency, region);
+    }
+    dropSeedless(adjacency, isSeed, region);
+  }
   for (std::size_t v = 0; v < region.size(); ++v)
   {
     if (!region[v])

@@ -56,6 +56,7 @@ struct RegionOptions
   bool limitRunaway = true;
   bool cutAtJunction = true;
   bool reachEnds = true;
+  double shift = 0.0; // the border's, after all that, outwards where positive [model length]
 };
 
 // What region detection reads besides the mesh.
@@ -75,7 +76,7 @@ struct RegionEvidence
 // area of the connected parts it lies in, grow again within an edge path of one section length of the seeds,
 // and fill islands again; cut off what hangs on narrow bridges (see cutBridges) and cut at the junction (see
 // cutAtJunction), unless that exceeds the half; drop pieces without a seed; extend the rest towards the
-// section's ends (see reachEnds), unless that exceeds the half. Throws Error(BadRegion) without
+// section's ends (see reachEnds), unless that exceeds the half; shift the border (see shiftBorder). Throws Error(BadRegion) without
 // seeds and when a part is selected wholly, for nothing would be left to hold it.
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,

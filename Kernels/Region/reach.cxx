@@ -6,22 +6,34 @@
 namespace oversketch
 {
 
+namespace
+{
+
+// The vertices of the region, or of the rest, next to the other, ascending.
+std::vector<int> borderOf(const Adjacency& adjacency, const std::vector<char>& region, bool inside)
+{
+  std::vector<int> border;
+  for (int v = 0; v < static_cast<int>(region.size()); ++v)
+  {
+    if ((region[v] != 0) == inside && std::any_of(adjacency.vertexVertices.begin(v),
+                                        adjacency.vertexVertices.end(v),
+                                        [&](int n) { return (region[n] != 0) != inside; }))
+    {
+      border.push_back(v);
+    }
+  }
+  return border;
+}
+
+} // namespace
+
 std::vector<char> reachEnds(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::array<std::vector<int>, 2>& ends,
   double limit,
   const std::vector<char>& region)
 {
-  std::vector<int> border;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (region[v] && std::any_of(adjacency.vertexVertices.begin(v),
-                       adjacency.vertexVertices.end(v),
-                       [&](int n) { return !region[n]; }))
-    {
-      border.push_back(v);
-    }
-  }
+  const std::vector<int> border = borderOf(adjacency, region, true);
   const std::vector<double> fromRegion = edgeDistances(mesh, adjacency, border, limit);
   std::array<double, 2> length{ 0.0, 0.0 };
   std::array<std::vector<double>, 2> toEnd;
@@ -61,6 +73,26 @@ std::vector<char> reachEnds(const Mesh& mesh,
     reached[v] = fromRegion[v] <= (1.0 - share) * length[0] + share * length[1];
   }
   return reached;
+}
+
+std::vector<char> shiftBorder(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& isSeed,
+  double length,
+  const std::vector<char>& region)
+{
+  const bool grows = length > 0.0;
+  const std::vector<double> distance =
+    edgeDistances(mesh, adjacency, borderOf(adjacency, region, grows), std::abs(length));
+  std::vector<char> shifted(region);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if ((region[v] != 0) != grows && std::isfinite(distance[v]) && !isSeed[v])
+    {
+      shifted[v] = grows ? 1 : 0;
+    }
+  }
+  return shifted;
 }
 
 } // namespace oversketch

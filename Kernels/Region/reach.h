@@ -1,4 +1,5 @@
-// The region reaches as far as the stroke leaves the section: an amendment of ours to the region of interest.
+// How far the region reaches: as far as the stroke leaves the section, and as far as is asked for. Amendments of
+// ours to the region of interest.
 #ifndef oversketch_reach_h
 #define oversketch_reach_h
 
@@ -19,6 +20,14 @@ std::vector<char> reachEnds(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::array<std::vector<int>, 2>& ends,
   double limit,
+  const std::vector<char>& region);
+
+// Moves the region's border by a length along edges: vertices outside that are no farther from it join where the
+// length is positive, those inside that are no farther from the rest leave where it is negative, but for seeds.
+std::vector<char> shiftBorder(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& isSeed,
+  double length,
   const std::vector<char>& region);
 
 } // namespace oversketch

@@ -1,0 +1,316 @@
+#include "Silhouette/effect.h"
+
+#include "Silhouette/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace oversketch
+{
+
+namespace
+{
+
+double crossOf(const Vector2& a, const Vector2& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+// Anticlockwise; the first point is not repeated.
+Polyline convexHull(Polyline points)
+{
+  const auto before = [](const Vector2& a, const Vector2& b)
+  { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3)
+  {
+    return points;
+  }
+  Polyline hull;
+  const auto add = [&hull](const Vector2& p, std::size_t least)
+  {
+    while (hull.size() > least && crossOf(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
+    {
+      hull.pop_back();
+    }
+    hull.push_back(p);
+  };
+  for (const Vector2& p : points)
+  {
+    add(p, 1);
+  }
+  const std::size_t lower = hull.size();
+  for (auto p = points.rbegin() + 1; p != points.rend(); ++p)
+  {
+    add(*p, lower);
+  }
+  hull.pop_back();
+  return hull;
+}
+
+double distanceToHull(const Vector2& p, const Polyline& hull)
+{
+  bool inside = hull.size() > 2;
+  double nearest = (p - hull[0]).norm();
+  for (std::size_t i = 0; i < hull.size(); ++i)
+  {
+    const Vector2& a = hull[i];
+    const Vector2 along = hull[(i + 1) % hull.size()] - a;
+    inside = inside && crossOf(along, p - a) >= 0.0;
+    const double squared = along.squaredNorm();
+    const double t = squared > 0.0 ? std::clamp(along.dot(p - a) / squared, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, (p - a - t * along).norm());
+  }
+  return inside ? 0.0 : nearest;
+}
+
+double areaOf(const Mesh& mesh, const Triangle& t)
+{
+  const Vector3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+  return 0.5 * (b - a).cross(c - a).norm();
+}
+
+void measureTriangles(const Mesh& before,
+  const Mesh& after,
+  const std::vector<char>& region,
+  StrokeEffect& effect)
+{
+  double all = 0.0, moved = 0.0;
+  std::vector<double> ratios;
+  for (const Triangle& t : before.triangles)
+  {
+    const double area = areaOf(before, t);
+    all += area;
+    if (!region[t[0]] || !region[t[1]] || !region[t[2]])
+    {
+      continue;
+    }
+    moved += area;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = t[k], b = t[(k + 1) % 3];
+      const double was = (before.points[a] - before.points[b]).norm();
+      const double is = (after.points[a] - after.points[b]).norm();
+      if (was > 0.0)
+      {
+        constexpr double crushed = 1e-6;
+        ratios.push_back(std::max(is, was) / std::max(std::min(is, was), crushed * was));
+      }
+    }
+  }
+  effect.movedShare = all > 0.0 ? moved / all : 0.0;
+  effect.stretch = 1.0;
+  if (!ratios.empty())
+  {
+    const auto rank = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(ratios.size() - 1));
+    std::nth_element(ratios.begin(), ratios.begin() + rank, ratios.end());
+    effect.stretch = ratios[static_cast<std::size_t>(rank)];
+  }
+}
+
+constexpr double unreached = std::numeric_limits<double>::infinity();
+
+// The places of a loop from one to another, in its own direction.
+Polyline wayAlong(const OutlineLoop& loop, const NearestPlace::Answer& from, const NearestPlace::Answer& to)
+{
+  const int count = static_cast<int>(loop.points.size());
+  const bool wraps = to.segment < from.segment || (to.segment == from.segment && to.t < from.t);
+  const int points = to.segment - from.segment + (wraps ? count : 0);
+  Polyline way{ from.place };
+  for (int k = 1; k <= points; ++k)
+  {
+    way.push_back(loop.points[static_cast<std::size_t>((from.segment + k) % count)]);
+  }
+  way.push_back(to.place);
+  return way;
+}
+
+double backIn(const PixelWindow& window,
+  const Mesh& mesh,
+  const View& view,
+  const Polyline& stroke,
+  const Context& context)
+{
+  const std::vector<OutlineLoop> loops = traceOutline(mesh, view, window, context);
+  std::vector<NearestPlace> places;
+  for (const OutlineLoop& loop : loops)
+  {
+    places.emplace_back(loop.points, loop.closed);
+  }
+  const std::vector<double> length = arcLengths(stroke);
+  const auto nearestTo = [&](double share)
+  {
+    const Vector2 point =
+      placeAt(length, static_cast<int>(stroke.size()), share * length.back()).of(stroke);
+    std::pair<std::size_t, NearestPlace::Answer> found;
+    found.second.distance = unreached;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const NearestPlace::Answer answer = places[i](point, found.second.distance);
+      if (answer.segment >= 0 && answer.distance < found.second.distance)
+      {
+        found = { i, answer };
+      }
+    }
+    return found;
+  };
+  const auto [loop, first] = nearestTo(0.2);
+  const auto [other, last] = nearestTo(0.8);
+  double least = unreached;
+  if (first.segment < 0 || last.segment < 0 || loop != other)
+  {
+    return least;
+  }
+  const NearestPlace onStroke(stroke);
+  for (const bool forward : { true, false })
+  {
+    const NearestPlace::Answer &from = forward ? first : last, &to = forward ? last : first;
+    const bool inOrder = from.segment < to.segment || (from.segment == to.segment && from.t <= to.t);
+    if (inOrder || loops[loop].closed)
+    {
+      constexpr double spacing = 2.0; // px
+      least =
+        std::min(least, onStroke.meanDistance(uniformPolyline(wayAlong(loops[loop], from, to), spacing)));
+    }
+  }
+  return least;
+}
+
+std::string pixels(double value)
+{
+  std::ostringstream text;
+  text << std::lround(value) << " px";
+  return text.str();
+}
+
+std::string percent(double share)
+{
+  std::ostringstream text;
+  text << std::lround(100.0 * share) << " %";
+  return text.str();
+}
+
+} // namespace
+
+double outlineBack(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context)
+{
+  constexpr double near = 50.0; // px; farther outlines are looked for where none is as near
+  const double back = backIn(strokeWindow(stroke, near), mesh, view, stroke, context);
+  return std::isfinite(back) ? back : backIn(outlineWindow(mesh, view, stroke, context), mesh, view, stroke, context);
+}
+
+void measureMovement(const Mesh& before,
+  const Mesh& after,
+  const std::vector<char>& region,
+  const View& view,
+  const Polyline& stroke,
+  const Polyline& section,
+  StrokeEffect& effect)
+{
+  measureTriangles(before, after, region, effect);
+  effect.strayDistance = effect.strayMovement = 0.0;
+  Polyline drawn = stroke;
+  drawn.insert(drawn.end(), section.begin(), section.end());
+  if (drawn.empty())
+  {
+    return;
+  }
+  struct Place
+  {
+    Vector2 was, is;
+    double movement;
+  };
+  constexpr double seen = 3.0; // px
+  std::vector<Place> places;
+  double largest = 0.0;
+  for (int v = 0; v < before.vertexCount(); ++v)
+  {
+    if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
+    {
+      continue;
+    }
+    Place place{ view.toDisplay(before.points[v]).head<2>(), view.toDisplay(after.points[v]).head<2>(), 0.0 };
+    place.movement = (place.is - place.was).norm();
+    largest = std::max(largest, place.movement);
+    if (place.movement > seen)
+    {
+      places.push_back(place);
+    }
+  }
+  const Polyline hull = convexHull(std::move(drawn));
+  for (const Place& place : places)
+  {
+    // A fifth: the rest of a limb follows its drawn part by a little, and is meant to.
+    if (place.movement <= 0.2 * largest)
+    {
+      continue;
+    }
+    const double distance = std::min(distanceToHull(place.was, hull), distanceToHull(place.is, hull));
+    if (distance > StrokeEffect::strayLimit)
+    {
+      effect.strayDistance = std::max(effect.strayDistance, distance);
+      effect.strayMovement = std::max(effect.strayMovement, place.movement);
+    }
+  }
+}
+
+std::vector<std::string> remarks(const StrokeEffect& effect)
+{
+  constexpr double near = 3.0;     // px in the mean: as near as a result has to come to the stroke's middle
+  constexpr double large = 0.45;   // of the surface
+  constexpr double leftOver = 10.0; // px of outline beside the stroke that the stroke itself does not meet
+  std::vector<std::string> said;
+  if (!std::isfinite(effect.outline.mean))
+  {
+    said.emplace_back("nothing is seen of the model any more");
+  }
+  else if (effect.outline.mean > near)
+  {
+    said.push_back("the outline misses the stroke by " + pixels(effect.outline.mean) + " in the mean and by " +
+                   pixels(effect.outline.worst) + " at worst");
+  }
+  else if (!std::isfinite(effect.outlineBack))
+  {
+    said.emplace_back("no outline leads from one end of the stroke to the other");
+  }
+  else if (effect.outlineBack > leftOver)
+  {
+    said.push_back("between the stroke's ends the outline runs " + pixels(effect.outlineBack) + " beside it");
+  }
+  if (effect.strayDistance > 0.0)
+  {
+    said.push_back("what lies up to " + pixels(effect.strayDistance) + " beside the stroke moved too, by up to " +
+                   pixels(effect.strayMovement));
+  }
+  if (effect.movedShare > large)
+  {
+    said.push_back(percent(effect.movedShare) + " of the surface moved");
+  }
+  if (effect.folds > Judgement::tolerableFolds)
+  {
+    std::ostringstream text;
+    text << effect.folds << " edges are folded over";
+    said.push_back(text.str());
+  }
+  return said;
+}
+
+std::string tornBy(const StrokeEffect& effect)
+{
+  std::ostringstream text;
+  if (effect.stretch > StrokeEffect::tornStretch)
+  {
+    text << "edges are stretched or squeezed " << std::lround(effect.stretch) << " times";
+  }
+  else if (effect.movedShare > StrokeEffect::tornShare)
+  {
+    text << percent(effect.movedShare) << " of the surface moved";
+  }
+  return text.str();
+}
+
+} // namespace oversketch
