@@ -36,8 +36,9 @@
  * region are bit-identical and, where nothing was remeshed, all points and cells keep their ids.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
- * failure; Torn where the result is refused; output empty. An empty mesh gives an empty output silently. After AbortExecute the output is empty
- * and the error code Cancelled; call Modified() before the next Update.
+ * failure; Torn where the result is refused; output empty. An empty mesh gives an empty output silently.
+ * After AbortExecute the output is empty and the error code Cancelled; call Modified() before the next
+ * Update.
  *
  * Demand-driven: a new stroke computes neither shape diameter nor whole-model mixture again, a new stroke in
  * the same view no silhouette either; a new target for the same section and region uses the factorisation
@@ -145,8 +146,8 @@ public:
 
   ///@{
   /**
-   * Hand over a result that is torn, with a warning: where one edge in a hundred of what moved is stretched or
-   * squeezed more than 8 times, or more than 0.7 of the surface moved. Default off: it is refused. As
+   * Hand over a result that is torn, with a warning: where one edge in a hundred of what moved is stretched
+   * or squeezed more than 8 times, or more than 0.7 of the surface moved. Default off: it is refused. As
    * published nothing is refused.
    */
   vtkSetMacro(AllowTorn, bool);
@@ -160,8 +161,8 @@ public:
    * mean distance of the outline between its ends back to it [px]; folded edges that are new; by how much 99
    * of 100 edges of what moved are stretched or squeezed at most; mean angle between triangles of what moved,
    * before and after [degrees]; share of the surface that moved [0 to 1]; how far beside the stroke and its
-   * section something moved [px, 0: nothing beyond 30 px], and by how much at most [px]. Zero after a run that
-   * failed, where stretch is 1.
+   * section something moved [px, 0: nothing beyond 30 px], and by how much at most [px]. Zero after a run
+   * that failed, where stretch is 1.
    */
   double GetOutlineDistance() const;
   double GetWorstOutlineDistance() const;

@@ -111,6 +111,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   this->MixtureRegion->SetLimitRunaway(on);
   this->MixtureRegion->SetCutAtJunction(on);
   this->MixtureRegion->SetReachEnds(on);
+  this->MixtureRegion->SetConfineToSection(on);
   this->MixtureRegion->SetEvenSamples(on);
   this->RegionBorder->SetConfine(on);
   for (vtkOversketchRemesh* step : { this->Stretch.Get(), this->Restore.Get() })
@@ -298,7 +299,8 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
   {
     displays->GetTuple(static_cast<vtkIdType>(i), section[i].data());
   }
-  const oversketch::Mesh& seen = this->Made(this->Self->Remeshed ? "Restore" : this->Deformation).Data->Surface();
+  const oversketch::Mesh& seen =
+    this->Made(this->Self->Remeshed ? "Restore" : this->Deformation).Data->Surface();
   effect.outlineBack =
     outlineBack(seen, view, stroke, ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
   measureMovement(this->Made(before).Data->Surface(),

@@ -95,7 +95,7 @@ struct vtkOversketchOneStroke::Pipeline
   vtkNew<vtkOversketchCorrection> Correction, CorrectionRemeshed;
   vtkNew<vtkOversketchLaplacianDeform> DeformCorrected, DeformRemeshedCorrected;
   vtkNew<vtkOversketchRemesh> Restore;
-  vtkNew<vtkPolyData> Hold;           // the section that the last run matched
+  vtkNew<vtkPolyData> Hold; // the section that the last run matched
   oversketch::StrokeEffect Effect;
   std::string Remark;
   const char* Deformation = "Deform"; // the stage whose output the last result was made of

@@ -36,8 +36,9 @@ namespace
 // What the whole mesh's mixture depends on besides the mesh and its diameters: components, samples, seed,
 // whether they are even, back end.
 using FitKey = std::tuple<int, int, int, bool, int>;
-// What the region depends on besides that: lambda, tolerance, section and end length, shift, amendments.
-using GrowthKey = std::tuple<double, double, double, double, double, bool, bool, bool, bool>;
+// What the region depends on besides that: lambda, tolerance, section and end length, shift, what is near,
+// amendments.
+using GrowthKey = std::tuple<double, double, double, double, double, double, bool, bool, bool, bool>;
 
 std::vector<double> DiametersOf(vtkDataArray* array)
 {
@@ -66,7 +67,7 @@ double SectionLengthOf(vtkPolyData* handles)
     throw Error(Failure::MissingArray,
       "The handles have no field array SectionLength of one value, the length of the matched section: make "
       "them with "
-      "vtkOversketchTargets, or turn LimitRunaway and ReachEnds off and leave Reach at 0.");
+      "vtkOversketchTargets, or turn LimitRunaway, ReachEnds and ConfineToSection off and leave Reach at 0.");
   }
   return length;
 }
@@ -76,11 +77,16 @@ struct Section
 {
   std::vector<int> seeds; // the vertices that the section's edges end at, ascending
   std::array<std::vector<int>, 2>
-    ends; // of each margin those that the stroke moves, and the seeds next to it
+    ends;                // of each margin those that the stroke moves, and the seeds next to it
+  double chord = 0.0;    // between its ends [model length]
+  double movement = 0.0; // the largest, where it was asked for
+  double depth = 0.0;    // the largest into the surface, likewise
 };
 
-Section SectionOf(vtkPolyData* handles, int vertexCount, double margin, bool reachEnds)
+// moved: whether it matters how far the stroke moves it.
+Section SectionOf(vtkPolyData* handles, const MeshData& mesh, double margin, bool reachEnds, bool moved)
 {
+  const int vertexCount = mesh.Surface().vertexCount();
   const vtkIdType count = handles->GetNumberOfPoints();
   if (count == 0)
   {
@@ -92,7 +98,8 @@ Section SectionOf(vtkPolyData* handles, int vertexCount, double margin, bool rea
   vtkDataArray* positions = RequireArray(data, "RelativePosition", 1, count, "handles", remedy);
   std::vector<double> moves(static_cast<std::size_t>(count), 0.0);
   double moving = 0.0;
-  if (reachEnds)
+  Section section;
+  if (moved)
   {
     vtkDataArray* targets = RequireArray(data, "UnmergedTarget", 3, count, "handles", remedy);
     for (vtkIdType h = 0; h < count; ++h)
@@ -101,11 +108,18 @@ Section SectionOf(vtkPolyData* handles, int vertexCount, double margin, bool rea
       handles->GetPoint(h, place.data());
       targets->GetTuple(h, target.data());
       moves[h] = (target - place).norm();
+      const Binding& binding = bindings[static_cast<std::size_t>(h)];
+      Vector3 outwards = Vector3::Zero();
+      for (int k = 0; k < 3; ++k)
+      {
+        outwards += binding.weights[k] * mesh.Normals()[static_cast<std::size_t>(binding.vertices[k])];
+      }
+      section.depth = std::max(section.depth, (place - target).dot(outwards.normalized()));
     }
+    section.movement = *std::max_element(moves.begin(), moves.end());
     // Less is a hand that follows the outline.
-    moving = std::max(0.05 * *std::max_element(moves.begin(), moves.end()), 0.001 * SectionLengthOf(handles));
+    moving = std::max(0.05 * section.movement, 0.001 * SectionLengthOf(handles));
   }
-  Section section;
   const auto add = [&](vtkIdType h, std::vector<int>& list)
   {
     const Binding& binding = bindings[static_cast<std::size_t>(h)];
@@ -127,7 +141,7 @@ Section SectionOf(vtkPolyData* handles, int vertexCount, double margin, bool rea
       first = first < 0 || position < positions->GetComponent(first, 0) ? h : first;
       last = last < 0 || position > positions->GetComponent(last, 0) ? h : last;
     }
-    else if (moves[h] > moving)
+    else if (reachEnds && moves[h] > moving)
     {
       add(h, section.ends[position < margin ? 0 : 1]);
     }
@@ -137,12 +151,42 @@ Section SectionOf(vtkPolyData* handles, int vertexCount, double margin, bool rea
     add(first, section.ends[0]);
     add(last, section.ends[1]);
   }
+  const auto farthest = [&](bool end)
+  {
+    vtkIdType found = 0;
+    for (vtkIdType h = 1; h < count; ++h)
+    {
+      const bool beyond = end ? positions->GetComponent(h, 0) > positions->GetComponent(found, 0)
+                              : positions->GetComponent(h, 0) < positions->GetComponent(found, 0);
+      found = beyond ? h : found;
+    }
+    Vector3 place;
+    handles->GetPoint(found, place.data());
+    return place;
+  };
+  section.chord = (farthest(true) - farthest(false)).norm();
   for (std::vector<int>* list : { &section.seeds, &section.ends[0], &section.ends[1] })
   {
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
   return section;
+}
+
+// How far round it a body moves with the section [model length]; 0 where the section is one of a limb, of
+// such a diameter, which moves as a whole.
+double NearOf(const Section& section, double length, double diameter)
+{
+  const double straight = length > 0.0 ? std::min(section.chord / length, 1.0) : 1.0;
+  const double near = (0.5 - 0.25 * straight) * length, radius = 0.5 * diameter;
+  if (diameter <= 1.25 * near)
+  {
+    return 0.0;
+  }
+  // No steeper than the stroke's own flanks are; and so far that what is beside it does not become the
+  // outline.
+  const double beside = 1.5 * radius * std::acos(std::clamp(1.0 - section.depth / radius, -1.0, 1.0));
+  return std::max({ near, 1.25 * section.movement, beside });
 }
 
 template <typename Array, typename Values>
@@ -167,6 +211,13 @@ std::vector<double> Pick(const std::vector<double>& values, const std::vector<in
     picked.push_back(values[static_cast<std::size_t>(i)]);
   }
   return picked;
+}
+
+double MedianOf(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 } // namespace
@@ -200,7 +251,8 @@ struct vtkOversketchMixtureRegion::Cache
     const Section& section,
     double sectionLength,
     double endLength,
-    double shift);
+    double shift,
+    double near);
 };
 
 const MeshParts& vtkOversketchMixtureRegion::Cache::PartsOf()
@@ -288,8 +340,7 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
     [&](double d) { return range > 0.0 ? (d - low) / range : 0.0; });
   const std::vector<double> samples =
     self->EvenSamples
-      ? evenSamples(
-          Pick(this->Scaled, fitted), Pick(this->PartsOf().areas, fitted), self->MaximumSamples)
+      ? evenSamples(Pick(this->Scaled, fitted), Pick(this->PartsOf().areas, fitted), self->MaximumSamples)
       : Pick(this->Scaled, drawWithoutReplacement(count, self->MaximumSamples, self->Seed));
   ++self->WholeFitCount;
   self->WholeSampleCount = static_cast<vtkIdType>(samples.size());
@@ -329,7 +380,8 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
   const Section& section,
   double sectionLength,
   double endLength,
-  double shift)
+  double shift,
+  double near)
 {
   const MeshData& mesh = *this->Data;
   RegionEvidence evidence{ section.seeds, {}, this->Diameters, sectionLength, section.ends, endLength };
@@ -338,7 +390,7 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
     evidence.ratio = this->RatiosOf(self, section.seeds);
   }
   const RegionOptions options{
-    self->Lambda, self->FillIslands, self->LimitRunaway, self->CutAtJunction, self->ReachEnds, shift
+    self->Lambda, self->FillIslands, self->LimitRunaway, self->CutAtJunction, self->ReachEnds, near, shift
   };
   const std::vector<char> region = detectRegion(mesh.Surface(),
     mesh.Neighbours(),
@@ -403,18 +455,16 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
         input->GetNumberOfPoints(),
         "mesh",
         "compute it with vtkOversketchShapeDiameter");
-      const Section section =
-        SectionOf(handles, cache.Data->Surface().vertexCount(), this->SeedMargin, this->ReachEnds);
+      const Section section = SectionOf(
+        handles, *cache.Data, this->SeedMargin, this->ReachEnds, this->ReachEnds || this->ConfineToSection);
       const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
       // Edge paths are up to half as long again as the way, and a foreshortened end as it looks.
       const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;
       const double shift = this->Reach != 0.0 ? this->Reach * SectionLengthOf(handles) : 0.0;
-
       const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
       const FitKey fitKey(
         this->Components, this->MaximumSamples, this->Seed, this->EvenSamples, this->GetBackend());
-      const std::vector<int> parts =
-        this->EvenSamples ? cache.PartsWith(section.seeds) : std::vector<int>();
+      const std::vector<int> parts = this->EvenSamples ? cache.PartsWith(section.seeds) : std::vector<int>();
       if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.PartsRead != parts ||
           cache.Whole.empty())
       {
@@ -426,11 +476,15 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
         cache.PartsRead = parts;
       }
 
+      const double diameter = section.seeds.empty() ? 0.0 : MedianOf(Pick(cache.Diameters, section.seeds));
+      const double near = this->ConfineToSection ? NearOf(section, SectionLengthOf(handles), diameter) : 0.0;
+
       const GrowthKey growthKey(this->Lambda,
         this->SeedTolerance,
         sectionLength,
         endLength,
         shift,
+        near,
         this->FillIslands,
         this->LimitRunaway,
         this->CutAtJunction,
@@ -440,7 +494,7 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
       {
         cache.Arrays.clear();
         ++this->GrowthCount;
-        cache.Grow(this, section, sectionLength, endLength, shift);
+        cache.Grow(this, section, sectionLength, endLength, shift, near);
         cache.GrowthRead = growthKey;
         cache.SectionRead = section;
       }
@@ -462,6 +516,7 @@ void vtkOversketchMixtureRegion::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LimitRunaway: " << (this->LimitRunaway ? "On" : "Off") << '\n'
      << indent << "CutAtJunction: " << (this->CutAtJunction ? "On" : "Off") << '\n'
      << indent << "ReachEnds: " << (this->ReachEnds ? "On" : "Off") << '\n'
+     << indent << "ConfineToSection: " << (this->ConfineToSection ? "On" : "Off") << '\n'
      << indent << "Reach: " << this->Reach << '\n'
      << indent << "EvenSamples: " << (this->EvenSamples ? "On" : "Off") << '\n'
      << indent << "Components: " << this->Components << '\n'

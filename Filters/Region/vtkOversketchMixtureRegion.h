@@ -23,14 +23,17 @@
  * - where the section goes on beyond the region and is to move there, the border moves up to it, on a limb
  * all round (ReachEnds): else the moved part ends in a step at a border that nothing moves, in the middle of
  * a thickened thigh;
+ * - where the section is one of a body and not of a limb, only what is near it is moved (ConfineToSection):
+ * thickness tells limbs from bodies and not one part of a body from another, so that a back that was raised
+ * took tail, head and legs with it;
  * - samples are even over the surface, not drawn at random (EvenSamples): the same shape with its vertices in
  * another order, or more of them on one limb, has the same mixtures.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated.
  * Input 1 (Handles): handles (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3],
- * RelativePosition[1], UnmergedTarget[3] (read when ReachEnds is on), and field array SectionLength[1],
- * model length (read when LimitRunaway or ReachEnds is on, or with a Reach).
+ * RelativePosition[1], UnmergedTarget[3] (read when ReachEnds or ConfineToSection is on), and field array
+ * SectionLength[1], model length (read when LimitRunaway or ReachEnds is on, or with a Reach).
  *
  * Output 0: the input with point arrays
  * - Region, unsigned char: 1 for vertices of the region,
@@ -42,8 +45,8 @@
  * seeds and when the region reaches everything, so that nothing would hold the mesh. A mesh without points
  * gives an empty output silently. Mixtures are fitted on the back end that is chosen, see SetBackend.
  *
- * Deterministic: where samples are drawn, a generator with the fixed Seed draws them. Device (double precision) and host
- * agree to 1e-5.
+ * Deterministic: where samples are drawn, a generator with the fixed Seed draws them. Device (double
+ * precision) and host agree to 1e-5.
  *
  * Cost: milliseconds for the mixtures, then linear in the vertices. The whole mesh's mixture is kept while
  * points, polygons, ShapeDiameter and the mixture's parameters stand, so a new stroke does not fit it again;
@@ -143,6 +146,20 @@ public:
 
   ///@{
   /**
+   * Keep only what is near to a seed, along edges, where the section is one of a body: the seeds' median
+   * thickness is over 1.25 times what the section reaches, half of its length, or a quarter where it is
+   * straight (in between by the distance of its ends over its length). Near is what it reaches, at least 1.25
+   * times the farthest that the stroke moves it, and where that goes into the body 1.5 times the way along a
+   * circle of that thickness from the section to as deep below it: else the flanks would become the outline.
+   * Default on, off is as published.
+   */
+  vtkSetMacro(ConfineToSection, bool);
+  vtkGetMacro(ConfineToSection, bool);
+  vtkBooleanMacro(ConfineToSection, bool);
+  ///@}
+
+  ///@{
+  /**
    * After all that, move the border along edges by this, outwards where positive [lengths of the section, -1
    * to 1, default 0: stay where it was found]. Seeds stay in the region.
    */
@@ -152,9 +169,9 @@ public:
 
   ///@{
   /**
-   * Take the samples at equal steps of the surface's area, of the seeds at equal steps of their number, in the
-   * order of their values; default on. Off: at random, as published. A draw depends on how the vertices are
-   * numbered and how densely they lie, and with it whether the region ends at a joint or runs over it.
+   * Take the samples at equal steps of the surface's area, of the seeds at equal steps of their number, in
+   * the order of their values; default on. Off: at random, as published. A draw depends on how the vertices
+   * are numbered and how densely they lie, and with it whether the region ends at a joint or runs over it.
    */
   vtkSetMacro(EvenSamples, bool);
   vtkGetMacro(EvenSamples, bool);
@@ -218,6 +235,7 @@ private:
   bool LimitRunaway = true;
   bool CutAtJunction = true;
   bool ReachEnds = true;
+  bool ConfineToSection = true;
   double Reach = 0.0;
   bool EvenSamples = true;
   int Components = 4;

@@ -236,7 +236,9 @@ std::vector<int> drawWithoutReplacement(int population, int maximum, int seed)
   return indices;
 }
 
-std::vector<double> evenSamples(const std::vector<double>& values, const std::vector<double>& weights, int maximum)
+std::vector<double> evenSamples(const std::vector<double>& values,
+  const std::vector<double>& weights,
+  int maximum)
 {
   std::vector<std::pair<double, double>> sorted; // value, weight
   sorted.reserve(values.size());

@@ -288,7 +288,8 @@ TEST(Mixture, EvenSamplesFollowTheWeightsAndNotTheOrder)
   EXPECT_TRUE(std::is_sorted(samples.begin(), samples.end()));
   EXPECT_EQ(std::count(samples.begin(), samples.end(), 1.0), 10);
   EXPECT_EQ(std::count(samples.begin(), samples.end(), 2.0), 30);
-  std::vector<double> otherValues(drawn.rbegin(), drawn.rend()), otherWeights(weighed.rbegin(), weighed.rend());
+  std::vector<double> otherValues(drawn.rbegin(), drawn.rend()),
+    otherWeights(weighed.rbegin(), weighed.rend());
   EXPECT_EQ(evenSamples(otherValues, otherWeights, 100), samples);
   EXPECT_EQ(evenSamples(values, {}, 2048), (std::vector<double>{ 1.0, 2.0, 3.0, 3.0 }));
   EXPECT_EQ(evenSamples(values, { 0.0, 0.0, 0.0, 0.0 }, 2), (std::vector<double>{ 1.0, 3.0 }));

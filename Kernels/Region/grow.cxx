@@ -501,6 +501,11 @@ std::vector<char> detectRegion(const Mesh& mesh,
       region = std::move(reached);
     }
   }
+  if (options.near > 0.0)
+  {
+    region = confineRegion(mesh, adjacency, evidence.seeds, options.near, region);
+    dropSeedless(adjacency, isSeed, region);
+  }
   if (options.shift != 0.0)
   {
     region = shiftBorder(mesh, adjacency, isSeed, options.shift, region);

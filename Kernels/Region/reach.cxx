@@ -75,6 +75,22 @@ std::vector<char> reachEnds(const Mesh& mesh,
   return reached;
 }
 
+std::vector<char> confineRegion(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& seeds,
+  double reach,
+  const std::vector<char>& region)
+{
+  const std::vector<double> distance = edgeDistances(mesh, adjacency, seeds, reach);
+  std::vector<char> confined(region);
+  std::transform(region.begin(),
+    region.end(),
+    distance.begin(),
+    confined.begin(),
+    [](char in, double d) { return static_cast<char>(in && std::isfinite(d)); });
+  return confined;
+}
+
 std::vector<char> shiftBorder(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<char>& isSeed,

@@ -1,5 +1,5 @@
-// How far the region reaches: as far as the stroke leaves the section, and as far as is asked for. Amendments of
-// ours to the region of interest.
+// How far the region reaches: as far as the stroke leaves the section, and as far as is asked for. Amendments
+// of ours to the region of interest.
 #ifndef oversketch_reach_h
 #define oversketch_reach_h
 
@@ -22,8 +22,16 @@ std::vector<char> reachEnds(const Mesh& mesh,
   double limit,
   const std::vector<char>& region);
 
-// Moves the region's border by a length along edges: vertices outside that are no farther from it join where the
-// length is positive, those inside that are no farther from the rest leave where it is negative, but for seeds.
+// The part of the region that is no farther from a seed than `reach` along edges.
+std::vector<char> confineRegion(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& seeds,
+  double reach,
+  const std::vector<char>& region);
+
+// Moves the region's border by a length along edges: vertices outside that are no farther from it join where
+// the length is positive, those inside that are no farther from the rest leave where it is negative, but for
+// seeds.
 std::vector<char> shiftBorder(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<char>& isSeed,

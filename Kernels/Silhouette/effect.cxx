@@ -144,8 +144,7 @@ double backIn(const PixelWindow& window,
   const std::vector<double> length = arcLengths(stroke);
   const auto nearestTo = [&](double share)
   {
-    const Vector2 point =
-      placeAt(length, static_cast<int>(stroke.size()), share * length.back()).of(stroke);
+    const Vector2 point = placeAt(length, static_cast<int>(stroke.size()), share * length.back()).of(stroke);
     std::pair<std::size_t, NearestPlace::Answer> found;
     found.second.distance = unreached;
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -200,7 +199,9 @@ double outlineBack(const Mesh& mesh, const View& view, const Polyline& stroke, c
 {
   constexpr double near = 50.0; // px; farther outlines are looked for where none is as near
   const double back = backIn(strokeWindow(stroke, near), mesh, view, stroke, context);
-  return std::isfinite(back) ? back : backIn(outlineWindow(mesh, view, stroke, context), mesh, view, stroke, context);
+  return std::isfinite(back)
+           ? back
+           : backIn(outlineWindow(mesh, view, stroke, context), mesh, view, stroke, context);
 }
 
 void measureMovement(const Mesh& before,
@@ -260,8 +261,8 @@ void measureMovement(const Mesh& before,
 
 std::vector<std::string> remarks(const StrokeEffect& effect)
 {
-  constexpr double near = 3.0;     // px in the mean: as near as a result has to come to the stroke's middle
-  constexpr double large = 0.45;   // of the surface
+  constexpr double near = 3.0;      // px in the mean: as near as a result has to come to the stroke's middle
+  constexpr double large = 0.45;    // of the surface
   constexpr double leftOver = 10.0; // px of outline beside the stroke that the stroke itself does not meet
   std::vector<std::string> said;
   if (!std::isfinite(effect.outline.mean))
@@ -270,8 +271,8 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   }
   else if (effect.outline.mean > near)
   {
-    said.push_back("the outline misses the stroke by " + pixels(effect.outline.mean) + " in the mean and by " +
-                   pixels(effect.outline.worst) + " at worst");
+    said.push_back("the outline misses the stroke by " + pixels(effect.outline.mean) +
+                   " in the mean and by " + pixels(effect.outline.worst) + " at worst");
   }
   else if (!std::isfinite(effect.outlineBack))
   {
@@ -283,8 +284,8 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   }
   if (effect.strayDistance > 0.0)
   {
-    said.push_back("what lies up to " + pixels(effect.strayDistance) + " beside the stroke moved too, by up to " +
-                   pixels(effect.strayMovement));
+    said.push_back("what lies up to " + pixels(effect.strayDistance) +
+                   " beside the stroke moved too, by up to " + pixels(effect.strayMovement));
   }
   if (effect.movedShare > large)
   {

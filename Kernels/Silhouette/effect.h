@@ -1,5 +1,5 @@
-// What a stroke has done to a mesh, in figures and in words (no part of SEED: who draws has to be told when the
-// result is not what was drawn).
+// What a stroke has done to a mesh, in figures and in words (no part of SEED: who draws has to be told when
+// the result is not what was drawn).
 #ifndef oversketch_effect_h
 #define oversketch_effect_h
 
@@ -13,13 +13,14 @@ namespace oversketch
 
 struct StrokeEffect
 {
-  OutlineError outline;    // from the stroke's middle 60 % to the outline
+  OutlineError outline;     // from the stroke's middle 60 % to the outline
   double outlineBack = 0.0; // px, see below
-  int folds = 0;        // folded edges that the mesh before did not have
+  int folds = 0;            // folded edges that the mesh before did not have
   Roughness before, after;
-  double stretch = 1.0;      // 99 of 100 edges of what moved are stretched or squeezed by no more
-  double movedShare = 0.0;   // of the mesh's surface, 0 to 1
-  double strayDistance = 0.0; // px from the stroke and its section to the farthest place that was moved beside them
+  double stretch = 1.0;    // 99 of 100 edges of what moved are stretched or squeezed by no more
+  double movedShare = 0.0; // of the mesh's surface, 0 to 1
+  double strayDistance =
+    0.0; // px from the stroke and its section to the farthest place that was moved beside them
   double strayMovement = 0.0; // px that such places were moved by at most
 
   static constexpr double strayLimit = 30.0; // px: what moves nearer to the stroke was meant
@@ -27,16 +28,16 @@ struct StrokeEffect
   static constexpr double tornShare = 0.7;
 };
 
-// Mean distance to the stroke of the outline between the places nearest to the ends of the stroke's middle 60 %
-// [px]; of a closed loop the way round that lies nearer to the stroke counts. Infinite where no one loop holds both
-// places.
+// Mean distance to the stroke of the outline between the places nearest to the ends of the stroke's middle 60
+// % [px]; of a closed loop the way round that lies nearer to the stroke counts. Infinite where no one loop
+// holds both places.
 double outlineBack(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context = {});
 
 // Fills in what the deformation alone tells: stretch, movedShare and the strays. Both meshes have the same
-// triangles; region has one byte per vertex; the section is what the stroke was matched with [px]. Stray is what
-// was moved by more than 3 px and a fifth of the largest movement in the picture, and lies, where it was and where
-// it is, farther than strayLimit from the convex hull of stroke and section. Vertices behind the eye count for
-// nothing there.
+// triangles; region has one byte per vertex; the section is what the stroke was matched with [px]. Stray is
+// what was moved by more than 3 px and a fifth of the largest movement in the picture, and lies, where it was
+// and where it is, farther than strayLimit from the convex hull of stroke and section. Vertices behind the
+// eye count for nothing there.
 void measureMovement(const Mesh& before,
   const Mesh& after,
   const std::vector<char>& region,

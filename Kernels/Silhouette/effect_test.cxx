@@ -82,7 +82,9 @@ TEST(StrokeEffect, OutlineIsComparedWithTheStrokeOnTheWayBack)
   {
     EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, radius, 0.0, pi)), std::abs(radius - 100.0), 0.05);
     EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, radius, pi, 0.0)), std::abs(radius - 100.0), 0.05);
-    EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, radius, 1.5 * pi, 2.5 * pi)), std::abs(radius - 100.0), 0.05);
+    EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, radius, 1.5 * pi, 2.5 * pi)),
+      std::abs(radius - 100.0),
+      0.05);
   }
   // Farther off than the picture that is looked at first.
   EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, 180.0, 0.0, pi)), 80.0, 0.1);
@@ -114,7 +116,9 @@ TEST(StrokeEffect, WhatMovesBesideTheStrokeIsFoundWithItsDistance)
   ASSERT_EQ(remarks(beside).size(), 2u);
   EXPECT_NE(remarks(beside)[0].find("40 px beside the stroke moved too, by up to 20 px"), std::string::npos);
   // Not outside the region, nor a little of what the stroke moved.
-  EXPECT_EQ(effectOf(mesh, moved(mesh, 40.0, 100.0, up), std::vector<char>(mesh.points.size(), 0)).strayDistance, 0.0);
+  EXPECT_EQ(
+    effectOf(mesh, moved(mesh, 40.0, 100.0, up), std::vector<char>(mesh.points.size(), 0)).strayDistance,
+    0.0);
   const Mesh follows = moved(moved(mesh, 70.0, 100.0, 5.0 * up), 40.0, 65.0, up);
   EXPECT_EQ(effectOf(mesh, follows, all).strayDistance, 0.0);
 }
@@ -139,7 +143,8 @@ TEST(StrokeEffect, StretchAndShareAreThoseOfTheRegion)
   EXPECT_NEAR(effectOf(mesh, wide, upper).movedShare, 0.25, 1e-9);
   EXPECT_TRUE(tornBy(effectOf(mesh, wide, upper)).empty());
   EXPECT_EQ(tornBy(effectOf(mesh, narrow, upper)), "edges are stretched or squeezed 10 times");
-  EXPECT_EQ(tornBy(effectOf(mesh, mesh, std::vector<char>(mesh.points.size(), 1))), "100 % of the surface moved");
+  EXPECT_EQ(
+    tornBy(effectOf(mesh, mesh, std::vector<char>(mesh.points.size(), 1))), "100 % of the surface moved");
   // A vertex of each edge at one place is no division by zero.
   Mesh point = mesh;
   std::fill(point.points.begin(), point.points.end(), Vector3(0, 0, 0));
@@ -164,7 +169,8 @@ TEST(StrokeEffect, RemarksNameWhatIsWrongAndNothingElse)
       "12 edges are folded over" }));
   effect = StrokeEffect();
   effect.outlineBack = 33.0;
-  EXPECT_EQ(remarks(effect), (std::vector<std::string>{ "between the stroke's ends the outline runs 33 px beside it" }));
+  EXPECT_EQ(remarks(effect),
+    (std::vector<std::string>{ "between the stroke's ends the outline runs 33 px beside it" }));
   effect.outlineBack = std::numeric_limits<double>::infinity();
   ASSERT_EQ(remarks(effect).size(), 1u);
   EXPECT_EQ(remarks(effect)[0].find("inf"), std::string::npos);
