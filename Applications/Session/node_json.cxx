@@ -196,13 +196,15 @@ Json::Value jsonOf(const Parameter& parameter, const Value& value)
   return std::visit(Kinds{ parameter.choices }, value);
 }
 
-bool isVersion1(const Session& session)
+bool isVersion1(const Session& session, const std::vector<SystemRow>& rows)
 {
-  const auto isKnown = [](const auto& value)
+  const auto isKnown = [row = findSystem(system1, rows)](const auto& value)
   {
+    const Parameter* parameter = row ? findParameter(*row, value.first) : nullptr;
     return std::any_of(std::begin(members1),
-      std::end(members1),
-      [&](const auto& member) { return value.first == member.second; });
+             std::end(members1),
+             [&](const auto& member) { return value.first == member.second; }) ||
+           (parameter && parameter->initial == value.second);
   };
   const auto isStroke = [&](const Node& node)
   {

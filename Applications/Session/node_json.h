@@ -20,7 +20,7 @@ namespace oversketch_session
 Json::Value jsonOf(const Parameter& parameter, const Value& value);
 
 // Whether version 1 of the format can tell all of the session.
-bool isVersion1(const Session& session);
+bool isVersion1(const Session& session, const std::vector<SystemRow>& rows);
 
 // How an input's content becomes an entry; gives the entry's name.
 struct EntryWriter

@@ -193,7 +193,7 @@ Package Encoder::encode(const SessionFile& file)
       });
   };
   Json::Value json;
-  const bool isFirst = isVersion1(session);
+  const bool isFirst = isVersion1(session, systems());
   const char* const list = isFirst ? "strokes" : "steps";
   json["format"] = formatName;
   json["format_version"] = isFirst ? 1 : 2;

@@ -29,11 +29,12 @@ struct Choice
 
 struct Parameter
 {
-  std::string property;        // as the class calls it: SetRemesh, GetRemesh
-  std::string word;            // "remesh": --remesh on a command line
-  std::string title;           // "New triangles": in a window
-  std::string help;            // a line; ends without a stop
-  std::vector<Choice> choices; // of an int that counts them from 0; empty for others
+  std::string property;           // as the class calls it: SetRemesh, GetRemesh
+  std::string word;               // "remesh": --remesh on a command line
+  std::string title;              // "New triangles": in a window
+  std::string help;               // a line; ends without a stop
+  std::vector<Choice> choices;    // of an int that counts them from 0; empty for others
+  double least = 0.0, most = 0.0; // of a number, to which the class clamps it; equal: not told
   std::function<void(vtkOversketchSystem*, const Value&)> set;
   std::function<Value(vtkOversketchSystem*)> get;
   Value initial; // of a fresh instance; its alternative is that of all values of the parameter
@@ -122,6 +123,15 @@ Parameter parameter(const std::string& property,
   { return Held((static_cast<T*>(system)->*getter)()); };
   return made;
 }
+
+// The same with what a number is clamped to.
+inline Parameter between(double least, double most, Parameter made)
+{
+  made.least = least;
+  made.most = most;
+  return made;
+}
+
 // The row with the defaults of a fresh instance.
 SystemRow withDefaults(SystemRow row);
 

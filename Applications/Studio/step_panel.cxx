@@ -7,12 +7,24 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QSignalBlocker>
+#include <QSlider>
 #include <QSpinBox>
+
+#include <cmath>
 
 namespace oversketch_studio
 {
 
 using namespace oversketch_session;
+
+namespace
+{
+
+constexpr int sliderSteps = 200;
+constexpr const char* exactValue = "exactValue"; // a slider's property
+
+} // namespace
 
 StepPanel::StepPanel(QWidget* parent)
   : QStackedWidget(parent)
@@ -89,12 +101,38 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
   else if (std::holds_alternative<int>(parameter.initial))
   {
     auto* number = new QSpinBox(page);
-    number->setRange(-1000000, 1000000);
+    const bool isRanged = parameter.least < parameter.most;
+    number->setRange(isRanged ? static_cast<int>(parameter.least) : -1000000,
+      isRanged ? static_cast<int>(parameter.most) : 1000000);
     connect(number, &QSpinBox::editingFinished, this, [this] { this->read(); });
     field.widget = number;
     field.read = [](QWidget* widget) -> Value { return static_cast<QSpinBox*>(widget)->value(); };
     field.write = [](QWidget* widget, const Value& value)
     { static_cast<QSpinBox*>(widget)->setValue(std::get<int>(value)); };
+  }
+  else if (std::holds_alternative<double>(parameter.initial) && parameter.least < parameter.most)
+  {
+    auto* slider = new QSlider(Qt::Horizontal, page);
+    slider->setRange(0, sliderSteps);
+    slider->setTracking(false); // a value is a run
+    connect(slider, &QSlider::valueChanged, this, [this] { this->read(); });
+    field.widget = slider;
+    const double least = parameter.least, step = (parameter.most - least) / sliderSteps;
+    const auto placeOf = [least, step](double value)
+    { return static_cast<int>(std::lround((value - least) / step)); };
+    // What it was set to comes back as it was, though the slider has fewer places.
+    field.read = [=](QWidget* widget) -> Value
+    {
+      const int place = static_cast<QSlider*>(widget)->value();
+      const double set = widget->property(exactValue).toDouble();
+      return place == placeOf(set) ? set : least + place * step;
+    };
+    field.write = [=](QWidget* widget, const Value& value)
+    {
+      const QSignalBlocker quiet(widget);
+      widget->setProperty(exactValue, std::get<double>(value));
+      static_cast<QSlider*>(widget)->setValue(placeOf(std::get<double>(value)));
+    };
   }
   else if (std::holds_alternative<double>(parameter.initial))
   {

@@ -6,6 +6,7 @@
 
 #include <QStackedWidget>
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -36,8 +37,8 @@ private:
   {
     const oversketch_session::Parameter* parameter = nullptr;
     QWidget* widget = nullptr;
-    oversketch_session::Value (*read)(QWidget*) = nullptr;
-    void (*write)(QWidget*, const oversketch_session::Value&) = nullptr;
+    std::function<oversketch_session::Value(QWidget*)> read;
+    std::function<void(QWidget*, const oversketch_session::Value&)> write;
   };
   struct Page
   {

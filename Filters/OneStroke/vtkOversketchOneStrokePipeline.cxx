@@ -16,6 +16,9 @@ namespace
 // Of a larger one vtkOversketchOutline may see a part only: that round the first stroke in the view [px].
 constexpr int widestViewport = 4092;
 
+// A stroke without any outline so near was drawn in the void [px].
+constexpr double farthestOutline = 60.0;
+
 // One byte per point of a mesh that a step made.
 std::vector<char> RegionOf(vtkPolyData* mesh)
 {
@@ -104,7 +107,10 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   {
     this->Match->AddInputConnection(0, this->Outline->GetOutputPort());
   }
+  this->StrokeStep->SetMaximumLength(on ? 8.0 : 0.0);
   this->Match->SetAmendedScore(on);
+  this->Match->SetCompareShapes(on);
+  this->Match->SetMaximumGap(on ? farthestOutline : 0.0);
   this->Targets->SetSingleLayer(on);
   this->MixtureRegion->SetSeedMargin(on ? 0.1 : 0.0);
   this->MixtureRegion->SetFillIslands(on);

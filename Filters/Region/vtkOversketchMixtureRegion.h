@@ -146,12 +146,13 @@ public:
 
   ///@{
   /**
-   * Keep only what is near to a seed, along edges, where the section is one of a body: the seeds' median
-   * thickness is over 1.25 times what the section reaches, half of its length, or a quarter where it is
-   * straight (in between by the distance of its ends over its length). Near is what it reaches, at least 1.25
-   * times the farthest that the stroke moves it, and where that goes into the body 1.5 times the way along a
-   * circle of that thickness from the section to as deep below it: else the flanks would become the outline.
-   * Default on, off is as published.
+   * Keep only what is near to a seed, along edges, where the section is one of a body: the region exceeds a
+   * fifth of the area of the connected parts it lies in, and the seeds' median thickness is over 1.25 times
+   * what the section reaches, half of its length, or a quarter where it is straight (in between by the
+   * distance of its ends over its length). Near is what it reaches, at least 1.25 times the farthest that the
+   * stroke moves it, and where that goes into the body 1.5 times the way along a circle of that thickness
+   * from the section to as deep below it: else the flanks would become the outline. Default on, off is as
+   * published.
    */
   vtkSetMacro(ConfineToSection, bool);
   vtkGetMacro(ConfineToSection, bool);

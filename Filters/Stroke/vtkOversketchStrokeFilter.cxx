@@ -5,6 +5,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -45,6 +46,10 @@ int vtkOversketchStrokeFilter::RequestData(vtkInformation*,
       rules.spacing = this->Spacing;
       rules.minimumLength = this->MinimumLength;
       rules.closedFraction = this->ClosedFraction;
+      rules.maximumLength = this->MaximumLength;
+      vtkDataArray* viewports = input->GetCellData()->GetArray("ViewportSize");
+      const bool sized = viewports && viewports->GetNumberOfComponents() == 2 &&
+                         viewports->GetNumberOfTuples() == input->GetNumberOfCells();
       vtkNew<vtkPoints> points;
       points->SetDataTypeToDouble();
       vtkNew<vtkCellArray> lines;
@@ -65,6 +70,10 @@ int vtkOversketchStrokeFilter::RequestData(vtkInformation*,
             input->GetPoint(ids->GetId(i), p.data());
           }
           samples.push_back(p.head<2>());
+        }
+        if (sized)
+        {
+          viewports->GetTuple(stroke, rules.viewport.data());
         }
         std::vector<Blend> places;
         try
@@ -99,4 +108,5 @@ void vtkOversketchStrokeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Spacing: " << this->Spacing << '\n';
   os << indent << "MinimumLength: " << this->MinimumLength << '\n';
   os << indent << "ClosedFraction: " << this->ClosedFraction << '\n';
+  os << indent << "MaximumLength: " << this->MaximumLength << '\n';
 }

@@ -412,6 +412,9 @@ std::vector<int> expandSeeds(const Mesh& mesh,
   return expanded;
 }
 
+// Of the area of a model; what is larger is its body, or a good part of it.
+constexpr double largestLimb = 0.2;
+
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
@@ -441,15 +444,16 @@ std::vector<char> detectRegion(const Mesh& mesh,
   {
     all += held[parts.of[v]] ? parts.areas[v] : 0.0;
   }
-  const auto runsAway = [&](const std::vector<char>& region)
+  const auto exceeds = [&](const std::vector<char>& region, double share)
   {
     double selected = 0.0;
     for (std::size_t v = 0; v < region.size(); ++v)
     {
       selected += region[v] ? parts.areas[v] : 0.0;
     }
-    return selected > 0.5 * all;
+    return selected > share * all;
   };
+  const auto runsAway = [&](const std::vector<char>& region) { return exceeds(region, 0.5); };
   const auto grow = [&](const std::vector<char>& allowed)
   {
     std::vector<char> region = growRegion(adjacency, evidence.seeds, evidence.ratio, options.lambda, allowed);
@@ -501,7 +505,7 @@ std::vector<char> detectRegion(const Mesh& mesh,
       region = std::move(reached);
     }
   }
-  if (options.near > 0.0)
+  if (options.near > 0.0 && exceeds(region, largestLimb))
   {
     region = confineRegion(mesh, adjacency, evidence.seeds, options.near, region);
     dropSeedless(adjacency, isSeed, region);

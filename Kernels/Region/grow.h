@@ -56,7 +56,7 @@ struct RegionOptions
   bool limitRunaway = true;
   bool cutAtJunction = true;
   bool reachEnds = true;
-  double near = 0.0;  // if over 0, leave only what is so near to a seed, along edges [model length]
+  double near = 0.0;  // if over 0, leave of a body only what is so near to a seed, along edges [model length]
   double shift = 0.0; // the border's, after all that, outwards where positive [model length]
 };
 

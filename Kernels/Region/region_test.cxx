@@ -364,3 +364,29 @@ TEST(ReachEnds, OnATubeTheBorderMovesUpAllRound)
   EXPECT_TRUE(slanted[near({ 0, 1, 2.2 })] && slanted[near({ 0, -1, 2.2 })]);
   EXPECT_FALSE(slanted[near({ 0, 1, 2.8 })] || slanted[near({ 0, -1, 2.8 })]);
 }
+
+TEST(Confine, KeepsWhatIsNearToASeedAndShiftedBordersMoveByTheirLength)
+{
+  // Unit squares: along a row an edge path is as long as the way.
+  constexpr int size = 20;
+  const Mesh mesh = gridSurface(
+    size, size, false, false, [](double u, double v) { return Vector3(size * u, size * v, 0.0); });
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const auto upTo = [&](double x) { return where(mesh, [x](const Vector3& p) { return p[0] <= x + 1e-9; }); };
+  std::vector<int> seeds;
+  const std::vector<char> isSeed = upTo(2.0);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (isSeed[v])
+    {
+      seeds.push_back(v);
+    }
+  }
+  EXPECT_EQ(confineRegion(mesh, adjacency, seeds, 5.0, upTo(12.0)), upTo(7.0));
+  EXPECT_EQ(confineRegion(mesh, adjacency, seeds, 5.0, upTo(4.0)), upTo(4.0));
+  EXPECT_EQ(confineRegion(mesh, adjacency, seeds, 100.0, upTo(12.0)), upTo(12.0));
+  EXPECT_EQ(shiftBorder(mesh, adjacency, isSeed, 3.0, upTo(8.0)), upTo(11.0));
+  EXPECT_EQ(shiftBorder(mesh, adjacency, isSeed, -3.0, upTo(8.0)), upTo(5.0));
+  EXPECT_EQ(shiftBorder(mesh, adjacency, isSeed, -50.0, upTo(8.0)), upTo(2.0)); // seeds stay
+  EXPECT_EQ(shiftBorder(mesh, adjacency, isSeed, 0.5, upTo(8.0)), upTo(8.0));
+}

@@ -215,46 +215,35 @@ void measureMovement(const Mesh& before,
   measureTriangles(before, after, region, effect);
   effect.strayDistance = effect.strayMovement = 0.0;
   Polyline drawn = stroke;
-  drawn.insert(drawn.end(), section.begin(), section.end());
+  const std::vector<double> length = arcLengths(section);
+  for (std::size_t i = 0; i < section.size(); ++i)
+  {
+    if (length[i] >= 0.2 * length.back() && length[i] <= 0.8 * length.back())
+    {
+      drawn.push_back(section[i]);
+    }
+  }
   if (drawn.empty())
   {
     return;
   }
-  struct Place
-  {
-    Vector2 was, is;
-    double movement;
-  };
-  constexpr double seen = 3.0; // px
-  std::vector<Place> places;
-  double largest = 0.0;
+  const Polyline hull = convexHull(std::move(drawn));
   for (int v = 0; v < before.vertexCount(); ++v)
   {
     if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
     {
       continue;
     }
-    Place place{ view.toDisplay(before.points[v]).head<2>(), view.toDisplay(after.points[v]).head<2>(), 0.0 };
-    place.movement = (place.is - place.was).norm();
-    largest = std::max(largest, place.movement);
-    if (place.movement > seen)
-    {
-      places.push_back(place);
-    }
-  }
-  const Polyline hull = convexHull(std::move(drawn));
-  for (const Place& place : places)
-  {
-    // A fifth: the rest of a limb follows its drawn part by a little, and is meant to.
-    if (place.movement <= 0.2 * largest)
-    {
-      continue;
-    }
-    const double distance = std::min(distanceToHull(place.was, hull), distanceToHull(place.is, hull));
+    const Vector2 was = view.toDisplay(before.points[v]).head<2>();
+    const Vector2 is = view.toDisplay(after.points[v]).head<2>();
+    constexpr double seen = 3.0; // px
+    const double movement = (is - was).norm();
+    const double distance =
+      movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
     if (distance > StrokeEffect::strayLimit)
     {
       effect.strayDistance = std::max(effect.strayDistance, distance);
-      effect.strayMovement = std::max(effect.strayMovement, place.movement);
+      effect.strayMovement = std::max(effect.strayMovement, movement);
     }
   }
 }
@@ -291,7 +280,7 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   {
     said.push_back(percent(effect.movedShare) + " of the surface moved");
   }
-  if (effect.folds > Judgement::tolerableFolds)
+  if (effect.folds > 2 * Judgement::tolerableFolds)
   {
     std::ostringstream text;
     text << effect.folds << " edges are folded over";

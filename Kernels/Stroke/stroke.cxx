@@ -2,6 +2,7 @@
 
 #include "Mesh/context.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace oversketch
@@ -52,6 +53,25 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
       refuse("sample ", i, " is not finite; remove it or record the stroke again.");
     }
   }
+  const bool limited = rules.maximumLength > 0.0 && rules.viewport.minCoeff() > 0.0;
+  for (std::size_t i = 0; limited && i < samples.size(); ++i)
+  {
+    const Vector2 beside = (samples[i] - 0.5 * rules.viewport).cwiseAbs().cwiseQuotient(rules.viewport);
+    if (!(beside.maxCoeff() <= 1.5))
+    {
+      refuse("sample ",
+        i,
+        " lies at (",
+        samples[i][0],
+        ", ",
+        samples[i][1],
+        ") px, farther beside the viewport of ",
+        rules.viewport[0],
+        " x ",
+        rules.viewport[1],
+        " px than that is large: remove it or record the stroke again.");
+    }
+  }
   std::vector<int> kept{ 0 };
   const int last = static_cast<int>(samples.size()) - 1;
   for (int i = 1; i <= last; ++i)
@@ -80,6 +100,16 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
   if (!(length <= longestStroke))
   {
     refuse("it is ", length, " px long; at most ", longestStroke, " px are taken: record the stroke again.");
+  }
+  if (limited && length > rules.maximumLength * rules.viewport.norm())
+  {
+    refuse("it is ",
+      std::lround(length),
+      " px long, ",
+      std::lround(length / rules.viewport.norm()),
+      " times the diagonal of its viewport; at most ",
+      rules.maximumLength,
+      " times are taken: draw one line along the outline that it is to replace, not a scribble.");
   }
   if (isClosedStroke(clean, rules))
   {

@@ -13,6 +13,10 @@ struct StrokeRules
   double spacing = 2.0;        // px between samples of the result
   double minimumLength = 10.0; // px: shorter ones are a click, not a stroke
   double closedFraction = 0.1; // of the length: nearer ends that run on into each other close the stroke
+  // In diagonals of the viewport [px], if both are given: longer ones are scribbles, and a sample farther
+  // than the viewport's size beside it was drawn by no hand.
+  double maximumLength = 0.0;
+  Vector2 viewport = Vector2::Zero();
 };
 
 // px: many times round the largest screen. What is longer is a damaged file or a scribble.
@@ -25,7 +29,7 @@ bool isClosedStroke(const Polyline& samples, const StrokeRules& rules);
 
 // Where the samples of the cleaned stroke lie on the given ones: jitter dropped (both ends kept), then
 // uniform in arc length. Throws Error(Failure::BadStroke) for fewer than two samples, one that is not finite,
-// and for a stroke that is too short, longer than longestStroke, or closed.
+// and for a stroke that is too short, too long, leaves its viewport too far, or is closed.
 std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules = {});
 
 } // namespace oversketch

@@ -154,3 +154,45 @@ TEST(Stroke, RefusalsNameTheCause)
   EXPECT_NE(refusal({ { 3, 3 }, { 3, 3 }, { 3, 3 } }).find("0 px long"), std::string::npos);
   EXPECT_EQ(refusal({ { 0, 0 }, { 10, 0 } }), "");
 }
+
+TEST(Stroke, ScribblesAndSamplesFarBesideTheViewportAreRefused)
+{
+  StrokeRules rules;
+  rules.maximumLength = 8.0;
+  rules.closedFraction = 0.0;
+  rules.viewport = Vector2(400, 300); // a diagonal of 500 px
+  const auto zigzag = [](int times)
+  {
+    Polyline line;
+    for (int i = 0; i <= times; ++i)
+      line.emplace_back(i % 2 ? 350.0 : 50.0, 20.0 + i);
+    return line;
+  };
+  const auto said = [&](const Polyline& samples)
+  {
+    try
+    {
+      cleanStroke(samples, rules);
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.failure(), Failure::BadStroke);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(said(zigzag(13)), ""); // 3,900 px
+  EXPECT_NE(said(zigzag(14)).find("4200 px long, 8 times the diagonal"), std::string::npos);
+  // As far beside it as it is large, and farther.
+  EXPECT_EQ(said({ { -399, 10 }, { 200, 590 } }), "");
+  EXPECT_NE(said({ { 10, 10 }, { 801, 10 } }).find("sample 1 lies at (801, 10) px"), std::string::npos);
+  EXPECT_NE(
+    said({ { 10, 10 }, { 20, 10 }, { 1e7, 10 } }).find("sample 2 lies at (1e+07, 10) px"), std::string::npos);
+  // Without a limit or without a viewport neither is looked at.
+  rules.viewport = Vector2::Zero();
+  EXPECT_EQ(said(zigzag(14)), "");
+  rules.viewport = Vector2(400, 300);
+  rules.maximumLength = 0.0;
+  EXPECT_EQ(said(zigzag(14)), "");
+  EXPECT_EQ(said({ { 10, 10 }, { 801, 10 } }), "");
+}

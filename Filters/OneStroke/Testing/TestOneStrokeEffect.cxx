@@ -1,0 +1,234 @@
+// What the one-stroke system says of its results, what it refuses, and what Candidate and Reach change.
+#include "Harness/shipped.h"
+
+#include "Mesh/context.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchOneStroke.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+using namespace oversketch_test;
+
+namespace
+{
+
+struct Drawn
+{
+  explicit Drawn(vtkPolyData* stroke)
+    : ear(filter)
+  {
+    this->filter->SetBackendToHost();
+    this->filter->SetInputData(0, this->mesh);
+    this->filter->SetStrokeData(stroke);
+  }
+  void run() { this->filter->Update(); }
+  bool failedBy(Failure failure) { return this->filter->GetErrorCode() == codeOf(failure); }
+
+  vtkSmartPointer<vtkPolyData> mesh = shippedModel("dog");
+  vtkNew<vtkOversketchOneStroke> filter;
+  Ear ear;
+};
+
+// The stroke with its samples put elsewhere.
+vtkSmartPointer<vtkPolyData> put(vtkPolyData* stroke, const std::function<Vector2(const Vector2&)>& where)
+{
+  auto made = vtkSmartPointer<vtkPolyData>::New();
+  made->DeepCopy(stroke);
+  for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
+  {
+    Vector3 p;
+    made->GetPoint(i, p.data());
+    const Vector2 q = where(p.head<2>());
+    made->GetPoints()->SetPoint(i, q[0], q[1], 0.0);
+  }
+  return made;
+}
+
+vtkIdType regionSize(vtkOversketchOneStroke* filter)
+{
+  vtkDataArray* region = filter->GetInnerOutput("RegionBorder")->GetPointData()->GetArray("Region");
+  vtkIdType inside = 0;
+  for (vtkIdType i = 0; i < region->GetNumberOfTuples(); ++i)
+  {
+    inside += region->GetComponent(i, 0) != 0.0;
+  }
+  return inside;
+}
+
+} // namespace
+
+TEST(OneStrokeEffect, AStrokeThatDoesWhatWasDrawnIsLeftWithoutAWord)
+{
+  for (const char* name : { "dog_longer_leg", "dog_curled_tail" })
+  {
+    Drawn good(shippedStroke(name));
+    good.run();
+    ASSERT_EQ(good.filter->GetErrorCode(), 0u);
+    EXPECT_STREQ(good.filter->GetRemark(), "") << name;
+    EXPECT_TRUE(good.ear.warnings.empty()) << name;
+    EXPECT_LT(good.filter->GetOutlineDistance(), 1.0);
+    EXPECT_LT(good.filter->GetWorstOutlineDistance(), 3.0);
+    EXPECT_LT(good.filter->GetOutlineBackDistance(), 1.0);
+    EXPECT_GT(good.filter->GetStretch(), 1.0);
+    EXPECT_LT(good.filter->GetStretch(), 3.0);
+    EXPECT_GT(good.filter->GetMovedShare(), 0.02);
+    EXPECT_LT(good.filter->GetMovedShare(), 0.15);
+    EXPECT_GT(good.filter->GetRoughnessBefore(), 1.0);
+    EXPECT_EQ(good.filter->GetStrayDistance(), 0.0);
+  }
+}
+
+// A torso stroke: the back raised by 16 px moves the back, and neither tail nor head nor legs.
+TEST(OneStrokeEffect, ABackThatIsRaisedTakesNoLimbWithIt)
+{
+  vtkSmartPointer<vtkPolyData> stroke = shippedStroke("dog_curled_tail");
+  Drawn dog(stroke);
+  dog.run();
+  ASSERT_EQ(dog.filter->GetErrorCode(), 0u);
+  const View view = oversketch::ViewOf(stroke);
+  // The highest place of the outline over each of some columns between tail and neck.
+  vtkDataArray* outline = dog.filter->GetInnerOutput("Outline")->GetPointData()->GetArray("Display");
+  ASSERT_NE(outline, nullptr);
+  std::map<int, double> top;
+  for (vtkIdType i = 0; i < outline->GetNumberOfTuples(); ++i)
+  {
+    double& height = top[static_cast<int>(std::floor(outline->GetComponent(i, 0) / 5.0))];
+    height = std::max(height, outline->GetComponent(i, 1));
+  }
+  constexpr double from = 290.0, to = 430.0;
+  std::vector<Vector2> raised;
+  for (const auto& [column, height] : top)
+  {
+    const double x = 5.0 * column + 2.5;
+    if (x >= from && x <= to)
+    {
+      raised.emplace_back(x, height + 16.0 * std::sin(pi * (x - from) / (to - from)));
+    }
+  }
+  ASSERT_GT(raised.size(), 20u);
+  dog.filter->SetStrokeData(toStroke(raised, view));
+  dog.filter->SetRemeshToOff();
+  dog.run();
+  ASSERT_EQ(dog.filter->GetErrorCode(), 0u);
+  EXPECT_STREQ(dog.filter->GetRemark(), "");
+  EXPECT_LT(dog.filter->GetOutlineDistance(), 3.0);
+  EXPECT_LT(dog.filter->GetMovedShare(), 0.2);
+  int limbs = 0, back = 0;
+  for (vtkIdType i = 0; i < dog.mesh->GetNumberOfPoints(); ++i)
+  {
+    Vector3 p, q;
+    dog.mesh->GetPoint(i, p.data());
+    dog.filter->GetOutput()->GetPoint(i, q.data());
+    const Vector2 place = view.toDisplay(p).head<2>();
+    const double away = std::max(from - place[0], place[0] - to);
+    if (away > 40.0)
+    {
+      ++limbs;
+      EXPECT_EQ(p, q) << "point " << i << " at " << place.transpose() << " px";
+    }
+    back += (view.toDisplay(q).head<2>() - place).norm() > 8.0;
+  }
+  EXPECT_GT(limbs, dog.mesh->GetNumberOfPoints() / 3);
+  EXPECT_GT(back, 50);
+}
+
+TEST(OneStrokeEffect, AStrokeInTheVoidIsRefusedWithItsDistanceAndAsPublishedIsNot)
+{
+  Drawn far(
+    put(shippedStroke("dog_longer_leg"), [](const Vector2& p) { return Vector2(p + Vector2(300, 300)); }));
+  far.run();
+  EXPECT_TRUE(far.failedBy(Failure::NoMatch));
+  ASSERT_FALSE(far.ear.errors.empty());
+  EXPECT_NE(far.ear.errors[0].find("px from any outline"), std::string::npos);
+  EXPECT_EQ(far.filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_STREQ(far.filter->GetRemark(), "");
+  far.filter->AsPublishedOn();
+  far.run();
+  EXPECT_FALSE(far.failedBy(Failure::NoMatch));
+}
+
+TEST(OneStrokeEffect, AResultThatTearsIsRefusedUnlessItIsAllowed)
+{
+  vtkSmartPointer<vtkPolyData> stroke = shippedStroke("dog_curled_tail");
+  Vector3 first;
+  stroke->GetPoint(0, first.data());
+  Drawn torn(
+    put(stroke, [&](const Vector2& p) { return Vector2(first.head<2>() + 3.0 * (p - first.head<2>())); }));
+  for (int again = 0; again < 2; ++again)
+  {
+    torn.run();
+    EXPECT_TRUE(torn.failedBy(Failure::Torn));
+    EXPECT_EQ(torn.filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(torn.filter->GetStretch(), 1.0);
+  }
+  ASSERT_FALSE(torn.ear.errors.empty());
+  EXPECT_NE(torn.ear.errors[0].find("turn AllowTorn on"), std::string::npos);
+  torn.ear.errors.clear();
+  torn.ear.warnings.clear();
+  torn.filter->AllowTornOn();
+  torn.run();
+  ASSERT_EQ(torn.filter->GetErrorCode(), 0u);
+  EXPECT_TRUE(torn.ear.errors.empty());
+  EXPECT_GT(torn.filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_GT(torn.filter->GetStretch(), 8.0);
+  ASSERT_EQ(torn.ear.warnings.size(), 1u);
+  EXPECT_NE(torn.ear.warnings[0].find(torn.filter->GetRemark()), std::string::npos);
+  EXPECT_NE(std::string(torn.filter->GetRemark()).find("stretched or squeezed"), std::string::npos);
+}
+
+TEST(OneStrokeEffect, CandidatesAreDifferentSectionsAndABadNumberIsRefused)
+{
+  Drawn tail(shippedStroke("dog_curled_tail"));
+  tail.run();
+  const int count = tail.filter->GetNumberOfCandidates();
+  ASSERT_GE(count, 2);
+  std::set<std::string> sections;
+  for (int number = 1; number <= count; ++number)
+  {
+    tail.filter->SetCandidate(number);
+    EXPECT_EQ(tail.filter->GetCandidate(), number);
+    tail.filter->AllowTornOn();
+    tail.run();
+    ASSERT_EQ(tail.filter->GetErrorCode(), 0u) << number;
+    vtkPolyData* match = tail.filter->GetInnerOutput("Match");
+    sections.insert(std::to_string(match->GetNumberOfPoints()) + "/" + std::to_string(match->GetLength()));
+  }
+  EXPECT_EQ(static_cast<int>(sections.size()), count);
+  tail.filter->SetCandidate(count + 1);
+  tail.run();
+  EXPECT_TRUE(tail.failedBy(Failure::NoMatch));
+  EXPECT_NE(tail.ear.errors[0].find("Lower Candidate"), std::string::npos);
+}
+
+TEST(OneStrokeEffect, ReachMovesTheRegionsBorderBothWaysAndBackAgain)
+{
+  Drawn leg(shippedStroke("dog_longer_leg"));
+  leg.filter->SetRemeshToOff();
+  leg.run();
+  const vtkIdType found = regionSize(leg.filter);
+  vtkNew<vtkPolyData> first;
+  first->DeepCopy(leg.filter->GetOutput());
+  vtkIdType before = 0;
+  for (const double reach : { -0.2, -0.1, 0.1, 0.3 })
+  {
+    leg.filter->SetReach(reach);
+    leg.run();
+    ASSERT_EQ(leg.filter->GetErrorCode(), 0u) << reach;
+    const vtkIdType size = regionSize(leg.filter);
+    EXPECT_GT(size, before) << reach;
+    EXPECT_EQ(size > found, reach > 0.0) << reach;
+    before = size;
+  }
+  leg.filter->SetReach(0.0);
+  leg.run();
+  EXPECT_TRUE(identical(first, leg.filter->GetOutput()));
+}
