@@ -116,6 +116,18 @@ void addFigures(vtkOversketchSystem* system, Json::Value& json)
   json["targets"]["section_length"] = jsonNumber(fieldOf(targets, "SectionLength"));
   json["targets"]["target_length"] = jsonNumber(fieldOf(targets, "TargetLength"));
   json["region"] = regionOf(stroke->GetInnerOutput("RegionBorder"));
+  Json::Value& effect = json["effect"];
+  effect["outline_px"] = jsonNumber(stroke->GetOutlineDistance());
+  effect["worst_outline_px"] = jsonNumber(stroke->GetWorstOutlineDistance());
+  effect["outline_back_px"] = jsonNumber(stroke->GetOutlineBackDistance());
+  effect["new_folds"] = stroke->GetNewFolds();
+  effect["stretch"] = jsonNumber(stroke->GetStretch());
+  effect["roughness_before"] = jsonNumber(stroke->GetRoughnessBefore());
+  effect["roughness"] = jsonNumber(stroke->GetRoughness());
+  effect["moved_share"] = jsonNumber(stroke->GetMovedShare());
+  effect["stray_distance_px"] = jsonNumber(stroke->GetStrayDistance());
+  effect["stray_movement_px"] = jsonNumber(stroke->GetStrayMovement());
+  effect["remark"] = stroke->GetRemark();
   json["deformation"] =
     deformationOf(vtkOversketchLaplacianDeform::SafeDownCast(stroke->GetStep(stroke->GetDeformationName())));
 }

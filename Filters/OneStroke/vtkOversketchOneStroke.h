@@ -126,7 +126,7 @@ public:
 
   ///@{
   /**
-   * Which of the sections that fit the stroke is taken, 1 for the one that fits best [>= 1, default 1]; a
+   * Which of the sections that fit the stroke is taken, 1 for the one that fits best [>= 1, default 1]. A
    * number beyond the last one is refused. As published there is but one. GetNumberOfCandidates: how many
    * there were for the last stroke.
    */
@@ -138,7 +138,7 @@ public:
   ///@{
   /**
    * How much further into the body than found the region goes, less far where negative, in lengths of the
-   * section [-1 to 1, default 0]; see vtkOversketchMixtureRegion.
+   * section [-1 to 1, default 0]. See vtkOversketchMixtureRegion.
    */
   void SetReach(double reach);
   double GetReach() const;

@@ -17,7 +17,7 @@ COLLECTED = {
     "count_1e9.gltf": "accessors 0: announces 1000000000", "cycle.gltf": "nodes 0 is its own ancestor",
     "image_fifo.gltf": "picture fifo.png", "indices_out_of_range.gltf": "99 of its accessors",
     "no_accessors.gltf": "1 of its accessors", "stroke_array_twice.vtp": "CellData holds two arrays ViewTransform",
-    "stroke_sample_1e7.vtp": "px long", "stroke_view_1e308.vtp": "ViewTransform or ProjectionTransform",
+    "stroke_sample_1e7.vtp": "farther beside the viewport", "stroke_view_1e308.vtp": "ViewTransform or ProjectionTransform",
     "refs_20000.oversketch": "'strokes' has 20000 entries"}
 
 

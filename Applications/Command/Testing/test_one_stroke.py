@@ -67,7 +67,11 @@ def test_report_and_inner_stages(folder, tmp_path):
     assert report["fields"]["Match"]["Distance"] == report["match"]["distance_px"]
     assert report["fields"]["Targets"]["SectionLength"] == report["targets"]["section_length"]
     assert report["command"] == "one-stroke" and report["mesh"].endswith("body.vtp") and report["stroke"].endswith("longer.vtp")
-    assert report["options"] == {"backend": "embree", "remesh": "off", "adjust_normals": False, "as_published": False}
+    assert report["options"] == {"backend": "embree", "remesh": "off", "adjust_normals": False, "as_published": False,
+                                 "candidate": 1, "reach": 0.0, "allow_torn": False}
+    effect = report["effect"]
+    assert effect["outline_px"] < 3 and effect["outline_back_px"] < 3 and effect["new_folds"] <= 0
+    assert 1 < effect["stretch"] < 8 and 0 < effect["moved_share"] < 0.5
     assert "DeformRemeshedCorrected" in stages
     inner = {path.stem: read(path) for path in (tmp_path / "inner" / "stages").iterdir()}
     for name in ("Stroke", "Silhouette", "Snake", "Visibility", "Outline", "Match", "Targets", "ShapeDiameter",

@@ -53,6 +53,8 @@ struct Pipeline
     this->region->LimitRunawayOff();
     this->region->CutAtJunctionOff();
     this->region->ReachEndsOff();
+    this->region->ConfineToSectionOff();
+    this->region->EvenSamplesOff();
     this->border->ConfineOff();
   }
   std::vector<char> grown()
