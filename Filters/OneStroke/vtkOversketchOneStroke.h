@@ -126,9 +126,9 @@ public:
 
   ///@{
   /**
-   * Which of the sections that fit the stroke is taken, 1 for the one that fits best [>= 1, default 1]. A
-   * number beyond the last one is refused. As published there is but one. GetNumberOfCandidates: how many
-   * there were for the last stroke.
+   * Which of the sections that fit the stroke is taken, 1 for the one that fits best; default 1. A number
+   * beyond the last one is refused. As published there is but one. GetNumberOfCandidates: how many there were
+   * for the last stroke.
    */
   void SetCandidate(int candidate);
   int GetCandidate() const;
@@ -138,7 +138,7 @@ public:
   ///@{
   /**
    * How much further into the body than found the region goes, less far where negative, in lengths of the
-   * section [-1 to 1, default 0]. See vtkOversketchMixtureRegion.
+   * section, -1 to 1; default 0. See vtkOversketchMixtureRegion.
    */
   void SetReach(double reach);
   double GetReach() const;
