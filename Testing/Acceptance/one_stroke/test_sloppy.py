@@ -28,8 +28,7 @@ def meant(name="limb-1", is_limb=True, line=None):
     return hands.Meant(name, limb() if line is None else line, is_limb, aside, aside - (130, 0), (800, 600))
 
 
-def total(line):
-    return picture.lengths(line)[-1]
+total = lambda line: picture.lengths(line)[-1]
 
 
 # ---------------------------------------------------------------------------------------------------- the hands
@@ -43,9 +42,8 @@ def test_a_turned_stroke_keeps_every_step_and_turns_by_the_angle(degrees):
     line = limb()
     turned = hands.turned(line, degrees)
     assert np.linalg.norm(np.diff(turned, axis=0), axis=1) == pytest.approx(np.linalg.norm(np.diff(line, axis=0), axis=1))
-    before, after = line[5] - line[0], turned[5] - turned[0]
-    angle = np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after)
-    assert np.degrees(angle) == pytest.approx(degrees)
+    angles = [np.degrees(np.arctan2(*(a[5] - a[0])[::-1])) for a in (line, turned)]
+    assert angles[1] - angles[0] == pytest.approx(degrees)
     middle = (line.min(0) + line.max(0)) / 2
     assert hands.turned(np.vstack([line, middle]), degrees)[-1] == pytest.approx(middle)
 
@@ -170,7 +168,7 @@ def push(centre, by, radius=14.0):
 def test_nothing_changed_is_as_meant_where_the_stroke_lies_on_the_outline():
     result = judged(NOTHING, STROKE)
     assert result["fails"] == [] and result["mean"] == pytest.approx(0, abs=1e-6) and result["farthest"] == 0
-    assert sloppy_judge.verdict(result, "") == sloppy_judge.verdict(result, "warned") == "as meant"
+    assert {sloppy_judge.verdict(result, said) for said in ("", "warned")} == {"as meant"}
 
 
 @pytest.mark.parametrize("gap, fails", [(2.9, []), (3.1, ["outline"])])
@@ -234,7 +232,7 @@ def test_causes():
     assert cause([(420, 250), (400, 240), (380, 200), (360, 150)]) == "wrong section: crotch or other limb"
     assert cause([(420, 250), (700, 250), (700, 20), (100, 20), (100, 250), (380, 250)]) == "wrong section: the long way"
     assert cause(np.vstack([section, [(380, 100)]])) == "section runs on elsewhere"
-    assert sloppy_judge.cause({"fails": ["refused"]}, {}) == "refused"
+    assert cause([], {"fails": ["refused"]}) == "refused"
 
 
 def row(number, verdict, said="", mode="default"):
