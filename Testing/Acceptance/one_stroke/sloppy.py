@@ -5,7 +5,7 @@ published. Each result is as meant, said to be bad (refused, or with a warning),
     PYTHONPATH=build/release/lib/python3/dist-packages /usr/bin/python3 Testing/Acceptance/one_stroke/sloppy.py --out FOLDER
         [--only PART-OF-STROKE'S-NAME ...] [--variants 10] [--as-published] [--jobs 2] [--sheets] [--limit SECONDS]
 
-FOLDER receives the strokes, results.json, table.md and, with --sheets, a picture of every wreck and contact sheets of them.
+FOLDER receives the strokes, results.json, table.md and, with --sheets, a picture of every wreck by default and sheets of them.
 Models of the shared test data are looked for in OVERSKETCH_DATA, else in ../shared/data beside the source tree. Exit code 0
 when by default at least 85 % of the sloppy strokes do as meant and none is a wreck, and, where all ran, they were 600 at least.
 """
@@ -118,8 +118,10 @@ def table(rows: List[Row], modes: List[str]) -> str:
     for hand in (*hands.HANDS, "?"):
         own = [row for row in sloppy if row["hand"] == hand]
         lines += [counts(hand, own, modes)] if own else []
-    lines += [counts("as drawn, not counted", [row for row in rows if row["number"] == sloppy_runs.AS_DRAWN], modes), "",
-              "Medians and 90th percentiles of the mean distance of stroke and outline: " + "; ".join(
+    for part in ("limb", "torso"):
+        drawn = [row for row in rows if row["number"] == sloppy_runs.AS_DRAWN and row["part"] == part]
+        lines += [counts(f"a {part} as drawn, not counted", drawn, modes)] if drawn else []
+    lines += ["", "Medians and 90th percentiles of the mean distance of stroke and outline: " + "; ".join(
                   f"{MODES[m]} {np.median(d):.2f} and {np.percentile(d, 90):.2f} px" for m in modes
                   for d in [[row["mean"] for row in sloppy_rows(rows, m) if "mean" in row]] if d) + "."]
     for mode in modes:
@@ -201,7 +203,8 @@ def main() -> int:
     (options.out / "table.md").write_text(text)
     print("\n" + text)
     if options.sheets:
-        wrecks = [pictures / f"{row['stroke']}-{row['number']}.png" for row in rows if row["verdict"] == "wreck"]
+        wrecks = [pictures / f"{row['stroke']}-{row['number']}.png" for row in rows
+                  if row["mode"] == "default" and row["verdict"] == "wreck"]
         sheets.write([picture.load(file) for file in wrecks if file.is_file()], options.out / "sheet-wrecks", columns=2, rows=5)
     failed = complaints(rows, not options.only)
     print("\n".join(f"FAILS: {text}" for text in failed) or "all bounds hold")
