@@ -45,7 +45,7 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
   this->StrokeStep->SetInputData(0, this->Stroke);
   this->Match->SetInputConnection(1, this->StrokeStep->GetOutputPort());
   this->Targets->SetInputConnection(0, this->Match->GetOutputPort());
-  this->Targets->SetInputConnection(1, this->StrokeStep->GetOutputPort());
+  this->Targets->SetInputConnection(1, this->Match->GetOutputPort(1));
   this->Targets->SetInputData(2, this->Mesh);
   this->ShapeDiameter->SetInputData(0, this->Mesh);
   this->MixtureRegion->SetInputConnection(0, this->ShapeDiameter->GetOutputPort());
@@ -72,7 +72,7 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
   this->DeformRemeshedCorrected->SetInputConnection(1, this->CorrectionRemeshed->GetOutputPort());
   for (vtkOversketchCorrection* step : { this->Correction.Get(), this->CorrectionRemeshed.Get() })
   {
-    step->SetInputConnection(1, this->StrokeStep->GetOutputPort());
+    step->SetInputConnection(1, this->Match->GetOutputPort(1));
   }
 
   const auto stage = [self](const char* name, vtkAlgorithm* step, double share)
@@ -108,6 +108,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
     this->Match->AddInputConnection(0, this->Outline->GetOutputPort());
   }
   this->StrokeStep->SetMaximumLength(on ? 8.0 : 0.0);
+  this->StrokeStep->SetRefuseClosed(!on); // the match opens them
   this->Match->SetAmendedScore(on);
   this->Match->SetCompareShapes(on);
   this->Match->SetMaximumGap(on ? farthestOutline : 0.0);
@@ -268,7 +269,7 @@ Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsB
   {
     made.Outline = outlineError(made.Data->Surface(),
       ViewOf(this->Stroke),
-      StrokeOf(this->Self->StageOutput("Stroke")),
+      StrokeOf(this->Match->GetOutput(1)),
       ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
   }
   return { *made.Outline,
@@ -297,7 +298,7 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
   effect.before =
     roughness(plain.Surface(), plain.Neighbours(), RegionOf(this->Self->StageOutput("RegionBorder")));
   const oversketch::View view = ViewOf(this->Stroke);
-  const Polyline stroke = StrokeOf(this->Self->StageOutput("Stroke"));
+  const Polyline stroke = StrokeOf(this->Match->GetOutput(1));
   vtkPolyData* match = this->Self->StageOutput("Match");
   Polyline section(static_cast<std::size_t>(match->GetNumberOfPoints()));
   vtkDataArray* displays = match->GetPointData()->GetArray("Display");

@@ -1,6 +1,8 @@
 #include "vtkOversketchMatch.h"
 
 #include "Silhouette/match.h"
+#include "Silhouette/shape_search.h"
+#include "Stroke/stroke.h"
 #include "vtkOversketchCurveTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
@@ -16,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <limits>
@@ -50,6 +53,24 @@ Polyline AlongCell(vtkDataArray* array, vtkPolyData* curves, vtkIdType cell, std
     }
   }
   return values;
+}
+
+// The samples as a stroke in the other one's view.
+void WriteStroke(const Polyline& samples, vtkPolyData* like, vtkPolyData* stroke)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(static_cast<int>(samples.size()));
+  for (const Vector2& p : samples)
+  {
+    line->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
+  }
+  stroke->Initialize();
+  stroke->SetPoints(points);
+  stroke->SetLines(line);
+  stroke->GetCellData()->PassData(like->GetCellData());
+  stroke->GetFieldData()->PassData(like->GetFieldData());
 }
 
 // The bindings joined where one triangle's worth of vertices carries both, else none.
@@ -118,6 +139,7 @@ vtkOversketchMatch::vtkOversketchMatch()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
 }
 
 vtkOversketchMatch::~vtkOversketchMatch() = default;
@@ -208,6 +230,7 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
     [&]
     {
       vtkPolyData* output = vtkPolyData::GetData(outputs);
+      vtkPolyData* drawn = vtkPolyData::GetData(outputs, 1);
       const int connections = inputs[0]->GetNumberOfInformationObjects();
       vtkIdType points = 0;
       for (int c = 0; c < connections; ++c)
@@ -220,11 +243,17 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       }
       vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
       const View view = ViewOf(stroke);
-      const Polyline samples = StrokeOf(stroke);
+      Polyline samples = StrokeOf(stroke);
 
       this->Internals->Read(inputs[0], view);
       const std::vector<Source>& sources = this->Internals->Sources;
       const std::vector<MatchCandidate>& candidates = this->Internals->Candidates;
+      drawn->ShallowCopy(stroke);
+      if (this->AmendedScore && this->CompareShapes && isClosedStroke(samples, StrokeRules()))
+      {
+        samples = openStroke(candidates, samples, ContextOf(this, 0.0, 0.5));
+        WriteStroke(samples, stroke, drawn);
+      }
       MatchRules rules;
       rules.amendedScore = this->AmendedScore;
       rules.maximumDistance = this->MaximumDistance;

@@ -12,11 +12,11 @@
  * curve of which four fifths run within 3 px of a loop from vtkOversketchOutline is left to that loop, so
  * that its offsets are kept.
  *
- * The ends of a stroke beside its limb are nearest to another limb, and the section between them is the crotch
- * or the long way round the whole body. With CompareShapes sections that look like the stroke anywhere else
- * compete with that one: their score counts a common shift of the whole stroke once (1.5 times its length)
- * and not in each of the three terms. Where the section between the nearest places is the same one but for its
- * ends, it stays as it is.
+ * The ends of a stroke beside its limb are nearest to another limb, and the section between them is the
+ * crotch or the long way round the whole body. With CompareShapes sections that look like the stroke anywhere
+ * else compete with that one: their score counts a common shift of the whole stroke once (1.5 times its
+ * length) and not in each of the three terms. Where the section between the nearest places is the same one
+ * but for its ends, it stays as it is.
  *
  * Input 0 (Curves, repeatable): curves from vtkOversketchVisibility and, optionally, loops from
  * vtkOversketchOutline: point arrays MeshVertices, MeshWeights, Normals and, optionally, Display and
@@ -25,9 +25,12 @@
  * Input 1 (Stroke): exactly one stroke with its view (cell arrays ViewTransform, ProjectionTransform,
  * ViewportSize).
  *
- * Output 0: one open polyline, from the place nearest to the stroke's first sample to the one nearest to its
- * last; its ends are interpolated, and hang on the mesh where the points they lie between share a triangle.
- * Point arrays:
+ * A closed stroke, drawn round a limb and back over its base, is opened there (with CompareShapes): the part
+ * over the base stands for no outline.
+ *
+ * Output 0 (Section): one open polyline, from the place nearest to the stroke's first sample to the one
+ * nearest to its last; its ends are interpolated, and hang on the mesh where the points they lie between
+ * share a triangle. Point arrays:
  * - MeshVertices, MeshWeights, Normals, NormalDotView as in vtkOversketchSilhouette (MeshVertices -1: hangs
  * on nothing),
  * - Display, double[2] [px], and Offset, double[2] [px]: as in vtkOversketchOutline; on a plain curve the
@@ -36,6 +39,8 @@
  * Cell array CurveId, int: of the matched curve. Field data Distance, double [px]: D of the matched curve;
  * Score, double [px]: what was minimised; Candidate, int: index of the connection on port 0 that the section
  * came from. Other arrays are dropped.
+ *
+ * Output 1 (Stroke): the stroke, opened where it was closed; it has then no point arrays.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray, BadStroke; BadMesh for unusable
  * curves; NoMatch when no section of at least 2 px with two points on the mesh fits, D exceeds

@@ -46,6 +46,7 @@ int vtkOversketchStrokeFilter::RequestData(vtkInformation*,
       rules.spacing = this->Spacing;
       rules.minimumLength = this->MinimumLength;
       rules.closedFraction = this->ClosedFraction;
+      rules.refuseClosed = this->RefuseClosed;
       rules.maximumLength = this->MaximumLength;
       vtkDataArray* viewports = input->GetCellData()->GetArray("ViewportSize");
       const bool sized = viewports && viewports->GetNumberOfComponents() == 2 &&
@@ -108,5 +109,6 @@ void vtkOversketchStrokeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Spacing: " << this->Spacing << '\n';
   os << indent << "MinimumLength: " << this->MinimumLength << '\n';
   os << indent << "ClosedFraction: " << this->ClosedFraction << '\n';
+  os << indent << "RefuseClosed: " << (this->RefuseClosed ? "on" : "off") << '\n';
   os << indent << "MaximumLength: " << this->MaximumLength << '\n';
 }

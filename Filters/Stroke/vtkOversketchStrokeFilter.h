@@ -8,18 +8,18 @@
  * sampled anew at equal arc lengths.
  *
  * Input 0 (Strokes): stroke polydata: polylines in display coordinates [px from the viewport's lower left
- * corner, y up]; z is ignored. Any number of strokes, from any views. Cell array ViewportSize, int[2] [px], is
- * read where it is there.
+ * corner, y up]; z is ignored. Any number of strokes, from any views. Cell array ViewportSize, int[2] [px],
+ * is read where it is there.
  *
  * Output 0: one polyline per stroke, z = 0. Point arrays (Pressure, Time and any other) are interpolated in
  * arc length; cell and field data, the view arrays among them, are passed.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadStroke, naming the stroke, when there is no
  * polyline or there are other cells, and for a stroke with fewer than two samples, with a sample that is not
- * finite, shorter than MinimumLength, longer than MaximumLength or 1e5 px, or closed. Closed means that its ends are nearer than twice
- * MinimumSpacing, or nearer than ClosedFraction of its length while it ends within 90 degrees of the
- * direction it started in; a U round the tip of a limb comes back in the opposite direction and passes. A
- * polydata without points gives an empty output silently.
+ * finite, shorter than MinimumLength, longer than MaximumLength or 1e5 px, or closed. Closed means that its
+ * ends are nearer than twice MinimumSpacing, or nearer than ClosedFraction of its length while it ends within
+ * 90 degrees of the direction it started in; a U round the tip of a limb comes back in the opposite direction
+ * and passes. A polydata without points gives an empty output silently.
  *
  * Deterministic. Cost: linear in the samples.
  *
@@ -65,6 +65,15 @@ public:
 
   ///@{
   /**
+   * Refuse closed strokes [default on]. Off for who opens them, as vtkOversketchMatch does.
+   */
+  vtkSetMacro(RefuseClosed, bool);
+  vtkGetMacro(RefuseClosed, bool);
+  vtkBooleanMacro(RefuseClosed, bool);
+  ///@}
+
+  ///@{
+  /**
    * Strokes that carry a viewport and are longer than so many of its diagonals are refused: scribbles, which
    * look like no outline; and those with a sample farther beside the viewport than that is large [>= 0,
    * default 8; 0 for neither, as published].
@@ -96,6 +105,7 @@ private:
   double Spacing = 2.0;
   double MinimumLength = 10.0;
   double ClosedFraction = 0.1;
+  bool RefuseClosed = true;
   double MaximumLength = 8.0;
 };
 

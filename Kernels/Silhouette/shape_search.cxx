@@ -279,4 +279,45 @@ std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candida
   return found;
 }
 
+Polyline openStroke(const std::vector<MatchCandidate>& candidates,
+  const Polyline& stroke,
+  const Context& context)
+{
+  const std::vector<double> lengths = arcLengths(stroke, true);
+  const double whole = lengths.back();
+  const int count = static_cast<int>(stroke.size());
+  const auto at = [&](double length)
+  { return placeAt(lengths, count, length - whole * std::floor(length / whole)).of(stroke); };
+  constexpr int starts = 40;
+  constexpr double straight = 0.9; // least distance of its ends, of its length, of what is left out
+  Polyline best = stroke;
+  double least = std::numeric_limits<double>::infinity();
+  for (int start = 0; start < starts; ++start)
+  {
+    context.checkpoint(static_cast<double>(start) / starts);
+    for (const double share : { 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4 })
+    {
+      const double from = whole * start / starts, left = share * whole;
+      if ((at(from + left) - at(from)).norm() < straight * left)
+      {
+        continue;
+      }
+      Polyline rest;
+      const int steps =
+        std::max(2, static_cast<int>(std::lround((whole - left) / 2.0))); // 2 px, as strokes are
+      for (int i = 0; i <= steps; ++i)
+      {
+        rest.push_back(at(from + left + (whole - left) * i / steps));
+      }
+      const std::vector<CandidatePart> found = findShapes(candidates, rest);
+      if (!found.empty() && found.front().score + 0.05 * left < least)
+      {
+        least = found.front().score + 0.05 * left;
+        best = rest;
+      }
+    }
+  }
+  return best;
+}
+
 } // namespace oversketch

@@ -41,6 +41,14 @@ std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candida
 // The same score for one part, with the better of its two shifts, which is set.
 void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& stroke, CandidatePart& part);
 
+// A closed stroke, drawn round a limb and back over its base, without the part that goes over the base: one
+// that runs nearly straight, up to two fifths of the length, so that the rest looks most like a section of
+// the candidates (the best score of findShapes + a twentieth of what is left out). It runs as it was drawn,
+// from where that part ends to where it begins.
+Polyline openStroke(const std::vector<MatchCandidate>& candidates,
+  const Polyline& stroke,
+  const Context& context = {});
+
 // The share of the one scored part that runs within 6 px of the other, the lesser of the two ways round.
 double likeness(const CandidatePart& a, const CandidatePart& b);
 

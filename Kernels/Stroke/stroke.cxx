@@ -111,7 +111,7 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
       rules.maximumLength,
       " times are taken: draw one line along the outline that it is to replace, not a scribble.");
   }
-  if (isClosedStroke(clean, rules))
+  if (rules.refuseClosed && isClosedStroke(clean, rules))
   {
     refuse("it is closed: its ends are ",
       (clean.back() - clean.front()).norm(),

@@ -13,6 +13,7 @@ struct StrokeRules
   double spacing = 2.0;        // px between samples of the result
   double minimumLength = 10.0; // px: shorter ones are a click, not a stroke
   double closedFraction = 0.1; // of the length: nearer ends that run on into each other close the stroke
+  bool refuseClosed = true;
   // In diagonals of the viewport [px], if both are given: longer ones are scribbles, and a sample farther
   // than the viewport's size beside it was drawn by no hand.
   double maximumLength = 0.0;
