@@ -218,7 +218,7 @@ void measureMovement(const Mesh& before,
   const std::vector<double> length = arcLengths(section);
   for (std::size_t i = 0; i < section.size(); ++i)
   {
-    if (length[i] >= 0.2 * length.back() && length[i] <= 0.8 * length.back())
+    if (length[i] >= 0.35 * length.back() && length[i] <= 0.65 * length.back())
     {
       drawn.push_back(section[i]);
     }
@@ -236,7 +236,7 @@ void measureMovement(const Mesh& before,
     }
     const Vector2 was = view.toDisplay(before.points[v]).head<2>();
     const Vector2 is = view.toDisplay(after.points[v]).head<2>();
-    constexpr double seen = 3.0; // px
+    constexpr double seen = 2.5; // px
     const double movement = (is - was).norm();
     const double distance =
       movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;

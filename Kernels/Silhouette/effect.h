@@ -23,7 +23,7 @@ struct StrokeEffect
     0.0; // px from the stroke and its section to the farthest place that was moved beside them
   double strayMovement = 0.0; // px that such places were moved by at most
 
-  static constexpr double strayLimit = 30.0; // px: what moves nearer to the stroke was meant
+  static constexpr double strayLimit = 25.0; // px: what moves nearer to the stroke was meant
   static constexpr double tornStretch = 8.0;
   static constexpr double tornShare = 0.7;
 };

@@ -88,10 +88,9 @@ class System:
 
     def pairs(self, view: picture.View) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Where the points of the mesh were and are now, and which were visible. Where it was remeshed they are those of the
-        deformation of the mesh as it came."""
-        was, triangles = meshes.arrays(self.filter.GetInnerOutput("RegionBorder"))
-        name = "Deform" if self.filter.GetRemeshed() else self.filter.GetDeformationName()
-        now, _ = meshes.arrays(self.filter.GetStep(name).GetOutput())
+        finer mesh that was deformed."""
+        was, triangles = meshes.arrays(self.filter.GetInnerOutput("Stretch" if self.filter.GetRemeshed() else "RegionBorder"))
+        now, _ = meshes.arrays(self.filter.GetInnerOutput("Deform"))
         return was, now, sloppy_judge.Seen(view, was, triangles).visible()
 
     def match(self, view: picture.View) -> np.ndarray:
