@@ -1,4 +1,4 @@
-"""The five figures as implicit fields. Units are arbitrary; y is up; animals look along +x, the person along +z."""
+"""The six figures as implicit fields. Units are arbitrary; y is up; animals look along +x, the person and the bear along +z."""
 import numpy as np
 
 from implicit import Ellipsoid, Field, Tube
@@ -213,6 +213,29 @@ def octopus():
     return f
 
 
+def bear():
+    """A standing teddy bear, the same on both sides of x = 0 to the bit."""
+    f = Field()
+    f.add(Ellipsoid((0, 0.70, 0), (0.36, 0.42, 0.31)))
+    f.add(Ellipsoid((0, 0.62, 0.10), (0.29, 0.31, 0.26)), 0.08)
+    head = Field()
+    head.add(Ellipsoid((0, 1.36, 0.02), (0.315, 0.285, 0.275)))
+    head.add(Ellipsoid((0, 1.285, 0.245), (0.130, 0.105, 0.110)), 0.05)  # muzzle
+    head.add(Ellipsoid((0, 1.335, 0.345), (0.042, 0.030, 0.028)), 0.015)  # nose
+    for side in (-1, 1):
+        head.add(Ellipsoid((0.245 * side, 1.60, 0.0), (0.118, 0.118, 0.060)), 0.05)  # ear
+        head.add(Ellipsoid((0.105 * side, 1.415, 0.262), (0.030, 0.036, 0.026)), 0.012)  # eye
+    f.add(head, 0.10)
+    for side in (-1, 1):
+        f.add(Tube([(0.24 * side, 0.96, 0.0, 0.135), (0.46 * side, 0.90, 0.02, 0.122), (0.70 * side, 0.80, 0.05, 0.118),
+                    (0.84 * side, 0.74, 0.07, 0.112)]), 0.07)
+        leg = Field()
+        leg.add(Tube([(0.17 * side, 0.42, 0.0, 0.165), (0.235 * side, 0.22, 0.02, 0.150), (0.27 * side, 0.14, 0.06, 0.140)]))
+        leg.add(Ellipsoid((0.28 * side, 0.095, 0.12), (0.135, 0.095, 0.190)), 0.06)
+        f.add(leg, 0.06)
+    return f
+
+
 # What makes each model: the figure, its edge length in its own unit, and where that is scaled down for detail.
 FIGURES = {
     "dog": (dog, 0.021, finer_near([((0.97, 1.36, 0.0), 0.16, 0.40, 0.62)])),
@@ -220,4 +243,7 @@ FIGURES = {
     "hand": (hand, 0.025, None),
     "dinosaur": (dinosaur, 0.032, finer_near([((1.62, 2.27, 0.0), 0.20, 0.70, 0.55), ((-2.1, 1.03, 0.0), 0.1, 0.7, 0.65)])),
     "octopus": (octopus, 0.031, finer_near([((0.0, 0.68, 0.30), 0.25, 0.60, 0.60)])),
+    "bear": (bear, 0.035, None),
 }
+# Those whose points come in pairs, exactly in each other's mirrored places about x = 0, as their triangles do.
+SYMMETRIC = {"bear"}

@@ -30,7 +30,8 @@ def polydata(points, triangles):
 def make(name, coarser=1.0):
     """The model as vtkPolyData; `coarser` scales its edge length."""
     figure, edge, finer = figures.FIGURES[name]
-    return polydata(*remesh.even(figure(), coarser * edge, finer))
+    triangulate = remesh.symmetric if name in figures.SYMMETRIC else remesh.even
+    return polydata(*triangulate(figure(), coarser * edge, finer))
 
 
 def main():

@@ -141,8 +141,12 @@ def collapse_short(points, triangles, target, shortest=0.8, longest=4.0 / 3.0):
     return points, triangles
 
 
-def flip(points, triangles, by_valence, passes=20):
-    """Flips edges towards valence six, or, if not `by_valence`, towards larger least angles."""
+def flip(points, triangles, by_valence, passes=20, held=None):
+    """Flips edges towards valence six, or, if not `by_valence`, towards larger least angles; none of the triangles `held`,
+    nor so that two of their corners are joined."""
+    rim = np.zeros(len(points), bool)
+    if held is not None:
+        rim[triangles[held]] = True
     for _ in range(passes):
         edges = Edges(triangles, len(points))
         a, b = edges.ends.T
@@ -153,6 +157,8 @@ def flip(points, triangles, by_valence, passes=20):
         n0, n1 = (unit(normals_of(points, triangles[edges.faces[:, i]])) for i in (0, 1))
         flat = np.min([np.einsum("ij,ij->i", x, y) for x in n for y in (n0, n1)], axis=0) > 0.7
         allowed = flat & ~edges.has(c, d) & (valence[a] > 4) & (valence[b] > 4)
+        if held is not None:
+            allowed &= ~held[edges.faces].any(axis=1) & ~(rim[c] & rim[d])
         before = np.minimum(*[minimum_angles(points, triangles[edges.faces[:, i]]) for i in (0, 1)])
         after = np.minimum(*[minimum_angles(points, t) for t in new])
         if by_valence:
@@ -193,9 +199,13 @@ def relax(points, triangles, target, amount=0.7):
     return points + amount * move
 
 
+def target_of(edge, finer):
+    return (lambda p: np.full(len(p), edge)) if finer is None else (lambda p: edge * finer(p))
+
+
 def even(field, edge, finer=None, rounds=6):
     """The field's zero surface as an even mesh of the given edge length; finer(points) scales that length locally."""
-    target = (lambda p: np.full(len(p), edge)) if finer is None else (lambda p: edge * finer(p))
+    target = target_of(edge, finer)
     points, triangles = field.polygonise(0.8 * edge)
     points = field.project(points, 3, edge)
     for _ in range(rounds):
@@ -209,3 +219,51 @@ def even(field, edge, finer=None, rounds=6):
         points = field.project(relax(points, triangles, target), 1, edge)
     points = field.project(points, 3, edge)
     return points, flip(points, triangles, by_valence=False)
+
+
+def half(points, triangles, snap):
+    """The part with x >= 0, cut at x = 0, where points nearer to that plane than `snap` are moved to it."""
+    points = np.where(np.abs(points[:, :1]) < snap, points * [0.0, 1.0, 1.0], points)
+    side = np.sign(points[:, 0]).astype(int)
+    kept, cuts, made = [], {}, list(points)
+    for triangle in triangles.tolist():
+        if max(side[v] for v in triangle) <= 0:
+            continue
+        corners = []
+        for a, b in zip(triangle, triangle[1:] + triangle[:1]):
+            if side[a] >= 0:
+                corners.append(a)
+            if side[a] * side[b] < 0:
+                key = min(a, b), max(a, b)
+                if key not in cuts:
+                    cuts[key] = len(made)
+                    middle = points[a] + points[a, 0] / (points[a, 0] - points[b, 0]) * (points[b] - points[a])
+                    made.append(middle * [0.0, 1.0, 1.0])
+                corners.append(cuts[key])
+        kept += [(corners[0], corners[k], corners[k + 1]) for k in range(1, len(corners) - 1)]
+    used, kept = np.unique(kept, return_inverse=True)
+    return np.array(made)[used], kept.reshape(-1, 3)
+
+
+def both_halves(points, triangles):
+    """The whole that a half and its reflection make; first the half as it is."""
+    aside = points[:, 0] > 0.0
+    other = np.arange(len(points))
+    other[aside] = len(points) + np.arange(aside.sum())
+    return np.vstack([points, points[aside] * [-1.0, 1.0, 1.0]]), np.vstack([triangles, other[triangles][:, ::-1]])
+
+
+def symmetric(field, edge, finer=None, rounds=12):
+    """As even, for a field symmetric about x = 0: points and triangles are, too, to the bit."""
+    target = target_of(edge, finer)
+    points, triangles = half(*even(field, edge, finer), 0.3 * edge)
+    count = len(points)
+    for i in range(rounds + 1):
+        whole = both_halves(points, triangles)
+        held = np.arange(len(whole[1])) >= len(triangles)
+        triangles = flip(*whole, by_valence=False, held=held)[:len(triangles)]
+        if i < rounds:
+            whole = both_halves(points, triangles)
+            moved = field.project(relax(*whole, target), 1 if i < rounds - 1 else 3, edge)[:count]
+            points = np.where(points[:, :1] == 0.0, moved * [0.0, 1.0, 1.0], moved)
+    return both_halves(points, triangles)
