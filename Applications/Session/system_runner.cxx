@@ -1,5 +1,8 @@
 #include "system_runner.h"
 
+#include "mirror_image.h"
+#include "two_sides.h"
+
 #include "vtkOversketchMirror.h"
 #include "vtkOversketchStepRunner.h"
 #include "vtkOversketchSystem.h"
@@ -18,6 +21,10 @@ namespace oversketch_session
 
 namespace
 {
+
+// Of a step with a mirror plane: what is done when it is known whether points have partners, and when the
+// side that was drawn on is done.
+constexpr double oneSide = 0.5, twoSides = 0.6;
 
 double between(const Point& a, const Point& b)
 {
@@ -90,20 +97,31 @@ std::string failureOf(vtkAlgorithm* algorithm,
   return {};
 }
 
-oversketch::StepRunner::Listener listenerOf(vtkOversketchSystem* system, const Listener& listener)
+// Progress is that of a part of the step.
+oversketch::StepRunner::Listener listenerOf(vtkOversketchSystem* system,
+  const Listener& listener,
+  double from = 0.0,
+  double to = 1.0)
 {
   oversketch::StepRunner::Listener made;
   made.cancelled = listener.cancelled;
   made.warning = listener.warning;
   if (listener.progress)
   {
-    made.progress = [system, progress = listener.progress](double share)
-    { progress(system->GetStageName(), share); };
+    made.progress = [=, progress = listener.progress](double share)
+    { progress(system->GetStageName(), from + share * (to - from)); };
   }
   return made;
 }
 
 } // namespace
+
+struct SystemRunner::TwoSides
+{
+  vtkSmartPointer<vtkPolyData> first, second;
+  std::unique_ptr<const MirrorImage> image; // of which the second is
+  vtkSmartPointer<vtkPolyData> inImage;     // that, before it came back
+};
 
 SystemRunner::SystemRunner(const SystemRow& row)
   : Row(row)
@@ -113,29 +131,20 @@ SystemRunner::SystemRunner(const SystemRow& row)
 
 SystemRunner::~SystemRunner() = default;
 
-void SystemRunner::feed(const Step& step, const Data& inputs)
+void SystemRunner::feed(const Values& values, const Data& inputs)
 {
   for (const SystemInput& input : this->Row.inputs)
   {
     const auto given = inputs.find(input.name);
     this->System->SetInputDataObject(input.port, given == inputs.end() ? nullptr : given->second.Get());
   }
-  this->setValues(step);
-}
-
-void SystemRunner::setValues(const Step& step)
-{
   for (const Parameter& one : this->Row.parameters)
   {
-    const Value* value = &valueOf(step, one);
-    if (step.mirror)
+    const auto given = values.find(one.property);
+    const Value& value = given == values.end() ? one.initial : given->second;
+    if (one.get(this->System) != value)
     {
-      const auto instead = this->Row.mirrored->find(one.property);
-      value = instead == this->Row.mirrored->end() ? value : &instead->second;
-    }
-    if (one.get(this->System) != *value)
-    {
-      one.set(this->System, *value);
+      one.set(this->System, value);
     }
   }
 }
@@ -147,49 +156,68 @@ bool SystemRunner::run(const Step& step,
   const Listener& listener,
   Outcome& outcome)
 {
+  const Task task{ step, inputs, backend, ports, listener };
   this->Mirror = nullptr;
-  this->feed(step, inputs);
-  this->System->SetBackend(backend);
-  vtkSmartPointer<vtkPolyData> made = this->System->GetOutput();
-  std::string failure;
-  std::optional<Section> section;
-  vtkNew<vtkPolyData> hold;
+  this->Sides = nullptr;
+  if (!step.mirror)
+  {
+    return this->runOnce(task, step.values, 0.0, 1.0, outcome);
+  }
+  if (!this->FollowPartners)
+  {
+    return this->runTwice(task, outcome);
+  }
+  Values kept = *this->Row.mirrored;
+  kept.insert(step.values.begin(), step.values.end());
+  Outcome made = outcome;
+  if (!this->runOnce(task, kept, 0.0, oneSide, made))
+  {
+    return false;
+  }
   try
   {
-    // Modified, since a run that failed before would report an empty success.
-    this->System->Modified();
-    failure = failureOf(this->System, listenerOf(this->System, listener), [this] { this->System->Update(); });
-    if (failure.empty() && made->GetNumberOfPolys() == 0)
+    if (made.failure.empty() && !this->followPartners(task, made))
     {
-      failure = "no mesh came of it";
-    }
-    if (failure.empty())
-    {
-      this->System->GetHold(hold);
-      section = sectionOf(hold);
-    }
-    if (failure.empty() && step.mirror)
-    {
-      oversketch::StepRunner::Listener quiet;
-      quiet.cancelled = listener.cancelled;
-      this->Mirror = vtkSmartPointer<vtkOversketchMirror>::New();
-      this->setMirror(*step.mirror, inputs, section);
-      failure = failureOf(this->Mirror, quiet, [this] { this->Mirror->Update(); });
-      made = this->Mirror->GetOutput();
+      return this->runTwice(task, outcome);
     }
   }
   catch (const oversketch::Error&)
   {
     return false;
   }
-  outcome.failure = failure;
-  if (failure.empty())
+  outcome = made;
+  return true;
+}
+
+bool SystemRunner::runOnce(const Task& task, const Values& values, double from, double to, Outcome& outcome)
+{
+  this->feed(values, task.inputs);
+  this->System->SetBackend(task.backend);
+  vtkSmartPointer<vtkPolyData> made = this->System->GetOutput();
+  try
   {
+    // Modified, since a run that failed before would report an empty success.
+    this->System->Modified();
+    outcome.failure = failureOf(
+      this->System, listenerOf(this->System, task.listener, from, to), [this] { this->System->Update(); });
+  }
+  catch (const oversketch::Error&)
+  {
+    return false;
+  }
+  if (outcome.failure.empty() && made->GetNumberOfPolys() == 0)
+  {
+    outcome.failure = "no mesh came of it";
+  }
+  if (outcome.failure.empty())
+  {
+    vtkNew<vtkPolyData> hold;
+    this->System->GetHold(hold);
     outcome.mesh = shared(made.Get());
-    outcome.section = section;
+    outcome.section = sectionOf(hold);
     outcome.hold = shared(hold.Get());
     outcome.backendUsed = this->System->GetBackendUsed();
-    for (const int port : ports)
+    for (const int port : task.ports)
     {
       outcome.outputs[port] = shared(this->System->GetOutputDataObject(port));
     }
@@ -197,20 +225,107 @@ bool SystemRunner::run(const Step& step,
   return true;
 }
 
-void SystemRunner::setMirror(const MirrorPlane& plane,
-  const Data& inputs,
-  const std::optional<Section>& section)
+bool SystemRunner::followPartners(const Task& task, Outcome& outcome)
 {
-  const SystemInput* before = findInput(this->Row, SystemInput::Kind::Mesh);
-  this->Mirror->SetInputDataObject(0, inputs.at(before->name));
-  this->Mirror->SetInputData(1, this->System->GetOutput());
-  this->Mirror->SetAxis(plane.axis);
-  this->Mirror->SetOffset(plane.offset);
-  if (section)
+  const MirrorPlane& plane = *task.step.mirror;
+  auto mirror = vtkSmartPointer<vtkOversketchMirror>::New();
+  mirror->SetInputDataObject(0, task.inputs.at(findInput(this->Row, SystemInput::Kind::Mesh)->name));
+  mirror->SetInputData(1, this->System->GetOutput());
+  mirror->SetAxis(plane.axis);
+  mirror->SetOffset(plane.offset);
+  if (outcome.section)
   {
-    const bool below = section->middle[static_cast<std::size_t>(plane.axis)] < plane.offset;
-    this->Mirror->SetSide(below ? vtkOversketchMirror::Below : vtkOversketchMirror::Above);
+    const bool below = outcome.section->middle[static_cast<std::size_t>(plane.axis)] < plane.offset;
+    mirror->SetSide(below ? vtkOversketchMirror::Below : vtkOversketchMirror::Above);
   }
+  oversketch::StepRunner::Listener quiet;
+  quiet.cancelled = task.listener.cancelled;
+  if (!failureOf(mirror, quiet, [&] { mirror->Update(); }).empty())
+  {
+    return false;
+  }
+  outcome.mesh = shared(mirror->GetOutput());
+  this->Mirror = mirror;
+  return true;
+}
+
+bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
+{
+  const MirrorPlane& plane = *task.step.mirror;
+  const auto came = task.inputs.find(findInput(this->Row, SystemInput::Kind::Mesh)->name);
+  vtkPolyData* before = vtkPolyData::SafeDownCast(came->second);
+  Outcome one = outcome;
+  if (!this->runOnce(task, task.step.values, oneSide, twoSides, one))
+  {
+    return false;
+  }
+  const double tolerance = vtkNew<vtkOversketchMirror>()->GetTolerance() * before->GetLength();
+  if (!one.failure.empty() || liesAcross(one.hold, plane, tolerance))
+  {
+    outcome = one;
+    return true;
+  }
+  auto sides = std::make_unique<TwoSides>();
+  sides->first = one.mesh;
+  vtkSmartPointer<vtkPolyData> made;
+  for (vtkPolyData* under : { before, one.mesh.Get() })
+  {
+    if (made || (under == before && !sameCells(before, one.mesh)))
+    {
+      continue;
+    }
+    sides->image = std::make_unique<MirrorImage>(under, plane);
+    Outcome two;
+    if (!this->runImage(task, *sides->image, two))
+    {
+      return false;
+    }
+    if (!two.failure.empty())
+    {
+      outcome.failure = "mirrored to " + otherSide(one.section->middle, plane) + ": " + two.failure;
+      return true;
+    }
+    sides->inImage = two.mesh;
+    sides->second = sides->image->back(two.mesh);
+    made = under == before ? joined(before, one.mesh, sides->second) : sides->second;
+  }
+  outcome = one;
+  outcome.mesh = made;
+  this->Sides = std::move(sides);
+  return true;
+}
+
+bool SystemRunner::runImage(const Task& task, const MirrorImage& image, Outcome& outcome)
+{
+  if (!this->Image)
+  {
+    this->Image = std::make_unique<SystemRunner>(this->Row);
+  }
+  Data inputs = task.inputs;
+  const SystemInput* changed = findInput(this->Row, SystemInput::Kind::Mesh);
+  for (const SystemInput& input : this->Row.inputs)
+  {
+    const bool isInWorld = input.kind == SystemInput::Kind::Mesh || input.kind == SystemInput::Kind::Curves;
+    const auto given = inputs.find(input.name);
+    vtkPolyData* data = given == inputs.end() ? nullptr : vtkPolyData::SafeDownCast(given->second);
+    if (&input == changed)
+    {
+      given->second = image.get();
+    }
+    else if (isInWorld && data)
+    {
+      given->second = MirrorImage(data, *task.step.mirror).get();
+    }
+  }
+  Listener listener = task.listener;
+  if (task.listener.progress)
+  {
+    listener.progress = [&](const std::string& stage, double share)
+    { task.listener.progress(stage, twoSides + share * (1.0 - twoSides)); };
+  }
+  Step step = task.step;
+  step.mirror.reset();
+  return this->Image->run(step, inputs, task.backend, {}, listener, outcome);
 }
 
 std::shared_ptr<const Details> SystemRunner::details(vtkPolyData* made,
@@ -221,13 +336,22 @@ std::shared_ptr<const Details> SystemRunner::details(vtkPolyData* made,
   this->System->GetRegion(details->region);
   try
   {
-    details->following = this->following(made, cancelled);
+    details->following = this->following(this->Sides ? this->Sides->first.Get() : made, cancelled);
   }
   catch (const oversketch::Error&)
   {
     return nullptr;
   }
-  return details;
+  if (!this->Sides)
+  {
+    return details;
+  }
+  const TwoSides& sides = *this->Sides;
+  const std::shared_ptr<const Details> inImage = this->Image->details(sides.inImage, cancelled);
+  return inImage
+           ? joined(
+               made, { sides.first, details }, { sides.second, sides.image->back(sides.inImage, *inImage) })
+           : nullptr;
 }
 
 std::shared_ptr<const Following> SystemRunner::following(vtkPolyData* made,

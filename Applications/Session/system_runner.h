@@ -16,6 +16,8 @@ class vtkOversketchMirror;
 namespace oversketch_session
 {
 
+class MirrorImage;
+
 // Who wants to know of a run; each may be absent.
 struct Listener
 {
@@ -37,6 +39,20 @@ public:
 
   // Runs a step. Fills in mesh or failure, place, those output ports and back end of the outcome, whose mesh
   // is the one that came. False when cancelled: nothing is filled in.
+  //
+  // A step with a mirror plane runs with the values that keep points' ids (SystemRow::mirrored), and points
+  // on the other side follow their partners (vtkOversketchMirror). Where a point that moved has none, the
+  // step runs with its own values, and once more on the other side, as if its strokes had been drawn in the
+  // mirror. That run works on the mesh's mirror image with what the step is given as it is, and what comes
+  // of it is mirrored back: the same thing, but strokes, their views and pictures over them need not be
+  // turned round, and the two sides do not differ by what has a handedness inside (the rays' spiral, the
+  // direction of curves).
+  // - Where the system moved points alone, and none on both sides, both runs start from the mesh that came:
+  //   the one does not see what the other did, and sides that are alike come out alike. Else the other side
+  //   is run on what the first one made, where its stroke then ends up as it was drawn.
+  // - A stroke over the plane itself (liesAcross, two_sides.h) acts once.
+  // - The place and the ports are those of the side that was drawn on. A failure of the other one, which its
+  //   message names, is the step's.
   bool run(const Step& step,
     const Data& inputs,
     int backend,
@@ -53,15 +69,39 @@ public:
 
   vtkOversketchSystem* system() { return this->System; }
 
+  // Off: steps with a mirror plane run on both sides also where points have partners. For tests; on by
+  // default.
+  void setFollowPartners(bool follow) { this->FollowPartners = follow; }
+
 private:
-  void feed(const Step& step, const Data& inputs);
-  void setValues(const Step& step);
-  void setMirror(const MirrorPlane& plane, const Data& inputs, const std::optional<Section>& section);
+  // All that a run is given.
+  struct Task
+  {
+    const Step& step;
+    const Data& inputs;
+    int backend;
+    const std::set<int>& ports;
+    const Listener& listener;
+  };
+  // Of the side that was drawn on alone, with those values. False when cancelled, as the others.
+  bool runOnce(const Task& task, const Values& values, double from, double to, Outcome& outcome);
+  bool runTwice(const Task& task, Outcome& outcome);
+  // What the step makes of the mesh's image in the mirror, with the reason in words where it fails.
+  bool runImage(const Task& task, const MirrorImage& image, Outcome& outcome);
+  // Gives the outcome's mesh the other side by points' partners; false where they have none.
+  bool followPartners(const Task& task, Outcome& outcome);
+
+  void feed(const Values& values, const Data& inputs);
   std::shared_ptr<const Following> following(vtkPolyData* made, const std::function<bool()>& cancelled);
 
   const SystemRow& Row;
   vtkSmartPointer<vtkOversketchSystem> System;
-  vtkSmartPointer<vtkOversketchMirror> Mirror; // of the last step, where it has one
+  bool FollowPartners = true;
+  // Of the last step: what points follow their partners by, or what either side made; at most one of both.
+  vtkSmartPointer<vtkOversketchMirror> Mirror;
+  struct TwoSides;
+  std::unique_ptr<TwoSides> Sides;
+  std::unique_ptr<SystemRunner> Image; // runs the other sides, with an instance of its own
 };
 
 } // namespace oversketch_session

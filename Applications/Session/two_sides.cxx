@@ -1,0 +1,175 @@
+#include "two_sides.h"
+
+#include "mirror_image.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace oversketch_session
+{
+
+namespace
+{
+
+constexpr double endShare = 0.1; // of a section's length, at either end, rests on the body
+
+Point placeOf(vtkPolyData* mesh, vtkIdType i)
+{
+  Point place;
+  mesh->GetPoint(i, place.data());
+  return place;
+}
+
+using Move = std::array<float, 9>;
+
+// Adds how a side's points follow, by where they are.
+void gather(const Side& side, std::map<Point, Move>& moves)
+{
+  const Following& following = *side.details->following;
+  for (std::size_t i = 0; i < following.points.size(); ++i)
+  {
+    moves[placeOf(side.mesh, following.points[i])] = following.moves[i];
+  }
+}
+
+void append(vtkPolyData* part, vtkPoints* points, vtkCellArray* polygons)
+{
+  const vtkIdType first = points->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+  {
+    points->InsertNextPoint(part->GetPoint(i));
+  }
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < part->GetNumberOfPolys(); ++t)
+  {
+    part->GetPolys()->GetCellAtId(t, ids);
+    polygons->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
+    for (const vtkIdType id : *ids)
+    {
+      polygons->InsertCellPoint(first + id);
+    }
+  }
+}
+
+} // namespace
+
+bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, double tolerance)
+{
+  vtkNew<vtkIdList> ids;
+  if (hold->GetNumberOfLines() > 0)
+  {
+    hold->GetLines()->GetCellAtId(0, ids);
+  }
+  std::vector<double> along, heights;
+  Point last{};
+  for (const vtkIdType id : *ids)
+  {
+    const Point p = placeOf(hold, id);
+    const double step = along.empty() ? 0.0 : std::hypot(p[0] - last[0], p[1] - last[1], p[2] - last[2]);
+    along.push_back(along.empty() ? 0.0 : along.back() + step);
+    heights.push_back(p[static_cast<std::size_t>(plane.axis)] - plane.offset);
+    last = p;
+  }
+  bool above = false, below = false;
+  for (std::size_t i = 0; i < along.size(); ++i)
+  {
+    const bool rests = along[i] < endShare * along.back() || along[i] > (1.0 - endShare) * along.back();
+    above = above || (!rests && heights[i] > tolerance);
+    below = below || (!rests && heights[i] < -tolerance);
+  }
+  return !along.empty() && above == below;
+}
+
+std::string otherSide(const Point& point, const MirrorPlane& plane)
+{
+  const auto axis = static_cast<std::size_t>(plane.axis);
+  std::ostringstream text;
+  text << "xyz"[axis] << (point[axis] < plane.offset ? " > " : " < ") << plane.offset;
+  return text.str();
+}
+
+vtkSmartPointer<vtkPolyData> joined(vtkPolyData* mesh, vtkPolyData* first, vtkPolyData* second)
+{
+  if (!sameCells(mesh, first) || !sameCells(mesh, second))
+  {
+    return nullptr;
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(first);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(first->GetPoints()->GetDataType());
+  points->DeepCopy(first->GetPoints());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const Point before = placeOf(mesh, i), moved = placeOf(second, i);
+    if (moved != before && placeOf(first, i) != before)
+    {
+      return nullptr;
+    }
+    if (moved != before)
+    {
+      points->SetPoint(i, moved.data());
+    }
+  }
+  result->SetPoints(points);
+  vtkDataArray *old = mesh->GetPointData()->GetNormals(), *turned = second->GetPointData()->GetNormals();
+  if (old && turned && first->GetPointData()->GetNormals())
+  {
+    auto normals = vtkSmartPointer<vtkDataArray>::Take(first->GetPointData()->GetNormals()->NewInstance());
+    normals->DeepCopy(first->GetPointData()->GetNormals());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      Point before, after;
+      old->GetTuple(i, before.data());
+      turned->GetTuple(i, after.data());
+      if (after != before)
+      {
+        normals->SetTuple(i, after.data());
+      }
+    }
+    result->GetPointData()->SetNormals(normals);
+  }
+  return result;
+}
+
+std::shared_ptr<const Details> joined(vtkPolyData* made, const Side& first, const Side& second)
+{
+  auto details = std::make_shared<Details>();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  append(first.details->region, points, polygons);
+  append(second.details->region, points, polygons);
+  details->region = vtkSmartPointer<vtkPolyData>::New();
+  details->region->SetPoints(points);
+  details->region->SetPolys(polygons);
+  if (!first.details->following || !second.details->following)
+  {
+    return details;
+  }
+  std::map<Point, Move> moves;
+  gather(first, moves);
+  gather(second, moves);
+  auto following = std::make_shared<Following>();
+  following->count = made->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < following->count; ++i)
+  {
+    const auto move = moves.find(placeOf(made, i));
+    if (move != moves.end())
+    {
+      following->points.push_back(i);
+      following->moves.push_back(move->second);
+    }
+  }
+  details->following = following;
+  return details;
+}
+
+} // namespace oversketch_session

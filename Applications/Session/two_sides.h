@@ -1,0 +1,36 @@
+// What a step does on two sides of a plane, put together.
+#ifndef oversketch_two_sides_h
+#define oversketch_two_sides_h
+
+#include "outcome.h"
+
+#include <memory>
+#include <string>
+
+namespace oversketch_session
+{
+
+// True of a line, where a step took hold, that is its own mirror image as far as one can mean it: without a
+// tenth of its length at either end, which rests on the body, it has points on both sides of the plane, or
+// none beside it. Nearer than the tolerance [length] is in the plane.
+bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, double tolerance);
+
+// The mesh with its points where either of two results has moved them; other arrays are those of the first,
+// but normals. Null where both moved a point, or their triangles are not those of the mesh.
+vtkSmartPointer<vtkPolyData> joined(vtkPolyData* mesh, vtkPolyData* first, vtkPolyData* second);
+
+// The side of a plane that a point does not lie on: "x < 0".
+std::string otherSide(const Point& point, const MirrorPlane& plane);
+
+// What was made on one side: a mesh with all its points, those of the other side in any place.
+struct Side
+{
+  vtkSmartPointer<vtkPolyData> mesh;
+  std::shared_ptr<const Details> details;
+};
+// The details of what both made: points follow the side that put them where they are. Without a following
+// where a side has none.
+std::shared_ptr<const Details> joined(vtkPolyData* made, const Side& first, const Side& second);
+
+} // namespace oversketch_session
+#endif
