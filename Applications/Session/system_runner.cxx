@@ -282,7 +282,12 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
     }
     if (!two.failure.empty())
     {
-      outcome.failure = "mirrored to " + otherSide(one.section->middle, plane) + ": " + two.failure;
+      outcome.failure = mirroredTo(one.section, plane) + ": " + two.failure;
+      return true;
+    }
+    if (isSamePlace(one.section, two.section, plane))
+    {
+      outcome = one;
       return true;
     }
     sides->inImage = two.mesh;

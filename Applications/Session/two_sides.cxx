@@ -28,6 +28,11 @@ Point placeOf(vtkPolyData* mesh, vtkIdType i)
   return place;
 }
 
+bool isBelow(const Section& section, const MirrorPlane& plane)
+{
+  return section.middle[static_cast<std::size_t>(plane.axis)] < plane.offset;
+}
+
 using Move = std::array<float, 9>;
 
 // Adds how a side's points follow, by where they are.
@@ -88,11 +93,21 @@ bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, double tolerance)
   return !along.empty() && above == below;
 }
 
-std::string otherSide(const Point& point, const MirrorPlane& plane)
+bool isSamePlace(const std::optional<Section>& drawn,
+  const std::optional<Section>& inMirror,
+  const MirrorPlane& plane)
 {
-  const auto axis = static_cast<std::size_t>(plane.axis);
+  return drawn && inMirror && isBelow(*drawn, plane) != isBelow(*inMirror, plane);
+}
+
+std::string mirroredTo(const std::optional<Section>& drawn, const MirrorPlane& plane)
+{
   std::ostringstream text;
-  text << "xyz"[axis] << (point[axis] < plane.offset ? " > " : " < ") << plane.offset;
+  text << "mirrored " << (drawn ? "to " : "at ") << "xyz"[plane.axis]
+       << (!drawn                    ? " = "
+            : isBelow(*drawn, plane) ? " > "
+                                     : " < ")
+       << plane.offset;
   return text.str();
 }
 

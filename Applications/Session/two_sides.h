@@ -5,6 +5,7 @@
 #include "outcome.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace oversketch_session
@@ -19,8 +20,14 @@ bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, double tolerance);
 // but normals. Null where both moved a point, or their triangles are not those of the mesh.
 vtkSmartPointer<vtkPolyData> joined(vtkPolyData* mesh, vtkPolyData* first, vtkPolyData* second);
 
-// The side of a plane that a point does not lie on: "x < 0".
-std::string otherSide(const Point& point, const MirrorPlane& plane);
+// True where the run in the mirror took hold on the side that the stroke was drawn on, seen in the mirror on
+// the other one: of the very place again, such as of a limb beside the plane that is seen along its axis.
+bool isSamePlace(const std::optional<Section>& drawn,
+  const std::optional<Section>& inMirror,
+  const MirrorPlane& plane);
+
+// "mirrored to x < 0", of what was drawn on the other side.
+std::string mirroredTo(const std::optional<Section>& drawn, const MirrorPlane& plane);
 
 // What was made on one side: a mesh with all its points, those of the other side in any place.
 struct Side
