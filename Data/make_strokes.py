@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the strokes: Data/Strokes/<model>_<what>.vtp, two for each model of Data/Models.
+"""Makes the strokes: Data/Strokes/<model>_<what>.vtp, two for each model of Data/Models but the bear.
 
     make_strokes.py [--only NAME] [--to FOLDER]
 

@@ -17,7 +17,8 @@ import make_models  # noqa: E402
 import make_strokes  # noqa: E402
 import remesh  # noqa: E402
 
-MODELS = ["dinosaur", "dog", "hand", "octopus", "person"]
+DRAWN = ["dinosaur", "dog", "hand", "octopus", "person"]  # those with strokes
+MODELS = ["bear", *DRAWN]
 
 
 def read(reader, *path):
@@ -65,7 +66,7 @@ def test_what_is_shipped():
     assert sorted(figures.FIGURES) == MODELS
     assert sorted(os.listdir(os.path.join(HERE, "Models"))) == [name + ".ply" for name in MODELS]
     assert sorted(os.listdir(os.path.join(HERE, "Strokes"))) == sorted(name + ".vtp" for name in make_strokes.STROKES)
-    for name in MODELS:
+    for name in DRAWN:
         assert sum(stroke_name.startswith(name + "_") for stroke_name in make_strokes.STROKES) >= 2
     assert sum(view[0].angle is not None for view in make_strokes.STROKES.values()) >= 3
     size = sum(os.path.getsize(os.path.join(folder, file)) for folder, _, files in os.walk(HERE) for file in files)
@@ -77,7 +78,7 @@ def test_model(name):
     mesh = model(name)
     assert_sound(mesh)
     points, triangles = arrays(mesh)
-    assert 12000 <= len(triangles) <= 30000
+    assert (12000 if name in DRAWN else 8000) <= len(triangles) <= 30000
     angle = remesh.minimum_angles(points, triangles)
     assert angle.mean() >= 50.0 and angle.min() >= 25.0
     length = np.linalg.norm(points[triangles] - points[triangles[:, [1, 2, 0]]], axis=2).ravel()
@@ -87,6 +88,21 @@ def test_model(name):
     value, slope = figures.FIGURES[name][0]().gradient(points)
     away = np.abs(value) / np.linalg.norm(slope, axis=1)
     assert np.percentile(away, 98) < 1e-5 and away.max() < 0.1 * length.mean()
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_partners(name):
+    """Of the symmetric models every point and every triangle has a partner about x = 0; of the others next to none."""
+    points, triangles = arrays(model(name))
+    number = {place: i for i, place in enumerate(map(tuple, points))}
+    partner = np.array([number.get((0.0 - x, y, z), -1) for x, y, z in points])
+    assert (name in figures.SYMMETRIC) == (partner >= 0).all()
+    if name not in figures.SYMMETRIC:
+        assert (partner >= 0).mean() < 0.01
+        return
+    there = {frozenset(t) for t in triangles.tolist()}
+    assert all(frozenset(t) in there for t in partner[triangles].tolist())
+    assert np.array_equal(partner[partner], np.arange(len(points)))
 
 
 @pytest.mark.parametrize("name", sorted(make_strokes.STROKES))

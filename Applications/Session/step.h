@@ -36,8 +36,7 @@ struct StepOutput
 
 using Input = std::variant<Lines, Image, StepOutput>;
 
-// The plane where one coordinate has one value; a step acts on both sides of it (Filters/Deform,
-// vtkOversketchMirror).
+// The plane where one coordinate has one value; a step acts on both sides of it (SystemRunner::run).
 struct MirrorPlane
 {
   int axis = 0; // 0, 1, 2: x, y, z
@@ -50,7 +49,7 @@ struct Step
   std::string system;                  // "OneStroke"; see systems.h
   Values values;                       // where they are not the system's defaults
   std::map<std::string, Input> inputs; // by their names in systems.h; the mesh comes from the step before
-  std::optional<MirrorPlane> mirror;   // only of systems whose points keep their ids
+  std::optional<MirrorPlane> mirror;   // only of systems whose points can keep their ids
 };
 
 // The lines of an input, for a pipeline; null where it holds none.

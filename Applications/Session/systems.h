@@ -69,8 +69,9 @@ struct SystemRow
   vtkSmartPointer<vtkOversketchSystem> (*make)() = nullptr;
   std::vector<SystemInput> inputs;
   std::vector<Parameter> parameters;
-  // The values with which its output's points keep their ids, in place of the step's own when it acts on both
-  // sides of a mirror plane. Null: they never do, and it cannot.
+  // The values with which its output's points keep their ids, so that a step that acts on both sides of a
+  // mirror plane can move points with their partners; where these have none its own values hold
+  // (SystemRunner::run). Null: points never keep their ids, and it cannot act on both sides.
   std::optional<Values> mirrored;
   // What else the class lets be set, each with the reason why no step holds it.
   std::map<std::string, std::string> leftOut;

@@ -62,7 +62,8 @@ void StepPanel::addPage(const SystemRow& row)
   {
     page.mirror = mirrorChoice(page.widget);
     page.mirror->setAccessibleName(tr("Acts on"));
-    page.mirror->setToolTip(tr("One side of the model, or both sides of this plane"));
+    page.mirror->setToolTip(tr("One side of the model, or both sides of this plane. Where the two are the "
+                               "same, there are no new triangles."));
     form->addRow(tr("Acts on"), page.mirror);
     connect(page.mirror, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
   }
@@ -170,10 +171,7 @@ void StepPanel::show(const Step* step)
   }
   for (const Field& field : this->Shown->fields)
   {
-    // What the mirror's plane decides is not the user's.
-    const bool decided =
-      step && step->mirror && this->Shown->row->mirrored->count(field.parameter->property) > 0;
-    field.widget->setEnabled(step && !decided);
+    field.widget->setEnabled(step != nullptr);
     if (step)
     {
       field.write(field.widget, valueOf(*step, *field.parameter));

@@ -3,7 +3,8 @@
  * @brief what a deformation did on one side of a plane, done on the other side too
  *
  * For symmetric models: a stroke on one limb moves the other one exactly alike. Not in the paper; what
- * modelling programs call symmetry.
+ * modelling programs call symmetry. Of models without partners, sessions run the stroke a second time, in the
+ * mirror (Applications/Session, SystemRunner::run).
  *
  * Input 0 (Mesh before): mesh before, vtkPolyData, symmetric about the plane wherever the deformation
  * moved it on the chosen side: every such point has a partner where the plane reflects it to, within

@@ -36,8 +36,9 @@ CAPSULES = (
 
 
 def models():
-    """(name, path, up) of every model that is here: the shipped ones, then the shared ones."""
-    found = [(path.stem, path, "+y") for path in sorted((DATA / "Models").glob("*.ply"))]
+    """(name, path, up) of every model that is here: the shipped ones with strokes, then the shared ones."""
+    drawn = {path.stem.split("_")[0] for path in (DATA / "Strokes").glob("*.vtp")}
+    found = [(path.stem, path, "+y") for path in sorted((DATA / "Models").glob("*.ply")) if path.stem in drawn]
     folder = SHARED / "meshes"
     found += [(Path(name).stem, folder / name, up) for name, up in SHARED_MODELS.items() if (folder / name).is_file()]
     return found

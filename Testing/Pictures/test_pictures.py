@@ -1,4 +1,4 @@
-"""Baseline pictures: for each shipped model the silhouette, the thickness, the region and the result of its first stroke."""
+"""Baseline pictures: for each shipped model with strokes the silhouette, the thickness, the region and the result of its first stroke."""
 import os
 import pathlib
 import sys
@@ -14,7 +14,7 @@ import compare  # noqa: E402
 import scenes  # noqa: E402
 
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
-MODELS = sorted(p.stem for p in (SOURCE / "Data" / "Models").glob("*.ply"))
+MODELS = sorted({p.stem.split("_")[0] for p in (SOURCE / "Data" / "Strokes").glob("*.vtp")})
 
 
 def first_stroke(model):

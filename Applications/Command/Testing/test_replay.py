@@ -118,6 +118,39 @@ def test_both_sides_of_a_mirror_plane(made):
         assert lower[partner] and numpy.array_equal(after[partner], after[i] * flip)
 
 
+def shipped(model, name):
+    ply, vtp = vtkPLYReader(), vtkXMLPolyDataReader()
+    ply.SetFileName(str(SOURCE / "Data" / "Models" / f"{model}.ply"))
+    vtp.SetFileName(str(SOURCE / "Data" / "Strokes" / f"{model}_{name}.vtp"))
+    for reader in (ply, vtp):
+        reader.Update()
+    return ply.GetOutput(), vtp.GetOutput()
+
+
+def test_both_sides_of_a_model_whose_points_have_no_partners(tmp_path):
+    """One arm is drawn longer and the other one gets as long, with new triangles on both; the trunk stays."""
+    mesh, drawn = shipped("person", "longer_arm")
+    for name, mirror in (("one", None), ("both", {"axis": 0, "offset": 0.0})):
+        strokes = [dict(NODE, name="arm", stroke="strokes/0.vtp", remesh="on", **({"mirror": mirror} if mirror else {}))]
+        path = session(tmp_path / f"{name}.oversketch", mesh, [drawn], strokes=strokes)
+        done = run("replay", path, "-o", tmp_path / f"{name}.vtp")
+        assert done.returncode == 0 and "did nothing" not in done.stderr, done.stderr
+    before, one, both = (vtk_to_numpy(m.GetPoints().GetData()) for m in (mesh, read(tmp_path / "one.vtp"), read(tmp_path / "both.vtp")))
+    assert one[:, 0].max() > before[:, 0].max() + 0.2 and one[:, 0].min() == before[:, 0].min()
+    assert both[:, 0].max() == one[:, 0].max() and abs(both[:, 0].min() + both[:, 0].max()) < 1e-3
+    assert len(both) > len(one) > len(before)
+    trunk = {tuple(p) for p in before[abs(before[:, 0]) < 0.2].tolist()}
+    assert trunk <= {tuple(p) for p in both.tolist()}
+
+
+def test_a_failure_on_the_other_side_names_it(tmp_path):
+    mesh, drawn = shipped("hand", "bent_thumb")
+    strokes = [dict(NODE, name="thumb", stroke="strokes/0.vtp", mirror={"axis": 2, "offset": 4.5})]  # behind the eye
+    done = run("replay", session(tmp_path / "s.oversketch", mesh, [drawn], strokes=strokes), "-o", tmp_path / "out.vtp")
+    assert done.returncode == 0 and "'thumb' did nothing: mirrored to z > 4.5: No visible" in done.stderr, done.stderr
+    assert same(read(tmp_path / "out.vtp"), mesh)
+
+
 @pytest.mark.parametrize("arguments", [["replay"], ["replay", "s"], ["replay", "s", "t", "-o", "o.vtp"],
                                        ["replay", "s", "-o", "o.doc"], ["replay", "s", "-o", "o.vtp", "--remesh", "off"]])
 def test_bad_use(arguments):

@@ -118,7 +118,7 @@ TEST(Session, BothSidesOfAMirrorFollowAHand)
   session.nodes = { changed(nodeOf(toStroke(bulge, view), "bulge"),
     [](Step& step)
     {
-      step.values.clear(); // a mirrored step is not remeshed, whatever it says
+      step.values.clear(); // where points have partners a step is not remeshed, whatever it says
       step.mirror = MirrorPlane{ 0, 0.0 };
     }) };
   Evaluator evaluator;

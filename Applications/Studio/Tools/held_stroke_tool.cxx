@@ -99,7 +99,9 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
   label->setBuddy(this->Mirror);
   this->Mirror->setObjectName("mirror");
   this->Mirror->setAccessibleName(tr("New strokes act on"));
-  this->Mirror->setToolTip(tr("Strokes act on one side of the model, or on both sides of this plane"));
+  this->Mirror->setToolTip(
+    tr("Strokes act on one side of the model, or on both sides of this plane, whether the two "
+       "are the same or not; a stroke over the plane itself acts once"));
   auto* row = new QHBoxLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
   row->addWidget(label);
