@@ -14,7 +14,9 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace oversketch_session
 {
@@ -22,9 +24,9 @@ namespace oversketch_session
 namespace
 {
 
-// Of a step with a mirror plane: what is done when it is known whether points have partners, and when the
-// side that was drawn on is done.
-constexpr double oneSide = 0.5, twoSides = 0.6;
+// Of a step with a mirror plane: what is done when it is known whether points have partners, when the side
+// that was drawn on is done, and when the other one is found to need another run.
+constexpr double oneSide = 0.5, twoSides = 0.6, lastSide = 0.8;
 
 double between(const Point& a, const Point& b)
 {
@@ -114,6 +116,21 @@ oversketch::StepRunner::Listener listenerOf(vtkOversketchSystem* system,
   return made;
 }
 
+// The same, but warnings are kept.
+Listener heard(Listener listener, std::vector<std::string>& said)
+{
+  listener.warning = [&said](const std::string& message) { said.push_back(message); };
+  return listener;
+}
+
+void say(const std::vector<std::string>& said, const std::string& whose, const Listener& listener)
+{
+  for (std::size_t i = 0; i < said.size() && listener.warning; ++i)
+  {
+    listener.warning(whose + said[i]);
+  }
+}
+
 } // namespace
 
 struct SystemRunner::TwoSides
@@ -170,20 +187,30 @@ bool SystemRunner::run(const Step& step,
   Values kept = *this->Row.mirrored;
   kept.insert(step.values.begin(), step.values.end());
   Outcome made = outcome;
-  if (!this->runOnce(task, kept, 0.0, oneSide, made))
+  std::vector<std::string> said;
+  const Listener trial = heard(listener, said);
+  if (!this->runOnce({ step, inputs, backend, ports, trial }, kept, 0.0, oneSide, made))
   {
     return false;
   }
+  const std::string remark = this->System->GetRemark();
+  bool follows = false;
   try
   {
-    if (made.failure.empty() && !this->followPartners(task, made))
-    {
-      return this->runTwice(task, outcome);
-    }
+    follows = made.failure.empty() && this->followPartners(task, made);
   }
   catch (const oversketch::Error&)
   {
     return false;
+  }
+  if (!follows)
+  {
+    said.erase(std::remove(said.begin(), said.end(), remark), said.end()); // of what is not the result
+  }
+  say(said, "", listener);
+  if (!follows)
+  {
+    return this->runTwice(task, outcome);
   }
   outcome = made;
   return true;
@@ -268,21 +295,31 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
   auto sides = std::make_unique<TwoSides>();
   sides->first = one.mesh;
   vtkSmartPointer<vtkPolyData> made;
+  std::vector<std::string> said;
+  const std::string whose = mirroredTo(one.section, plane) + ": ";
   for (vtkPolyData* under : { before, one.mesh.Get() })
   {
     if (made || (under == before && !sameCells(before, one.mesh)))
     {
       continue;
     }
+    said.clear();
+    Listener listener = heard(task.listener, said);
+    if (listener.progress)
+    {
+      const double from = under == before ? twoSides : lastSide, to = under == before ? lastSide : 1.0;
+      listener.progress = [&task, from, to](const std::string& stage, double share)
+      { task.listener.progress(stage, from + share * (to - from)); };
+    }
     sides->image = std::make_unique<MirrorImage>(under, plane);
     Outcome two;
-    if (!this->runImage(task, *sides->image, two))
+    if (!this->runImage({ task.step, task.inputs, task.backend, task.ports, listener }, *sides->image, two))
     {
       return false;
     }
     if (!two.failure.empty())
     {
-      outcome.failure = mirroredTo(one.section, plane) + ": " + two.failure;
+      outcome.failure = whose + two.failure;
       return true;
     }
     if (isSamePlace(one.section, two.section, plane))
@@ -294,6 +331,7 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
     sides->second = sides->image->back(two.mesh);
     made = under == before ? joined(before, one.mesh, sides->second) : sides->second;
   }
+  say(said, whose, task.listener);
   outcome = one;
   outcome.mesh = made;
   this->Sides = std::move(sides);
@@ -322,15 +360,9 @@ bool SystemRunner::runImage(const Task& task, const MirrorImage& image, Outcome&
       given->second = MirrorImage(data, *task.step.mirror).get();
     }
   }
-  Listener listener = task.listener;
-  if (task.listener.progress)
-  {
-    listener.progress = [&](const std::string& stage, double share)
-    { task.listener.progress(stage, twoSides + share * (1.0 - twoSides)); };
-  }
   Step step = task.step;
   step.mirror.reset();
-  return this->Image->run(step, inputs, task.backend, {}, listener, outcome);
+  return this->Image->run(step, inputs, task.backend, {}, task.listener, outcome);
 }
 
 std::shared_ptr<const Details> SystemRunner::details(vtkPolyData* made,

@@ -41,19 +41,19 @@ public:
   // is the one that came. False when cancelled: nothing is filled in.
   //
   // A step with a mirror plane runs with the values that keep points' ids (SystemRow::mirrored), and points
-  // on the other side follow their partners (vtkOversketchMirror). Where a point that moved has none, the
-  // step runs with its own values, and once more on the other side, as if its strokes had been drawn in the
-  // mirror. That run works on the mesh's mirror image with what the step is given as it is, and what comes
-  // of it is mirrored back: the same thing, but strokes, their views and pictures over them need not be
-  // turned round, and the two sides do not differ by what has a handedness inside (the rays' spiral, the
-  // direction of curves).
+  // on the other side follow their partners (vtkOversketchMirror). Where a point that moved has none, or that
+  // run fails, the step runs with its own values, and once more on the other side, as if its strokes had been
+  // drawn in the mirror. That run works on the mesh's mirror image with what the step is given as it is, and
+  // what comes of it is mirrored back: the same thing, but strokes, their views and pictures over them need
+  // not be turned round, and the two sides do not differ by what has a handedness inside (the rays' spiral,
+  // the direction of curves).
   // - Where the system moved points alone, and none on both sides, both runs start from the mesh that came:
   //   the one does not see what the other did, and sides that are alike come out alike. Else the other side
   //   is run on what the first one made, where its stroke then ends up as it was drawn.
   // - A stroke over the plane itself acts once (liesAcross, two_sides.h), and so does one that in the mirror
   //   takes hold of the same place (isSamePlace).
-  // - The place and the ports are those of the side that was drawn on. A failure of the other one, which its
-  //   message names, is the step's.
+  // - The place and the ports are those of the side that was drawn on. A failure of the other one is the
+  //   step's; its message, as a warning's, begins with that side ("mirrored to x < 0: ").
   bool run(const Step& step,
     const Data& inputs,
     int backend,
@@ -87,7 +87,7 @@ private:
   // Of the side that was drawn on alone, with those values. False when cancelled, as the others.
   bool runOnce(const Task& task, const Values& values, double from, double to, Outcome& outcome);
   bool runTwice(const Task& task, Outcome& outcome);
-  // What the step makes of the mesh's image in the mirror, with the reason in words where it fails.
+  // Of the mesh's image in the mirror.
   bool runImage(const Task& task, const MirrorImage& image, Outcome& outcome);
   // Gives the outcome's mesh the other side by points' partners; false where they have none.
   bool followPartners(const Task& task, Outcome& outcome);

@@ -395,3 +395,34 @@ TEST(Mirror, ProgressOnlyGrowsAndACancelOnTheOtherSideIsHeard)
     EXPECT_EQ(stopped.outcome.failure, "");
   }
 }
+
+TEST(Mirror, WarningsAreSaidOnceForEachSide)
+{
+  const auto bear = shippedModel("bear");
+  // A comb's teeth, which the arm cannot follow.
+  std::vector<Vector3> comb{ { 0.42, 1.03, 0.0 } };
+  for (int i = 0; i < 9; ++i)
+  {
+    comb.emplace_back(1.0 + 0.3 * (i % 2), 0.98 - 0.04 * i, 0.06);
+  }
+  comb.emplace_back(0.42, 0.79, 0.0);
+  const auto stroke = drawn(comb, orthographicView({ 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 }, 150.0));
+  std::vector<std::string> said;
+  Listener listener;
+  listener.warning = [&](const std::string& message) { said.push_back(message); };
+  const Mirrored partners(bear, stroke, { 0, 0.0 }, off, true, listener);
+  ASSERT_EQ(partners.outcome.failure, "");
+  ASSERT_EQ(said.size(), 1u);
+  const std::string remark = said[0];
+  said.clear();
+  const Mirrored runs(bear, stroke, { 0, 0.0 }, off, false, listener);
+  EXPECT_EQ(said, (std::vector<std::string>{ remark, "mirrored to x < 0: " + remark }));
+  said.clear();
+  vtkNew<vtkPolyData> crooked; // in one point, which moves
+  crooked->DeepCopy(bear);
+  const vtkIdType tip = crooked->FindPoint(0.95, 0.74, 0.07);
+  crooked->GetPoints()->SetPoint(tip, Vector3(at(bear, tip) + Vector3(0.002, 0.001, 0.0)).data());
+  const Mirrored tried(crooked, stroke, { 0, 0.0 }, off, true, listener);
+  ASSERT_EQ(tried.outcome.failure, "");
+  EXPECT_EQ(said.size(), 2u) << "what was only tried is not spoken of";
+}
