@@ -162,7 +162,7 @@ def arc(x, y, length, width, lean=0.0, count=40):
 # On the dog as it opens.
 TAIL = arc(193, 225, 120, 17, lean=8)
 HEAD = [(538 + 3 * i, 167 - 30 * math.sin(math.pi * i / 20)) for i in range(21)]
-NOSE = [(683 + 38 * math.sin(math.pi * i / 20), 213 + 2.6 * i) for i in range(21)]
+NOSE = [(683 + 38 * math.sin(math.pi * i / 20), 230 + 2.0 * i) for i in range(21)]
 
 
 @pytest.fixture

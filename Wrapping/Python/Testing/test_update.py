@@ -109,6 +109,15 @@ def test_a_cancelled_run_raises_and_the_next_one_is_whole():
     assert numpy.array_equal(points(oversketch.update(filter)), points(oversketch.update(system())))
 
 
+def test_a_result_that_is_not_as_drawn_is_warned_of():
+    filter = system()
+    filter.SetCandidate(2)  # another leg, which this stroke folds over
+    with pytest.warns(RuntimeWarning) as told:
+        oversketch.update(filter)
+    assert [str(one.message) for one in told] == ["vtkOversketchOneStroke: " + filter.GetRemark()]
+    assert "The result is not as drawn: " in filter.GetRemark()
+
+
 def test_no_observer_stays():
     filter = system(vtkSphereSource())
     refuse(filter)

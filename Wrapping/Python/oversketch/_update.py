@@ -1,7 +1,8 @@
-"""update(filter): a pipeline's errors as an exception."""
+"""update(filter): a pipeline's errors as an exception, its warnings as Python's."""
 from __future__ import annotations
 
 import re
+import warnings
 from typing import Any, List
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -25,10 +26,12 @@ class FilterError(RuntimeError):
 def update(filter: vtkAlgorithm, port: int = 0) -> Any:
     """Updates the filter and what it depends on, and returns its output of that port.
 
-    Raises FilterError with the messages of whatever failed, in this filter or above it, which are then not printed. What
-    failed or was cancelled in an earlier run is tried again (VTK's own Update would return its empty output and say nothing).
+    Raises FilterError with the messages of whatever failed, in this filter or above it, which are then not printed. What they
+    warn of, that a result is not as drawn among it, is given to warnings.warn, each text once. What failed or was cancelled in
+    an earlier run is tried again (VTK's own Update would return its empty output and say nothing).
     """
     messages: List[str] = []
+    doubts: List[str] = []
     complaints: List[str] = []  # the executives': that an algorithm failed, not why
 
     def listen(to: List[str]) -> Any:
@@ -42,8 +45,10 @@ def update(filter: vtkAlgorithm, port: int = 0) -> Any:
     pipeline = _upstream(filter)
     try:
         for algorithm in pipeline:
-            for what, to in ((algorithm, messages), (algorithm.GetExecutive(), complaints)):
-                observed.append((what, what.AddObserver("ErrorEvent", listen(to))))
+            executive = algorithm.GetExecutive()
+            for what, event, to in ((algorithm, "ErrorEvent", messages), (executive, "ErrorEvent", complaints),
+                                    (algorithm, "WarningEvent", doubts)):
+                observed.append((what, what.AddObserver(event, listen(to))))
             if algorithm.GetErrorCode():
                 algorithm.Modified()
         filter.Update(port)
@@ -55,6 +60,8 @@ def update(filter: vtkAlgorithm, port: int = 0) -> Any:
         messages = [f"{filter.GetClassName()}: cancelled or stopped, error code {code}"]
     if messages or complaints:
         raise FilterError(messages or complaints, code)
+    for doubt in dict.fromkeys(doubts):
+        warnings.warn(doubt, RuntimeWarning, stacklevel=2)
     return filter.GetOutputDataObject(port)
 
 
@@ -73,6 +80,7 @@ def _upstream(filter: vtkAlgorithm) -> List[vtkAlgorithm]:
 
 
 def _plain(text: str, name: str) -> str:
-    """"ERROR: In FILE, line N\\nCLASS (0x...): message" as "CLASS: message", without the request that an executive appends."""
-    found = re.match(r"ERROR: In .*?, line \d+\s+(\w+) \(\w+\): (.*?)(?: for request: vtkInformation.*)?$", text, re.S)
+    """"ERROR: In FILE, line N\\nCLASS (0x...): message", or "Warning: ...", as "CLASS: message", without the request that an
+    executive appends."""
+    found = re.match(r"(?:ERROR|Warning): In .*?, line \d+\s+(\w+) \(\w+\): (.*?)(?: for request: vtkInformation.*)?$", text, re.S)
     return f"{found.group(1)}: {found.group(2).strip()}" if found else f"{name}: {text.strip()}"
