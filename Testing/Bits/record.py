@@ -1,6 +1,7 @@
 """Records what Testing/Bits/test_bits.py compares with.
 
-    record.py [--group NAME]   digests of what the build makes on this platform (some ten minutes)
+    record.py [--group NAME]   digests of what the build makes on this platform (some minutes)
+    record.py --anew           the same after what is made has changed: figures, too, and those of other platforms are dropped
     record.py --strokes        strokes.vtp: some of the strokes that the acceptance run draws, spread over its models
 
 With PYTHONPATH and OVERSKETCH_COMMAND naming a build, as ctest does: a build of the sources whose bits are to be kept, not
@@ -48,7 +49,7 @@ def choose() -> None:
     print(names.GetNumberOfValues(), "strokes:", *(names.GetValue(k) for k in range(names.GetNumberOfValues())))
 
 
-def record(arguments: List[str]) -> int:
+def record(arguments: List[str], anew: bool) -> int:
     rows: Dict[str, Dict[str, bits.Row]] = {}
     for backend in bits.BACKENDS:
         runs = [bits.Process(backend, 1, "--all", *arguments), bits.Process(backend, 2, "--all", "--cold", *arguments)]
@@ -60,6 +61,8 @@ def record(arguments: List[str]) -> int:
             return 1
         rows[backend] = one
     recorded, platform = Recorded(), bits.platform()
+    if anew:
+        recorded.figures, recorded.platforms = {}, []
     known = recorded.on(platform)
     if known is None:
         known = {}
@@ -76,12 +79,14 @@ def record(arguments: List[str]) -> int:
 def main() -> int:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--strokes", action="store_true")
-    arguments.add_argument("--group", choices=bits.GROUPS)
+    what = arguments.add_mutually_exclusive_group()
+    what.add_argument("--group", choices=bits.GROUPS)
+    what.add_argument("--anew", action="store_true")
     options = arguments.parse_args()
     if options.strokes:
         choose()
         return 0
-    return record(["--group", options.group] if options.group else [])
+    return record(["--group", options.group] if options.group else [], options.anew)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,103 @@
+"""The same drawing on the same shape gives the same result: points and triangles in another order, an unrelated second part
+beside the model, the model and its view a million times as large.
+
+Exact it cannot be: sums are taken in another order, and what is tied is decided by the first one met. Remeshing is off; figures
+are shares of the model's bounding diagonal.
+"""
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from oversketch import vtkOversketchOneStroke
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import meshes  # noqa: E402
+
+STROKES = meshes.DATA / "Strokes"
+NAMES = sorted(path.stem for path in STROKES.glob("*.vtp"))
+NEAR = 1e-4  # of the size
+TIES = {"person_thicker_leg": 3e-4}  # where rounding decides a tie of the region's border, and the size after that
+
+
+def mesh_of(points, triangles):
+    mesh, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points, np.float64), deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(triangles, np.int64).ravel(), deep=True))
+    mesh.SetPoints(places)
+    mesh.SetPolys(cells)
+    return mesh
+
+
+def stroke_of(name, scale=1.0):
+    """The shipped stroke; of a scaled model its view moves away as far as the model grows."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(STROKES / f"{name}.vtp"))
+    reader.Update()
+    stroke = reader.GetOutput()
+    view = vtk_to_numpy(stroke.GetCellData().GetArray("ViewTransform")).reshape(4, 4)
+    view[:3, 3] *= scale
+    projection = vtk_to_numpy(stroke.GetCellData().GetArray("ProjectionTransform")).reshape(4, 4)
+    if projection[3, 3] == 0:  # perspective
+        projection[2, 3] *= scale
+    else:
+        projection[:3, :3] /= scale
+    return stroke
+
+
+def drawn(points, triangles, stroke):
+    one = vtkOversketchOneStroke()
+    one.SetBackendToHost()
+    one.SetRemeshToOff()
+    one.SetInputData(0, mesh_of(points, triangles))
+    one.SetStrokeData(stroke)
+    one.Update()
+    assert one.GetErrorCode() == 0
+    return vtk_to_numpy(one.GetOutput().GetPoints().GetData()).astype(float)
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def case(request):
+    points, triangles = meshes.arrays(meshes.read(meshes.DATA / "Models" / f"{request.param.split('_')[0]}.ply"))
+    points = points.astype(float)
+    return request.param, points, triangles, drawn(points, triangles, stroke_of(request.param))
+
+
+def apart(one, other, points):
+    return float(np.abs(one - other).max() / np.linalg.norm(np.ptp(points, axis=0)))
+
+
+def test_another_order_of_points_and_triangles(case):
+    name, points, triangles, expected = case
+    random = np.random.default_rng(7)
+    to = random.permutation(len(points))  # new number of each point
+    mixed = np.empty_like(points)
+    mixed[to] = points
+    turned = np.array([np.roll(t, k) for t, k in zip(to[triangles], random.integers(0, 3, len(triangles)))])
+    result = drawn(mixed, random.permutation(turned), stroke_of(name))
+    print(name, apart(result[to], expected, points))
+    assert apart(result[to], expected, points) <= NEAR
+
+
+def test_a_second_part_beside_it(case):
+    name, points, triangles, expected = case
+    size = np.linalg.norm(np.ptp(points, axis=0))
+    behind = points.mean(0) + 0.02 * (points - points.mean(0)) + np.array([0.0, 3.0 * size, 0.0])
+    result = drawn(np.vstack([points, behind]), np.vstack([triangles, triangles + len(points)]), stroke_of(name))
+    print(name, apart(result[:len(points)], expected, points))
+    assert apart(result[:len(points)], expected, points) <= NEAR
+    assert np.array_equal(result[len(points):], behind)
+
+
+@pytest.mark.parametrize("scale", [2.0 ** 20, 1e6])
+def test_a_million_times_as_large(case, scale):
+    """By a power of two nothing is rounded otherwise: the same to the bit."""
+    name, points, triangles, expected = case
+    result = drawn(scale * points, triangles, stroke_of(name, scale)) / scale
+    print(name, scale, apart(result, expected, points))
+    assert apart(result, expected, points) <= (TIES.get(name, NEAR) if scale == 1e6 else 0.0)
