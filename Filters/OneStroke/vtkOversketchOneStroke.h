@@ -161,7 +161,7 @@ public:
    * mean distance of the outline between its ends back to it [px]; folded edges that are new; by how much 99
    * of 100 edges of what moved are stretched or squeezed at most; mean angle between triangles of what moved,
    * before and after [degrees]; share of the surface that moved [0 to 1]; how far beside the stroke and its
-   * section something moved [px, 0: nothing beyond 30 px], and by how much at most [px]. Zero after a run
+   * section something moved [px, 0: nothing beyond 25 px], and by how much at most [px]. Zero after a run
    * that failed, where stretch is 1.
    */
   double GetOutlineDistance() const;

@@ -35,8 +35,8 @@ double outlineBack(const Mesh& mesh, const View& view, const Polyline& stroke, c
 
 // Fills in what the deformation alone tells: stretch, movedShare and the strays. Both meshes have the same
 // triangles; region has one byte per vertex; the section is what the stroke was matched with [px]. Stray is
-// what was moved by more than 3 px in the picture and lies, where it was or where it is, farther than
-// strayLimit from the convex hull of the stroke and the section's middle 60 %: of the rest it is not known
+// what was moved by more than 2.5 px in the picture and lies, where it was or where it is, farther than
+// strayLimit from the convex hull of the stroke and the section's middle 30 %: of the rest it is not known
 // whether it was meant. Vertices behind the eye count for nothing there.
 void measureMovement(const Mesh& before,
   const Mesh& after,

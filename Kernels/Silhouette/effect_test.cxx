@@ -107,8 +107,8 @@ TEST(StrokeEffect, WhatMovesBesideTheStrokeIsFoundWithItsDistance)
   const Mesh mesh = square();
   const std::vector<char> all(mesh.points.size(), 1);
   const Vector3 up(0, 20, 0);
-  // The top rows, down to 30 px from the stroke.
-  EXPECT_EQ(effectOf(mesh, moved(mesh, 70.0, 100.0, up), all).strayDistance, 0.0);
+  // The top rows, down to 25 px from the stroke.
+  EXPECT_EQ(effectOf(mesh, moved(mesh, 75.0, 100.0, up), all).strayDistance, 0.0);
   // Three rows more: the farthest was 60 px away and is 40 px away now.
   const StrokeEffect beside = effectOf(mesh, moved(mesh, 40.0, 100.0, up), all);
   EXPECT_NEAR(beside.strayDistance, 60.0, 1e-9);
@@ -119,7 +119,7 @@ TEST(StrokeEffect, WhatMovesBesideTheStrokeIsFoundWithItsDistance)
   EXPECT_EQ(
     effectOf(mesh, moved(mesh, 40.0, 100.0, up), std::vector<char>(mesh.points.size(), 0)).strayDistance,
     0.0);
-  EXPECT_EQ(effectOf(mesh, moved(mesh, 40.0, 100.0, 0.14 * up), all).strayDistance, 0.0);
+  EXPECT_EQ(effectOf(mesh, moved(mesh, 40.0, 100.0, 0.12 * up), all).strayDistance, 0.0);
 }
 
 TEST(StrokeEffect, StretchAndShareAreThoseOfTheRegion)
