@@ -40,6 +40,7 @@ struct Outcome
   // The output ports but 0 that later steps of the session refer to.
   std::map<int, vtkSmartPointer<vtkDataObject>> outputs;
   std::string failure; // why it did nothing; empty when it acted or is off
+  std::string remark;  // what is to be said of the result, see vtkOversketchSystem::GetRemark
   // Where it took hold, with the polyline itself; absent where it did nothing, or its system takes hold of
   // nothing.
   std::optional<Section> section;

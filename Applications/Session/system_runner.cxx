@@ -244,6 +244,7 @@ bool SystemRunner::runOnce(const Task& task, const Values& values, double from, 
     outcome.section = sectionOf(hold);
     outcome.hold = shared(hold.Get());
     outcome.backendUsed = this->System->GetBackendUsed();
+    outcome.remark = this->System->GetRemark();
     for (const int port : task.ports)
     {
       outcome.outputs[port] = shared(this->System->GetOutputDataObject(port));
@@ -296,6 +297,7 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
   sides->first = one.mesh;
   vtkSmartPointer<vtkPolyData> made;
   std::vector<std::string> said;
+  std::string otherRemark;
   const std::string whose = mirroredTo(one.section, plane) + ": ";
   for (vtkPolyData* under : { before, one.mesh.Get() })
   {
@@ -327,6 +329,7 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
       outcome = one;
       return true;
     }
+    otherRemark = two.remark;
     sides->inImage = two.mesh;
     sides->second = sides->image->back(two.mesh);
     made = under == before ? joined(before, one.mesh, sides->second) : sides->second;
@@ -334,6 +337,10 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
   say(said, whose, task.listener);
   outcome = one;
   outcome.mesh = made;
+  if (!otherRemark.empty())
+  {
+    outcome.remark += (one.remark.empty() ? "" : " ") + whose + otherRemark;
+  }
   this->Sides = std::move(sides);
   return true;
 }

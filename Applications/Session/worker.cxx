@@ -173,6 +173,7 @@ std::vector<Worker::NodeState> Worker::statesOf(const std::vector<Outcome>& outc
       state.following = outcome.details->following;
     }
     state.failure = outcome.failure;
+    state.remark = outcome.remark;
     state.section = outcome.section;
     state.elsewhere = outcome.elsewhere;
     if (outcome.number != 0)

@@ -26,7 +26,7 @@ public:
   // What one node did, for the history.
   struct NodeState
   {
-    std::string failure;
+    std::string failure, remark; // see Outcome
     std::optional<Section> section;
     SharedData hold; // the place itself, a polyline; null where it did nothing
     bool elsewhere = false;

@@ -12,6 +12,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace oversketch_studio
 {
 
@@ -36,7 +39,7 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   this->makeActions();
 
   auto* buttons = new QHBoxLayout;
-  for (QAction* one : this->strokeActions())
+  for (QAction* one : this->buttonActions())
   {
     auto* button = new QToolButton(this);
     button->setDefaultAction(one);
@@ -85,6 +88,11 @@ void HistoryPanel::makeActions()
   this->View = action(tr("&View"), QKeySequence(tr("Ctrl+L")), tr("Look from where this stroke was drawn"));
   this->Up = action(tr("&Up"), QKeySequence(tr("Ctrl+Up")), tr("Let it act earlier"));
   this->Down = action(tr("&Down"), QKeySequence(tr("Ctrl+Down")), tr("Let it act later"));
+  this->Next = action(tr("Ne&xt place"),
+    QKeySequence(tr("F3")),
+    tr("Let the stroke take hold of the next outline that fits it"));
+  this->Less = action(tr("Reac&h less"), QKeySequence(tr("[")), tr("Move less of the body with it"));
+  this->More = action(tr("Reach &more"), QKeySequence(tr("]")), tr("Move more of the body with it"));
   this->Remove = action(tr("De&lete"), QKeySequence::Delete, tr("Take this stroke away"));
   // In the view this key is nobody's, in a name that is edited it is the editor's.
   this->Remove->setShortcutContext(Qt::WidgetShortcut);
@@ -99,7 +107,54 @@ void HistoryPanel::makeActions()
   };
   connect(this->Up, &QAction::triggered, this, [shift] { shift(-1); });
   connect(this->Down, &QAction::triggered, this, [shift] { shift(1); });
+  connect(this->Next,
+    &QAction::triggered,
+    this,
+    [this]
+    {
+      const auto& states = this->OpenDocument->result().nodes;
+      const std::size_t row = indexOf(this->changed());
+      const bool isBeyondTheLast = row < states.size() && !states[row].failure.empty();
+      this->change("Candidate",
+        [isBeyondTheLast](const Value& value) -> Value
+        { return isBeyondTheLast ? 1 : std::get<int>(value) + 1; });
+    });
+  const auto reach = [this](double by)
+  {
+    this->change("Reach",
+      [by](const Value& value) -> Value
+      { return std::clamp(std::round(20.0 * (std::get<double>(value) + by)) / 20.0, -1.0, 1.0); });
+  };
+  connect(this->Less, &QAction::triggered, this, [reach] { reach(-0.05); });
+  connect(this->More, &QAction::triggered, this, [reach] { reach(0.05); });
   connect(this->Remove, &QAction::triggered, this, [this] { this->OpenDocument->remove(this->current()); });
+}
+
+int HistoryPanel::changed() const
+{
+  if (!this->OpenDocument->isOpen())
+  {
+    return -1;
+  }
+  const int last = static_cast<int>(this->OpenDocument->session().nodes.size()) - 1;
+  return this->current() >= 0 ? this->current() : last;
+}
+
+void HistoryPanel::change(const char* property, const std::function<Value(const Value&)>& to)
+{
+  const int row = this->changed();
+  if (row < 0)
+  {
+    return;
+  }
+  const Step& step = *this->OpenDocument->session().nodes[indexOf(row)].step;
+  const SystemRow* system = findSystem(step.system);
+  if (const Parameter* parameter = system ? findParameter(*system, property) : nullptr)
+  {
+    Values values = step.values;
+    values[property] = to(valueOf(step, *parameter));
+    this->OpenDocument->setParameters(row, values, step.mirror);
+  }
 }
 
 int HistoryPanel::current() const
@@ -127,6 +182,11 @@ void HistoryPanel::refresh()
         {
           item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
           item->setToolTip(tr("Did nothing: %1").arg(QString::fromStdString(states[i].failure)));
+        }
+        else if (!states[i].remark.empty())
+        {
+          item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
+          item->setToolTip(QString::fromStdString(states[i].remark));
         }
         else if (states[i].elsewhere)
         {
@@ -158,6 +218,12 @@ void HistoryPanel::showStep()
   this->Redraw->setEnabled(isDrawn);
   this->View->setEnabled(isDrawn);
   this->Remove->setEnabled(step);
+  const int changed = this->changed();
+  const SystemRow* other =
+    changed < 0 ? nullptr : findSystem(this->OpenDocument->session().nodes[indexOf(changed)].step->system);
+  this->Next->setEnabled(other && findParameter(*other, "Candidate"));
+  this->Less->setEnabled(other && findParameter(*other, "Reach"));
+  this->More->setEnabled(this->Less->isEnabled());
   this->Up->setEnabled(row > 0);
   this->Down->setEnabled(step && row + 1 < this->List->count());
   this->Form->show(step);

@@ -2,7 +2,11 @@
 #ifndef oversketch_studio_history_panel_h
 #define oversketch_studio_history_panel_h
 
+#include "step.h"
+
 #include <QWidget>
+
+#include <functional>
 
 class QAction;
 class QLabel;
@@ -24,10 +28,10 @@ public:
 
   // The selected step, or -1.
   int current() const;
-  // What can be done with it, for a menu.
+  // What can be done with it, for a menu; the first ones have buttons under the list, too.
   QList<QAction*> strokeActions() const
   {
-    return { this->Redraw, this->View, this->Up, this->Down, this->Remove };
+    return this->buttonActions() + QList<QAction*>{ this->Next, this->Less, this->More };
   }
 
   // Brings it up to what the document is.
@@ -42,14 +46,23 @@ signals:
 
 private:
   void makeActions();
+  QList<QAction*> buttonActions() const
+  {
+    return { this->Redraw, this->View, this->Up, this->Down, this->Remove };
+  }
   void showStep();
+  // The step that keys change: the selected one, else the last; -1 where there is none.
+  int changed() const;
+  // Gives a parameter of it another value, made of the one that it has.
+  void change(const char* property,
+    const std::function<oversketch_session::Value(const oversketch_session::Value&)>& to);
   void itemChanged(QListWidgetItem* item);
 
   Document* OpenDocument;
   QListWidget* List;
   QLabel* Empty; // says what will be listed
   StepPanel* Form;
-  QAction *Redraw, *View, *Up, *Down, *Remove;
+  QAction *Redraw, *View, *Up, *Down, *Next, *Less, *More, *Remove;
   bool Filling = false;
 };
 

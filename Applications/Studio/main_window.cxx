@@ -377,6 +377,14 @@ void MainWindow::advise()
       tr("The last stroke did nothing: %1").arg(QString::fromStdString(states.back().failure)));
     return;
   }
+  if (this->Redrawn < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on &&
+      !states.back().remark.empty())
+  {
+    this->Advice->setText(
+      tr("%1 Ctrl+Z undoes, F3 takes the next outline that fits, [ and ] move less or more of the body.")
+        .arg(QString::fromStdString(states.back().remark)));
+    return;
+  }
   Tool::Situation situation;
   situation.empty = nodes.empty();
   situation.selected = this->History->current() >= 0;

@@ -319,6 +319,54 @@ TEST(Reach, AStrokeIsChangedWithKeysAlone)
   EXPECT_TRUE(scene.document->session().nodes.empty());
 }
 
+// Another place that fits, and more or less of the body, for the selected stroke or the last one; what is not
+// as drawn is marked in its row.
+TEST(Reach, TheNextPlaceAndTheReachAreAKeyAway)
+{
+  using oversketch_session::Value;
+  Scene scene(true);
+  auto* list = scene.window.findChild<QListWidget*>("history");
+  const auto valueOf = [&](const char* property)
+  {
+    const auto& values = scene.document->session().nodes[0].step->values;
+    const auto it = values.find(property);
+    return it == values.end() ? Value() : it->second;
+  };
+  const auto press = [&](Qt::Key key, Qt::KeyboardModifier with = Qt::NoModifier)
+  {
+    QTest::keyClick(&scene.window, key, with);
+    scene.wait();
+    const auto& state = scene.document->result().nodes[0];
+    const bool isMarked = !state.failure.empty() || !state.remark.empty();
+    EXPECT_EQ(list->item(0)->icon().isNull(), !isMarked && !state.elsewhere);
+    EXPECT_TRUE(list->item(0)->toolTip().contains(
+      QString::fromStdString(state.failure.empty() ? state.remark : state.failure)));
+  };
+  list->setCurrentRow(-1); // the last stroke is meant
+  scene.view->setFocus();
+  const std::string first = scene.document->digest();
+  press(Qt::Key_BracketRight);
+  EXPECT_EQ(valueOf("Reach"), Value(0.05));
+  EXPECT_NE(scene.document->digest(), first);
+  press(Qt::Key_BracketLeft);
+  EXPECT_EQ(valueOf("Reach"), Value(0.0));
+  EXPECT_EQ(scene.document->digest(), first);
+  press(Qt::Key_BracketLeft);
+  EXPECT_EQ(valueOf("Reach"), Value(-0.05));
+  press(Qt::Key_BracketRight);
+  // Through all that fit, and from beyond the last one back to the first.
+  int places = 1;
+  do
+  {
+    press(Qt::Key_F3);
+    ASSERT_LE(++places, 30);
+    EXPECT_EQ(valueOf("Candidate"), Value(places));
+  } while (scene.document->result().nodes[0].failure.find("no number") == std::string::npos);
+  press(Qt::Key_F3);
+  EXPECT_EQ(valueOf("Candidate"), Value(1));
+  EXPECT_EQ(scene.document->digest(), first);
+}
+
 TEST(Reach, AboutNamesTheVersions)
 {
   Scene scene(false);
