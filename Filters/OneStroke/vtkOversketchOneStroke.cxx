@@ -50,6 +50,8 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       {
         return;
       }
+      inner.Match->SetCandidate(this->Candidate);
+      inner.MixtureRegion->SetReach(this->Reach);
       inner.FeedStroke(vtkPolyData::GetData(inputs[1]));
       inner.FeedMesh(mesh);
       this->RunStage("Stroke");
@@ -112,6 +114,7 @@ bool vtkOversketchOneStroke::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtk
   return this->Try(
     [&]
     {
+      this->Inner->Match->SetCandidate(this->Candidate);
       this->Inner->FeedStroke(stroke);
       this->Inner->FeedMesh(mesh);
       this->Inner->RunCurves();
@@ -224,29 +227,9 @@ void vtkOversketchOneStroke::SetAsPublished(bool published)
   }
 }
 
-void vtkOversketchOneStroke::SetCandidate(int candidate)
-{
-  this->Inner->Match->SetCandidate(candidate);
-}
-
-int vtkOversketchOneStroke::GetCandidate() const
-{
-  return this->Inner->Match->GetCandidate();
-}
-
 int vtkOversketchOneStroke::GetNumberOfCandidates() const
 {
   return this->Inner->Match->GetNumberOfCandidates();
-}
-
-void vtkOversketchOneStroke::SetReach(double reach)
-{
-  this->Inner->MixtureRegion->SetReach(reach);
-}
-
-double vtkOversketchOneStroke::GetReach() const
-{
-  return this->Inner->MixtureRegion->GetReach();
 }
 
 const char* vtkOversketchOneStroke::GetRemark()
@@ -321,8 +304,8 @@ void vtkOversketchOneStroke::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AdjustNormals: " << this->GetAdjustNormals() << "\n";
   os << indent << "CorrectOutline: " << this->CorrectOutline << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
-  os << indent << "Candidate: " << this->GetCandidate() << "\n";
-  os << indent << "Reach: " << this->GetReach() << "\n";
+  os << indent << "Candidate: " << this->Candidate << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "AllowTorn: " << this->AllowTorn << "\n";
   os << indent << "Remark: " << this->GetRemark() << "\n";
   os << indent << "Remeshed: " << this->Remeshed << "\n";

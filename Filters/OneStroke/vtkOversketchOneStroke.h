@@ -130,8 +130,8 @@ public:
    * beyond the last one is refused. As published there is but one. GetNumberOfCandidates: how many there were
    * for the last stroke.
    */
-  void SetCandidate(int candidate);
-  int GetCandidate() const;
+  vtkSetClampMacro(Candidate, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Candidate, int);
   int GetNumberOfCandidates() const;
   ///@}
 
@@ -140,8 +140,8 @@ public:
    * How much further into the body than found the region goes, less far where negative, in lengths of the
    * section, -1 to 1; default 0. See vtkOversketchMixtureRegion.
    */
-  void SetReach(double reach);
-  double GetReach() const;
+  vtkSetClampMacro(Reach, double, -1.0, 1.0);
+  vtkGetMacro(Reach, double);
   ///@}
 
   ///@{
@@ -227,6 +227,8 @@ private:
   bool CorrectOutline = true;
   bool AsPublished = false;
   bool AllowTorn = false;
+  int Candidate = 1;
+  double Reach = 0.0;
   bool Remeshed = false;
 
   struct Pipeline;
