@@ -34,7 +34,7 @@ struct Parameter
   std::string title;              // "New triangles": in a window
   std::string help;               // a line; ends without a stop
   std::vector<Choice> choices;    // of an int that counts them from 0; empty for others
-  double least = 0.0, most = 0.0; // of a number, to which the class clamps it; equal: not told
+  double least = 0.0, most = 0.0; // of a number, that a form offers; equal: any
   std::function<void(vtkOversketchSystem*, const Value&)> set;
   std::function<Value(vtkOversketchSystem*)> get;
   Value initial; // of a fresh instance; its alternative is that of all values of the parameter
@@ -125,7 +125,7 @@ Parameter parameter(const std::string& property,
   return made;
 }
 
-// The same with what a number is clamped to.
+// The same with what a form offers of a number.
 inline Parameter between(double least, double most, Parameter made)
 {
   made.least = least;

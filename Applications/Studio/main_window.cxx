@@ -370,15 +370,15 @@ void MainWindow::advise()
   }
   const auto& nodes = this->OpenDocument->session().nodes;
   const auto& states = this->OpenDocument->result().nodes;
-  if (this->Redrawn < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on &&
-      !states.back().failure.empty())
+  const bool isJustDrawn =
+    this->Redrawn < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on;
+  if (isJustDrawn && !states.back().failure.empty())
   {
     this->Advice->setText(
       tr("The last stroke did nothing: %1").arg(QString::fromStdString(states.back().failure)));
     return;
   }
-  if (this->Redrawn < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on &&
-      !states.back().remark.empty())
+  if (isJustDrawn && !states.back().remark.empty())
   {
     this->Advice->setText(
       tr("%1 Ctrl+Z undoes, F3 takes the next outline that fits, [ and ] move less or more of the body.")

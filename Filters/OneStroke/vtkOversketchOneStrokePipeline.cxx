@@ -262,6 +262,17 @@ int vtkOversketchOneStroke::Pipeline::Folds(const char* stage)
   return *made.Folds;
 }
 
+const Roughness& vtkOversketchOneStroke::Pipeline::Rough(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  if (!made.Rough)
+  {
+    made.Rough =
+      roughness(made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage)));
+  }
+  return *made.Rough;
+}
+
 Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
 {
   MadeMesh& made = this->Made(stage);
@@ -272,9 +283,7 @@ Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsB
       StrokeOf(this->Match->GetOutput(1)),
       ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
   }
-  return { *made.Outline,
-    this->Folds(stage) - foldsBefore,
-    roughness(made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage))) };
+  return { *made.Outline, this->Folds(stage) - foldsBefore, this->Rough(stage) };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
@@ -285,18 +294,14 @@ bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 
 void vtkOversketchOneStroke::Pipeline::JudgeEffect()
 {
-  const std::string deformation = this->Deformation;
-  const bool remeshed = deformation.find("Remeshed") != std::string::npos;
-  const char* before = remeshed ? "Stretch" : "RegionBorder";
-  const Judgement judged =
-    this->Judged(this->Self->Remeshed ? "Restore" : this->Deformation, this->Folds("RegionBorder"));
+  const char* const before = this->Self->Remeshed ? "Stretch" : "RegionBorder"; // of the deformation
+  const char* const made = this->Self->Remeshed ? "Restore" : this->Deformation;
+  const Judgement judged = this->Judged(made, this->Folds("RegionBorder"));
   StrokeEffect effect;
   effect.outline = judged.outline;
   effect.folds = judged.folds;
   effect.after = judged.roughness;
-  const MeshData& plain = *this->Made("RegionBorder").Data;
-  effect.before =
-    roughness(plain.Surface(), plain.Neighbours(), RegionOf(this->Self->StageOutput("RegionBorder")));
+  effect.before = this->Rough("RegionBorder");
   const oversketch::View view = ViewOf(this->Stroke);
   const Polyline stroke = StrokeOf(this->Match->GetOutput(1));
   vtkPolyData* match = this->Self->StageOutput("Match");
@@ -306,10 +311,10 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
   {
     displays->GetTuple(static_cast<vtkIdType>(i), section[i].data());
   }
-  const oversketch::Mesh& seen =
-    this->Made(this->Self->Remeshed ? "Restore" : this->Deformation).Data->Surface();
-  effect.outlineBack =
-    outlineBack(seen, view, stroke, ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
+  effect.outlineBack = outlineBack(this->Made(made).Data->Surface(),
+    view,
+    stroke,
+    ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
   measureMovement(this->Made(before).Data->Surface(),
     this->Made(this->Deformation).Data->Surface(),
     RegionOf(this->Self->StageOutput(before)),

@@ -55,6 +55,7 @@ struct vtkOversketchOneStroke::Pipeline
   const char* Corrected(const char* before, const char* deform, const char* correction, const char* again);
   oversketch::Judgement Judged(const char* stage, int foldsBefore);
   int Folds(const char* stage);
+  const oversketch::Roughness& Rough(const char* stage);
   // What the run has done; throws Torn where that is refused.
   void JudgeEffect();
 
@@ -64,6 +65,7 @@ struct vtkOversketchOneStroke::Pipeline
     std::shared_ptr<const oversketch::MeshData> Data;
     std::optional<int> Folds;
     std::optional<oversketch::OutlineError> Outline;
+    std::optional<oversketch::Roughness> Rough; // of its region
   };
   MadeMesh& Made(const char* stage);
   std::map<std::string, MadeMesh> MadeMeshes;

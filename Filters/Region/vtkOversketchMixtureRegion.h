@@ -24,8 +24,7 @@
  * all round (ReachEnds): else the moved part ends in a step at a border that nothing moves, in the middle of
  * a thickened thigh;
  * - where the section is one of a body and not of a limb, only what is near it is moved (ConfineToSection):
- * thickness tells limbs from bodies and not one part of a body from another, so that a back that was raised
- * took tail, head and legs with it;
+ * thickness does not tell parts of a body apart, and a back that was raised took tail and legs with it;
  * - samples are even over the surface, not drawn at random (EvenSamples): the same shape with its vertices in
  * another order, or more of them on one limb, has the same mixtures.
  *
@@ -33,7 +32,7 @@
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated.
  * Input 1 (Handles): handles (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3],
  * RelativePosition[1], UnmergedTarget[3] (read when ReachEnds or ConfineToSection is on), and field array
- * SectionLength[1], model length (read when LimitRunaway or ReachEnds is on, or with a Reach).
+ * SectionLength[1], model length (read when one of these or LimitRunaway is on, or with a Reach).
  *
  * Output 0: the input with point arrays
  * - Region, unsigned char: 1 for vertices of the region,
@@ -150,9 +149,8 @@ public:
    * fifth of the area of the connected parts it lies in, and the seeds' median thickness is over 1.25 times
    * what the section reaches, half of its length, or a quarter where it is straight (in between by the
    * distance of its ends over its length). Near is what it reaches, at least 1.25 times the farthest that the
-   * stroke moves it, and where that goes into the body 1.5 times the way along a circle of that thickness
-   * from the section to as deep below it: else the flanks would become the outline. Default on, off is as
-   * published.
+   * stroke moves it, and where that goes into the body 1.5 times the way along a circle of that thickness to
+   * as deep below: else the flanks would become the outline. Default on, off is as published.
    */
   vtkSetMacro(ConfineToSection, bool);
   vtkGetMacro(ConfineToSection, bool);
@@ -170,9 +168,9 @@ public:
 
   ///@{
   /**
-   * Take the samples at equal steps of the surface's area, of the seeds at equal steps of their number, in
-   * the order of their values; default on. Off: at random, as published. A draw depends on how the vertices
-   * are numbered and how densely they lie, and with it whether the region ends at a joint or runs over it.
+   * Take the samples in the order of their values at equal steps of the area, of the seeds at equal steps of
+   * their number; default on. Off: at random, as published, which depends on the vertices' numbers and
+   * density.
    */
   vtkSetMacro(EvenSamples, bool);
   vtkGetMacro(EvenSamples, bool);
@@ -198,7 +196,7 @@ public:
 
   ///@{
   /**
-   * Seed of the generator that draws the samples when they are not even; default 1.
+   * Seed of the generator that draws samples, EvenSamples being off; default 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);

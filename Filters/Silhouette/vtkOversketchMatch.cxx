@@ -249,10 +249,12 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       const std::vector<Source>& sources = this->Internals->Sources;
       const std::vector<MatchCandidate>& candidates = this->Internals->Candidates;
       drawn->ShallowCopy(stroke);
+      double done = 0.0;
       if (this->AmendedScore && this->CompareShapes && isClosedStroke(samples, StrokeRules()))
       {
         samples = openStroke(candidates, samples, ContextOf(this, 0.0, 0.5));
         WriteStroke(samples, stroke, drawn);
+        done = 0.5;
       }
       MatchRules rules;
       rules.amendedScore = this->AmendedScore;
@@ -260,7 +262,7 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       rules.maximumGap = this->MaximumGap;
       rules.compareShapes = this->CompareShapes;
       rules.rank = this->Candidate - 1;
-      const MatchedSection match = matchStroke(candidates, samples, rules, ContextOf(this));
+      const MatchedSection match = matchStroke(candidates, samples, rules, ContextOf(this, done, 1.0));
       this->NumberOfCandidates = match.rivals;
       const Source& source = sources[match.candidate];
       Curve section;

@@ -177,6 +177,40 @@ TEST(Match, TheSecondSectionIsTheOtherLegAndThereIsALastOne)
     std::string::npos);
 }
 
+// Wherever the pen began on the way round, and whichever way it went.
+TEST(ShapeSearch, AClosedStrokeIsOpenedWhereItGoesOverTheBase)
+{
+  const std::vector<MatchCandidate> candidates{ twoLegs() };
+  Polyline round{ { 100, 190 }, { 70, 190 }, { 70, -40 }, { 130, -40 }, { 130, 190 }, { 100, 190 } };
+  round = uniformPolyline(round, 2.0);
+  round.pop_back(); // the first one again
+  for (const bool backwards : { false, true })
+  {
+    for (const int begin : { 0, 40, 150, 290 })
+    {
+      Polyline drawn = round;
+      std::rotate(drawn.begin(), drawn.begin() + begin, drawn.end());
+      if (backwards)
+      {
+        std::reverse(drawn.begin(), drawn.end());
+      }
+      const Polyline open = openStroke(candidates, drawn);
+      const Vector2 left(70, 190), right(130, 190);
+      EXPECT_LT((open.front() - (backwards ? right : left)).norm(), 16.0) << begin;
+      EXPECT_LT((open.back() - (backwards ? left : right)).norm(), 16.0) << begin;
+      for (const Vector2& p : open)
+      {
+        EXPECT_FALSE(p[1] > 150.0 && p[0] > 86.0 && p[0] < 114.0) << p.transpose();
+      }
+      const MatchedSection section = matchStroke(candidates, open, rules(true));
+      for (const Vector2& p : lineOf(candidates, section))
+      {
+        EXPECT_TRUE(p[0] > 55.0 && p[0] < 145.0 && p[1] < 201.0) << p.transpose();
+      }
+    }
+  }
+}
+
 TEST(Match, AStrokeFarFromEverythingIsRefusedWithItsDistance)
 {
   std::vector<MatchCandidate> candidates{ twoLegs() };
@@ -226,6 +260,7 @@ TEST(ShapeSearch, ALineAcrossTheOutlineLooksLikeNoPartOfAStraightOne)
 TEST(ShapeSearch, WhatIsOfTheSameShapeButFarAwayIsNotMeant)
 {
   const std::vector<MatchCandidate> candidates{ twoLegs() };
-  EXPECT_FALSE(findShapes(candidates, roundLeg(170, Vector2(0, -100))).empty()); // of 420 px, 105 are a quarter
+  EXPECT_FALSE(
+    findShapes(candidates, roundLeg(170, Vector2(0, -100))).empty()); // of 420 px, 105 are a quarter
   EXPECT_TRUE(findShapes(candidates, roundLeg(170, Vector2(0, -250))).empty());
 }

@@ -288,36 +288,55 @@ Polyline openStroke(const std::vector<MatchCandidate>& candidates,
   const int count = static_cast<int>(stroke.size());
   const auto at = [&](double length)
   { return placeAt(lengths, count, length - whole * std::floor(length / whole)).of(stroke); };
+  struct Opening
+  {
+    double from, left; // where the part that is left out begins, and how long it is [px]
+    double score = std::numeric_limits<double>::infinity();
+  };
+  const auto restOf = [&](const Opening& opening)
+  {
+    constexpr double spacing = 2.0; // px, as strokes have it
+    const double length = whole - opening.left;
+    const int steps = std::max(2, static_cast<int>(std::lround(length / spacing)));
+    Polyline rest;
+    for (int i = 0; i <= steps; ++i)
+    {
+      rest.push_back(at(opening.from + opening.left + length * i / steps));
+    }
+    return rest;
+  };
   constexpr int starts = 40;
   constexpr double straight = 0.9; // least distance of its ends, of its length, of what is left out
-  Polyline best = stroke;
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<Opening> openings;
   for (int start = 0; start < starts; ++start)
   {
-    context.checkpoint(static_cast<double>(start) / starts);
     for (const double share : { 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4 })
     {
-      const double from = whole * start / starts, left = share * whole;
-      if ((at(from + left) - at(from)).norm() < straight * left)
+      const Opening opening{ whole * start / starts, share * whole };
+      if ((at(opening.from + opening.left) - at(opening.from)).norm() >= straight * opening.left)
       {
-        continue;
-      }
-      Polyline rest;
-      const int steps =
-        std::max(2, static_cast<int>(std::lround((whole - left) / 2.0))); // 2 px, as strokes are
-      for (int i = 0; i <= steps; ++i)
-      {
-        rest.push_back(at(from + left + (whole - left) * i / steps));
-      }
-      const std::vector<CandidatePart> found = findShapes(candidates, rest);
-      if (!found.empty() && found.front().score + 0.05 * left < least)
-      {
-        least = found.front().score + 0.05 * left;
-        best = rest;
+        openings.push_back(opening);
       }
     }
   }
-  return best;
+  context.checkpoint(0.0);
+  context.parallelFor(static_cast<int>(openings.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end && !context.cancelled(); ++i)
+      {
+        Opening& opening = openings[static_cast<std::size_t>(i)];
+        const std::vector<CandidatePart> found = findShapes(candidates, restOf(opening));
+        if (!found.empty())
+        {
+          opening.score = found.front().score + 0.05 * opening.left;
+        }
+      }
+    });
+  context.checkpoint(1.0);
+  const auto best = std::min_element(
+    openings.begin(), openings.end(), [](const Opening& a, const Opening& b) { return a.score < b.score; });
+  return best == openings.end() || std::isinf(best->score) ? stroke : restOf(*best);
 }
 
 } // namespace oversketch

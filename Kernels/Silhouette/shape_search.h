@@ -44,7 +44,8 @@ void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& st
 // A closed stroke, drawn round a limb and back over its base, without the part that goes over the base: one
 // that runs nearly straight, up to two fifths of the length, so that the rest looks most like a section of
 // the candidates (the best score of findShapes + a twentieth of what is left out). It runs as it was drawn,
-// from where that part ends to where it begins.
+// from where that part ends to where it begins; the stroke as it is where no such rest looks like any
+// section.
 Polyline openStroke(const std::vector<MatchCandidate>& candidates,
   const Polyline& stroke,
   const Context& context = {});

@@ -157,6 +157,27 @@ TEST(OneStrokeEffect, AStrokeInTheVoidIsRefusedWithItsDistanceAndAsPublishedIsNo
   EXPECT_TRUE(far.ear.errors.empty() || far.ear.errors[0].find("MaximumGap") == std::string::npos);
 }
 
+TEST(OneStrokeEffect, AStrokeClosedRoundALimbIsAsGoodAsTheOpenOne)
+{
+  vtkSmartPointer<vtkPolyData> stroke = shippedStroke("dog_longer_leg");
+  std::vector<Vector2> samples = oversketch::StrokeOf(stroke);
+  const Vector2 last = samples.back(), gap = samples.front() - last;
+  for (int i = 1; i < 20; ++i)
+  {
+    samples.push_back(last + gap * i / 20.0);
+  }
+  Drawn closed(toStroke(samples, oversketch::ViewOf(stroke)));
+  closed.run();
+  ASSERT_EQ(closed.filter->GetErrorCode(), 0u);
+  EXPECT_STREQ(closed.filter->GetRemark(), "");
+  EXPECT_LT(closed.filter->GetOutlineDistance(), 1.0);
+  EXPECT_LT(closed.filter->GetMovedShare(), 0.15);
+  closed.filter->AsPublishedOn();
+  closed.run();
+  EXPECT_TRUE(closed.failedBy(Failure::BadStroke));
+  EXPECT_NE(closed.ear.errors[0].find("it is closed"), std::string::npos);
+}
+
 TEST(OneStrokeEffect, AResultThatTearsIsRefusedUnlessItIsAllowed)
 {
   vtkSmartPointer<vtkPolyData> stroke = shippedStroke("dog_curled_tail");
