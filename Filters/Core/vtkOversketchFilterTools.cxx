@@ -336,6 +336,27 @@ std::vector<Vector2> StrokeOf(vtkPolyData* stroke)
   return samples;
 }
 
+Vector2 MovedOf(vtkPolyData* stroke)
+{
+  vtkDataArray* array = stroke->GetCellData()->GetArray("Moved");
+  Vector2 moved = Vector2::Zero();
+  if (array && array->GetNumberOfComponents() == 2 && array->GetNumberOfTuples() == 1)
+  {
+    array->GetTuple(0, moved.data());
+  }
+  else if (array)
+  {
+    moved[0] = std::numeric_limits<double>::quiet_NaN();
+  }
+  if (!moved.allFinite())
+  {
+    throw Error(Failure::BadStroke,
+      "Cell array Moved of the stroke must be two finite numbers, in pixels; remove it or draw the stroke "
+      "again.");
+  }
+  return moved;
+}
+
 vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
   const char* name,
   int components,

@@ -89,6 +89,12 @@ OVERSKETCHFILTERSCORE_EXPORT View ViewOf(vtkPolyData* stroke);
 OVERSKETCHFILTERSCORE_EXPORT std::vector<Vector2> StrokeOf(vtkPolyData* stroke);
 
 /**
+ * How far the one stroke was dragged since it was drawn [px], from cell array Moved; zero without it. Throws
+ * Error(BadStroke) where that is not two finite numbers.
+ */
+OVERSKETCHFILTERSCORE_EXPORT Vector2 MovedOf(vtkPolyData* stroke);
+
+/**
  * The array by name with the given number of components (and, where tuples >= 0, that number of tuples), or
  * throws Error(MissingArray) naming it, what holds it ("mesh", "handles") and the filter that makes it.
  */

@@ -29,6 +29,7 @@ struct Handles
 {
   std::vector<Binding> Bindings;
   std::vector<Vector3> Displacements;
+  std::vector<double> Shares; // of a drag
 };
 
 Handles HandlesOf(vtkPolyData* polyData, int vertexCount)
@@ -39,18 +40,22 @@ Handles HandlesOf(vtkPolyData* polyData, int vertexCount)
   {
     throw Error(Failure::BadRegion, "There is no handle: the handles input holds no point.");
   }
-  Handles handles{ ReadBindings(polyData, vertexCount, "handles", remedy), {} };
+  Handles handles{ ReadBindings(polyData, vertexCount, "handles", remedy), {}, {} };
   vtkDataArray* targets = RequireArray(polyData->GetPointData(), "Target", 3, count, "handles", remedy);
+  vtkDataArray* ratios = polyData->GetPointData()->HasArray("MergeRatio")
+                           ? RequireArray(polyData->GetPointData(), "MergeRatio", 1, count, "handles", remedy)
+                           : nullptr;
   for (vtkIdType h = 0; h < count; ++h)
   {
     Vector3 position, target;
     polyData->GetPoint(h, position.data());
     targets->GetTuple(h, target.data());
-    if (!position.allFinite() || !target.allFinite())
+    handles.Shares.push_back(ratios ? ratios->GetComponent(h, 0) : 1.0);
+    if (!position.allFinite() || !target.allFinite() || !std::isfinite(handles.Shares.back()))
     {
       throw Error(Failure::BadMesh,
         "Handle " + std::to_string(h) +
-          " has a position or a Target that is not finite; compute the targets again.");
+          " has a position, a Target or a MergeRatio that is not finite; compute the targets again.");
     }
     handles.Displacements.push_back(target - position);
   }
@@ -156,6 +161,7 @@ struct vtkOversketchLaplacianDeform::Cache
 
   MeshKey OutputKey;
   std::vector<Vector3> Displacements;
+  std::vector<double> Shares;
   std::vector<Vector3> Moves;
   oversketch::Drag Dragged; // empty until it is asked for
   vtkSmartPointer<vtkPoints> Points;
@@ -260,7 +266,7 @@ bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* 
   const Context context = ContextOf(this);
   if (cache.Dragged.vertices.empty())
   {
-    oversketch::Drag drag{ cache.Shape->vertices, {}, cache.System->response(Context()) };
+    oversketch::Drag drag{ cache.Shape->vertices, {}, cache.System->response(cache.Shares, Context()) };
     for (const int v : drag.vertices)
     {
       drag.rest.push_back(cache.Data->Surface().points[v] + cache.Moves[v]);
@@ -370,6 +376,11 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     cache.Write(input);
     cache.OutputKey = outputKey;
     cache.Displacements = handles.Displacements;
+  }
+  if (cache.Shares != handles.Shares)
+  {
+    cache.Shares = handles.Shares;
+    cache.Dragged = oversketch::Drag();
   }
   output->ShallowCopy(input);
   output->SetPoints(cache.Points);

@@ -18,7 +18,8 @@
  * arrays
  * - MeshVertices, 3 components: vertices of the mesh the handle hangs on,
  * - MeshWeights, 3 components: their weights, sum 1,
- * - Target, 3 components: where the handle shall be [world]. d_h = Target - position of the point.
+ * - Target, 3 components: where the handle shall be [world]. d_h = Target - position of the point,
+ * - MergeRatio, 1 component, optional: the share of a drag that the handle follows; 1 without it.
  * A handle all of whose vertices are fixed is ignored; a piece of the region without a handle stays.
  *
  * Output 0: the mesh with moved points, double where the input's are double, else float. Points outside the
@@ -89,11 +90,11 @@ public:
   ///@}
 
   /**
-   * Preview of the output for all targets moved by one vector [world], as a hand drags a committed stroke:
-   * writes the places of the vertices that can move into `points`, which are a copy of the last output's
-   * points (same number, float or double), and leaves the others alone. The answer is that of an Update with
-   * such targets up to rounding, as it is linear in them. The first call after a change solves for one
-   * column, the next ones take one multiplication per coordinate. Neither the output nor the pipeline
+   * Preview of the output for all targets moved by their share of one vector [world], as a hand drags a
+   * stroke: writes the places of the vertices that can move into `points`, which are a copy of the last
+   * output's points (same number, float or double), and leaves the others alone. The answer is that of an
+   * Update with such targets up to rounding, as it is linear in them. The first call after a change solves
+   * for one column, the next ones take one multiplication per coordinate. Neither the output nor the pipeline
    * changes: to keep the place, move the targets and Update. False, with an error, before the first Update or
    * when `points` do not fit.
    */

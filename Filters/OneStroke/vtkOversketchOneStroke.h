@@ -182,7 +182,7 @@ public:
    * its section; while mesh and view stay the same a call costs the match alone, and inner outputs up to
    * {Match} are those of the preview. The hold is the section that the last run matched.
    *
-   * Drag: where the output was not remeshed it is that of vtkOversketchLaplacianDeform::Drag with all targets
+   * Drag: where the output was not remeshed it is that of vtkOversketchLaplacianDeform::Drag with the targets
    * moved, else the remeshed points follow the triangles of the deformation that they lie on.
    */
   bool Prepare() override;

@@ -86,6 +86,7 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       auto targets = Longer<vtkDoubleArray>(handles, "Target", 3);
       auto unmerged = Longer<vtkDoubleArray>(handles, "UnmergedTarget", 3);
       auto relative = Longer<vtkDoubleArray>(handles, "RelativePosition", 1);
+      auto ratios = Longer<vtkDoubleArray>(handles, "MergeRatio", 1);
 
       const std::vector<Correction> corrections = correctOutline(
         mesh, chosen, samples, view, this->Omega, this->Tolerance, this->Reach, ContextOf(this));
@@ -104,6 +105,7 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
         targets->InsertNextTuple(c.target.data());
         unmerged->InsertNextTuple(c.target.data());
         relative->InsertNextValue(c.relative);
+        ratios->InsertNextValue(1.0);
       }
       vtkNew<vtkCellArray> cells;
       for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
@@ -114,7 +116,7 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       output->SetVerts(cells);
       output->GetPointData()->AddArray(ids);
       WriteBindings(bindings, output);
-      for (vtkDataArray* array : { targets, unmerged, relative })
+      for (vtkDataArray* array : { targets, unmerged, relative, ratios })
       {
         output->GetPointData()->AddArray(array);
       }

@@ -19,8 +19,8 @@
  *
  * Output 0: the handles, then one vertex cell for each new one at its place on the mesh before; its arrays go
  * on: HandleId; MeshVertices and MeshWeights name the one vertex; Target and UnmergedTarget, double[3]
- * [world]; RelativePosition, double, of the place on the stroke. Other point arrays are dropped where handles
- * are added, field data are passed. Without new handles the input handles are passed.
+ * [world]; RelativePosition, double, of the place on the stroke; MergeRatio, 1. Other point arrays are
+ * dropped where handles are added, field data are passed. Without new handles the input handles are passed.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh (also for meshes of different size),
  * MissingArray, BadStroke. A mesh or handles without points give an empty output silently.

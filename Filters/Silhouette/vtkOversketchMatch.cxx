@@ -244,6 +244,11 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
       const View view = ViewOf(stroke);
       Polyline samples = StrokeOf(stroke);
+      const Vector2 moved = MovedOf(stroke);
+      for (Vector2& sample : samples)
+      {
+        sample -= moved;
+      }
 
       this->Internals->Read(inputs[0], view);
       const std::vector<Source>& sources = this->Internals->Sources;
@@ -253,7 +258,12 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       if (this->AmendedScore && this->CompareShapes && isClosedStroke(samples, StrokeRules()))
       {
         samples = openStroke(candidates, samples, ContextOf(this, 0.0, 0.5));
-        WriteStroke(samples, stroke, drawn);
+        Polyline opened = samples;
+        for (Vector2& sample : opened)
+        {
+          sample += moved;
+        }
+        WriteStroke(opened, stroke, drawn);
         done = 0.5;
       }
       MatchRules rules;

@@ -23,7 +23,10 @@
  * Offset; cells with Visible 0 are ignored, cells of an input with cell array Hole are loops.
  *
  * Input 1 (Stroke): exactly one stroke with its view (cell arrays ViewTransform, ProjectionTransform,
- * ViewportSize).
+ * ViewportSize); optional cell array Moved, double[2] [px].
+ *
+ * A stroke that was dragged since it was drawn (cell array Moved) is matched where it was drawn: it keeps its
+ * section.
  *
  * A closed stroke, drawn round a limb and back over its base, is opened there (with CompareShapes): the part
  * over the base stands for no outline.

@@ -139,13 +139,14 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
       points->SetDataTypeToDouble();
       vtkNew<vtkCellArray> vertices;
       vtkNew<vtkIdTypeArray> handleIds;
-      vtkNew<vtkDoubleArray> targets, unmerged, relative;
+      vtkNew<vtkDoubleArray> targets, unmerged, relative, ratios;
       handleIds->SetName("HandleId");
       targets->SetName("Target");
       targets->SetNumberOfComponents(3);
       unmerged->SetName("UnmergedTarget");
       unmerged->SetNumberOfComponents(3);
       relative->SetName("RelativePosition");
+      ratios->SetName("MergeRatio");
       std::vector<Binding> bindings;
       std::vector<Vector3> present, wanted;
       for (const Handle& handle : handles)
@@ -158,6 +159,7 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
         targets->InsertNextTuple(handle.target.data());
         unmerged->InsertNextTuple(handle.unmerged.data());
         relative->InsertNextValue(handle.relative);
+        ratios->InsertNextValue(oversketch::mergeRatio(handle.relative, this->Omega));
         present.push_back(q.position);
         wanted.push_back(handle.target);
       }
@@ -165,7 +167,7 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
       output->SetVerts(vertices);
       output->GetPointData()->AddArray(handleIds);
       WriteBindings(bindings, output);
-      for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ targets, unmerged, relative })
+      for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ targets, unmerged, relative, ratios })
       {
         output->GetPointData()->AddArray(array);
       }

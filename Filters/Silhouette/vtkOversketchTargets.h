@@ -27,7 +27,8 @@
  * - MeshVertices, vtkIdType[3], and MeshWeights, double[3]: what it hangs on,
  * - Target, double[3] [world]: p'_j,
  * - UnmergedTarget, double[3] [world]: p*_j,
- * - RelativePosition, double: r_j in [0, 1].
+ * - RelativePosition, double: r_j in [0, 1],
+ * - MergeRatio, double: f(r_j) in [0, 1], the share of a move of the stroke that the target follows.
  *
  * Field data SectionLength and TargetLength, double [world]: lengths of the curves of q_j and of p'_j,
  * smoothed by five taps, since control points lie to and fro across the curve.

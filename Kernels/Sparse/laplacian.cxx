@@ -568,21 +568,22 @@ std::vector<Vector3> LaplacianSystem::solve(const std::vector<Vector3>& displace
   return result;
 }
 
-std::vector<double> LaplacianSystem::response(const Context& context) const
+std::vector<double> LaplacianSystem::response(const std::vector<double>& shares, const Context& context) const
 {
   const Parts& parts = *this->Pieces;
   const LaplacianShape& shape = *parts.shape;
   const int d = shape.normal.block;
   const Eigen::Index count = static_cast<Eigen::Index>(shape.vertices.size());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count * d, d);
-  for (const Binding& handle : parts.handles)
+  for (std::size_t h = 0; h < parts.handles.size(); ++h)
   {
+    const Binding& handle = parts.handles[h];
     for (int k = 0; k < 3; ++k)
     {
       const int n = shape.number[handle.vertices[k]];
       for (int c = 0; c < d && n >= 0; ++c)
       {
-        columns(n * d + c, c) += parts.handleWeight * parts.handleWeight * handle.weights[k];
+        columns(n * d + c, c) += shares[h] * parts.handleWeight * parts.handleWeight * handle.weights[k];
       }
     }
   }

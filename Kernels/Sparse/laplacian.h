@@ -85,9 +85,9 @@ public:
   // vertices that cannot move, and everywhere when all wanted displacements are zero.
   std::vector<Vector3> solve(const std::vector<Vector3>& displacements, const Context& context) const;
 
-  // What the unknowns do when the wanted displacements of all handles grow by one vector: of each, one
-  // factor, or a 3x3 matrix (column-major) with adjustNormals; in the order of shape().vertices.
-  std::vector<double> response(const Context& context) const;
+  // What the unknowns do when the wanted displacement of each handle grows by its share of one vector: of
+  // each, one factor, or a 3x3 matrix (column-major) with adjustNormals; in the order of shape().vertices.
+  std::vector<double> response(const std::vector<double>& shares, const Context& context) const;
 
   const LaplacianShape& shape() const;
   int movableCount() const;

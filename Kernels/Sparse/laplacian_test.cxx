@@ -302,9 +302,16 @@ TEST(LaplacianSystem, TheResponseIsWhatASolveForMovedTargetsAdds)
     const LaplacianSystem system(
       strip.mesh, strip.adjacency, strip.region, strip.handles, options, Context());
     const Vector3 base(0.01, 0.0, 0.2), d(0.1, -0.2, 0.05);
+    std::vector<double> shares;
+    std::vector<Vector3> moved;
+    for (std::size_t h = 0; h < strip.handles.size(); ++h)
+    {
+      shares.push_back(h % 2 == 0 ? 1.0 : 0.3);
+      moved.emplace_back(base + shares.back() * d);
+    }
     const auto from = system.solve(std::vector<Vector3>(strip.handles.size(), base), Context());
-    const auto to = system.solve(std::vector<Vector3>(strip.handles.size(), base + d), Context());
-    Drag drag{ system.shape().vertices, {}, system.response(Context()) };
+    const auto to = system.solve(moved, Context());
+    Drag drag{ system.shape().vertices, {}, system.response(shares, Context()) };
     std::vector<Vector3> points = strip.mesh.points;
     for (const int v : drag.vertices)
     {

@@ -272,8 +272,9 @@ struct Case
     this->system = std::make_unique<LaplacianSystem>(this->shapes[0], this->handles, 10.0, threads());
     this->factor = std::make_unique<Cholesky>(this->shapes[0]->elimination);
     this->points = oversketch_bench::model(this->model).mesh.points;
-    this->drag = std::make_unique<Drag>(
-      Drag{ this->shapes[0]->vertices, this->shapes[0]->positions, this->system->response(threads()) });
+    this->drag = std::make_unique<Drag>(Drag{ this->shapes[0]->vertices,
+      this->shapes[0]->positions,
+      this->system->response(std::vector<double>(this->handles.size(), 1.0), threads()) });
   }
   void readyEigen()
   {

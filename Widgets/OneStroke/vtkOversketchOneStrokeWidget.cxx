@@ -217,6 +217,7 @@ void vtkOversketchOneStrokeWidget::Refresh()
   representation->SetStroke(stands ? this->GetStroke() : nullptr, this->Place);
   representation->SetRegion(this->ShowRegion && !this->IsMoving() ? inner.live.region() : nullptr);
   representation->SetText(this->GetMessage());
+  this->SetTookHold(inner.live.message().empty());
   if (!representation->HasStroke())
   {
     representation->HighlightedOff();

@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace oversketch
@@ -64,6 +65,7 @@ PenStroke PenStroke::resketched(const PenStroke& over) const
   const Resketched merged = resketch(this->points, over.points);
   PenStroke result;
   result.view = this->view;
+  result.moved = this->moved;
   for (size_t i = 0; i < merged.points.size(); ++i)
   {
     const Origin& origin = merged.origins[i];
@@ -97,6 +99,11 @@ void PenStroke::putInto(vtkPolyData* polyData) const
   addArray<vtkDoubleArray>(polyData->GetCellData(), "ViewTransform", 16, this->view.view);
   addArray<vtkDoubleArray>(polyData->GetCellData(), "ProjectionTransform", 16, this->view.projection);
   addArray<vtkIntArray>(polyData->GetCellData(), "ViewportSize", 2, this->view.size);
+  if (!this->moved.isZero())
+  {
+    addArray<vtkDoubleArray>(
+      polyData->GetCellData(), "Moved", 2, std::array<double, 2>{ this->moved[0], this->moved[1] });
+  }
 }
 
 PenStroke PenStroke::of(vtkPolyData* polyData)
@@ -104,6 +111,7 @@ PenStroke PenStroke::of(vtkPolyData* polyData)
   PenStroke result;
   result.view = PenView::of(polyData);
   result.points = StrokeOf(polyData);
+  result.moved = MovedOf(polyData);
   vtkNew<vtkIdList> ids;
   polyData->GetCellPoints(0, ids);
   vtkDataArray* pressures = polyData->GetPointData()->GetArray("Pressure");

@@ -17,6 +17,7 @@ struct PenStroke
   PenView view;
   Polyline points; // px from the viewport's lower left corner
   std::vector<double> pressures, times;
+  Vector2 moved = Vector2::Zero(); // px, since it was drawn
 
   int count() const { return static_cast<int>(this->points.size()); }
   void add(const Vector2& point, double pressure, double time);
@@ -24,8 +25,8 @@ struct PenStroke
   // This stroke with the part that `over` was drawn over replaced.
   PenStroke resketched(const PenStroke& over) const;
   void putInto(vtkPolyData* polyData) const;
-  // Of a polydata that holds one stroke with its view; without Pressure it is 1, without Time 0. Throws Error
-  // for others.
+  // Of a polydata that holds one stroke with its view; without Pressure it is 1, without Time or Moved 0.
+  // Throws Error for others.
   static PenStroke of(vtkPolyData* polyData);
 };
 

@@ -189,6 +189,7 @@ void vtkOversketchHeldStrokeRepresentation::PutMoved(vtkPolyData* stroke)
   {
     point += shift;
   }
+  moved.moved += shift;
   moved.putInto(stroke);
 }
 

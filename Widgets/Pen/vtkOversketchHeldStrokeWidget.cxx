@@ -8,6 +8,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -174,6 +175,7 @@ void vtkOversketchHeldStrokeWidget::PenHasDrawn()
 {
   this->NewStroke = !this->Redrawing;
   this->Redrawing = false;
+  this->TookHold = true;
   if (this->NewStroke && this->CurrentRenderer)
   {
     this->CurrentRenderer->GetActiveCamera()->GetFocalPoint(this->Place);
@@ -234,6 +236,10 @@ void vtkOversketchHeldStrokeWidget::EndMove(bool keep)
   }
   vtkNew<vtkPolyData> stroke;
   this->GetHeldStrokeRepresentation()->PutMoved(stroke);
+  if (!this->TookHold)
+  {
+    stroke->GetCellData()->RemoveArray("Moved");
+  }
   const double* translation = this->GetTranslation();
   keep = keep && this->Moved;
   this->Moving = this->Moved = false;
@@ -375,6 +381,7 @@ void vtkOversketchHeldStrokeWidget::Key(vtkAbstractWidget* widget)
 void vtkOversketchHeldStrokeWidget::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "TookHold: " << (this->TookHold ? "on" : "off") << "\n";
   os << indent << "GrabDistance: " << this->GrabDistance << "\n";
   os << indent << "Moving: " << this->Moving << "\n";
   os << indent << "Place: " << this->Place[0] << " " << this->Place[1] << " " << this->Place[2] << "\n";

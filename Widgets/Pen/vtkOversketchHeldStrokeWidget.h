@@ -85,6 +85,17 @@ public:
 
   ///@{
   /**
+   * Whether the held stroke took hold of something. A move then keeps that: it adds up in the stroke's cell
+   * array Moved. One that did not is, moved, a stroke drawn there [default on; a drawn stroke switches it
+   * on].
+   */
+  vtkSetMacro(TookHold, bool);
+  vtkGetMacro(TookHold, bool);
+  vtkBooleanMacro(TookHold, bool);
+  ///@}
+
+  ///@{
+  /**
    * How near to the held stroke the cursor takes hold of it [px, 0 to 50, default 6].
    */
   vtkSetClampMacro(GrabDistance, double, 0.0, 50.0);
@@ -138,6 +149,7 @@ private:
   void Hover(const int at[2]);
 
   double GrabDistance = 6.0;
+  bool TookHold = true;
   bool Moving = false, Moved = false, Redrawing = false, PressedOver = false, NewStroke = false;
   int Grip[2] = { 0, 0 }; // px
   vtkNew<vtkOversketchStrokeWidget> Pen;

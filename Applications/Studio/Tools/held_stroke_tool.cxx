@@ -138,6 +138,7 @@ bool HeldStrokeTool::moves() const
 void HeldStrokeTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
 {
   this->Followed = state.following;
+  this->Widget->SetTookHold(state.failure.empty());
   this->Widget->HoldStroke(linesOf(step, this->Input), place.data());
   this->View->renderSoon();
 }

@@ -134,11 +134,12 @@ TEST_F(Preview, ADragIsTheDeformationOfMovedTargets)
   vtkNew<vtkPolyData> handles;
   handles->DeepCopy(step->GetInputDataObject(1, 0));
   vtkDataArray* targets = handles->GetPointData()->GetArray("Target");
+  vtkDataArray* ratios = handles->GetPointData()->GetArray("MergeRatio");
   for (vtkIdType i = 0; i < targets->GetNumberOfTuples(); ++i)
   {
     for (int k = 0; k < 3; ++k)
     {
-      targets->SetComponent(i, k, targets->GetComponent(i, k) + translation[k]);
+      targets->SetComponent(i, k, targets->GetComponent(i, k) + ratios->GetComponent(i, 0) * translation[k]);
     }
   }
   vtkNew<vtkOversketchLaplacianDeform> moved;

@@ -5,6 +5,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <limits>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -64,6 +65,42 @@ TEST(A4_2, TheNearerSphereWins)
     }
   }
   fact("A4_2", "two spheres: every control point on the nearer one, published and amended score");
+}
+
+// Drawn beside the first sphere, dragged to the second.
+TEST(Match, AStrokeThatWasDraggedKeepsItsSection)
+{
+  const View view = orthographicView(front, up, 100.0);
+  const auto mesh = toPolyData(joined(icosphere(4), icosphere(4, 0.8), Vector3(2.5, 0, 0)));
+  const auto drawn = toStroke(arc(view, 1.15, 100.0, 160.0, Vector3::Zero()), view);
+  Chain before(mesh, drawn, true);
+  before.match->Update();
+  vtkNew<vtkPolyData> dragged;
+  dragged->DeepCopy(drawn);
+  for (vtkIdType i = 0; i < dragged->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    dragged->GetPoint(i, p);
+    dragged->GetPoints()->SetPoint(i, p[0] + 250.0, p[1], p[2]);
+  }
+  const auto firstOf = [&](vtkPolyData* stroke)
+  {
+    Chain chain(mesh, stroke, true);
+    chain.match->Update();
+    return pointOf(chain.match->GetOutput(), 0);
+  };
+  const Vector3 start = pointOf(before.match->GetOutput(), 0);
+  EXPECT_GT((firstOf(dragged) - start).norm(), 1.0);
+  vtkNew<vtkDoubleArray> moved;
+  moved->SetName("Moved");
+  moved->SetNumberOfComponents(2);
+  moved->InsertNextTuple2(250.0, 0.0);
+  dragged->GetCellData()->AddArray(moved);
+  EXPECT_LT((firstOf(dragged) - start).norm(), 1e-9);
+
+  moved->SetValue(0, std::numeric_limits<double>::quiet_NaN());
+  Chain broken(mesh, dragged, true);
+  expectRefusal(broken.match, Failure::BadStroke, "Moved");
 }
 
 TEST(A4_2, AHiddenCurveNearerStillNeverWins)

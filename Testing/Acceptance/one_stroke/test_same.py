@@ -50,15 +50,22 @@ def stroke_of(name, scale=1.0):
     return stroke
 
 
-def drawn(points, triangles, stroke):
+def run(points, triangles, stroke, remesh=False):
     one = vtkOversketchOneStroke()
     one.SetBackendToHost()
-    one.SetRemeshToOff()
+    if remesh:
+        one.SetRemeshToOn()
+    else:
+        one.SetRemeshToOff()
     one.SetInputData(0, mesh_of(points, triangles))
     one.SetStrokeData(stroke)
     one.Update()
     assert one.GetErrorCode() == 0
-    return vtk_to_numpy(one.GetOutput().GetPoints().GetData()).astype(float)
+    return one.GetOutput()
+
+
+def drawn(points, triangles, stroke):
+    return vtk_to_numpy(run(points, triangles, stroke).GetPoints().GetData()).astype(float)
 
 
 @pytest.fixture(scope="module", params=NAMES)
@@ -101,3 +108,28 @@ def test_a_million_times_as_large(case, scale):
     result = drawn(scale * points, triangles, stroke_of(name, scale)) / scale
     print(name, scale, apart(result, expected, points))
     assert apart(result, expected, points) <= (TIES.get(name, NEAR) if scale == 1e6 else 0.0)
+
+
+def turned_view(stroke, turn):
+    """The stroke over the model turned about the origin: its view goes along."""
+    view = vtk_to_numpy(stroke.GetCellData().GetArray("ViewTransform")).reshape(4, 4)
+    view[:3, :3] = view[:3, :3] @ turn.T
+    return stroke
+
+
+def test_turned(case):
+    name, points, triangles, expected = case
+    turn = rotation((1.0, 2.0, -0.5), 37.0)
+    result = drawn(points @ turn.T, triangles, turned_view(stroke_of(name), turn)) @ turn
+    print(name, "turned", apart(result, expected, points))
+    assert apart(result, expected, points) <= NEAR
+
+
+def far(one, other):
+    """The largest distance of a point of one surface to the other."""
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(other)
+    locator.BuildLocator()
+    distance = vtkImplicitPolyDataDistance()
+    distance.SetInput(other)
+    return max(abs(distance.EvaluateFunction(one.GetPoint(i))) for i in range(one.GetNumberOfPoints()))

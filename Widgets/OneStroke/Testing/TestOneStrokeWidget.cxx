@@ -116,11 +116,12 @@ TEST(OneStrokeWidget, ADragIsAPreviewAndTheReleaseTheFullPath)
   EXPECT_NEAR(t[1], -expected, 1e-12);
   EXPECT_NEAR(t[2], 0.0, 1e-12);
   vtkDataArray* targets = handles->GetPointData()->GetArray("Target");
+  vtkDataArray* ratios = handles->GetPointData()->GetArray("MergeRatio");
   for (vtkIdType i = 0; i < targets->GetNumberOfTuples(); ++i)
   {
     for (int k = 0; k < 3; ++k)
     {
-      targets->SetComponent(i, k, targets->GetComponent(i, k) + t[k]);
+      targets->SetComponent(i, k, targets->GetComponent(i, k) + ratios->GetComponent(i, 0) * t[k]);
     }
   }
   vtkNew<vtkOversketchLaplacianDeform> moved;
@@ -142,6 +143,53 @@ TEST(OneStrokeWidget, ADragIsAPreviewAndTheReleaseTheFullPath)
     EXPECT_NEAR(now->GetPoint(i)[1], stroke->GetPoint(i)[1] - 10.0, 1e-9);
   }
   EXPECT_TRUE(identical(made(scene.mesh, now, vtkOversketchOneStroke::RemeshOff), scene.widget->GetOutput()));
+}
+
+// The longer leg's line pulled away by 60 px: drawn there it would take hold of another part, dragged it
+// keeps its own, and what was seen on the way is what comes.
+TEST(OneStrokeWidget, ADragKeepsItsSection)
+{
+  Dog scene;
+  vtkOversketchOneStroke* system = scene.widget->GetOneStroke();
+  system->SetRemeshToOff();
+  scene.drawLeg();
+  ASSERT_STREQ(scene.widget->GetMessage(), "");
+  const auto before = copyOf(system->GetInnerOutput("Match"));
+  const auto drag = [&](int x, int y)
+  {
+    scene.move(283, 67);
+    scene.press(283, 67);
+    for (int i = 1; i <= 10; ++i)
+    {
+      scene.move(283 + i * x / 10, 67 + i * y / 10);
+    }
+  };
+  drag(60, -20);
+  const auto preview = copyOf(scene.widget->GetOutput());
+  scene.release(343, 47);
+  ASSERT_STREQ(scene.widget->GetMessage(), "");
+  vtkPolyData* held = system->GetInnerOutput("Match");
+  ASSERT_EQ(held->GetNumberOfPoints(), before->GetNumberOfPoints());
+  EXPECT_LT(largestMove(held, before), 1e-12);
+  const double pixel = (120.0 / 47.0) / 300.0;
+  const double apart = largestMove(preview, scene.widget->GetOutput()) / pixel;
+  EXPECT_LT(apart, 3.0);
+  fact("drag", "preview and release apart by " + std::to_string(apart) + " px");
+  vtkDataArray* moved = scene.widget->GetStroke()->GetCellData()->GetArray("Moved");
+  ASSERT_TRUE(moved);
+  EXPECT_NEAR(moved->GetComponent(0, 0), 60.0, 1e-9);
+  EXPECT_NEAR(moved->GetComponent(0, 1), -20.0, 1e-9);
+
+  // The same line, drawn there.
+  vtkNew<vtkPolyData> drawn;
+  drawn->DeepCopy(scene.widget->GetStroke());
+  drawn->GetCellData()->RemoveArray("Moved");
+  vtkNew<vtkPolyData> there;
+  vtkNew<vtkOversketchOneStroke> other;
+  if (other->Preview(scene.mesh, drawn, there) && there->GetNumberOfPoints() == before->GetNumberOfPoints())
+  {
+    EXPECT_GT(largestMove(there, before), 20.0 * pixel);
+  }
 }
 
 TEST(OneStrokeWidget, EscapeTakesADragBackAndAClickMovesNothing)
