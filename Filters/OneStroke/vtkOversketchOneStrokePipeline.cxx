@@ -3,6 +3,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
@@ -273,6 +274,25 @@ const Roughness& vtkOversketchOneStroke::Pipeline::Rough(const char* stage)
   return *made.Rough;
 }
 
+const std::vector<OutlineLoop>& vtkOversketchOneStroke::Pipeline::Contours(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  vtkDataArray* connection = this->Match->GetOutput()->GetFieldData()->GetArray("Candidate");
+  if (!made.Contours && connection && connection->GetComponent(0, 0) == 0.0)
+  {
+    made.Contours = regionContours(made.Data->Surface(),
+      made.Data->Neighbours(),
+      made.Data->Normals(),
+      RegionOf(this->Self->StageOutput(stage)),
+      ViewOf(this->Stroke));
+  }
+  else if (!made.Contours)
+  {
+    made.Contours.emplace(); // the section is of the outline
+  }
+  return *made.Contours;
+}
+
 Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
 {
   MadeMesh& made = this->Made(stage);
@@ -281,7 +301,8 @@ Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsB
     made.Outline = outlineError(made.Data->Surface(),
       ViewOf(this->Stroke),
       StrokeOf(this->Match->GetOutput(1)),
-      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
+      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()),
+      this->Contours(stage));
   }
   return { *made.Outline, this->Folds(stage) - foldsBefore, this->Rough(stage) };
 }
@@ -314,7 +335,8 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
   effect.outlineBack = outlineBack(this->Made(made).Data->Surface(),
     view,
     stroke,
-    ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
+    ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()),
+    this->Contours(made));
   measureMovement(this->Made(before).Data->Surface(),
     this->Made(this->Deformation).Data->Surface(),
     RegionOf(this->Self->StageOutput(before)),

@@ -56,6 +56,9 @@ struct vtkOversketchOneStroke::Pipeline
   oversketch::Judgement Judged(const char* stage, int foldsBefore);
   int Folds(const char* stage);
   const oversketch::Roughness& Rough(const char* stage);
+  // What the result is judged by beside its outline: silhouettes of its region where the section is one of
+  // them.
+  const std::vector<oversketch::OutlineLoop>& Contours(const char* stage);
   // What the run has done; throws Torn where that is refused.
   void JudgeEffect();
 
@@ -66,6 +69,7 @@ struct vtkOversketchOneStroke::Pipeline
     std::optional<int> Folds;
     std::optional<oversketch::OutlineError> Outline;
     std::optional<oversketch::Roughness> Rough; // of its region
+    std::optional<std::vector<oversketch::OutlineLoop>> Contours;
   };
   MadeMesh& Made(const char* stage);
   std::map<std::string, MadeMesh> MadeMeshes;

@@ -133,9 +133,11 @@ double backIn(const PixelWindow& window,
   const Mesh& mesh,
   const View& view,
   const Polyline& stroke,
-  const Context& context)
+  const Context& context,
+  const std::vector<OutlineLoop>& further)
 {
-  const std::vector<OutlineLoop> loops = traceOutline(mesh, view, window, context);
+  std::vector<OutlineLoop> loops = traceOutline(mesh, view, window, context);
+  loops.insert(loops.end(), further.begin(), further.end());
   std::vector<NearestPlace> places;
   for (const OutlineLoop& loop : loops)
   {
@@ -195,13 +197,17 @@ std::string percent(double share)
 
 } // namespace
 
-double outlineBack(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context)
+double outlineBack(const Mesh& mesh,
+  const View& view,
+  const Polyline& stroke,
+  const Context& context,
+  const std::vector<OutlineLoop>& further)
 {
   constexpr double near = 50.0; // px; farther outlines are looked for where none is as near
-  const double back = backIn(strokeWindow(stroke, near), mesh, view, stroke, context);
+  const double back = backIn(strokeWindow(stroke, near), mesh, view, stroke, context, further);
   return std::isfinite(back)
            ? back
-           : backIn(outlineWindow(mesh, view, stroke, context), mesh, view, stroke, context);
+           : backIn(outlineWindow(mesh, view, stroke, context), mesh, view, stroke, context, further);
 }
 
 void measureMovement(const Mesh& before,

@@ -25,15 +25,19 @@ public:
   {
     // An index of the signs, by boxes round clumps of vertices, would halve this pass; making it costs as
     // much as some seventy views save, and a mesh is seldom looked at from that many.
-    std::vector<char> plus(surface.points.size());
+    std::vector<double> values(surface.points.size());
     double largest = 0.0;
     for (int v = 0; v < surface.vertexCount(); ++v)
     {
-      const double value = this->g(v);
-      largest = std::max(largest, std::abs(value));
-      plus[v] = value >= 0.0;
+      values[v] = this->g(v);
+      largest = std::max(largest, std::abs(values[v]));
     }
     this->Limit = tolerance * largest;
+    std::vector<char> plus(surface.points.size());
+    for (int v = 0; v < surface.vertexCount(); ++v)
+    {
+      plus[v] = this->countsAsPlus(values[v]);
+    }
     for (int e = 0; e < static_cast<int>(neighbours.edges.size()); ++e)
     {
       if (plus[neighbours.edges[e].v0] != plus[neighbours.edges[e].v1])
@@ -134,26 +138,21 @@ private:
     }
   }
 
-  // Its sign is counted as + for g >= 0.
   double g(int vertex) const
   {
     return this->Normals[vertex].dot(this->Camera.towardsViewer(this->Model.points[vertex]));
   }
 
-  bool onSilhouette(double value) const { return std::abs(value) <= this->Limit; }
+  // What lies on the silhouette counts as +, whichever side rounding puts it on.
+  bool countsAsPlus(double value) const { return value >= -this->Limit; }
 
   CurvePoint pointOn(const Crossing& e) const
   {
     const double g0 = this->g(e.v0), g1 = this->g(e.v1);
-    // Of two ends on the silhouette the one that counts as + is taken, so that a run round it is one run.
-    const bool firstPlus = g0 >= 0.0;
+    const bool firstPlus = this->countsAsPlus(g0);
     CurvePoint p;
-    if (this->onSilhouette(firstPlus ? g0 : g1))
-      p.binding = Binding::vertex(firstPlus ? e.v0 : e.v1);
-    else if (this->onSilhouette(firstPlus ? g1 : g0))
-      p.binding = Binding::vertex(firstPlus ? e.v1 : e.v0);
-    else
-      p.binding = Binding::edge(e.v0, e.v1, g1 / (g1 - g0));
+    p.binding = (firstPlus ? g0 : g1) <= this->Limit ? Binding::vertex(firstPlus ? e.v0 : e.v1)
+                                                     : Binding::edge(e.v0, e.v1, g1 / (g1 - g0));
     p.position = p.binding.of(this->Model.points);
     p.normal = p.binding.of(this->Normals).normalized();
     return p;

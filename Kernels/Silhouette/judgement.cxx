@@ -1,6 +1,6 @@
 #include "Silhouette/judgement.h"
 
-#include "Silhouette/outline.h"
+#include "Silhouette/extract.h"
 
 #include <algorithm>
 #include <array>
@@ -114,7 +114,44 @@ bool wantsRemeshing(const Mesh& before, const Mesh& after, const std::vector<cha
   return stretched > 0.01 * edges || narrowShare(after, chosen) > narrowShare(before, chosen) + 0.01;
 }
 
-OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context)
+std::vector<OutlineLoop> regionContours(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const std::vector<char>& region,
+  const View& view)
+{
+  std::vector<OutlineLoop> lines;
+  for (const Curve& curve : extractSilhouette(mesh, adjacency, normals, view))
+  {
+    lines.emplace_back();
+    lines.back().closed = curve.closed;
+    for (const CurvePoint& p : curve.points)
+    {
+      if (region[p.binding.vertices[0]] && region[p.binding.vertices[1]] && view.inFront(p.position))
+      {
+        lines.back().points.emplace_back(view.toDisplay(p.position).head<2>());
+        continue;
+      }
+      lines.back().closed = false;
+      if (!lines.back().points.empty())
+      {
+        lines.emplace_back();
+        lines.back().closed = false;
+      }
+    }
+    if (lines.back().points.size() < 2)
+    {
+      lines.pop_back();
+    }
+  }
+  return lines;
+}
+
+OutlineError outlineError(const Mesh& mesh,
+  const View& view,
+  const Polyline& stroke,
+  const Context& context,
+  const std::vector<OutlineLoop>& further)
 {
   const std::vector<double> length = arcLengths(stroke);
   const auto measure = [&](const PixelWindow& window)
@@ -123,6 +160,10 @@ OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& st
     for (const OutlineLoop& loop : traceOutline(mesh, view, window, context))
     {
       loops.emplace_back(loop.points, loop.closed);
+    }
+    for (const OutlineLoop& line : further)
+    {
+      loops.emplace_back(line.points, line.closed);
     }
     OutlineError error;
     int counted = 0;

@@ -6,6 +6,7 @@
 #include "Mesh/mesh.h"
 #include "Mesh/roughness.h"
 #include "Mesh/view.h"
+#include "Silhouette/outline.h"
 #include "Stroke/polyline.h"
 
 #include <vector>
@@ -30,7 +31,21 @@ struct OutlineError
   double mean = 0.0;
   double worst = 0.0;
 };
-OutlineError outlineError(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context);
+// `further` lines in the picture count like loops of the outline.
+OutlineError outlineError(const Mesh& mesh,
+  const View& view,
+  const Polyline& stroke,
+  const Context& context,
+  const std::vector<OutlineLoop>& further = {});
+
+// The silhouette of the region (one byte per vertex) in the picture, hidden or not: what a stroke over a
+// silhouette inside the outline is judged by. In pieces, where a curve leaves the region or passes behind the
+// eye.
+std::vector<OutlineLoop> regionContours(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const std::vector<char>& region,
+  const View& view);
 
 struct Judgement
 {

@@ -207,6 +207,42 @@ TEST(Judgement, AShiftedCircleIsMeasuredOverItsMiddle)
   EXPECT_NEAR(outlineError(mesh, view, stroke, Context()).worst, worst, 0.02);
 }
 
+// A ball before a disk twice as large: its outline is inside the disk's.
+TEST(Judgement, ASilhouetteInsideTheOutlineIsWhatItsStrokeIsJudgedBy)
+{
+  Mesh mesh = disk();
+  const int first = mesh.vertexCount();
+  double across = 0.0;
+  for (const Vector3& p : mesh.points)
+  {
+    across = std::max(across, p.norm());
+  }
+  Mesh ball = icosphere(5, 0.5 * across);
+  mesh = joined(mesh, ball, Vector3::Zero());
+  std::vector<char> region(mesh.points.size(), 0);
+  std::fill(region.begin() + first, region.end(), 1);
+  const auto lines = regionContours(mesh, buildAdjacency(mesh), vertexNormals(mesh), region, view);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].closed);
+  const Polyline stroke = halfCircle(0.5 * radius + 4.0, Vector2::Zero());
+  EXPECT_GT(outlineError(mesh, view, stroke, Context()).mean, 0.4 * radius);
+  EXPECT_NEAR(outlineError(mesh, view, stroke, Context(), lines).mean, 4.0, 0.2);
+  // Half of the ball: the line ends where the region does.
+  for (int v = first; v < mesh.vertexCount(); ++v)
+  {
+    region[v] = mesh.points[v][0] > 0.0;
+  }
+  for (const OutlineLoop& line :
+    regionContours(mesh, buildAdjacency(mesh), vertexNormals(mesh), region, view))
+  {
+    EXPECT_FALSE(line.closed);
+    for (const Vector2& p : line.points)
+    {
+      EXPECT_GT(p[0], 395.0);
+    }
+  }
+}
+
 TEST(Judgement, ASecondDeformationIsBetterWhereItIsNearerOrLessFolded)
 {
   const Judgement first{ { 1.0, 3.0 }, 2 };

@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr double splitBend = 0.01; // [rad] a vertex snaxel that bends by more is split
+constexpr double sameAngle = 1e-9; // what rounding makes of two equal sides
 constexpr int sweepLimit = 200;
 constexpr int splitLimit = 1 + 5;     // of one vertex: split and conversion can alternate for ever
 constexpr double splitDistance = 0.2; // of the spoke, halved until E_geo allows it
@@ -316,7 +317,7 @@ private:
         }
       }
       turn(next.position);
-      if (best.empty() || (!spokes.empty() && angle < bestAngle))
+      if (best.empty() || (!spokes.empty() && angle < bestAngle - sameAngle))
       {
         best = spokes;
         bestAngle = angle;

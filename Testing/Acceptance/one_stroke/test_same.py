@@ -1,8 +1,8 @@
 """The same drawing on the same shape gives the same result: points and triangles in another order, an unrelated second part
-beside the model, the model and its view a million times as large.
+beside the model, the model and its view turned, or a million times as large.
 
-Exact it cannot be: sums are taken in another order, and what is tied is decided by the first one met. Remeshing is off; figures
-are shares of the model's bounding diagonal.
+Exact it cannot be: sums are taken in another order, and what is tied is decided by the first one met. Points are compared without
+remeshing, surfaces with it; figures are shares of the model's bounding diagonal.
 """
 import sys
 from pathlib import Path
@@ -12,6 +12,8 @@ import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from oversketch import vtkOversketchOneStroke
@@ -22,7 +24,9 @@ import meshes  # noqa: E402
 STROKES = meshes.DATA / "Strokes"
 NAMES = sorted(path.stem for path in STROKES.glob("*.vtp"))
 NEAR = 1e-4  # of the size
-TIES = {"person_thicker_leg": 3e-4}  # where rounding decides a tie of the region's border, and the size after that
+# Of models that are the same on both sides of the picture's plane: rounding decides which way the snake goes there.
+TIES = {"person_thicker_leg": 3e-4, "dinosaur_raised_neck": 3e-4}
+SURFACE = 1.2e-3  # with remeshing: what chords of other triangles are apart
 
 
 def mesh_of(points, triangles):
@@ -48,6 +52,13 @@ def stroke_of(name, scale=1.0):
     else:
         projection[:3, :3] /= scale
     return stroke
+
+
+def rotation(axis, degrees):
+    transform = vtkTransform()
+    transform.RotateWXYZ(degrees, *axis)
+    matrix = transform.GetMatrix()
+    return np.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
 
 
 def run(points, triangles, stroke, remesh=False):
@@ -122,14 +133,46 @@ def test_turned(case):
     turn = rotation((1.0, 2.0, -0.5), 37.0)
     result = drawn(points @ turn.T, triangles, turned_view(stroke_of(name), turn)) @ turn
     print(name, "turned", apart(result, expected, points))
-    assert apart(result, expected, points) <= NEAR
+    assert apart(result, expected, points) <= TIES.get(name, NEAR)
 
 
 def far(one, other):
-    """The largest distance of a point of one surface to the other."""
-    locator = vtkStaticCellLocator()
-    locator.SetDataSet(other)
-    locator.BuildLocator()
-    distance = vtkImplicitPolyDataDistance()
-    distance.SetInput(other)
-    return max(abs(distance.EvaluateFunction(one.GetPoint(i))) for i in range(one.GetNumberOfPoints()))
+    """The largest distance of a point of one surface to the other, both ways."""
+    worst = 0.0
+    for this, that in ((one, other), (other, one)):
+        distance = vtkImplicitPolyDataDistance()
+        distance.SetInput(that)
+        worst = max([worst] + [abs(distance.EvaluateFunction(this.GetPoint(i))) for i in range(this.GetNumberOfPoints())])
+    return worst
+
+
+def mapped(surface, matrix):
+    """The surface with its points times a matrix."""
+    result = vtkPolyData()
+    result.DeepCopy(surface)
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float) @ matrix.T
+    places = vtkPoints()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    result.SetPoints(places)
+    return result
+
+
+def test_remeshed(case):
+    """Remeshing decides by lengths, so that triangles may differ; the surface does not."""
+    name, points, triangles, _ = case
+    size = np.linalg.norm(np.ptp(points, axis=0))
+    expected = run(points, triangles, stroke_of(name), True)
+    random = np.random.default_rng(7)
+    to = random.permutation(len(points))
+    mixed = np.empty_like(points)
+    mixed[to] = points
+    turn = rotation((1.0, 2.0, -0.5), 37.0)
+    others = {
+        "reordered": run(mixed, random.permutation(to[triangles]), stroke_of(name), True),
+        "times 1e6": mapped(run(1e6 * points, triangles, stroke_of(name, 1e6), True), 1e-6 * np.eye(3)),
+        "turned": mapped(run(points @ turn.T, triangles, turned_view(stroke_of(name), turn), True), turn.T),
+    }
+    for what, other in others.items():
+        print(name, "remeshed", what, far(expected, other) / size)
+    for what, other in others.items():
+        assert far(expected, other) <= SURFACE * size, what
