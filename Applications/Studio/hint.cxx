@@ -1,8 +1,9 @@
 #include "hint.h"
 
+#include "hint_line.h"
+
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
-#include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
@@ -12,7 +13,7 @@
 #include "vtkTextProperty.h"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace oversketch_studio
 {
@@ -21,8 +22,8 @@ namespace
 {
 
 // px as Qt counts them.
-constexpr double archWidth = 48.0, archHeight = 72.0, archBelow = 24.0, gap = 12.0;
-constexpr int dashes = 13;
+constexpr double gap = 12.0;
+constexpr double dash = 14.0; // with the gap after it
 
 } // namespace
 
@@ -34,8 +35,8 @@ Hint::Hint()
   look->SetFontSize(18);
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(this->Dashes);
-  this->Arch->SetMapper(mapper);
-  this->Arch->GetProperty()->SetColor(0.86, 0.13, 0.12); // the pen's
+  this->Line->SetMapper(mapper);
+  this->Line->GetProperty()->SetColor(0.86, 0.13, 0.12); // the pen's
   this->setVisible(false);
 }
 
@@ -43,7 +44,7 @@ Hint::~Hint() = default;
 
 void Hint::addTo(vtkRenderer* renderer)
 {
-  renderer->AddActor2D(this->Arch);
+  renderer->AddActor2D(this->Line);
   renderer->AddActor2D(this->Text);
 }
 
@@ -56,7 +57,7 @@ void Hint::setText(const std::string& text)
 void Hint::setVisible(bool visible)
 {
   this->Text->SetVisibility(visible);
-  this->Arch->SetVisibility(visible);
+  this->Line->SetVisibility(visible);
 }
 
 bool Hint::isVisible() const
@@ -76,42 +77,48 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
   {
     return;
   }
-  double highest[3] = { 0.0, -VTK_DOUBLE_MAX, 0.0 };
+  oversketch::Polyline picture;
+  picture.reserve(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double p[3];
     mesh->GetPoint(i, p);
     renderer->SetWorldPoint(p[0], p[1], p[2], 1.0);
     renderer->WorldToDisplay();
-    double display[3];
-    renderer->GetDisplayPoint(display);
-    if (display[1] > highest[1])
-    {
-      std::copy(display, display + 3, highest);
-    }
+    picture.emplace_back(renderer->GetDisplayPoint()[0], renderer->GetDisplayPoint()[1]);
   }
+  const oversketch::Polyline line = hintLine(picture, ratio);
+  if (line.empty())
+  {
+    return;
+  }
+  const auto higher = [](const oversketch::Vector2& a, const oversketch::Vector2& b) { return a[1] < b[1]; };
+  const oversketch::Vector2 top = *std::max_element(line.begin(), line.end(), higher);
+  const std::vector<double> lengths = oversketch::arcLengths(line);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
+  constexpr double painted = 0.6; // of a dash and the gap after it
+  const int dashes = std::max(2, static_cast<int>(lengths.back() / (dash * ratio)));
   for (int i = 0; i < dashes; ++i)
   {
     lines->InsertNextCell(2);
-    for (const double end : { 0.0, 0.6 })
+    for (const double end : { 0.0, painted })
     {
-      const double turn = vtkMath::Pi() * (i + end) / (dashes - 0.4);
-      lines->InsertCellPoint(points->InsertNextPoint(highest[0] - 0.5 * archWidth * ratio * std::cos(turn),
-        highest[1] + ratio * (archHeight * std::sin(turn) - archBelow),
-        0.0));
+      const double length = lengths.back() * (i + end) / (dashes - 1 + painted);
+      const oversketch::Vector2 place =
+        oversketch::placeAt(lengths, static_cast<int>(line.size()), length).of(line);
+      lines->InsertCellPoint(points->InsertNextPoint(place[0], place[1], 0.0));
     }
   }
   this->Dashes->SetPoints(points);
   this->Dashes->SetLines(lines);
-  this->Arch->GetProperty()->SetLineWidth(static_cast<float>(3.0 * ratio));
+  this->Line->GetProperty()->SetLineWidth(static_cast<float>(3.0 * ratio));
   double extent[2];
   this->Text->GetSize(renderer, extent);
   const double half = 0.5 * extent[0] + gap * ratio;
   const int* size = renderer->GetSize();
-  this->Text->SetPosition(std::max(half, std::min(highest[0], size[0] - half)),
-    std::min(highest[1] + (archHeight - archBelow + gap) * ratio, size[1] - extent[1] - gap * ratio));
+  this->Text->SetPosition(std::max(half, std::min(top[0], size[0] - half)),
+    std::min(top[1] + gap * ratio, size[1] - extent[1] - gap * ratio));
 }
 
 } // namespace oversketch_studio

@@ -1,5 +1,5 @@
-// What a person new to it sees on the shipped model: an arch over its highest point, dashed in the pen's
-// colour, and a line of text above.
+// What a person new to it sees on the shipped model: a line round the limb that ends highest and beyond its
+// tip, dashed in the pen's colour, and a line of text above.
 #ifndef oversketch_studio_hint_h
 #define oversketch_studio_hint_h
 
@@ -29,13 +29,13 @@ public:
   void setVisible(bool visible);
   bool isVisible() const;
   void setDark(bool dark);
-  // Over the highest point of the picture of the mesh, all of it in the picture; ratio: the screen's pixels a
-  // pixel as Qt counts them.
+  // Round the limb that ends highest in the picture of the mesh, the text within the picture; ratio: the
+  // screen's pixels a pixel as Qt counts them.
   void place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio);
 
 private:
   vtkNew<vtkTextActor> Text;
-  vtkNew<vtkActor2D> Arch;
+  vtkNew<vtkActor2D> Line;
   vtkNew<vtkPolyData> Dashes;
 };
 

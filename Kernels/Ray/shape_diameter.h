@@ -14,8 +14,6 @@
 namespace oversketch
 {
 
-struct RayScene;
-
 struct ShapeDiameterOptions
 {
   int rayCount = 32;
@@ -65,7 +63,6 @@ struct KnownDiameters
   bool filled = false;
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const std::vector<Vector3>> normals;
-  std::vector<Vector3> sides; // see coneSides
   ShapeDiameterOptions options;
   Backend used = Backend::Host;
   ConeMeasures measures;
@@ -79,19 +76,9 @@ struct KnownDiameters
 // the opening, azimuth k times the golden angle.
 std::vector<Vector3> coneDirections(int rayCount, double coneAngle);
 
-// Per vertex a unit vector across its normal that turns with the model: where its longer edges point to. Zero
-// where edges are as long on all sides. A cone whose rays lie by it says the same of a turned model.
-// `around`: see trianglesAround. Where vertices lie at one place their triangles count together.
-std::vector<Vector3> coneSides(const Mesh& mesh,
-  const RayScene& scene,
-  const Lists& around,
-  const std::vector<Vector3>& normals,
-  const Context& context);
-
-// A right-handed frame (columns) whose third axis is `axis`, a unit vector, and whose first is across `side`.
-// For a zero side a continuous function of the axis but at two opposite directions that upright models do not
-// have.
-Eigen::Matrix3d frameAround(const Vector3& axis, const Vector3& side = Vector3::Zero());
+// A right-handed frame (columns) whose third axis is `axis`, a unit vector. A continuous function of the axis
+// but at two opposite directions that upright models do not have.
+Eigen::Matrix3d frameAround(const Vector3& axis);
 
 // The summary of one cone: hits farther than one standard deviation from the median are dropped, the rest
 // averaged with the weights of their directions. -1 without a hit.

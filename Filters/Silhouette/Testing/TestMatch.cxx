@@ -98,9 +98,10 @@ TEST(Match, AStrokeThatWasDraggedKeepsItsSection)
   dragged->GetCellData()->AddArray(moved);
   EXPECT_LT((firstOf(dragged) - start).norm(), 1e-9);
 
+  Chain chain(mesh, dragged, true);
   moved->SetValue(0, std::numeric_limits<double>::quiet_NaN());
-  Chain broken(mesh, dragged, true);
-  expectRefusal(broken.match, Failure::BadStroke, "Moved");
+  chain.match->Modified();
+  expectRefusal(chain.match, Failure::BadStroke, "Moved");
 }
 
 TEST(A4_2, AHiddenCurveNearerStillNeverWins)

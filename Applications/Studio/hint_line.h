@@ -1,0 +1,15 @@
+// The line that a person new to it is shown: one that makes the limb at the top of the picture longer.
+#ifndef oversketch_studio_hint_line_h
+#define oversketch_studio_hint_line_h
+
+#include "Stroke/polyline.h"
+
+namespace oversketch_studio
+{
+
+// Up one side of the limb that ends at the highest of the points, over a tip that stands further out, and
+// down the other side; lengths in pixels of `ratio` each. Empty where there are no points.
+oversketch::Polyline hintLine(const oversketch::Polyline& picture, double ratio);
+
+} // namespace oversketch_studio
+#endif
