@@ -50,14 +50,13 @@ public:
 
 private:
   static constexpr int mostHalvings = 9;
-  static constexpr double leap = 20.0; // pixels' size
 
   void halve(const Seen& a, const Seen& b, int halvings, std::vector<SurfaceSample>& samples) const
   {
     const bool both = a.hit.found() && b.hit.found();
     if (halvings > 0 && (a.hit.found() || b.hit.found()))
     {
-      const Seen middle = this->between(a, b, 0.5);
+      const Seen middle = this->look(0.5 * (a.display + b.display), 0.5 * (a.along + b.along));
       if (!both || !this->straight(a, middle, b))
       {
         this->halve(a, middle, halvings - 1, samples);
@@ -65,7 +64,7 @@ private:
         return;
       }
     }
-    else if (!both || (this->Tolerance > 0.0 && this->pixelsApart(a, b) > leap))
+    else if (!both || (this->Tolerance > 0.0 && this->leaps(a, b)))
     {
       samples.emplace_back();
     }
@@ -75,33 +74,35 @@ private:
     }
   }
 
-  Seen between(const Seen& a, const Seen& b, double share) const
-  {
-    return this->look(a.display + share * (b.display - a.display), a.along + share * (b.along - a.along));
-  }
-
-  bool near(const Seen& a, const Seen& b, double share, const Seen& seen) const
-  {
-    const Vector3 chord = a.hit.position + share * (b.hit.position - a.hit.position);
-    return seen.hit.found() && (seen.hit.position - chord).norm() <= this->Tolerance;
-  }
-
-  // Whether the chord may stand for the surface. One as long as a leap may be one, from part to part, whose
-  // middle something lies in by chance, so its quarters are asked too.
+  // Whether the chord may stand for the surface.
   bool straight(const Seen& a, const Seen& middle, const Seen& b) const
   {
-    return this->near(a, b, 0.5, middle) &&
-           (this->pixelsApart(a, b) <= leap || (this->near(a, b, 0.25, this->between(a, b, 0.25)) &&
-                                                 this->near(a, b, 0.75, this->between(a, b, 0.75))));
+    const Vector3 chord = 0.5 * (a.hit.position + b.hit.position);
+    return middle.hit.found() && (middle.hit.position - chord).norm() <= this->Tolerance &&
+           (b.hit.position - a.hit.position).norm() <= this->longest(this->pixelSize(a, b));
   }
 
-  // Distance on the surface in sizes of a pixel at the nearer end.
-  double pixelsApart(const Seen& a, const Seen& b) const
+  // Whether two places that no halving brought together lie on different parts. Those of a stroke with few
+  // samples may still be far apart in the picture.
+  bool leaps(const Seen& a, const Seen& b) const
+  {
+    const double pixel = this->pixelSize(a, b);
+    return (b.hit.position - a.hit.position).norm() >
+           std::max(this->longest(pixel), 2.0 * pixel * (b.display - a.display).norm());
+  }
+
+  // How long a segment may be.
+  double longest(double pixel) const
+  {
+    return std::min(20.0 * pixel, std::max(2.0 * pixel, 25.0 * this->Tolerance));
+  }
+
+  // Size of a pixel in the world, at the nearer of two places.
+  double pixelSize(const Seen& a, const Seen& b) const
   {
     const Vector3& nearer = (a.hit.distance < b.hit.distance ? a : b).hit.position;
     const Vector3 display = this->Camera.toDisplay(nearer);
-    const Vector3 beside = this->Camera.toWorld({ display[0] + 1.0, display[1] }, display[2]);
-    return (b.hit.position - a.hit.position).norm() / (beside - nearer).norm();
+    return (this->Camera.toWorld({ display[0] + 1.0, display[1] }, display[2]) - nearer).norm();
   }
 
   const SurfaceRays& Surface;

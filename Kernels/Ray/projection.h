@@ -2,7 +2,7 @@
 //
 // Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. III-A. Departures, both on
 // by default: strokes are made denser where the surface bends and cut where it leaps, since plain samples
-// step through the air at every occlusion (StrokeTracing); and a sketch comes back to the surface by the hit
+// step through the air at every occlusion (projectStroke); and a sketch comes back to the surface by the hit
 // next to the one before, since the first hit is often on the far side (SketchProjection::Line).
 #ifndef oversketch_projection_h
 #define oversketch_projection_h
@@ -35,11 +35,12 @@ struct SurfaceCurve
 Ray lineOfSight(const View& view, const Vector2& display, const SurfaceRays& surface);
 
 // The stroke [px] as it lies on what is seen first, in pieces where samples miss the surface. With a
-// tolerance [model length] above 0, between two samples the stroke is halved in the picture until the surface
-// under the middle is that near to the middle of the chord, at most nine times; where the ends of such a
-// ninth part still are more than 20 pixels' size apart, and at what misses, it is cut. Pieces with fewer than
-// two samples are left out; of a closed stroke (its first sample not repeated) that is cut, the pieces that
-// meet at its first sample are one.
+// tolerance [model length] above 0, between two samples the stroke is halved in the picture, at most nine
+// times, until the surface under the middle is that near to the middle of the chord and the chord is no
+// longer than 20 pixels' size, and, where those are more than two, than 25 tolerances: that is half the
+// radius of a feature where the tolerance is a fiftieth of it. What then is longer, and what misses, is cut.
+// Pieces with fewer than two samples are left out; of a closed stroke (its first sample not repeated) that is
+// cut, the pieces that meet at its first sample are one.
 std::vector<SurfaceCurve> projectStroke(const SurfaceRays& surface,
   const View& view,
   const std::vector<Vector2>& stroke,

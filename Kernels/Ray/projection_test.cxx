@@ -117,14 +117,14 @@ TEST(D3_3, KnownPointsOfAPlaneComeBack)
     gridSurface(5, 5, false, false, [](double u, double v) { return Vector3(2 * u - 1, 2 * v - 1, 0); });
   holed.triangles.erase(holed.triangles.begin() + 24, holed.triangles.begin() + 26);
   const View above = orthographicView({ 0, 0, 1 }, { 0, 1, 0 }, 200.0);
-  const std::vector<Vector2> across = line({ 250, 310 }, { 550, 290 }, 31);
+  const std::vector<Vector2> across = line({ 253, 310 }, { 547, 290 }, 31);
   const SurfaceRays plateWithHole = surfaceOf(holed);
   EXPECT_EQ(projectStroke(plateWithHole, above, across, false, 0.0).size(), 2u);
   const std::vector<SurfaceCurve> pieces = projectStroke(plateWithHole, above, across, false, 1e-3);
   ASSERT_EQ(pieces.size(), 2u);
   const double rim = std::max(std::abs(pieces[0].samples.back().position[0] + 0.2),
     std::abs(pieces[1].samples.front().position[0] - 0.2));
-  EXPECT_LT(rim * 200.0, 10.0 / 512.0); // a pair of samples, 10 px, halved nine times
+  EXPECT_LT(rim * 200.0, 10.0 / 512.0); // a pair of samples, some 10 px, halved nine times
   fact("D3_3",
     "plane points project and come back to " + figureOf(worst) +
       " of the scene, both cameras, tiny, huge and shifted; a hole cuts the curve in two, " +
@@ -196,7 +196,7 @@ TEST(Projection, AClosedStrokeIsARingAndWhatIsCutJoinsAtItsStart)
   std::vector<Vector2> ring;
   for (int i = 0; i < 60; ++i)
     ring.emplace_back(400 + 100 * std::cos(2 * pi * i / 60), 300 + 100 * std::sin(2 * pi * i / 60));
-  const std::vector<SurfaceCurve> whole = projectStroke(wide, view, ring, true, 1e-3);
+  const std::vector<SurfaceCurve> whole = projectStroke(wide, view, ring, true, 1e-2);
   ASSERT_EQ(whole.size(), 1u);
   EXPECT_TRUE(whole[0].closed);
   EXPECT_EQ(whole[0].samples.size(), 60u);
