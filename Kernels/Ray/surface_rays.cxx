@@ -28,7 +28,7 @@ using LineContext = RTCIntersectContext;
 
 // By so much [unit of the scene, where the mesh lies within [-1, 1]] boxes are wider than their facets, and
 // the tree is searched beyond the best hit: many times the rounding of single precision.
-constexpr double slack = 1e-5;
+constexpr double treeSlack = 1e-5;
 
 // The facets in the unit of the scene, where no product underflows and the distance from the origin is gone.
 struct SceneFacets
@@ -143,8 +143,8 @@ void boundFacet(const RTCBoundsFunctionArguments* arguments)
   const int triangle = static_cast<int>(arguments->primID);
   const Vector3 a = facets.corner(triangle, 0), b = facets.corner(triangle, 1),
                 c = facets.corner(triangle, 2);
-  const Eigen::Vector3f low = (a.cwiseMin(b).cwiseMin(c).array() - slack).cast<float>();
-  const Eigen::Vector3f high = (a.cwiseMax(b).cwiseMax(c).array() + slack).cast<float>();
+  const Eigen::Vector3f low = (a.cwiseMin(b).cwiseMin(c).array() - treeSlack).cast<float>();
+  const Eigen::Vector3f high = (a.cwiseMax(b).cwiseMax(c).array() + treeSlack).cast<float>();
   *arguments->bounds_o = { low[0], low[1], low[2], 0.0f, high[0], high[1], high[2], 0.0f };
 }
 
@@ -170,7 +170,7 @@ void crossFacet(const RTCIntersectFunctionNArguments* arguments)
   {
     query.best = crossing;
     RTCRayN* ray = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
-    RTCRayN_tfar(ray, arguments->N, 0) = static_cast<float>(crossing.along + slack);
+    RTCRayN_tfar(ray, arguments->N, 0) = static_cast<float>(crossing.along + treeSlack);
   }
 }
 
@@ -189,7 +189,7 @@ bool approachFacet(RTCPointQueryFunctionArguments* arguments)
   }
   query.squared = squared;
   query.at = { triangle, w };
-  arguments->query->radius = static_cast<float>((1.0 + slack) * std::sqrt(squared) + slack);
+  arguments->query->radius = static_cast<float>((1.0 + treeSlack) * std::sqrt(squared) + treeSlack);
   return true;
 }
 
@@ -253,7 +253,7 @@ struct SurfaceRays::Tree
     ray.ray.org_x = static_cast<float>(query.line.start[0]);
     ray.ray.org_y = static_cast<float>(query.line.start[1]);
     ray.ray.org_z = static_cast<float>(query.line.start[2]);
-    ray.ray.tnear = static_cast<float>(std::max(0.0, query.from - slack));
+    ray.ray.tnear = static_cast<float>(std::max(0.0, query.from - treeSlack));
     ray.ray.dir_x = static_cast<float>(query.line.direction[0]);
     ray.ray.dir_y = static_cast<float>(query.line.direction[1]);
     ray.ray.dir_z = static_cast<float>(query.line.direction[2]);

@@ -342,7 +342,7 @@ TEST(SurfaceStroke, FarAwayAndTinyModelsGiveTheCurvesOfHome)
   }
 }
 
-TEST(SurfaceStroke, NoSegmentLeapsOnRealModels)
+TEST(D3_4, NoSegmentLeapsOnRealModels)
 {
   double worst = 0.0, published = 0.0;
   int models = 0, cut = 0;
