@@ -6,10 +6,11 @@
  * and ends on the surface; the silhouette points nearest to both ends, p0 and pn, and the mean of their
  * normals span a plane, on which the stroke, projected along the lines of sight, is the sketch. The curve is
  * what of the surface is to go there. The paper leaves open, and here is chosen: points of visible silhouette
- * curves are preferred; an end beside the model takes the silhouette point nearest in the picture, within 20
- * px; the sketch is shifted, linearly in arc length, to end on p0 and pn (FixEnds); each sample of the sketch
- * is paired with a point of its own on the surface, found along the mean normal. Departure (Projection): the
- * first hit against that normal, as published, often is on the far side of the model.
+ * curves are preferred; the sketch is shifted, linearly in arc length, to end on p0 and pn (FixEnds); each
+ * sample of the sketch is paired with a point of its own on the surface, found along the mean normal.
+ * Departures, undone by the projection Ray: the first hit against that normal often is on the far side of the
+ * model (Projection); and p0 and pn are nearest in the picture where that is within 20 px, since a pen that
+ * presses a pixel beside a limb lies on what is behind it. An end beside the model is always taken so.
  *
  * Input 0 (Stroke): stroke polydata: one polyline in display coordinates with cell arrays ViewTransform,
  * ProjectionTransform and ViewportSize.

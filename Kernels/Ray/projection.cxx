@@ -165,58 +165,62 @@ struct End
   Vector3 position, normal;
 };
 
-// The place of the silhouette that an end of the stroke stands for.
+// The place of the silhouette that an end of the stroke stands for: the nearest in the picture if that is
+// within reach, else the nearest to the surface under the end. As published, only the latter is asked where
+// there is a surface.
 End endOf(const SurfaceRays& surface,
   const View& view,
   const Vector2& display,
   const std::vector<SilhouetteChain>& silhouette,
-  double reach,
+  const SketchRules& rules,
   const char* which)
 {
   const bool anyVisible = std::any_of(silhouette.begin(),
     silhouette.end(),
     [](const SilhouetteChain& chain) { return chain.visible && !chain.points.empty(); });
   const SurfaceHit under = surface.nearest(lineOfSight(view, display, surface));
-  End end;
-  double least = std::numeric_limits<double>::infinity();
+  End inPicture, inSpace;
+  double pixels = std::numeric_limits<double>::infinity(), length = pixels;
   for (int c = 0; c < static_cast<int>(silhouette.size()); ++c)
   {
     const SilhouetteChain& chain = silhouette[c];
     for (int i = 0; i < static_cast<int>(chain.points.size()) && (chain.visible || !anyVisible); ++i)
     {
       const Vector3& p = chain.points[i];
-      double distance = std::numeric_limits<double>::infinity();
-      if (under.found())
+      const double across = (view.toDisplay(p).head<2>() - display).norm();
+      if (across < pixels && view.inFront(p))
       {
-        distance = (p - under.position).norm();
+        pixels = across;
+        inPicture = { c, i, p, chain.normals[i] };
       }
-      else if (view.inFront(p))
+      if (under.found() && (p - under.position).norm() < length)
       {
-        distance = (view.toDisplay(p).head<2>() - display).norm();
-      }
-      if (distance < least)
-      {
-        least = distance;
-        end = { c, i, p, chain.normals[i] };
+        length = (p - under.position).norm();
+        inSpace = { c, i, p, chain.normals[i] };
       }
     }
   }
-  if (end.chain < 0)
+  if (inPicture.chain < 0 && inSpace.chain < 0)
   {
     refuseStroke("There is no silhouette that the stroke could begin and end on: turn the model until an "
                  "outline is seen, and draw from one place of it to another.");
   }
-  if (!under.found() && !(least <= reach))
+  const bool published = rules.projection == SketchProjection::Ray;
+  if (pixels <= rules.reach && !(published && under.found()))
+  {
+    return inPicture;
+  }
+  if (!under.found())
   {
     refuseStroke("The stroke ",
       which,
       " ",
-      std::lround(std::min(least, 1e6)),
+      std::lround(std::min(pixels, 1e6)),
       " px beside the silhouette, and not on the model: press and release the pen on the model, or within ",
-      reach,
+      rules.reach,
       " px of its outline.");
   }
-  return end;
+  return inSpace;
 }
 
 // The stroke in the plane through both ends that holds n, the mean of their normals.
@@ -449,8 +453,8 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   {
     refuseStroke("The stroke has fewer than two samples; draw a longer one.");
   }
-  const End begin = endOf(surface, view, stroke.front(), silhouette, rules.reach, "begins");
-  const End end = endOf(surface, view, stroke.back(), silhouette, rules.reach, "ends");
+  const End begin = endOf(surface, view, stroke.front(), silhouette, rules, "begins");
+  const End end = endOf(surface, view, stroke.back(), silhouette, rules, "ends");
   const Vector3 n = 0.5 * (begin.normal + end.normal);
   std::vector<Vector3> sketch = sketchInPlane(surface, view, stroke, begin, end, n);
   const std::vector<double> shares = sharesOf(sketch);

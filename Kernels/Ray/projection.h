@@ -70,7 +70,7 @@ struct SketchRules
   bool fixEnds = true; // the sketch ends on the silhouette: a shift that is linear in arc length
   double maximumStep =
     0.0; // model length, Line only: a longer step bridges empty space and is refused; 0: none is
-  double reach = 20.0; // px from an end beside the model to the silhouette
+  double reach = 20.0; // px from an end of the stroke to the silhouette
 };
 
 // The curve on the surface, and beside each of its samples where that part of the surface is to go.
@@ -81,10 +81,12 @@ struct SilhouetteSketch
 };
 
 // The stroke as a new silhouette between the places where it begins and ends: those of `silhouette`, visible
-// ones where there are any, that are nearest to the surface under its ends. Throws Error(Failure::BadStroke)
-// when there is no silhouette, an end lies too far beside the model, the plane of the sketch is degenerate or
-// seen within 5 degrees of edge-on, the sketch has no length, a step is too long, or, for Path, no one chain
-// joins the ends.
+// ones where there are any, that are nearest to its ends in the picture if within reach, else nearest to the
+// surface under them. Departure: as published, which the projection Ray does, the surface is asked first; but
+// a pen that presses a pixel beside a limb lies on what is behind it, and would take that one's silhouette.
+// Throws Error(Failure::BadStroke) when there is no silhouette, an end lies too far beside the model, the
+// plane of the sketch is degenerate or seen within 5 degrees of edge-on, the sketch has no length, a step is
+// too long, or, for Path, no one chain joins the ends.
 SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   const View& view,
   const std::vector<Vector2>& stroke,

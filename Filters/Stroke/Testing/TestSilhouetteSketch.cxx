@@ -271,6 +271,33 @@ TEST(SilhouetteSketch, VisibleCurvesArePreferredAndAnEndBesideTheModelFindsTheOu
   expectRefusal(filter, Failure::BadStroke, "The stroke begins 30 px beside the silhouette");
 }
 
+TEST(SilhouetteSketch, APenBesideALimbTakesTheLimbNotWhatIsBehind)
+{
+  // A small sphere before a large one; the stroke begins and ends 3 px outside the small one's outline.
+  const View view = orthographicView(Vector3(0, 0, 1), Vector3(0, 1, 0), 200.0);
+  const auto mesh = toPolyData(joined(icosphere(4), icosphere(4, 0.4), { 0.1, 0, 3 }));
+  std::vector<Vector2> samples;
+  for (int i = 0; i < 40; ++i)
+  {
+    const double angle = 1.0 + i / 39.0;
+    const double radius = 83 + 25 * std::sin(pi * i / 39.0);
+    samples.emplace_back(420 + radius * std::cos(angle), 300 + radius * std::sin(angle));
+  }
+  const auto stroke = toStroke(samples, view);
+  vtkNew<Sketch> filter;
+  filter->SetInputData(stroke);
+  filter->SetMeshData(mesh);
+  filter->SetSilhouetteData(silhouetteOf(mesh, stroke));
+  filter->Update();
+  ASSERT_EQ(filter->GetErrorCode(), 0u);
+  for (const Vector3& p : pointsOf(filter->GetOutput()))
+    EXPECT_GT(p[2], 2.5);
+  // As published it is the far sphere's silhouette that is nearest to the surface under the pen.
+  filter->SetProjectionToRay();
+  filter->Update();
+  EXPECT_LT(filter->GetOutput()->GetPoint(0)[2], 1.0);
+}
+
 TEST(SilhouetteSketch, ASketchOverEmptySpaceIsRefused)
 {
   // From one of two spheres to the other.
