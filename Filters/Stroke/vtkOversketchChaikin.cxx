@@ -18,6 +18,7 @@ namespace
 std::vector<Blend> ringPlaces(const StrokeLine& stroke, double closingDistance, char& closed)
 {
   std::vector<Blend> places;
+  places.reserve(stroke.Samples.size());
   for (int i = 0; i < static_cast<int>(stroke.Samples.size()); ++i)
   {
     places.push_back(Blend::point(i));

@@ -47,6 +47,7 @@ double longestStep(const std::vector<SurfaceCurve>& curves)
 std::vector<Vector2> line(const Vector2& a, const Vector2& b, int count)
 {
   std::vector<Vector2> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     samples.emplace_back(a + (b - a) * i / (count - 1));
   return samples;
@@ -194,6 +195,7 @@ TEST(Projection, AClosedStrokeIsARingAndWhatIsCutJoinsAtItsStart)
   const SurfaceRays wide = surfaceOf(plate(-1, 1, 0));
   const View view = orthographicView({ 0, 0, 1 }, { 0, 1, 0 }, 200.0);
   std::vector<Vector2> ring;
+  ring.reserve(60);
   for (int i = 0; i < 60; ++i)
     ring.emplace_back(400 + 100 * std::cos(2 * pi * i / 60), 300 + 100 * std::sin(2 * pi * i / 60));
   const std::vector<SurfaceCurve> whole = projectStroke(wide, view, ring, true, 1e-2);
@@ -240,6 +242,7 @@ TEST(Projection, ThreadsDoNotMatter)
   const SurfaceRays surface = surfaceOf(torus(1.0, 0.4, 80, 40));
   const View view = perspectiveView({ 2, -3, 4 }, { 0, 1, 0 }, 40.0);
   std::vector<Vector2> scribble;
+  scribble.reserve(3000);
   for (int i = 0; i < 3000; ++i)
     scribble.emplace_back(400 + 200 * std::sin(0.37 * i), 300 + 200 * std::cos(0.23 * i));
   Context two;

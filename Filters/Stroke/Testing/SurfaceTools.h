@@ -59,6 +59,7 @@ inline vtkSmartPointer<vtkPolyData> toStrokes(
 inline std::vector<Vector2> straight(const Vector2& a, const Vector2& b, int count)
 {
   std::vector<Vector2> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
   {
     samples.emplace_back(a + (b - a) * i / (count - 1));

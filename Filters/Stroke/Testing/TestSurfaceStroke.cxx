@@ -83,6 +83,7 @@ TEST(SurfaceStroke, ManyStrokesManyViewsAndTheirArrays)
 {
   const auto mesh = toPolyData(icosphere(4));
   std::vector<Vector2> ring;
+  ring.reserve(50);
   for (int i = 0; i < 50; ++i)
     ring.emplace_back(400 + 60 * std::cos(2 * pi * i / 50), 300 + 60 * std::sin(2 * pi * i / 50));
   const auto strokes =
@@ -186,6 +187,7 @@ TEST(SurfaceStroke, ThreadsDoNotMatter)
 {
   const auto mesh = toPolyData(torus(1.0, 0.4, 90, 45));
   std::vector<Vector2> scribble;
+  scribble.reserve(300);
   for (int i = 0; i < 300; ++i)
     scribble.emplace_back(400 + 150 * std::sin(0.37 * i), 300 + 150 * std::cos(0.23 * i));
   vtkSmartPointer<vtkPolyData> results[2];
@@ -224,6 +226,7 @@ TEST(SurfaceStroke, RefusesABadHandByName)
   refused(toStroke({ { 400, 300 }, { 410, nan }, { 420, 300 } }, front), "sample 1 is not finite");
   // 100,000 samples that leap over the picture.
   std::vector<Vector2> leaps;
+  leaps.reserve(100000);
   for (int i = 0; i < 100000; ++i)
     leaps.emplace_back(400 + 300 * std::sin(1.9 * i), 300 + 200 * std::cos(2.3 * i));
   refused(toStroke(leaps, front), "at most 100000 px are taken");
@@ -364,6 +367,7 @@ TEST(D3_4, NoSegmentLeapsOnRealModels)
     {
       const View view = viewOfModel(model, perspective);
       std::vector<Vector2> sine;
+      sine.reserve(160);
       for (int i = 0; i < 160; ++i)
         sine.emplace_back(80 + 4 * i, 300 + 180 * std::sin(0.09 * i));
       vtkNew<vtkOversketchSurfaceStroke> filter;

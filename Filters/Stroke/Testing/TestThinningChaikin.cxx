@@ -18,6 +18,7 @@ const View otherLens = perspectiveView(Vector3(1, 2, 3), Vector3(0, 1, 0), 50.0)
 std::vector<Vector2> ringOf(int count, double radius)
 {
   std::vector<Vector2> ring;
+  ring.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     ring.emplace_back(
       400 + radius * std::cos(2 * pi * i / count), 300 + radius * std::sin(2 * pi * i / count));
