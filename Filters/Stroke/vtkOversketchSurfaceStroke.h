@@ -35,9 +35,9 @@
  * meet the mesh. Strokes or a mesh without points give an empty output silently.
  *
  * Deterministic: same result bit for bit for any number of threads. Cost: the first stroke on a mesh builds
- * its ray scene, some 0.2 s a million triangles; then about a microsecond a ray, one to five rays a sample.
- * The scene stays while points and polygons of the mesh stand, the result, as the same arrays, while all that
- * is read does.
+ * its ray scene, some 0.3 s and 50 MiB a million triangles; then a microsecond a ray, one to five rays a
+ * sample. The scene stays while points and polygons of the mesh stand, the result, as the same arrays, while
+ * all that is read does.
  *
  * @sa vtkOversketchChaikin vtkOversketchSilhouetteSketch
  */

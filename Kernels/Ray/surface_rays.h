@@ -38,8 +38,8 @@ struct SurfaceHit
 class SurfaceRays
 {
 public:
-  // Takes some 0.2 s a million triangles. A facet with a point that is not finite is not seen. Throws
-  // Error(Failure::Cancelled), and Error(Failure::Unexpected) where Embree cannot take the mesh.
+  // Takes some 0.3 s and 50 MiB a million triangles. A facet with a point that is not finite is not seen.
+  // Throws Error(Failure::Cancelled), and Error(Failure::Unexpected) where Embree cannot take the mesh.
   explicit SurfaceRays(std::shared_ptr<const Mesh> mesh, const Context& context = Context());
   ~SurfaceRays();
   SurfaceRays(const SurfaceRays&) = delete;
