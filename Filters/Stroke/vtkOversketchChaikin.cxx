@@ -1,0 +1,80 @@
+#include "vtkOversketchChaikin.h"
+
+#include "Stroke/chaikin.h"
+#include "vtkOversketchStrokeTools.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+using namespace oversketch;
+
+namespace
+{
+
+// The stroke as it is, closed where it comes back; a last sample upon the first is the first.
+std::vector<Blend> ringPlaces(const StrokeLine& stroke, double closingDistance, char& closed)
+{
+  std::vector<Blend> places;
+  places.reserve(stroke.Samples.size());
+  for (int i = 0; i < static_cast<int>(stroke.Samples.size()); ++i)
+  {
+    places.push_back(Blend::point(i));
+  }
+  closed = stroke.Closed || comesBack(stroke.Samples, closingDistance);
+  while (closed && places.size() > 1 && places.back().of(stroke.Samples) == stroke.Samples.front())
+  {
+    places.pop_back();
+  }
+  closed = closed && places.size() > 2;
+  return places;
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkOversketchChaikin);
+
+int vtkOversketchChaikin::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      if (input->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const Context context = ContextOf(this);
+      vtkNew<vtkPolyData> now;
+      now->ShallowCopy(input);
+      for (int pass = 0; pass <= this->Iterations; ++pass)
+      {
+        const std::vector<StrokeLine> strokes = ReadStrokes(now);
+        std::vector<std::vector<Blend>> places;
+        std::vector<char> closed(strokes.size());
+        for (std::size_t i = 0; i < strokes.size(); ++i)
+        {
+          closed[i] = strokes[i].Closed;
+          places.push_back(pass == 0
+                             ? ringPlaces(strokes[i], this->ClosingDistance, closed[i])
+                             : chaikinPass(static_cast<int>(strokes[i].Samples.size()), strokes[i].Closed));
+        }
+        vtkNew<vtkPolyData> next;
+        WriteStrokes(now, strokes, places, closed, next);
+        now->ShallowCopy(next);
+        context.checkpoint((pass + 1.0) / (this->Iterations + 1.0));
+      }
+      vtkPolyData::GetData(outputs)->ShallowCopy(now);
+    });
+}
+
+void vtkOversketchChaikin::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Iterations: " << this->Iterations << "\n";
+  os << indent << "ClosingDistance: " << this->ClosingDistance << "\n";
+}

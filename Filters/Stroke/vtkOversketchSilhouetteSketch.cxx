@@ -1,0 +1,207 @@
+#include "vtkOversketchSilhouetteSketch.h"
+
+#include "vtkOversketchKept.h"
+#include "vtkOversketchStrokeTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <sstream>
+
+using namespace oversketch;
+
+namespace
+{
+
+std::vector<SilhouetteChain> readSilhouette(vtkPolyData* curves)
+{
+  const vtkIdType count = curves->GetNumberOfLines();
+  const char* remedy = "take the output of vtkOversketchSilhouette, or of a filter after it, for this mesh";
+  if (count != curves->GetNumberOfCells())
+  {
+    throw Error(
+      Failure::BadMesh, std::string("The silhouette holds cells that are not polylines; ") + remedy + ".");
+  }
+  std::vector<SilhouetteChain> chains(static_cast<std::size_t>(count));
+  if (count == 0)
+  {
+    return chains;
+  }
+  vtkDataArray* normals =
+    RequireArray(curves->GetPointData(), "Normals", 3, curves->GetNumberOfPoints(), "silhouette", remedy);
+  vtkDataArray* visible = curves->GetCellData()->HasArray("Visible")
+                            ? RequireArray(curves->GetCellData(), "Visible", 1, count, "silhouette", remedy)
+                            : nullptr;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    SilhouetteChain& chain = chains[static_cast<std::size_t>(cell)];
+    curves->GetLines()->GetCellAtId(cell, ids);
+    const vtkIdType size = ids->GetNumberOfIds();
+    chain.closed = size > 2 && ids->GetId(0) == ids->GetId(size - 1);
+    chain.visible = !visible || visible->GetComponent(cell, 0) != 0.0;
+    for (vtkIdType i = 0; i < (chain.closed ? size - 1 : size); ++i)
+    {
+      const vtkIdType id = ids->GetId(i);
+      Vector3 point = Vector3::Constant(std::nan("")), normal = point;
+      if (id >= 0 && id < curves->GetNumberOfPoints())
+      {
+        curves->GetPoint(id, point.data());
+        normals->GetTuple(id, normal.data());
+      }
+      if (!point.allFinite() || !normal.allFinite())
+      {
+        std::ostringstream message;
+        message << "Cell " << cell
+                << " of the silhouette names a point that does not exist, or is not finite; " << remedy
+                << '.';
+        throw Error(Failure::BadMesh, message.str());
+      }
+      chain.points.push_back(point);
+      chain.normals.push_back(normal.normalized());
+    }
+  }
+  return chains;
+}
+
+// The sketch with the points and cell of the curve.
+void writeSketch(const std::vector<Vector3>& sketch, vtkPolyData* curve, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> arcs;
+  arcs->SetName("ArcLength");
+  double arc = 0.0;
+  for (std::size_t k = 0; k < sketch.size(); ++k)
+  {
+    arc += k > 0 ? (sketch[k] - sketch[k - 1]).norm() : 0.0;
+    points->InsertNextPoint(sketch[k].data());
+    arcs->InsertNextValue(arc);
+  }
+  output->SetPoints(points);
+  output->SetLines(curve->GetLines());
+  output->GetPointData()->AddArray(arcs);
+  for (const char* name : { "CurveId", "StrokeId" })
+  {
+    output->GetCellData()->AddArray(curve->GetCellData()->GetArray(name));
+  }
+}
+
+} // namespace
+
+// The ray scene of the mesh, held for the next stroke, and the last result.
+struct vtkOversketchSilhouetteSketch::Cache
+{
+  KeptSurface Surface;
+  KeptOutput Kept;
+  vtkNew<vtkPolyData> Sketch;
+};
+
+vtkStandardNewMacro(vtkOversketchSilhouetteSketch);
+
+vtkOversketchSilhouetteSketch::vtkOversketchSilhouetteSketch()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchSilhouetteSketch::~vtkOversketchSilhouetteSketch() = default;
+
+void vtkOversketchSilhouetteSketch::SetMeshData(vtkPolyData* mesh)
+{
+  this->SetInputData(1, mesh);
+}
+
+void vtkOversketchSilhouetteSketch::SetSilhouetteData(vtkPolyData* curves)
+{
+  this->SetInputData(2, curves);
+}
+
+vtkPolyData* vtkOversketchSilhouetteSketch::GetSketchOutput()
+{
+  return this->GetOutput(1);
+}
+
+vtkIdType vtkOversketchSilhouetteSketch::GetSceneCount()
+{
+  return this->Internals->Surface.Builds();
+}
+
+int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* silhouette = vtkPolyData::GetData(inputs[2]);
+      if (strokes->GetNumberOfPoints() == 0 || mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      RequirePolygonsOnly(mesh); // the key does not see other cells
+      if (!std::isfinite(this->MaximumStep))
+      {
+        throw Error(Failure::BadStroke, "MaximumStep is not finite; set a length, 0 or -1.");
+      }
+      Cache& cache = *this->Internals;
+      const StepKey key({ StrokesKey(strokes),
+                          MeshKey(mesh, { mesh->GetPointData()->GetNormals() }),
+                          MeshKey(silhouette,
+                            { silhouette->GetPointData()->GetArray("Normals"),
+                              silhouette->GetCellData()->GetArray("Visible") }) },
+        { static_cast<double>(this->Projection), this->MaximumStep, this->FixEnds ? 1.0 : 0.0 });
+      cache.Kept.Provide(key,
+        vtkPolyData::GetData(outputs, 0),
+        [&](vtkPolyData* result)
+        {
+          ++this->ProjectionCount;
+          const std::vector<StrokeLine> lines = ReadStrokes(strokes);
+          if (lines.size() != 1)
+          {
+            throw Error(Failure::BadStroke,
+              "The stroke input holds " + std::to_string(lines.size()) +
+                " polylines; a new silhouette is exactly one stroke.");
+          }
+          RefuseEndless(lines);
+          const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+          SketchRules rules;
+          rules.projection = static_cast<SketchProjection>(this->Projection);
+          rules.fixEnds = this->FixEnds;
+          rules.maximumStep = this->MaximumStep < 0.0 ? 0.03 * surface.diagonal() : this->MaximumStep;
+          const SilhouetteSketch sketch = sketchSilhouette(surface,
+            ViewOfStroke(strokes, 0),
+            lines[0].Samples,
+            readSilhouette(silhouette),
+            rules,
+            ContextOf(this, 0.5, 1.0));
+          WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface.Mesh(), strokes, lines, result);
+          cache.Sketch->Initialize();
+          writeSketch(sketch.sketch, result, cache.Sketch);
+        });
+      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Sketch);
+    });
+}
+
+void vtkOversketchSilhouetteSketch::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Projection: " << this->Projection << "\n";
+  os << indent << "MaximumStep: " << this->MaximumStep << "\n";
+  os << indent << "FixEnds: " << (this->FixEnds ? "on" : "off") << "\n";
+  os << indent << "ProjectionCount: " << this->ProjectionCount << "\n";
+  os << indent << "SceneCount: " << this->GetSceneCount() << "\n";
+}

@@ -1,0 +1,318 @@
+#include "vtkOversketchStrokeTools.h"
+
+#include "Stroke/stroke.h"
+#include "vtkOversketchBindings.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace oversketch
+{
+
+namespace
+{
+
+const char* const viewArrays[] = { "ViewTransform", "ProjectionTransform", "ViewportSize" };
+// What a stroke may say of the feature that it draws.
+const char* const profileArrays[] = { "Radius", "Height", "Sharpness" };
+
+// What a curve takes over from the stroke's cell.
+std::vector<vtkDataArray*> passedArrays(vtkPolyData* strokes)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (const char* const* names : { viewArrays, profileArrays })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkDataArray* array = strokes->GetCellData()->GetArray(names[i]);
+      if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())
+      {
+        arrays.push_back(array);
+      }
+    }
+  }
+  return arrays;
+}
+
+vtkDataArray* pressureOf(vtkPolyData* strokes)
+{
+  vtkDataArray* pressure = strokes->GetPointData()->GetArray("Pressure");
+  return pressure && pressure->GetNumberOfComponents() == 1 &&
+             pressure->GetNumberOfTuples() == strokes->GetNumberOfPoints()
+           ? pressure
+           : nullptr;
+}
+
+vtkSmartPointer<vtkDataArray> emptyLike(vtkDataArray* array)
+{
+  auto result = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  result->SetName(array->GetName());
+  result->SetNumberOfComponents(array->GetNumberOfComponents());
+  return result;
+}
+
+// Normals turn with the surface; where they cancel, that of the facet.
+Vector3 normalAt(const SurfacePoint& at, const MeshData& mesh)
+{
+  const Triangle& t = mesh.Surface().triangles[at.triangle];
+  const std::vector<Vector3>& normals = mesh.Normals();
+  const Vector3 normal =
+    at.weights[0] * normals[t[0]] + at.weights[1] * normals[t[1]] + at.weights[2] * normals[t[2]];
+  return normal.norm() > 1e-6 ? Vector3(normal.normalized()) : facetNormal(mesh.Surface(), at.triangle);
+}
+
+// Point data of one curve after another.
+struct CurvePoints
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> arcs, normals;
+  vtkNew<vtkIdTypeArray> cells;
+  vtkSmartPointer<vtkDataArray> pressure;
+  std::vector<Binding> bindings;
+
+  explicit CurvePoints(vtkDataArray* strokesPressure)
+  {
+    this->points->SetDataTypeToDouble();
+    this->arcs->SetName("ArcLength");
+    this->normals->SetName("Normals");
+    this->normals->SetNumberOfComponents(3);
+    this->cells->SetName("MeshCell");
+    if (strokesPressure)
+    {
+      this->pressure = emptyLike(strokesPressure);
+    }
+  }
+
+  vtkIdType insert(const SurfaceSample& sample, double arc, const MeshData& mesh)
+  {
+    this->arcs->InsertNextValue(arc);
+    this->normals->InsertNextTuple(normalAt(sample.at, mesh).data());
+    this->cells->InsertNextValue(sample.at.triangle);
+    this->bindings.push_back({ mesh.Surface().triangles[sample.at.triangle], sample.at.weights });
+    return this->points->InsertNextPoint(sample.position.data());
+  }
+};
+
+} // namespace
+
+std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes)
+{
+  const vtkIdType count = strokes->GetNumberOfLines();
+  if (count == 0 || count != strokes->GetNumberOfCells())
+  {
+    throw Error(Failure::BadStroke,
+      "The stroke input must hold polylines and no other cells: a stroke is one polyline.");
+  }
+  std::vector<StrokeLine> lines(static_cast<std::size_t>(count));
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    StrokeLine& line = lines[static_cast<std::size_t>(cell)];
+    strokes->GetLines()->GetCellAtId(cell, ids);
+    const vtkIdType size = ids->GetNumberOfIds();
+    line.Closed = size > 3 && ids->GetId(0) == ids->GetId(size - 1);
+    std::ostringstream message;
+    message << "Stroke " << cell << " cannot be used: ";
+    for (vtkIdType i = 0; i < (line.Closed ? size - 1 : size); ++i)
+    {
+      const vtkIdType id = ids->GetId(i);
+      Vector3 p = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+      if (id >= 0 && id < strokes->GetNumberOfPoints())
+      {
+        strokes->GetPoint(id, p.data());
+      }
+      if (!p.head<2>().allFinite())
+      {
+        message << "sample " << i << " is not finite or does not exist; record the stroke again.";
+        throw Error(Failure::BadStroke, message.str());
+      }
+      line.Ids.push_back(id);
+      line.Samples.push_back(p.head<2>());
+    }
+    if (line.Samples.size() < 2)
+    {
+      message << "it has " << line.Samples.size() << (line.Samples.size() == 1 ? " sample" : " samples")
+              << "; at least 2 are needed: draw a longer stroke.";
+      throw Error(Failure::BadStroke, message.str());
+    }
+  }
+  return lines;
+}
+
+void RefuseEndless(const std::vector<StrokeLine>& strokes)
+{
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    const double length = arcLengths(strokes[i].Samples, strokes[i].Closed).back();
+    if (!(length <= longestStroke))
+    {
+      std::ostringstream message;
+      message << "Stroke " << i << " cannot be used: it is " << length << " px long; at most "
+              << longestStroke << " px are taken: record the stroke again.";
+      throw Error(Failure::BadStroke, message.str());
+    }
+  }
+}
+
+View ViewOfStroke(vtkPolyData* strokes, int stroke)
+{
+  vtkNew<vtkPolyData> one;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ points->InsertNextPoint(0.0, 0.0, 0.0) });
+  one->SetPoints(points);
+  one->SetLines(lines);
+  for (const char* name : viewArrays)
+  {
+    vtkDataArray* array = strokes->GetCellData()->GetArray(name);
+    if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())
+    {
+      auto its = emptyLike(array);
+      its->InsertNextTuple(stroke, array);
+      one->GetCellData()->AddArray(its);
+    }
+  }
+  try
+  {
+    return ViewOf(one);
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what());
+  }
+}
+
+void WriteStrokes(vtkPolyData* input,
+  const std::vector<StrokeLine>& strokes,
+  const std::vector<std::vector<Blend>>& places,
+  const std::vector<char>& closed,
+  vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkPointData* from = input->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  to->InterpolateAllocate(from);
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    lines->InsertNextCell(static_cast<int>(places[i].size()) + closed[i]);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (const Blend& place : places[i])
+    {
+      const Vector2 p = place.of(strokes[i].Samples);
+      const vtkIdType id = points->InsertNextPoint(p[0], p[1], 0.0);
+      lines->InsertCellPoint(id);
+      to->InterpolateEdge(from, id, strokes[i].Ids[place.from], strokes[i].Ids[place.to], place.t);
+    }
+    if (closed[i])
+    {
+      lines->InsertCellPoint(first);
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetCellData()->PassData(input->GetCellData());
+  output->GetFieldData()->PassData(input->GetFieldData());
+}
+
+MeshKey StrokesKey(vtkPolyData* strokes)
+{
+  std::vector<vtkDataArray*> arrays = passedArrays(strokes);
+  arrays.push_back(pressureOf(strokes));
+  return MeshKey(strokes, arrays);
+}
+
+void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
+  const MeshData& mesh,
+  vtkPolyData* strokes,
+  const std::vector<StrokeLine>& lines,
+  vtkPolyData* output)
+{
+  vtkDataArray* pressure = pressureOf(strokes);
+  CurvePoints to(pressure);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIntArray> curveIds, strokeIds;
+  curveIds->SetName("CurveId");
+  strokeIds->SetName("StrokeId");
+  output->GetCellData()->AddArray(curveIds);
+  output->GetCellData()->AddArray(strokeIds);
+  const std::vector<vtkDataArray*> passed = passedArrays(strokes);
+  std::vector<vtkSmartPointer<vtkDataArray>> taken;
+  for (vtkDataArray* array : passed)
+  {
+    taken.push_back(emptyLike(array));
+    output->GetCellData()->AddArray(taken.back());
+  }
+  for (const StrokeCurve& curve : curves)
+  {
+    const std::vector<SurfaceSample>& samples = curve.Curve.samples;
+    const std::vector<vtkIdType>& ids = lines[static_cast<std::size_t>(curve.Stroke)].Ids;
+    cells->InsertNextCell(static_cast<int>(samples.size()) + curve.Curve.closed);
+    const vtkIdType first = to.points->GetNumberOfPoints();
+    double arc = 0.0;
+    for (std::size_t k = 0; k < samples.size(); ++k)
+    {
+      arc += k > 0 ? (samples[k].position - samples[k - 1].position).norm() : 0.0;
+      cells->InsertCellPoint(to.insert(samples[k], arc, mesh));
+      if (pressure)
+      {
+        const std::size_t before = static_cast<std::size_t>(samples[k].along);
+        const double t = samples[k].along - static_cast<double>(before);
+        to.pressure->InsertNextTuple1((1.0 - t) * pressure->GetComponent(ids[before % ids.size()], 0) +
+                                      t * pressure->GetComponent(ids[(before + 1) % ids.size()], 0));
+      }
+    }
+    if (curve.Curve.closed)
+    {
+      cells->InsertCellPoint(first);
+    }
+    curveIds->InsertNextValue(static_cast<int>(curveIds->GetNumberOfTuples()));
+    strokeIds->InsertNextValue(curve.Stroke);
+    for (std::size_t a = 0; a < passed.size(); ++a)
+    {
+      taken[a]->InsertNextTuple(curve.Stroke, passed[a]);
+    }
+  }
+  output->SetPoints(to.points);
+  output->SetLines(cells);
+  vtkPointData* data = output->GetPointData();
+  data->AddArray(to.arcs);
+  data->AddArray(to.cells);
+  WriteBindings(to.bindings, output);
+  data->SetNormals(to.normals);
+  if (to.pressure)
+  {
+    data->AddArray(to.pressure);
+  }
+}
+
+const SurfaceRays& KeptSurface::Provide(vtkPolyData* mesh, const Context& context)
+{
+  this->Data = SharedMesh(mesh);
+  if (!this->Rays || this->Shape != this->Data->KeptSurface())
+  {
+    this->Rays = nullptr;
+    this->Shape = this->Data->KeptSurface();
+    this->Rays = std::make_unique<const SurfaceRays>(this->Shape, context);
+    ++this->BuildCount;
+  }
+  return *this->Rays;
+}
+
+} // namespace oversketch

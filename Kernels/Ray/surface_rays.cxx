@@ -1,0 +1,383 @@
+#include "Ray/surface_rays.h"
+
+#include "Ray/ray_caster.h" // for RayFrame
+#include "Remesh/surface.h" // for closestWeights
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+namespace oversketch
+{
+
+namespace
+{
+
+#if RTC_VERSION_MAJOR >= 4
+using LineContext = RTCRayQueryContext;
+#else
+using LineContext = RTCIntersectContext;
+#endif
+
+// By so much [unit of the scene, where the mesh lies within [-1, 1]] boxes are wider than their facets, and
+// the tree is searched beyond the best hit: many times the rounding of single precision.
+constexpr double treeSlack = 1e-5;
+
+// The facets in the unit of the scene, where no product underflows and the distance from the origin is gone.
+struct SceneFacets
+{
+  explicit SceneFacets(std::shared_ptr<const Mesh> surface)
+    : mesh(std::move(surface))
+    , frame(*this->mesh)
+  {
+  }
+  Vector3 inScene(const Vector3& point) const { return (point - this->frame.centre) / this->frame.scale; }
+  Vector3 corner(int triangle, int k) const
+  {
+    return this->inScene(this->mesh->points[this->mesh->triangles[triangle][k]]);
+  }
+
+  std::shared_ptr<const Mesh> mesh;
+  RayFrame frame;
+};
+
+struct Crossing
+{
+  SurfacePoint at;
+  double along = std::numeric_limits<double>::infinity();
+};
+
+bool isBefore(const Crossing& a, const Crossing& b)
+{
+  return a.along != b.along ? a.along < b.along : a.at.triangle < b.at.triangle;
+}
+
+// A line through the scene. It starts a little outside, whatever its own origin is, so that what the tree is
+// asked is as precise for an eye far away.
+struct SceneLine
+{
+  static constexpr double length = 4.0; // all of the scene lies within 2 of its centre
+
+  // False where the line passes the scene by.
+  bool aim(const SceneFacets& facets, const Ray& ray)
+  {
+    this->direction = ray.direction.stableNormalized();
+    const Vector3 origin = facets.inScene(ray.origin);
+    const double middle = -origin.dot(this->direction);
+    const Vector3 foot = origin + middle * this->direction;
+    if (!(std::abs(this->direction.squaredNorm() - 1.0) < 1e-6) || !(foot.norm() <= 0.5 * length))
+    {
+      return false;
+    }
+    this->start = foot - 0.5 * length * this->direction;
+    this->rayOrigin = 0.5 * length - middle;
+    this->right = this->direction.unitOrthogonal();
+    this->up = this->direction.cross(this->right);
+    return true;
+  }
+
+  // Where the line meets a facet. A corner's place across the line and the side of an edge on which the line
+  // passes are computed alike for every facet that has them, so neighbours agree and leave no gap.
+  bool meets(const SceneFacets& facets, int triangle, Crossing& crossing) const
+  {
+    const Triangle& ids = facets.mesh->triangles[triangle];
+    Vector2 across[3];
+    Vector3 along;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 p = facets.corner(triangle, k) - this->start;
+      across[k] = { p.dot(this->right), p.dot(this->up) };
+      along[k] = p.dot(this->direction);
+    }
+    Vector3 side;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const bool ordered = ids[i] < ids[j];
+      const Vector2 &a = across[ordered ? i : j], &b = across[ordered ? j : i];
+      const double twice = a[0] * b[1] - a[1] * b[0];
+      side[k] = ordered ? twice : -twice;
+    }
+    const double sum = side.sum();
+    if ((side.minCoeff() < 0.0 && side.maxCoeff() > 0.0) || !(std::abs(sum) > 0.0))
+    {
+      return false;
+    }
+    const Vector3 weights = side / sum;
+    crossing.at = { triangle, { weights[0], weights[1], weights[2] } };
+    crossing.along = weights.dot(along);
+    return true;
+  }
+
+  Vector3 start, direction, right, up;
+  double rayOrigin; // where the ray's own origin is, counted from the start
+};
+
+// What the callbacks read and write for the line in flight. Embree hands it back as the context that it is.
+struct LineQuery : LineContext
+{
+  SceneLine line;
+  double from = 0.0; // hits before it do not count
+  Crossing best;     // where `every` is null
+  std::vector<Crossing>* every = nullptr;
+};
+
+struct NearestQuery
+{
+  const SceneFacets* facets;
+  Vector3 point;
+  SurfacePoint at;
+  double squared = std::numeric_limits<double>::infinity(); // distance
+};
+
+void boundFacet(const RTCBoundsFunctionArguments* arguments)
+{
+  const SceneFacets& facets = *static_cast<const SceneFacets*>(arguments->geometryUserPtr);
+  const int triangle = static_cast<int>(arguments->primID);
+  const Vector3 a = facets.corner(triangle, 0), b = facets.corner(triangle, 1),
+                c = facets.corner(triangle, 2);
+  const Eigen::Vector3f low = (a.cwiseMin(b).cwiseMin(c).array() - treeSlack).cast<float>();
+  const Eigen::Vector3f high = (a.cwiseMax(b).cwiseMax(c).array() + treeSlack).cast<float>();
+  *arguments->bounds_o = { low[0], low[1], low[2], 0.0f, high[0], high[1], high[2], 0.0f };
+}
+
+void crossFacet(const RTCIntersectFunctionNArguments* arguments)
+{
+  if (!arguments->valid[0])
+  {
+    return;
+  }
+  const SceneFacets& facets = *static_cast<const SceneFacets*>(arguments->geometryUserPtr);
+  LineQuery& query = *static_cast<LineQuery*>(arguments->context);
+  Crossing crossing;
+  if (!query.line.meets(facets, static_cast<int>(arguments->primID), crossing) ||
+      !(crossing.along >= query.from))
+  {
+    return;
+  }
+  if (query.every)
+  {
+    query.every->push_back(crossing);
+  }
+  else if (isBefore(crossing, query.best))
+  {
+    query.best = crossing;
+    RTCRayN* ray = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
+    RTCRayN_tfar(ray, arguments->N, 0) = static_cast<float>(crossing.along + treeSlack);
+  }
+}
+
+bool approachFacet(RTCPointQueryFunctionArguments* arguments)
+{
+  NearestQuery& query = *static_cast<NearestQuery*>(arguments->userPtr);
+  const int triangle = static_cast<int>(arguments->primID);
+  const Vector3 a = query.facets->corner(triangle, 0) - query.point;
+  const Vector3 b = query.facets->corner(triangle, 1) - query.point;
+  const Vector3 c = query.facets->corner(triangle, 2) - query.point;
+  const std::array<double, 3> w = closestWeights(a, b, c, Vector3::Zero());
+  const double squared = (w[0] * a + w[1] * b + w[2] * c).squaredNorm();
+  if (squared > query.squared || (squared == query.squared && triangle > query.at.triangle))
+  {
+    return false;
+  }
+  query.squared = squared;
+  query.at = { triangle, w };
+  arguments->query->radius = static_cast<float>((1.0 + treeSlack) * std::sqrt(squared) + treeSlack);
+  return true;
+}
+
+// The tree is being built: false stops that.
+bool keepsBuilding(void* context, double)
+{
+  return !static_cast<const Context*>(context)->cancelled();
+}
+
+struct Release
+{
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+template <typename Handle>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
+
+} // namespace
+
+struct SurfaceRays::Tree
+{
+  explicit Tree(std::shared_ptr<const Mesh> surface)
+    : facets(std::move(surface))
+    , diagonal(boundingDiagonal(*this->facets.mesh))
+    , device(rtcNewDevice(nullptr))
+  {
+  }
+
+  void build(const Context& context)
+  {
+    if (!this->device)
+    {
+      throw Error(Failure::Unexpected, "Embree could not be started on this processor.");
+    }
+    this->scene.reset(rtcNewScene(this->device.get()));
+    const Owned<RTCGeometry> geometry(rtcNewGeometry(this->device.get(), RTC_GEOMETRY_TYPE_USER));
+    rtcSetGeometryUserPrimitiveCount(
+      geometry.get(), static_cast<unsigned int>(this->facets.mesh->triangles.size()));
+    rtcSetGeometryUserData(geometry.get(), &this->facets);
+    rtcSetGeometryBoundsFunction(geometry.get(), boundFacet, nullptr);
+    rtcSetGeometryIntersectFunction(geometry.get(), crossFacet);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(this->scene.get(), geometry.get());
+    rtcSetSceneFlags(this->scene.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneProgressMonitorFunction(this->scene.get(), keepsBuilding, const_cast<Context*>(&context));
+    rtcCommitScene(this->scene.get());
+    rtcSetSceneProgressMonitorFunction(this->scene.get(), nullptr, nullptr);
+    context.checkpoint(1.0);
+    const RTCError error = rtcGetDeviceError(this->device.get());
+    if (error != RTC_ERROR_NONE)
+    {
+      throw Error(Failure::Unexpected,
+        "Embree could not take the mesh (error " + std::to_string(static_cast<int>(error)) + ").");
+    }
+  }
+
+  void trace(LineQuery& query) const
+  {
+    RTCRayHit ray;
+    ray.ray.org_x = static_cast<float>(query.line.start[0]);
+    ray.ray.org_y = static_cast<float>(query.line.start[1]);
+    ray.ray.org_z = static_cast<float>(query.line.start[2]);
+    ray.ray.tnear = static_cast<float>(std::max(0.0, query.from - treeSlack));
+    ray.ray.dir_x = static_cast<float>(query.line.direction[0]);
+    ray.ray.dir_y = static_cast<float>(query.line.direction[1]);
+    ray.ray.dir_z = static_cast<float>(query.line.direction[2]);
+    ray.ray.time = 0.0f;
+    ray.ray.tfar = static_cast<float>(SceneLine::length);
+    ray.ray.mask = static_cast<unsigned>(-1);
+    ray.ray.id = 0;
+    ray.ray.flags = 0;
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    ray.hit.primID = RTC_INVALID_GEOMETRY_ID;
+    ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+    rtcInitRayQueryContext(&query);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &query;
+    rtcIntersect1(this->scene.get(), &ray, &arguments);
+#else
+    rtcInitIntersectContext(&query);
+    rtcIntersect1(this->scene.get(), &query, &ray);
+#endif
+  }
+
+  // distance in the unit of the scene
+  SurfaceHit hit(const SurfacePoint& at, double distance) const
+  {
+    return { at, positionOf(*this->facets.mesh, at), distance * this->facets.frame.scale };
+  }
+
+  SceneFacets facets;
+  double diagonal;
+  Owned<RTCDevice> device;
+  Owned<RTCScene> scene;
+};
+
+SurfaceRays::SurfaceRays(std::shared_ptr<const Mesh> mesh, const Context& context)
+{
+  auto tree = std::make_unique<Tree>(std::move(mesh));
+  tree->build(context);
+  this->Internals = std::move(tree);
+}
+
+SurfaceRays::~SurfaceRays() = default;
+
+const Mesh& SurfaceRays::mesh() const
+{
+  return *this->Internals->facets.mesh;
+}
+
+double SurfaceRays::diagonal() const
+{
+  return this->Internals->diagonal;
+}
+
+Vector3 SurfaceRays::centre() const
+{
+  return this->Internals->facets.frame.centre;
+}
+
+SurfaceHit SurfaceRays::nearest(const Ray& ray) const
+{
+  LineQuery query;
+  if (!query.line.aim(this->Internals->facets, ray) || query.line.rayOrigin > SceneLine::length)
+  {
+    return {};
+  }
+  query.from = std::max(0.0, query.line.rayOrigin);
+  this->Internals->trace(query);
+  return query.best.at.triangle < 0
+           ? SurfaceHit()
+           : this->Internals->hit(query.best.at, query.best.along - query.line.rayOrigin);
+}
+
+std::vector<SurfaceHit> SurfaceRays::all(const Ray& line) const
+{
+  LineQuery query;
+  std::vector<SurfaceHit> hits;
+  if (!query.line.aim(this->Internals->facets, line))
+  {
+    return hits;
+  }
+  std::vector<Crossing> crossings;
+  query.every = &crossings;
+  this->Internals->trace(query);
+  std::sort(crossings.begin(), crossings.end(), isBefore);
+  for (const Crossing& crossing : crossings)
+  {
+    hits.push_back(this->Internals->hit(crossing.at, crossing.along - query.line.rayOrigin));
+  }
+  return hits;
+}
+
+SurfaceHit SurfaceRays::closest(const Vector3& point) const
+{
+  // Farther away the direction alone counts; its square fits single precision.
+  constexpr double farthest = 1e6;
+  NearestQuery nearest;
+  nearest.facets = &this->Internals->facets;
+  nearest.point = nearest.facets->inScene(point);
+  const double away = nearest.point.stableNorm();
+  if (!(away <= std::numeric_limits<double>::max()))
+  {
+    return {};
+  }
+  if (away > farthest)
+  {
+    nearest.point *= farthest / away;
+  }
+  RTCPointQuery query;
+  query.x = static_cast<float>(nearest.point[0]);
+  query.y = static_cast<float>(nearest.point[1]);
+  query.z = static_cast<float>(nearest.point[2]);
+  query.time = 0.0f;
+  query.radius = std::numeric_limits<float>::infinity();
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(this->Internals->scene.get(), &query, &context, approachFacet, &nearest);
+  if (nearest.at.triangle < 0)
+  {
+    return {};
+  }
+  SurfaceHit hit = this->Internals->hit(nearest.at, 0.0);
+  hit.distance = (hit.position - point).stableNorm();
+  return hit;
+}
+
+} // namespace oversketch

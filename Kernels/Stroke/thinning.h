@@ -1,0 +1,17 @@
+// Fewer samples: what a hand or a tablet sends too densely.
+#ifndef oversketch_thinning_h
+#define oversketch_thinning_h
+
+#include "Stroke/polyline.h"
+
+namespace oversketch
+{
+
+// The samples that stay, ascending: the first, each that is at least `spacing` [px] from the last one kept,
+// and the last, where the pen was lifted, however near it is. Only the last one kept counts, so a stroke that
+// crosses itself loses nothing there. Of a closed stroke (its first sample not repeated) the last has no such
+// right.
+std::vector<int> thinStroke(const Polyline& samples, double spacing, bool closed = false);
+
+} // namespace oversketch
+#endif
