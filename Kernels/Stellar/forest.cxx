@@ -10,6 +10,15 @@
 namespace oversketch
 {
 
+Forest Forest::roomyCopy() const
+{
+  Forest copy;
+  copy.faces.reserve(this->faces.size() + this->faces.size() / 4 + 1024);
+  copy.vertices.reserve(this->vertices.size() + this->vertices.size() / 4 + 512);
+  copy = *this; // keeps what was reserved
+  return copy;
+}
+
 int Forest::firstFace(int v) const
 {
   const int start = this->vertices[v].face;
