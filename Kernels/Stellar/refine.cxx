@@ -86,6 +86,7 @@ public:
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     std::vector<Mark> marks;
+    marks.reserve(faces.size());
     for (int f : faces)
     {
       marks.push_back({ f, this->Mesh.faces[f].path });
