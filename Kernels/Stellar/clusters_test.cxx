@@ -1,6 +1,7 @@
 #include "Stellar/clusters.h"
 #include "Stellar/defects.h"
 #include "Stellar/forest_shapes.h"
+#include "Stellar/refine.h"
 
 #include <gtest/gtest.h>
 
@@ -189,6 +190,62 @@ TEST(Clusters, ARefinementFollowsTheOriginal)
   };
   EXPECT_GT(innermost(sampled), 0.998); // the facets of the original
   EXPECT_LT(innermost(plain), 0.995);
+}
+
+TEST(Clusters, ARefinementComesWithinItsToleranceOfTheOriginal)
+{
+  const Mesh mesh = icosphere(4);
+  const ClusterResult result = simplifyByClusters(mesh, {}, Context());
+  BaseMesh base = pairTriangles(result.mesh, {}, Context());
+  const Source source = sourceOf(result.original, result.faceFrom, base, result.mesh);
+  putOnSource(base.forest, source);
+  int last = base.forest.faceCount();
+  for (double tolerance : { 4e-3, 1e-3 })
+  {
+    const Forest forest = refineToSource(base.forest, source, { tolerance, 16, 100000 }, Context());
+    EXPECT_EQ(forest.broken(), "");
+    EXPECT_GT(forest.faceCount(), last);
+    last = forest.faceCount();
+    for (int f = 0; f < forest.faceCount(); ++f)
+    {
+      // The middles lie within the sphere by what facets of the original do, and the tolerance.
+      const Forest::Face& face = forest.faces[f];
+      const Vector3 middle = (forest.vertices[face.v[0]].position + forest.vertices[face.v[1]].position +
+                               forest.vertices[face.v[2]].position) /
+                             3.0;
+      EXPECT_GT(middle.norm(), 1.0 - tolerance - 2e-3);
+    }
+    EXPECT_TRUE(sameForest(refineToSource(forest, source, { tolerance, 16, 100000 }, Context()), forest));
+  }
+  EXPECT_THROW(refineToSource(base.forest, source, { 1e-9, 40, 5000 }, Context()), Error);
+  EXPECT_THROW(refineToSource(base.forest, source, { 0.0, 16, 5000 }, Context()), Error);
+}
+
+TEST(D6_2, RealSurfacesComeBack)
+{
+  for (const char* name : { "bunny_5k.obj", "hand_closed.obj", "skull_genus2.off", "hand_open_wrist.off" })
+  {
+    const Mesh mesh = sharedMesh(name);
+    if (mesh.triangles.empty())
+    {
+      GTEST_SKIP() << "no shared data";
+    }
+    const ClusterResult result = simplifyByClusters(mesh, {}, Context());
+    EXPECT_NO_THROW(checkManifold(result.mesh));
+    EXPECT_EQ(euler(baseOf(result.mesh)), euler(baseOf(mesh)));
+    EXPECT_EQ(boundaryLoops(baseOf(result.mesh)), boundaryLoops(baseOf(mesh)));
+    double worst = 0.0;
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      const auto [face, weights] = result.original.place(v);
+      worst = std::max(worst, (result.original.sample(face, weights) - mesh.points[v]).norm());
+    }
+    EXPECT_LE(worst, 1e-9 * boundingDiagonal(mesh)) << name;
+    fact("D6_2",
+      std::string(name) + ", " + std::to_string(mesh.triangleCount()) + " to " +
+        std::to_string(result.mesh.triangleCount()) + " faces: removed vertices within " +
+        std::to_string(1e12 * worst / boundingDiagonal(mesh)) + "e-12 diagonals");
+  }
 }
 
 TEST(Clusters, FeaturesBoundariesAndBoundsHold)
