@@ -360,6 +360,26 @@ Vector3 Forest::facetNormal(int f) const
   return length > 0.0 ? Vector3(n / length) : Vector3::Zero();
 }
 
+Vector3 Forest::vertexNormal(int v) const
+{
+  const Vector3& at = this->vertices[v].position;
+  Vector3 sum = Vector3::Zero();
+  this->star(v,
+    [&](int f, int i)
+    {
+      const Face& face = this->faces[f];
+      const Vector3 x = this->vertices[face.v[(i + 1) % 3]].position - at,
+                    y = this->vertices[face.v[(i + 2) % 3]].position - at, n = x.cross(y);
+      const double length = n.norm();
+      if (length > 0.0)
+      {
+        sum += std::atan2(length, x.dot(y)) / length * n;
+      }
+    });
+  const double length = sum.norm();
+  return length > 0.0 ? Vector3(sum / length) : Vector3::Zero();
+}
+
 double Forest::diagonal() const
 {
   Eigen::AlignedBox3d box;
@@ -523,22 +543,7 @@ void needBaseNormals(Forest& forest, const Context& context)
         {
           continue;
         }
-        const Vector3& at = forest.vertices[v].position;
-        Vector3 sum = Vector3::Zero();
-        forest.star(v,
-          [&](int f, int i)
-          {
-            const Forest::Face& face = forest.faces[f];
-            const Vector3 x = forest.vertices[face.v[(i + 1) % 3]].position - at,
-                          y = forest.vertices[face.v[(i + 2) % 3]].position - at, n = x.cross(y);
-            const double length = n.norm();
-            if (length > 0.0)
-            {
-              sum += std::atan2(length, x.dot(y)) / length * n;
-            }
-          });
-        const double length = sum.norm();
-        forest.vertices[v].baseNormal = length > 0.0 ? Vector3(sum / length) : Vector3::Zero();
+        forest.vertices[v].baseNormal = forest.vertexNormal(v);
       }
     });
   context.checkpoint(1.0);
