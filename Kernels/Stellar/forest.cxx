@@ -160,7 +160,20 @@ void Forest::putVertex(int m, const MidpointRule& rule)
   if (rule.curves && a.curveId >= 0 && a.curveId == c.curveId)
   {
     const FeatureCurve& curve = (*rule.curves)[a.curveId];
-    if (curve.apart(a.curveParam, c.curveParam) <= 2.0 * (a.position - c.position).norm())
+    const double apart = curve.apart(a.curveParam, c.curveParam);
+    // Three corners of a triangle may be on the curve: the edge from the first to the last only cuts its bend
+    // short, and its middle has no business near the one between (ours).
+    bool shortcut = false;
+    this->link(m,
+      [&](int w)
+      {
+        const Vertex& other = this->vertices[w];
+        shortcut = shortcut || (w != ia && w != ic && other.curveId == a.curveId &&
+                                 curve.apart(a.curveParam, other.curveParam) +
+                                     curve.apart(other.curveParam, c.curveParam) <=
+                                   (1.0 + 1e-9) * apart);
+      });
+    if (!shortcut && apart <= 2.0 * (a.position - c.position).norm())
     {
       vertex.curveId = a.curveId;
       vertex.curveParam = curve.between(a.curveParam, c.curveParam);
