@@ -14,68 +14,6 @@ using namespace oversketch_test;
 namespace
 {
 
-void refineNear(Forest& forest, const FeatureCurves& curves, double radius, double target)
-{
-  const CurveSearch search(curves);
-  for (bool more = true; more;)
-  {
-    more = false;
-    std::vector<int> marked;
-    for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
-    {
-      const int* v = forest.faces[f].v;
-      if ((forest.vertices[v[1]].position - forest.vertices[v[2]].position).norm() > target)
-        for (int i = 0; i < 3; ++i)
-          if (search.nearest(0, forest.vertices[v[i]].position, radius).segment >= 0)
-          {
-            marked.push_back(f);
-            break;
-          }
-    }
-    for (const int f : marked)
-    {
-      const Forest::Face& face = forest.faces[f];
-      if ((forest.vertices[face.v[1]].position - forest.vertices[face.v[2]].position).norm() > target)
-      {
-        forest.refine(f, {});
-        more = true;
-      }
-    }
-  }
-}
-
-// 60 lines across the square and 25 spirals in it, the same on every machine.
-std::vector<FeatureCurve> planarCurves(bool spirals)
-{
-  std::mt19937 random(7);
-  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  std::vector<FeatureCurve> curves;
-  for (int i = 0; i < (spirals ? 25 : 60); ++i)
-  {
-    std::vector<Vector3> points;
-    if (spirals)
-    {
-      const Vector3 middle(0.4 + 0.2 * uniform(), 0.4 + 0.2 * uniform(), 0.0);
-      const double start = 2.0 * pi * uniform(), turns = 2.0 + uniform();
-      for (int k = 0; k <= 300; ++k)
-      {
-        const double t = k / 300.0, a = start + 2.0 * pi * turns * t, r = 0.02 + 0.33 * t;
-        points.push_back(middle + Vector3(r * std::cos(a), r * std::sin(a), 0.0));
-      }
-    }
-    else
-    {
-      points = { { 0.05 + 0.9 * uniform(), 0.05 + 0.9 * uniform(), 0.0 }, Vector3::Zero() };
-      do
-      {
-        points[1] = { 0.05 + 0.9 * uniform(), 0.05 + 0.9 * uniform(), 0.0 };
-      } while ((points[1] - points[0]).norm() < 0.4);
-    }
-    curves.push_back(featureCurve(points));
-  }
-  return curves;
-}
-
 struct Planar
 {
   SnapReport report;
@@ -83,26 +21,6 @@ struct Planar
   double smallest = 60.0, offCurve = 0.0, finest = 60.0;
   int gaps = 0; // neighbours along the curve that no edge joins
 };
-
-// A curve that all edges follow is a chain of edges, from each vertex on it to the next.
-int gapsOf(const Forest& forest)
-{
-  std::vector<std::pair<double, int>> along;
-  for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
-  {
-    if (forest.vertices[v].curveId >= 0)
-    {
-      along.emplace_back(forest.vertices[v].curveParam, v);
-    }
-  }
-  std::sort(along.begin(), along.end());
-  int gaps = 0;
-  for (std::size_t i = 1; i < along.size(); ++i)
-  {
-    gaps += forest.faceWithEdge(along[i - 1].second, along[i].second) < 0 ? 1 : 0;
-  }
-  return gaps;
-}
 
 Planar snapPlanar(bool spirals, const SnapOptions& options)
 {
@@ -167,6 +85,70 @@ TEST(D9_1, PlanarCurvesAreFollowedWithoutHarm)
     EXPECT_GT(without.report.residual, 0);
     EXPECT_GT(with.snapped, with.report.crossings / 3);
   }
+}
+
+TEST(D9_2, VerticesMoveAlongTheirEdgesAndRefiningFollows)
+{
+  double offEdge = 0.0, offCurve = 0.0;
+  int snapped = 0, followed = 0, crossed = 0, gaps = 0, flipped = 0, faces = 0;
+  unsigned seed = 0;
+  for (const FeatureCurve& curve : planarCurves(true))
+  {
+    const FeatureCurves curves{ curve };
+    Forest forest = squareForest(16, 1.0 / 6.0, ++seed);
+    refineNear(forest, curves, 0.06, 0.03);
+    const Forest before = forest;
+    SnapOptions options;
+    options.maximumResidualRounds = 0;
+    snapped += snap(forest, curves, options, {}, Context()).snapped;
+    for (int v = 0; v < static_cast<int>(before.vertices.size()); ++v)
+    {
+      const Vector3 at = before.vertices[v].position, move = forest.vertices[v].position - at;
+      EXPECT_TRUE(move.isZero(0.0) || forest.vertices[v].curveId == 0);
+      // Neighbours may have moved before, along their own edges.
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Forest& ends : { before, forest })
+        forest.link(v,
+          [&](int w)
+          {
+            const Vector3 edge = ends.vertices[w].position - at;
+            nearest = std::min(nearest, edge.cross(move).norm() / edge.norm());
+            EXPECT_LT(move.norm(), 0.1);
+          });
+      offEdge = std::max(offEdge, nearest);
+    }
+    forest = before;
+    crossed += snap(forest, curves, {}, {}, Context()).residual;
+    const int had = forest.vertexCount();
+    refineNear(forest, curves, 0.06, 0.0075, { &curves, {}, 0.0 });
+    EXPECT_EQ(forest.broken(), "");
+    for (int v = had; v < static_cast<int>(forest.vertices.size()); ++v)
+      if (forest.vertices[v].curveId >= 0)
+      {
+        ++followed;
+        EXPECT_TRUE(forest.vertices[v].moved & Forest::Placed);
+        offCurve = std::max(
+          offCurve, (curve.position(forest.vertices[v].curveParam) - forest.vertices[v].position).norm());
+      }
+    gaps += gapsOf(forest);
+    for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
+    {
+      flipped += forest.facetNormal(f).z() <= 0.0 ? 1 : 0;
+    }
+    faces += forest.faceCount();
+  }
+  std::ostringstream text;
+  text << "25 spirals: " << snapped << " vertices moved off their edges by " << offEdge
+       << "; refined to a quarter: " << followed << " more on C, off it by " << offCurve << ", " << gaps
+       << " gaps from " << crossed << " residual crossings, " << flipped << " of " << faces
+       << " faces flipped";
+  fact("D9_2", text.str());
+  EXPECT_LE(offEdge, 1e-12);
+  EXPECT_LE(offCurve, 1e-12);
+  EXPECT_GT(followed, 2 * snapped);
+  EXPECT_EQ(crossed, 0);
+  EXPECT_EQ(gaps, 0);
+  EXPECT_EQ(flipped, 0);
 }
 
 TEST(D9_1, AsPublishedTrianglesCollapse)

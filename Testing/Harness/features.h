@@ -5,6 +5,7 @@
 #include "Harness/shapes.h"
 #include "Stellar/forest.h"
 
+#include <algorithm>
 #include <random>
 
 namespace oversketch_test
@@ -55,6 +56,94 @@ inline std::vector<Vector3> positionsOf(const Forest& forest)
   for (const Forest::Vertex& v : forest.vertices)
     points.push_back(v.position);
   return points;
+}
+
+// Splits what has a corner nearer than the radius to the first curve and a longer refinement edge than
+// wanted.
+inline void refineNear(Forest& forest,
+  const FeatureCurves& curves,
+  double radius,
+  double target,
+  const MidpointRule& rule = {})
+{
+  const CurveSearch search(curves);
+  for (bool more = true; more;)
+  {
+    more = false;
+    std::vector<int> marked;
+    for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
+    {
+      const int* v = forest.faces[f].v;
+      if ((forest.vertices[v[1]].position - forest.vertices[v[2]].position).norm() > target)
+        for (int i = 0; i < 3; ++i)
+          if (search.nearest(0, forest.vertices[v[i]].position, radius).segment >= 0)
+          {
+            marked.push_back(f);
+            break;
+          }
+    }
+    for (const int f : marked)
+    {
+      const Forest::Face& face = forest.faces[f];
+      if ((forest.vertices[face.v[1]].position - forest.vertices[face.v[2]].position).norm() > target)
+      {
+        forest.refine(f, rule);
+        more = true;
+      }
+    }
+  }
+}
+
+// 60 lines across the square and 25 spirals in it, the same on every machine.
+inline std::vector<FeatureCurve> planarCurves(bool spirals)
+{
+  std::mt19937 random(7);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  std::vector<FeatureCurve> curves;
+  for (int i = 0; i < (spirals ? 25 : 60); ++i)
+  {
+    std::vector<Vector3> points;
+    if (spirals)
+    {
+      const Vector3 middle(0.4 + 0.2 * uniform(), 0.4 + 0.2 * uniform(), 0.0);
+      const double start = 2.0 * pi * uniform(), turns = 2.0 + uniform();
+      for (int k = 0; k <= 300; ++k)
+      {
+        const double t = k / 300.0, a = start + 2.0 * pi * turns * t, r = 0.02 + 0.33 * t;
+        points.push_back(middle + Vector3(r * std::cos(a), r * std::sin(a), 0.0));
+      }
+    }
+    else
+    {
+      points = { { 0.05 + 0.9 * uniform(), 0.05 + 0.9 * uniform(), 0.0 }, Vector3::Zero() };
+      do
+      {
+        points[1] = { 0.05 + 0.9 * uniform(), 0.05 + 0.9 * uniform(), 0.0 };
+      } while ((points[1] - points[0]).norm() < 0.4);
+    }
+    curves.push_back(featureCurve(points));
+  }
+  return curves;
+}
+
+// A curve that all edges follow is a chain of edges, from each vertex on it to the next.
+inline int gapsOf(const Forest& forest)
+{
+  std::vector<std::pair<double, int>> along;
+  for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
+  {
+    if (forest.vertices[v].curveId >= 0)
+    {
+      along.emplace_back(forest.vertices[v].curveParam, v);
+    }
+  }
+  std::sort(along.begin(), along.end());
+  int gaps = 0;
+  for (std::size_t i = 1; i < along.size(); ++i)
+  {
+    gaps += forest.faceWithEdge(along[i - 1].second, along[i].second) < 0 ? 1 : 0;
+  }
+  return gaps;
 }
 
 } // namespace oversketch_test
