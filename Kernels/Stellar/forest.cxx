@@ -329,12 +329,7 @@ void Forest::rootWeights(int f, Vector3 weights[3]) const
     weights[i] = Vector3::Unit(i);
   }
   const std::uint64_t path = this->faces[f].path;
-  int depth = 0;
-  while (path >> (depth + 1))
-  {
-    ++depth;
-  }
-  while (depth-- > 0)
+  for (int depth = 63 - __builtin_clzll(path); depth-- > 0;)
   {
     const Vector3 p = weights[0], a = weights[1], c = weights[2];
     const bool second = (path >> depth) & 1u;

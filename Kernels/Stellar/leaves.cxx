@@ -1,0 +1,571 @@
+#include "Stellar/leaves.h"
+
+#include "Mesh/context.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr const char* culprit =
+  "; a filter merged, split or reordered cells or points of the 4-8 mesh. Save it "
+  "and read it without such a filter in between, or make a new base of it";
+
+[[noreturn]] void refuse(const std::string& what)
+{
+  throw Error(Failure::BadMesh, what + culprit);
+}
+
+int depthOf(std::uint64_t path)
+{
+  return 63 - __builtin_clzll(path);
+}
+
+// Orders leaves of one tree from left to right: the first step of a path in the highest bit.
+std::uint64_t alignedPath(std::uint64_t path)
+{
+  return path << (63 - depthOf(path));
+}
+
+// A leaf, or leaves joined, of the tree that is being read.
+struct Node
+{
+  std::uint64_t path;
+  Triangle v;
+  int gen;
+};
+
+// Joins leaves, which come from left to right, to roots; learns parents and levels on the way.
+class Reader
+{
+public:
+  Reader(const Leaves& leaves, Forest& forest)
+    : In(leaves)
+    , Out(forest)
+    , Sides(leaves.points.size(), 0)
+  {
+  }
+
+  void read()
+  {
+    const int count = static_cast<int>(this->In.triangles.size());
+    for (int cell = 0; cell < count; ++cell)
+    {
+      this->push(cell);
+      while (this->Stack.size() > 1 && this->Stack.back().path % 2 == 1)
+      {
+        this->join(cell);
+      }
+      if (this->Stack.back().path == 1)
+      {
+        this->finish(cell);
+      }
+    }
+    if (!this->Stack.empty())
+    {
+      refuse("StellarPath: the last root, " + std::to_string(this->Out.rootCount) + ", lacks cells");
+    }
+  }
+
+  // How many faces each vertex's split made parents of: 2, or 1 on the boundary.
+  const std::vector<char>& sides() const { return this->Sides; }
+
+private:
+  void push(int cell)
+  {
+    const std::uint64_t path = this->In.path[cell];
+    const auto at = [&](const char* array)
+    { return std::string(array) + " of cell " + std::to_string(cell); };
+    if (this->In.root[cell] != this->Out.rootCount)
+    {
+      refuse(at("StellarRoot") + " is " + std::to_string(this->In.root[cell]) + " where root " +
+             std::to_string(this->Out.rootCount) + " goes on");
+    }
+    // The leftmost leaf of what comes next.
+    const std::uint64_t next = this->Stack.empty() ? 1 : this->Stack.back().path + 1;
+    const int below = path ? depthOf(path) - depthOf(next) : -1;
+    if (below < 0 || path >> below != next || path != next << below || depthOf(path) > Forest::maximumDepth)
+    {
+      refuse(at("StellarPath") + " is " + std::to_string(path) + ", which does not follow the cell before");
+    }
+    const int gen = this->In.gen[cell], depth = depthOf(path);
+    if (this->Stack.empty())
+    {
+      this->RootGen = gen - depth;
+    }
+    if (gen - depth != this->RootGen || this->RootGen < 0 || this->RootGen > 1)
+    {
+      refuse(at("StellarGen") + " is " + std::to_string(gen) + ", which does not fit its StellarPath");
+    }
+    const Triangle& t = this->In.triangles[cell];
+    for (int v : t)
+    {
+      if (v < 0 || v >= static_cast<int>(this->In.points.size()))
+      {
+        refuse("cell " + std::to_string(cell) + " names point " + std::to_string(v) + ", which is not there");
+      }
+    }
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+    {
+      refuse("cell " + std::to_string(cell) + " names a point twice");
+    }
+    this->Stack.push_back({ path, t, gen });
+  }
+
+  // (m, p, a) and (m, c, p) into (p, a, c).
+  void join(int cell)
+  {
+    const Node second = this->Stack.back();
+    this->Stack.pop_back();
+    Node& first = this->Stack.back();
+    const int m = first.v[0], p = first.v[1], a = first.v[2], c = second.v[1];
+    Forest::Vertex& vertex = this->Out.vertices[m];
+    const bool fits = second.v[0] == m && second.v[2] == p && a != c &&
+                      (this->Sides[m] == 0 || (this->Sides[m] == 1 && vertex.parents[0] == c &&
+                                                vertex.parents[1] == a && vertex.level == first.gen));
+    if (!fits)
+    {
+      refuse("the points of cell " + std::to_string(cell) + " do not fit those of the cell it was split off");
+    }
+    vertex.parents[0] = a;
+    vertex.parents[1] = c;
+    vertex.level = static_cast<std::uint8_t>(first.gen);
+    ++this->Sides[m];
+    first = { first.path / 2, { p, a, c }, first.gen - 1 };
+  }
+
+  void finish(int cell)
+  {
+    const Node& root = this->Stack.back();
+    // A corner of a root has no parents; only the first of a third is a barycentre.
+    for (int i = 0; i < 3; ++i)
+    {
+      Forest::Vertex& vertex = this->Out.vertices[root.v[i]];
+      const int level = i == 0 ? root.gen : 0;
+      if (this->Sides[root.v[i]] < 0 ? vertex.level != level : this->Sides[root.v[i]] > 0)
+      {
+        refuse("point " + std::to_string(root.v[i]) + ", a corner of the root that ends with cell " +
+               std::to_string(cell) + ", is a new point elsewhere");
+      }
+      vertex.level = static_cast<std::uint8_t>(level);
+      this->Sides[root.v[i]] = -1;
+    }
+    ++this->Out.rootCount;
+    this->Stack.pop_back();
+  }
+
+  const Leaves& In;
+  Forest& Out;
+  std::vector<char> Sides; // -1 for a corner of a root
+  std::vector<Node> Stack;
+  int RootGen = 0;
+};
+
+void checkSizes(const Leaves& in)
+{
+  const auto require = [](const char* array, std::size_t size, std::size_t wanted, bool optional)
+  {
+    if (size != wanted && !(optional && size == 0))
+    {
+      throw Error(Failure::MissingArray,
+        std::string("the array ") + array + " of a 4-8 mesh is absent or has " + std::to_string(size) +
+          " values where " + std::to_string(wanted) + " are needed" + culprit);
+    }
+  };
+  const std::size_t cells = in.triangles.size(), points = in.points.size();
+  require("StellarRoot", in.root.size(), cells, false);
+  require("StellarPath", in.path.size(), cells, false);
+  require("StellarGen", in.gen.size(), cells, false);
+  require("StellarMoved", in.moved.size(), points, false);
+  require("CurveId", in.curveId.size(), points, false);
+  require("CurveParam", in.curveParam.size(), points, false);
+  require("BaseNormal", in.baseNormal.size(), points, true);
+  require("Displacement", in.displacement.size(), points, true);
+  require("Feature", in.feature.size(), points, true);
+}
+
+void readPoints(const Leaves& in, Forest& out)
+{
+  out.vertices.resize(in.points.size());
+  out.hasBaseNormals = !in.baseNormal.empty();
+  out.displacement = in.displacement;
+  out.feature = in.feature;
+  for (std::size_t i = 0; i < in.points.size(); ++i)
+  {
+    const auto wrong = [&](const char* array, const char* why)
+    { refuse(std::string(array) + " of point " + std::to_string(i) + " " + why); };
+    Forest::Vertex& v = out.vertices[i];
+    v.position = in.points[i];
+    v.moved = in.moved[i];
+    v.curveId = in.curveId[i];
+    v.curveParam = in.curveParam[i];
+    if (!v.position.allFinite())
+    {
+      wrong("the place", "is not finite");
+    }
+    if (v.moved > (Forest::Placed | Forest::Displaced | Forest::Crest))
+    {
+      wrong("StellarMoved", "is no sum of 1, 2 and 4");
+    }
+    if (v.curveId < -1 || (v.curveId >= 0 && !(v.moved & Forest::Placed)))
+    {
+      wrong("CurveId", "does not fit its StellarMoved");
+    }
+    if (!std::isfinite(v.curveParam))
+    {
+      wrong("CurveParam", "is not finite");
+    }
+    if (out.hasBaseNormals)
+    {
+      v.baseNormal = in.baseNormal[i];
+      if (!v.baseNormal.allFinite())
+      {
+        wrong("BaseNormal", "is not finite");
+      }
+    }
+    if (!in.displacement.empty() && !in.displacement[i].allFinite())
+    {
+      wrong("Displacement", "is not finite");
+    }
+    if (!in.feature.empty() && !std::isfinite(in.feature[i]))
+    {
+      wrong("Feature", "is not finite");
+    }
+  }
+}
+
+// Points without parents first, then by level and parents; each edge is split once.
+void checkPointOrder(Forest& forest)
+{
+  const auto key = [&](const Forest::Vertex& v)
+  { return std::make_pair(v.level, std::minmax(v.parents[0], v.parents[1])); };
+  for (std::size_t i = 0; i < forest.vertices.size(); ++i)
+  {
+    Forest::Vertex& v = forest.vertices[i];
+    if (v.parents[0] > v.parents[1])
+    {
+      std::swap(v.parents[0], v.parents[1]);
+    }
+    const bool isFirst = i == 0 || forest.vertices[i - 1].parents[0] < 0;
+    if (isFirst ? false : v.parents[0] < 0 || !(key(forest.vertices[i - 1]) < key(v)))
+    {
+      refuse("point " + std::to_string(i) + " is not where the order of levels and parents has it");
+    }
+  }
+}
+
+// Leaves that share an edge agree on its generation, stars are whole, and an edge that was split on one side
+// only is on the boundary.
+void checkEdges(const Forest& forest, const std::vector<char>& sides, const Context& context)
+{
+  std::vector<char> bad(forest.vertices.size(), 0);
+  std::vector<int> corners(forest.vertices.size(), 0);
+  for (const Forest::Face& face : forest.faces)
+  {
+    for (int v : face.v)
+    {
+      ++corners[v];
+    }
+  }
+  context.parallelFor(static_cast<int>(forest.vertices.size()),
+    [&](int begin, int end)
+    {
+      for (int v = begin; v < end && !context.cancelled(); ++v)
+      {
+        int count = 0;
+        bool fine = true;
+        const int first = forest.firstFace(v);
+        forest.star(v,
+          [&](int f, int i)
+          {
+            ++count;
+            const Forest::Face& face = forest.faces[f];
+            const int k = (i + 1) % 3, g = face.n[k];
+            if (g >= 0)
+            {
+              const Forest::Face& other = forest.faces[g];
+              fine = fine && face.gen + (k > 0) == other.gen + (other.n[0] != f);
+            }
+          });
+        if (sides[v] == 1)
+        {
+          const int* parents = forest.vertices[v].parents;
+          fine = fine && first >= 0 && forest.faceWithEdge(parents[0], parents[1]) < 0;
+        }
+        bad[v] = !fine || count != corners[v];
+      }
+    });
+  context.checkpoint(0.9);
+  const auto found = std::find(bad.begin(), bad.end(), 1);
+  if (found != bad.end())
+  {
+    refuse("the cells round point " + std::to_string(found - bad.begin()) + " do not fit each other");
+  }
+}
+
+// Slots of faces by root, then from left to right.
+std::vector<int> faceOrder(const Forest& forest, const Context& context)
+{
+  std::vector<int> first(forest.rootCount + 1, 0);
+  for (const Forest::Face& face : forest.faces)
+  {
+    if (face.root >= 0)
+    {
+      ++first[face.root + 1];
+    }
+  }
+  for (int r = 0; r < forest.rootCount; ++r)
+  {
+    first[r + 1] += first[r];
+  }
+  std::vector<int> order(forest.faceCount()), next(first.begin(), first.end() - 1);
+  for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
+  {
+    if (forest.isFace(f))
+    {
+      order[next[forest.faces[f].root]++] = f;
+    }
+  }
+  context.parallelFor(forest.rootCount,
+    [&](int begin, int end)
+    {
+      std::vector<std::pair<std::uint64_t, int>> keys;
+      for (int r = begin; r < end && !context.cancelled(); ++r)
+      {
+        if (first[r + 1] - first[r] > 1)
+        {
+          keys.clear();
+          for (int i = first[r]; i < first[r + 1]; ++i)
+          {
+            keys.emplace_back(alignedPath(forest.faces[order[i]].path), order[i]);
+          }
+          std::sort(keys.begin(), keys.end());
+          std::transform(
+            keys.begin(), keys.end(), order.begin() + first[r], [](const auto& key) { return key.second; });
+        }
+      }
+    });
+  return order;
+}
+
+// Slots of vertices: those without parents, then level by level by their parents' new ids.
+std::vector<int> vertexOrder(const Forest& forest)
+{
+  struct Key
+  {
+    std::uint64_t parents;
+    int vertex;
+    bool operator<(const Key& other) const { return this->parents < other.parents; }
+  };
+  std::vector<int> order, newVertex(forest.vertices.size(), -1);
+  order.reserve(forest.vertexCount());
+  std::vector<std::vector<Key>> levels;
+  const auto add = [&](int v)
+  {
+    newVertex[v] = static_cast<int>(order.size());
+    order.push_back(v);
+  };
+  for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
+  {
+    const Forest::Vertex& vertex = forest.vertices[v];
+    if (vertex.level != Forest::unusedLevel && vertex.parents[0] < 0)
+    {
+      add(v);
+    }
+    else if (vertex.level != Forest::unusedLevel)
+    {
+      levels.resize(std::max<std::size_t>(levels.size(), vertex.level + 1));
+      levels[vertex.level].push_back({ 0, v });
+    }
+  }
+  for (std::vector<Key>& level : levels)
+  {
+    for (Key& key : level)
+    {
+      const int* parents = forest.vertices[key.vertex].parents;
+      const auto [low, high] = std::minmax(newVertex[parents[0]], newVertex[parents[1]]);
+      key.parents = (static_cast<std::uint64_t>(low) << 32) | static_cast<std::uint32_t>(high);
+    }
+    std::sort(level.begin(), level.end());
+    for (const Key& key : level)
+    {
+      add(key.vertex);
+    }
+  }
+  return order;
+}
+
+std::vector<int> inverse(const std::vector<int>& order, std::size_t size)
+{
+  std::vector<int> places(size, -1);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    places[order[i]] = static_cast<int>(i);
+  }
+  return places;
+}
+
+} // namespace
+
+Canonical canonical(const Forest& forest, const Context& context)
+{
+  Canonical result;
+  Forest& out = result.forest;
+  result.faceFrom = faceOrder(forest, context);
+  context.checkpoint(0.4);
+  result.vertexFrom = vertexOrder(forest);
+  context.checkpoint(0.7);
+  const std::vector<int> newFace = inverse(result.faceFrom, forest.faces.size()),
+                         newVertex = inverse(result.vertexFrom, forest.vertices.size());
+  const int faceCount = static_cast<int>(result.faceFrom.size()),
+            vertexCount = static_cast<int>(result.vertexFrom.size());
+  out.rootCount = forest.rootCount;
+  out.hasBaseNormals = forest.hasBaseNormals;
+  out.faces.resize(faceCount);
+  context.parallelFor(faceCount,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        Forest::Face& face = out.faces[i] = forest.faces[result.faceFrom[i]];
+        for (int k = 0; k < 3; ++k)
+        {
+          face.v[k] = newVertex[face.v[k]];
+          face.n[k] = face.n[k] < 0 ? -1 : newFace[face.n[k]];
+        }
+      }
+    });
+  out.vertices.resize(vertexCount);
+  out.displacement.resize(forest.displacement.empty() ? 0 : vertexCount);
+  out.feature.resize(forest.feature.empty() ? 0 : vertexCount);
+  context.parallelFor(vertexCount,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const int from = result.vertexFrom[i];
+        Forest::Vertex& vertex = out.vertices[i] = forest.vertices[from];
+        if (vertex.parents[0] >= 0)
+        {
+          const auto [low, high] = std::minmax(newVertex[vertex.parents[0]], newVertex[vertex.parents[1]]);
+          vertex.parents[0] = low;
+          vertex.parents[1] = high;
+        }
+        if (!out.displacement.empty())
+        {
+          out.displacement[i] = forest.displacement[from];
+        }
+        if (!out.feature.empty())
+        {
+          out.feature[i] = forest.feature[from];
+        }
+      }
+    });
+  // The highest of a star, as connect() has it.
+  for (int f = 0; f < faceCount; ++f)
+  {
+    for (int v : out.faces[f].v)
+    {
+      out.vertices[v].face = f;
+    }
+  }
+  context.checkpoint(1.0);
+  assert(out.broken().empty());
+  return result;
+}
+
+Leaves emit(const Forest& forest)
+{
+  Leaves out;
+  const std::size_t cells = forest.faces.size(), points = forest.vertices.size();
+  out.triangles.resize(cells);
+  out.root.resize(cells);
+  out.path.resize(cells);
+  out.gen.resize(cells);
+  for (std::size_t f = 0; f < cells; ++f)
+  {
+    const Forest::Face& face = forest.faces[f];
+    out.triangles[f] = { face.v[0], face.v[1], face.v[2] };
+    out.root[f] = face.root;
+    out.path[f] = face.path;
+    out.gen[f] = face.gen;
+  }
+  out.points.resize(points);
+  out.moved.resize(points);
+  out.curveId.resize(points);
+  out.curveParam.resize(points);
+  out.baseNormal.resize(forest.hasBaseNormals ? points : 0);
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    const Forest::Vertex& v = forest.vertices[i];
+    out.points[i] = v.position;
+    out.moved[i] = v.moved;
+    out.curveId[i] = v.curveId;
+    out.curveParam[i] = v.curveParam;
+    if (forest.hasBaseNormals)
+    {
+      out.baseNormal[i] = v.baseNormal;
+    }
+  }
+  out.displacement = forest.displacement;
+  out.feature = forest.feature;
+  return out;
+}
+
+Forest rebuild(const Leaves& leaves, const Context& context)
+{
+  checkSizes(leaves);
+  Forest forest;
+  readPoints(leaves, forest);
+  context.checkpoint(0.1);
+  Reader reader(leaves, forest);
+  reader.read();
+  context.checkpoint(0.3);
+  checkPointOrder(forest);
+  forest.faces.resize(leaves.triangles.size());
+  for (std::size_t f = 0; f < forest.faces.size(); ++f)
+  {
+    const Triangle& t = leaves.triangles[f];
+    forest.faces[f] = { leaves.path[f], { t[0], t[1], t[2] }, { -1, -1, -1 }, leaves.root[f], leaves.gen[f] };
+  }
+  try
+  {
+    forest.connect();
+  }
+  catch (const Error& e)
+  {
+    refuse(e.what());
+  }
+  context.checkpoint(0.6);
+  checkEdges(forest, reader.sides(), context);
+  assert(forest.broken().empty());
+  return forest;
+}
+
+std::vector<int> facesUnder(const Forest& before, const Forest& after)
+{
+  std::vector<int> under(after.faces.size(), 0);
+  std::size_t at = 0;
+  for (std::size_t f = 0; f < after.faces.size(); ++f)
+  {
+    const Forest::Face& face = after.faces[f];
+    const std::uint64_t wanted = alignedPath(face.path);
+    // The last one that begins at or before the face in its tree; of several within it, the first.
+    while (at + 1 < before.faces.size() &&
+           (before.faces[at + 1].root < face.root ||
+             (before.faces[at + 1].root == face.root && alignedPath(before.faces[at + 1].path) <= wanted)))
+    {
+      ++at;
+    }
+    under[f] = static_cast<int>(at);
+  }
+  return under;
+}
+
+} // namespace oversketch
