@@ -1,7 +1,6 @@
 #include "Stellar/smooth.h"
 
-#include "Harness/features.h"
-#include "Mesh/context.h"
+#include "Stellar/feature_shapes.h"
 #include "Stellar/quality.h"
 #include "Stellar/snap.h"
 
@@ -108,24 +107,7 @@ TEST(Smooth, ReachesTheRingsThatItIsTold)
 TEST(Smooth, OnASphereStaysOnItsSource)
 {
   // An octahedron's eight faces are four pairs; the source is the unit sphere over them.
-  Forest forest;
-  for (const Vector3& p : { Vector3(1, 0, 0),
-         Vector3(0, 1, 0),
-         Vector3(-1, 0, 0),
-         Vector3(0, -1, 0),
-         Vector3(0, 0, 1),
-         Vector3(0, 0, -1) })
-  {
-    forest.vertices.emplace_back();
-    forest.vertices.back().position = p;
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    forest.faces.push_back({ 1, { 4, i, (i + 1) % 4 }, { -1, -1, -1 }, 2 * i, 0 });
-    forest.faces.push_back({ 1, { 5, (i + 1) % 4, i }, { -1, -1, -1 }, 2 * i + 1, 0 });
-  }
-  forest.rootCount = 8;
-  forest.connect();
+  Forest forest = baseOf(octahedron());
   const Forest base = forest;
   MidpointRule rule;
   rule.sourceTolerance = 1e-9;

@@ -1,7 +1,6 @@
 #include "Stellar/snap.h"
 
-#include "Harness/features.h"
-#include "Mesh/context.h"
+#include "Stellar/feature_shapes.h"
 #include "Stellar/quality.h"
 
 #include <gtest/gtest.h>

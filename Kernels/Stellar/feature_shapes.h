@@ -1,53 +1,25 @@
-// 4-8 meshes and feature curves with known answers, for tests of Kernels/Stellar. Header-only.
-#ifndef oversketch_test_features_h
-#define oversketch_test_features_h
+// 4-8 meshes and feature curves with known answers, for the tests of features in this folder. Header-only.
+#ifndef oversketch_stellar_feature_shapes_h
+#define oversketch_stellar_feature_shapes_h
 
-#include "Harness/shapes.h"
-#include "Stellar/forest.h"
-
-#include <algorithm>
-#include <random>
+#include "Stellar/forest_shapes.h"
 
 namespace oversketch_test
 {
 
-// The unit square as n x n quads of two triangles each, split from lower left to upper right; inner points
-// are moved by up to `jitter` of a quad's side.
+// The unit square as n x n pairs; inner points are moved by up to `jitter` of a quad's side.
 inline Forest squareForest(int n, double jitter = 0.0, unsigned seed = 1)
 {
-  Forest forest;
+  Mesh mesh = quadPairs(n, n);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> move(-jitter / n, jitter / n);
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i)
-    {
-      Forest::Vertex vertex;
-      const double dx = move(random), dy = move(random);
-      vertex.position = {
-        double(i) / n + (i > 0 && i < n ? dx : 0.0), double(j) / n + (j > 0 && j < n ? dy : 0.0), 0.0
-      };
-      forest.vertices.push_back(vertex);
-    }
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i)
-    {
-      const int a = j * (n + 1) + i, b = a + 1, d = a + n + 1, c = d + 1;
-      const int root = static_cast<int>(forest.faces.size());
-      forest.faces.push_back({ 1, { b, c, a }, { -1, -1, -1 }, root, 0 });
-      forest.faces.push_back({ 1, { d, a, c }, { -1, -1, -1 }, root + 1, 0 });
-    }
-  forest.rootCount = 2 * n * n;
-  forest.connect();
-  return forest;
-}
-
-inline FeatureCurve featureCurve(const std::vector<Vector3>& points, bool closed = false)
-{
-  FeatureCurve curve;
-  curve.points = points;
-  curve.closed = closed;
-  curve.measure();
-  return curve;
+  for (Vector3& p : mesh.points)
+  {
+    const double dx = move(random), dy = move(random);
+    p.x() += p.x() > 0.0 && p.x() < 1.0 ? dx : 0.0;
+    p.y() += p.y() > 0.0 && p.y() < 1.0 ? dy : 0.0;
+  }
+  return forestOfPairs(mesh);
 }
 
 inline std::vector<Vector3> positionsOf(const Forest& forest)
@@ -58,7 +30,7 @@ inline std::vector<Vector3> positionsOf(const Forest& forest)
   return points;
 }
 
-// Splits what has a corner nearer than the radius to the first curve and a longer refinement edge than
+// Splits what has a corner nearer than the radius to a curve and a longer refinement edge than
 // wanted.
 inline void refineNear(Forest& forest,
   const FeatureCurves& curves,
@@ -67,6 +39,13 @@ inline void refineNear(Forest& forest,
   const MidpointRule& rule = {})
 {
   const CurveSearch search(curves);
+  const auto near = [&](const Vector3& p)
+  {
+    for (int k = 0; k < static_cast<int>(curves.size()); ++k)
+      if (search.nearest(k, p, radius).segment >= 0)
+        return true;
+    return false;
+  };
   for (bool more = true; more;)
   {
     more = false;
@@ -76,7 +55,7 @@ inline void refineNear(Forest& forest,
       const int* v = forest.faces[f].v;
       if ((forest.vertices[v[1]].position - forest.vertices[v[2]].position).norm() > target)
         for (int i = 0; i < 3; ++i)
-          if (search.nearest(0, forest.vertices[v[i]].position, radius).segment >= 0)
+          if (near(forest.vertices[v[i]].position))
           {
             marked.push_back(f);
             break;
