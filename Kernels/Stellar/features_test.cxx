@@ -2,13 +2,9 @@
 #include "Stellar/displace.h"
 #include "Stellar/feature_shapes.h"
 #include "Stellar/quality.h"
-#include "Stellar/smooth.h"
 #include "Stellar/snap.h"
 
 #include <gtest/gtest.h>
-
-#include <chrono>
-#include <iostream>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -68,25 +64,104 @@ FeatureCurves drawnOn(const Mesh& mesh, const std::vector<Vector2>& stroke)
   return curves;
 }
 
+// Within half of the model's size.
 std::vector<Vector2> strokeNamed(const std::string& name)
 {
   std::vector<Vector2> stroke;
   for (int i = 0; i <= 400; ++i)
   {
-    const double t = i / 400.0;
-    const double a = 6.0 * pi * t;
-    stroke.push_back(name == "line" ? Vector2(-0.5 + t, 0.3 * t - 0.1)
-                     : name == "sine"
-                       ? Vector2(-0.5 + t, 0.1 * std::sin(4.0 * pi * t))
-                       : Vector2((0.03 + 0.25 * t) * std::cos(a), (0.03 + 0.25 * t) * std::sin(a)));
+    const double t = i / 400.0, a = 6.0 * pi * t;
+    if (name == "line")
+      stroke.emplace_back(-0.5 + t, 0.3 * t - 0.1);
+    else if (name == "sine")
+      stroke.emplace_back(-0.5 + t, 0.1 * std::sin(4.0 * pi * t));
+    else if (name == "spiral")
+      stroke.emplace_back((0.03 + 0.25 * t) * std::cos(a), (0.03 + 0.25 * t) * std::sin(a));
+    else
+      stroke.emplace_back(0.3 * std::sin(a / 3.0), 0.2 * std::sin(2.0 * a / 3.0)); // an eight
   }
   return stroke;
 }
 
+// Barycentric weights of the point of a triangle that is nearest to a point.
+Vector3 nearestWeights(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p)
+{
+  const auto onEdge = [&](const Vector3& x, const Vector3& y)
+  { return std::clamp((p - x).dot(y - x) / (y - x).squaredNorm(), 0.0, 1.0); };
+  const Vector3 normal = (b - a).cross(c - a);
+  const double v = (p - a).cross(c - a).dot(normal) / normal.squaredNorm();
+  const double w = (b - a).cross(p - a).dot(normal) / normal.squaredNorm();
+  if (v >= 0.0 && w >= 0.0 && v + w <= 1.0)
+    return { 1.0 - v - w, v, w };
+  Vector3 best = Vector3::UnitX();
+  double least = std::numeric_limits<double>::infinity();
+  const double ab = onEdge(a, b), bc = onEdge(b, c), ca = onEdge(c, a);
+  for (const Vector3& weights :
+    { Vector3(1.0 - ab, ab, 0.0), Vector3(0.0, 1.0 - bc, bc), Vector3(ca, 0.0, 1.0 - ca) })
+  {
+    const double d = (weights[0] * a + weights[1] * b + weights[2] * c - p).squaredNorm();
+    if (d < least)
+    {
+      least = d;
+      best = weights;
+    }
+  }
+  return best;
 }
 
-TEST(Features, RealMeshesAreNotHarmed)
+struct Crest
 {
+  double mean = 1.0, least = 1.0;
+};
+
+// The feature value under the curves, r / 20 apart and r from the ends, interpolated in the nearest face of
+// the mesh as it was before it was raised.
+Crest crestOf(const Forest& raised, const std::vector<Vector3>& before, const FeatureCurves& curves, double r)
+{
+  std::vector<int> faces;
+  for (int f = 0; f < static_cast<int>(raised.faces.size()); ++f)
+    if (raised.isFace(f))
+      for (const int v : raised.faces[f].v)
+        if (raised.feature[v] > 0.0)
+        {
+          faces.push_back(f);
+          break;
+        }
+  double sum = 0.0;
+  int count = 0;
+  Crest crest;
+  for (const FeatureCurve& curve : curves)
+    for (double t = r; t < curve.length - r; t += r / 20.0)
+    {
+      const Vector3 p = curve.position(t);
+      double least = std::numeric_limits<double>::infinity(), value = 0.0;
+      for (const int f : faces)
+      {
+        const int* v = raised.faces[f].v;
+        if ((before[v[0]] - p).squaredNorm() > r * r)
+          continue;
+        const Vector3 w = nearestWeights(before[v[0]], before[v[1]], before[v[2]], p);
+        const double d = (w[0] * before[v[0]] + w[1] * before[v[1]] + w[2] * before[v[2]] - p).squaredNorm();
+        if (d < least)
+        {
+          least = d;
+          value = w[0] * raised.feature[v[0]] + w[1] * raised.feature[v[1]] + w[2] * raised.feature[v[2]];
+        }
+      }
+      sum += value;
+      ++count;
+      crest.least = std::min(crest.least, value);
+    }
+  crest.mean = count ? sum / count : 1.0;
+  return crest;
+}
+
+} // namespace
+
+TEST(Features, FollowCurvesOnRealMeshes)
+{
+  int cases = 0, crossings = 0, residual = 0, added = 0, faces = 0;
+  double mean = 1.0, least = 1.0, angle = 60.0;
   for (const char* name : { "bunny_5k.obj",
          "armadillo_29k.obj",
          "spot_5k9.obj",
@@ -101,34 +176,54 @@ TEST(Features, RealMeshesAreNotHarmed)
     {
       GTEST_SKIP() << "the shared meshes are not there";
     }
-    const Forest base = baseOf(mesh);
+    Forest base = baseOf(mesh);
+    needBaseNormals(base, Context());
     const double r = 0.03 * base.diagonal();
-    for (const char* stroke : { "line", "sine", "spiral" })
+    for (const char* stroke : { "line", "sine", "spiral", "crossing" })
     {
-      const FeatureCurves curves = drawnOn(mesh, strokeNamed(stroke));
+      SCOPED_TRACE(std::string(name) + ' ' + stroke);
+      FeatureCurves curves = drawnOn(mesh, strokeNamed(stroke));
+      if (std::string(stroke) == "crossing")
+      {
+        const FeatureCurves second = drawnOn(mesh, strokeNamed("line"));
+        curves.insert(curves.end(), second.begin(), second.end());
+      }
       Forest forest = base;
-      needBaseNormals(forest, Context());
-      refineNear(forest, curves, r, r / 4);
+      refineNear(forest, curves, r, r / 4.0);
+      const Forest refined = forest;
       const FaceQuality before = faceQuality(forest, Context());
-      const std::vector<Vector3> old = positionsOf(forest);
-      const auto t0 = std::chrono::steady_clock::now();
       const SnapReport report = snap(forest, curves, {}, {}, Context());
-      const auto t1 = std::chrono::steady_clock::now();
       const FaceQuality after = faceQuality(forest, Context());
+      EXPECT_EQ(forest.broken(), "");
+      EXPECT_LE(report.residual, 0.01 * report.crossings);
+      EXPECT_LE(report.facesAdded, 0.03 * refined.faceCount());
+      EXPECT_EQ(after.degenerate, before.degenerate);
+      EXPECT_GE(after.smallestAngle, std::min(4.5, before.smallestAngle));
+      if (report.facesAdded == 0)
+      {
+        EXPECT_EQ(flippedFaces(forest, positionsOf(refined), positionsOf(forest), Context()), 0);
+      }
+      const std::vector<Vector3> snapped = positionsOf(forest);
       DisplaceOptions options;
       options.radius = r;
-      options.height = r / 2;
-      const auto t2 = std::chrono::steady_clock::now();
-      const DisplaceReport raised = displace(forest, curves, options, Context());
-      const auto t3 = std::chrono::steady_clock::now();
-      std::cout << name << " " << stroke << ": curves " << curves.size() << " faces " << base.faceCount()
-                << " -> " << old.size() * 2 << " crossings " << report.crossings << " residual "
-                << report.residual << " added " << report.facesAdded << " refused " << report.refused
-                << " snapped " << report.snapped << " angle " << before.smallestAngle << " -> "
-                << after.smallestAngle << " degenerate " << before.degenerate << " -> " << after.degenerate
-                << " flipped by displace " << raised.flipped << " moved " << raised.moved << " snap ms "
-                << std::chrono::duration<double, std::milli>(t1 - t0).count() << " displace ms "
-                << std::chrono::duration<double, std::milli>(t3 - t2).count() << std::endl;
+      options.height = 0.5 * r;
+      displace(forest, curves, options, Context());
+      const Crest crest = crestOf(forest, snapped, curves, r);
+      EXPECT_GE(crest.mean, 0.99);
+      EXPECT_GE(crest.least, 0.85);
+      ++cases;
+      crossings += report.crossings;
+      residual += report.residual;
+      added += report.facesAdded;
+      faces += refined.faceCount();
+      mean = std::min(mean, crest.mean);
+      least = std::min(least, crest.least);
+      angle = std::min(angle, after.smallestAngle);
     }
   }
+  std::ostringstream text;
+  text << cases << " strokes on real meshes: " << residual << " of " << crossings << " crossings left, "
+       << added << " faces added to " << faces << ", smallest angle " << angle << ", crest " << mean << " / "
+       << least;
+  fact("D9_1", text.str());
 }

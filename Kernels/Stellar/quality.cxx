@@ -14,12 +14,6 @@ namespace
 constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr int facesAtOnce = 4096;
 
-double squaredSine(double degrees)
-{
-  const double sine = std::sin(degrees * degree);
-  return sine * sine;
-}
-
 // Calls body(chunk, face) for all leaves.
 template <class Body>
 void eachFace(const Forest& forest, const Context& context, const Body& body)
@@ -48,6 +42,12 @@ int chunks(const Forest& forest)
 }
 
 } // namespace
+
+double squaredSine(double degrees)
+{
+  const double sine = std::sin(degrees * degree);
+  return sine * sine;
+}
 
 double narrowness(const Vector3& a, const Vector3& b, const Vector3& c)
 {

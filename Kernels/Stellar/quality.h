@@ -11,6 +11,8 @@ struct Context;
 
 // Sine squared of a triangle's smallest angle, zero for one without area.
 double narrowness(const Vector3& a, const Vector3& b, const Vector3& c);
+// To compare it with, of an angle [degrees].
+double squaredSine(double degrees);
 
 // Amendment A2: whether a vertex may go to a place. Not if the normal of a face of its star would turn by 90
 // degrees or more, nor if the star's smallest angle would be under a limit [degrees, at most 60] and smaller

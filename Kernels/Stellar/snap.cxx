@@ -18,6 +18,7 @@ namespace
 constexpr double onCurve = 1e-9;                        // edge lengths
 constexpr double cornerCosine = 0.70710678118654752440; // a boundary that turns by more stays
 constexpr int residualGeneration = 24;
+constexpr double splitShare = 0.9; // of A2's angle: what a split may leave, since it halves angles
 constexpr int facesPerScan = 4096;
 constexpr int movesPerCheck = 1024; // moves between two looks at whether to stop
 
@@ -82,7 +83,11 @@ private:
   bool explained(const EdgeCrossing& crossing) const;
   void findAround(int v);
   std::vector<int> residual() const;
+  double narrowestOf(const std::vector<Forest::Birth>& births) const;
   void split(const EdgeCrossing& crossing, const MidpointRule& rule, std::vector<Forest::Birth>& births);
+  void splitWithCare(const EdgeCrossing& crossing,
+    const MidpointRule& rule,
+    std::vector<Forest::Birth>& births);
   void findIn(const std::vector<Forest::Birth>& births, const Forest& before);
 
   Forest& Mesh;
@@ -355,15 +360,30 @@ std::vector<int> Snapper::residual() const
   return left;
 }
 
+// Sine squared of the smallest angle of the faces that splits left in their slots.
+double Snapper::narrowestOf(const std::vector<Forest::Birth>& births) const
+{
+  double least = 1.0;
+  for (const Forest::Birth& birth : births)
+  {
+    for (const int f : { birth.parent, birth.child })
+    {
+      if (this->Mesh.isFace(f))
+      {
+        const int* v = this->Mesh.faces[f].v;
+        least = std::min(least,
+          narrowness(this->vertex(v[0]).position, this->vertex(v[1]).position, this->vertex(v[2]).position));
+      }
+    }
+  }
+  return least;
+}
+
+// Splits an edge and puts the new vertex where a curve crosses it, if the guard lets it.
 void Snapper::split(const EdgeCrossing& crossing,
   const MidpointRule& rule,
   std::vector<Forest::Birth>& births)
 {
-  const int f = this->Mesh.faceWithEdge(crossing.ends[0], crossing.ends[1]);
-  if (f < 0 || this->Mesh.faces[f].gen >= residualGeneration)
-  {
-    return;
-  }
   const Vector3 to = this->place(crossing);
   const int m = this->Mesh.refineEdge(crossing.ends[0], crossing.ends[1], rule, &births);
   if (this->snapped(m))
@@ -378,6 +398,42 @@ void Snapper::split(const EdgeCrossing& crossing,
   {
     ++this->Report.refused;
   }
+}
+
+// The same, unless that makes triangles that are too narrow of such that were wider.
+void Snapper::splitWithCare(const EdgeCrossing& crossing,
+  const MidpointRule& rule,
+  std::vector<Forest::Birth>& births)
+{
+  const int f = this->Mesh.faceWithEdge(crossing.ends[0], crossing.ends[1]);
+  if (f < 0 || this->Mesh.faces[f].gen >= residualGeneration)
+  {
+    return;
+  }
+  const SnapReport report = this->Report;
+  std::vector<Forest::Birth> own;
+  this->split(crossing, rule, own);
+  const double after = this->narrowestOf(own);
+  if (after < squaredSine(splitShare * this->Options.minimumAngle))
+  {
+    for (auto birth = own.rbegin(); birth != own.rend(); ++birth)
+    {
+      if (this->Mesh.isFace(birth->child)) // not gone with its twin
+      {
+        this->Mesh.weld(this->Mesh.faces[birth->child].v[0]);
+      }
+    }
+    this->Report = report;
+    const bool wider = after < this->narrowestOf(own);
+    own.clear();
+    if (wider)
+    {
+      ++this->Report.refused;
+      return;
+    }
+    this->split(crossing, rule, own);
+  }
+  births.insert(births.end(), own.begin(), own.end());
 }
 
 // Crossings of the edges that splits have made.
@@ -421,7 +477,7 @@ void Snapper::residualRounds(const MidpointRule& rule)
     for (const int i : left)
     {
       const EdgeCrossing crossing = this->Crossings[i].crossing;
-      this->split(crossing, rule, births);
+      this->splitWithCare(crossing, rule, births);
     }
     this->findIn(births, before);
     this->nearestFirst();
@@ -447,6 +503,12 @@ SnapReport snap(Forest& forest,
   const Context& context)
 {
   checkCurves(curves);
+  if (!(options.minimumAngle >= 0.0 && options.minimumAngle <= 60.0) || options.maximumResidualRounds < 0)
+  {
+    throw Error(Failure::BadStroke,
+      "Snapping needs a minimum angle of 0 to 60 degrees, and a number of residual rounds that is not "
+      "negative.");
+  }
   needBaseNormals(forest, context);
   Snapper snapper(forest, curves, options, context);
   snapper.start();

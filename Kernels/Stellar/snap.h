@@ -48,7 +48,8 @@ struct SnapReport
 // degrees.
 // - Edges that are crossed in the end are split in rounds, down to generation 24, the new vertices put on the
 //   curve; a round that does not make such crossings fewer is taken back, and is the last.
-// Throws Error(BadMesh) for points that are not finite, Error(Cancelled) with the forest half done.
+// Throws Error(BadStroke) for curves that checkCurves refuses and options out of their range,
+// Error(Cancelled) with the forest half done.
 SnapReport snap(Forest& forest,
   const FeatureCurves& curves,
   const SnapOptions& options,

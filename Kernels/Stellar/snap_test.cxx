@@ -181,3 +181,241 @@ TEST(D9_1, AsPublishedTrianglesCollapse)
   EXPECT_GT(spirals.flipped, 1000);
   EXPECT_GT(coarse, 5000);
 }
+
+namespace
+{
+
+// An eight, a closed ring, a line along an edge and one along diagonals.
+FeatureCurves manyCurves()
+{
+  std::vector<Vector3> eight, ring;
+  for (int i = 0; i < 200; ++i)
+  {
+    const double a = 2.0 * pi * i / 200.0;
+    eight.emplace_back(0.45 + 0.3 * std::sin(a), 0.52 + 0.2 * std::sin(2.0 * a), 0.0);
+    ring.emplace_back(0.6 + 0.27 * std::cos(a), 0.45 + 0.27 * std::sin(a), 0.0);
+  }
+  return { featureCurve(eight, true),
+    featureCurve(ring, true),
+    featureCurve({ { 0.1, 0.25, 0 }, { 0.9, 0.25, 0 } }),
+    featureCurve({ { 0.1, 0.1, 0 }, { 0.9, 0.9, 0 } }) };
+}
+
+Forest refinedSquare(const FeatureCurves& curves, double jitter = 1.0 / 6.0)
+{
+  Forest forest = squareForest(16, jitter);
+  refineNear(forest, curves, 0.06, 0.015);
+  return forest;
+}
+
+} // namespace
+
+TEST(Snap, TwoThreadsAndASecondTimeAreTheSame)
+{
+  const FeatureCurves curves = manyCurves();
+  Forest one = refinedSquare(curves), two = one;
+  const SnapReport first = snap(one, curves, {}, {}, Context());
+  snap(two, curves, {}, {}, twoThreads());
+  EXPECT_TRUE(sameForest(one, two));
+  EXPECT_GT(first.snapped, 500);
+  EXPECT_LE(first.residual, 0.01 * first.crossings);
+
+  const FeatureCurves single{ curves[1] };
+  Forest once = refinedSquare(single);
+  EXPECT_EQ(snap(once, single, {}, {}, Context()).residual, 0);
+  Forest twice = once;
+  const SnapReport second = snap(twice, single, {}, {}, Context());
+  EXPECT_EQ(second.crossings + second.snapped + second.residual + second.facesAdded, 0);
+  EXPECT_TRUE(sameForest(once, twice));
+}
+
+TEST(Snap, ScaleAndPlaceDoNotMatter)
+{
+  const FeatureCurves curves = manyCurves();
+  const Forest start = refinedSquare(curves);
+  Forest home = start;
+  const SnapReport report = snap(home, curves, {}, {}, Context());
+  for (const double scale : { std::ldexp(1.0, -60), std::ldexp(1.0, 60) })
+  {
+    Forest forest = start;
+    for (Forest::Vertex& v : forest.vertices)
+    {
+      v.position *= scale;
+    }
+    FeatureCurves scaled = curves;
+    for (FeatureCurve& curve : scaled)
+    {
+      for (Vector3& p : curve.points)
+      {
+        p *= scale;
+      }
+      curve.measure();
+    }
+    EXPECT_EQ(snap(forest, scaled, {}, {}, Context()).snapped, report.snapped);
+    ASSERT_EQ(forest.faces.size(), home.faces.size());
+    for (std::size_t v = 0; v < home.vertices.size(); ++v)
+    {
+      EXPECT_EQ(forest.vertices[v].position, Vector3(scale * home.vertices[v].position));
+      EXPECT_EQ(forest.vertices[v].curveId, home.vertices[v].curveId);
+    }
+  }
+  // A million units away six digits are gone, and nothing else.
+  Forest far = start;
+  const Vector3 away(1e6, -1e6, 1e6);
+  for (Forest::Vertex& v : far.vertices)
+  {
+    v.position += away;
+  }
+  FeatureCurves moved = curves;
+  for (FeatureCurve& curve : moved)
+  {
+    for (Vector3& p : curve.points)
+    {
+      p += away;
+    }
+    curve.measure();
+  }
+  const SnapReport there = snap(far, moved, {}, {}, Context());
+  EXPECT_LE(there.residual, 0.01 * there.crossings);
+  EXPECT_NEAR(there.snapped, report.snapped, 0.02 * report.snapped);
+  EXPECT_GT(faceQuality(far, Context()).smallestAngle, 4.0);
+}
+
+TEST(Snap, BordersAndCornersStay)
+{
+  const FeatureCurves curves{ featureCurve({ { -0.1, 0.313, 0 }, { 1.1, 0.42, 0 } }),
+    featureCurve({ { 0.004, -0.1, 0 }, { 0.003, 1.1, 0 } }),
+    featureCurve({ { -0.005, 0.01, 0 }, { 0.01, -0.004, 0 } }) };
+  Forest forest = refinedSquare(curves);
+  const Forest before = forest;
+  const SnapReport report = snap(forest, curves, {}, {}, Context());
+  int alongBorder = 0;
+  for (std::size_t v = 0; v < before.vertices.size(); ++v)
+  {
+    const Vector3 &p = before.vertices[v].position, &q = forest.vertices[v].position;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      if (p[axis] == 0.0 || p[axis] == 1.0)
+      {
+        EXPECT_EQ(p[axis], q[axis]);
+        alongBorder += p == q ? 0 : 1;
+      }
+    }
+    if (v == 0)
+    {
+      EXPECT_EQ(p, q);
+    }
+  }
+  EXPECT_GE(alongBorder, 2);
+  EXPECT_LE(report.residual, 0.02 * report.crossings);
+  EXPECT_GT(faceQuality(forest, Context()).smallestAngle, 4.0);
+}
+
+TEST(Snap, TheOtherSideOfAThinPlateIsLeftAlone)
+{
+  // Two sheets, back to back, nearer to each other than half an edge.
+  Mesh plate = quadPairs(8, 8);
+  const int points = plate.vertexCount(), triangles = plate.triangleCount();
+  for (int i = 0; i < points; ++i)
+  {
+    const Vector3 p = plate.points[i];
+    plate.points.emplace_back(p - Vector3(0, 0, 0.01));
+  }
+  for (int i = 0; i < triangles; ++i)
+  {
+    const Triangle t = plate.triangles[i];
+    plate.triangles.push_back({ t[0] + points, t[2] + points, t[1] + points });
+  }
+  FeatureCurves curves{ featureCurve({ { 0.1, 0.33, 0 }, { 0.9, 0.41, 0 } }) };
+  curves[0].normals = { Vector3::UnitZ(), Vector3::UnitZ() };
+  Forest forest = forestOfPairs(plate);
+  snap(forest, curves, {}, {}, Context());
+  int above = 0, below = 0;
+  for (const Forest::Vertex& v : forest.vertices)
+  {
+    (v.position.z() < -0.005 ? below : above) += v.curveId >= 0 ? 1 : 0;
+  }
+  EXPECT_GT(above, 5);
+  EXPECT_EQ(below, 0);
+}
+
+TEST(Snap, BadHandsAreBorne)
+{
+  // A scribble of a hundred thousand samples, repeated points among them.
+  std::mt19937 random(3);
+  std::vector<Vector3> scribble{ { 0.5, 0.5, 0.0 } };
+  while (scribble.size() < 100000)
+  {
+    const double x = static_cast<double>(random()) / 4294967296.0 - 0.5,
+                 y = static_cast<double>(random()) / 4294967296.0 - 0.5;
+    const Vector3 next = scribble.back() + 0.005 * Vector3(x, y, 0.0);
+    scribble.push_back(
+      random() % 10 == 0 || next.x() < 0.1 || next.x() > 0.9 || next.y() < 0.1 || next.y() > 0.9
+        ? scribble.back()
+        : next);
+  }
+  // Ends in one point; is longer than the mesh; stands on it; lies beside it.
+  const std::vector<FeatureCurves> hands{ { featureCurve(scribble) },
+    { featureCurve({ { 0.3, 0.3, 0 }, { 0.3, 0.3, 0 }, { 0.3, 0.300001, 0 } }) },
+    { featureCurve({ { -1e9, 0.31, 0 }, { 1e9, 0.32, 0 } }) },
+    { featureCurve({ { 0.4, 0.4, -5 }, { 0.4, 0.4, 5 } }) },
+    { featureCurve({ { 3, 3, 0 }, { 4, 3, 0 } }) },
+    {} };
+  for (std::size_t i = 0; i < hands.size(); ++i)
+  {
+    SCOPED_TRACE(i);
+    Forest forest = squareForest(32, 1.0 / 6.0);
+    snap(forest, hands[i], {}, {}, Context());
+    EXPECT_EQ(forest.broken(), "");
+    EXPECT_GT(faceQuality(forest, Context()).smallestAngle, 4.0);
+    for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
+    {
+      EXPECT_GT(forest.facetNormal(f).z(), 0.0);
+    }
+  }
+  Forest empty;
+  EXPECT_EQ(snap(empty, hands[0], {}, {}, Context()).crossings, 0);
+
+  Forest forest = squareForest(2);
+  EXPECT_THROW(
+    snap(forest, { featureCurve({ { 0, 0, 0 }, { std::nan(""), 0, 0 } }) }, {}, {}, Context()), Error);
+  SnapOptions options;
+  options.minimumAngle = std::nan("");
+  EXPECT_THROW(snap(forest, {}, options, {}, Context()), Error);
+  options.minimumAngle = 5.0;
+  options.maximumResidualRounds = -1;
+  EXPECT_THROW(snap(forest, {}, options, {}, Context()), Error);
+}
+
+TEST(Snap, TrianglesWithoutAreaDoNoHarm)
+{
+  // Collapsed and collinear ones in the way of the curve.
+  Forest forest = squareForest(8);
+  forest.vertices[40].position = forest.vertices[41].position;
+  forest.vertices[31].position = forest.vertices[30].position;
+  const FeatureCurves curves{ featureCurve({ { 0.1, 0.4, 0 }, { 0.9, 0.6, 0 } }) };
+  snap(forest, curves, {}, {}, Context());
+  EXPECT_EQ(forest.broken(), "");
+  for (const Forest::Vertex& v : forest.vertices)
+  {
+    EXPECT_TRUE(v.position.allFinite());
+  }
+}
+
+TEST(Snap, CanBeCancelled)
+{
+  const FeatureCurves curves = manyCurves();
+  Forest forest = refinedSquare(curves);
+  Context context;
+  int looks = 0;
+  context.cancelled = [&looks] { return ++looks > 2; };
+  try
+  {
+    snap(forest, curves, {}, {}, context);
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.failure(), Failure::Cancelled);
+  }
+}
