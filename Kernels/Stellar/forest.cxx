@@ -10,6 +10,15 @@
 namespace oversketch
 {
 
+Forest Forest::roomyCopy() const
+{
+  Forest copy;
+  copy.faces.reserve(this->faces.size() + this->faces.size() / 4 + 1024);
+  copy.vertices.reserve(this->vertices.size() + this->vertices.size() / 4 + 512);
+  copy = *this; // keeps what was reserved
+  return copy;
+}
+
 int Forest::firstFace(int v) const
 {
   const int start = this->vertices[v].face;
@@ -438,22 +447,26 @@ void Forest::connect()
     for (int i = 0; i < 3; ++i)
     {
       const int from = face.v[(i + 1) % 3], to = face.v[(i + 2) % 3];
-      face.n[i] = -1;
+      int other = -1, twins = 0, same = 0;
       for (int e = first[to]; e < first[to + 1]; ++e)
       {
         if (edges[e].to == from)
         {
-          face.n[i] = edges[e].corner / 3;
+          other = edges[e].corner / 3;
+          ++twins;
         }
       }
-      for (int e = first[from]; e < first[from + 1]; ++e)
+      face.n[i] = other;
+      // Where there is a twin it sees whether this edge is there once.
+      for (int e = first[from]; twins == 0 && e < first[from + 1]; ++e)
       {
-        if (edges[e].to == to && edges[e].corner != 3 * f + i)
-        {
-          throw Error(Failure::BadMesh,
-            "the edge from point " + std::to_string(from) + " to " + std::to_string(to) +
-              " belongs to two triangles in the same direction");
-        }
+        same += edges[e].to == to;
+      }
+      if (twins > 1 || same > 1)
+      {
+        throw Error(Failure::BadMesh,
+          "the edge of points " + std::to_string(from) + " and " + std::to_string(to) +
+            " belongs to two triangles in the same direction");
       }
     }
   }

@@ -81,6 +81,9 @@ public:
   std::vector<Vector3> displacement;
   std::vector<double> feature;
 
+  // A copy with room for some splits, which are quick where memory need not move.
+  Forest roomyCopy() const;
+
   bool isFace(int f) const { return this->faces[f].root >= 0; }
   bool isVertex(int v) const { return this->vertices[v].level != unusedLevel; }
   int faceCount() const { return static_cast<int>(this->faces.size() - this->FreeFaces.size()); }

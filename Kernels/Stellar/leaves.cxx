@@ -260,45 +260,54 @@ void checkPointOrder(Forest& forest)
   }
 }
 
-// Leaves that share an edge agree on its generation, stars are whole, and an edge that was split on one side
-// only is on the boundary.
-void checkEdges(const Forest& forest, const std::vector<char>& sides, const Context& context)
+// The faces round a vertex that are reached from one of them.
+int reached(const Forest& forest, int v)
 {
-  std::vector<char> bad(forest.vertices.size(), 0);
-  std::vector<int> corners(forest.vertices.size(), 0);
-  for (const Forest::Face& face : forest.faces)
+  const int start = forest.vertices[v].face;
+  int count = 0;
+  for (int turn : { 1, 2 }) // counter-clockwise; if that ends at the boundary, clockwise
   {
-    for (int v : face.v)
+    for (int f = start; f >= 0; ++count)
     {
-      ++corners[v];
+      f = forest.faces[f].n[(forest.corner(f, v) + turn) % 3];
+      if (f == start)
+      {
+        return count + 1;
+      }
     }
   }
+  return count - 1; // the first one was met twice
+}
+
+// Leaves that share an edge agree on its generation, an edge that was split on one side only is on the
+// boundary, and round a corner of a root there is one fan of cells; round new points that follows.
+void checkFit(const Forest& forest, const std::vector<char>& sides, const Context& context)
+{
+  std::vector<int> corners(forest.vertices.size(), 0);
+  for (std::size_t f = 0; f < forest.faces.size(); ++f)
+  {
+    const Forest::Face& face = forest.faces[f];
+    for (int i = 0; i < 3; ++i)
+    {
+      ++corners[face.v[i]];
+      const int g = face.n[i];
+      if (g >= 0 && face.gen + (i > 0) != forest.faces[g].gen + (forest.faces[g].n[0] != static_cast<int>(f)))
+      {
+        refuse("cells " + std::to_string(f) + " and " + std::to_string(g) + " do not fit each other");
+      }
+    }
+  }
+  context.checkpoint(0.8);
+  std::vector<char> bad(forest.vertices.size(), 0);
   context.parallelFor(static_cast<int>(forest.vertices.size()),
     [&](int begin, int end)
     {
       for (int v = begin; v < end && !context.cancelled(); ++v)
       {
-        int count = 0;
-        bool fine = true;
-        const int first = forest.firstFace(v);
-        forest.star(v,
-          [&](int f, int i)
-          {
-            ++count;
-            const Forest::Face& face = forest.faces[f];
-            const int k = (i + 1) % 3, g = face.n[k];
-            if (g >= 0)
-            {
-              const Forest::Face& other = forest.faces[g];
-              fine = fine && face.gen + (k > 0) == other.gen + (other.n[0] != f);
-            }
-          });
-        if (sides[v] == 1)
-        {
-          const int* parents = forest.vertices[v].parents;
-          fine = fine && first >= 0 && forest.faceWithEdge(parents[0], parents[1]) < 0;
-        }
-        bad[v] = !fine || count != corners[v];
+        const int* parents = forest.vertices[v].parents;
+        bad[v] = sides[v] < 0    ? reached(forest, v) != corners[v]
+                 : sides[v] == 1 ? forest.faceWithEdge(parents[0], parents[1]) >= 0
+                                 : 0;
       }
     });
   context.checkpoint(0.9);
@@ -543,7 +552,7 @@ Forest rebuild(const Leaves& leaves, const Context& context)
     refuse(e.what());
   }
   context.checkpoint(0.6);
-  checkEdges(forest, reader.sides(), context);
+  checkFit(forest, reader.sides(), context);
   assert(forest.broken().empty());
   return forest;
 }

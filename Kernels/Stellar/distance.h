@@ -1,0 +1,75 @@
+// Distances of vertices from feature curves, over the surface or through space.
+#ifndef oversketch_stellar_distance_h
+#define oversketch_stellar_distance_h
+
+#include "Stellar/forest.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+struct Context;
+
+enum class CurveDistance
+{
+  Straight, // through space, to the nearest segment
+  Geodesic  // the length of a front's way over the surface, never less than that
+};
+
+struct ReachOptions
+{
+  double radius = 0.0; // [model length], above 0; only what is nearer is reached
+  CurveDistance kind = CurveDistance::Straight;
+  // Straight alone: reach only what is joined to the curve by edges whose ends are both reached. A front is
+  // always joined.
+  bool connectedOnly = true;
+};
+
+struct Reached
+{
+  int vertex;
+  double distance;  // 0 for a vertex that is snapped to the curve
+  double parameter; // arc length of the nearest point in space; of a snapped vertex its own
+};
+
+// The vertices that one curve reaches. Holds a number a vertex, so keep it for all curves of a forest, and
+// for its later states.
+class CurveReach
+{
+public:
+  CurveReach(const Forest& forest, const CurveSearch& search);
+
+  // `faces`: that the curve passes through, see Passage. Ascending by vertex; valid until the next call.
+  const std::vector<Reached>& find(int curve,
+    const std::vector<int>& faces,
+    const ReachOptions& options,
+    const Context& context);
+
+  // Of the last curve: a vertex's distance, infinite where it is not reached.
+  double distance(int vertex) const;
+  // And how far the middle of an edge is, by the same measure; infinite where that is farther than the
+  // radius.
+  double distanceOfMiddle(int a, int b) const;
+
+private:
+  Reached straight(int vertex) const;
+  void everywhere(const Context& context);
+  void flood(const std::vector<int>& faces, const Context& context);
+  void front(const std::vector<int>& faces, const Context& context);
+
+  const Forest& Mesh;
+  const CurveSearch& Search;
+  int Curve = -1;
+  ReachOptions Options;
+  std::vector<Reached> Found;
+  std::vector<int> Place; // per vertex, in Found; -1
+};
+
+// A front's distance behind an edge of length c: at a point (vx, vy), vy >= 0, where the edge's ends (0, 0)
+// and (c, 0) are da and db from the source; infinite where the straight way does not cross the edge, or no
+// source is so far from both.
+double unfoldedDistance(double da, double db, double c, double vx, double vy);
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,280 @@
+#include "Stellar/passage.h"
+
+#include "Mesh/context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace oversketch
+{
+
+namespace
+{
+
+// What a curve passes exactly along is touched by both sides.
+constexpr double touching = 1e-9;
+
+struct Corners
+{
+  Vector3 p, x, y;                  // a corner, and the other two from there
+  Vector3 normal = Vector3::Zero(); // unit, zero without area
+  double longest = 0.0, area2 = 0.0;
+
+  Corners(const Forest& forest, int f)
+    : p(forest.vertices[forest.faces[f].v[0]].position)
+    , x(forest.vertices[forest.faces[f].v[1]].position - p)
+    , y(forest.vertices[forest.faces[f].v[2]].position - p)
+  {
+    this->longest = std::max({ this->x.norm(), this->y.norm(), (this->x - this->y).norm() });
+    this->normal = this->x.cross(this->y);
+    this->area2 = this->normal.norm();
+    if (this->area2 > 0.0)
+    {
+      this->normal /= this->area2;
+    }
+  }
+
+  Eigen::AlignedBox3d box(double gap) const
+  {
+    Eigen::AlignedBox3d b(this->p);
+    b.extend(Vector3(this->p + this->x)).extend(Vector3(this->p + this->y));
+    return { b.min() - Vector3::Constant(gap), b.max() + Vector3::Constant(gap) };
+  }
+
+  // Weights of the corners at the foot of a point on the plane.
+  Vector3 weights(const Vector3& at) const
+  {
+    const Vector3 d = at - this->p;
+    const double b = d.cross(this->y).dot(this->normal) / this->area2,
+                 c = this->x.cross(d).dot(this->normal) / this->area2;
+    return { 1.0 - b - c, b, c };
+  }
+};
+
+// Whether a segment meets a face, seen along its normal, and comes as near as `gap` there.
+bool meets(const Corners& face, const Vector3& from, const Vector3& to, double gap)
+{
+  const Vector3 a = face.weights(from), b = face.weights(to);
+  double begin = 0.0, end = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double wa = a[k] + touching, wb = b[k] + touching;
+    if (wa < 0.0 && wb < 0.0)
+    {
+      return false;
+    }
+    if (wa < 0.0)
+    {
+      begin = std::max(begin, wa / (wa - wb));
+    }
+    else if (wb < 0.0)
+    {
+      end = std::min(end, wa / (wa - wb));
+    }
+  }
+  if (begin > end)
+  {
+    return false;
+  }
+  const double heightFrom = face.normal.dot(from - face.p), heightTo = face.normal.dot(to - face.p);
+  const double first = heightFrom + begin * (heightTo - heightFrom),
+               last = heightFrom + end * (heightTo - heightFrom);
+  return (first < 0.0) != (last < 0.0) || std::min(std::abs(first), std::abs(last)) <= gap;
+}
+
+// The distance of a point from a face.
+double distanceTo(const Corners& face, const Vector3& at)
+{
+  if (face.area2 > 0.0 && face.weights(at).minCoeff() >= 0.0)
+  {
+    return std::abs(face.normal.dot(at - face.p));
+  }
+  const Vector3 corners[] = { face.p, face.p + face.x, face.p + face.y };
+  double best = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 along = corners[(k + 1) % 3] - corners[k];
+    const double square = along.squaredNorm();
+    const double t = square > 0.0 ? std::clamp(along.dot(at - corners[k]) / square, 0.0, 1.0) : 0.0;
+    best = std::min(best, (at - corners[k] - t * along).norm());
+  }
+  return best;
+}
+
+} // namespace
+
+Passage::Passage(const Forest& forest, const CurveSearch& search, const Context& context)
+  : Mesh(forest)
+  , Search(search)
+  , Faces(search.curves().size())
+  , Gaps(search.curves().size())
+{
+  for (int k = 0; k < static_cast<int>(this->Faces.size()); ++k)
+  {
+    // A surface that moved away from the curve is looked for farther off.
+    for (double widening = 1.0; this->Faces[k].empty() && widening < 1e5; widening *= 8.0)
+    {
+      const std::vector<int> touched = this->touched(k, widening, context);
+      this->Faces[k] = this->joined(k, widening, touched);
+      for (int f : this->Faces[k])
+      {
+        this->Gaps[k].push_back(0.5 * widening * Corners(forest, f).longest);
+      }
+    }
+  }
+}
+
+bool Passage::passes(int face, int curve, double gap) const
+{
+  const Corners corners(this->Mesh, face);
+  const FeatureCurve& c = this->Search.curves()[curve];
+  if (corners.area2 <= 0.0)
+  {
+    return false;
+  }
+  return this->Search.meet(curve,
+    corners.box(gap),
+    [&](int s)
+    {
+      const int e = c.segmentEnd(s);
+      const bool faced =
+        c.normals.empty() || corners.normal.dot(c.normals[s]) > 0.0 || corners.normal.dot(c.normals[e]) > 0.0;
+      return faced && meets(corners, c.points[s], c.points[e], gap);
+    });
+}
+
+std::vector<int> Passage::touched(int curve, double widening, const Context& context) const
+{
+  const int count = static_cast<int>(this->Mesh.faces.size());
+  std::vector<char> touched(count, 0);
+  context.parallelFor(count,
+    [&](int begin, int end)
+    {
+      for (int f = begin; f < end && !context.cancelled(); ++f)
+      {
+        if (!this->Mesh.isFace(f))
+        {
+          continue;
+        }
+        const int* v = this->Mesh.faces[f].v;
+        const Vector3 &a = this->Mesh.vertices[v[0]].position, &b = this->Mesh.vertices[v[1]].position,
+                      &c = this->Mesh.vertices[v[2]].position;
+        const double gap =
+          0.5 * widening *
+          std::sqrt(std::max({ (a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm() }));
+        const Eigen::AlignedBox3d& box = this->Search.box(curve);
+        const bool near = (a.cwiseMin(b).cwiseMin(c).array() - gap <= box.max().array()).all() &&
+                          (a.cwiseMax(b).cwiseMax(c).array() + gap >= box.min().array()).all();
+        touched[f] = near && this->passes(f, curve, gap);
+      }
+    });
+  context.checkpoint(0.0);
+  std::vector<int> faces;
+  for (int f = 0; f < count; ++f)
+  {
+    if (touched[f])
+    {
+      faces.push_back(f);
+    }
+  }
+  return faces;
+}
+
+// Those that hang together with one that is the nearest to a sample.
+std::vector<int> Passage::joined(int curve, double widening, const std::vector<int>& touched) const
+{
+  const FeatureCurve& c = this->Search.curves()[curve];
+  std::vector<double> best(c.points.size(), std::numeric_limits<double>::infinity());
+  std::vector<int> nearest(c.points.size(), -1);
+  for (int i = 0; i < static_cast<int>(touched.size()); ++i)
+  {
+    const Corners corners(this->Mesh, touched[i]);
+    this->Search.meet(curve,
+      corners.box(widening * corners.longest),
+      [&](int s)
+      {
+        for (int p : { s, c.segmentEnd(s) })
+        {
+          const double distance = distanceTo(corners, c.points[p]);
+          if (distance < best[p])
+          {
+            best[p] = distance;
+            nearest[p] = i;
+          }
+        }
+        return false;
+      });
+  }
+  std::vector<char> seen(touched.size(), 0);
+  std::vector<int> stack;
+  const auto reach = [&](int i)
+  {
+    if (i >= 0 && !seen[i])
+    {
+      seen[i] = 1;
+      stack.push_back(i);
+    }
+  };
+  std::for_each(nearest.begin(), nearest.end(), reach);
+  while (!stack.empty())
+  {
+    const int f = touched[stack.back()];
+    stack.pop_back();
+    for (int g : this->Mesh.faces[f].n)
+    {
+      const auto found = std::lower_bound(touched.begin(), touched.end(), g);
+      reach(found != touched.end() && *found == g ? static_cast<int>(found - touched.begin()) : -1);
+    }
+  }
+  std::vector<int> faces;
+  for (std::size_t i = 0; i < touched.size(); ++i)
+  {
+    if (seen[i])
+    {
+      faces.push_back(touched[i]);
+    }
+  }
+  return faces;
+}
+
+void Passage::follow(const std::vector<Forest::Birth>& births)
+{
+  for (int k = 0; k < static_cast<int>(this->Faces.size()); ++k)
+  {
+    // Slots that hold pieces of the curve's faces, with the gaps of those.
+    std::unordered_map<int, double> pieces;
+    for (std::size_t i = 0; i < this->Faces[k].size(); ++i)
+    {
+      pieces.emplace(this->Faces[k][i], this->Gaps[k][i]);
+    }
+    for (const Forest::Birth& birth : births)
+    {
+      const auto parent = pieces.find(birth.parent);
+      if (parent != pieces.end())
+      {
+        const double gap = parent->second;
+        pieces.emplace(birth.child, gap);
+      }
+    }
+    std::vector<std::pair<int, double>> kept;
+    for (const auto& piece : pieces)
+    {
+      if (this->passes(piece.first, k, piece.second))
+      {
+        kept.push_back(piece);
+      }
+    }
+    std::sort(kept.begin(), kept.end());
+    this->Faces[k].clear();
+    this->Gaps[k].clear();
+    for (const auto& [face, gap] : kept)
+    {
+      this->Faces[k].push_back(face);
+      this->Gaps[k].push_back(gap);
+    }
+  }
+}
+
+} // namespace oversketch

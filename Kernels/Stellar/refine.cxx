@@ -1,0 +1,235 @@
+#include "Stellar/refine.h"
+
+#include "Mesh/context.h"
+#include "Stellar/leaves.h"
+#include "Stellar/passage.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double onSource = 1e-9; // diagonals
+
+// A face as it was marked; what was split since is another one.
+struct Mark
+{
+  int face;
+  std::uint64_t path;
+};
+
+// What one curve asks of the faces near it.
+struct Demand
+{
+  double radius, height, sharpness, edgeLength;
+};
+
+Demand demandOf(const FeatureCurve& curve, const RefineOptions& options)
+{
+  Demand d{ curve.radius.value_or(options.radius),
+    curve.height.value_or(options.height),
+    curve.sharpness.value_or(options.sharpness),
+    options.targetEdgeLength };
+  if (!(d.edgeLength > 0.0))
+  {
+    d.edgeLength = d.radius * (options.fineFoot && !options.profile && d.sharpness < 1.0 ? 0.125 : 0.25);
+  }
+  return d;
+}
+
+class Refiner
+{
+public:
+  Refiner(Forest& forest, const FeatureCurves& curves, const RefineOptions& options, const Context& context)
+    : Mesh(forest)
+    , Options(options)
+    , Run(context)
+    , Search(curves)
+    , Passes(forest, this->Search, context)
+    , Reach(forest, this->Search)
+  {
+  }
+
+  // Faces to split, ascending.
+  std::vector<Mark> marks()
+  {
+    std::vector<int> faces;
+    for (int k = 0; k < static_cast<int>(this->Search.curves().size()); ++k)
+    {
+      const Demand demand = demandOf(this->Search.curves()[k], this->Options);
+      const auto look = [&](int f)
+      {
+        if (this->asks(f, demand))
+        {
+          faces.push_back(f);
+        }
+      };
+      for (const Reached& reached : this->Reach.find(k,
+             this->Passes.faces(k),
+             { demand.radius, this->Options.distance, this->Options.connectedOnly },
+             this->Run))
+      {
+        this->Mesh.star(reached.vertex, [&](int f, int) { look(f); });
+      }
+      if (this->Options.seedCurveFaces)
+      {
+        const std::vector<int>& passed = this->Passes.faces(k);
+        std::for_each(passed.begin(), passed.end(), look);
+      }
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    std::vector<Mark> marks;
+    for (int f : faces)
+    {
+      marks.push_back({ f, this->Mesh.faces[f].path });
+    }
+    return marks;
+  }
+
+  void split(const std::vector<Mark>& marks, const MidpointRule& rule)
+  {
+    std::vector<Forest::Birth> births;
+    for (std::size_t i = 0; i < marks.size(); ++i)
+    {
+      if (this->Mesh.faces[marks[i].face].path == marks[i].path)
+      {
+        this->Mesh.refine(marks[i].face, rule, &births);
+      }
+      if (this->Mesh.faceCount() > this->Options.maximumFaces)
+      {
+        throw Error(Failure::BadRegion,
+          "The refinement needs more than MaximumFaces (" + std::to_string(this->Options.maximumFaces) +
+            ") triangles; take a longer TargetEdgeLength or a smaller Radius or MaxGeneration.");
+      }
+      if (i % 4096 == 0)
+      {
+        this->Run.checkpoint(0.5);
+      }
+    }
+    this->Passes.follow(births);
+  }
+
+private:
+  bool asks(int f, const Demand& demand) const
+  {
+    const Forest::Face& face = this->Mesh.faces[f];
+    if (face.gen >= this->Options.maximumGeneration)
+    {
+      return false;
+    }
+    const int a = face.v[1], c = face.v[2];
+    if ((this->Mesh.vertices[a].position - this->Mesh.vertices[c].position).norm() > demand.edgeLength)
+    {
+      return true;
+    }
+    if (!(this->Options.profileTolerance > 0.0))
+    {
+      return false;
+    }
+    const auto value = [&](double distance)
+    {
+      const double x = distance / demand.radius;
+      return !(x < 1.0)              ? 0.0
+             : this->Options.profile ? this->Options.profile(x)
+                                     : std::pow(1.0 - x, demand.sharpness);
+    };
+    const double error = value(this->Reach.distanceOfMiddle(a, c)) -
+                         0.5 * (value(this->Reach.distance(a)) + value(this->Reach.distance(c)));
+    return std::abs(demand.height * error) > this->Options.profileTolerance;
+  }
+
+  Forest& Mesh;
+  const RefineOptions& Options;
+  const Context& Run;
+  CurveSearch Search;
+  Passage Passes;
+  CurveReach Reach;
+};
+
+void checkOptions(const FeatureCurves& curves, const RefineOptions& options)
+{
+  checkCurves(curves);
+  const bool all =
+    std::all_of(curves.begin(), curves.end(), [](const FeatureCurve& c) { return c.radius.has_value(); });
+  if (!all && !(options.radius > 0.0 && std::isfinite(options.radius)))
+  {
+    throw Error(Failure::BadStroke, "The Radius must be a positive number.");
+  }
+  for (double x : { options.height, options.targetEdgeLength, options.profileTolerance })
+  {
+    if (!std::isfinite(x))
+    {
+      throw Error(
+        Failure::BadStroke, "Height, TargetEdgeLength and ProfileTolerance must be finite numbers.");
+    }
+  }
+  if (!(options.sharpness >= 0.0 && std::isfinite(options.sharpness)))
+  {
+    throw Error(Failure::BadStroke, "The Sharpness must be zero or a positive number.");
+  }
+  if (options.maximumGeneration < 0 || options.maximumGeneration > Forest::maximumDepth)
+  {
+    throw Error(Failure::BadStroke,
+      "MaxGeneration must be between 0 and " + std::to_string(Forest::maximumDepth) + ".");
+  }
+}
+
+} // namespace
+
+void checkSnapped(const Forest& forest, const FeatureCurves& curves)
+{
+  const double tolerance = 1e-6 * forest.diagonal();
+  for (std::size_t i = 0; i < forest.vertices.size(); ++i)
+  {
+    const Forest::Vertex& v = forest.vertices[i];
+    if (v.curveId < 0)
+    {
+      continue;
+    }
+    const bool known = v.curveId < static_cast<int>(curves.size());
+    if (!known || !((curves[v.curveId].position(v.curveParam) - v.position).norm() <= tolerance))
+    {
+      throw Error(Failure::BadStroke,
+        "Point " + std::to_string(i) + " is snapped to curve " + std::to_string(v.curveId) +
+          " at arc length " + std::to_string(v.curveParam) +
+          ", where these curves have no such point; connect the curves that the mesh was snapped to.");
+    }
+  }
+}
+
+Forest refine(const Forest& forest,
+  const FeatureCurves& curves,
+  const RefineOptions& options,
+  const Source& source,
+  const Context& context,
+  RefineReport* report)
+{
+  checkOptions(curves, options);
+  checkSnapped(forest, curves);
+  Forest work = forest.roomyCopy();
+  const MidpointRule rule{ &curves, source, source ? onSource * forest.diagonal() : 0.0 };
+  int sweeps = 0;
+  {
+    Refiner refiner(work, curves, options, context);
+    for (std::vector<Mark> marks = refiner.marks(); !marks.empty(); marks = refiner.marks(), ++sweeps)
+    {
+      refiner.split(marks, rule);
+      context.checkpoint(1.0 - std::ldexp(1.0, -1 - std::min(sweeps, 30)));
+    }
+  }
+  assert(work.broken().empty());
+  if (report)
+  {
+    *report = { forest.faceCount(), work.faceCount(), sweeps };
+  }
+  return sweeps ? canonical(work, context).forest : work;
+}
+
+} // namespace oversketch

@@ -1,0 +1,56 @@
+// Refines a 4-8 mesh where feature curves are near.
+#ifndef oversketch_stellar_refine_h
+#define oversketch_stellar_refine_h
+
+#include "Stellar/distance.h"
+#include "Stellar/forest.h"
+
+#include <functional>
+#include <optional>
+
+namespace oversketch
+{
+
+// Lengths are model lengths; what a curve says itself goes before them.
+struct RefineOptions
+{
+  double radius = 0.0; // above 0; faces with a vertex nearer than this to a curve are refined
+  double height = 0.0, sharpness = 1.5;
+  // Faces whose refinement edge is longer are split. 0: a quarter of the radius, and an eighth where the
+  // sharpness is below 1, which leaves saw-teeth at the foot else (fineFoot off: a quarter there too, as
+  // published).
+  double targetEdgeLength = 0.0;
+  bool fineFoot = true;
+  // Above 0: split also while a displacement by the height would be farther from the middle of the refinement
+  // edge's than this.
+  double profileTolerance = 0.0;
+  // The profile over distance / radius in [0, 1); (1 - x)^sharpness where there is none.
+  std::function<double(double)> profile;
+  CurveDistance distance = CurveDistance::Straight;
+  bool connectedOnly = true;  // see ReachOptions; off: as published
+  bool seedCurveFaces = true; // refine also faces that a curve passes through; off: as published
+  int maximumGeneration = 16; // 0 to 62; no leaf exceeds it
+  int maximumFaces = 16000000;
+};
+
+struct RefineReport
+{
+  int facesBefore = 0, faces = 0, sweeps = 0;
+};
+
+// The canonical forest after sweeps that split every face whose mark holds, until none does. New vertices
+// follow the curves where their parents are snapped, else the source. Throws Error(BadStroke) for a curve or
+// radius that is none, for snapped vertices that are not where these curves have them; Error(BadRegion) where
+// more faces than allowed would be needed.
+Forest refine(const Forest& forest,
+  const FeatureCurves& curves,
+  const RefineOptions& options,
+  const Source& source,
+  const Context& context,
+  RefineReport* report = nullptr);
+
+// Throws Error(BadStroke) unless every snapped vertex is on the curve and at the arc length that it names.
+void checkSnapped(const Forest& forest, const FeatureCurves& curves);
+
+} // namespace oversketch
+#endif

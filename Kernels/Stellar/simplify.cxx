@@ -1,0 +1,178 @@
+#include "Stellar/simplify.h"
+
+#include "Mesh/context.h"
+#include "Stellar/leaves.h"
+#include "Stellar/passage.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace oversketch
+{
+
+namespace
+{
+
+double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a, const Vector3& c)
+{
+  const Vector3 x = a - p, y = c - p, d = at - p, n = x.cross(y);
+  const double square = n.squaredNorm();
+  if (square > 0.0)
+  {
+    const double u = d.cross(y).dot(n) / square, v = x.cross(d).dot(n) / square;
+    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0)
+    {
+      return std::abs(n.dot(d)) / std::sqrt(square);
+    }
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& [from, to] : { std::make_pair(p, a), std::make_pair(a, c), std::make_pair(c, p) })
+  {
+    const Vector3 along = to - from;
+    const double length = along.squaredNorm();
+    const double t = length > 0.0 ? std::clamp(along.dot(at - from) / length, 0.0, 1.0) : 0.0;
+    best = std::min(best, (at - from - t * along).norm());
+  }
+  return best;
+}
+
+// How far a weldable vertex is from the triangles that come back without it.
+double errorOf(const Forest& forest, int w)
+{
+  double error = std::numeric_limits<double>::infinity();
+  const auto at = [&](int v) -> const Vector3& { return forest.vertices[v].position; };
+  forest.star(w,
+    [&](int f, int)
+    {
+      const Forest::Face& face = forest.faces[f];
+      if (face.path % 2 == 0)
+      {
+        const int c = forest.faces[face.n[2]].v[1];
+        error = std::min(error, distanceToTriangle(at(w), at(face.v[1]), at(face.v[2]), at(c)));
+      }
+    });
+  return error;
+}
+
+// Vertices that curves need: 1 within the radius, 2 of a face that a curve passes through.
+std::vector<char> needed(const Forest& forest,
+  const FeatureCurves& curves,
+  const SimplifyOptions& options,
+  const Context& context)
+{
+  std::vector<char> needed(forest.vertices.size(), 0);
+  if (curves.empty())
+  {
+    return needed;
+  }
+  Forest before = forest;
+  for (std::size_t v = 0; v < forest.displacement.size(); ++v)
+  {
+    before.vertices[v].position -= forest.displacement[v];
+  }
+  const CurveSearch search(curves);
+  const Passage passage(before, search, context);
+  CurveReach reach(before, search);
+  for (int k = 0; k < static_cast<int>(curves.size()); ++k)
+  {
+    for (const Reached& r : reach.find(k,
+           passage.faces(k),
+           { curves[k].radius.value_or(options.radius), options.distance, options.connectedOnly },
+           context))
+    {
+      needed[r.vertex] |= 1;
+    }
+    for (int f : passage.faces(k))
+    {
+      for (int v : before.faces[f].v)
+      {
+        needed[v] |= 2;
+      }
+    }
+  }
+  return needed;
+}
+
+void checkOptions(const FeatureCurves& curves, const SimplifyOptions& options)
+{
+  checkCurves(curves);
+  if (!(options.tolerance >= 0.0 && std::isfinite(options.tolerance)))
+  {
+    throw Error(Failure::BadMesh, "The Tolerance must be zero or a positive number.");
+  }
+  for (const FeatureCurve& c : curves)
+  {
+    const double radius = c.radius.value_or(options.radius);
+    if (!(radius > 0.0 && std::isfinite(radius)))
+    {
+      throw Error(Failure::BadStroke, "The Radius must be a positive number.");
+    }
+  }
+}
+
+} // namespace
+
+Forest simplify(const Forest& forest,
+  const FeatureCurves& curves,
+  const SimplifyOptions& options,
+  const Context& context,
+  int* welded)
+{
+  checkOptions(curves, options);
+  const std::vector<char> near = needed(forest, curves, options, context);
+  context.checkpoint(0.3);
+  std::vector<std::vector<int>> levels;
+  for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
+  {
+    const Forest::Vertex& vertex = forest.vertices[v];
+    if (!forest.isVertex(v) || vertex.parents[0] < 0 || near[v] ||
+        (!options.weldSnapped && (vertex.curveId >= 0 || (vertex.moved & Forest::Crest))))
+    {
+      continue;
+    }
+    levels.resize(std::max<std::size_t>(levels.size(), vertex.level + 1));
+    levels[vertex.level].push_back(v);
+  }
+  Forest work = forest;
+  int count = 0;
+  // Stars of weldable vertices of one level are disjoint, and their errors depend on coarser ones alone; so
+  // one pass finds all.
+  for (std::size_t level = levels.size(); level-- > 0;)
+  {
+    const std::vector<int>& candidates = levels[level];
+    std::vector<char> goes(candidates.size(), 0);
+    context.parallelFor(static_cast<int>(candidates.size()),
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end && !context.cancelled(); ++i)
+        {
+          const int w = candidates[i];
+          if (work.weldable(w))
+          {
+            bool far = true;
+            work.link(w, [&](int u) { far = far && !(near[u] & 1); });
+            goes[i] = far && errorOf(work, w) < options.tolerance;
+          }
+        }
+      });
+    context.checkpoint(1.0 - 0.6 * static_cast<double>(level) / static_cast<double>(levels.size()));
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+    {
+      if (goes[i])
+      {
+        work.weld(candidates[i]);
+        ++count;
+      }
+    }
+  }
+  assert(work.broken().empty());
+  if (welded)
+  {
+    *welded = count;
+  }
+  return count ? canonical(work, context).forest : work;
+}
+
+} // namespace oversketch
