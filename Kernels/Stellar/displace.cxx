@@ -1,6 +1,7 @@
 #include "Stellar/displace.h"
 
 #include "Mesh/context.h"
+#include "Stellar/passage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,6 @@ namespace oversketch
 
 namespace
 {
-
-constexpr int verticesPerPart = 4096;
-
-struct Reach
-{
-  int vertex;
-  double distance;
-  double parameter; // of the curve, there
-};
 
 // What curves make of a vertex.
 struct Rise
@@ -84,66 +76,19 @@ void checkSketch(const FeatureCurves& curves, const std::vector<std::vector<Vect
   }
 }
 
-// The vertices nearer to a curve than its radius, ascending.
-std::vector<Reach> reachOf(const Forest& forest,
-  const CurveSearch& search,
-  int curve,
-  double radius,
-  const Context& context)
-{
-  Eigen::AlignedBox3d box = search.box(curve);
-  box.min() -= Vector3::Constant(radius);
-  box.max() += Vector3::Constant(radius);
-  const int slots = static_cast<int>(forest.vertices.size());
-  std::vector<std::vector<Reach>> parts((slots + verticesPerPart - 1) / verticesPerPart);
-  context.parallelFor(static_cast<int>(parts.size()),
-    [&](int begin, int end)
-    {
-      for (int c = begin; c < end && !context.cancelled(); ++c)
-      {
-        for (int v = c * verticesPerPart; v < std::min((c + 1) * verticesPerPart, slots); ++v)
-        {
-          const Forest::Vertex& vertex = forest.vertices[v];
-          if (vertex.face < 0 || !box.contains(vertex.position))
-          {
-            continue;
-          }
-          if (vertex.curveId == curve)
-          {
-            parts[c].push_back({ v, 0.0, vertex.curveParam });
-            continue;
-          }
-          const NearestOnCurve near = search.nearest(curve, vertex.position, radius);
-          if (near.segment >= 0)
-          {
-            parts[c].push_back({ v, near.distance, near.parameter });
-          }
-        }
-      }
-    });
-  context.checkpoint(0.5);
-  std::vector<Reach> all;
-  for (const std::vector<Reach>& part : parts)
-  {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
-}
-
 // What all curves together make of the vertices that they reach, in the order in which they reach them.
 std::vector<Rise> risesOf(const Forest& forest,
   const FeatureCurves& curves,
-  const DisplaceOptions& options,
-  const Context& context)
+  const CurvesReached& reached,
+  const DisplaceOptions& options)
 {
   const std::vector<Shape> shapes = shapesOf(curves, options);
-  const CurveSearch search(curves);
   std::vector<int> of(forest.vertices.size(), -1);
   std::vector<Rise> rises;
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
     const FeatureCurve& curve = curves[k];
-    for (const Reach& reach : reachOf(forest, search, k, shapes[k].radius, context))
+    for (const Reached& reach : reached[k])
     {
       const double ratio = reach.distance / shapes[k].radius, feature = shapes[k].profile(ratio);
       Rise rise{ reach.vertex, ratio, feature };
@@ -211,8 +156,36 @@ void endStroke(Forest& forest)
 
 } // namespace
 
+CurvesReached reachedBy(const Forest& forest,
+  const FeatureCurves& curves,
+  const DisplaceOptions& options,
+  const Context& context)
+{
+  checkCurves(curves);
+  const std::vector<Shape> shapes = shapesOf(curves, options);
+  const CurveSearch search(curves);
+  const Passage passage(forest, search, context);
+  CurveReach reach(forest, search);
+  CurvesReached reached;
+  for (int k = 0; k < static_cast<int>(curves.size()); ++k)
+  {
+    reached.push_back(reach.find(
+      k, passage.faces(k), { shapes[k].radius, options.distance, options.connectedOnly }, context));
+  }
+  return reached;
+}
+
 DisplaceReport displace(Forest& forest,
   const FeatureCurves& curves,
+  const DisplaceOptions& options,
+  const Context& context)
+{
+  return displace(forest, curves, reachedBy(forest, curves, options, context), options, context);
+}
+
+DisplaceReport displace(Forest& forest,
+  const FeatureCurves& curves,
+  const CurvesReached& reached,
   const DisplaceOptions& options,
   const Context& context)
 {
@@ -221,7 +194,7 @@ DisplaceReport displace(Forest& forest,
   {
     checkSketch(curves, *options.sketch);
   }
-  std::vector<Rise> rises = risesOf(forest, curves, options, context);
+  std::vector<Rise> rises = risesOf(forest, curves, reached, options);
   rises.erase(
     std::remove_if(rises.begin(), rises.end(), [](const Rise& rise) { return rise.feature == 0.0; }),
     rises.end());

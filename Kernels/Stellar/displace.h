@@ -3,7 +3,7 @@
 #ifndef oversketch_stellar_displace_h
 #define oversketch_stellar_displace_h
 
-#include "Stellar/forest.h"
+#include "Stellar/distance.h"
 #include "Stellar/profile.h"
 
 #include <optional>
@@ -29,7 +29,9 @@ enum class Combine
 
 struct DisplaceOptions
 {
-  double radius = 0.0;            // r [model length], above 0; the curves' own go before it
+  double radius = 0.0; // r [model length], above 0; the curves' own go before it
+  CurveDistance distance = CurveDistance::Straight;
+  bool connectedOnly = true;      // see ReachOptions; off: as published
   double height = 0.0;            // h [model length], below 0 inward; the curves' own go before it
   double sharpness = 1.5;         // s of Eq. 1, not negative; the curves' own go before it
   std::optional<Profile> profile; // in place of Eq. 1, for all curves
@@ -48,6 +50,14 @@ struct DisplaceReport
   double peak = 0.0; // the greatest feature value
 };
 
+// Per curve the vertices that it reaches: all that is costly, and what stays as it is while only heights and
+// profiles change. Throws Error(BadStroke) for radii out of their range.
+using CurvesReached = std::vector<std::vector<Reached>>;
+CurvesReached reachedBy(const Forest& forest,
+  const FeatureCurves& curves,
+  const DisplaceOptions& options,
+  const Context& context);
+
 // Moves each vertex by its feature value, the profile of distance / radius, times h and its normal or the
 // vector to the sketch, all from where they were. A vertex that is snapped to a curve is at distance 0 of it,
 // at its own parameter. Fills displacement and feature, and ends the stroke: snapped vertices become crests
@@ -55,6 +65,12 @@ struct DisplaceReport
 // and a sketch that does not fit the curves, Error(Cancelled).
 DisplaceReport displace(Forest& forest,
   const FeatureCurves& curves,
+  const DisplaceOptions& options,
+  const Context& context);
+// The same with what reachedBy gave for this forest, these curves and radii.
+DisplaceReport displace(Forest& forest,
+  const FeatureCurves& curves,
+  const CurvesReached& reached,
   const DisplaceOptions& options,
   const Context& context);
 

@@ -364,6 +364,60 @@ TEST(Displace, CountsFacesThatTurn)
   EXPECT_EQ(report.flipped, flippedFaces(bowl, before, positionsOf(bowl), Context()));
 }
 
+TEST(Displace, KeepsToTheSheetThatTheCurveIsOn)
+{
+  // Two sheets nearer to each other than the radius, the stroke on the upper one.
+  Forest forest = forestOfPairs(joined(quadPairs(16, 16), quadPairs(16, 16), Vector3(0, 0, -0.1)));
+  const FeatureCurves curves{ featureCurve({ { 0.2, 0.51, 0 }, { 0.8, 0.52, 0 } }) };
+  const Forest start = forest;
+  DisplaceOptions options = shapeOf(0.3, 0.01, 1.5);
+  const int own = displace(forest, curves, options, Context()).moved;
+  const std::size_t half = forest.vertices.size() / 2;
+  for (std::size_t v = 0; v < forest.vertices.size(); ++v)
+  {
+    EXPECT_EQ(v >= half && forest.feature[v] != 0.0, false);
+  }
+  forest = start;
+  options.connectedOnly = false;
+  EXPECT_GT(displace(forest, curves, options, Context()).moved, 1.5 * own);
+  forest = start;
+  options.connectedOnly = true;
+  options.distance = CurveDistance::Geodesic;
+  const int geodesic = displace(forest, curves, options, Context()).moved;
+  EXPECT_LE(geodesic, own);
+  EXPECT_GT(geodesic, 0.9 * own);
+}
+
+TEST(Displace, AnotherHeightNeedsNoNewDistances)
+{
+  Forest start = baseOf(icosphere(4));
+  needBaseNormals(start, Context());
+  std::vector<Vector3> arc;
+  for (int i = 0; i <= 100; ++i)
+  {
+    const double a = 0.02 * i;
+    arc.emplace_back(std::cos(a), std::sin(a), 0.0);
+  }
+  const FeatureCurves curves{ featureCurve(arc) };
+  const CurvesReached reached = reachedBy(start, curves, shapeOf(0.2, 0.0, 1.5), Context());
+  for (const double h : { 0.1, -0.05 })
+    for (const double s : { 0.3, 1.5 })
+    {
+      Forest once = start, again = start;
+      displace(once, curves, shapeOf(0.2, h, s), twoThreads());
+      displace(again, curves, reached, shapeOf(0.2, h, s), Context());
+      EXPECT_TRUE(sameForest(once, again));
+    }
+}
+
+TEST(Displace, CanBeCancelled)
+{
+  Forest forest = flatField();
+  Context context;
+  context.cancelled = [] { return true; };
+  EXPECT_THROW(displace(forest, lineAlongX(), shapeOf(0.5, 0.1, 1.0), context), Error);
+}
+
 TEST(Displace, RefusesWhatIsNoShape)
 {
   const double inf = std::numeric_limits<double>::infinity();

@@ -3,6 +3,7 @@
 #define oversketch_stellar_feature_shapes_h
 
 #include "Stellar/forest_shapes.h"
+#include "Stellar/refine.h"
 
 namespace oversketch_test
 {
@@ -30,47 +31,12 @@ inline std::vector<Vector3> positionsOf(const Forest& forest)
   return points;
 }
 
-// Splits what has a corner nearer than the radius to a curve and a longer refinement edge than
-// wanted.
-inline void refineNear(Forest& forest,
-  const FeatureCurves& curves,
-  double radius,
-  double target,
-  const MidpointRule& rule = {})
+inline void refineNear(Forest& forest, const FeatureCurves& curves, double radius, double edgeLength)
 {
-  const CurveSearch search(curves);
-  const auto near = [&](const Vector3& p)
-  {
-    for (int k = 0; k < static_cast<int>(curves.size()); ++k)
-      if (search.nearest(k, p, radius).segment >= 0)
-        return true;
-    return false;
-  };
-  for (bool more = true; more;)
-  {
-    more = false;
-    std::vector<int> marked;
-    for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
-    {
-      const int* v = forest.faces[f].v;
-      if ((forest.vertices[v[1]].position - forest.vertices[v[2]].position).norm() > target)
-        for (int i = 0; i < 3; ++i)
-          if (near(forest.vertices[v[i]].position))
-          {
-            marked.push_back(f);
-            break;
-          }
-    }
-    for (const int f : marked)
-    {
-      const Forest::Face& face = forest.faces[f];
-      if ((forest.vertices[face.v[1]].position - forest.vertices[face.v[2]].position).norm() > target)
-      {
-        forest.refine(f, rule);
-        more = true;
-      }
-    }
-  }
+  RefineOptions options;
+  options.radius = radius;
+  options.targetEdgeLength = edgeLength;
+  forest = refine(forest, curves, options, {}, Context());
 }
 
 // 60 lines across the square and 25 spirals in it, the same on every machine.

@@ -117,11 +117,12 @@ TEST(D9_2, VerticesMoveAlongTheirEdgesAndRefiningFollows)
       offEdge = std::max(offEdge, nearest);
     }
     forest = before;
-    crossed += snap(forest, curves, {}, {}, Context()).residual;
-    const int had = forest.vertexCount();
-    refineNear(forest, curves, 0.06, 0.0075, { &curves, {}, 0.0 });
+    const SnapReport report = snap(forest, curves, {}, {}, Context());
+    crossed += report.residual;
+    followed -= report.snapped;
+    refineNear(forest, curves, 0.06, 0.0075);
     EXPECT_EQ(forest.broken(), "");
-    for (int v = had; v < static_cast<int>(forest.vertices.size()); ++v)
+    for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
       if (forest.vertices[v].curveId >= 0)
       {
         ++followed;
