@@ -42,13 +42,13 @@ private:
   std::string Names;
 };
 
-void refuse(const std::string& defects)
+void refuseDefects(const std::string& defects)
 {
   if (!defects.empty())
   {
     throw Error(Failure::BadMesh,
-      "the mesh is not an oriented manifold of triangles: " + defects +
-        "; mend it, for instance with vtkCleanPolyData and with vtkPolyDataNormals, Consistency on");
+      "The mesh is not an oriented manifold of triangles: " + defects +
+        "; mend it, for instance with vtkCleanPolyData and with vtkPolyDataNormals, Consistency on.");
   }
 }
 
@@ -138,7 +138,7 @@ void checkPointIds(const Mesh& mesh)
   }
   std::string text;
   nowhere.report("triangle that names no point", "triangles that name no point", text);
-  refuse(text);
+  refuseDefects(text);
 }
 
 void checkManifold(const Mesh& mesh)
@@ -217,7 +217,7 @@ void checkManifold(const Mesh& mesh, const Adjacency& adjacency)
   crowded.report("edge of more than two triangles", "edges of more than two triangles", text);
   turned.report("edge whose triangles face opposite ways", "edges whose triangles face opposite ways", text);
   pinched.report("point where pieces only touch", "points where pieces only touch", text);
-  refuse(text);
+  refuseDefects(text);
 }
 
 } // namespace oversketch

@@ -13,7 +13,7 @@ namespace oversketch
 namespace
 {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unreached = std::numeric_limits<double>::infinity();
 
 }
 
@@ -21,15 +21,38 @@ double unfoldedDistance(double da, double db, double c, double vx, double vy)
 {
   if (!(c > 0.0))
   {
-    return infinite;
+    return unreached;
   }
   const double x = (da * da - db * db + c * c) / (2.0 * c), square = da * da - x * x;
   if (!(square >= 0.0))
   {
-    return infinite;
+    return unreached;
   }
   const double y = std::sqrt(square), across = y + vy > 0.0 ? x + (vx - x) * y / (y + vy) : vx;
-  return across >= 0.0 && across <= c ? std::hypot(vx - x, vy + y) : infinite;
+  return across >= 0.0 && across <= c ? std::hypot(vx - x, vy + y) : unreached;
+}
+
+double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a, const Vector3& c)
+{
+  const Vector3 x = a - p, y = c - p, d = at - p, n = x.cross(y);
+  const double square = n.squaredNorm();
+  if (square > 0.0)
+  {
+    const double u = d.cross(y).dot(n) / square, v = x.cross(d).dot(n) / square;
+    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0)
+    {
+      return std::abs(n.dot(d)) / std::sqrt(square);
+    }
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& [from, to] : { std::make_pair(p, a), std::make_pair(a, c), std::make_pair(c, p) })
+  {
+    const Vector3 along = to - from;
+    const double length = along.squaredNorm();
+    const double t = length > 0.0 ? std::clamp(along.dot(at - from) / length, 0.0, 1.0) : 0.0;
+    best = std::min(best, (at - from - t * along).norm());
+  }
+  return best;
 }
 
 CurveReach::CurveReach(const Forest& forest, const CurveSearch& search)
@@ -76,7 +99,7 @@ const std::vector<Reached>& CurveReach::find(int curve,
 double CurveReach::distance(int vertex) const
 {
   const int at = this->Place[vertex];
-  return at < 0 ? infinite : this->Found[at].distance;
+  return at < 0 ? unreached : this->Found[at].distance;
 }
 
 double CurveReach::distanceOfMiddle(int a, int b) const
@@ -86,11 +109,11 @@ double CurveReach::distanceOfMiddle(int a, int b) const
   const double straight = this->Search.nearest(this->Curve, 0.5 * (pa + pb), this->Options.radius).distance;
   if (this->Options.kind == CurveDistance::Straight)
   {
-    return std::isfinite(da) || std::isfinite(db) ? straight : infinite;
+    return std::isfinite(da) || std::isfinite(db) ? straight : unreached;
   }
   const double c = (pa - pb).norm(),
                behind = std::min(unfoldedDistance(da, db, c, 0.5 * c, 0.0), std::min(da, db) + 0.5 * c);
-  return behind < this->Options.radius ? std::max(behind, straight) : infinite;
+  return behind < this->Options.radius ? std::max(behind, straight) : unreached;
 }
 
 // Infinite where it is not nearer than the radius.
@@ -197,7 +220,7 @@ void CurveReach::front(const std::vector<int>& faces, const Context& context)
       if (std::isfinite(nearest.distance))
       {
         at = static_cast<int>(this->Found.size());
-        this->Found.push_back({ v, infinite, nearest.parameter });
+        this->Found.push_back({ v, unreached, nearest.parameter });
         done.push_back(0);
         least.push_back(nearest.distance);
       }
@@ -244,7 +267,7 @@ void CurveReach::front(const std::vector<int>& faces, const Context& context)
           {
             const double db = this->Found[this->Place[b]].distance, c = toB.norm();
             const double unfolded =
-              c > 0.0 ? unfoldedDistance(da, db, c, toV.dot(toB) / c, toV.cross(toB).norm() / c) : infinite;
+              c > 0.0 ? unfoldedDistance(da, db, c, toV.dot(toB) / c, toV.cross(toB).norm() / c) : unreached;
             reached = std::isfinite(unfolded) ? unfolded : std::min(reached, db + (toV - toB).norm());
           }
           meet(v, reached);

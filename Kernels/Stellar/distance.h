@@ -71,5 +71,8 @@ private:
 // source is so far from both.
 double unfoldedDistance(double da, double db, double c, double vx, double vy);
 
+// The distance of a point from a triangle.
+double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a, const Vector3& c);
+
 } // namespace oversketch
 #endif

@@ -219,8 +219,8 @@ int Forest::refine(int f, const MidpointRule& rule, std::vector<Birth>* births)
     if (this->faces[top].path >> maximumDepth)
     {
       throw Error(Failure::BadMesh,
-        "a triangle of root " + std::to_string(this->faces[top].root) + " was split " +
-          std::to_string(maximumDepth) + " times, which is the limit; refine less deeply");
+        "A triangle of root " + std::to_string(this->faces[top].root) + " was split " +
+          std::to_string(maximumDepth) + " times, which is the limit; refine less deeply.");
     }
     const int m = this->split(top, rule, births);
     if (depth-- == 0)
@@ -465,8 +465,8 @@ void Forest::connect()
       if (twins > 1 || same > 1)
       {
         throw Error(Failure::BadMesh,
-          "the edge of points " + std::to_string(from) + " and " + std::to_string(to) +
-            " belongs to two triangles in the same direction");
+          "The edge of points " + std::to_string(from) + " and " + std::to_string(to) +
+            " belongs to two triangles that run the same way along it");
       }
     }
   }

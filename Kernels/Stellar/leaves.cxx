@@ -15,9 +15,9 @@ namespace
 
 constexpr const char* culprit =
   "; a filter merged, split or reordered cells or points of the 4-8 mesh. Save it "
-  "and read it without such a filter in between, or make a new base of it";
+  "and read it without such a filter in between, or make a new base of it.";
 
-[[noreturn]] void refuse(const std::string& what)
+[[noreturn]] void refuseLeaves(const std::string& what)
 {
   throw Error(Failure::BadMesh, what + culprit);
 }
@@ -69,7 +69,7 @@ public:
     }
     if (!this->Stack.empty())
     {
-      refuse("StellarPath: the last root, " + std::to_string(this->Out.rootCount) + ", lacks cells");
+      refuseLeaves("StellarPath: the last root, " + std::to_string(this->Out.rootCount) + ", lacks cells");
     }
   }
 
@@ -84,15 +84,16 @@ private:
     { return std::string(array) + " of cell " + std::to_string(cell); };
     if (this->In.root[cell] != this->Out.rootCount)
     {
-      refuse(at("StellarRoot") + " is " + std::to_string(this->In.root[cell]) + " where root " +
-             std::to_string(this->Out.rootCount) + " goes on");
+      refuseLeaves(at("StellarRoot") + " is " + std::to_string(this->In.root[cell]) + " where root " +
+                   std::to_string(this->Out.rootCount) + " goes on");
     }
     // The leftmost leaf of what comes next.
     const std::uint64_t next = this->Stack.empty() ? 1 : this->Stack.back().path + 1;
     const int below = path ? depthOf(path) - depthOf(next) : -1;
     if (below < 0 || path >> below != next || path != next << below || depthOf(path) > Forest::maximumDepth)
     {
-      refuse(at("StellarPath") + " is " + std::to_string(path) + ", which does not follow the cell before");
+      refuseLeaves(
+        at("StellarPath") + " is " + std::to_string(path) + ", which does not follow the cell before");
     }
     const int gen = this->In.gen[cell], depth = depthOf(path);
     if (this->Stack.empty())
@@ -101,19 +102,20 @@ private:
     }
     if (gen - depth != this->RootGen || this->RootGen < 0 || this->RootGen > 1)
     {
-      refuse(at("StellarGen") + " is " + std::to_string(gen) + ", which does not fit its StellarPath");
+      refuseLeaves(at("StellarGen") + " is " + std::to_string(gen) + ", which does not fit its StellarPath");
     }
     const Triangle& t = this->In.triangles[cell];
     for (int v : t)
     {
       if (v < 0 || v >= static_cast<int>(this->In.points.size()))
       {
-        refuse("cell " + std::to_string(cell) + " names point " + std::to_string(v) + ", which is not there");
+        refuseLeaves(
+          "Cell " + std::to_string(cell) + " names point " + std::to_string(v) + ", which is not there");
       }
     }
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
     {
-      refuse("cell " + std::to_string(cell) + " names a point twice");
+      refuseLeaves("Cell " + std::to_string(cell) + " names a point twice");
     }
     this->Stack.push_back({ path, t, gen });
   }
@@ -131,7 +133,8 @@ private:
                                                 vertex.parents[1] == a && vertex.level == first.gen));
     if (!fits)
     {
-      refuse("the points of cell " + std::to_string(cell) + " do not fit those of the cell it was split off");
+      refuseLeaves(
+        "The points of cell " + std::to_string(cell) + " do not fit those of the cell it was split off");
     }
     vertex.parents[0] = a;
     vertex.parents[1] = c;
@@ -150,8 +153,8 @@ private:
       const int level = i == 0 ? root.gen : 0;
       if (this->Sides[root.v[i]] < 0 ? vertex.level != level : this->Sides[root.v[i]] > 0)
       {
-        refuse("point " + std::to_string(root.v[i]) + ", a corner of the root that ends with cell " +
-               std::to_string(cell) + ", is a new point elsewhere");
+        refuseLeaves("Point " + std::to_string(root.v[i]) + ", a corner of the root that ends with cell " +
+                     std::to_string(cell) + ", is a new point elsewhere");
       }
       vertex.level = static_cast<std::uint8_t>(level);
       this->Sides[root.v[i]] = -1;
@@ -174,7 +177,7 @@ void checkSizes(const Leaves& in)
     if (size != wanted && !(optional && size == 0))
     {
       throw Error(Failure::MissingArray,
-        std::string("the array ") + array + " of a 4-8 mesh is absent or has " + std::to_string(size) +
+        std::string("The array ") + array + " of a 4-8 mesh is absent or has " + std::to_string(size) +
           " values where " + std::to_string(wanted) + " are needed" + culprit);
     }
   };
@@ -199,7 +202,7 @@ void readPoints(const Leaves& in, Forest& out)
   for (std::size_t i = 0; i < in.points.size(); ++i)
   {
     const auto wrong = [&](const char* array, const char* why)
-    { refuse(std::string(array) + " of point " + std::to_string(i) + " " + why); };
+    { refuseLeaves(std::string(array) + " of point " + std::to_string(i) + " " + why); };
     Forest::Vertex& v = out.vertices[i];
     v.position = in.points[i];
     v.moved = in.moved[i];
@@ -207,7 +210,7 @@ void readPoints(const Leaves& in, Forest& out)
     v.curveParam = in.curveParam[i];
     if (!v.position.allFinite())
     {
-      wrong("the place", "is not finite");
+      wrong("The place", "is not finite");
     }
     if (v.moved > (Forest::Placed | Forest::Displaced | Forest::Crest))
     {
@@ -255,7 +258,7 @@ void checkPointOrder(Forest& forest)
     const bool isFirst = i == 0 || forest.vertices[i - 1].parents[0] < 0;
     if (isFirst ? false : v.parents[0] < 0 || !(key(forest.vertices[i - 1]) < key(v)))
     {
-      refuse("point " + std::to_string(i) + " is not where the order of levels and parents has it");
+      refuseLeaves("Point " + std::to_string(i) + " is not where the order of levels and parents has it");
     }
   }
 }
@@ -293,7 +296,7 @@ void checkFit(const Forest& forest, const std::vector<char>& sides, const Contex
       const int g = face.n[i];
       if (g >= 0 && face.gen + (i > 0) != forest.faces[g].gen + (forest.faces[g].n[0] != static_cast<int>(f)))
       {
-        refuse("cells " + std::to_string(f) + " and " + std::to_string(g) + " do not fit each other");
+        refuseLeaves("Cells " + std::to_string(f) + " and " + std::to_string(g) + " do not fit each other");
       }
     }
   }
@@ -314,7 +317,7 @@ void checkFit(const Forest& forest, const std::vector<char>& sides, const Contex
   const auto found = std::find(bad.begin(), bad.end(), 1);
   if (found != bad.end())
   {
-    refuse("the cells round point " + std::to_string(found - bad.begin()) + " do not fit each other");
+    refuseLeaves("The cells round point " + std::to_string(found - bad.begin()) + " do not fit each other");
   }
 }
 
@@ -549,7 +552,7 @@ Forest rebuild(const Leaves& leaves, const Context& context)
   }
   catch (const Error& e)
   {
-    refuse(e.what());
+    refuseLeaves(e.what());
   }
   context.checkpoint(0.6);
   checkFit(forest, reader.sides(), context);

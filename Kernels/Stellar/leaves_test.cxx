@@ -212,7 +212,7 @@ TEST(Leaves, ChangedArraysAreRefusedByName)
   expect("BaseNormal", [&](Leaves& l) { l.baseNormal[3].x() = nan; });
   expect("Displacement", [&](Leaves& l) { l.displacement[3].x() = nan; });
   expect("Feature", [&](Leaves& l) { l.feature.pop_back(); });
-  expect("the place of point 3", [&](Leaves& l) { l.points[3].x() = nan; });
+  expect("The place of point 3", [&](Leaves& l) { l.points[3].x() = nan; });
 }
 
 TEST(Leaves, CellsAndPointsThatAFilterTouchedAreRefused)

@@ -240,8 +240,8 @@ Forest forestOfPairs(const Mesh& mesh)
     if (forest.faces[f].n[0] != (f ^ 1))
     {
       throw Error(Failure::BadMesh,
-        "triangles " + std::to_string(f & ~1) + " and " + std::to_string(f | 1) +
-          " do not share the edge opposite their first corners");
+        "Triangles " + std::to_string(f & ~1) + " and " + std::to_string(f | 1) +
+          " do not share the edge opposite their first corners.");
     }
   }
   return forest;

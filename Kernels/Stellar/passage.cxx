@@ -1,6 +1,7 @@
 #include "Stellar/passage.h"
 
 #include "Mesh/context.h"
+#include "Stellar/distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,25 +83,6 @@ bool meets(const Corners& face, const Vector3& from, const Vector3& to, double g
   const double first = heightFrom + begin * (heightTo - heightFrom),
                last = heightFrom + end * (heightTo - heightFrom);
   return (first < 0.0) != (last < 0.0) || std::min(std::abs(first), std::abs(last)) <= gap;
-}
-
-// The distance of a point from a face.
-double distanceTo(const Corners& face, const Vector3& at)
-{
-  if (face.area2 > 0.0 && face.weights(at).minCoeff() >= 0.0)
-  {
-    return std::abs(face.normal.dot(at - face.p));
-  }
-  const Vector3 corners[] = { face.p, face.p + face.x, face.p + face.y };
-  double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vector3 along = corners[(k + 1) % 3] - corners[k];
-    const double square = along.squaredNorm();
-    const double t = square > 0.0 ? std::clamp(along.dot(at - corners[k]) / square, 0.0, 1.0) : 0.0;
-    best = std::min(best, (at - corners[k] - t * along).norm());
-  }
-  return best;
 }
 
 } // namespace
@@ -197,7 +179,8 @@ std::vector<int> Passage::joined(int curve, double widening, const std::vector<i
       {
         for (int p : { s, c.segmentEnd(s) })
         {
-          const double distance = distanceTo(corners, c.points[p]);
+          const double distance =
+            distanceToTriangle(c.points[p], corners.p, corners.p + corners.x, corners.p + corners.y);
           if (distance < best[p])
           {
             best[p] = distance;

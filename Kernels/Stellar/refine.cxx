@@ -153,7 +153,7 @@ private:
   CurveReach Reach;
 };
 
-void checkOptions(const FeatureCurves& curves, const RefineOptions& options)
+void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& options)
 {
   checkCurves(curves);
   const bool all =
@@ -216,7 +216,7 @@ Forest refine(const Forest& forest,
   const Context& context,
   RefineReport* report)
 {
-  checkOptions(curves, options);
+  checkRefineOptions(curves, options);
   checkSnapped(forest, curves);
   Forest work = forest.roomyCopy();
   const MidpointRule rule{ &curves, source, source ? onSource * forest.diagonal() : 0.0 };

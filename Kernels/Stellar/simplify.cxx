@@ -15,29 +15,6 @@ namespace oversketch
 namespace
 {
 
-double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a, const Vector3& c)
-{
-  const Vector3 x = a - p, y = c - p, d = at - p, n = x.cross(y);
-  const double square = n.squaredNorm();
-  if (square > 0.0)
-  {
-    const double u = d.cross(y).dot(n) / square, v = x.cross(d).dot(n) / square;
-    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0)
-    {
-      return std::abs(n.dot(d)) / std::sqrt(square);
-    }
-  }
-  double best = std::numeric_limits<double>::infinity();
-  for (const auto& [from, to] : { std::make_pair(p, a), std::make_pair(a, c), std::make_pair(c, p) })
-  {
-    const Vector3 along = to - from;
-    const double length = along.squaredNorm();
-    const double t = length > 0.0 ? std::clamp(along.dot(at - from) / length, 0.0, 1.0) : 0.0;
-    best = std::min(best, (at - from - t * along).norm());
-  }
-  return best;
-}
-
 // How far a weldable vertex is from the triangles that come back without it.
 double errorOf(const Forest& forest, int w)
 {
@@ -95,7 +72,7 @@ std::vector<char> needed(const Forest& forest,
   return needed;
 }
 
-void checkOptions(const FeatureCurves& curves, const SimplifyOptions& options)
+void checkSimplifyOptions(const FeatureCurves& curves, const SimplifyOptions& options)
 {
   checkCurves(curves);
   if (!(options.tolerance >= 0.0 && std::isfinite(options.tolerance)))
@@ -120,7 +97,7 @@ Forest simplify(const Forest& forest,
   const Context& context,
   int* welded)
 {
-  checkOptions(curves, options);
+  checkSimplifyOptions(curves, options);
   const std::vector<char> near = needed(forest, curves, options, context);
   context.checkpoint(0.3);
   std::vector<std::vector<int>> levels;
