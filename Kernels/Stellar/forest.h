@@ -139,7 +139,7 @@ public:
   // `child`.
   struct Birth
   {
-    int parent, child;
+    int parent, child, vertex;
   };
 
   // Splits the refinement edge of a face, whose neighbour there is absent or has the same refinement edge.
