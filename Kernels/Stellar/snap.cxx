@@ -85,17 +85,20 @@ private:
   std::vector<int> residual() const;
   double narrowestOf(const std::vector<Forest::Birth>& births) const;
   void split(const EdgeCrossing& crossing, const MidpointRule& rule, std::vector<Forest::Birth>& births);
+  void weldBack(const std::vector<Forest::Birth>& births);
   void splitWithCare(const EdgeCrossing& crossing,
     const MidpointRule& rule,
     std::vector<Forest::Birth>& births);
-  void findIn(const std::vector<Forest::Birth>& births, const Forest& before);
+  void findIn(const std::vector<Forest::Birth>& births);
+  void takeBack(const std::vector<Forest::Birth>& births);
 
   Forest& Mesh;
   const SnapOptions& Options;
   const Context& Caller;
   CurveSearch Search;
   CrossingFinder Finder;
-  std::vector<Found> Crossings; // also those that are no longer
+  std::vector<Found> Crossings;                       // also those that are no longer
+  std::vector<std::pair<int, Forest::Vertex>> Before; // of what this round has moved
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> Heap;
 };
 
@@ -148,6 +151,7 @@ void Snapper::mark(int v, int curve, double parameter)
 
 void Snapper::put(int v, const EdgeCrossing& crossing, const Vector3& to)
 {
+  this->Before.emplace_back(v, this->vertex(v));
   Forest::Vertex& moved = this->vertex(v);
   const Vector3 normal = (1.0 - crossing.u) * this->vertex(crossing.ends[0]).baseNormal +
                          crossing.u * this->vertex(crossing.ends[1]).baseNormal;
@@ -234,6 +238,7 @@ void Snapper::take(const Scan& scan)
 {
   for (const auto& [v, at] : scan.on)
   {
+    this->Before.emplace_back(v, this->vertex(v));
     this->mark(v, at.curve, at.parameter);
   }
   for (const EdgeCrossing& crossing : scan.crossings)
@@ -400,6 +405,18 @@ void Snapper::split(const EdgeCrossing& crossing,
   }
 }
 
+// Undoes splits that nothing was split after.
+void Snapper::weldBack(const std::vector<Forest::Birth>& births)
+{
+  for (auto birth = births.rbegin(); birth != births.rend(); ++birth)
+  {
+    if (this->Mesh.isVertex(birth->vertex)) // not gone with its twin
+    {
+      this->Mesh.weld(birth->vertex);
+    }
+  }
+}
+
 // The same, unless that makes triangles that are too narrow of such that were wider.
 void Snapper::splitWithCare(const EdgeCrossing& crossing,
   const MidpointRule& rule,
@@ -416,13 +433,7 @@ void Snapper::splitWithCare(const EdgeCrossing& crossing,
   const double after = this->narrowestOf(own);
   if (after < squaredSine(splitShare * this->Options.minimumAngle))
   {
-    for (auto birth = own.rbegin(); birth != own.rend(); ++birth)
-    {
-      if (this->Mesh.isFace(birth->child)) // not gone with its twin
-      {
-        this->Mesh.weld(this->Mesh.faces[birth->child].v[0]);
-      }
-    }
+    this->weldBack(own);
     this->Report = report;
     const bool wider = after < this->narrowestOf(own);
     own.clear();
@@ -437,18 +448,19 @@ void Snapper::splitWithCare(const EdgeCrossing& crossing,
 }
 
 // Crossings of the edges that splits have made.
-void Snapper::findIn(const std::vector<Forest::Birth>& births, const Forest& before)
+void Snapper::findIn(const std::vector<Forest::Birth>& births)
 {
-  const auto isNew = [&](int v)
-  { return v >= static_cast<int>(before.vertices.size()) || !before.isVertex(v); };
-  std::vector<int> faces;
+  std::vector<int> faces, vertices;
   for (const Forest::Birth& birth : births)
   {
     faces.push_back(birth.parent);
     faces.push_back(birth.child);
+    vertices.push_back(birth.vertex);
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  std::sort(vertices.begin(), vertices.end());
+  const auto isNew = [&](int v) { return std::binary_search(vertices.begin(), vertices.end(), v); };
   Scan all, fresh;
   for (const int f : faces)
   {
@@ -471,27 +483,43 @@ void Snapper::residualRounds(const MidpointRule& rule)
   for (int round = 0; round < this->Options.maximumResidualRounds && !left.empty(); ++round)
   {
     this->Caller.checkpoint(0.8);
-    const Forest before = this->Mesh;
+    const int faces = this->Mesh.faceCount();
     const SnapReport report = this->Report;
+    this->Before.clear();
     std::vector<Forest::Birth> births;
     for (const int i : left)
     {
       const EdgeCrossing crossing = this->Crossings[i].crossing;
       this->splitWithCare(crossing, rule, births);
     }
-    this->findIn(births, before);
+    this->findIn(births);
     this->nearestFirst();
-    this->Report.facesAdded += this->Mesh.faceCount() - before.faceCount();
+    this->Report.facesAdded += this->Mesh.faceCount() - faces;
     std::vector<int> now = this->residual();
     if (now.size() >= left.size())
     {
-      this->Mesh = before;
+      this->takeBack(births);
       this->Report = report;
       break;
     }
     left = std::move(now);
   }
   this->Report.residual = static_cast<int>(left.size());
+}
+
+// Undoes a round.
+void Snapper::takeBack(const std::vector<Forest::Birth>& births)
+{
+  this->weldBack(births);
+  for (const auto& [v, before] : this->Before)
+  {
+    if (this->Mesh.isVertex(v))
+    {
+      const int face = this->vertex(v).face;
+      this->vertex(v) = before;
+      this->vertex(v).face = face;
+    }
+  }
 }
 
 } // namespace
