@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <string>
 
 namespace oversketch
@@ -150,34 +151,42 @@ CurveSearch::CurveSearch(const FeatureCurves& curves)
 {
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
-    this->Trees[k].segments = curves[k].segmentCount();
-    if (this->Trees[k].segments > 0)
+    const int count = curves[k].segmentCount();
+    if (count > 0)
     {
-      this->build(k, 0, 0, this->Trees[k].segments);
+      this->Trees[k].order.resize(count);
+      std::iota(this->Trees[k].order.begin(), this->Trees[k].order.end(), 0);
+      this->build(k, 0, 0, count);
     }
   }
 }
 
 void CurveSearch::build(int curve, int node, int begin, int end)
 {
-  std::vector<Eigen::AlignedBox3d>& boxes = this->Trees[curve].boxes;
-  if (node >= static_cast<int>(boxes.size()))
+  const FeatureCurve& c = this->Curves[curve];
+  Tree& tree = this->Trees[curve];
+  const auto from = tree.order.begin() + begin, to = tree.order.begin() + end;
+  Eigen::AlignedBox3d box;
+  std::for_each(from, to, [&](int s) { box.extend(c.points[s]).extend(c.points[c.segmentEnd(s)]); });
+  tree.boxes.resize(std::max<std::size_t>(tree.boxes.size(), node + 1));
+  tree.boxes[node] = box;
+  if (end - begin > leafSize)
   {
-    boxes.resize(node + 1);
+    Eigen::Index axis = 0;
+    box.sizes().maxCoeff(&axis);
+    const int middle = (begin + end) / 2;
+    std::nth_element(from,
+      tree.order.begin() + middle,
+      to,
+      [&](int a, int b)
+      {
+        const double x = c.points[a][axis] + c.points[c.segmentEnd(a)][axis],
+                     y = c.points[b][axis] + c.points[c.segmentEnd(b)][axis];
+        return x != y ? x < y : a < b;
+      });
+    this->build(curve, 2 * node + 1, begin, middle);
+    this->build(curve, 2 * node + 2, middle, end);
   }
-  if (end - begin <= leafSize)
-  {
-    const FeatureCurve& c = this->Curves[curve];
-    for (int s = begin; s < end; ++s)
-    {
-      boxes[node].extend(c.points[s]).extend(c.points[c.segmentEnd(s)]);
-    }
-    return;
-  }
-  const int middle = (begin + end) / 2;
-  this->build(curve, 2 * node + 1, begin, middle);
-  this->build(curve, 2 * node + 2, middle, end);
-  boxes[node] = boxes[2 * node + 1].merged(boxes[2 * node + 2]);
 }
 
 NearestOnCurve CurveSearch::nearest(int curve, const Vector3& point, double limit) const
@@ -186,7 +195,7 @@ NearestOnCurve CurveSearch::nearest(int curve, const Vector3& point, double limi
   best.distance = limit;
   if (!this->Trees[curve].boxes.empty())
   {
-    this->search(curve, 0, 0, this->Trees[curve].segments, point, best);
+    this->search(curve, 0, 0, static_cast<int>(this->Trees[curve].order.size()), point, best);
   }
   if (best.segment < 0)
   {
@@ -202,8 +211,9 @@ void CurveSearch::search(int curve, int node, int begin, int end, const Vector3&
   if (end - begin <= leafSize)
   {
     const FeatureCurve& c = this->Curves[curve];
-    for (int s = begin; s < end; ++s)
+    for (int i = begin; i < end; ++i)
     {
+      const int s = tree.order[i];
       const Vector3 &p = c.points[s], &q = c.points[c.segmentEnd(s)], along = q - p;
       const double square = along.squaredNorm();
       const double t = square > 0.0 ? std::clamp(along.dot(point - p) / square, 0.0, 1.0) : 0.0;

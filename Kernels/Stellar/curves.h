@@ -4,6 +4,7 @@
 
 #include "Mesh/place.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -62,7 +63,7 @@ struct NearestOnCurve
   int segment = -1; // -1: nothing within the limit
 };
 
-// Boxes round runs of segments, one tree a curve. Keeps a reference to the curves.
+// Boxes round segments that are near each other, one tree a curve. Keeps a reference to the curves.
 class CurveSearch
 {
 public:
@@ -73,23 +74,24 @@ public:
     const Vector3& point,
     double limit = std::numeric_limits<double>::infinity()) const;
 
-  // Segments of a curve whose boxes meet a box, ascending; stops where visit(segment) returns true, and says
+  // Segments of a curve that may meet a box, in any order; stops where visit(segment) returns true, and says
   // whether it did.
   template <class Visit>
   bool meet(int curve, const Eigen::AlignedBox3d& box, const Visit& visit) const
   {
     const Tree& tree = this->Trees[curve];
-    return !tree.boxes.empty() && this->meet(tree, 0, 0, tree.segments, box, visit);
+    return !tree.boxes.empty() && this->meet(tree, 0, 0, static_cast<int>(tree.order.size()), box, visit);
   }
 
   const Eigen::AlignedBox3d& box(int curve) const { return this->Trees[curve].boxes[0]; }
   const FeatureCurves& curves() const { return this->Curves; }
 
 private:
-  // A node stands for segments [begin, end) and is halved; children of node i are 2 i + 1 and 2 i + 2.
+  // A node stands for segments order[begin], …, order[end - 1] and is halved; children of node i are 2 i + 1
+  // and 2 i + 2.
   struct Tree
   {
-    int segments = 0;
+    std::vector<int> order;
     std::vector<Eigen::AlignedBox3d> boxes;
   };
   static constexpr int leafSize = 4;
@@ -108,10 +110,7 @@ private:
     }
     if (end - begin <= leafSize)
     {
-      for (int s = begin; s < end; ++s)
-        if (visit(s))
-          return true;
-      return false;
+      return std::any_of(tree.order.begin() + begin, tree.order.begin() + end, visit);
     }
     const int middle = (begin + end) / 2;
     return this->meet(tree, 2 * node + 1, begin, middle, box, visit) ||

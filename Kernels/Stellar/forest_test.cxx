@@ -181,6 +181,33 @@ TEST(D2_4, RefinedAtRandomAndWeldedBack)
   expectThereAndBack(cylinder(1.0, 2.0, 7, 3), 3, 400);
 }
 
+TEST(D2_4, MovedVerticesComeBackToTheSameConnectivity)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(-0.01, 0.01);
+  Forest forest = baseOf(subdivided(octahedron()));
+  const Leaves base = canonicalLeaves(forest);
+  for (int i = 0; i < 300; ++i)
+  {
+    forest.refine(anyFace(forest, random), {});
+  }
+  for (Forest::Vertex& v : forest.vertices)
+  {
+    v.position += Vector3(unit(random), unit(random), unit(random));
+  }
+  for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
+  {
+    if (forest.vertices[v].parents[0] >= 0)
+    {
+      ASSERT_TRUE(forest.simplify(v));
+    }
+  }
+  const Leaves back = canonicalLeaves(forest);
+  EXPECT_TRUE(sameBytes(back.triangles, base.triangles));
+  EXPECT_TRUE(sameBytes(back.path, base.path));
+  EXPECT_FALSE(sameBytes(back.points, base.points));
+}
+
 TEST(Forest, AStarGoesRoundCounterClockwiseAndEndsAtTheBoundary)
 {
   Forest forest = quadForest(3, 3);

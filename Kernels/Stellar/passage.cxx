@@ -37,11 +37,13 @@ struct Corners
     }
   }
 
+  // Of what lies above and below the face, as far as the gap.
   Eigen::AlignedBox3d box(double gap) const
   {
     Eigen::AlignedBox3d b(this->p);
     b.extend(Vector3(this->p + this->x)).extend(Vector3(this->p + this->y));
-    return { b.min() - Vector3::Constant(gap), b.max() + Vector3::Constant(gap) };
+    const Vector3 margin = gap * this->normal.cwiseAbs() + Vector3::Constant(touching * this->longest);
+    return { b.min() - margin, b.max() + margin };
   }
 
   // Weights of the corners at the foot of a point on the plane.
@@ -174,7 +176,7 @@ std::vector<int> Passage::joined(int curve, double widening, const std::vector<i
   {
     const Corners corners(this->Mesh, touched[i]);
     this->Search.meet(curve,
-      corners.box(widening * corners.longest),
+      corners.box(0.5 * widening * corners.longest),
       [&](int s)
       {
         for (int p : { s, c.segmentEnd(s) })

@@ -369,6 +369,44 @@ TEST(Refine, CurvesThatTheMeshWasNotSnappedToAreRefused)
   EXPECT_THROW(checkSnapped(forest, curves), Error);
 }
 
+TEST(Refine, ScribblesRingsAndWhatLeavesTheMeshEnd)
+{
+  std::mt19937 random(61);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  FeatureCurve scribble, ring, over;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double t = 0.05 * i;
+    scribble.points.emplace_back(0.5 + 0.3 * std::sin(t) * std::cos(0.0137 * t),
+      0.5 + 0.3 * std::sin(1.1 * t + 0.001 * i),
+      1e-4 * unit(random));
+  }
+  scribble.measure();
+  for (int i = 0; i < 50; ++i)
+  {
+    ring.points.emplace_back(
+      0.5 + 0.2 * std::cos(2 * pi * i / 50), 0.5 + 0.2 * std::sin(2 * pi * i / 50), 0.0);
+  }
+  ring.closed = true;
+  ring.measure();
+  over =
+    featureCurve({ { 0.5, 0.5, 0 }, { 0.5, 0.5, 0 }, { 0.9, 0.9, 0 }, { 1.5, 0.9, 0 }, { 1.5, 1.5, 9 } });
+  for (const FeatureCurves& curves :
+    { FeatureCurves{ scribble }, FeatureCurves{ ring }, FeatureCurves{ over } })
+  {
+    for (CurveDistance kind : { CurveDistance::Straight, CurveDistance::Geodesic })
+    {
+      RefineOptions options;
+      options.radius = 0.03;
+      options.distance = kind;
+      const Forest forest = refined(quadForest(16, 16), curves, options);
+      EXPECT_EQ(forest.broken(), "");
+      EXPECT_GT(forest.faceCount(), 2000);
+      EXPECT_TRUE(sameForest(refined(forest, curves, options), forest));
+    }
+  }
+}
+
 TEST(Refine, ItCanBeCancelled)
 {
   Context context;
