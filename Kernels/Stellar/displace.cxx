@@ -213,6 +213,7 @@ DisplaceReport displace(Forest& forest,
   }
   const std::vector<int> faces = facesAround(forest, rises);
   std::vector<Vector3> normals;
+  normals.reserve(faces.size());
   for (const int f : faces)
   {
     normals.push_back(forest.facetNormal(f));

@@ -158,7 +158,7 @@ Crest crestOf(const Forest& raised, const std::vector<Vector3>& before, const Fe
 
 } // namespace
 
-TEST(Features, FollowCurvesOnRealMeshes)
+TEST(D9_1, RealMeshesAreFollowedToo)
 {
   int cases = 0, crossings = 0, residual = 0, added = 0, faces = 0;
   double mean = 1.0, least = 1.0, angle = 60.0;

@@ -11,10 +11,10 @@ TEST(Preview, StandsOnTheCurveAndEndsAtTheRadius)
 {
   // The equator of the unit sphere: the crest is a wider circle, the feet are parallel ones in its tangent
   // planes.
-  std::vector<Vector3> ring;
+  std::vector<Vector3> ring(90);
   for (int i = 0; i < 90; ++i)
   {
-    ring.emplace_back(std::cos(2.0 * pi * i / 90.0), std::sin(2.0 * pi * i / 90.0), 0.0);
+    ring[i] = { std::cos(2.0 * pi * i / 90.0), std::sin(2.0 * pi * i / 90.0), 0.0 };
   }
   FeatureCurve curve = featureCurve(ring, true);
   curve.normals = ring;

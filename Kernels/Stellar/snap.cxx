@@ -56,7 +56,7 @@ public:
   void nearestFirst();
   void residualRounds(const MidpointRule& rule);
 
-  SnapReport Report;
+  const SnapReport& result() const { return this->Report; }
 
 private:
   struct Scan
@@ -92,6 +92,7 @@ private:
   void findIn(const std::vector<Forest::Birth>& births);
   void takeBack(const std::vector<Forest::Birth>& births);
 
+  SnapReport Report;
   Forest& Mesh;
   const SnapOptions& Options;
   const Context& Caller;
@@ -543,14 +544,14 @@ SnapReport snap(Forest& forest,
   if (options.order == SnapOrder::AllAtOnce)
   {
     snapper.allAtOnce();
-    return snapper.Report;
+    return snapper.result();
   }
   MidpointRule rule = source;
   rule.curves = &curves;
   snapper.nearestFirst();
   snapper.residualRounds(rule);
   context.checkpoint(1.0);
-  return snapper.Report;
+  return snapper.result();
 }
 
 } // namespace oversketch

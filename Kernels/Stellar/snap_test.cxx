@@ -122,13 +122,12 @@ TEST(D9_2, VerticesMoveAlongTheirEdgesAndRefiningFollows)
     followed -= report.snapped;
     refineNear(forest, curves, 0.06, 0.0075);
     EXPECT_EQ(forest.broken(), "");
-    for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
-      if (forest.vertices[v].curveId >= 0)
+    for (const Forest::Vertex& v : forest.vertices)
+      if (v.curveId >= 0)
       {
         ++followed;
-        EXPECT_TRUE(forest.vertices[v].moved & Forest::Placed);
-        offCurve = std::max(
-          offCurve, (curve.position(forest.vertices[v].curveParam) - forest.vertices[v].position).norm());
+        EXPECT_TRUE(v.moved & Forest::Placed);
+        offCurve = std::max(offCurve, (curve.position(v.curveParam) - v.position).norm());
       }
     gaps += gapsOf(forest);
     for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
