@@ -48,6 +48,7 @@ TEST(Curves, NearestIsWhatLookingAtEverySegmentFinds)
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto anywhere = [&] { return Vector3(unit(random), unit(random), unit(random)); };
   std::vector<Vector3> points;
+  points.reserve(203);
   for (int i = 0; i < 203; ++i)
   {
     points.push_back(anywhere());
@@ -74,6 +75,7 @@ TEST(Curves, NearestIsWhatLookingAtEverySegmentFinds)
 TEST(Curves, EquallyNearSegmentsGiveTheLower)
 {
   std::vector<Vector3> circle;
+  circle.reserve(64);
   for (int i = 0; i < 64; ++i) // the same square, sixteen times
   {
     circle.emplace_back(i % 4 == 0 || i % 4 == 3 ? -1 : 1, i % 4 < 2 ? -1 : 1, 0);

@@ -326,6 +326,7 @@ TEST(Forest, ATriangleIsNotSplitForEver)
 TEST(Forest, NewVerticesFollowTheCurveThatBothEndsAreSnappedTo)
 {
   std::vector<Vector3> circle;
+  circle.reserve(400);
   for (int i = 0; i < 400; ++i)
   {
     circle.emplace_back(std::cos(2 * pi * i / 400), std::sin(2 * pi * i / 400), 0.0);

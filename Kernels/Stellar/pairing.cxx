@@ -208,6 +208,11 @@ BaseMesh pairTriangles(const Mesh& mesh, const PairingOptions& options, const Co
       ++base.unpaired;
     }
   }
+  base.rootCorners.reserve(forest.faces.size());
+  for (const Forest::Face& root : forest.faces)
+  {
+    base.rootCorners.push_back({ root.v[0], root.v[1], root.v[2] });
+  }
   forest.connect();
   context.checkpoint(0.9);
   if (options.eagerPairs)

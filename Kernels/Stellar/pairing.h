@@ -21,6 +21,7 @@ struct BaseMesh
 {
   Forest forest;                 // canonical; its first points are the mesh's, then the barycentres
   std::vector<int> rootTriangle; // the triangle that a root is, or is a third of
+  std::vector<Triangle> rootCorners;
   int pairs = 0, unpaired = 0;
 };
 

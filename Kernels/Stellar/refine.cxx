@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <string>
 
 namespace oversketch
@@ -41,6 +43,16 @@ Demand demandOf(const FeatureCurve& curve, const RefineOptions& options)
     d.edgeLength = d.radius * (options.fineFoot && !options.profile && d.sharpness < 1.0 ? 0.125 : 0.25);
   }
   return d;
+}
+
+void checkFaceCount(const Forest& forest, int maximumFaces)
+{
+  if (forest.faceCount() > maximumFaces)
+  {
+    throw Error(Failure::BadRegion,
+      "The refinement needs more than MaximumFaces (" + std::to_string(maximumFaces) +
+        ") triangles; ask for longer edges or a larger tolerance, a smaller Radius or MaxGeneration.");
+  }
 }
 
 class Refiner
@@ -86,6 +98,7 @@ public:
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     std::vector<Mark> marks;
+    marks.reserve(faces.size());
     for (int f : faces)
     {
       marks.push_back({ f, this->Mesh.faces[f].path });
@@ -102,12 +115,7 @@ public:
       {
         this->Mesh.refine(marks[i].face, rule, &births);
       }
-      if (this->Mesh.faceCount() > this->Options.maximumFaces)
-      {
-        throw Error(Failure::BadRegion,
-          "The refinement needs more than MaximumFaces (" + std::to_string(this->Options.maximumFaces) +
-            ") triangles; take a longer TargetEdgeLength or a smaller Radius or MaxGeneration.");
-      }
+      checkFaceCount(this->Mesh, this->Options.maximumFaces);
       if (i % 4096 == 0)
       {
         this->Run.checkpoint(0.5);
@@ -235,6 +243,63 @@ Forest refine(const Forest& forest,
     *report = { forest.faceCount(), work.faceCount(), sweeps };
   }
   return sweeps ? canonical(work, context).forest : work;
+}
+
+Forest refineToSource(const Forest& forest,
+  const Source& source,
+  const SourceOptions& options,
+  const Context& context)
+{
+  if (!(options.tolerance > 0.0 && std::isfinite(options.tolerance)))
+  {
+    throw Error(Failure::BadMesh, "The Tolerance must be a positive number.");
+  }
+  Forest work = forest.roomyCopy();
+  const MidpointRule rule{ nullptr, source, onSource * forest.diagonal() };
+  const auto isOff = [&](int f)
+  {
+    const Forest::Face& face = work.faces[f];
+    Vector3 weights[3];
+    work.rootWeights(f, weights);
+    const auto at = [&](int k) -> const Vector3& { return work.vertices[face.v[k]].position; };
+    const SourcePlace middles[] = { { face.root, 0.5 * (weights[1] + weights[2]), 0.5 * (at(1) + at(2)) },
+      { face.root, (weights[0] + weights[1] + weights[2]) / 3.0, (at(0) + at(1) + at(2)) / 3.0 } };
+    return std::any_of(std::begin(middles),
+      std::end(middles),
+      [&](const SourcePlace& middle)
+      { return (source(middle) - middle.position).norm() > options.tolerance; });
+  };
+  std::vector<int> faces(work.faces.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  while (!faces.empty())
+  {
+    std::vector<Mark> marks;
+    for (int f : faces)
+    {
+      if (work.isFace(f) && work.faces[f].gen < options.maximumGeneration && isOff(f))
+      {
+        marks.push_back({ f, work.faces[f].path });
+      }
+    }
+    context.checkpoint(0.5);
+    std::vector<Forest::Birth> births;
+    for (const Mark& mark : marks)
+    {
+      if (work.faces[mark.face].path == mark.path)
+      {
+        work.refine(mark.face, rule, &births);
+      }
+      checkFaceCount(work, options.maximumFaces);
+    }
+    faces.clear();
+    for (const Forest::Birth& birth : births)
+    {
+      faces.insert(faces.end(), { birth.parent, birth.child });
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+  return canonical(work, context).forest;
 }
 
 } // namespace oversketch

@@ -49,6 +49,20 @@ Forest refine(const Forest& forest,
   const Context& context,
   RefineReport* report = nullptr);
 
+// The canonical forest, its vertices on the source, split until for no leaf the source is farther than the
+// tolerance [model length] from the middle of the leaf or of its refinement edge. For a base that was
+// simplified.
+struct SourceOptions
+{
+  double tolerance = 0.0;     // above 0; the spec has 1e-3 diagonals
+  int maximumGeneration = 16; // 0 to 62
+  int maximumFaces = 16000000;
+};
+Forest refineToSource(const Forest& forest,
+  const Source& source,
+  const SourceOptions& options,
+  const Context& context);
+
 // Throws Error(BadStroke) unless every snapped vertex is on the curve and at the arc length that it names.
 void checkSnapped(const Forest& forest, const FeatureCurves& curves);
 
