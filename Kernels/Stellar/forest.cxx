@@ -126,7 +126,7 @@ int Forest::split(int f, const MidpointRule& rule, std::vector<Birth>* births)
     this->replaceNeighbour(parent.n[1], child0, child1);
     if (births)
     {
-      births->push_back({ child0, child1 });
+      births->push_back({ child0, child1, m });
     }
   };
   halve(f, f1, g, g1);
@@ -169,7 +169,20 @@ void Forest::putVertex(int m, const MidpointRule& rule)
   if (rule.curves && a.curveId >= 0 && a.curveId == c.curveId)
   {
     const FeatureCurve& curve = (*rule.curves)[a.curveId];
-    if (curve.apart(a.curveParam, c.curveParam) <= 2.0 * (a.position - c.position).norm())
+    const double apart = curve.apart(a.curveParam, c.curveParam);
+    // Three corners of a triangle may be on the curve: the edge from the first to the last only cuts its bend
+    // short, and its middle has no business near the one between (ours).
+    bool shortcut = false;
+    this->link(m,
+      [&](int w)
+      {
+        const Vertex& other = this->vertices[w];
+        shortcut = shortcut || (w != ia && w != ic && other.curveId == a.curveId &&
+                                 curve.apart(a.curveParam, other.curveParam) +
+                                     curve.apart(other.curveParam, c.curveParam) <=
+                                   (1.0 + 1e-9) * apart);
+      });
+    if (!shortcut && apart <= 2.0 * (a.position - c.position).norm())
     {
       vertex.curveId = a.curveId;
       vertex.curveParam = curve.between(a.curveParam, c.curveParam);
@@ -364,6 +377,26 @@ Vector3 Forest::facetNormal(int f) const
   return length > 0.0 ? Vector3(n / length) : Vector3::Zero();
 }
 
+Vector3 Forest::vertexNormal(int v) const
+{
+  const Vector3& at = this->vertices[v].position;
+  Vector3 sum = Vector3::Zero();
+  this->star(v,
+    [&](int f, int i)
+    {
+      const Face& face = this->faces[f];
+      const Vector3 x = this->vertices[face.v[(i + 1) % 3]].position - at,
+                    y = this->vertices[face.v[(i + 2) % 3]].position - at, n = x.cross(y);
+      const double length = n.norm();
+      if (length > 0.0)
+      {
+        sum += std::atan2(length, x.dot(y)) / length * n;
+      }
+    });
+  const double length = sum.norm();
+  return length > 0.0 ? Vector3(sum / length) : Vector3::Zero();
+}
+
 double Forest::diagonal() const
 {
   Eigen::AlignedBox3d box;
@@ -531,22 +564,7 @@ void needBaseNormals(Forest& forest, const Context& context)
         {
           continue;
         }
-        const Vector3& at = forest.vertices[v].position;
-        Vector3 sum = Vector3::Zero();
-        forest.star(v,
-          [&](int f, int i)
-          {
-            const Forest::Face& face = forest.faces[f];
-            const Vector3 x = forest.vertices[face.v[(i + 1) % 3]].position - at,
-                          y = forest.vertices[face.v[(i + 2) % 3]].position - at, n = x.cross(y);
-            const double length = n.norm();
-            if (length > 0.0)
-            {
-              sum += std::atan2(length, x.dot(y)) / length * n;
-            }
-          });
-        const double length = sum.norm();
-        forest.vertices[v].baseNormal = length > 0.0 ? Vector3(sum / length) : Vector3::Zero();
+        forest.vertices[v].baseNormal = forest.vertexNormal(v);
       }
     });
   context.checkpoint(1.0);

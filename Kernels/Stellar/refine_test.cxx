@@ -362,7 +362,7 @@ TEST(Refine, CurvesThatTheMeshWasNotSnappedToAreRefused)
   forest.vertices[30].curveId = 0;
   forest.vertices[30].moved = Forest::Placed;
   EXPECT_NO_THROW(checkSnapped(forest, curves));
-  forest.vertices[30].curveParam = 0.41;
+  forest.vertices[30].curveParam = 0.8;
   EXPECT_THROW(checkSnapped(forest, curves), Error);
   forest.vertices[30].curveParam = 0.4;
   forest.vertices[30].curveId = 1;

@@ -1,0 +1,78 @@
+// Feature creation: vertices near feature curves rise along their normals, or follow a silhouette sketch
+// (section III-C.2 of "Sketch-based Adaptive Mesh Augmentation using Stellar Operators").
+#ifndef oversketch_stellar_displace_h
+#define oversketch_stellar_displace_h
+
+#include "Stellar/distance.h"
+#include "Stellar/profile.h"
+
+#include <optional>
+
+namespace oversketch
+{
+
+struct Context;
+
+// Along which normals vertices rise.
+enum class RiseAlong
+{
+  Base,   // baseNormal: those of the mesh as it was before the stroke (A3)
+  Current // of the leaves, as published: they turn where snapping left uneven triangles
+};
+
+// What holds where several curves reach a vertex.
+enum class Combine
+{
+  Nearest, // the curve with the least distance / radius, the lowest of equal ones, alone (A5)
+  Sum      // all of them, as published: crossings stand twice as high
+};
+
+struct DisplaceOptions
+{
+  double radius = 0.0; // r [model length], above 0; the curves' own go before it
+  CurveDistance distance = CurveDistance::Straight;
+  bool connectedOnly = true;      // see ReachOptions; off: as published
+  double height = 0.0;            // h [model length], below 0 inward; the curves' own go before it
+  double sharpness = 1.5;         // s of Eq. 1, not negative; the curves' own go before it
+  std::optional<Profile> profile; // in place of Eq. 1, for all curves
+  bool usePressure = false;       // h times the pen's pressure at the nearest point
+  RiseAlong along = RiseAlong::Base;
+  Combine combine = Combine::Nearest;
+  // A point for each point of each curve: vertices move by sketch - curve there, in place of h times a
+  // normal.
+  const std::vector<std::vector<Vector3>>* sketch = nullptr;
+};
+
+struct DisplaceReport
+{
+  int moved = 0;     // vertices with a feature value other than zero
+  int flipped = 0;   // faces whose normals turned over 90 degrees
+  double peak = 0.0; // the greatest feature value
+};
+
+// Per curve the vertices that it reaches: all that is costly, and what stays as it is while only heights and
+// profiles change. Throws Error(BadStroke) for radii out of their range.
+using CurvesReached = std::vector<std::vector<Reached>>;
+CurvesReached reachedBy(const Forest& forest,
+  const FeatureCurves& curves,
+  const DisplaceOptions& options,
+  const Context& context);
+
+// Moves each vertex by its feature value, the profile of distance / radius, times h and its normal or the
+// vector to the sketch, all from where they were. A vertex that is snapped to a curve is at distance 0 of it,
+// at its own parameter. Fills displacement and feature, and ends the stroke: snapped vertices become crests
+// of an earlier one, base normals are no longer known. Throws Error(BadStroke) for options out of their range
+// and a sketch that does not fit the curves, Error(Cancelled).
+DisplaceReport displace(Forest& forest,
+  const FeatureCurves& curves,
+  const DisplaceOptions& options,
+  const Context& context);
+// The same with what reachedBy gave for this forest, these curves and radii.
+DisplaceReport displace(Forest& forest,
+  const FeatureCurves& curves,
+  const CurvesReached& reached,
+  const DisplaceOptions& options,
+  const Context& context);
+
+} // namespace oversketch
+#endif

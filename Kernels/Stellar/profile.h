@@ -1,0 +1,37 @@
+// How high a feature stands at a distance from its curve: Eq. 1 of "Sketch-based Adaptive Mesh Augmentation
+// using Stellar Operators", or a polyline in its place.
+#ifndef oversketch_profile_h
+#define oversketch_profile_h
+
+#include "Mesh/mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace oversketch
+{
+
+// A share of the height, by x = distance / radius. Zero from x = 1 on; below, (1 - x)^sharpness: 0 a plateau
+// with a cliff, under 1 round with an infinitely steep foot, 1 a roof, above 1 a crease with a smooth foot.
+// Every sharpness above 0 leaves a crease on the curve; the paper's shape is kept.
+class Profile
+{
+public:
+  // A sharpness, not negative. Throws Error(BadStroke) otherwise.
+  explicit Profile(double sharpness = 1.5);
+
+  // A polyline through "x y, x y, ...", with x rising from 0 to 1; "0 1, 1 0" is sharpness 1. Two points at
+  // one x, a cliff, are refused: so near to each other as is wanted does the same. Throws Error(BadStroke)
+  // that names the point.
+  static Profile polyline(const std::string& text);
+
+  // x is not negative.
+  double operator()(double x) const;
+
+private:
+  double Sharpness;
+  std::vector<Vector2> Points; // empty: Eq. 1
+};
+
+} // namespace oversketch
+#endif

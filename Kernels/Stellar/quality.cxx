@@ -1,0 +1,130 @@
+#include "Stellar/quality.h"
+
+#include "Mesh/context.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr int facesAtOnce = 4096;
+
+// Calls body(chunk, face) for all leaves.
+template <class Body>
+void eachFace(const Forest& forest, const Context& context, const Body& body)
+{
+  const int slots = static_cast<int>(forest.faces.size());
+  context.parallelFor((slots + facesAtOnce - 1) / facesAtOnce,
+    [&](int begin, int end)
+    {
+      for (int c = begin; c < end && !context.cancelled(); ++c)
+      {
+        for (int f = c * facesAtOnce; f < std::min((c + 1) * facesAtOnce, slots); ++f)
+        {
+          if (forest.isFace(f))
+          {
+            body(c, f);
+          }
+        }
+      }
+    });
+  context.checkpoint(1.0);
+}
+
+int chunks(const Forest& forest)
+{
+  return (static_cast<int>(forest.faces.size()) + facesAtOnce - 1) / facesAtOnce;
+}
+
+} // namespace
+
+double squaredSine(double degrees)
+{
+  const double sine = std::sin(degrees * degree);
+  return sine * sine;
+}
+
+double narrowness(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
+  const double shortest = std::min({ ab, bc, ca });
+  const double others = ab == shortest ? bc * ca : bc == shortest ? ab * ca : ab * bc;
+  return others > 0.0 ? (b - a).cross(c - a).squaredNorm() / others : 0.0;
+}
+
+bool mayMove(const Forest& forest, int v, const Vector3& to, double minimumAngle)
+{
+  const Vector3& from = forest.vertices[v].position;
+  double before = 1.0, after = 1.0;
+  bool turned = false;
+  forest.star(v,
+    [&](int f, int i)
+    {
+      const Forest::Face& face = forest.faces[f];
+      const Vector3& b = forest.vertices[face.v[(i + 1) % 3]].position;
+      const Vector3& c = forest.vertices[face.v[(i + 2) % 3]].position;
+      const Vector3 old = (b - from).cross(c - from);
+      turned = turned || (!old.isZero(0.0) && !(old.dot((b - to).cross(c - to)) > 0.0));
+      before = std::min(before, narrowness(from, b, c));
+      after = std::min(after, narrowness(to, b, c));
+    });
+  return !turned && (after >= before || after >= squaredSine(minimumAngle));
+}
+
+FaceQuality faceQuality(const Forest& forest, const Context& context)
+{
+  struct Part
+  {
+    double narrowest = 0.75; // of an equilateral triangle
+    int degenerate = 0;
+  };
+  std::vector<Part> parts(chunks(forest));
+  const double limit = squaredSine(FaceQuality::degenerateAngle);
+  eachFace(forest,
+    context,
+    [&](int c, int f)
+    {
+      const int* v = forest.faces[f].v;
+      const double sine = narrowness(
+        forest.vertices[v[0]].position, forest.vertices[v[1]].position, forest.vertices[v[2]].position);
+      parts[c].narrowest = std::min(parts[c].narrowest, sine);
+      parts[c].degenerate += sine < limit ? 1 : 0;
+    });
+  Part all;
+  for (const Part& part : parts)
+  {
+    all.narrowest = std::min(all.narrowest, part.narrowest);
+    all.degenerate += part.degenerate;
+  }
+  return { std::asin(std::sqrt(all.narrowest)) / degree, all.degenerate };
+}
+
+int flippedFaces(const Forest& forest,
+  const std::vector<Vector3>& before,
+  const std::vector<Vector3>& after,
+  const Context& context)
+{
+  std::vector<int> parts(chunks(forest), 0);
+  eachFace(forest,
+    context,
+    [&](int c, int f)
+    {
+      const int* v = forest.faces[f].v;
+      const Vector3 old = (before[v[1]] - before[v[0]]).cross(before[v[2]] - before[v[0]]);
+      const Vector3 now = (after[v[1]] - after[v[0]]).cross(after[v[2]] - after[v[0]]);
+      parts[c] += old.dot(now) < 0.0 ? 1 : 0;
+    });
+  int all = 0;
+  for (const int part : parts)
+  {
+    all += part;
+  }
+  return all;
+}
+
+} // namespace oversketch

@@ -1,0 +1,40 @@
+// Shapes of triangles: what a move may do to them, and what is reported of a mesh.
+#ifndef oversketch_stellar_quality_h
+#define oversketch_stellar_quality_h
+
+#include "Stellar/forest.h"
+
+namespace oversketch
+{
+
+struct Context;
+
+// Sine squared of a triangle's smallest angle, zero for one without area.
+double narrowness(const Vector3& a, const Vector3& b, const Vector3& c);
+// To compare it with, of an angle [degrees].
+double squaredSine(double degrees);
+
+// Amendment A2: whether a vertex may go to a place. Not if the normal of a face of its star would turn by 90
+// degrees or more, nor if the star's smallest angle would be under a limit [degrees, at most 60] and smaller
+// than it is.
+bool mayMove(const Forest& forest, int v, const Vector3& to, double minimumAngle);
+
+struct FaceQuality
+{
+  double smallestAngle = 60.0; // [degrees], of all faces
+  int degenerate = 0;          // faces with an angle under `degenerateAngle`
+
+  static constexpr double degenerateAngle = 0.05; // [degrees]
+};
+
+FaceQuality faceQuality(const Forest& forest, const Context& context);
+
+// How many leaves of one forest have normals that turned over 90 degrees while vertices moved; `before` and
+// `after` hold positions of its vertex slots. Of faces that had no area nothing is said.
+int flippedFaces(const Forest& forest,
+  const std::vector<Vector3>& before,
+  const std::vector<Vector3>& after,
+  const Context& context);
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,60 @@
+// Snapping: vertices go to where feature curves cross their edges, so that edges follow the curves (section
+// III-C.1 of "Sketch-based Adaptive Mesh Augmentation using Stellar Operators").
+#ifndef oversketch_stellar_snap_h
+#define oversketch_stellar_snap_h
+
+#include "Stellar/forest.h"
+
+namespace oversketch
+{
+
+struct Context;
+
+enum class SnapOrder
+{
+  // The nearest crossing of all first; crossings that a snapped vertex explains are left alone, moves that
+  // would spoil a triangle are refused, edges that are crossed still are split.
+  Nearest,
+  // As the paper has it: crossings are found once and every vertex goes to its nearest. Both ends of an edge
+  // then meet in one point: triangles collapse and turn over.
+  AllAtOnce
+};
+
+struct SnapOptions
+{
+  SnapOrder order = SnapOrder::Nearest;
+  double minimumAngle = 5.0; // [degrees, 0 to 60] of A2, see mayMove; with Nearest
+  int maximumResidualRounds = 2;
+};
+
+struct SnapReport
+{
+  int crossings = 0;  // of edges and curves, before the first move
+  int residual = 0;   // after the last; with AllAtOnce nobody looks
+  int snapped = 0;    // vertices that are on a curve now and were not before
+  int refused = 0;    // moves that would have spoilt a triangle
+  int facesAdded = 0; // by residual rounds
+};
+
+// Snaps vertices to curves and fills their curveId (the index in `curves`), curveParam, moved and baseNormal.
+// Vertices that are snapped already stay where they are. `source` places the middles of edges that residual
+// rounds split. Departures of Nearest from the paper, all from what its rule does to real meshes:
+// - Crossings are taken one by one. A crossing of curve k at t is ignored (A1) if an end of its edge, of
+// length
+//   L, is snapped to k within L / 2 of t, or both ends are within 2 L of each other, or an end that is
+//   snapped to anything lies within L / 4 of it. A vertex within a billionth of an edge of a curve counts as
+//   snapped.
+// - A vertex on the boundary moves along the boundary only, and not at all where that turns by over 45
+// degrees.
+// - Edges that are crossed in the end are split in rounds, down to generation 24, the new vertices put on the
+//   curve; a round that does not make such crossings fewer is taken back, and is the last.
+// Throws Error(BadStroke) for curves that checkCurves refuses and options out of their range,
+// Error(Cancelled) with the forest half done.
+SnapReport snap(Forest& forest,
+  const FeatureCurves& curves,
+  const SnapOptions& options,
+  const MidpointRule& source,
+  const Context& context);
+
+} // namespace oversketch
+#endif
