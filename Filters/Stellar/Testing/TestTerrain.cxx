@@ -1,0 +1,163 @@
+#include "StellarChain.h"
+#include "vtkOversketchTerrain.h"
+
+#include "vtkImageData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace oversketch;
+using namespace oversketch_test;
+
+namespace
+{
+
+vtkSmartPointer<vtkImageData> imageOf(int width, int height, const std::function<double(int, int)>& gray)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("Gray");
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i)
+      scalars->InsertNextValue(gray(i, j));
+  image->GetPointData()->SetScalars(scalars);
+  return image;
+}
+
+vtkSmartPointer<vtkPolyData> curveAcross(double y, double length)
+{
+  auto curve = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(50);
+  for (int i = 0; i < 50; ++i)
+    lines->InsertCellPoint(points->InsertNextPoint(length * (0.1 + 0.8 * i / 49.0), y, 0.0));
+  curve->SetPoints(points);
+  curve->SetLines(lines);
+  return curve;
+}
+
+} // namespace
+
+TEST(Terrain, GridCountsHeightsAndItsSource)
+{
+  vtkNew<vtkOversketchTerrain> terrain;
+  const auto image = imageOf(33, 17, [](int i, int j) { return 0.01 * (i - 16) * (i - 16) + 0.02 * j; });
+  terrain->SetInputData(image);
+  terrain->SetColumns(8);
+  terrain->SetScale(2.0);
+  terrain->SetOffset(5.0);
+  terrain->Update();
+  vtkPolyData* mesh = terrain->GetOutput();
+  ASSERT_EQ(mesh->GetNumberOfPoints(), 9 * 5);
+  ASSERT_EQ(mesh->GetNumberOfCells(), 2 * 8 * 4);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p(mesh->GetPoint(i));
+    EXPECT_NEAR(p[2], 5.0 + 2.0 * (0.01 * (p[0] - 16) * (p[0] - 16) + 0.02 * p[1]), 1e-12);
+  }
+  EXPECT_EQ(terrain->GetSourceOutput()->GetNumberOfPoints(), 0);
+
+  // Refined, new points lie on the image; without the source on the chords.
+  vtkNew<vtkOversketchStellarRefine> refine;
+  refine->SetInputConnection(0, terrain->GetOutputPort());
+  refine->SetInputData(1, curveAcross(8.3, 32.0));
+  refine->SetRadius(3.0);
+  refine->SetTargetEdgeLength(1.2);
+  const auto highestError = [&]
+  {
+    refine->Update();
+    EXPECT_EQ(refine->GetErrorCode(), 0u);
+    double error = 0.0;
+    for (vtkIdType i = 45; i < refine->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 p(refine->GetOutput()->GetPoint(i));
+      const int below = static_cast<int>(p[0]);
+      const double along = p[0] - below;
+      const auto gray = [](double x) { return 0.01 * (x - 16) * (x - 16); };
+      const double z = 5.0 + 2.0 * ((1 - along) * gray(below) + along * gray(below + 1) + 0.02 * p[1]);
+      error = std::max(error, std::abs(p[2] - z));
+    }
+    return error;
+  };
+  EXPECT_GT(highestError(), 0.01);
+  refine->SetSourceConnection(terrain->GetOutputPort(1));
+  EXPECT_LT(highestError(), 1e-9);
+  const auto chain = cold(refine->GetOutput());
+  ASSERT_GT(chain->GetNumberOfCells(), 200);
+  // Through files, both.
+  vtkNew<vtkOversketchStellarRefine> again;
+  again->SetInputData(0, saved(mesh));
+  again->SetInputData(1, curveAcross(8.3, 32.0));
+  again->SetSourceData(saved(terrain->GetSourceOutput()));
+  again->SetRadius(3.0);
+  again->SetTargetEdgeLength(1.2);
+  again->Update();
+  expectSameMesh(again->GetOutput(), chain);
+  EXPECT_EQ(terrain->GetTerrainCount(), 1);
+}
+
+TEST(Terrain, ColoursCountByLuminanceAndHolesAreLeftOut)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 1);
+  vtkNew<vtkUnsignedCharArray> rgb;
+  rgb->SetNumberOfComponents(3);
+  for (int i = 0; i < 9; ++i)
+    rgb->InsertNextTuple3(100, 50, 200);
+  image->GetPointData()->SetScalars(rgb);
+  vtkNew<vtkOversketchTerrain> terrain;
+  terrain->SetInputData(image);
+  terrain->SetColumns(2);
+  terrain->Update();
+  ASSERT_EQ(terrain->GetOutput()->GetNumberOfCells(), 8);
+  EXPECT_NEAR(terrain->GetOutput()->GetPoint(4)[2], 0.299 * 100 + 0.587 * 50 + 0.114 * 200, 1e-12);
+  terrain->SetInputData(imageOf(
+    5, 5, [](int i, int j) { return i == 0 && j == 0 ? std::numeric_limits<double>::quiet_NaN() : 1.0; }));
+  terrain->SetColumns(4);
+  terrain->Update();
+  EXPECT_EQ(terrain->GetOutput()->GetNumberOfCells(), 2 * 15);
+}
+
+TEST(Terrain, BadImagesAndSourcesAreRefused)
+{
+  vtkNew<vtkOversketchTerrain> terrain;
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(3, 3, 1);
+  terrain->SetInputData(bare);
+  expectRefusal(terrain, Failure::MissingArray, "scalars");
+  vtkNew<vtkImageData> deep;
+  deep->SetDimensions(3, 3, 3);
+  deep->AllocateScalars(VTK_DOUBLE, 1);
+  terrain->SetInputData(deep);
+  expectRefusal(terrain, Failure::BadMesh, "slices");
+  terrain->SetInputData(imageOf(1, 9, [](int, int) { return 0.0; }));
+  expectRefusal(terrain, Failure::BadMesh, "sample");
+  terrain->SetInputData(imageOf(4, 4, [](int, int) { return std::nan(""); }));
+  expectRefusal(terrain, Failure::BadMesh, "quad");
+  terrain->SetInputData(imageOf(4, 4, [](int i, int) { return i; }));
+  terrain->SetScale(std::nan(""));
+  expectRefusal(terrain, Failure::BadMesh, "cale");
+  terrain->SetScale(1.0);
+  terrain->Update();
+
+  vtkNew<vtkOversketchStellarRefine> refine;
+  refine->SetInputConnection(0, terrain->GetOutputPort());
+  refine->SetInputData(1, curveAcross(1.0, 3.0));
+  const auto source = cold(terrain->GetSourceOutput());
+  source->GetFieldData()->RemoveArray("TerrainRules");
+  refine->SetSourceData(source);
+  expectRefusal(refine, Failure::MissingArray, "TerrainRules");
+  const auto counted = cold(terrain->GetSourceOutput());
+  counted->GetFieldData()->GetArray("TerrainRules")->SetTuple1(0, 1e300);
+  refine->SetSourceData(counted);
+  expectRefusal(refine, Failure::BadMesh, "TerrainRules");
+  const auto cut = cold(terrain->GetSourceOutput());
+  cut->GetFieldData()->GetArray("TerrainRules")->SetTuple1(1, 7.0);
+  refine->SetSourceData(cut);
+  expectRefusal(refine, Failure::BadMesh, "");
+}

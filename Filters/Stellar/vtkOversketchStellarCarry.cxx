@@ -1,0 +1,308 @@
+#include "vtkOversketchStellarCarry.h"
+
+#include "Stellar/leaves.h"
+#include "vtkOversketchRuns.h"
+#include "vtkOversketchStellarTools.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace oversketch
+{
+
+namespace
+{
+
+vtkSmartPointer<vtkDataArray> LikeArray(vtkDataArray* array, std::size_t tuples)
+{
+  auto result = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  result->SetName(array->GetName());
+  result->SetNumberOfComponents(array->GetNumberOfComponents());
+  result->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  result->CopyComponentNames(array);
+  return result;
+}
+
+bool Identity(const std::vector<int>& from)
+{
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    if (from[i] != static_cast<int>(i))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Normalise(vtkDataArray* values, vtkIdType tuple)
+{
+  Vector3 n;
+  values->GetTuple(tuple, n.data());
+  if (n.norm() > 0.0)
+  {
+    n.normalize();
+    values->SetTuple(tuple, n.data());
+  }
+}
+
+// One tuple between some of `source`.
+void Mix(vtkDataArray* to, vtkIdType tuple, const Binding& between, vtkDataArray* source, bool normals)
+{
+  const bool real = to->GetDataType() == VTK_DOUBLE || to->GetDataType() == VTK_FLOAT;
+  const auto greatest = std::max_element(between.weights.begin(), between.weights.end());
+  if (!real || *greatest == 1.0)
+  {
+    to->SetTuple(tuple, between.vertices[greatest - between.weights.begin()], source);
+    return;
+  }
+  for (int c = 0; c < to->GetNumberOfComponents(); ++c)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      sum +=
+        between.weights[k] == 0.0 ? 0.0 : between.weights[k] * source->GetComponent(between.vertices[k], c);
+    }
+    to->SetComponent(tuple, c, sum);
+  }
+  if (normals)
+  {
+    Normalise(to, tuple);
+  }
+}
+
+// Weights of a triangle's corners at its point nearest to p (Ericson's regions).
+Vector3 NearestWeights(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const auto onEdge = [&p](const Vector3& from, const Vector3& to)
+  {
+    const double square = (to - from).squaredNorm();
+    return square > 0.0 ? std::clamp((p - from).dot(to - from) / square, 0.0, 1.0) : 0.0;
+  };
+  const Vector3 normal = (b - a).cross(c - a);
+  const double area = normal.squaredNorm();
+  if (area > 0.0)
+  {
+    const double wb = (p - a).cross(c - a).dot(normal) / area;
+    const double wc = (b - a).cross(p - a).dot(normal) / area;
+    if (wb >= 0.0 && wc >= 0.0 && wb + wc <= 1.0)
+    {
+      return { 1.0 - wb - wc, wb, wc };
+    }
+  }
+  const double ab = onEdge(a, b), bc = onEdge(b, c), ca = onEdge(c, a);
+  const Vector3 candidates[] = { { 1.0 - ab, ab, 0.0 }, { 0.0, 1.0 - bc, bc }, { ca, 0.0, 1.0 - ca } };
+  return *std::min_element(std::begin(candidates),
+    std::end(candidates),
+    [&](const Vector3& x, const Vector3& y)
+    {
+      return (x[0] * a + x[1] * b + x[2] * c - p).squaredNorm() <
+             (y[0] * a + y[1] * b + y[2] * c - p).squaredNorm();
+    });
+}
+
+// The place nearest to p in the star of a vertex.
+Binding PlaceInStar(const Forest& forest, int v, const Vector3& p)
+{
+  Binding best = Binding::vertex(v);
+  double least = std::numeric_limits<double>::infinity();
+  forest.star(v,
+    [&](int f, int)
+    {
+      const int* corners = forest.faces[f].v;
+      const Vector3 &a = forest.vertices[corners[0]].position, &b = forest.vertices[corners[1]].position,
+                    &c = forest.vertices[corners[2]].position;
+      const Vector3 w = NearestWeights(p, a, b, c);
+      const double distance = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
+      if (distance < least)
+      {
+        least = distance;
+        best = { { corners[0], corners[1], corners[2] }, { w[0], w[1], w[2] } };
+      }
+    });
+  return best;
+}
+
+} // namespace
+
+Origins originsOf(const Forest& before, const Forest& after, bool slides, bool turns)
+{
+  Origins origins;
+  const std::size_t count = after.vertices.size();
+  origins.pointFrom.resize(count, -1);
+  // Both orders are by level and parents, so what both have comes in one order in both.
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Forest::Vertex& vertex = after.vertices[i];
+    const bool base = vertex.parents[0] < 0;
+    const int low = base ? -1 : origins.pointFrom[vertex.parents[0]],
+              high = base ? -1 : origins.pointFrom[vertex.parents[1]];
+    if (base)
+    {
+      origins.pointFrom[i] = static_cast<int>(next++);
+      continue;
+    }
+    const auto wanted = std::make_tuple(vertex.level, low, high);
+    const auto at = [&before](std::size_t k)
+    {
+      const Forest::Vertex& v = before.vertices[k];
+      return std::make_tuple(v.level, v.parents[0], v.parents[1]);
+    };
+    if (low >= 0 && high >= 0)
+    {
+      while (next < before.vertices.size() && at(next) < wanted)
+      {
+        ++next;
+      }
+      if (next < before.vertices.size() && at(next) == wanted)
+      {
+        origins.pointFrom[i] = static_cast<int>(next++);
+        continue;
+      }
+    }
+    origins.born.emplace_back(static_cast<int>(i), Binding::edge(vertex.parents[0], vertex.parents[1], 0.5));
+  }
+  origins.cellFrom = facesUnder(before, after);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const int from = origins.pointFrom[i];
+    const bool moved = from >= 0 && before.vertices[from].position != after.vertices[i].position;
+    if (slides && moved)
+    {
+      origins.slid.emplace_back(static_cast<int>(i), PlaceInStar(before, from, after.vertices[i].position));
+    }
+    else if (turns && from >= 0)
+    {
+      bool near = moved;
+      before.link(static_cast<int>(i),
+        [&](int w) { near = near || before.vertices[w].position != after.vertices[w].position; });
+      const Vector3 was = near ? before.vertexNormal(from) : Vector3(Vector3::Zero()),
+                    is = near ? after.vertexNormal(static_cast<int>(i)) : Vector3(Vector3::Zero());
+      if (was.norm() > 0.0 && is.norm() > 0.0 && was != is)
+      {
+        origins.turned.emplace_back(static_cast<int>(i), Eigen::Quaterniond::FromTwoVectors(was, is));
+      }
+    }
+  }
+  return origins;
+}
+
+CarriedArrays::CarriedArrays(Origins origins)
+  : From(std::move(origins))
+  , SamePoints(From.slid.empty() && Identity(From.pointFrom))
+  , SameCells(Identity(From.cellFrom))
+{
+}
+
+vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bool normals) const
+{
+  const bool turns = normals && array->GetNumberOfComponents() == 3 && !this->From.turned.empty();
+  if (this->SamePoints && !turns &&
+      array->GetNumberOfTuples() == static_cast<vtkIdType>(this->From.pointFrom.size()))
+  {
+    return array;
+  }
+  auto carried = LikeArray(array, this->From.pointFrom.size());
+  EachRun(
+    this->From.pointFrom,
+    [&](vtkIdType first, vtkIdType count, vtkIdType source)
+    { carried->InsertTuples(first, count, source, array); },
+    [](vtkIdType) {});
+  for (const auto& [point, between] : this->From.slid)
+  {
+    Mix(carried, point, between, array, normals);
+  }
+  for (const auto& [point, between] : this->From.born)
+  {
+    Mix(carried, point, between, carried, normals);
+  }
+  for (std::size_t i = 0; turns && i < this->From.turned.size(); ++i)
+  {
+    const auto& [point, turn] = this->From.turned[i];
+    Vector3 n;
+    carried->GetTuple(point, n.data());
+    n = turn * n;
+    carried->SetTuple(point, n.data());
+  }
+  return carried;
+}
+
+vtkSmartPointer<vtkDataArray> CarriedArrays::CarryCells(vtkDataArray* array) const
+{
+  if (this->SameCells && array->GetNumberOfTuples() == static_cast<vtkIdType>(this->From.cellFrom.size()))
+  {
+    return array;
+  }
+  auto carried = LikeArray(array, this->From.cellFrom.size());
+  EachRun(
+    this->From.cellFrom,
+    [&](vtkIdType first, vtkIdType count, vtkIdType source)
+    { carried->InsertTuples(first, count, source, array); },
+    [](vtkIdType) {});
+  return carried;
+}
+
+void CarriedArrays::Carry(vtkPolyData* input, vtkPolyData* output)
+{
+  std::vector<Item> items;
+  for (const bool points : { true, false })
+  {
+    vtkDataSetAttributes* from = points ? static_cast<vtkDataSetAttributes*>(input->GetPointData())
+                                        : static_cast<vtkDataSetAttributes*>(input->GetCellData());
+    vtkDataSetAttributes* to = points ? static_cast<vtkDataSetAttributes*>(output->GetPointData())
+                                      : static_cast<vtkDataSetAttributes*>(output->GetCellData());
+    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = from->GetArray(i);
+      const int attribute = from->IsArrayAnAttribute(i);
+      const vtkIdType tuples = points ? input->GetNumberOfPoints() : input->GetNumberOfCells();
+      if (!array || array->GetNumberOfTuples() != tuples || IsStellarArray(array->GetName()) ||
+          attribute == vtkDataSetAttributes::GLOBALIDS || attribute == vtkDataSetAttributes::PEDIGREEIDS)
+      {
+        continue;
+      }
+      const bool normals = points && attribute == vtkDataSetAttributes::NORMALS;
+      Item item{ array, array->GetMTime(), points, normals, nullptr };
+      for (const Item& known : this->Items)
+      {
+        if (known.Source == item.Source && known.Time == item.Time && known.Points == points &&
+            known.Normals == normals)
+        {
+          item.Result = known.Result;
+        }
+      }
+      if (!item.Result)
+      {
+        item.Result = points ? this->CarryPoints(array, normals) : this->CarryCells(array);
+      }
+      items.push_back(item);
+      const int index = to->AddArray(item.Result);
+      if (attribute >= 0)
+      {
+        to->SetActiveAttribute(index, attribute);
+      }
+    }
+  }
+  this->Items = std::move(items);
+  for (int i = 0; i < input->GetFieldData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = input->GetFieldData()->GetAbstractArray(i);
+    if (!IsStellarArray(array->GetName()))
+    {
+      output->GetFieldData()->AddArray(array);
+    }
+  }
+}
+
+} // namespace oversketch

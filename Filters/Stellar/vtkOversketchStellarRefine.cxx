@@ -1,0 +1,149 @@
+#include "vtkOversketchStellarRefine.h"
+
+#include "Stellar/profile.h"
+#include "Stellar/refine.h"
+#include "vtkOversketchStellarSource.h"
+#include "vtkOversketchStellarTools.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+using namespace oversketch;
+
+struct vtkOversketchStellarRefine::Cache
+{
+  StellarStep Step;
+};
+
+vtkStandardNewMacro(vtkOversketchStellarRefine);
+
+vtkOversketchStellarRefine::vtkOversketchStellarRefine()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+vtkOversketchStellarRefine::~vtkOversketchStellarRefine() = default;
+
+void vtkOversketchStellarRefine::SetCurvesData(vtkPolyData* curves)
+{
+  this->SetInputData(1, curves);
+}
+
+void vtkOversketchStellarRefine::SetSourceData(vtkPolyData* source)
+{
+  this->SetInputData(2, source);
+}
+
+int vtkOversketchStellarRefine::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+void vtkOversketchStellarRefine::UseProfile(const char* text)
+{
+  const std::string wanted = text ? text : "";
+  if (wanted != this->Profile)
+  {
+    this->Profile = wanted;
+    this->Modified();
+  }
+}
+
+int vtkOversketchStellarRefine::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const Context context = ContextOf(this);
+      if (curvesIn->GetNumberOfPoints() == 0)
+      {
+        SharedForest(mesh, context); // refuses what is none
+        output->ShallowCopy(mesh);
+        return;
+      }
+      vtkPolyData* source = vtkPolyData::GetData(inputs[2]);
+      RequireFinite(this->Height, "Height");
+      std::vector<double> values{ this->Radius,
+        this->Height,
+        this->Sharpness,
+        this->TargetEdgeLength,
+        static_cast<double>(this->FineFoot),
+        this->ProfileTolerance,
+        static_cast<double>(this->Distance),
+        static_cast<double>(this->ConnectedOnly),
+        static_cast<double>(this->SeedCurveFaces),
+        static_cast<double>(this->MaximumGeneration),
+        static_cast<double>(this->MaximumFaces) };
+      AddText(values, this->Profile);
+      const FeatureCurves curves = CurvesOf(curvesIn, this->Height);
+      this->Internals->Step.Provide(mesh,
+        { WholeKey(curvesIn), source ? WholeKey(source) : MeshKey() },
+        values,
+        &curves,
+        StellarStep::Motion::None,
+        output,
+        context,
+        [&](const Forest& before)
+        {
+          ++this->RefineCount;
+          RefineOptions options;
+          options.radius = LengthOf(this->Radius, 0.03 * before.diagonal(), "Radius");
+          options.height = this->Height == 0.0 ? 0.5 * options.radius : this->Height;
+          options.sharpness = this->Sharpness;
+          options.targetEdgeLength = this->TargetEdgeLength;
+          options.fineFoot = this->FineFoot;
+          options.profileTolerance = this->ProfileTolerance;
+          if (!this->Profile.empty())
+          {
+            options.profile = Profile::polyline(this->Profile);
+          }
+          options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
+          options.connectedOnly = this->ConnectedOnly;
+          options.seedCurveFaces = this->SeedCurveFaces;
+          options.maximumGeneration = this->MaximumGeneration;
+          options.maximumFaces = this->MaximumFaces;
+          Forest forest = before.roomyCopy();
+          needBaseNormals(forest, context);
+          RefineReport report;
+          forest =
+            refine(forest, curves, options, source ? TerrainSource(source) : nullptr, context, &report);
+          this->Sweeps = report.sweeps;
+          return forest;
+        });
+    });
+}
+
+void vtkOversketchStellarRefine::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Sharpness: " << this->Sharpness << "\n";
+  os << indent << "Profile: " << this->Profile << "\n";
+  os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
+  os << indent << "FineFoot: " << this->FineFoot << "\n";
+  os << indent << "ProfileTolerance: " << this->ProfileTolerance << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "ConnectedOnly: " << this->ConnectedOnly << "\n";
+  os << indent << "SeedCurveFaces: " << this->SeedCurveFaces << "\n";
+  os << indent << "MaximumGeneration: " << this->MaximumGeneration << "\n";
+  os << indent << "MaximumFaces: " << this->MaximumFaces << "\n";
+  os << indent << "Sweeps: " << this->Sweeps << "\n";
+  os << indent << "RefineCount: " << this->RefineCount << "\n";
+}

@@ -1,0 +1,93 @@
+#include "vtkOversketchStellarSimplify.h"
+
+#include "Stellar/simplify.h"
+#include "vtkOversketchStellarTools.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+using namespace oversketch;
+
+struct vtkOversketchStellarSimplify::Cache
+{
+  StellarStep Step;
+};
+
+vtkStandardNewMacro(vtkOversketchStellarSimplify);
+
+vtkOversketchStellarSimplify::vtkOversketchStellarSimplify()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchStellarSimplify::~vtkOversketchStellarSimplify() = default;
+
+void vtkOversketchStellarSimplify::SetCurvesData(vtkPolyData* curves)
+{
+  this->SetInputData(1, curves);
+}
+
+int vtkOversketchStellarSimplify::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+int vtkOversketchStellarSimplify::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const bool drawn = curvesIn && curvesIn->GetNumberOfPoints() > 0;
+      const Context context = ContextOf(this);
+      this->Internals->Step.Provide(mesh,
+        { drawn ? WholeKey(curvesIn) : MeshKey() },
+        { this->Tolerance,
+          this->Radius,
+          static_cast<double>(this->Distance),
+          static_cast<double>(this->ConnectedOnly),
+          static_cast<double>(this->WeldSnapped) },
+        nullptr,
+        StellarStep::Motion::None,
+        vtkPolyData::GetData(outputs),
+        context,
+        [&](const Forest& before)
+        {
+          ++this->SimplifyCount;
+          SimplifyOptions options;
+          options.tolerance = LengthOf(this->Tolerance, 1e-4 * before.diagonal(), "Tolerance");
+          options.radius = LengthOf(this->Radius, 0.03 * before.diagonal(), "Radius");
+          options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
+          options.connectedOnly = this->ConnectedOnly;
+          options.weldSnapped = this->WeldSnapped;
+          return simplify(
+            before, drawn ? CurvesOf(curvesIn) : FeatureCurves(), options, context, &this->Welded);
+        });
+    });
+}
+
+void vtkOversketchStellarSimplify::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "ConnectedOnly: " << this->ConnectedOnly << "\n";
+  os << indent << "WeldSnapped: " << this->WeldSnapped << "\n";
+  os << indent << "Welded: " << this->Welded << "\n";
+  os << indent << "SimplifyCount: " << this->SimplifyCount << "\n";
+}

@@ -1,0 +1,123 @@
+/**
+ * @class vtkOversketchStellarSnap
+ * @brief moves vertices to where curves cross their edges, so that edges follow the curves
+ *
+ * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. III-C.1: each vertex moves
+ * to the nearest crossing of its edges with a curve. Departures, undone by the order AllAtOnce: crossings are
+ * taken one by one, the nearest of all first; those that a snapped vertex explains are left alone; moves that
+ * would spoil a triangle are refused (MinimumAngle); edges that are still crossed are split
+ * (MaximumResidualRounds).
+ *
+ * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
+ * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
+ * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
+ *
+ * Output 0 (Mesh): the 4-8 mesh; CurveId and CurveParam of the vertices that lie on curves, StellarMoved with
+ * 1, BaseNormal as at their places before, and field array CurveDigest. Other point arrays, normals among
+ * them, as at the vertex's new place on the surface before.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray and BadMesh, naming array, cell or
+ * point, where the mesh is no sound 4-8 mesh or was changed by a filter in between; BadStroke for curves that
+ * are none, for others than the mesh is snapped to (field array CurveDigest), and parameters out of range.
+ * A mesh without points gives an empty output silently, without curves it goes through.
+ *
+ * Deterministic: same result bit for bit for any number of threads, cached or read from a file. The result
+ * stays, as the same arrays, while all that is read does. Cost: some 10
+ * microseconds a crossing, and a copy of the mesh.
+ *
+ * @sa vtkOversketchStellarRefine vtkOversketchStellarSmooth
+ */
+#ifndef vtkOversketchStellarSnap_h
+#define vtkOversketchStellarSnap_h
+
+#include "OversketchFiltersStellarModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
+
+class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSnap : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchStellarSnap* New();
+  vtkTypeMacro(vtkOversketchStellarSnap, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The curves, on port 1.
+   */
+  void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(1, curves); }
+  void SetCurvesData(vtkPolyData* curves);
+
+  enum OrderType
+  {
+    Nearest = 0,
+    AllAtOnce = 1
+  };
+  ///@{
+  /**
+   * Nearest (default), or as published AllAtOnce: crossings are found once, and every vertex goes to its
+   * nearest; then both ends of an edge meet in one point, and triangles collapse and turn over.
+   */
+  vtkSetClampMacro(Order, int, Nearest, AllAtOnce);
+  vtkGetMacro(Order, int);
+  void SetOrderToNearest() { this->SetOrder(Nearest); }
+  void SetOrderToAllAtOnce() { this->SetOrder(AllAtOnce); }
+  ///@}
+
+  ///@{
+  /**
+   * A vertex does not move where an angle round it would be under this and smaller than before [degrees, 0 to
+   * 60, default 5].
+   */
+  vtkSetMacro(MinimumAngle, double);
+  vtkGetMacro(MinimumAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Rounds that split edges which are crossed in the end [default 2].
+   */
+  vtkSetClampMacro(MaximumResidualRounds, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumResidualRounds, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last snapping: crossings before the first move and after the last, vertices put on a curve, moves
+   * refused, faces added.
+   */
+  vtkGetMacro(Crossings, int);
+  vtkGetMacro(Residual, int);
+  vtkGetMacro(Snapped, int);
+  vtkGetMacro(Refused, int);
+  vtkGetMacro(FacesAdded, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many times a mesh has been snapped: executions that the kept result did not answer.
+   */
+  vtkGetMacro(SnapCount, vtkIdType);
+  ///@}
+
+protected:
+  vtkOversketchStellarSnap();
+  ~vtkOversketchStellarSnap() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchStellarSnap(const vtkOversketchStellarSnap&) = delete;
+  void operator=(const vtkOversketchStellarSnap&) = delete;
+
+  int Order = Nearest;
+  double MinimumAngle = 5.0;
+  int MaximumResidualRounds = 2;
+  int Crossings = 0, Residual = 0, Snapped = 0, Refused = 0, FacesAdded = 0;
+  vtkIdType SnapCount = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
+};
+
+#endif

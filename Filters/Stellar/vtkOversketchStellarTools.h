@@ -1,0 +1,110 @@
+// The 4-8 mesh and its curves from polydata and back, for the filters of this module. Not installed.
+#ifndef vtkOversketchStellarTools_h
+#define vtkOversketchStellarTools_h
+
+#include "Stellar/forest.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchStellarCarry.h"
+
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+class vtkPolyData;
+
+namespace oversketch
+{
+
+// Whether a polydata has an array of a 4-8 mesh's structure, sound or not.
+bool HasStellarArrays(vtkPolyData* mesh);
+
+// Whether an array belongs to the 4-8 mesh and is written anew by each step. `of`: the attributes it is in.
+bool IsStellarArray(const char* name);
+
+// What a step reads of a 4-8 mesh, and all numbers that another polydata holds.
+MeshKey StellarKey(vtkPolyData* mesh);
+MeshKey WholeKey(vtkPolyData* data);
+
+// The forest of a 4-8 mesh. What a step of this module emitted is found as long as somebody holds it, by
+// StellarKey; else it is rebuilt from the arrays, the same to the bit. Throws Error(MissingArray or BadMesh)
+// that names the array, the cell or point, and the likely culprit. Callable from any thread.
+std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& context);
+
+// How often a forest has been rebuilt from arrays since the process started.
+std::atomic<int>& ForestsRebuilt();
+
+// A canonical forest as points, polygons and arrays, known to SharedForest. `digest`: of the curves that
+// CurveId means.
+vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>& forest,
+  const std::optional<std::uint64_t>& digest);
+
+// Curves as vtkOversketchSurfaceStroke writes them. A `height` of 0 means half the radius, for curves with a
+// radius of their own half of that. Throws Error(BadStroke) naming the curve.
+FeatureCurves CurvesOf(vtkPolyData* curves, double height = 1.0);
+
+// Throws Error unless the snapped vertices of the mesh, where it has any, are on these curves.
+void RequireSameCurves(vtkPolyData* mesh, const Forest& forest, const FeatureCurves& curves);
+
+// The value of a field array of one number; none where it is absent.
+std::optional<std::uint64_t> WholeNumber(vtkFieldData* data, const char* name);
+
+// A length that may be left to the filter, which then takes `otherwise`: below 0. Throws Error(BadStroke)
+// naming the parameter where it is not finite.
+double LengthOf(double value, double otherwise, const char* name);
+void RequireFinite(double value, const char* name);
+
+// The characters of a text parameter, for a StepKey.
+void AddText(std::vector<double>& values, const std::string& text);
+
+// Keeps the last result of a step, and carries the user's arrays to it.
+class StellarStep
+{
+public:
+  struct Made
+  {
+    std::shared_ptr<const Forest> forest; // canonical
+    Origins origins;
+    std::optional<std::uint64_t> digest; // of the curves that it is snapped to
+  };
+  // Writes what `make` gives to the output; asks it where the key is a new one.
+  void Provide(const StepKey& key,
+    vtkPolyData* input,
+    vtkPolyData* output,
+    const std::function<Made()>& make);
+
+  // What a step from one 4-8 mesh to the next does to vertices that it does not make.
+  enum class Motion
+  {
+    None,
+    Slide, // within the surface
+    Rise   // out of it
+  };
+  // Gives the canonical forest after the step.
+  using Change = std::function<Forest(const Forest& before)>;
+  // `values`: the parameters. `curves`: the step's curves, which are to be those that the mesh is snapped to;
+  // null: of no matter.
+  void Provide(vtkPolyData* input,
+    const std::vector<MeshKey>& otherInputs,
+    const std::vector<double>& values,
+    const FeatureCurves* curves,
+    Motion motion,
+    vtkPolyData* output,
+    const Context& context,
+    const Change& change);
+
+private:
+  StepKey Key;
+  std::shared_ptr<const Forest> Before, After; // held for who asks SharedForest
+  vtkSmartPointer<vtkPolyData> Stem;           // what this module writes of the output; null: nothing is kept
+  CarriedArrays Arrays;
+};
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,109 @@
+#include "vtkOversketchTerrain.h"
+
+#include "Image/heights.h"
+#include "Stellar/pairing.h"
+#include "vtkOversketchStellarSource.h"
+#include "vtkOversketchStellarTools.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+using namespace oversketch;
+
+struct vtkOversketchTerrain::Cache
+{
+  StellarStep Step;
+  vtkSmartPointer<vtkPolyData> Source;
+};
+
+vtkStandardNewMacro(vtkOversketchTerrain);
+
+vtkOversketchTerrain::vtkOversketchTerrain()
+  : Internals(new Cache)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchTerrain::~vtkOversketchTerrain() = default;
+
+int vtkOversketchTerrain::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+vtkPolyData* vtkOversketchTerrain::GetSourceOutput()
+{
+  return this->GetOutput(1);
+}
+
+int vtkOversketchTerrain::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkImageData* image = vtkImageData::GetData(inputs[0]);
+      if (image->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      Cache& cache = *this->Internals;
+      vtkDataArray* scalars = image->GetPointData()->GetScalars();
+      const Context context = ContextOf(this);
+      vtkNew<vtkPolyData> none; // of which arrays go to the terrain
+      const StepKey key({ MeshKey(none, { scalars }) },
+        { static_cast<double>(image->GetDimensions()[0]),
+          static_cast<double>(image->GetDimensions()[1]),
+          static_cast<double>(image->GetDimensions()[2]),
+          image->GetSpacing()[0],
+          image->GetSpacing()[1],
+          static_cast<double>(this->Columns),
+          static_cast<double>(this->Rows),
+          this->QuadX,
+          this->QuadY,
+          this->Scale,
+          this->Offset });
+      cache.Step.Provide(key,
+        none,
+        vtkPolyData::GetData(outputs, 0),
+        [&]
+        {
+          ++this->TerrainCount;
+          const HeightImage heights = HeightsOf(image);
+          TerrainRules rules;
+          rules.columns = this->Columns;
+          rules.rows = this->Rows;
+          rules.quad = Vector2(this->QuadX, this->QuadY);
+          rules.scale = this->Scale;
+          rules.offset = this->Offset;
+          const Terrain terrain(heights, rules);
+          StellarStep::Made made;
+          made.forest = std::make_shared<const Forest>(forestOfPairs(terrain.baseMesh(context)));
+          rules.columns = terrain.columns();
+          rules.rows = terrain.rows();
+          cache.Source = vtkSmartPointer<vtkPolyData>::New();
+          WriteTerrain(heights, rules, cache.Source);
+          return made;
+        });
+      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Source);
+    });
+}
+
+void vtkOversketchTerrain::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Columns: " << this->Columns << "\n";
+  os << indent << "Rows: " << this->Rows << "\n";
+  os << indent << "QuadX: " << this->QuadX << "\n";
+  os << indent << "QuadY: " << this->QuadY << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "TerrainCount: " << this->TerrainCount << "\n";
+}
