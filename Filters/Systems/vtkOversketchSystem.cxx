@@ -126,6 +126,7 @@ vtkMTimeType vtkOversketchSystem::GetMTime()
 int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
 {
   this->Done = 0.0;
+  this->Warnings.clear();
   for (Stage& stage : this->Stages)
   {
     stage.Seconds = 0.0;
@@ -136,6 +137,7 @@ int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
 bool vtkOversketchSystem::Try(const std::function<bool()>& body)
 {
   this->Done = 0.0;
+  this->Warnings.clear();
   this->SetAbortExecute(0);
   this->SetErrorCode(vtkErrorCode::NoError);
   try
@@ -159,7 +161,13 @@ void vtkOversketchSystem::RunStage(const char* name)
     this->Stages.begin(), this->Stages.end(), [name](const Stage& known) { return known.Name == name; });
   StepRunner::Listener listener;
   listener.progress = [&](double share) { this->UpdateProgress(this->Done + share * stage->Share); };
-  listener.warning = [this](const std::string& message) { vtkWarningMacro(<< message); };
+  listener.warning = [this](const std::string& message)
+  {
+    if (this->Warnings.insert(message).second) // several steps may say the same
+    {
+      vtkWarningMacro(<< message);
+    }
+  };
   listener.cancelled = [this] { return this->GetAbortExecute() != 0; };
   StepRunner runner(stage->Step, listener);
   const struct Shown // for as long as the step runs, also when it throws

@@ -22,6 +22,7 @@
 #include "vtkOversketchBackendFilter.h"
 
 #include <functional> // for RunSystem
+#include <set>        // for Warnings
 #include <string>     // for Stage
 #include <vector>     // for Stages
 
@@ -156,6 +157,7 @@ private:
   std::vector<Stage> Stages;
   const Stage* Running = nullptr;
   double Done = 0.0;
+  std::set<std::string> Warnings; // of this run
 };
 
 #endif

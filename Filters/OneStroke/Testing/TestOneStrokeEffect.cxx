@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <set>
@@ -65,6 +66,24 @@ vtkIdType regionSize(vtkOversketchOneStroke* filter)
 }
 
 } // namespace
+
+TEST(OneStrokeEffect, ADeviceThatIsNotThereIsSaidOnceARun)
+{
+  setenv("OVERSKETCH_OPENCL", "off", 1);
+  Drawn drawn(shippedStroke("dog_longer_leg"));
+  drawn.filter->SetBackendToOpenCL();
+  for (int run = 1; run <= 2; ++run)
+  {
+    drawn.filter->Modified();
+    drawn.filter->GetStep("ShapeDiameter")->Modified();
+    drawn.filter->GetStep("MixtureRegion")->Modified();
+    drawn.run();
+    EXPECT_LE(drawn.ear.warnings.size(), static_cast<std::size_t>(run));
+  }
+  unsetenv("OVERSKETCH_OPENCL");
+  ASSERT_GE(drawn.ear.warnings.size(), 1u);
+  EXPECT_NE(drawn.ear.warnings[0].find("OpenCL"), std::string::npos);
+}
 
 TEST(OneStrokeEffect, AStrokeThatDoesWhatWasDrawnIsLeftWithoutAWord)
 {
