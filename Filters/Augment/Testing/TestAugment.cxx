@@ -1,0 +1,359 @@
+// The augmentation system: what comes out, what it agrees with, what runs again.
+#include "AugmentTools.h"
+
+#include "vtkOversketchChaikin.h"
+#include "vtkOversketchStellarBase.h"
+#include "vtkOversketchStellarDisplace.h"
+#include "vtkOversketchStellarRefine.h"
+#include "vtkOversketchStellarSimplify.h"
+#include "vtkOversketchStellarSmooth.h"
+#include "vtkOversketchStellarSnap.h"
+#include "vtkOversketchStrokeThinning.h"
+#include "vtkOversketchSurfaceStroke.h"
+
+#include "vtkSMPTools.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include <unistd.h>
+
+using namespace oversketch_test;
+
+namespace
+{
+
+const char* const models[] = { "bear", "dog", "hand", "octopus" };
+
+double distanceTo(vtkPolyData* curves, const Vector3& p)
+{
+  double least = HUGE_VAL;
+  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
+  {
+    least = std::min(least, (pointOf(curves, i) - p).norm());
+  }
+  return least;
+}
+
+double highest(vtkPolyData* mesh)
+{
+  vtkDataArray* moves = mesh->GetPointData()->GetArray("Displacement");
+  double most = 0.0;
+  for (vtkIdType i = 0; moves && i < moves->GetNumberOfTuples(); ++i)
+  {
+    most = std::max(most, Vector3(moves->GetTuple3(i)).norm());
+  }
+  return most;
+}
+
+vtkSmartPointer<vtkPolyData> saved(vtkPolyData* mesh)
+{
+  const std::string name =
+    (std::filesystem::temp_directory_path() / ("oversketch_augment_" + std::to_string(getpid()) + ".vtp"))
+      .string();
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileName(name.c_str());
+  EXPECT_EQ(writer->Write(), 1);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  std::filesystem::remove(name);
+  return reader->GetOutput();
+}
+
+} // namespace
+
+TEST(Augment, AVeinRisesByItsHeightAndNothingElseMoves)
+{
+  for (const char* model : models)
+  {
+    System s(shippedModel(model));
+    const double radius = 0.03 * s.diagonal();
+    vtkPolyData* output = s.run();
+    ASSERT_GT(output->GetNumberOfPolys(), s.mesh->GetNumberOfPolys()) << model;
+    EXPECT_EQ(s.filter->GetFlippedFaces(), 0) << model;
+    EXPECT_NEAR(highest(output), 0.5 * radius, 1e-9 * radius) << model;
+    vtkPolyData* curves = s.filter->GetInnerOutput("Curves");
+    ASSERT_GT(curves->GetNumberOfLines(), 0);
+    // Base points stand first, in their order.
+    vtkIdType far = 0, moved = 0;
+    for (vtkIdType i = 0; i < s.mesh->GetNumberOfPoints(); ++i)
+    {
+      const bool same = pointOf(output, i) == pointOf(s.mesh, i);
+      const bool away = distanceTo(curves, pointOf(s.mesh, i)) > 1.5 * radius;
+      far += away;
+      moved += !same;
+      EXPECT_TRUE(same || !away) << model << " point " << i;
+    }
+    EXPECT_GT(far, s.mesh->GetNumberOfPoints() / 2);
+    EXPECT_GT(moved, 0);
+    vtkNew<vtkPolyData> region, hold;
+    s.filter->GetRegion(region);
+    s.filter->GetHold(hold);
+    EXPECT_GT(region->GetNumberOfPolys(), 0);
+    EXPECT_TRUE(identical(hold, curves));
+  }
+}
+
+// A stroke's own radius and height go before the parameters.
+TEST(Augment, ReadsWhatAStrokeSaysOfItself)
+{
+  System s(shippedModel("bear"), { vein(120, 30), vein(120, -30) });
+  const double r = 0.03 * s.diagonal();
+  for (const auto& [name, first, second] :
+    { std::make_tuple("Radius", r, 0.6 * r), std::make_tuple("Height", 0.2 * r, -0.4 * r) })
+  {
+    vtkNew<vtkDoubleArray> own;
+    own->SetName(name);
+    own->InsertNextValue(first);
+    own->InsertNextValue(second);
+    s.strokes->GetCellData()->AddArray(own);
+  }
+  s.filter->SetHeight(5.0 * r);
+  EXPECT_NEAR(highest(s.run()), 0.4 * r, 1e-9 * r);
+}
+
+TEST(Augment, StrokesThatDoNotMeetAreTheSameAtOnceAndOneByOne)
+{
+  System s(shippedModel("octopus"), { vein(60, 45), vein(60, -45) });
+  s.filter->SetRadius(0.012 * s.diagonal());
+  s.filter->SetSimplify(false);
+  const auto atOnce = copyOf(s.run());
+  s.filter->OneByOneOn();
+  vtkPolyData* oneByOne = s.run();
+  ASSERT_EQ(atOnce->GetNumberOfPoints(), oneByOne->GetNumberOfPoints());
+  EXPECT_LT(largestMove(atOnce, oneByOne), 1e-9 * s.diagonal());
+}
+
+TEST(Augment, ChainedEqualsSavedEqualsOneByOne)
+{
+  const std::vector<std::vector<Vector2>> drawn{ vein(), vein(80, 6), vein(60, -12) };
+  for (const char* model : { "bear", "dog" })
+  {
+    vtkSmartPointer<vtkPolyData> chained = shippedModel(model), baked = chained;
+    System all(chained, drawn);
+    for (const std::vector<Vector2>& stroke : drawn)
+    {
+      for (vtkSmartPointer<vtkPolyData>* mesh : { &chained, &baked })
+      {
+        vtkNew<vtkOversketchAugment> filter;
+        filter->SetInputData(0, *mesh);
+        const auto strokes = strokesOf({ stroke }, all.view);
+        filter->SetStrokesData(strokes);
+        filter->Update();
+        ASSERT_EQ(filter->GetErrorCode(), 0u);
+        *mesh =
+          mesh == &baked ? saved(filter->GetOutput()) : vtkSmartPointer<vtkPolyData>(filter->GetOutput());
+      }
+    }
+    expectSame(chained, baked);
+    all.filter->OneByOneOn();
+    expectSame(chained, all.run());
+  }
+}
+
+// By hand, with what each step's header calls published.
+TEST(Augment, AsPublishedIsEachStepAsPublished)
+{
+  for (const bool published : { true, false })
+  {
+    System s(shippedModel("bear"), { vein(), { { 400, 280 }, { 400, 320 } } });
+    s.filter->SetAsPublished(published);
+    const double radius = 0.03 * s.diagonal();
+    vtkNew<vtkOversketchStrokeThinning> thinning;
+    thinning->SetInputData(0, s.strokes);
+    vtkNew<vtkOversketchChaikin> chaikin;
+    chaikin->SetInputConnection(0, thinning->GetOutputPort());
+    vtkNew<vtkOversketchStellarBase> base;
+    base->SetInputData(0, s.mesh);
+    vtkNew<vtkOversketchSurfaceStroke> curves;
+    curves->SetInputConnection(0, chaikin->GetOutputPort());
+    curves->SetMeshConnection(base->GetOutputPort());
+    curves->SetTolerance(published ? 0.0 : 0.02 * radius);
+    vtkNew<vtkOversketchStellarRefine> refine;
+    vtkNew<vtkOversketchStellarSnap> snap;
+    vtkNew<vtkOversketchStellarSmooth> smooth;
+    vtkNew<vtkOversketchStellarDisplace> displace;
+    vtkNew<vtkOversketchStellarSimplify> simplify;
+    vtkAlgorithm* before = base;
+    for (vtkAlgorithm* step : { static_cast<vtkAlgorithm*>(refine),
+           static_cast<vtkAlgorithm*>(snap),
+           static_cast<vtkAlgorithm*>(smooth),
+           static_cast<vtkAlgorithm*>(displace),
+           static_cast<vtkAlgorithm*>(simplify) })
+    {
+      step->SetInputConnection(0, before->GetOutputPort());
+      step->SetInputConnection(1, curves->GetOutputPort());
+      before = step;
+    }
+    refine->SetRadius(radius);
+    displace->SetRadius(radius);
+    simplify->SetRadius(radius);
+    if (published)
+    {
+      base->ImprovePairsOff();
+      refine->FineFootOff();
+      refine->ConnectedOnlyOff();
+      refine->SeedCurveFacesOff();
+      snap->SetOrderToAllAtOnce();
+      smooth->SetRings(-1);
+      displace->ConnectedOnlyOff();
+      displace->SetNormalsToCurrent();
+      displace->SetCombineToSum();
+      simplify->ConnectedOnlyOff();
+    }
+    simplify->Update();
+    expectSame(simplify->GetOutput(), s.run());
+    EXPECT_EQ(displace->GetFlippedFaces(), s.filter->GetFlippedFaces());
+  }
+}
+
+TEST(Augment, AnotherHeightRunsTheDisplacementAndARadiusTheRefinementToo)
+{
+  System s(shippedModel("dog"));
+  s.filter->SimplifyOff();
+  s.run();
+  auto* base = vtkOversketchStellarBase::SafeDownCast(s.filter->GetStep("Base"));
+  auto* curves = vtkOversketchSurfaceStroke::SafeDownCast(s.filter->GetStep("Curves"));
+  auto* refine = vtkOversketchStellarRefine::SafeDownCast(s.filter->GetStep("Refine"));
+  auto* snap = vtkOversketchStellarSnap::SafeDownCast(s.filter->GetStep("Snap"));
+  auto* displace = vtkOversketchStellarDisplace::SafeDownCast(s.filter->GetStep("Displace"));
+  const auto counts = [&]
+  {
+    return std::vector<vtkIdType>{ base->GetBaseCount(),
+      curves->GetProjectionCount(),
+      refine->GetRefineCount(),
+      snap->GetSnapCount(),
+      displace->GetDistanceCount(),
+      displace->GetDisplaceCount() };
+  };
+  const double r = 0.03 * s.diagonal();
+  EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 1, 1, 1, 1, 1 }));
+  s.filter->SetHeight(-r);
+  s.run();
+  EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 1, 1, 1, 1, 2 }));
+  s.filter->SetSharpness(3.0);
+  s.filter->UseProfile("0 1, 0.5 0.9, 1 0");
+  s.run();
+  EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 1, 1, 1, 1, 3 }));
+  s.filter->SetRadius(0.8 * r);
+  s.run();
+  EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 2, 2, 2, 2, 4 }));
+  vtkNew<vtkDoubleArray> colour;
+  colour->SetName("Colour");
+  colour->SetNumberOfTuples(s.mesh->GetNumberOfPoints());
+  colour->Fill(0.5);
+  s.mesh->GetPointData()->AddArray(colour);
+  vtkPolyData* output = s.run();
+  EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 2, 2, 2, 2, 4 }));
+  ASSERT_TRUE(output->GetPointData()->GetArray("Colour"));
+  EXPECT_EQ(
+    output->GetPointData()->GetArray("Colour")->GetComponent(output->GetNumberOfPoints() - 1, 0), 0.5);
+}
+
+TEST(Augment, OneAndTwoThreadsColdAndCachedAgreeToTheBit)
+{
+  System s(shippedModel("hand"), { vein(), vein(80, 20) });
+  vtkSMPTools::Initialize(1);
+  const auto one = copyOf(s.run());
+  s.filter->Modified();
+  expectSame(one, s.run());
+  System two(shippedModel("hand"), { vein(), vein(80, 20) });
+  vtkSMPTools::Initialize(2);
+  expectSame(one, two.run());
+  vtkSMPTools::Initialize();
+}
+
+TEST(Augment, ReshapeIsTheNextOutputBeforeItIsMade)
+{
+  System s(shippedModel("dog"));
+  s.filter->GetStep("Simplify");
+  vtkPolyData* output = s.run();
+  const double r = 0.03 * s.diagonal();
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(output->GetPoints());
+  ASSERT_TRUE(s.filter->Reshape(-0.7 * r, 2.5, points));
+  vtkSmartPointer<vtkPolyData> before = copyOf(output);
+  expectSame(before, s.run()); // nothing changed
+  s.filter->SetHeight(-0.7 * r);
+  s.filter->SetSharpness(2.5);
+  s.filter->SimplifyOff();
+  s.run();
+  vtkPolyData* displaced = s.filter->GetInnerOutput("Displace");
+  vtkIdType next = 0;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i, ++next)
+  {
+    while (next < displaced->GetNumberOfPoints() && pointOf(displaced, next) != Vector3(points->GetPoint(i)))
+    {
+      ++next;
+    }
+    ASSERT_LT(next, displaced->GetNumberOfPoints()) << i;
+  }
+  points->SetNumberOfPoints(3);
+  Ear ear(s.filter);
+  EXPECT_FALSE(s.filter->Reshape(r, 1.0, points));
+  EXPECT_EQ(ear.errors.size(), 1u);
+}
+
+TEST(Augment, ACrestIsShownBeforeTheStrokeIsDone)
+{
+  System s(shippedModel("bear"));
+  ASSERT_TRUE(s.filter->Prepare());
+  EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkPolyData> crest;
+  ASSERT_TRUE(s.filter->PreviewCrest(s.mesh, s.strokes, crest));
+  ASSERT_EQ(crest->GetNumberOfLines() % 3, 0);
+  ASSERT_GT(crest->GetNumberOfLines(), 0);
+  vtkPolyData* output = s.run();
+  // The crest of the preview is that of the surface: its points lie within the chords' error of it.
+  vtkPolyData* curves = s.filter->GetInnerOutput("Curves");
+  const double r = 0.03 * s.diagonal();
+  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR((pointOf(crest, i) - pointOf(curves, i)).norm(), 0.5 * r, 1e-9 * r);
+    EXPECT_LT(distanceTo(output, pointOf(crest, i)), 0.3 * r);
+  }
+  auto* base = vtkOversketchStellarBase::SafeDownCast(s.filter->GetStep("Base"));
+  EXPECT_EQ(base->GetBaseCount(), 1);
+  vtkNew<vtkPolyData> dot;
+  EXPECT_FALSE(s.filter->PreviewCrest(s.mesh, dot, crest));
+  EXPECT_EQ(crest->GetNumberOfPoints(), 0);
+}
+
+// A line over the dog's back follows the stroke in the picture.
+TEST(Augment, ASilhouetteGoesWhereItIsDrawn)
+{
+  vtkSmartPointer<vtkPolyData> dog = shippedModel("dog");
+  System s(dog);
+  s.view = viewOf(dog, { 0, 0, 1 });
+  s.filter->SetSketchModeToSilhouette();
+  // The highest point of the model in each column round its middle.
+  std::vector<Vector2> back;
+  for (double x = 380.0; x <= 440.0; x += 5.0)
+  {
+    double top = 0.0;
+    for (vtkIdType i = 0; i < dog->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 d = s.view.toDisplay(pointOf(dog, i));
+      top = std::abs(d[0] - x) < 3.0 ? std::max(top, d[1]) : top;
+    }
+    back.emplace_back(x, top - 1.0 + 12.0 * std::sin((x - 380.0) / 60.0 * 3.14159265));
+  }
+  s.filter->SetStrokesData(strokesOf({ back }, s.view));
+  vtkPolyData* output = s.run();
+  EXPECT_EQ(s.filter->GetFlippedFaces(), 0);
+  vtkPolyData* sketch = vtkPolyData::SafeDownCast(s.filter->GetStep("Sketch")->GetOutputDataObject(1));
+  ASSERT_GT(sketch->GetNumberOfPoints(), 2);
+  for (vtkIdType i = 0; i < sketch->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_LT(distanceTo(output, pointOf(sketch, i)), 0.01 * s.diagonal()) << i;
+  }
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(output->GetPoints());
+  EXPECT_TRUE(s.filter->Reshape(0.0, 1.0, points));
+}

@@ -1,0 +1,248 @@
+#include "vtkOversketchAugment.h"
+
+#include "vtkOversketchAugmentPipeline.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+
+using namespace oversketch;
+
+vtkStandardNewMacro(vtkOversketchAugment);
+
+vtkOversketchAugment::vtkOversketchAugment()
+  : Inner(new Pipeline(this))
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchAugment::~vtkOversketchAugment() = default;
+
+void vtkOversketchAugment::SetStrokesData(vtkPolyData* strokes)
+{
+  this->SetInputData(1, strokes);
+}
+
+int vtkOversketchAugment::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  Pipeline& inner = *this->Inner;
+  inner.Made = nullptr;
+  this->FlippedFaces = 0;
+  return this->RunSystem(
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      inner.FeedStrokes(vtkPolyData::GetData(inputs[1]));
+      inner.FeedMesh(mesh);
+      int flipped = 0;
+      for (std::size_t pass = 0; pass < inner.PassCount(); ++pass)
+      {
+        inner.FeedPass(pass);
+        inner.RunBase();
+        inner.RunCurves();
+        inner.RunFeature();
+        flipped += inner.Displace->GetFlippedFaces();
+      }
+      inner.PutOutput(output);
+      this->FlippedFaces = flipped;
+    });
+}
+
+bool vtkOversketchAugment::Prepare()
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  vtkAlgorithmOutput* source = this->GetInputConnection(0, 0);
+  source->GetProducer()->Update(source->GetIndex());
+  auto* mesh = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (!mesh || mesh->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  return this->Try(
+    [&]
+    {
+      this->Inner->FeedMesh(mesh);
+      this->Inner->FeedPass(0);
+      this->Inner->RunBase();
+      return true;
+    });
+}
+
+bool vtkOversketchAugment::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold)
+{
+  hold->Initialize();
+  if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  return this->Try(
+    [&]
+    {
+      this->Inner->FeedMesh(mesh);
+      const bool drawn = stroke->GetNumberOfPoints() > 1;
+      if (drawn)
+      {
+        this->Inner->FeedStrokes(stroke);
+      }
+      this->Inner->FeedPass(0);
+      this->Inner->RunBase();
+      if (!drawn)
+      {
+        return false;
+      }
+      this->Inner->RunCurves();
+      hold->ShallowCopy(this->StageOutput(this->Inner->CurvesName()));
+      return hold->GetNumberOfPoints() > 0;
+    });
+}
+
+bool vtkOversketchAugment::PreviewCrest(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* crest)
+{
+  crest->Initialize();
+  vtkNew<vtkPolyData> curves;
+  return this->Preview(mesh, stroke, curves) && this->Try(
+                                                  [&]
+                                                  {
+                                                    this->Inner->PutCrest(crest);
+                                                    return true;
+                                                  });
+}
+
+bool vtkOversketchAugment::Reshape(double height, double sharpness, vtkPoints* points)
+{
+  if (!this->Inner->Made || this->Inner->Made->Numbers.empty())
+  {
+    return false;
+  }
+  if (!points || points->GetNumberOfPoints() != static_cast<vtkIdType>(this->Inner->Made->Numbers.size()))
+  {
+    vtkErrorMacro("The points to reshape do not fit; give a copy of the output's points.");
+    return false;
+  }
+  return this->Try(
+    [&]
+    {
+      this->Inner->Reshape(height, sharpness, points);
+      return true;
+    });
+}
+
+void vtkOversketchAugment::GetHold(vtkPolyData* hold)
+{
+  hold->Initialize();
+  if (this->Inner->Made)
+  {
+    hold->ShallowCopy(this->Inner->Made->Curves);
+  }
+}
+
+void vtkOversketchAugment::GetRegion(vtkPolyData* region)
+{
+  region->Initialize();
+  vtkPolyData* mesh = this->Inner->Made ? this->Inner->Made->Last.Get() : nullptr;
+  vtkDataArray* feature = mesh ? mesh->GetPointData()->GetArray("Feature") : nullptr;
+  if (!feature)
+  {
+    return;
+  }
+  std::vector<vtkIdType> number(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
+  {
+    mesh->GetPolys()->GetCellAtId(t, ids);
+    if (std::any_of(
+          ids->begin(), ids->end(), [feature](vtkIdType id) { return feature->GetComponent(id, 0) != 0.0; }))
+    {
+      triangles->InsertNextCell(3);
+      for (const vtkIdType point : *ids)
+      {
+        vtkIdType& id = number[point];
+        id = id >= 0 ? id : points->InsertNextPoint(mesh->GetPoint(point));
+        triangles->InsertCellPoint(id);
+      }
+    }
+  }
+  region->SetPoints(points);
+  region->SetPolys(triangles);
+}
+
+void vtkOversketchAugment::BackendChanged()
+{
+  this->Inner->Visibility->SetBackend(this->GetBackend());
+}
+
+int vtkOversketchAugment::GetBackendUsed()
+{
+  return this->SketchMode == Silhouette ? this->Inner->Visibility->GetBackendUsed() : Host;
+}
+
+void vtkOversketchAugment::SetSketchMode(int mode)
+{
+  mode = std::clamp<int>(mode, Surface, Silhouette);
+  if (mode != this->SketchMode)
+  {
+    this->SketchMode = mode;
+    this->Inner->Connect();
+    this->Modified();
+  }
+}
+
+void vtkOversketchAugment::UseProfile(const char* text)
+{
+  const std::string wanted = text ? text : "";
+  if (wanted != this->Profile)
+  {
+    this->Profile = wanted;
+    this->Modified();
+  }
+}
+
+void vtkOversketchAugment::SetAsPublished(bool published)
+{
+  if (published != this->AsPublished)
+  {
+    this->AsPublished = published;
+    this->Combine = published ? Sum : Nearest;
+    this->Inner->SetAmendments(!published);
+    this->Modified();
+  }
+}
+
+void vtkOversketchAugment::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SketchMode: " << this->SketchMode << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Sharpness: " << this->Sharpness << "\n";
+  os << indent << "Profile: " << this->Profile << "\n";
+  os << indent << "UsePressure: " << this->UsePressure << "\n";
+  os << indent << "Combine: " << this->Combine << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
+  os << indent << "OneByOne: " << this->OneByOne << "\n";
+  os << indent << "Simplify: " << this->Simplify << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "FlippedFaces: " << this->FlippedFaces << "\n";
+}

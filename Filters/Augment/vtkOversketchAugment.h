@@ -1,0 +1,262 @@
+/**
+ * @class vtkOversketchAugment
+ * @brief strokes over a mesh make it finer there and raise it: system D as one filter
+ *
+ * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators". A stroke is a curve on the
+ * surface; the mesh becomes finer round it and nowhere else, its edges move onto the curve, and it rises, is
+ * carved, or follows a new silhouette. Inside, each step is a filter of its own (names in braces reach its
+ * output, see GetInnerOutput): fewer samples {Thinning}, smooth strokes {Chaikin}, 4-8 mesh {Base}, curves on
+ * it {Curves}, or in silhouette mode {Silhouette}, {Visibility} and {Sketch}; refinement {Refine}, edges onto
+ * curves {Snap}, even triangles {Smooth}, feature {Displace}, and what is not needed taken away {Simplify}.
+ *
+ * Departures from the paper are those of each step, on by default; AsPublished turns all of them off. The
+ * paper schedules simplification without a rule; here it comes last (Simplify).
+ *
+ * Input 0 (Mesh): triangle mesh, vtkPolyData; a manifold with one orientation, with borders or without. One
+ * that is a 4-8 mesh, as an output of this is, goes on from where it is. Points that a reader split for
+ * texture coordinates or normals are welded for computing (exactly equal positions) and split again in the
+ * output. The mesh's normals are not read.
+ * Input 1 (Strokes): polylines in display coordinates with cell arrays ViewTransform, ProjectionTransform,
+ * ViewportSize; any number, each with its own view. Cell arrays Radius, Height [model length] and Sharpness
+ * go before the parameters, point array Pressure is read with UsePressure.
+ *
+ * Output 0: the mesh with its features, points in double, and the arrays of a 4-8 mesh
+ * (Filters/Stellar/README.md), so that the next stroke can go on. Other arrays as vtkOversketchStellarBase
+ * has them: interpolated at new points, cells as what lay under them, point normals turned with the surface.
+ * Where points were split, or there are cell normals, as vtkOversketchRemesh's results have them in
+ * vtkOversketchOneStroke: along texture seams once per side; the points that repeat a place then come after
+ * all others, so that welding the output gives the 4-8 mesh with its numbers. Points that no feature reaches
+ * and that were there are bit-identical.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
+ * failure; BadStroke where there is no stroke; output empty. An empty mesh gives an empty output silently.
+ * After AbortExecute the output is empty and the error code Cancelled; call Modified() before the next
+ * Update.
+ *
+ * Demand-driven: another height, sharpness (on the same side of 1) or profile runs {Displace} and what
+ * follows, another radius {Curves} and {Refine} too, a new stroke no {Base}; a changed attribute array
+ * re-runs no step. With OneByOne and several strokes all is computed. Deterministic: same input, same bits,
+ * whatever the number of threads.
+ *
+ * @sa vtkOversketchStellarBase vtkOversketchSurfaceStroke vtkOversketchOneStroke
+ */
+#ifndef vtkOversketchAugment_h
+#define vtkOversketchAugment_h
+
+#include "OversketchFiltersAugmentModule.h" // For export macro
+#include "vtkOversketchSystem.h"
+
+#include <memory>
+#include <string>
+
+class OVERSKETCHFILTERSAUGMENT_EXPORT vtkOversketchAugment : public vtkOversketchSystem
+{
+public:
+  static vtkOversketchAugment* New();
+  vtkTypeMacro(vtkOversketchAugment, vtkOversketchSystem);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The strokes, on port 1.
+   */
+  void SetStrokesConnection(vtkAlgorithmOutput* strokes) { this->SetInputConnection(1, strokes); }
+  void SetStrokesData(vtkPolyData* strokes);
+
+  /**
+   * What the rays of {Visibility} ran on, in silhouette mode: OpenCL or Host (Embree).
+   */
+  int GetBackendUsed() override;
+
+  enum SketchModeType
+  {
+    Surface = 0,
+    Silhouette = 1
+  };
+  ///@{
+  /**
+   * Strokes are drawn on the Surface (default), or each is the new shape of a stretch of the Silhouette, one
+   * after the other; then heights are not read.
+   */
+  void SetSketchMode(int mode);
+  vtkGetMacro(SketchMode, int);
+  void SetSketchModeToSurface() { this->SetSketchMode(Surface); }
+  void SetSketchModeToSilhouette() { this->SetSketchMode(Silhouette); }
+  ///@}
+
+  ///@{
+  /**
+   * How far from the stroke the feature ends [model length, default -1: 0.03 of the mesh's diagonal]. A
+   * stroke's own Radius goes before it.
+   */
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Height of the feature under the stroke, below 0 inward [model length, default 0: half the radius]. A
+   * stroke's own Height goes before it.
+   */
+  vtkSetMacro(Height, double);
+  vtkGetMacro(Height, double);
+  ///@}
+
+  ///@{
+  /**
+   * Exponent s of the feature's profile (1 - distance / radius)^s, not negative [default 1.5]. A stroke's own
+   * Sharpness goes before it.
+   */
+  vtkSetMacro(Sharpness, double);
+  vtkGetMacro(Sharpness, double);
+  ///@}
+
+  ///@{
+  /**
+   * A polyline "x y, x y, ..." with x rising from 0 to 1 in the profile's place; an empty text (default):
+   * none.
+   */
+  void UseProfile(const char* text);
+  const char* GetProfile() const { return this->Profile.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Multiply the height by the pen's Pressure [default off].
+   */
+  vtkSetMacro(UsePressure, bool);
+  vtkGetMacro(UsePressure, bool);
+  vtkBooleanMacro(UsePressure, bool);
+  ///@}
+
+  enum CombineType
+  {
+    Nearest = 0,
+    Sum = 1
+  };
+  ///@{
+  /**
+   * Where several strokes reach a vertex: the Nearest by share of its radius alone (default), or as published
+   * the Sum, which stands twice as high where two cross.
+   */
+  vtkSetClampMacro(Combine, int, Nearest, Sum);
+  vtkGetMacro(Combine, int);
+  void SetCombineToNearest() { this->SetCombine(Nearest); }
+  void SetCombineToSum() { this->SetCombine(Sum); }
+  ///@}
+
+  enum DistanceType
+  {
+    Straight = 0,
+    Geodesic = 1
+  };
+  ///@{
+  /**
+   * Distances through space (default, as published) or over the surface, which do not reach round thin parts.
+   */
+  vtkSetClampMacro(Distance, int, Straight, Geodesic);
+  vtkGetMacro(Distance, int);
+  void SetDistanceToStraight() { this->SetDistance(Straight); }
+  void SetDistanceToGeodesic() { this->SetDistance(Geodesic); }
+  ///@}
+
+  ///@{
+  /**
+   * Edges near strokes that are longer than this are split [model length, default 0: a quarter of the radius,
+   * an eighth with a sharpness below 1].
+   */
+  vtkSetMacro(TargetEdgeLength, double);
+  vtkGetMacro(TargetEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Each stroke is drawn on what the one before has made; off (default), all act at once. The same as one
+   * filter a stroke, chained; inner outputs and times are then those of the last stroke.
+   */
+  vtkSetMacro(OneByOne, bool);
+  vtkGetMacro(OneByOne, bool);
+  vtkBooleanMacro(OneByOne, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Take away what of the refinement the mesh does not need, away from the strokes [default on].
+   */
+  vtkSetMacro(Simplify, bool);
+  vtkGetMacro(Simplify, bool);
+  vtkBooleanMacro(Simplify, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Turn every departure of every step off (true) or on (false, default), and set Combine to Sum or Nearest;
+   * sets the properties of the inner steps at once, so single ones can be changed afterwards by GetStep.
+   */
+  void SetAsPublished(bool published);
+  vtkGetMacro(AsPublished, bool);
+  vtkBooleanMacro(AsPublished, bool);
+  ///@}
+
+  /**
+   * Faces whose normals turned by over 90 degrees where the last run raised them; 0 after one that failed.
+   */
+  vtkGetMacro(FlippedFaces, int);
+
+  ///@{
+  /**
+   * Prepare makes the 4-8 mesh of port 0. Preview gives the curves of strokes on a mesh, their own or those
+   * of port 0 and 1. The hold is the curves of the last run, the region what it raised.
+   */
+  bool Prepare() override;
+  bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override;
+  void GetHold(vtkPolyData* hold) override;
+  void GetRegion(vtkPolyData* region) override;
+  ///@}
+
+  /**
+   * What strokes would make, drawn from their curves alone while the pen is down: three polylines a curve,
+   * cell array Part 0 for the crest (in silhouette mode the sketch), 1 and 2 for where the feature ends to
+   * either side; cell array CurveId. As Preview else; without a stroke of two samples it makes the 4-8 mesh
+   * alone and returns false.
+   */
+  bool PreviewCrest(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* crest);
+
+  /**
+   * The last output with another height [model length, 0: half the radius] and sharpness, a preview: writes
+   * places into `points`, which are a copy of its points. Neither the output nor the pipeline changes. A
+   * stroke's own Height and Sharpness, and a profile, still go before. Returns false, and leaves the points,
+   * after a run that failed or that was of several strokes one by one, where points do not fit (an error), or
+   * numbers are out of range; then the error code tells why.
+   */
+  bool Reshape(double height, double sharpness, vtkPoints* points);
+
+protected:
+  vtkOversketchAugment();
+  ~vtkOversketchAugment() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void BackendChanged() override;
+
+private:
+  vtkOversketchAugment(const vtkOversketchAugment&) = delete;
+  void operator=(const vtkOversketchAugment&) = delete;
+
+  int SketchMode = Surface;
+  double Radius = -1.0;
+  double Height = 0.0;
+  double Sharpness = 1.5;
+  std::string Profile;
+  bool UsePressure = false;
+  int Combine = Nearest;
+  int Distance = Straight;
+  double TargetEdgeLength = 0.0;
+  bool OneByOne = false;
+  bool Simplify = true;
+  bool AsPublished = false;
+  int FlippedFaces = 0;
+
+  struct Pipeline;
+  std::unique_ptr<Pipeline> Inner;
+};
+
+#endif

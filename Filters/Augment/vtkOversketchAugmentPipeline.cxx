@@ -1,0 +1,509 @@
+#include "vtkOversketchAugmentPipeline.h"
+
+#include "Stellar/preview.h"
+#include "vtkOversketchAugmentSeams.h"
+#include "vtkOversketchStepRunner.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string>
+
+using namespace oversketch;
+
+namespace
+{
+
+// How near curves follow the surface, in radii.
+constexpr double curveTolerance = 0.02;
+
+double DiagonalOf(vtkPolyData* mesh)
+{
+  double box[6];
+  mesh->GetCellsBounds(box);
+  return Vector3(box[1] - box[0], box[3] - box[2], box[5] - box[4]).norm();
+}
+
+// One of several strokes, with its samples' arrays and its own.
+vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell)
+{
+  auto alone = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkIdList> ids;
+  strokes->GetLines()->GetCellAtId(cell, ids);
+  const vtkIdType count = ids->GetNumberOfIds();
+  const bool closed = count > 2 && ids->GetId(0) == ids->GetId(count - 1);
+  const vtkIdType samples = count - (closed ? 1 : 0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(count));
+  alone->GetPointData()->CopyAllocate(strokes->GetPointData(), samples);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (i < samples)
+    {
+      points->InsertNextPoint(strokes->GetPoint(ids->GetId(i)));
+      alone->GetPointData()->CopyData(strokes->GetPointData(), ids->GetId(i), i);
+    }
+    lines->InsertCellPoint(i % samples);
+  }
+  alone->SetPoints(points);
+  alone->SetLines(lines);
+  alone->GetCellData()->CopyAllocate(strokes->GetCellData(), 1);
+  alone->GetCellData()->CopyData(strokes->GetCellData(), cell, 0);
+  alone->GetFieldData()->ShallowCopy(strokes->GetFieldData());
+  return alone;
+}
+
+// Curve `cell` of the filters of strokes, as far as a preview reads it.
+FeatureCurve CurveAt(vtkPolyData* curves, vtkIdType cell)
+{
+  FeatureCurve curve;
+  vtkNew<vtkIdList> ids;
+  curves->GetLines()->GetCellAtId(cell, ids);
+  vtkIdType count = ids->GetNumberOfIds();
+  curve.closed = count > 2 && ids->GetId(0) == ids->GetId(count - 1);
+  count -= curve.closed ? 1 : 0;
+  vtkDataArray *normals = curves->GetPointData()->GetArray("Normals"),
+               *pressure = curves->GetPointData()->GetArray("Pressure");
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType id = ids->GetId(i);
+    curve.points.emplace_back(curves->GetPoint(id));
+    if (normals)
+    {
+      curve.normals.emplace_back(normals->GetTuple3(id));
+    }
+    if (pressure)
+    {
+      curve.pressure.push_back(pressure->GetComponent(id, 0));
+    }
+  }
+  const auto own = [&](const char* name, std::optional<double>& value)
+  {
+    if (vtkDataArray* array = curves->GetCellData()->GetArray(name))
+    {
+      value = array->GetComponent(cell, 0);
+    }
+  };
+  own("Radius", curve.radius);
+  own("Height", curve.height);
+  curve.measure();
+  return curve;
+}
+
+// Per point of a mesh its number before some were taken away: what is left stands in the order in which it
+// was, at its places.
+std::vector<vtkIdType> NumbersBefore(vtkPolyData* before, vtkPolyData* after)
+{
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(after->GetNumberOfPoints()));
+  vtkIdType next = 0;
+  for (std::size_t v = 0; v < numbers.size(); ++v, ++next)
+  {
+    Vector3 p, q;
+    after->GetPoint(static_cast<vtkIdType>(v), p.data());
+    for (before->GetPoint(next, q.data()); q != p; before->GetPoint(++next, q.data()))
+    {
+    }
+    numbers[v] = next;
+  }
+  return numbers;
+}
+
+} // namespace
+
+vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
+  : Self(self)
+{
+  this->Thinning->SetInputData(0, this->Strokes);
+  this->Chaikin->SetInputConnection(0, this->Thinning->GetOutputPort());
+  this->Base->SetInputData(0, this->Mesh);
+  this->Curves->SetInputConnection(0, this->Chaikin->GetOutputPort());
+  this->Curves->SetInputData(1, this->Shape);
+  this->SilhouetteStep->SetInputData(0, this->Shape);
+  this->SilhouetteStep->SetInputData(1, this->Strokes);
+  this->Visibility->SetInputConnection(0, this->SilhouetteStep->GetOutputPort());
+  this->Visibility->SetInputData(1, this->Shape);
+  this->Visibility->SetInputData(2, this->Strokes);
+  this->Sketch->SetInputConnection(0, this->Chaikin->GetOutputPort());
+  this->Sketch->SetInputData(1, this->Shape);
+  this->Sketch->SetInputConnection(2, this->Visibility->GetOutputPort());
+  this->Refine->SetInputConnection(0, this->Base->GetOutputPort());
+  this->Snap->SetInputConnection(0, this->Refine->GetOutputPort());
+  this->Smooth->SetInputConnection(0, this->Snap->GetOutputPort());
+  this->Displace->SetInputConnection(0, this->Smooth->GetOutputPort());
+  this->Simplify->SetInputConnection(0, this->Displace->GetOutputPort());
+  this->Connect();
+
+  self->AddStage("Thinning", this->Thinning, 0.01);
+  self->AddStage("Chaikin", this->Chaikin, 0.01);
+  self->AddStage("Base", this->Base, 0.20);
+  self->AddStage("Curves", this->Curves, 0.08);
+  self->AddStage("Silhouette", this->SilhouetteStep, 0.05);
+  self->AddStage("Visibility", this->Visibility, 0.05);
+  self->AddStage("Sketch", this->Sketch, 0.05);
+  self->AddStage("Refine", this->Refine, 0.15);
+  self->AddStage("Snap", this->Snap, 0.20);
+  self->AddStage("Smooth", this->Smooth, 0.08);
+  self->AddStage("Displace", this->Displace, 0.08);
+  self->AddStage("Simplify", this->Simplify, 0.04);
+  this->SetAmendments(true);
+}
+
+void vtkOversketchAugment::Pipeline::SetAmendments(bool on)
+{
+  this->Base->SetImprovePairs(on);
+  this->Sketch->SetProjection(on ? vtkOversketchSilhouetteSketch::Line : vtkOversketchSilhouetteSketch::Ray);
+  this->Refine->SetFineFoot(on);
+  this->Refine->SetConnectedOnly(on);
+  this->Refine->SetSeedCurveFaces(on);
+  this->Snap->SetOrder(on ? vtkOversketchStellarSnap::Nearest : vtkOversketchStellarSnap::AllAtOnce);
+  this->Smooth->SetRings(on ? 2 : -1);
+  this->Displace->SetConnectedOnly(on);
+  this->Displace->SetNormals(on ? vtkOversketchStellarDisplace::Base : vtkOversketchStellarDisplace::Current);
+  this->Simplify->SetConnectedOnly(on);
+}
+
+void vtkOversketchAugment::Pipeline::Connect()
+{
+  const bool sketched = this->Self->SketchMode == Silhouette;
+  vtkAlgorithmOutput* curves = sketched ? this->Sketch->GetOutputPort() : this->Curves->GetOutputPort();
+  this->Refine->SetCurvesConnection(curves);
+  this->Snap->SetCurvesConnection(curves);
+  this->Smooth->SetCurvesConnection(curves);
+  this->Simplify->SetCurvesConnection(curves);
+  this->Displace->SetCurvesConnection(curves);
+  this->Displace->SetSketchConnection(sketched ? this->Sketch->GetOutputPort(1) : nullptr);
+}
+
+void vtkOversketchAugment::Pipeline::FeedMesh(vtkPolyData* mesh)
+{
+  // Welding asks for the attributes too: they tell seams from points that were split for nothing.
+  const auto key = [this, mesh]
+  {
+    std::vector<vtkDataArray*> arrays{ mesh->GetCellData()->GetNormals(),
+      mesh->GetCellData()->GetArray("StellarRoot"),
+      mesh->GetCellData()->GetArray("StellarPath"),
+      mesh->GetCellData()->GetArray("StellarGen") };
+    for (int a = 0; this->Welding && a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      arrays.push_back(mesh->GetPointData()->GetArray(a));
+    }
+    return MeshKey(mesh, arrays);
+  };
+  const std::pair<const vtkPolyData*, vtkMTimeType> seen{ mesh, mesh->GetMTime() };
+  if (seen == this->MeshSeen)
+  {
+    return;
+  }
+  const bool known = this->Start->GetNumberOfPoints() > 0 && key() == this->MeshKeySeen;
+  this->MeshSeen = { nullptr, 0 };
+  if (!known)
+  {
+    this->Plain->ShallowCopy(mesh);
+    RemoveStellarArrays(this->Plain);
+    this->Start->Initialize();
+    this->Welding = std::make_unique<oversketch::Weld>(this->Plain);
+    vtkPolyData* welded = this->Welding->Welded();
+    if (welded->GetPoints() == mesh->GetPoints() && !mesh->GetCellData()->GetNormals())
+    {
+      this->Welding = nullptr; // the steps carry arrays themselves
+    }
+    else
+    {
+      std::vector<vtkIdType> firsts(static_cast<std::size_t>(welded->GetNumberOfPoints()));
+      for (vtkIdType i = mesh->GetNumberOfPoints() - 1; i >= 0; --i)
+      {
+        firsts[this->Welding->VertexOf(i)] = i;
+      }
+      this->Start->ShallowCopy(welded);
+      AddPlaces(this->Start);
+      CopyStellarArrays(mesh, firsts, this->Start);
+    }
+  }
+  else if (this->Welding)
+  {
+    this->Plain->ShallowCopy(mesh);
+    RemoveStellarArrays(this->Plain);
+  }
+  if (!this->Welding)
+  {
+    this->Start->ShallowCopy(mesh);
+  }
+  if (!known || !this->Welding)
+  {
+    this->MeshPass = -1;
+  }
+  this->MeshKeySeen = key();
+  this->MeshSeen = seen;
+}
+
+void vtkOversketchAugment::Pipeline::FeedStrokes(vtkPolyData* strokes)
+{
+  if (strokes->GetNumberOfPoints() == 0 || strokes->GetNumberOfCells() == 0)
+  {
+    throw Error(Failure::BadStroke, "There is no stroke; draw one over the mesh.");
+  }
+  const bool split = (this->Self->OneByOne || this->Self->SketchMode == Silhouette) &&
+                     strokes->GetNumberOfLines() > 1 &&
+                     strokes->GetNumberOfLines() == strokes->GetNumberOfCells();
+  const std::pair<const vtkPolyData*, vtkMTimeType> seen{ strokes, strokes->GetMTime() };
+  if (seen == this->StrokesSeen && split == this->SplitSeen)
+  {
+    return;
+  }
+  this->Passes.clear();
+  if (split)
+  {
+    for (vtkIdType i = 0; i < strokes->GetNumberOfLines(); ++i)
+    {
+      this->Passes.push_back(StrokeAlone(strokes, i));
+    }
+  }
+  else
+  {
+    this->Passes.push_back(vtkSmartPointer<vtkPolyData>::New());
+    this->Passes[0]->ShallowCopy(strokes);
+  }
+  this->StrokesPass = -1;
+  this->StrokesSeen = seen;
+  this->SplitSeen = split;
+}
+
+void vtkOversketchAugment::Pipeline::FeedPass(std::size_t pass)
+{
+  const auto wanted = static_cast<long>(pass);
+  if (this->MeshPass != wanted || wanted > 0)
+  {
+    this->Mesh->ShallowCopy(wanted == 0 ? this->Start.Get() : this->Self->StageOutput(this->LastName()));
+    this->MeshPass = wanted;
+  }
+  if (!this->Passes.empty() && this->StrokesPass != wanted)
+  {
+    this->Strokes->ShallowCopy(this->Passes[pass]);
+    this->StrokesPass = wanted;
+  }
+}
+
+void vtkOversketchAugment::Pipeline::SetShape(vtkOversketchStellarDisplace* step,
+  double radius,
+  double height,
+  double sharpness) const
+{
+  const vtkOversketchAugment* self = this->Self;
+  step->SetRadius(radius);
+  step->SetHeight(height);
+  step->SetSharpness(sharpness);
+  step->UseProfile(self->GetProfile());
+  step->SetUsePressure(self->UsePressure);
+  step->SetCombine(self->Combine);
+  step->SetDistance(self->Distance);
+}
+
+void vtkOversketchAugment::Pipeline::SetParameters()
+{
+  const vtkOversketchAugment* self = this->Self;
+  for (const auto& [value, name] : { std::make_pair(self->Radius, "Radius"),
+         std::make_pair(self->Height, "Height"),
+         std::make_pair(self->Sharpness, "Sharpness"),
+         std::make_pair(self->TargetEdgeLength, "TargetEdgeLength") })
+  {
+    if (!std::isfinite(value))
+    {
+      throw Error(Failure::BadStroke, std::string(name) + " is not a finite number; set another.");
+    }
+  }
+  const double radius = self->Radius < 0.0 ? 0.03 * DiagonalOf(this->Shape) : self->Radius;
+  this->PassRadius = radius;
+  double least = radius; // of all strokes
+  if (vtkDataArray* own = this->Strokes->GetCellData()->GetArray("Radius"))
+  {
+    least = HUGE_VAL;
+    for (vtkIdType i = 0; i < own->GetNumberOfTuples(); ++i)
+    {
+      const double r = own->GetComponent(i, 0);
+      least = r > 0.0 ? std::min(least, r) : least;
+    }
+    least = std::isfinite(least) ? least : radius;
+  }
+  this->Curves->SetTolerance(self->AsPublished ? 0.0 : curveTolerance * least);
+  this->Sketch->SetMaximumStep(least);
+  this->Refine->SetRadius(radius);
+  this->Refine->SetTargetEdgeLength(self->TargetEdgeLength);
+  this->Refine->SetDistance(self->Distance);
+  // The refinement is to stay while it does not depend on height and profile: without a tolerance of the
+  // profile it reads of them on which side of 1 the sharpness is.
+  const bool follows = this->Refine->GetProfileTolerance() != 0.0;
+  const bool fine = self->Sharpness >= 0.0 && self->Sharpness < 1.0;
+  this->Refine->SetHeight(follows ? self->Height : 0.0);
+  this->Refine->SetSharpness(follows ? self->Sharpness : (fine ? 0.5 : 1.5));
+  this->Refine->UseProfile(follows ? self->GetProfile() : "");
+  this->SetShape(this->Displace, radius, self->Height, self->Sharpness);
+  this->Simplify->SetRadius(radius);
+  this->Simplify->SetDistance(self->Distance);
+}
+
+void vtkOversketchAugment::Pipeline::RunBase()
+{
+  this->Self->RunStage("Base");
+  vtkPolyData* base = this->Self->StageOutput("Base");
+  if (this->ShapeKeySeen != MeshKey(base) || this->Shape->GetNumberOfPoints() == 0)
+  {
+    this->Shape->Initialize();
+    this->Shape->SetPoints(base->GetPoints());
+    this->Shape->SetPolys(base->GetPolys());
+    this->ShapeKeySeen = MeshKey(base);
+  }
+}
+
+void vtkOversketchAugment::Pipeline::RunCurves()
+{
+  this->SetParameters();
+  this->Self->RunStage("Thinning");
+  this->Self->RunStage("Chaikin");
+  if (this->Self->SketchMode == Silhouette)
+  {
+    for (const char* name : { "Silhouette", "Visibility", "Sketch" })
+    {
+      this->Self->RunStage(name);
+    }
+  }
+  else
+  {
+    this->Self->RunStage("Curves");
+  }
+}
+
+void vtkOversketchAugment::Pipeline::RunFeature()
+{
+  for (const char* name : { "Refine", "Snap", "Smooth", "Displace" })
+  {
+    this->Self->RunStage(name);
+  }
+  if (this->Self->Simplify)
+  {
+    this->Self->RunStage("Simplify");
+  }
+}
+
+void vtkOversketchAugment::Pipeline::PutOutput(vtkPolyData* output)
+{
+  vtkPolyData* last = this->Self->StageOutput(this->LastName());
+  std::vector<vtkIdType> vertices; // of last, per point of the output
+  if (this->Welding)
+  {
+    vtkNew<vtkPolyData> sourced, split;
+    sourced->ShallowCopy(last);
+    const double done = this->Self->GetDone();
+    AddSources(this->Start, sourced, ContextOf(this->Self, done, done));
+    const std::vector<int> made = this->Welding->Transfer(this->Plain, { sourced.Get() }, split);
+    vertices = PutSplit(split, made, last, output);
+  }
+  else
+  {
+    output->ShallowCopy(last);
+    vertices.resize(static_cast<std::size_t>(last->GetNumberOfPoints()));
+    std::iota(vertices.begin(), vertices.end(), vtkIdType(0));
+  }
+  auto made = std::make_unique<Result>();
+  vtkPolyData* displaced = this->Self->StageOutput("Displace");
+  made->Smooth->ShallowCopy(this->Self->StageOutput("Smooth"));
+  made->Displaced->ShallowCopy(displaced);
+  made->Curves->ShallowCopy(this->Self->StageOutput(this->CurvesName()));
+  made->Radius = this->PassRadius;
+  if (this->Self->SketchMode == Silhouette)
+  {
+    made->Sketch->ShallowCopy(this->Sketch->GetSketchOutput());
+  }
+  made->Last->ShallowCopy(last);
+  if (this->PassCount() == 1)
+  {
+    const std::vector<vtkIdType> numbers = NumbersBefore(displaced, last);
+    for (vtkIdType& vertex : vertices)
+    {
+      vertex = numbers[static_cast<std::size_t>(vertex)];
+    }
+    made->Numbers = std::move(vertices);
+  }
+  this->Made = std::move(made);
+}
+
+void vtkOversketchAugment::Pipeline::PutCrest(vtkPolyData* crest)
+{
+  vtkPolyData* curves = this->Self->StageOutput(this->CurvesName());
+  vtkPolyData* sketch = this->Self->SketchMode == Silhouette ? this->Sketch->GetSketchOutput() : nullptr;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> parts, numbers;
+  parts->SetName("Part");
+  numbers->SetName("CurveId");
+  for (vtkIdType c = 0; c < curves->GetNumberOfLines(); ++c)
+  {
+    const FeatureCurve curve = CurveAt(curves, c);
+    const double radius = curve.radius.value_or(this->PassRadius);
+    const double height = this->Self->Height == 0.0 ? 0.5 * radius : this->Self->Height;
+    std::vector<Vector3> sketched;
+    if (sketch)
+    {
+      sketched = CurveAt(sketch, c).points;
+    }
+    const FeaturePreview preview =
+      previewFeature(curve, radius, height, this->Self->UsePressure, sketch ? &sketched : nullptr);
+    int part = 0;
+    for (const std::vector<Vector3>* line : { &preview.crest, &preview.left, &preview.right })
+    {
+      const vtkIdType first = points->GetNumberOfPoints();
+      lines->InsertNextCell(static_cast<int>(line->size()) + (curve.closed ? 1 : 0));
+      for (const Vector3& p : *line)
+      {
+        lines->InsertCellPoint(points->InsertNextPoint(p.data()));
+      }
+      if (curve.closed)
+      {
+        lines->InsertCellPoint(first);
+      }
+      parts->InsertNextValue(part++);
+      numbers->InsertNextValue(static_cast<int>(c));
+    }
+  }
+  crest->SetPoints(points);
+  crest->SetLines(lines);
+  crest->GetCellData()->AddArray(parts);
+  crest->GetCellData()->AddArray(numbers);
+}
+
+void vtkOversketchAugment::Pipeline::Reshape(double height, double sharpness, vtkPoints* points)
+{
+  this->Reshaped->SetInputData(0, this->Made->Smooth);
+  this->Reshaped->SetInputData(1, this->Made->Curves);
+  const bool sketched = this->Made->Sketch->GetNumberOfPoints() > 0;
+  this->Reshaped->SetInputData(2, sketched ? this->Made->Sketch.Get() : nullptr);
+  this->SetShape(this->Reshaped, this->Made->Radius, height, sharpness);
+  this->Reshaped->SetConnectedOnly(this->Displace->GetConnectedOnly());
+  this->Reshaped->SetNormals(this->Displace->GetNormals());
+  StepRunner(this->Reshaped, {}).Run();
+  vtkPolyData* shaped = this->Reshaped->GetOutput();
+  vtkDataArray* before = this->Made->Displaced->GetPointData()->GetArray("Feature");
+  vtkDataArray* now = shaped->GetPointData()->GetArray("Feature");
+  for (std::size_t i = 0; i < this->Made->Numbers.size(); ++i)
+  {
+    const vtkIdType vertex = this->Made->Numbers[i];
+    if (now->GetComponent(vertex, 0) != 0.0 || before->GetComponent(vertex, 0) != 0.0)
+    {
+      points->SetPoint(static_cast<vtkIdType>(i), shaped->GetPoint(vertex));
+    }
+  }
+  points->Modified();
+}

@@ -1,0 +1,98 @@
+// The inner pipeline of vtkOversketchAugment: its steps, what they start from, and what is asked of them one
+// by one. Not installed.
+#ifndef vtkOversketchAugmentPipeline_h
+#define vtkOversketchAugmentPipeline_h
+
+#include "vtkOversketchAugment.h"
+
+#include "vtkOversketchChaikin.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSilhouette.h"
+#include "vtkOversketchSilhouetteSketch.h"
+#include "vtkOversketchStellarBase.h"
+#include "vtkOversketchStellarDisplace.h"
+#include "vtkOversketchStellarRefine.h"
+#include "vtkOversketchStellarSimplify.h"
+#include "vtkOversketchStellarSmooth.h"
+#include "vtkOversketchStellarSnap.h"
+#include "vtkOversketchStrokeThinning.h"
+#include "vtkOversketchSurfaceStroke.h"
+#include "vtkOversketchVisibility.h"
+#include "vtkOversketchWeld.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+struct vtkOversketchAugment::Pipeline
+{
+  explicit Pipeline(vtkOversketchAugment* self);
+
+  // Brings the inner inputs up to date; they change only where what the steps read has changed.
+  void FeedMesh(vtkPolyData* mesh);
+  void FeedStrokes(vtkPolyData* strokes);
+  void FeedPass(std::size_t pass);
+  std::size_t PassCount() const { return this->Passes.size(); }
+
+  void SetAmendments(bool on);
+  // The curves of the silhouette mode or the other's.
+  void Connect();
+  // What of the system's parameters the steps have, for a pass's mesh, after {Base}.
+  void SetParameters();
+  void SetShape(vtkOversketchStellarDisplace* step, double radius, double height, double sharpness) const;
+
+  void RunBase();
+  void RunCurves();
+  void RunFeature();
+  const char* CurvesName() const { return this->Self->SketchMode == Silhouette ? "Sketch" : "Curves"; }
+  const char* LastName() const { return this->Self->Simplify ? "Simplify" : "Displace"; }
+  // The user's mesh with what the steps made of it.
+  void PutOutput(vtkPolyData* output);
+  void PutCrest(vtkPolyData* crest);
+  // See vtkOversketchAugment::Reshape; where Made has numbers.
+  void Reshape(double height, double sharpness, vtkPoints* points);
+
+  vtkOversketchAugment* Self;
+
+  // What the inner pipeline starts from. Start is the mesh that came in, welded where that has repeated
+  // points; Mesh that of the present pass; Shape its 4-8 mesh without arrays, so that no step reads normals.
+  vtkNew<vtkPolyData> Start, Mesh, Shape, Strokes;
+  std::unique_ptr<oversketch::Weld> Welding; // null where points and arrays go through the steps themselves
+  vtkNew<vtkPolyData> Plain;                 // the mesh that it is of
+  oversketch::MeshKey MeshKeySeen, ShapeKeySeen;
+  std::pair<const vtkPolyData*, vtkMTimeType> MeshSeen{ nullptr, 0 }, StrokesSeen{ nullptr, 0 };
+  bool SplitSeen = false;
+  std::vector<vtkSmartPointer<vtkPolyData>> Passes; // the strokes of each
+  long MeshPass = -1, StrokesPass = -1;             // that Mesh and Strokes are of
+  double PassRadius = 0.0;
+
+  vtkNew<vtkOversketchStrokeThinning> Thinning;
+  vtkNew<vtkOversketchChaikin> Chaikin;
+  vtkNew<vtkOversketchStellarBase> Base;
+  vtkNew<vtkOversketchSurfaceStroke> Curves;
+  vtkNew<vtkOversketchSilhouette> SilhouetteStep;
+  vtkNew<vtkOversketchVisibility> Visibility;
+  vtkNew<vtkOversketchSilhouetteSketch> Sketch;
+  vtkNew<vtkOversketchStellarRefine> Refine;
+  vtkNew<vtkOversketchStellarSnap> Snap;
+  vtkNew<vtkOversketchStellarSmooth> Smooth;
+  vtkNew<vtkOversketchStellarDisplace> Displace, Reshaped; // the second beside the pipeline
+  vtkNew<vtkOversketchStellarSimplify> Simplify;
+
+  // Of the last output, as shallow copies, so that a preview does not touch it: what {Smooth}, {Displace},
+  // the curves' step and the last step made. Per point of the output its number in that of {Displace}; empty
+  // after several passes.
+  struct Result
+  {
+    vtkNew<vtkPolyData> Smooth, Displaced, Curves, Sketch, Last;
+    double Radius;
+    std::vector<vtkIdType> Numbers;
+  };
+  std::unique_ptr<Result> Made; // null after a run that failed
+};
+
+#endif
