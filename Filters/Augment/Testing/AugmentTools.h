@@ -122,6 +122,23 @@ inline Vector3 pointOf(vtkPolyData* mesh, vtkIdType i)
   return Vector3(mesh->GetPoint(i));
 }
 
+// An arc over the model's outline near the middle of the picture, 12 px high.
+inline std::vector<Vector2> overTheTop(const System& s)
+{
+  std::vector<Vector2> arc;
+  for (double x = 380.0; x <= 440.0; x += 5.0)
+  {
+    double top = 0.0;
+    for (vtkIdType i = 0; i < s.mesh->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 d = s.view.toDisplay(pointOf(s.mesh, i));
+      top = std::abs(d[0] - x) < 3.0 ? std::max(top, d[1]) : top;
+    }
+    arc.emplace_back(x, top - 1.0 + 12.0 * std::sin((x - 380.0) / 60.0 * pi));
+  }
+  return arc;
+}
+
 inline bool sameArray(vtkDataArray* a, vtkDataArray* b)
 {
   if (!a || !b || a->GetNumberOfValues() != b->GetNumberOfValues() || a->GetDataType() != b->GetDataType())

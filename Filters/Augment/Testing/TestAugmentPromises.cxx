@@ -1,0 +1,361 @@
+// What the augmentation system refuses, how it is cancelled, and the user's arrays and seams.
+#include "AugmentTools.h"
+
+#include "Harness/data.h"
+#include "Mesh/weld.h"
+
+#include "vtkOversketchStellarBase.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkOBJReader.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+
+using namespace oversketch_test;
+using oversketch::Failure;
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> objModel(const std::string& name)
+{
+  const std::string path = sharedData("meshes/" + name);
+  if (path.empty())
+  {
+    std::cout << name << " is absent: set OVERSKETCH_DATA\n";
+    return nullptr;
+  }
+  vtkNew<vtkOBJReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+// A sphere whose texture is cut along half a meridian and whose triangles are two patches of colour.
+vtkSmartPointer<vtkPolyData> seamed()
+{
+  const oversketch::Mesh ball = icosphere(4);
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> texture;
+  texture->SetName("TCoords");
+  texture->SetNumberOfComponents(2);
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIntArray> patch;
+  patch->SetName("Patch");
+  std::map<std::pair<int, float>, vtkIdType> known;
+  for (const oversketch::Triangle& t : ball.triangles)
+  {
+    const Vector3 middle = (ball.points[t[0]] + ball.points[t[1]] + ball.points[t[2]]) / 3.0;
+    polys->InsertNextCell(3);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3& p = ball.points[t[k]];
+      // Over the front, z > 0, the texture jumps at x = 0.
+      const double u = p[0] + (middle[0] > 0.0 && middle[2] > 0.0 ? 4.0 : 0.0);
+      const auto [at, isNew] =
+        known.emplace(std::make_pair(t[k], static_cast<float>(u)), points->GetNumberOfPoints());
+      if (isNew)
+      {
+        points->InsertNextPoint(p.data());
+        texture->InsertNextTuple2(u, p[1]);
+      }
+      polys->InsertCellPoint(at->second);
+    }
+    patch->InsertNextValue(middle[1] > 0.0);
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(polys);
+  mesh->GetPointData()->SetTCoords(texture);
+  mesh->GetCellData()->AddArray(patch);
+  return mesh;
+}
+
+// The same with one point a place, in the order of its first points.
+oversketch::Mesh weldedSphere(vtkPolyData* mesh)
+{
+  oversketch::Mesh split;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    split.points.push_back(pointOf(mesh, i));
+  }
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
+  {
+    mesh->GetPolys()->GetCellAtId(f, ids);
+    split.triangles.push_back(
+      { static_cast<int>(ids->GetId(0)), static_cast<int>(ids->GetId(1)), static_cast<int>(ids->GetId(2)) });
+  }
+  return oversketch::weldedMesh(split, oversketch::weldPoints(split.points));
+}
+
+} // namespace
+
+TEST(AugmentPromises, RefusesStrokesAndNumbersThatAreNone)
+{
+  System s(shippedModel("bear"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  s.run();
+  const auto refuse = [&](const char* words) { expectRefusal(s.filter, Failure::BadStroke, words); };
+  vtkNew<vtkPolyData> none;
+  s.filter->SetStrokesData(none);
+  refuse("no stroke");
+  s.filter->SetStrokesData(strokesOf({ { { 5, 5 }, { 40, 5 } } }, s.view));
+  refuse("draw it over the model");
+  s.filter->SetStrokesData(strokesOf({ { { 380, 300 }, { nan, 300 }, { 440, 300 } } }, s.view));
+  refuse("troke");
+  s.filter->SetStrokesData(strokesOf({ { { 380, 300 } } }, s.view));
+  refuse("troke");
+  s.filter->SetStrokesData(s.strokes);
+  for (const double radius : { nan, std::numeric_limits<double>::infinity(), 0.0 })
+  {
+    s.filter->SetRadius(radius);
+    refuse("adius");
+  }
+  s.filter->SetRadius(-1.0);
+  s.filter->SetHeight(nan);
+  refuse("Height");
+  s.filter->SetHeight(0.0);
+  s.filter->SetSharpness(-1.0);
+  refuse("harpness");
+  s.filter->SetSharpness(1.5);
+  for (const char* profile : { "0 1, 0.6 0.5, 0.4 0.2, 1 0", "cat", "0 1" })
+  {
+    s.filter->UseProfile(profile);
+    refuse("rofile");
+  }
+  s.filter->UseProfile("");
+  auto viewless = copyOf(s.strokes);
+  viewless->GetCellData()->RemoveArray("ViewTransform");
+  s.filter->SetStrokesData(viewless);
+  expectRefusal(s.filter, Failure::MissingArray, "ViewTransform");
+  s.filter->SetStrokesData(s.strokes);
+  EXPECT_GT(s.run()->GetNumberOfPoints(), 0);
+  // Radii that reach over everything, and that reach nothing.
+  s.filter->SetRadius(10.0 * s.diagonal());
+  EXPECT_GT(s.run()->GetNumberOfPoints(), 0);
+  s.filter->SetRadius(1e-300);
+  s.filter->Update();
+  EXPECT_TRUE(s.filter->GetErrorCode() == 0u || s.filter->GetErrorCode() >= vtkErrorCode::UserError);
+  vtkNew<vtkPolyData> empty;
+  s.filter->SetInputData(0, empty);
+  s.filter->SetRadius(-1.0);
+  s.run();
+  EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(AugmentPromises, ADirtyMeshIsRefusedByNameOrMadeASoundOne)
+{
+  const std::map<std::string, const char*> refused{ { "nonmanifold_edges.obj", "edge" },
+    { "inside_out.obj", nullptr },
+    { "holes.obj", nullptr },
+    { "far_from_origin.obj", "without area" },
+    { "klein_bottle.obj", "" } };
+  for (const auto& [name, words] : refused)
+  {
+    const std::string path = sharedData("meshes/dirty_" + name);
+    if (path.empty())
+    {
+      GTEST_SKIP() << "no shared data";
+    }
+    System s(objModel("dirty_" + name), { vein(200) });
+    if (words)
+    {
+      expectRefusal(s.filter, Failure::BadMesh, words);
+    }
+    else
+    {
+      EXPECT_GT(s.run()->GetNumberOfPolys(), s.mesh->GetNumberOfPolys()) << name;
+    }
+  }
+}
+
+TEST(AugmentPromises, CancelledInAnyStageTheNextRunIsWhole)
+{
+  for (const int mode : { vtkOversketchAugment::Surface, vtkOversketchAugment::Silhouette })
+  {
+    System whole(shippedModel("dog"));
+    if (mode == vtkOversketchAugment::Silhouette)
+    {
+      whole.strokes = strokesOf({ overTheTop(whole) }, whole.view);
+      whole.filter->SetStrokesData(whole.strokes);
+      whole.filter->SetSketchModeToSilhouette();
+    }
+    whole.run();
+    std::set<std::string> stopped;
+    for (int i = 0; i < whole.filter->GetNumberOfStages(); ++i)
+    {
+      System s(whole.mesh);
+      s.filter->SetStrokesData(whole.strokes);
+      s.filter->SetSketchMode(mode);
+      std::string stage = s.filter->GetStage(i);
+      vtkNew<vtkCallbackCommand> stop;
+      stop->SetClientData(&stage);
+      stop->SetCallback(
+        [](vtkObject* caller, unsigned long, void* name, void*)
+        {
+          auto* filter = static_cast<vtkOversketchAugment*>(caller);
+          if (*static_cast<std::string*>(name) == filter->GetStageName())
+          {
+            filter->AbortExecuteOn();
+          }
+        });
+      const unsigned long tag = s.filter->AddObserver(vtkCommand::ProgressEvent, stop);
+      Ear ear(s.filter);
+      s.filter->Update();
+      EXPECT_TRUE(ear.errors.empty());
+      if (s.filter->GetErrorCode() == codeOf(Failure::Cancelled))
+      {
+        stopped.insert(stage);
+        EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
+      }
+      s.filter->RemoveObserver(tag);
+      s.filter->AbortExecuteOff();
+      s.filter->Modified();
+      expectSame(whole.filter->GetOutput(), s.run());
+    }
+    for (const char* stage : { "Base", "Refine", "Snap", "Displace" })
+    {
+      EXPECT_TRUE(stopped.count(stage)) << stage;
+    }
+  }
+}
+
+// Of the two sides of a seam each keeps its texture, also under a stroke that runs across and along it; what
+// the output says of itself as a 4-8 mesh holds, so a second stroke goes on from it.
+TEST(AugmentPromises, TextureSeamsKeepTheirSides)
+{
+  vtkSmartPointer<vtkPolyData> mesh = seamed();
+  std::vector<Vector2> wave;
+  for (int i = 0; i <= 60; ++i)
+  {
+    wave.emplace_back(400.0 + 30.0 * std::sin(i / 6.0), 200.0 + 200.0 * i / 60.0);
+  }
+  System s(mesh, { wave });
+  vtkSmartPointer<vtkPolyData> first = copyOf(s.run());
+  System next(first, { { { 320, 300 }, { 480, 310 } } });
+  vtkSmartPointer<vtkPolyData> second = copyOf(next.run());
+  EXPECT_EQ(vtkOversketchStellarBase::SafeDownCast(next.filter->GetStep("Base"))->GetBaseCount(), 0);
+  for (vtkPolyData* output : { first.Get(), second.Get() })
+  {
+    EXPECT_TRUE(output->GetCellData()->GetArray("StellarPath"));
+    vtkDataArray* texture = output->GetPointData()->GetTCoords();
+    vtkDataArray* patch = output->GetCellData()->GetArray("Patch");
+    ASSERT_TRUE(texture && patch);
+    EXPECT_FALSE(output->GetPointData()->GetArray("Place"));
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType f = 0; f < output->GetNumberOfPolys(); ++f)
+    {
+      output->GetPolys()->GetCellAtId(f, ids);
+      int right = 0;
+      for (vtkIdType k = 0; k < 3; ++k)
+      {
+        // No corner lies between the sides.
+        const double u = texture->GetComponent(ids->GetId(k), 0);
+        EXPECT_LT(std::min(std::abs(u), std::abs(u - 4.0)), 1.1);
+        right += u > 2.0;
+        // A point that rose by h still shows what lay under it.
+        const Vector3 p = pointOf(output, ids->GetId(k));
+        EXPECT_NEAR(texture->GetComponent(ids->GetId(k), 1), p[1] / p.norm(), 0.05);
+      }
+      EXPECT_TRUE(right == 0 || right == 3) << f;
+    }
+  }
+  // Points that repeat a place stand last.
+  std::set<std::vector<double>> places;
+  bool repeats = false;
+  for (vtkIdType i = 0; i < first->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p = pointOf(first, i);
+    const bool isNew = places.insert({ p[0], p[1], p[2] }).second;
+    EXPECT_FALSE(isNew && repeats) << i;
+    repeats = repeats || !isNew;
+  }
+  EXPECT_TRUE(repeats);
+}
+
+// Welding the output gives what the mesh without its texture becomes, points, cells and Stellar arrays.
+TEST(AugmentPromises, WeldedTheOutputIsThatOfTheMeshWithoutSeams)
+{
+  System split(seamed());
+  vtkPolyData* output = split.run();
+  System bare(toPolyData(weldedSphere(split.mesh)));
+  vtkPolyData* single = bare.run();
+  ASSERT_GT(output->GetNumberOfPoints(), single->GetNumberOfPoints());
+  ASSERT_EQ(output->GetNumberOfPolys(), single->GetNumberOfPolys());
+  std::map<std::vector<double>, vtkIdType> vertices; // by place
+  const auto vertexAt = [&](const Vector3& p)
+  {
+    return vertices.emplace(std::vector<double>{ p[0], p[1], p[2] }, static_cast<vtkIdType>(vertices.size()))
+      .first->second;
+  };
+  vtkDataArray* moved = output->GetPointData()->GetArray("StellarMoved");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType v = vertexAt(pointOf(output, i));
+    EXPECT_TRUE(i >= single->GetNumberOfPoints() || v == i);
+    EXPECT_EQ(pointOf(output, i), pointOf(single, v));
+    EXPECT_EQ(
+      moved->GetComponent(i, 0), single->GetPointData()->GetArray("StellarMoved")->GetComponent(v, 0));
+  }
+  vtkNew<vtkIdList> a, b;
+  for (vtkIdType f = 0; f < output->GetNumberOfPolys(); ++f)
+  {
+    output->GetPolys()->GetCellAtId(f, a);
+    single->GetPolys()->GetCellAtId(f, b);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(vertexAt(pointOf(output, a->GetId(k))), b->GetId(k));
+    }
+  }
+  for (const char* name : { "StellarRoot", "StellarPath", "StellarGen" })
+  {
+    EXPECT_TRUE(sameArray(output->GetCellData()->GetArray(name), single->GetCellData()->GetArray(name)));
+  }
+}
+
+TEST(AugmentPromises, AModelsTextureStaysOnIt)
+{
+  vtkSmartPointer<vtkPolyData> spot = objModel("spot_uv.obj");
+  if (!spot)
+  {
+    GTEST_SKIP();
+  }
+  System s(spot);
+  const double r = 0.03 * s.diagonal();
+  vtkPolyData* output = s.run();
+  ASSERT_GT(output->GetNumberOfPolys(), spot->GetNumberOfPolys());
+  vtkDataArray* before = spot->GetPointData()->GetTCoords();
+  vtkDataArray* after = output->GetPointData()->GetTCoords();
+  ASSERT_TRUE(before && after);
+  // Every pair of place and texture of the model away from the stroke is there.
+  std::set<std::vector<double>> there;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p = pointOf(output, i);
+    there.insert({ p[0], p[1], p[2], after->GetComponent(i, 0), after->GetComponent(i, 1) });
+  }
+  vtkPolyData* curves = s.filter->GetInnerOutput("Curves");
+  for (vtkIdType i = 0; i < spot->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p = pointOf(spot, i);
+    double away = HUGE_VAL;
+    for (vtkIdType c = 0; c < curves->GetNumberOfPoints(); ++c)
+    {
+      away = std::min(away, (pointOf(curves, c) - p).norm());
+    }
+    if (away > 1.5 * r)
+    {
+      EXPECT_TRUE(there.count({ p[0], p[1], p[2], before->GetComponent(i, 0), before->GetComponent(i, 1) }))
+        << i;
+    }
+  }
+}
