@@ -82,6 +82,7 @@ bool vtkOversketchAugment::Prepare()
       this->Inner->FeedMesh(mesh);
       this->Inner->FeedPass(0);
       this->Inner->RunBase();
+      this->Inner->PrepareRays();
       return true;
     });
 }

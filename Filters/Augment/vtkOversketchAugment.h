@@ -25,8 +25,9 @@
  * has them: interpolated at new points, cells as what lay under them, point normals turned with the surface.
  * Where points were split, or there are cell normals, as vtkOversketchRemesh's results have them in
  * vtkOversketchOneStroke: along texture seams once per side; the points that repeat a place then come after
- * all others, so that welding the output gives the 4-8 mesh with its numbers. Points that no feature reaches
- * and that were there are bit-identical.
+ * all others, so that welding the output gives the 4-8 mesh with its numbers. A stroke may draw a seam's
+ * points off it; they take the seam with them. Points that no feature reaches and that were there are
+ * bit-identical.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
  * failure; BadStroke where there is no stroke; output empty. An empty mesh gives an empty output silently.
@@ -170,8 +171,8 @@ public:
 
   ///@{
   /**
-   * Each stroke is drawn on what the one before has made; off (default), all act at once. The same as one
-   * filter a stroke, chained; inner outputs and times are then those of the last stroke.
+   * Each stroke is drawn on what the one before has made; off (default), all act at once. The same shape as
+   * of one filter a stroke, chained; inner outputs and times are then those of the last stroke.
    */
   vtkSetMacro(OneByOne, bool);
   vtkGetMacro(OneByOne, bool);
@@ -204,8 +205,9 @@ public:
 
   ///@{
   /**
-   * Prepare makes the 4-8 mesh of port 0. Preview gives the curves of strokes on a mesh, their own or those
-   * of port 0 and 1. The hold is the curves of the last run, the region what it raised.
+   * Prepare makes the 4-8 mesh of port 0 and, in surface mode, what rays need. Preview gives the curves of
+   * strokes on a mesh (of several that are drawn one by one the first's) and keeps what it makes of the mesh
+   * for the next Update. The hold is the curves of the last run, the region what it raised.
    */
   bool Prepare() override;
   bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override;

@@ -8,6 +8,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
@@ -64,6 +65,33 @@ vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell)
   alone->GetCellData()->CopyData(strokes->GetCellData(), cell, 0);
   alone->GetFieldData()->ShallowCopy(strokes->GetFieldData());
   return alone;
+}
+
+// A stroke that any mesh is asked for in vain: it looks away from everything.
+vtkSmartPointer<vtkPolyData> StrokeBeside()
+{
+  auto stroke = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({ 0, 1 });
+  stroke->SetPoints(points);
+  stroke->SetLines(line);
+  const auto add = [&stroke](const char* name, const std::vector<double>& values)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(static_cast<int>(values.size()));
+    array->InsertNextTuple(values.data());
+    stroke->GetCellData()->AddArray(array);
+  };
+  const double far = 1e30;
+  add("ViewTransform", { 1, 0, 0, far, 0, 1, 0, far, 0, 0, 1, 0, 0, 0, 0, 1 });
+  add("ProjectionTransform", { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 });
+  add("ViewportSize", { 2, 2 });
+  return stroke;
 }
 
 // Curve `cell` of the filters of strokes, as far as a preview reads it.
@@ -365,6 +393,30 @@ void vtkOversketchAugment::Pipeline::RunBase()
     this->Shape->SetPolys(base->GetPolys());
     this->ShapeKeySeen = MeshKey(base);
   }
+}
+
+void vtkOversketchAugment::Pipeline::PrepareRays()
+{
+  if (this->Self->SketchMode == Silhouette || this->RaysKey == this->ShapeKeySeen)
+  {
+    return;
+  }
+  this->Strokes->ShallowCopy(StrokeBeside());
+  this->StrokesPass = -1;
+  this->Self->RunStage("Thinning");
+  this->Self->RunStage("Chaikin");
+  try
+  {
+    this->Self->RunStage("Curves");
+  }
+  catch (const Error& error)
+  {
+    if (error.failure() != Failure::BadStroke) // it meets nothing, but after the scene is there
+    {
+      throw;
+    }
+  }
+  this->RaysKey = this->ShapeKeySeen;
 }
 
 void vtkOversketchAugment::Pipeline::RunCurves()

@@ -46,6 +46,8 @@ struct vtkOversketchAugment::Pipeline
   void SetShape(vtkOversketchStellarDisplace* step, double radius, double height, double sharpness) const;
 
   void RunBase();
+  // Has the curves' step make the ray scene of the present mesh, where it has none.
+  void PrepareRays();
   void RunCurves();
   void RunFeature();
   const char* CurvesName() const { return this->Self->SketchMode == Silhouette ? "Sketch" : "Curves"; }
@@ -63,7 +65,7 @@ struct vtkOversketchAugment::Pipeline
   vtkNew<vtkPolyData> Start, Mesh, Shape, Strokes;
   std::unique_ptr<oversketch::Weld> Welding; // null where points and arrays go through the steps themselves
   vtkNew<vtkPolyData> Plain;                 // the mesh that it is of
-  oversketch::MeshKey MeshKeySeen, ShapeKeySeen;
+  oversketch::MeshKey MeshKeySeen, ShapeKeySeen, RaysKey;
   std::pair<const vtkPolyData*, vtkMTimeType> MeshSeen{ nullptr, 0 }, StrokesSeen{ nullptr, 0 };
   bool SplitSeen = false;
   std::vector<vtkSmartPointer<vtkPolyData>> Passes; // the strokes of each

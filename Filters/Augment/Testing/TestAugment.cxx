@@ -305,6 +305,7 @@ TEST(Augment, ACrestIsShownBeforeTheStrokeIsDone)
 {
   System s(shippedModel("bear"));
   ASSERT_TRUE(s.filter->Prepare());
+  EXPECT_EQ(vtkOversketchSurfaceStroke::SafeDownCast(s.filter->GetStep("Curves"))->GetSceneCount(), 1);
   EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
   vtkNew<vtkPolyData> crest;
   ASSERT_TRUE(s.filter->PreviewCrest(s.mesh, s.strokes, crest));
@@ -321,6 +322,8 @@ TEST(Augment, ACrestIsShownBeforeTheStrokeIsDone)
   }
   auto* base = vtkOversketchStellarBase::SafeDownCast(s.filter->GetStep("Base"));
   EXPECT_EQ(base->GetBaseCount(), 1);
+  auto* rays = vtkOversketchSurfaceStroke::SafeDownCast(s.filter->GetStep("Curves"));
+  EXPECT_EQ(rays->GetSceneCount(), 1);
   vtkNew<vtkPolyData> dot;
   EXPECT_FALSE(s.filter->PreviewCrest(s.mesh, dot, crest));
   EXPECT_EQ(crest->GetNumberOfPoints(), 0);

@@ -152,6 +152,72 @@ TEST(AugmentPromises, RefusesStrokesAndNumbersThatAreNone)
   EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
+// Rings, scribbles, many samples, into the air and back: a mesh whose 4-8 arrays hold, or one refusal.
+TEST(AugmentPromises, AnyStrokeMakesASoundMeshOrOneMessage)
+{
+  std::vector<std::vector<Vector2>> strokes(5);
+  for (int i = 0; i < 100000; ++i)
+  {
+    const double a = 2.0 * pi * i / 100000.0;
+    strokes[0].emplace_back(400.0 + 40.0 * std::cos(a), 300.0 + 30.0 * std::sin(a));
+  }
+  for (int i = 0; i <= 200; ++i)
+  {
+    const double a = i / 20.0;
+    strokes[1].emplace_back(
+      400.0 + 60.0 * std::sin(3.1 * a), 300.0 + 50.0 * std::sin(4.3 * a)); // through itself
+    strokes[2].emplace_back(50.0 + 3.5 * i, 300.0 + 20.0 * std::sin(a));   // over the edges
+    strokes[3].emplace_back(400.0 + i % 2, 300.0);
+    strokes[4].emplace_back(i % 3 ? 400.0 : 100.0, 250.0 + i % 7);
+  }
+  for (const std::vector<Vector2>& stroke : strokes)
+  {
+    System s(shippedModel("bear"), { stroke });
+    Ear ear(s.filter);
+    s.filter->Update();
+    if (s.filter->GetErrorCode() != 0u)
+    {
+      EXPECT_EQ(ear.errors.size(), 1u);
+      continue;
+    }
+    const auto output = copyOf(s.filter->GetOutput());
+    vtkNew<vtkOversketchStellarBase> base;
+    base->SetInputData(output);
+    base->Update();
+    EXPECT_EQ(base->GetBaseCount(), 0); // it goes through
+    EXPECT_GT(output->GetNumberOfPolys(), s.mesh->GetNumberOfPolys());
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      ASSERT_TRUE(pointOf(output, i).allFinite());
+    }
+  }
+}
+
+// The same triangles however large the model is and wherever it stands.
+TEST(AugmentPromises, SizeAndPlaceDoNotMatter)
+{
+  vtkIdType home = 0;
+  for (const auto& [scale, shift] : { std::make_pair(1.0, 0.0),
+         std::make_pair(std::ldexp(1.0, -60), 0.0),
+         std::make_pair(std::ldexp(1.0, 30), 0.0),
+         std::make_pair(1.0, 1024.0) })
+  {
+    auto mesh = copyOf(shippedModel("bear"));
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 p = scale * pointOf(mesh, i) + Vector3::Constant(shift);
+      points->InsertNextPoint(p.data());
+    }
+    mesh->SetPoints(points);
+    System s(mesh);
+    const vtkIdType faces = s.run()->GetNumberOfPolys();
+    home = home == 0 ? faces : home;
+    EXPECT_EQ(faces, home) << scale << " " << shift;
+  }
+}
+
 TEST(AugmentPromises, ADirtyMeshIsRefusedByNameOrMadeASoundOne)
 {
   const std::map<std::string, const char*> refused{ { "nonmanifold_edges.obj", "edge" },
@@ -241,10 +307,21 @@ TEST(AugmentPromises, TextureSeamsKeepTheirSides)
   }
   System s(mesh, { wave });
   vtkSmartPointer<vtkPolyData> first = copyOf(s.run());
-  System next(first, { { { 320, 300 }, { 480, 310 } } });
+  System next(first);
+  next.filter->SetStrokesData(strokesOf({ { { 320, 300 }, { 480, 310 } } }, s.view));
   vtkSmartPointer<vtkPolyData> second = copyOf(next.run());
   EXPECT_EQ(vtkOversketchStellarBase::SafeDownCast(next.filter->GetStep("Base"))->GetBaseCount(), 0);
-  for (vtkPolyData* output : { first.Get(), second.Get() })
+  System chain(mesh, { wave, { { 320, 300 }, { 480, 310 } } });
+  chain.filter->OneByOneOn();
+  EXPECT_TRUE(identical(second, chain.run())); // textures are mixed once instead of twice
+  vtkDataArray* once = chain.filter->GetOutput()->GetPointData()->GetTCoords();
+  vtkDataArray* twice = second->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < second->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(twice->GetComponent(i, 0), once->GetComponent(i, 0), 1e-3);
+    EXPECT_NEAR(twice->GetComponent(i, 1), once->GetComponent(i, 1), 1e-3);
+  }
+  for (vtkPolyData* output : { first.Get(), second.Get(), chain.filter->GetOutput() })
   {
     EXPECT_TRUE(output->GetCellData()->GetArray("StellarPath"));
     vtkDataArray* texture = output->GetPointData()->GetTCoords();
