@@ -67,30 +67,45 @@ vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell)
   return alone;
 }
 
-// A stroke that any mesh is asked for in vain: it looks away from everything.
-vtkSmartPointer<vtkPolyData> StrokeBeside()
+// A stroke of two samples over a triangle, seen from outside the mesh.
+vtkSmartPointer<vtkPolyData> StrokeOver(vtkPolyData* mesh, vtkIdType triangle)
 {
+  vtkNew<vtkIdList> ids;
+  mesh->GetPolys()->GetCellAtId(triangle, ids);
+  const Vector3 a(mesh->GetPoint(ids->GetId(0))), b(mesh->GetPoint(ids->GetId(1))),
+    c(mesh->GetPoint(ids->GetId(2)));
+  Eigen::Matrix4d seen = Eigen::Matrix4d::Identity(), shown = Eigen::Matrix4d::Identity();
+  const Vector3 z = (b - a).cross(c - a).normalized(), x = (b - a).normalized();
+  seen.row(0).head<3>() = x;
+  seen.row(1).head<3>() = z.cross(x);
+  seen.row(2).head<3>() = z;
+  const double diagonal = DiagonalOf(mesh);
+  seen.topRightCorner<3, 1>() = -seen.topLeftCorner<3, 3>() * ((a + b + c) / 3.0 + diagonal * z);
+  shown(0, 0) = shown(1, 1) = 10.0 / (b - a).norm();
+  shown(2, 2) = -0.5 / diagonal;
   auto stroke = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->InsertNextPoint(0.0, 0.0, 0.0);
-  points->InsertNextPoint(1.0, 0.0, 0.0);
+  points->InsertNextPoint(0.5, 1.0, 0.0);
+  points->InsertNextPoint(1.5, 1.0, 0.0);
   vtkNew<vtkCellArray> line;
   line->InsertNextCell({ 0, 1 });
   stroke->SetPoints(points);
   stroke->SetLines(line);
-  const auto add = [&stroke](const char* name, const std::vector<double>& values)
+  const auto add = [&stroke](const char* name, const double* values, int count)
   {
     vtkNew<vtkDoubleArray> array;
     array->SetName(name);
-    array->SetNumberOfComponents(static_cast<int>(values.size()));
-    array->InsertNextTuple(values.data());
+    array->SetNumberOfComponents(count);
+    array->InsertNextTuple(values);
     stroke->GetCellData()->AddArray(array);
   };
-  const double far = 1e30;
-  add("ViewTransform", { 1, 0, 0, far, 0, 1, 0, far, 0, 0, 1, 0, 0, 0, 0, 1 });
-  add("ProjectionTransform", { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 });
-  add("ViewportSize", { 2, 2 });
+  seen.transposeInPlace(); // by rows
+  shown.transposeInPlace();
+  const double size[] = { 2.0, 2.0 };
+  add("ViewTransform", seen.data(), 16);
+  add("ProjectionTransform", shown.data(), 16);
+  add("ViewportSize", size, 2);
   return stroke;
 }
 
@@ -401,7 +416,7 @@ void vtkOversketchAugment::Pipeline::PrepareRays()
   {
     return;
   }
-  this->Strokes->ShallowCopy(StrokeBeside());
+  this->Strokes->ShallowCopy(StrokeOver(this->Shape, 0));
   this->StrokesPass = -1;
   this->Self->RunStage("Thinning");
   this->Self->RunStage("Chaikin");
@@ -411,7 +426,7 @@ void vtkOversketchAugment::Pipeline::PrepareRays()
   }
   catch (const Error& error)
   {
-    if (error.failure() != Failure::BadStroke) // it meets nothing, but after the scene is there
+    if (error.failure() != Failure::BadStroke) // a needle is missed, but after the scene is there
     {
       throw;
     }
@@ -434,6 +449,7 @@ void vtkOversketchAugment::Pipeline::RunCurves()
   else
   {
     this->Self->RunStage("Curves");
+    this->RaysKey = this->ShapeKeySeen;
   }
 }
 

@@ -46,7 +46,7 @@ struct vtkOversketchAugment::Pipeline
   void SetShape(vtkOversketchStellarDisplace* step, double radius, double height, double sharpness) const;
 
   void RunBase();
-  // Has the curves' step make the ray scene of the present mesh, where it has none.
+  // Has the curves' step make ray scene and normals of the present mesh, where it has none.
   void PrepareRays();
   void RunCurves();
   void RunFeature();

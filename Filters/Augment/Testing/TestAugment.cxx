@@ -235,6 +235,7 @@ TEST(Augment, AnotherHeightRunsTheDisplacementAndARadiusTheRefinementToo)
   };
   const double r = 0.03 * s.diagonal();
   EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 1, 1, 1, 1, 1 }));
+  ASSERT_TRUE(s.filter->Prepare()); // which is done
   s.filter->SetHeight(-r);
   s.run();
   EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 1, 1, 1, 1, 2 }));
