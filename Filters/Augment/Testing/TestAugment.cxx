@@ -2,6 +2,7 @@
 #include "AugmentTools.h"
 
 #include "vtkOversketchChaikin.h"
+#include "vtkOversketchForEach.h"
 #include "vtkOversketchStellarBase.h"
 #include "vtkOversketchStellarDisplace.h"
 #include "vtkOversketchStellarRefine.h"
@@ -11,6 +12,7 @@
 #include "vtkOversketchStrokeThinning.h"
 #include "vtkOversketchSurfaceStroke.h"
 
+#include "vtkMultiBlockDataSet.h"
 #include "vtkSMPTools.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -328,6 +330,28 @@ TEST(Augment, ACrestIsShownBeforeTheStrokeIsDone)
   vtkNew<vtkPolyData> dot;
   EXPECT_FALSE(s.filter->PreviewCrest(s.mesh, dot, crest));
   EXPECT_EQ(crest->GetNumberOfPoints(), 0);
+}
+
+TEST(Augment, ADriverOfSystemsDrivesIt)
+{
+  System s(shippedModel("bear"), { vein(), vein(80, 20) });
+  const auto alone = copyOf(s.run());
+  vtkNew<vtkOversketchForEach> each;
+  vtkNew<vtkOversketchAugment> filter;
+  each->SetFilter(filter);
+  vtkNew<vtkMultiBlockDataSet> models;
+  models->SetBlock(0, s.mesh);
+  models->SetBlock(1, s.mesh);
+  each->SetInputDataObject(0, models);
+  each->SetStrokeData(s.strokes);
+  each->Update();
+  EXPECT_EQ(each->GetErrorCode(), 0u);
+  auto* made = vtkMultiBlockDataSet::SafeDownCast(each->GetOutputDataObject(0));
+  ASSERT_TRUE(made);
+  for (const unsigned int block : { 0u, 1u })
+  {
+    expectSame(alone, vtkPolyData::SafeDownCast(made->GetBlock(block)));
+  }
 }
 
 // A line over the dog's back follows the stroke in the picture.
