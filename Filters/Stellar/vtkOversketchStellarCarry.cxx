@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace oversketch
@@ -133,39 +134,33 @@ Binding PlaceInStar(const Forest& forest, int v, const Vector3& p)
   return best;
 }
 
-} // namespace
-
-Origins originsOf(const Forest& before, const Forest& after, bool slides, bool turns)
+// Both orders are by level and parents, so what both have comes in one order in both.
+void FindPoints(const Forest& before, const Forest& after, Origins& origins)
 {
-  Origins origins;
-  const std::size_t count = after.vertices.size();
-  origins.pointFrom.resize(count, -1);
-  // Both orders are by level and parents, so what both have comes in one order in both.
+  const auto key = [&before](std::size_t k)
+  {
+    const Forest::Vertex& v = before.vertices[k];
+    return std::make_tuple(v.level, v.parents[0], v.parents[1]);
+  };
+  origins.pointFrom.resize(after.vertices.size(), -1);
   std::size_t next = 0;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < after.vertices.size(); ++i)
   {
     const Forest::Vertex& vertex = after.vertices[i];
-    const bool base = vertex.parents[0] < 0;
-    const int low = base ? -1 : origins.pointFrom[vertex.parents[0]],
-              high = base ? -1 : origins.pointFrom[vertex.parents[1]];
-    if (base)
+    if (vertex.parents[0] < 0)
     {
       origins.pointFrom[i] = static_cast<int>(next++);
       continue;
     }
-    const auto wanted = std::make_tuple(vertex.level, low, high);
-    const auto at = [&before](std::size_t k)
-    {
-      const Forest::Vertex& v = before.vertices[k];
-      return std::make_tuple(v.level, v.parents[0], v.parents[1]);
-    };
+    const int low = origins.pointFrom[vertex.parents[0]], high = origins.pointFrom[vertex.parents[1]];
     if (low >= 0 && high >= 0)
     {
-      while (next < before.vertices.size() && at(next) < wanted)
+      const auto wanted = std::make_tuple(vertex.level, low, high);
+      while (next < before.vertices.size() && key(next) < wanted)
       {
         ++next;
       }
-      if (next < before.vertices.size() && at(next) == wanted)
+      if (next < before.vertices.size() && key(next) == wanted)
       {
         origins.pointFrom[i] = static_cast<int>(next++);
         continue;
@@ -173,27 +168,71 @@ Origins originsOf(const Forest& before, const Forest& after, bool slides, bool t
     }
     origins.born.emplace_back(static_cast<int>(i), Binding::edge(vertex.parents[0], vertex.parents[1], 0.5));
   }
-  origins.cellFrom = facesUnder(before, after);
-  for (std::size_t i = 0; i < count; ++i)
+}
+
+// Of forests that are alike but for positions.
+void FindTurns(const Forest& before, const Forest& after, Origins& origins)
+{
+  std::vector<char> moved(after.vertices.size()), near(after.vertices.size(), 0);
+  for (std::size_t i = 0; i < moved.size(); ++i)
   {
-    const int from = origins.pointFrom[i];
-    const bool moved = from >= 0 && before.vertices[from].position != after.vertices[i].position;
-    if (slides && moved)
+    moved[i] = before.vertices[i].position != after.vertices[i].position;
+  }
+  for (const Forest::Face& face : after.faces)
+  {
+    if (moved[face.v[0]] || moved[face.v[1]] || moved[face.v[2]])
     {
-      origins.slid.emplace_back(static_cast<int>(i), PlaceInStar(before, from, after.vertices[i].position));
+      near[face.v[0]] = near[face.v[1]] = near[face.v[2]] = 1;
     }
-    else if (turns && from >= 0)
+  }
+  for (int i = 0; i < static_cast<int>(near.size()); ++i)
+  {
+    if (near[i])
     {
-      bool near = moved;
-      before.link(static_cast<int>(i),
-        [&](int w) { near = near || before.vertices[w].position != after.vertices[w].position; });
-      const Vector3 was = near ? before.vertexNormal(from) : Vector3(Vector3::Zero()),
-                    is = near ? after.vertexNormal(static_cast<int>(i)) : Vector3(Vector3::Zero());
+      const Vector3 was = before.vertexNormal(i), is = after.vertexNormal(i);
       if (was.norm() > 0.0 && is.norm() > 0.0 && was != is)
       {
-        origins.turned.emplace_back(static_cast<int>(i), Eigen::Quaterniond::FromTwoVectors(was, is));
+        origins.turned.emplace_back(i, Eigen::Quaterniond::FromTwoVectors(was, is));
       }
     }
+  }
+}
+
+} // namespace
+
+Origins originsOf(const Forest& before, const Forest& after, bool slides, bool turns)
+{
+  Origins origins;
+  const std::size_t count = after.vertices.size();
+  // A step splits or welds, so what has as many points and cells has the same.
+  if (before.vertices.size() == count && before.faces.size() == after.faces.size())
+  {
+    origins.pointFrom.resize(count);
+    std::iota(origins.pointFrom.begin(), origins.pointFrom.end(), 0);
+    origins.cellFrom.resize(after.faces.size());
+    std::iota(origins.cellFrom.begin(), origins.cellFrom.end(), 0);
+  }
+  else
+  {
+    FindPoints(before, after, origins);
+    origins.cellFrom = facesUnder(before, after);
+  }
+  const auto moved = [&](std::size_t i)
+  {
+    const int from = origins.pointFrom[i];
+    return from >= 0 && before.vertices[from].position != after.vertices[i].position;
+  };
+  for (std::size_t i = 0; slides && i < count; ++i)
+  {
+    if (moved(i))
+    {
+      origins.slid.emplace_back(
+        static_cast<int>(i), PlaceInStar(before, origins.pointFrom[i], after.vertices[i].position));
+    }
+  }
+  if (turns)
+  {
+    FindTurns(before, after, origins);
   }
   return origins;
 }

@@ -117,7 +117,7 @@ int vtkOversketchStellarDisplace::FillInputPortInformation(int port, vtkInformat
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-void vtkOversketchStellarDisplace::UseProfile(const char* text)
+void vtkOversketchStellarDisplace::SetProfile(const char* text)
 {
   const std::string wanted = text ? text : "";
   if (wanted != this->Profile)

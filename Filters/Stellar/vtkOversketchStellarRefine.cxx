@@ -46,7 +46,7 @@ int vtkOversketchStellarRefine::FillInputPortInformation(int port, vtkInformatio
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-void vtkOversketchStellarRefine::UseProfile(const char* text)
+void vtkOversketchStellarRefine::SetProfile(const char* text)
 {
   const std::string wanted = text ? text : "";
   if (wanted != this->Profile)

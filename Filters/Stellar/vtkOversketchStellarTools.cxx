@@ -1,13 +1,11 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "Stellar/leaves.h"
-#include "Stellar/refine.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -24,6 +22,7 @@
 #include <limits>
 #include <mutex>
 #include <sstream>
+#include <type_traits>
 
 namespace oversketch
 {
@@ -53,7 +52,29 @@ void Typed(vtkDataArray* array, const Read& read)
   }
 }
 
-// Whole numbers that fit a type.
+// Whether a value is a whole number of another type, and which.
+template <class Number, class Value>
+bool Fits(Value value, Number& result)
+{
+  if constexpr (std::is_floating_point_v<Value>)
+  {
+    return false;
+  }
+  else if constexpr (sizeof(Value) < 8)
+  {
+    const double exact = static_cast<double>(value);
+    const bool fits = exact >= static_cast<double>(std::numeric_limits<Number>::min()) &&
+                      exact <= static_cast<double>(std::numeric_limits<Number>::max());
+    result = fits ? static_cast<Number>(exact) : Number(0);
+    return fits;
+  }
+  else
+  {
+    result = static_cast<Number>(value);
+    return static_cast<Value>(result) == value && (value < Value(0)) == (result < Number(0));
+  }
+}
+
 template <class Number>
 std::vector<Number> WholeOf(vtkDataArray* array)
 {
@@ -63,11 +84,7 @@ std::vector<Number> WholeOf(vtkDataArray* array)
     {
       for (vtkIdType i = 0; i < count; ++i)
       {
-        result[static_cast<std::size_t>(i)] = static_cast<Number>(values[i]);
-        using Value = std::decay_t<decltype(values[i])>;
-        constexpr bool real = std::is_floating_point_v<Value>;
-        if (real || static_cast<Value>(result[static_cast<std::size_t>(i)]) != values[i] ||
-            (values[i] < Value(0)) != (result[static_cast<std::size_t>(i)] < Number(0)))
+        if (!Fits(values[i], result[static_cast<std::size_t>(i)]))
         {
           std::ostringstream message;
           message << "Value " << i << " of array " << array->GetName() << ", " << array->GetVariantValue(i)
@@ -208,61 +225,75 @@ void Put(const Vector3& from, double* to)
   std::copy(from.data(), from.data() + 3, to);
 }
 
-void WriteShape(const Forest& forest, vtkPolyData* mesh)
+void WritePoints(const Forest& forest, vtkPolyData* mesh)
 {
-  vtkNew<vtkPoints> points;
-  points->SetData(NewArray<vtkDoubleArray>("Points",
+  vtkNew<vtkPoints> places;
+  places->SetData(NewArray<vtkDoubleArray>("Points",
     3,
     forest.vertices.size(),
     [&](std::size_t i, double* to) { Put(forest.vertices[i].position, to); }));
-  mesh->SetPoints(points);
-  const auto corners = NewArray<vtkIdTypeArray>(nullptr,
-    1,
-    3 * forest.faces.size(),
-    [&](std::size_t i, vtkIdType* to) { *to = forest.faces[i / 3].v[i % 3]; });
-  const auto offsets = NewArray<vtkIdTypeArray>(nullptr,
-    1,
-    forest.faces.size() + 1,
-    [](std::size_t i, vtkIdType* to) { *to = static_cast<vtkIdType>(3 * i); });
-  vtkNew<vtkCellArray> polys;
-  polys->SetData(offsets, corners);
-  mesh->SetPolys(polys);
-}
-
-void WriteArrays(const Forest& forest, vtkPolyData* mesh)
-{
-  const std::size_t points = forest.vertices.size(), cells = forest.faces.size();
-  const auto& faces = forest.faces;
+  mesh->SetPoints(places);
+  const std::size_t points = forest.vertices.size();
   const auto& vertices = forest.vertices;
-  vtkCellData* ofCells = mesh->GetCellData();
-  ofCells->AddArray(
-    NewArray<vtkIntArray>(cellNames[0], 1, cells, [&](std::size_t i, int* to) { *to = faces[i].root; }));
-  ofCells->AddArray(NewArray<vtkTypeUInt64Array>(
-    cellNames[1], 1, cells, [&](std::size_t i, auto* to) { *to = faces[i].path; }));
-  ofCells->AddArray(NewArray<vtkUnsignedCharArray>(
-    cellNames[2], 1, cells, [&](std::size_t i, unsigned char* to) { *to = faces[i].gen; }));
-  vtkPointData* ofPoints = mesh->GetPointData();
-  ofPoints->AddArray(NewArray<vtkUnsignedCharArray>(
+  vtkPointData* data = mesh->GetPointData();
+  data->AddArray(NewArray<vtkUnsignedCharArray>(
     pointNames[0], 1, points, [&](std::size_t i, unsigned char* to) { *to = vertices[i].moved; }));
-  ofPoints->AddArray(NewArray<vtkIntArray>(
+  data->AddArray(NewArray<vtkIntArray>(
     pointNames[1], 1, points, [&](std::size_t i, int* to) { *to = vertices[i].curveId; }));
-  ofPoints->AddArray(NewArray<vtkDoubleArray>(
+  data->AddArray(NewArray<vtkDoubleArray>(
     pointNames[2], 1, points, [&](std::size_t i, double* to) { *to = vertices[i].curveParam; }));
   if (forest.hasBaseNormals)
   {
-    ofPoints->AddArray(NewArray<vtkDoubleArray>(
+    data->AddArray(NewArray<vtkDoubleArray>(
       pointNames[3], 3, points, [&](std::size_t i, double* to) { Put(vertices[i].baseNormal, to); }));
   }
   if (!forest.displacement.empty())
   {
-    ofPoints->AddArray(NewArray<vtkDoubleArray>(
+    data->AddArray(NewArray<vtkDoubleArray>(
       pointNames[4], 3, points, [&](std::size_t i, double* to) { Put(forest.displacement[i], to); }));
   }
   if (!forest.feature.empty())
   {
-    ofPoints->AddArray(NewArray<vtkDoubleArray>(
+    data->AddArray(NewArray<vtkDoubleArray>(
       pointNames[5], 1, points, [&](std::size_t i, double* to) { *to = forest.feature[i]; }));
   }
+}
+
+void WriteCells(const Forest& forest, vtkPolyData* mesh)
+{
+  const auto& faces = forest.faces;
+  const auto corners = NewArray<vtkIdTypeArray>(nullptr,
+    3,
+    faces.size(),
+    [&](std::size_t i, vtkIdType* to) { std::copy(faces[i].v, faces[i].v + 3, to); });
+  corners->SetNumberOfComponents(1);
+  const auto offsets = NewArray<vtkIdTypeArray>(
+    nullptr, 1, faces.size() + 1, [](std::size_t i, vtkIdType* to) { *to = 3 * static_cast<vtkIdType>(i); });
+  vtkNew<vtkCellArray> polys;
+  polys->SetData(offsets, corners);
+  mesh->SetPolys(polys);
+  vtkCellData* data = mesh->GetCellData();
+  data->AddArray(NewArray<vtkIntArray>(
+    cellNames[0], 1, faces.size(), [&](std::size_t i, int* to) { *to = faces[i].root; }));
+  data->AddArray(NewArray<vtkTypeUInt64Array>(
+    cellNames[1], 1, faces.size(), [&](std::size_t i, auto* to) { *to = faces[i].path; }));
+  data->AddArray(NewArray<vtkUnsignedCharArray>(
+    cellNames[2], 1, faces.size(), [&](std::size_t i, unsigned char* to) { *to = faces[i].gen; }));
+}
+
+// Whether the cells are as WriteCells would have them, where they say the same.
+bool SharesCells(vtkPolyData* mesh)
+{
+  const int types[] = { VTK_INT, VTK_TYPE_UINT64, VTK_UNSIGNED_CHAR };
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkDataArray* array = mesh->GetCellData()->GetArray(cellNames[i]);
+    if (!array || array->GetDataType() != types[i])
+    {
+      return false;
+    }
+  }
+  return mesh->GetPolys()->IsStorage64Bit();
 }
 
 #ifndef NDEBUG
@@ -286,45 +317,13 @@ bool SameForest(const Forest& a, const Forest& b)
 }
 #endif
 
+} // namespace
+
 bool HasSnapped(const Forest& forest)
 {
   return std::any_of(
     forest.vertices.begin(), forest.vertices.end(), [](const Forest::Vertex& v) { return v.curveId >= 0; });
 }
-
-// One curve without what its cell says.
-FeatureCurve CurveOf(vtkPolyData* curves, vtkIdList* ids, vtkDataArray* normals, vtkDataArray* pressure)
-{
-  FeatureCurve curve;
-  vtkIdType count = ids->GetNumberOfIds();
-  curve.closed = count > 2 && ids->GetId(0) == ids->GetId(count - 1);
-  count -= curve.closed;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const vtkIdType id = ids->GetId(i);
-    if (id < 0 || id >= curves->GetNumberOfPoints())
-    {
-      throw Error(Failure::BadStroke,
-        "A feature curve names point " + std::to_string(id) + ", which is not there; draw the stroke again.");
-    }
-    Vector3 x;
-    curves->GetPoint(id, x.data());
-    curve.points.push_back(x);
-    if (normals)
-    {
-      normals->GetTuple(id, x.data());
-      curve.normals.push_back(x);
-    }
-    if (pressure)
-    {
-      curve.pressure.push_back(pressure->GetComponent(id, 0));
-    }
-  }
-  curve.measure();
-  return curve;
-}
-
-} // namespace
 
 bool IsStellarArray(const char* name)
 {
@@ -389,18 +388,30 @@ std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& con
   {
     return found;
   }
-  const auto forest = std::make_shared<const Forest>(rebuild(LeavesOf(mesh), context));
+  auto forest = std::make_shared<const Forest>(rebuild(LeavesOf(mesh), context));
   ++ForestsRebuilt();
   TheRegister().Add(key, forest);
   return forest;
 }
 
 vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>& forest,
-  const std::optional<std::uint64_t>& digest)
+  const std::optional<std::uint64_t>& digest,
+  vtkPolyData* alike)
 {
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  WriteShape(*forest, mesh);
-  WriteArrays(*forest, mesh);
+  WritePoints(*forest, mesh);
+  if (alike && SharesCells(alike))
+  {
+    mesh->SetPolys(alike->GetPolys());
+    for (const char* name : cellNames)
+    {
+      mesh->GetCellData()->AddArray(alike->GetCellData()->GetArray(name));
+    }
+  }
+  else
+  {
+    WriteCells(*forest, mesh);
+  }
   mesh->GetFieldData()->AddArray(
     NewArray<vtkIntArray>(fieldNames[0], 1, 1, [](std::size_t, int* to) { *to = 1; }));
   if (digest)
@@ -411,79 +422,6 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
   assert(SameForest(rebuild(LeavesOf(mesh), ThreadsOnly()), *forest));
   TheRegister().Add(StellarKey(mesh), forest);
   return mesh;
-}
-
-FeatureCurves CurvesOf(vtkPolyData* curves, double height)
-{
-  if (curves->GetNumberOfCells() != curves->GetNumberOfLines() || curves->GetNumberOfLines() == 0)
-  {
-    throw Error(Failure::BadStroke,
-      "The curves are to be polylines and nothing else; take them from vtkOversketchSurfaceStroke.");
-  }
-  const vtkIdType cells = curves->GetNumberOfCells();
-  const auto ofCells = [&](const char* name)
-  {
-    return curves->GetCellData()->GetAbstractArray(name)
-             ? RequireArray(curves->GetCellData(), name, 1, cells, "curves", "one number a curve")
-             : nullptr;
-  };
-  const auto ofPoints = [&](const char* name, int components)
-  {
-    return curves->GetPointData()->GetAbstractArray(name) ? RequireArray(curves->GetPointData(),
-                                                              name,
-                                                              components,
-                                                              curves->GetNumberOfPoints(),
-                                                              "curves",
-                                                              "project the stroke again")
-                                                          : nullptr;
-  };
-  vtkDataArray *normals = ofPoints("Normals", 3), *pressure = ofPoints("Pressure", 1);
-  vtkDataArray *ids = ofCells("CurveId"), *strokes = ofCells("StrokeId"), *radii = ofCells("Radius"),
-               *heights = ofCells("Height"), *sharpnesses = ofCells("Sharpness");
-  FeatureCurves result;
-  vtkNew<vtkIdList> points;
-  for (vtkIdType i = 0; i < cells; ++i)
-  {
-    if (ids && ids->GetComponent(i, 0) != static_cast<double>(i))
-    {
-      throw Error(Failure::BadStroke,
-        "CurveId of curve " + std::to_string(i) +
-          " is another number; a filter reordered the curves. Take them from vtkOversketchSurfaceStroke.");
-    }
-    curves->GetLines()->GetCellAtId(i, points);
-    FeatureCurve curve = CurveOf(curves, points, normals, pressure);
-    const auto value = [i](vtkDataArray* array)
-    { return array ? std::optional<double>(array->GetComponent(i, 0)) : std::nullopt; };
-    curve.stroke = strokes ? static_cast<int>(strokes->GetComponent(i, 0)) : static_cast<int>(i);
-    curve.radius = value(radii);
-    curve.height = value(heights);
-    curve.sharpness = value(sharpnesses);
-    if (height == 0.0 && curve.radius && !curve.height)
-    {
-      curve.height = 0.5 * *curve.radius;
-    }
-    result.push_back(std::move(curve));
-  }
-  checkCurves(result);
-  return result;
-}
-
-void RequireSameCurves(vtkPolyData* mesh, const Forest& forest, const FeatureCurves& curves)
-{
-  const auto known = WholeNumber(mesh->GetFieldData(), "CurveDigest");
-  if (!known && HasSnapped(forest))
-  {
-    throw Error(Failure::MissingArray,
-      "The mesh has no field array CurveDigest, which says what curves its CurveId means; keep field data "
-      "with the mesh.");
-  }
-  if (known && *known != digest(curves))
-  {
-    throw Error(Failure::BadStroke,
-      "The mesh is snapped to other curves than these (field array CurveDigest); give those, or end that "
-      "stroke with vtkOversketchStellarDisplace.");
-  }
-  checkSnapped(forest, curves);
 }
 
 std::optional<std::uint64_t> WholeNumber(vtkFieldData* data, const char* name)
@@ -531,7 +469,7 @@ void StellarStep::Provide(const StepKey& key,
     Made made = make();
     this->After = made.forest;
     this->Arrays = CarriedArrays(std::move(made.origins));
-    this->Stem = StellarPolyData(this->After, made.digest);
+    this->Stem = StellarPolyData(this->After, made.digest, made.sameCells ? input : nullptr);
     this->Key = key;
   }
   output->ShallowCopy(this->Stem);
@@ -563,6 +501,7 @@ void StellarStep::Provide(vtkPolyData* input,
       Made made;
       made.forest = std::make_shared<const Forest>(change(before));
       made.origins = originsOf(before, *made.forest, motion == Motion::Slide, motion == Motion::Rise);
+      made.sameCells = before.faces.size() == made.forest->faces.size();
       if (HasSnapped(*made.forest))
       {
         made.digest = curves ? digest(*curves) : WholeNumber(input->GetFieldData(), "CurveDigest");

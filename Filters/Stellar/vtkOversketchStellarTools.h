@@ -41,9 +41,13 @@ std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& con
 std::atomic<int>& ForestsRebuilt();
 
 // A canonical forest as points, polygons and arrays, known to SharedForest. `digest`: of the curves that
-// CurveId means.
+// CurveId means. `alike`: null, or a 4-8 mesh with the same cells, whose cells and their arrays are shared.
 vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>& forest,
-  const std::optional<std::uint64_t>& digest);
+  const std::optional<std::uint64_t>& digest,
+  vtkPolyData* alike = nullptr);
+
+// Whether a vertex lies on a curve of the stroke that has not ended.
+bool HasSnapped(const Forest& forest);
 
 // Curves as vtkOversketchSurfaceStroke writes them. A `height` of 0 means half the radius, for curves with a
 // radius of their own half of that. Throws Error(BadStroke) naming the curve.
@@ -72,6 +76,7 @@ public:
     std::shared_ptr<const Forest> forest; // canonical
     Origins origins;
     std::optional<std::uint64_t> digest; // of the curves that it is snapped to
+    bool sameCells = false;              // as a 4-8 mesh that is the input
   };
   // Writes what `make` gives to the output; asks it where the key is a new one.
   void Provide(const StepKey& key,

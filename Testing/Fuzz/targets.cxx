@@ -19,6 +19,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <unistd.h>
 
@@ -250,15 +251,28 @@ View viewFrom(Source& source, int flags)
                        eye, Vector3::UnitY(), 1.0 + source.take<std::uint8_t>(), width, height);
 }
 
+// The same, where the bytes make a view at all: none where the eye is what it looks at.
+std::optional<View> anyViewFrom(Source& source, int flags)
+{
+  try
+  {
+    return viewFrom(source, flags);
+  }
+  catch (const Error&)
+  {
+    return std::nullopt;
+  }
+}
+
 // The whole of system A: mesh, options, view and samples from bytes.
 void takeOneStroke(const std::string& bytes)
 {
   Source source(bytes);
   const auto mesh = tinyMesh(source.take<std::uint8_t>() % 6);
   const int flags = source.take<std::uint8_t>();
-  const View view = viewFrom(source, flags);
+  const std::optional<View> view = anyViewFrom(source, flags);
   std::vector<Vector2> samples;
-  while (!source.ended() && samples.size() < 64)
+  while (view && !source.ended() && samples.size() < 64)
   {
     samples.emplace_back(source.take<std::int16_t>() / 16.0, source.take<std::int16_t>() / 16.0);
   }
@@ -266,7 +280,7 @@ void takeOneStroke(const std::string& bytes)
   {
     return;
   }
-  const auto stroke = oversketch_test::toStroke(samples, view);
+  const auto stroke = oversketch_test::toStroke(samples, *view);
   if (flags & 2) // any numbers where the view should be
   {
     vtkDataArray* array =

@@ -72,6 +72,13 @@ def test_inputs_and_outputs_have_the_names_of_the_header(tmp_path):
     assert [each.get("name") for each in toy.findall("OutputPort")] == ["Mesh", "Handles"]
 
 
+def test_a_text_is_a_property_too(tmp_path):
+    setters = '  /**\n   * A "x y" list; empty (default): none.\n   */\n  void SetProfile(const char* text);\n'
+    profile, = proxies(header(tmp_path, setters=setters))["OversketchToy"].findall("StringVectorProperty")
+    assert (profile.get("name"), profile.get("command"), profile.get("default_values")) == ("Profile", "SetProfile", "")
+    assert '"x y" list' in profile.find("Documentation").text
+
+
 @pytest.mark.parametrize("ports, words", [
     ("Input 0: a mesh.", 'no line "Input 0 (Name): ..."'),
     ("Input 1 (Mesh): a mesh.", "does not name each Input once"),
@@ -83,7 +90,7 @@ def test_stops_at_inputs_that_it_cannot_read(tmp_path, ports, words):
 
 
 @pytest.mark.parametrize("setter", [
-    "vtkSetStringMacro(Name);", "vtkSetMacro(Point, vtkIdType);", "void SetName(const char* name);", "void SetPoint(vtkIdType point);",
+    "vtkSetStringMacro(Name);", "vtkSetMacro(Point, vtkIdType);", "void SetName(char* name);", "void SetPoint(vtkIdType point);",
     "void SetName(const std::string& name);", "void SetBox(double low, double high);", "virtual void SetBounds(const double bounds[6]);"])
 def test_stops_at_a_setter_that_it_cannot_read(tmp_path, setter):
     assert "vtkOversketchToy::Set" in refusal(header(tmp_path, setters=f"  /**\n   * What. Default none.\n   */\n  {setter}\n"))

@@ -4,7 +4,7 @@ usage: make_proxies.py HEADER... > oversketch.xml
 
 What a proxy says is what the header says: help is the comment, inputs and outputs are its lines "Input 1 (Handles, optional):",
 a default the member's initialiser (else what the comment calls the default), a range that of vtkSetClampMacro, the entries
-of a choice the named setters SetXToY(). Parameters that a class has from another one of ours are its own too. A setter that
+of a choice the named setters SetXToY(); a text is empty by default. Parameters that a class has from another one of ours are its own too. A setter that
 is not understood is an error.
 """
 import pathlib
@@ -104,7 +104,7 @@ class Header:
             r"/\*\*(?P<help>(?:(?!\*/).)*)\*/\s*"
             r"(?:vtkSet(?:Clamp)?Macro\((?P<name>\w+), (?P<type>int|double|bool)(?P<range>, [^;]*)?\);"
             r"|vtkSetVector(?P<size>\d)Macro\((?P<vector>\w+), (?P<component>int|double)\);"
-            r"|(?:virtual )?void Set(?P<method>\w+)\((?P<argument>int|double|bool) \w+\)(?: override)?;)",
+            r"|(?:virtual )?void Set(?P<method>\w+)\((?P<argument>int|double|bool|const char\*) \w+\)(?: override)?;)",
             re.S,
         )
         read = set()
@@ -149,12 +149,13 @@ def documentation(indent, text, brief=None):
 
 def parameter(header, name, kind, components, comment, limits):
     """The property of one parameter."""
-    element = "DoubleVectorProperty" if kind == "double" else "IntVectorProperty"
+    text = kind == "const char*"
+    element = "StringVectorProperty" if text else "DoubleVectorProperty" if kind == "double" else "IntVectorProperty"
     choices = header.choices(name)
     advanced = ' panel_visibility="advanced"' if name == "Backend" else ""
     yield (
         f'      <{element} name="{name}" label="{words(name)}" command="Set{name}" number_of_elements="{components}"\n'
-        f'        default_values="{header.default(name, comment, components)}"{advanced}>'
+        f'        default_values="{"" if text else header.default(name, comment, components)}"{advanced}>'
     )
     if kind == "bool":
         yield '        <BooleanDomain name="bool" />'

@@ -91,6 +91,7 @@ const View frontView = perspectiveView(Vector3(0, 0, 4), Vector3(0, 1, 0), 40.0)
 inline std::vector<Vector2> line(const Vector2& a, const Vector2& b, int count = 40)
 {
   std::vector<Vector2> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     samples.emplace_back(a + (b - a) * i / (count - 1.0));
   return samples;

@@ -270,7 +270,7 @@ TEST(StellarPromises, ParametersOutOfRangeAreRefused)
   {
     vtkNew<vtkOversketchStellarDisplace> displace;
     same(displace);
-    displace->UseProfile(bad);
+    displace->SetProfile(bad);
     expectRefusal(displace, Failure::BadStroke, "rofile");
   }
   vtkNew<vtkOversketchStellarDisplace> displace;
