@@ -209,7 +209,7 @@ void vtkOversketchAugment::SetSketchMode(int mode)
   }
 }
 
-void vtkOversketchAugment::UseProfile(const char* text)
+void vtkOversketchAugment::SetProfile(const char* text)
 {
   const std::string wanted = text ? text : "";
   if (wanted != this->Profile)

@@ -10,7 +10,7 @@
  * curves {Snap}, even triangles {Smooth}, feature {Displace}, and what is not needed taken away {Simplify}.
  *
  * Departures from the paper are those of each step, on by default; AsPublished turns all of them off. The
- * paper schedules simplification without a rule; here it comes last (Simplify).
+ * paper schedules simplification without a rule; here it comes last.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; a manifold with one orientation, with borders or without. One
  * that is a 4-8 mesh, as an output of this is, goes on from where it is. Points that a reader split for
@@ -23,11 +23,9 @@
  * Output 0: the mesh with its features, points in double, and the arrays of a 4-8 mesh
  * (Filters/Stellar/README.md), so that the next stroke can go on. Other arrays as vtkOversketchStellarBase
  * has them: interpolated at new points, cells as what lay under them, point normals turned with the surface.
- * Where points were split, or there are cell normals, as vtkOversketchRemesh's results have them in
- * vtkOversketchOneStroke: along texture seams once per side; the points that repeat a place then come after
- * all others, so that welding the output gives the 4-8 mesh with its numbers. A stroke may draw a seam's
- * points off it; they take the seam with them. Points that no feature reaches and that were there are
- * bit-identical.
+ * Along texture seams they are interpolated once per side; points that repeat a place then come after all
+ * others, so that welding the output gives the 4-8 mesh with its numbers. A stroke may draw a seam's points
+ * off it; they take the seam with them. Points that no feature reaches and that were there are bit-identical.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
  * failure; BadStroke where there is no stroke; output empty. An empty mesh gives an empty output silently.
@@ -36,8 +34,7 @@
  *
  * Demand-driven: another height, sharpness (on the same side of 1) or profile runs {Displace} and what
  * follows, another radius {Curves} and {Refine} too, a new stroke no {Base}; a changed attribute array
- * re-runs no step. With OneByOne and several strokes all is computed. Deterministic: same input, same bits,
- * whatever the number of threads.
+ * re-runs no step. Deterministic: same input, same bits, whatever the number of threads.
  *
  * @sa vtkOversketchStellarBase vtkOversketchSurfaceStroke vtkOversketchOneStroke
  */
@@ -57,15 +54,10 @@ public:
   vtkTypeMacro(vtkOversketchAugment, vtkOversketchSystem);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /**
-   * The strokes, on port 1.
-   */
   void SetStrokesConnection(vtkAlgorithmOutput* strokes) { this->SetInputConnection(1, strokes); }
   void SetStrokesData(vtkPolyData* strokes);
 
-  /**
-   * What the rays of {Visibility} ran on, in silhouette mode: OpenCL or Host (Embree).
-   */
+  // What the rays of {Visibility} ran on, in silhouette mode.
   int GetBackendUsed() override;
 
   enum SketchModeType
@@ -80,8 +72,6 @@ public:
    */
   void SetSketchMode(int mode);
   vtkGetMacro(SketchMode, int);
-  void SetSketchModeToSurface() { this->SetSketchMode(Surface); }
-  void SetSketchModeToSilhouette() { this->SetSketchMode(Silhouette); }
   ///@}
 
   ///@{
@@ -116,7 +106,7 @@ public:
    * A polyline "x y, x y, ..." with x rising from 0 to 1 in the profile's place; an empty text (default):
    * none.
    */
-  void UseProfile(const char* text);
+  void SetProfile(const char* text);
   const char* GetProfile() const { return this->Profile.c_str(); }
   ///@}
 
@@ -141,8 +131,6 @@ public:
    */
   vtkSetClampMacro(Combine, int, Nearest, Sum);
   vtkGetMacro(Combine, int);
-  void SetCombineToNearest() { this->SetCombine(Nearest); }
-  void SetCombineToSum() { this->SetCombine(Sum); }
   ///@}
 
   enum DistanceType
@@ -156,8 +144,6 @@ public:
    */
   vtkSetClampMacro(Distance, int, Straight, Geodesic);
   vtkGetMacro(Distance, int);
-  void SetDistanceToStraight() { this->SetDistance(Straight); }
-  void SetDistanceToGeodesic() { this->SetDistance(Geodesic); }
   ///@}
 
   ///@{
@@ -199,7 +185,7 @@ public:
   ///@}
 
   /**
-   * Faces whose normals turned by over 90 degrees where the last run raised them; 0 after one that failed.
+   * Faces that the last run turned by over 90 degrees where it raised them; 0 after one that failed.
    */
   vtkGetMacro(FlippedFaces, int);
 
@@ -225,10 +211,9 @@ public:
 
   /**
    * The last output with another height [model length, 0: half the radius] and sharpness, a preview: writes
-   * places into `points`, which are a copy of its points. Neither the output nor the pipeline changes. A
-   * stroke's own Height and Sharpness, and a profile, still go before. Returns false, and leaves the points,
-   * after a run that failed or that was of several strokes one by one, where points do not fit (an error), or
-   * numbers are out of range; then the error code tells why.
+   * places into `points`, which are a copy of its points; the output stays. A stroke's own Height and
+   * Sharpness, and a profile, still go before. False after a run that failed or was of several strokes one by
+   * one, where points do not fit (an error), or numbers are out of range (the error code tells).
    */
   bool Reshape(double height, double sharpness, vtkPoints* points);
 

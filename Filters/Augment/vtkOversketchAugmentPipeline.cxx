@@ -348,7 +348,7 @@ void vtkOversketchAugment::Pipeline::SetShape(vtkOversketchStellarDisplace* step
   step->SetRadius(radius);
   step->SetHeight(height);
   step->SetSharpness(sharpness);
-  step->UseProfile(self->GetProfile());
+  step->SetProfile(self->GetProfile());
   step->SetUsePressure(self->UsePressure);
   step->SetCombine(self->Combine);
   step->SetDistance(self->Distance);
@@ -391,7 +391,7 @@ void vtkOversketchAugment::Pipeline::SetParameters()
   const bool fine = self->Sharpness >= 0.0 && self->Sharpness < 1.0;
   this->Refine->SetHeight(follows ? self->Height : 0.0);
   this->Refine->SetSharpness(follows ? self->Sharpness : (fine ? 0.5 : 1.5));
-  this->Refine->UseProfile(follows ? self->GetProfile() : "");
+  this->Refine->SetProfile(follows ? self->GetProfile() : "");
   this->SetShape(this->Displace, radius, self->Height, self->Sharpness);
   this->Simplify->SetRadius(radius);
   this->Simplify->SetDistance(self->Distance);

@@ -242,7 +242,7 @@ TEST(Augment, AnotherHeightRunsTheDisplacementAndARadiusTheRefinementToo)
   s.run();
   EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 1, 1, 1, 1, 2 }));
   s.filter->SetSharpness(3.0);
-  s.filter->UseProfile("0 1, 0.5 0.9, 1 0");
+  s.filter->SetProfile("0 1, 0.5 0.9, 1 0");
   s.run();
   EXPECT_EQ(counts(), (std::vector<vtkIdType>{ 1, 1, 1, 1, 1, 3 }));
   s.filter->SetRadius(0.8 * r);
@@ -358,7 +358,7 @@ TEST(Augment, ADriverOfSystemsDrivesIt)
 TEST(Augment, ASilhouetteGoesWhereItIsDrawn)
 {
   System s(shippedModel("dog"));
-  s.filter->SetSketchModeToSilhouette();
+  s.filter->SetSketchMode(vtkOversketchAugment::Silhouette);
   s.filter->SetStrokesData(strokesOf({ overTheTop(s) }, s.view));
   vtkPolyData* output = s.run();
   EXPECT_EQ(s.filter->GetFlippedFaces(), 0);

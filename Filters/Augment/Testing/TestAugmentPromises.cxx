@@ -129,10 +129,10 @@ TEST(AugmentPromises, RefusesStrokesAndNumbersThatAreNone)
   s.filter->SetSharpness(1.5);
   for (const char* profile : { "0 1, 0.6 0.5, 0.4 0.2, 1 0", "cat", "0 1" })
   {
-    s.filter->UseProfile(profile);
+    s.filter->SetProfile(profile);
     refuse("rofile");
   }
-  s.filter->UseProfile("");
+  s.filter->SetProfile("");
   auto viewless = copyOf(s.strokes);
   viewless->GetCellData()->RemoveArray("ViewTransform");
   s.filter->SetStrokesData(viewless);
@@ -253,7 +253,7 @@ TEST(AugmentPromises, CancelledInAnyStageTheNextRunIsWhole)
     {
       whole.strokes = strokesOf({ overTheTop(whole) }, whole.view);
       whole.filter->SetStrokesData(whole.strokes);
-      whole.filter->SetSketchModeToSilhouette();
+      whole.filter->SetSketchMode(vtkOversketchAugment::Silhouette);
     }
     whole.run();
     std::set<std::string> stopped;
