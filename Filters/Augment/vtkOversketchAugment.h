@@ -72,6 +72,8 @@ public:
    */
   void SetSketchMode(int mode);
   vtkGetMacro(SketchMode, int);
+  void SetSketchModeToSurface() { this->SetSketchMode(Surface); }
+  void SetSketchModeToSilhouette() { this->SetSketchMode(Silhouette); }
   ///@}
 
   ///@{
@@ -131,6 +133,8 @@ public:
    */
   vtkSetClampMacro(Combine, int, Nearest, Sum);
   vtkGetMacro(Combine, int);
+  void SetCombineToNearest() { this->SetCombine(Nearest); }
+  void SetCombineToSum() { this->SetCombine(Sum); }
   ///@}
 
   enum DistanceType
@@ -144,6 +148,8 @@ public:
    */
   vtkSetClampMacro(Distance, int, Straight, Geodesic);
   vtkGetMacro(Distance, int);
+  void SetDistanceToStraight() { this->SetDistance(Straight); }
+  void SetDistanceToGeodesic() { this->SetDistance(Geodesic); }
   ///@}
 
   ///@{

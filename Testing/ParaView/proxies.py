@@ -46,6 +46,11 @@ def check_parameter(kind, name, prop):
     instance = kind()
     count = prop.GetNumberOfElements()
     what = f"{kind.__name__}.{name}"
+    text = getattr(instance, "Get" + name)()
+    if isinstance(text, str):
+        assert (count, prop.GetElement(0)) == (1, text), f"{what}: default {prop.GetElement(0)!r}, the class has {text!r}"
+        assert prop.IsA("vtkSMStringVectorProperty") and prop.GetDocumentation().GetDescription().strip(), what
+        return
     said = [float(prop.GetElement(i)) for i in range(count)]
     assert said == values(instance, name), f"{what}: default {said}, the class has {values(instance, name)}"
     assert prop.GetDocumentation() and prop.GetDocumentation().GetDescription().strip(), f"{what}: no help"
@@ -75,7 +80,7 @@ def check_parameter(kind, name, prop):
 
 def setters(kind):
     """Parameters by the class itself: it has SetX and GetX and does not inherit them from VTK. Another algorithm or object is no
-    parameter; a value that no proxy can hold (text, say) is an error."""
+    parameter; a value that no proxy can hold is an error."""
     instance = kind()
     ours = set(dir(kind)) - set(dir(vtkAlgorithm))
     for method in sorted(ours):
@@ -85,7 +90,7 @@ def setters(kind):
         if re.match(r"Set\w+\(self, \w+:\s*vtk\w+\)", getattr(kind, method).__doc__):
             continue
         value = getattr(instance, "Get" + name)()
-        assert isinstance(value, (bool, int, float, tuple)), f"{kind.__name__}.{method}: no proxy is made for {value!r}"
+        assert isinstance(value, (bool, int, float, str, tuple)), f"{kind.__name__}.{method}: no proxy is made for {value!r}"
         yield name
 
 
