@@ -50,11 +50,13 @@ public:
     const Mesh& mesh,
     const RayScene& scene,
     const std::vector<Vector3>& normals,
+    const std::vector<Vector3>& sides,
     const Context& context)
     : Known(known)
     , Model(mesh)
     , Scene(scene)
     , Normals(normals)
+    , Sides(sides)
     , Caller(context)
     , Cone(coneDirections(known.options.rayCount, known.options.coneAngle))
     , Match(matchMeshes(*known.mesh, *known.normals, mesh, normals, context))
@@ -68,7 +70,8 @@ public:
     std::vector<int> vertices;
     for (const int v : this->Scene.order)
     {
-      if (this->Match.vertices[v] >= 0 && this->Normals[v].squaredNorm() > 0.0)
+      const int before = this->Match.vertices[v];
+      if (before >= 0 && this->Normals[v].squaredNorm() > 0.0 && this->Sides[v] == this->Known.sides[before])
       {
         vertices.push_back(v);
         kept[v] = 1;
@@ -151,7 +154,8 @@ private:
     {
       this->Caller.checkpoint(0.0);
       const int count = std::min(blockSize, total - first);
-      RayBatch batch = conesOf(vertices.data() + first, count, this->Normals, this->Cone, this->Caller);
+      RayBatch batch =
+        conesOf(vertices.data() + first, count, this->Normals, this->Sides, this->Cone, this->Caller);
       std::iota(batch.vertices.begin(), batch.vertices.end(), mesh.vertexCount() - total + first);
       caster->cast(batch, hits, this->Caller);
       this->Caller.parallelFor(count,
@@ -176,6 +180,7 @@ private:
   const Mesh& Model;
   const RayScene& Scene;
   const std::vector<Vector3>& Normals;
+  const std::vector<Vector3>& Sides;
   const Context& Caller;
   const std::vector<Vector3> Cone;
   const MeshMatch Match;
@@ -186,6 +191,7 @@ private:
 RayBatch conesOf(const int* vertices,
   int count,
   const std::vector<Vector3>& normals,
+  const std::vector<Vector3>& sides,
   const std::vector<Vector3>& cone,
   const Context& context)
 {
@@ -200,7 +206,7 @@ RayBatch conesOf(const int* vertices,
     {
       for (int i = begin; i < end; ++i)
       {
-        const Eigen::Matrix3d frame = frameAround(-normals[vertices[i]]);
+        const Eigen::Matrix3d frame = frameAround(-normals[vertices[i]], sides[vertices[i]]);
         for (int k = 0; k < rays; ++k)
         {
           const Eigen::Vector3f d = (frame * cone[k]).cast<float>();
@@ -215,11 +221,12 @@ std::vector<char> takeOver(const KnownDiameters& known,
   const Mesh& mesh,
   const RayScene& scene,
   const std::vector<Vector3>& normals,
+  const std::vector<Vector3>& sides,
   const MakeCaster& makeCaster,
   const Context& context,
   ConeMeasures& result)
 {
-  return Successor(known, mesh, scene, normals, context).takeOver(makeCaster, result);
+  return Successor(known, mesh, scene, normals, sides, context).takeOver(makeCaster, result);
 }
 
 } // namespace oversketch

@@ -40,6 +40,7 @@ struct RayLengths
 RayBatch conesOf(const int* vertices,
   int count,
   const std::vector<Vector3>& normals,
+  const std::vector<Vector3>& sides,
   const std::vector<Vector3>& cone,
   const Context& context);
 
@@ -51,6 +52,7 @@ std::vector<char> takeOver(const KnownDiameters& known,
   const Mesh& mesh,
   const RayScene& scene,
   const std::vector<Vector3>& normals,
+  const std::vector<Vector3>& sides,
   const MakeCaster& makeCaster,
   const Context& context,
   ConeMeasures& result);

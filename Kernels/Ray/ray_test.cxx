@@ -153,6 +153,30 @@ TEST(Ray, FramesAreRightHandedAndOrthonormal)
   }
 }
 
+TEST(Ray, TheShapeDiameterOfATurnedModelIsTheSame)
+{
+  const Mesh mesh = spikySphere(4, 0.3);
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.7, Vector3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+  Mesh turned = mesh;
+  for (Vector3& p : turned.points)
+  {
+    p = turn * p;
+  }
+  const auto diameters = [](const Mesh& of)
+  {
+    return computeShapeDiameter(of, buildAdjacency(of), vertexNormals(of), on(Backend::Host), Context())
+      .diameter;
+  };
+  const auto here = diameters(mesh), there = diameters(turned);
+  int apart = 0;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    apart += std::abs(here[v] - there[v]) > 1e-5 * here[v];
+  }
+  EXPECT_LT(apart, mesh.vertexCount() / 200); // rays through edges
+}
+
 TEST(Ray, FramesTurnSmoothly)
 {
   const Mesh sphere = icosphere(5);
@@ -282,12 +306,14 @@ TEST(Ray, BothBackendsFindWhatTryingEveryTriangleFinds)
   for (const Mesh& mesh : { icosphere(2), torus(1.0, 0.4, 24, 12), spikySphere(2, 0.3) })
   {
     const auto normals = vertexNormals(mesh);
+    const auto sides = coneSides(mesh, RayScene(mesh), trianglesAround(mesh), normals, Context());
     const auto cone = coneDirections(32, 60.0);
-    const std::array hits{ hitsOf(mesh, normals, on(Backend::OpenCL)), hitsOf(mesh, normals, on(Backend::Host)) };
+    const std::array hits{ hitsOf(mesh, normals, on(Backend::OpenCL)),
+      hitsOf(mesh, normals, on(Backend::Host)) };
     std::array<int, 2> differing{};
     for (int v = 0; v < mesh.vertexCount(); ++v)
     {
-      const Eigen::Matrix3d frame = frameAround(-normals[v]);
+      const Eigen::Matrix3d frame = frameAround(-normals[v], sides[v]);
       for (int k = 0; k < 32; ++k)
       {
         const ConeHit expected = bruteForce(mesh, v, frame * cone[k]);

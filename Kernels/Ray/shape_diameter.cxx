@@ -21,6 +21,7 @@ constexpr double pi = 3.14159265358979323846;
 constexpr int raysPerBlock =
   1 << 18;                          // a block's arrays stay in the cache, and a cancel waits for one at most
 constexpr int verticesPerPart = 32; // of a block
+constexpr double evenRing = 1e-4;   // of the edges' sum: less is rounding, also far from the origin
 constexpr int fewCones = 4;         // a part of all for which starts cost more than they save
 
 // Length of the ray [model length] to the plane of the facet that the caster found, in double precision. The
@@ -167,11 +168,13 @@ public:
   VertexRays(const Mesh& mesh,
     const RayScene& scene,
     const std::vector<Vector3>& normals,
+    const std::vector<Vector3>& sides,
     const ShapeDiameterOptions& options,
     const std::vector<char>& known)
     : Model(mesh)
     , Scene(scene)
     , Normals(normals)
+    , Sides(sides)
     , Cone(coneDirections(options.rayCount, options.coneAngle))
     , Weights(options.rayCount, 1.0)
   {
@@ -209,7 +212,8 @@ public:
     std::vector<ConeHit>* allHits) const
   {
     const int rays = this->rayCount();
-    RayBatch batch = conesOf(this->Vertices.data() + first, count, this->Normals, this->Cone, context);
+    RayBatch batch =
+      conesOf(this->Vertices.data() + first, count, this->Normals, this->Sides, this->Cone, context);
     batch.starts.assign(this->Starts.begin() + first, this->Starts.begin() + first + count);
     std::vector<RayHit> hits;
     caster.cast(batch, hits, context);
@@ -231,7 +235,7 @@ public:
           }
           const int v = batch.vertices[i];
           const Vector3 origin = this->Scene.inScene(this->Model.points[v]);
-          const Eigen::Matrix3d frame = frameAround(-this->Normals[v]);
+          const Eigen::Matrix3d frame = frameAround(-this->Normals[v], this->Sides[v]);
           float reach = 0.0f;
           for (int k = 0; k < rays; ++k)
           {
@@ -267,6 +271,7 @@ private:
   const Mesh& Model;
   const RayScene& Scene;
   const std::vector<Vector3>& Normals;
+  const std::vector<Vector3>& Sides;
   std::vector<Vector3> Cone;
   std::vector<double> Weights;
   std::vector<int> Vertices; // along the curve of the scene
@@ -324,10 +329,64 @@ std::vector<Vector3> coneDirections(int rayCount, double coneAngle)
   return directions;
 }
 
-Eigen::Matrix3d frameAround(const Vector3& axis)
+std::vector<Vector3> coneSides(const Mesh& mesh,
+  const RayScene& scene,
+  const Lists& around,
+  const std::vector<Vector3>& normals,
+  const Context& context)
+{
+  struct Sum
+  {
+    Vector3 edges = Vector3::Zero();
+    double total = 0.0;
+  };
+  std::vector<Sum> sums(mesh.points.size());
+  context.parallelFor(mesh.vertexCount(),
+    [&](int begin, int end)
+    {
+      for (int v = begin; v < end; ++v)
+      {
+        for (const int* t = around.begin(v); t != around.end(v); ++t)
+        {
+          for (const int n : mesh.triangles[*t])
+          {
+            const Vector3 edge = (mesh.points[n] - mesh.points[v]) / scene.frame.scale;
+            const double weight = edge.squaredNorm() * edge.squaredNorm();
+            sums[v].edges += weight * edge;
+            sums[v].total += weight * edge.norm();
+          }
+        }
+      }
+    });
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (scene.places[v] != v)
+    {
+      sums[scene.places[v]].edges += sums[v].edges;
+      sums[scene.places[v]].total += sums[v].total;
+    }
+  }
+  std::vector<Vector3> sides(mesh.points.size(), Vector3::Zero());
+  context.parallelFor(mesh.vertexCount(),
+    [&](int begin, int end)
+    {
+      for (int v = begin; v < end; ++v)
+      {
+        const Sum& sum = sums[scene.places[v]];
+        const Vector3 side = sum.edges - sum.edges.dot(normals[v]) * normals[v];
+        if (side.norm() > evenRing * sum.total)
+        {
+          sides[v] = side.normalized();
+        }
+      }
+    });
+  return sides;
+}
+
+Eigen::Matrix3d frameAround(const Vector3& axis, const Vector3& side)
 {
   // No plane of symmetry of an upright model holds this direction, so that rounding cannot turn its frames.
-  Vector3 reference(0.4169, 0.5411, 0.7303);
+  Vector3 reference = side.isZero(0.0) ? Vector3(0.4169, 0.5411, 0.7303) : side;
   if (reference.cross(axis).squaredNorm() < 1e-6)
   {
     reference = Vector3(0.7303, -0.4169, 0.5411);
@@ -388,6 +447,9 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
   ConeMeasures measures;
   const std::shared_ptr<Device> device = Device::choose(options.backend, result.warning);
   const RayScene scene(mesh, context);
+  std::vector<Vector3> sides = options.turnCones
+                                 ? coneSides(mesh, scene, adjacency.vertexTriangles, normals, context)
+                                 : std::vector<Vector3>(mesh.points.size(), Vector3::Zero());
   const auto measure = [&](Backend used, const MakeCaster& makeCaster)
   {
     measures = { std::vector<double>(mesh.points.size(), 0.0),
@@ -402,9 +464,9 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
     else if (known && known->filled && known->used == used && known->options == options &&
              RayFrame(*known->mesh) == scene.frame)
     {
-      kept = takeOver(*known, mesh, scene, normals, makeCaster, context, measures);
+      kept = takeOver(*known, mesh, scene, normals, sides, makeCaster, context, measures);
     }
-    VertexRays cones(mesh, scene, normals, options, kept);
+    VertexRays cones(mesh, scene, normals, sides, options, kept);
     if (cones.vertexCount() > 0)
     {
       const std::unique_ptr<RayCaster> caster = makeCaster(scene);
@@ -453,6 +515,7 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
     known->normals = normalsKept ? known->nextNormals : std::make_shared<const std::vector<Vector3>>(normals);
     known->nextMesh = nullptr;
     known->nextNormals = nullptr;
+    known->sides = std::move(sides);
     known->options = options;
     known->used = result.used;
     known->measures = std::move(measures);

@@ -14,17 +14,21 @@
 namespace oversketch
 {
 
+struct RayScene;
+
 struct ShapeDiameterOptions
 {
   int rayCount = 32;
   double coneAngle = 60.0; // full opening [degrees], in (0, 180)
   bool inverseAngleWeights = false;
+  bool turnCones = true;           // lay rays by coneSides and not by a fixed direction
   Backend backend = Backend::Auto; // Host: Embree
 
   bool operator==(const ShapeDiameterOptions& other) const
   {
     return this->rayCount == other.rayCount && this->coneAngle == other.coneAngle &&
-           this->inverseAngleWeights == other.inverseAngleWeights && this->backend == other.backend;
+           this->inverseAngleWeights == other.inverseAngleWeights && this->turnCones == other.turnCones &&
+           this->backend == other.backend;
   }
 };
 
@@ -63,6 +67,7 @@ struct KnownDiameters
   bool filled = false;
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const std::vector<Vector3>> normals;
+  std::vector<Vector3> sides; // see coneSides
   ShapeDiameterOptions options;
   Backend used = Backend::Host;
   ConeMeasures measures;
@@ -76,9 +81,19 @@ struct KnownDiameters
 // the opening, azimuth k times the golden angle.
 std::vector<Vector3> coneDirections(int rayCount, double coneAngle);
 
-// A right-handed frame (columns) whose third axis is `axis`, a unit vector. A continuous function of the axis
-// but at two opposite directions that upright models do not have.
-Eigen::Matrix3d frameAround(const Vector3& axis);
+// Per vertex a unit vector across its normal that turns with the model: where its longer edges point to. Zero
+// where edges are as long on all sides. A cone whose rays lie by it says the same of a turned model.
+// `around`: see trianglesAround. Where vertices lie at one place their triangles count together.
+std::vector<Vector3> coneSides(const Mesh& mesh,
+  const RayScene& scene,
+  const Lists& around,
+  const std::vector<Vector3>& normals,
+  const Context& context);
+
+// A right-handed frame (columns) whose third axis is `axis`, a unit vector, and whose first is across `side`.
+// For a zero side a continuous function of the axis but at two opposite directions that upright models do not
+// have.
+Eigen::Matrix3d frameAround(const Vector3& axis, const Vector3& side = Vector3::Zero());
 
 // The summary of one cone: hits farther than one standard deviation from the median are dropped, the rest
 // averaged with the weights of their directions. -1 without a hit.

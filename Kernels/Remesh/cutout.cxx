@@ -1,9 +1,12 @@
 #include "Remesh/cutout.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 
 namespace oversketch
 {
@@ -24,25 +27,95 @@ std::uint32_t spread(std::uint32_t x)
   return result;
 }
 
+// Axes (rows) that turn with the points: those of their spread, each towards where they reach farther. Of a
+// body that is the same on both sides one axis tells no sides apart: the evenest follows from the others.
+Eigen::Matrix3d axesOf(const std::vector<Vector3>& points)
+{
+  Vector3 mean = Vector3::Zero();
+  for (const Vector3& p : points)
+  {
+    mean += p / static_cast<double>(points.size());
+  }
+  Eigen::Matrix3d spreads = Eigen::Matrix3d::Zero();
+  for (const Vector3& p : points)
+  {
+    spreads += (p - mean) * (p - mean).transpose();
+  }
+  Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spreads).eigenvectors().transpose();
+  Vector3 skew = Vector3::Zero(), size = Vector3::Zero();
+  for (const Vector3& p : points)
+  {
+    const Vector3 along = axes * (p - mean), cubes = along.array().cube();
+    skew += cubes;
+    size += cubes.cwiseAbs();
+  }
+  Vector3::Index evenest = 0;
+  (skew.array().abs() / size.array().max(std::numeric_limits<double>::min())).minCoeff(&evenest);
+  for (int k = 0; k < 3; ++k)
+  {
+    axes.row(k) *= skew[k] < 0.0 ? -1.0 : 1.0;
+  }
+  const auto k = static_cast<int>(evenest);
+  axes.row(k) = axes.row((k + 1) % 3).cross(axes.row((k + 2) % 3));
+  return axes;
+}
+
+// The points from 0 to nearly 1 in a cube along these axes. What lies in its middle is in no middle of cells,
+// where rounding would decide.
+std::vector<Vector3> inCube(std::vector<Vector3> points, const std::vector<char>& measured)
+{
+  constexpr double beside = 0.0137, room = 1.0371;
+  const auto scale = [&](std::vector<Vector3>& of)
+  {
+    Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (std::size_t i = 0; i < of.size(); ++i)
+    {
+      low = measured[i] ? low.cwiseMin(of[i]) : low;
+      high = measured[i] ? high.cwiseMax(of[i]) : high;
+    }
+    const double extent = (high - low).maxCoeff();
+    for (Vector3& p : of)
+    {
+      p = extent > 0.0 ? Vector3((p - low) / extent) : Vector3::Zero();
+    }
+  };
+  scale(points);
+  std::vector<Vector3> chosen;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (measured[i])
+    {
+      chosen.push_back(points[i]);
+    }
+  }
+  const Eigen::Matrix3d axes = axesOf(chosen);
+  for (Vector3& p : points)
+  {
+    p = axes * p;
+  }
+  scale(points);
+  for (Vector3& p : points)
+  {
+    p = (p + Vector3::Constant(beside)) / room;
+  }
+  return points;
+}
+
 } // namespace
 
 Cutout::Cutout(const Mesh& whole, const std::vector<char>& wholeActive)
   : vertexOf(whole.points.size(), -1)
 {
   std::vector<char> inside(whole.points.size(), 0);
-  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (int t = 0; t < whole.triangleCount(); ++t)
   {
     for (int k = 0; wholeActive[t] && k < 3; ++k)
     {
-      const int v = whole.triangles[t][k];
-      inside[v] = 1;
-      low = low.cwiseMin(whole.points[v]);
-      high = high.cwiseMax(whole.points[v]);
+      inside[whole.triangles[t][k]] = 1;
     }
   }
-  // Cells along a Z curve: triangles are put into their cell in their order.
-  const double extent = (high - low).maxCoeff();
+  // Cells along a Z curve.
+  const std::vector<Vector3> places = inCube(whole.points, inside);
   constexpr int cells = 1 << bits;
   std::array<std::uint32_t, cells> spreads;
   for (int i = 0; i < cells; ++i)
@@ -54,8 +127,7 @@ Cutout::Cutout(const Mesh& whole, const std::vector<char>& wholeActive)
     std::uint32_t cell = 0;
     for (int k = 0; k < 3; ++k)
     {
-      const double x =
-        extent > 0.0 ? (whole.points[whole.triangles[t][0]][k] - low[k]) / extent * cells : 0.0;
+      const double x = places[whole.triangles[t][0]][k] * cells;
       cell |= spreads[static_cast<int>(std::clamp(x, 0.0, cells - 1.0))] << k;
     }
     return cell;
@@ -78,6 +150,23 @@ Cutout::Cutout(const Mesh& whole, const std::vector<char>& wholeActive)
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
     this->triangles[offsets[cellOfChosen[i]]++] = chosen[i];
+  }
+  // Within a cell by where they lie, on a slant that puts no two symmetrical ones beside each other:
+  // remeshing is the same in whatever order the triangles come.
+  const Vector3 slant(0.5317, 0.7366, 0.4179);
+  const auto earlier = [&](int t, int u)
+  {
+    const auto key = [&](int of)
+    {
+      const Triangle& c = whole.triangles[of];
+      return std::make_tuple(slant.dot(places[c[0]]), slant.dot(places[c[1]]), of);
+    };
+    return key(t) < key(u);
+  };
+  for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)
+  {
+    const int begin = cell > 0 ? offsets[cell - 1] : 0;
+    std::sort(this->triangles.begin() + begin, this->triangles.begin() + offsets[cell], earlier);
   }
   // Vertices as the triangles meet them.
   this->active = taken(wholeActive, this->triangles);

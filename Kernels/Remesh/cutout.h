@@ -9,8 +9,9 @@
 namespace oversketch
 {
 
-// The triangles at the vertices of active ones, ordered along a space-filling curve, so that neighbours lie
-// beside each other in memory: remeshing is bound by cache misses, and the rest of the mesh costs nothing.
+// The triangles at the vertices of active ones, ordered along a space-filling curve that turns with them, so
+// that neighbours lie beside each other in memory: remeshing is bound by cache misses, and the rest of the
+// mesh costs nothing.
 struct Cutout
 {
   Mesh mesh;

@@ -1,9 +1,10 @@
 #include "Silhouette/outline.h"
 
+#include "Silhouette/covered.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 // Written here because what libraries offer (cv::findContours, marching squares on a mask) follows pixel
 // centres or the stairs between pixels: half a pixel of bias or of noise, which the targets would hand on to
@@ -17,235 +18,19 @@ namespace
 
 constexpr int largestWindow = 4096;
 
-constexpr int trianglesPerPart = 8192; // of a picture, for one thread at a time
-
-// The vertices seen in the image plane.
-struct Projection
-{
-  std::vector<Vector2> points;
-  std::vector<double> nearness; // per point: its weight on screen, 1 orthographic, 1 / distance perspective
-  std::vector<char> seen;       // per point: not behind the eye
-
-  Projection(const Mesh& mesh, const View& view, const Context& context)
-    : points(mesh.points.size(), Vector2::Zero())
-    , nearness(mesh.points.size(), 1.0)
-    , seen(mesh.points.size(), 0)
-  {
-    context.parallelFor(mesh.vertexCount(),
-      [&](int begin, int end)
-      {
-        for (int v = begin; v < end; ++v)
-        {
-          if (view.inFront(mesh.points[v]))
-          {
-            const Vector3 display = view.toDisplay(mesh.points[v]);
-            this->points[v] = display.head<2>();
-            this->nearness[v] = view.perspective() ? -1.0 / display[2] : 1.0;
-            this->seen[v] = this->points[v].allFinite();
-          }
-        }
-      });
-  }
-  bool sees(const Triangle& t) const { return this->seen[t[0]] && this->seen[t[1]] && this->seen[t[2]]; }
-};
-
-int partCount(const Mesh& mesh)
-{
-  return (mesh.triangleCount() + trianglesPerPart - 1) / trianglesPerPart;
-}
-
-// Calls visit(part, triangle) for all triangles of the mesh, those of a part in their order; threads take
-// parts.
-template <typename Visit>
-void eachTriangle(const Mesh& mesh, const Context& context, const Visit& visit)
-{
-  context.parallelFor(partCount(mesh),
-    [&](int begin, int end)
-    {
-      for (int part = begin; part < end; ++part)
-      {
-        const int last = std::min((part + 1) * trianglesPerPart, mesh.triangleCount());
-        for (int t = part * trianglesPerPart; t < last; ++t)
-        {
-          visit(part, mesh.triangles[t]);
-        }
-      }
-    });
-}
-
-// Triangles seen in the image plane, those left out that reach behind the eye or lie outside the window.
-struct Picture : Projection
-{
-  std::vector<Triangle> triangles;
-
-  Picture(const Mesh& mesh, const View& view, const PixelWindow& window, const Context& context)
-    : Projection(mesh, view, context)
-  {
-    const auto outside = [&window](const Vector2& a, const Vector2& b, const Vector2& c)
-    {
-      const Vector2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-      return high[0] < window.x - 1 || low[0] > window.x + window.width + 1 || high[1] < window.y - 1 ||
-             low[1] > window.y + window.height + 1;
-    };
-    std::vector<std::vector<Triangle>> parts(partCount(mesh));
-    eachTriangle(mesh,
-      context,
-      [&](int part, const Triangle& t)
-      {
-        if (this->sees(t) && !outside(this->points[t[0]], this->points[t[1]], this->points[t[2]]))
-        {
-          parts[part].push_back(t);
-        }
-      });
-    std::size_t count = 0;
-    for (const std::vector<Triangle>& part : parts)
-    {
-      count += part.size();
-    }
-    this->triangles.reserve(count);
-    for (const std::vector<Triangle>& part : parts)
-    {
-      this->triangles.insert(this->triangles.end(), part.begin(), part.end());
-    }
-  }
-};
-
-// An end of a covered interval, on the mesh edge that makes it.
-struct End
-{
-  double at = 0.0;
-  int v0 = -1, v1 = -1;
-  double t = 0.0; // on screen, from v0 to v1
-
-  Binding binding(const Picture& picture) const
-  {
-    const double w0 = (1.0 - this->t) * picture.nearness[this->v0], w1 = this->t * picture.nearness[this->v1];
-    return Binding::edge(this->v0, this->v1, w0 / (w0 + w1));
-  }
-};
-
-struct Interval
-{
-  End low, high;
-};
-
-// The covered part of every pixel row (axis 1) or column (axis 0), measured along the line through the pixel
-// centres: disjoint intervals in ascending order.
-std::vector<std::vector<Interval>> coveredIntervals(const Picture& picture,
-  int axis,
-  int firstLine,
-  int lineCount,
-  const Context& context)
-{
-  const int along = 1 - axis;
-  // Per triangle its lines: low <= centre < high.
-  std::vector<std::array<int, 2>> lines(picture.triangles.size());
-  context.parallelFor(static_cast<int>(lines.size()),
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        const Triangle& t = picture.triangles[i];
-        const double a = picture.points[t[0]][axis], b = picture.points[t[1]][axis],
-                     c = picture.points[t[2]][axis];
-        // Clamped before the cast, since a point near the eye may be anywhere.
-        const auto lineAt = [&](double at)
-        {
-          return static_cast<int>(
-            std::clamp(std::ceil(at - 0.5) - firstLine, 0.0, static_cast<double>(lineCount)));
-        };
-        lines[i] = { lineAt(std::min({ a, b, c })), lineAt(std::max({ a, b, c })) };
-      }
-    });
-  std::vector<std::size_t> offsets(static_cast<std::size_t>(lineCount) + 1, 0);
-  for (const auto& [low, high] : lines)
-  {
-    for (int line = low; line < high; ++line)
-    {
-      ++offsets[line + 1];
-    }
-  }
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  std::vector<int> onLine(offsets.back());
-  std::vector<std::size_t> fill(offsets.begin(), offsets.end() - 1);
-  for (std::size_t i = 0; i < lines.size(); ++i)
-  {
-    for (int line = lines[i][0]; line < lines[i][1]; ++line)
-    {
-      onLine[fill[line]++] = static_cast<int>(i);
-    }
-  }
-  std::vector<std::vector<Interval>> result(lineCount);
-  context.parallelFor(lineCount,
-    [&](int begin, int end)
-    {
-      std::vector<Interval> spans;
-      for (int line = begin; line < end && !context.cancelled(); ++line)
-      {
-        const double centre = firstLine + line + 0.5;
-        spans.clear();
-        for (std::size_t k = offsets[line]; k < offsets[line + 1]; ++k)
-        {
-          const Triangle& t = picture.triangles[onLine[k]];
-          Interval span;
-          span.low.at = std::numeric_limits<double>::infinity();
-          span.high.at = -span.low.at;
-          for (int corner = 0; corner < 3; ++corner)
-          {
-            // Lower id first: both triangles of an edge compute the same crossing, bit for bit.
-            const int v0 = std::min(t[corner], t[(corner + 1) % 3]),
-                      v1 = std::max(t[corner], t[(corner + 1) % 3]);
-            const Vector2 &a = picture.points[v0], &b = picture.points[v1];
-            if ((a[axis] <= centre) != (b[axis] <= centre))
-            {
-              const double s = (centre - a[axis]) / (b[axis] - a[axis]);
-              const End crossing{ a[along] + s * (b[along] - a[along]), v0, v1, s };
-              span.low = crossing.at < span.low.at ? crossing : span.low;
-              span.high = crossing.at > span.high.at ? crossing : span.high;
-            }
-          }
-          if (span.low.at <= span.high.at)
-          {
-            spans.push_back(span);
-          }
-        }
-        std::stable_sort(spans.begin(),
-          spans.end(),
-          [](const Interval& a, const Interval& b) { return a.low.at < b.low.at; });
-        std::vector<Interval>& merged = result[line];
-        for (const Interval& span : spans)
-        {
-          constexpr double seam = 1e-6; // px: rounding along an edge that two triangles do not share by index
-          if (!merged.empty() && span.low.at <= merged.back().high.at + seam)
-          {
-            if (span.high.at > merged.back().high.at)
-            {
-              merged.back().high = span.high;
-            }
-          }
-          else
-          {
-            merged.push_back(span);
-          }
-        }
-      }
-    });
-  return result;
-}
-
 // The covered area, asked by pixel.
 class Coverage
 {
 public:
-  Coverage(const Picture& picture, const PixelWindow& window, const Context& context)
+  Coverage(const MeshPicture& picture, const PixelWindow& window, const Context& context)
     : Window(window)
-    , Rows(coveredIntervals(picture, 1, window.y, window.height, context))
-    , Columns(coveredIntervals(picture, 0, window.x, window.width, context))
+    , Rows(coveredIntervals(picture, 1, window, context))
+    , Columns(coveredIntervals(picture, 0, window, context))
     , Covered(static_cast<std::size_t>(window.width) * window.height, 0)
   {
     for (int j = 0; j < window.height; ++j)
     {
-      for (const Interval& interval : this->Rows[j])
+      for (const CoveredInterval& interval : this->Rows[j])
       {
         const double low = std::ceil(interval.low.at - 0.5) - window.x;
         const double high = std::floor(interval.high.at - 0.5) - window.x;
@@ -277,24 +62,24 @@ public:
 
   // Where the boundary crosses the line from the centre of covered pixel (i, j) to that of its neighbour in
   // direction 0..3 = +x, +y, -x, -y, which is not covered; and the mesh edge that makes it.
-  std::pair<Vector2, Binding> crossing(const Picture& picture, int i, int j, int direction) const
+  std::pair<Vector2, Binding> crossing(const MeshPicture& picture, int i, int j, int direction) const
   {
     const bool horizontal = direction % 2 == 0;
-    const std::vector<Interval>& intervals = horizontal ? this->Rows[j] : this->Columns[i];
+    const std::vector<CoveredInterval>& intervals = horizontal ? this->Rows[j] : this->Columns[i];
     Vector2 place(this->Window.x + i + 0.5, this->Window.y + j + 0.5);
     double& x = place[horizontal ? 0 : 1];
     const double towards = direction < 2 ? 1.0 : -1.0;
     const auto next = std::upper_bound(intervals.begin(),
       intervals.end(),
       x,
-      [](double value, const Interval& interval) { return value < interval.low.at; });
+      [](double value, const CoveredInterval& interval) { return value < interval.low.at; });
     // Rows decide which pixels are covered; a column may disagree by a rounding error, then the centre
     // serves.
     if (next == intervals.begin() || (next - 1)->high.at < x)
     {
       return { place, Binding() };
     }
-    const End& end = direction < 2 ? (next - 1)->high : (next - 1)->low;
+    const CoveredEnd& end = direction < 2 ? (next - 1)->high : (next - 1)->low;
     const double reach = (end.at - x) * towards;
     x += towards * std::clamp(reach, 0.0, 1.0);
     return { place, reach <= 1.0 ? end.binding(picture) : Binding() };
@@ -302,7 +87,7 @@ public:
 
 private:
   PixelWindow Window;
-  std::vector<std::vector<Interval>> Rows, Columns;
+  std::vector<std::vector<CoveredInterval>> Rows, Columns;
   std::vector<char> Covered;
 };
 
@@ -335,7 +120,7 @@ PixelWindow pixelsOf(const Eigen::AlignedBox2d& box)
 
 PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& stroke, const Context& context)
 {
-  const Projection projection(mesh, view, context);
+  const PicturePoints projection(mesh, view, context);
   std::vector<Eigen::AlignedBox2d> boxes(partCount(mesh));
   eachTriangle(mesh,
     context,
@@ -398,7 +183,7 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
   {
     return loops;
   }
-  const Picture picture(mesh, view, window, context);
+  const MeshPicture picture(mesh, view, window, context);
   context.checkpoint(0.1);
   const Coverage covered(picture, window, context);
   context.checkpoint(0.8);

@@ -9,7 +9,9 @@
 namespace oversketch
 {
 
-constexpr double endTolerance = 1e-6; // of an edge: nearer to its end is on the vertex
+// Of an edge: nearer to its end is on the vertex. A curve can creep up to a vertex for ever; much nearer,
+// rounding, and so how the model is turned, would decide when it arrives.
+constexpr double endTolerance = 1e-4;
 
 // A place on an edge at t from its first end.
 struct EdgePoint

@@ -43,6 +43,12 @@ Vector3 someWeights(std::mt19937& random)
   return w / w.sum();
 }
 
+Source sourceFor(const ClusterResult& result, const BaseMesh& base)
+{
+  return sourceOf(std::make_shared<const OriginalSurface>(
+    OriginalSurface{ result.original, sourceRoots(result.faceFrom, base, result.mesh) }));
+}
+
 } // namespace
 
 TEST(D5_1, EachWeldTakesAVertexThreeEdgesAndTwoFaces)
@@ -162,7 +168,7 @@ TEST(Clusters, ARefinementFollowsTheOriginal)
   greedy.improvePairs = false; // so that there are thirds
   const BaseMesh base = pairTriangles(result.mesh, greedy, Context());
   ASSERT_GT(base.unpaired, 0);
-  const MidpointRule rule{ nullptr, sourceOf(result.original, result.faceFrom, base, result.mesh), 1e-9 };
+  const MidpointRule rule{ nullptr, sourceFor(result, base), 1e-9 };
   Forest plain = base.forest, sampled = base.forest;
   putOnSource(sampled, rule.source);
   for (int g = 0; g < 4; ++g)
@@ -197,7 +203,7 @@ TEST(Clusters, ARefinementComesWithinItsToleranceOfTheOriginal)
   const Mesh mesh = icosphere(4);
   const ClusterResult result = simplifyByClusters(mesh, {}, Context());
   BaseMesh base = pairTriangles(result.mesh, {}, Context());
-  const Source source = sourceOf(result.original, result.faceFrom, base, result.mesh);
+  const Source source = sourceFor(result, base);
   putOnSource(base.forest, source);
   int last = base.forest.faceCount();
   for (double tolerance : { 4e-3, 1e-3 })

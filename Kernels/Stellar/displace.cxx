@@ -1,6 +1,7 @@
 #include "Stellar/displace.h"
 
 #include "Mesh/context.h"
+#include "Stellar/crest.h"
 #include "Stellar/passage.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ std::vector<Rise> risesOf(const Forest& forest,
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
     const FeatureCurve& curve = curves[k];
-    for (const Reached& reach : reached[k])
+    for (const Reached& reach : reached.vertices[k])
     {
       const double ratio = reach.distance / shapes[k].radius, feature = shapes[k].profile(ratio);
       Rise rise{ reach.vertex, ratio, feature };
@@ -169,8 +170,10 @@ CurvesReached reachedBy(const Forest& forest,
   CurvesReached reached;
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
-    reached.push_back(reach.find(
+    reached.vertices.push_back(reach.find(
       k, passage.faces(k), { shapes[k].radius, options.distance, options.connectedOnly }, context));
+    const std::vector<Binding> crest = crestPlaces(forest, curves[k], shapes[k].radius, passage.faces(k));
+    reached.crest.insert(reached.crest.end(), crest.begin(), crest.end());
   }
   return reached;
 }
@@ -236,6 +239,17 @@ DisplaceReport displace(Forest& forest,
     report.flipped += normals[i].dot(forest.facetNormal(faces[i])) < 0.0 ? 1 : 0;
   }
   report.moved = static_cast<int>(rises.size());
+  report.crests = static_cast<int>(reached.crest.size());
+  for (const Binding& at : reached.crest)
+  {
+    double value = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      value += at.weights[k] * forest.feature[at.vertices[k]];
+    }
+    report.crestMinimum = &at == reached.crest.data() ? value : std::min(report.crestMinimum, value);
+    report.crestSum += value;
+  }
   endStroke(forest);
   return report;
 }

@@ -3,6 +3,7 @@
 #ifndef oversketch_stellar_displace_h
 #define oversketch_stellar_displace_h
 
+#include "Mesh/place.h"
 #include "Stellar/distance.h"
 #include "Stellar/profile.h"
 
@@ -48,11 +49,18 @@ struct DisplaceReport
   int moved = 0;     // vertices with a feature value other than zero
   int flipped = 0;   // faces whose normals turned over 90 degrees
   double peak = 0.0; // the greatest feature value
+  // Feature values along the curves, see crestPlaces: 1 where the mesh holds the crest. `crests`: how many.
+  double crestSum = 0.0, crestMinimum = 0.0;
+  int crests = 0;
 };
 
-// Per curve the vertices that it reaches: all that is costly, and what stays as it is while only heights and
-// profiles change. Throws Error(BadStroke) for radii out of their range.
-using CurvesReached = std::vector<std::vector<Reached>>;
+// All that is costly, and what stays as it is while only heights and profiles change. Throws Error(BadStroke)
+// for radii out of their range.
+struct CurvesReached
+{
+  std::vector<std::vector<Reached>> vertices; // per curve
+  std::vector<Binding> crest;                 // see crestPlaces
+};
 CurvesReached reachedBy(const Forest& forest,
   const FeatureCurves& curves,
   const DisplaceOptions& options,

@@ -32,6 +32,35 @@ double unfoldedDistance(double da, double db, double c, double vx, double vy)
   return across >= 0.0 && across <= c ? std::hypot(vx - x, vy + y) : unreached;
 }
 
+Vector3 nearestWeights(const Vector3& at, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const auto onEdge = [&at](const Vector3& from, const Vector3& to)
+  {
+    const double square = (to - from).squaredNorm();
+    return square > 0.0 ? std::clamp((at - from).dot(to - from) / square, 0.0, 1.0) : 0.0;
+  };
+  const Vector3 normal = (b - a).cross(c - a);
+  const double area = normal.squaredNorm();
+  if (area > 0.0)
+  {
+    const double wb = (at - a).cross(c - a).dot(normal) / area;
+    const double wc = (b - a).cross(at - a).dot(normal) / area;
+    if (wb >= 0.0 && wc >= 0.0 && wb + wc <= 1.0)
+    {
+      return { 1.0 - wb - wc, wb, wc };
+    }
+  }
+  const double ab = onEdge(a, b), bc = onEdge(b, c), ca = onEdge(c, a);
+  const Vector3 candidates[] = { { 1.0 - ab, ab, 0.0 }, { 0.0, 1.0 - bc, bc }, { ca, 0.0, 1.0 - ca } };
+  return *std::min_element(std::begin(candidates),
+    std::end(candidates),
+    [&](const Vector3& x, const Vector3& y)
+    {
+      return (x[0] * a + x[1] * b + x[2] * c - at).squaredNorm() <
+             (y[0] * a + y[1] * b + y[2] * c - at).squaredNorm();
+    });
+}
+
 double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a, const Vector3& c)
 {
   const Vector3 x = a - p, y = c - p, d = at - p, n = x.cross(y);

@@ -71,6 +71,9 @@ private:
 // source is so far from both.
 double unfoldedDistance(double da, double db, double c, double vx, double vy);
 
+// Weights of a triangle's corners at its point nearest to a place.
+Vector3 nearestWeights(const Vector3& at, const Vector3& a, const Vector3& b, const Vector3& c);
+
 // The distance of a point from a triangle.
 double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a, const Vector3& c);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 
@@ -410,7 +411,7 @@ double Forest::diagonal() const
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-void Forest::connect()
+void Forest::connect(const Context& context)
 {
   const int count = static_cast<int>(this->faces.size());
   // Edges by their first vertex: where they go to, and the corner that they are opposite to.
@@ -441,33 +442,53 @@ void Forest::connect()
       this->vertices[v[i]].face = f;
     }
   }
-  for (int f = 0; f < count; ++f)
+  // The face on the other side of an edge, -1 for none; false where the edge is there twice in one direction.
+  const auto across = [&](const Face& face, int i, int& other)
   {
-    Face& face = this->faces[f];
-    for (int i = 0; i < 3; ++i)
+    const int from = face.v[(i + 1) % 3], to = face.v[(i + 2) % 3];
+    int twins = 0, same = 0;
+    other = -1;
+    for (int e = first[to]; e < first[to + 1]; ++e)
     {
-      const int from = face.v[(i + 1) % 3], to = face.v[(i + 2) % 3];
-      int other = -1, twins = 0, same = 0;
-      for (int e = first[to]; e < first[to + 1]; ++e)
+      if (edges[e].to == from)
       {
-        if (edges[e].to == from)
+        other = edges[e].corner / 3;
+        ++twins;
+      }
+    }
+    // Where there is a twin it sees whether this edge is there once.
+    for (int e = first[from]; twins == 0 && e < first[from + 1]; ++e)
+    {
+      same += edges[e].to == to;
+    }
+    return twins <= 1 && same <= 1;
+  };
+  std::atomic<int> bad{ count }; // the lowest face with such an edge
+  context.parallelFor(count,
+    [&](int begin, int end)
+    {
+      for (int f = begin; f < end; ++f)
+      {
+        Face& face = this->faces[f];
+        bool good = true;
+        for (int i = 0; i < 3; ++i)
         {
-          other = edges[e].corner / 3;
-          ++twins;
+          good = across(face, i, face.n[i]) && good;
+        }
+        for (int known = bad; !good && f < known && !bad.compare_exchange_weak(known, f);)
+        {
         }
       }
-      face.n[i] = other;
-      // Where there is a twin it sees whether this edge is there once.
-      for (int e = first[from]; twins == 0 && e < first[from + 1]; ++e)
-      {
-        same += edges[e].to == to;
-      }
-      if (twins > 1 || same > 1)
-      {
-        throw Error(Failure::BadMesh,
-          "The edge of points " + std::to_string(from) + " and " + std::to_string(to) +
-            " belongs to two triangles that run the same way along it");
-      }
+    });
+  for (int i = 0; bad < count && i < 3; ++i)
+  {
+    const Face& face = this->faces[bad];
+    int other = -1;
+    if (!across(face, i, other))
+    {
+      throw Error(Failure::BadMesh,
+        "The edge of points " + std::to_string(face.v[(i + 1) % 3]) + " and " +
+          std::to_string(face.v[(i + 2) % 3]) + " belongs to two triangles that run the same way along it");
     }
   }
 }

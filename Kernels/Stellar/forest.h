@@ -171,7 +171,7 @@ public:
 
   // Fills n and the vertices' face from the corners; no slot may be unused. Throws Error(BadMesh) where an
   // edge has more than two faces or two with the same direction.
-  void connect();
+  void connect(const Context& context);
 
   // What is wrong with the mesh's structure, or an empty string: edges, generations, levels, stars.
   std::string broken() const;

@@ -287,25 +287,41 @@ int reached(const Forest& forest, int v)
 void checkFit(const Forest& forest, const std::vector<char>& sides, const Context& context)
 {
   std::vector<int> corners(forest.vertices.size(), 0);
-  for (std::size_t f = 0; f < forest.faces.size(); ++f)
+  for (const Forest::Face& face : forest.faces)
   {
-    const Forest::Face& face = forest.faces[f];
-    for (int i = 0; i < 3; ++i)
+    ++corners[face.v[0]];
+    ++corners[face.v[1]];
+    ++corners[face.v[2]];
+  }
+  std::vector<int> misfit(forest.faces.size(), -1);
+  context.parallelFor(static_cast<int>(misfit.size()),
+    [&](int begin, int end)
     {
-      ++corners[face.v[i]];
-      const int g = face.n[i];
-      if (g >= 0 && face.gen + (i > 0) != forest.faces[g].gen + (forest.faces[g].n[0] != static_cast<int>(f)))
+      for (int f = begin; f < end; ++f)
       {
-        refuseLeaves("Cells " + std::to_string(f) + " and " + std::to_string(g) + " do not fit each other");
+        const Forest::Face& face = forest.faces[f];
+        for (int i = 2; i >= 0; --i)
+        {
+          const int g = face.n[i];
+          if (g >= 0 && face.gen + (i > 0) != forest.faces[g].gen + (forest.faces[g].n[0] != f))
+          {
+            misfit[f] = g;
+          }
+        }
       }
-    }
+    });
+  const auto first = std::find_if(misfit.begin(), misfit.end(), [](int g) { return g >= 0; });
+  if (first != misfit.end())
+  {
+    refuseLeaves("Cells " + std::to_string(first - misfit.begin()) + " and " + std::to_string(*first) +
+                 " do not fit each other");
   }
   context.checkpoint(0.8);
   std::vector<char> bad(forest.vertices.size(), 0);
   context.parallelFor(static_cast<int>(forest.vertices.size()),
     [&](int begin, int end)
     {
-      for (int v = begin; v < end && !context.cancelled(); ++v)
+      for (int v = begin; v < end; ++v)
       {
         const int* parents = forest.vertices[v].parents;
         bad[v] = sides[v] < 0    ? reached(forest, v) != corners[v]
@@ -548,7 +564,7 @@ Forest rebuild(const Leaves& leaves, const Context& context)
   }
   try
   {
-    forest.connect();
+    forest.connect(context);
   }
   catch (const Error& e)
   {

@@ -213,7 +213,7 @@ BaseMesh pairTriangles(const Mesh& mesh, const PairingOptions& options, const Co
   {
     base.rootCorners.push_back({ root.v[0], root.v[1], root.v[2] });
   }
-  forest.connect();
+  forest.connect(context);
   context.checkpoint(0.9);
   if (options.eagerPairs)
   {
@@ -239,7 +239,7 @@ Forest forestOfPairs(const Mesh& mesh)
   {
     addRoot(forest, t, 0);
   }
-  forest.connect();
+  forest.connect(Context());
   for (int f = 0; f < forest.rootCount; ++f)
   {
     if (forest.faces[f].n[0] != (f ^ 1))

@@ -1,7 +1,10 @@
 #include "Stellar/parametrisation.h"
 
+#include "Mesh/context.h"
+
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 namespace oversketch
 {
@@ -145,26 +148,150 @@ std::pair<int, Vector3> Parametrisation::place(int point) const
   }
 }
 
-Source sourceOf(const Parametrisation& original,
-  const std::vector<int>& faces,
+std::vector<SourceRoot> sourceRoots(const std::vector<int>& faces,
   const BaseMesh& base,
   const Mesh& simplified)
 {
-  return [&original, &faces, &base, &simplified](const SourcePlace& at)
+  std::vector<SourceRoot> roots;
+  roots.reserve(base.rootTriangle.size());
+  for (std::size_t r = 0; r < base.rootTriangle.size(); ++r)
   {
-    // Weights of the root's corners as weights of its triangle's; a corner that is none of these is the
-    // middle.
-    const int triangle = base.rootTriangle[at.root];
-    const Triangle &corners = simplified.triangles[triangle], &root = base.rootCorners[at.root];
-    Vector3 weights = Vector3::Zero();
-    for (int k = 0; k < 3; ++k)
+    const Triangle& corners = simplified.triangles[base.rootTriangle[r]];
+    SourceRoot root{ faces[base.rootTriangle[r]], {} };
+    for (int k = 0; k < 3; ++k) // what is none of the corners is the middle
     {
-      const auto found = std::find(corners.begin(), corners.end(), root[k]);
-      weights += at.weights[k] * (found != corners.end() ? Vector3(Vector3::Unit(found - corners.begin()))
-                                                         : Vector3::Constant(1.0 / 3.0));
+      root.corners[k] =
+        static_cast<int>(std::find(corners.begin(), corners.end(), base.rootCorners[r][k]) - corners.begin());
     }
-    return original.sample(faces[triangle], weights);
+    roots.push_back(root);
+  }
+  return roots;
+}
+
+SurfacePoint OriginalSurface::at(const SourcePlace& place) const
+{
+  if (place.root < 0 || place.root >= static_cast<int>(this->roots.size()))
+  {
+    throw Error(Failure::BadMesh,
+      "The source has no root " + std::to_string(place.root) +
+        " (field array SourceRoots); connect output 1 of the vtkOversketchStellarBase that made the mesh.");
+  }
+  const SourceRoot& root = this->roots[place.root];
+  Vector3 weights = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    weights += place.weights[k] * (root.corners[k] < 3 ? Vector3(Vector3::Unit(root.corners[k]))
+                                                       : Vector3(Vector3::Constant(1.0 / 3.0)));
+  }
+  return this->records.original(root.face, weights);
+}
+
+Source sourceOf(const std::shared_ptr<const OriginalSurface>& surface)
+{
+  return [surface](const SourcePlace& place)
+  {
+    const SurfacePoint at = surface->at(place);
+    const Triangle& t = surface->records.faces[at.triangle];
+    const std::vector<Vector3>& points = surface->records.points;
+    return Vector3(
+      at.weights[0] * points[t[0]] + at.weights[1] * points[t[1]] + at.weights[2] * points[t[2]]);
   };
+}
+
+namespace
+{
+
+void refuse(bool bad, const std::string& what)
+{
+  if (bad)
+  {
+    throw Error(Failure::BadMesh,
+      what + " of the source; its records were changed or cut short. Pass output 1 of "
+             "vtkOversketchStellarBase as it is.");
+  }
+}
+
+bool holds(const std::vector<std::pair<int, Vector2>>& flat, const Triangle& t)
+{
+  return std::all_of(t.begin(),
+    t.end(),
+    [&](int v)
+    { return std::any_of(flat.begin(), flat.end(), [v](const auto& f) { return f.first == v; }); });
+}
+
+} // namespace
+
+Parametrisation readRecords(const Mesh& original,
+  const std::vector<Triangle>& made,
+  const std::vector<std::array<int, 3>>& counts,
+  const std::vector<int>& oldFaces,
+  const std::vector<int>& flatVertex,
+  const std::vector<Vector2>& flat)
+{
+  const auto points = static_cast<int>(original.points.size());
+  Parametrisation result(original);
+  std::size_t nextFlat = 0, nextOld = 0, nextNew = 0;
+  std::vector<std::pair<int, Vector2>> laid;
+  std::vector<int> old;
+  for (std::size_t r = 0; r < counts.size(); ++r)
+  {
+    const std::string record = " of record " + std::to_string(r);
+    const auto& [flatCount, oldCount, newCount] = counts[r];
+    // A star that was flattened has four or five vertices and up to four faces.
+    refuse(flatCount < 4 || flatCount > 5 || oldCount < 2 || oldCount > 4 || newCount < 1 || newCount > 2,
+      "SourceRecords" + record);
+    refuse(nextFlat + flatCount > flat.size() || flat.size() != flatVertex.size(), "SourceFlat" + record);
+    refuse(nextOld + oldCount > oldFaces.size(), "SourceOldFaces" + record);
+    refuse(nextNew + newCount > made.size(), "SourceFaces" + record);
+    laid.clear();
+    for (int i = 0; i < flatCount; ++i, ++nextFlat)
+    {
+      refuse(flatVertex[nextFlat] < 0 || flatVertex[nextFlat] >= points, "SourceFlatPoints" + record);
+      refuse(!flat[nextFlat].allFinite(), "SourceFlat" + record);
+      laid.emplace_back(flatVertex[nextFlat], flat[nextFlat]);
+    }
+    old.clear();
+    for (int i = 0; i < oldCount; ++i, ++nextOld)
+    {
+      const int f = oldFaces[nextOld];
+      refuse(f < 0 || f >= static_cast<int>(result.faces.size()) || result.goneBy[f] >= 0 ||
+               !holds(laid, result.faces[f]),
+        "SourceOldFaces" + record);
+      old.push_back(f);
+    }
+    const std::vector<Triangle> faces(made.begin() + static_cast<std::ptrdiff_t>(nextNew),
+      made.begin() + static_cast<std::ptrdiff_t>(nextNew + newCount));
+    nextNew += newCount;
+    int removed = -1; // the vertex that no new face has
+    for (const auto& vertex : laid)
+    {
+      if (std::none_of(faces.begin(),
+            faces.end(),
+            [&](const Triangle& t) { return std::find(t.begin(), t.end(), vertex.first) != t.end(); }))
+      {
+        removed = vertex.first;
+      }
+    }
+    refuse(!std::all_of(faces.begin(), faces.end(), [&](const Triangle& t) { return holds(laid, t); }),
+      "SourceFaces" + record);
+    result.add(old, laid, faces, removed);
+  }
+  refuse(nextFlat != flat.size(), "SourceFlat");
+  refuse(nextOld != oldFaces.size(), "SourceOldFaces");
+  refuse(nextNew != made.size(), "SourceFaces");
+  return result;
+}
+
+void checkRoots(const OriginalSurface& surface)
+{
+  for (std::size_t r = 0; r < surface.roots.size(); ++r)
+  {
+    const SourceRoot& root = surface.roots[r];
+    refuse(root.face < 0 || root.face >= static_cast<int>(surface.records.faces.size()) ||
+             surface.records.goneBy[root.face] >= 0 ||
+             std::any_of(root.corners.begin(), root.corners.end(), [](int k) { return k < 0 || k > 3; }),
+      "SourceRoots of base triangle " + std::to_string(r));
+  }
 }
 
 void putOnSource(Forest& forest, const Source& source)

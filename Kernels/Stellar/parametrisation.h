@@ -5,6 +5,8 @@
 #include "Mesh/place.h"
 #include "Stellar/pairing.h"
 
+#include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -56,12 +58,41 @@ private:
   Vector2 flatten(const Record& record, int face, const Vector3& weights) const;
 };
 
-// The original surface for a forest that was made of a simplified one. `faces`: of the parametrisation, one
-// for each triangle of the mesh that was paired. Refers to both.
-Source sourceOf(const Parametrisation& original,
-  const std::vector<int>& faces,
+// A triangle of a simplified surface, or a third of one, that became a root of a forest.
+struct SourceRoot
+{
+  int face;                   // of the parametrisation
+  std::array<int, 3> corners; // which corner of the face each corner of the root is; 3: its middle
+};
+
+// `faces`: of the parametrisation, one for each triangle of the mesh that was paired.
+std::vector<SourceRoot> sourceRoots(const std::vector<int>& faces,
   const BaseMesh& base,
   const Mesh& simplified);
+
+// What the roots of a forest were before the simplification.
+struct OriginalSurface
+{
+  Parametrisation records;
+  std::vector<SourceRoot> roots;
+
+  SurfacePoint at(const SourcePlace& place) const; // where on the original
+};
+
+// Throws, when asked about a root that there is not, Error(BadMesh).
+Source sourceOf(const std::shared_ptr<const OriginalSurface>& surface);
+
+// The parametrisation again from lists that travelled as arrays. `made`: the faces behind the original ones.
+// `counts`: of each record the flattened vertices, old and new faces. Throws Error(BadMesh) naming the array
+// of vtkOversketchStellarBase that contradicts the others.
+Parametrisation readRecords(const Mesh& original,
+  const std::vector<Triangle>& made,
+  const std::vector<std::array<int, 3>>& counts,
+  const std::vector<int>& oldFaces,
+  const std::vector<int>& flatVertex,
+  const std::vector<Vector2>& flat);
+// The same for the roots, which are faces that are still there.
+void checkRoots(const OriginalSurface& surface);
 
 // Puts the points that pairing added, which are middles of chords, on the source.
 void putOnSource(Forest& forest, const Source& source);

@@ -16,6 +16,7 @@ namespace
 
 // What a curve passes exactly along is touched by both sides.
 constexpr double touching = 1e-9;
+constexpr int facesPerCheck = 1024; // between two looks at whether to stop
 
 struct Corners
 {
@@ -136,8 +137,12 @@ std::vector<int> Passage::touched(int curve, double widening, const Context& con
   context.parallelFor(count,
     [&](int begin, int end)
     {
-      for (int f = begin; f < end && !context.cancelled(); ++f)
+      for (int f = begin; f < end; ++f)
       {
+        if (f % facesPerCheck == 0 && context.cancelled())
+        {
+          return;
+        }
         if (!this->Mesh.isFace(f))
         {
           continue;

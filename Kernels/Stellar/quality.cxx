@@ -57,18 +57,23 @@ double narrowness(const Vector3& a, const Vector3& b, const Vector3& c)
   return others > 0.0 ? (b - a).cross(c - a).squaredNorm() / others : 0.0;
 }
 
-bool mayMove(const Forest& forest, int v, const Vector3& to, double minimumAngle)
+bool mayMove(const Forest& forest,
+  int v,
+  const Vector3& to,
+  double minimumAngle,
+  const std::vector<Vector3>* first)
 {
   const Vector3& from = forest.vertices[v].position;
+  const auto was = [&](int w) -> const Vector3& { return first ? (*first)[w] : forest.vertices[w].position; };
   double before = 1.0, after = 1.0;
   bool turned = false;
   forest.star(v,
     [&](int f, int i)
     {
       const Forest::Face& face = forest.faces[f];
-      const Vector3& b = forest.vertices[face.v[(i + 1) % 3]].position;
-      const Vector3& c = forest.vertices[face.v[(i + 2) % 3]].position;
-      const Vector3 old = (b - from).cross(c - from);
+      const int second = face.v[(i + 1) % 3], third = face.v[(i + 2) % 3];
+      const Vector3 &b = forest.vertices[second].position, &c = forest.vertices[third].position;
+      const Vector3 old = (was(second) - was(v)).cross(was(third) - was(v));
       turned = turned || (!old.isZero(0.0) && !(old.dot((b - to).cross(c - to)) > 0.0));
       before = std::min(before, narrowness(from, b, c));
       after = std::min(after, narrowness(to, b, c));

@@ -16,8 +16,13 @@ double squaredSine(double degrees);
 
 // Amendment A2: whether a vertex may go to a place. Not if the normal of a face of its star would turn by 90
 // degrees or more, nor if the star's smallest angle would be under a limit [degrees, at most 60] and smaller
-// than it is.
-bool mayMove(const Forest& forest, int v, const Vector3& to, double minimumAngle);
+// than it is. With places of the vertices before the first of several moves, faces turn from there: three
+// moves of 40 degrees are one of 120.
+bool mayMove(const Forest& forest,
+  int v,
+  const Vector3& to,
+  double minimumAngle,
+  const std::vector<Vector3>* first = nullptr);
 
 struct FaceQuality
 {

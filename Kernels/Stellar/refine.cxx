@@ -30,6 +30,7 @@ struct Mark
 struct Demand
 {
   double radius, height, sharpness, edgeLength;
+  double footLength = HUGE_VAL; // the same of faces that the foot passes through
 };
 
 Demand demandOf(const FeatureCurve& curve, const RefineOptions& options)
@@ -40,7 +41,9 @@ Demand demandOf(const FeatureCurve& curve, const RefineOptions& options)
     options.targetEdgeLength };
   if (!(d.edgeLength > 0.0))
   {
-    d.edgeLength = d.radius * (options.fineFoot && !options.profile && d.sharpness < 1.0 ? 0.125 : 0.25);
+    const bool steep = options.fineFoot && !options.profile && d.sharpness < 1.0;
+    d.edgeLength = d.radius * (steep ? 0.125 : 0.25);
+    d.footLength = steep ? d.radius * 0.03125 : d.footLength;
   }
   return d;
 }
@@ -125,6 +128,13 @@ public:
   }
 
 private:
+  // Whether the feature ends within a face.
+  bool isFoot(const Forest::Face& face) const
+  {
+    const auto reached = [&](int v) { return std::isfinite(this->Reach.distance(v)); };
+    return std::any_of(face.v, face.v + 3, reached) && !std::all_of(face.v, face.v + 3, reached);
+  }
+
   bool asks(int f, const Demand& demand) const
   {
     const Forest::Face& face = this->Mesh.faces[f];
@@ -133,7 +143,8 @@ private:
       return false;
     }
     const int a = face.v[1], c = face.v[2];
-    if ((this->Mesh.vertices[a].position - this->Mesh.vertices[c].position).norm() > demand.edgeLength)
+    const double length = (this->Mesh.vertices[a].position - this->Mesh.vertices[c].position).norm();
+    if (length > demand.edgeLength || (length > demand.footLength && this->isFoot(face)))
     {
       return true;
     }
@@ -195,7 +206,7 @@ void checkSnapped(const Forest& forest, const FeatureCurves& curves)
 {
   // Snapping leaves vertices on their edges, and a curve may pass half an edge above or below: the edge as it
   // was then. The digest of the curves is what tells small differences.
-  const double tolerance = 0.02 * forest.diagonal();
+  std::optional<double> tolerance; // once it is asked for
   for (std::size_t i = 0; i < forest.vertices.size(); ++i)
   {
     const Forest::Vertex& v = forest.vertices[i];
@@ -207,7 +218,12 @@ void checkSnapped(const Forest& forest, const FeatureCurves& curves)
     forest.link(static_cast<int>(i),
       [&](int w) { edge = std::max(edge, (forest.vertices[w].position - v.position).norm()); });
     const bool known = v.curveId < static_cast<int>(curves.size());
-    if (!known || !((curves[v.curveId].position(v.curveParam) - v.position).norm() <= tolerance + edge))
+    const double away = known ? (curves[v.curveId].position(v.curveParam) - v.position).norm() : 0.0;
+    if (known && !(away <= edge) && !tolerance)
+    {
+      tolerance = 0.02 * forest.diagonal();
+    }
+    if (!known || !(away <= edge || away <= *tolerance + edge))
     {
       throw Error(Failure::BadStroke,
         "Point " + std::to_string(i) + " is snapped to curve " + std::to_string(v.curveId) +
@@ -217,7 +233,12 @@ void checkSnapped(const Forest& forest, const FeatureCurves& curves)
   }
 }
 
-Forest refine(const Forest& forest,
+MidpointRule midpointRule(const Forest& forest, const FeatureCurves* curves, const Source& source)
+{
+  return { curves, source, source ? onSource * forest.diagonal() : 0.0 };
+}
+
+Forest refine(Forest forest,
   const FeatureCurves& curves,
   const RefineOptions& options,
   const Source& source,
@@ -226,23 +247,23 @@ Forest refine(const Forest& forest,
 {
   checkRefineOptions(curves, options);
   checkSnapped(forest, curves);
-  Forest work = forest.roomyCopy();
-  const MidpointRule rule{ &curves, source, source ? onSource * forest.diagonal() : 0.0 };
+  const int facesBefore = forest.faceCount();
+  const MidpointRule rule = midpointRule(forest, &curves, source);
   int sweeps = 0;
   {
-    Refiner refiner(work, curves, options, context);
+    Refiner refiner(forest, curves, options, context);
     for (std::vector<Mark> marks = refiner.marks(); !marks.empty(); marks = refiner.marks(), ++sweeps)
     {
       refiner.split(marks, rule);
       context.checkpoint(1.0 - std::ldexp(1.0, -1 - std::min(sweeps, 30)));
     }
   }
-  assert(work.broken().empty());
+  assert(forest.broken().empty());
   if (report)
   {
-    *report = { forest.faceCount(), work.faceCount(), sweeps };
+    *report = { facesBefore, forest.faceCount(), sweeps };
   }
-  return sweeps ? canonical(work, context).forest : work;
+  return sweeps ? canonical(forest, context).forest : forest;
 }
 
 Forest refineToSource(const Forest& forest,
@@ -255,7 +276,7 @@ Forest refineToSource(const Forest& forest,
     throw Error(Failure::BadMesh, "The Tolerance must be a positive number.");
   }
   Forest work = forest.roomyCopy();
-  const MidpointRule rule{ nullptr, source, onSource * forest.diagonal() };
+  const MidpointRule rule = midpointRule(forest, nullptr, source);
   const auto isOff = [&](int f)
   {
     const Forest::Face& face = work.faces[f];

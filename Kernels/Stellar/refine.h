@@ -16,8 +16,9 @@ struct RefineOptions
 {
   double radius = 0.0; // above 0; faces with a vertex nearer than this to a curve are refined
   double height = 0.0, sharpness = 1.5;
-  // Faces whose refinement edge is longer are split. 0: a quarter of the radius, and an eighth where the
-  // sharpness is below 1, which leaves saw-teeth at the foot else (fineFoot off: a quarter there too, as
+  // Faces whose refinement edge is longer are split. 0: a quarter of the radius. Where the sharpness is below
+  // 1, and the feature's slope without bound at its foot, an eighth, and in faces that the foot passes
+  // through a thirty-second (ours), which else show saw-teeth (fineFoot off: a quarter everywhere, as
   // published).
   double targetEdgeLength = 0.0;
   bool fineFoot = true;
@@ -41,8 +42,8 @@ struct RefineReport
 // The canonical forest after sweeps that split every face whose mark holds, until none does. New vertices
 // follow the curves where their parents are snapped, else the source. Throws Error(BadStroke) for a curve or
 // radius that is none, for snapped vertices that are not where these curves have them; Error(BadRegion) where
-// more faces than allowed would be needed.
-Forest refine(const Forest& forest,
+// more faces than allowed would be needed. Quickest with a roomyCopy() that is moved in.
+Forest refine(Forest forest,
   const FeatureCurves& curves,
   const RefineOptions& options,
   const Source& source,
@@ -62,6 +63,9 @@ Forest refineToSource(const Forest& forest,
   const Source& source,
   const SourceOptions& options,
   const Context& context);
+
+// The rule of new vertices of a forest, with a source that may be empty.
+MidpointRule midpointRule(const Forest& forest, const FeatureCurves* curves, const Source& source);
 
 // Throws Error(BadStroke) unless every snapped vertex is on the curve and at the arc length that it names.
 void checkSnapped(const Forest& forest, const FeatureCurves& curves);

@@ -221,6 +221,38 @@ TEST(Refine, TargetLengthsFollowRadiusAndSharpness)
   EXPECT_LE(longestInside(1.5, true, 0.3), 0.0125); // the curve's own goes first
 }
 
+// A profile that ends in a cliff: where the feature ends, teeth are as wide as edges are long.
+TEST(Refine, TheFootOfASteepProfileIsFineAndNothingElse)
+{
+  const auto longest = [](double sharpness, bool fineFoot, bool atFoot)
+  {
+    RefineOptions options;
+    options.radius = 0.1;
+    options.sharpness = sharpness;
+    options.fineFoot = fineFoot;
+    const Forest forest = refined(quadForest(8, 8), lineAcross(), options);
+    double length = 0.0;
+    for (const Forest::Face& face : forest.faces)
+    {
+      int inside = 0;
+      for (int v : face.v)
+      {
+        inside += std::abs(forest.vertices[v].position.y() - 0.3) < 0.1 ? 1 : 0;
+      }
+      if (inside > 0 && (inside < 3) == atFoot)
+      {
+        length = std::max(length, refinementEdge(forest, face));
+      }
+    }
+    return length;
+  };
+  EXPECT_LE(longest(0.5, true, true), 0.1 / 32);
+  EXPECT_GT(longest(0.5, true, false), 0.1 / 16); // inside it is an eighth
+  EXPECT_LE(longest(0.5, true, false), 0.1 / 8);
+  EXPECT_GT(longest(0.5, false, true), 0.1 / 8);
+  EXPECT_GT(longest(1.0, true, true), 0.1 / 8);
+}
+
 TEST(Refine, TheProfileToleranceBoundsTheErrorOfEdges)
 {
   for (CurveDistance kind : { CurveDistance::Straight, CurveDistance::Geodesic })

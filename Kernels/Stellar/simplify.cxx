@@ -33,21 +33,17 @@ double errorOf(const Forest& forest, int w)
   return error;
 }
 
-// Vertices that curves need: 1 within the radius, 2 of a face that a curve passes through.
-std::vector<char> needed(const Forest& forest,
+// Vertices that curves need, of the surface before the last displacement: 1 within the radius, 2 of a face
+// that a curve passes through.
+std::vector<char> needed(const Forest& before,
   const FeatureCurves& curves,
   const SimplifyOptions& options,
   const Context& context)
 {
-  std::vector<char> needed(forest.vertices.size(), 0);
+  std::vector<char> needed(before.vertices.size(), 0);
   if (curves.empty())
   {
     return needed;
-  }
-  Forest before = forest;
-  for (std::size_t v = 0; v < forest.displacement.size(); ++v)
-  {
-    before.vertices[v].position -= forest.displacement[v];
   }
   const CurveSearch search(curves);
   const Passage passage(before, search, context);
@@ -98,7 +94,22 @@ Forest simplify(const Forest& forest,
   int* welded)
 {
   checkSimplifyOptions(curves, options);
-  const std::vector<char> near = needed(forest, curves, options, context);
+  Forest work = forest;
+  for (std::size_t v = 0; v < forest.displacement.size(); ++v)
+  {
+    if (forest.displacement[v] != Vector3::Zero())
+    {
+      work.vertices[v].position -= forest.displacement[v];
+    }
+  }
+  const std::vector<char> near = needed(work, curves, options, context);
+  for (std::size_t v = 0; v < forest.displacement.size(); ++v)
+  {
+    if (forest.displacement[v] != Vector3::Zero())
+    {
+      work.vertices[v].position = forest.vertices[v].position;
+    }
+  }
   context.checkpoint(0.3);
   std::vector<std::vector<int>> levels;
   for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
@@ -112,7 +123,6 @@ Forest simplify(const Forest& forest,
     levels.resize(std::max<std::size_t>(levels.size(), vertex.level + 1));
     levels[vertex.level].push_back(v);
   }
-  Forest work = forest;
   int count = 0;
   // Stars of weldable vertices of one level are disjoint, and their errors depend on coarser ones alone; so
   // one pass finds all.

@@ -49,6 +49,11 @@ public:
     , Search(curves)
     , Finder(forest, this->Search)
   {
+    this->First.reserve(forest.vertices.size() + forest.vertices.size() / 8);
+    for (const Forest::Vertex& v : forest.vertices)
+    {
+      this->First.push_back(v.position);
+    }
   }
 
   void start();
@@ -98,6 +103,7 @@ private:
   const Context& Caller;
   CurveSearch Search;
   CrossingFinder Finder;
+  std::vector<Vector3> First;                         // where vertices were before they moved, by slot
   std::vector<Found> Crossings;                       // also those that are no longer
   std::vector<std::pair<int, Forest::Vertex>> Before; // of what this round has moved
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> Heap;
@@ -341,7 +347,7 @@ void Snapper::nearestFirst()
       continue;
     }
     const Vector3 to = this->place(found.crossing);
-    if (!mayMove(this->Mesh, next.vertex, to, this->Options.minimumAngle))
+    if (!mayMove(this->Mesh, next.vertex, to, this->Options.minimumAngle, &this->First))
     {
       ++this->Report.refused;
       continue;
@@ -392,11 +398,17 @@ void Snapper::split(const EdgeCrossing& crossing,
 {
   const Vector3 to = this->place(crossing);
   const int m = this->Mesh.refineEdge(crossing.ends[0], crossing.ends[1], rule, &births);
+  this->First.resize(this->Mesh.vertices.size());
+  for (const Forest::Birth& birth : births)
+  {
+    const int* ends = this->vertex(birth.vertex).parents;
+    this->First[birth.vertex] = 0.5 * (this->First[ends[0]] + this->First[ends[1]]);
+  }
   if (this->snapped(m))
   {
     return;
   }
-  if (mayMove(this->Mesh, m, to, this->Options.minimumAngle))
+  if (mayMove(this->Mesh, m, to, this->Options.minimumAngle, &this->First))
   {
     this->put(m, crossing, to);
   }
@@ -484,6 +496,7 @@ void Snapper::residualRounds(const MidpointRule& rule)
   for (int round = 0; round < this->Options.maximumResidualRounds && !left.empty(); ++round)
   {
     this->Caller.checkpoint(0.8);
+    this->Report.split = true;
     const int faces = this->Mesh.faceCount();
     const SnapReport report = this->Report;
     this->Before.clear();

@@ -34,6 +34,7 @@ struct SnapReport
   int snapped = 0;    // vertices that are on a curve now and were not before
   int refused = 0;    // moves that would have spoilt a triangle
   int facesAdded = 0; // by residual rounds
+  bool split = false; // whether there was such a round, kept or not; a canonical forest stays one without
 };
 
 // Snaps vertices to curves and fills their curveId (the index in `curves`), curveParam, moved and baseNormal.

@@ -1,0 +1,79 @@
+// The pixels of a mesh's picture, line by line: what its triangles cover of each, exactly.
+#ifndef oversketch_covered_h
+#define oversketch_covered_h
+
+#include "Mesh/mesh.h"
+#include "Mesh/view.h"
+#include "Silhouette/outline.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+// The vertices seen in the image plane.
+struct PicturePoints
+{
+  std::vector<Vector2> points;
+  std::vector<double> nearness; // per point: its weight on screen, 1 orthographic, 1 / distance perspective
+  std::vector<char> seen;       // per point: not behind the eye
+
+  PicturePoints(const Mesh& mesh, const View& view, const Context& context);
+  bool sees(const Triangle& t) const { return this->seen[t[0]] && this->seen[t[1]] && this->seen[t[2]]; }
+};
+
+// Triangles seen in the image plane, those left out that reach behind the eye or lie outside the window.
+struct MeshPicture : PicturePoints
+{
+  std::vector<Triangle> triangles;
+
+  MeshPicture(const Mesh& mesh, const View& view, const PixelWindow& window, const Context& context);
+};
+
+// An end of a covered interval, on the mesh edge that makes it.
+struct CoveredEnd
+{
+  double at = 0.0;
+  int v0 = -1, v1 = -1;
+  double t = 0.0; // on screen, from v0 to v1
+
+  Binding binding(const MeshPicture& picture) const;
+};
+
+struct CoveredInterval
+{
+  CoveredEnd low, high;
+};
+
+// The covered part of every pixel row (axis 1) or column (axis 0) of the window, measured along the line
+// through the pixel centres: disjoint intervals in ascending order.
+std::vector<std::vector<CoveredInterval>> coveredIntervals(const MeshPicture& picture,
+  int axis,
+  const PixelWindow& window,
+  const Context& context);
+
+constexpr int trianglesOfPart = 8192;
+
+// Threads take parts of a mesh's triangles: how many there are.
+int partCount(const Mesh& mesh);
+
+// Calls visit(part, triangle) for all triangles of the mesh, those of a part in their order.
+template <typename Visit>
+void eachTriangle(const Mesh& mesh, const Context& context, const Visit& visit)
+{
+  context.parallelFor(partCount(mesh),
+    [&](int begin, int end)
+    {
+      for (int part = begin; part < end; ++part)
+      {
+        const int last = std::min((part + 1) * trianglesOfPart, mesh.triangleCount());
+        for (int t = part * trianglesOfPart; t < last; ++t)
+        {
+          visit(part, mesh.triangles[t]);
+        }
+      }
+    });
+}
+
+} // namespace oversketch
+#endif
