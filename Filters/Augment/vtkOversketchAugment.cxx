@@ -37,7 +37,7 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
 {
   Pipeline& inner = *this->Inner;
   inner.Made = nullptr;
-  this->FlippedFaces = 0;
+  inner.Counted = std::nullopt;
   return this->RunSystem(
     [&]
     {
@@ -49,17 +49,17 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
       }
       inner.FeedStrokes(vtkPolyData::GetData(inputs[1]));
       inner.FeedMesh(mesh);
-      int flipped = 0;
+      inner.Counted.emplace();
+      this->SetPasses(inner.PassCount());
       for (std::size_t pass = 0; pass < inner.PassCount(); ++pass)
       {
         inner.FeedPass(pass);
         inner.RunBase();
         inner.RunCurves();
         inner.RunFeature();
-        flipped += inner.Displace->GetFlippedFaces();
+        inner.AddFigures();
       }
       inner.PutOutput(output);
-      this->FlippedFaces = flipped;
     });
 }
 
@@ -107,6 +107,7 @@ bool vtkOversketchAugment::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPo
       this->Inner->RunBase();
       if (!drawn)
       {
+        this->Inner->PrepareRays();
         return false;
       }
       this->Inner->RunCurves();
@@ -144,6 +145,16 @@ bool vtkOversketchAugment::Reshape(double height, double sharpness, vtkPoints* p
       this->Inner->Reshape(height, sharpness, points);
       return true;
     });
+}
+
+double vtkOversketchAugment::GetFigure(const char* name)
+{
+  return this->Inner->FigureOf(name ? name : "");
+}
+
+int vtkOversketchAugment::GetFlippedFaces()
+{
+  return this->Inner->Made ? this->Inner->Counted->FlippedFaces : 0;
 }
 
 void vtkOversketchAugment::GetHold(vtkPolyData* hold)
@@ -198,6 +209,17 @@ int vtkOversketchAugment::GetBackendUsed()
   return this->SketchMode == Silhouette ? this->Inner->Visibility->GetBackendUsed() : Host;
 }
 
+void vtkOversketchAugment::SetBase(int base)
+{
+  base = std::clamp<int>(base, Direct, Simplified);
+  if (base != this->Base)
+  {
+    this->Base = base;
+    this->Inner->Base->SetMode(base);
+    this->Modified();
+  }
+}
+
 void vtkOversketchAugment::SetSketchMode(int mode)
 {
   mode = std::clamp<int>(mode, Surface, Silhouette);
@@ -211,12 +233,7 @@ void vtkOversketchAugment::SetSketchMode(int mode)
 
 void vtkOversketchAugment::SetProfile(const char* text)
 {
-  const std::string wanted = text ? text : "";
-  if (wanted != this->Profile)
-  {
-    this->Profile = wanted;
-    this->Modified();
-  }
+  SetText(this, this->Profile, text);
 }
 
 void vtkOversketchAugment::SetAsPublished(bool published)
@@ -224,7 +241,6 @@ void vtkOversketchAugment::SetAsPublished(bool published)
   if (published != this->AsPublished)
   {
     this->AsPublished = published;
-    this->Combine = published ? Sum : Nearest;
     this->Inner->SetAmendments(!published);
     this->Modified();
   }
@@ -233,6 +249,7 @@ void vtkOversketchAugment::SetAsPublished(bool published)
 void vtkOversketchAugment::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Base: " << this->Base << "\n";
   os << indent << "SketchMode: " << this->SketchMode << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Height: " << this->Height << "\n";
@@ -245,5 +262,5 @@ void vtkOversketchAugment::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OneByOne: " << this->OneByOne << "\n";
   os << indent << "Simplify: " << this->Simplify << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
-  os << indent << "FlippedFaces: " << this->FlippedFaces << "\n";
+  os << indent << "FlippedFaces: " << this->GetFlippedFaces() << "\n";
 }

@@ -2,15 +2,11 @@
  * @class vtkOversketchAugment
  * @brief strokes over a mesh make it finer there and raise it: system D as one filter
  *
- * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators". A stroke is a curve on the
- * surface; the mesh becomes finer round it and nowhere else, its edges move onto the curve, and it rises, is
- * carved, or follows a new silhouette. Inside, each step is a filter of its own (names in braces reach its
- * output, see GetInnerOutput): fewer samples {Thinning}, smooth strokes {Chaikin}, 4-8 mesh {Base}, curves on
- * it {Curves}, or in silhouette mode {Silhouette}, {Visibility} and {Sketch}; refinement {Refine}, edges onto
- * curves {Snap}, even triangles {Smooth}, feature {Displace}, and what is not needed taken away {Simplify}.
- *
- * Departures from the paper are those of each step, on by default; AsPublished turns all of them off. The
- * paper schedules simplification without a rule; here it comes last.
+ * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators". Each step is a filter of its own
+ * (see GetInnerOutput): strokes {Thinning, Chaikin}, 4-8 mesh {Base}, curves on it {Curves}, or in silhouette
+ * mode {Silhouette, Visibility, Sketch}; finer triangles near curves {Refine}, edges onto them {Snap}, even
+ * triangles {Smooth}, the feature {Displace}, and what is not needed taken away {Simplify}, which the paper
+ * schedules without a rule. Departures are those of each step; AsPublished turns all off.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; a manifold with one orientation, with borders or without. One
  * that is a 4-8 mesh, as an output of this is, goes on from where it is. Points that a reader split for
@@ -22,19 +18,16 @@
  *
  * Output 0: the mesh with its features, points in double, and the arrays of a 4-8 mesh
  * (Filters/Stellar/README.md), so that the next stroke can go on. Other arrays as vtkOversketchStellarBase
- * has them: interpolated at new points, cells as what lay under them, point normals turned with the surface.
- * Along texture seams they are interpolated once per side; points that repeat a place then come after all
- * others, so that welding the output gives the 4-8 mesh with its numbers. A stroke may draw a seam's points
- * off it; they take the seam with them. Points that no feature reaches and that were there are bit-identical.
+ * has them; along texture seams once per side, and points that repeat a place then come after all others, so
+ * that welding the output gives the 4-8 mesh with its numbers. A stroke may draw a seam's points off it; they
+ * take the seam with them. Points that no feature reaches and that were there are bit-identical.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
- * failure; BadStroke where there is no stroke; output empty. An empty mesh gives an empty output silently.
- * After AbortExecute the output is empty and the error code Cancelled; call Modified() before the next
- * Update.
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
+ * BadStroke where there is no stroke. An empty mesh gives an empty output silently. A run that AbortExecute
+ * stopped needs Modified() before the next.
  *
- * Demand-driven: another height, sharpness (on the same side of 1) or profile runs {Displace} and what
- * follows, another radius {Curves} and {Refine} too, a new stroke no {Base}; a changed attribute array
- * re-runs no step. Deterministic: same input, same bits, whatever the number of threads.
+ * Demand-driven: another height, sharpness (on the same side of 1) or profile runs {Displace} and on, a
+ * radius {Curves} and {Refine} too, a stroke no {Base}, a changed attribute array no step. Deterministic.
  *
  * @sa vtkOversketchStellarBase vtkOversketchSurfaceStroke vtkOversketchOneStroke
  */
@@ -57,8 +50,22 @@ public:
   void SetStrokesConnection(vtkAlgorithmOutput* strokes) { this->SetInputConnection(1, strokes); }
   void SetStrokesData(vtkPolyData* strokes);
 
-  // What the rays of {Visibility} ran on, in silhouette mode.
-  int GetBackendUsed() override;
+  int GetBackendUsed() override; // by the rays of {Visibility}, in silhouette mode
+
+  enum BaseType
+  {
+    Direct = 0,
+    Simplified = 1
+  };
+  ///@{
+  /**
+   * What strokes refine: Direct (default), the mesh itself, or a coarser one (see {Base}) that follows it.
+   */
+  void SetBase(int base);
+  vtkGetMacro(Base, int);
+  void SetBaseToDirect() { this->SetBase(Direct); }
+  void SetBaseToSimplified() { this->SetBase(Simplified); }
+  ///@}
 
   enum SketchModeType
   {
@@ -129,7 +136,7 @@ public:
   ///@{
   /**
    * Where several strokes reach a vertex: the Nearest by share of its radius alone (default), or as published
-   * the Sum, which stands twice as high where two cross.
+   * the Sum, twice as high where two cross.
    */
   vtkSetClampMacro(Combine, int, Nearest, Sum);
   vtkGetMacro(Combine, int);
@@ -163,8 +170,8 @@ public:
 
   ///@{
   /**
-   * Each stroke is drawn on what the one before has made; off (default), all act at once. The same shape as
-   * of one filter a stroke, chained; inner outputs and times are then those of the last stroke.
+   * Each stroke is drawn on what the one before has made, as by one filter a stroke; off (default), all act
+   * at once. Inner outputs are then those of the last stroke.
    */
   vtkSetMacro(OneByOne, bool);
   vtkGetMacro(OneByOne, bool);
@@ -182,44 +189,41 @@ public:
 
   ///@{
   /**
-   * Turn every departure of every step off (true) or on (false, default), and set Combine to Sum or Nearest;
-   * sets the properties of the inner steps at once, so single ones can be changed afterwards by GetStep.
+   * Turn every departure of every step off (true) or on (false, default): sets the properties of the inner
+   * steps at once, so single ones can be changed afterwards by GetStep. While true, strokes sum (Combine).
    */
   void SetAsPublished(bool published);
   vtkGetMacro(AsPublished, bool);
   vtkBooleanMacro(AsPublished, bool);
   ///@}
 
-  /**
-   * Faces that the last run turned by over 90 degrees where it raised them; 0 after one that failed.
-   */
-  vtkGetMacro(FlippedFaces, int);
-
   ///@{
   /**
-   * Prepare makes the 4-8 mesh of port 0 and, in surface mode, what rays need. Preview gives the curves of
-   * strokes on a mesh (of several that are drawn one by one the first's) and keeps what it makes of the mesh
-   * for the next Update. The hold is the curves of the last run, the region what it raised.
+   * Faces that the last run turned by over 90 degrees; 0 after one that failed. And what was counted over all
+   * strokes, by name: Crossings, Residual, RefusedMoves ({Smooth}'s too), FacesAdded of {Snap}, FlippedFaces,
+   * IntersectingFaces (with CountIntersections), CrestMean, CrestMinimum of {Displace}, LongestSegment of
+   * curves [model length], SmallestAngle of the output [degrees]; NaN where there is none.
    */
-  bool Prepare() override;
-  bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override;
-  void GetHold(vtkPolyData* hold) override;
-  void GetRegion(vtkPolyData* region) override;
+  int GetFlippedFaces();
+  double GetFigure(const char* name);
   ///@}
 
+  bool Prepare() override; // the 4-8 mesh and, in surface mode, what rays need
+  bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override; // curves
+  void GetHold(vtkPolyData* hold) override;
+  void GetRegion(vtkPolyData* region) override;
   /**
-   * What strokes would make, drawn from their curves alone while the pen is down: three polylines a curve,
-   * cell array Part 0 for the crest (in silhouette mode the sketch), 1 and 2 for where the feature ends to
-   * either side; cell array CurveId. As Preview else; without a stroke of two samples it makes the 4-8 mesh
-   * alone and returns false.
+   * What strokes would make, while the pen is down: three polylines a curve, cell array Part 0 for the crest
+   * (or the sketch), 1 and 2 for the feet, and CurveId. As Preview else; without a stroke of two samples it
+   * makes what Prepare makes and returns false.
    */
   bool PreviewCrest(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* crest);
 
   /**
    * The last output with another height [model length, 0: half the radius] and sharpness, a preview: writes
-   * places into `points`, which are a copy of its points; the output stays. A stroke's own Height and
-   * Sharpness, and a profile, still go before. False after a run that failed or was of several strokes one by
-   * one, where points do not fit (an error), or numbers are out of range (the error code tells).
+   * places into `points`, a copy of its points. A stroke's own Height and Sharpness, and a profile, still go
+   * before. False after a run that failed or was of several strokes one by one, where points do not fit (an
+   * error), or numbers are out of range (the error code tells).
    */
   bool Reshape(double height, double sharpness, vtkPoints* points);
 
@@ -234,19 +238,19 @@ private:
   vtkOversketchAugment(const vtkOversketchAugment&) = delete;
   void operator=(const vtkOversketchAugment&) = delete;
 
+  int Base = Direct;
   int SketchMode = Surface;
+  int Combine = Nearest;
+  int Distance = Straight;
   double Radius = -1.0;
   double Height = 0.0;
   double Sharpness = 1.5;
-  std::string Profile;
-  bool UsePressure = false;
-  int Combine = Nearest;
-  int Distance = Straight;
   double TargetEdgeLength = 0.0;
+  bool UsePressure = false;
   bool OneByOne = false;
   bool Simplify = true;
   bool AsPublished = false;
-  int FlippedFaces = 0;
+  std::string Profile;
 
   struct Pipeline;
   std::unique_ptr<Pipeline> Inner;

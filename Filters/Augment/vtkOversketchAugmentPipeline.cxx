@@ -2,13 +2,14 @@
 
 #include "Stellar/preview.h"
 #include "vtkOversketchAugmentSeams.h"
+#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStepRunner.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <string>
 
 using namespace oversketch;
@@ -67,103 +67,6 @@ vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell)
   return alone;
 }
 
-// A stroke of two samples over a triangle, seen from outside the mesh.
-vtkSmartPointer<vtkPolyData> StrokeOver(vtkPolyData* mesh, vtkIdType triangle)
-{
-  vtkNew<vtkIdList> ids;
-  mesh->GetPolys()->GetCellAtId(triangle, ids);
-  const Vector3 a(mesh->GetPoint(ids->GetId(0))), b(mesh->GetPoint(ids->GetId(1))),
-    c(mesh->GetPoint(ids->GetId(2)));
-  Eigen::Matrix4d seen = Eigen::Matrix4d::Identity(), shown = Eigen::Matrix4d::Identity();
-  const Vector3 z = (b - a).cross(c - a).normalized(), x = (b - a).normalized();
-  seen.row(0).head<3>() = x;
-  seen.row(1).head<3>() = z.cross(x);
-  seen.row(2).head<3>() = z;
-  const double diagonal = DiagonalOf(mesh);
-  seen.topRightCorner<3, 1>() = -seen.topLeftCorner<3, 3>() * ((a + b + c) / 3.0 + diagonal * z);
-  shown(0, 0) = shown(1, 1) = 10.0 / (b - a).norm();
-  shown(2, 2) = -0.5 / diagonal;
-  auto stroke = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->InsertNextPoint(0.5, 1.0, 0.0);
-  points->InsertNextPoint(1.5, 1.0, 0.0);
-  vtkNew<vtkCellArray> line;
-  line->InsertNextCell({ 0, 1 });
-  stroke->SetPoints(points);
-  stroke->SetLines(line);
-  const auto add = [&stroke](const char* name, const double* values, int count)
-  {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(count);
-    array->InsertNextTuple(values);
-    stroke->GetCellData()->AddArray(array);
-  };
-  seen.transposeInPlace(); // by rows
-  shown.transposeInPlace();
-  const double size[] = { 2.0, 2.0 };
-  add("ViewTransform", seen.data(), 16);
-  add("ProjectionTransform", shown.data(), 16);
-  add("ViewportSize", size, 2);
-  return stroke;
-}
-
-// Curve `cell` of the filters of strokes, as far as a preview reads it.
-FeatureCurve CurveAt(vtkPolyData* curves, vtkIdType cell)
-{
-  FeatureCurve curve;
-  vtkNew<vtkIdList> ids;
-  curves->GetLines()->GetCellAtId(cell, ids);
-  vtkIdType count = ids->GetNumberOfIds();
-  curve.closed = count > 2 && ids->GetId(0) == ids->GetId(count - 1);
-  count -= curve.closed ? 1 : 0;
-  vtkDataArray *normals = curves->GetPointData()->GetArray("Normals"),
-               *pressure = curves->GetPointData()->GetArray("Pressure");
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const vtkIdType id = ids->GetId(i);
-    curve.points.emplace_back(curves->GetPoint(id));
-    if (normals)
-    {
-      curve.normals.emplace_back(normals->GetTuple3(id));
-    }
-    if (pressure)
-    {
-      curve.pressure.push_back(pressure->GetComponent(id, 0));
-    }
-  }
-  const auto own = [&](const char* name, std::optional<double>& value)
-  {
-    if (vtkDataArray* array = curves->GetCellData()->GetArray(name))
-    {
-      value = array->GetComponent(cell, 0);
-    }
-  };
-  own("Radius", curve.radius);
-  own("Height", curve.height);
-  curve.measure();
-  return curve;
-}
-
-// Per point of a mesh its number before some were taken away: what is left stands in the order in which it
-// was, at its places.
-std::vector<vtkIdType> NumbersBefore(vtkPolyData* before, vtkPolyData* after)
-{
-  std::vector<vtkIdType> numbers(static_cast<std::size_t>(after->GetNumberOfPoints()));
-  vtkIdType next = 0;
-  for (std::size_t v = 0; v < numbers.size(); ++v, ++next)
-  {
-    Vector3 p, q;
-    after->GetPoint(static_cast<vtkIdType>(v), p.data());
-    for (before->GetPoint(next, q.data()); q != p; before->GetPoint(++next, q.data()))
-    {
-    }
-    numbers[v] = next;
-  }
-  return numbers;
-}
-
 } // namespace
 
 vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
@@ -183,6 +86,9 @@ vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
   this->Sketch->SetInputData(1, this->Shape);
   this->Sketch->SetInputConnection(2, this->Visibility->GetOutputPort());
   this->Refine->SetInputConnection(0, this->Base->GetOutputPort());
+  this->Refine->SetSourceConnection(this->Base->GetOutputPort(1));
+  this->Snap->SetSourceConnection(this->Base->GetOutputPort(1));
+  this->Smooth->SetSourceConnection(this->Base->GetOutputPort(1));
   this->Snap->SetInputConnection(0, this->Refine->GetOutputPort());
   this->Smooth->SetInputConnection(0, this->Snap->GetOutputPort());
   this->Displace->SetInputConnection(0, this->Smooth->GetOutputPort());
@@ -350,7 +256,7 @@ void vtkOversketchAugment::Pipeline::SetShape(vtkOversketchStellarDisplace* step
   step->SetSharpness(sharpness);
   step->SetProfile(self->GetProfile());
   step->SetUsePressure(self->UsePressure);
-  step->SetCombine(self->Combine);
+  step->SetCombine(self->AsPublished ? Sum : self->Combine);
   step->SetDistance(self->Distance);
 }
 
@@ -412,26 +318,10 @@ void vtkOversketchAugment::Pipeline::RunBase()
 
 void vtkOversketchAugment::Pipeline::PrepareRays()
 {
-  if (this->Self->SketchMode == Silhouette || this->RaysKey == this->ShapeKeySeen)
+  if (this->Self->SketchMode == Surface)
   {
-    return;
+    this->Self->RunStage("Curves", [this] { this->Curves->Prepare(); });
   }
-  this->Strokes->ShallowCopy(StrokeOver(this->Shape, 0));
-  this->StrokesPass = -1;
-  this->Self->RunStage("Thinning");
-  this->Self->RunStage("Chaikin");
-  try
-  {
-    this->Self->RunStage("Curves");
-  }
-  catch (const Error& error)
-  {
-    if (error.failure() != Failure::BadStroke) // a needle is missed, but after the scene is there
-    {
-      throw;
-    }
-  }
-  this->RaysKey = this->ShapeKeySeen;
 }
 
 void vtkOversketchAugment::Pipeline::RunCurves()
@@ -449,7 +339,6 @@ void vtkOversketchAugment::Pipeline::RunCurves()
   else
   {
     this->Self->RunStage("Curves");
-    this->RaysKey = this->ShapeKeySeen;
   }
 }
 
@@ -497,10 +386,9 @@ void vtkOversketchAugment::Pipeline::PutOutput(vtkPolyData* output)
   made->Last->ShallowCopy(last);
   if (this->PassCount() == 1)
   {
-    const std::vector<vtkIdType> numbers = NumbersBefore(displaced, last);
     for (vtkIdType& vertex : vertices)
     {
-      vertex = numbers[static_cast<std::size_t>(vertex)];
+      vertex = this->Self->Simplify ? this->Simplify->GetInputPoint(vertex) : vertex;
     }
     made->Numbers = std::move(vertices);
   }
@@ -517,18 +405,14 @@ void vtkOversketchAugment::Pipeline::PutCrest(vtkPolyData* crest)
   vtkNew<vtkIntArray> parts, numbers;
   parts->SetName("Part");
   numbers->SetName("CurveId");
-  for (vtkIdType c = 0; c < curves->GetNumberOfLines(); ++c)
+  const FeatureCurves read = CurvesOf(curves), sketches = sketch ? CurvesOf(sketch) : FeatureCurves();
+  for (std::size_t c = 0; c < read.size(); ++c)
   {
-    const FeatureCurve curve = CurveAt(curves, c);
+    const FeatureCurve& curve = read[c];
     const double radius = curve.radius.value_or(this->PassRadius);
     const double height = this->Self->Height == 0.0 ? 0.5 * radius : this->Self->Height;
-    std::vector<Vector3> sketched;
-    if (sketch)
-    {
-      sketched = CurveAt(sketch, c).points;
-    }
     const FeaturePreview preview =
-      previewFeature(curve, radius, height, this->Self->UsePressure, sketch ? &sketched : nullptr);
+      previewFeature(curve, radius, height, this->Self->UsePressure, sketch ? &sketches[c].points : nullptr);
     int part = 0;
     for (const std::vector<Vector3>* line : { &preview.crest, &preview.left, &preview.right })
     {

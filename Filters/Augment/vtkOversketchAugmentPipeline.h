@@ -25,6 +25,8 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,12 +48,16 @@ struct vtkOversketchAugment::Pipeline
   void SetShape(vtkOversketchStellarDisplace* step, double radius, double height, double sharpness) const;
 
   void RunBase();
-  // Has the curves' step make ray scene and normals of the present mesh, where it has none.
+  // Has the curves' step make what rays need of the present mesh.
   void PrepareRays();
   void RunCurves();
   void RunFeature();
   const char* CurvesName() const { return this->Self->SketchMode == Silhouette ? "Sketch" : "Curves"; }
   const char* LastName() const { return this->Self->Simplify ? "Simplify" : "Displace"; }
+  // What the steps count, after a pass; see vtkOversketchAugment::GetFigure.
+  void AddFigures();
+  double FigureOf(const std::string& name) const;
+
   // The user's mesh with what the steps made of it.
   void PutOutput(vtkPolyData* output);
   void PutCrest(vtkPolyData* crest);
@@ -60,12 +66,22 @@ struct vtkOversketchAugment::Pipeline
 
   vtkOversketchAugment* Self;
 
+  // Of all passes of the last run; nothing after one that failed.
+  struct Figures
+  {
+    int Crossings = 0, Residual = 0, RefusedMoves = 0, FacesAdded = 0, FlippedFaces = 0;
+    int IntersectingFaces = 0; // below 0: not counted
+    int CrestPlaces = 0;
+    double CrestSum = 0.0, CrestMinimum = 0.0, LongestSegment = 0.0;
+  };
+  std::optional<Figures> Counted;
+
   // What the inner pipeline starts from. Start is the mesh that came in, welded where that has repeated
   // points; Mesh that of the present pass; Shape its 4-8 mesh without arrays, so that no step reads normals.
   vtkNew<vtkPolyData> Start, Mesh, Shape, Strokes;
   std::unique_ptr<oversketch::Weld> Welding; // null where points and arrays go through the steps themselves
   vtkNew<vtkPolyData> Plain;                 // the mesh that it is of
-  oversketch::MeshKey MeshKeySeen, ShapeKeySeen, RaysKey;
+  oversketch::MeshKey MeshKeySeen, ShapeKeySeen;
   std::pair<const vtkPolyData*, vtkMTimeType> MeshSeen{ nullptr, 0 }, StrokesSeen{ nullptr, 0 };
   bool SplitSeen = false;
   std::vector<vtkSmartPointer<vtkPolyData>> Passes; // the strokes of each

@@ -2,6 +2,7 @@
 
 #include "Ray/surface_rays.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellArray.h"
@@ -26,16 +27,6 @@ namespace oversketch
 
 namespace
 {
-
-// See Filters/Stellar/README.md.
-const char* const cellNames[] = { "StellarRoot", "StellarPath", "StellarGen" };
-const char* const pointNames[] = { "StellarMoved",
-  "CurveId",
-  "CurveParam",
-  "BaseNormal",
-  "Displacement",
-  "Feature" };
-const char* const fieldNames[] = { "StellarVersion", "CurveDigest" };
 
 // One chart of a mesh as a surface of its own.
 class ChartSurface
@@ -146,39 +137,23 @@ vtkSmartPointer<vtkDataArray> Reordered(vtkDataArray* array, const std::vector<v
 
 } // namespace
 
-void RemoveStellarArrays(vtkPolyData* mesh)
-{
-  for (const char* name : pointNames)
-  {
-    mesh->GetPointData()->RemoveArray(name);
-  }
-  for (const char* name : cellNames)
-  {
-    mesh->GetCellData()->RemoveArray(name);
-  }
-  for (const char* name : fieldNames)
-  {
-    mesh->GetFieldData()->RemoveArray(name);
-  }
-}
-
 void CopyStellarArrays(vtkPolyData* source, const std::vector<vtkIdType>& from, vtkPolyData* to)
 {
-  for (const char* name : pointNames)
+  for (const char* name : stellarPointArrays)
   {
     if (vtkDataArray* array = source->GetPointData()->GetArray(name))
     {
       to->GetPointData()->AddArray(Reordered(array, from));
     }
   }
-  for (const char* name : cellNames)
+  for (const char* name : stellarCellArrays)
   {
     if (vtkDataArray* array = source->GetCellData()->GetArray(name))
     {
       to->GetCellData()->AddArray(array);
     }
   }
-  for (const char* name : fieldNames)
+  for (const char* name : stellarFieldArrays)
   {
     if (vtkDataArray* array = source->GetFieldData()->GetArray(name))
     {

@@ -14,10 +14,8 @@ class vtkPolyData;
 namespace oversketch
 {
 
-// Takes the arrays of the 4-8 mesh away.
-void RemoveStellarArrays(vtkPolyData* mesh);
-
-// Gives them to another mesh, cell and field arrays as they are: point i there is from[i] of `source`.
+// Gives the arrays of the 4-8 mesh to another one, cell and field arrays as they are: point i there is
+// from[i] of `source`.
 void CopyStellarArrays(vtkPolyData* source, const std::vector<vtkIdType>& from, vtkPolyData* to);
 
 // Arrays that the steps carry from a welded mesh to what they make of it: point array Place, where a point

@@ -227,6 +227,16 @@ Context ThreadsOnly()
   return context;
 }
 
+void SetText(vtkAlgorithm* self, std::string& value, const char* text)
+{
+  const std::string wanted = text ? text : "";
+  if (wanted != value)
+  {
+    value = wanted;
+    self->Modified();
+  }
+}
+
 Context ContextOf(vtkAlgorithm* self, double from, double to)
 {
   Context context = ThreadsOnly();

@@ -42,6 +42,11 @@ OVERSKETCHFILTERSCORE_EXPORT int RunFilter(vtkAlgorithm* self, const std::functi
 OVERSKETCHFILTERSCORE_EXPORT std::string MessageOf(const void* eventData);
 
 /**
+ * Sets a text parameter of a filter, which is modified where it is another text; null is an empty one.
+ */
+OVERSKETCHFILTERSCORE_EXPORT void SetText(vtkAlgorithm* self, std::string& value, const char* text);
+
+/**
  * Threads from vtkSMPTools, progress mapped to [from, to] of the filter's own, cancel from AbortExecute.
  */
 OVERSKETCHFILTERSCORE_EXPORT Context ContextOf(vtkAlgorithm* self, double from = 0.0, double to = 1.0);

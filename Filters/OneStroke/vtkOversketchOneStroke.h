@@ -33,7 +33,8 @@
  *
  * Output 0: the deformed mesh. Point, cell and field arrays survive; where the remesher made points they are
  * interpolated (along texture seams once per side), and normals turn with the surface. Points outside the
- * region are bit-identical and, where nothing was remeshed, all points and cells keep their ids.
+ * region are bit-identical and, where nothing was remeshed, all points and cells keep their ids; else the
+ * arrays of a 4-8 mesh are dropped.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
  * failure; Torn where the result is refused; output empty. An empty mesh gives an empty output silently.

@@ -1,5 +1,7 @@
 #include "vtkOversketchOneStrokePipeline.h"
 
+#include "vtkOversketchHierarchy.h"
+
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -114,6 +116,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   this->Match->SetCompareShapes(on);
   this->Match->SetMaximumGap(on ? farthestOutline : 0.0);
   this->Targets->SetSingleLayer(on);
+  this->ShapeDiameter->SetTurnCones(on);
   this->MixtureRegion->SetSeedMargin(on ? 0.1 : 0.0);
   this->MixtureRegion->SetFillIslands(on);
   this->MixtureRegion->SetLimitRunaway(on);
@@ -121,6 +124,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   this->MixtureRegion->SetReachEnds(on);
   this->MixtureRegion->SetConfineToSection(on);
   this->MixtureRegion->SetEvenSamples(on);
+  this->MixtureRegion->SetIgnoreNoise(on);
   this->RegionBorder->SetConfine(on);
   for (vtkOversketchRemesh* step : { this->Stretch.Get(), this->Restore.Get() })
   {
@@ -392,6 +396,7 @@ void vtkOversketchOneStroke::Pipeline::PutOutput(vtkPolyData* mesh, vtkPolyData*
       this->Welding->Transfer(mesh, { this->Self->StageOutput("Stretch"), restored }, output),
       deformed,
       restored);
+    DropHierarchy(output);
   }
   else
   {

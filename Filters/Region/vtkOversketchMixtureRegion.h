@@ -25,6 +25,8 @@
  * a thickened thigh;
  * - where the section is one of a body and not of a limb, only what is near it is moved (ConfineToSection):
  * thickness does not tell parts of a body apart, and a back that was raised took tail and legs with it;
+ * - where the thickness is the same everywhere but for the rays' noise, as on a sphere, the region is what is
+ * near the section (IgnoreNoise): it was a chance patch, which tore or held no vertex inside its border;
  * - samples are even over the surface, not drawn at random (EvenSamples): the same shape with its vertices in
  * another order, or more of them on one limb, has the same mixtures.
  *
@@ -32,7 +34,8 @@
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated.
  * Input 1 (Handles): handles (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3],
  * RelativePosition[1], UnmergedTarget[3] (read when ReachEnds or ConfineToSection is on), and field array
- * SectionLength[1], model length (read when one of these or LimitRunaway is on, or with a Reach).
+ * SectionLength[1], model length (read when one of these or LimitRunaway is on, with a Reach, and where
+ * IgnoreNoise takes hold).
  *
  * Output 0: the input with point arrays
  * - Region, unsigned char: 1 for vertices of the region,
@@ -179,6 +182,17 @@ public:
 
   ///@{
   /**
+   * Where the thickness' standard deviation is less than a fiftieth of its mean, take what is near to a seed
+   * as ConfineToSection has it, and its neighbours at least, and look for no junction; default on. Off is as
+   * published: noise, scaled to [0, 1], then decides.
+   */
+  vtkSetMacro(IgnoreNoise, bool);
+  vtkGetMacro(IgnoreNoise, bool);
+  vtkBooleanMacro(IgnoreNoise, bool);
+  ///@}
+
+  ///@{
+  /**
    * Most components of a mixture, 1 to 8; default 4 (Table 2). The seeds' mixture has no more than a third of
    * the samples.
    */
@@ -237,6 +251,7 @@ private:
   bool ConfineToSection = true;
   double Reach = 0.0;
   bool EvenSamples = true;
+  bool IgnoreNoise = true;
   int Components = 4;
   int MaximumSamples = 2048;
   int Seed = 1;

@@ -21,7 +21,7 @@ using namespace oversketch;
 // The array and what it was made from.
 struct vtkOversketchShapeDiameter::Cache
 {
-  using Parameters = std::tuple<int, double, bool, int>;
+  using Parameters = std::tuple<int, double, bool, bool, int>;
 
   MeshKey Key;
   Parameters Values{};
@@ -55,7 +55,7 @@ int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
       RequirePolygonsOnly(input); // the key does not see other cells
       const MeshKey key(input, { input->GetPointData()->GetNormals() });
       const Cache::Parameters values(
-        this->RayCount, this->ConeAngle, this->InverseAngleWeights, this->GetBackend());
+        this->RayCount, this->ConeAngle, this->InverseAngleWeights, this->TurnCones, this->GetBackend());
       Cache& cache = *this->Internals;
       if (!cache.Array || cache.Key != key || cache.Values != values)
       {
@@ -65,6 +65,7 @@ int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
         options.rayCount = this->RayCount;
         options.coneAngle = this->ConeAngle;
         options.inverseAngleWeights = this->InverseAngleWeights;
+        options.turnCones = this->TurnCones;
         options.backend = this->KernelBackend();
         cache.Known.nextMesh = cache.Mesh->KeptSurface();
         cache.Known.nextNormals = cache.Mesh->KeptNormals();
@@ -102,6 +103,7 @@ void vtkOversketchShapeDiameter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RayCount: " << this->RayCount << "\n"
      << indent << "ConeAngle: " << this->ConeAngle << "\n"
      << indent << "InverseAngleWeights: " << this->InverseAngleWeights << "\n"
+     << indent << "TurnCones: " << this->TurnCones << "\n"
      << indent << "RayCastCount: " << this->RayCastCount << "\n"
      << indent << "TracedRayCount: " << this->TracedRayCount << "\n"
      << indent << "NewRayCount: " << this->NewRayCount << "\n";

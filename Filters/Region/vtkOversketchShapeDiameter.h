@@ -5,10 +5,10 @@
  * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 4.1, Fig. 8. From each vertex v a
  * cone of rays is cast round -n_v into the solid; the shape diameter is the average length to where the rays
  * leave it. The paper leaves open, and here is chosen: ConeAngle is the full opening; the rays are a fixed
- * spiral of equal solid angles, so the result is not random; a ray ends at the first facet that it leaves
- * through (direction . facet normal > 0) and that does not touch v, passing through all others; hits farther
- * than one standard deviation from the median are dropped, the rest averaged with equal weights. Departure: a
- * bounding volume tree built on the host instead of an octree.
+ * spiral of equal solid angles, so the result is not random, laid by the longer edges at v (TurnCones); a ray
+ * ends at the first facet that it leaves through (direction . facet normal > 0) and that does not touch v,
+ * passing through all others; hits farther than one standard deviation from the median are dropped, the rest
+ * averaged with equal weights. Departure: a bounding volume tree built on the host instead of an octree.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, oriented outward, closed or not; its point normals are used
  * where it has them, else angle-weighted ones are computed. Non-manifold edges are tolerated. An
@@ -77,6 +77,18 @@ public:
   vtkBooleanMacro(InverseAngleWeights, bool);
   ///@}
 
+  ///@{
+  /**
+   * Lay each vertex' rays round the cone's axis by where its longer edges point to, or, where they are as
+   * long on all sides, by a fixed direction; default on. Off, as published, which names no direction: by a
+   * fixed one, and a model that is turned is hit elsewhere and gets another region (90 of its vertices, where
+   * one was compared).
+   */
+  vtkSetMacro(TurnCones, bool);
+  vtkGetMacro(TurnCones, bool);
+  vtkBooleanMacro(TurnCones, bool);
+  ///@}
+
   /**
    * How many times rays have been cast: executions that the kept result did not answer.
    */
@@ -105,6 +117,7 @@ private:
   int RayCount = 32;
   double ConeAngle = 60.0;
   bool InverseAngleWeights = false;
+  bool TurnCones = true;
   vtkIdType RayCastCount = 0;
   vtkIdType TracedRayCount = 0;
   vtkIdType NewRayCount = 0;

@@ -4,6 +4,7 @@
 #include "Remesh/sizing.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchRuns.h"
 #include "vtkOversketchSharedMesh.h"
@@ -412,6 +413,7 @@ void vtkOversketchRemesh::Cache::Write(vtkPolyData* input, vtkPolyData* output)
   output->GetCellData()->AddArray(this->SourceCell);
   output->GetCellData()->AddArray(this->SourceWeights);
   output->GetFieldData()->PassData(input->GetFieldData());
+  DropHierarchy(output);
   if (this->GuideLength)
   {
     output->GetFieldData()->AddArray(this->GuideLength);

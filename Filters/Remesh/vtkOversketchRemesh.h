@@ -47,8 +47,8 @@
  * the region's remaining ones, then new ones. Triangles that could not change come first, in their order.
  * Point arrays: floating ones interpolated (the active normals re-normalised), others, and Region, taken
  * from the vertex of largest weight. Cell arrays: from the input triangle under the middle of each
- * triangle, of the same Chart. Field data is passed. Global ids are dropped: they would no longer be
- * unique. New arrays:
+ * triangle, of the same Chart. Field data is passed. Global ids, which would no longer be unique, and
+ * the arrays of a 4-8 mesh are dropped. New arrays:
  * - cell array SourceCell, vtkIdType[3]: per corner the input triangle it lies on, of the triangle's own
  * chart,
  * - cell array SourceWeights, double[9]: per corner the weights of that triangle's corners (sum 1),

@@ -1,7 +1,10 @@
 #include "vtkOversketchStellarBase.h"
 
+#include "Stellar/clusters.h"
 #include "Stellar/pairing.h"
+#include "Stellar/refine.h"
 #include "vtkOversketchSharedMesh.h"
+#include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkInformation.h"
@@ -9,12 +12,16 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+
 using namespace oversketch;
 
 struct vtkOversketchStellarBase::Cache
 {
   StellarStep Step;
-  std::shared_ptr<const Forest> Passed; // of an input that goes through, held for the next step
+  std::shared_ptr<const Forest> Passed;  // of an input that goes through, held for the next step
+  vtkSmartPointer<vtkPolyData> Records;  // of output 1; null: none
+  std::shared_ptr<const Source> Surface; // the same, held for the next step
 };
 
 vtkStandardNewMacro(vtkOversketchStellarBase);
@@ -52,14 +59,54 @@ Origins OriginsOfBase(const BaseMesh& base, const Mesh& mesh)
   return origins;
 }
 
+// Of a forest that was made of a simplified mesh: all points and cells where they lie on the original.
+Origins OriginsOnSurface(const Forest& forest,
+  const OriginalSurface& surface,
+  const std::vector<int>& pointFrom)
+{
+  Origins origins;
+  const auto bindingOf = [&](const SurfacePoint& at)
+  {
+    const Triangle& t = surface.records.faces[at.triangle];
+    return Binding{ { t[0], t[1], t[2] }, at.weights };
+  };
+  for (int i = 0; i < static_cast<int>(forest.vertices.size()); ++i)
+  {
+    if (i < static_cast<int>(pointFrom.size()))
+    {
+      origins.pointFrom.push_back(pointFrom[i]);
+      continue;
+    }
+    const Binding at = bindingOf(surface.at(forest.place(i)));
+    origins.pointFrom.push_back(at.vertices[0]);
+    origins.slid.emplace_back(i, at);
+  }
+  for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
+  {
+    Vector3 weights[3];
+    forest.rootWeights(f, weights);
+    const SourcePlace middle{
+      forest.faces[f].root, (weights[0] + weights[1] + weights[2]) / 3.0, Vector3::Zero()
+    };
+    origins.cellFrom.push_back(surface.at(middle).triangle);
+  }
+  return origins;
+}
+
 } // namespace
 
 vtkOversketchStellarBase::vtkOversketchStellarBase()
   : Internals(new Cache)
 {
+  this->SetNumberOfOutputPorts(2);
 }
 
 vtkOversketchStellarBase::~vtkOversketchStellarBase() = default;
+
+vtkPolyData* vtkOversketchStellarBase::GetSourceOutput()
+{
+  return this->GetOutput(1);
+}
 
 int vtkOversketchStellarBase::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
@@ -75,6 +122,8 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
         return;
       }
       RequirePolygonsOnly(input); // the key does not see other cells
+      vtkPolyData* source = vtkPolyData::GetData(outputs, 1);
+      source->Initialize(); // the pipeline passed field data
       const Context context = ContextOf(this);
       Cache& cache = *this->Internals;
       cache.Passed = nullptr;
@@ -98,32 +147,77 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
         output->ShallowCopy(input);
         return;
       }
-      cache.Step.Provide(
-        StepKey({ MeshKey(input) },
-          { static_cast<double>(this->ImprovePairs), static_cast<double>(this->EagerPairs) }),
+      std::vector<double> values{ static_cast<double>(this->ImprovePairs),
+        static_cast<double>(this->EagerPairs),
+        static_cast<double>(this->Mode) };
+      if (this->Mode == Simplified)
+      {
+        RequireFinite(this->MaximumError, "MaximumError");
+        values.insert(values.end(),
+          { static_cast<double>(this->TargetFaces),
+            this->MaximumError,
+            static_cast<double>(this->KeepFeatures),
+            this->SourceTolerance });
+      }
+      cache.Step.Provide(StepKey({ MeshKey(input) }, values),
         input,
         output,
         [&]
         {
           ++this->BaseCount;
+          cache.Records = nullptr;
+          cache.Surface = nullptr;
           PairingOptions options;
           options.improvePairs = this->ImprovePairs;
           options.eagerPairs = this->EagerPairs;
           const Mesh mesh = MeshOf(input);
-          BaseMesh base = pairTriangles(mesh, options, context);
+          if (this->Mode == Direct)
+          {
+            BaseMesh base = pairTriangles(mesh, options, context);
+            this->Pairs = base.pairs;
+            this->Unpaired = base.unpaired;
+            StellarStep::Made made;
+            made.origins = OriginsOfBase(base, mesh);
+            made.forest = std::make_shared<const Forest>(std::move(base.forest));
+            return made;
+          }
+          ClusterOptions clusters;
+          clusters.targetFaces = this->TargetFaces;
+          clusters.maximumError = this->MaximumError;
+          clusters.keepFeatures = this->KeepFeatures;
+          ClusterResult simplified = simplifyByClusters(mesh, clusters, ContextOf(this, 0.0, 0.7));
+          BaseMesh base = pairTriangles(simplified.mesh, options, ContextOf(this, 0.7, 0.8));
           this->Pairs = base.pairs;
           this->Unpaired = base.unpaired;
+          const auto surface = std::make_shared<const OriginalSurface>(OriginalSurface{
+            std::move(simplified.original), sourceRoots(simplified.faceFrom, base, simplified.mesh) });
+          const Source original = sourceOf(surface);
+          putOnSource(base.forest, original);
+          SourceOptions follow;
+          follow.tolerance = LengthOf(this->SourceTolerance, 1e-3, base.forest, "SourceTolerance");
           StellarStep::Made made;
-          made.origins = OriginsOfBase(base, mesh);
-          made.forest = std::make_shared<const Forest>(std::move(base.forest));
+          made.forest = std::make_shared<const Forest>(
+            refineToSource(base.forest, original, follow, ContextOf(this, 0.8, 1.0)));
+          made.origins = OriginsOnSurface(*made.forest, *surface, simplified.pointFrom);
+          cache.Records = vtkSmartPointer<vtkPolyData>::New();
+          cache.Surface = WriteSurface(surface, input, cache.Records);
           return made;
         });
+      if (cache.Records)
+      {
+        source->ShallowCopy(cache.Records);
+      }
     });
 }
 
 void vtkOversketchStellarBase::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "TargetFaces: " << this->TargetFaces << "\n";
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
+  os << indent << "SourceTolerance: " << this->SourceTolerance << "\n";
   os << indent << "ImprovePairs: " << this->ImprovePairs << "\n";
   os << indent << "EagerPairs: " << this->EagerPairs << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";

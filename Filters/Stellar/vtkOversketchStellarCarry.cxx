@@ -1,5 +1,6 @@
 #include "vtkOversketchStellarCarry.h"
 
+#include "Stellar/distance.h"
 #include "Stellar/leaves.h"
 #include "vtkOversketchRuns.h"
 #include "vtkOversketchStellarTools.h"
@@ -82,36 +83,6 @@ void Mix(vtkDataArray* to, vtkIdType tuple, const Binding& between, vtkDataArray
   }
 }
 
-// Weights of a triangle's corners at its point nearest to p (Ericson's regions).
-Vector3 NearestWeights(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const auto onEdge = [&p](const Vector3& from, const Vector3& to)
-  {
-    const double square = (to - from).squaredNorm();
-    return square > 0.0 ? std::clamp((p - from).dot(to - from) / square, 0.0, 1.0) : 0.0;
-  };
-  const Vector3 normal = (b - a).cross(c - a);
-  const double area = normal.squaredNorm();
-  if (area > 0.0)
-  {
-    const double wb = (p - a).cross(c - a).dot(normal) / area;
-    const double wc = (b - a).cross(p - a).dot(normal) / area;
-    if (wb >= 0.0 && wc >= 0.0 && wb + wc <= 1.0)
-    {
-      return { 1.0 - wb - wc, wb, wc };
-    }
-  }
-  const double ab = onEdge(a, b), bc = onEdge(b, c), ca = onEdge(c, a);
-  const Vector3 candidates[] = { { 1.0 - ab, ab, 0.0 }, { 0.0, 1.0 - bc, bc }, { ca, 0.0, 1.0 - ca } };
-  return *std::min_element(std::begin(candidates),
-    std::end(candidates),
-    [&](const Vector3& x, const Vector3& y)
-    {
-      return (x[0] * a + x[1] * b + x[2] * c - p).squaredNorm() <
-             (y[0] * a + y[1] * b + y[2] * c - p).squaredNorm();
-    });
-}
-
 // The place nearest to p in the star of a vertex.
 Binding PlaceInStar(const Forest& forest, int v, const Vector3& p)
 {
@@ -123,7 +94,7 @@ Binding PlaceInStar(const Forest& forest, int v, const Vector3& p)
       const int* corners = forest.faces[f].v;
       const Vector3 &a = forest.vertices[corners[0]].position, &b = forest.vertices[corners[1]].position,
                     &c = forest.vertices[corners[2]].position;
-      const Vector3 w = NearestWeights(p, a, b, c);
+      const Vector3 w = nearestWeights(p, a, b, c);
       const double distance = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
       if (distance < least)
       {
@@ -170,37 +141,9 @@ void FindPoints(const Forest& before, const Forest& after, Origins& origins)
   }
 }
 
-// Of forests that are alike but for positions.
-void FindTurns(const Forest& before, const Forest& after, Origins& origins)
-{
-  std::vector<char> moved(after.vertices.size()), near(after.vertices.size(), 0);
-  for (std::size_t i = 0; i < moved.size(); ++i)
-  {
-    moved[i] = before.vertices[i].position != after.vertices[i].position;
-  }
-  for (const Forest::Face& face : after.faces)
-  {
-    if (moved[face.v[0]] || moved[face.v[1]] || moved[face.v[2]])
-    {
-      near[face.v[0]] = near[face.v[1]] = near[face.v[2]] = 1;
-    }
-  }
-  for (int i = 0; i < static_cast<int>(near.size()); ++i)
-  {
-    if (near[i])
-    {
-      const Vector3 was = before.vertexNormal(i), is = after.vertexNormal(i);
-      if (was.norm() > 0.0 && is.norm() > 0.0 && was != is)
-      {
-        origins.turned.emplace_back(i, Eigen::Quaterniond::FromTwoVectors(was, is));
-      }
-    }
-  }
-}
-
 } // namespace
 
-Origins originsOf(const Forest& before, const Forest& after, bool slides, bool turns)
+Origins originsOf(const Forest& before, const Forest& after, bool slides)
 {
   Origins origins;
   const std::size_t count = after.vertices.size();
@@ -230,11 +173,36 @@ Origins originsOf(const Forest& before, const Forest& after, bool slides, bool t
         static_cast<int>(i), PlaceInStar(before, origins.pointFrom[i], after.vertices[i].position));
     }
   }
-  if (turns)
-  {
-    FindTurns(before, after, origins);
-  }
   return origins;
+}
+
+Turns turnsOf(const Forest& before, const Forest& after)
+{
+  Turns turned;
+  std::vector<char> moved(after.vertices.size()), near(after.vertices.size(), 0);
+  for (std::size_t i = 0; i < moved.size(); ++i)
+  {
+    moved[i] = before.vertices[i].position != after.vertices[i].position;
+  }
+  for (const Forest::Face& face : after.faces)
+  {
+    if (moved[face.v[0]] || moved[face.v[1]] || moved[face.v[2]])
+    {
+      near[face.v[0]] = near[face.v[1]] = near[face.v[2]] = 1;
+    }
+  }
+  for (int i = 0; i < static_cast<int>(near.size()); ++i)
+  {
+    if (near[i])
+    {
+      const Vector3 was = before.vertexNormal(i), is = after.vertexNormal(i);
+      if (was.norm() > 0.0 && is.norm() > 0.0 && was != is)
+      {
+        turned.emplace_back(i, Eigen::Quaterniond::FromTwoVectors(was, is));
+      }
+    }
+  }
+  return turned;
 }
 
 CarriedArrays::CarriedArrays(Origins origins)
@@ -246,7 +214,7 @@ CarriedArrays::CarriedArrays(Origins origins)
 
 vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bool normals) const
 {
-  const bool turns = normals && array->GetNumberOfComponents() == 3 && !this->From.turned.empty();
+  const bool turns = normals && array->GetNumberOfComponents() == 3 && !this->Turned.empty();
   if (this->SamePoints && !turns &&
       array->GetNumberOfTuples() == static_cast<vtkIdType>(this->From.pointFrom.size()))
   {
@@ -266,9 +234,9 @@ vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bo
   {
     Mix(carried, point, between, carried, normals);
   }
-  for (std::size_t i = 0; turns && i < this->From.turned.size(); ++i)
+  for (std::size_t i = 0; turns && i < this->Turned.size(); ++i)
   {
-    const auto& [point, turn] = this->From.turned[i];
+    const auto& [point, turn] = this->Turned[i];
     Vector3 n;
     carried->GetTuple(point, n.data());
     n = turn * n;

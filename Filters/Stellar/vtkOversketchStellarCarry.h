@@ -25,13 +25,14 @@ struct Origins
   // Points of the result that lie elsewhere than their point of the input did: there, between points of the
   // input. And new ones, ascending, between lower points of the result.
   std::vector<std::pair<int, Binding>> slid, born;
-  // How far the surface turned at points of the result where it did.
-  std::vector<std::pair<int, Eigen::Quaterniond>> turned;
 };
 
-// Of canonical forests with one base, some vertices moved within the surface (`slides`) or, the forests alike
-// but for positions, out of it (`turns`).
-Origins originsOf(const Forest& before, const Forest& after, bool slides, bool turns);
+// Of canonical forests with one base, some vertices moved within the surface (`slides`).
+Origins originsOf(const Forest& before, const Forest& after, bool slides);
+
+// How far the surface turned at points where it did, of forests that are alike but for positions.
+using Turns = std::vector<std::pair<int, Eigen::Quaterniond>>;
+Turns turnsOf(const Forest& before, const Forest& after);
 
 // Keeps what became of each array while it and the origins stand.
 class CarriedArrays
@@ -39,6 +40,11 @@ class CarriedArrays
 public:
   CarriedArrays() = default;
   explicit CarriedArrays(Origins origins);
+
+  // Has normals turn with the surface.
+  void Turn(Turns turned) { this->Turned = std::move(turned); }
+
+  const std::vector<int>& PointFrom() const { return this->From.pointFrom; }
 
   // Point and cell arrays of numbers but those that this module writes itself, and ids, which would be there
   // twice; field arrays. Real ones are mixed, others taken from the nearest; an array that stays as it is is
@@ -57,6 +63,7 @@ private:
   vtkSmartPointer<vtkDataArray> CarryCells(vtkDataArray* array) const;
 
   Origins From;
+  Turns Turned;
   bool SamePoints = false, SameCells = false;
   std::vector<Item> Items;
 };

@@ -1,3 +1,5 @@
+#include "vtkOversketchStellarCurves.h"
+
 #include "Stellar/refine.h"
 #include "vtkOversketchStellarTools.h"
 

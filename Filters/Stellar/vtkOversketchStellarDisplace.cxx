@@ -16,6 +16,7 @@
 #include "vtkTriangle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 using namespace oversketch;
@@ -119,36 +120,19 @@ int vtkOversketchStellarDisplace::FillInputPortInformation(int port, vtkInformat
 
 void vtkOversketchStellarDisplace::SetProfile(const char* text)
 {
-  const std::string wanted = text ? text : "";
-  if (wanted != this->Profile)
-  {
-    this->Profile = wanted;
-    this->Modified();
-  }
+  SetText(this, this->Profile, text);
 }
 
 int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  return RunCurveStep(this,
+    inputs,
+    outputs,
+    [&](const CurveStep& step)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const Context context = ContextOf(this);
-      if (curvesIn->GetNumberOfPoints() == 0)
-      {
-        SharedForest(mesh, context); // refuses what is none
-        output->ShallowCopy(mesh);
-        return;
-      }
-      vtkPolyData* sketch = vtkPolyData::GetData(inputs[2]);
+      vtkPolyData* sketch = step.third;
       Cache& cache = *this->Internals;
       RequireFinite(this->Height, "Height");
       const std::vector<double> reach{
@@ -164,19 +148,19 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
         values.push_back(value);
       }
       AddText(values, this->Profile);
-      const FeatureCurves curves = CurvesOf(curvesIn, this->Height);
-      this->Internals->Step.Provide(mesh,
-        { WholeKey(curvesIn), sketch ? WholeKey(sketch) : MeshKey() },
+      const FeatureCurves curves = CurvesOf(step.curves, this->Height);
+      this->Internals->Step.Provide(step.mesh,
+        { WholeKey(step.curves), sketch ? WholeKey(sketch) : MeshKey() },
         values,
         &curves,
         StellarStep::Motion::Rise,
-        output,
-        context,
+        step.output,
+        step.context,
         [&](const Forest& before)
         {
           ++this->DisplaceCount;
           DisplaceOptions options;
-          options.radius = LengthOf(this->Radius, 0.03 * before.diagonal(), "Radius");
+          options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
           options.height = this->Height == 0.0 ? 0.5 * options.radius : this->Height;
           options.sharpness = this->Sharpness;
           if (!this->Profile.empty())
@@ -197,22 +181,25 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
             }
             options.sketch = &moves;
           }
-          const StepKey reachKey({ StellarKey(mesh), WholeKey(curvesIn) }, reach);
+          const StepKey reachKey({ StellarKey(step.mesh), WholeKey(step.curves) }, reach);
           if (cache.ReachKey != reachKey)
           {
             cache.ReachKey = StepKey();
-            cache.Reached = reachedBy(before, curves, options, context);
+            cache.Reached = reachedBy(before, curves, options, step.context);
             cache.ReachKey = reachKey;
             ++this->DistanceCount;
           }
           Forest forest = before;
-          const DisplaceReport report = displace(forest, curves, cache.Reached, options, context);
+          const DisplaceReport report = displace(forest, curves, cache.Reached, options, step.context);
           this->Moved = report.moved;
           this->FlippedFaces = report.flipped;
           this->Peak = report.peak;
+          this->CrestPlaces = report.crests;
+          this->CrestMean = report.crests ? report.crestSum / report.crests : std::nan("");
+          this->CrestMinimum = report.crests ? report.crestMinimum : std::nan("");
           return forest;
         });
-      const MeshKey counted(output);
+      const MeshKey counted(step.output);
       if (!this->CountIntersections)
       {
         this->IntersectingFaces = -1;
@@ -220,7 +207,7 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
       else if (this->IntersectingFaces < 0 || cache.Counted != counted)
       {
         this->IntersectingFaces = -1;
-        this->IntersectingFaces = CountCuts(output, context);
+        this->IntersectingFaces = CountCuts(step.output, step.context);
         cache.Counted = counted;
       }
     });
@@ -242,6 +229,9 @@ void vtkOversketchStellarDisplace::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Moved: " << this->Moved << "\n";
   os << indent << "FlippedFaces: " << this->FlippedFaces << "\n";
   os << indent << "Peak: " << this->Peak << "\n";
+  os << indent << "CrestPlaces: " << this->CrestPlaces << "\n";
+  os << indent << "CrestMean: " << this->CrestMean << "\n";
+  os << indent << "CrestMinimum: " << this->CrestMinimum << "\n";
   os << indent << "IntersectingFaces: " << this->IntersectingFaces << "\n";
   os << indent << "DisplaceCount: " << this->DisplaceCount << "\n";
   os << indent << "DistanceCount: " << this->DistanceCount << "\n";

@@ -34,6 +34,7 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -179,6 +180,17 @@ public:
 
   ///@{
   /**
+   * Feature on the last displacement's curves, one value every twentieth of a radius but for the ends: 1
+   * where the mesh holds the crest; NaN where curves are shorter than two radii. And how many places that
+   * are.
+   */
+  vtkGetMacro(CrestMean, double);
+  vtkGetMacro(CrestMinimum, double);
+  vtkGetMacro(CrestPlaces, int);
+  ///@}
+
+  ///@{
+  /**
    * Triangles that cut others, -1 where they were not counted.
    */
   vtkGetMacro(IntersectingFaces, int);
@@ -215,7 +227,9 @@ private:
   int Combine = Nearest;
   bool CountIntersections = false;
   int Moved = 0, FlippedFaces = 0, IntersectingFaces = -1;
-  double Peak = 0.0;
+  double Peak = 0.0, CrestMean = std::numeric_limits<double>::quiet_NaN(),
+         CrestMinimum = std::numeric_limits<double>::quiet_NaN();
+  int CrestPlaces = 0;
   vtkIdType DisplaceCount = 0, DistanceCount = 0;
 
   struct Cache;

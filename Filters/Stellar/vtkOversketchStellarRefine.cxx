@@ -15,6 +15,37 @@ using namespace oversketch;
 struct vtkOversketchStellarRefine::Cache
 {
   StellarStep Step;
+  std::shared_ptr<const Source> Surface; // held for the next stroke
+  MeshKey NormalsOf;                     // a mesh that had none
+  std::vector<Vector3> Normals;
+
+  // Those of the base, which the next stroke asks for again.
+  void GiveNormals(vtkPolyData* mesh, Forest& forest, const Context& context)
+  {
+    if (forest.hasBaseNormals)
+    {
+      return;
+    }
+    const MeshKey key = StellarKey(mesh);
+    const std::size_t count = forest.vertices.size();
+    if (this->Normals.size() == count && this->NormalsOf == key)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        forest.vertices[i].baseNormal = this->Normals[i];
+      }
+      forest.hasBaseNormals = true;
+      return;
+    }
+    this->Normals.clear();
+    needBaseNormals(forest, context);
+    this->Normals.reserve(count);
+    for (const Forest::Vertex& vertex : forest.vertices)
+    {
+      this->Normals.push_back(vertex.baseNormal);
+    }
+    this->NormalsOf = key;
+  }
 };
 
 vtkStandardNewMacro(vtkOversketchStellarRefine);
@@ -48,36 +79,18 @@ int vtkOversketchStellarRefine::FillInputPortInformation(int port, vtkInformatio
 
 void vtkOversketchStellarRefine::SetProfile(const char* text)
 {
-  const std::string wanted = text ? text : "";
-  if (wanted != this->Profile)
-  {
-    this->Profile = wanted;
-    this->Modified();
-  }
+  SetText(this, this->Profile, text);
 }
 
 int vtkOversketchStellarRefine::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  return RunCurveStep(this,
+    inputs,
+    outputs,
+    [&](const CurveStep& step)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const Context context = ContextOf(this);
-      if (curvesIn->GetNumberOfPoints() == 0)
-      {
-        SharedForest(mesh, context); // refuses what is none
-        output->ShallowCopy(mesh);
-        return;
-      }
-      vtkPolyData* source = vtkPolyData::GetData(inputs[2]);
       RequireFinite(this->Height, "Height");
       std::vector<double> values{ this->Radius,
         this->Height,
@@ -91,19 +104,19 @@ int vtkOversketchStellarRefine::RequestData(vtkInformation*,
         static_cast<double>(this->MaximumGeneration),
         static_cast<double>(this->MaximumFaces) };
       AddText(values, this->Profile);
-      const FeatureCurves curves = CurvesOf(curvesIn, this->Height);
-      this->Internals->Step.Provide(mesh,
-        { WholeKey(curvesIn), source ? WholeKey(source) : MeshKey() },
+      const FeatureCurves curves = CurvesOf(step.curves, this->Height);
+      this->Internals->Step.Provide(step.mesh,
+        { WholeKey(step.curves), SourceKey(step) },
         values,
         &curves,
         StellarStep::Motion::None,
-        output,
-        context,
+        step.output,
+        step.context,
         [&](const Forest& before)
         {
           ++this->RefineCount;
           RefineOptions options;
-          options.radius = LengthOf(this->Radius, 0.03 * before.diagonal(), "Radius");
+          options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
           options.height = this->Height == 0.0 ? 0.5 * options.radius : this->Height;
           options.sharpness = this->Sharpness;
           options.targetEdgeLength = this->TargetEdgeLength;
@@ -119,10 +132,10 @@ int vtkOversketchStellarRefine::RequestData(vtkInformation*,
           options.maximumGeneration = this->MaximumGeneration;
           options.maximumFaces = this->MaximumFaces;
           Forest forest = before.roomyCopy();
-          needBaseNormals(forest, context);
+          this->Internals->GiveNormals(step.mesh, forest, step.context);
           RefineReport report;
-          forest =
-            refine(forest, curves, options, source ? TerrainSource(source) : nullptr, context, &report);
+          const Source source = SourceOf(step, before, this->Internals->Surface);
+          forest = refine(std::move(forest), curves, options, source, step.context, &report);
           this->Sweeps = report.sweeps;
           return forest;
         });

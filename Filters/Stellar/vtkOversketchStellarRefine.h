@@ -9,7 +9,9 @@
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
  * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
- * Input 2 (Source, optional): output 1 of vtkOversketchTerrain, from which new points take their heights.
+ * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, on which new
+ * points lie where those of their edge do. What a terrain's mesh carries of that is read where nothing is
+ * connected here.
  *
  * Output 0 (Mesh): the 4-8 mesh, refined; points and cells that were not refined are as they were. BaseNormal
  * is there from here on. Other arrays as vtkOversketchStellarBase has it; point normals are mixed.
@@ -100,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Where TargetEdgeLength is 0 and the sharpness below 1: an eighth of the radius, which leaves no saw-teeth
-   * at the foot [default on; as published: off].
+   * Where TargetEdgeLength is 0 and the sharpness below 1: an eighth of the radius, and a thirty-second where
+   * the feature ends, which leaves no saw-teeth at the foot [default on; as published: off].
    */
   vtkSetMacro(FineFoot, bool);
   vtkGetMacro(FineFoot, bool);

@@ -8,6 +8,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <optional>
+
 using namespace oversketch;
 
 struct vtkOversketchStellarSimplify::Cache
@@ -39,6 +41,13 @@ int vtkOversketchStellarSimplify::FillInputPortInformation(int port, vtkInformat
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
+vtkIdType vtkOversketchStellarSimplify::GetInputPoint(vtkIdType point) const
+{
+  const std::vector<int>& from = this->Internals->Step.PointFrom();
+  return point >= 0 && point < static_cast<vtkIdType>(from.size()) ? from[static_cast<std::size_t>(point)]
+                                                                   : -1;
+}
+
 int vtkOversketchStellarSimplify::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
@@ -65,17 +74,18 @@ int vtkOversketchStellarSimplify::RequestData(vtkInformation*,
         StellarStep::Motion::None,
         vtkPolyData::GetData(outputs),
         context,
-        [&](const Forest& before)
+        [&](const Forest& before) -> std::optional<Forest>
         {
           ++this->SimplifyCount;
           SimplifyOptions options;
-          options.tolerance = LengthOf(this->Tolerance, 1e-4 * before.diagonal(), "Tolerance");
-          options.radius = LengthOf(this->Radius, 0.03 * before.diagonal(), "Radius");
+          options.tolerance = LengthOf(this->Tolerance, 1e-4, before, "Tolerance");
+          options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
           options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
           options.connectedOnly = this->ConnectedOnly;
           options.weldSnapped = this->WeldSnapped;
-          return simplify(
-            before, drawn ? CurvesOf(curvesIn) : FeatureCurves(), options, context, &this->Welded);
+          std::optional<Forest> forest =
+            simplify(before, drawn ? CurvesOf(curvesIn) : FeatureCurves(), options, context, &this->Welded);
+          return this->Welded > 0 ? std::move(forest) : std::nullopt;
         });
     });
 }

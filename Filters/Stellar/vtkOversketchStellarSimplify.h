@@ -102,6 +102,12 @@ public:
   vtkGetMacro(Welded, int);
   ///@}
 
+  /**
+   * Of the last result: the number that a point of the output has in the input, -1 where there is no such
+   * point.
+   */
+  vtkIdType GetInputPoint(vtkIdType point) const;
+
   ///@{
   /**
    * How many times a mesh has been simplified: executions that the kept result did not answer.

@@ -1,6 +1,8 @@
 #include "vtkOversketchStellarSmooth.h"
 
+#include "Stellar/refine.h"
 #include "Stellar/smooth.h"
+#include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkInformation.h"
@@ -13,6 +15,7 @@ using namespace oversketch;
 struct vtkOversketchStellarSmooth::Cache
 {
   StellarStep Step;
+  std::shared_ptr<const Source> Surface; // held for the next stroke
 };
 
 vtkStandardNewMacro(vtkOversketchStellarSmooth);
@@ -20,7 +23,7 @@ vtkStandardNewMacro(vtkOversketchStellarSmooth);
 vtkOversketchStellarSmooth::vtkOversketchStellarSmooth()
   : Internals(new Cache)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 vtkOversketchStellarSmooth::~vtkOversketchStellarSmooth() = default;
@@ -30,39 +33,41 @@ void vtkOversketchStellarSmooth::SetCurvesData(vtkPolyData* curves)
   this->SetInputData(1, curves);
 }
 
+void vtkOversketchStellarSmooth::SetSourceData(vtkPolyData* source)
+{
+  this->SetInputData(2, source);
+}
+
+int vtkOversketchStellarSmooth::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
 int vtkOversketchStellarSmooth::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  return RunCurveStep(this,
+    inputs,
+    outputs,
+    [&](const CurveStep& step)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const Context context = ContextOf(this);
-      if (curvesIn->GetNumberOfPoints() == 0)
-      {
-        SharedForest(mesh, context); // refuses what is none
-        output->ShallowCopy(mesh);
-        return;
-      }
       const std::vector<double> values{ static_cast<double>(this->Rings),
         this->Relaxation,
         static_cast<double>(this->Iterations),
         this->MinimumAngle };
-      const FeatureCurves curves = CurvesOf(curvesIn);
-      this->Internals->Step.Provide(mesh,
-        { WholeKey(curvesIn) },
+      const FeatureCurves curves = CurvesOf(step.curves);
+      this->Internals->Step.Provide(step.mesh,
+        { WholeKey(step.curves), SourceKey(step) },
         values,
         &curves,
         StellarStep::Motion::Slide,
-        output,
-        context,
+        step.output,
+        step.context,
         [&](const Forest& before)
         {
           ++this->SmoothCount;
@@ -71,10 +76,10 @@ int vtkOversketchStellarSmooth::RequestData(vtkInformation*,
           options.relaxation = this->Relaxation;
           options.iterations = this->Iterations;
           options.minimumAngle = this->MinimumAngle;
-          MidpointRule rule;
-          rule.curves = &curves;
+          const MidpointRule rule =
+            midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
           Forest forest = before;
-          const SmoothReport report = smooth(forest, options, rule, context);
+          const SmoothReport report = smooth(forest, options, rule, step.context);
           this->Moved = report.moved;
           this->Refused = report.refused;
           return forest;

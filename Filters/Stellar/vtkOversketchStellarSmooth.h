@@ -11,6 +11,8 @@
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
  * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
+ * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, to which vertices
+ * that were on it return.
  *
  * Output 0 (Mesh): the 4-8 mesh; StellarMoved with 1 where a vertex moved. Other point arrays, normals among
  * them, as at the vertex's new place on the surface before.
@@ -45,6 +47,12 @@ public:
    */
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(1, curves); }
   void SetCurvesData(vtkPolyData* curves);
+
+  /**
+   * The source, on port 2.
+   */
+  void SetSourceConnection(vtkAlgorithmOutput* source) { this->SetInputConnection(2, source); }
+  void SetSourceData(vtkPolyData* source);
 
   ///@{
   /**
@@ -98,6 +106,7 @@ protected:
   vtkOversketchStellarSmooth();
   ~vtkOversketchStellarSmooth() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

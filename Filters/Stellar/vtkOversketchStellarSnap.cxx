@@ -1,7 +1,9 @@
 #include "vtkOversketchStellarSnap.h"
 
 #include "Stellar/leaves.h"
+#include "Stellar/refine.h"
 #include "Stellar/snap.h"
+#include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkInformation.h"
@@ -14,6 +16,7 @@ using namespace oversketch;
 struct vtkOversketchStellarSnap::Cache
 {
   StellarStep Step;
+  std::shared_ptr<const Source> Surface; // held for the next stroke
 };
 
 vtkStandardNewMacro(vtkOversketchStellarSnap);
@@ -21,7 +24,7 @@ vtkStandardNewMacro(vtkOversketchStellarSnap);
 vtkOversketchStellarSnap::vtkOversketchStellarSnap()
   : Internals(new Cache)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 vtkOversketchStellarSnap::~vtkOversketchStellarSnap() = default;
@@ -31,38 +34,40 @@ void vtkOversketchStellarSnap::SetCurvesData(vtkPolyData* curves)
   this->SetInputData(1, curves);
 }
 
+void vtkOversketchStellarSnap::SetSourceData(vtkPolyData* source)
+{
+  this->SetInputData(2, source);
+}
+
+int vtkOversketchStellarSnap::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
 int vtkOversketchStellarSnap::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  return RunCurveStep(this,
+    inputs,
+    outputs,
+    [&](const CurveStep& step)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const Context context = ContextOf(this);
-      if (curvesIn->GetNumberOfPoints() == 0)
-      {
-        SharedForest(mesh, context); // refuses what is none
-        output->ShallowCopy(mesh);
-        return;
-      }
       const std::vector<double> values{
         static_cast<double>(this->Order), this->MinimumAngle, static_cast<double>(this->MaximumResidualRounds)
       };
-      const FeatureCurves curves = CurvesOf(curvesIn);
-      this->Internals->Step.Provide(mesh,
-        { WholeKey(curvesIn) },
+      const FeatureCurves curves = CurvesOf(step.curves);
+      this->Internals->Step.Provide(step.mesh,
+        { WholeKey(step.curves), SourceKey(step) },
         values,
         &curves,
         StellarStep::Motion::Slide,
-        output,
-        context,
+        step.output,
+        step.context,
         [&](const Forest& before)
         {
           ++this->SnapCount;
@@ -70,16 +75,20 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
           options.order = this->Order == AllAtOnce ? SnapOrder::AllAtOnce : SnapOrder::Nearest;
           options.minimumAngle = this->MinimumAngle;
           options.maximumResidualRounds = this->MaximumResidualRounds;
-          MidpointRule rule;
-          rule.curves = &curves;
+          const MidpointRule rule =
+            midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
           Forest forest = before.roomyCopy();
-          const SnapReport report = snap(forest, curves, options, rule, context);
+          const SnapReport report = snap(forest, curves, options, rule, step.context);
           this->Crossings = report.crossings;
           this->Residual = report.residual;
           this->Snapped = report.snapped;
           this->Refused = report.refused;
           this->FacesAdded = report.facesAdded;
-          return canonical(forest, context).forest;
+          if (report.split)
+          {
+            forest = canonical(forest, step.context).forest;
+          }
+          return forest;
         });
     });
 }

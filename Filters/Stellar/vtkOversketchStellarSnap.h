@@ -11,6 +11,8 @@
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
  * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
+ * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, on which new
+ * points lie that residual rounds make away from curves.
  *
  * Output 0 (Mesh): the 4-8 mesh; CurveId and CurveParam of the vertices that lie on curves, StellarMoved with
  * 1, BaseNormal as at their places before, and field array CurveDigest. Other point arrays, normals among
@@ -47,6 +49,12 @@ public:
    */
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(1, curves); }
   void SetCurvesData(vtkPolyData* curves);
+
+  /**
+   * The source, on port 2.
+   */
+  void SetSourceConnection(vtkAlgorithmOutput* source) { this->SetInputConnection(2, source); }
+  void SetSourceData(vtkPolyData* source);
 
   enum OrderType
   {
@@ -104,6 +112,7 @@ protected:
   vtkOversketchStellarSnap();
   ~vtkOversketchStellarSnap() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,12 +1,15 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "Stellar/leaves.h"
+#include "vtkOversketchStellarRegister.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -20,7 +23,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <sstream>
 #include <type_traits>
 
@@ -164,60 +166,44 @@ Leaves LeavesOf(vtkPolyData* mesh)
   return leaves;
 }
 
-struct Register
+Register<Forest>& TheRegister()
 {
-  std::mutex Mutex;
-  std::vector<std::pair<MeshKey, std::weak_ptr<const Forest>>> Entries;
-
-  std::shared_ptr<const Forest> Find(const MeshKey& key)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    for (const auto& [known, forest] : this->Entries)
-    {
-      auto found = known == key ? forest.lock() : nullptr;
-      if (found)
-      {
-        return found;
-      }
-    }
-    return nullptr;
-  }
-  void Add(const MeshKey& key, const std::shared_ptr<const Forest>& forest)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Entries.erase(
-      std::remove_if(
-        this->Entries.begin(), this->Entries.end(), [](const auto& entry) { return entry.second.expired(); }),
-      this->Entries.end());
-    this->Entries.emplace_back(key, forest);
-  }
-};
-
-Register& TheRegister()
-{
-  static Register instance;
+  static Register<Forest> instance;
   return instance;
 }
 
-// Fills tuple i of a new array by fill(i, values).
-template <class Array, class Fill>
-vtkSmartPointer<Array> NewArray(const char* name, int components, std::size_t tuples, const Fill& fill)
+// An array whose values are for the caller to fill.
+template <class Array>
+vtkSmartPointer<Array> NewArray(const char* name, int components, std::size_t tuples)
 {
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  auto* values = array->GetPointer(0);
+  return array;
+}
+
+template <class Array, class Value>
+vtkSmartPointer<Array> OneValue(const char* name, Value value)
+{
+  auto array = NewArray<Array>(name, 1, 1);
+  array->SetValue(0, value);
+  return array;
+}
+
+// Calls fill(i) for all numbers below the count, in threads.
+template <class Fill>
+void FillAll(std::size_t count, const Fill& fill)
+{
   vtkSMPTools::For(0,
-    static_cast<vtkIdType>(tuples),
+    static_cast<vtkIdType>(count),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        fill(static_cast<std::size_t>(i), values + i * components);
+        fill(static_cast<std::size_t>(i));
       }
     });
-  return array;
 }
 
 void Put(const Vector3& from, double* to)
@@ -225,60 +211,88 @@ void Put(const Vector3& from, double* to)
   std::copy(from.data(), from.data() + 3, to);
 }
 
+// All arrays at once: a vertex is read from memory once.
 void WritePoints(const Forest& forest, vtkPolyData* mesh)
 {
-  vtkNew<vtkPoints> places;
-  places->SetData(NewArray<vtkDoubleArray>("Points",
-    3,
-    forest.vertices.size(),
-    [&](std::size_t i, double* to) { Put(forest.vertices[i].position, to); }));
-  mesh->SetPoints(places);
-  const std::size_t points = forest.vertices.size();
   const auto& vertices = forest.vertices;
-  vtkPointData* data = mesh->GetPointData();
-  data->AddArray(NewArray<vtkUnsignedCharArray>(
-    pointNames[0], 1, points, [&](std::size_t i, unsigned char* to) { *to = vertices[i].moved; }));
-  data->AddArray(NewArray<vtkIntArray>(
-    pointNames[1], 1, points, [&](std::size_t i, int* to) { *to = vertices[i].curveId; }));
-  data->AddArray(NewArray<vtkDoubleArray>(
-    pointNames[2], 1, points, [&](std::size_t i, double* to) { *to = vertices[i].curveParam; }));
-  if (forest.hasBaseNormals)
+  const std::size_t count = vertices.size();
+  const auto positions = NewArray<vtkDoubleArray>("Points", 3, count);
+  const auto moved = NewArray<vtkUnsignedCharArray>(pointNames[0], 1, count);
+  const auto curves = NewArray<vtkIntArray>(pointNames[1], 1, count);
+  const auto parameters = NewArray<vtkDoubleArray>(pointNames[2], 1, count);
+  const auto optional = [count](bool present, const char* name, int components)
+  { return present ? NewArray<vtkDoubleArray>(name, components, count) : nullptr; };
+  const auto normals = optional(forest.hasBaseNormals, pointNames[3], 3);
+  const auto displacements = optional(!forest.displacement.empty(), pointNames[4], 3);
+  const auto features = optional(!forest.feature.empty(), pointNames[5], 1);
+  const auto valuesOf = [](vtkDoubleArray* array) { return array ? array->GetPointer(0) : nullptr; };
+  double *position = valuesOf(positions), *parameter = valuesOf(parameters), *normal = valuesOf(normals),
+         *displacement = valuesOf(displacements), *feature = valuesOf(features);
+  unsigned char* flags = moved->GetPointer(0);
+  int* curve = curves->GetPointer(0);
+  FillAll(count,
+    [&](std::size_t i)
+    {
+      const Forest::Vertex& vertex = vertices[i];
+      Put(vertex.position, position + 3 * i);
+      flags[i] = vertex.moved;
+      curve[i] = vertex.curveId;
+      parameter[i] = vertex.curveParam;
+      if (normal)
+      {
+        Put(vertex.baseNormal, normal + 3 * i);
+      }
+      if (displacement)
+      {
+        Put(forest.displacement[i], displacement + 3 * i);
+      }
+      if (feature)
+      {
+        feature[i] = forest.feature[i];
+      }
+    });
+  vtkNew<vtkPoints> places;
+  places->SetData(positions);
+  mesh->SetPoints(places);
+  for (vtkDataArray* array :
+    std::initializer_list<vtkDataArray*>{ moved, curves, parameters, normals, displacements, features })
   {
-    data->AddArray(NewArray<vtkDoubleArray>(
-      pointNames[3], 3, points, [&](std::size_t i, double* to) { Put(vertices[i].baseNormal, to); }));
-  }
-  if (!forest.displacement.empty())
-  {
-    data->AddArray(NewArray<vtkDoubleArray>(
-      pointNames[4], 3, points, [&](std::size_t i, double* to) { Put(forest.displacement[i], to); }));
-  }
-  if (!forest.feature.empty())
-  {
-    data->AddArray(NewArray<vtkDoubleArray>(
-      pointNames[5], 1, points, [&](std::size_t i, double* to) { *to = forest.feature[i]; }));
+    if (array)
+    {
+      mesh->GetPointData()->AddArray(array);
+    }
   }
 }
 
 void WriteCells(const Forest& forest, vtkPolyData* mesh)
 {
   const auto& faces = forest.faces;
-  const auto corners = NewArray<vtkIdTypeArray>(nullptr,
-    3,
-    faces.size(),
-    [&](std::size_t i, vtkIdType* to) { std::copy(faces[i].v, faces[i].v + 3, to); });
-  corners->SetNumberOfComponents(1);
-  const auto offsets = NewArray<vtkIdTypeArray>(
-    nullptr, 1, faces.size() + 1, [](std::size_t i, vtkIdType* to) { *to = 3 * static_cast<vtkIdType>(i); });
+  const auto corners = NewArray<vtkIdTypeArray>(nullptr, 1, 3 * faces.size()),
+             offsets = NewArray<vtkIdTypeArray>(nullptr, 1, faces.size() + 1);
+  const auto roots = NewArray<vtkIntArray>(cellNames[0], 1, faces.size());
+  const auto paths = NewArray<vtkTypeUInt64Array>(cellNames[1], 1, faces.size());
+  const auto generations = NewArray<vtkUnsignedCharArray>(cellNames[2], 1, faces.size());
+  vtkIdType *corner = corners->GetPointer(0), *offset = offsets->GetPointer(0);
+  int* root = roots->GetPointer(0);
+  vtkTypeUInt64* path = paths->GetPointer(0);
+  unsigned char* generation = generations->GetPointer(0);
+  FillAll(faces.size(),
+    [&](std::size_t i)
+    {
+      const Forest::Face& face = faces[i];
+      std::copy(face.v, face.v + 3, corner + 3 * i);
+      offset[i] = 3 * static_cast<vtkIdType>(i);
+      root[i] = face.root;
+      path[i] = face.path;
+      generation[i] = face.gen;
+    });
+  offset[faces.size()] = 3 * static_cast<vtkIdType>(faces.size());
   vtkNew<vtkCellArray> polys;
   polys->SetData(offsets, corners);
   mesh->SetPolys(polys);
-  vtkCellData* data = mesh->GetCellData();
-  data->AddArray(NewArray<vtkIntArray>(
-    cellNames[0], 1, faces.size(), [&](std::size_t i, int* to) { *to = faces[i].root; }));
-  data->AddArray(NewArray<vtkTypeUInt64Array>(
-    cellNames[1], 1, faces.size(), [&](std::size_t i, auto* to) { *to = faces[i].path; }));
-  data->AddArray(NewArray<vtkUnsignedCharArray>(
-    cellNames[2], 1, faces.size(), [&](std::size_t i, unsigned char* to) { *to = faces[i].gen; }));
+  mesh->GetCellData()->AddArray(roots);
+  mesh->GetCellData()->AddArray(paths);
+  mesh->GetCellData()->AddArray(generations);
 }
 
 // Whether the cells are as WriteCells would have them, where they say the same.
@@ -294,6 +308,21 @@ bool SharesCells(vtkPolyData* mesh)
     }
   }
   return mesh->GetPolys()->IsStorage64Bit();
+}
+
+// The same of points and their arrays.
+bool SharesPoints(vtkPolyData* mesh)
+{
+  const int types[] = { VTK_UNSIGNED_CHAR, VTK_INT, VTK_DOUBLE, VTK_DOUBLE, VTK_DOUBLE, VTK_DOUBLE };
+  for (int i = 0; i < 6; ++i)
+  {
+    vtkDataArray* array = mesh->GetPointData()->GetArray(pointNames[i]);
+    if (array ? array->GetDataType() != types[i] : i < 3)
+    {
+      return false;
+    }
+  }
+  return mesh->GetPoints()->GetDataType() == VTK_DOUBLE;
 }
 
 #ifndef NDEBUG
@@ -396,10 +425,25 @@ std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& con
 
 vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>& forest,
   const std::optional<std::uint64_t>& digest,
-  vtkPolyData* alike)
+  vtkPolyData* alike,
+  bool same)
 {
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  WritePoints(*forest, mesh);
+  if (alike && same && SharesPoints(alike))
+  {
+    mesh->SetPoints(alike->GetPoints());
+    for (const char* name : pointNames)
+    {
+      if (vtkDataArray* array = alike->GetPointData()->GetArray(name))
+      {
+        mesh->GetPointData()->AddArray(array);
+      }
+    }
+  }
+  else
+  {
+    WritePoints(*forest, mesh);
+  }
   if (alike && SharesCells(alike))
   {
     mesh->SetPolys(alike->GetPolys());
@@ -412,12 +456,10 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
   {
     WriteCells(*forest, mesh);
   }
-  mesh->GetFieldData()->AddArray(
-    NewArray<vtkIntArray>(fieldNames[0], 1, 1, [](std::size_t, int* to) { *to = 1; }));
+  mesh->GetFieldData()->AddArray(OneValue<vtkIntArray>(fieldNames[0], 1));
   if (digest)
   {
-    mesh->GetFieldData()->AddArray(
-      NewArray<vtkTypeUInt64Array>(fieldNames[1], 1, 1, [&](std::size_t, auto* to) { *to = *digest; }));
+    mesh->GetFieldData()->AddArray(OneValue<vtkTypeUInt64Array>(fieldNames[1], *digest));
   }
   assert(SameForest(rebuild(LeavesOf(mesh), ThreadsOnly()), *forest));
   TheRegister().Add(StellarKey(mesh), forest);
@@ -438,6 +480,11 @@ std::optional<std::uint64_t> WholeNumber(vtkFieldData* data, const char* name)
   return WholeOf<std::uint64_t>(array)[0];
 }
 
+std::vector<int> WholeNumbers(vtkDataArray* array)
+{
+  return WholeOf<int>(array);
+}
+
 void RequireFinite(double value, const char* name)
 {
   if (!std::isfinite(value))
@@ -446,16 +493,44 @@ void RequireFinite(double value, const char* name)
   }
 }
 
-double LengthOf(double value, double otherwise, const char* name)
+double LengthOf(double value, double share, const Forest& forest, const char* name)
 {
   RequireFinite(value, name);
-  return value < 0.0 ? otherwise : value;
+  return value < 0.0 ? share * forest.diagonal() : value;
 }
 
 void AddText(std::vector<double>& values, const std::string& text)
 {
   values.push_back(static_cast<double>(text.size()));
   values.insert(values.end(), text.begin(), text.end());
+}
+
+int RunCurveStep(vtkAlgorithm* filter,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs,
+  const std::function<void(const CurveStep& step)>& run)
+{
+  return RunFilter(filter,
+    [&]
+    {
+      const Context context = ContextOf(filter);
+      const CurveStep step{ vtkPolyData::GetData(inputs[0]),
+        vtkPolyData::GetData(inputs[1]),
+        vtkPolyData::GetData(outputs),
+        filter->GetNumberOfInputPorts() > 2 ? vtkPolyData::GetData(inputs[2]) : nullptr,
+        context };
+      if (step.mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      if (step.curves->GetNumberOfPoints() == 0)
+      {
+        SharedForest(step.mesh, context); // refuses what is none
+        step.output->ShallowCopy(step.mesh);
+        return;
+      }
+      run(step);
+    });
 }
 
 void StellarStep::Provide(const StepKey& key,
@@ -469,10 +544,17 @@ void StellarStep::Provide(const StepKey& key,
     Made made = make();
     this->After = made.forest;
     this->Arrays = CarriedArrays(std::move(made.origins));
-    this->Stem = StellarPolyData(this->After, made.digest, made.sameCells ? input : nullptr);
+    this->Turns = made.turns;
+    this->Stem = StellarPolyData(
+      this->After, made.digest, made.sameCells ? input : nullptr, made.forest == this->Before);
     this->Key = key;
   }
   output->ShallowCopy(this->Stem);
+  if (this->Turns && input->GetPointData()->GetNormals())
+  {
+    this->Arrays.Turn(turnsOf(*this->Before, *this->After));
+    this->Turns = false;
+  }
   this->Arrays.Carry(input, output);
 }
 
@@ -493,18 +575,24 @@ void StellarStep::Provide(vtkPolyData* input,
     [&]
     {
       this->Before = SharedForest(input, context);
+      Made made;
+      made.turns = motion == Motion::Rise;
       const Forest& before = *this->Before;
       if (curves)
       {
         RequireSameCurves(input, before, *curves);
       }
-      Made made;
-      made.forest = std::make_shared<const Forest>(change(before));
-      made.origins = originsOf(before, *made.forest, motion == Motion::Slide, motion == Motion::Rise);
+      std::optional<Forest> changed = change(before);
+      made.forest = changed ? std::make_shared<const Forest>(std::move(*changed)) : this->Before;
+      made.origins = originsOf(before, *made.forest, motion == Motion::Slide);
       made.sameCells = before.faces.size() == made.forest->faces.size();
-      if (HasSnapped(*made.forest))
+      if (motion != Motion::Rise) // what rises ends the stroke
       {
         made.digest = curves ? digest(*curves) : WholeNumber(input->GetFieldData(), "CurveDigest");
+      }
+      if (made.digest && !HasSnapped(*made.forest))
+      {
+        made.digest = std::nullopt;
       }
       return made;
     });

@@ -6,6 +6,7 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchStellarCarry.h"
+#include "vtkOversketchStellarCurves.h"
 
 #include "vtkSmartPointer.h"
 
@@ -16,7 +17,10 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
+class vtkDataArray;
 class vtkFieldData;
+class vtkInformationVector;
 class vtkPolyData;
 
 namespace oversketch
@@ -41,17 +45,28 @@ std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& con
 std::atomic<int>& ForestsRebuilt();
 
 // A canonical forest as points, polygons and arrays, known to SharedForest. `digest`: of the curves that
-// CurveId means. `alike`: null, or a 4-8 mesh with the same cells, whose cells and their arrays are shared.
+// CurveId means. `alike`: null, or a 4-8 mesh with the same cells, whose cells and their arrays are shared;
+// `same`: points too.
 vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>& forest,
   const std::optional<std::uint64_t>& digest,
-  vtkPolyData* alike = nullptr);
+  vtkPolyData* alike = nullptr,
+  bool same = false);
 
 // Whether a vertex lies on a curve of the stroke that has not ended.
 bool HasSnapped(const Forest& forest);
 
-// Curves as vtkOversketchSurfaceStroke writes them. A `height` of 0 means half the radius, for curves with a
-// radius of their own half of that. Throws Error(BadStroke) naming the curve.
-FeatureCurves CurvesOf(vtkPolyData* curves, double height = 1.0);
+// Runs a step with a 4-8 mesh on port 0 and curves on port 1, as RunFilter does. Without points its output is
+// empty; without curves the mesh goes through, and is refused all the same where it is none.
+struct CurveStep
+{
+  vtkPolyData *mesh, *curves, *output;
+  vtkPolyData* third; // of port 2; null: none
+  const Context& context;
+};
+int RunCurveStep(vtkAlgorithm* filter,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs,
+  const std::function<void(const CurveStep& step)>& run);
 
 // Throws Error unless the snapped vertices of the mesh, where it has any, are on these curves.
 void RequireSameCurves(vtkPolyData* mesh, const Forest& forest, const FeatureCurves& curves);
@@ -59,9 +74,12 @@ void RequireSameCurves(vtkPolyData* mesh, const Forest& forest, const FeatureCur
 // The value of a field array of one number; none where it is absent.
 std::optional<std::uint64_t> WholeNumber(vtkFieldData* data, const char* name);
 
-// A length that may be left to the filter, which then takes `otherwise`: below 0. Throws Error(BadStroke)
-// naming the parameter where it is not finite.
-double LengthOf(double value, double otherwise, const char* name);
+// All values of an array. Throws Error(BadMesh) naming the first that is no whole number.
+std::vector<int> WholeNumbers(vtkDataArray* array);
+
+// A length that may be left to the filter, which then takes a share of the mesh's diagonal: below 0. Throws
+// Error(BadStroke) naming the parameter where it is not finite.
+double LengthOf(double value, double share, const Forest& forest, const char* name);
 void RequireFinite(double value, const char* name);
 
 // The characters of a text parameter, for a StepKey.
@@ -77,6 +95,7 @@ public:
     Origins origins;
     std::optional<std::uint64_t> digest; // of the curves that it is snapped to
     bool sameCells = false;              // as a 4-8 mesh that is the input
+    bool turns = false;                  // point normals are to turn with the surface
   };
   // Writes what `make` gives to the output; asks it where the key is a new one.
   void Provide(const StepKey& key,
@@ -91,8 +110,8 @@ public:
     Slide, // within the surface
     Rise   // out of it
   };
-  // Gives the canonical forest after the step.
-  using Change = std::function<Forest(const Forest& before)>;
+  // Gives the canonical forest after the step; none: it is as it was.
+  using Change = std::function<std::optional<Forest>(const Forest& before)>;
   // `values`: the parameters. `curves`: the step's curves, which are to be those that the mesh is snapped to;
   // null: of no matter.
   void Provide(vtkPolyData* input,
@@ -104,11 +123,15 @@ public:
     const Context& context,
     const Change& change);
 
+  // Of the last result: a point's number in the input, -1 for a new one.
+  const std::vector<int>& PointFrom() const { return this->Arrays.PointFrom(); }
+
 private:
   StepKey Key;
   std::shared_ptr<const Forest> Before, After; // held for who asks SharedForest
   vtkSmartPointer<vtkPolyData> Stem;           // what this module writes of the output; null: nothing is kept
   CarriedArrays Arrays;
+  bool Turns = false; // to be found where there are normals
 };
 
 } // namespace oversketch

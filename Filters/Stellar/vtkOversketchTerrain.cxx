@@ -6,6 +6,7 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -46,7 +47,7 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  return RunFilter(this,
+  return this->RunSystem(
     [&]
     {
       vtkImageData* image = vtkImageData::GetData(inputs[0]);
@@ -93,6 +94,11 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
           return made;
         });
       vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Source);
+      vtkFieldData* fields = vtkPolyData::GetData(outputs, 0)->GetFieldData();
+      for (int i = 0; i < cache.Source->GetFieldData()->GetNumberOfArrays(); ++i)
+      {
+        fields->AddArray(cache.Source->GetFieldData()->GetAbstractArray(i));
+      }
     });
 }
 

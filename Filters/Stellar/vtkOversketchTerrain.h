@@ -7,13 +7,15 @@
  * heights between samples are bilinear, quads are cut from lower left to upper right, 64 of them along the
  * longer side; quads over a missing sample are left out, and then those that meet others at a corner alone.
  *
+ * A system of no steps, so that it can be the first in a session.
+ *
  * Input 0 (Heights, vtkImageData): one slice across z with scalars; of colours the luminance counts, of two
  * components the first. Samples that are not finite are missing. The origin is not read.
  *
  * Output 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase: point (i, j) at i times QuadX, j times QuadY, and
- * Offset + Scale * gray.
- * Output 1 (Source): no points; field arrays TerrainGray and TerrainRules, double, from which
+ * Offset + Scale * gray; with the field arrays TerrainGray and TerrainRules, double, from which
  * vtkOversketchStellarRefine reads heights anew where it refines.
+ * Output 1 (Source): no points, the field arrays alone.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray without scalars; BadMesh for several
  * slices, fewer than two samples in a row or column, parameters out of range, more than eight million quads,
@@ -28,15 +30,15 @@
 #define vtkOversketchTerrain_h
 
 #include "OversketchFiltersStellarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchSystem.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchTerrain : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchTerrain : public vtkOversketchSystem
 {
 public:
   static vtkOversketchTerrain* New();
-  vtkTypeMacro(vtkOversketchTerrain, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchTerrain, vtkOversketchSystem);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**

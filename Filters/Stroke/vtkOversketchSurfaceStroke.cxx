@@ -3,6 +3,7 @@
 #include "vtkOversketchKept.h"
 #include "vtkOversketchStrokeTools.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -34,6 +35,26 @@ vtkOversketchSurfaceStroke::~vtkOversketchSurfaceStroke() = default;
 void vtkOversketchSurfaceStroke::SetMeshData(vtkPolyData* mesh)
 {
   this->SetInputData(1, mesh);
+}
+
+void vtkOversketchSurfaceStroke::Prepare()
+{
+  if (this->GetNumberOfInputConnections(1) == 0)
+  {
+    return;
+  }
+  vtkAlgorithmOutput* source = this->GetInputConnection(1, 0);
+  source->GetProducer()->Update(source->GetIndex());
+  auto* mesh = vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
+  if (mesh && mesh->GetNumberOfPoints() > 0)
+  {
+    RunFilter(this,
+      [&]
+      {
+        RequirePolygonsOnly(mesh);
+        this->Internals->Surface.Provide(mesh, ContextOf(this));
+      });
+  }
 }
 
 vtkIdType vtkOversketchSurfaceStroke::GetSceneCount()

@@ -62,6 +62,11 @@ public:
   void SetMeshConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(1, mesh); }
   void SetMeshData(vtkPolyData* mesh);
 
+  /**
+   * Makes the ray scene of the mesh on port 1, so that the first stroke need not. Errors as of an update.
+   */
+  void Prepare();
+
   ///@{
   /**
    * The stroke is halved between two samples, at most nine times, until the surface under the middle is this

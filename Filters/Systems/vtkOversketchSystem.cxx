@@ -126,17 +126,22 @@ vtkMTimeType vtkOversketchSystem::GetMTime()
 int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
 {
   this->Done = 0.0;
+  this->Passes = 1;
   this->Warnings.clear();
   for (Stage& stage : this->Stages)
   {
     stage.Seconds = 0.0;
   }
-  return RunFilter(this, body);
+  this->Timed = true;
+  const int result = RunFilter(this, body);
+  this->Timed = false;
+  return result;
 }
 
 bool vtkOversketchSystem::Try(const std::function<bool()>& body)
 {
   this->Done = 0.0;
+  this->Passes = 1;
   this->Warnings.clear();
   this->SetAbortExecute(0);
   this->SetErrorCode(vtkErrorCode::NoError);
@@ -155,12 +160,13 @@ bool vtkOversketchSystem::Try(const std::function<bool()>& body)
   return false;
 }
 
-void vtkOversketchSystem::RunStage(const char* name)
+void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>& work)
 {
   const auto stage = std::find_if(
     this->Stages.begin(), this->Stages.end(), [name](const Stage& known) { return known.Name == name; });
   StepRunner::Listener listener;
-  listener.progress = [&](double share) { this->UpdateProgress(this->Done + share * stage->Share); };
+  const double part = stage->Share / static_cast<double>(this->Passes);
+  listener.progress = [&](double share) { this->UpdateProgress(this->Done + share * part); };
   listener.warning = [this](const std::string& message)
   {
     if (this->Warnings.insert(message).second) // several steps may say the same
@@ -181,9 +187,19 @@ void vtkOversketchSystem::RunStage(const char* name)
     vtkOversketchSystem* System;
   } shown(this, &*stage);
   const auto start = std::chrono::steady_clock::now();
-  runner.Run();
-  stage->Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  this->Done += stage->Share;
+  if (work)
+  {
+    runner.Run(work);
+  }
+  else
+  {
+    runner.Run();
+  }
+  if (this->Timed)
+  {
+    stage->Seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  this->Done += part;
 }
 
 void vtkOversketchSystem::PrintSelf(ostream& os, vtkIndent indent)

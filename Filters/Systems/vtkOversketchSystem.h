@@ -100,7 +100,7 @@ public:
   ///@}
 
   /**
-   * Seconds that a step took in the last run, 0 where it did not execute.
+   * Seconds that a step took in the last run, however often it executed, 0 where it did not.
    */
   double GetStageTime(const char* name) const;
 
@@ -132,8 +132,10 @@ protected:
   // The same outside a run: without an error event. Returns whether body returned true; where it threw, the
   // error code tells why.
   bool Try(const std::function<bool()>& body);
-  // Runs a step. Throws its first error, or Cancelled.
-  void RunStage(const char* name);
+  // Says that the run goes through the steps so often; each time then counts for its part of the progress.
+  void SetPasses(std::size_t passes) { this->Passes = passes; }
+  // Runs a step, or does with it what is given. Throws its first error, or Cancelled.
+  void RunStage(const char* name, const std::function<void()>& work = nullptr);
   // The output of a step by its own name.
   vtkPolyData* StageOutput(const char* name);
   // The share of the run that is done [0 to 1].
@@ -157,6 +159,8 @@ private:
   std::vector<Stage> Stages;
   const Stage* Running = nullptr;
   double Done = 0.0;
+  std::size_t Passes = 1;
+  bool Timed = false;             // in a run, not while something is prepared
   std::set<std::string> Warnings; // of this run
 };
 

@@ -12,6 +12,7 @@
 #include "vtkOversketchStrokeThinning.h"
 #include "vtkOversketchSurfaceStroke.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkSMPTools.h"
 #include "vtkXMLPolyDataReader.h"
@@ -20,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include <unistd.h>
@@ -214,6 +216,92 @@ TEST(Augment, AsPublishedIsEachStepAsPublished)
     expectSame(simplify->GetOutput(), s.run());
     EXPECT_EQ(displace->GetFlippedFaces(), s.filter->GetFlippedFaces());
   }
+}
+
+// Of strokes one by one, what the steps count of each, and one progress over all.
+TEST(Augment, FiguresTimesAndProgressAreOfAllStrokes)
+{
+  const std::vector<std::vector<Vector2>> drawn{ vein(), vein(80, 40), { { 400, 280 }, { 400, 320 } } };
+  System s(shippedModel("bear"), drawn);
+  auto* displace = vtkOversketchStellarDisplace::SafeDownCast(s.filter->GetStep("Displace"));
+  displace->CountIntersectionsOn();
+  EXPECT_TRUE(std::isnan(s.filter->GetFigure("Crossings")));
+  std::map<std::string, double> sums;
+  double least = HUGE_VAL, longest = 0.0;
+  vtkSmartPointer<vtkPolyData> mesh = s.mesh;
+  for (const std::vector<Vector2>& stroke : drawn)
+  {
+    System one(mesh, { stroke });
+    one.strokes = strokesOf({ stroke }, s.view);
+    one.filter->SetStrokesData(one.strokes);
+    vtkOversketchStellarDisplace::SafeDownCast(one.filter->GetStep("Displace"))->CountIntersectionsOn();
+    mesh = copyOf(one.run());
+    auto* snap = vtkOversketchStellarSnap::SafeDownCast(one.filter->GetStep("Snap"));
+    auto* smooth = vtkOversketchStellarSmooth::SafeDownCast(one.filter->GetStep("Smooth"));
+    EXPECT_EQ(one.filter->GetFigure("Crossings"), snap->GetCrossings());
+    EXPECT_EQ(one.filter->GetFigure("Residual"), snap->GetResidual());
+    EXPECT_EQ(one.filter->GetFigure("RefusedMoves"), snap->GetRefused() + smooth->GetRefused());
+    for (const char* name :
+      { "Crossings", "Residual", "RefusedMoves", "FacesAdded", "FlippedFaces", "IntersectingFaces" })
+    {
+      sums[name] += one.filter->GetFigure(name);
+    }
+    least = std::min(least, one.filter->GetFigure("CrestMinimum"));
+    longest = std::max(longest, one.filter->GetFigure("LongestSegment"));
+    EXPECT_GT(one.filter->GetFigure("CrestMean"), 0.98);
+    EXPECT_LE(one.filter->GetFigure("CrestMean"), 1.0 + 1e-12);
+  }
+  s.filter->OneByOneOn();
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> hear;
+  hear->SetClientData(&progress);
+  hear->SetCallback([](vtkObject* filter, unsigned long, void* to, void*)
+    { static_cast<std::vector<double>*>(to)->push_back(vtkAlgorithm::SafeDownCast(filter)->GetProgress()); });
+  s.filter->AddObserver(vtkCommand::ProgressEvent, hear);
+  s.run();
+  for (const auto& [name, sum] : sums)
+  {
+    EXPECT_EQ(s.filter->GetFigure(name.c_str()), sum) << name;
+  }
+  EXPECT_EQ(s.filter->GetFigure("CrestMinimum"), least);
+  EXPECT_EQ(s.filter->GetFigure("LongestSegment"), longest);
+  EXPECT_LT(longest, 0.5 * 0.03 * s.diagonal());
+  EXPECT_GT(s.filter->GetFigure("SmallestAngle"), 0.0);
+  EXPECT_LT(s.filter->GetFigure("SmallestAngle"), 60.0);
+  EXPECT_TRUE(std::isnan(s.filter->GetFigure("Cats")));
+  ASSERT_FALSE(progress.empty());
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_LE(progress.back(), 1.0 + 1e-9);
+  EXPECT_LT(*std::lower_bound(progress.begin(), progress.end(), 0.2), 0.5); // not all in the first third
+  const double all = s.filter->GetStageTime("Displace");
+  s.filter->Prepare();
+  EXPECT_EQ(s.filter->GetStageTime("Displace"), all);
+  s.filter->SetStrokesData(strokesOf({ { { 5, 5 }, { 40, 5 } } }, s.view));
+  Ear ear(s.filter);
+  s.filter->Update();
+  EXPECT_TRUE(std::isnan(s.filter->GetFigure("Crossings")));
+}
+
+TEST(Augment, ACoarseBaseIsRefinedWhereItIsDrawnAndFollowsTheMesh)
+{
+  System s(shippedModel("dog"));
+  const vtkIdType direct = s.run()->GetNumberOfPolys();
+  s.filter->SetBaseToSimplified();
+  auto* base = vtkOversketchStellarBase::SafeDownCast(s.filter->GetStep("Base"));
+  base->SetSourceTolerance(4e-3 * s.diagonal());
+  vtkPolyData* output = s.run();
+  EXPECT_LT(output->GetNumberOfPolys(), direct / 2);
+  EXPECT_LT(output->GetNumberOfPolys(), s.mesh->GetNumberOfPolys());
+  EXPECT_GT(base->GetSourceOutput()->GetNumberOfPoints(), 0);
+  EXPECT_NEAR(highest(output), 0.5 * 0.03 * s.diagonal(), 0.02 * 0.03 * s.diagonal());
+  const auto all = copyOf(output);
+  System again(s.mesh);
+  again.filter->SetBase(vtkOversketchAugment::Simplified);
+  vtkOversketchStellarBase::SafeDownCast(again.filter->GetStep("Base"))
+    ->SetSourceTolerance(4e-3 * s.diagonal());
+  expectSame(all, again.run());
+  s.filter->SetBaseToDirect();
+  EXPECT_EQ(s.run()->GetNumberOfPolys(), direct);
 }
 
 TEST(Augment, AnotherHeightRunsTheDisplacementAndARadiusTheRefinementToo)

@@ -5,18 +5,23 @@
 #include "Mesh/weld.h"
 
 #include "vtkOversketchStellarBase.h"
+#include "vtkOversketchStellarRefine.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkOBJReader.h"
+#include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
+#include <tuple>
 
 using namespace oversketch_test;
 using oversketch::Failure;
@@ -24,6 +29,7 @@ using oversketch::Failure;
 namespace
 {
 
+// Points in single precision, as VTK's reader makes them up to 9.2; later ones read them in double.
 vtkSmartPointer<vtkPolyData> objModel(const std::string& name)
 {
   const std::string path = sharedData("meshes/" + name);
@@ -35,7 +41,49 @@ vtkSmartPointer<vtkPolyData> objModel(const std::string& name)
   vtkNew<vtkOBJReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(VTK_FLOAT);
+  points->DeepCopy(reader->GetOutput()->GetPoints());
+  reader->GetOutput()->SetPoints(points);
   return reader->GetOutput();
+}
+
+// In double precision, of an .obj of triangles alone or an .off; empty, saying so, where it is absent.
+oversketch::Mesh exactModel(const std::string& name)
+{
+  oversketch::Mesh mesh;
+  std::ifstream file(sharedData("meshes/" + name));
+  if (!file)
+  {
+    std::cout << name << " is absent: set OVERSKETCH_DATA\n";
+  }
+  const bool off = name.find(".off") != std::string::npos;
+  std::string line;
+  for (int header = off ? 2 : 0; std::getline(file, line);)
+  {
+    std::istringstream words(line);
+    std::string kind = off ? "" : "#";
+    Vector3 p;
+    oversketch::Triangle t;
+    if (header > 0)
+    {
+      --header;
+    }
+    else if (off && line.rfind("3 ", 0) == 0 && words >> kind >> t[0] >> t[1] >> t[2])
+    {
+      mesh.triangles.push_back(t);
+    }
+    else if (off || (words >> kind && kind == "v"))
+    {
+      words >> p[0] >> p[1] >> p[2];
+      mesh.points.push_back(p);
+    }
+    else if (kind == "f" && words >> t[0] >> t[1] >> t[2])
+    {
+      mesh.triangles.push_back({ t[0] - 1, t[1] - 1, t[2] - 1 });
+    }
+  }
+  return mesh;
 }
 
 // A sphere whose texture is cut along half a meridian and whose triangles are two patches of colour.
@@ -139,6 +187,23 @@ TEST(AugmentPromises, RefusesStrokesAndNumbersThatAreNone)
   expectRefusal(s.filter, Failure::MissingArray, "ViewTransform");
   s.filter->SetStrokesData(s.strokes);
   EXPECT_GT(s.run()->GetNumberOfPoints(), 0);
+  for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
+  {
+    auto blind = copyOf(s.strokes);
+    blind->GetCellData()->GetArray(name)->SetComponent(0, 1, nan);
+    s.filter->SetStrokesData(blind);
+    refuse(name == std::string("ViewportSize") ? "positive" : "finite");
+  }
+  s.filter->SetStrokesData(s.strokes);
+  // Edges that would take more triangles than memory holds.
+  auto* refine = vtkOversketchStellarRefine::SafeDownCast(s.filter->GetStep("Refine"));
+  refine->SetMaximumGeneration(62);
+  refine->SetMaximumFaces(100000);
+  s.filter->SetTargetEdgeLength(1e-12);
+  expectRefusal(s.filter, Failure::BadRegion, "100000");
+  s.filter->SetTargetEdgeLength(0.0);
+  refine->SetMaximumGeneration(16);
+  refine->SetMaximumFaces(16000000);
   // Radii that reach over everything, and that reach nothing.
   s.filter->SetRadius(10.0 * s.diagonal());
   EXPECT_GT(s.run()->GetNumberOfPoints(), 0);
@@ -215,6 +280,38 @@ TEST(AugmentPromises, SizeAndPlaceDoNotMatter)
     const vtkIdType faces = s.run()->GetNumberOfPolys();
     home = home == 0 ? faces : home;
     EXPECT_EQ(faces, home) << scale << " " << shift;
+  }
+}
+
+// Models as they come: a ten-millionth in size, and millions of lengths away.
+TEST(AugmentPromises, TinyAndFarModelsBecomeWhatTheyDoAtHome)
+{
+  for (const auto& [name, scale, shift] : { std::make_tuple("dirty_tiny_scale.off", 1e7, Vector3(0, 0, 0)),
+         std::make_tuple("dirty_far_from_origin.obj", 1.0, Vector3(-5e6, 3e6, -1e6)) })
+  {
+    const oversketch::Mesh model = exactModel(name);
+    if (model.triangles.empty())
+    {
+      GTEST_SKIP() << "no shared data";
+    }
+    ASSERT_EQ(model.points.size(), 829u) << name;
+    ASSERT_EQ(model.triangles.size(), 1654u) << name;
+    oversketch::Mesh home = model;
+    for (Vector3& p : home.points)
+    {
+      p = scale * (p + shift);
+    }
+    System there(toPolyData(model), { vein(200) }), here(toPolyData(home), { vein(200) });
+    vtkPolyData *away = there.run(), *near = here.run();
+    EXPECT_GT(near->GetNumberOfPolys(), 1654);
+    EXPECT_EQ(away->GetNumberOfPolys(), near->GetNumberOfPolys()) << name;
+    ASSERT_EQ(away->GetNumberOfPoints(), near->GetNumberOfPoints()) << name;
+    double worst = 0.0;
+    for (vtkIdType i = 0; i < away->GetNumberOfPoints(); ++i)
+    {
+      worst = std::max(worst, (scale * (pointOf(away, i) + shift) - pointOf(near, i)).norm());
+    }
+    EXPECT_LT(worst, 1e-6 * here.diagonal()) << name;
   }
 }
 

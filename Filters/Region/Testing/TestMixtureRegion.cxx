@@ -55,6 +55,8 @@ struct Pipeline
     this->region->ReachEndsOff();
     this->region->ConfineToSectionOff();
     this->region->EvenSamplesOff();
+    this->region->IgnoreNoiseOff();
+    this->diameter->TurnConesOff();
     this->border->ConfineOff();
   }
   std::vector<char> grown()
@@ -459,6 +461,41 @@ TEST(MixtureRegion, HostileInputsAreOneErrorEach)
   filter->Update();
   EXPECT_TRUE(ear.errors.empty());
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(MixtureRegion, OfASphereTheRegionIsWhatIsNearTheSection)
+{
+  for (const int level : { 2, 4 })
+  {
+    Pipeline p(oversketch_test::icosphere(level));
+    p.region->SetHandlesData(handlesAt(p.mesh, front, up, { 1, 0, 0 }, 0.4));
+    const std::vector<char> grown = p.grown();
+    const std::vector<char> seeds = flagsOf(p.region->GetOutput(), "RegionSeed");
+    double farthestIn = 0.0, nearestOut = 10.0; // from a seed, straight
+    int inner = 0;
+    const Adjacency adjacency = oversketch::buildAdjacency(p.mesh);
+    for (int v = 0; v < p.mesh.vertexCount(); ++v)
+    {
+      double away = 10.0;
+      for (int s = 0; s < p.mesh.vertexCount(); ++s)
+      {
+        away = seeds[s] ? std::min(away, (p.mesh.points[v] - p.mesh.points[s]).norm()) : away;
+      }
+      (grown[v] ? farthestIn : nearestOut) =
+        grown[v] ? std::max(farthestIn, away) : std::min(nearestOut, away);
+      const int* first = adjacency.vertexVertices.begin(v);
+      const int* last = adjacency.vertexVertices.end(v);
+      inner += grown[v] && std::all_of(first, last, [&](int n) { return grown[n] != 0; });
+    }
+    EXPECT_GT(inner, 0); // or nothing could move
+    // Edge paths are up to a half longer than the way.
+    EXPECT_LT(farthestIn, 1.5 * nearestOut + 1e-9) << level;
+    p.region->IgnoreNoiseOff();
+    if (level == 4) // of the coarse one the neighbours of the seeds are all there is
+    {
+      EXPECT_NE(p.grown(), grown); // a chance patch
+    }
+  }
 }
 
 TEST(MixtureRegion, ARegionThatReachesEverythingIsAnError)

@@ -261,8 +261,13 @@ TEST(ShapeDiameter, OddMeshesGiveFiniteValues)
   }
   // Every facet twice: the inside is as thick as before.
   const Mesh once = icosphere(2);
-  EXPECT_EQ(diameters(toPolyData(twice, &once.points), Filter::Host),
-    diameters(toPolyData(once, &once.points), Filter::Host));
+  const auto doubled = diameters(toPolyData(twice, &once.points), Filter::Host);
+  const auto single = diameters(toPolyData(once, &once.points), Filter::Host);
+  ASSERT_EQ(doubled.size(), single.size());
+  for (std::size_t v = 0; v < single.size(); ++v)
+  {
+    EXPECT_NEAR(doubled[v], single[v], 1e-9); // rays are laid by sums over the facets
+  }
 }
 
 TEST(ShapeDiameter, DirtyMeshesGiveFiniteValuesOrOneMessage)

@@ -170,7 +170,8 @@ TEST(Remesh, LengthsOfStageStretchAreThoseOfStageRestore)
   const Look before = lookOf(input), between = lookOf(dense);
   const auto result = Remeshed(dense, vtkOversketchRemesh::Restore).run();
   const Look after = lookOf(result);
-  std::cout << "mean angle " << before.rough.meanAngle << " -> " << after.rough.meanAngle << ", points " << before.points << ", " << between.points << ", " << after.points << "\n";
+  std::cout << "mean angle " << before.rough.meanAngle << " -> " << after.rough.meanAngle << ", points "
+            << before.points << ", " << between.points << ", " << after.points << "\n";
   EXPECT_GT(between.points, 3 * before.points);
   EXPECT_LT(after.points, 0.5 * between.points);
   EXPECT_GT(after.points, 0.9 * before.points);

@@ -11,8 +11,10 @@
 #include "vtkOversketchStellarSnap.h"
 #include "vtkOversketchSurfaceStroke.h"
 
+#include "vtkCellLocator.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -122,6 +124,32 @@ inline vtkSmartPointer<vtkPolyData> sphere(int levels = 3)
   result->GetCellData()->AddArray(chart);
   return result;
 }
+
+// How far each point is from a surface [model length].
+class Surface
+{
+public:
+  explicit Surface(vtkPolyData* mesh)
+  {
+    this->shape->SetPoints(mesh->GetPoints());
+    this->shape->SetPolys(mesh->GetPolys());
+    this->locator->SetDataSet(this->shape);
+    this->locator->BuildLocator();
+  }
+  double distance(const double* p)
+  {
+    double closest[3], squared = 0.0;
+    vtkIdType cell = -1;
+    int sub = 0;
+    this->locator->FindClosestPoint(p, closest, this->found, cell, sub, squared);
+    return std::sqrt(squared);
+  }
+
+private:
+  vtkNew<vtkPolyData> shape;
+  vtkNew<vtkCellLocator> locator;
+  vtkNew<vtkGenericCell> found;
+};
 
 // Base to simplification, connected, with a stroke on the base.
 struct Chain

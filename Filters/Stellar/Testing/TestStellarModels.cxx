@@ -133,3 +133,33 @@ TEST(StellarModels, DirtyModelsAreRefusedOrSound)
     EXPECT_EQ(rebuilt->GetErrorCode(), 0u);
   }
 }
+
+TEST(D6_2, RealModelsKeepTheirShapeAsCoarseBases)
+{
+  for (const char* name : { "bunny_5k.obj", "spot_5k9.obj", "armadillo_29k.obj" })
+  {
+    const auto input = modelOf(name);
+    if (!input)
+      GTEST_SKIP() << "no shared data";
+    vtkNew<vtkOversketchStellarBase> base;
+    base->SetInputData(input);
+    base->SetModeToSimplified();
+    base->Update();
+    ASSERT_EQ(base->GetErrorCode(), 0u) << name;
+    double box[6];
+    input->GetBounds(box);
+    const double diagonal = Vector3(box[1] - box[0], box[3] - box[2], box[5] - box[4]).norm();
+    Surface original(input), made(base->GetOutput());
+    double on = 0.0, off = 0.0;
+    for (vtkIdType i = 0; i < base->GetOutput()->GetNumberOfPoints(); ++i)
+      on = std::max(on, original.distance(base->GetOutput()->GetPoint(i)) / diagonal);
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+      off = std::max(off, made.distance(input->GetPoint(i)) / diagonal);
+    EXPECT_LT(on, 1e-9) << name;
+    EXPECT_LT(off, 4e-3) << name;
+    fact("D6_2",
+      std::string(name) + ", filter: " + std::to_string(input->GetNumberOfCells()) + " to " +
+        std::to_string(base->GetOutput()->GetNumberOfCells()) + " faces, the mesh's points within " +
+        std::to_string(off) + " diagonals of them");
+  }
+}

@@ -165,6 +165,24 @@ TEST(StellarPromises, ReorderedCellsAndCleanedPointsAreRefused)
   s.expectRefused(
     [](auto* m)
     {
+      // A cell gets points of its own, as filters do that make normals.
+      vtkPointData* data = m->GetPointData();
+      vtkNew<vtkIdList> ids;
+      m->GetPolys()->GetCellAtId(0, ids);
+      for (vtkIdType k = 0; k < 3; ++k)
+      {
+        const vtkIdType id = m->GetPoints()->InsertNextPoint(Vector3(m->GetPoint(ids->GetId(k))).data());
+        for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+          data->GetArray(a)->InsertNextTuple(ids->GetId(k), data->GetArray(a));
+        ids->SetId(k, id);
+      }
+      m->GetPolys()->ReplaceCellAtId(0, ids);
+    },
+    Failure::BadMesh,
+    "split");
+  s.expectRefused(
+    [](auto* m)
+    {
       vtkNew<vtkCleanPolyData> clean; // merges points that lie near each other
       clean->SetInputData(cold(m));
       clean->SetTolerance(0.02);

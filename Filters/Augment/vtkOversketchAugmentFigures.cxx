@@ -1,0 +1,101 @@
+// What the steps of vtkOversketchAugment count, over all its strokes.
+#include "vtkOversketchAugmentPipeline.h"
+#include "vtkOversketchStellarCurves.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+using namespace oversketch;
+
+namespace
+{
+
+const double none = std::numeric_limits<double>::quiet_NaN();
+
+double LongestSegment(vtkPolyData* curves)
+{
+  double longest = 0.0;
+  for (const FeatureCurve& curve : CurvesOf(curves))
+  {
+    for (int i = 0; i < curve.segmentCount(); ++i)
+    {
+      longest = std::max(longest, (curve.points[curve.segmentEnd(i)] - curve.points[i]).norm());
+    }
+  }
+  return longest;
+}
+
+// In degrees; 0 where a triangle has no area.
+double SmallestAngle(vtkPolyData* mesh)
+{
+  double largest = -1.0; // the cosine
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
+  {
+    mesh->GetPolys()->GetCellAtId(f, ids);
+    Vector3 p[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh->GetPoint(ids->GetId(k), p[k].data());
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 x = p[(k + 1) % 3] - p[k], y = p[(k + 2) % 3] - p[k];
+      const double lengths = x.norm() * y.norm();
+      largest = std::max(largest, lengths > 0.0 ? x.dot(y) / lengths : 1.0);
+    }
+  }
+  return std::acos(std::min(largest, 1.0)) * 180.0 / std::acos(-1.0);
+}
+
+} // namespace
+
+void vtkOversketchAugment::Pipeline::AddFigures()
+{
+  Figures& sum = *this->Counted;
+  sum.Crossings += this->Snap->GetCrossings();
+  sum.Residual += this->Snap->GetResidual();
+  sum.RefusedMoves += this->Snap->GetRefused() + this->Smooth->GetRefused();
+  sum.FacesAdded += this->Snap->GetFacesAdded();
+  sum.FlippedFaces += this->Displace->GetFlippedFaces();
+  const int cutting = this->Displace->GetIntersectingFaces();
+  sum.IntersectingFaces = cutting < 0 || sum.IntersectingFaces < 0 ? -1 : sum.IntersectingFaces + cutting;
+  if (const int places = this->Displace->GetCrestPlaces())
+  {
+    const double least = this->Displace->GetCrestMinimum();
+    sum.CrestMinimum = sum.CrestPlaces ? std::min(sum.CrestMinimum, least) : least;
+    sum.CrestSum += places * this->Displace->GetCrestMean();
+    sum.CrestPlaces += places;
+  }
+  sum.LongestSegment =
+    std::max(sum.LongestSegment, ::LongestSegment(this->Self->StageOutput(this->CurvesName())));
+}
+
+double vtkOversketchAugment::Pipeline::FigureOf(const std::string& name) const
+{
+  if (!this->Counted || !this->Made)
+  {
+    return none;
+  }
+  const Figures& sum = *this->Counted;
+  if (name == "SmallestAngle")
+  {
+    return ::SmallestAngle(this->Made->Last);
+  }
+  const std::map<std::string, double> figures{ { "Crossings", sum.Crossings },
+    { "Residual", sum.Residual },
+    { "RefusedMoves", sum.RefusedMoves },
+    { "FacesAdded", sum.FacesAdded },
+    { "FlippedFaces", sum.FlippedFaces },
+    { "IntersectingFaces", sum.IntersectingFaces < 0 ? none : sum.IntersectingFaces },
+    { "CrestMean", sum.CrestPlaces ? sum.CrestSum / sum.CrestPlaces : none },
+    { "CrestMinimum", sum.CrestPlaces ? sum.CrestMinimum : none },
+    { "LongestSegment", sum.LongestSegment } };
+  const auto found = figures.find(name);
+  return found == figures.end() ? none : found->second;
+}
