@@ -1,4 +1,4 @@
-"""The shipped models and strokes keep what README.md says of them, and the scripts make them."""
+"""The shipped models, strokes and terrain keep what README.md says of them, and the scripts make them."""
 import filecmp
 import os
 import subprocess
@@ -12,7 +12,10 @@ from vtk.util.numpy_support import vtk_to_numpy
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
+import erosion  # noqa: E402
 import figures  # noqa: E402
+import listing  # noqa: E402
+import make_augmentations  # noqa: E402
 import make_models  # noqa: E402
 import make_strokes  # noqa: E402
 import remesh  # noqa: E402
@@ -65,7 +68,10 @@ def assert_sound(mesh, genus=0):
 def test_what_is_shipped():
     assert sorted(figures.FIGURES) == MODELS
     assert sorted(os.listdir(os.path.join(HERE, "Models"))) == [name + ".ply" for name in MODELS]
-    assert sorted(os.listdir(os.path.join(HERE, "Strokes"))) == sorted(name + ".vtp" for name in make_strokes.STROKES)
+    assert sorted(os.listdir(os.path.join(HERE, "Strokes"))) == sorted(path.name for path in listing.one_stroke() + listing.augment())
+    assert listing.ONE_STROKE == tuple(sorted(make_strokes.STROKES))
+    assert listing.AUGMENT == tuple(sorted(make_augmentations.STROKES))
+    assert os.listdir(os.path.join(HERE, "Terrain")) == ["valley.png"]
     for name in DRAWN:
         assert sum(stroke_name.startswith(name + "_") for stroke_name in make_strokes.STROKES) >= 2
     assert sum(view[0].angle is not None for view in make_strokes.STROKES.values()) >= 3
@@ -138,12 +144,75 @@ def test_stroke(name):
     assert 6.0 < away.max() < 150.0
 
 
+@pytest.mark.parametrize("name", listing.AUGMENT)
+def test_augmenting_stroke(name):
+    """Views are sound, samples lie in them and, but for a silhouette's, over the model; radii fit it, heights say which way."""
+    strokes, ids = stroke(name), vtk.vtkIdList()
+    assert os.path.getsize(os.path.join(HERE, "Strokes", name + ".vtp")) < 1e5
+    places, cells = vtk_to_numpy(strokes.GetPoints().GetData()), strokes.GetCellData()
+    assert strokes.GetNumberOfCells() == strokes.GetNumberOfLines() == len(make_augmentations.STROKES[name]())
+    silhouette = name == "person_crest"
+    mesh = None if name.startswith("valley") else model(name.split("_")[0])
+    size = erosion.SIDE if mesh is None else mesh.GetLength()
+    for i in range(strokes.GetNumberOfCells()):
+        strokes.GetCellPoints(i, ids)
+        line = places[[ids.GetId(k) for k in range(ids.GetNumberOfIds())], :2]
+        assert line.min() > 5 and np.all(line.max(axis=0) < [795, 595])
+        step = np.linalg.norm(np.diff(line, axis=0), axis=1)
+        assert step.sum() > 20 and 0.0 < step.min() and step.max() < 9.0
+        view, projection = (vtk_to_numpy(cells.GetArray(k))[i].reshape(4, 4) for k in ("ViewTransform", "ProjectionTransform"))
+        assert np.allclose(view[:3, :3] @ view[:3, :3].T, np.eye(3)) and np.linalg.det(view[:3, :3]) > 0
+        assert 0.004 * size < cells.GetArray("Radius").GetValue(i) < 0.04 * size
+        assert (cells.GetArray("Height") is None) == silhouette
+        if silhouette:
+            continue
+        height = cells.GetArray("Height").GetValue(i)
+        assert (height < 0) == (name == "hand_palm_lines" or (mesh is None and i == 0)) and height != 0
+        if mesh is not None:
+            points, triangles = arrays(mesh)
+            clip = np.column_stack([points, np.ones(len(points))]) @ (projection @ view).T
+            covered = make_strokes.coverage((clip[:, :2] / clip[:, 3:] + 1.0) * [400.0, 300.0], triangles, fine=1)
+            assert all(covered[int(y), int(x)] for x, y in line)
+
+
+def test_terrain():
+    """16 bits, all of it drains to one mouth, and the river of the strokes lies where the water is."""
+    image = read(vtk.vtkPNGReader(), "Terrain", "valley.png")
+    gray = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(erosion.SIDE, erosion.SIDE)
+    assert gray.dtype == np.uint16 and os.path.getsize(os.path.join(HERE, "Terrain", "valley.png")) < 1e5
+    land = gray * make_augmentations.GRAY
+    assert abs(land.max() - erosion.PEAK) < make_augmentations.GRAY and land.min() < 2.0
+    level, _, _, _ = erosion.drained(land, np.random.RandomState(0))
+    assert (level - land > 1.0).mean() < 0.01, "no lakes"
+    river = make_augmentations.works()[0].course
+    assert river[0, 2] - river[-1, 2] > 15.0 and (np.diff(river[:, 2]) > 0.3).sum() == 0, "rivers run down"
+
+
 def test_strokes_are_made_again(tmp_path):
     name = "hand_longer_finger"
     subprocess.run([sys.executable, os.path.join(HERE, "make_strokes.py"), "--only", name, "--to", str(tmp_path)], check=True)
     made = read(vtk.vtkXMLPolyDataReader(), str(tmp_path), name + ".vtp")
     there, here = (vtk_to_numpy(s.GetPoints().GetData()) for s in (stroke(name), made))
     assert len(there) == len(here) and np.abs(there - here).max() < 1e-6
+
+
+def test_augmentations_are_made_again(tmp_path):
+    """All of them and the terrain, twice: the same bytes; and what is shipped but for rounding, by which waters may part elsewhere."""
+    for folder in ("one", "two"):
+        subprocess.run([sys.executable, os.path.join(HERE, "make_augmentations.py"), "--to", str(tmp_path / folder)], check=True)
+    for name in listing.AUGMENT:
+        file = os.path.join("Strokes", name + ".vtp")
+        assert filecmp.cmp(str(tmp_path / "one" / file), str(tmp_path / "two" / file), shallow=False)
+        there, here = stroke(name), read(vtk.vtkXMLPolyDataReader(), str(tmp_path), "one", file)
+        assert there.GetNumberOfCells() == here.GetNumberOfCells()
+        if not name.startswith("valley"):
+            there, here = (vtk_to_numpy(s.GetPoints().GetData()) for s in (there, here))
+            assert len(there) == len(here) and np.abs(there - here).max() < 1e-6
+    file = os.path.join("Terrain", "valley.png")
+    assert filecmp.cmp(str(tmp_path / "one" / file), str(tmp_path / "two" / file), shallow=False)
+    there, here = (vtk_to_numpy(read(vtk.vtkPNGReader(), path).GetPointData().GetScalars()).astype(float)
+                   for path in (file, str(tmp_path / "one" / file)))
+    assert np.abs(there - here).mean() < 0.02 * there.max()
 
 
 def test_models_are_made_again(tmp_path):
