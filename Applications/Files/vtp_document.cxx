@@ -12,8 +12,19 @@ namespace oversketch_files
 
 namespace
 {
-const char* const notPolyData = "is not an XML PolyData file (.vtp)";
+
+// Where the parser is, as an editor counts. Expat 2.8 has wider counters and warns of the old ones.
+std::string placeOf(XML_Parser parser)
+{
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 8
+  const auto line = XML_GetCurrentLineNumber64(parser), column = XML_GetCurrentColumnNumber64(parser);
+#else
+  const auto line = XML_GetCurrentLineNumber(parser), column = XML_GetCurrentColumnNumber(parser);
+#endif
+  return "line " + std::to_string(line) + ", column " + std::to_string(column + 1);
 }
+
+} // namespace
 
 class VtpDocument::Parser
 {
@@ -33,7 +44,7 @@ public:
       { static_cast<Parser*>(self)->take(text, static_cast<std::size_t>(size)); });
     XML_SetStartDoctypeDeclHandler(this->Expat.get(),
       [](void* self, const XML_Char*, const XML_Char*, const XML_Char*, int)
-      { static_cast<Parser*>(self)->stop("has a document type, which no .vtp file has"); });
+      { static_cast<Parser*>(self)->stop("has a document type, which no such file has"); });
   }
 
   void parse(std::string_view text, bool isLast)
@@ -47,17 +58,14 @@ public:
           XML_Parse(this->Expat.get(), text.data() + at, static_cast<int>(size), ends) != XML_STATUS_OK &&
           this->Problem.empty())
       {
-        this->Problem = this->HasRoot
-                          ? "is no XML from line " +
-                              std::to_string(XML_GetCurrentLineNumber(this->Expat.get())) + ", column " +
-                              std::to_string(XML_GetCurrentColumnNumber(this->Expat.get()) + 1) +
-                              " on; the file is truncated or damaged"
-                          : notPolyData;
+        this->Problem = this->HasRoot ? "is no XML from " + placeOf(this->Expat.get()) +
+                                          " on; the file is truncated or damaged"
+                                      : this->anotherType();
       }
     }
     if (this->Problem.empty() && !this->HasRoot)
     {
-      this->Problem = notPolyData;
+      this->Problem = this->anotherType();
     }
     if (!this->Problem.empty())
     {
@@ -66,6 +74,12 @@ public:
   }
 
 private:
+  std::string anotherType() const
+  {
+    const std::string& type = this->Document.Type;
+    return "is not an XML " + type + " file (" + (type == "PolyData" ? ".vtp" : ".vti") + ")";
+  }
+
   void stop(const std::string& why)
   {
     this->Problem = this->Problem.empty() ? why : this->Problem;
@@ -87,10 +101,14 @@ private:
     {
       this->HasRoot = true;
       this->Document.Root = attributes;
-      if (name != "VTKFile" || attributes["type"] != "PolyData")
+      if (name != "VTKFile" || attributes["type"] != this->Document.Type)
       {
-        this->stop(notPolyData);
+        this->stop(this->anotherType());
       }
+    }
+    else if (name == this->Document.Type)
+    {
+      this->Document.Whole = attributes;
     }
     else if (name == "Piece")
     {
@@ -117,8 +135,8 @@ private:
 
   void openPiece(Attributes& attributes)
   {
-    const auto isEmpty = [](Attributes& piece)
-    { return piece["NumberOfPoints"].empty() || piece["NumberOfPoints"] == "0"; };
+    const char* const size = this->Document.Type == "PolyData" ? "NumberOfPoints" : "Extent";
+    const auto isEmpty = [size](Attributes& piece) { return piece[size].empty() || piece[size] == "0"; };
     this->IsPiece = !isEmpty(attributes) || this->Document.Piece.empty();
     if (!isEmpty(attributes) && !isEmpty(this->Document.Piece))
     {
@@ -178,8 +196,9 @@ const std::string& VtpDocument::Array::operator[](const std::string& attribute) 
   return it == this->attributes.end() ? none : it->second;
 }
 
-VtpDocument::VtpDocument(const std::string& path, const std::string& bytes)
+VtpDocument::VtpDocument(const std::string& path, const std::string& bytes, const std::string& type)
   : Path(path)
+  , Type(type)
 {
   // Raw data is no XML, so what stands before it is closed by hand.
   const std::size_t cut = std::min(bytes.find("<AppendedData"), bytes.size());

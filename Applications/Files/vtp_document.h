@@ -1,4 +1,4 @@
-// The XML part of a .vtp file as it stands there: sections, their arrays with attributes and text.
+// The XML part of a .vtp or .vti file as it stands there: sections, their arrays with attributes and text.
 #ifndef oversketch_files_vtp_document_h
 #define oversketch_files_vtp_document_h
 
@@ -30,14 +30,15 @@ public:
     std::set<std::string> names; // of the arrays
   };
 
-  // The bytes must outlive this. Throws Failed where they are no XML PolyData, hold two arrays of a name in a
-  // section, or more than one piece with points.
-  VtpDocument(const std::string& path, const std::string& bytes);
+  // The type is "PolyData" or "ImageData". The bytes must outlive this. Throws Failed where they are not of
+  // that, hold two arrays of a name in a section, or more than one piece with points.
+  VtpDocument(const std::string& path, const std::string& bytes, const std::string& type);
 
   [[noreturn]] void refuse(const std::string& why) const;
 
-  // Attributes of the file and of its piece.
+  // Attributes of the file, of the data set and of its piece.
   const std::string& root(const std::string& name) { return this->Root[name]; }
+  const std::string& whole(const std::string& name) { return this->Whole[name]; }
   const std::string& piece(const std::string& name) { return this->Piece[name]; }
   // PointData, CellData, FieldData, Points, Verts, Lines, Strips or Polys.
   const Section& section(const std::string& name) { return this->Sections[name]; }
@@ -48,8 +49,8 @@ public:
 private:
   class Parser;
 
-  std::string Path;
-  Attributes Root, Piece;
+  std::string Path, Type;
+  Attributes Root, Whole, Piece;
   std::map<std::string, Section> Sections;
   bool AppendedIsText = false;
   std::string_view Appended;

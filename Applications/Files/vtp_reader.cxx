@@ -1,6 +1,7 @@
-// XML PolyData (.vtp), of any encoding, compression and byte order. Why not vtkXMLPolyDataReader: it
-// allocates what a file announces, trusts offsets and the heads of compressed blocks, and crashes on two
-// arrays of a name.
+// XML PolyData (.vtp) and ImageData (.vti), of any encoding, compression and byte order. Why not VTK's own
+// readers: they allocate what a file announces, trust offsets and the heads of compressed blocks, and crash
+// on two arrays of a name.
+#include "heights.h"
 #include "mesh_file.h"
 #include "text.h"
 #include "vtp_document.h"
@@ -86,8 +87,8 @@ int typeOf(const VtpDocument::Array& array)
 class Reader
 {
 public:
-  Reader(const std::string& path, const std::string& bytes)
-    : Xml(path, bytes)
+  Reader(const std::string& path, const std::string& bytes, const std::string& type)
+    : Xml(path, bytes, type)
     , Room(std::max(leastRoom, mostInflation * bytes.size()))
     , Most(static_cast<double>(this->Room))
     , BigEndian(this->Xml.root("byte_order") == "BigEndian")
@@ -138,7 +139,68 @@ public:
     return mesh;
   }
 
+  // One slice with its scalars, or its only array.
+  vtkSmartPointer<vtkImageData> readImage()
+  {
+    const std::vector<double> extent = this->list(this->Xml.piece("Extent"), 6, "Extent");
+    const std::vector<double> spacing = this->list(this->Xml.whole("Spacing"), 3, "Spacing");
+    double count = 1.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double side = extent[2 * k + 1] - extent[2 * k] + 1.0;
+      if (!(side >= 1.0 && side <= 16384.0) || !(spacing[k] > 0.0 && spacing[k] < 1e12))
+      {
+        this->Xml.refuse(
+          "its Extent is of no samples or more than 16384 a side, or its Spacing is not positive");
+      }
+      count *= side;
+    }
+    if (extent[4] != extent[5])
+    {
+      this->Xml.refuse("holds several slices across z; give one");
+    }
+    if (!(count <= this->Most))
+    {
+      this->Xml.refuse("its Extent announces more samples than a file of its size can hold");
+    }
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(
+      static_cast<int>(extent[1] - extent[0] + 1.0), static_cast<int>(extent[3] - extent[2] + 1.0), 1);
+    image->SetSpacing(spacing.data());
+    this->addArrays("PointData", image->GetPointData(), static_cast<vtkIdType>(count));
+    vtkPointData* data = image->GetPointData();
+    if (!data->GetScalars() && data->GetNumberOfArrays() == 1 && data->GetArray(0))
+    {
+      data->SetActiveScalars(data->GetArray(0)->GetName());
+    }
+    if (!data->GetScalars())
+    {
+      this->Xml.refuse("names none of its PointData as Scalars; save it with one array of heights");
+    }
+    return image;
+  }
+
 private:
+  // So many numbers; where none are given, ones.
+  std::vector<double> list(const std::string& text, std::size_t size, const std::string& what)
+  {
+    std::vector<double> numbers;
+    Words words(text);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+    {
+      numbers.push_back(numberOf(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    if (numbers.empty() && what == "Spacing")
+    {
+      numbers.assign(size, 1.0);
+    }
+    if (numbers.size() != size)
+    {
+      this->Xml.refuse("its " + what + " has not " + std::to_string(size) + " numbers; the file is damaged");
+    }
+    return numbers;
+  }
+
   // A whole number; 0 where it is not given.
   vtkIdType wholeOf(const std::string& text, const std::string& what)
   {
@@ -505,7 +567,12 @@ private:
 
 vtkSmartPointer<vtkPolyData> readVtp(const std::string& path, const std::string& bytes)
 {
-  return Reader(path, bytes).read();
+  return Reader(path, bytes, "PolyData").read();
+}
+
+vtkSmartPointer<vtkImageData> readVti(const std::string& path, const std::string& bytes)
+{
+  return Reader(path, bytes, "ImageData").readImage();
 }
 
 } // namespace oversketch_files

@@ -1,0 +1,176 @@
+// Grids of heights from every kind of file: the same samples in the same places, or a refusal in words.
+#include "heights.h"
+
+#include "files.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkTIFFWriter.h"
+#include "vtkUnsignedShortArray.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+
+using namespace oversketch_files;
+
+namespace
+{
+
+double sample(vtkImageData* image, int i, int j)
+{
+  return image->GetPointData()->GetScalars()->GetComponent(j * image->GetDimensions()[0] + i, 0);
+}
+
+std::string refusalOf(const std::string& bytes)
+{
+  try
+  {
+    parseHeights("file", bytes);
+  }
+  catch (const Failed& failure)
+  {
+    return failure.what();
+  }
+  return "taken";
+}
+
+// 5 x 3 samples of 16 bits, 1000 i + 7 j from the lower left corner.
+vtkSmartPointer<vtkImageData> ramp()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(5, 3, 1);
+  image->SetSpacing(2.0, 3.0, 1.0);
+  vtkNew<vtkUnsignedShortArray> gray;
+  gray->SetName("Gray");
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int i = 0; i < 5; ++i)
+    {
+      gray->InsertNextValue(static_cast<unsigned short>(1000 * i + 7 * j));
+    }
+  }
+  image->GetPointData()->SetScalars(gray);
+  return image;
+}
+
+template <typename Writer>
+std::string written(Writer* writer, vtkImageData* image)
+{
+  const std::string path =
+    (std::filesystem::temp_directory_path() / ("heights-" + std::to_string(::getpid()))).string();
+  writer->SetInputData(image);
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  std::string bytes = wholeFile(path);
+  std::filesystem::remove(path);
+  return bytes;
+}
+
+void expectRamp(const std::string& bytes, const char* format)
+{
+  SCOPED_TRACE(format);
+  ASSERT_EQ(heightsFormatOf(bytes), format);
+  const auto image = parseHeights("file", bytes);
+  ASSERT_EQ(image->GetDimensions()[0], 5);
+  ASSERT_EQ(image->GetDimensions()[1], 3);
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int i = 0; i < 5; ++i)
+    {
+      EXPECT_EQ(sample(image, i, j), 1000.0 * i + 7.0 * j) << i << ", " << j;
+    }
+  }
+}
+
+} // namespace
+
+TEST(Heights, SixteenBitsComeWholeAndFromTheBottom)
+{
+  expectRamp(written(vtkSmartPointer<vtkPNGWriter>::New().Get(), ramp()), "png");
+  expectRamp(written(vtkSmartPointer<vtkTIFFWriter>::New().Get(), ramp()), "tif");
+  std::string pgm = "P5\n# by hand\n5 3\n65535\n";
+  std::string text = "P2 5 3 65535\n", grid = "NCOLS 5\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 2.5\n";
+  for (int j = 2; j >= 0; --j)
+  {
+    for (int i = 0; i < 5; ++i)
+    {
+      const int value = 1000 * i + 7 * j;
+      pgm += { static_cast<char>(value >> 8), static_cast<char>(value & 255) };
+      text += std::to_string(value) + " ";
+      grid += std::to_string(value) + (i < 4 ? " " : "\n");
+    }
+  }
+  expectRamp(pgm, "pgm");
+  expectRamp(text, "pgm");
+  expectRamp(grid, "asc");
+  EXPECT_DOUBLE_EQ(parseHeights("file", grid)->GetSpacing()[0], 2.5);
+  for (int mode = 0; mode < 3; ++mode) // ascii, binary, appended
+  {
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetDataMode(mode);
+    const std::string bytes = written(writer.Get(), ramp());
+    expectRamp(bytes, "vti");
+    EXPECT_DOUBLE_EQ(parseHeights("file", bytes)->GetSpacing()[1], 3.0);
+  }
+}
+
+TEST(Heights, MissingSamplesAreNoNumbers)
+{
+  const auto image = parseHeights("file", "ncols 2\nnrows 2\ncellsize 1\nNODATA_value -7\n1 -7\n3.5 -9999\n");
+  EXPECT_TRUE(std::isnan(sample(image, 1, 1)));
+  EXPECT_EQ(sample(image, 0, 1), 1.0);
+  EXPECT_EQ(sample(image, 0, 0), 3.5);
+  EXPECT_EQ(sample(image, 1, 0), -9999.0);
+}
+
+TEST(Heights, WhatIsDamagedIsRefusedInWords)
+{
+  const auto says = [](const std::string& bytes, const std::string& words)
+  { EXPECT_NE(refusalOf(bytes).find(words), std::string::npos) << refusalOf(bytes); };
+  says("", "no grid of heights");
+  says("solid ball", ".asc");
+  says("ncols 3\nnrows 2\n1 2 3 4", "breaks off in row 1");
+  says("ncols 2\nnrows 1\n1 x", "'x' in row 0, column 1");
+  says("ncols 2\n1 2", "without nrows");
+  says("ncols two", "no number");
+  says("ncols 16000\nnrows 16000\n1 2", "than it holds");
+  says("ncols 2\nnrows 1\ncellsize 0\n1 2", "cellsize");
+  says("P5 2 2 255\nabc", "fewer samples");
+  says("P5 2 2 70000\nabcdefgh", "range");
+  says("P2 1 2 9\n3 12", "range");
+  says("P5 2", "breaks off");
+  for (const std::string& bytes : { written(vtkSmartPointer<vtkPNGWriter>::New().Get(), ramp()),
+         written(vtkSmartPointer<vtkTIFFWriter>::New().Get(), ramp()) })
+  {
+    for (std::size_t size = 8; size + 12 < bytes.size(); size += 5)
+    {
+      const std::string said = refusalOf(bytes.substr(0, size));
+      EXPECT_TRUE(said == "taken" || said.find("file: ") == 0) << said;
+    }
+  }
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetDataModeToAscii();
+  std::string vti = written(writer.Get(), ramp());
+  const auto with = [&vti](const std::string& old, const std::string& other)
+  {
+    std::string text = vti;
+    for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + other.size()))
+    {
+      text.replace(at, old.size(), other);
+    }
+    return text;
+  };
+  says(with("0 4 0 2 0 0", "0 4 0 2 0 3"), "several slices");
+  says(with("0 4 0 2 0 0", "0 4 0 3 0 0"), "breaks off");
+  says(with("0 4 0 2 0 0", "0 4 2 0 0 0"), "no samples");
+  says(with("0 4 0 2 0 0", "0 16000 0 16000 0 0"), "than a file of its size");
+  says(with("ImageData", "PolyData"), "is not an XML ImageData file");
+  says(vti.substr(0, vti.size() / 2), "no XML from line");
+}

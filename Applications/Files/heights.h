@@ -1,0 +1,29 @@
+// Grids of heights: PNG, TIFF and PGM of 8 or 16 bits, ESRI ASCII grid (.asc), VTK image data (.vti).
+#ifndef oversketch_files_heights_h
+#define oversketch_files_heights_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace oversketch_files
+{
+
+// The extensions, for messages.
+extern const char* const heightsExtensions;
+bool isHeightsExtension(const std::string& extension);
+
+// The extension without its dot that such bytes have ("png", "tif", "pgm", "asc", "vti"), "" for others.
+std::string heightsFormatOf(const std::string& bytes);
+
+// One slice with scalars of one number or a colour each, rows from the bottom, spacing as the file tells it,
+// else 1. Samples that are missing (NODATA) are not a number. Throws Failed, naming the file: bytes of
+// another kind, damaged ones, more than 16384 samples a side, or more of them than so few bytes can tell.
+vtkSmartPointer<vtkImageData> parseHeights(const std::string& name, const std::string& bytes);
+
+// Of a .vti file.
+vtkSmartPointer<vtkImageData> readVti(const std::string& name, const std::string& bytes);
+
+} // namespace oversketch_files
+#endif
