@@ -31,12 +31,16 @@ void listenToHand(vtkWidgetCallbackMapper* mapper, vtkAbstractWidget* widget, co
     vtkWidgetEvent::ModifyEvent,
     widget,
     swallow);
+  mapper->SetCallbackMethod(
+    vtkCommand::MouseWheelForwardEvent, vtkWidgetEvent::Up, widget, hand.forward ? hand.forward : swallow);
+  mapper->SetCallbackMethod(vtkCommand::MouseWheelBackwardEvent,
+    vtkWidgetEvent::Down,
+    widget,
+    hand.backward ? hand.backward : swallow);
   for (const unsigned long event : { vtkCommand::MiddleButtonPressEvent,
          vtkCommand::MiddleButtonReleaseEvent,
          vtkCommand::RightButtonPressEvent,
-         vtkCommand::RightButtonReleaseEvent,
-         vtkCommand::MouseWheelForwardEvent,
-         vtkCommand::MouseWheelBackwardEvent })
+         vtkCommand::RightButtonReleaseEvent })
   {
     mapper->SetCallbackMethod(event, vtkWidgetEvent::ModifyEvent, widget, swallow);
   }

@@ -42,14 +42,16 @@ vtkOversketchHeldStrokeWidget::vtkOversketchHeldStrokeWidget()
 {
   this->KeyPressActivationOff();
   this->Priority = 0.55f; // before the pen, after the camera's controls
-  oversketch::listenToHand(this->CallbackMapper, this, { Press, MoveTo, Release, Key });
+  oversketch::listenToHand(this->CallbackMapper, this, { Press, MoveTo, Release, Key, Forward, Backward });
   this->PenObserver->SetClientData(this);
   this->PenObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
     { static_cast<vtkOversketchHeldStrokeWidget*>(self)->Heard(event); });
   for (const unsigned long event : { vtkCommand::StartInteractionEvent,
          vtkCommand::InteractionEvent,
          vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
+         vtkCommand::WidgetValueChangedEvent,
+         vtkCommand::MouseWheelForwardEvent,
+         vtkCommand::MouseWheelBackwardEvent })
   {
     this->Pen->AddObserver(event, this->PenObserver);
   }
@@ -164,7 +166,14 @@ void vtkOversketchHeldStrokeWidget::Heard(unsigned long event)
       break;
     case vtkCommand::EndInteractionEvent:
       this->GetHeldStrokeRepresentation()->ShowStrokeOn();
+      this->LineEnds();
       break;
+    case vtkCommand::MouseWheelForwardEvent:
+      this->UseWheel(1);
+      return;
+    case vtkCommand::MouseWheelBackwardEvent:
+      this->UseWheel(-1);
+      return;
     default:
       this->PenHasDrawn();
   }
@@ -375,6 +384,26 @@ void vtkOversketchHeldStrokeWidget::Key(vtkAbstractWidget* widget)
   if (used)
   {
     self->EventCallbackCommand->SetAbortFlag(1);
+  }
+}
+
+void vtkOversketchHeldStrokeWidget::Forward(vtkAbstractWidget* widget)
+{
+  held(widget)->Wheel(1);
+}
+
+void vtkOversketchHeldStrokeWidget::Backward(vtkAbstractWidget* widget)
+{
+  held(widget)->Wheel(-1);
+}
+
+void vtkOversketchHeldStrokeWidget::Wheel(int notches)
+{
+  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> alive(this); // an observer may let go of it
+  const bool moving = this->Moving;
+  if (this->UseWheel(notches) || moving)
+  {
+    this->EventCallbackCommand->SetAbortFlag(1);
   }
 }
 

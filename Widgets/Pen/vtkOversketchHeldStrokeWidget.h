@@ -16,7 +16,8 @@
  * | move | what is under the cursor shows that it is | the stroke follows |
  * | left release | | it stays where it is |
  * | Escape | not looked at | it is where it was taken hold of |
- * | any other button, the wheel, any other key | not looked at | swallowed |
+ * | wheel | a subclass's (UseWheel), else not looked at | a subclass's, else swallowed; so while the pen
+ * draws | | any other button, any other key | not looked at | swallowed |
  *
  * The pen's own events are in its header. While the pen draws a new stroke the held one is not shown.
  *
@@ -116,6 +117,8 @@ protected:
   // pen has gone down; the line has grown.
   virtual void LineBegins() {}
   virtual void LineGrows() {}
+  // The pen is up; a line that has become a stroke is given to TakeStroke after this.
+  virtual void LineEnds() {}
   // The hand has made a stroke (IsNew), or changed the held one. Keep makes it that of GetStroke.
   virtual void TakeStroke(vtkPolyData* stroke);
   void Keep(vtkPolyData* stroke);
@@ -126,6 +129,9 @@ protected:
   virtual void CameraRests() {}
   // A key while neither pen nor stroke moves. Returns whether it was of use.
   virtual bool UseKey(const std::string&) { return false; }
+  // The wheel, a notch away from the hand (1) or towards it (-1), also while pen or stroke move. Returns
+  // whether it was of use; then it is not the camera's.
+  virtual bool UseWheel(int) { return false; }
   // Brings what is drawn up to what is.
   virtual void Refresh();
 
@@ -142,8 +148,11 @@ private:
   static void MoveTo(vtkAbstractWidget* widget);
   static void Release(vtkAbstractWidget* widget);
   static void Key(vtkAbstractWidget* widget);
+  static void Forward(vtkAbstractWidget* widget);
+  static void Backward(vtkAbstractWidget* widget);
 
   void Heard(unsigned long event);
+  void Wheel(int notches);
   void PenHasDrawn();
   void BeginMove(const int at[2]);
   void Hover(const int at[2]);

@@ -6,6 +6,7 @@
 
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -21,6 +22,8 @@
 
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkOversketchStrokeRepresentation);
 
@@ -46,22 +49,28 @@ struct Line2D
     this->actor->PickableOff();
     this->set({});
   }
-  void set(const oversketch::Polyline& points)
+  void set(const oversketch::Polyline& points) { this->setAll({ points }); }
+  void setAll(const std::vector<oversketch::Polyline>& lines)
   {
     vtkNew<vtkPoints> none;
     none->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> lines;
+    vtkNew<vtkCellArray> segments;
     this->data->SetPoints(none);
-    this->data->SetLines(lines);
-    for (const Vector2& point : points)
+    this->data->SetLines(segments);
+    for (const oversketch::Polyline& line : lines)
     {
-      this->add(point);
+      bool first = true;
+      for (const Vector2& point : line)
+      {
+        this->add(point, !std::exchange(first, false));
+      }
     }
   }
-  void add(const Vector2& point)
+  // Joined to the point before, if there is one.
+  void add(const Vector2& point, bool joined = true)
   {
     const vtkIdType last = this->data->GetPoints()->InsertNextPoint(point[0], point[1], 0.0);
-    if (last > 0)
+    if (joined && last > 0)
     {
       const vtkIdType ids[2] = { last - 1, last };
       this->data->GetLines()->InsertNextCell(2, ids);
@@ -72,12 +81,50 @@ struct Line2D
   }
 };
 
+// Absent where the camera sees nothing.
+std::optional<oversketch::View> viewOf(const PenView& seen)
+{
+  try
+  {
+    return seen.kernelView();
+  }
+  catch (const oversketch::Error&)
+  {
+    return std::nullopt;
+  }
+}
+
+// Lines in the world as a view shows them [px in its viewport], in pieces where they pass behind the eye.
+void addSeen(vtkPolyData* lines,
+  vtkIdType line,
+  const oversketch::View& view,
+  std::vector<oversketch::Polyline>& seen)
+{
+  vtkNew<vtkIdList> ids;
+  lines->GetLines()->GetCellAtId(line, ids);
+  seen.emplace_back();
+  for (const vtkIdType id : *ids)
+  {
+    const oversketch::Vector3 point(lines->GetPoint(id));
+    if (view.inFront(point))
+    {
+      seen.back().emplace_back(view.toDisplay(point).head<2>());
+    }
+    else if (!seen.back().empty())
+    {
+      seen.emplace_back();
+    }
+  }
+}
+
 } // namespace
 
 struct vtkOversketchStrokeRepresentation::Internals
 {
-  vtkNew<vtkProperty2D> property, sectionProperty;
-  Line2D section{ sectionProperty }, running{ property }, kept{ property };
+  vtkNew<vtkProperty2D> property, sectionProperty, crestProperty, footProperty;
+  Line2D section{ sectionProperty }, feet{ footProperty }, crest{ crestProperty }, running{ property },
+    kept{ property };
+  vtkNew<vtkPolyData> crestLines;   // in the world
   std::optional<PenStroke> drawing; // while the pen is down
   PenStroke stroke;                 // drawn last
   bool over = false;                // the pen draws over it
@@ -85,6 +132,30 @@ struct vtkOversketchStrokeRepresentation::Internals
   // What the window's last frame shows: its size, and whether the stroke drawn last is in it.
   std::array<int, 2> shownSize{ 0, 0 };
   bool strokeShown = false;
+
+  // In the order that they are drawn in; the crest is told from the stroke that it is seen beside.
+  std::array<vtkActor2D*, 4> inThePicture() const
+  {
+    return { this->section.actor, this->feet.actor, this->running.actor, this->crest.actor };
+  }
+  bool hasCrest() const { return this->crestLines->GetNumberOfLines() > 0; }
+  void placeCrest(const PenView& from)
+  {
+    std::vector<oversketch::Polyline> strong, thin;
+    if (const auto view = viewOf(from); view && this->hasCrest())
+    {
+      vtkDataArray* parts = this->crestLines->GetCellData()->GetArray("Part");
+      for (vtkIdType i = 0; i < this->crestLines->GetNumberOfLines(); ++i)
+      {
+        const bool isStrong = !parts || parts->GetComponent(i, 0) == 0.0;
+        addSeen(this->crestLines, i, *view, isStrong ? strong : thin);
+      }
+    }
+    this->crest.setAll(strong);
+    this->feet.setAll(thin);
+    this->footProperty->DeepCopy(this->crestProperty);
+    this->footProperty->SetLineWidth(0.5F * this->crestProperty->GetLineWidth());
+  }
 
   const PenStroke& current() const { return this->drawing ? *this->drawing : this->stroke; }
 };
@@ -96,8 +167,12 @@ vtkOversketchStrokeRepresentation::vtkOversketchStrokeRepresentation()
   this->Inner->property->SetLineWidth(3.0);
   this->Inner->sectionProperty->SetColor(0.16, 0.42, 0.95);
   this->Inner->sectionProperty->SetLineWidth(4.0);
-  this->Inner->frame.overlay()->AddViewProp(this->Inner->section.actor);
-  this->Inner->frame.overlay()->AddViewProp(this->Inner->running.actor);
+  this->Inner->crestProperty->SetColor(0.98, 0.62, 0.20);
+  this->Inner->crestProperty->SetLineWidth(3.0);
+  for (vtkActor2D* actor : this->Inner->inThePicture())
+  {
+    this->Inner->frame.overlay()->AddViewProp(actor);
+  }
   this->PickableOff();
   this->DragableOff();
 }
@@ -124,8 +199,10 @@ void vtkOversketchStrokeRepresentation::BeginStroke(bool over)
     window->Render();
   }
   const int* origin = this->Renderer->GetOrigin();
-  inner.running.actor->SetPosition(origin[0], origin[1]);
-  inner.section.actor->SetPosition(origin[0], origin[1]);
+  for (vtkActor2D* actor : inner.inThePicture())
+  {
+    actor->SetPosition(origin[0], origin[1]);
+  }
   inner.frame.freeze(window);
 }
 
@@ -168,6 +245,7 @@ void vtkOversketchStrokeRepresentation::DropStroke()
   inner.drawing.reset();
   inner.running.set({});
   inner.section.set({});
+  this->SetCrest(nullptr);
   inner.frame.thaw();
 }
 
@@ -237,20 +315,44 @@ void vtkOversketchStrokeRepresentation::PutView(vtkPolyData* stroke)
 
 void vtkOversketchStrokeRepresentation::SetSection(vtkPolyData* section)
 {
-  vtkDataArray* places = section ? section->GetPointData()->GetArray("Display") : nullptr;
-  oversketch::Polyline line;
-  if (this->Inner->drawing && places && places->GetNumberOfComponents() == 2)
+  std::vector<oversketch::Polyline> seen;
+  const auto view = this->Inner->drawing ? viewOf(this->Inner->drawing->view) : std::nullopt;
+  if (view && section)
   {
+    vtkDataArray* places = section->GetPointData()->GetArray("Display");
+    places = places && places->GetNumberOfComponents() == 2 ? places : nullptr;
     vtkNew<vtkIdList> ids;
-    section->GetCellPoints(0, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    for (vtkIdType line = 0; line < section->GetNumberOfLines(); ++line)
     {
-      Vector2 place;
-      places->GetTuple(ids->GetId(i), place.data());
-      line.push_back(place);
+      if (!places)
+      {
+        addSeen(section, line, *view, seen);
+        continue;
+      }
+      section->GetLines()->GetCellAtId(line, ids);
+      seen.emplace_back();
+      for (const vtkIdType id : *ids)
+      {
+        Vector2 place;
+        places->GetTuple(id, place.data());
+        seen.back().push_back(place);
+      }
     }
   }
-  this->Inner->section.set(line);
+  this->Inner->section.setAll(seen);
+}
+
+void vtkOversketchStrokeRepresentation::SetCrest(vtkPolyData* crest)
+{
+  Internals& inner = *this->Inner;
+  inner.crestLines->Initialize();
+  if (crest)
+  {
+    inner.crestLines->ShallowCopy(crest);
+  }
+  // Without a stroke the next frame's view is the one that counts.
+  inner.placeCrest(inner.drawing ? inner.drawing->view : PenView());
+  this->Modified();
 }
 
 vtkProperty2D* vtkOversketchStrokeRepresentation::GetProperty()
@@ -261,6 +363,11 @@ vtkProperty2D* vtkOversketchStrokeRepresentation::GetProperty()
 vtkProperty2D* vtkOversketchStrokeRepresentation::GetSectionProperty()
 {
   return this->Inner->sectionProperty;
+}
+
+vtkProperty2D* vtkOversketchStrokeRepresentation::GetCrestProperty()
+{
+  return this->Inner->crestProperty;
 }
 
 void vtkOversketchStrokeRepresentation::SetRenderer(vtkRenderer* renderer)
@@ -283,8 +390,10 @@ void vtkOversketchStrokeRepresentation::GetActors2D(vtkPropCollection* actors)
 void vtkOversketchStrokeRepresentation::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Inner->kept.actor->ReleaseGraphicsResources(window);
-  this->Inner->running.actor->ReleaseGraphicsResources(window);
-  this->Inner->section.actor->ReleaseGraphicsResources(window);
+  for (vtkActor2D* actor : this->Inner->inThePicture())
+  {
+    actor->ReleaseGraphicsResources(window);
+  }
 }
 
 int vtkOversketchStrokeRepresentation::RenderOverlay(vtkViewport* viewport)
@@ -304,9 +413,13 @@ int vtkOversketchStrokeRepresentation::RenderOverlay(vtkViewport* viewport)
   {
     drawn += inner.kept.actor->RenderOverlay(viewport);
   }
-  if (inner.drawing && !inner.frame.frozen())
+  if (!inner.drawing && inner.hasCrest())
   {
-    for (vtkActor2D* actor : { inner.section.actor.Get(), inner.running.actor.Get() })
+    inner.placeCrest(PenView::of(this->Renderer));
+  }
+  if ((inner.drawing || inner.hasCrest()) && !inner.frame.frozen())
+  {
+    for (vtkActor2D* actor : inner.inThePicture())
     {
       actor->SetPosition(0.0, 0.0);
       drawn += actor->RenderOverlay(viewport);

@@ -100,18 +100,28 @@ public:
   void PutView(vtkPolyData* stroke);
 
   /**
-   * A line to be shown under the stroke while it is drawn, as the section that it would take hold of: one
-   * polyline; point array Display, 2 components, are its places [px from the viewport's lower left corner].
-   * Null, and the end of the stroke, take it away.
+   * Lines to be shown under the stroke while it is drawn, as the section that it would take hold of:
+   * polylines; point array Display, 2 components, are their places [px from the viewport's lower left
+   * corner], else their points [world] are seen as the stroke is. Null, and the end of the stroke, take them
+   * away.
    */
   void SetSection(vtkPolyData* section);
 
+  /**
+   * Lines in the world that say what the stroke would make, over all else, whether one is drawn or not: of
+   * cell array Part 0 (or without that array) strong, others thin (vtkOversketchAugment::PreviewCrest). Null,
+   * and the end of the stroke, take them away.
+   */
+  void SetCrest(vtkPolyData* crest);
+
   ///@{
   /**
-   * Colour, width and opacity of the stroke (red), of the section (blue).
+   * Colour, width and opacity of the stroke (red), of the section (blue), of the crest (orange; its thin
+   * lines are half as wide).
    */
   vtkProperty2D* GetProperty();
   vtkProperty2D* GetSectionProperty();
+  vtkProperty2D* GetCrestProperty();
   ///@}
 
   ///@{

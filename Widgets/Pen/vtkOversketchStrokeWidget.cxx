@@ -41,7 +41,7 @@ vtkOversketchStrokeWidget::vtkOversketchStrokeWidget()
 {
   this->KeyPressActivationOff();
   this->Producer->SetOutput(this->Stroke);
-  oversketch::listenToHand(this->CallbackMapper, this, { Press, Move, Release, Key });
+  oversketch::listenToHand(this->CallbackMapper, this, { Press, Move, Release, Key, Forward, Backward });
   this->CallbackMapper->SetCallbackMethod(vtkCommand::ConfigureEvent, vtkWidgetEvent::Resize, this, Resized);
 }
 
@@ -346,6 +346,27 @@ void vtkOversketchStrokeWidget::Key(vtkAbstractWidget* widget)
   if (used)
   {
     self->EventCallbackCommand->SetAbortFlag(1);
+  }
+}
+
+void vtkOversketchStrokeWidget::Forward(vtkAbstractWidget* widget)
+{
+  cast(widget)->Wheel(vtkCommand::MouseWheelForwardEvent);
+}
+
+void vtkOversketchStrokeWidget::Backward(vtkAbstractWidget* widget)
+{
+  cast(widget)->Wheel(vtkCommand::MouseWheelBackwardEvent);
+}
+
+// It is not the camera's while the pen draws.
+void vtkOversketchStrokeWidget::Wheel(unsigned long event)
+{
+  const vtkSmartPointer<vtkOversketchStrokeWidget> alive(this);
+  if (this->IsDrawing())
+  {
+    this->EventCallbackCommand->SetAbortFlag(1);
+    this->InvokeEvent(event);
   }
 }
 

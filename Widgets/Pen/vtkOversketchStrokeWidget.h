@@ -14,13 +14,15 @@
  * | Escape | an uncommitted stroke is dropped | the stroke is dropped |
  * | BackSpace | the last 20 px of an uncommitted stroke go | the last 20 px go |
  * | Return, KP_Enter | an uncommitted stroke is committed | |
- * | any other button, the wheel, any other key | not looked at | swallowed: drawing never moves the camera |
+ * | wheel | not looked at | fired as an event of the widget's own |
+ * | any other button, any other key | not looked at | swallowed: drawing never moves the camera |
  *
  * Every sample is kept, with its pressure and its time. A press and release without two samples is no stroke.
  * A stroke whose viewport is resized while it is drawn is dropped.
  *
  * Fires StartInteractionEvent when a stroke begins, InteractionEvent for each sample, EndInteractionEvent
- * when it has ended or been dropped, and WidgetValueChangedEvent when GetStroke() is a new stroke.
+ * when it has ended or been dropped, WidgetValueChangedEvent when GetStroke() is a new stroke, and
+ * MouseWheelForwardEvent and MouseWheelBackwardEvent when the wheel is turned while it draws.
  *
  * While it is enabled it sets the mode of a vtkOversketchInteractorStyle to Draw, if that is the interactor's
  * style. Other styles do not see the left button; middle drag, wheel and keys between strokes are theirs.
@@ -138,11 +140,14 @@ private:
   static void Move(vtkAbstractWidget* widget);
   static void Release(vtkAbstractWidget* widget);
   static void Key(vtkAbstractWidget* widget);
+  static void Forward(vtkAbstractWidget* widget);
+  static void Backward(vtkAbstractWidget* widget);
   static void Resized(vtkAbstractWidget* widget);
 
   bool Begin(double x, double y, double pressure, bool over);
   bool DropDrawing();
   void StopDrawing();
+  void Wheel(unsigned long event);
   void Publish();
 
   bool CommitOnRelease = true;

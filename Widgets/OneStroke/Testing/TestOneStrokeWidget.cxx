@@ -346,7 +346,7 @@ TEST(OneStrokeWidget, FromElsewhereAClickTurnsBackToIt)
   Dog scene;
   scene.drawLeg();
   const auto before = copyOf(scene.widget->GetOutput());
-  auto* line = scene.widget->GetOneStrokeRepresentation();
+  auto* line = scene.widget->GetLiveStrokeRepresentation();
   EXPECT_TRUE(line->IsInItsView());
   EXPECT_LT(line->DistanceTo(283, 67), 1.0);
   scene.camera()->Azimuth(40.0);

@@ -123,7 +123,7 @@ TEST(OneStrokeWindow, AResizedWindowMovesAStrokeButDrawsNotOverIt)
   scene.window->SetSize(400, 600);
   scene.event(vtkCommand::ConfigureEvent, 0, 0);
   scene.window->Render();
-  auto* line = scene.widget->GetOneStrokeRepresentation();
+  auto* line = scene.widget->GetLiveStrokeRepresentation();
   EXPECT_TRUE(line->IsInReach());
   EXPECT_FALSE(line->IsInItsView());
   const std::array<double, 2> first{ scene.widget->GetStroke()->GetPoint(0)[0],
@@ -261,5 +261,10 @@ TEST(Random, EventsOnTheOneStrokeWidget)
   EXPECT_TRUE(!sequences.areMany() || grabs > static_cast<int>(sequences.count)) << grabs;
   std::cout << strokes << " changes, " << grabs << " events in a drag, ";
   memory.print();
-  EXPECT_LT(memory.growth(memoryKeptOfAWindow()), 4.0);
+#ifdef __SANITIZE_ADDRESS__
+  constexpr double most = 8.0; // small blocks take several times their size
+#else
+  constexpr double most = 4.0;
+#endif
+  EXPECT_LT(memory.growth(memoryKeptOfAWindow()), most);
 }

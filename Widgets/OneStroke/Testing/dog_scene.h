@@ -5,8 +5,8 @@
 #include "Harness/interaction.h"
 #include "Harness/shipped.h"
 #include "vtkOversketchInteractorStyle.h"
+#include "vtkOversketchLiveStrokeRepresentation.h"
 #include "vtkOversketchOneStroke.h"
-#include "vtkOversketchOneStrokeRepresentation.h"
 #include "vtkOversketchOneStrokeWidget.h"
 #include "vtkOversketchStrokeWidget.h"
 

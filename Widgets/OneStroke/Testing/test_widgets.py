@@ -36,7 +36,7 @@ def look_at_the_dog(window):
 def pen():
     """A window on the dog with the pen of the README's snippet, as written there."""
     readme = (SOURCE / "README.md").read_text()
-    first, _, second = re.findall(r"```python\n(.*?)```", readme, re.S)[:3]
+    first, _, _, second = re.findall(r"```python\n(.*?)```", readme, re.S)[:4]
     assert len(second.strip().splitlines()) < 10
     window = Window()
     look_at_the_dog(window)
@@ -92,7 +92,7 @@ def test_the_stroke_goes_to_a_file_and_back(pen, tmp_path):
 
 
 def test_the_one_stroke_snippet_draws_and_the_mesh_follows():
-    first, second = re.findall(r"```python\n(.*?)```", (SOURCE / "README.md").read_text(), re.S)[:2]
+    first, _, second = re.findall(r"```python\n(.*?)```", (SOURCE / "README.md").read_text(), re.S)[:3]
     assert len(second.strip().splitlines()) < 10
     window = Window()
     look_at_the_dog(window)
@@ -137,7 +137,7 @@ def test_frames_of_a_drawing_and_how_near_the_outline_comes():
     widget.ShowRegionOn()
     scene.window.Render()
     if compare.matches(scene.picture(), "one_stroke_region"):
-        widget.GetOneStrokeRepresentation().GetRegionProperty().SetColor(0.2, 0.7, 0.3)
+        widget.GetLiveStrokeRepresentation().GetRegionProperty().SetColor(0.2, 0.7, 0.3)
         scene.window.Render()
         assert compare.difference(scene.picture(), compare.read("one_stroke_region")) > 10 * compare.LIMIT
     scene.play("one_stroke_drag")

@@ -1,30 +1,30 @@
 /**
- * @class vtkOversketchOneStrokeRepresentation
- * @brief the stroke of vtkOversketchOneStrokeWidget that can be taken hold of, the region that it moved, a
+ * @class vtkOversketchLiveStrokeRepresentation
+ * @brief the stroke of vtkOversketchLiveStrokeWidget that can be taken hold of, the region that it moved, a
  * line of text
  *
  * The stroke and the text are those of vtkOversketchHeldStrokeRepresentation; the stroke's plane goes through
  * the middle of the section that it took hold of. The region is drawn orange over the model.
  *
- * @sa vtkOversketchOneStrokeWidget
+ * @sa vtkOversketchLiveStrokeWidget
  */
-#ifndef vtkOversketchOneStrokeRepresentation_h
-#define vtkOversketchOneStrokeRepresentation_h
+#ifndef vtkOversketchLiveStrokeRepresentation_h
+#define vtkOversketchLiveStrokeRepresentation_h
 
-#include "OversketchWidgetsOneStrokeModule.h" // For export macro
-#include "vtkNew.h"                           // For RegionNormals, RegionActor
+#include "OversketchWidgetsLiveModule.h" // For export macro
+#include "vtkNew.h"                      // For RegionNormals, RegionActor
 #include "vtkOversketchHeldStrokeRepresentation.h"
 
 class vtkActor;
 class vtkPolyDataNormals;
 class vtkProperty;
 
-class OVERSKETCHWIDGETSONESTROKE_EXPORT vtkOversketchOneStrokeRepresentation
+class OVERSKETCHWIDGETSLIVE_EXPORT vtkOversketchLiveStrokeRepresentation
   : public vtkOversketchHeldStrokeRepresentation
 {
 public:
-  static vtkOversketchOneStrokeRepresentation* New();
-  vtkTypeMacro(vtkOversketchOneStrokeRepresentation, vtkOversketchHeldStrokeRepresentation);
+  static vtkOversketchLiveStrokeRepresentation* New();
+  vtkTypeMacro(vtkOversketchLiveStrokeRepresentation, vtkOversketchHeldStrokeRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -47,12 +47,12 @@ public:
   ///@}
 
 protected:
-  vtkOversketchOneStrokeRepresentation();
-  ~vtkOversketchOneStrokeRepresentation() override;
+  vtkOversketchLiveStrokeRepresentation();
+  ~vtkOversketchLiveStrokeRepresentation() override;
 
 private:
-  vtkOversketchOneStrokeRepresentation(const vtkOversketchOneStrokeRepresentation&) = delete;
-  void operator=(const vtkOversketchOneStrokeRepresentation&) = delete;
+  vtkOversketchLiveStrokeRepresentation(const vtkOversketchLiveStrokeRepresentation&) = delete;
+  void operator=(const vtkOversketchLiveStrokeRepresentation&) = delete;
 
   vtkNew<vtkPolyDataNormals> RegionNormals;
   vtkNew<vtkActor> RegionActor;

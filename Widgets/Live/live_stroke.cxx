@@ -1,8 +1,8 @@
 #include "live_stroke.h"
 
 #include "Mesh/context.h"
-#include "vtkOversketchOneStroke.h"
 #include "vtkOversketchStepRunner.h"
+#include "vtkOversketchSystem.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -13,15 +13,14 @@ namespace oversketch
 {
 
 LiveStroke::LiveStroke(vtkPolyData* stroke)
-  : System(vtkSmartPointer<vtkOversketchOneStroke>::New())
-  , Stroke(stroke)
+  : Stroke(stroke)
 {
   this->Producer->SetOutput(this->Output);
 }
 
 LiveStroke::~LiveStroke() = default;
 
-void LiveStroke::setSystem(vtkOversketchOneStroke* system)
+void LiveStroke::setSystem(vtkOversketchSystem* system)
 {
   if (system && system != this->System)
   {
@@ -118,7 +117,7 @@ void LiveStroke::run()
   if (this->Acted)
   {
     this->Result->ShallowCopy(this->System->GetOutput());
-    this->Held->ShallowCopy(this->System->GetInnerOutput("Match"));
+    this->System->GetHold(this->Held);
   }
   else
   {
@@ -128,15 +127,14 @@ void LiveStroke::run()
   this->SystemTime = this->System->GetMTime();
 }
 
-bool LiveStroke::section(vtkPolyData* stroke, vtkPolyData* section)
+void LiveStroke::ask(const std::function<void()>& question)
 {
   const bool current = !this->exists() || this->System->GetMTime() <= this->SystemTime;
-  const bool found = this->System->Preview(this->Result, stroke, section);
+  question();
   if (current)
   {
-    this->SystemTime = this->System->GetMTime(); // a look that found nothing changes no parameter
+    this->SystemTime = this->System->GetMTime();
   }
-  return found;
 }
 
 bool LiveStroke::middle(double place[3])

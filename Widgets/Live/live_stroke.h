@@ -6,11 +6,12 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
-class vtkOversketchOneStroke;
+class vtkOversketchSystem;
 class vtkPoints;
 class vtkTrivialProducer;
 
@@ -26,8 +27,9 @@ public:
   LiveStroke(const LiveStroke&) = delete;
   LiveStroke& operator=(const LiveStroke&) = delete;
 
-  vtkOversketchOneStroke* system() const { return this->System; }
-  void setSystem(vtkOversketchOneStroke* system);
+  // What runs; one has to be set before anything else is asked.
+  vtkOversketchSystem* system() const { return this->System; }
+  void setSystem(vtkOversketchSystem* system);
   void setSource(vtkAlgorithmOutput* source);
   vtkAlgorithmOutput* outputPort();
   vtkPolyData* output() { return this->Output; }
@@ -46,15 +48,18 @@ public:
   // Why the stroke did nothing; empty when it did, or there is none.
   const std::string& message() const { return this->Message; }
 
-  // What a stroke would take hold of on the present mesh.
-  bool section(vtkPolyData* stroke, vtkPolyData* section);
+  // What the stroke was drawn on, and what it made: the mesh that the next is drawn on.
+  vtkPolyData* base() { return this->Base; }
+  vtkPolyData* result() { return this->Result; }
+  // Asks the system for a preview, which changes none of its parameters.
+  void ask(const std::function<void()>& question);
   // A place in the middle of what the stroke took hold of; of the mesh where it did not. False without a
   // stroke.
   bool middle(double place[3]);
   // The part of the present mesh that moved; empty where there is none.
   vtkSmartPointer<vtkPolyData> region();
 
-  // Shows the mesh with the stroke moved by a vector [world]; the way back.
+  // Shows the mesh with the stroke moved by a vector [world], where the system can tell; the way back.
   void drag(const double translation[3]);
   void endDrag();
 
@@ -65,12 +70,12 @@ private:
   int SourcePort = 0;
   vtkSmartPointer<vtkPolyData> SourceSeen;
   vtkMTimeType SourceTime = 0, SystemTime = 0;
-  vtkSmartPointer<vtkOversketchOneStroke> System;
+  vtkSmartPointer<vtkOversketchSystem> System;
   vtkSmartPointer<vtkPolyData> Stroke;
   vtkNew<vtkPolyData> Base, Result, Output;
   vtkNew<vtkTrivialProducer> Producer;
   vtkSmartPointer<vtkPoints> Dragged; // null while the output is the result
-  vtkNew<vtkPolyData> Held;           // the section of the last run
+  vtkNew<vtkPolyData> Held;           // what the last run took hold of
   bool Stale = false, Acted = false;
   std::string Message;
 };

@@ -1,4 +1,4 @@
-#include "vtkOversketchOneStrokeRepresentation.h"
+#include "vtkOversketchLiveStrokeRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
@@ -8,9 +8,9 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 
-vtkStandardNewMacro(vtkOversketchOneStrokeRepresentation);
+vtkStandardNewMacro(vtkOversketchLiveStrokeRepresentation);
 
-vtkOversketchOneStrokeRepresentation::vtkOversketchOneStrokeRepresentation()
+vtkOversketchLiveStrokeRepresentation::vtkOversketchLiveStrokeRepresentation()
 {
   this->RegionNormals->SplittingOff();
   vtkNew<vtkPolyDataMapper> onModel;
@@ -27,9 +27,9 @@ vtkOversketchOneStrokeRepresentation::vtkOversketchOneStrokeRepresentation()
   this->RegionActor->VisibilityOff();
 }
 
-vtkOversketchOneStrokeRepresentation::~vtkOversketchOneStrokeRepresentation() = default;
+vtkOversketchLiveStrokeRepresentation::~vtkOversketchLiveStrokeRepresentation() = default;
 
-void vtkOversketchOneStrokeRepresentation::SetRegion(vtkPolyData* region)
+void vtkOversketchLiveStrokeRepresentation::SetRegion(vtkPolyData* region)
 {
   const bool any = region && region->GetNumberOfPolys() > 0;
   this->RegionNormals->SetInputData(any ? region : nullptr);
@@ -37,29 +37,29 @@ void vtkOversketchOneStrokeRepresentation::SetRegion(vtkPolyData* region)
   this->Modified();
 }
 
-vtkProperty* vtkOversketchOneStrokeRepresentation::GetRegionProperty()
+vtkProperty* vtkOversketchLiveStrokeRepresentation::GetRegionProperty()
 {
   return this->RegionActor->GetProperty();
 }
 
-void vtkOversketchOneStrokeRepresentation::GetActors(vtkPropCollection* actors)
+void vtkOversketchLiveStrokeRepresentation::GetActors(vtkPropCollection* actors)
 {
   actors->AddItem(this->RegionActor);
 }
 
-void vtkOversketchOneStrokeRepresentation::ReleaseGraphicsResources(vtkWindow* window)
+void vtkOversketchLiveStrokeRepresentation::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->RegionActor->ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-int vtkOversketchOneStrokeRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
+int vtkOversketchLiveStrokeRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
 {
   return (this->RegionActor->GetVisibility() ? this->RegionActor->RenderOpaqueGeometry(viewport) : 0) +
          this->Superclass::RenderOpaqueGeometry(viewport);
 }
 
-void vtkOversketchOneStrokeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+void vtkOversketchLiveStrokeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Region: " << (this->RegionActor->GetVisibility() ? "shown" : "(none)") << "\n";
