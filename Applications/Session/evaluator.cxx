@@ -1,5 +1,7 @@
 #include "evaluator.h"
 
+#include "files.h"
+#include "heights.h"
 #include "system_runner.h"
 #include "texture.h"
 
@@ -180,14 +182,25 @@ void Evaluator::giveUp()
   }
 }
 
-vtkSmartPointer<vtkImageData> Evaluator::pictureOf(const Image& image)
+vtkSmartPointer<vtkImageData> Evaluator::imageOf(const Image& image, SystemInput::Kind kind)
 {
-  auto& picture = this->Pictures[image.bytes];
-  if (!picture)
+  auto& made = this->Pictures[image.bytes][kind];
+  if (!made && kind == SystemInput::Kind::Heights)
   {
-    picture = oversketch_files::pictureOf(*image.bytes);
+    try
+    {
+      made = oversketch_files::parseHeights(image.name, *image.bytes);
+    }
+    catch (const oversketch_files::Failed&)
+    {
+      return nullptr;
+    }
   }
-  return picture;
+  else if (!made)
+  {
+    made = oversketch_files::pictureOf(*image.bytes);
+  }
+  return made;
 }
 
 std::string Evaluator::resolve(Run& run,
@@ -223,7 +236,7 @@ std::string Evaluator::resolve(Run& run,
     }
     else if (const auto* image = std::get_if<Image>(&given->second))
     {
-      inputs[input.name] = this->pictureOf(*image);
+      inputs[input.name] = this->imageOf(*image, input.kind);
       if (!inputs[input.name])
       {
         return what + "is the picture '" + image->name + "', which cannot be read";

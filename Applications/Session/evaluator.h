@@ -100,13 +100,14 @@ private:
     std::vector<std::uint64_t>& numbers);
   // Of the last that it ran, where they are missing; false when cancelled.
   bool finish(Runner& runner, const std::function<bool()>& cancelled);
-  vtkSmartPointer<vtkImageData> pictureOf(const Image& image);
+  vtkSmartPointer<vtkImageData> imageOf(const Image& image, SystemInput::Kind kind);
 
   const std::vector<SystemRow>& Rows;
   std::map<std::string, std::unique_ptr<Runner>> Runners; // by system
   std::map<std::uint64_t, Kept> Outcomes;                 // what an outcome takes comes before it
   std::map<Place, std::uint64_t> Numbers;
-  std::map<std::weak_ptr<const std::string>, vtkSmartPointer<vtkImageData>, std::owner_less<>> Pictures;
+  using Images = std::map<SystemInput::Kind, vtkSmartPointer<vtkImageData>>;
+  std::map<std::weak_ptr<const std::string>, Images, std::owner_less<>> Pictures;
   std::size_t Budget;
   std::uint64_t Last = 0, RunCount = 0;
   std::size_t Runs = 0;

@@ -1,6 +1,7 @@
 #include "node_json.h"
 
 #include "files.h"
+#include "heights.h"
 #include "mesh_file.h"
 #include "texture.h"
 #include "vtkOversketchFilterTools.h"
@@ -89,11 +90,15 @@ Input inputOf(const JsonReader& json, SystemInput::Kind kind, EntryReader& entri
   {
     return StepOutput{ json.integer("step", 1, largestId), json.integer("port", 0, largest) };
   }
-  if (kind != SystemInput::Kind::Picture)
+  if (kind == SystemInput::Kind::Heights)
   {
-    return entries.lines(json.text("lines"));
+    return Image{ json.text("image_name"), entries.heights(json.text("image")) };
   }
-  return imageOf(json, entries);
+  if (kind == SystemInput::Kind::Picture)
+  {
+    return imageOf(json, entries);
+  }
+  return entries.lines(json.text("lines"));
 }
 
 // What both versions tell of a step alike.
@@ -166,6 +171,16 @@ const std::shared_ptr<const std::string>& EntryReader::picture(const std::string
   if (this->Pictures.insert(entry).second && !oversketch_files::pictureOf(*bytes))
   {
     throw Failed(this->Path + ": " + entry + " is " + oversketch_files::notAPicture);
+  }
+  return bytes;
+}
+
+const std::shared_ptr<const std::string>& EntryReader::heights(const std::string& entry)
+{
+  const std::shared_ptr<const std::string>& bytes = this->bytes(entry);
+  if (this->Heights.insert(entry).second)
+  {
+    oversketch_files::parseHeights(this->Path + ": " + entry, *bytes);
   }
   return bytes;
 }

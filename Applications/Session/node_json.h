@@ -46,12 +46,14 @@ public:
   Lines lines(const std::string& entry);
   // The bytes of a picture that can be read.
   const std::shared_ptr<const std::string>& picture(const std::string& entry);
+  // The same of a grid of heights.
+  const std::shared_ptr<const std::string>& heights(const std::string& entry);
 
 private:
   const Package& Entries;
   std::string Path;
   std::map<std::string, Lines> Parsed;
-  std::set<std::string> Pictures; // that were looked at
+  std::set<std::string> Pictures, Heights; // that were looked at
 };
 
 // Throw Failed, naming the path, the entry and the member. Version 1 has no ids.

@@ -15,9 +15,10 @@
 namespace oversketch_session
 {
 
-SectionFinder::SectionFinder(const SystemRow& system, std::function<void()> found)
+SectionFinder::SectionFinder(const SystemRow& system, std::function<void()> found, Look look)
   : System(system)
   , WhenFound(std::move(found))
+  , LookFor(std::move(look))
   , Thread([this] { this->work(); })
 {
 }
@@ -47,7 +48,7 @@ void SectionFinder::setMesh(vtkPolyData* mesh)
     copy->SetPolys(triangles);
   }
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Mesh = std::move(copy);
+  this->Mesh.emplace(std::move(copy));
   this->Next.reset();
   this->Answer.reset();
   this->Oldest = this->Ticket + 1;
@@ -71,9 +72,10 @@ SectionFinder::ViewKey SectionFinder::viewOf(vtkPolyData* stroke)
   return key;
 }
 
-std::uint64_t SectionFinder::find(vtkPolyData* stroke)
+std::uint64_t SectionFinder::find(vtkPolyData* stroke, const Values& values)
 {
   Request request;
+  request.values = values;
   request.view = viewOf(stroke);
   request.stroke = vtkSmartPointer<vtkPolyData>::New();
   request.stroke->DeepCopy(stroke);
@@ -85,7 +87,7 @@ std::uint64_t SectionFinder::find(vtkPolyData* stroke)
     {
       this->Oldest = ticket;
     }
-    this->Next = std::move(request);
+    this->Next.emplace(std::move(request));
   }
   this->Wake.notify_one();
   return ticket;
@@ -105,7 +107,7 @@ void SectionFinder::work()
   vtkSmartPointer<vtkPolyData> mesh;
   for (;;)
   {
-    Request request;
+    std::optional<Request> next;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
       this->Wake.wait(lock, [this] { return this->Stop || this->Next; });
@@ -115,33 +117,55 @@ void SectionFinder::work()
       }
       if (this->Mesh)
       {
-        mesh = this->Mesh;
-        this->Mesh = nullptr;
+        mesh = *this->Mesh;
+        this->Mesh.reset();
       }
-      request = std::move(*this->Next);
-      this->Next.reset();
-      this->RunningView = request.view;
+      next.swap(this->Next);
+      this->RunningView = next->view;
     }
+    const Request& request = *next;
     const auto cancelled = [&] { return request.ticket < this->Oldest; };
-    vtkNew<vtkPolyData> section;
+    vtkNew<vtkPolyData> section, crest;
     try
     {
+      for (const Parameter& parameter : this->System.parameters)
+      {
+        const auto it = request.values.find(parameter.property);
+        parameter.set(system, it == request.values.end() ? parameter.initial : it->second);
+      }
       oversketch::StepRunner(system, { {}, {}, cancelled })
-        .Run([&] { system->Preview(mesh, request.stroke, section); });
+        .Run(
+          [&]
+          {
+            if (this->LookFor)
+            {
+              this->LookFor(system, mesh, request.stroke, section, crest);
+            }
+            else
+            {
+              system->Preview(mesh, request.stroke, section);
+            }
+          });
     }
     catch (const oversketch::Error&)
     {
       section->Initialize();
+      crest->Initialize();
     }
-    auto copy = vtkSmartPointer<vtkPolyData>::New(); // the system goes on with its own
-    copy->DeepCopy(section);
+    const auto copyOf = [](vtkPolyData* lines)
+    {
+      auto copy = vtkSmartPointer<vtkPolyData>::New(); // the system goes on with its own
+      copy->DeepCopy(lines);
+      return copy;
+    };
+    Found made{ request.ticket, copyOf(section), copyOf(crest) };
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       if (cancelled())
       {
         continue;
       }
-      this->Answer = Found{ request.ticket, std::move(copy) };
+      this->Answer.emplace(std::move(made));
     }
     this->WhenFound();
   }

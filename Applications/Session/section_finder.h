@@ -29,10 +29,18 @@ public:
   {
     std::uint64_t ticket = 0;
     vtkSmartPointer<vtkPolyData> section; // a copy that nobody else touches
+    vtkSmartPointer<vtkPolyData> crest;   // the same, of what else the look gave
   };
+  // How a system is asked: a mesh and a stroke, what it takes hold of, and lines of what it would make.
+  using Look = std::function<void(vtkOversketchSystem* system,
+    vtkPolyData* mesh,
+    vtkPolyData* stroke,
+    vtkPolyData* section,
+    vtkPolyData* crest)>;
 
-  // For strokes of a system. `found` is called on the finder's thread when there is something to take.
-  SectionFinder(const SystemRow& system, std::function<void()> found);
+  // For strokes of a system. `found` is called on the finder's thread when there is something to take; so is
+  // `look`, where a Preview is not all that is to be seen.
+  SectionFinder(const SystemRow& system, std::function<void()> found, Look look = {});
   // Cancels what runs and waits for it.
   ~SectionFinder();
   SectionFinder(const SectionFinder&) = delete;
@@ -46,27 +54,31 @@ public:
   void setMesh(vtkPolyData* mesh);
   // Looks for a stroke with its view, which is copied. One sample makes the curves of its view ready, for all
   // that come after. What runs for a stroke in another view is cancelled; in the same view it is finished and
-  // answered, for its curves serve this one too. Returns the ticket, one more than the last.
-  std::uint64_t find(vtkPolyData* stroke);
+  // answered, for its curves serve this one too. The values are those of the step that the stroke would be.
+  // Returns the ticket, one more than the last.
+  std::uint64_t find(vtkPolyData* stroke, const Values& values = {});
 
 private:
   // View, projection and size of the window that the stroke was drawn in; zeros where it carries none.
   using ViewKey = std::array<double, 34>;
-  // VTK collects its garbage without a lock: what goes to another thread is moved there.
+  // VTK collects its garbage without a lock, so what goes to another thread is moved there: by emplace, since
+  // VTK 9.1's smart pointers copy where they are assigned and would leave a reference behind.
   struct Request
   {
     std::uint64_t ticket = 0;
     ViewKey view{};
     vtkSmartPointer<vtkPolyData> stroke;
+    Values values;
   };
   static ViewKey viewOf(vtkPolyData* stroke);
   void work();
 
   const SystemRow& System;
   std::function<void()> WhenFound;
+  Look LookFor;
   std::mutex Mutex;
   std::condition_variable Wake;
-  vtkSmartPointer<vtkPolyData> Mesh; // until the thread takes it
+  std::optional<vtkSmartPointer<vtkPolyData>> Mesh; // until the thread takes it
   std::optional<Request> Next;
   std::optional<Found> Answer;
   ViewKey RunningView{};

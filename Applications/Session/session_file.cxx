@@ -1,6 +1,7 @@
 #include "session_file.h"
 
 #include "files.h"
+#include "heights.h"
 #include "json_reader.h"
 #include "mesh_file.h"
 #include "node_json.h"
@@ -187,9 +188,10 @@ Package Encoder::encode(const SessionFile& file)
     return put(image.bytes,
       [&]
       {
-        return Entry{ "images/" + digestOf(*image.bytes) + "." +
-                        oversketch_files::pictureFormatOf(*image.bytes),
-          image.bytes };
+        const std::string picture = oversketch_files::pictureFormatOf(*image.bytes);
+        const std::string format =
+          picture.empty() ? oversketch_files::heightsFormatOf(*image.bytes) : picture;
+        return Entry{ "images/" + digestOf(*image.bytes) + "." + format, image.bytes };
       });
   };
   Json::Value json;

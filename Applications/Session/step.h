@@ -19,7 +19,7 @@ using Value = std::variant<bool, int, double, std::vector<double>, std::string>;
 // By the class's own names of them ("AdjustNormals").
 using Values = std::map<std::string, Value>;
 
-// A picture, kept as the bytes of its file (PNG or JPEG).
+// A picture or a grid of heights, kept as the bytes of its file.
 struct Image
 {
   std::string name; // of the file, without its folder

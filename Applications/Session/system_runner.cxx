@@ -1,6 +1,7 @@
 #include "system_runner.h"
 
 #include "mirror_image.h"
+#include "reflected_strokes.h"
 #include "two_sides.h"
 
 #include "vtkOversketchMirror.h"
@@ -180,6 +181,10 @@ bool SystemRunner::run(const Step& step,
   {
     return this->runOnce(task, step.values, 0.0, 1.0, outcome);
   }
+  if (this->Row.reflectsStrokes)
+  {
+    return this->runReflected(task, outcome);
+  }
   if (!this->FollowPartners)
   {
     return this->runTwice(task, outcome);
@@ -251,6 +256,29 @@ bool SystemRunner::runOnce(const Task& task, const Values& values, double from, 
     }
   }
   return true;
+}
+
+bool SystemRunner::runReflected(const Task& task, Outcome& outcome)
+{
+  const MirrorPlane& plane = *task.step.mirror;
+  const auto mesh = task.inputs.find(findInput(this->Row, SystemInput::Kind::Mesh)->name);
+  const auto drawn = task.inputs.find(findInput(this->Row, SystemInput::Kind::Stroke)->name);
+  vtkPolyData* strokes = drawn == task.inputs.end() ? nullptr : vtkPolyData::SafeDownCast(drawn->second);
+  Data inputs = task.inputs;
+  if (strokes)
+  {
+    this->feed(task.step.values, task.inputs);
+    vtkPolyData* under = vtkPolyData::SafeDownCast(mesh->second);
+    const double tolerance = vtkNew<vtkOversketchMirror>()->GetTolerance() * under->GetLength();
+    vtkNew<vtkPolyData> hold;
+    this->System->Preview(under, strokes, hold);
+    if (!liesAcross(hold, plane, tolerance))
+    {
+      inputs[drawn->first] = withReflections(strokes, plane);
+    }
+  }
+  return this->runOnce(
+    { task.step, inputs, task.backend, task.ports, task.listener }, task.step.values, 0.0, 1.0, outcome);
 }
 
 bool SystemRunner::followPartners(const Task& task, Outcome& outcome)

@@ -40,7 +40,9 @@ public:
   // Runs a step. Fills in mesh or failure, place, those output ports and back end of the outcome, whose mesh
   // is the one that came. False when cancelled: nothing is filled in.
   //
-  // A step with a mirror plane runs with the values that keep points' ids (SystemRow::mirrored), and points
+  // A step with a mirror plane, of a system that takes several strokes, runs once on each stroke and the same
+  // in the mirror; where the first one lies over the plane itself, on the strokes alone. Of another system
+  // (SystemRow::mirrored) it runs with the values that keep points' ids (SystemRow::mirrored), and points
   // on the other side follow their partners (vtkOversketchMirror). Where a point that moved has none, or that
   // run fails, the step runs with its own values, and once more on the other side, as if its strokes had been
   // drawn in the mirror. That run works on the mesh's mirror image with what the step is given as it is, and
@@ -87,6 +89,7 @@ private:
   // Of the side that was drawn on alone, with those values. False when cancelled, as the others.
   bool runOnce(const Task& task, const Values& values, double from, double to, Outcome& outcome);
   bool runTwice(const Task& task, Outcome& outcome);
+  bool runReflected(const Task& task, Outcome& outcome);
   // Of the mesh's image in the mirror.
   bool runImage(const Task& task, const MirrorImage& image, Outcome& outcome);
   // Gives the outcome's mesh the other side by points' partners; false where they have none.

@@ -2,8 +2,14 @@
 
 #include "vtkOversketchSystem.h"
 
+#ifdef OVERSKETCH_WITH_AUGMENT
+#include "vtkOversketchAugment.h"
+#endif
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchOneStroke.h"
+#endif
+#ifdef OVERSKETCH_WITH_STELLAR
+#include "vtkOversketchTerrain.h"
 #endif
 
 #include <algorithm>
@@ -85,6 +91,182 @@ SystemRow oneStroke()
 }
 #endif
 
+#ifdef OVERSKETCH_WITH_AUGMENT
+SystemRow augment()
+{
+  using System = vtkOversketchAugment;
+  using Kind = SystemInput::Kind;
+  SystemRow row;
+  row.name = "Augment";
+  row.verb = "augment";
+  row.title = "Line";
+  row.brief = "raise or carve lines on a mesh, finer there";
+  row.help =
+    "Makes the mesh finer round strokes that were drawn over it and nowhere else, moves its edges onto them, "
+    "and raises or carves it there, or pulls a stretch of its outline onto the stroke. Lengths are those of "
+    "the model, or with % a share of the diagonal of its box.";
+  row.make = make<System>;
+  row.inputs = { { "Mesh", "mesh", "the mesh that is drawn on", Kind::Mesh, 0 },
+    { "Strokes",
+      "strokes",
+      "polylines in pixels, each with its view, and with a radius, height and sharpness of its own where it "
+      "has these arrays",
+      Kind::Stroke,
+      1 } };
+  row.parameters = {
+    length(parameter<System>("Radius",
+      "radius",
+      "Radius",
+      "how far from the stroke the feature ends, below 0 for 3% of the mesh's size",
+      &System::SetRadius,
+      &System::GetRadius)),
+    length(parameter<System>("Height",
+      "height",
+      "Height",
+      "height of the feature under the stroke, inward below 0; 0 for half the radius",
+      &System::SetHeight,
+      &System::GetHeight)),
+    between(0,
+      8,
+      parameter<System>("Sharpness",
+        "sharpness",
+        "Sharpness",
+        "exponent s of the profile (1 - distance / radius)^s",
+        &System::SetSharpness,
+        &System::GetSharpness)),
+    parameter<System>("Profile",
+      "profile",
+      "Profile",
+      "the profile as a line instead, such as \"0 1, 0.5 0.8, 1 0\": share of the radius, share of the "
+      "height",
+      &System::SetProfile,
+      &System::GetProfile),
+    parameter<System>("UsePressure",
+      "use-pressure",
+      "Pressure is height",
+      "multiply the height by the pen's pressure",
+      &System::SetUsePressure,
+      &System::GetUsePressure),
+    parameter<System>("SketchMode",
+      "sketch",
+      "Strokes are",
+      "whether strokes lie on the surface, or are the new outline of what they were drawn beside",
+      &System::SetSketchMode,
+      &System::GetSketchMode,
+      { { "surface", "on the surface" }, { "silhouette", "a new outline" } }),
+    parameter<System>("Combine",
+      "combine",
+      "Where strokes meet",
+      "where several strokes reach a place, the nearest alone or the sum of all",
+      &System::SetCombine,
+      &System::GetCombine,
+      { { "nearest", "the nearest alone" }, { "sum", "the sum" } }),
+    parameter<System>("Distance",
+      "distance",
+      "Distances",
+      "distances through space, or over the surface, which do not reach round thin parts",
+      &System::SetDistance,
+      &System::GetDistance,
+      { { "straight", "through space" }, { "geodesic", "over the surface" } }),
+    parameter<System>("Base",
+      "base",
+      "Refined is",
+      "what strokes refine: the mesh itself, or a coarser one whose new points lie on the mesh",
+      &System::SetBase,
+      &System::GetBase,
+      { { "direct", "the mesh itself" }, { "simplified", "a coarser mesh" } }),
+    length(parameter<System>("TargetEdgeLength",
+      "edge-length",
+      "Longest edge",
+      "split longer edges near strokes; 0 for a quarter of the radius, an eighth with a sharpness below 1",
+      &System::SetTargetEdgeLength,
+      &System::GetTargetEdgeLength)),
+    parameter<System>("OneByOne",
+      "one-by-one",
+      "One after the other",
+      "draw each stroke on what the one before has made",
+      &System::SetOneByOne,
+      &System::GetOneByOne),
+    parameter<System>("Simplify",
+      "simplify",
+      "Take away needless triangles",
+      "take away what of the refinement the mesh does not need",
+      &System::SetSimplify,
+      &System::GetSimplify),
+    parameter<System>("AsPublished",
+      "as-published",
+      "As published",
+      "without the amendments to the published method",
+      &System::SetAsPublished,
+      &System::GetAsPublished),
+  };
+  row.reflectsStrokes = true;
+  return row;
+}
+#endif
+
+#ifdef OVERSKETCH_WITH_STELLAR
+SystemRow terrain()
+{
+  using System = vtkOversketchTerrain;
+  SystemRow row;
+  row.name = "Terrain";
+  row.verb = "terrain";
+  row.title = "Terrain";
+  row.brief = "make a coarse terrain of a grid of heights";
+  row.help =
+    "Makes a grid of quads, each two triangles, at the heights that the file tells. It keeps the heights, "
+    "and "
+    "finer triangles, where it is drawn on, take theirs from them; in a .vtp file it keeps them, too.";
+  row.make = make<System>;
+  row.inputs = {
+    { "Heights", "heights", "a grid of heights, gray or numbers", SystemInput::Kind::Heights, 0 }
+  };
+  row.parameters = {
+    between(0,
+      4096,
+      parameter<System>("Columns",
+        "columns",
+        "Quads along x",
+        "quads along x; 0 for 64 along the longer side, or so many that quads are square",
+        &System::SetColumns,
+        &System::GetColumns)),
+    between(0,
+      4096,
+      parameter<System>(
+        "Rows", "rows", "Quads along y", "quads along y; 0 as along x", &System::SetRows, &System::GetRows)),
+    parameter<System>("QuadX",
+      "quad-x",
+      "Side along x",
+      "side of a quad along x; 0 for as long as the grid is",
+      &System::SetQuadX,
+      &System::GetQuadX),
+    parameter<System>("QuadY",
+      "quad-y",
+      "Side along y",
+      "side of a quad along y; 0 for as long as the grid is",
+      &System::SetQuadY,
+      &System::GetQuadY),
+    parameter<System>(
+      "Scale", "scale", "Scale", "height of one unit of gray", &System::SetScale, &System::GetScale),
+    parameter<System>(
+      "Offset", "offset", "Offset", "height where gray is 0", &System::SetOffset, &System::GetOffset),
+  };
+  row.pairs = {
+    { "quads",
+      "Columns",
+      "Rows",
+      "quads along x and y, of the second as many as make them square where it is not given; without "
+      "this 64 along the longer side" },
+    { "spacing",
+      "QuadX",
+      "QuadY",
+      "sides of a quad along x and y, both alike where one is given; without this as long as the grid is" }
+  };
+  return row;
+}
+#endif
+
 } // namespace
 
 SystemRow withDefaults(SystemRow row)
@@ -102,6 +284,12 @@ const std::vector<SystemRow>& systems()
   static const std::vector<SystemRow> rows = {
 #ifdef OVERSKETCH_WITH_ONESTROKE
     withDefaults(oneStroke()),
+#endif
+#ifdef OVERSKETCH_WITH_AUGMENT
+    withDefaults(augment()),
+#endif
+#ifdef OVERSKETCH_WITH_STELLAR
+    withDefaults(terrain()),
 #endif
   };
   return rows;
@@ -189,7 +377,7 @@ std::string faultOf(const Step& step, const std::vector<SystemRow>& rows)
       return "'" + named.first + "' is no input of " + row->name;
     }
   }
-  if (step.mirror && !row->mirrored)
+  if (step.mirror && !actsOnBothSides(*row))
   {
     return row->name + " cannot act on both sides of a plane: its points do not keep their ids";
   }

@@ -35,9 +35,18 @@ struct Parameter
   std::string help;               // a line; ends without a stop
   std::vector<Choice> choices;    // of an int that counts them from 0; empty for others
   double least = 0.0, most = 0.0; // of a number, that a form offers; equal: any
+  bool isLength = false;          // [model length]; a command line may give it as a share of the mesh's size
   std::function<void(vtkOversketchSystem*, const Value&)> set;
   std::function<Value(vtkOversketchSystem*)> get;
   Value initial; // of a fresh instance; its alternative is that of all values of the parameter
+};
+
+// Two counts or lengths that a command line gives at once: "--quads 64x48", the second where it is not the
+// default.
+struct Pair
+{
+  std::string word, first, second; // "quads", and the properties
+  std::string help;                // a line; ends without a stop
 };
 
 struct SystemInput
@@ -47,7 +56,8 @@ struct SystemInput
     Mesh,   // what the step before made, unless a step names another
     Stroke, // lines in pixels with the view that they were drawn in
     Curves, // lines on the mesh
-    Picture
+    Picture,
+    Heights // a grid of them, from a file that may be a picture
   };
 
   std::string name; // "Stroke"
@@ -57,6 +67,12 @@ struct SystemInput
   int port = 0;
   bool optional = false;
 };
+
+// Whether it is given as the bytes of a file.
+inline bool isImage(SystemInput::Kind kind)
+{
+  return kind == SystemInput::Kind::Picture || kind == SystemInput::Kind::Heights;
+}
 
 // Output port 0 of every system is the mesh that the next step gets.
 struct SystemRow
@@ -69,10 +85,14 @@ struct SystemRow
   vtkSmartPointer<vtkOversketchSystem> (*make)() = nullptr;
   std::vector<SystemInput> inputs;
   std::vector<Parameter> parameters;
+  std::vector<Pair> pairs; // of parameters, which then have no options of their own
   // The values with which its output's points keep their ids, so that a step that acts on both sides of a
   // mirror plane can move points with their partners; where these have none its own values hold
-  // (SystemRunner::run). Null: points never keep their ids, and it cannot act on both sides.
+  // (SystemRunner::run). Null: points never keep their ids.
   std::optional<Values> mirrored;
+  // It takes several strokes, each with a view of its own, and acts on both sides by one run with each stroke
+  // and the same in the mirror.
+  bool reflectsStrokes = false;
   // What else the class lets be set, each with the reason why no step holds it.
   std::map<std::string, std::string> leftOut;
 };
@@ -83,6 +103,12 @@ const std::vector<SystemRow>& systems();
 // By name or by verb; null where there is none.
 const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows = systems());
 const SystemRow* findVerb(const std::string& verb);
+
+// Whether its steps can have a mirror plane.
+inline bool actsOnBothSides(const SystemRow& row)
+{
+  return row.mirrored || row.reflectsStrokes;
+}
 
 const Parameter* findParameter(const SystemRow& row, const std::string& property);
 const SystemInput* findInput(const SystemRow& row, const std::string& name);
@@ -111,7 +137,9 @@ Parameter parameter(const std::string& property,
   Getter getter,
   std::vector<Choice> choices = {})
 {
-  using Held = std::decay_t<decltype((std::declval<T&>().*getter)())>;
+  using Got = std::decay_t<decltype((std::declval<T&>().*getter)())>;
+  constexpr bool isText = std::is_same_v<Got, const char*>;
+  using Held = std::conditional_t<isText, std::string, Got>;
   Parameter made;
   made.property = property;
   made.word = word;
@@ -119,7 +147,16 @@ Parameter parameter(const std::string& property,
   made.help = help;
   made.choices = std::move(choices);
   made.set = [setter](vtkOversketchSystem* system, const Value& value)
-  { (static_cast<T*>(system)->*setter)(std::get<Held>(value)); };
+  {
+    if constexpr (isText)
+    {
+      (static_cast<T*>(system)->*setter)(std::get<Held>(value).c_str());
+    }
+    else
+    {
+      (static_cast<T*>(system)->*setter)(std::get<Held>(value));
+    }
+  };
   made.get = [getter](vtkOversketchSystem* system) -> Value
   { return Held((static_cast<T*>(system)->*getter)()); };
   return made;
@@ -130,6 +167,13 @@ inline Parameter between(double least, double most, Parameter made)
 {
   made.least = least;
   made.most = most;
+  return made;
+}
+
+// The same of a length.
+inline Parameter length(Parameter made)
+{
+  made.isLength = true;
   return made;
 }
 

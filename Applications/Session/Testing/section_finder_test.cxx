@@ -251,6 +251,37 @@ TEST(SectionFinder, AnotherMeshIsFollowedAndTheLastOnesAnswersEnd)
   EXPECT_EQ(nothing->GetNumberOfPoints(), 0);
 }
 
+// Nothing of an answer stays behind with the finder's thread, also where it replaces one that nobody took:
+// VTK would walk through it there while it is used here.
+TEST(SectionFinder, HandsOverTheOnlyReference)
+{
+  std::mutex mutex;
+  std::condition_variable told;
+  int answers = 0, references = 0;
+  SectionFinder* asked = nullptr;
+  SectionFinder finder(*findSystem("OneStroke"),
+    [&]
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (++answers == 2)
+      {
+        const auto found = asked->take();
+        references = std::max(found->section->GetReferenceCount(), found->crest->GetReferenceCount());
+      }
+      told.notify_all();
+    });
+  asked = &finder;
+  const auto leg = shippedStroke("dog_longer_leg");
+  finder.setMesh(shippedModel("dog"));
+  std::unique_lock<std::mutex> lock(mutex);
+  for (const int expected : { 1, 2 })
+  {
+    finder.find(leg);
+    ASSERT_TRUE(told.wait_for(lock, std::chrono::minutes(10), [&] { return answers == expected; }));
+  }
+  EXPECT_EQ(references, 1);
+}
+
 TEST(SectionFinder, EndsAtOnceInTheMiddleOfASearch)
 {
   const auto mesh = shippedModel("dog");

@@ -113,7 +113,7 @@ TEST(Systems, DefaultsAndChoicesAreThoseOfTheClass)
     {
       SCOPED_TRACE(row.name + "." + parameter.property);
       EXPECT_EQ(parameter.get(fresh), parameter.initial);
-      EXPECT_EQ(plain(parameter.word), plain(parameter.property)) << "one spelling";
+      EXPECT_NE(plain(parameter.property).find(plain(parameter.word)), std::string::npos) << "one spelling";
       EXPECT_FALSE(parameter.title.empty() || parameter.help.empty());
       EXPECT_NE(parameter.help.back(), '.');
       // Named setters are the choices, and no other value is taken.
@@ -160,7 +160,8 @@ TEST(Systems, ChoicesStandInTheOrderOfTheirValues)
     {
       for (std::size_t i = 0; i < parameter.choices.size(); ++i)
       {
-        const std::string enumerator = parameter.property + parameter.choices[i].word;
+        // RemeshAuto, or Surface alone where no other parameter has it
+        const std::string enumerator = "(?:" + parameter.property + ")?" + parameter.choices[i].word;
         std::smatch match;
         const bool named = std::regex_search(
           header, match, std::regex("\\b" + enumerator + "\\s*=\\s*(\\d+)", std::regex::icase));
@@ -186,7 +187,7 @@ TEST(Systems, InputsAreThePortsOfTheClass)
       ASSERT_NE(info, nullptr);
       EXPECT_EQ(input.optional, info->Has(vtkAlgorithm::INPUT_IS_OPTIONAL()) != 0);
       const std::string type = info->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-      EXPECT_EQ(type, input.kind == SystemInput::Kind::Picture ? "vtkImageData" : "vtkPolyData");
+      EXPECT_EQ(type, isImage(input.kind) ? "vtkImageData" : "vtkPolyData");
       EXPECT_FALSE(input.help.empty());
     }
     EXPECT_EQ(plain(row.verb), plain(row.name));
