@@ -1,8 +1,14 @@
 #include "report.h"
 
+#ifdef OVERSKETCH_WITH_AUGMENT
+#include "vtkOversketchAugment.h"
+#include "vtkOversketchStellarBase.h"
+#include "vtkOversketchStellarDisplace.h"
+#endif
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchLaplacianDeform.h"
 #include "vtkOversketchOneStroke.h"
+#endif
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -12,15 +18,14 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTriangle.h"
-#endif
 #include "vtk_jsoncpp.h"
 
 #include <cmath>
+#include <utility>
 
 namespace oversketch_command
 {
 
-#ifdef OVERSKETCH_WITH_ONESTROKE
 namespace
 {
 
@@ -30,6 +35,50 @@ Json::Value jsonNumber(double value)
   return std::isfinite(value) ? Json::Value(value) : Json::Value();
 }
 
+Json::Value count(vtkIdType value)
+{
+  return Json::Value(static_cast<Json::Int64>(value));
+}
+
+#ifdef OVERSKETCH_WITH_AUGMENT
+template <typename Step>
+Step* stepOf(vtkOversketchSystem* system, const char* name)
+{
+  return Step::SafeDownCast(system->GetStep(name));
+}
+
+void addFiguresOf(vtkOversketchAugment* augment, Json::Value& json)
+{
+  if (auto* base = stepOf<vtkOversketchStellarBase>(augment, "Base"))
+  {
+    json["base"]["pairs"] = base->GetPairs();
+    json["base"]["unpaired"] = base->GetUnpaired();
+  }
+  for (const char* name : { "Base", "Refine", "Snap", "Smooth", "Displace", "Simplify" })
+  {
+    vtkPolyData* made = augment->GetInnerOutput(name);
+    if (made && made->GetNumberOfPolys() > 0)
+    {
+      json["faces"][name] = count(made->GetNumberOfPolys());
+    }
+  }
+  for (const auto& [name, word] : { std::pair("Crossings", "crossings"),
+         std::pair("Residual", "residual"),
+         std::pair("RefusedMoves", "refused_moves"),
+         std::pair("FacesAdded", "faces_added"),
+         std::pair("FlippedFaces", "flipped_faces"),
+         std::pair("IntersectingFaces", "self_intersecting_faces"),
+         std::pair("CrestMean", "crest_mean"),
+         std::pair("CrestMinimum", "crest_minimum"),
+         std::pair("LongestSegment", "longest_curve_segment"),
+         std::pair("SmallestAngle", "smallest_angle") })
+  {
+    json["met"][word] = jsonNumber(augment->GetFigure(name));
+  }
+}
+#endif
+
+#ifdef OVERSKETCH_WITH_ONESTROKE
 double fieldOf(vtkPolyData* data, const char* name)
 {
   vtkDataArray* array = data ? data->GetFieldData()->GetArray(name) : nullptr;
@@ -39,11 +88,6 @@ double fieldOf(vtkPolyData* data, const char* name)
 vtkIdType pointsOf(vtkPolyData* data)
 {
   return data ? data->GetNumberOfPoints() : 0;
-}
-
-Json::Value count(vtkIdType value)
-{
-  return Json::Value(static_cast<Json::Int64>(value));
 }
 
 // Vertices of the region and the share of the area of triangles wholly in it.
@@ -97,15 +141,8 @@ Json::Value deformationOf(vtkOversketchLaplacianDeform* step)
   return json;
 }
 
-} // namespace
-
-void addFigures(vtkOversketchSystem* system, Json::Value& json)
+void addFiguresOf(vtkOversketchOneStroke* stroke, Json::Value& json)
 {
-  auto* stroke = vtkOversketchOneStroke::SafeDownCast(system);
-  if (!stroke)
-  {
-    return;
-  }
   vtkPolyData* match = stroke->GetInnerOutput("Match");
   vtkPolyData* targets = stroke->GetInnerOutput("Targets");
   json["remeshed"] = stroke->GetRemeshed();
@@ -131,8 +168,34 @@ void addFigures(vtkOversketchSystem* system, Json::Value& json)
   json["deformation"] =
     deformationOf(vtkOversketchLaplacianDeform::SafeDownCast(stroke->GetStep(stroke->GetDeformationName())));
 }
-#else
-void addFigures(vtkOversketchSystem*, Json::Value&) {}
 #endif
+
+} // namespace
+
+void askForFigures([[maybe_unused]] vtkOversketchSystem* system)
+{
+#ifdef OVERSKETCH_WITH_AUGMENT
+  if (auto* displace = stepOf<vtkOversketchStellarDisplace>(system, "Displace"))
+  {
+    displace->CountIntersectionsOn();
+  }
+#endif
+}
+
+void addFigures([[maybe_unused]] vtkOversketchSystem* system, [[maybe_unused]] Json::Value& json)
+{
+#ifdef OVERSKETCH_WITH_AUGMENT
+  if (auto* augment = vtkOversketchAugment::SafeDownCast(system))
+  {
+    addFiguresOf(augment, json);
+  }
+#endif
+#ifdef OVERSKETCH_WITH_ONESTROKE
+  if (auto* stroke = vtkOversketchOneStroke::SafeDownCast(system))
+  {
+    addFiguresOf(stroke, json);
+  }
+#endif
+}
 
 } // namespace oversketch_command

@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "heights.h"
 #include "mesh_file.h"
 
 #include <algorithm>
@@ -54,13 +55,23 @@ std::vector<double> numbersOf(const std::string& option, const std::string& text
   return numbers;
 }
 
-// A value of the kind that the parameter's default is; a switch has none and means the other than its
-// default.
+// Whether it is given without a value, and is then on.
+bool isSwitch(const Parameter& parameter)
+{
+  const bool* usual = std::get_if<bool>(&parameter.initial);
+  return usual && !*usual;
+}
+
+// A value of the kind that the parameter's default is.
 Value valueOf(const Parameter& parameter, const std::string& option, const std::string& text)
 {
-  if (const bool* usual = std::get_if<bool>(&parameter.initial))
+  if (isSwitch(parameter))
   {
-    return !*usual;
+    return true;
+  }
+  if (std::holds_alternative<bool>(parameter.initial))
+  {
+    return choiceOf(option, text, { "off", "on" }) == 1;
   }
   if (!parameter.choices.empty())
   {
@@ -90,16 +101,64 @@ Value valueOf(const Parameter& parameter, const std::string& option, const std::
   return static_cast<int>(numbers[0]);
 }
 
+// The same, of lengths also as a share of the mesh's size: "3%".
+void takeValue(Options& options,
+  const Parameter& parameter,
+  const std::string& option,
+  const std::string& text)
+{
+  const bool isShare = parameter.isLength && !text.empty() && text.back() == '%';
+  Value value = valueOf(parameter, option, isShare ? text.substr(0, text.size() - 1) : text);
+  options.shares.erase(parameter.property);
+  if (isShare)
+  {
+    value = 0.01 * std::get<double>(value);
+    options.shares.insert(parameter.property);
+  }
+  options.values[parameter.property] = value;
+}
+
+// Both values of a pair, "64x48"; of one alone the second is the default.
+void takePair(Options& options, const Pair& pair, const std::string& option, const std::string& text)
+{
+  const std::size_t cross = text.find('x');
+  const Parameter& first = *findParameter(*options.system, pair.first);
+  const Parameter& second = *findParameter(*options.system, pair.second);
+  options.values[pair.first] = valueOf(first, option, text.substr(0, cross));
+  options.values[pair.second] =
+    cross == std::string::npos ? second.initial : valueOf(second, option, text.substr(cross + 1));
+}
+
+// The parameters that have options of their own.
+std::vector<Parameter> singlesOf(const SystemRow& system)
+{
+  std::vector<Parameter> singles;
+  for (const Parameter& parameter : system.parameters)
+  {
+    const auto has = [&](const Pair& pair)
+    { return pair.first == parameter.property || pair.second == parameter.property; };
+    if (std::none_of(system.pairs.begin(), system.pairs.end(), has))
+    {
+      singles.push_back(parameter);
+    }
+  }
+  return singles;
+}
+
 // "PNG" or "auto|on|off"; empty for a switch.
 std::string valueName(const Parameter& parameter)
 {
+  if (parameter.isLength)
+  {
+    return "X|X%";
+  }
   if (!parameter.choices.empty())
   {
     return listOf(wordsOf(parameter), "|");
   }
   struct Kinds
   {
-    std::string operator()(bool) const { return ""; }
+    std::string operator()(bool usual) const { return usual ? "on|off" : ""; }
     std::string operator()(int) const { return "N"; }
     std::string operator()(double) const { return "X"; }
     std::string operator()(const std::vector<double>&) const { return "X,X,…"; }
@@ -132,6 +191,8 @@ std::string fileHelp(const SystemInput& input)
       return input.help + ", of triangles: " + meshExtensions;
     case SystemInput::Kind::Picture:
       return input.help + ": .png .jpg";
+    case SystemInput::Kind::Heights:
+      return input.help + ": " + heightsExtensions;
     default:
       return input.help;
   }
@@ -189,11 +250,17 @@ OptionTable tableOf(Options& options)
       table["--" + input.word] = fileOption(options.inputs[input.name]);
     }
   }
-  for (const Parameter& parameter : options.system->parameters)
+  for (const Pair& pair : options.system->pairs)
   {
-    table["--" + parameter.word] = { !std::holds_alternative<bool>(parameter.initial),
-      [&options, &parameter](const std::string& name, const std::string& value)
-      { options.values[parameter.property] = valueOf(parameter, name, value); } };
+    table["--" + pair.word] = { true, [&options, &pair](const std::string& name, const std::string& value) {
+                                 takePair(options, pair, name, value);
+                               } };
+  }
+  for (const Parameter& parameter : singlesOf(*options.system))
+  {
+    table["--" + parameter.word] = { !isSwitch(parameter),
+      [&options, parameter](const std::string& name, const std::string& value)
+      { takeValue(options, parameter, name, value); } };
   }
   return table;
 }
@@ -367,14 +434,18 @@ std::vector<OptionText> optionsOf(const SystemRow& system)
   {
     options.push_back({ "--picture",
       "PNG",
-      "picture of the result from the stroke's view: stroke red, the place that it took hold of blue, what "
-      "moved orange; needs a display" });
+      "picture of the result from the first stroke's view: strokes over it, in blue what they took hold of, "
+      "in orange what moved; needs a display" });
   }
   options.push_back({ "--report", "JSON", "times of the stages, counts, distances" });
   options.push_back({ "--backend",
     listOf(backendWords(), "|"),
     "where rays and mixtures are computed; auto takes OpenCL where there is a device" });
-  for (const Parameter& parameter : system.parameters)
+  for (const Pair& pair : system.pairs)
+  {
+    options.push_back({ "--" + pair.word, "X[xY]", pair.help });
+  }
+  for (const Parameter& parameter : singlesOf(system))
   {
     options.push_back({ "--" + parameter.word, valueName(parameter), parameter.help });
   }

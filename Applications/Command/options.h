@@ -5,6 +5,7 @@
 #include "systems.h"
 
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,7 +34,8 @@ struct Options
   bool isReplay = false;
   std::map<std::string, std::string> inputs; // files, by the names of the system's inputs
   oversketch_session::Values values;
-  std::string session; // replay
+  std::set<std::string> shares; // properties whose values are shares of the mesh's size, to be multiplied
+  std::string session;          // replay
   std::string output, picture, report, inner;
   int backend = 0; // vtkOversketchSystem::BackendType
 };

@@ -4,15 +4,20 @@
 
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
+#ifdef OVERSKETCH_WITH_AUGMENT
+#include "vtkOversketchAugment.h"
+#endif
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkCullerCollection.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkImageShrink3D.h"
 #include "vtkLight.h"
@@ -48,10 +53,14 @@ namespace
 using oversketch::Vector2;
 using oversketch::View;
 
-constexpr double red[3] = { 0.85, 0.10, 0.12 };
-constexpr double blue[3] = { 0.13, 0.33, 0.80 };
-constexpr double orange[3] = { 1.00, 0.66, 0.26 };
-constexpr double clay[3] = { 0.86, 0.86, 0.87 };
+using Colour = std::array<double, 3>;
+constexpr Colour red{ 0.85, 0.10, 0.12 };
+constexpr Colour yellow{ 0.96, 0.80, 0.10 };
+constexpr Colour green{ 0.10, 0.58, 0.22 };
+constexpr Colour blue{ 0.13, 0.33, 0.80 };
+constexpr Colour orange{ 1.00, 0.66, 0.26 };
+constexpr Colour clay{ 0.86, 0.86, 0.87 };
+constexpr Colour white{ 1.0, 1.0, 1.0 };
 
 using Place = std::array<float, 3>;
 
@@ -89,7 +98,7 @@ vtkSmartPointer<vtkPolyData> modelOf(vtkPolyData* mesh, vtkPolyData* region, con
     oversketch::Vector3 world;
     whole->GetPoint(i, world.data());
     points->InsertNextPoint((view.viewTransform() * world.homogeneous()).head<3>().eval().data());
-    const double* colour = moved.count(placeOf(whole, i)) > 0 ? orange : clay;
+    const Colour& colour = moved.count(placeOf(whole, i)) > 0 ? orange : clay;
     for (int c = 0; c < 3; ++c)
     {
       colours->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * colour[c])));
@@ -154,7 +163,7 @@ void addLamp(vtkRenderer* renderer,
 // A polyline in pixels as a flat ribbon with round joints and ends.
 vtkSmartPointer<vtkActor> ribbonOf(const std::vector<Vector2>& line,
   double width,
-  const double colour[3],
+  const Colour& colour,
   double z)
 {
   vtkNew<vtkPoints> points;
@@ -195,21 +204,27 @@ vtkSmartPointer<vtkActor> ribbonOf(const std::vector<Vector2>& line,
   return actor;
 }
 
-std::vector<std::vector<Vector2>> linesOf(vtkPolyData* data, const View* view)
+struct Ink
 {
-  std::vector<std::vector<Vector2>> lines;
+  std::vector<Vector2> line; // [px]
+  Colour colour;
+};
+
+std::vector<Ink> inkOf(vtkPolyData* data, const View* view, const Colour& colour)
+{
+  std::vector<Ink> lines;
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(data->GetLines()->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     it->GetCurrentCell(size, ids);
-    lines.emplace_back();
+    lines.push_back({ {}, colour });
     for (vtkIdType k = 0; k < size; ++k)
     {
       oversketch::Vector3 p;
       data->GetPoint(ids[k], p.data());
-      lines.back().push_back((view ? view->toDisplay(p) : p).head<2>());
+      lines.back().line.push_back((view ? view->toDisplay(p) : p).head<2>());
     }
   }
   return lines;
@@ -247,31 +262,81 @@ void light(vtkRenderer* scene, vtkPolyData* model, const View& view)
   aim(scene->GetActiveCamera(), view, model->GetBounds());
 }
 
-// The lines in pixel coordinates over everything: what was taken hold of, and the stroke.
-void draw(vtkRenderer* ink, vtkPolyData* hold, vtkPolyData* stroke, const View& view)
+// A polydata with the strokes alone that share the first one's view, which the picture is taken from.
+vtkSmartPointer<vtkPolyData> ofFirstView(vtkPolyData* strokes)
 {
-  const double white[3] = { 1.0, 1.0, 1.0 };
-  const double thickness = std::clamp(view.height() / 170.0, 2.0, 8.0);
-  double z = 0.0;
-  const auto add = [&](const std::vector<std::vector<Vector2>>& lines, const double colour[3])
+  auto kept = vtkSmartPointer<vtkPolyData>::New();
+  kept->SetPoints(strokes->GetPoints());
+  kept->AllocateEstimate(strokes->GetNumberOfCells(), 2);
+  vtkCellData* data = strokes->GetCellData();
+  kept->GetCellData()->CopyAllOn();
+  kept->GetCellData()->CopyAllocate(data);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < strokes->GetNumberOfCells(); ++cell)
   {
-    for (const auto& [extra, paint] : { std::pair(0.5 * thickness, white), std::pair(0.0, colour) })
+    bool same = true;
+    for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
     {
-      z += 1.0;
-      for (const auto& line : lines)
+      vtkDataArray* array = data->GetArray(name);
+      for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
       {
-        ink->AddActor(ribbonOf(line, thickness + extra, paint, z));
+        same = same && array->GetComponent(cell, c) == array->GetComponent(0, c);
       }
     }
-  };
-  add(linesOf(hold, &view), blue);
-  add(linesOf(stroke, nullptr), red);
+    if (same)
+    {
+      strokes->GetCellPoints(cell, ids);
+      kept->GetCellData()->CopyData(data, cell, kept->InsertNextCell(strokes->GetCellType(cell), ids));
+    }
+  }
+  return kept;
+}
+
+// What a picture of a system shows in lines: what it took hold of, and the strokes.
+std::vector<Ink> inkOf(vtkOversketchSystem* system, vtkPolyData* strokes, const View& view)
+{
+  vtkNew<vtkPolyData> hold;
+  system->GetHold(hold);
+  std::vector<Ink> drawn = inkOf(strokes, nullptr, red);
+#ifdef OVERSKETCH_WITH_AUGMENT
+  if (auto* augment = vtkOversketchAugment::SafeDownCast(system))
+  {
+    vtkDataArray* heights = strokes->GetCellData()->GetArray("Height");
+    const bool isOutline = augment->GetSketchMode() == vtkOversketchAugment::Silhouette;
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+    {
+      const double height =
+        heights ? heights->GetComponent(static_cast<vtkIdType>(i), 0) : augment->GetHeight();
+      drawn[i].colour = isOutline ? green : height < 0.0 ? yellow : red;
+    }
+    if (!isOutline)
+    {
+      return drawn; // curves lie under the strokes, or on the far side
+    }
+  }
+#endif
+  std::vector<Ink> lines = inkOf(hold, &view, blue);
+  lines.insert(lines.end(), drawn.begin(), drawn.end());
+  return lines;
+}
+
+// The lines over everything, each with a white rim.
+void draw(vtkRenderer* ink, const std::vector<Ink>& lines, const View& view)
+{
+  const double thickness = std::clamp(view.height() / 170.0, 2.0, 8.0);
+  double z = 0.0;
+  for (const Ink& one : lines)
+  {
+    ink->AddActor(ribbonOf(one.line, 1.5 * thickness, white, z + 1.0));
+    ink->AddActor(ribbonOf(one.line, thickness, one.colour, z + 2.0));
+    z += 2.0;
+  }
   vtkCamera* page = ink->GetActiveCamera();
   page->ParallelProjectionOn();
-  page->SetPosition(0.5 * view.width(), 0.5 * view.height(), 100.0);
+  page->SetPosition(0.5 * view.width(), 0.5 * view.height(), z + 100.0);
   page->SetFocalPoint(0.5 * view.width(), 0.5 * view.height(), 0.0);
   page->SetParallelScale(0.5 * view.height());
-  page->SetClippingRange(1.0, 200.0);
+  page->SetClippingRange(1.0, z + 200.0);
 }
 
 } // namespace
@@ -298,17 +363,17 @@ void requireDisplay()
   }
 }
 
-void writePicture(vtkOversketchSystem* system, vtkPolyData* stroke, const std::string& path, NewFiles& files)
+void writePicture(vtkOversketchSystem* system, vtkPolyData* strokes, const std::string& path, NewFiles& files)
 {
-  const View view = oversketch::ViewOf(stroke);
+  const vtkSmartPointer<vtkPolyData> shown = ofFirstView(strokes);
+  const View view = oversketch::ViewOf(shown);
   const int width = view.width(), height = view.height();
-  vtkNew<vtkPolyData> region, hold;
+  vtkNew<vtkPolyData> region;
   system->GetRegion(region);
-  system->GetHold(hold);
   vtkNew<vtkRenderer> scene, ink;
   light(scene, modelOf(system->GetOutput(), region, view), view);
   ink->SetLayer(1);
-  draw(ink, hold, stroke, view);
+  draw(ink, inkOf(system, shown, view), view);
 
   // Larger and averaged: smooth edges without depending on the driver's multisampling.
   const int factor = std::clamp(4096 / std::max(width, height), 1, 3);

@@ -15,11 +15,11 @@ namespace oversketch_command
 // Throws Failed where there is no display to render with (VTK would end the program).
 void requireDisplay();
 
-// The result as the stroke's view shows it, in the stroke's viewport size: the part that moved orange, the
-// rest light grey, what the stroke took hold of blue, the stroke red (the colours of the papers' figures).
-// One of the files.
+// The result as the first stroke's view shows it, in its viewport size: the part that moved orange, the rest
+// light grey, what the stroke took hold of blue, strokes of this view red, those that carve yellow, new
+// outlines of an augmentation green (the colours of the papers' figures). One of the files.
 void writePicture(vtkOversketchSystem* system,
-  vtkPolyData* stroke,
+  vtkPolyData* strokes,
   const std::string& path,
   oversketch_files::NewFiles& files);
 

@@ -48,10 +48,8 @@ void addFigures(vtkPolyData* data, const std::string& name, Json::Value& json)
   }
 }
 
-Json::Value optionsOf(const Options& options)
+Json::Value optionsOf(const Options& options, const Step& step)
 {
-  Step step;
-  step.values = options.values;
   Json::Value json;
   json["backend"] = backendWords()[static_cast<std::size_t>(options.backend)];
   for (const Parameter& parameter : options.system->parameters)
@@ -66,6 +64,7 @@ Json::Value optionsOf(const Options& options)
 } // namespace
 
 std::string Report::json(const Options& options,
+  const Step& step,
   vtkOversketchSystem* system,
   vtkPolyData* mesh,
   vtkPolyData* result) const
@@ -81,7 +80,7 @@ std::string Report::json(const Options& options,
     }
   }
   json["output"] = options.output;
-  json["options"] = optionsOf(options);
+  json["options"] = optionsOf(options, step);
   json["backend_used"] = backendWords()[static_cast<std::size_t>(system->GetBackendUsed())];
   json["milliseconds"]["read"] = number(this->readMilliseconds);
   json["milliseconds"]["run"] = number(this->runMilliseconds);

@@ -19,14 +19,18 @@ struct Report
   // JSON: files and options; times [ms]; counts before (where there was a mesh) and after; each field array
   // of one value that a stage or the system put out; what ran where; and what addFigures adds.
   std::string json(const Options& options,
+    const oversketch_session::Step& step,
     vtkOversketchSystem* system,
     vtkPolyData* mesh,
     vtkPolyData* result) const;
 };
 
 // Of one stroke: the matched section with its distance and score [px] and lengths [model length]; the
-// region's size; the handles' residuals [model length]; whether it was remeshed. Nothing of other systems.
+// region's size; the handles' residuals [model length]; whether it was remeshed. Of an augmentation: pairs;
+// faces after each stage; what GetFigure tells of it.
 void addFigures(vtkOversketchSystem* system, Json::Value& json);
+// Before the run: what costs time and is counted for a report alone.
+void askForFigures(vtkOversketchSystem* system);
 
 } // namespace oversketch_command
 #endif

@@ -1,6 +1,7 @@
 #include "run_system.h"
 
 #include "evaluator.h"
+#include "heights.h"
 #include "mesh_file.h"
 #include "picture.h"
 #include "report.h"
@@ -113,16 +114,30 @@ void checkOutputs(const Options& options, vtkOversketchSystem* system)
   }
 }
 
-Image readPicture(const std::string& path)
+Image readImage(const std::string& path, SystemInput::Kind kind)
 {
   requireReadable(path);
   Image image{ std::filesystem::path(path).filename().string(),
     std::make_shared<const std::string>(wholeFile(path)) };
-  if (!pictureOf(*image.bytes))
+  if (kind == SystemInput::Kind::Heights)
+  {
+    parseHeights(path, *image.bytes);
+  }
+  else if (!pictureOf(*image.bytes))
   {
     throw Failed(path + ": is " + notAPicture);
   }
   return image;
+}
+
+// The lengths that were given as shares of the mesh's size.
+void multiplyShares(const Options& options, vtkPolyData* mesh, Values& values)
+{
+  for (const std::string& property : options.shares)
+  {
+    double& value = std::get<double>(values.at(property));
+    value *= mesh->GetLength();
+  }
 }
 
 // One step on the mesh that is given, if the system takes one.
@@ -137,9 +152,9 @@ Session sessionOf(const Options& options, Notes& notes)
   for (const SystemInput& input : options.system->inputs)
   {
     const std::string& path = options.inputs.at(input.name);
-    if (!path.empty() && input.kind == SystemInput::Kind::Picture)
+    if (!path.empty() && isImage(input.kind))
     {
-      step->inputs[input.name] = readPicture(path);
+      step->inputs[input.name] = readImage(path, input.kind);
     }
     else if (!path.empty() && input.kind != SystemInput::Kind::Mesh)
     {
@@ -149,6 +164,7 @@ Session sessionOf(const Options& options, Notes& notes)
   if (const SystemInput* input = findInput(*options.system, SystemInput::Kind::Mesh))
   {
     session.mesh = readMesh(options.inputs.at(input->name), notes);
+    multiplyShares(options, session.mesh.Get(), step->values);
   }
   Node node;
   node.id = 1;
@@ -169,6 +185,10 @@ void runSystem(const Options& options)
   Evaluator evaluator;
   vtkOversketchSystem* const system = evaluator.system(options.system->name);
   checkOutputs(options, system);
+  if (!options.report.empty())
+  {
+    askForFigures(system);
+  }
 
   Notes notes;
   Report report;
@@ -203,7 +223,8 @@ void runSystem(const Options& options)
   }
   if (!options.report.empty())
   {
-    files.writeText(options.report, report.json(options, system, session.mesh, outcomes[0].mesh));
+    files.writeText(
+      options.report, report.json(options, *session.nodes[0].step, system, session.mesh, outcomes[0].mesh));
   }
   if (!options.picture.empty())
   {

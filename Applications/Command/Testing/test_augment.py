@@ -1,0 +1,196 @@
+"""Lines on a mesh and terrains by the command: lengths, signs, files, reports, pictures, and chains with one-stroke."""
+import hashlib
+import json
+import os
+import shutil
+import struct
+import zipfile
+
+import numpy
+import pytest
+from vtkmodules.vtkFiltersCore import vtkMassProperties
+
+from scene import *  # noqa: F403
+
+LINE = numpy.column_stack([WIDTH / 3 - 30 + numpy.linspace(-20, 20, 30), HEIGHT / 2 + 12 * numpy.sin(numpy.linspace(0, 5, 30))])
+
+
+def volume(mesh):
+    mass = vtkMassProperties()
+    mass.SetInputData(mesh)
+    return mass.GetVolume()
+
+
+def diagonal(mesh):
+    points = points_of(mesh)
+    return numpy.linalg.norm(points.max(axis=0) - points.min(axis=0))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("augment")
+    write(body(), folder / "body.vtp")
+    write(stroke(LINE), folder / "line.vtp")
+    write(stroke(outline(1.7)), folder / "longer.vtp")
+    return folder
+
+
+def augment(folder, out, *options, mesh="body.vtp", line="line.vtp"):
+    done = run("augment", folder / mesh, folder / line, "-o", out, *options)
+    assert done.returncode == 0, done.stderr
+    return read(out)
+
+
+def test_lengths_are_the_models_or_shares_of_its_diagonal(folder, tmp_path):
+    before = read(folder / "body.vtp")
+    share = augment(folder, tmp_path / "share.vtp", "--radius", "4%", "--height", "2%")
+    size = diagonal(before)
+    length = augment(folder, tmp_path / "length.vtp", "--radius", repr(0.04 * size), "--height", repr(0.02 * size))
+    assert numpy.abs(points_of(share) - points_of(length)).max() < 1e-12
+    assert share.GetNumberOfPolys() > before.GetNumberOfPolys() + 100
+    raised = volume(share) - volume(before)
+    carved = volume(augment(folder, tmp_path / "in.vtp", "--radius", "4%", "--height=-2%")) - volume(before)
+    assert raised > 0 and carved == pytest.approx(-raised, rel=0.15)  # the surface is round
+    assert volume(augment(folder, tmp_path / "also.vtp", "--radius", "4%", "--height", "-2%")) - volume(before) == carved
+    # A stroke's own arrays go before the options.
+    own = stroke(LINE)
+    for name, value in (("Radius", 0.04 * size), ("Height", -0.02 * size)):
+        array = numpy_to_vtk(numpy.array([value]), deep=True)
+        array.SetName(name)
+        own.GetCellData().AddArray(array)
+    write(own, tmp_path / "own.vtp")
+    same = augment(folder, tmp_path / "same.vtp", "--radius", "9%", "--height", "9%", line=tmp_path / "own.vtp")
+    assert volume(same) - volume(before) == pytest.approx(carved, rel=1e-9)
+
+
+def test_a_profile_and_its_exponent(folder, tmp_path):
+    sharp = augment(folder, tmp_path / "1.vtp", "--radius", "4%", "--height", "1%", "--sharpness", "1")
+    line = augment(folder, tmp_path / "2.vtp", "--radius", "4%", "--height", "1%", "--profile", "0 1, 1 0")
+    assert numpy.abs(points_of(sharp) - points_of(line)).max() < 1e-12
+
+
+def test_the_report_tells_what_the_stages_met(folder, tmp_path):
+    augment(folder, tmp_path / "o.vtp", "--radius", "4%", "--simplify", "off", "--report", tmp_path / "r.json", "--inner",
+            tmp_path / "inner")
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert report["command"] == "augment" and report["options"]["simplify"] is False
+    assert report["options"]["radius"] == pytest.approx(0.04 * diagonal(read(folder / "body.vtp")))
+    faces = report["faces"]
+    assert "Simplify" not in faces and faces["Base"] < faces["Refine"] <= faces["Snap"] == faces["Displace"]
+    assert faces["Base"] == 2 * report["base"]["pairs"] + 3 * report["base"]["unpaired"]
+    met = report["met"]
+    assert met["crossings"] > 10 and met["residual"] == 0 and met["flipped_faces"] == 0
+    assert 0.85 < met["crest_minimum"] <= met["crest_mean"] <= 1.0 + 1e-12
+    assert 0 < met["longest_curve_segment"] < report["options"]["radius"] and met["smallest_angle"] > 4.0
+    assert isinstance(met["self_intersecting_faces"], (int, float))
+    for stage in ("Curves", "Refine", "Displace"):
+        assert read(tmp_path / "inner" / f"{stage}.vtp").GetNumberOfPoints() > 0
+
+
+@pytest.mark.parametrize("more", [
+    ["--radius", "wide"], ["--radius", "%"], ["--sharpness", "3%"], ["--simplify"], ["--simplify", "maybe"], ["--sketch", "both"],
+    ["--combine", "max"], ["--use-pressure=on"], ["--quads", "3"], ["--radius", "nan"],
+])
+def test_bad_use(folder, tmp_path, more):
+    assert "--help" in refuse(2, "augment", folder / "body.vtp", folder / "line.vtp", "-o", tmp_path / "o.vtp", *more)
+
+
+@pytest.mark.parametrize("more, words", [
+    (["--radius", "0"], "Radius"), (["--sharpness", "-1"], "Sharpness"), (["--profile", "0 1, 0.5"], "Profile"),
+])
+def test_what_cannot_be_made_is_said_and_nothing_written(folder, tmp_path, more, words):
+    said = refuse(1, "augment", folder / "body.vtp", folder / "line.vtp", "-o", tmp_path / "o.vtp", *more)
+    assert words.lower() in said.lower()
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_line_in_the_void_is_refused(folder, tmp_path):
+    write(stroke(numpy.array([[5.0, 5.0], [40.0, 8.0]])), tmp_path / "void.vtp")
+    said = refuse(1, "augment", folder / "body.vtp", tmp_path / "void.vtp", "-o", tmp_path / "o.vtp")
+    assert "stroke" in said.lower()
+    assert sorted(os.listdir(tmp_path)) == ["void.vtp"]
+
+
+def test_a_terrain_of_every_kind_of_file(tmp_path):
+    heights = numpy.add.outer(numpy.arange(5) * 7, numpy.arange(9) * 100)  # rows from the bottom
+    rows = heights[::-1]
+    (tmp_path / "t.asc").write_text("ncols 9\nnrows 5\ncellsize 1\nNODATA_value -1\n" + "\n".join(" ".join(map(str, r)) for r in rows))
+    (tmp_path / "t.pgm").write_bytes(b"P5 9 5 65535\n" + rows.astype(">u2").tobytes())
+    meshes = []
+    for name in ("t.asc", "t.pgm"):
+        done = run("terrain", tmp_path / name, "-o", tmp_path / "o.vtp", "--quads", "8x4", "--scale", "0.5", "--offset", "3")
+        assert done.returncode == 0 and done.stderr == "", done.stderr
+        meshes.append(points_of(read(tmp_path / "o.vtp")))
+    assert (meshes[0] == meshes[1]).all() and len(meshes[0]) == 45
+    x, y, z = meshes[0].T
+    assert numpy.abs(z - (3 + 0.5 * (100 * x + 7 * y))).max() < 1e-9
+    run("terrain", tmp_path / "t.pgm", "-o", tmp_path / "o.vtp", "--quads", "2", "--spacing", "10x20")
+    assert points_of(read(tmp_path / "o.vtp")).max(axis=0)[:2].tolist() == [20.0, 20.0]
+    text = run("terrain", "--help").stdout
+    assert "--quads X[xY]" in text and "--columns" not in text
+    for bad in (["--quads", "8y4"], ["--quads", "x4"], ["--quads", "8x4x2"], ["--spacing", "1.5.2"], ["--quads", "2.5"]):
+        refuse(2, "terrain", tmp_path / "t.asc", "-o", tmp_path / "p.vtp", *bad)
+    (tmp_path / "cut.asc").write_text((tmp_path / "t.asc").read_text()[:90])
+    assert "row" in refuse(1, "terrain", tmp_path / "cut.asc", "-o", tmp_path / "p.vtp")
+    assert "no grid of heights" in refuse(1, "terrain", SOURCE / "README.md", "-o", tmp_path / "p.vtp")
+    assert not (tmp_path / "p.vtp").exists()
+
+
+@pytest.mark.skipif(shutil.which("xvfb-run") is None, reason="no virtual display")
+def test_colours_of_the_picture(folder, tmp_path):
+    from vtkmodules.vtkIOImage import vtkPNGReader
+
+    def counts(*options):
+        done = subprocess.run(["xvfb-run", "-a", COMMAND, "augment", folder / "body.vtp", folder / "line.vtp", "-o",
+                               tmp_path / "o.vtp", "--picture", tmp_path / "p.png", *options], capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+        reader = vtkPNGReader()
+        reader.SetFileName(str(tmp_path / "p.png"))
+        reader.Update()
+        image = reader.GetOutput()
+        assert image.GetDimensions()[:2] == (WIDTH, HEIGHT)
+        rgb = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
+        near = lambda colour: int((numpy.abs(rgb - colour).max(axis=1) < 30).sum())
+        orange = int(((rgb[:, 0] > 180) & (rgb[:, 0] - rgb[:, 2] > 80) & (rgb[:, 1] - rgb[:, 2] > 30)).sum())
+        return {"red": near((217, 26, 31)), "yellow": near((245, 204, 26)), "orange": orange}
+
+    raised, carved = counts("--radius", "6%"), counts("--radius", "6%", "--height", "-1%")
+    assert raised["red"] > 60 and raised["yellow"] < 10 and raised["orange"] > 200
+    assert carved["yellow"] > 60 and carved["red"] < 10
+
+
+def test_a_chain_of_both_kinds_replays_to_the_bits_of_its_commands(folder, tmp_path):
+    write(stroke(LINE + [0.0, 20.0]), tmp_path / "second.vtp")
+    steps = [("one-stroke", folder / "longer.vtp", QUICK), ("augment", folder / "line.vtp", ["--radius", "0.1", "--height", "0.05"]),
+             ("one-stroke", tmp_path / "shorter.vtp", QUICK), ("augment", tmp_path / "second.vtp", ["--radius", "0.08", "--height", "-0.02"])]
+    write(stroke(outline(1.55)), tmp_path / "shorter.vtp")
+    mesh = folder / "body.vtp"
+    for index, (verb, line, options) in enumerate(steps):
+        done = run(verb, mesh, line, "-o", tmp_path / f"{index}.vtp", *options)
+        assert done.returncode == 0, done.stderr
+        mesh = tmp_path / f"{index}.vtp"
+    values = {"one-stroke": {"Remesh": "off"}}
+    session = {"format": "oversketch-session", "format_version": 2, "mesh": "mesh/body.vtp", "mesh_name": "body.vtp",
+               "backend": "embree", "made_by": {"version": "", "backend": "embree", "device": "", "processor": ""},
+               "result_md5": digest(read(mesh)), "steps": []}
+    with zipfile.ZipFile(tmp_path / "chain.oversketch", "w") as archive:
+        archive.write(folder / "body.vtp", "mesh/body.vtp")
+        for index, (verb, line, options) in enumerate(steps):
+            archive.write(line, f"strokes/{index}.vtp")
+            one = verb == "one-stroke"
+            numbers = dict(zip(("Radius", "Height"), map(float, options[1::2]))) if not one else values[verb]
+            session["steps"].append({"id": index + 1, "name": verb, "on": True, "system": "OneStroke" if one else "Augment",
+                                     "values": numbers, "inputs": {"Stroke" if one else "Strokes": {"lines": f"strokes/{index}.vtp"}}})
+        archive.writestr("session.json", json.dumps(session))
+    done = run("replay", tmp_path / "chain.oversketch", "-o", tmp_path / "replayed.vtp")
+    assert done.returncode == 0 and "bit for bit" not in done.stderr, done.stderr
+    assert digest(read(tmp_path / "replayed.vtp")) == digest(read(mesh))
+
+
+def digest(mesh):
+    """As Applications/Session/README.md has it."""
+    data = mesh.GetPoints().GetData()
+    bits = struct.pack("i", data.GetDataType()) + vtk_to_numpy(data).tobytes()
+    triangles = triangles_of(mesh)
+    bits += numpy.column_stack([numpy.full(len(triangles), 3), triangles]).astype(numpy.int64).tobytes()
+    return hashlib.md5(bits).hexdigest()
