@@ -1,8 +1,11 @@
 #include "document.h"
 
 #include "files.h"
+#include "heights.h"
 #include "mesh_file.h"
 #include "row_texts.h"
+#include "systems.h"
+#include "terrain_start.h"
 
 #include <QFileInfo>
 
@@ -83,6 +86,16 @@ bool Document::open(const QString& path, const std::function<bool()>& mayLeave, 
   {
     session = readSession(file).session;
   }
+  else if (isHeightsExtension(extensionOf(file)) && findSystem("Terrain"))
+  {
+    Node node;
+    node.id = 1;
+    node.step = terrainOf(file);
+    node.name = titleOf(node.step->system).toStdString();
+    session.nodes = { node };
+    session.meshName = QFileInfo(path).fileName().toStdString();
+    session.backend = this->Backend;
+  }
   else
   {
     session.mesh = readMesh(file, said);
@@ -137,7 +150,13 @@ QStringList Document::save(const QString& path)
     return {};
   }
   Notes notes;
-  writeMesh((this->Result.mesh ? this->Result.mesh : this->session().mesh).own(), file, notes);
+  const vtkSmartPointer<vtkPolyData> mesh =
+    (this->Result.mesh ? this->Result.mesh : this->session().mesh).own();
+  if (!mesh)
+  {
+    throw Failed(tr("There is no mesh yet.").toStdString());
+  }
+  writeMesh(mesh, file, notes);
   return listOf(notes);
 }
 
@@ -209,6 +228,27 @@ void Document::setParameters(int index, const Values& values, const std::optiona
   step->mirror = mirror;
   node.step = step;
   this->commit(std::move(next));
+}
+
+void Document::shape(int index, const Values& values, bool goesOn)
+{
+  Session next = this->session();
+  Node& node = next.nodes[indexOf(index)];
+  auto step = std::make_shared<Step>(*node.step);
+  step->values = values;
+  node.step = step;
+  const int id = node.id;
+  if (goesOn && this->Shaped == id)
+  {
+    this->Changes->amend(std::move(next));
+    this->Modified = true;
+    this->run(Change::Drawn);
+  }
+  else
+  {
+    this->commit(std::move(next), Change::Drawn);
+  }
+  this->Shaped = id;
 }
 
 void Document::setOn(int index, bool on)
@@ -326,6 +366,7 @@ void Document::commit(Session session, Change change)
 
 void Document::run(Change change)
 {
+  this->Shaped = 0;
   this->Ticket = this->Background->submit(this->session());
   this->keep(); // before its result is there, so that no crash can take the stroke
   emit this->changed(change);

@@ -70,6 +70,9 @@ public:
   void setParameters(int node,
     const oversketch_session::Values& values,
     const std::optional<oversketch_session::MirrorPlane>& mirror);
+  // The same by a hand that sees the mesh follow. What goes on from the last such change of the step is one
+  // step of undo with it.
+  void shape(int node, const oversketch_session::Values& values, bool goesOn);
   void setOn(int node, bool on);
   void rename(int node, const QString& name);
   void remove(int node);
@@ -128,6 +131,7 @@ private:
   QString Path;
   int Backend = 0;
   bool Modified = false;
+  int Shaped = 0;         // the id of the step that the last change was a shape() of
   bool Discarded = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result Result;
   std::string Digest; // of its mesh

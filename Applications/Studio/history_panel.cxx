@@ -114,7 +114,9 @@ void HistoryPanel::makeActions()
     {
       const auto& states = this->OpenDocument->result().nodes;
       const std::size_t row = indexOf(this->changed());
-      const bool isBeyondTheLast = row < states.size() && !states[row].failure.empty();
+      // Others that fail are passed by; the remedy is what tells this one.
+      const bool isBeyondTheLast =
+        row < states.size() && states[row].failure.find("Lower Candidate") != std::string::npos;
       this->change("Candidate",
         [isBeyondTheLast](const Value& value) -> Value
         { return isBeyondTheLast ? 1 : std::get<int>(value) + 1; });
@@ -154,6 +156,14 @@ void HistoryPanel::change(const char* property, const std::function<Value(const 
     Values values = step.values;
     values[property] = to(valueOf(step, *parameter));
     this->OpenDocument->setParameters(row, values, step.mirror);
+  }
+}
+
+void HistoryPanel::turnTo(const std::string& system)
+{
+  if (this->current() < 0)
+  {
+    this->Form->turnTo(system);
   }
 }
 

@@ -28,6 +28,8 @@ public:
 
   // The selected step, or -1.
   int current() const;
+  // Shows the form of a system while no step is selected.
+  void turnTo(const std::string& system);
   // What can be done with it, for a menu; the first ones have buttons under the list, too.
   QList<QAction*> strokeActions() const
   {

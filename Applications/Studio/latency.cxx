@@ -51,6 +51,7 @@ void Latency::framePainted()
   if (this->MeshComes)
   {
     answer("stroke");
+    answer("notch");
     this->MeshComes = false;
   }
   if (plain)

@@ -1,6 +1,6 @@
 // How long a person waits, measured inside: from a sample of the pen to its drawn pixel, from the end of a
-// stroke to the deformed mesh on screen, and for a plain redraw. Written as JSON when the program ends, where
-// it was asked for.
+// stroke or a notch of the wheel to the new mesh on screen, and for a plain redraw. Written as JSON when the
+// program ends, where it was asked for.
 #ifndef oversketch_studio_latency_h
 #define oversketch_studio_latency_h
 
@@ -22,9 +22,10 @@ public:
   // From here on times are kept.
   void writeTo(const std::string& path) { this->Path = path; }
 
-  // A sample of the pen, or the end of a stroke, has come.
+  // A sample of the pen, the end of a stroke, or a turn of the wheel that a tool uses, has come.
   void sample() { this->begin("sample"); }
   void strokeEnd() { this->begin("stroke"); }
+  void notch() { this->begin("notch"); }
   // The deformed mesh is what the next frame shows.
   void meshComes() { this->MeshComes = true; }
   // A frame begins; it is painted. A frame that nothing waited for is a plain redraw.
@@ -32,7 +33,7 @@ public:
   void framePainted();
   bool isOn() const { return this->Path.has_value(); }
 
-  // Writes {"sample": [ms, ...], "stroke": [...], "redraw": [...]}. Throws Failed.
+  // Writes {"sample": [ms, ...], "stroke": [...], "notch": [...], "redraw": [...]}. Throws Failed.
   void write() const;
 
 private:

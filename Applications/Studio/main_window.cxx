@@ -10,6 +10,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QFrame>
 #include <QLabel>
 #include <QProgressBar>
@@ -61,6 +62,12 @@ MainWindow::MainWindow(QWidget* parent)
   this->setAcceptDrops(true);
   this->addDock(tr("&Scene"), "scene_dock", this->Scene);
   this->addDock(tr("&History"), "history_dock", this->History);
+  for (Tool* tool : this->Tools)
+  {
+    QWidget* panel = tool->makePanel(this);
+    this->ToolDocks << (panel ? this->addDock(panel->windowTitle(), tool->objectName() + "_dock", panel)
+                              : nullptr);
+  }
   this->makeMenus();
   this->makeTools();
   this->makeStatus();
@@ -129,6 +136,7 @@ void MainWindow::listenToTool(Tool* tool)
 {
   connect(tool, &Tool::drawn, this, &MainWindow::stepDrawn);
   connect(tool, &Tool::changed, this, &MainWindow::stepChanged);
+  connect(tool, &Tool::shaped, this, &MainWindow::stepShaped);
   connect(tool,
     &Tool::movesAlone,
     this,
@@ -186,10 +194,26 @@ void MainWindow::stepChanged(const Step& step)
   }
 }
 
+void MainWindow::stepShaped(const Values& values, bool goesOn)
+{
+  if (this->Offered >= 0 && indexOf(this->Offered) < this->OpenDocument->session().nodes.size())
+  {
+    this->OpenDocument->shape(this->Offered, values, goesOn);
+  }
+}
+
 void MainWindow::setTool(Tool* tool)
 {
   const int at = this->Tools.indexOf(tool);
+  for (int i = 0; i < this->ToolDocks.size(); ++i)
+  {
+    if (this->ToolDocks[i])
+    {
+      this->ToolDocks[i]->setVisible(i == at);
+    }
+  }
   this->View->setTool(tool);
+  this->History->turnTo(tool->system());
   this->ToolActions[at]->setChecked(true);
   this->Options->setCurrentIndex(at);
   const QString mode = tool->mode();

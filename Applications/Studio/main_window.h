@@ -83,6 +83,7 @@ private:
   void changed(Document::Change change);
   void stepDrawn(const oversketch_session::Step& step);
   void stepChanged(const oversketch_session::Step& step);
+  void stepShaped(const oversketch_session::Values& values, bool goesOn);
   void setTool(Tool* tool);
   // The one that draws steps of a node's system; null where none does.
   Tool* toolOf(int node) const;
@@ -102,8 +103,9 @@ private:
   Document* OpenDocument;
   Viewport* View;
   QVector<Tool*> Tools;
-  QVector<QAction*> ToolActions; // of the same order
-  QFrame* Frame;                 // about the view, in the colour of the focus while keys go there
+  QVector<QAction*> ToolActions;   // of the same order
+  QVector<QDockWidget*> ToolDocks; // of the same order; null where a tool has no panel
+  QFrame* Frame;                   // about the view, in the colour of the focus while keys go there
   ScenePanel* Scene;
   HistoryPanel* History;
   QToolBar* Strip = nullptr;

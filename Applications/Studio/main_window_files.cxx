@@ -1,6 +1,7 @@
 #include "main_window.h"
 
 #include "files.h"
+#include "heights.h"
 #include "mesh_file.h"
 #include "resources.h"
 #include "texture.h"
@@ -31,14 +32,15 @@ namespace
 
 const QStringList pictureExtensions{ "png", "jpg", "jpeg" };
 
-QString meshFilter()
+// "*.obj *.ply": of extensions with blanks between.
+QString patternsOf(const char* extensions)
 {
-  QString extensions;
-  for (const QString& extension : QString::fromLatin1(oversketch_files::meshExtensions).split(' '))
+  QString patterns;
+  for (const QString& extension : QString::fromLatin1(extensions).split(' '))
   {
-    extensions += " *" + extension;
+    patterns += " *" + extension;
   }
-  return extensions.mid(1);
+  return patterns.mid(1);
 }
 
 } // namespace
@@ -139,7 +141,8 @@ void MainWindow::openAsked()
   const QString path = QFileDialog::getOpenFileName(this,
     tr("Open a model or a session"),
     QSettings().value("folder").toString(),
-    tr("Models and sessions (%1 *.oversketch);;All files (*)").arg(meshFilter()));
+    tr("Models and sessions (%1 *.oversketch);;Heights of a terrain (%2);;All files (*)")
+      .arg(patternsOf(oversketch_files::meshExtensions), patternsOf(oversketch_files::heightsExtensions)));
   if (!path.isEmpty())
   {
     this->open(path);
@@ -189,7 +192,7 @@ void MainWindow::exportAsked()
     tr("Export the mesh"),
     QDir(QSettings().value("folder").toString())
       .filePath(QFileInfo(this->OpenDocument->name()).completeBaseName() + ".ply"),
-    tr("Meshes (%1)").arg(meshFilter()));
+    tr("Meshes (%1)").arg(patternsOf(oversketch_files::meshExtensions)));
   if (!path.isEmpty())
   {
     this->tried([&] { this->tell(this->OpenDocument->save(path)); });

@@ -102,6 +102,13 @@ void MainWindow::makeToolMenu()
     QAction* action = this->add(menu, tool->title(), tool->key(), [this, tool] { this->setTool(tool); });
     action->setCheckable(true);
     action->setToolTip(tool->help());
+    // In the strip in two lines, where it is long.
+    QString inStrip = tool->title().remove('&');
+    if (inStrip.size() > 10 && inStrip.contains(' '))
+    {
+      inStrip[inStrip.lastIndexOf(' ')] = '\n';
+    }
+    action->setIconText(inStrip);
     group->addAction(action);
     this->ToolActions << action;
   }

@@ -7,10 +7,13 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 
+#include <algorithm>
 #include <cmath>
 
 namespace oversketch_studio
@@ -22,7 +25,7 @@ namespace
 {
 
 constexpr int sliderSteps = 200;
-constexpr const char* exactValue = "exactValue"; // a slider's property
+constexpr const char* exactValue = "exactValue"; // a property of a slider, of a box
 
 } // namespace
 
@@ -47,26 +50,36 @@ void StepPanel::addPage(const SystemRow& row)
 {
   Page page;
   page.row = &row;
-  page.widget = new QWidget(this);
-  auto* form = new QFormLayout(page.widget);
+  // A small window scrolls a form that has many rows.
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  page.widget = scroll;
+  auto* rows = new QWidget(scroll);
+  auto* form = new QFormLayout(rows);
   form->setContentsMargins(0, 0, 0, 0);
   for (const Parameter& parameter : row.parameters)
   {
-    const Field field = this->addField(parameter, page.widget, form);
+    const Field field = this->addField(parameter, rows, form);
     if (field.widget)
     {
       page.fields.push_back(field);
     }
   }
-  if (row.mirrored)
+  if (actsOnBothSides(row))
   {
-    page.mirror = mirrorChoice(page.widget);
+    page.mirror = mirrorChoice(rows);
     page.mirror->setAccessibleName(tr("Acts on"));
     page.mirror->setToolTip(tr("One side of the model, or both sides of this plane. Where the two are the "
                                "same, there are no new triangles."));
     form->addRow(tr("Acts on"), page.mirror);
     connect(page.mirror, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
   }
+  scroll->setWidget(rows);
+  scroll->setMinimumWidth(rows->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
   this->addWidget(page.widget);
   this->Pages[row.name] = page;
 }
@@ -139,12 +152,25 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
   {
     auto* number = new QDoubleSpinBox(page);
     number->setRange(-1e6, 1e6);
-    number->setDecimals(4);
     connect(number, &QDoubleSpinBox::editingFinished, this, [this] { this->read(); });
     field.widget = number;
-    field.read = [](QWidget* widget) -> Value { return static_cast<QDoubleSpinBox*>(widget)->value(); };
+    // What it was set to comes back as it was, though the box has fewer digits.
+    field.read = [](QWidget* widget) -> Value
+    {
+      auto* box = static_cast<QDoubleSpinBox*>(widget);
+      const double set = widget->property(exactValue).toDouble();
+      return std::abs(box->value() - set) <= 0.5 * std::pow(10.0, -box->decimals()) ? set : box->value();
+    };
     field.write = [](QWidget* widget, const Value& value)
-    { static_cast<QDoubleSpinBox*>(widget)->setValue(std::get<double>(value)); };
+    {
+      auto* box = static_cast<QDoubleSpinBox*>(widget);
+      const double set = std::get<double>(value);
+      // Three digits of small numbers, too.
+      const double digits = set == 0.0 ? 0.0 : std::floor(std::log10(std::abs(set)));
+      box->setDecimals(std::clamp(2 - static_cast<int>(digits), 4, 12));
+      widget->setProperty(exactValue, set);
+      box->setValue(set);
+    };
   }
   else
   {
@@ -183,6 +209,17 @@ void StepPanel::show(const Step* step)
     this->Shown->mirror->setCurrentIndex(step && step->mirror ? step->mirror->axis + 1 : 0);
   }
   this->StepValues = step ? step->values : Values();
+}
+
+void StepPanel::turnTo(const std::string& system)
+{
+  const auto known = this->Pages.find(system);
+  if (known != this->Pages.end())
+  {
+    this->Shown = &known->second;
+    this->setCurrentWidget(this->Shown->widget);
+    this->show(nullptr);
+  }
 }
 
 void StepPanel::read()

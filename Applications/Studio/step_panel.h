@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <string>
 #include <vector>
 
 class QComboBox;
@@ -26,6 +27,8 @@ public:
 
   // Null: no step is selected; the form that was last seen stays, and can do nothing.
   void show(const oversketch_session::Step* step);
+  // While none is: the form of a system that the hand now makes steps of.
+  void turnTo(const std::string& system);
 
 signals:
   // The user has changed something; `mirror` is a choice of mirrorChoice.

@@ -30,6 +30,7 @@
 #include <QKeyEvent>
 #include <QTabletEvent>
 #include <QTimer>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cstring>
@@ -311,6 +312,19 @@ bool Viewport::event(QEvent* event)
 {
   // VTK hears of the mouse before the functions for its events do.
   const auto type = event->type();
+  if (type == QEvent::Wheel && this->CurrentTool)
+  {
+    auto* wheel = static_cast<QWheelEvent*>(event);
+    // Some systems turn the wheel sideways while Shift is held.
+    const QPoint turned = wheel->angleDelta();
+    const double notches =
+      (turned.y() != 0 ? turned.y() : turned.x()) / double(QWheelEvent::DefaultDeltasPerStep);
+    if (notches != 0.0 && this->CurrentTool->wheel(notches, wheel->modifiers()))
+    {
+      wheel->accept();
+      return true;
+    }
+  }
   const bool press = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
   const bool release = type == QEvent::MouseButtonRelease && this->CurrentTool && this->CurrentTool->draws();
   if (press || type == QEvent::Wheel || type == QEvent::KeyPress)

@@ -3,6 +3,7 @@
 #include "document.h"
 #include "main_window.h"
 #include "mesh_file.h"
+#include "systems.h"
 #include "tool.h"
 #include "viewport.h"
 
@@ -198,12 +199,13 @@ int Hand::act()
   return events;
 }
 
-// A bow beside the outermost point of the model in some direction, as a person draws it.
+// A bow beside the outermost point of the model in some direction, as a person draws it; of a tool that draws
+// on the model, as far inside.
 int Hand::strokeBesideTheModel()
 {
-  if (this->View->tool()->system().empty())
+  if (this->View->tool()->system().empty() || this->oneIn(4))
   {
-    QTest::keyClick(this->View, Qt::Key_D);
+    QTest::keyClick(this->View, this->oneIn(2) ? Qt::Key_D : Qt::Key_B);
   }
   if (this->oneIn(2))
   {
@@ -236,7 +238,8 @@ int Hand::strokeBesideTheModel()
     QTest::keyClick(this->View, Qt::Key_W); // back to where it is seen
     return 1;
   }
-  const double away = 4 + this->upTo(25), half = 15 + this->upTo(45);
+  const double beside = 4 + this->upTo(25), half = 15 + this->upTo(45);
+  const double away = this->View->tool()->system() == "Augment" ? -beside : beside;
   constexpr int steps = 9;
   for (int i = 0; i <= steps; ++i)
   {
@@ -264,7 +267,10 @@ int Hand::dragOfTheStroke()
   {
     return this->strokeBesideTheModel();
   }
-  const auto stroke = oversketch_session::linesOf(*nodes.back().step, "Stroke");
+  using namespace oversketch_session;
+  const Step& step = *nodes.back().step;
+  const SystemInput* drawn = findInput(*findSystem(step.system), SystemInput::Kind::Stroke);
+  const auto stroke = linesOf(step, drawn->name);
   if (this->oneIn(2))
   {
     this->View->lookFrom(stroke);
@@ -314,6 +320,7 @@ int Hand::key()
     Qt::Key_P,
     Qt::Key_N,
     Qt::Key_D,
+    Qt::Key_B,
     Qt::Key_T,
     Qt::Key_O,
     Qt::Key_F1,
@@ -351,7 +358,7 @@ int Hand::wheel()
     {},
     { 0, this->oneIn(2) ? 120 : -120 },
     Qt::NoButton,
-    Qt::NoModifier,
+    modifiers[this->upTo(2)],
     Qt::NoScrollPhase,
     false);
   QApplication::sendEvent(this->View, &turn);

@@ -20,6 +20,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include <utility>
+
 namespace oversketch_studio
 {
 
@@ -34,13 +36,16 @@ constexpr double grabDistance = 6.0;
 
 } // namespace
 
-HeldStrokeTool::HeldStrokeTool(const std::string& system, Viewport* viewport, const Document* document)
+HeldStrokeTool::HeldStrokeTool(const std::string& system,
+  Viewport* viewport,
+  const Document* document,
+  SectionFinder::Look look)
   : Tool(viewport)
   , System(system)
   , Input(findInput(*findSystem(system), SystemInput::Kind::Stroke)->name)
   , View(viewport)
   , OpenDocument(document)
-  , Section(*findSystem(system), this->Widget)
+  , Section(*findSystem(system), this->Widget, std::move(look))
 {
   this->Widget->SetInteractor(viewport->interactor());
   this->Widget->SetDefaultRenderer(viewport->renderer());
@@ -89,7 +94,7 @@ QVector<QPair<QString, QString>> HeldStrokeTool::keys() const
 
 QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
 {
-  if (!findSystem(this->System)->mirrored)
+  if (!actsOnBothSides(*findSystem(this->System)))
   {
     return nullptr;
   }
@@ -167,6 +172,7 @@ void HeldStrokeTool::setPixelRatio(double ratio)
   vtkOversketchStrokeRepresentation* drawn = this->pen()->GetStrokeRepresentation();
   for (vtkProperty2D* line : { drawn->GetProperty(),
          drawn->GetSectionProperty(),
+         drawn->GetCrestProperty(),
          this->Widget->GetHeldStrokeRepresentation()->GetProperty() })
   {
     line->SetLineWidth(static_cast<float>(lineWidth * ratio));
@@ -186,6 +192,16 @@ void HeldStrokeTool::setPressure(double pressure)
   this->pen()->SetPressure(pressure);
 }
 
+void HeldStrokeTool::setValues(const Values& values)
+{
+  this->StrokeValues = values;
+  this->Section.setValues(values);
+  if (this->draws())
+  {
+    this->View->renderSoon();
+  }
+}
+
 void HeldStrokeTool::showLines(bool show)
 {
   this->Widget->GetHeldStrokeRepresentation()->SetVisibility(show);
@@ -201,6 +217,11 @@ void HeldStrokeTool::heard(unsigned long event)
       if (this->draws())
       {
         this->Section.lineBegins();
+      }
+      else if (const auto before = this->meshBefore())
+      {
+        this->Section.setMesh(before);
+        this->LooksBefore = true;
       }
       break;
     case vtkCommand::InteractionEvent:
@@ -227,6 +248,7 @@ void HeldStrokeTool::strokeEnds()
   Latency::of().strokeEnd();
   Step step;
   step.system = this->System;
+  step.values = this->StrokeValues;
   step.inputs[this->Input] = Lines(this->Widget->GetStroke());
   if (this->Widget->IsNew())
   {
@@ -250,6 +272,12 @@ void HeldStrokeTool::followHand()
   {
     if (!this->Followed || !shown || shown->GetNumberOfPoints() != this->Followed->count)
     {
+      if (this->LooksBefore)
+      {
+        vtkNew<vtkPolyData> moved;
+        this->Widget->GetHeldStrokeRepresentation()->PutMoved(moved);
+        this->Section.lineMoves(moved);
+      }
       emit this->movesAlone();
       return;
     }
@@ -262,6 +290,11 @@ void HeldStrokeTool::followHand()
 // The mesh is as it was; of a stroke that was moved the preview stays: see strokeEnds.
 void HeldStrokeTool::letGo()
 {
+  if (std::exchange(this->LooksBefore, false))
+  {
+    this->Section.moveEnds();
+    this->Section.setMesh(this->View->mesh());
+  }
   if (this->MovePreview && this->View->mesh() == this->MovePreview->mesh())
   {
     this->View->showPreview(this->MovePreview->rest());

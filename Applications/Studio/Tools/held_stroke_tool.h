@@ -7,6 +7,7 @@
 #include "tool.h"
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <memory>
 
@@ -26,8 +27,12 @@ class HeldStrokeTool : public Tool
   Q_OBJECT
 
 public:
-  // Of a system of the list.
-  HeldStrokeTool(const std::string& system, Viewport* viewport, const Document* document);
+  // Of a system of the list. `look` is how it is asked what is to be seen under the pen, on a thread of its
+  // own.
+  HeldStrokeTool(const std::string& system,
+    Viewport* viewport,
+    const Document* document,
+    oversketch_session::SectionFinder::Look look = {});
   ~HeldStrokeTool() override;
 
   QVector<QPair<QString, QString>> keys() const override;
@@ -51,6 +56,15 @@ public:
   void framePainted() override { this->Section.framePainted(); }
   void showLines(bool show) override;
 
+protected:
+  // What new steps are made with beside their stroke, also the one whose stroke is being drawn.
+  void setValues(const oversketch_session::Values& values);
+  // The mesh that the step that is offered was drawn on, where it can be told from what is shown: then what
+  // the stroke would make is looked for there while it is moved.
+  virtual vtkSmartPointer<vtkPolyData> meshBefore() const { return nullptr; }
+  Viewport* viewport() const { return this->View; }
+  const Document* document() const { return this->OpenDocument; }
+
 private:
   void heard(unsigned long event);
   void strokeEnds();
@@ -65,8 +79,10 @@ private:
   vtkNew<vtkOversketchHeldStrokeWidget> Widget; // shows and moves strokes; the document runs them
   vtkNew<vtkCallbackCommand> Observer;
   PenSection Section;
+  oversketch_session::Values StrokeValues;
   std::shared_ptr<const oversketch_session::Following> Followed;
   std::unique_ptr<Preview> MovePreview; // while a stroke is moved
+  bool LooksBefore = false;             // the same, over meshBefore()
   double Ratio = 1.0, Steadiness = 6.0;
 };
 

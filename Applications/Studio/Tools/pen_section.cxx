@@ -8,6 +8,8 @@
 
 #include <QTimer>
 
+#include <utility>
+
 namespace oversketch_studio
 {
 
@@ -20,12 +22,16 @@ constexpr int rest = 100; // ms without a frame: camera and pen have come to res
 
 PenSection::PenSection(const oversketch_session::SystemRow& system,
   vtkOversketchHeldStrokeWidget* widget,
+  oversketch_session::SectionFinder::Look look,
   QObject* parent)
   : QObject(parent)
   , Widget(widget)
   , Rest(new QTimer(this))
   // From the finder's thread to this object's.
-  , Finder(system, [this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); })
+  , Finder(
+      system,
+      [this] { QMetaObject::invokeMethod(this, &PenSection::show, Qt::QueuedConnection); },
+      std::move(look))
 {
   this->Rest->setSingleShot(true);
   this->Rest->setInterval(rest);
@@ -41,10 +47,27 @@ void PenSection::setMesh(vtkPolyData* mesh)
   this->Grew = true; // the line is over another mesh
 }
 
+void PenSection::setValues(const oversketch_session::Values& values)
+{
+  this->StrokeValues = values;
+  this->Grew = true; // what it will make has changed
+}
+
 void PenSection::lineBegins()
 {
   this->Outdated = this->Asked;
   this->look();
+}
+
+void PenSection::lineMoves(vtkPolyData* stroke)
+{
+  this->Asked = this->Finder.find(stroke, this->StrokeValues);
+}
+
+void PenSection::moveEnds()
+{
+  this->Outdated = this->Asked;
+  this->Widget->GetPen()->GetStrokeRepresentation()->SetCrest(nullptr);
 }
 
 void PenSection::frameBegins()
@@ -93,7 +116,7 @@ void PenSection::look()
   }
   if (stroke->GetNumberOfPoints() > 0)
   {
-    this->Asked = this->Finder.find(stroke);
+    this->Asked = this->Finder.find(stroke, this->StrokeValues);
   }
 }
 
@@ -101,10 +124,11 @@ void PenSection::show()
 {
   vtkOversketchStrokeWidget* pen = this->Widget->GetPen();
   const auto found = this->Finder.take();
-  if (found && found->ticket > this->Outdated && pen->IsDrawing())
+  if (found && found->ticket > this->Outdated && (pen->IsDrawing() || this->Widget->IsMoving()))
   {
     // The next sample's frame shows it; a frame of its own would keep that one waiting.
     pen->GetStrokeRepresentation()->SetSection(found->section);
+    pen->GetStrokeRepresentation()->SetCrest(found->crest);
     this->Waits = true;
     this->Rest->start();
   }

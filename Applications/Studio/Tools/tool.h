@@ -54,6 +54,8 @@ public:
   virtual std::string system() const { return {}; }
   // What new steps are made with, for the bar above the viewport; null where there is nothing to choose.
   virtual QWidget* makeOptions(QWidget*) { return nullptr; }
+  // A second view of what it makes, for a panel beside the viewport, whose title is the widget's; null: none.
+  virtual QWidget* makePanel(QWidget*) { return nullptr; }
 
   // It is taken up, and put down.
   virtual void start() = 0;
@@ -79,6 +81,9 @@ public:
   virtual void setPixelRatio(double) {}
   virtual void setSteadiness(double) {}
   virtual void setPressure(double) {}
+  // The wheel has been turned away from the hand, by so many notches. Returns whether it was of use; then it
+  // is not the camera's.
+  virtual bool wheel(double, Qt::KeyboardModifiers) { return false; }
   // A frame begins; it has been painted.
   virtual void frameBegins() {}
   virtual void framePainted() {}
@@ -89,6 +94,8 @@ signals:
   // The hand has made a step; it has changed the one that was offered.
   void drawn(const oversketch_session::Step& step);
   void changed(const oversketch_session::Step& step);
+  // The hand gives the step that was offered other values; `goesOn`: of one movement with the last time.
+  void shaped(const oversketch_session::Values& values, bool goesOn);
   // The hand moves a step that the mesh cannot follow before it is let go; it lets go.
   void movesAlone();
   void left();

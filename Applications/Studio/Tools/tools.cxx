@@ -1,5 +1,8 @@
 #include "tools.h"
 
+#ifdef OVERSKETCH_WITH_AUGMENT
+#include "augment_tool.h"
+#endif
 #include "one_stroke_tool.h"
 #include "turn_tool.h"
 
@@ -11,6 +14,9 @@ QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
   return {
 #ifdef OVERSKETCH_WITH_ONESTROKE
     new OneStrokeTool(viewport, document),
+#endif
+#ifdef OVERSKETCH_WITH_AUGMENT
+    new AugmentTool(viewport, document),
 #endif
     new TurnTool(viewport),
   };

@@ -1,0 +1,191 @@
+#include "augment_options.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateTime>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+namespace
+{
+
+constexpr double ownRadius = 0.03; // of the diagonal: the system's
+constexpr double leastRadius = 1e-3;
+constexpr double notch = 0.1;
+constexpr qint64 pause = 1000; // ms; a hand that rests so long begins anew
+
+template <typename T>
+T valueOr(const Values& values, const char* name, T otherwise)
+{
+  const auto it = values.find(name);
+  return it == values.end() ? otherwise : std::get<T>(it->second);
+}
+
+} // namespace
+
+AugmentOptions::AugmentOptions(QWidget* parent)
+  : QWidget(parent)
+  , Mode(new QComboBox(this))
+  , Direction(new QComboBox(this))
+  , RadiusBox(new QDoubleSpinBox(this))
+  , HeightBox(new QDoubleSpinBox(this))
+  , Pressure(new QCheckBox(tr("Pressure is height"), this))
+{
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(6, 0, 0, 0);
+  const auto add = [&](QWidget* widget, const char* name, const QString& spoken, const QString& help)
+  {
+    widget->setObjectName(name);
+    widget->setAccessibleName(spoken);
+    widget->setToolTip(help);
+    row->addWidget(widget);
+  };
+  this->Mode->addItems({ tr("Surface"), tr("Outline feature") });
+  add(this->Mode,
+    "augment_mode",
+    tr("Lines are"),
+    tr("Lines on the surface that rise, or new outlines of what they are drawn beside"));
+  row->addWidget(new QLabel(tr("Radius"), this));
+  add(this->RadiusBox,
+    "augment_radius",
+    tr("Radius"),
+    tr("How far from the line it rises, in lengths of the model (Ctrl + wheel)"));
+  this->Direction->addItems({ tr("Raise"), tr("Carve") });
+  add(this->Direction, "augment_direction", tr("Raise or carve"), tr("Outward, or into the model"));
+  add(this->HeightBox,
+    "augment_height",
+    tr("Height"),
+    tr("How high or deep it is on the line, in lengths of the model (Shift + wheel)"));
+  add(this->Pressure,
+    "augment_pressure",
+    tr("Pressure is height"),
+    tr("Where the pen is pressed less it rises less"));
+  for (QDoubleSpinBox* box : { this->RadiusBox, this->HeightBox })
+  {
+    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    box->setKeyboardTracking(false);
+  }
+  connect(this->Mode, QOverload<int>::of(&QComboBox::activated), this, [this] { this->changed(this->Mode); });
+  connect(this->Direction,
+    QOverload<int>::of(&QComboBox::activated),
+    this,
+    [this](int choice)
+    {
+      const double size = this->Height == 0.0 ? 0.5 * this->Radius : std::abs(this->Height);
+      this->Height = choice == 1 ? -size : this->Height == 0.0 ? 0.0 : size;
+      this->changed(this->Direction);
+    });
+  connect(this->RadiusBox,
+    QOverload<double>::of(&QDoubleSpinBox::valueChanged),
+    this,
+    [this](double radius)
+    {
+      this->Radius = radius;
+      this->changed(this->RadiusBox);
+    });
+  connect(this->HeightBox,
+    QOverload<double>::of(&QDoubleSpinBox::valueChanged),
+    this,
+    [this](double height)
+    {
+      this->Height = std::copysign(height, this->Height);
+      this->changed(this->HeightBox);
+    });
+  connect(this->Pressure, &QCheckBox::clicked, this, [this] { this->changed(this->Pressure); });
+  this->begin(1.0);
+}
+
+void AugmentOptions::begin(double diagonal)
+{
+  this->Diagonal = diagonal > 0.0 ? diagonal : 1.0;
+  this->Radius = ownRadius * this->Diagonal;
+  this->Height = 0.0;
+  // Three digits of the least.
+  const int decimals =
+    std::clamp(2 - static_cast<int>(std::floor(std::log10(leastRadius * this->Diagonal))), 0, 12);
+  const QSignalBlocker quiet(this->RadiusBox), silent(this->HeightBox);
+  for (QDoubleSpinBox* box : { this->RadiusBox, this->HeightBox })
+  {
+    box->setDecimals(std::max(decimals - 1, 0));
+    box->setRange(leastRadius * this->Diagonal, this->Diagonal);
+  }
+  this->refresh();
+}
+
+Values AugmentOptions::values() const
+{
+  return { { "SketchMode", this->Mode->currentIndex() },
+    { "Radius", this->Radius },
+    { "Height", this->Height == 0.0 ? 0.5 * this->Radius : this->Height },
+    { "UsePressure", this->Pressure->isChecked() } };
+}
+
+void AugmentOptions::setValues(const Values& values)
+{
+  this->Mode->setCurrentIndex(valueOr(values, "SketchMode", 0));
+  this->Pressure->setChecked(valueOr(values, "UsePressure", false));
+  const double radius = valueOr(values, "Radius", -1.0), height = valueOr(values, "Height", 0.0);
+  this->Radius = radius > 0.0 ? radius : ownRadius * this->Diagonal;
+  // Half the radius is what is nobody's choice, and stays so.
+  const bool isOwn = height == 0.0 || std::abs(height - 0.5 * this->Radius) < 1e-12 * this->Radius;
+  this->Height = isOwn ? 0.0 : height;
+  this->refresh();
+}
+
+void AugmentOptions::refresh()
+{
+  const QSignalBlocker quiet(this->RadiusBox), silent(this->HeightBox);
+  this->RadiusBox->setValue(this->Radius);
+  this->HeightBox->setValue(this->Height == 0.0 ? 0.5 * this->Radius : std::abs(this->Height));
+  this->Direction->setCurrentIndex(this->Height < 0.0 ? 1 : 0);
+  for (QWidget* one : { static_cast<QWidget*>(this->Direction),
+         static_cast<QWidget*>(this->HeightBox),
+         static_cast<QWidget*>(this->Pressure) })
+  {
+    one->setEnabled(this->isOnSurface());
+  }
+}
+
+bool AugmentOptions::isOnSurface() const
+{
+  return this->Mode->currentIndex() == 0;
+}
+
+void AugmentOptions::widen(double notches)
+{
+  this->Radius =
+    std::clamp(this->Radius * std::pow(1.0 + notch, notches), leastRadius * this->Diagonal, this->Diagonal);
+  this->changed(this->RadiusBox);
+}
+
+void AugmentOptions::heighten(double notches)
+{
+  const double step = notch * this->Radius, least = 0.5 * step;
+  double height = (this->Height == 0.0 ? 0.5 * this->Radius : this->Height) + notches * step;
+  // There is no height of 0, which is the system's word for its own.
+  height = std::abs(height) < least ? std::copysign(step, notches) : height;
+  this->Height = std::clamp(height, -this->Diagonal, this->Diagonal);
+  this->changed(this->HeightBox);
+}
+
+void AugmentOptions::changed(const QObject* by)
+{
+  const qint64 now = QDateTime::currentMSecsSinceEpoch();
+  const bool goesOn = by == this->LastChanged && now - this->LastTime < pause;
+  this->LastChanged = by;
+  this->LastTime = now;
+  this->refresh();
+  emit this->shaped(goesOn);
+}
+
+} // namespace oversketch_studio

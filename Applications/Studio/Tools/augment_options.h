@@ -1,0 +1,53 @@
+// What a line on the surface is made with: the bar above the viewport.
+#ifndef oversketch_studio_augment_options_h
+#define oversketch_studio_augment_options_h
+
+#include "step.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace oversketch_studio
+{
+
+class AugmentOptions : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit AugmentOptions(QWidget* parent = nullptr);
+
+  // For a model whose box has that diagonal: radius and height begin as the system's own are there.
+  void begin(double diagonal);
+  // Lengths are those of the model, whatever becomes of it: SketchMode, Radius, Height, UsePressure.
+  oversketch_session::Values values() const;
+  // Shows those of a step; of lengths that it leaves to the system, what they are on that model.
+  void setValues(const oversketch_session::Values& values);
+
+  // A notch is a tenth, of the radius more and of the radius in height, through to carving and back.
+  void widen(double notches);
+  void heighten(double notches);
+  bool isOnSurface() const;
+
+signals:
+  // By the hand; `goesOn`: so soon after the last change of the same thing that it is one with it.
+  void shaped(bool goesOn);
+
+private:
+  void refresh();
+  void changed(const QObject* by);
+
+  double Diagonal = 1.0, Radius = 0.03;
+  double Height = 0.0; // 0: half the radius; below 0 inward
+  QComboBox *Mode, *Direction;
+  QDoubleSpinBox *RadiusBox, *HeightBox;
+  QCheckBox* Pressure;
+  const QObject* LastChanged = nullptr;
+  qint64 LastTime = 0; // ms
+};
+
+} // namespace oversketch_studio
+#endif

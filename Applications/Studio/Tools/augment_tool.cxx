@@ -1,0 +1,265 @@
+#include "augment_tool.h"
+
+#include "augment_options.h"
+#include "document.h"
+#include "latency.h"
+#include "profile_editor.h"
+#include "viewport.h"
+
+#include "vtkOversketchAugment.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <QBoxLayout>
+
+#include <algorithm>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+namespace
+{
+
+// The curve on the surface, and what would rise from it.
+void lookAt(vtkOversketchSystem* system,
+  vtkPolyData* mesh,
+  vtkPolyData* stroke,
+  vtkPolyData* section,
+  vtkPolyData* crest)
+{
+  auto* augment = vtkOversketchAugment::SafeDownCast(system);
+  if (augment->PreviewCrest(mesh, stroke, crest))
+  {
+    const bool sketches = augment->GetSketchMode() == vtkOversketchAugment::Silhouette;
+    section->ShallowCopy(sketches ? augment->GetInnerOutput("Sketch") : augment->GetInnerOutput("Curves"));
+  }
+}
+
+} // namespace
+
+AugmentTool::AugmentTool(Viewport* viewport, const Document* document)
+  : HeldStrokeTool("Augment", viewport, document, lookAt)
+  , Options(new AugmentOptions(viewport))
+  , Profile(new ProfileEditor(viewport))
+{
+  this->setObjectName("augment");
+  this->Options->hide(); // until the window has a place for them
+  this->Profile->hide();
+  connect(this->Options, &AugmentOptions::shaped, this, &AugmentTool::shape);
+  connect(this->Profile, &ProfileEditor::shaped, this, &AugmentTool::shape);
+  const auto begin = [this](vtkPolyData* mesh)
+  {
+    this->Sized = mesh != nullptr;
+    this->Options->begin(mesh ? mesh->GetLength() : 0.0);
+    this->setValues(this->values());
+  };
+  connect(document, &Document::opened, this, [document, begin] { begin(document->session().mesh); });
+  connect(document,
+    &Document::shown,
+    this,
+    [this, document, begin]
+    {
+      if (!this->Sized && document->result().mesh) // a first step made it
+      {
+        begin(document->result().mesh);
+      }
+    });
+  this->setValues(this->values());
+}
+
+QString AugmentTool::title() const
+{
+  return tr("&Line on surface");
+}
+
+QKeySequence AugmentTool::key() const
+{
+  return tr("B");
+}
+
+QString AugmentTool::help() const
+{
+  return tr("Draw a line on the model, and it rises (B). The middle button always turns.");
+}
+
+QString AugmentTool::mode() const
+{
+  return tr("line");
+}
+
+// A surface, and a line's section that rises from it.
+QPainterPath AugmentTool::icon() const
+{
+  QPainterPath path;
+  path.moveTo(1.5, 18);
+  path.cubicTo(7, 18, 9.5, 16, 12, 6);
+  path.cubicTo(14.5, 16, 17, 18, 22.5, 18);
+  path.moveTo(12, 2);
+  path.lineTo(12, 2.5);
+  path.moveTo(1.5, 21.5);
+  path.lineTo(22.5, 21.5);
+  return path;
+}
+
+QVector<QPair<QString, QString>> AugmentTool::keys() const
+{
+  return HeldStrokeTool::keys() + QVector<QPair<QString, QString>>{
+    { tr("Ctrl + wheel"), tr("wider, narrower") },
+    { tr("Shift + wheel"), tr("higher, lower; through to carving and back") },
+  };
+}
+
+QString AugmentTool::advice(const Situation& situation) const
+{
+  if (situation.redraws)
+  {
+    return tr("Draw the selected line anew. T leaves it as it is.");
+  }
+  if (situation.selected)
+  {
+    return tr(
+      "Blue is where the selected line lies. Ctrl + wheel changes its width, Shift + wheel its height, "
+      "the profile its shape.");
+  }
+  if (situation.empty)
+  {
+    return tr(
+      "Draw a line on the model: it becomes finer there and rises. Orange is its crest and, thin, where it "
+      "ends. The middle button turns the model, F1 lists the keys.");
+  }
+  return tr(
+    "Draw on, or change the red line: Ctrl + wheel its width, Shift + wheel its height, the profile its "
+    "shape; drag it to move it (Return: leave it). Ctrl+Z undoes.");
+}
+
+QString AugmentTool::stage(const QString& name) const
+{
+  if (name == "Base")
+  {
+    return tr("Pairing triangles");
+  }
+  if (name == "Refine")
+  {
+    return tr("Making triangles");
+  }
+  if (name == "Snap" || name == "Smooth")
+  {
+    return tr("Moving edges onto the line");
+  }
+  if (name == "Displace")
+  {
+    return tr("Raising the line");
+  }
+  return name == "Simplify" ? tr("Taking triangles away") : tr("Finding the line on the model");
+}
+
+QWidget* AugmentTool::makeOptions(QWidget* parent)
+{
+  QWidget* options = HeldStrokeTool::makeOptions(parent);
+  static_cast<QBoxLayout*>(options->layout())->insertWidget(0, this->Options);
+  this->Options->show();
+  return options;
+}
+
+QWidget* AugmentTool::makePanel(QWidget* parent)
+{
+  this->Profile->setParent(parent);
+  this->Profile->show();
+  return this->Profile;
+}
+
+void AugmentTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
+{
+  HeldStrokeTool::offer(step, state, place);
+  this->IsOffered = true;
+  this->Offered = step.values;
+  this->Options->setValues(step.values);
+  const auto profile = step.values.find("Profile"), sharpness = step.values.find("Sharpness");
+  this->Profile->setShape(
+    profile == step.values.end() ? std::string() : std::get<std::string>(profile->second),
+    sharpness == step.values.end() ? 1.5 : std::get<double>(sharpness->second));
+  this->setValues(this->values());
+}
+
+void AugmentTool::offerNothing()
+{
+  HeldStrokeTool::offerNothing();
+  this->IsOffered = false;
+}
+
+Values AugmentTool::values() const
+{
+  Values values = this->Options->values();
+  values["Profile"] = this->Profile->profile();
+  values["Sharpness"] = this->Profile->sharpness();
+  // A profile of one's own has bends that the system's own edges, a quarter of the radius, would cut off.
+  const double finer = std::get<double>(values["Radius"]) / 8.0;
+  values["TargetEdgeLength"] = this->Profile->profile().empty() ? 0.0 : finer;
+  return values;
+}
+
+void AugmentTool::shape(bool goesOn)
+{
+  const Values values = this->values();
+  this->setValues(values);
+  // While the pen draws they are the new line's alone.
+  if (this->IsOffered && !this->draws())
+  {
+    for (const auto& [name, value] : values)
+    {
+      this->Offered[name] = value;
+    }
+    emit this->shaped(this->Offered, goesOn);
+  }
+}
+
+// Without what the last step has raised, which the mesh carries.
+vtkSmartPointer<vtkPolyData> AugmentTool::meshBefore() const
+{
+  vtkPolyData* shown = this->viewport()->mesh();
+  const auto& nodes = this->document()->session().nodes;
+  const auto last = std::find_if(nodes.rbegin(), nodes.rend(), [](const Node& node) { return node.on; });
+  vtkDataArray* raised = shown ? shown->GetPointData()->GetArray("Displacement") : nullptr;
+  if (!raised || last == nodes.rend() || last->step->system != this->system())
+  {
+    return nullptr;
+  }
+  auto before = vtkSmartPointer<vtkPolyData>::New();
+  before->SetPolys(shown->GetPolys());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(shown->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double place[3], by[3];
+    shown->GetPoint(i, place);
+    raised->GetTuple(i, by);
+    vtkMath::Subtract(place, by, place);
+    points->SetPoint(i, place);
+  }
+  before->SetPoints(points);
+  return before;
+}
+
+bool AugmentTool::wheel(double notches, Qt::KeyboardModifiers modifiers)
+{
+  const bool wide = modifiers == Qt::ControlModifier, high = modifiers == Qt::ShiftModifier;
+  if (!wide && !(high && this->Options->isOnSurface()))
+  {
+    return false;
+  }
+  if (this->IsOffered && !this->draws())
+  {
+    Latency::of().notch();
+  }
+  wide ? this->Options->widen(notches) : this->Options->heighten(notches);
+  return true;
+}
+
+} // namespace oversketch_studio

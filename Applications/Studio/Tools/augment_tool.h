@@ -1,0 +1,52 @@
+// System D's tool: a line on the surface, and the model becomes finer there and rises.
+#ifndef oversketch_studio_augment_tool_h
+#define oversketch_studio_augment_tool_h
+
+#include "held_stroke_tool.h"
+
+namespace oversketch_studio
+{
+
+class AugmentOptions;
+class ProfileEditor;
+
+class AugmentTool : public HeldStrokeTool
+{
+  Q_OBJECT
+
+public:
+  AugmentTool(Viewport* viewport, const Document* document);
+
+  QString title() const override;
+  QKeySequence key() const override;
+  QString help() const override;
+  QString mode() const override;
+  QPainterPath icon() const override;
+  QVector<QPair<QString, QString>> keys() const override;
+  QString advice(const Situation& situation) const override;
+  QString stage(const QString& name) const override;
+  // The options are those of the red line, which follows them, and of the lines that come.
+  QWidget* makeOptions(QWidget* parent) override;
+  QWidget* makePanel(QWidget* parent) override;
+  void offer(const oversketch_session::Step& step,
+    const oversketch_session::Worker::NodeState& state,
+    const oversketch_session::Point& place) override;
+  void offerNothing() override;
+  bool wheel(double notches, Qt::KeyboardModifiers modifiers) override;
+
+protected:
+  vtkSmartPointer<vtkPolyData> meshBefore() const override;
+
+private:
+  oversketch_session::Values values() const;
+  void shape(bool goesOn);
+
+  AugmentOptions* Options;
+  ProfileEditor* Profile;
+  bool Sized = false; // lengths are those of the open model
+  bool IsOffered = false;
+  oversketch_session::Values Offered; // of the step that is
+};
+
+} // namespace oversketch_studio
+#endif
