@@ -55,14 +55,22 @@ def test_setting_a_value_again_does_not_modify(header):
         assert instance.GetMTime() == before, f"Set{name} with the value it has modifies {header.stem}"
 
 
-def test_the_snippet_of_the_readme_runs_as_written(tmp_path, monkeypatch, capsys):
-    readme = (SOURCE / "README.md").read_text()
-    snippet = re.search(r"```python\n(.*?)```", readme, re.S).group(1)
+SNIPPETS = [text for text in re.findall(r"```python\n(.*?)```", (SOURCE / "README.md").read_text(), re.S)
+            if text.startswith("import oversketch, vtk")]
+
+
+def test_the_readme_has_a_snippet_for_each_system():
+    assert [re.search(r"vtkOversketch\w+", text).group() for text in SNIPPETS] == ["vtkOversketchOneStroke", "vtkOversketchAugment"]
+
+
+@pytest.mark.parametrize("snippet", SNIPPETS)
+def test_the_snippets_of_the_readme_run_as_written(snippet, monkeypatch, capsys):
     assert len(snippet.strip().splitlines()) <= 10
     monkeypatch.chdir(SOURCE)
     exec(compile(snippet, "README.md", "exec"), {})
-    points = int(capsys.readouterr().out.split()[0])
-    assert points > 1000
+    said = capsys.readouterr().out
+    assert int(said.split()[0]) > 1000
+    assert "flipped" not in said or said.strip().endswith("flipped: 0")
 
 
 def test_version():
@@ -87,7 +95,7 @@ def test_importing_loads_no_rendering_until_a_widget_is_asked_for():
 
 def test_all_names_can_be_imported_and_others_cannot():
     names = python("from oversketch import *\nprint(*(n for n in dir() if not n.startswith('_')))")
-    assert set(names) == {h.stem for h in HEADERS} | {"FilterError", "stroke", "update"}
+    assert set(names) == {h.stem for h in HEADERS} | {"FilterError", "stroke", "strokes", "update"}
     assert python("import oversketch\nprint(hasattr(oversketch, 'vtkOversketchNothing'), hasattr(oversketch, 'all'))") == ["False"] * 2
 
 

@@ -189,6 +189,26 @@ def test_points_of_another_shape_are_refused(wrong):
         oversketch.stroke(wrong, vtkCamera(), (400, 300))
 
 
+def test_strokes_are_joined_each_with_its_view():
+    camera = vtkCamera()
+    first = oversketch.stroke([[10.0, 20.0], [30.0, 40.0]], camera, (400, 300))
+    camera.SetPosition(1.0, 2.0, 9.0)
+    second = oversketch.stroke([[50.0, 60.0], [70.5, 80.25], [90.0, 100.0]], camera, (200, 100))
+    both = oversketch.strokes([first, second])
+    assert both.GetNumberOfCells() == 2 and both.GetCell(1).GetNumberOfPoints() == 3
+    assert numpy.array_equal(points(both), numpy.vstack([points(first), points(second)]))
+    for name in ("ViewTransform", "ProjectionTransform", "ViewportSize"):
+        rows = vtk_to_numpy(both.GetCellData().GetArray(name))
+        assert numpy.array_equal(rows, numpy.vstack([vtk_to_numpy(part.GetCellData().GetArray(name)) for part in (first, second)]))
+    radius = numpy_to_vtk(numpy.array([0.5]), deep=True)
+    radius.SetName("Radius")
+    second.GetCellData().AddArray(radius)
+    with pytest.raises(ValueError, match="cell array Radius"):
+        oversketch.strokes([first, second])
+    with pytest.raises(ValueError, match="no stroke"):
+        oversketch.strokes([])
+
+
 def test_a_size_without_pixels_is_refused():
     with pytest.raises(ValueError, match="0 x 300"):
         oversketch.stroke([[0.0, 0.0], [1.0, 1.0]], vtkCamera(), (0, 300))

@@ -1,4 +1,4 @@
-"""stroke(points, camera, size): a stroke of an array."""
+"""stroke(points, camera, size): a stroke of an array; strokes(parts): several as one."""
 from __future__ import annotations
 
 import collections.abc
@@ -7,7 +7,7 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-__all__ = ["stroke"]
+__all__ = ["stroke", "strokes"]
 
 
 def stroke(points: Any, camera: Any, size: collections.abc.Sequence[int]) -> vtkPolyData:
@@ -50,3 +50,31 @@ def _rows(matrix: Any) -> Any:
     import numpy
 
     return numpy.array([[matrix.GetElement(row, column) for row in range(4) for column in range(4)]])
+
+
+def strokes(parts: collections.abc.Iterable[vtkPolyData]) -> vtkPolyData:
+    """Several strokes as one polydata, for filters that take any number: each keeps its own view.
+
+    Raises ValueError where there is none, or where some have a point or cell array (Radius, Pressure, ...) that others lack.
+    """
+    from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+
+    given = list(parts)
+    if not given:
+        raise ValueError("there is no stroke to join")
+    for kind in ("Cell", "Point"):
+        held = [_names(getattr(part, f"Get{kind}Data")()) for part in given]
+        for index, names in enumerate(held):
+            if names != held[0]:
+                name = sorted(names ^ held[0])[0]
+                raise ValueError(f"strokes 0 and {index}: only one has the {kind.lower()} array {name}; give it to all or to none")
+    append = vtkAppendPolyData()
+    append.SetOutputPointsPrecision(append.DOUBLE_PRECISION)
+    for part in given:
+        append.AddInputData(part)
+    append.Update()
+    return append.GetOutput()
+
+
+def _names(data: Any) -> set[str]:
+    return {data.GetArrayName(index) for index in range(data.GetNumberOfArrays())}
