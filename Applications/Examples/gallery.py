@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-EXAMPLES = (
+DEFORMATION = (
     "working_procedure",
     "deformations",
     "silhouette_traces",
@@ -20,17 +20,44 @@ EXAMPLES = (
     "region_border",
     "remeshing",
 )
+AUGMENTATION = (
+    "augmentation",
+    "displacements",
+    "refinement",
+    "snapping",
+    "resolution",
+    "sharp_feature",
+    "sharpness",
+    "adaptive",
+    "inward_outward",
+    "new_silhouettes",
+    "terrain_mesh",
+    "terrain_pipeline",
+    "terrain_strokes",
+)
+EXAMPLES = DEFORMATION + AUGMENTATION
 HEAD = """# Gallery
 
-One short script for each figure of the paper (Bao and Howard, "SEED: Sketch-Based 3D Model Deformation") that shows a result; figures 4
-and 5 are drawings of formulas. Each runs alone, with the package on `PYTHONPATH` and a display or `xvfb-run -a`:
+One short script for each figure of the papers that shows a result. Each runs alone, with the package on `PYTHONPATH` and a display or
+`xvfb-run -a`:
 
 ```
 xvfb-run -a /usr/bin/python3 Applications/Examples/matching.py matching.png
 ```
 
-`gallery.py` makes all pictures and this page again; the tests compare each picture with the one here. `sheet.py` is what they draw with.
+`gallery.py` makes all pictures and this page again; the tests compare each picture with the one here. `sheet.py` is what they draw with,
+`grown.py` what those of augmentation share.
 """
+CHAPTERS = (
+    ("""# Deformation by one stroke
+
+Bao and Howard, "SEED: Sketch-Based 3D Model Deformation"; figures 4 and 5 are drawings of formulas.
+""", DEFORMATION),
+    ("""# Augmentation
+
+"Sketch-based Adaptive Mesh Augmentation using Stellar Operators", on models of our own; figure 3 is a drawing of operators.
+""", AUGMENTATION),
+)
 
 
 def says(name):
@@ -42,9 +69,11 @@ def says(name):
 
 def page():
     parts = [HEAD]
-    for name in EXAMPLES:
-        title, text = says(name)
-        parts.append(f"## {title}\n\n[{name}.py]({name}.py): {text}\n\n![{title}](Pictures/{name}.png)\n")
+    for chapter, names in CHAPTERS:
+        parts.append(chapter)
+        for name in names:
+            title, text = says(name)
+            parts.append(f"## {title}\n\n[{name}.py]({name}.py): {text}\n\n![{title}](Pictures/{name}.png)\n")
     return "\n".join(parts)
 
 

@@ -26,26 +26,33 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the rendering backend)
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 CLAY, RED, BLUE, ORANGE = (0.86, 0.86, 0.87), (0.85, 0.10, 0.12), (0.13, 0.33, 0.80), (1.00, 0.66, 0.26)
 PURPLE, GREEN, MAGENTA, GREY = (0.64, 0.44, 0.82), (0.30, 0.78, 0.45), (0.84, 0.10, 0.62), (0.55, 0.55, 0.58)
+YELLOW = (0.95, 0.76, 0.10)
+
+
+def drawn(stroke):
+    """The reader of a shipped stroke, by its name."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(DATA / "Strokes" / (stroke + ".vtp")))
+    reader.Update()
+    return reader
 
 
 def load(stroke):
-    """The readers of a shipped stroke, by its name, and of the model it was drawn over."""
-    mesh, drawn = vtkPLYReader(), vtkXMLPolyDataReader()
+    """The readers of a shipped stroke and of the model it was drawn over."""
+    mesh = vtkPLYReader()
     mesh.SetFileName(str(DATA / "Models" / (stroke.split("_")[0] + ".ply")))
-    drawn.SetFileName(str(DATA / "Strokes" / (stroke + ".vtp")))
     mesh.Update()
-    drawn.Update()
-    return mesh, drawn
+    return mesh, drawn(stroke)
 
 
 class View:
-    """The view that a stroke carries; turned by some degrees about the picture's upward axis through `middle`."""
+    """The view that a stroke carries, of several one; turned by some degrees about the picture's upward axis through `middle`."""
 
-    def __init__(self, stroke, turn=0.0, middle=(0.0, 0.0, 0.0)):
+    def __init__(self, stroke, turn=0.0, middle=(0.0, 0.0, 0.0), which=0):
         cells = stroke.GetCellData()
-        self.view = vtk_to_numpy(cells.GetArray("ViewTransform"))[0].reshape(4, 4)
-        self.projection = vtk_to_numpy(cells.GetArray("ProjectionTransform"))[0].reshape(4, 4)
-        self.size = vtk_to_numpy(cells.GetArray("ViewportSize"))[0].astype(int)
+        self.view = vtk_to_numpy(cells.GetArray("ViewTransform"))[which].reshape(4, 4)
+        self.projection = vtk_to_numpy(cells.GetArray("ProjectionTransform"))[which].reshape(4, 4)
+        self.size = vtk_to_numpy(cells.GetArray("ViewportSize"))[which].astype(int)
         if turn:
             c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
             place, about = np.eye(4), np.array([[c, 0, s, 0], [0, 1, 0, 0], [-s, 0, c, 0], [0, 0, 0, 1.0]])
@@ -75,23 +82,24 @@ class View:
         renderer.ResetCameraClippingRange()
 
 
-def clay(mesh, colours=None, edges=False):
-    """The mesh, smooth-shaded; `colours` gives one a point or one a triangle, each three numbers up to 1."""
+def clay(mesh, colours=None, edges=False, crease=180.0):
+    """The mesh, smooth-shaded but for edges where it bends by more than `crease` degrees; `colours` gives one a point or one a triangle, each
+    three numbers up to 1."""
     shown = vtkPolyData()
     shown.SetPoints(mesh.GetPoints())
     shown.SetPolys(mesh.GetPolys())
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(shown)
-    normals.SplittingOff()
-    normals.ConsistencyOff()
-    normals.Update()
-    shown = normals.GetOutput()
     if colours is not None:
         array = numpy_to_vtk((255 * np.asarray(colours)).round().astype(np.uint8), deep=True)
         data = shown.GetPointData() if len(colours) == mesh.GetNumberOfPoints() else shown.GetCellData()
         data.SetScalars(array)
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(shown)
+    normals.SetSplitting(crease < 180.0)
+    normals.SetFeatureAngle(crease)
+    normals.ConsistencyOff()
+    normals.Update()
     mapper = vtkPolyDataMapper()
-    mapper.SetInputData(shown)
+    mapper.SetInputData(normals.GetOutput())
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
@@ -118,6 +126,18 @@ def by_value(values):
     return np.c_[tuple(np.interp(values, np.linspace(0, 1, len(stops)), stops[:, k]) for k in range(3))]
 
 
+def snapped(mesh):
+    """The edges of a 4-8 mesh that lie on curves: lines of two points."""
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    curve, along = (vtk_to_numpy(mesh.GetPointData().GetArray(name)) for name in ("CurveId", "CurveParam"))
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    edges = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
+    a, b = edges.T
+    length = np.linalg.norm(points[a] - points[b], axis=1)
+    on = (curve[a] >= 0) & (curve[a] == curve[b]) & (np.abs(along[a] - along[b]) < 2.0 * length)
+    return [points[edge] for edge in edges[on]]
+
+
 def lines_of(data):
     """The polylines of a polydata, each an array of points; of curves that say which are visible, those."""
     points, visible = vtk_to_numpy(data.GetPoints().GetData()), data.GetCellData().GetArray("Visible")
@@ -129,14 +149,15 @@ def lines_of(data):
 
 def rope(lines, colour, radius):
     """Lines in the world as tubes, hidden where the model is in front."""
-    return [tubed(line, colour, radius) for line in lines]
+    return [tubed(lines, colour, radius)]
 
 
-def tubed(line, colour, radius):
+def tubed(lines, colour, radius):
     points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
-    cells.InsertNextCell(len(line))
-    for place in line:
-        cells.InsertCellPoint(points.InsertNextPoint(place))
+    for line in lines:
+        cells.InsertNextCell(len(line))
+        for place in line:
+            cells.InsertCellPoint(points.InsertNextPoint(place))
     data.SetPoints(points)
     data.SetLines(cells)
     tube = vtkTubeFilter()
@@ -215,7 +236,7 @@ class Sheet:
             line = (line - crop[:2]) * scale
             line = line[np.r_[True, np.linalg.norm(np.diff(line, axis=0), axis=1) > 0.05]]
             line = np.c_[line, np.full(len(line), 0.01 * level)]
-            paper.AddActor(tubed(line, colour, 0.5 * width) if len(line) > 1 else dotted(line[0], colour, 0.5 * width))
+            paper.AddActor(tubed([line], colour, 0.5 * width) if len(line) > 1 else dotted(line[0], colour, 0.5 * width))
         camera = paper.GetActiveCamera()
         camera.ParallelProjectionOn()
         camera.SetParallelScale(0.5 * self.size[1])
@@ -234,6 +255,7 @@ class Sheet:
         pixels = vtk_to_numpy(shown_in(window).GetPointData().GetScalars())
         fine = pixels.reshape(self.size[1], self.FINE, self.size[0], self.FINE, 3).astype(float)
         self.panels.append(fine.mean(axis=(1, 3)))
+        self.window = window  # till the next one is there: a virtual display may begin anew when its last window closes
 
     def image(self):
         """All panels, as vtkImageData."""
