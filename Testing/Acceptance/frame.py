@@ -28,10 +28,14 @@ class Run(NamedTuple):
     modes: dict  # name: how the table calls it
     usual: tuple  # modes that run unless others are asked for
     counting: tuple  # modes in which REQUIRED must be reached
-    bounds: dict  # measure: its bound, as the table says it
+    bounds: dict  # measure, or "grade: measure": its bound, as the table says it
     columns: tuple  # measures of the table
     make: Callable  # (folder) -> index: writes the strokes, names each with its mesh, model and projection
-    one: Callable  # (stroke file, mesh file, modes, backend, folder for pictures or None) -> {mode: result}
+    one: Callable  # (stroke file, mesh file, modes, backend, folder for pictures or None[, case]) -> {mode: result}
+    # Whether a mode's results, {name: result}, are enough.
+    enough: Callable = lambda results: np.mean([result["holds"] for result in results.values()]) >= REQUIRED
+    sheet: tuple = (2, 4)  # pictures across and down on a contact sheet
+    halve: bool = True  # pictures are halved there
 
 
 def number(value, digits=2):
@@ -50,13 +54,13 @@ def table(run, index, results, modes):
              "| | " + " | ".join(run.modes[m] for m in modes) + " |", "|---|" + "---|" * len(modes),
              "| **all bounds hold** | " + " | ".join(share([r["holds"] for r in every(m)]) for m in modes) + " |"]
     for name, text in run.bounds.items():
-        known = [[r for r in every(mode) if name in r] for mode in modes]
+        known = [[r for r in every(mode) if name.split(": ")[-1] in r] for mode in modes]
         lines.append(f"| {text} | " + " | ".join(share([name not in r["fails"] for r in rows]) for rows in known) + " |")
     lines.append("| no result | " + " | ".join(str(sum(run.columns[0] not in r for r in every(m))) for m in modes) + " |")
     for name in run.columns:
         cells = []
         for mode in modes:
-            known = [r[name] for r in every(mode) if name in r]
+            known = [r[name] for r in every(mode) if r.get(name) is not None]
             cells.append(f"{number(float(np.median(known)))} ({number(float(np.percentile(known, 90)))})" if known else "–")
         lines.append(f"| median (90th percentile) of {name} | " + " | ".join(cells) + " |")
     for mode in modes:
@@ -70,20 +74,29 @@ def table(run, index, results, modes):
 
 
 def in_a_process(run, options, modes, folder, entry):
-    """The results of one stroke; one that crashes or hangs takes no other with it."""
+    """The results of one stroke, in each of its cases where it has some, by name; one that crashes or hangs takes no other with it."""
     command = [sys.executable, run.script, str(options.folder), "--one", str(folder / f"{entry['name']}.vtp"), entry["mesh"],
                "--modes", options.modes, "--backend", options.backend] + ["--no-pictures"] * options.no_pictures
+    cases = entry.get("cases", [])
+    command += ["--cases", *cases] if cases else []
+    names = case_names(entry)
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=options.limit * len(modes))
+        done = subprocess.run(command, capture_output=True, text=True, timeout=options.limit * len(modes) * len(names))
         found = json.loads(done.stdout.strip().splitlines()[-1]) if done.returncode == 0 else None
         why = f"exit code {done.returncode}: {done.stderr.strip()[-400:]}"
     except subprocess.TimeoutExpired:
         found, why = None, f"over {options.limit:.0f} s a mode"
-    found = found or {mode: {"holds": False, "fails": ["crash or hang"], "messages": [why]} for mode in modes}
-    print(entry["name"] + ": " + "; ".join(
-        f"{m} " + ("holds" if found[m]["holds"] else "FAILS " + ", ".join(found[m]["fails"])
-                   + "".join(" | " + t for t in found[m]["messages"][:1])) for m in modes), flush=True)
-    return entry["name"], found
+    found = found or [{mode: {"holds": False, "fails": ["crash or hang"], "messages": [why]} for mode in modes} for _ in names]
+    for name, result in zip(names, found):
+        print(name + ": " + "; ".join(
+            f"{m} " + ("holds" if result[m]["holds"] else "FAILS " + ", ".join(result[m]["fails"])
+                       + "".join(" | " + t for t in result[m]["messages"][:1])) for m in modes), flush=True)
+    return dict(zip(names, found))
+
+
+def case_names(entry):
+    """The names of a stroke's results: its own, or one for each of its cases."""
+    return [f"{entry['name']} {case}" for case in entry["cases"]] if entry.get("cases") else [entry["name"]]
 
 
 def arguments(run, documentation):
@@ -97,6 +110,7 @@ def arguments(run, documentation):
     parser.add_argument("--backend", choices=("auto", "opencl", "host"), default="auto")
     parser.add_argument("--no-pictures", action="store_true")
     parser.add_argument("--one", nargs=2, help=argparse.SUPPRESS)  # a worker: stroke file, mesh file
+    parser.add_argument("--cases", nargs="*", default=[], help=argparse.SUPPRESS)  # and what else differs
     options = parser.parse_args()
     if not importlib.util.find_spec("oversketch"):
         parser.error("no Python package oversketch; a build has it in build/release/lib/python3/dist-packages, "
@@ -110,7 +124,8 @@ def main(run, documentation):
     modes = options.modes.split(",")
     pictures = None if options.no_pictures else options.folder
     if options.one:
-        print("\n" + json.dumps(run.one(*options.one, modes, options.backend, pictures)))
+        one = lambda *case: run.one(*options.one, modes, options.backend, pictures, *case)
+        print("\n" + json.dumps([one(case) for case in options.cases] or [one()]))
         return 0
 
     options.folder.mkdir(parents=True, exist_ok=True)
@@ -120,13 +135,16 @@ def main(run, documentation):
     index = json.loads((folder / "index.json").read_text()) if (folder / "index.json").is_file() else run.make(folder)
     index = [e for e in index if not options.only or any(part in e["name"] for part in options.only)]
     with ThreadPoolExecutor(options.workers) as pool:
-        results = dict(pool.map(lambda entry: in_a_process(run, options, modes, folder, entry), index))
+        results = {name: found for part in pool.map(lambda entry: in_a_process(run, options, modes, folder, entry), index)
+                   for name, found in part.items()}
+    index = [{**entry, "name": name} for entry in index for name in case_names(entry)]
     (options.folder / "results.json").write_text(json.dumps(results, indent=1))
     text = table(run, index, results, modes)
     (options.folder / "table.md").write_text(text)
     print("\n" + text)
     for mode in modes if pictures else ():
         files = [pictures / f"{e['name']}-{mode}.png" for e in index]
-        sheets.write([picture.halve(picture.load(f)) for f in files if f.is_file()], pictures / f"sheet-{mode}", columns=2, rows=4)
-    shares = [np.mean([results[e["name"]][mode]["holds"] for e in index]) for mode in modes if mode in run.counting]
-    return 0 if all(each >= REQUIRED for each in shares) else 1
+        shown = [picture.load(f) for f in files if f.is_file()]
+        sheets.write([picture.halve(f) for f in shown] if run.halve else shown, pictures / f"sheet-{mode}", *run.sheet)
+    counting = [{name: result[mode] for name, result in results.items()} for mode in modes if mode in run.counting]
+    return 0 if all(run.enough(each) for each in counting) else 1

@@ -1,5 +1,6 @@
 """The limbed models of the acceptance run: where they are, and reading them to vtkPolyData and numpy arrays."""
 import os
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,9 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 SOURCE = Path(os.environ.get("OVERSKETCH_SOURCE", Path(__file__).resolve().parents[2]))
 DATA = SOURCE / "Data"
+sys.path.insert(0, str(DATA))
+import listing  # noqa: E402
+
 SHARED = Path(os.environ.get("OVERSKETCH_DATA", SOURCE.parent / "shared" / "data"))
 
 # Limbed models of the shared data, each with the axis (and sign) that points up in its file.
@@ -37,7 +41,7 @@ CAPSULES = (
 
 def models():
     """(name, path, up) of every model that is here: the shipped ones with strokes, then the shared ones."""
-    drawn = {path.stem.split("_")[0] for path in (DATA / "Strokes").glob("*.vtp")}
+    drawn = {name.split("_")[0] for name in listing.ONE_STROKE}
     found = [(path.stem, path, "+y") for path in sorted((DATA / "Models").glob("*.ply")) if path.stem in drawn]
     folder = SHARED / "meshes"
     found += [(Path(name).stem, folder / name, up) for name, up in SHARED_MODELS.items() if (folder / name).is_file()]

@@ -24,9 +24,9 @@ measure() {
 }
 for program in build/release/bin/*_benchmark; do
   name=$(basename "$program" _benchmark)
-  if [ "$name" = memory ]; then # a process for each size, or all would show the memory of the largest
+  if [[ $name == *memory ]]; then # a process for each size, or all would show the memory of the largest
     for size in 5k 30k 180k 1M; do
-      measure "$program" "memory_$size" --sizes=$size
+      measure "$program" "${name}_$size" --sizes=$size
     done
   else
     measure "$program" "$name"

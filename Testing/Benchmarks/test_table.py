@@ -26,6 +26,9 @@ def made(tmp_path):
     rows += repetitions("silhouette/30k/limit", [0.04] * 5)
     rows += repetitions("silhouette/30k/vtkPolyDataSilhouette", [20] * 5)
     rows += repetitions("first stroke/30k/ours", [1] * 5, Match_peak=10, Match_kept=5, process_gib=0.5)
+    rows += repetitions("augment: new stroke/30k/ours", [25] * 5, limit_ms=30, snap_share=0.4)
+    rows += repetitions("augment: new stroke/180k/ours", [150] * 5, limit_ms=120, snap_share=0.7)
+    rows += repetitions("first augmentation/1M/ours", [900] * 5, process_gib=1.2)
     (tmp_path / "programs.json").write_text(json.dumps({"context": {}, "benchmarks": rows}))
     (tmp_path / "peers.json").write_text(json.dumps([{"name": "SDF Embree/180k/libigl", "real_time": 22.0, "threads": 2}]))
     rows = table.gather(table.read(str(tmp_path)))
@@ -63,3 +66,12 @@ def test_memory(made):
 def test_an_empty_folder_is_refused(tmp_path):
     run = subprocess.run([sys.executable, os.path.join(HERE, "table.py"), str(tmp_path)], capture_output=True, text=True)
     assert run.returncode == 1 and "holds no results" in run.stderr
+
+
+def test_augmentation(made):
+    text = made[1]
+    assert "missed" not in line(text, "| augment: new stroke | 30k |") and "limit 1.25 (at most 1.00) **missed**" in \
+        line(text, "| augment: new stroke | 180k |")
+    shares = [row for row in text.splitlines() if row.startswith("| snapping's share")]
+    assert [row.endswith("| 0.6 |") for row in shares] == [True, False] and shares[1].endswith("0.70 | 0.6 **missed** |")
+    assert line(text, "| memory of the whole process") == "| memory of the whole process [GiB] | 1M | 1.20 | 1.5 |"

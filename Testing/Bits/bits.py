@@ -25,18 +25,20 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "Acceptance"), str(HERE.parent / "ParaView")]
 import judge  # noqa: E402
-import meshes  # noqa: E402
+import meshes  # noqa: E402  (finds what follows)
+import listing  # noqa: E402
 import picture  # noqa: E402
 import stroke_files  # noqa: E402
 import variants  # noqa: E402
 
 BACKENDS = ("embree", "opencl")
-GROUPS = ("shipped", "acceptance", "sessions", "each")
+GROUPS = ("shipped", "acceptance", "sessions", "each", "lines")
 SOME = 20  # models of the collection that the test suite runs, and the bad ones
 ALL = 200
 SHORT = 12  # digits kept of the digests that are nobody else's
@@ -138,7 +140,7 @@ def drawn_strokes() -> List[Tuple[str, vtkPolyData]]:
 def single_strokes(group: str) -> Iterator[Tuple[str, Path, vtkPolyData]]:
     """Name, mesh file and stroke of every run of one stroke."""
     if group == "shipped":
-        for path in sorted((meshes.DATA / "Strokes").glob("*.vtp")):
+        for path in listing.one_stroke():
             yield path.stem, meshes.DATA / "Models" / f"{path.stem.split('_')[0]}.ply", stroke_files.read(path)[0]
         return
     known = {name: path for name, path, _ in meshes.models()}
@@ -209,11 +211,53 @@ def run_each(backend: str, everything: bool) -> Iterator[Tuple[str, Row]]:
         yield f"each/{k:03}", row(made.GetBlock(at), mesh, stroke)
 
 
+def run_lines(backend: str, cold: bool) -> Iterator[Tuple[str, Row]]:
+    """The shipped strokes that augment, on their models and the terrain; and a vein on a deformed model, deformed again."""
+    from oversketch import vtkOversketchAugment, vtkOversketchTerrain
+
+    def augment() -> Any:
+        made = silent(vtkOversketchAugment())
+        (made.SetBackendToHost if backend == "embree" else made.SetBackendToOpenCL)()
+        return made
+
+    def ran(filter: Any, mesh: vtkPolyData, stroke: vtkPolyData) -> vtkPolyData:
+        filter.SetInputData(0, mesh)
+        filter.SetInputData(1, stroke)
+        filter.Update()
+        result = vtkPolyData()
+        result.ShallowCopy(filter.GetOutput())
+        return result
+
+    kept = augment()
+    for path in listing.augment():
+        filter, strokes, model = augment() if cold else kept, meshes.read(path), path.stem.split("_")[0]
+        if model == "valley":
+            image = vtkPNGReader()
+            image.SetFileName(str(meshes.DATA / "Terrain" / "valley.png"))
+            terrain = vtkOversketchTerrain()
+            terrain.SetInputConnection(image.GetOutputPort())
+            terrain.SetScale(0.0008)
+            terrain.Update()
+            mesh = terrain.GetOutput()
+        else:
+            mesh = meshes.read(meshes.DATA / "Models" / f"{model}.ply")
+        filter.SetSketchMode(path.stem == "person_crest")
+        yield f"lines/{path.stem}", row(ran(filter, mesh, strokes), mesh, strokes)
+    dog, parts = meshes.read(meshes.DATA / "Models" / "dog.ply"), []
+    for name in ("dog_longer_leg", "dog_collar", "dog_curled_tail"):
+        filter = augment() if name == "dog_collar" else system(backend)
+        drawn = meshes.read(meshes.DATA / "Strokes" / f"{name}.vtp")
+        parts.append(ran(filter, parts[-1] if parts else dog, drawn))
+    yield "lines/chain", row(parts[-1], dog, drawn)
+
+
 def run(group: str, backend: str, cold: bool, everything: bool) -> Iterator[Tuple[str, Row]]:
     if group == "sessions":
         return run_sessions(backend)
     if group == "each":
         return run_each(backend, everything)
+    if group == "lines":
+        return run_lines(backend, cold)
     return run_single(group, backend, cold)
 
 

@@ -2,15 +2,23 @@
 
 #include "Harness/polydata.h"
 #include "Harness/shapes.h"
+#include "heights.h"
 #include "mesh_file.h"
 #include "session_file.h"
 #include "texture.h"
 
+#include "vtkOversketchAugment.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchOneStroke.h"
+#include "vtkOversketchStellarRefine.h"
 #include "vtkOversketchStrokeFilter.h"
+#include "vtkOversketchTerrain.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
@@ -40,6 +48,15 @@ void require(bool good, const std::string& what)
   if (!good)
   {
     throw std::logic_error(what);
+  }
+}
+
+void requireFinite(vtkPolyData* mesh)
+{
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* p = mesh->GetPoint(i);
+    require(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]), "a point that is not finite");
   }
 }
 
@@ -146,6 +163,28 @@ void takeStroke(const std::string& bytes)
 void takePicture(const std::string& bytes)
 {
   pictureOf(bytes);
+}
+
+// A grid of heights, and the terrain of it.
+void takeHeights(const std::string& bytes)
+{
+  try
+  {
+    const vtkSmartPointer<vtkImageData> image = parseHeights("grid", bytes);
+    require(image->GetPointData()->GetScalars() != nullptr, "heights without scalars");
+    vtkNew<vtkOversketchTerrain> terrain;
+    const Ear ear(terrain);
+    terrain->SetInputData(image);
+    terrain->SetColumns(8);
+    terrain->Update();
+    require((terrain->GetErrorCode() != 0) == !ear.errors.empty(),
+      "an error code and no message, or the other way round");
+    requireFinite(terrain->GetOutput());
+  }
+  catch (const Failed& failed)
+  {
+    require(std::string(failed.what()).find("grid: ") == 0, failed.what());
+  }
 }
 
 // A whole session file.
@@ -310,12 +349,113 @@ void takeOneStroke(const std::string& bytes)
     require(system->GetErrorCode() - 40000 != unexpected, ear.errors[0]);
     return;
   }
-  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
-  {
-    const double* p = result->GetPoint(i);
-    require(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]), "a point that is not finite");
-  }
+  requireFinite(result);
   require(result->GetNumberOfPolys() > 0, "no polygon and no message");
+}
+
+// What the bytes say of a length: about the model's size, or any number.
+double lengthFrom(Source& source, bool any)
+{
+  const auto number = source.take<std::int16_t>() / 4096.0;
+  return any ? source.take<double>() : number;
+}
+
+// Some of a 4-8 mesh's arrays are written over where the bytes say so.
+void damage(vtkPolyData* mesh, Source& source, int times)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (vtkFieldData* of : { static_cast<vtkFieldData*>(mesh->GetPointData()),
+         static_cast<vtkFieldData*>(mesh->GetCellData()),
+         mesh->GetFieldData() })
+  {
+    for (int i = 0; i < of->GetNumberOfArrays(); ++i)
+    {
+      arrays.push_back(of->GetArray(i));
+    }
+  }
+  for (; times > 0; --times)
+  {
+    vtkDataArray* array = arrays[source.take<std::uint8_t>() % arrays.size()];
+    const vtkIdType count = array->GetNumberOfTuples();
+    if (count > 0)
+    {
+      array->SetComponent(source.take<std::uint16_t>() % count, 0, source.take<std::int16_t>());
+      array->Modified();
+    }
+  }
+}
+
+// The whole of system D: mesh, options, view and strokes from bytes; and once more on a 4-8 mesh that may be
+// damaged.
+void takeAugment(const std::string& bytes)
+{
+  Source source(bytes);
+  const auto mesh = tinyMesh(source.take<std::uint8_t>() % 6);
+  const int flags = source.take<std::uint8_t>(), more = source.take<std::uint8_t>();
+  vtkNew<vtkOversketchAugment> system;
+  Ear ear(system);
+  system->SetBackendToHost();
+  system->SetRadius(lengthFrom(source, more & 1));
+  system->SetHeight(lengthFrom(source, more & 2));
+  system->SetSharpness(lengthFrom(source, more & 4));
+  system->SetTargetEdgeLength(lengthFrom(source, more & 8));
+  system->SetSketchMode(flags & 2 ? 1 : 0);
+  system->SetDistance(flags & 4 ? 1 : 0);
+  system->SetOneByOne((flags & 8) != 0);
+  system->SetBase(flags & 16 ? 1 : 0);
+  system->SetAsPublished((flags & 32) != 0);
+  system->SetSimplify((flags & 64) == 0);
+  vtkOversketchStellarRefine::SafeDownCast(system->GetStep("Refine"))->SetMaximumFaces(20000);
+  const std::optional<View> view = anyViewFrom(source, flags);
+  const int faults = more & 128 ? more >> 4 & 7 : 0;
+  const std::string faultBytes = bytes.substr(bytes.size() - std::min<std::size_t>(bytes.size(), 64));
+  vtkNew<vtkAppendPolyData> strokes;
+  bool any = false;
+  while (view && !source.ended() && strokes->GetNumberOfInputConnections(0) < 4)
+  {
+    std::vector<Vector2> samples;
+    for (int count = source.take<std::uint8_t>() % 32; count > 0 && !source.ended(); --count)
+    {
+      samples.emplace_back(source.take<std::int16_t>() / 16.0, source.take<std::int16_t>() / 16.0);
+    }
+    if (!samples.empty())
+    {
+      strokes->AddInputData(oversketch_test::toStroke(samples, *view));
+      any = true;
+    }
+  }
+  if (!any)
+  {
+    return;
+  }
+  strokes->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  strokes->Update();
+  system->SetInputData(0, mesh);
+  system->SetInputData(1, strokes->GetOutput());
+  for (int round = 0; round < 2; ++round)
+  {
+    ear.errors.clear();
+    system->Modified();
+    system->Update();
+    vtkPolyData* result = system->GetOutput();
+    require(ear.errors.size() < 2, "more than one message");
+    require((system->GetErrorCode() != 0) == !ear.errors.empty(),
+      "an error code and no message, or the other way round");
+    if (!ear.errors.empty())
+    {
+      require(result->GetNumberOfPoints() == 0, "an error and an output");
+      require(
+        system->GetErrorCode() - 40000 != static_cast<unsigned long>(Failure::Unexpected), ear.errors[0]);
+      return;
+    }
+    requireFinite(result);
+    require(result->GetNumberOfPolys() > 0, "no polygon and no message");
+    vtkNew<vtkPolyData> again;
+    again->DeepCopy(result);
+    Source of(faultBytes);
+    damage(again, of, faults);
+    system->SetInputData(0, again);
+  }
 }
 
 } // namespace
@@ -333,9 +473,11 @@ const std::vector<Target>& targets()
     }
     made.push_back({ "stroke", takeStroke });
     made.push_back({ "picture", takePicture });
+    made.push_back({ "heights", takeHeights });
     made.push_back({ "session", takeSession });
     made.push_back({ "session_text", takeSessionText });
     made.push_back({ "one_stroke", takeOneStroke });
+    made.push_back({ "augment", takeAugment });
     return made;
   }();
   return all;

@@ -1,16 +1,14 @@
 // Every mesh of the shared data, the dirty ones too, under three strokes: a sound result or one clear
 // message. Meant for the sanitizers as well. Skipped, saying so, where the folder is absent.
-#include "Harness/polydata.h"
+#include "hostile_meshes.h"
 
 #include "Silhouette/outline.h"
-#include "mesh_file.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchOneStroke.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <unistd.h>
 
 #include <filesystem>
@@ -20,46 +18,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-fs::path folder()
-{
-  const char* data = std::getenv("OVERSKETCH_DATA");
-  return (data ? fs::path(data) : fs::path(OVERSKETCH_SOURCE_FOLDER) / ".." / "shared" / "data") / "meshes";
-}
-
-std::vector<std::string> meshes()
-{
-  std::vector<std::string> names;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder(), none))
-  {
-    if (entry.path().extension() != ".json" && entry.path().extension() != ".mtl")
-    {
-      names.push_back(entry.path().filename().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names.empty() ? std::vector<std::string>{ "" } : names;
-}
-
-// A view of the whole mesh in an 800 x 600 picture.
-View viewOf(const Mesh& mesh, bool perspective)
-{
-  Vector3 low = Vector3::Constant(1e300), high = -low;
-  for (const Vector3& p : mesh.points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double size = std::max((high - low).norm(), 1e-30);
-  const Vector3 middle = (low + high) / 2.0;
-  const View at = perspective
-                    ? perspectiveView(Vector3(0.8, 0.5, 1.2).normalized() * 1.6 * size, { 0, 1, 0 }, 40)
-                    : orthographicView({ 0.2, 0.1, 1 }, { 0, 1, 0 }, 500.0 / size);
-  Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
-  shift.topRightCorner<3, 1>() = -middle;
-  return View(at.viewTransform() * shift, at.projectionTransform(), at.width(), at.height());
-}
 
 // A quarter of the longest loop of the outline, its middle pushed 15 px to the left; a diagonal where there
 // is no loop.
@@ -83,15 +41,6 @@ std::vector<Vector2> strokeAlong(const Mesh& mesh, const View& view)
   return stroke;
 }
 
-// The file's name as a test may be called.
-std::string nameOf(const testing::TestParamInfo<std::string>& test)
-{
-  std::string name = test.param.empty() ? "absent" : test.param;
-  std::replace_if(
-    name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
-
 struct Hostile : testing::TestWithParam<std::string>
 {
 };
@@ -102,19 +51,12 @@ TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
 {
   if (GetParam().empty())
   {
-    GTEST_SKIP() << "there is no folder " << folder() << "; set OVERSKETCH_DATA";
+    GTEST_SKIP() << "there is no folder " << meshFolder() << "; set OVERSKETCH_DATA";
   }
-  oversketch_files::catchMessages();
-  vtkSmartPointer<vtkPolyData> polyData;
   oversketch_files::Notes notes;
-  try
+  const vtkSmartPointer<vtkPolyData> polyData = readHostile(GetParam(), notes);
+  if (!polyData)
   {
-    polyData = oversketch_files::readMesh((folder() / GetParam()).string(), notes);
-  }
-  catch (const oversketch_files::Failed& failed)
-  {
-    EXPECT_NE(std::string(failed.what()).find(GetParam()), std::string::npos) << failed.what();
-    std::cout << "refused: " << failed.what() << std::endl;
     return;
   }
   const Mesh mesh = MeshOf(polyData);
@@ -124,7 +66,7 @@ TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
   fs::create_directories(out);
   for (int which = 0; which < 3; ++which)
   {
-    const View view = viewOf(mesh, which == 1);
+    const View view = wholeView(mesh, which == 1);
     const std::vector<Vector2> samples =
       which == 2 ? std::vector<Vector2>{ { 120, 420 }, { 400, 290 }, { 690, 330 } } : strokeAlong(mesh, view);
     vtkNew<vtkOversketchOneStroke> system;
@@ -159,4 +101,4 @@ TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
   fs::remove_all(out);
 }
 
-INSTANTIATE_TEST_SUITE_P(SharedData, Hostile, testing::ValuesIn(meshes()), nameOf);
+INSTANTIATE_TEST_SUITE_P(SharedData, Hostile, testing::ValuesIn(meshNames()), meshTestName);

@@ -13,10 +13,13 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 print(vtkVersion.GetVTKVersion())
 data = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(data))
+import listing  # noqa: E402
+
 model, stroke, system = vtkPLYReader(), vtkXMLPolyDataReader(), oversketch.vtkOversketchOneStroke()
 system.SetInputConnection(0, model.GetOutputPort())
 system.SetInputConnection(1, stroke.GetOutputPort())
-for path in sorted((data / "Strokes").glob("*.vtp")):
+for path in listing.one_stroke():
     model.SetFileName(str(data / "Models" / path.stem.split("_")[0]) + ".ply")
     stroke.SetFileName(str(path))
     for remesh in (system.RemeshOn, system.RemeshOff):

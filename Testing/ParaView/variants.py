@@ -2,6 +2,7 @@
 their midst that are not good: one with a point that is not a number, one without points, one whose stroke has lost its
 view. Each carries its number as field array ModelId. No test of its own."""
 import pathlib
+import sys
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -11,6 +12,9 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
+sys.path.insert(0, str(DATA))
+import listing  # noqa: E402
+
 BAD = {"not a number": 0.25, "no points": 0.5, "no view": 0.75}  # where in the collection
 
 
@@ -55,7 +59,7 @@ def named(mesh, index):
 
 def pairs(count):
     shipped = []
-    for path in sorted((DATA / "Strokes").glob("*.vtp")):
+    for path in listing.one_stroke():
         mesh = read(vtkPLYReader(), DATA / "Models" / (path.stem.split("_")[0] + ".ply"))
         shipped.append((mesh, read(vtkXMLPolyDataReader(), path)))
     total = count + len(BAD)

@@ -3,7 +3,7 @@ import pathlib
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import (
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the rendering backend)
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Applications" / "Examples"))
-from sheet import View, by_value, shown_in as image  # noqa: E402, F401
+from sheet import View, by_value, lines_of, rope, shown_in as image, snapped  # noqa: E402, F401
 
 STROKE, SILHOUETTE, REGION, CLAY = (0.86, 0.13, 0.12), (0.10, 0.28, 0.80), (0.98, 0.62, 0.20), (0.80, 0.80, 0.82)
 
@@ -167,4 +167,60 @@ SCENES = {
     "thickness": thickness_scene,
     "region": region_scene,
     "result": result_scene,
+}
+
+
+def generations(mesh):
+    """The triangles of a 4-8 mesh, unlit, by their generation: dark for those of the base."""
+    colours = by_value(np.minimum(vtk_to_numpy(mesh.GetCellData().GetArray("StellarGen")) / 8.0, 1.0))
+    shown = vtkPolyData()
+    shown.SetPoints(mesh.GetPoints())
+    shown.SetPolys(mesh.GetPolys())
+    shown.GetCellData().SetScalars(numpy_to_vtk((255 * colours).round().astype(np.uint8), deep=True))
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(shown)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def thin(mesh):
+    return 0.0015 * mesh.GetLength()
+
+
+def curve_scene(system, view):
+    mesh = system.GetInputDataObject(0, 0)
+    return window(view, [surface(mesh), *rope(lines_of(system.GetInnerOutput("Curves")), STROKE, thin(mesh))])
+
+
+def refined_scene(system, view):
+    mesh = system.GetInnerOutput("Refine")
+    return window(view, [generations(mesh)])
+
+
+def snapped_scene(system, view):
+    mesh = system.GetInnerOutput("Snap")
+    return window(view, [generations(mesh), *rope(snapped(mesh), SILHOUETTE, 0.5 * thin(mesh))])
+
+
+def raised_scene(system, view):
+    mesh = system.GetOutput()
+    return window(view, [coloured(mesh, "Feature", 0.0, 1.0, feature_colours())])
+
+
+def feature_colours():
+    """From clay to orange by the share of the height."""
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    for i, share in enumerate(np.linspace(0.0, 1.0, 256)):
+        table.SetTableValue(i, *((1.0 - share) * np.array(CLAY) + share * np.array(REGION)), 1.0)
+    return table
+
+
+AUGMENT_SCENES = {
+    "curve": curve_scene,
+    "refined": refined_scene,
+    "snapped": snapped_scene,
+    "raised": raised_scene,
 }

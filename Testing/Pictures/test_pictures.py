@@ -9,16 +9,17 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import oversketch
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
+SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
+sys.path[:0] = [str(pathlib.Path(__file__).parent), str(SOURCE / "Data")]
 import compare  # noqa: E402
+import listing  # noqa: E402
 import scenes  # noqa: E402
 
-SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
-MODELS = sorted({p.stem.split("_")[0] for p in (SOURCE / "Data" / "Strokes").glob("*.vtp")})
+MODELS = sorted({name.split("_")[0] for name in listing.ONE_STROKE})
 
 
 def first_stroke(model):
-    return sorted((SOURCE / "Data" / "Strokes").glob(model + "_*.vtp"))[0]
+    return next(path for path in listing.one_stroke() if path.stem.startswith(model + "_"))
 
 
 @pytest.fixture(scope="module", params=MODELS)

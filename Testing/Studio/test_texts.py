@@ -8,7 +8,8 @@ STRING = r'"(?:[^"\\\n]|\\.)*"'
 TRANSLATED = re.compile(r"(?:\btr\(|\btranslate\(\s*%s,|QT_TRANSLATE_NOOP\(\s*%s,)\s*%s(?:\s*%s)*" % ((STRING,) * 4))
 # What no person reads, or a terminal shows.
 NOT_READ = re.compile(r'setObjectName\(%s\)|fprintf\([^;]*;|#include[^\n]*|(?:create|toString|startsWith)\(%s\)|\{ %s, (?=QT_TR)|== %s|translate\(%s, (?!")|R"\(.*?\)"'
-                      r'|(?:change\(|findParameter\(\*\w+, )%s' % ((STRING,) * 6), re.S)
+                      r'|(?:change\(|findParameter\(\*\w+, |findSystem\(|HeldStrokeTool\(|\.find\(|values\[|valueOr\(values, |GetInnerOutput\(|GetArray\()%s'
+                      r'|\{ %s, this->' % ((STRING,) * 7), re.S)
 SENTENCE = re.compile(r"[A-Za-z]{2,}[,.:]? [A-Za-z]|^\"[A-Z][a-z]+\"$")
 
 

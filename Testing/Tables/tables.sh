@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the paper's Tables 1 to 3 beside ours, and Fig. 11's shares. FOLDER holds the three bunnies.
+# Prints the papers' tables beside ours, and Fig. 11's shares. FOLDER holds the three bunnies.
 set -euo pipefail
 . "$(dirname "$0")/../../Applications/setup.sh"
 folder=${1:-${OVERSKETCH_DATA:-$oversketch_root/../shared/data}/meshes}

@@ -14,7 +14,8 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-import meshes  # noqa: E402
+import meshes  # noqa: E402  (finds what follows)
+import listing  # noqa: E402
 import picture  # noqa: E402
 import sheets  # noqa: E402
 import stroke_files  # noqa: E402
@@ -326,7 +327,7 @@ def make_all(folder, only=(), workers=2):
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     index = []
-    for path in sorted((meshes.DATA / "Strokes").glob("*.vtp")):
+    for path in listing.one_stroke():
         model = path.stem.split("_")[0]
         if not only or model in only:
             stroke, _, view, _ = stroke_files.read(path)

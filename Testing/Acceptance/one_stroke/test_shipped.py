@@ -7,10 +7,11 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import accept  # noqa: E402
-import meshes  # noqa: E402
+import meshes  # noqa: E402  (finds what follows)
+import listing  # noqa: E402
 import stroke_files  # noqa: E402
 
-STROKES = sorted((meshes.DATA / "Strokes").glob("*.vtp"))
+STROKES = listing.one_stroke()
 
 
 @pytest.fixture(scope="module")

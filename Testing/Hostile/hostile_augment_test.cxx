@@ -1,0 +1,113 @@
+// Every mesh of the shared data, the dirty ones too, under six strokes that augment it: a 4-8 mesh of the
+// same topology or one message. Meant for the sanitizers as well. Skipped, saying so, where the folder is
+// absent.
+#include "hostile_meshes.h"
+#include "sound.h"
+
+#include "vtkOversketchAugment.h"
+#include "vtkOversketchFilterTools.h"
+
+#include <chrono>
+#include <utility>
+
+using namespace oversketch_test;
+
+namespace
+{
+
+constexpr double longest = 60.0; // [s] that a stroke may take
+
+// Where the triangle lies that is in front of all others, in the picture.
+Vector2 frontOf(const Mesh& mesh, const View& view)
+{
+  Vector2 found(400.0, 300.0);
+  double nearest = -HUGE_VAL;
+  for (const Triangle& t : mesh.triangles)
+  {
+    const Vector3 middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0;
+    if (const double depth = view.depth(middle); depth > nearest)
+    {
+      nearest = depth;
+      found = view.toDisplay(middle).head<2>();
+    }
+  }
+  return found;
+}
+
+// Strokes about a place of the picture.
+std::vector<std::pair<const char*, std::vector<Vector2>>> hostileStrokes(const Vector2& at)
+{
+  std::vector<Vector2> line, ring, scribble, away, many;
+  for (int i = 0; i <= 60; ++i)
+  {
+    const double s = i / 60.0, a = 2.0 * pi * s;
+    line.emplace_back(at + Vector2(160.0 * (s - 0.5), 60.0 * (s - 0.5)));
+    ring.emplace_back(at + Vector2(40.0 * std::cos(a), 30.0 * std::sin(a)));
+    away.emplace_back(at + s * (Vector2(820.0, 310.0) - at));
+  }
+  for (int i = 0; i <= 400; ++i)
+  {
+    const double a = i / 30.0;
+    scribble.emplace_back(at + Vector2(50.0 * std::sin(3.1 * a), 45.0 * std::sin(4.3 * a)));
+  }
+  for (int i = 0; i < 100000; ++i)
+  {
+    const double s = i / 1e5;
+    many.emplace_back(at + 60.0 * s * Vector2(std::cos(25.0 * s), std::sin(25.0 * s)));
+  }
+  return { { "line", line },
+    { "ring", ring },
+    { "scribble", scribble },
+    { "into the air", away },
+    { "one point", { at, at, at } },
+    { "100,000 samples", many } };
+}
+
+struct HostileAugment : testing::TestWithParam<std::string>
+{
+};
+
+} // namespace
+
+TEST_P(HostileAugment, SixStrokesGiveASoundMeshOrOneMessage)
+{
+  if (GetParam().empty())
+  {
+    GTEST_SKIP() << "there is no folder " << meshFolder() << "; set OVERSKETCH_DATA";
+  }
+  oversketch_files::Notes notes;
+  const vtkSmartPointer<vtkPolyData> polyData = readHostile(GetParam(), notes);
+  if (!polyData)
+  {
+    return;
+  }
+  const Mesh mesh = MeshOf(polyData);
+  const View view = wholeView(mesh, GetParam().size() % 2 == 1);
+  for (const auto& [name, samples] : hostileStrokes(frontOf(mesh, view)))
+  {
+    SCOPED_TRACE(name);
+    vtkNew<vtkOversketchAugment> system;
+    Ear ear(system);
+    system->SetInputData(0, polyData);
+    system->SetStrokesData(toStroke(samples, view));
+    const auto start = std::chrono::steady_clock::now();
+    system->Update();
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), longest);
+    if (system->GetErrorCode() == 0 && ear.errors.empty())
+    {
+      EXPECT_STRNE(name, "one point");
+      expectSound48(system->GetInnerOutput("Base"), system->GetInnerOutput("Simplify"), system->GetOutput());
+      continue;
+    }
+    ASSERT_EQ(ear.errors.size(), 1u) << (ear.errors.empty() ? "no message" : ear.errors[1]);
+    EXPECT_EQ(system->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_NE(system->GetErrorCode(), codeOf(Failure::Unexpected)) << ear.errors[0];
+    if (system->GetErrorCode() == codeOf(Failure::BadMesh)) // defects are counted
+    {
+      EXPECT_NE(ear.errors[0].find_first_of("0123456789"), std::string::npos) << ear.errors[0];
+    }
+    std::cout << name << ": " << ear.errors[0];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SharedData, HostileAugment, testing::ValuesIn(meshNames()), meshTestName);

@@ -1,0 +1,90 @@
+// The meshes of the shared data, the dirty ones too, as parameters of tests, and a view of one. Header-only.
+#ifndef oversketch_test_hostile_meshes_h
+#define oversketch_test_hostile_meshes_h
+
+#include "Harness/polydata.h"
+
+#include "mesh_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace oversketch_test
+{
+
+inline std::filesystem::path meshFolder()
+{
+  namespace fs = std::filesystem;
+  const char* data = std::getenv("OVERSKETCH_DATA");
+  return (data ? fs::path(data) : fs::path(OVERSKETCH_SOURCE_FOLDER) / ".." / "shared" / "data") / "meshes";
+}
+
+// The files' names; one that is empty where the folder is absent.
+inline std::vector<std::string> meshNames()
+{
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(meshFolder(), none))
+  {
+    if (entry.path().extension() != ".json" && entry.path().extension() != ".mtl")
+    {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names.empty() ? std::vector<std::string>{ "" } : names;
+}
+
+// The file's name as a test may be called.
+inline std::string meshTestName(const testing::TestParamInfo<std::string>& test)
+{
+  std::string name = test.param.empty() ? "absent" : test.param;
+  std::replace_if(
+    name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+// Null, saying why, where the reader refuses the file, which it must name.
+inline vtkSmartPointer<vtkPolyData> readHostile(const std::string& name, oversketch_files::Notes& notes)
+{
+  oversketch_files::catchMessages();
+  try
+  {
+    return oversketch_files::readMesh((meshFolder() / name).string(), notes);
+  }
+  catch (const oversketch_files::Failed& failed)
+  {
+    EXPECT_NE(std::string(failed.what()).find(name), std::string::npos) << failed.what();
+    std::cout << "refused: " << failed.what() << std::endl;
+    return nullptr;
+  }
+}
+
+// A view of the whole mesh in an 800 x 600 picture.
+inline View wholeView(const Mesh& mesh, bool perspective)
+{
+  Vector3 low = Vector3::Constant(1e300), high = -low;
+  for (const Vector3& p : mesh.points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double size = std::max((high - low).norm(), 1e-30);
+  const Vector3 middle = (low + high) / 2.0;
+  const View at = perspective
+                    ? perspectiveView(Vector3(0.8, 0.5, 1.2).normalized() * 1.6 * size, { 0, 1, 0 }, 40)
+                    : orthographicView({ 0.2, 0.1, 1 }, { 0, 1, 0 }, 500.0 / size);
+  Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
+  shift.topRightCorner<3, 1>() = -middle;
+  return View(at.viewTransform() * shift, at.projectionTransform(), at.width(), at.height());
+}
+
+} // namespace oversketch_test
+#endif
