@@ -20,7 +20,6 @@ struct Near
   int face = -1;
   Vector3 weights = Vector3::Zero();
   double distance = std::numeric_limits<double>::infinity();
-  bool inside = false; // not on the face's rim
 };
 
 Near nearIn(const Forest& forest, int f, const Vector3& at)
@@ -29,28 +28,36 @@ Near nearIn(const Forest& forest, int f, const Vector3& at)
   const Vector3 &a = forest.vertices[v[0]].position, &b = forest.vertices[v[1]].position,
                 &c = forest.vertices[v[2]].position;
   const Vector3 w = nearestWeights(at, a, b, c);
-  return { f, w, (w[0] * a + w[1] * b + w[2] * c - at).norm(), w.minCoeff() > 0.0 };
+  return { f, w, (w[0] * a + w[1] * b + w[2] * c - at).norm() };
 }
 
-// From face to face while that comes nearer.
+// From face to face, over the edge or the corner that is nearest, while that comes nearer.
 Near walk(const Forest& forest, Near from, const Vector3& at)
 {
-  for (bool better = !from.inside; better;)
+  for (bool better = true; better;)
   {
     better = false;
-    const int face = from.face;
-    for (const int v : forest.faces[face].v)
+    const Near last = from;
+    const auto look = [&](int g)
     {
-      forest.star(v,
-        [&](int g, int)
-        {
-          const Near near = nearIn(forest, g, at);
-          if (near.distance < from.distance)
-          {
-            from = near;
-            better = true;
-          }
-        });
+      const Near near = nearIn(forest, g, at);
+      if (near.distance < from.distance)
+      {
+        from = near;
+        better = true;
+      }
+    };
+    const Forest::Face& face = forest.faces[last.face];
+    for (int k = 0; k < 3; ++k)
+    {
+      if (last.weights[k] == 1.0)
+      {
+        forest.star(face.v[k], [&](int g, int) { look(g); });
+      }
+      else if (last.weights[k] == 0.0 && face.n[k] >= 0)
+      {
+        look(face.n[k]);
+      }
     }
   }
   return from;

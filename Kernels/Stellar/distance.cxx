@@ -87,6 +87,7 @@ double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a,
 CurveReach::CurveReach(const Forest& forest, const CurveSearch& search)
   : Mesh(forest)
   , Search(search)
+  , Memories(search.curves().size())
 {
 }
 
@@ -101,8 +102,7 @@ const std::vector<Reached>& CurveReach::find(int curve,
   }
   this->Found.clear();
   this->Place.resize(this->Mesh.vertices.size(), -1);
-  this->Curve = curve;
-  this->Options = options;
+  this->recall(curve, options);
   if (options.kind == CurveDistance::Geodesic)
   {
     this->front(faces, context);
@@ -123,6 +123,39 @@ const std::vector<Reached>& CurveReach::find(int curve,
     this->Place[this->Found[i].vertex] = static_cast<int>(i);
   }
   return this->Found;
+}
+
+void CurveReach::recall(int curve, const ReachOptions& options)
+{
+  if (this->Curve >= 0)
+  {
+    for (const Reached& r : this->Memories[this->Curve].straight)
+    {
+      this->Known[r.vertex] = -1;
+    }
+  }
+  this->Known.resize(this->Mesh.vertices.size(), -1);
+  this->Curve = curve;
+  this->Options = options;
+  Memory& memory = this->Memories[curve];
+  if (memory.radius != options.radius)
+  {
+    memory = { options.radius, {} };
+  }
+  for (std::size_t i = 0; i < memory.straight.size(); ++i)
+  {
+    this->Known[memory.straight[i].vertex] = static_cast<int>(i);
+  }
+}
+
+void CurveReach::remember(const Reached& measured)
+{
+  std::vector<Reached>& straight = this->Memories[this->Curve].straight;
+  if (this->Known[measured.vertex] < 0)
+  {
+    this->Known[measured.vertex] = static_cast<int>(straight.size());
+    straight.push_back(measured);
+  }
 }
 
 double CurveReach::distance(int vertex) const
@@ -148,6 +181,10 @@ double CurveReach::distanceOfMiddle(int a, int b) const
 // Infinite where it is not nearer than the radius.
 Reached CurveReach::straight(int vertex) const
 {
+  if (const int known = this->Known[vertex]; known >= 0)
+  {
+    return this->Memories[this->Curve].straight[known];
+  }
   const Forest::Vertex& v = this->Mesh.vertices[vertex];
   if (v.curveId == this->Curve)
   {
@@ -207,8 +244,9 @@ void CurveReach::flood(const std::vector<int>& faces, const Context& context)
         distances[i] = this->straight(ring[i]);
       }
     };
-    // A small ring is not worth waking threads for.
-    if (ring.size() < 512)
+    // What is known, or a small ring, is not worth waking threads for.
+    const auto isNew = [this](int v) { return this->Known[v] < 0; };
+    if (std::count_if(ring.begin(), ring.end(), isNew) < 512)
     {
       measure(0, static_cast<int>(ring.size()));
     }
@@ -220,6 +258,7 @@ void CurveReach::flood(const std::vector<int>& faces, const Context& context)
     ring.clear();
     for (const Reached& r : distances)
     {
+      this->remember(r);
       if (std::isfinite(r.distance))
       {
         this->Found.push_back(r);
@@ -246,6 +285,7 @@ void CurveReach::front(const std::vector<int>& faces, const Context& context)
     if (at < 0 && distance < this->Options.radius)
     {
       const Reached nearest = this->straight(v);
+      this->remember(nearest);
       if (std::isfinite(nearest.distance))
       {
         at = static_cast<int>(this->Found.size());

@@ -33,8 +33,8 @@ struct Reached
   double parameter; // arc length of the nearest point in space; of a snapped vertex its own
 };
 
-// The vertices that one curve reaches. Holds a number a vertex, so keep it for all curves of a forest, and
-// for its later states.
+// The vertices that one curve reaches. Holds numbers for each vertex, so keep it for all curves of a forest,
+// and for later states of it in which no vertex has been moved or snapped: each is measured once.
 class CurveReach
 {
 public:
@@ -53,6 +53,14 @@ public:
   double distanceOfMiddle(int a, int b) const;
 
 private:
+  // What one curve measured in its last search, in any order.
+  struct Memory
+  {
+    double radius = 0.0;
+    std::vector<Reached> straight;
+  };
+  void recall(int curve, const ReachOptions& options);
+  void remember(const Reached& measured);
   Reached straight(int vertex) const;
   void everywhere(const Context& context);
   void flood(const std::vector<int>& faces, const Context& context);
@@ -64,6 +72,8 @@ private:
   ReachOptions Options;
   std::vector<Reached> Found;
   std::vector<int> Place; // per vertex, in Found; -1
+  std::vector<int> Known; // per vertex, in the memory of this curve; -1
+  std::vector<Memory> Memories;
 };
 
 // A front's distance behind an edge of length c: at a point (vx, vy), vy >= 0, where the edge's ends (0, 0)

@@ -68,6 +68,7 @@ public:
     , Search(curves)
     , Passes(forest, this->Search, context)
     , Reach(forest, this->Search)
+    , LastReached(curves.size())
   {
   }
 
@@ -78,25 +79,23 @@ public:
     for (int k = 0; k < static_cast<int>(this->Search.curves().size()); ++k)
     {
       const Demand demand = demandOf(this->Search.curves()[k], this->Options);
-      const auto look = [&](int f)
-      {
-        if (this->asks(f, demand))
+      const std::vector<Reached>& reached = this->Reach.find(k,
+        this->Passes.faces(k),
+        { demand.radius, this->Options.distance, this->Options.connectedOnly },
+        this->Run);
+      std::vector<int> vertices(reached.size());
+      std::transform(
+        reached.begin(), reached.end(), vertices.begin(), [](const Reached& r) { return r.vertex; });
+      this->forCandidates(k,
+        vertices,
+        [&](int f)
         {
-          faces.push_back(f);
-        }
-      };
-      for (const Reached& reached : this->Reach.find(k,
-             this->Passes.faces(k),
-             { demand.radius, this->Options.distance, this->Options.connectedOnly },
-             this->Run))
-      {
-        this->Mesh.star(reached.vertex, [&](int f, int) { look(f); });
-      }
-      if (this->Options.seedCurveFaces)
-      {
-        const std::vector<int>& passed = this->Passes.faces(k);
-        std::for_each(passed.begin(), passed.end(), look);
-      }
+          if (this->asks(f, demand))
+          {
+            faces.push_back(f);
+          }
+        });
+      this->LastReached[k] = std::move(vertices);
     }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -125,13 +124,61 @@ public:
       }
     }
     this->Passes.follow(births);
+    this->Born.clear();
+    for (const Forest::Birth& birth : births)
+    {
+      this->Born.insert(this->Born.end(), { birth.parent, birth.child });
+    }
+    std::sort(this->Born.begin(), this->Born.end());
+    this->Born.erase(std::unique(this->Born.begin(), this->Born.end()), this->Born.end());
   }
 
 private:
+  // Calls look(face) for those that curve k may ask of, some more than once: where it reaches a corner, and
+  // where it passes. Once that is done, only for those made since, and where what it reaches has changed;
+  // the others have not asked and know nothing new, unless a front measures anew.
+  template <class Look>
+  void forCandidates(int k, const std::vector<int>& reached, const Look& look) const
+  {
+    const std::vector<int>& passed = this->Passes.faces(k);
+    const bool again = !this->Born.empty() && this->Options.distance == CurveDistance::Straight;
+    if (!again)
+    {
+      for (const int v : reached)
+      {
+        this->Mesh.star(v, [&](int f, int) { look(f); });
+      }
+      std::for_each(passed.begin(), this->Options.seedCurveFaces ? passed.end() : passed.begin(), look);
+      return;
+    }
+    const auto lookIfNear = [&](int f)
+    {
+      const int* v = this->Mesh.faces[f].v;
+      if (std::any_of(v, v + 3, [this](int corner) { return this->isReached(corner); }) ||
+          (this->Options.seedCurveFaces && std::binary_search(passed.begin(), passed.end(), f)))
+      {
+        look(f);
+      }
+    };
+    std::for_each(this->Born.begin(), this->Born.end(), lookIfNear);
+    std::vector<int> changed;
+    std::set_symmetric_difference(reached.begin(),
+      reached.end(),
+      this->LastReached[k].begin(),
+      this->LastReached[k].end(),
+      std::back_inserter(changed));
+    for (const int v : changed)
+    {
+      this->Mesh.star(v, [&](int f, int) { lookIfNear(f); });
+    }
+  }
+
+  bool isReached(int v) const { return std::isfinite(this->Reach.distance(v)); }
+
   // Whether the feature ends within a face.
   bool isFoot(const Forest::Face& face) const
   {
-    const auto reached = [&](int v) { return std::isfinite(this->Reach.distance(v)); };
+    const auto reached = [this](int v) { return this->isReached(v); };
     return std::any_of(face.v, face.v + 3, reached) && !std::all_of(face.v, face.v + 3, reached);
   }
 
@@ -170,6 +217,8 @@ private:
   CurveSearch Search;
   Passage Passes;
   CurveReach Reach;
+  std::vector<std::vector<int>> LastReached; // vertices, for each curve
+  std::vector<int> Born;                     // faces that the last splits made; none before the first
 };
 
 void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& options)
