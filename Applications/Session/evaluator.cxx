@@ -83,12 +83,17 @@ struct Evaluator::Run
 struct Evaluator::Runner
 {
   explicit Runner(const SystemRow& row)
-    : steps(row)
+    : steps(std::make_unique<SystemRunner>(row))
   {
   }
 
-  SystemRunner steps;
+  std::unique_ptr<SystemRunner> steps;
   std::uint64_t last = 0; // the number of the last outcome, 0 where it did nothing
+  // What is prepared for a mesh, where that is not to take the place of what the last step computed.
+  std::unique_ptr<SystemRunner> ahead;
+  vtkSmartPointer<vtkPolyData> aheadOf;
+  // The last lines of each input, and whose they are.
+  std::map<std::string, std::pair<std::weak_ptr<const void>, vtkSmartPointer<vtkPolyData>>> lines;
 };
 
 Evaluator::Evaluator(std::size_t bytes, const std::vector<SystemRow>& rows)
@@ -126,7 +131,7 @@ Evaluator::Runner* Evaluator::runner(const std::string& name)
 vtkOversketchSystem* Evaluator::system(const std::string& name)
 {
   Runner* runner = this->runner(name);
-  return runner ? runner->steps.system() : nullptr;
+  return runner ? runner->steps->system() : nullptr;
 }
 
 std::uint64_t Evaluator::numberOf(const Place& place)
@@ -232,7 +237,14 @@ std::string Evaluator::resolve(Run& run,
     }
     else if (const auto* lines = std::get_if<Lines>(&given->second))
     {
-      inputs[input.name] = lines->own();
+      // The same ones as last time are the same data, so that the steps keep what they made of them.
+      auto& [identity, data] = this->runner(row.name)->lines[input.name];
+      if (!data || identity.owner_before(lines->identity()) || lines->identity().owner_before(identity))
+      {
+        identity = lines->identity();
+        data = lines->own();
+      }
+      inputs[input.name] = data;
     }
     else if (const auto* image = std::get_if<Image>(&given->second))
     {
@@ -302,7 +314,7 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   std::set<int> ports; // that it has and others refer to
   for (const int port : run.ports[run.session.nodes[index].id])
   {
-    if (port > 0 && port < runner.steps.system()->GetNumberOfOutputPorts())
+    if (port > 0 && port < runner.steps->system()->GetNumberOfOutputPorts())
     {
       ports.insert(port);
     }
@@ -329,9 +341,15 @@ bool Evaluator::runNode(Run& run, std::size_t index)
     {
       listener.warning = [&](const std::string& message) { run.watch.warning(index, message); };
     }
+    const auto isAheadOf = [&runner](const auto& input) { return input.second == runner.aheadOf; };
+    if (runner.ahead && std::any_of(inputs.begin(), inputs.end(), isAheadOf))
+    {
+      runner.steps = std::move(runner.ahead);
+      runner.aheadOf = nullptr;
+    }
     ++this->Runs;
     runner.last = 0;
-    if (!runner.steps.run(*step, inputs, run.session.backend, ports, listener, outcome))
+    if (!runner.steps->run(*step, inputs, run.session.backend, ports, listener, outcome))
     {
       return false;
     }
@@ -380,7 +398,7 @@ bool Evaluator::finish(Runner& runner, const std::function<bool()>& cancelled)
     return true;
   }
   Outcome& outcome = *kept->second.outcome;
-  outcome.details = runner.steps.details(outcome.mesh, cancelled);
+  outcome.details = runner.steps->details(outcome.mesh, cancelled);
   kept->second.bytes = bytesOf(outcome);
   return outcome.details != nullptr;
 }
@@ -408,7 +426,18 @@ void Evaluator::prepare(const SystemRow& row, vtkPolyData* mesh, int backend, co
 {
   Listener listener;
   listener.cancelled = watch.cancelled;
-  this->runner(row.name)->steps.prepare(mesh, backend, listener);
+  Runner& runner = *this->runner(row.name);
+  if (!row.followsHand)
+  {
+    runner.steps->prepare(mesh, backend, listener);
+    return;
+  }
+  if (!runner.ahead || runner.aheadOf != mesh)
+  {
+    runner.ahead = std::make_unique<SystemRunner>(row); // a fresh one holds nothing of other meshes
+    runner.aheadOf = mesh;
+  }
+  runner.ahead->prepare(mesh, backend, listener);
 }
 
 vtkPolyData* resultOf(const Session& session, const std::vector<Outcome>& outcomes)

@@ -201,6 +201,7 @@ SystemRow augment()
       &System::GetAsPublished),
   };
   row.reflectsStrokes = true;
+  row.followsHand = true;
   return row;
 }
 #endif

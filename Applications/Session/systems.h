@@ -93,6 +93,9 @@ struct SystemRow
   // It takes several strokes, each with a view of its own, and acts on both sides by one run with each stroke
   // and the same in the mirror.
   bool reflectsStrokes = false;
+  // A hand goes on changing its last step and sees the mesh follow: what that step computed is kept beside
+  // what is prepared for the next one.
+  bool followsHand = false;
   // What else the class lets be set, each with the reason why no step holds it.
   std::map<std::string, std::string> leftOut;
 };

@@ -18,6 +18,8 @@ namespace oversketch_session
 namespace
 {
 
+constexpr std::chrono::milliseconds prepareAfter{ 150 }; // a result has been told of
+
 vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
 {
   if (!data)
@@ -233,6 +235,13 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     this->Report.detailed({ ticket, this->statesOf(outcomes), shown ? digestOf(shown) : std::string() });
   }
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
+  // Whoever shows the mesh first needs the processor.
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  if (this->Wake.wait_for(lock, prepareAfter, [&] { return this->Stop || watch.cancelled(); }))
+  {
+    return;
+  }
+  lock.unlock();
   if (const SystemRow* next = shown ? nextOf(session) : nullptr)
   {
     this->Runner.prepare(*next, shown, session.backend, watch);

@@ -48,8 +48,10 @@ namespace
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
 constexpr float sectionWidth = 3.0F; // px as Qt counts them, of the section
 constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
+constexpr int samples = 4;           // a pixel
+constexpr int restTime = 200;        // ms without a frame
 
-// Ambient occlusion would make a picture drawn by the processor wait.
+// Ambient occlusion and several samples a pixel would make a picture drawn by the processor wait.
 bool drawsOnProcessor(vtkRenderWindow* window)
 {
   const char* about = window->ReportCapabilities();
@@ -61,10 +63,11 @@ bool drawsOnProcessor(vtkRenderWindow* window)
 Viewport::Viewport(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
   , Await(new QTimer(this))
+  , Rest(new QTimer(this))
 {
   this->setRenderWindow(this->Window);
   this->Window->AddRenderer(this->Renderer);
-  this->Window->SetMultiSamples(4);
+  this->Window->SetMultiSamples(samples);
   this->makeScene();
   this->listen();
   this->Await->setSingleShot(true);
@@ -78,6 +81,8 @@ Viewport::Viewport(QWidget* parent)
         this->renderNow();
       }
     });
+  this->Rest->setSingleShot(true);
+  connect(this->Rest, &QTimer::timeout, this, &Viewport::smoothEdges);
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Model"));
   this->fitScreen();
@@ -207,9 +212,25 @@ void Viewport::render()
     this->CurrentTool->frameBegins();
   }
   this->Behind.look(this->Renderer);
+  if (this->OnProcessor.value_or(false))
+  {
+    this->Renderer->UseFXAAOff();
+    this->Rest->start(restTime);
+  }
   Latency::of().frameBegins();
   this->Window->Render();
   this->PaintWaits = true;
+}
+
+// Where the processor draws, edges are smoothed once nothing moves any more.
+void Viewport::smoothEdges()
+{
+  if (!this->CurrentTool || !this->CurrentTool->draws())
+  {
+    this->Renderer->UseFXAAOn();
+    this->Window->Render();
+    this->repaint();
+  }
 }
 
 // And paints it, so that no frame is drawn that nobody sees.
@@ -364,10 +385,11 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
     this->Renderer->SetSSAOBias(0.002 * mesh->GetLength());
   }
   this->Renderer->ResetCameraClippingRange();
-  if (!this->OcclusionAsked && this->isValid())
+  if (!this->OnProcessor && this->isValid())
   {
-    this->OcclusionAsked = true;
-    this->Renderer->SetUseSSAO(!drawsOnProcessor(this->Window));
+    this->OnProcessor = drawsOnProcessor(this->Window);
+    this->Renderer->SetUseSSAO(!*this->OnProcessor);
+    this->Window->SetMultiSamples(*this->OnProcessor ? 0 : samples);
   }
   this->placeHint();
   this->awaitNoMore();
@@ -486,6 +508,10 @@ void Viewport::setDark(bool dark)
 void Viewport::showRegion(vtkPolyData* region)
 {
   const bool any = region && region->GetNumberOfPolys() > 0;
+  if (!any && !this->Region->GetVisibility())
+  {
+    return; // no frame for nothing
+  }
   this->RegionNormals->SetInputData(any ? region : nullptr);
   this->Region->SetVisibility(any);
   this->renderSoon();

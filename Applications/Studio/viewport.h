@@ -98,6 +98,7 @@ private:
   void heard(unsigned long event);
   void render();
   void paintNow();
+  void smoothEdges();
   void awaitNoMore();
   void placeHint();
   void fitScreen();
@@ -115,8 +116,9 @@ private:
   vtkNew<vtkOversketchInteractorStyle> Style;
   vtkNew<vtkCallbackCommand> Observer;
   Tool* CurrentTool = nullptr;
-  bool OcclusionAsked = false;
-  QTimer* Await; // runs while a mesh is awaited
+  std::optional<bool> OnProcessor; // once there is a context to ask
+  QTimer* Await;                   // runs while a mesh is awaited
+  QTimer* Rest;                    // since the last frame, where the processor draws
   bool RenderWaits = false, PaintWaits = false;
 };
 

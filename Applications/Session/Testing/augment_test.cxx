@@ -4,6 +4,8 @@
 #include "files.h"
 #include "session_file.h"
 
+#include "vtkOversketchSystem.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -134,6 +136,36 @@ TEST(AugmentSession, BothKindsStandInOneHistoryAndInItsFile)
   Session fresh = dogChain();
   fresh.nodes[0] = changed(fresh.nodes[0], other);
   EXPECT_EQ(digestOf(outcomesOf(fresh).back().mesh), digestOf(outcomes.back().mesh));
+}
+
+// A hand turns the height after the next step has been prepared: nothing but the height is computed anew.
+TEST(AugmentSession, ALineThatFollowsAHandKeepsItsSteps)
+{
+  Session session = dogChain();
+  const Node vein = session.nodes[3];
+  session.nodes.resize(2);
+  Evaluator evaluator;
+  std::vector<Outcome> outcomes;
+  ASSERT_TRUE(evaluator.run(session, {}, outcomes));
+  evaluator.prepare(*findSystem("Augment"), outcomes[1].mesh, session.backend, {});
+  const auto pointsOf = [&evaluator](const char* step)
+  {
+    auto* made = vtkPolyData::SafeDownCast(evaluator.system("Augment")->GetInnerOutput(step));
+    return vtkSmartPointer<vtkPoints>(made->GetPoints());
+  };
+  const auto refined = pointsOf("Refine"), smoothed = pointsOf("Smooth"), displaced = pointsOf("Displace");
+  session.nodes[1] = changed(session.nodes[1], [](Step& step) { step.values["Height"] = -0.03; });
+  ASSERT_TRUE(evaluator.run(session, {}, outcomes));
+  EXPECT_EQ(pointsOf("Refine"), refined);
+  EXPECT_EQ(pointsOf("Smooth"), smoothed);
+  EXPECT_NE(pointsOf("Displace"), displaced);
+  EXPECT_EQ(digestOf(outcomes[1].mesh), digestOf(outcomesOf(session)[1].mesh));
+
+  // What is prepared serves the next step, and is the same as nothing.
+  evaluator.prepare(*findSystem("Augment"), outcomes[1].mesh, session.backend, {});
+  session.nodes.push_back(vein);
+  ASSERT_TRUE(evaluator.run(session, {}, outcomes));
+  EXPECT_EQ(digestOf(outcomes[2].mesh), digestOf(outcomesOf(session)[2].mesh));
 }
 
 TEST(AugmentSession, ATerrainBeginsASessionAndKeepsItsHeights)
