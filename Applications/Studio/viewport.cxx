@@ -225,12 +225,14 @@ void Viewport::render()
 // Where the processor draws, edges are smoothed once nothing moves any more.
 void Viewport::smoothEdges()
 {
-  if (!this->CurrentTool || !this->CurrentTool->draws())
+  if (this->Await->isActive() || (this->CurrentTool && this->CurrentTool->draws()))
   {
-    this->Renderer->UseFXAAOn();
-    this->Window->Render();
-    this->repaint();
+    this->Rest->start(restTime);
+    return;
   }
+  this->Renderer->UseFXAAOn();
+  this->Window->Render();
+  this->repaint();
 }
 
 // And paints it, so that no frame is drawn that nobody sees.

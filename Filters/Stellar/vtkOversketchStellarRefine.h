@@ -164,7 +164,8 @@ public:
 
   ///@{
   /**
-   * More triangles are refused [default 16000000].
+   * How many triangles may be added; where more would be needed that is refused as soon as it can be foreseen
+   * [default 4000000].
    */
   vtkSetClampMacro(MaximumFaces, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaximumFaces, int);
@@ -206,7 +207,7 @@ private:
   bool ConnectedOnly = true;
   bool SeedCurveFaces = true;
   int MaximumGeneration = 16;
-  int MaximumFaces = 16000000;
+  int MaximumFaces = 4000000;
   int Sweeps = 0;
   vtkIdType RefineCount = 0;
 

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iomanip>
 #include <iterator>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 namespace oversketch
@@ -48,13 +50,18 @@ Demand demandOf(const FeatureCurve& curve, const RefineOptions& options)
   return d;
 }
 
-void checkFaceCount(const Forest& forest, int maximumFaces)
+// `added`: faces, more than the forest had at first.
+void checkFaceCount(double added, int maximumFaces)
 {
-  if (forest.faceCount() > maximumFaces)
+  if (added > maximumFaces)
   {
+    std::ostringstream about;
+    about << std::setprecision(2) << added;
     throw Error(Failure::BadRegion,
       "The refinement needs more than MaximumFaces (" + std::to_string(maximumFaces) +
-        ") triangles; ask for longer edges or a larger tolerance, a smaller Radius or MaxGeneration.");
+        ") new triangles, about " + about.str() +
+        " or more; ask for longer edges (TargetEdgeLength) or a larger tolerance, a smaller Radius or "
+        "MaxGeneration.");
   }
 }
 
@@ -68,6 +75,7 @@ public:
     , Search(curves)
     , Passes(forest, this->Search, context)
     , Reach(forest, this->Search)
+    , FacesBefore(forest.faceCount())
     , LastReached(curves.size())
   {
   }
@@ -75,7 +83,7 @@ public:
   // Faces to split, ascending.
   std::vector<Mark> marks()
   {
-    std::vector<int> faces;
+    std::vector<Wish> wishes;
     for (int k = 0; k < static_cast<int>(this->Search.curves().size()); ++k)
     {
       const Demand demand = demandOf(this->Search.curves()[k], this->Options);
@@ -92,18 +100,31 @@ public:
         {
           if (this->asks(f, demand))
           {
-            faces.push_back(f);
+            wishes.push_back({ f, this->leavesOf(f, demand) });
           }
         });
       this->LastReached[k] = std::move(vertices);
     }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    // The face's greatest wish comes first.
+    std::sort(wishes.begin(),
+      wishes.end(),
+      [](const Wish& a, const Wish& b) { return a.face != b.face ? a.face < b.face : a.leaves > b.leaves; });
+    wishes.erase(
+      std::unique(
+        wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.face == b.face; }),
+      wishes.end());
     std::vector<Mark> marks;
-    marks.reserve(faces.size());
-    for (int f : faces)
+    marks.reserve(wishes.size());
+    double expected = this->added();
+    for (const Wish& wish : wishes)
     {
-      marks.push_back({ f, this->Mesh.faces[f].path });
+      marks.push_back({ wish.face, this->Mesh.faces[wish.face].path });
+      expected += wish.leaves - 1.0;
+    }
+    // It is an estimate: what it exceeds the limit by is to be sure.
+    if (expected > 2.0 * this->Options.maximumFaces)
+    {
+      checkFaceCount(expected, this->Options.maximumFaces);
     }
     return marks;
   }
@@ -117,7 +138,7 @@ public:
       {
         this->Mesh.refine(marks[i].face, rule, &births);
       }
-      checkFaceCount(this->Mesh, this->Options.maximumFaces);
+      checkFaceCount(this->added(), this->Options.maximumFaces);
       if (i % 4096 == 0)
       {
         this->Run.checkpoint(0.5);
@@ -173,6 +194,29 @@ private:
     }
   }
 
+  // A face that asks, and how many leaves it will have where no further wish than that of its edge's length
+  // is known: one more, unless the curve reaches all of it.
+  struct Wish
+  {
+    int face;
+    double leaves;
+  };
+  double leavesOf(int f, const Demand& demand) const
+  {
+    const Forest::Face& face = this->Mesh.faces[f];
+    if (!std::all_of(face.v, face.v + 3, [this](int v) { return this->isReached(v); }))
+    {
+      return 2.0;
+    }
+    // A split halves a face, two of them its edges.
+    const double ratio =
+      (this->Mesh.vertices[face.v[1]].position - this->Mesh.vertices[face.v[2]].position).norm() /
+      demand.edgeLength;
+    return std::max(
+      2.0, std::min(ratio * ratio, std::ldexp(1.0, this->Options.maximumGeneration - face.gen)));
+  }
+  double added() const { return static_cast<double>(this->Mesh.faceCount() - this->FacesBefore); }
+
   bool isReached(int v) const { return std::isfinite(this->Reach.distance(v)); }
 
   // Whether the feature ends within a face.
@@ -217,6 +261,7 @@ private:
   CurveSearch Search;
   Passage Passes;
   CurveReach Reach;
+  int FacesBefore;
   std::vector<std::vector<int>> LastReached; // vertices, for each curve
   std::vector<int> Born;                     // faces that the last splits made; none before the first
 };
@@ -359,7 +404,7 @@ Forest refineToSource(const Forest& forest,
       {
         work.refine(mark.face, rule, &births);
       }
-      checkFaceCount(work, options.maximumFaces);
+      checkFaceCount(work.faceCount() - forest.faceCount(), options.maximumFaces);
     }
     faces.clear();
     for (const Forest::Birth& birth : births)

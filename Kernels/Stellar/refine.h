@@ -31,7 +31,7 @@ struct RefineOptions
   bool connectedOnly = true;  // see ReachOptions; off: as published
   bool seedCurveFaces = true; // refine also faces that a curve passes through; off: as published
   int maximumGeneration = 16; // 0 to 62; no leaf exceeds it
-  int maximumFaces = 16000000;
+  int maximumFaces = 4000000; // that may be added, each of which takes about 900 bytes on the way
 };
 
 struct RefineReport
@@ -42,7 +42,8 @@ struct RefineReport
 // The canonical forest after sweeps that split every face whose mark holds, until none does. New vertices
 // follow the curves where their parents are snapped, else the source. Throws Error(BadStroke) for a curve or
 // radius that is none, for snapped vertices that are not where these curves have them; Error(BadRegion) where
-// more faces than allowed would be needed. Quickest with a roomyCopy() that is moved in.
+// more faces than allowed would be needed, as soon as that can be foreseen. Quickest with a roomyCopy() that
+// is moved in.
 Forest refine(Forest forest,
   const FeatureCurves& curves,
   const RefineOptions& options,
@@ -57,7 +58,7 @@ struct SourceOptions
 {
   double tolerance = 0.0;     // above 0; the spec has 1e-3 diagonals
   int maximumGeneration = 16; // 0 to 62
-  int maximumFaces = 16000000;
+  int maximumFaces = 4000000; // that may be added
 };
 Forest refineToSource(const Forest& forest,
   const Source& source,

@@ -373,6 +373,11 @@ TEST(Refine, WhatCannotBeIsRefused)
     });
   EXPECT_EQ(many.first, Failure::BadRegion);
   EXPECT_NE(many.second.find("MaximumFaces"), std::string::npos);
+  // With what is allowed by default it is foreseen, or this would take gigabytes.
+  const auto foreseen = failure(lineAcross(),
+    [](RefineOptions& o) { o.targetEdgeLength = 1e-12, o.radius = 10.0, o.maximumGeneration = 20; });
+  EXPECT_EQ(foreseen.first, Failure::BadRegion);
+  EXPECT_NE(foreseen.second.find("(4000000) new triangles, about"), std::string::npos) << foreseen.second;
   // A radius of nothing, and one of everything.
   RefineOptions options;
   options.radius = 1e-300;

@@ -203,7 +203,7 @@ TEST(AugmentPromises, RefusesStrokesAndNumbersThatAreNone)
   expectRefusal(s.filter, Failure::BadRegion, "100000");
   s.filter->SetTargetEdgeLength(0.0);
   refine->SetMaximumGeneration(16);
-  refine->SetMaximumFaces(16000000);
+  refine->SetMaximumFaces(4000000);
   // Radii that reach over everything, and that reach nothing.
   s.filter->SetRadius(10.0 * s.diagonal());
   EXPECT_GT(s.run()->GetNumberOfPoints(), 0);
