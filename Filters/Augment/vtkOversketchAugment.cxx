@@ -111,7 +111,7 @@ bool vtkOversketchAugment::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPo
         return false;
       }
       this->Inner->RunCurves();
-      hold->ShallowCopy(this->StageOutput(this->Inner->CurvesName()));
+      hold->ShallowCopy(this->StageOutput(this->Inner->DrawnName()));
       return hold->GetNumberOfPoints() > 0;
     });
 }

@@ -67,6 +67,18 @@ vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell)
   return alone;
 }
 
+// The mesh without arrays, where it is not there already.
+void PutShape(vtkPolyData* mesh, vtkPolyData* shape, MeshKey& seen)
+{
+  if (seen != MeshKey(mesh) || shape->GetNumberOfPoints() == 0)
+  {
+    shape->Initialize();
+    shape->SetPoints(mesh->GetPoints());
+    shape->SetPolys(mesh->GetPolys());
+    seen = MeshKey(mesh);
+  }
+}
+
 } // namespace
 
 vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
@@ -86,10 +98,14 @@ vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
   this->Sketch->SetInputData(1, this->Shape);
   this->Sketch->SetInputConnection(2, this->Visibility->GetOutputPort());
   this->Refine->SetInputConnection(0, this->Base->GetOutputPort());
+  this->CurvesOnSource->SetInputConnection(0, this->Chaikin->GetOutputPort());
+  this->CurvesOnSource->SetInputData(1, this->RefinedShape);
+  this->RefineOnSource->SetInputConnection(0, this->Refine->GetOutputPort());
+  this->RefineOnSource->SetCurvesConnection(this->CurvesOnSource->GetOutputPort());
   this->Refine->SetSourceConnection(this->Base->GetOutputPort(1));
+  this->RefineOnSource->SetSourceConnection(this->Base->GetOutputPort(1));
   this->Snap->SetSourceConnection(this->Base->GetOutputPort(1));
   this->Smooth->SetSourceConnection(this->Base->GetOutputPort(1));
-  this->Snap->SetInputConnection(0, this->Refine->GetOutputPort());
   this->Smooth->SetInputConnection(0, this->Snap->GetOutputPort());
   this->Displace->SetInputConnection(0, this->Smooth->GetOutputPort());
   this->Simplify->SetInputConnection(0, this->Displace->GetOutputPort());
@@ -102,7 +118,9 @@ vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
   self->AddStage("Silhouette", this->SilhouetteStep, 0.05);
   self->AddStage("Visibility", this->Visibility, 0.05);
   self->AddStage("Sketch", this->Sketch, 0.05);
-  self->AddStage("Refine", this->Refine, 0.15);
+  self->AddStage("Refine", this->Refine, 0.11);
+  self->AddStage("CurvesOnSource", this->CurvesOnSource, 0.02);
+  self->AddStage("RefineOnSource", this->RefineOnSource, 0.02);
   self->AddStage("Snap", this->Snap, 0.20);
   self->AddStage("Smooth", this->Smooth, 0.08);
   self->AddStage("Displace", this->Displace, 0.08);
@@ -114,9 +132,12 @@ void vtkOversketchAugment::Pipeline::SetAmendments(bool on)
 {
   this->Base->SetImprovePairs(on);
   this->Sketch->SetProjection(on ? vtkOversketchSilhouetteSketch::Line : vtkOversketchSilhouetteSketch::Ray);
-  this->Refine->SetFineFoot(on);
-  this->Refine->SetConnectedOnly(on);
-  this->Refine->SetSeedCurveFaces(on);
+  for (vtkOversketchStellarRefine* step : { this->Refine.Get(), this->RefineOnSource.Get() })
+  {
+    step->SetFineFoot(on);
+    step->SetConnectedOnly(on);
+    step->SetSeedCurveFaces(on);
+  }
   this->Snap->SetOrder(on ? vtkOversketchStellarSnap::Nearest : vtkOversketchStellarSnap::AllAtOnce);
   this->Smooth->SetRings(on ? 2 : -1);
   this->Displace->SetConnectedOnly(on);
@@ -126,14 +147,22 @@ void vtkOversketchAugment::Pipeline::SetAmendments(bool on)
 
 void vtkOversketchAugment::Pipeline::Connect()
 {
-  const bool sketched = this->Self->SketchMode == Silhouette;
-  vtkAlgorithmOutput* curves = sketched ? this->Sketch->GetOutputPort() : this->Curves->GetOutputPort();
-  this->Refine->SetCurvesConnection(curves);
+  const bool sketched = this->Self->SketchMode == Silhouette, moved = this->ReadsSource();
+  vtkAlgorithmOutput* drawn = sketched ? this->Sketch->GetOutputPort() : this->Curves->GetOutputPort();
+  vtkAlgorithmOutput* curves = moved ? this->CurvesOnSource->GetOutputPort() : drawn;
+  this->Refine->SetCurvesConnection(drawn);
+  this->Snap->SetInputConnection(0, (moved ? this->RefineOnSource : this->Refine)->GetOutputPort());
   this->Snap->SetCurvesConnection(curves);
   this->Smooth->SetCurvesConnection(curves);
   this->Simplify->SetCurvesConnection(curves);
   this->Displace->SetCurvesConnection(curves);
   this->Displace->SetSketchConnection(sketched ? this->Sketch->GetOutputPort(1) : nullptr);
+}
+
+// A silhouette's stretch and its sketch are of the mesh as it was.
+bool vtkOversketchAugment::Pipeline::ReadsSource() const
+{
+  return this->Self->SketchMode == Surface && this->Self->Base == Simplified;
 }
 
 void vtkOversketchAugment::Pipeline::FeedMesh(vtkPolyData* mesh)
@@ -286,34 +315,38 @@ void vtkOversketchAugment::Pipeline::SetParameters()
     }
     least = std::isfinite(least) ? least : radius;
   }
-  this->Curves->SetTolerance(self->AsPublished ? 0.0 : curveTolerance * least);
+  for (vtkOversketchSurfaceStroke* step : { this->Curves.Get(), this->CurvesOnSource.Get() })
+  {
+    step->SetTolerance(self->AsPublished ? 0.0 : curveTolerance * least);
+  }
   this->Sketch->SetMaximumStep(least);
-  this->Refine->SetRadius(radius);
-  this->Refine->SetTargetEdgeLength(self->TargetEdgeLength);
-  this->Refine->SetDistance(self->Distance);
-  // The refinement is to stay while it does not depend on height and profile: without a tolerance of the
-  // profile it reads of them on which side of 1 the sharpness is.
-  const bool follows = this->Refine->GetProfileTolerance() != 0.0;
-  const bool fine = self->Sharpness >= 0.0 && self->Sharpness < 1.0;
-  this->Refine->SetHeight(follows ? self->Height : 0.0);
-  this->Refine->SetSharpness(follows ? self->Sharpness : (fine ? 0.5 : 1.5));
-  this->Refine->SetProfile(follows ? self->GetProfile() : "");
+  this->SetEdges(this->Refine, radius);
+  this->SetEdges(this->RefineOnSource, radius);
   this->SetShape(this->Displace, radius, self->Height, self->Sharpness);
   this->Simplify->SetRadius(radius);
   this->Simplify->SetDistance(self->Distance);
 }
 
+void vtkOversketchAugment::Pipeline::SetEdges(vtkOversketchStellarRefine* step, double radius) const
+{
+  const vtkOversketchAugment* self = this->Self;
+  step->SetRadius(radius);
+  step->SetTargetEdgeLength(self->TargetEdgeLength);
+  step->SetDistance(self->Distance);
+  // The refinement is to stay while it does not depend on height and profile: without a tolerance of the
+  // profile it reads of them on which side of 1 the sharpness is.
+  const bool follows = step->GetProfileTolerance() != 0.0;
+  const bool fine = self->Sharpness >= 0.0 && self->Sharpness < 1.0;
+  step->SetHeight(follows ? self->Height : 0.0);
+  step->SetSharpness(follows ? self->Sharpness : (fine ? 0.5 : 1.5));
+  step->SetProfile(follows ? self->GetProfile() : "");
+}
+
 void vtkOversketchAugment::Pipeline::RunBase()
 {
   this->Self->RunStage("Base");
-  vtkPolyData* base = this->Self->StageOutput("Base");
-  if (this->ShapeKeySeen != MeshKey(base) || this->Shape->GetNumberOfPoints() == 0)
-  {
-    this->Shape->Initialize();
-    this->Shape->SetPoints(base->GetPoints());
-    this->Shape->SetPolys(base->GetPolys());
-    this->ShapeKeySeen = MeshKey(base);
-  }
+  PutShape(this->Self->StageOutput("Base"), this->Shape, this->ShapeKeySeen);
+  this->Connect();
 }
 
 void vtkOversketchAugment::Pipeline::PrepareRays()
@@ -344,7 +377,14 @@ void vtkOversketchAugment::Pipeline::RunCurves()
 
 void vtkOversketchAugment::Pipeline::RunFeature()
 {
-  for (const char* name : { "Refine", "Snap", "Smooth", "Displace" })
+  this->Self->RunStage("Refine");
+  if (this->ReadsSource())
+  {
+    PutShape(this->Self->StageOutput("Refine"), this->RefinedShape, this->RefinedKeySeen);
+    this->Self->RunStage("CurvesOnSource");
+    this->Self->RunStage("RefineOnSource");
+  }
+  for (const char* name : { "Snap", "Smooth", "Displace" })
   {
     this->Self->RunStage(name);
   }
@@ -397,7 +437,7 @@ void vtkOversketchAugment::Pipeline::PutOutput(vtkPolyData* output)
 
 void vtkOversketchAugment::Pipeline::PutCrest(vtkPolyData* crest)
 {
-  vtkPolyData* curves = this->Self->StageOutput(this->CurvesName());
+  vtkPolyData* curves = this->Self->StageOutput(this->DrawnName());
   vtkPolyData* sketch = this->Self->SketchMode == Silhouette ? this->Sketch->GetSketchOutput() : nullptr;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -41,10 +41,13 @@ struct vtkOversketchAugment::Pipeline
   std::size_t PassCount() const { return this->Passes.size(); }
 
   void SetAmendments(bool on);
-  // The curves of the silhouette mode or the other's.
+  // The curves of the silhouette mode or the other's; of a surface that refinement moves, laid on it anew.
   void Connect();
+  // Whether refinement reads its new points from a source, which is not where strokes were projected.
+  bool ReadsSource() const;
   // What of the system's parameters the steps have, for a pass's mesh, after {Base}.
   void SetParameters();
+  void SetEdges(vtkOversketchStellarRefine* step, double radius) const;
   void SetShape(vtkOversketchStellarDisplace* step, double radius, double height, double sharpness) const;
 
   void RunBase();
@@ -52,7 +55,9 @@ struct vtkOversketchAugment::Pipeline
   void PrepareRays();
   void RunCurves();
   void RunFeature();
-  const char* CurvesName() const { return this->Self->SketchMode == Silhouette ? "Sketch" : "Curves"; }
+  // The stage of the curves that RunCurves() makes, and of those that the feature follows.
+  const char* DrawnName() const { return this->Self->SketchMode == Silhouette ? "Sketch" : "Curves"; }
+  const char* CurvesName() const { return this->ReadsSource() ? "CurvesOnSource" : this->DrawnName(); }
   const char* LastName() const { return this->Self->Simplify ? "Simplify" : "Displace"; }
   // What the steps count, after a pass; see vtkOversketchAugment::GetFigure.
   void AddFigures();
@@ -79,9 +84,10 @@ struct vtkOversketchAugment::Pipeline
   // What the inner pipeline starts from. Start is the mesh that came in, welded where that has repeated
   // points; Mesh that of the present pass; Shape its 4-8 mesh without arrays, so that no step reads normals.
   vtkNew<vtkPolyData> Start, Mesh, Shape, Strokes;
+  vtkNew<vtkPolyData> RefinedShape;          // the same of {Refine}
   std::unique_ptr<oversketch::Weld> Welding; // null where points and arrays go through the steps themselves
   vtkNew<vtkPolyData> Plain;                 // the mesh that it is of
-  oversketch::MeshKey MeshKeySeen, ShapeKeySeen;
+  oversketch::MeshKey MeshKeySeen, ShapeKeySeen, RefinedKeySeen;
   std::pair<const vtkPolyData*, vtkMTimeType> MeshSeen{ nullptr, 0 }, StrokesSeen{ nullptr, 0 };
   bool SplitSeen = false;
   std::vector<vtkSmartPointer<vtkPolyData>> Passes; // the strokes of each
@@ -91,11 +97,11 @@ struct vtkOversketchAugment::Pipeline
   vtkNew<vtkOversketchStrokeThinning> Thinning;
   vtkNew<vtkOversketchChaikin> Chaikin;
   vtkNew<vtkOversketchStellarBase> Base;
-  vtkNew<vtkOversketchSurfaceStroke> Curves;
+  vtkNew<vtkOversketchSurfaceStroke> Curves, CurvesOnSource;
   vtkNew<vtkOversketchSilhouette> SilhouetteStep;
   vtkNew<vtkOversketchVisibility> Visibility;
   vtkNew<vtkOversketchSilhouetteSketch> Sketch;
-  vtkNew<vtkOversketchStellarRefine> Refine;
+  vtkNew<vtkOversketchStellarRefine> Refine, RefineOnSource;
   vtkNew<vtkOversketchStellarSnap> Snap;
   vtkNew<vtkOversketchStellarSmooth> Smooth;
   vtkNew<vtkOversketchStellarDisplace> Displace, Reshaped; // the second beside the pipeline
