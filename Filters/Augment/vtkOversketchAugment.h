@@ -4,10 +4,11 @@
  *
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators". Each step is a filter of its own
  * (see GetInnerOutput): strokes {Thinning, Chaikin}, 4-8 mesh {Base}, curves on it {Curves}, or in silhouette
- * mode {Silhouette, Visibility, Sketch}; finer triangles near curves {Refine}, and on a base that is
- * Simplified, whose new points lie on the mesh, both once more {CurvesOnSource, RefineOnSource}; edges onto
- * them {Snap}, even triangles {Smooth}, the feature {Displace}, and what is not needed taken away {Simplify},
- * which the paper schedules without a rule. Departures are those of each step; AsPublished turns all off.
+ * mode {Silhouette, Visibility, Sketch}; finer triangles near curves {Refine}, and of a Simplified base or a
+ * terrain, whose new points lie where the mesh or the image is, both once more {CurvesOnSource,
+ * RefineOnSource}; edges onto them {Snap}, even triangles {Smooth}, the feature {Displace}, and what is not
+ * needed taken away {Simplify}, which the paper schedules without a rule. Departures are those of each step;
+ * AsPublished turns all off.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; a manifold with one orientation, with borders or without. One
  * that is a 4-8 mesh, as an output of this is, goes on from where it is. Points that a reader split for

@@ -162,7 +162,9 @@ void vtkOversketchAugment::Pipeline::Connect()
 // A silhouette's stretch and its sketch are of the mesh as it was.
 bool vtkOversketchAugment::Pipeline::ReadsSource() const
 {
-  return this->Self->SketchMode == Surface && this->Self->Base == Simplified;
+  vtkFieldData* data = this->Base->GetOutput()->GetFieldData();
+  return this->Self->SketchMode == Surface &&
+         (this->Self->Base == Simplified || data->GetArray("TerrainGray"));
 }
 
 void vtkOversketchAugment::Pipeline::FeedMesh(vtkPolyData* mesh)

@@ -10,7 +10,8 @@
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
  * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
  * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, on which new
- * points lie where those of their edge do.
+ * points lie where those of their edge do. What a terrain's mesh carries of that is read where nothing is
+ * connected here.
  *
  * Output 0 (Mesh): the 4-8 mesh, refined; points and cells that were not refined are as they were. BaseNormal
  * is there from here on. Other arrays as vtkOversketchStellarBase has it; point normals are mixed.

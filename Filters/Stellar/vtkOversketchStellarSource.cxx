@@ -120,6 +120,28 @@ Kind KindOf(vtkPolyData* source)
   return records || (source && source->GetNumberOfPoints() > 0) ? Kind::Records : Kind::None;
 }
 
+// The arrays of a mesh that carries its source; null where it has none.
+vtkSmartPointer<vtkPolyData> CarriedSource(vtkPolyData* mesh)
+{
+  vtkSmartPointer<vtkPolyData> source;
+  for (const char* name : { grayName, rulesName })
+  {
+    if (vtkAbstractArray* array = mesh->GetFieldData()->GetAbstractArray(name))
+    {
+      source = source ? source : vtkSmartPointer<vtkPolyData>::New();
+      source->GetFieldData()->AddArray(array);
+    }
+  }
+  return source;
+}
+
+// That of port 2, else what the mesh carries; null for none.
+vtkSmartPointer<vtkPolyData> SourceDataOf(const CurveStep& step)
+{
+  return KindOf(step.third) == Kind::None ? CarriedSource(step.mesh)
+                                          : vtkSmartPointer<vtkPolyData>(step.third);
+}
+
 Source TerrainSource(vtkPolyData* source)
 {
   vtkDataArray* gray = source->GetFieldData()->GetArray(grayName);
@@ -331,12 +353,13 @@ std::shared_ptr<const Source> SharedSource(vtkPolyData* source)
 
 MeshKey SourceKey(const CurveStep& step)
 {
-  return step.third ? WholeKey(step.third) : MeshKey();
+  const vtkSmartPointer<vtkPolyData> source = SourceDataOf(step);
+  return source ? WholeKey(source) : MeshKey();
 }
 
 Source SourceOf(const CurveStep& step, const Forest& forest, std::shared_ptr<const Source>& held)
 {
-  const std::shared_ptr<const Source> shared = SharedSource(step.third);
+  const std::shared_ptr<const Source> shared = SharedSource(SourceDataOf(step));
   held = shared;
   if (!shared)
   {
@@ -358,6 +381,10 @@ Source SourceOf(const CurveStep& step, const Forest& forest, std::shared_ptr<con
       return *shared;
     }
     asked = true;
+  }
+  if (asked && KindOf(step.third) == Kind::None)
+  {
+    return nullptr;
   }
   if (asked)
   {

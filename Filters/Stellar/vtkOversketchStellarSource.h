@@ -33,11 +33,11 @@ std::shared_ptr<const Source> WriteSurface(const std::shared_ptr<const OriginalS
 // Error(MissingArray or BadMesh) naming the array that is absent or was changed.
 std::shared_ptr<const Source> SharedSource(vtkPolyData* source);
 
-// What a step reads of its source, that of port 2.
+// What a step reads of its source: that of port 2, or what its mesh carries.
 MeshKey SourceKey(const CurveStep& step);
 
-// That source, empty for none; `held` keeps it for who asks next. Throws Error(BadMesh) where no point of the
-// forest's base lies on it.
+// That source, empty for none; `held` keeps it for who asks next. Where no point of the forest's base
+// lies on it, one that the mesh carries is none, since the mesh was moved, and another throws Error(BadMesh).
 Source SourceOf(const CurveStep& step, const Forest& forest, std::shared_ptr<const Source>& held);
 
 } // namespace oversketch

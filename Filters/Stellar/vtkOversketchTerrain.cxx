@@ -94,6 +94,11 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
           return made;
         });
       vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Source);
+      vtkFieldData* fields = vtkPolyData::GetData(outputs, 0)->GetFieldData();
+      for (int i = 0; i < cache.Source->GetFieldData()->GetNumberOfArrays(); ++i)
+      {
+        fields->AddArray(cache.Source->GetFieldData()->GetAbstractArray(i));
+      }
     });
 }
 

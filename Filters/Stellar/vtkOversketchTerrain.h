@@ -1,6 +1,6 @@
 /**
  * @class vtkOversketchTerrain
- * @brief a height image becomes a coarse terrain, into which refinement can read it
+ * @brief a height image becomes a coarse terrain that refinement reads it into
  *
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. IV: a grid of quads, as
  * coarse as the user likes, each two triangles that are a pair of a 4-8 mesh. Silent there, and chosen here:
@@ -13,10 +13,9 @@
  * components the first. Samples that are not finite are missing. The origin is not read.
  *
  * Output 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase: point (i, j) at i times QuadX, j times QuadY, and
- * Offset + Scale * gray.
- * Output 1 (Source): no points; the field arrays TerrainGray and TerrainRules, double, from which
- * vtkOversketchStellarRefine reads heights anew where it refines, if this is connected to it. Else new points
- * lie in the middle of their edges, so that a feature rises from a coarse terrain's own faces.
+ * Offset + Scale * gray; with the field arrays TerrainGray and TerrainRules, double, from which
+ * vtkOversketchStellarRefine reads heights anew where it refines.
+ * Output 1 (Source): no points, the field arrays alone.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray without scalars; BadMesh for several
  * slices, fewer than two samples in a row or column, parameters out of range, more than eight million quads,

@@ -54,7 +54,8 @@ def grid(name, spacing):
 
 
 def terrain(name, path):
-    """The 4-8 mesh of a grid, so many quads along the longer side, as a file."""
+    """The 4-8 mesh of a grid, so many quads along the longer side, as a file. Without the grid, so that what is measured is what the
+    strokes make of a mesh, and not the relief between so few quads, which is as rough as it is."""
     from oversketch import vtkOversketchTerrain
     file, quads, spacing, scale = TERRAINS[name]
     made = vtkOversketchTerrain()
@@ -63,7 +64,10 @@ def terrain(name, path):
     made.SetColumns(quads)
     made.SetRows(quads)
     made.Update()
-    write(made.GetOutput(), path)
+    mesh = made.GetOutput()
+    for array in ("TerrainGray", "TerrainRules"):
+        mesh.GetFieldData().RemoveArray(array)
+    write(mesh, path)
 
 
 def write(mesh, path):
