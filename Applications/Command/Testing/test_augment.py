@@ -136,6 +136,29 @@ def test_a_terrain_of_every_kind_of_file(tmp_path):
     assert not (tmp_path / "p.vtp").exists()
 
 
+def test_odd_grids(tmp_path):
+    """One row has no quads; equal heights are a plane that a line rises from; missing samples are holes with borders of their own."""
+    def terrain(columns, rows, values, *options):
+        (tmp_path / "odd.asc").write_text(f"ncols {columns}\nnrows {rows}\ncellsize 1\nNODATA_value -9999\n" + " ".join(map(str, values)))
+        return run("terrain", tmp_path / "odd.asc", "-o", tmp_path / "odd.vtp", *options)
+    for columns, rows in ((9, 1), (1, 9)):
+        done = terrain(columns, rows, range(9))
+        assert done.returncode == 1 and f"{columns} x {rows} samples" in done.stderr and not (tmp_path / "odd.vtp").exists(), done.stderr
+    done = terrain(9, 9, [-9999] * 81)
+    assert done.returncode == 1 and not (tmp_path / "odd.vtp").exists()
+    for values in ([5] * 81, [-9999 if i == 40 else 5 for i in range(81)]):
+        done = terrain(9, 9, values, "--quads", "8")
+        assert done.returncode == 0, done.stderr
+        mesh = read(tmp_path / "odd.vtp")
+        assert mesh.GetNumberOfPolys() == 2 * (64 if -9999 not in values else 60) and set(points_of(mesh)[:, 2]) == {5.0}
+        across = numpy.column_stack([WIDTH / 3 + PIXELS * numpy.linspace(1.5, 6.5, 20), numpy.full(20, HEIGHT / 2 + 1.7 * PIXELS)])
+        write(stroke(across), tmp_path / "line.vtp")
+        done = run("augment", tmp_path / "odd.vtp", tmp_path / "line.vtp", "-o", tmp_path / "o.vtp", "--radius", "0.9", "--height", "0.5")
+        assert done.returncode == 0, done.stderr
+        top = points_of(read(tmp_path / "o.vtp"))[:, 2]
+        assert top.max() == pytest.approx(5.5, abs=1e-9) and top.min() == 5.0
+
+
 @pytest.mark.skipif(shutil.which("xvfb-run") is None, reason="no virtual display")
 def test_colours_of_the_picture(folder, tmp_path):
     from vtkmodules.vtkIOImage import vtkPNGReader
