@@ -144,7 +144,7 @@ QString AugmentTool::stage(const QString& name) const
   {
     return tr("Pairing triangles");
   }
-  if (name == "Refine")
+  if (name == "Refine" || name == "RefineOnSource")
   {
     return tr("Making triangles");
   }
