@@ -1,13 +1,11 @@
 #include "Stellar/snap.h"
 
 #include "Mesh/context.h"
-#include "Stellar/crossings.h"
 #include "Stellar/quality.h"
+#include "Stellar/snapper.h"
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
-#include <tuple>
 
 namespace oversketch
 {
@@ -17,97 +15,10 @@ namespace
 
 constexpr double onCurve = 1e-9;                        // edge lengths
 constexpr double cornerCosine = 0.70710678118654752440; // a boundary that turns by more stays
-constexpr int residualGeneration = 24;
-constexpr double splitShare = 0.9; // of A2's angle: what a split may leave, since it halves angles
 constexpr int facesPerScan = 4096;
 constexpr int movesPerCheck = 1024; // moves between two looks at whether to stop
 
-struct Found
-{
-  EdgeCrossing crossing;
-  bool snapped[2]; // which ends were when it was found
-};
-
-struct Candidate
-{
-  double distance;
-  int vertex, other, found;
-  bool operator>(const Candidate& o) const
-  {
-    return std::tie(this->distance, this->vertex, this->other, this->found) >
-           std::tie(o.distance, o.vertex, o.other, o.found);
-  }
-};
-
-class Snapper
-{
-public:
-  Snapper(Forest& forest, const FeatureCurves& curves, const SnapOptions& options, const Context& context)
-    : Mesh(forest)
-    , Options(options)
-    , Caller(context)
-    , Search(curves)
-    , Finder(forest, this->Search)
-  {
-    this->First.reserve(forest.vertices.size() + forest.vertices.size() / 8);
-    for (const Forest::Vertex& v : forest.vertices)
-    {
-      this->First.push_back(v.position);
-    }
-  }
-
-  void start();
-  void allAtOnce();
-  void nearestFirst();
-  void residualRounds(const MidpointRule& rule);
-
-  const SnapReport& result() const { return this->Report; }
-
-private:
-  struct Scan
-  {
-    std::vector<EdgeCrossing> crossings;
-    std::vector<std::pair<int, EdgeCrossing>> on; // vertices on a curve, that and the parameter
-  };
-
-  Forest::Vertex& vertex(int v) const { return this->Mesh.vertices[v]; }
-  bool snapped(int v) const { return this->vertex(v).curveId >= 0; }
-  Vector3 place(const EdgeCrossing& c) const
-  {
-    const Vector3& a = this->vertex(c.ends[0]).position;
-    return a + c.u * (this->vertex(c.ends[1]).position - a);
-  }
-
-  void scan(int f, Scan& result) const;
-  void take(const Scan& scan);
-  void remember(const EdgeCrossing& crossing);
-  void mark(int v, int curve, double parameter);
-  void put(int v, const EdgeCrossing& crossing, const Vector3& to);
-  bool mayGo(int v, int towards) const;
-  bool unchanged(const Found& found) const;
-  bool explained(const EdgeCrossing& crossing) const;
-  void findAround(int v);
-  std::vector<int> residual() const;
-  double narrowestOf(const std::vector<Forest::Birth>& births) const;
-  void split(const EdgeCrossing& crossing, const MidpointRule& rule, std::vector<Forest::Birth>& births);
-  void weldBack(const std::vector<Forest::Birth>& births);
-  void splitWithCare(const EdgeCrossing& crossing,
-    const MidpointRule& rule,
-    std::vector<Forest::Birth>& births);
-  void findIn(const std::vector<Forest::Birth>& births);
-  void takeBack(const std::vector<Forest::Birth>& births);
-
-  SnapReport Report;
-  Forest& Mesh;
-  const SnapOptions& Options;
-  const Context& Caller;
-  CurveSearch Search;
-  CrossingFinder Finder;
-  std::vector<Vector3> First;                         // where vertices were before they moved, by slot
-  std::vector<Found> Crossings;                       // also those that are no longer
-  std::vector<std::pair<int, Forest::Vertex>> Before; // of what this round has moved
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> Heap;
-};
+} // namespace
 
 // Each edge is told of by its lower face, each vertex by the face that it names.
 void Snapper::scan(int f, Scan& result) const
@@ -154,6 +65,8 @@ void Snapper::mark(int v, int curve, double parameter)
   moved.curveParam = parameter;
   moved.moved |= Forest::Placed;
   ++this->Report.snapped;
+  this->Moves.resize(this->Mesh.vertices.size(), 0);
+  ++this->Moves[v];
 }
 
 void Snapper::put(int v, const EdgeCrossing& crossing, const Vector3& to)
@@ -212,11 +125,11 @@ bool Snapper::explained(const EdgeCrossing& crossing) const
          curve.apart(ends[0]->curveParam, ends[1]->curveParam) <= 2.0 * length;
 }
 
-// A vertex moves once, when it is snapped; so an edge is as it was if its ends' states are.
+// An edge is as it was if its ends have not moved.
 bool Snapper::unchanged(const Found& found) const
 {
-  return this->snapped(found.crossing.ends[0]) == found.snapped[0] &&
-         this->snapped(found.crossing.ends[1]) == found.snapped[1];
+  return this->movesOf(found.crossing.ends[0]) == found.moves[0] &&
+         this->movesOf(found.crossing.ends[1]) == found.moves[1];
 }
 
 void Snapper::remember(const EdgeCrossing& crossing)
@@ -228,7 +141,7 @@ void Snapper::remember(const EdgeCrossing& crossing)
   }
   const int id = static_cast<int>(this->Crossings.size());
   this->Crossings.push_back(
-    { crossing, { this->snapped(crossing.ends[0]), this->snapped(crossing.ends[1]) } });
+    { crossing, { this->movesOf(crossing.ends[0]), this->movesOf(crossing.ends[1]) } });
   const double length =
     (this->vertex(crossing.ends[1]).position - this->vertex(crossing.ends[0]).position).norm();
   for (int i = 0; i < 2; ++i)
@@ -312,8 +225,8 @@ void Snapper::allAtOnce()
   }
 }
 
-// Crossings of the edges at a vertex that has moved.
-void Snapper::findAround(int v)
+// Crossings of the edges at a vertex.
+std::vector<EdgeCrossing> Snapper::crossingsAround(int v) const
 {
   std::vector<EdgeCrossing> crossings;
   this->Mesh.star(v,
@@ -325,10 +238,22 @@ void Snapper::findAround(int v)
         this->Finder.add(f, (i + 1) % 3, crossings);
       }
     });
-  for (const EdgeCrossing& crossing : crossings)
+  return crossings;
+}
+
+void Snapper::findAround(int v)
+{
+  for (const EdgeCrossing& crossing : this->crossingsAround(v))
   {
     this->remember(crossing);
   }
+}
+
+int Snapper::countAround(int v) const
+{
+  const std::vector<EdgeCrossing> crossings = this->crossingsAround(v);
+  return static_cast<int>(std::count_if(
+    crossings.begin(), crossings.end(), [&](const EdgeCrossing& c) { return !this->explained(c); }));
 }
 
 void Snapper::nearestFirst()
@@ -356,187 +281,6 @@ void Snapper::nearestFirst()
     this->findAround(next.vertex);
   }
 }
-
-std::vector<int> Snapper::residual() const
-{
-  std::vector<int> left;
-  for (int i = 0; i < static_cast<int>(this->Crossings.size()); ++i)
-  {
-    const Found& found = this->Crossings[i];
-    if (this->unchanged(found) && !this->explained(found.crossing) &&
-        this->Mesh.faceWithEdge(found.crossing.ends[0], found.crossing.ends[1]) >= 0)
-    {
-      left.push_back(i);
-    }
-  }
-  return left;
-}
-
-// Sine squared of the smallest angle of the faces that splits left in their slots.
-double Snapper::narrowestOf(const std::vector<Forest::Birth>& births) const
-{
-  double least = 1.0;
-  for (const Forest::Birth& birth : births)
-  {
-    for (const int f : { birth.parent, birth.child })
-    {
-      if (this->Mesh.isFace(f))
-      {
-        const int* v = this->Mesh.faces[f].v;
-        least = std::min(least,
-          narrowness(this->vertex(v[0]).position, this->vertex(v[1]).position, this->vertex(v[2]).position));
-      }
-    }
-  }
-  return least;
-}
-
-// Splits an edge and puts the new vertex where a curve crosses it, if the guard lets it.
-void Snapper::split(const EdgeCrossing& crossing,
-  const MidpointRule& rule,
-  std::vector<Forest::Birth>& births)
-{
-  const Vector3 to = this->place(crossing);
-  const int m = this->Mesh.refineEdge(crossing.ends[0], crossing.ends[1], rule, &births);
-  this->First.resize(this->Mesh.vertices.size());
-  for (const Forest::Birth& birth : births)
-  {
-    const int* ends = this->vertex(birth.vertex).parents;
-    this->First[birth.vertex] = 0.5 * (this->First[ends[0]] + this->First[ends[1]]);
-  }
-  if (this->snapped(m))
-  {
-    return;
-  }
-  if (mayMove(this->Mesh, m, to, this->Options.minimumAngle, &this->First))
-  {
-    this->put(m, crossing, to);
-  }
-  else
-  {
-    ++this->Report.refused;
-  }
-}
-
-// Undoes splits that nothing was split after.
-void Snapper::weldBack(const std::vector<Forest::Birth>& births)
-{
-  for (auto birth = births.rbegin(); birth != births.rend(); ++birth)
-  {
-    if (this->Mesh.isVertex(birth->vertex)) // not gone with its twin
-    {
-      this->Mesh.weld(birth->vertex);
-    }
-  }
-}
-
-// The same, unless that makes triangles that are too narrow of such that were wider.
-void Snapper::splitWithCare(const EdgeCrossing& crossing,
-  const MidpointRule& rule,
-  std::vector<Forest::Birth>& births)
-{
-  const int f = this->Mesh.faceWithEdge(crossing.ends[0], crossing.ends[1]);
-  if (f < 0 || this->Mesh.faces[f].gen >= residualGeneration)
-  {
-    return;
-  }
-  const SnapReport report = this->Report;
-  std::vector<Forest::Birth> own;
-  this->split(crossing, rule, own);
-  const double after = this->narrowestOf(own);
-  if (after < squaredSine(splitShare * this->Options.minimumAngle))
-  {
-    this->weldBack(own);
-    this->Report = report;
-    const bool wider = after < this->narrowestOf(own);
-    own.clear();
-    if (wider)
-    {
-      ++this->Report.refused;
-      return;
-    }
-    this->split(crossing, rule, own);
-  }
-  births.insert(births.end(), own.begin(), own.end());
-}
-
-// Crossings of the edges that splits have made.
-void Snapper::findIn(const std::vector<Forest::Birth>& births)
-{
-  std::vector<int> faces, vertices;
-  for (const Forest::Birth& birth : births)
-  {
-    faces.push_back(birth.parent);
-    faces.push_back(birth.child);
-    vertices.push_back(birth.vertex);
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  std::sort(vertices.begin(), vertices.end());
-  const auto isNew = [&](int v) { return std::binary_search(vertices.begin(), vertices.end(), v); };
-  Scan all, fresh;
-  for (const int f : faces)
-  {
-    this->scan(f, all);
-  }
-  fresh.on = all.on;
-  for (const EdgeCrossing& crossing : all.crossings)
-  {
-    if (isNew(crossing.ends[0]) || isNew(crossing.ends[1]))
-    {
-      fresh.crossings.push_back(crossing);
-    }
-  }
-  this->take(fresh);
-}
-
-void Snapper::residualRounds(const MidpointRule& rule)
-{
-  std::vector<int> left = this->residual();
-  for (int round = 0; round < this->Options.maximumResidualRounds && !left.empty(); ++round)
-  {
-    this->Caller.checkpoint(0.8);
-    this->Report.split = true;
-    const int faces = this->Mesh.faceCount();
-    const SnapReport report = this->Report;
-    this->Before.clear();
-    std::vector<Forest::Birth> births;
-    for (const int i : left)
-    {
-      const EdgeCrossing crossing = this->Crossings[i].crossing;
-      this->splitWithCare(crossing, rule, births);
-    }
-    this->findIn(births);
-    this->nearestFirst();
-    this->Report.facesAdded += this->Mesh.faceCount() - faces;
-    std::vector<int> now = this->residual();
-    if (now.size() >= left.size())
-    {
-      this->takeBack(births);
-      this->Report = report;
-      break;
-    }
-    left = std::move(now);
-  }
-  this->Report.residual = static_cast<int>(left.size());
-}
-
-// Undoes a round.
-void Snapper::takeBack(const std::vector<Forest::Birth>& births)
-{
-  this->weldBack(births);
-  for (const auto& [v, before] : this->Before)
-  {
-    if (this->Mesh.isVertex(v))
-    {
-      const int face = this->vertex(v).face;
-      this->vertex(v) = before;
-      this->vertex(v).face = face;
-    }
-  }
-}
-
-} // namespace
 
 SnapReport snap(Forest& forest,
   const FeatureCurves& curves,

@@ -13,7 +13,8 @@ struct Context;
 enum class SnapOrder
 {
   // The nearest crossing of all first; crossings that a snapped vertex explains are left alone, moves that
-  // would spoil a triangle are refused, edges that are crossed still are split.
+  // would spoil a triangle are refused, edges that are crossed still get a vertex along the curve or are
+  // split.
   Nearest,
   // As the paper has it: crossings are found once and every vertex goes to its nearest. Both ends of an edge
   // then meet in one point: triangles collapse and turn over.
@@ -23,8 +24,8 @@ enum class SnapOrder
 struct SnapOptions
 {
   SnapOrder order = SnapOrder::Nearest;
-  double minimumAngle = 5.0; // [degrees, 0 to 60] of A2, see mayMove; with Nearest
-  int maximumResidualRounds = 2;
+  double minimumAngle = 5.0;     // [degrees, 0 to 60] of A2, see mayMove; with Nearest
+  int maximumResidualRounds = 2; // 0: vertices go along their edges and nowhere else
 };
 
 struct SnapReport
@@ -47,7 +48,10 @@ struct SnapReport
 //   snapped.
 // - A vertex on the boundary moves along the boundary only, and not at all where that turns by over 45
 // degrees.
-// - Edges that are crossed in the end are split in rounds, down to generation 24, the new vertices put on the
+// - Where edges are crossed in the end, an end goes along a curve (ours): one that is on another curve to
+//   where the two meet, any other to a place near the crossing, if fewer of its edges are crossed then. So
+//   where curves meet there is a vertex on both, and fewer edges need to be split.
+// - Edges that are crossed still are split in rounds, down to generation 24, the new vertices put on the
 //   curve; a round that does not make such crossings fewer is taken back, and is the last.
 // Throws Error(BadStroke) for curves that checkCurves refuses and options out of their range,
 // Error(Cancelled) with the forest half done.

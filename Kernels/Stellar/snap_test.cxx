@@ -229,6 +229,64 @@ TEST(Snap, TwoThreadsAndASecondTimeAreTheSame)
   EXPECT_TRUE(sameForest(once, twice));
 }
 
+// 30 pairs of lines, most of which cross: an edge along one of them is crossed by the other far from its ends
+// unless a vertex goes along the one to where they meet.
+TEST(Snap, CurvesThatMeetLeaveNoCrossing)
+{
+  const std::vector<FeatureCurve> lines = planarCurves(false);
+  int crossings = 0, without = 0, left = 0, added = 0, faces = 0, flipped = 0, meetings = 0, met = 0;
+  double smallest = 60.0;
+  for (int i = 0; i < 30; ++i)
+  {
+    const FeatureCurves curves{ lines[i], lines[i + 30] };
+    const Forest start = refinedSquare(curves);
+    SnapOptions none;
+    none.maximumResidualRounds = 0;
+    Forest plain = start, forest = start;
+    without += snap(plain, curves, none, {}, Context()).residual;
+    const SnapReport report = snap(forest, curves, {}, {}, Context());
+    EXPECT_EQ(forest.broken(), "");
+    crossings += report.crossings;
+    left += report.residual;
+    added += report.facesAdded;
+    faces += forest.faceCount();
+    smallest = std::min(smallest, faceQuality(forest, Context()).smallestAngle);
+    for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
+    {
+      flipped += forest.isFace(f) && forest.facetNormal(f).z() <= 0.0 ? 1 : 0;
+    }
+    // Where the lines meet, by Cramer's rule.
+    const Vector3 p = curves[0].points[0], x = curves[0].points[1] - p, q = curves[1].points[0],
+                  y = curves[1].points[1] - q;
+    const double whole = x.cross(y).z(), s = (q - p).cross(y).z() / whole, u = (q - p).cross(x).z() / whole;
+    const bool meet = s > 0.05 && s < 0.95 && u > 0.05 && u < 0.95;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
+    {
+      const Forest::Vertex& at = forest.vertices[v];
+      if (at.curveId >= 0)
+      {
+        EXPECT_LE((curves[at.curveId].position(at.curveParam) - at.position).norm(), 1e-12);
+        nearest = std::min(nearest, (at.position - p - s * x).norm());
+      }
+    }
+    meetings += meet ? 1 : 0;
+    met += meet && nearest < 0.005 ? 1 : 0; // a third of an edge
+  }
+  std::ostringstream text;
+  text << "30 pairs of lines, " << meetings << " that meet: " << crossings << " crossings, residual "
+       << without << " -> " << left << ", " << added << " of " << faces << " faces added, smallest angle "
+       << smallest;
+  fact("D9_1", text.str());
+  EXPECT_GT(meetings, 10);
+  EXPECT_EQ(met, meetings);
+  EXPECT_GT(without, 20);
+  EXPECT_LE(left, 0.001 * crossings);
+  EXPECT_LT(added, 0.005 * faces);
+  EXPECT_EQ(flipped, 0);
+  EXPECT_GT(smallest, 4.0);
+}
+
 TEST(Snap, ScaleAndPlaceDoNotMatter)
 {
   const FeatureCurves curves = manyCurves();

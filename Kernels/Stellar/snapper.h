@@ -1,0 +1,118 @@
+// The work of snap.h, in steps: what it knows of a mesh while it snaps. Private to this folder.
+#ifndef oversketch_stellar_snapper_h
+#define oversketch_stellar_snapper_h
+
+#include "Stellar/crossings.h"
+#include "Stellar/snap.h"
+
+#include <functional>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace oversketch
+{
+
+class Snapper
+{
+public:
+  Snapper(Forest& forest, const FeatureCurves& curves, const SnapOptions& options, const Context& context)
+    : Mesh(forest)
+    , Options(options)
+    , Caller(context)
+    , Search(curves)
+    , Finder(forest, this->Search)
+  {
+    this->First.reserve(forest.vertices.size() + forest.vertices.size() / 8);
+    for (const Forest::Vertex& v : forest.vertices)
+    {
+      this->First.push_back(v.position);
+    }
+  }
+
+  void start();
+  void allAtOnce();
+  void nearestFirst();
+  void residualRounds(const MidpointRule& rule);
+
+  const SnapReport& result() const { return this->Report; }
+
+private:
+  struct Found
+  {
+    EdgeCrossing crossing;
+    int moves[2]; // of its ends, when it was found
+  };
+
+  struct Candidate
+  {
+    double distance;
+    int vertex, other, found;
+    bool operator>(const Candidate& o) const
+    {
+      return std::tie(this->distance, this->vertex, this->other, this->found) >
+             std::tie(o.distance, o.vertex, o.other, o.found);
+    }
+  };
+
+  struct Scan
+  {
+    std::vector<EdgeCrossing> crossings;
+    std::vector<std::pair<int, EdgeCrossing>> on; // vertices on a curve, that and the parameter
+  };
+  struct Place // on a curve
+  {
+    int curve;
+    double parameter;
+  };
+
+  Forest::Vertex& vertex(int v) const { return this->Mesh.vertices[v]; }
+  bool snapped(int v) const { return this->vertex(v).curveId >= 0; }
+  Vector3 place(const EdgeCrossing& c) const
+  {
+    const Vector3& a = this->vertex(c.ends[0]).position;
+    return a + c.u * (this->vertex(c.ends[1]).position - a);
+  }
+
+  void scan(int f, Scan& result) const;
+  void take(const Scan& scan);
+  void remember(const EdgeCrossing& crossing);
+  void mark(int v, int curve, double parameter);
+  void put(int v, const EdgeCrossing& crossing, const Vector3& to);
+  Vector3 normalAt(int v, const Vector3& to) const;
+  std::vector<EdgeCrossing> crossingsAround(int v) const;
+  int countAround(int v) const;
+  std::vector<Place> placesFor(int v, const EdgeCrossing& crossing) const;
+  bool slide(const EdgeCrossing& crossing);
+  void slide();
+  int movesOf(int v) const { return v < static_cast<int>(this->Moves.size()) ? this->Moves[v] : 0; }
+  bool mayGo(int v, int towards) const;
+  bool unchanged(const Found& found) const;
+  bool explained(const EdgeCrossing& crossing) const;
+  void findAround(int v);
+  std::vector<int> residual() const;
+  double narrowestOf(const std::vector<Forest::Birth>& births) const;
+  void split(const EdgeCrossing& crossing, const MidpointRule& rule, std::vector<Forest::Birth>& births);
+  void weldBack(const std::vector<Forest::Birth>& births);
+  void splitWithCare(const EdgeCrossing& crossing,
+    const MidpointRule& rule,
+    std::vector<Forest::Birth>& births);
+  void findIn(const std::vector<Forest::Birth>& births);
+  void takeBack(const std::vector<Forest::Birth>& births);
+
+  SnapReport Report;
+  Forest& Mesh;
+  const SnapOptions& Options;
+  const Context& Caller;
+  CurveSearch Search;
+  CrossingFinder Finder;
+  std::vector<int> Moves;                             // how often vertices moved, by slot, as far as any did
+  std::vector<Vector3> First;                         // where vertices were before they moved, by slot
+  std::vector<Found> Crossings;                       // also those that are no longer
+  std::vector<std::pair<int, Forest::Vertex>> Before; // of what this round has moved
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> Heap;
+};
+
+} // namespace oversketch
+#endif
