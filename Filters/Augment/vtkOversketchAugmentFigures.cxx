@@ -57,7 +57,7 @@ double SmallestAngle(vtkPolyData* mesh)
 
 void vtkOversketchAugment::Pipeline::AddFigures()
 {
-  Figures& sum = *this->Counted;
+  vtkOversketchAugmentFigures& sum = *this->Counted;
   sum.Crossings += this->Snap->GetCrossings();
   sum.Residual += this->Snap->GetResidual();
   sum.RefusedMoves += this->Snap->GetRefused() + this->Smooth->GetRefused();
@@ -82,7 +82,7 @@ double vtkOversketchAugment::Pipeline::FigureOf(const std::string& name) const
   {
     return none;
   }
-  const Figures& sum = *this->Counted;
+  const vtkOversketchAugmentFigures& sum = *this->Counted;
   if (name == "SmallestAngle")
   {
     return ::SmallestAngle(this->Made->Last);

@@ -30,6 +30,15 @@
 #include <utility>
 #include <vector>
 
+// Of all passes of a run.
+struct vtkOversketchAugmentFigures
+{
+  int Crossings = 0, Residual = 0, RefusedMoves = 0, FacesAdded = 0, FlippedFaces = 0;
+  int IntersectingFaces = 0; // below 0: not counted
+  int CrestPlaces = 0;
+  double CrestSum = 0.0, CrestMinimum = 0.0, LongestSegment = 0.0;
+};
+
 struct vtkOversketchAugment::Pipeline
 {
   explicit Pipeline(vtkOversketchAugment* self);
@@ -71,15 +80,7 @@ struct vtkOversketchAugment::Pipeline
 
   vtkOversketchAugment* Self;
 
-  // Of all passes of the last run; nothing after one that failed.
-  struct Figures
-  {
-    int Crossings = 0, Residual = 0, RefusedMoves = 0, FacesAdded = 0, FlippedFaces = 0;
-    int IntersectingFaces = 0; // below 0: not counted
-    int CrestPlaces = 0;
-    double CrestSum = 0.0, CrestMinimum = 0.0, LongestSegment = 0.0;
-  };
-  std::optional<Figures> Counted;
+  std::optional<vtkOversketchAugmentFigures> Counted; // nothing after a run that failed
 
   // What the inner pipeline starts from. Start is the mesh that came in, welded where that has repeated
   // points; Mesh that of the present pass; Shape its 4-8 mesh without arrays, so that no step reads normals.

@@ -3,6 +3,7 @@
 #include "Mesh/context.h"
 #include "Stellar/defects.h"
 #include "Stellar/leaves.h"
+#include "Stellar/quality.h"
 
 #include <algorithm>
 #include <array>
@@ -15,14 +16,43 @@ namespace oversketch
 namespace
 {
 
-constexpr int longestExchange = 8; // pairs
+constexpr int longestExchange = 8;  // pairs, A7
+constexpr int longestWidening = 32; // the same for narrow ones, which are few
+constexpr double angleShare = 0.6;  // of the mesh's smallest angle: what refinement may leave
+constexpr int splitDepth = 4;       // of splits after which no other shapes come
+
+// The narrowest of what splits make of a triangle whose refinement edge is opposite its first corner.
+double narrowestPiece(const Vector3& p, const Vector3& a, const Vector3& c, int depth)
+{
+  const double own = narrowness(p, a, c);
+  if (depth == 0)
+  {
+    return own;
+  }
+  const Vector3 m = 0.5 * (a + c);
+  return std::min({ own, narrowestPiece(m, p, a, depth - 1), narrowestPiece(m, c, p, depth - 1) });
+}
+
+// The corners of a triangle from the one opposite its edge with another one on.
+Triangle apexFirst(const Triangle& t, const Triangle& other)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (std::find(other.begin(), other.end(), t[i]) == other.end())
+    {
+      return { t[i], t[(i + 1) % 3], t[(i + 2) % 3] };
+    }
+  }
+  return t;
+}
 
 // Who is whose partner, and along which edges one may be sought.
 class Pairing
 {
 public:
   Pairing(const Mesh& mesh, const Adjacency& adjacency)
-    : Adj(adjacency)
+    : Shape(mesh)
+    , Adj(adjacency)
     , Mate(mesh.triangles.size(), -1)
     , Seen(mesh.triangles.size(), -1)
     , Rank(adjacency.edges.size())
@@ -69,13 +99,61 @@ public:
   // Looks for a partner of a free triangle along alternating paths, shortest first.
   void exchange(int root)
   {
+    const auto any = [](int) { return true; };
+    this->exchange(root, longestExchange, any, any);
+  }
+
+  // Exchanges pairs whose pieces would be much narrower than any triangle of the mesh for such that are not.
+  void widen(const Context& context)
+  {
+    const int count = static_cast<int>(this->Shape.triangles.size());
+    std::vector<double> own(count);
+    double least = 1.0;
+    for (int t = 0; t < count; ++t)
+    {
+      const Triangle& v = this->Shape.triangles[t];
+      own[t] = narrowness(this->Shape.points[v[0]], this->Shape.points[v[1]], this->Shape.points[v[2]]);
+      least = std::min(least, own[t]);
+    }
+    const double angle = std::asin(std::sqrt(least)), bound = std::pow(std::sin(angleShare * angle), 2.0);
+    // Halved over its longest edge a triangle this wide does not come near the bound.
+    const double wide = std::pow(std::sin(std::min(3.0 * angleShare * angle, 0.5)), 2.0);
+    for (int t = 0; t < count; ++t)
+    {
+      if (t % 65536 == 0)
+      {
+        context.checkpoint(0.8);
+      }
+      const int mate = this->Mate[t];
+      if (mate < t || this->isSafe(t, own[t], wide) || !(this->narrowestOf(t, mate) < bound))
+      {
+        continue;
+      }
+      this->Mate[t] = this->Mate[mate] = -1;
+      const auto isWide = [&](int e) { return this->narrowestOf(e) >= bound; };
+      if (!this->exchange(t, longestWidening, isWide, [mate](int other) { return other == mate; }))
+      {
+        this->pair(t, mate);
+      }
+    }
+  }
+
+  int mate(int t) const { return this->Mate[t]; }
+
+private:
+  // Through so many pairs at most. `mayPair(edge)`, and whether the path may end at a free triangle. False:
+  // there is none.
+  template <class MayPair, class MayEnd>
+  bool exchange(int root, int longest, const MayPair& mayPair, const MayEnd& mayEnd)
+  {
     // A triangle that the path may leave by an edge that is not its pair's.
     struct Step
     {
       int triangle, from, before, pairs; // from: its present mate; before: the step that reached that
     };
     std::vector<Step> steps{ { root, -1, -1, 0 } };
-    this->Seen[root] = root;
+    ++this->Search;
+    this->Seen[root] = this->Search;
     for (int i = 0; i < static_cast<int>(steps.size()); ++i)
     {
       const Step step = steps[i];
@@ -89,7 +167,7 @@ public:
         }
         const int* t = this->Adj.trianglesBegin(e);
         const int other = t[0] == step.triangle ? t[1] : t[0], mate = this->Mate[other];
-        if (this->Seen[other] == root)
+        if (this->Seen[other] == this->Search || (mate < 0 && !mayEnd(other)) || !mayPair(e))
         {
           continue;
         }
@@ -100,42 +178,54 @@ public:
           {
             this->pair(steps[k].from, steps[steps[k].before].triangle);
           }
-          return;
+          return true;
         }
-        if (step.pairs < longestExchange)
+        if (step.pairs < longest)
         {
-          this->Seen[other] = this->Seen[mate] = root;
+          this->Seen[other] = this->Seen[mate] = this->Search;
           steps.push_back({ mate, other, i, step.pairs + 1 });
         }
       }
     }
+    return false;
   }
 
-  int mate(int t) const { return this->Mate[t]; }
+  // Paired over its longest edge, and wide.
+  bool isSafe(int t, double own, double wide) const
+  {
+    const std::array<int, 3>& edges = this->Adj.triangleEdges[t];
+    const int longest = *std::min_element(
+      edges.begin(), edges.end(), [&](int a, int b) { return this->Rank[a] < this->Rank[b]; });
+    const int* both = this->Adj.trianglesBegin(longest);
+    return own >= wide && this->Adj.edges[longest].triangleCount == 2 &&
+           (both[0] == this->Mate[t] || both[1] == this->Mate[t]);
+  }
 
-private:
+  double narrowestOf(int e) const
+  {
+    const int* both = this->Adj.trianglesBegin(e);
+    return this->narrowestOf(both[0], both[1]);
+  }
+  double narrowestOf(int t, int other) const
+  {
+    const Triangle a = apexFirst(this->Shape.triangles[t], this->Shape.triangles[other]),
+                   b = apexFirst(this->Shape.triangles[other], this->Shape.triangles[t]);
+    const auto at = [this](int v) -> const Vector3& { return this->Shape.points[v]; };
+    return std::min(narrowestPiece(at(a[0]), at(a[1]), at(a[2]), splitDepth),
+      narrowestPiece(at(b[0]), at(b[1]), at(b[2]), splitDepth));
+  }
+
   void pair(int a, int b)
   {
     this->Mate[a] = b;
     this->Mate[b] = a;
   }
 
+  const Mesh& Shape;
   const Adjacency& Adj;
   std::vector<int> Mate, Seen, Rank, Order;
+  int Search = 0; // that Seen tells of
 };
-
-// The corners of a triangle from the one opposite its edge with another one on.
-Triangle apexFirst(const Triangle& t, const Triangle& other)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    if (std::find(other.begin(), other.end(), t[i]) == other.end())
-    {
-      return { t[i], t[(i + 1) % 3], t[(i + 2) % 3] };
-    }
-  }
-  return t;
-}
 
 void addRoot(Forest& forest, const Triangle& t, int gen)
 {
@@ -178,6 +268,10 @@ BaseMesh pairTriangles(const Mesh& mesh, const PairingOptions& options, const Co
     {
       context.checkpoint(0.7);
     }
+  }
+  if (options.improvePairs)
+  {
+    pairing.widen(context);
   }
   BaseMesh base;
   Forest& forest = base.forest;

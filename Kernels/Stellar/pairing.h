@@ -12,7 +12,8 @@ namespace oversketch
 struct PairingOptions
 {
   // Finds partners for triangles that the greedy pairing left alone, by exchanging those of at most 8 pairs
-  // on the way to another lonely one.
+  // on the way to another lonely one (A7). In the same way pairs go (ours) whose pieces would have an angle
+  // under 0.6 of the mesh's smallest.
   bool improvePairs = true;
   bool eagerPairs = false; // splits every pair at once, as Velho's library does
 };
