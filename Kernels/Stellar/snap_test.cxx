@@ -232,7 +232,7 @@ TEST(Snap, TwoThreadsAndASecondTimeAreTheSame)
 
 // 30 pairs of lines, most of which cross: an edge along one of them is crossed by the other far from its ends
 // unless a vertex goes along the one to where they meet.
-TEST(Snap, CurvesThatMeetLeaveNoCrossing)
+TEST(D9_1, CurvesThatMeetLeaveNoCrossing)
 {
   const std::vector<FeatureCurve> lines = planarCurves(false);
   int crossings = 0, without = 0, left = 0, added = 0, faces = 0, flipped = 0, meetings = 0, met = 0;
