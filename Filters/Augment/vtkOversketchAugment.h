@@ -21,8 +21,8 @@
  * Output 0: the mesh with its features, points in double, and the arrays of a 4-8 mesh
  * (Filters/Stellar/README.md), so that the next stroke can go on. Other arrays as vtkOversketchStellarBase
  * has them; along texture seams once per side, and points that repeat a place then come after all others, so
- * that welding the output gives the 4-8 mesh with its numbers. A stroke may draw a seam's points off it; they
- * take the seam with them. Points that no feature reaches and that were there are bit-identical.
+ * that welding the output gives the 4-8 mesh with its numbers. A seam's points move along it
+ * only. Points that no feature reaches and that were there are bit-identical.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
  * BadStroke where there is no stroke. An empty mesh gives an empty output silently. A run that AbortExecute

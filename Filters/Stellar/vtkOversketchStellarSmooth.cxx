@@ -2,6 +2,7 @@
 
 #include "Stellar/refine.h"
 #include "Stellar/smooth.h"
+#include "vtkOversketchStellarParts.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
@@ -62,7 +63,7 @@ int vtkOversketchStellarSmooth::RequestData(vtkInformation*,
         this->MinimumAngle };
       const FeatureCurves curves = CurvesOf(step.curves);
       this->Internals->Step.Provide(step.mesh,
-        { WholeKey(step.curves), SourceKey(step) },
+        { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
         values,
         &curves,
         StellarStep::Motion::Slide,
@@ -76,6 +77,7 @@ int vtkOversketchStellarSmooth::RequestData(vtkInformation*,
           options.relaxation = this->Relaxation;
           options.iterations = this->Iterations;
           options.minimumAngle = this->MinimumAngle;
+          options.parts = PartsOf(step.mesh, before);
           const MidpointRule rule =
             midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
           Forest forest = before;

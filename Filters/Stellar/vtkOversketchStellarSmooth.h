@@ -5,10 +5,11 @@
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. III-C.1: vertices move,
  * within their tangent planes, towards the mean of their neighbours. Departures: of the whole mesh, as
  * printed, only the vertices within some rings round snapped ones move (Rings), since all others are as they
- * were drawn on; snapped vertices, crests of earlier strokes and the border stay; moves that would spoil a
- * triangle are refused (MinimumAngle).
+ * were drawn on; snapped vertices, crests of earlier strokes, the border and seams stay; moves that would
+ * spoil a triangle are refused (MinimumAngle).
  *
- * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
+ * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Cell array Chart
+ * (optional): as for vtkOversketchStellarSnap.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
  * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
  * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, to which vertices

@@ -3,6 +3,7 @@
 #include "Stellar/leaves.h"
 #include "Stellar/refine.h"
 #include "Stellar/snap.h"
+#include "vtkOversketchStellarParts.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
@@ -62,7 +63,7 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
       };
       const FeatureCurves curves = CurvesOf(step.curves);
       this->Internals->Step.Provide(step.mesh,
-        { WholeKey(step.curves), SourceKey(step) },
+        { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
         values,
         &curves,
         StellarStep::Motion::Slide,
@@ -75,6 +76,7 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
           options.order = this->Order == AllAtOnce ? SnapOrder::AllAtOnce : SnapOrder::Nearest;
           options.minimumAngle = this->MinimumAngle;
           options.maximumResidualRounds = this->MaximumResidualRounds;
+          options.parts = PartsOf(step.mesh, before);
           const MidpointRule rule =
             midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
           Forest forest = before.roomyCopy();

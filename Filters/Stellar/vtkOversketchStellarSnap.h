@@ -5,14 +5,16 @@
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. III-C.1: each vertex moves
  * to the nearest crossing of its edges with a curve. Departures, undone by the order AllAtOnce: crossings are
  * taken one by one, the nearest of all first; those that a snapped vertex explains are left alone; moves that
- * would spoil a triangle are refused (MinimumAngle); edges that are still crossed are split
- * (MaximumResidualRounds).
+ * would spoil a triangle are refused (MinimumAngle); where edges are still crossed an end goes along a curve,
+ * to where it meets another, or they are split (MaximumResidualRounds). Vertices on the border and on seams
+ * move along those only.
  *
- * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
- * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
- * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
- * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, on which new
- * points lie that residual rounds make away from curves.
+ * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Cell array Chart
+ * (optional): one whole number per triangle, as for vtkOversketchRemesh; neighbours with different ones have
+ * a seam between them. Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or
+ * vtkOversketchSilhouetteSketch; of their arrays Normals and Pressure are read, and the cell arrays Radius,
+ * Height and Sharpness go before parameters. Input 2 (Source, optional): output 1 of vtkOversketchStellarBase
+ * or vtkOversketchTerrain, on which new points lie that residual rounds make away from curves.
  *
  * Output 0 (Mesh): the 4-8 mesh; CurveId and CurveParam of the vertices that lie on curves, StellarMoved with
  * 1, BaseNormal as at their places before, and field array CurveDigest. Other point arrays, normals among
@@ -83,7 +85,8 @@ public:
 
   ///@{
   /**
-   * Rounds that split edges which are crossed in the end [default 2].
+   * Rounds that split edges which are crossed in the end [default 2]. 0: vertices move along their own edges
+   * and nowhere else.
    */
   vtkSetClampMacro(MaximumResidualRounds, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumResidualRounds, int);

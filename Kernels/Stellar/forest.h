@@ -113,6 +113,26 @@ public:
     }
   }
 
+  // Whether the edge of a face opposite its corner i lies between roots of different parts. `parts`: a number
+  // per root, or empty: all are one part.
+  bool isSeam(int f, int i, const std::vector<int>& parts) const
+  {
+    const int n = this->faces[f].n[i];
+    return !parts.empty() && n >= 0 && parts[this->faces[f].root] != parts[this->faces[n].root];
+  }
+  // Whether a vertex is on such an edge.
+  bool onSeam(int v, const std::vector<int>& parts) const
+  {
+    bool found = false;
+    if (!parts.empty())
+    {
+      this->star(v,
+        [&](int f, int i)
+        { found = found || this->isSeam(f, (i + 1) % 3, parts) || this->isSeam(f, (i + 2) % 3, parts); });
+    }
+    return found;
+  }
+
   // Calls visit(vertex) for the link, counter-clockwise; on the boundary from end to end.
   template <class Visit>
   void link(int v, const Visit& visit) const

@@ -59,7 +59,7 @@ std::vector<Snapper::Place> Snapper::placesFor(int v, const EdgeCrossing& crossi
   const Forest::Vertex& own = this->vertex(v);
   const double length =
     (this->vertex(crossing.ends[1]).position - this->vertex(crossing.ends[0]).position).norm();
-  if (own.curveId == crossing.curve || this->Mesh.onBoundary(v))
+  if (own.curveId == crossing.curve || !this->isFree(v))
   {
     return {};
   }

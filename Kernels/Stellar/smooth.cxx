@@ -13,7 +13,7 @@ namespace
 {
 
 // Vertices around snapped ones that may move, ascending.
-std::vector<int> verticesToSmooth(const Forest& forest, int rings)
+std::vector<int> verticesToSmooth(const Forest& forest, int rings, const std::vector<int>& parts)
 {
   const int slots = static_cast<int>(forest.vertices.size());
   std::vector<char> chosen(slots, 0);
@@ -48,7 +48,8 @@ std::vector<int> verticesToSmooth(const Forest& forest, int rings)
   const auto pinned = [&](int v)
   {
     const Forest::Vertex& vertex = forest.vertices[v];
-    return vertex.curveId >= 0 || (vertex.moved & Forest::Crest) || vertex.face < 0 || forest.onBoundary(v);
+    return vertex.curveId >= 0 || (vertex.moved & Forest::Crest) || vertex.face < 0 || forest.onBoundary(v) ||
+           forest.onSeam(v, parts);
   };
   all.erase(std::remove_if(all.begin(), all.end(), pinned), all.end());
   std::sort(all.begin(), all.end());
@@ -120,7 +121,11 @@ SmoothReport smooth(Forest& forest,
     throw Error(Failure::BadStroke,
       "Smoothing needs a relaxation above 0 and at most 1, and a number of iterations that is not negative.");
   }
-  const std::vector<int> vertices = verticesToSmooth(forest, options.rings);
+  if (!options.parts.empty() && static_cast<int>(options.parts.size()) != forest.rootCount)
+  {
+    throw Error(Failure::BadStroke, "Smoothing needs a part for each triangle of the base mesh, or none.");
+  }
+  const std::vector<int> vertices = verticesToSmooth(forest, options.rings, options.parts);
   std::vector<Vector3> wanted(vertices.size());
   SmoothReport report;
   for (int iteration = 0; iteration < options.iterations; ++iteration)

@@ -5,6 +5,8 @@
 
 #include "Stellar/forest.h"
 
+#include <vector>
+
 namespace oversketch
 {
 
@@ -16,6 +18,7 @@ struct SmoothOptions
   double relaxation = 1.0;   // share of the way to the mean of the link, above 0, at most 1
   int iterations = 1;        // at least 0
   double minimumAngle = 5.0; // [degrees] of A2, see mayMove
+  std::vector<int> parts;    // of each root, see SnapOptions
 };
 
 struct SmoothReport
@@ -25,8 +28,8 @@ struct SmoothReport
 };
 
 // Moves vertices within their tangent planes towards the mean of their links, all from where they were
-// before. Snapped vertices, crests of earlier strokes and the boundary stay. Departures: a move that A2
-// refuses, seen with the moves of lower vertices done, is left out. With a source a vertex that was on it
+// before. Snapped vertices, crests of earlier strokes, the boundary and seams stay. Departures: a move that
+// A2 refuses, seen with the moves of lower vertices done, is left out. With a source a vertex that was on it
 // goes back to it, from its new place within the triangles around it. Throws Error(BadStroke) for options out
 // of their range, Error(Cancelled).
 SmoothReport smooth(Forest& forest,

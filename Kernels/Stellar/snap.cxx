@@ -83,23 +83,34 @@ void Snapper::put(int v, const EdgeCrossing& crossing, const Vector3& to)
   this->mark(v, crossing.curve, crossing.parameter);
 }
 
-// A boundary vertex keeps to its boundary, a corner of it to its place.
+// A vertex on the boundary or on a seam keeps to it, a corner or an end of it to its place.
 bool Snapper::mayGo(int v, int towards) const
 {
-  if (!this->Mesh.onBoundary(v))
+  if (this->isFree(v))
   {
     return true;
   }
-  int first = -1, last = -1;
-  this->Mesh.link(v,
-    [&](int w)
+  std::vector<int> ways; // the other ends of its edges on the boundary and on seams
+  this->Mesh.star(v,
+    [&](int f, int i)
     {
-      first = first < 0 ? w : first;
-      last = w;
+      const Forest::Face& face = this->Mesh.faces[f];
+      if (face.n[(i + 2) % 3] < 0 || this->Mesh.isSeam(f, (i + 2) % 3, this->Options.parts))
+      {
+        ways.push_back(face.v[(i + 1) % 3]);
+      }
+      if (face.n[(i + 1) % 3] < 0) // the last face's other edge
+      {
+        ways.push_back(face.v[(i + 2) % 3]);
+      }
     });
-  const Vector3 in = this->vertex(v).position - this->vertex(first).position;
-  const Vector3 out = this->vertex(last).position - this->vertex(v).position;
-  return (towards == first || towards == last) && in.dot(out) >= cornerCosine * in.norm() * out.norm();
+  if (ways.size() != 2 || (towards != ways[0] && towards != ways[1]))
+  {
+    return false;
+  }
+  const Vector3 in = this->vertex(v).position - this->vertex(ways[0]).position;
+  const Vector3 out = this->vertex(ways[1]).position - this->vertex(v).position;
+  return in.dot(out) >= cornerCosine * in.norm() * out.norm();
 }
 
 // A1: whether a snapped end stands for this crossing.
@@ -289,6 +300,10 @@ SnapReport snap(Forest& forest,
   const Context& context)
 {
   checkCurves(curves);
+  if (!options.parts.empty() && static_cast<int>(options.parts.size()) != forest.rootCount)
+  {
+    throw Error(Failure::BadStroke, "Snapping needs a part for each triangle of the base mesh, or none.");
+  }
   if (!(options.minimumAngle >= 0.0 && options.minimumAngle <= 60.0) || options.maximumResidualRounds < 0)
   {
     throw Error(Failure::BadStroke,

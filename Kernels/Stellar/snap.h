@@ -5,6 +5,8 @@
 
 #include "Stellar/forest.h"
 
+#include <vector>
+
 namespace oversketch
 {
 
@@ -26,6 +28,7 @@ struct SnapOptions
   SnapOrder order = SnapOrder::Nearest;
   double minimumAngle = 5.0;     // [degrees, 0 to 60] of A2, see mayMove; with Nearest
   int maximumResidualRounds = 2; // 0: vertices go along their edges and nowhere else
+  std::vector<int> parts;        // of each root; where they differ is a seam. Empty: there is none
 };
 
 struct SnapReport
@@ -46,15 +49,15 @@ struct SnapReport
 //   L, is snapped to k within L / 2 of t, or both ends are within 2 L of each other, or an end that is
 //   snapped to anything lies within L / 4 of it. A vertex within a billionth of an edge of a curve counts as
 //   snapped.
-// - A vertex on the boundary moves along the boundary only, and not at all where that turns by over 45
-// degrees.
+// - A vertex on the boundary or on a seam moves along that only, and not at all where it turns by over 45
+//   degrees, ends or branches.
 // - Where edges are crossed in the end, an end goes along a curve (ours): one that is on another curve to
 //   where the two meet, any other to a place near the crossing, if fewer of its edges are crossed then. So
 //   where curves meet there is a vertex on both, and fewer edges need to be split.
 // - Edges that are crossed still are split in rounds, down to generation 24, the new vertices put on the
 //   curve; a round that does not make such crossings fewer is taken back, and is the last.
-// Throws Error(BadStroke) for curves that checkCurves refuses and options out of their range,
-// Error(Cancelled) with the forest half done.
+// Throws Error(BadStroke) for curves that checkCurves refuses and options out of their range (parts of
+// another number of roots are), Error(Cancelled) with the forest half done.
 SnapReport snap(Forest& forest,
   const FeatureCurves& curves,
   const SnapOptions& options,

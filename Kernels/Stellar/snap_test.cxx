@@ -2,6 +2,7 @@
 
 #include "Stellar/feature_shapes.h"
 #include "Stellar/quality.h"
+#include "Stellar/smooth.h"
 
 #include <gtest/gtest.h>
 
@@ -231,7 +232,7 @@ TEST(Snap, TwoThreadsAndASecondTimeAreTheSame)
 
 // 30 pairs of lines, most of which cross: an edge along one of them is crossed by the other far from its ends
 // unless a vertex goes along the one to where they meet.
-TEST(Snap, CurvesThatMeetLeaveNoCrossing)
+TEST(D9_1, CurvesThatMeetLeaveNoCrossing)
 {
   const std::vector<FeatureCurve> lines = planarCurves(false);
   int crossings = 0, without = 0, left = 0, added = 0, faces = 0, flipped = 0, meetings = 0, met = 0;
@@ -400,6 +401,56 @@ TEST(Snap, BordersAndCornersStay)
   EXPECT_GE(alongBorder, 2);
   EXPECT_LE(report.residual, 0.02 * report.crossings);
   EXPECT_GT(faceQuality(forest, Context()).smallestAngle, 4.0);
+}
+
+// Of two parts of a square that meet at x = 1/2, what is on the seam slides along it and does not leave it.
+TEST(Snap, SeamsKeepTheirLine)
+{
+  const FeatureCurves curves{ featureCurve({ { 0.1, 0.313, 0 }, { 0.9, 0.42, 0 } }),
+    featureCurve({ { 0.45, 0.1, 0 }, { 0.55, 0.9, 0 } }) };
+  const Forest start = refinedSquare(curves, 0.0);
+  std::vector<int> parts(start.rootCount, 0);
+  for (const Forest::Face& face : start.faces)
+  {
+    double middle = 0.0;
+    for (const int v : face.v)
+    {
+      middle += start.vertices[v].position.x() / 3.0;
+    }
+    parts[face.root] = middle > 0.5;
+  }
+  for (const bool seams : { true, false })
+  {
+    SnapOptions options;
+    options.parts = seams ? parts : std::vector<int>();
+    SmoothOptions even;
+    even.parts = options.parts;
+    Forest forest = start;
+    const SnapReport report = snap(forest, curves, options, {}, Context());
+    smooth(forest, even, {}, Context());
+    EXPECT_EQ(forest.broken(), "");
+    EXPECT_LE(report.residual, 0.01 * report.crossings);
+    EXPECT_GT(faceQuality(forest, Context()).smallestAngle, 4.0);
+    int left = 0, along = 0;
+    for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
+    {
+      const bool on = forest.onSeam(v, parts);
+      left += on && forest.vertices[v].position.x() != 0.5 ? 1 : 0;
+      along += on && v < static_cast<int>(start.vertices.size()) && forest.vertices[v].position.x() == 0.5 &&
+                   forest.vertices[v].position != start.vertices[v].position
+                 ? 1
+                 : 0;
+    }
+    EXPECT_EQ(left > 0, !seams) << left;
+    EXPECT_TRUE(along > 0 || !seams);
+  }
+  SnapOptions wrong;
+  wrong.parts = { 0, 1 };
+  Forest forest = start;
+  EXPECT_THROW(snap(forest, curves, wrong, {}, Context()), Error);
+  SmoothOptions other;
+  other.parts = { 0, 1 };
+  EXPECT_THROW(smooth(forest, other, {}, Context()), Error);
 }
 
 TEST(Snap, TheOtherSideOfAThinPlateIsLeftAlone)

@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -456,12 +457,93 @@ TEST(AugmentPromises, TextureSeamsKeepTheirSides)
   EXPECT_TRUE(repeats);
 }
 
-// Welding the output gives what the mesh without its texture becomes, points, cells and Stellar arrays.
+using SeamEdges = std::vector<std::pair<vtkIdType, vtkIdType>>;
+
+// Edges between cells of different charts.
+SeamEdges seamEdges(vtkPolyData* mesh)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, double> seen;
+  vtkDataArray* charts = mesh->GetCellData()->GetArray("Chart");
+  SeamEdges seams;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType f = 0; charts && f < mesh->GetNumberOfPolys(); ++f)
+  {
+    mesh->GetPolys()->GetCellAtId(f, ids);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const vtkIdType a = ids->GetId(k), b = ids->GetId((k + 1) % 3);
+      const auto [other, isNew] = seen.emplace(std::minmax(a, b), charts->GetComponent(f, 0));
+      if (!isNew && other->second != charts->GetComponent(f, 0))
+      {
+        seams.push_back(other->first);
+      }
+    }
+  }
+  return seams;
+}
+
+// What lies on a seam stays on its line, so the texture beside it is that of the place: no point of one side
+// is drawn over the other.
+TEST(AugmentPromises, SeamsStayWhereTheyAre)
+{
+  std::vector<Vector2> wave;
+  for (int i = 0; i <= 60; ++i)
+  {
+    wave.emplace_back(400.0 + 12.0 * std::sin(i / 6.0), 200.0 + 200.0 * i / 60.0);
+  }
+  System s(seamed(), { wave });
+  vtkPolyData* output = s.run();
+  vtkPolyData *base = s.filter->GetInnerOutput("Base"), *even = s.filter->GetInnerOutput("Smooth");
+  vtkDataArray* curve = even->GetPointData()->GetArray("CurveId");
+  ASSERT_TRUE(curve);
+  const SeamEdges before = seamEdges(base), after = seamEdges(even);
+  EXPECT_GT(after.size(), before.size());
+  std::set<vtkIdType> onSeam;
+  for (const auto& [a, b] : after)
+  {
+    onSeam.insert(a);
+    onSeam.insert(b);
+  }
+  int snapped = 0;
+  for (const vtkIdType point : onSeam)
+  {
+    snapped += curve->GetComponent(point, 0) >= 0.0;
+    const Vector3 p = pointOf(even, point);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : before)
+    {
+      const Vector3 from = pointOf(base, a), along = pointOf(base, b) - from;
+      const double share = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (p - from - share * along).norm());
+    }
+    EXPECT_LE(nearest, 1e-12) << p.transpose();
+  }
+  EXPECT_GT(snapped, 3);
+  // The first points of the output are those of the steps; the texture is x, and 4 more on one side.
+  vtkDataArray* texture = output->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < even->GetNumberOfPoints(); ++i)
+  {
+    const double u = texture->GetComponent(i, 0);
+    EXPECT_NEAR(u > 2.0 ? u - 4.0 : u, pointOf(even, i)[0], 2e-3) << i;
+  }
+}
+
+// Welding the output gives what the mesh with the same charts and no texture becomes, points, cells and
+// Stellar arrays.
 TEST(AugmentPromises, WeldedTheOutputIsThatOfTheMeshWithoutSeams)
 {
   System split(seamed());
   vtkPolyData* output = split.run();
-  System bare(toPolyData(weldedSphere(split.mesh)));
+  const oversketch::Mesh sphere = weldedSphere(split.mesh);
+  System bare(toPolyData(sphere));
+  vtkNew<vtkIntArray> charts;
+  charts->SetName("Chart");
+  for (const oversketch::Triangle& t : sphere.triangles)
+  {
+    const Vector3 middle = (sphere.points[t[0]] + sphere.points[t[1]] + sphere.points[t[2]]) / 3.0;
+    charts->InsertNextValue(middle[0] > 0.0 && middle[2] > 0.0);
+  }
+  bare.mesh->GetCellData()->AddArray(charts);
   vtkPolyData* single = bare.run();
   ASSERT_GT(output->GetNumberOfPoints(), single->GetNumberOfPoints());
   ASSERT_EQ(output->GetNumberOfPolys(), single->GetNumberOfPolys());
