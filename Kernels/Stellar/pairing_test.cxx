@@ -1,5 +1,6 @@
 #include "Stellar/forest_shapes.h"
 #include "Stellar/pairing.h"
+#include "Stellar/quality.h"
 
 #include <gtest/gtest.h>
 
@@ -116,6 +117,42 @@ TEST(D2_6, RealMeshesPairAllButOnePerCent)
     reached += text.str();
   }
   fact("D2_6", "unpaired, greedy to improved [%]: " + reached);
+}
+
+// Refined all over, four times: whatever shapes come are there.
+TEST(Pairing, PiecesKeepThreeFifthsOfTheSmallestAngle)
+{
+  const Mesh mesh = sharedMesh("skull_genus2.off");
+  if (mesh.triangles.empty())
+  {
+    GTEST_SKIP() << "no shared data";
+  }
+  double own = 1.0;
+  for (const Triangle& t : mesh.triangles)
+  {
+    own = std::min(own, narrowness(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+  }
+  const double smallest = std::asin(std::sqrt(own)) * 180.0 / std::acos(-1.0);
+  const auto pieces = [&](bool improve)
+  {
+    PairingOptions options;
+    options.improvePairs = improve;
+    Forest forest = pairTriangles(mesh, options, Context()).forest;
+    for (int round = 1; round <= 4; ++round)
+    {
+      const int count = static_cast<int>(forest.faces.size());
+      for (int f = 0; f < count; ++f)
+      {
+        if (forest.faces[f].gen < round)
+        {
+          forest.refine(f, {});
+        }
+      }
+    }
+    return faceQuality(forest, Context()).smallestAngle / smallest;
+  };
+  EXPECT_LT(pieces(false), 0.55);
+  EXPECT_GE(pieces(true), 0.6);
 }
 
 TEST(Pairing, EagerPairsAreSplitOnce)
