@@ -75,7 +75,7 @@ void reject(StrokeClass& stroke, Rejection why)
 
 // Draws the strokes that are on the canvas and finds what areas they touch.
 void drawLines(const Frame& frame,
-  const std::vector<DrawnStroke>& strokes,
+  const std::vector<PlaneCurve>& strokes,
   Classification& result,
   const Context& context)
 {
@@ -85,7 +85,7 @@ void drawLines(const Frame& frame,
   {
     if (result.strokes[i].role != Role::Rejected)
     {
-      pixels[i] = linePixels(rounded(frame, strokes[i].points), strokes[i].closed);
+      pixels[i] = linePixels(strokes[i].points, strokes[i].closed);
       for (const Place& p : pixels[i])
       {
         lines[frame.index(p[0], p[1])] = 1;
@@ -151,20 +151,16 @@ Classification classify(const Frame& frame,
     {
       reject(result.strokes[i], Rejection::TooShort);
     }
-    else if (rounded(frame, stroke.points).empty())
-    {
-      reject(result.strokes[i], Rejection::OffCanvas);
-    }
     else
     {
-      curves[i].closed = stroke.closed;
-      for (const Vector2& p : stroke.points)
+      curves[i] = { onRaster(frame, stroke.points), stroke.closed };
+      if (curves[i].points.empty())
       {
-        curves[i].points.push_back(frame.toPixels(p));
+        reject(result.strokes[i], Rejection::OffCanvas);
       }
     }
   }
-  drawLines(frame, strokes, result, context);
+  drawLines(frame, curves, result, context);
   const std::vector<Meeting> met = meetings(curves, context);
   std::vector<Outline> outlines;
   for (std::size_t i = 0; i < strokes.size(); ++i)

@@ -321,11 +321,11 @@ TEST(Classify, TheFrameFitsTheCanvas)
     EXPECT_EQ(frame.width, 1028);
     EXPECT_EQ(frame.height, 516);
     const Polyline corners{ canvas.corner, canvas.corner + canvas.size };
-    const std::vector<Place> places = rounded(frame, corners);
+    const Polyline places = onRaster(frame, corners);
     ASSERT_EQ(places.size(), 2u) << scale;
     EXPECT_NEAR(frame.toPixels(corners[0])[0], 1.5, 1e-6);
     EXPECT_NEAR((frame.toWorld(frame.toPixels(corners[1])) - corners[1]).norm() / scale, 0.0, 1e-12);
-    EXPECT_TRUE(rounded(frame, { canvas.corner - 0.01 * canvas.size }).empty());
+    EXPECT_TRUE(onRaster(frame, { canvas.corner - 0.01 * canvas.size }).empty());
   }
   EXPECT_THROW(frameOf({ Vector2::Zero(), Vector2(1.0, 0.0) }), Error);
   EXPECT_THROW(frameOf({}, 8), Error);

@@ -76,19 +76,21 @@ DistanceMaps distanceTo(const Frame& frame, const std::vector<Rim>& rims, const 
   maps.frame = frame;
   maps.object.assign(frame.count(), -1);
   maps.distance.assign(frame.count(), 0.0f);
-  std::vector<std::vector<Place>> corners;
+  std::vector<Polyline> curves;
+  std::vector<std::vector<Place>> lines;
   int objects = 0;
   int x0 = frame.width, x1 = -1, y0 = frame.height, y1 = -1;
   for (const Rim& rim : rims)
   {
-    corners.push_back(rounded(frame, rim.points));
-    if (rim.points.size() < 3 || corners.back().empty() || rim.object < 0)
+    curves.push_back(onRaster(frame, rim.points));
+    lines.push_back(linePixels(curves.back(), true));
+    if (rim.points.size() < 3 || curves.back().empty() || rim.object < 0)
     {
       throw Error(
         Failure::BadStroke, "a rim has fewer than three points or leaves the canvas; draw it inside");
     }
     objects = std::max(objects, rim.object + 1);
-    for (const Place& p : corners.back())
+    for (const Place& p : lines.back())
     {
       x0 = std::min(x0, p[0]);
       x1 = std::max(x1, p[0]);
@@ -103,12 +105,12 @@ DistanceMaps distanceTo(const Frame& frame, const std::vector<Rim>& rims, const 
   // By object, so that what one has cut out another one may fill.
   for (int object = 0; object < objects; ++object)
   {
-    std::vector<std::vector<Place>> polygons;
+    std::vector<Polyline> polygons;
     for (std::size_t r = 0; r < rims.size(); ++r)
     {
       if (rims[r].object == object)
       {
-        polygons.push_back(corners[r]);
+        polygons.push_back(curves[r]);
       }
     }
     fillEvenOdd(frame, polygons, object, maps.object);
@@ -118,7 +120,7 @@ DistanceMaps distanceTo(const Frame& frame, const std::vector<Rim>& rims, const 
   std::vector<std::uint8_t> image(static_cast<std::size_t>(width) * height, 255);
   for (std::size_t r = 0; r < rims.size(); ++r)
   {
-    for (const Place& p : linePixels(corners[r], true))
+    for (const Place& p : lines[r])
     {
       image[static_cast<std::size_t>(p[1] - y0) * width + p[0] - x0] = 0;
       maps.object[frame.index(p[0], p[1])] = rims[r].object;
@@ -128,10 +130,10 @@ DistanceMaps distanceTo(const Frame& frame, const std::vector<Rim>& rims, const 
   withOpenCV("measure distances",
     [&]
     {
-      const cv::Mat lines(height, width, CV_8UC1, image.data());
+      const cv::Mat black(height, width, CV_8UC1, image.data());
       cv::Mat all(frame.height, frame.width, CV_32FC1, maps.distance.data());
       cv::Mat box = all(cv::Rect(x0, y0, width, height));
-      cv::distanceTransform(lines, box, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+      cv::distanceTransform(black, box, cv::DIST_L2, cv::DIST_MASK_PRECISE);
     });
   context.parallelFor(height,
     [&](int begin, int end)

@@ -174,7 +174,7 @@ TEST(Distance, IsThatOfEveryPairOfPixels)
     std::vector<Place> black;
     for (const Rim& rim : rims)
     {
-      const std::vector<Place> line = linePixels(rounded(frame, rim.points), true);
+      const std::vector<Place> line = linePixels(onRaster(frame, rim.points), true);
       black.insert(black.end(), line.begin(), line.end());
     }
     for (int y = 0; y < frame.height; ++y)

@@ -33,19 +33,20 @@ Frame frameOf(const Canvas& canvas, int resolution = 1024);
 
 using Place = std::array<int, 2>; // (i, j) of a sample
 
-// The samples nearest to a polyline's points [world]; none when one of them is not finite or falls on the
-// raster's outermost samples or beside it: the polyline leaves the canvas.
-std::vector<Place> rounded(const Frame& frame, const Polyline& points);
+// A polyline [world] in px; empty when a point is not finite or nearest to one of the raster's outermost
+// samples or beside them: the polyline leaves the canvas.
+Polyline onRaster(const Frame& frame, const Polyline& points);
 
-// The samples of a line of 1 px through the given ones, 8-connected, in their order; equal ones in a row
-// once. The line between two samples does not depend on its direction.
-std::vector<Place> linePixels(const std::vector<Place>& corners, bool closed);
+// The samples of a line of 1 px along a polyline [px], in its order, 8-connected: of each column that a flat
+// part passes and each row that a steep one does, the nearest sample, and lines between those that are not
+// neighbours. Points are not rounded first: that would put corners on a smooth curve. The same in either
+// direction, up to order.
+std::vector<Place> linePixels(const Polyline& points, bool closed);
 
-// Sets `value` at the samples inside polygons through samples, by the even-odd rule, those on their sides
-// left out or not as rounding has it: the polygons' own lines go over them. A sample inside that is on no
-// line is inside the lines as well.
+// Sets `value` at the samples inside polygons [px], by the even-odd rule. Where a polygon's line is drawn
+// over it, what is left are the samples inside the line.
 void fillEvenOdd(const Frame& frame,
-  const std::vector<std::vector<Place>>& polygons,
+  const std::vector<Polyline>& polygons,
   int value,
   std::vector<int>& image);
 

@@ -89,7 +89,7 @@ TEST(C11_6, AConstantStaysAndNothingLeavesTheRange)
     }
     for (std::size_t i = 0; i < smooth.size(); ++i)
     {
-      maps.thickness[i] = maps.distance[i] > 0.0f ? 61.5f : 0.0f;
+      maps.thickness[i] = maps.distance[i] > 0.0f ? 100.0f : 0.0f;
     }
     const std::vector<float> same = grid.thickness(0.5, Context());
     for (std::size_t i = 0; i < smooth.size(); ++i)
