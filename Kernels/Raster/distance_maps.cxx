@@ -204,23 +204,34 @@ void findThickness(DistanceMaps& maps, ThicknessMode mode, const Context& contex
     }
     return;
   }
-  // Every way up ends on the ridge, since T rises along it; its samples are settled from there down.
+  // Every way up ends on the ridge, since T rises along it. Most samples are next to one that is settled when
+  // walked from the ridge's side: those below it from above, and then the others; ways that wind are
+  // followed.
+  const std::vector<int>& uphill = maps.uphill;
+  std::vector<float>& thickness = maps.thickness;
+  for (std::size_t i = frame.count(); i-- > 0;)
+  {
+    if (uphill[i] >= 0)
+    {
+      thickness[i] = thickness[uphill[i]];
+    }
+  }
+  context.checkpoint(0.8);
   std::vector<int> way;
   for (std::size_t i = 0; i < frame.count(); ++i)
   {
-    if (maps.uphill[i] < 0 || maps.thickness[i] > 0.0f)
+    if (uphill[i] < 0 || thickness[i] > 0.0f)
     {
       continue;
     }
     int at = static_cast<int>(i);
-    for (way.clear(); maps.thickness[at] == 0.0f; at = maps.uphill[at])
+    for (way.clear(); thickness[at] == 0.0f; at = uphill[at])
     {
       way.push_back(at);
     }
-    const float thickness = maps.thickness[at];
     for (const int sample : way)
     {
-      maps.thickness[sample] = thickness;
+      thickness[sample] = thickness[at];
     }
   }
 }

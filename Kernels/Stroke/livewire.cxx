@@ -288,6 +288,29 @@ struct Wire
   std::vector<int> parts;
 };
 
+// Two paths meet at a seed that may lie off the way of both, and then go to it and back side by side. Says
+// how many pixels of the first one's end and of the second one's begin to leave out, so that the rest runs
+// on: of pixels that are neighbours, those farthest from the seed, within `reach` of it. The seed is the last
+// pixel of one and the first of the other.
+std::array<int, 2> spur(const std::vector<Pixel>& first, const std::vector<Pixel>& second, int reach)
+{
+  std::array<int, 2> most{ 0, 0 };
+  const int n = std::min(reach, static_cast<int>(first.size()) - 1);
+  const int m = std::min(reach, static_cast<int>(second.size()) - 1);
+  for (int i = 1; i <= n; ++i)
+  {
+    for (int j = 1; j <= m; ++j)
+    {
+      const Pixel a = first[first.size() - 1 - i], b = second[j];
+      if ((a - b).cwiseAbs().maxCoeff() <= 1 && i + j > most[0] + most[1])
+      {
+        most = { i, j };
+      }
+    }
+  }
+  return most;
+}
+
 bool besideEdge(const PathField& field, const Pixel& pixel)
 {
   for (int y = -1; y <= 1; ++y)
@@ -499,27 +522,60 @@ SnappedStroke snapped(const EdgeFeatures& features,
   {
     places.push_back(closed && end == last ? places.front() : drawn.seedPixel(end));
   }
-  for (std::size_t part = 0; part + 1 < ends.size(); ++part)
+  const std::size_t partCount = ends.size() - 1;
+  std::vector<std::vector<Pixel>> paths(partCount);
+  std::vector<std::vector<std::uint8_t>> strong(partCount);
+  for (std::size_t part = 0; part < partCount; ++part)
   {
     context.checkpoint(static_cast<double>(part) / static_cast<double>(ends.size()));
     const PathField field = drawn.corridor(ends[part], ends[part + 1]);
     // A seed of a stroke that leaves the picture may have no pixel in the corridor: no path then.
-    const std::vector<Pixel> path = leastPath(features, field, places[part], places[part + 1], context);
-    for (std::size_t i = 0; i < path.size(); ++i)
+    paths[part] = leastPath(features, field, places[part], places[part + 1], context);
+    for (const Pixel& pixel : paths[part])
+    {
+      strong[part].push_back(besideEdge(field, pixel));
+    }
+  }
+  // What to leave out of each path's begin and end.
+  const int reach = static_cast<int>(std::ceil(3.0 * drawn.radius));
+  std::vector<int> fromBegin(partCount, 0), fromEnd(partCount, 0);
+  for (std::size_t part = closed ? 0 : 1; part < partCount; ++part)
+  {
+    const std::size_t before = part > 0 ? part - 1 : partCount - 1;
+    if (before != part && !paths[before].empty() && !paths[part].empty())
+    {
+      const auto [end, begin] = spur(paths[before], paths[part], reach);
+      fromEnd[before] = end;
+      fromBegin[part] = begin;
+    }
+  }
+  for (std::size_t part = 0; part < partCount; ++part)
+  {
+    const std::vector<Pixel>& path = paths[part];
+    const int size = static_cast<int>(path.size());
+    // Cuts at both seeds may meet; the path's middle stays then.
+    int begin = fromBegin[part], end = size - fromEnd[part];
+    if (begin >= end)
+    {
+      begin = std::min(size / 2, begin);
+      end = std::min(size, begin + 1);
+    }
+    for (int i = begin; i < end; ++i)
     {
       // A seed is in both its parts; strong in one of them is strong.
-      const bool strong = besideEdge(field, path[i]);
       if (i == 0 && !wire.pixels.empty() && wire.parts.back() + 1 == static_cast<int>(part) &&
           wire.pixels.back() == path[0])
       {
-        wire.strong.back() = wire.strong.back() || strong;
+        wire.strong.back() = wire.strong.back() || strong[part][0];
         continue;
       }
       wire.pixels.push_back(path[i]);
-      wire.strong.push_back(strong);
+      wire.strong.push_back(strong[part][i]);
       wire.parts.push_back(static_cast<int>(part));
     }
   }
+  // Whether the path reaches from the stroke's one end to the other, where no path may be absent.
+  const bool begins = !paths.front().empty(), finishes = !paths.back().empty();
 
   const NearestPlace nearest(drawn.points);
   std::vector<NearestPlace> parts;
@@ -556,8 +612,8 @@ SnappedStroke snapped(const EdgeFeatures& features,
       continue;
     }
     // A path that begins or ends on an edge takes the stroke's own end with it.
-    const double from = begin == 0 && wire.parts[0] == 0 ? -0.5 : std::max(along(begin), done);
-    const double to = end == count && wire.pixels.back() == places.back() ? last + 0.5 : along(end - 1);
+    const double from = begin == 0 && begins ? -0.5 : std::max(along(begin), done);
+    const double to = end == count && finishes ? last + 0.5 : along(end - 1);
     if (to <= from)
     {
       continue; // the path turns back here

@@ -307,12 +307,18 @@ TEST(C3_6, AStrokeAcrossAnEdgeIsLeftAlone)
     pictureOf(300, 300, [](double x, double y) { return x < 150.0 ? 40.0 : 100.0 + 0.4 * y; });
   const Polyline stroke = straight(Vector2(100.0, 150.2), Vector2(200.0, 150.2), 25);
   EXPECT_EQ(snapped(picture, stroke, false, { 0, 8, 12, 17 }, {}, Context()).points, stroke);
+  // One that ends just past the edge, with its end's seed on it: with any angle that is drawn along the edge.
+  const Polyline ending = straight(Vector2(100.0, 150.2), Vector2(151.0, 150.2), 25);
+  EXPECT_EQ(snapped(picture, ending, false, { 0, 12 }, {}, Context()).points, ending);
   LivewireRules any;
   any.edgeAngle = pi;
-  const bool changes = snapped(picture, stroke, false, { 0, 8, 12, 17 }, any, Context()).points != stroke;
-  EXPECT_TRUE(changes);
-  oversketch_test::fact(
-    "C3_6", "a stroke across a step edge is unchanged to the bit; with EdgeAngle 180 it changes");
+  const SnappedStroke along = snapped(picture, ending, false, { 0, 12 }, any, Context());
+  EXPECT_NE(along.points, ending);
+  EXPECT_GE(std::count(along.snapped.begin(), along.snapped.end(), 1), 5);
+  oversketch_test::fact("C3_6",
+    "strokes across a step edge and up to it are unchanged to the bit; with EdgeAngle 180 the latter is "
+    "drawn " +
+      std::to_string(farthest(along, ending, false)) + " px along it");
 }
 
 TEST(Livewire, RefusesAndIsCancelled)
@@ -333,4 +339,45 @@ TEST(Livewire, RefusesAndIsCancelled)
   const std::vector<std::uint16_t> deep{ 0x1234, 0xffff };
   EXPECT_EQ(
     luminance(PictureView<std::uint16_t>{ deep.data(), 2, 1, 1 }), (std::vector<std::uint8_t>{ 0x12, 0xff }));
+}
+
+// A seed that moves to a stronger edge beside the way of the two paths that meet there leaves no way there
+// and back: what is snapped does not cross or touch itself.
+TEST(Livewire, SeedsLeaveNoSpurs)
+{
+  for (unsigned seed = 0; seed < 8; ++seed)
+  {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> noise(-3.0, 3.0);
+    const Vector2 centre(150.0, 150.0);
+    // Rays of other brightness make spots on the disc's edge and beside it where the gradient is greatest.
+    const EdgeFeatures picture = pictureOf(300,
+      300,
+      [&](double x, double y)
+      {
+        const double r = (Vector2(x, y) - centre).norm(), a = std::atan2(y - 150.0, x - 150.0);
+        const bool spot = std::abs(r - 107.0) < 2.0 && std::cos(12.0 * a) > 0.9;
+        return spot ? 255.0 : (r < 100.0 ? 150.0 : 60.0);
+      });
+    Polyline stroke = ring(centre, 102.0, 110);
+    for (Vector2& p : stroke)
+    {
+      p += Vector2(noise(random), noise(random)) * 0.5;
+    }
+    LivewireRules rules;
+    rules.sigma = 0.0;
+    const SnappedStroke result = snapped(picture, stroke, true, every(9, 110), rules, Context());
+    const int count = static_cast<int>(result.points.size());
+    int touching = 0, snappedCount = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      snappedCount += result.snapped[i];
+      for (int j = i + 1; j < count; ++j)
+      {
+        touching += result.points[i] == result.points[j];
+      }
+    }
+    EXPECT_EQ(touching, 0) << seed;
+    EXPECT_GT(snappedCount, 300);
+  }
 }
