@@ -164,4 +164,23 @@ Resketched resketch(const Polyline& old, const Polyline& fresh, double reach, do
   return result;
 }
 
+Resketched continued(const Polyline& old, const Polyline& fresh, double reach, double spacing)
+{
+  Resketched result;
+  if (differs(old) && differs(fresh))
+  {
+    const Walk before(old), after(fresh);
+    const double gap = (old.back() - fresh.front()).norm();
+    // A blend that began before the curve would be left out.
+    const double fitting = gap > 0.0 ? std::min(reach, before.length() / gap * (1.0 - 1e-9)) : reach;
+    result = lead(before, after, before.length(), fitting, spacing);
+  }
+  for (int i = 0; i < static_cast<int>(fresh.size()); ++i)
+  {
+    result.points.push_back(fresh[i]);
+    result.origins.push_back({ Blend::point(0), Blend::point(i), 1.0 });
+  }
+  return result;
+}
+
 } // namespace oversketch

@@ -45,5 +45,9 @@ struct Resketched
 // result.
 Resketched resketch(const Polyline& old, const Polyline& fresh, double reach = 6.0, double spacing = 1.0);
 
+// The old curve as far as its last point, and the new one from its first on, wherever that ends: blended as
+// above, within the old curve's length. Both need two points that differ, else the new one is the result.
+Resketched continued(const Polyline& old, const Polyline& fresh, double reach = 6.0, double spacing = 1.0);
+
 } // namespace oversketch
 #endif

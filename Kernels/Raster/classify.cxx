@@ -1,0 +1,311 @@
+#include "Raster/classify.h"
+
+#include "Raster/meetings.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace oversketch
+{
+namespace
+{
+
+constexpr double smallestArea = 9.0; // px squared
+
+// A closed curve that others are looked for in [px].
+struct Outline
+{
+  int stroke;
+  Polyline points;
+  Eigen::AlignedBox2d box;
+  double area = 0.0;
+
+  Outline(int number, Polyline curve)
+    : stroke(number)
+    , points(std::move(curve))
+  {
+    const Vector2 first = this->points.front();
+    for (std::size_t i = 0; i < this->points.size(); ++i)
+    {
+      const Vector2 p = this->points[i] - first, q = this->points[(i + 1) % this->points.size()] - first;
+      this->area += 0.5 * (p[0] * q[1] - p[1] * q[0]);
+      this->box.extend(this->points[i]);
+    }
+    this->area = std::abs(this->area);
+  }
+  // By the even-odd rule; the place is not on the curve.
+  bool holds(const Vector2& place) const
+  {
+    if (!this->box.contains(place))
+    {
+      return false;
+    }
+    bool inside = false;
+    for (std::size_t i = 0, j = this->points.size() - 1; i < this->points.size(); j = i++)
+    {
+      const Vector2 &a = this->points[i], &b = this->points[j];
+      if ((a[1] > place[1]) != (b[1] > place[1]))
+      {
+        const double x = a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1]);
+        inside = (place[0] < x) != inside;
+      }
+    }
+    return inside;
+  }
+};
+
+int distinctPoints(const Polyline& points)
+{
+  int count = 0;
+  for (std::size_t i = 0; i < points.size() && count < 3; ++i)
+  {
+    count += std::find(points.begin(), points.begin() + i, points[i]) == points.begin() + i;
+  }
+  return count;
+}
+
+void reject(StrokeClass& stroke, Rejection why)
+{
+  stroke.role = Role::Rejected;
+  stroke.rejection = why;
+}
+
+// Draws the strokes that are on the canvas and finds what areas they touch.
+void drawLines(const Frame& frame,
+  const std::vector<PlaneCurve>& strokes,
+  Classification& result,
+  const Context& context)
+{
+  std::vector<std::uint8_t> lines(frame.count(), 0);
+  std::vector<std::vector<Place>> pixels(strokes.size());
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    if (result.strokes[i].role != Role::Rejected)
+    {
+      pixels[i] = linePixels(strokes[i].points, strokes[i].closed);
+      for (const Place& p : pixels[i])
+      {
+        lines[frame.index(p[0], p[1])] = 1;
+      }
+      ++result.blobs;
+    }
+  }
+  context.checkpoint(0.3);
+  Blobs blobs = blobsOf(frame, lines);
+  result.blobs += blobs.count();
+  context.checkpoint(0.5);
+  std::vector<int> stamps(frame.count(), -1);
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    result.strokes[i].contacts = contactsOf(frame, blobs, pixels[i], stamps, static_cast<int>(i));
+  }
+  result.labels = std::move(blobs.labels);
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    for (const Place& p : pixels[i])
+    {
+      result.labels[frame.index(p[0], p[1])] = -1 - static_cast<int>(i);
+    }
+  }
+}
+
+// Areas that a stroke touches with at least so large a share of its largest contact.
+int areasOf(const StrokeClass& stroke, double share)
+{
+  int largest = 0;
+  for (const Contact& contact : stroke.contacts)
+  {
+    largest = std::max(largest, contact.pixels);
+  }
+  return static_cast<int>(std::count_if(stroke.contacts.begin(),
+    stroke.contacts.end(),
+    [&](const Contact& contact) { return contact.pixels >= share * largest; }));
+}
+
+bool rightAreas(const StrokeClass& stroke, bool closed, double share)
+{
+  if (share > 0.0)
+  {
+    return closed || areasOf(stroke, share) < 3;
+  }
+  return areasOf(stroke, share) == (closed ? 2 : 1);
+}
+
+} // namespace
+
+Classification classify(const Frame& frame,
+  const std::vector<DrawnStroke>& strokes,
+  double contactShare,
+  const Context& context)
+{
+  Classification result;
+  result.strokes.resize(strokes.size());
+  std::vector<PlaneCurve> curves(strokes.size());
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    const DrawnStroke& stroke = strokes[i];
+    if (distinctPoints(stroke.points) < (stroke.closed ? 3 : 2))
+    {
+      reject(result.strokes[i], Rejection::TooShort);
+    }
+    else
+    {
+      curves[i] = { onRaster(frame, stroke.points), stroke.closed };
+      if (curves[i].points.empty())
+      {
+        reject(result.strokes[i], Rejection::OffCanvas);
+      }
+    }
+  }
+  drawLines(frame, curves, result, context);
+  const std::vector<Meeting> met = meetings(curves, context);
+  std::vector<Outline> outlines;
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    StrokeClass& stroke = result.strokes[i];
+    if (stroke.role == Role::Rejected)
+    {
+      continue;
+    }
+    if (met[i].segment >= 0)
+    {
+      const bool itself = met[i].other == static_cast<int>(i);
+      reject(stroke, itself ? Rejection::CrossesItself : Rejection::Crosses);
+      stroke.other = met[i].other;
+      stroke.segment = met[i].segment;
+    }
+    else if (!rightAreas(stroke, strokes[i].closed, contactShare))
+    {
+      reject(stroke, Rejection::Areas);
+    }
+    else if (strokes[i].closed)
+    {
+      Outline outline(static_cast<int>(i), curves[i].points);
+      if (outline.area < smallestArea)
+      {
+        reject(stroke, Rejection::TooSmall);
+      }
+      else
+      {
+        outlines.push_back(std::move(outline));
+      }
+    }
+  }
+  context.checkpoint(0.8);
+  // Nothing crosses now, so any point of a curve tells what it lies in: of the outlines round it, the least.
+  const auto around = [&](int stroke)
+  {
+    int best = -1;
+    for (std::size_t r = 0; r < outlines.size(); ++r)
+    {
+      if (outlines[r].stroke != stroke && (best < 0 || outlines[r].area < outlines[best].area) &&
+          outlines[r].holds(curves[stroke].points.front()))
+      {
+        best = static_cast<int>(r);
+      }
+    }
+    return best;
+  };
+  result.regions.resize(outlines.size());
+  for (std::size_t r = 0; r < outlines.size(); ++r)
+  {
+    Region& region = result.regions[r];
+    region.stroke = outlines[r].stroke;
+    region.parent = around(region.stroke);
+    if (region.parent < 0)
+    {
+      region.object = result.objects++;
+    }
+  }
+  for (std::size_t r = 0; r < outlines.size(); ++r)
+  {
+    Region& region = result.regions[r];
+    int top = static_cast<int>(r);
+    while (result.regions[top].parent >= 0)
+    {
+      top = result.regions[top].parent;
+      ++region.depth;
+    }
+    region.object = result.regions[top].object;
+    StrokeClass& stroke = result.strokes[region.stroke];
+    stroke.object = region.object;
+    stroke.role = region.parent < 0 ? Role::Boundary : Role::ClosedFeature;
+    stroke.region = region.parent < 0 ? static_cast<int>(r) : region.parent;
+    if (region.parent >= 0)
+    {
+      stroke.childRegion = static_cast<int>(r);
+      result.regions[region.parent].children.push_back(static_cast<int>(r));
+    }
+  }
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    StrokeClass& stroke = result.strokes[i];
+    if (stroke.role == Role::Unknown)
+    {
+      stroke.region = around(static_cast<int>(i));
+      if (stroke.region < 0)
+      {
+        reject(stroke, Rejection::Outside);
+        continue;
+      }
+      stroke.role = Role::OpenFeature;
+      stroke.object = result.regions[stroke.region].object;
+    }
+    if (stroke.role == Role::OpenFeature || stroke.role == Role::ClosedFeature)
+    {
+      result.regions[stroke.region].features.push_back(static_cast<int>(i));
+    }
+  }
+  return result;
+}
+
+std::string rejectionText(const Classification& classification,
+  int stroke,
+  const std::vector<DrawnStroke>& strokes)
+{
+  const StrokeClass& which = classification.strokes[stroke];
+  std::ostringstream text;
+  text << "stroke " << stroke << " ";
+  const auto near = [&]
+  {
+    const Vector2 p = strokes[stroke].points[which.segment];
+    text << " near (" << p[0] << ", " << p[1] << ")";
+  };
+  switch (which.rejection)
+  {
+    case Rejection::None:
+      return {};
+    case Rejection::TooShort:
+      text << "has too few distinct points; draw a longer one";
+      break;
+    case Rejection::OffCanvas:
+      text << "leaves the canvas; draw it inside";
+      break;
+    case Rejection::CrossesItself:
+      text << "crosses itself";
+      near();
+      text << "; draw it without the loop";
+      break;
+    case Rejection::Crosses:
+      text << "crosses stroke " << which.other;
+      near();
+      text << "; end it before the other one, or draw one of them anew";
+      break;
+    case Rejection::Outside:
+      text << "is open and in no closed stroke; close it, or draw a closed one round it";
+      break;
+    case Rejection::TooSmall:
+      text << "is closed round less than 9 px; draw it larger";
+      break;
+    case Rejection::Areas:
+      text << "touches " << which.contacts.size()
+           << " areas; draw it with more room to the others and between its own parts";
+      break;
+  }
+  return text.str();
+}
+
+} // namespace oversketch

@@ -1,0 +1,98 @@
+// What each stroke of a drawing is: an object's boundary, a closed or an open feature, or none of these.
+#ifndef oversketch_classify_h
+#define oversketch_classify_h
+
+#include "Mesh/context.h"
+#include "Raster/blobs.h"
+
+#include <string>
+
+namespace oversketch
+{
+
+enum class Role : int
+{
+  Rejected = -1,
+  Unknown = 0,
+  Boundary = 1,      // of an object: it lies in no other stroke
+  ClosedFeature = 2, // lies in a region and bounds one
+  OpenFeature = 3    // lies in a region
+};
+
+enum class Rejection : int
+{
+  None = 0,
+  TooShort,      // fewer than two distinct points, a closed one fewer than three
+  OffCanvas,     // or not finite
+  CrossesItself, // or touches
+  Crosses,       // another stroke, or touches it
+  Outside,       // an open one in no region
+  TooSmall,      // a closed one round less than 9 px
+  Areas          // touches more areas, or fewer, than a stroke of its kind does
+};
+
+struct StrokeClass
+{
+  Role role = Role::Unknown;
+  int region = -1;      // that it lies in; of a boundary, the one it bounds
+  int childRegion = -1; // that a closed feature bounds
+  int object = -1;
+  Rejection rejection = Rejection::None;
+  int other = -1;   // the stroke it crosses
+  int segment = -1; // where it crosses itself or another one: from this point to the next
+  std::vector<Contact> contacts;
+};
+
+// What a closed stroke that is not rejected bounds, numbered in the strokes' order.
+struct Region
+{
+  int stroke = -1; // that bounds it
+  int parent = -1; // the region it lies in
+  int object = -1;
+  int depth = 0; // 0 for an object's whole
+  std::vector<int> children;
+  std::vector<int> features; // strokes, closed and open, that lie in it
+};
+
+struct Classification
+{
+  std::vector<StrokeClass> strokes;
+  std::vector<Region> regions;
+  int objects = 0;
+  // Of each sample: its background area (0: outside everything), -1 - i on stroke i, the last of several.
+  std::vector<int> labels;
+  int blobs = 0; // background areas and strokes on the canvas
+};
+
+struct DrawnStroke
+{
+  Polyline points;     // world
+  bool closed = false; // the first point is not repeated
+};
+
+// Source: image-assisted modelling, section 5. Lines are 1 px, strokes 8-connected, the background
+// 4-connected. Regions are those of the closed curves themselves: one lies in the smallest other one round
+// it, in no other one it bounds an object; open strokes lie in regions likewise. Strokes that meet another
+// one or themselves are rejected, all of them, by an exact test of their segments rounded to 2^-20 px.
+//
+// contactShare: an area that a stroke touches with less than this share of the pixels that it touches its
+// largest one with is ignored; 0.05. An open stroke at three or more areas is rejected; a closed stroke that
+// crosses nothing is sound however many it touches. With 0, as published, every area counts: a stroke is
+// rejected at three or more, an open one at two (the paper takes it for closed, or fails), a closed one at
+// one. Departure: roles follow from the curves in both, which is what areas tell of what is not rejected.
+//
+// Roles and regions do not depend on order and direction of the strokes, up to numbers. Nothing is thrown
+// for a bad stroke; Error(Failure::Cancelled) when cancelled.
+Classification classify(const Frame& frame,
+  const std::vector<DrawnStroke>& strokes,
+  double contactShare,
+  const Context& context);
+
+// Why a stroke was rejected and what to do about it, its number first ("stroke 3 crosses stroke 5 near ...");
+// empty when it was not.
+std::string rejectionText(const Classification& classification,
+  int stroke,
+  const std::vector<DrawnStroke>& strokes);
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,256 @@
+#include "Raster/grid_smoothing.h"
+
+#include "Sparse/cholesky.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch
+{
+namespace
+{
+
+constexpr std::array<std::array<int, 2>, 4> sides{ { { 0, -1 }, { -1, 0 }, { 1, 0 }, { 0, 1 } } };
+
+} // namespace
+
+GridSmoothing::GridSmoothing(const DistanceMaps& maps, int step, const Context& context)
+  : Maps(maps)
+  , Step(step)
+  , Columns(0)
+  , Rows(0)
+{
+  if (step < 1 || step > 16)
+  {
+    throw Error(Failure::BadStroke, "the smoothing grid's step must be 1 to 16 px");
+  }
+  const Frame& frame = maps.frame;
+  // What does not fill a cell is margin.
+  this->Columns = frame.width / step;
+  this->Rows = frame.height / step;
+  this->Numbers.assign(static_cast<std::size_t>(this->Columns) * this->Rows, -1);
+  for (int y = 0; y < this->Rows; ++y)
+  {
+    for (int x = 0; x < this->Columns; ++x)
+    {
+      bool inner = true;
+      for (int k = 0; k < step * step && inner; ++k)
+      {
+        inner = maps.distance[frame.index(x * step + k % step, y * step + k / step)] > 0.0f;
+      }
+      if (inner)
+      {
+        this->Numbers[static_cast<std::size_t>(y) * this->Columns + x] = this->cellCount();
+        this->Cells.push_back({ x, y });
+      }
+    }
+  }
+  context.checkpoint(0.05);
+  if (this->Cells.empty())
+  {
+    return;
+  }
+  std::vector<Vector3> positions;
+  for (const auto& [x, y] : this->Cells)
+  {
+    positions.emplace_back(x, y, 0.0);
+  }
+  const std::vector<double> none(this->Cells.size(), 0.0);
+  this->Order = std::make_shared<Elimination>(this->matrix(none, false).pattern, positions, context);
+}
+
+GridSmoothing::~GridSmoothing() = default;
+
+std::vector<double> GridSmoothing::means(const std::vector<float>& samples) const
+{
+  std::vector<double> result;
+  result.reserve(this->Cells.size());
+  for (const auto& [x, y] : this->Cells)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < this->Step * this->Step; ++k)
+    {
+      sum +=
+        samples[this->Maps.frame.index(x * this->Step + k % this->Step, y * this->Step + k / this->Step)];
+    }
+    result.push_back(sum / (this->Step * this->Step));
+  }
+  return result;
+}
+
+BlockMatrix GridSmoothing::matrix(const std::vector<double>& flow, bool fixed) const
+{
+  BlockMatrix matrix;
+  const double scale = 1.0 / (this->Step * this->Step);
+  matrix.pattern.offsets.reserve(this->Cells.size() + 1);
+  matrix.pattern.offsets.push_back(0);
+  matrix.pattern.values.reserve(5 * this->Cells.size());
+  matrix.values.reserve(5 * this->Cells.size());
+  for (int i = 0; i < this->cellCount(); ++i)
+  {
+    const std::size_t self = matrix.values.size();
+    matrix.pattern.values.push_back(i);
+    matrix.values.push_back(1.0);
+    for (const auto& [dx, dy] : sides)
+    {
+      const int x = this->Cells[i][0] + dx, y = this->Cells[i][1] + dy;
+      const bool there = x >= 0 && y >= 0 && x < this->Columns && y < this->Rows;
+      const int other = there ? this->Numbers[static_cast<std::size_t>(y) * this->Columns + x] : -1;
+      if (other >= 0)
+      {
+        const double weight = 0.5 * (flow[i] + flow[other]) * scale;
+        matrix.pattern.values.push_back(other);
+        matrix.values.push_back(-weight);
+        matrix.values[self] += weight;
+      }
+      else if (fixed)
+      {
+        matrix.values[self] += flow[i] * scale; // the rim's D is not known; the cell's own is near it
+      }
+    }
+    matrix.pattern.offsets.push_back(static_cast<int>(matrix.pattern.values.size()));
+  }
+  return matrix;
+}
+
+void GridSmoothing::factorise(Cholesky& factor, const BlockMatrix& matrix, const Context& context) const
+{
+  if (!factor.factorise(matrix, context))
+  {
+    throw Error(
+      Failure::SolveFailed, "the smoothing's system could not be factored; try a smaller smoothing");
+  }
+}
+
+std::vector<float> GridSmoothing::spread(const std::vector<double>& values,
+  const std::vector<float>& otherwise,
+  const Context& context) const
+{
+  const Frame& frame = this->Maps.frame;
+  std::vector<float> result(frame.count(), 0.0f);
+  const auto numberAt = [&](int x, int y)
+  {
+    return x < 0 || y < 0 || x >= this->Columns || y >= this->Rows
+             ? -1
+             : this->Numbers[static_cast<std::size_t>(y) * this->Columns + x];
+  };
+  context.parallelFor(frame.height,
+    [&](int begin, int end)
+    {
+      for (int y = begin; y < end && !context.cancelled(); ++y)
+      {
+        for (int x = 0; x < frame.width; ++x)
+        {
+          const std::size_t at = frame.index(x, y);
+          if (this->Maps.distance[at] <= 0.0f)
+          {
+            continue;
+          }
+          // Beside the rim: up the steepest way, which crosses no rim, into an inner cell.
+          int from = static_cast<int>(at);
+          int own = numberAt(x / this->Step, y / this->Step);
+          while (own < 0 && this->Maps.uphill[from] >= 0)
+          {
+            from = this->Maps.uphill[from];
+            own = numberAt(from % frame.width / this->Step, from / frame.width / this->Step);
+          }
+          if (own < 0)
+          {
+            result[at] = otherwise[at];
+            continue;
+          }
+          // Bilinear between the centres of inner cells; over a corner only past one that is inner too, or
+          // it would lead through the rim.
+          const int cx = this->Cells[own][0], cy = this->Cells[own][1];
+          const double middle = 0.5 * (this->Step - 1);
+          const double u = (from % frame.width - cx * this->Step - middle) / this->Step;
+          const double v = (from / frame.width - cy * this->Step - middle) / this->Step;
+          const int sx = u < 0.0 ? -1 : 1, sy = v < 0.0 ? -1 : 1;
+          const double a = std::abs(u), b = std::abs(v);
+          const int right = numberAt(cx + sx, cy), up = numberAt(cx, cy + sy);
+          const int corner = right >= 0 || up >= 0 ? numberAt(cx + sx, cy + sy) : -1;
+          double sum = (1.0 - a) * (1.0 - b) * values[own], weights = (1.0 - a) * (1.0 - b);
+          const auto add = [&](int cell, double weight)
+          {
+            if (cell >= 0)
+            {
+              sum += weight * values[cell];
+              weights += weight;
+            }
+          };
+          add(right, a * (1.0 - b));
+          add(up, (1.0 - a) * b);
+          add(corner, a * b);
+          result[at] = static_cast<float>(sum / weights);
+        }
+      }
+    });
+  context.checkpoint(1.0);
+  return result;
+}
+
+std::vector<float> GridSmoothing::thickness(double c, const Context& context)
+{
+  if (this->Cells.empty() || !(c > 0.0))
+  {
+    return this->Maps.thickness;
+  }
+  const std::vector<double> own = this->means(this->Maps.thickness);
+  std::vector<double> flow(own.size());
+  std::transform(own.begin(), own.end(), flow.begin(), [&](double d) { return c * c * d * d; });
+  Cholesky factor(this->Order);
+  this->factorise(factor, this->matrix(flow, false), context);
+  Eigen::MatrixXd sides =
+    Eigen::Map<const Eigen::VectorXd>(own.data(), static_cast<Eigen::Index>(own.size()));
+  factor.solve(sides, context);
+  const auto [least, most] = std::minmax_element(own.begin(), own.end());
+  std::vector<double> values(own.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    // Rounding alone leaves the range.
+    values[i] = std::clamp(sides(static_cast<Eigen::Index>(i), 0), *least, *most);
+  }
+  std::vector<float> result = this->spread(values, this->Maps.thickness, context);
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = std::max(result[i], this->Maps.distance[i]);
+  }
+  return result;
+}
+
+std::vector<float> GridSmoothing::profileRatio(const std::vector<float>& smooth,
+  const std::vector<float>& squares,
+  double c,
+  const Context& context)
+{
+  const std::vector<float> ones(this->Maps.frame.count(), 1.0f);
+  if (this->Cells.empty() || !(c > 0.0))
+  {
+    return ones;
+  }
+  std::vector<double> flow = this->means(smooth);
+  std::transform(flow.begin(), flow.end(), flow.begin(), [&](double d) { return c * c * d * d; });
+  const std::vector<double> own = this->means(squares);
+  Cholesky factor(this->Order);
+  this->factorise(factor, this->matrix(flow, true), context);
+  const Eigen::VectorXd q =
+    Eigen::Map<const Eigen::VectorXd>(own.data(), static_cast<Eigen::Index>(own.size()));
+  Eigen::MatrixXd first = q;
+  factor.solve(first, context);
+  Eigen::MatrixXd second = q - first.col(0);
+  factor.solve(second, context);
+  std::vector<double> ratio(own.size());
+  for (std::size_t i = 0; i < ratio.size(); ++i)
+  {
+    const auto at = static_cast<Eigen::Index>(i);
+    ratio[i] = own[i] > 0.0 ? std::max(0.0, (first(at, 0) + second(at, 0)) / own[i]) : 1.0;
+  }
+  std::vector<float> result = this->spread(ratio, ones, context);
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = this->Maps.distance[i] > 0.0f ? result[i] : 1.0f;
+  }
+  return result;
+}
+
+} // namespace oversketch

@@ -1,0 +1,65 @@
+// Smooths thickness and heights over the inside of objects, farther the thicker they are.
+#ifndef oversketch_grid_smoothing_h
+#define oversketch_grid_smoothing_h
+
+#include "Mesh/context.h"
+#include "Raster/distance_maps.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace oversketch
+{
+
+class Elimination;
+struct BlockMatrix;
+class Cholesky;
+
+// Source: image-assisted modelling, sections 11 and 12. Cells of step x step samples hold means; a cell is
+// inner when all its samples lie inside, T > 0. Between two neighbouring cells flows the mean of their (cD)^2
+// times the difference (five points). The system's pattern depends on the inside alone: one order of
+// elimination serves both kinds of smoothing and every c.
+class GridSmoothing
+{
+public:
+  // The maps are kept by reference. Throws Error(Failure::BadStroke) for a step that is not 1 to 16.
+  GridSmoothing(const DistanceMaps& maps, int step, const Context& context);
+  ~GridSmoothing();
+  GridSmoothing(const GridSmoothing&) = delete;
+  GridSmoothing& operator=(const GridSmoothing&) = delete;
+
+  int cellCount() const { return static_cast<int>(this->Cells.size()); }
+
+  // D' [px]: D' - div((cD)^2 grad D') = D with no flux through the rim, and at least T; of samples beside the
+  // rim, where they are in no inner cell, the next inner value up the steepest way, D itself where there is
+  // none. Within the least and greatest D. c = 0 gives D.
+  std::vector<float> thickness(double c, const Context& context);
+
+  // The factors by which the profile's smoothing changes heights' squares: with q, the squares [px^2] of each
+  // sample, and S q the solution q' of q' - div((cD')^2 grad q') = q, q' = 0 on the rim, (Sq + S(q - Sq)) / q
+  // of cells, 1 where q is 0 and outside, never negative. smooth is D'. c = 0 gives 1.
+  std::vector<float> profileRatio(const std::vector<float>& smooth,
+    const std::vector<float>& squares,
+    double c,
+    const Context& context);
+
+private:
+  std::vector<double> means(const std::vector<float>& samples) const;
+  // (cD)^2 of inner cells; `fixed`: the rim is held at 0.
+  BlockMatrix matrix(const std::vector<double>& flow, bool fixed) const;
+  void factorise(Cholesky& factor, const BlockMatrix& matrix, const Context& context) const;
+  // Values of cells at all samples inside; `otherwise` where no inner cell is near.
+  std::vector<float> spread(const std::vector<double>& values,
+    const std::vector<float>& otherwise,
+    const Context& context) const;
+
+  const DistanceMaps& Maps;
+  int Step, Columns, Rows;
+  std::vector<int> Numbers;              // of the grid's cells: inner ones from 0 on, others -1
+  std::vector<std::array<int, 2>> Cells; // column and row of each inner cell
+  std::shared_ptr<const Elimination> Order;
+};
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,42 @@
+// The canvas of a drawing: a rectangle of the world's plane z = 0, and how what the pen drew comes to it.
+// Source: image-assisted modelling, sections 0 to 2.
+#ifndef oversketch_canvas_h
+#define oversketch_canvas_h
+
+#include "Mesh/view.h"
+#include "Stroke/polyline.h"
+
+#include <optional>
+
+namespace oversketch
+{
+
+// x right, y up, world units.
+struct Canvas
+{
+  Vector2 corner = Vector2::Zero(); // the lower left one
+  Vector2 size = Vector2::Ones();
+
+  // The drawing's unit of length: the paper's "canvas size". Its meaning there is open; here the longest
+  // side, never the visible window.
+  double longest() const { return this->size.maxCoeff(); }
+};
+
+// The rectangle of a picture whose first sample's centre is at `origin`: samples are squares round their
+// centres. Throws Error(Failure::BadStroke) for an empty picture or a spacing that is not positive.
+Canvas pictureCanvas(const Vector2& origin, const Vector2& spacing, int columns, int rows);
+
+// Where the ray through a display position [px] meets z = 0: p = a + t (b - a), t = -a_z / (b_z - a_z), a and
+// b two places of the ray. Nothing when the ray grazes the plane (its angle to it is under 1e-6 rad) or meets
+// it behind the eye.
+std::optional<Vector2> ontoCanvas(const View& view, const Vector2& display);
+
+// The projected samples of a stroke; those that do not meet the plane are left out.
+Polyline ontoCanvas(const View& view, const Polyline& display);
+
+// A drawn stroke is closed when its ends are at most 0.02 longest sides apart and it has been farther from
+// its first sample than that in between.
+bool closesOnCanvas(const Polyline& points, const Canvas& canvas);
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,217 @@
+// Facts of image-assisted.md, sections 1 and 2.
+#include "Stroke/canvas.h"
+#include "Stroke/correct.h"
+
+#include "Harness/shapes.h"
+#include "Mesh/context.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace oversketch;
+
+namespace
+{
+
+constexpr double halfTurn = 3.14159265358979323846;
+
+// Parallel, along -z, `scale` world units high, as a window of 800 x 600 px sees it.
+View above(double scale)
+{
+  Eigen::Matrix4d view = Eigen::Matrix4d::Identity(), projection = Eigen::Matrix4d::Identity();
+  view(2, 3) = -5.0;
+  projection(0, 0) = 2.0 / (scale * 800.0 / 600.0);
+  projection(1, 1) = 2.0 / scale;
+  projection(2, 2) = -0.1;
+  return View(view, projection, 800, 600);
+}
+
+View tilted()
+{
+  const Eigen::Affine3d turn(Eigen::AngleAxisd(0.7, Vector3(1.0, 0.3, 0.1).normalized()));
+  Eigen::Matrix4d view = (Eigen::Translation3d(0.1, -0.2, -4.0) * turn).matrix();
+  Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
+  projection(0, 0) = 2.0 * 600.0 / 800.0;
+  projection(1, 1) = 2.0;
+  projection(2, 2) = -1.02;
+  projection(2, 3) = -0.2;
+  projection(3, 2) = -1.0;
+  return View(view, projection, 800, 600);
+}
+
+Polyline arc(double from, double to, double radius, int count)
+{
+  Polyline points;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = from + (to - from) * i / (count - 1);
+    points.push_back(radius * Vector2(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
+
+Polyline circle(double radius, int count)
+{
+  Polyline points = arc(0.0, 2.0 * halfTurn, radius, count + 1);
+  points.pop_back();
+  return points;
+}
+
+} // namespace
+
+TEST(C1_2, ADragAtTwiceTheZoomIsHalfAsLong)
+{
+  const Vector2 a(130.0, 220.0), b(512.0, 77.0);
+  const auto drag = [&](double scale)
+  {
+    const View view = above(scale);
+    return (*ontoCanvas(view, b) - *ontoCanvas(view, a)).eval();
+  };
+  const double off = (drag(2.0) - 2.0 * drag(1.0)).norm();
+  EXPECT_LT(off, 1e-12);
+  // Under a tilted perspective camera the place projects back to where the pen was: it is on z = 0.
+  const View view = tilted();
+  double back = 0.0;
+  for (double x = 50.0; x < 800.0; x += 93.0)
+  {
+    for (double y = 30.0; y < 600.0; y += 71.0)
+    {
+      const auto place = ontoCanvas(view, Vector2(x, y));
+      ASSERT_TRUE(place);
+      const Vector3 shown = view.toDisplay(Vector3((*place)[0], (*place)[1], 0.0));
+      back = std::max(back, (shown.head<2>() - Vector2(x, y)).norm());
+    }
+  }
+  EXPECT_LT(back, 1e-9);
+  // A ray along the plane meets it nowhere.
+  Eigen::Matrix4d side = Eigen::Matrix4d::Identity();
+  side.topLeftCorner<3, 3>() = Eigen::AngleAxisd(0.5 * halfTurn, Vector3::UnitX()).toRotationMatrix();
+  EXPECT_FALSE(ontoCanvas(View(side, above(1.0).projectionTransform(), 800, 600), a));
+  oversketch_test::fact("C1_2",
+    "the same drag at zoom 2: half as long to " + std::to_string(off) +
+      "; tilted perspective: places project back within " + std::to_string(back * 1e9) + "e-9 px");
+}
+
+TEST(C1_2, APicturesRectangleHasItsSamplesInTheMiddleOfSquares)
+{
+  const Canvas canvas = pictureCanvas(Vector2(0.0, 0.0), Vector2(1.0, 1.0), 640, 480);
+  EXPECT_EQ(canvas.corner, Vector2(-0.5, -0.5));
+  EXPECT_EQ(canvas.size, Vector2(640.0, 480.0));
+  EXPECT_EQ(canvas.longest(), 640.0);
+  EXPECT_THROW(pictureCanvas(Vector2(0.0, 0.0), Vector2(1.0, -1.0), 640, 480), Error);
+  EXPECT_TRUE(closesOnCanvas(circle(100.0, 60), canvas));
+  EXPECT_FALSE(closesOnCanvas(arc(0.0, 6.0, 100.0, 60), canvas));
+  EXPECT_FALSE(closesOnCanvas(arc(0.0, 0.1, 100.0, 60), canvas)); // a dab
+}
+
+TEST(C1_3, ThirtyDegreesOfACircleAreCorrected)
+{
+  const double h = 0.005, radius = 0.3;
+  const Polyline old = circle(radius, 400);
+  double worst = 0.0;
+  int same = 0;
+  for (const double start : { 1.0, -halfTurn / 12.0, -0.01, 6.1 }) // the second and third across its start
+  {
+    for (const bool turned : { false, true })
+    {
+      for (const double offset : { 0.0, 0.002, -0.004 })
+      {
+        Polyline fresh = arc(start, start + halfTurn / 6.0, radius + offset, 40);
+        if (turned)
+        {
+          std::reverse(fresh.begin(), fresh.end());
+        }
+        const std::vector<CanvasStroke> strokes{ { arc(0.0, 1.0, 0.7, 20), false }, { old, true } };
+        const Correction correction = corrected(strokes, fresh, 0.02, h);
+        ASSERT_EQ(correction.kind, Correction::Replacement);
+        ASSERT_EQ(correction.stroke, 1);
+        const Polyline& result = correction.result.points;
+        ASSERT_EQ(correction.result.origins.size(), result.size());
+        const NearestPlace drawn(fresh);
+        // Blends reach six times the offset beyond either end.
+        const double reach = 6.0 * std::abs(offset) / radius + 0.02;
+        for (int i = 0; i < 400; ++i)
+        {
+          const double angle =
+            std::remainder(2.0 * halfTurn * i / 400 - (start + halfTurn / 12.0), 2.0 * halfTurn);
+          const bool stays = std::find(result.begin(), result.end(), old[i]) != result.end();
+          if (std::abs(angle) > halfTurn / 12.0 + reach)
+          {
+            EXPECT_TRUE(stays) << i;
+            same += stays;
+          }
+        }
+        for (const Vector2& p : result)
+        {
+          const double angle =
+            std::remainder(std::atan2(p[1], p[0]) - (start + halfTurn / 12.0), 2.0 * halfTurn);
+          if (std::abs(angle) < halfTurn / 12.0)
+          {
+            worst = std::max(worst, drawn(p).distance);
+          }
+        }
+        // Still one turn round, in the old direction, closed without a gap.
+        double area = 0.0;
+        for (std::size_t i = 0; i < result.size(); ++i)
+        {
+          const Vector2 p = result[i], q = result[(i + 1) % result.size()];
+          area += 0.5 * (p[0] * q[1] - p[1] * q[0]);
+          EXPECT_LT((p - q).norm(), 2.0 * h);
+        }
+        EXPECT_NEAR(area, halfTurn * radius * radius, 0.02 * halfTurn * radius * radius);
+        for (std::size_t i = 0; i < result.size(); ++i)
+        {
+          EXPECT_LT((correction.result.origins[i].of(old, fresh) - result[i]).norm(), 0.02);
+        }
+      }
+    }
+  }
+  EXPECT_LT(worst, h);
+  oversketch_test::fact("C1_3",
+    "24 corrections of 30 degrees of a circle: one stroke in place of one, " + std::to_string(same) +
+      " untouched samples to the bit, replaced ones within " + std::to_string(worst / h) +
+      " h of the new stroke");
+}
+
+TEST(Correct, AnEndThatIsNearExtendsAndNoneIsNew)
+{
+  const Polyline old{ { 0.0, 0.0 }, { 0.1, 0.0 }, { 0.2, 0.0 }, { 0.3, 0.0 } };
+  const std::vector<CanvasStroke> strokes{ { old, false } };
+  for (const bool turned : { false, true })
+  {
+    Polyline fresh{ { 0.25, 0.0 }, { 0.35, 0.1 }, { 0.45, 0.2 } };
+    if (turned)
+    {
+      std::reverse(fresh.begin(), fresh.end());
+    }
+    const Correction extension = corrected(strokes, fresh, 0.02, 0.01);
+    ASSERT_EQ(extension.kind, Correction::Extension);
+    EXPECT_EQ(extension.result.points.front(), old.front());
+    EXPECT_EQ(extension.result.points.back(), Vector2(0.45, 0.2));
+    EXPECT_EQ(std::count(extension.result.points.begin(), extension.result.points.end(), old.back()), 0);
+  }
+  // Beside the stroke, running back over it: still from the foot to the free end that is nearer.
+  const Polyline back{ { 0.05, 0.01 }, { -0.02, 0.1 }, { -0.2, 0.3 } };
+  const Correction other = corrected(strokes, back, 0.02, 0.01);
+  ASSERT_EQ(other.kind, Correction::Extension);
+  EXPECT_EQ(other.result.points.front(), back.back());
+  EXPECT_EQ(other.result.points.back(), old.back());
+  for (std::size_t i = 0; i < other.result.points.size(); ++i)
+  {
+    EXPECT_LT((other.result.origins[i].of(old, back) - other.result.points[i]).norm(), 0.02) << i;
+  }
+  EXPECT_EQ(corrected(strokes, { { 0.1, 0.5 }, { 0.2, 0.5 } }, 0.02, 0.01).kind, Correction::New);
+  EXPECT_EQ(corrected({}, back, 0.02, 0.01).kind, Correction::New);
+  EXPECT_THROW(corrected(strokes, { { 1.0, 1.0 } }, 0.02, 0.01), Error);
+}
+
+TEST(Correct, AWholeTurnReplacesTheWholeCurve)
+{
+  const Polyline old = circle(0.3, 200);
+  const Polyline fresh = arc(0.5, 0.5 + 2.0 * halfTurn - 0.001, 0.305, 200);
+  const Correction correction = corrected({ { old, true } }, fresh, 0.02, 0.005);
+  ASSERT_EQ(correction.kind, Correction::Replacement);
+  EXPECT_EQ(correction.result.points, fresh);
+}

@@ -1,0 +1,263 @@
+#include "Stroke/correct.h"
+
+#include "Mesh/context.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch
+{
+namespace
+{
+
+constexpr double blendReach = 6.0; // times an end's distance, as resketch has it
+
+Resketched unchanged(const Polyline& points, bool isFresh)
+{
+  Resketched result{ points, {} };
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+  {
+    const Blend place = Blend::point(i), none = Blend::point(0);
+    result.origins.push_back(isFresh ? Origin{ none, place, 1.0 } : Origin{ place, none, 0.0 });
+  }
+  return result;
+}
+
+// A closed curve by its length from the first point on.
+struct Ring
+{
+  const Polyline& points;
+  std::vector<double> lengths;
+
+  explicit Ring(const Polyline& curve)
+    : points(curve)
+    , lengths(arcLengths(curve, true))
+  {
+  }
+  int count() const { return static_cast<int>(this->points.size()); }
+  double length() const { return this->lengths.back(); }
+  double foot(const Vector2& to) const
+  {
+    const NearestPlace::Answer answer = NearestPlace(this->points, true)(to);
+    return this->lengths[answer.segment] +
+           answer.t * (this->lengths[answer.segment + 1] - this->lengths[answer.segment]);
+  }
+  Vector2 at(double place) const
+  {
+    const double wrapped = place >= this->length() ? place - this->length() : place;
+    const auto next = std::upper_bound(this->lengths.begin() + 1, this->lengths.end() - 1, wrapped);
+    const int i = static_cast<int>(next - this->lengths.begin()) - 1;
+    const double step = this->lengths[i + 1] - this->lengths[i];
+    const double t = step > 0.0 ? (wrapped - this->lengths[i]) / step : 0.0;
+    return (1.0 - t) * this->points[i] + t * this->points[(i + 1) % this->count()];
+  }
+  // Of the arc from one place on to another, passing the start where it lies between.
+  double span(double from, double to) const { return to >= from ? to - from : to - from + this->length(); }
+  double meanDistance(double from, double to, const NearestPlace& other) const
+  {
+    const double whole = this->span(from, to);
+    const int steps = 64;
+    double sum = 0.0;
+    for (int i = 0; i <= steps; ++i)
+    {
+      sum += other(this->at(from + whole * i / steps)).distance;
+    }
+    return sum / (steps + 1);
+  }
+  // The sample on the arc that is nearest to its middle; -1 when none lies inside it.
+  int middle(double from, double to) const
+  {
+    const double whole = this->span(from, to);
+    int best = -1;
+    double least = 0.5 * whole;
+    for (int i = 0; i < this->count(); ++i)
+    {
+      const double along = this->span(from, this->lengths[i]);
+      if (along < whole && std::abs(along - 0.5 * whole) < least)
+      {
+        least = std::abs(along - 0.5 * whole);
+        best = i;
+      }
+    }
+    return best;
+  }
+};
+
+// The open part of a curve that stays, up to a place, as a curve of its own: the rest of it is what a stroke
+// with one end near replaces.
+Resketched extended(const Polyline& old, const Polyline& fresh, bool fromFront, double spacing)
+{
+  const NearestPlace nearest(old);
+  const NearestPlace::Answer foot = nearest(fromFront ? fresh.front() : fresh.back());
+  const std::vector<double> lengths = arcLengths(old);
+  const double place = lengths[foot.segment] + foot.t * (lengths[foot.segment + 1] - lengths[foot.segment]);
+  const Vector2 away = fromFront ? fresh.back() : fresh.front();
+  const bool atBack = (old.back() - away).norm() <= (old.front() - away).norm();
+  // Drawn and old curve are walked so that the new end comes last.
+  Polyline before = old, after = fresh;
+  if (!atBack)
+  {
+    std::reverse(before.begin(), before.end());
+  }
+  if (!fromFront)
+  {
+    std::reverse(after.begin(), after.end());
+  }
+  const int oldCount = static_cast<int>(old.size()), freshCount = static_cast<int>(fresh.size());
+  const double cut = atBack ? place : lengths.back() - place;
+  const std::vector<double> walked = arcLengths(before);
+  Polyline kept;
+  for (int i = 0; i < oldCount && walked[i] < cut; ++i)
+  {
+    kept.push_back(before[i]);
+  }
+  const Blend end = placeAt(walked, oldCount, cut);
+  kept.push_back(end.of(before));
+  const int keptCount = static_cast<int>(kept.size());
+  // The foot is the kept part's end, so that the new curve extends it.
+  Resketched result = continued(kept, after, blendReach, spacing);
+  const auto mirrored = [](Blend& blend, int count)
+  {
+    blend.from = count - 1 - blend.from;
+    blend.to = count - 1 - blend.to;
+  };
+  for (Origin& origin : result.origins)
+  {
+    // A place on the kept part's last segment is one on the old segment that was cut.
+    Blend& at = origin.before;
+    if (std::max(at.from, at.to) == keptCount - 1 && keptCount > 1)
+    {
+      const double start = walked[keptCount - 2];
+      const double t = at.from == at.to ? 1.0 : at.t;
+      at = placeAt(walked, oldCount, start + t * (cut - start));
+    }
+    if (!atBack)
+    {
+      mirrored(at, oldCount);
+    }
+    if (!fromFront)
+    {
+      mirrored(origin.after, freshCount);
+    }
+  }
+  if (!atBack)
+  {
+    std::reverse(result.points.begin(), result.points.end());
+    std::reverse(result.origins.begin(), result.origins.end());
+  }
+  return result;
+}
+
+} // namespace
+
+Resketched resketchClosed(const Polyline& old, const Polyline& fresh, double reach, double spacing)
+{
+  const auto differs = [](const Polyline& curve)
+  { return std::any_of(curve.begin(), curve.end(), [&](const Vector2& p) { return p != curve.front(); }); };
+  if (!differs(old) || !differs(fresh))
+  {
+    return unchanged(old, false);
+  }
+  const Ring ring(old);
+  const NearestPlace nearFresh(fresh);
+  double from = ring.foot(fresh.front()), to = ring.foot(fresh.back());
+  if (from == to)
+  {
+    // No arc, or all of the curve.
+    const bool whole = arcLengths(fresh).back() >= 0.5 * ring.length();
+    return whole ? unchanged(fresh, true) : unchanged(old, false);
+  }
+  if (ring.meanDistance(from, to, nearFresh) > ring.meanDistance(to, from, nearFresh))
+  {
+    std::swap(from, to);
+  }
+  // From `from` to `to` in the old curve's direction is replaced; what is kept is opened in its middle.
+  const int seam = ring.middle(to, from);
+  if (seam < 0)
+  {
+    return unchanged(fresh, true);
+  }
+  const int count = ring.count();
+  Polyline opened(old.begin() + seam, old.end());
+  opened.insert(opened.end(), old.begin(), old.begin() + seam + 1);
+  const double start = ring.lengths[seam];
+  const double first = ring.span(start, from), last = ring.span(start, to), whole = ring.length();
+  // resketch drops a blend that would begin before the curve does, so the reach is what the seam leaves room
+  // for.
+  const NearestPlace nearOld(old, true);
+  const double farthest = std::max(nearOld(fresh.front()).distance, nearOld(fresh.back()).distance);
+  const double room = std::min(first, whole - last) * (1.0 - 1e-9);
+  const double fitting = farthest > 0.0 ? std::min(reach, room / farthest) : reach;
+  Resketched result = resketch(opened, fresh, fitting, spacing);
+  // The seam's sample is there twice.
+  result.points.pop_back();
+  result.origins.pop_back();
+  const int size = static_cast<int>(result.points.size());
+  int begin = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    Origin& origin = result.origins[i];
+    origin.before.from = (origin.before.from + seam) % count;
+    origin.before.to = (origin.before.to + seam) % count;
+    if (origin.weight == 0.0 && origin.before.from == 0 && origin.before.to == 0)
+    {
+      begin = i;
+    }
+  }
+  std::rotate(result.points.begin(), result.points.begin() + begin, result.points.end());
+  std::rotate(result.origins.begin(), result.origins.begin() + begin, result.origins.end());
+  return result;
+}
+
+Correction corrected(const std::vector<CanvasStroke>& strokes,
+  const Polyline& fresh,
+  double radius,
+  double spacing)
+{
+  if (!std::all_of(fresh.begin(), fresh.end(), [](const Vector2& p) { return p.allFinite(); }) ||
+      std::none_of(fresh.begin(), fresh.end(), [&](const Vector2& p) { return p != fresh.front(); }))
+  {
+    throw Error(Failure::BadStroke, "a correction needs two distinct points, all finite; draw a longer one");
+  }
+  Correction answer;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    if (strokes[i].points.size() < 2)
+    {
+      continue;
+    }
+    const double mean = NearestPlace(strokes[i].points, strokes[i].closed).meanDistance(fresh);
+    if (mean < least)
+    {
+      least = mean;
+      answer.stroke = static_cast<int>(i);
+    }
+  }
+  if (answer.stroke < 0)
+  {
+    return answer;
+  }
+  const CanvasStroke& stroke = strokes[answer.stroke];
+  const NearestPlace nearest(stroke.points, stroke.closed);
+  const bool front = nearest(fresh.front()).distance <= radius;
+  const bool back = nearest(fresh.back()).distance <= radius;
+  if (front && back)
+  {
+    answer.kind = Correction::Replacement;
+    answer.result = stroke.closed ? resketchClosed(stroke.points, fresh, blendReach, spacing)
+                                  : resketch(stroke.points, fresh, blendReach, spacing);
+  }
+  else if ((front || back) && !stroke.closed)
+  {
+    answer.kind = Correction::Extension;
+    answer.result = extended(stroke.points, fresh, front, spacing);
+  }
+  else
+  {
+    answer.stroke = -1;
+  }
+  return answer;
+}
+
+} // namespace oversketch

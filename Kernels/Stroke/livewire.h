@@ -1,0 +1,82 @@
+// A drawn stroke moves to the edges of the picture under it: intelligent scissors in a corridor.
+#ifndef oversketch_livewire_h
+#define oversketch_livewire_h
+
+#include "Mesh/context.h"
+#include "Stroke/edges.h"
+#include "Stroke/polyline.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace oversketch
+{
+
+using Pixel = Eigen::Vector2i;
+
+struct LivewireRules
+{
+  double radius = 10.0; // rho [image px]: half the corridor's width; less than 3 counts as 3
+  // rad: an edge whose tangent differs by more from the stroke's, its chord over four samples to either side,
+  // does not count. pi as published.
+  double edgeAngle = 0.78539816339744831;
+  double sigma = 1.0;  // px along a snapped run: it is smoothed with it. 0 as published
+  int shortestRun = 5; // path pixels: fewer strong ones in a row do not replace what was drawn
+};
+
+// A rectangle of the picture in which paths are looked for.
+struct PathField
+{
+  enum State : std::uint8_t
+  {
+    Outside = 0, // no path goes there
+    Plain = 1,
+    Edge = 2 // an edge that counts
+  };
+  int x0 = 0, y0 = 0, width = 0, height = 0;
+  std::vector<std::uint8_t> states; // of its pixels, row by row
+};
+
+// The whole picture, every edge counting.
+PathField wholeField(const EdgeFeatures& features);
+
+// The path of least cost over eight neighbours between two pixels of the field, both among its pixels; empty
+// where the field does not join them. A step from p to q costs 0.43 fZ(q) + 0.43 fD(p, q) + 0.14 fG(q): fZ is
+// 0 on an edge that counts, else 1; fG = 1 - g / g_max, over sqrt(2) on a step along an axis; fD = (acos dp +
+// acos dq) / pi, dp and dq the unit step times the edge's tangents at p and q, both turned about where dp is
+// negative. (Weights are OpenCV's, the paper gives none.) Of equally cheap ways to a pixel the one found
+// first stays; of places equally far the lower is left first.
+std::vector<Pixel> leastPath(const EdgeFeatures& features,
+  const PathField& field,
+  const Pixel& from,
+  const Pixel& to,
+  const Context& context);
+
+// The same cost of a given path, by its formula.
+double pathCost(const EdgeFeatures& features, const PathField& field, const std::vector<Pixel>& path);
+
+struct SnappedStroke
+{
+  Polyline points;
+  std::vector<std::uint8_t> snapped; // of each point: 1 where it lies on an edge found, 0 where as drawn
+  std::vector<Blend> origins;        // where on the drawn stroke its other values (pressure, time) are from
+};
+
+// Source: image-assisted modelling, section 3, steps 2 to 6. The stroke is in image px, the centre of sample
+// (i, j) at (i, j). `seeds` are numbers of its samples, ascending, those of its polyline approximation with a
+// fixed tolerance; the ends of the stroke are seeds in any case, the first sample of a closed one (not
+// repeated at its end). Each seed moves to the strongest edge within `radius` that counts; a path is looked
+// for in the corridor of each part between two seeds alone, so that it does not jump to another arm; runs of
+// strong pixels, those beside an edge that counts, replace what was drawn there. Everything else stays as it
+// is to the bit, and no point is farther than `radius` from the stroke. The order of the stroke's samples
+// matters only by ties. Throws Error(Failure::BadStroke) for a sample that is not finite or seeds that are
+// not samples in ascending order.
+SnappedStroke snapped(const EdgeFeatures& features,
+  const Polyline& stroke,
+  bool closed,
+  const std::vector<int>& seeds,
+  const LivewireRules& rules,
+  const Context& context);
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,88 @@
+#include "Stroke/resample.h"
+
+#include "Mesh/context.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch
+{
+namespace
+{
+
+// Rounding must not split a gap of exactly the spacing, nor drop a sample that is half of it away.
+constexpr double slack = 1e-9;
+constexpr double mostSamples = 1e7;
+
+// The samples that stay: numbers of points.
+std::vector<int> spread(const Polyline& points, double least, bool closed)
+{
+  std::vector<int> kept{ 0 };
+  const int last = static_cast<int>(points.size()) - 1;
+  const auto near = [&](int a, int b) { return (points[a] - points[b]).norm() < least; };
+  for (int i = 1; i <= last; ++i)
+  {
+    if (!near(i, kept.back()))
+    {
+      kept.push_back(i);
+    }
+  }
+  if (closed)
+  {
+    while (kept.size() > 1 && near(kept.back(), 0))
+    {
+      kept.pop_back();
+    }
+  }
+  else if (kept.back() != last)
+  {
+    while (kept.size() > 1 && near(kept.back(), last))
+    {
+      kept.pop_back();
+    }
+    kept.push_back(last);
+  }
+  return kept;
+}
+
+} // namespace
+
+std::vector<Blend> resampled(const Polyline& points, double spacing, bool closed)
+{
+  if (!std::all_of(points.begin(), points.end(), [](const Vector2& p) { return p.allFinite(); }))
+  {
+    throw Error(Failure::BadStroke, "the stroke has a sample that is not finite");
+  }
+  if (std::none_of(points.begin(), points.end(), [&](const Vector2& p) { return p != points.front(); }))
+  {
+    throw Error(Failure::BadStroke, "the stroke has fewer than two distinct points; draw a longer one");
+  }
+  if (!(spacing > 0.0) || arcLengths(points, closed).back() / spacing > mostSamples)
+  {
+    throw Error(
+      Failure::BadStroke, "the spacing must be positive, and give no more than ten million samples");
+  }
+  std::vector<int> kept = spread(points, 0.5 * spacing * (1.0 - slack), closed);
+  if (closed)
+  {
+    kept.push_back(0);
+  }
+  std::vector<Blend> places{ Blend::point(0) };
+  for (std::size_t i = 1; i < kept.size(); ++i)
+  {
+    const int from = kept[i - 1], to = kept[i];
+    const double gap = (points[from] - points[to]).norm();
+    const int steps = std::max(1, static_cast<int>(std::ceil(gap / spacing * (1.0 - slack))));
+    for (int step = 1; step < steps; ++step)
+    {
+      places.push_back({ from, to, static_cast<double>(step) / steps });
+    }
+    if (to != 0 || !closed)
+    {
+      places.push_back(Blend::point(to));
+    }
+  }
+  return places;
+}
+
+} // namespace oversketch

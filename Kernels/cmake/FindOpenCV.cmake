@@ -1,0 +1,26 @@
+# The two libraries of OpenCV that the kernels use. Its own configuration file comes with libopencv-dev alone, asks for all of its
+# libraries to be there, and draws in GDAL and a VTK of its own; these two come without.
+find_path(OpenCV_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
+find_path(OpenCV_CONFIG_DIR opencv2/cvconfig.h PATH_SUFFIXES opencv4)
+set(_opencv_variables OpenCV_INCLUDE_DIR)
+foreach (_opencv_component IN ITEMS core imgproc)
+  find_library(OpenCV_${_opencv_component}_LIBRARY opencv_${_opencv_component})
+  list(APPEND _opencv_variables OpenCV_${_opencv_component}_LIBRARY)
+endforeach ()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OpenCV REQUIRED_VARS ${_opencv_variables})
+if (OpenCV_FOUND)
+  set(_opencv_folders ${OpenCV_INCLUDE_DIR})
+  if (OpenCV_CONFIG_DIR)
+    list(APPEND _opencv_folders ${OpenCV_CONFIG_DIR})
+  endif ()
+  foreach (_opencv_component IN ITEMS core imgproc)
+    if (NOT TARGET opencv_${_opencv_component})
+      add_library(opencv_${_opencv_component} UNKNOWN IMPORTED)
+      set_target_properties(opencv_${_opencv_component} PROPERTIES
+        IMPORTED_LOCATION "${OpenCV_${_opencv_component}_LIBRARY}"
+        INTERFACE_INCLUDE_DIRECTORIES "${_opencv_folders}")
+    endif ()
+  endforeach ()
+endif ()
+mark_as_advanced(OpenCV_CONFIG_DIR ${_opencv_variables})
