@@ -555,6 +555,11 @@ void Viewport::screenshot(const QString& path, bool overlays)
     this->Style->SetShowKeys(false);
   }
   this->render();
+  if (this->OnProcessor.value_or(false))
+  {
+    this->Renderer->UseFXAAOn();
+    this->Window->Render();
+  }
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(this->Window);
   picture->ReadFrontBufferOff();

@@ -9,7 +9,7 @@ namespace oversketch
 namespace
 {
 
-struct Run
+struct RowRun
 {
   int begin, end; // samples of a row
 };
@@ -28,7 +28,7 @@ int rootOf(std::vector<int>& parents, int i)
 
 Blobs blobsOf(const Frame& frame, const std::vector<std::uint8_t>& lines)
 {
-  std::vector<Run> runs;
+  std::vector<RowRun> runs;
   std::vector<int> offsets{ 0 }; // of the rows' runs
   std::vector<int> parents;
   for (int y = 0; y < frame.height; ++y)
