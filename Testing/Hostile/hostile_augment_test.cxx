@@ -7,7 +7,7 @@
 #include "vtkOversketchAugment.h"
 #include "vtkOversketchFilterTools.h"
 
-#include <chrono>
+#include <ctime>
 #include <utility>
 
 using namespace oversketch_test;
@@ -15,7 +15,7 @@ using namespace oversketch_test;
 namespace
 {
 
-constexpr double longest = 60.0; // [s] that a stroke may take
+constexpr double longest = 60.0; // [s of the processor] that a stroke may take, whatever else runs
 
 // Where the triangle lies that is in front of all others, in the picture.
 Vector2 frontOf(const Mesh& mesh, const View& view)
@@ -90,9 +90,9 @@ TEST_P(HostileAugment, SixStrokesGiveASoundMeshOrOneMessage)
     Ear ear(system);
     system->SetInputData(0, polyData);
     system->SetStrokesData(toStroke(samples, view));
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     system->Update();
-    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), longest);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, longest);
     if (system->GetErrorCode() == 0 && ear.errors.empty())
     {
       EXPECT_STRNE(name, "one point");
