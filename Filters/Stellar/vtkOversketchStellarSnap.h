@@ -10,11 +10,12 @@
  * move along those only.
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Cell array Chart
- * (optional): one whole number per triangle, as for vtkOversketchRemesh; neighbours with different ones have
- * a seam between them. Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or
- * vtkOversketchSilhouetteSketch; of their arrays Normals and Pressure are read, and the cell arrays Radius,
- * Height and Sharpness go before parameters. Input 2 (Source, optional): output 1 of vtkOversketchStellarBase
- * or vtkOversketchTerrain, on which new points lie that residual rounds make away from curves.
+ * (optional): one whole number per triangle, as for vtkOversketchRemesh; where neighbours have different ones
+ * there is a seam between them.
+ * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
+ * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
+ * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, on which new
+ * points lie that residual rounds make away from curves.
  *
  * Output 0 (Mesh): the 4-8 mesh; CurveId and CurveParam of the vertices that lie on curves, StellarMoved with
  * 1, BaseNormal as at their places before, and field array CurveDigest. Other point arrays, normals among
