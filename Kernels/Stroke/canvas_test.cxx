@@ -90,7 +90,7 @@ TEST(C1_2, ADragAtTwiceTheZoomIsHalfAsLong)
   side.topLeftCorner<3, 3>() = Eigen::AngleAxisd(0.5 * halfTurn, Vector3::UnitX()).toRotationMatrix();
   EXPECT_FALSE(ontoCanvas(View(side, above(1.0).projectionTransform(), 800, 600), a));
   oversketch_test::fact("C1_2",
-    "the same drag at zoom 2: half as long to " + std::to_string(off) +
+    "the same drag at zoom 2: half as long to " + std::to_string(off * 1e12) + "e-12" +
       "; tilted perspective: places project back within " + std::to_string(back * 1e9) + "e-9 px");
 }
 
