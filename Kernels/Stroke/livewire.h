@@ -3,7 +3,7 @@
 #define oversketch_livewire_h
 
 #include "Mesh/context.h"
-#include "Stroke/edges.h"
+#include "Stroke/least_path.h"
 #include "Stroke/polyline.h"
 
 #include <cstdint>
@@ -11,8 +11,6 @@
 
 namespace oversketch
 {
-
-using Pixel = Eigen::Vector2i;
 
 struct LivewireRules
 {
@@ -23,37 +21,6 @@ struct LivewireRules
   double sigma = 1.0;  // px along a snapped run: it is smoothed with it. 0 as published
   int shortestRun = 5; // path pixels: fewer strong ones in a row do not replace what was drawn
 };
-
-// A rectangle of the picture in which paths are looked for.
-struct PathField
-{
-  enum State : std::uint8_t
-  {
-    Outside = 0, // no path goes there
-    Plain = 1,
-    Edge = 2 // an edge that counts
-  };
-  int x0 = 0, y0 = 0, width = 0, height = 0;
-  std::vector<std::uint8_t> states; // of its pixels, row by row
-};
-
-// The whole picture, every edge counting.
-PathField wholeField(const EdgeFeatures& features);
-
-// The path of least cost over eight neighbours between two pixels of the field, both among its pixels; empty
-// where the field does not join them. A step from p to q costs 0.43 fZ(q) + 0.43 fD(p, q) + 0.14 fG(q): fZ is
-// 0 on an edge that counts, else 1; fG = 1 - g / g_max, over sqrt(2) on a step along an axis; fD = (acos dp +
-// acos dq) / pi, dp and dq the unit step times the edge's tangents at p and q, both turned about where dp is
-// negative. (Weights are OpenCV's, the paper gives none.) Of equally cheap ways to a pixel the one found
-// first stays; of places equally far the lower is left first.
-std::vector<Pixel> leastPath(const EdgeFeatures& features,
-  const PathField& field,
-  const Pixel& from,
-  const Pixel& to,
-  const Context& context);
-
-// The same cost of a given path, by its formula.
-double pathCost(const EdgeFeatures& features, const PathField& field, const std::vector<Pixel>& path);
 
 struct SnappedStroke
 {
