@@ -64,8 +64,8 @@ inline double memoryInUse()
 #endif
 }
 
-// Memory in use after each sequence: the mean over the first half, of which a fifth is left out while things
-// are made once, and over the second half.
+// Memory in use as each sequence begins, when nothing of those before it should be left: the mean over the first
+// half, of which a fifth is left out while things are made once, and over the second half.
 class MemoryLevel
 {
 public:
@@ -73,7 +73,7 @@ public:
     : Numbers(sequences)
   {
   }
-  void after(unsigned sequence)
+  void before(unsigned sequence)
   {
     const unsigned done = sequence - this->Numbers.first, half = this->Numbers.count / 2;
     if (done >= half)

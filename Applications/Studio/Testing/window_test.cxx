@@ -154,6 +154,7 @@ TEST(Window, LivesThroughRandomHands)
   Hand::Deeds deeds;
   for (unsigned number = sequences.first; number < sequences.end(); ++number)
   {
+    memory.before(number);
     SCOPED_TRACE(number);
     play(
       number,
@@ -170,7 +171,6 @@ TEST(Window, LivesThroughRandomHands)
     {
       return;
     }
-    memory.after(number);
     std::cout << "sequence " << number << ": " << oversketch_test::memoryInUse() << " MiB in use"
               << std::endl;
   }

@@ -108,6 +108,7 @@ TEST(Random, EventsOnTheAugmentWidget)
   int strokes = 0, grabs = 0;
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
+    memory.before(seed);
     SCOPED_TRACE(seed);
     Ball scene(start);
     scene.system()->SetSketchMode(seed % 5 == 0);
@@ -199,7 +200,6 @@ TEST(Random, EventsOnTheAugmentWidget)
       ASSERT_TRUE(std::isfinite(mesh->GetPoint(p)[0] + mesh->GetPoint(p)[1] + mesh->GetPoint(p)[2]));
     }
     strokes += commits.count;
-    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
   EXPECT_TRUE(!sequences.areMany() || strokes > static_cast<int>(sequences.count)) << strokes;

@@ -152,6 +152,7 @@ TEST(Random, EventsOnTheControls)
   int turns = 0;
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
+    memory.before(seed);
     SCOPED_TRACE(seed);
     Controls scene;
     scene.interactor->EnableRenderOff();
@@ -199,7 +200,6 @@ TEST(Random, EventsOnTheControls)
         break;
     }
     scene.move(350, 150);
-    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
   EXPECT_TRUE(!sequences.areMany() || turns > static_cast<int>(10 * sequences.count)) << turns;

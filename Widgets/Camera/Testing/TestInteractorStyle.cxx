@@ -525,6 +525,7 @@ TEST(Random, EventsNeitherFailNorBreakTheCamera)
   int moves = 0;
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
+    memory.before(seed);
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
@@ -562,7 +563,6 @@ TEST(Random, EventsNeitherFailNorBreakTheCamera)
     {
       scene.interactor->SetInteractorStyle(nullptr); // perhaps in a drag
     }
-    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
   EXPECT_TRUE(!sequences.areMany() || moves > static_cast<int>(20 * sequences.count)) << moves;

@@ -163,6 +163,7 @@ TEST(Random, EventsOnTheOneStrokeWidget)
   int strokes = 0, grabs = 0;
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
+    memory.before(seed);
     SCOPED_TRACE(seed);
     Dog scene(start);
     scene.widget->GetOneStroke()->SetRemesh(static_cast<int>(seed % 3));
@@ -254,7 +255,6 @@ TEST(Random, EventsOnTheOneStrokeWidget)
       ASSERT_TRUE(std::isfinite(mesh->GetPoint(p)[0] + mesh->GetPoint(p)[1] + mesh->GetPoint(p)[2]));
     }
     strokes += commits.count;
-    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
   EXPECT_TRUE(!sequences.areMany() || strokes > static_cast<int>(sequences.count)) << strokes;

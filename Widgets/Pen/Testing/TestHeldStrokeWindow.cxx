@@ -118,6 +118,7 @@ TEST(Random, EventsOnAHeldStroke)
   int grabs = 0;
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
+    memory.before(seed);
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
@@ -203,7 +204,6 @@ TEST(Random, EventsOnAHeldStroke)
     scene.style->ResetToFirstView();
     scene.window->SetSize(400, 300);
     scene.window->Render();
-    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
   EXPECT_TRUE(!sequences.areMany() || commits.count > static_cast<int>(sequences.count)) << commits.count;

@@ -146,6 +146,7 @@ TEST(Random, EventsNeitherFailNorLoseTheFrame)
   Counter commits(scene.pen, vtkCommand::WidgetValueChangedEvent);
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {
+    memory.before(seed);
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
@@ -232,7 +233,6 @@ TEST(Random, EventsNeitherFailNorLoseTheFrame)
     scene.style->ResetToFirstView();
     scene.window->SetSize(400, 300);
     scene.window->Render();
-    memory.after(seed);
   }
   EXPECT_EQ(quiet.errors(), 0);
   EXPECT_TRUE(!sequences.areMany() || strokes > static_cast<int>(sequences.count)) << strokes;
