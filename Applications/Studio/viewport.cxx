@@ -230,9 +230,14 @@ void Viewport::smoothEdges()
     this->Rest->start(restTime);
     return;
   }
-  this->Renderer->UseFXAAOn();
-  this->Window->Render();
+  this->renderSmooth();
   this->repaint();
+}
+
+void Viewport::renderSmooth()
+{
+  this->Renderer->SetUseFXAA(this->OnProcessor.value_or(false));
+  this->Window->Render();
 }
 
 // And paints it, so that no frame is drawn that nobody sees.
@@ -555,11 +560,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
     this->Style->SetShowKeys(false);
   }
   this->render();
-  if (this->OnProcessor.value_or(false))
-  {
-    this->Renderer->UseFXAAOn();
-    this->Window->Render();
-  }
+  this->renderSmooth();
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(this->Window);
   picture->ReadFrontBufferOff();

@@ -99,6 +99,7 @@ private:
   void render();
   void paintNow();
   void smoothEdges();
+  void renderSmooth();
   void awaitNoMore();
   void placeHint();
   void fitScreen();

@@ -31,7 +31,9 @@ struct RefineOptions
   bool connectedOnly = true;  // see ReachOptions; off: as published
   bool seedCurveFaces = true; // refine also faces that a curve passes through; off: as published
   int maximumGeneration = 16; // 0 to 62; no leaf exceeds it
-  int maximumFaces = 4000000; // that may be added, each of which takes about 900 bytes on the way
+  // That may be added, each of which takes some 900 bytes on the way (ours; 16 million in all would take 14 GB). What
+  // needs twice as many or more is foreseen.
+  int maximumFaces = 4000000;
 };
 
 struct RefineReport

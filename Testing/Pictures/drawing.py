@@ -11,6 +11,17 @@ import scenes
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 
+def play(interactor, *names):
+    """Logs of events, of Testing/Recordings, one after the other."""
+    for name in names:
+        recorder = vtk.vtkInteractorEventRecorder()
+        recorder.SetInteractor(interactor)
+        recorder.KeyPressActivationOff()
+        recorder.SetFileName(str(SOURCE / "Testing" / "Recordings" / (name + ".log")))
+        recorder.Play()
+        recorder.Off()
+
+
 class Drawing:
     """The dog in a window of 400 x 300 px with the pen that deforms it."""
 
@@ -45,13 +56,7 @@ class Drawing:
         self.window.Render()
 
     def play(self, *names):
-        for name in names:
-            recorder = vtk.vtkInteractorEventRecorder()
-            recorder.SetInteractor(self.interactor)
-            recorder.KeyPressActivationOff()
-            recorder.SetFileName(str(SOURCE / "Testing" / "Recordings" / (name + ".log")))
-            recorder.Play()
-            recorder.Off()
+        play(self.interactor, *names)
 
     def picture(self):
         return scenes.image(self.window)

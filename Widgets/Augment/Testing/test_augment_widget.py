@@ -11,6 +11,7 @@ import oversketch
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path.insert(0, str(SOURCE / "Testing" / "Pictures"))
 import compare  # noqa: E402
+import drawing  # noqa: E402
 import scenes  # noqa: E402
 
 
@@ -46,13 +47,7 @@ class Ball:
         self.window.Render()
 
     def play(self, *names):
-        for name in names:
-            recorder = vtk.vtkInteractorEventRecorder()
-            recorder.SetInteractor(self.interactor)
-            recorder.KeyPressActivationOff()
-            recorder.SetFileName(str(SOURCE / "Testing" / "Recordings" / (name + ".log")))
-            recorder.Play()
-            recorder.Off()
+        drawing.play(self.interactor, *names)
 
     def picture(self):
         self.window.Render()
