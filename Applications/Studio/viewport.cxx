@@ -236,8 +236,11 @@ void Viewport::smoothEdges()
 
 void Viewport::renderSmooth()
 {
-  this->Renderer->SetUseFXAA(this->OnProcessor.value_or(false));
-  this->Window->Render();
+  if (this->OnProcessor.value_or(false))
+  {
+    this->Renderer->UseFXAAOn();
+    this->Window->Render();
+  }
 }
 
 // And paints it, so that no frame is drawn that nobody sees.
