@@ -7,6 +7,8 @@
 
 #include "vtkOversketchSystem.h"
 
+#include "vtkPointData.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -67,6 +69,17 @@ std::size_t bytesOf(const Outcome& outcome)
     bytes = following ? following->points.size() * (sizeof(vtkIdType) + sizeof(following->moves[0])) : 0;
   }
   return 1024 * kilobytes + bytes;
+}
+
+// The picture's file itself travels with the mesh: a filter sees its samples alone.
+void wear(const Step& step, const SystemRow& row, const Outcome& outcome)
+{
+  const auto given = step.inputs.find(row.worn);
+  const Image* image = given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+  if (image && outcome.failure.empty() && outcome.mesh->GetPointData()->GetTCoords())
+  {
+    oversketch_files::setTexture(outcome.mesh, *image->bytes);
+  }
 }
 
 } // namespace
@@ -353,6 +366,7 @@ bool Evaluator::runNode(Run& run, std::size_t index)
     {
       return false;
     }
+    wear(*step, *findSystem(step->system, this->Rows), outcome);
     outcome.number = outcome.failure.empty() ? number : 0;
     outcome.details = kept.outcome ? kept.outcome->details : nullptr;
     runner.last = outcome.number;

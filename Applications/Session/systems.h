@@ -93,6 +93,8 @@ struct SystemRow
   // It takes several strokes, each with a view of its own, and acts on both sides by one run with each stroke
   // and the same in the mirror.
   bool reflectsStrokes = false;
+  // The name of the input whose picture the mesh wears, by its texture coordinates; empty for none.
+  std::string worn;
   // A hand goes on changing its last step and sees the mesh follow: what that step computed is kept beside
   // what is prepared for the next one.
   bool followsHand = false;

@@ -4,6 +4,7 @@
 
 #include "files.h"
 #include "session_file.h"
+#include "texture.h"
 
 #include <gtest/gtest.h>
 
@@ -181,4 +182,23 @@ TEST(Steps, ANewIdIsThatOfNoStepThatWasOrIsReferredTo)
     });
   EXPECT_EQ(freshId(session), 10);
   EXPECT_EQ(freshId({}), 1);
+}
+
+TEST(Steps, AMeshWearsThePictureThatItWasMadeOf)
+{
+  Runs runs;
+  Session session = liftedBall();
+  EXPECT_EQ(oversketch_files::textureOf(runs.of(session)[1].mesh), "") << "there is no picture";
+  const Image image = picture();
+  session.nodes[0] = changed(session.nodes[0], [&](Step& step) { step.inputs["Picture"] = image; });
+  for (int run = 0; run < 2; ++run) // the second answers from what is kept
+  {
+    const auto outcomes = runs.of(session);
+    EXPECT_EQ(oversketch_files::textureOf(outcomes[0].mesh), *image.bytes) << "to the byte";
+    EXPECT_EQ(oversketch_files::textureOf(outcomes[1].mesh), *image.bytes) << "the next step takes it along";
+  }
+  EXPECT_EQ(oversketch_files::textureOf(
+              vtkPolyData::SafeDownCast(runs.evaluator.system("Blow")->GetOutputDataObject(0))),
+    "")
+    << "the filter's own output is left alone";
 }

@@ -11,11 +11,13 @@
 #include "Harness/polydata.h"
 #include "Harness/shapes.h"
 
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNGWriter.h"
+#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -24,7 +26,7 @@ namespace oversketch_test
 {
 
 // Strokes on port 0, a picture on port 1, which may be absent: a ball as large as the strokes have points, a
-// tenth larger with a picture, and on output 1 the line of its first three points.
+// tenth larger with a picture, with texture coordinates, and on output 1 the line of its first three points.
 class Blow : public vtkOversketchSystem
 {
 public:
@@ -54,7 +56,16 @@ protected:
     {
       point *= size;
     }
-    vtkPolyData::GetData(outputs, 0)->ShallowCopy(toPolyData(ball));
+    vtkPolyData* made = vtkPolyData::GetData(outputs, 0);
+    made->ShallowCopy(toPolyData(ball));
+    vtkNew<vtkFloatArray> places;
+    places->SetName("TCoords");
+    places->SetNumberOfComponents(2);
+    for (const auto& point : ball.points)
+    {
+      places->InsertNextTuple2(point[0], point[1]);
+    }
+    made->GetPointData()->SetTCoords(places);
     vtkPolyData* rim = vtkPolyData::GetData(outputs, 1);
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
@@ -137,6 +148,7 @@ inline const std::vector<oversketch_session::SystemRow>& rowsWithToys()
     blow.inputs = { { "Drawing", "drawing", "", Kind::Stroke, 0 },
       { "Picture", "picture", "", Kind::Picture, 1, true } };
     blow.parameters = { parameter<Blow>("Label", "label", "", "", &Blow::SetLabel, &Blow::GetLabel) };
+    blow.worn = "Picture";
     all.push_back(withDefaults(blow));
     SystemRow lift;
     lift.name = "Lift";
