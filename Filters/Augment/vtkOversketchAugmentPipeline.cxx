@@ -2,6 +2,7 @@
 
 #include "Stellar/preview.h"
 #include "vtkOversketchAugmentSeams.h"
+#include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchHierarchy.h"
 #include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStepRunner.h"
@@ -34,37 +35,6 @@ double DiagonalOf(vtkPolyData* mesh)
   double box[6];
   mesh->GetCellsBounds(box);
   return Vector3(box[1] - box[0], box[3] - box[2], box[5] - box[4]).norm();
-}
-
-// One of several strokes, with its samples' arrays and its own.
-vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell)
-{
-  auto alone = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkIdList> ids;
-  strokes->GetLines()->GetCellAtId(cell, ids);
-  const vtkIdType count = ids->GetNumberOfIds();
-  const bool closed = count > 2 && ids->GetId(0) == ids->GetId(count - 1);
-  const vtkIdType samples = count - (closed ? 1 : 0);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(count));
-  alone->GetPointData()->CopyAllocate(strokes->GetPointData(), samples);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    if (i < samples)
-    {
-      points->InsertNextPoint(strokes->GetPoint(ids->GetId(i)));
-      alone->GetPointData()->CopyData(strokes->GetPointData(), ids->GetId(i), i);
-    }
-    lines->InsertCellPoint(i % samples);
-  }
-  alone->SetPoints(points);
-  alone->SetLines(lines);
-  alone->GetCellData()->CopyAllocate(strokes->GetCellData(), 1);
-  alone->GetCellData()->CopyData(strokes->GetCellData(), cell, 0);
-  alone->GetFieldData()->ShallowCopy(strokes->GetFieldData());
-  return alone;
 }
 
 // The mesh without arrays, where it is not there already.

@@ -251,4 +251,34 @@ void PassDrawingArrays(vtkPolyData* input, vtkPolyData* output)
   passMissing(input->GetFieldData(), output->GetFieldData());
 }
 
+vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell)
+{
+  auto alone = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkIdList> ids;
+  strokes->GetLines()->GetCellAtId(cell, ids);
+  const vtkIdType count = ids->GetNumberOfIds();
+  const bool closed = count > 2 && ids->GetId(0) == ids->GetId(count - 1);
+  const vtkIdType samples = count - (closed ? 1 : 0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(count));
+  alone->GetPointData()->CopyAllocate(strokes->GetPointData(), samples);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (i < samples)
+    {
+      points->InsertNextPoint(strokes->GetPoint(ids->GetId(i)));
+      alone->GetPointData()->CopyData(strokes->GetPointData(), ids->GetId(i), i);
+    }
+    lines->InsertCellPoint(i % samples);
+  }
+  alone->SetPoints(points);
+  alone->SetLines(lines);
+  alone->GetCellData()->CopyAllocate(strokes->GetCellData(), 1);
+  alone->GetCellData()->CopyData(strokes->GetCellData(), cell, 0);
+  alone->GetFieldData()->ShallowCopy(strokes->GetFieldData());
+  return alone;
+}
+
 } // namespace oversketch

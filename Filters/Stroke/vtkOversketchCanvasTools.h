@@ -12,6 +12,7 @@
 #include "Stroke/polyline.h"
 #include "vtkOversketchFilterTools.h"
 
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <vector>
@@ -39,6 +40,11 @@ struct DrawnLine
  * is not finite.
  */
 OVERSKETCHFILTERSSTROKE_EXPORT std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least = 2);
+
+/**
+ * One of several strokes as a polydata of its own, with its samples' arrays, its own and the field arrays.
+ */
+OVERSKETCHFILTERSSTROKE_EXPORT vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell);
 
 /**
  * What tells curves apart: points, polylines, point arrays and the canvas, and the cell arrays that are

@@ -217,6 +217,7 @@ void vtkOversketchStrokeWidget::EndStroke()
       this->Cursor[0], this->Cursor[1], this->Pressure, vtkTimerLog::GetUniversalTime() - this->Began);
   }
   const bool whole = representation->EndStroke();
+  this->Dropped = false;
   this->StopDrawing();
   this->Waiting = this->Waiting || (whole && !this->CommitOnRelease);
   const bool committed = whole && this->CommitOnRelease;
@@ -239,6 +240,7 @@ bool vtkOversketchStrokeWidget::DropDrawing()
     return false;
   }
   this->GetStrokeRepresentation()->DropStroke();
+  this->Dropped = true;
   this->StopDrawing();
   this->InvokeEvent(vtkCommand::EndInteractionEvent);
   return true;

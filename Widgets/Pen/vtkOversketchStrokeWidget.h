@@ -116,11 +116,15 @@ public:
   void Drop();
   ///@}
 
+  ///@{
   /**
-   * Whether a stroke is being drawn; whether one waits to be committed.
+   * Whether a stroke is being drawn; whether one waits to be committed; whether the last one was dropped
+   * while it was drawn, by Escape for one, and did not end.
    */
   bool IsDrawing();
   bool IsWaiting() const { return this->Waiting; }
+  bool WasDropped() const { return this->Dropped; }
+  ///@}
 
   void SetRepresentation(vtkOversketchStrokeRepresentation* representation);
   vtkOversketchStrokeRepresentation* GetStrokeRepresentation();
@@ -153,7 +157,7 @@ private:
   bool CommitOnRelease = true;
   double Stabilizer = 0.0;
   double Pressure = 1.0;
-  bool Waiting = false;
+  bool Waiting = false, Dropped = false;
   double Pen[2] = { 0.0, 0.0 }, Cursor[2] = { 0.0, 0.0 }; // px: the line's end, the pen itself
   double Began = 0.0;                                     // s, when the stroke, or the one drawn over, began
   vtkNew<vtkPolyData> Stroke;

@@ -1,0 +1,270 @@
+#include "vtkOversketchDrawingRepresentation.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkImageActor.h"
+#include "vtkImageData.h"
+#include "vtkImageMapper3D.h"
+#include "vtkImageProperty.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <string>
+
+vtkStandardNewMacro(vtkOversketchDrawingRepresentation);
+
+namespace
+{
+
+using Colour = std::array<unsigned char, 4>;
+
+// By Role, and by Treatment.
+Colour lineColour(int role)
+{
+  switch (role)
+  {
+    case 1:
+      return { 217, 26, 26, 255 };
+    case 2:
+      return { 26, 90, 217, 255 };
+    case 3:
+      return { 20, 145, 60, 255 };
+    case -1:
+      return { 128, 128, 128, 255 };
+    default:
+      return { 20, 20, 20, 255 };
+  }
+}
+
+Colour regionColour(int treatment)
+{
+  return treatment == 1 ? Colour{ 40, 40, 46, 165 } : Colour{ 120, 50, 165, 125 };
+}
+
+int labelOf(vtkPolyData* curves, const char* name, vtkIdType cell)
+{
+  vtkDataArray* array = curves->GetCellData()->GetArray(name);
+  return array && cell < array->GetNumberOfTuples() ? static_cast<int>(array->GetComponent(cell, 0)) : 0;
+}
+
+// Polygons or lines with a colour each.
+struct Coloured
+{
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+
+  explicit Coloured(vtkPolyData* curves)
+  {
+    this->data->SetPoints(curves->GetPoints());
+    this->colours->SetName("Colour");
+    this->colours->SetNumberOfComponents(4);
+    this->data->GetCellData()->SetScalars(this->colours);
+  }
+  void add(vtkIdList* ids, const Colour& colour)
+  {
+    this->cells->InsertNextCell(ids);
+    this->colours->InsertNextTypedTuple(colour.data());
+  }
+};
+
+// Over what lies in the same plane.
+void placeOver(vtkPolyDataMapper* mapper, double units)
+{
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -units);
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -units);
+}
+
+} // namespace
+
+struct vtkOversketchDrawingRepresentation::Internals
+{
+  vtkNew<vtkImageActor> picture;
+  vtkNew<vtkPlaneSource> canvas;
+  vtkNew<vtkActor> paper, regions, curves;
+  vtkNew<vtkPolyDataMapper> regionMapper, curveMapper;
+  vtkNew<vtkTriangleFilter> triangles;
+  vtkNew<vtkTextActor> text;
+  double box[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 0.0 };
+};
+
+vtkOversketchDrawingRepresentation::vtkOversketchDrawingRepresentation()
+  : Inner(std::make_unique<Internals>())
+{
+  Internals& inner = *this->Inner;
+  inner.picture->GetMapper()->BorderOn();
+  inner.picture->VisibilityOff();
+  vtkNew<vtkPolyDataMapper> paper;
+  paper->SetInputConnection(inner.canvas->GetOutputPort());
+  inner.paper->SetMapper(paper);
+  inner.triangles->PassLinesOff();
+  inner.regionMapper->SetInputConnection(inner.triangles->GetOutputPort());
+  inner.regions->SetMapper(inner.regionMapper);
+  inner.regions->ForceTranslucentOn();
+  inner.curves->SetMapper(inner.curveMapper);
+  placeOver(inner.regionMapper, 20.0);
+  placeOver(inner.curveMapper, 60.0);
+  for (vtkActor* actor : { inner.paper.Get(), inner.regions.Get(), inner.curves.Get() })
+  {
+    actor->GetProperty()->LightingOff();
+    actor->PickableOff();
+  }
+  inner.curves->GetProperty()->SetLineWidth(3.0f);
+  inner.regions->VisibilityOff();
+  inner.curves->VisibilityOff();
+  inner.text->SetPosition(10, 10);
+  inner.text->GetTextProperty()->SetFontSize(14);
+  inner.text->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
+  inner.text->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
+  inner.text->GetTextProperty()->SetBackgroundOpacity(0.8);
+  this->SetCanvas(0.0, 0.0, 1.0, 1.0);
+}
+
+vtkOversketchDrawingRepresentation::~vtkOversketchDrawingRepresentation() = default;
+
+void vtkOversketchDrawingRepresentation::SetPicture(vtkImageData* picture)
+{
+  Internals& inner = *this->Inner;
+  inner.picture->SetInputData(picture);
+  inner.picture->SetVisibility(picture != nullptr);
+  inner.paper->SetVisibility(picture == nullptr);
+  if (picture)
+  {
+    picture->GetBounds(inner.box);
+    for (int axis = 0; axis < 2; ++axis) // samples are squares
+    {
+      inner.box[2 * axis] -= 0.5 * picture->GetSpacing()[axis];
+      inner.box[2 * axis + 1] += 0.5 * picture->GetSpacing()[axis];
+    }
+  }
+  this->Modified();
+}
+
+void vtkOversketchDrawingRepresentation::SetCanvas(double x, double y, double width, double height)
+{
+  Internals& inner = *this->Inner;
+  this->SetPicture(nullptr);
+  inner.canvas->SetOrigin(x, y, 0.0);
+  inner.canvas->SetPoint1(x + width, y, 0.0);
+  inner.canvas->SetPoint2(x, y + height, 0.0);
+  const std::array<double, 6> box = { x, x + width, y, y + height, 0.0, 0.0 };
+  std::copy(box.begin(), box.end(), inner.box);
+}
+
+void vtkOversketchDrawingRepresentation::SetCurves(vtkPolyData* curves)
+{
+  Internals& inner = *this->Inner;
+  const bool any = curves && curves->GetNumberOfLines() > 0;
+  inner.curves->SetVisibility(any);
+  inner.regions->VisibilityOff();
+  if (any)
+  {
+    Coloured lines(curves), regions(curves);
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < curves->GetNumberOfLines(); ++cell)
+    {
+      curves->GetLines()->GetCellAtId(cell, ids);
+      const int role = labelOf(curves, "Role", cell), treatment = labelOf(curves, "Treatment", cell);
+      lines.add(ids, lineColour(role));
+      if (role == 2 && treatment != 0 && ids->GetNumberOfIds() > 3)
+      {
+        ids->SetNumberOfIds(ids->GetNumberOfIds() - 1); // the first one once more
+        regions.add(ids, regionColour(treatment));
+      }
+    }
+    lines.data->SetLines(lines.cells);
+    regions.data->SetPolys(regions.cells);
+    inner.curveMapper->SetInputData(lines.data);
+    inner.triangles->SetInputData(regions.data);
+    inner.regions->SetVisibility(regions.cells->GetNumberOfCells() > 0);
+  }
+  this->Modified();
+}
+
+void vtkOversketchDrawingRepresentation::SetText(const char* text)
+{
+  this->Inner->text->SetInput(text ? text : "");
+  this->Modified();
+}
+
+const char* vtkOversketchDrawingRepresentation::GetText()
+{
+  return this->Inner->text->GetInput() ? this->Inner->text->GetInput() : "";
+}
+
+vtkProperty* vtkOversketchDrawingRepresentation::GetCurveProperty()
+{
+  return this->Inner->curves->GetProperty();
+}
+
+void vtkOversketchDrawingRepresentation::BuildRepresentation() {}
+
+double* vtkOversketchDrawingRepresentation::GetBounds()
+{
+  return this->Inner->box;
+}
+
+void vtkOversketchDrawingRepresentation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& inner = *this->Inner;
+  inner.picture->ReleaseGraphicsResources(window);
+  for (vtkActor* actor : { inner.paper.Get(), inner.regions.Get(), inner.curves.Get() })
+  {
+    actor->ReleaseGraphicsResources(window);
+  }
+  inner.text->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+int vtkOversketchDrawingRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  Internals& inner = *this->Inner;
+  int drawn = 0;
+  if (inner.picture->GetVisibility())
+  {
+    inner.picture->Update();
+    // A picture with alpha is see-through; it is under all else all the same, so it is drawn first.
+    drawn += inner.picture->HasTranslucentPolygonalGeometry()
+               ? inner.picture->RenderTranslucentPolygonalGeometry(viewport)
+               : inner.picture->RenderOpaqueGeometry(viewport);
+  }
+  drawn += inner.paper->GetVisibility() ? inner.paper->RenderOpaqueGeometry(viewport) : 0;
+  return drawn + (inner.curves->GetVisibility() ? inner.curves->RenderOpaqueGeometry(viewport) : 0);
+}
+
+vtkTypeBool vtkOversketchDrawingRepresentation::HasTranslucentPolygonalGeometry()
+{
+  return this->Inner->regions->GetVisibility();
+}
+
+int vtkOversketchDrawingRepresentation::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  return this->Inner->regions->GetVisibility()
+           ? this->Inner->regions->RenderTranslucentPolygonalGeometry(viewport)
+           : 0;
+}
+
+int vtkOversketchDrawingRepresentation::RenderOverlay(vtkViewport* viewport)
+{
+  return this->GetText()[0] != '\0' ? this->Inner->text->RenderOverlay(viewport) : 0;
+}
+
+void vtkOversketchDrawingRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Picture: " << (this->Inner->picture->GetVisibility() ? "shown" : "(none)") << "\n";
+  os << indent << "Text: " << this->GetText() << "\n";
+}

@@ -1,0 +1,84 @@
+/**
+ * @class vtkOversketchDrawingRepresentation
+ * @brief the picture of vtkOversketchDrawingWidget: canvas or picture, and the curves of the drawing
+ *
+ * The picture lies at z = 0, its outermost samples drawn whole (vtkImageActor::BorderOn); without one there
+ * is a white canvas. Curves lie over it, coloured by what they are: boundaries red, closed features blue,
+ * open ones green, rejected ones grey. A region that is to be a hole is shaded dark, one that is to be a
+ * tunnel violet. A line of text stands below.
+ *
+ * @sa vtkOversketchDrawingWidget
+ */
+#ifndef vtkOversketchDrawingRepresentation_h
+#define vtkOversketchDrawingRepresentation_h
+
+#include "OversketchWidgetsDrawingModule.h" // For export macro
+#include "vtkWidgetRepresentation.h"
+
+#include <memory>
+
+class vtkImageData;
+class vtkPolyData;
+class vtkProperty;
+
+class OVERSKETCHWIDGETSDRAWING_EXPORT vtkOversketchDrawingRepresentation : public vtkWidgetRepresentation
+{
+public:
+  static vtkOversketchDrawingRepresentation* New();
+  vtkTypeMacro(vtkOversketchDrawingRepresentation, vtkWidgetRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What is drawn on: a picture of 8 bits (null: none), or a white rectangle from its lower left corner
+   * [world]. The one takes the other away.
+   */
+  void SetPicture(vtkImageData* picture);
+  void SetCanvas(double x, double y, double width, double height);
+  ///@}
+
+  /**
+   * Curves of vtkOversketchClassify or vtkOversketchTreatment: cell arrays Role and, where there is one,
+   * Treatment. Null: none.
+   */
+  void SetCurves(vtkPolyData* curves);
+
+  ///@{
+  /**
+   * The line of text; empty: none.
+   */
+  void SetText(const char* text);
+  const char* GetText();
+  ///@}
+
+  /**
+   * Width and opacity of the curves.
+   */
+  vtkProperty* GetCurveProperty();
+
+  ///@{
+  /**
+   * As a prop.
+   */
+  void BuildRepresentation() override;
+  double* GetBounds() override VTK_SIZEHINT(6);
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override;
+  int RenderOverlay(vtkViewport* viewport) override;
+  ///@}
+
+protected:
+  vtkOversketchDrawingRepresentation();
+  ~vtkOversketchDrawingRepresentation() override;
+
+private:
+  vtkOversketchDrawingRepresentation(const vtkOversketchDrawingRepresentation&) = delete;
+  void operator=(const vtkOversketchDrawingRepresentation&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Inner;
+};
+
+#endif

@@ -1,0 +1,544 @@
+#include "vtkOversketchDrawingWidget.h"
+
+#include "drawing_strokes.h"
+#include "pen_view.h"
+#include "plane_camera.h"
+#include "vtkOversketchCanvas.h"
+#include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchClassify.h"
+#include "vtkOversketchDrawingRepresentation.h"
+#include "vtkOversketchMagneticSnap.h"
+#include "vtkOversketchResample.h"
+#include "vtkOversketchStepRunner.h"
+#include "vtkOversketchStrokeRepresentation.h"
+#include "vtkOversketchStrokeWidget.h"
+#include "vtkOversketchTreatment.h"
+#include "widget_events.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTrivialProducer.h"
+#include "vtkWidgetCallbackMapper.h"
+#include "vtkWidgetEvent.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace oversketch;
+
+vtkStandardNewMacro(vtkOversketchDrawingWidget);
+
+struct vtkOversketchDrawingWidget::Internals
+{
+  DrawingStrokes strokes;
+  vtkSmartPointer<vtkImageData> picture;
+  oversketch::Canvas rectangle{ Vector2::Zero(), { 1024.0, 768.0 } };
+  vtkNew<vtkTrivialProducer> producer;
+
+  vtkNew<vtkOversketchCanvas> canvas;
+  vtkNew<vtkOversketchMagneticSnap> snap;
+  vtkNew<vtkOversketchResample> resample;
+  vtkNew<vtkOversketchClassify> classify;
+  vtkNew<vtkOversketchTreatment> treatment;
+  vtkNew<vtkPolyData> curves;
+  std::string text;
+};
+
+namespace
+{
+
+constexpr double clickLength = 3.0; // px
+constexpr double notch = 1.15;      // zoom of a notch of the wheel
+
+vtkOversketchDrawingWidget* cast(vtkAbstractWidget* widget)
+{
+  return static_cast<vtkOversketchDrawingWidget*>(widget);
+}
+
+// Farthest that a stroke goes from its first sample [px].
+double extentOf(vtkPolyData* stroke)
+{
+  double extent = 0.0;
+  for (vtkIdType i = 1; i < stroke->GetNumberOfPoints(); ++i)
+  {
+    double first[3], point[3];
+    stroke->GetPoint(0, first);
+    stroke->GetPoint(i, point);
+    extent = std::max(extent, std::hypot(point[0] - first[0], point[1] - first[1]));
+  }
+  return extent;
+}
+
+// The area that a curve's polygon covers, negative where the place is not in it.
+double areaRound(vtkPolyData* curves, vtkIdType cell, const Vector2& place)
+{
+  vtkNew<vtkIdList> ids;
+  curves->GetLines()->GetCellAtId(cell, ids);
+  std::vector<double> corners;
+  for (const vtkIdType id : *ids)
+  {
+    const double* p = curves->GetPoint(id);
+    corners.insert(corners.end(), { p[0], p[1], 0.0 });
+  }
+  const int count = static_cast<int>(ids->GetNumberOfIds()) - 1; // its first id stands again at the end
+  double area = 0.0, box[6] = { corners[0], corners[0], corners[1], corners[1], 0.0, 0.0 };
+  for (int i = 0; i < count; ++i)
+  {
+    const double* a = &corners[3 * static_cast<std::size_t>(i)];
+    area += 0.5 * (a[0] * a[4] - a[3] * a[1]);
+    box[0] = std::min(box[0], a[0]);
+    box[1] = std::max(box[1], a[0]);
+    box[2] = std::min(box[2], a[1]);
+    box[3] = std::max(box[3], a[1]);
+  }
+  double at[3] = { place[0], place[1], 0.0 }, normal[3] = { 0.0, 0.0, 1.0 };
+  return count > 2 && vtkPolygon::PointInPolygon(at, count, corners.data(), box, normal) == 1 ? std::abs(area)
+                                                                                              : -1.0;
+}
+
+} // namespace
+
+vtkOversketchDrawingWidget::vtkOversketchDrawingWidget()
+  : Inner(std::make_unique<Internals>())
+{
+  this->KeyPressActivationOff();
+  this->Priority = 0.55f; // before the pen
+  const auto nothing = [](vtkAbstractWidget*) {};
+  listenToHand(this->CallbackMapper, this, { Press, MoveTo, nothing, nothing, Forward, Backward });
+  this->CallbackMapper->SetCallbackMethod(
+    vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Translate, this, PanBegins);
+  this->CallbackMapper->SetCallbackMethod(
+    vtkCommand::MiddleButtonReleaseEvent, vtkWidgetEvent::EndTranslate, this, PanEnds);
+  this->PenObserver->SetClientData(this);
+  this->PenObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
+    { static_cast<vtkOversketchDrawingWidget*>(self)->Heard(event); });
+  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
+         vtkCommand::InteractionEvent,
+         vtkCommand::EndInteractionEvent,
+         vtkCommand::WidgetValueChangedEvent })
+  {
+    this->Pen->AddObserver(event, this->PenObserver);
+  }
+  Internals& inner = *this->Inner;
+  inner.producer->SetOutput(this->Drawing);
+  inner.canvas->SetInputData(0, this->Drawing);
+  inner.snap->SetInputConnection(0, inner.canvas->GetOutputPort());
+  inner.resample->SetInputConnection(0, inner.snap->GetOutputPort());
+  inner.classify->SetInputConnection(0, inner.resample->GetOutputPort());
+  inner.treatment->SetInputConnection(0, inner.classify->GetOutputPort());
+  vtkProperty2D* corridor = this->Pen->GetStrokeRepresentation()->GetSectionProperty();
+  corridor->SetColor(0.20, 0.50, 0.95);
+  corridor->SetOpacity(0.25);
+  this->SetCanvas(0.0, 0.0, 1024.0, 768.0);
+}
+
+vtkOversketchDrawingWidget::~vtkOversketchDrawingWidget()
+{
+  this->Pen->RemoveObserver(this->PenObserver);
+  this->vtkOversketchDrawingWidget::SetEnabled(0);
+  this->Pen->SetInteractor(nullptr);
+}
+
+vtkOversketchStrokeWidget* vtkOversketchDrawingWidget::GetPen()
+{
+  return this->Pen;
+}
+
+vtkAlgorithmOutput* vtkOversketchDrawingWidget::GetOutputPort()
+{
+  return this->Inner->producer->GetOutputPort();
+}
+
+vtkPolyData* vtkOversketchDrawingWidget::GetCurves()
+{
+  return this->Inner->curves;
+}
+
+vtkImageData* vtkOversketchDrawingWidget::GetPicture()
+{
+  return this->Inner->picture;
+}
+
+const char* vtkOversketchDrawingWidget::GetText()
+{
+  return this->Inner->text.c_str();
+}
+
+void vtkOversketchDrawingWidget::SetPicture(vtkImageData* picture)
+{
+  Internals& inner = *this->Inner;
+  if (picture)
+  {
+    try
+    {
+      inner.rectangle = PlaceOf(picture).Rectangle;
+    }
+    catch (const Error& error)
+    {
+      vtkErrorMacro(<< error.what());
+      return;
+    }
+  }
+  inner.picture = picture;
+  inner.canvas->SetPictureData(picture);
+  inner.snap->SetPictureData(picture);
+  picture ? this->GetDrawingRepresentation()->SetPicture(picture)
+          : this->GetDrawingRepresentation()->SetCanvas(inner.rectangle.corner[0],
+              inner.rectangle.corner[1],
+              inner.rectangle.size[0],
+              inner.rectangle.size[1]);
+  this->ResetView();
+  this->Publish();
+}
+
+void vtkOversketchDrawingWidget::SetCanvas(double x, double y, double width, double height)
+{
+  if (!(width > 0.0 && height > 0.0 && std::isfinite(x + y + width + height)))
+  {
+    vtkErrorMacro("The canvas has no extent; give its lower left corner, a width and a height above 0.");
+    return;
+  }
+  this->Inner->rectangle = { { x, y }, { width, height } };
+  this->SetPicture(nullptr);
+}
+
+void vtkOversketchDrawingWidget::ResetView()
+{
+  if (this->CurrentRenderer)
+  {
+    lookAtCanvas(this->CurrentRenderer, this->Inner->rectangle);
+  }
+}
+
+bool vtkOversketchDrawingWidget::SetDrawing(vtkPolyData* drawing)
+{
+  try
+  {
+    this->Inner->strokes.set(drawing);
+  }
+  catch (const Error& error)
+  {
+    this->Tell(error.what());
+    return false;
+  }
+  this->Publish();
+  return true;
+}
+
+void vtkOversketchDrawingWidget::RemoveLastStroke()
+{
+  this->Inner->strokes.removeLast();
+  this->Publish();
+}
+
+bool vtkOversketchDrawingWidget::CycleTreatment(double x, double y)
+{
+  Internals& inner = *this->Inner;
+  vtkDataArray* roles = inner.curves->GetCellData()->GetArray("Role");
+  int found = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (vtkIdType cell = 0; roles && cell < inner.curves->GetNumberOfLines(); ++cell)
+  {
+    const double area = roles->GetComponent(cell, 0) == 2.0 ? areaRound(inner.curves, cell, { x, y }) : -1.0;
+    if (area >= 0.0 && area < least)
+    {
+      least = area;
+      found = static_cast<int>(cell);
+    }
+  }
+  if (found < 0)
+  {
+    return false;
+  }
+  inner.strokes.setTreatment(found, (inner.strokes.treatment(found) + 1) % 3);
+  this->Publish();
+  return true;
+}
+
+void vtkOversketchDrawingWidget::Publish()
+{
+  Internals& inner = *this->Inner;
+  inner.strokes.putInto(this->Drawing);
+  if (!inner.picture)
+  {
+    WriteCanvas(inner.rectangle, this->Drawing);
+  }
+  this->Classify();
+  this->Render();
+}
+
+void vtkOversketchDrawingWidget::Classify()
+{
+  Internals& inner = *this->Inner;
+  std::string text;
+  StepRunner::Listener listener;
+  listener.warning = [&](const std::string& message) { text += (text.empty() ? "" : "\n") + message; };
+  inner.curves->Initialize();
+  if (inner.strokes.count() > 0)
+  {
+    try
+    {
+      for (vtkPolyDataAlgorithm* step : { static_cast<vtkPolyDataAlgorithm*>(inner.canvas),
+             static_cast<vtkPolyDataAlgorithm*>(inner.snap),
+             static_cast<vtkPolyDataAlgorithm*>(inner.resample),
+             static_cast<vtkPolyDataAlgorithm*>(inner.classify),
+             static_cast<vtkPolyDataAlgorithm*>(inner.treatment) })
+      {
+        StepRunner(step, listener).Run();
+        inner.curves->ShallowCopy(step->GetOutput());
+      }
+    }
+    catch (const Error& error) // curves are those of the step before
+    {
+      text = error.what();
+    }
+  }
+  this->GetDrawingRepresentation()->SetCurves(inner.curves);
+  this->Tell(text);
+}
+
+void vtkOversketchDrawingWidget::Tell(const std::string& message)
+{
+  const bool isNew = message != this->Inner->text;
+  this->Inner->text = message;
+  this->GetDrawingRepresentation()->SetText(message.c_str());
+  if (isNew && !message.empty())
+  {
+    this->InvokeEvent(vtkCommand::MessageEvent, const_cast<char*>(message.c_str()));
+  }
+}
+
+void vtkOversketchDrawingWidget::SetRepresentation(vtkOversketchDrawingRepresentation* representation)
+{
+  this->SetWidgetRepresentation(representation);
+  this->SetPicture(this->Inner->picture);
+}
+
+vtkOversketchDrawingRepresentation* vtkOversketchDrawingWidget::GetDrawingRepresentation()
+{
+  this->CreateDefaultRepresentation();
+  return static_cast<vtkOversketchDrawingRepresentation*>(this->WidgetRep);
+}
+
+void vtkOversketchDrawingWidget::CreateDefaultRepresentation()
+{
+  if (!this->WidgetRep)
+  {
+    this->WidgetRep = vtkOversketchDrawingRepresentation::New();
+  }
+}
+
+void vtkOversketchDrawingWidget::SetEnabled(int enabling)
+{
+  if (!enabling && this->Enabled)
+  {
+    this->Panning = false;
+    this->Pen->SetEnabled(0);
+  }
+  const bool before = this->Enabled;
+  this->Superclass::SetEnabled(enabling);
+  if (!before && this->Enabled)
+  {
+    this->ResetView();
+    this->Pen->SetInteractor(this->Interactor);
+    this->Pen->SetDefaultRenderer(this->CurrentRenderer);
+    this->Pen->SetCurrentRenderer(this->CurrentRenderer);
+    this->Pen->SetEnabled(1);
+  }
+}
+
+void vtkOversketchDrawingWidget::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  this->Superclass::SetInteractor(interactor); // ends with SetEnabled(0) where it changes
+  this->Pen->SetInteractor(interactor);
+}
+
+void vtkOversketchDrawingWidget::Heard(unsigned long event)
+{
+  const vtkSmartPointer<vtkOversketchDrawingWidget> alive(this); // an observer may let go of it
+  vtkOversketchStrokeRepresentation* line = this->Pen->GetStrokeRepresentation();
+  if (event == vtkCommand::StartInteractionEvent)
+  {
+    this->Correcting = this->PressedOver;
+  }
+  else if (event == vtkCommand::InteractionEvent)
+  {
+    this->LineGrows();
+  }
+  else if (event == vtkCommand::WidgetValueChangedEvent)
+  {
+    vtkNew<vtkPolyData> stroke;
+    stroke->DeepCopy(this->Pen->GetStroke());
+    line->Clear(); // from here on it is this widget's
+    extentOf(stroke) > clickLength ? this->Take(stroke) : this->Click();
+    return;
+  }
+  this->InvokeEvent(event);
+  if (event == vtkCommand::EndInteractionEvent && !this->Pen->WasDropped() && line->GetNumberOfSamples() < 2)
+  {
+    this->Click();
+  }
+}
+
+void vtkOversketchDrawingWidget::LineGrows()
+{
+  vtkOversketchStrokeRepresentation* line = this->Pen->GetStrokeRepresentation();
+  const bool first = line->GetNumberOfSamples() == 1;
+  if (!first && (!this->Magnetic || !this->Inner->picture))
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> samples;
+  line->GetPolyData(samples);
+  if (first)
+  {
+    std::copy_n(samples->GetPoint(0), 2, this->Begun);
+    return;
+  }
+  vtkNew<vtkDoubleArray> places;
+  places->SetName("Display");
+  places->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < samples->GetNumberOfPoints(); ++i)
+  {
+    places->InsertNextTuple(samples->GetPoint(i));
+  }
+  samples->GetPointData()->AddArray(places);
+  line->GetSectionProperty()->SetLineWidth(static_cast<float>(2.0 * this->SnapRadius));
+  line->SetSection(samples);
+}
+
+void vtkOversketchDrawingWidget::Click()
+{
+  if (this->Correcting || !this->CurrentRenderer)
+  {
+    return;
+  }
+  const auto at =
+    ontoCanvas(PenView::of(this->CurrentRenderer).kernelView(), Vector2(this->Begun[0], this->Begun[1]));
+  if (at && this->CycleTreatment((*at)[0], (*at)[1]))
+  {
+    this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
+  }
+}
+
+void vtkOversketchDrawingWidget::Take(vtkPolyData* stroke)
+{
+  Internals& inner = *this->Inner;
+  if (this->Correcting && inner.strokes.correct(stroke, inner.rectangle) < 0)
+  {
+    this->Tell(
+      "No stroke is under the ends of this one: begin and end on the stroke that is to be corrected.");
+    this->Render();
+    return;
+  }
+  if (!this->Correcting)
+  {
+    double radius = this->SnapRadius;
+    if (inner.picture && this->CurrentRenderer) // in the picture's pixels
+    {
+      const Vector2 right =
+        placeUnder(this->CurrentRenderer, { 1.0, 0.0 }) - placeUnder(this->CurrentRenderer, { 0.0, 0.0 });
+      radius *= right.norm() / inner.picture->GetSpacing()[0];
+    }
+    inner.strokes.add(stroke, this->Magnetic && inner.picture, radius);
+  }
+  this->Publish();
+  this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
+}
+
+void vtkOversketchDrawingWidget::Press(vtkAbstractWidget* widget)
+{
+  const vtkSmartPointer<vtkOversketchDrawingWidget> self(cast(widget)); // an observer may let go of it
+  vtkRenderWindowInteractor* from = self->Interactor;
+  const int* at = from->GetEventPosition();
+  if (from->GetShiftKey() && !from->GetControlKey() && !from->GetAltKey() && self->CurrentRenderer &&
+      self->CurrentRenderer->IsInViewport(at[0], at[1]))
+  {
+    self->EventCallbackCommand->SetAbortFlag(1);
+    self->PressedOver = true;
+    self->Pen->BeginStroke(at[0], at[1], self->Pen->GetPressure());
+    self->PressedOver = false;
+  }
+}
+
+void vtkOversketchDrawingWidget::PanBegins(vtkAbstractWidget* widget)
+{
+  vtkOversketchDrawingWidget* self = cast(widget);
+  const int* at = self->Interactor->GetEventPosition();
+  if (!self->Pen->IsDrawing() && self->CurrentRenderer && self->CurrentRenderer->IsInViewport(at[0], at[1]))
+  {
+    self->Panning = true;
+    std::copy_n(at, 2, self->At);
+    self->GrabFocus(self->EventCallbackCommand);
+    self->EventCallbackCommand->SetAbortFlag(1);
+  }
+}
+
+void vtkOversketchDrawingWidget::MoveTo(vtkAbstractWidget* widget)
+{
+  vtkOversketchDrawingWidget* self = cast(widget);
+  if (self->Panning)
+  {
+    const int* at = self->Interactor->GetEventPosition();
+    pan(self->CurrentRenderer, Vector2(self->At[0], self->At[1]), Vector2(at[0], at[1]));
+    std::copy_n(at, 2, self->At);
+    self->EventCallbackCommand->SetAbortFlag(1);
+    self->Render();
+  }
+}
+
+void vtkOversketchDrawingWidget::PanEnds(vtkAbstractWidget* widget)
+{
+  vtkOversketchDrawingWidget* self = cast(widget);
+  if (self->Panning)
+  {
+    MoveTo(widget);
+    self->Panning = false;
+    self->ReleaseFocus();
+    self->EventCallbackCommand->SetAbortFlag(1);
+  }
+}
+
+void vtkOversketchDrawingWidget::Forward(vtkAbstractWidget* widget)
+{
+  cast(widget)->Zoom(notch);
+}
+
+void vtkOversketchDrawingWidget::Backward(vtkAbstractWidget* widget)
+{
+  cast(widget)->Zoom(1.0 / notch);
+}
+
+void vtkOversketchDrawingWidget::Zoom(double factor)
+{
+  const int* at = this->Interactor->GetEventPosition();
+  if (!this->Panning && this->CurrentRenderer && this->CurrentRenderer->IsInViewport(at[0], at[1]))
+  {
+    zoomAbout(this->CurrentRenderer, this->Inner->rectangle, Vector2(at[0], at[1]), factor);
+    this->EventCallbackCommand->SetAbortFlag(1);
+    this->Render();
+  }
+}
+
+void vtkOversketchDrawingWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Magnetic: " << (this->Magnetic ? "on" : "off") << "\n";
+  os << indent << "SnapRadius: " << this->SnapRadius << "\n";
+  os << indent << "Drawing: " << this->Inner->strokes.count() << " strokes\n";
+  os << indent << "Text: " << this->Inner->text << "\n";
+}
