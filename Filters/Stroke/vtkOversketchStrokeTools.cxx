@@ -8,7 +8,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -18,7 +17,6 @@
 #include "vtkSmartPointer.h"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace oversketch
@@ -109,50 +107,6 @@ struct CurvePoints
 };
 
 } // namespace
-
-std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes)
-{
-  const vtkIdType count = strokes->GetNumberOfLines();
-  if (count == 0 || count != strokes->GetNumberOfCells())
-  {
-    throw Error(Failure::BadStroke,
-      "The stroke input must hold polylines and no other cells: a stroke is one polyline.");
-  }
-  std::vector<StrokeLine> lines(static_cast<std::size_t>(count));
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < count; ++cell)
-  {
-    StrokeLine& line = lines[static_cast<std::size_t>(cell)];
-    strokes->GetLines()->GetCellAtId(cell, ids);
-    const vtkIdType size = ids->GetNumberOfIds();
-    line.Closed = size > 3 && ids->GetId(0) == ids->GetId(size - 1);
-    std::ostringstream message;
-    message << "Stroke " << cell << " cannot be used: ";
-    for (vtkIdType i = 0; i < (line.Closed ? size - 1 : size); ++i)
-    {
-      const vtkIdType id = ids->GetId(i);
-      Vector3 p = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
-      if (id >= 0 && id < strokes->GetNumberOfPoints())
-      {
-        strokes->GetPoint(id, p.data());
-      }
-      if (!p.head<2>().allFinite())
-      {
-        message << "sample " << i << " is not finite or does not exist; record the stroke again.";
-        throw Error(Failure::BadStroke, message.str());
-      }
-      line.Ids.push_back(id);
-      line.Samples.push_back(p.head<2>());
-    }
-    if (line.Samples.size() < 2)
-    {
-      message << "it has " << line.Samples.size() << (line.Samples.size() == 1 ? " sample" : " samples")
-              << "; at least 2 are needed: draw a longer stroke.";
-      throw Error(Failure::BadStroke, message.str());
-    }
-  }
-  return lines;
-}
 
 void RefuseEndless(const std::vector<StrokeLine>& strokes)
 {

@@ -6,6 +6,7 @@
 #include "Mesh/view.h"
 #include "Ray/projection.h"
 #include "Stroke/polyline.h"
+#include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -18,18 +19,6 @@ class vtkPolyData;
 
 namespace oversketch
 {
-
-// One polyline of a stroke polydata.
-struct StrokeLine
-{
-  std::vector<vtkIdType> Ids; // of the samples
-  Polyline Samples;           // [px]
-  bool Closed = false;        // its last id was its first one, which is not repeated here
-};
-
-// All strokes, stroke i from cell i; z is ignored. Throws Error(BadStroke) naming the stroke when there is no
-// polyline or there are other cells, and for a stroke with fewer than two samples or one that is not finite.
-std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes);
 
 // Throws Error(BadStroke) naming the stroke when it is longer than `longestStroke`.
 void RefuseEndless(const std::vector<StrokeLine>& strokes);
