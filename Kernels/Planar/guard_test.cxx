@@ -53,7 +53,10 @@ struct StarSamples
   std::set<int> samples;
 };
 
-PlanarRefineResult refine(const Drawing& drawing, int levels, bool guard, const Context& context = Context())
+PlanarRefineResult refine(const CoarseDrawing& drawing,
+  int levels,
+  bool guard,
+  const Context& context = Context())
 {
   PlanarRefineOptions options;
   options.levels = levels;

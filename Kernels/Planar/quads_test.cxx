@@ -18,7 +18,7 @@ using namespace oversketch_test;
 namespace
 {
 
-PlanarMesh refinedQuads(const Drawing& drawing, int levels, bool guard = true)
+PlanarMesh refinedQuads(const CoarseDrawing& drawing, int levels, bool guard = true)
 {
   PlanarRefineOptions options;
   options.levels = levels;
@@ -29,9 +29,9 @@ PlanarMesh refinedQuads(const Drawing& drawing, int levels, bool guard = true)
   return result.mesh;
 }
 
-std::vector<Drawing> mixedDrawings()
+std::vector<CoarseDrawing> mixedDrawings()
 {
-  std::vector<Drawing> drawings{ squareDrawing(), discDrawing(0.3), bowDrawing() };
+  std::vector<CoarseDrawing> drawings{ squareDrawing(), discDrawing(0.3), bowDrawing() };
   for (unsigned seed = 1; seed <= 4; ++seed)
   {
     drawings.push_back(gridDrawing(5, seed == 1 ? Cells::Quads : Cells::Mixed, seed % 2 == 0, seed));
@@ -50,7 +50,7 @@ int quadsOf(const PlanarMesh& mesh)
 TEST(C10_1, OneLevelMakesQuadsOfAll)
 {
   int compared = 0;
-  for (const Drawing& drawing : mixedDrawings())
+  for (const CoarseDrawing& drawing : mixedDrawings())
   {
     const int quads = quadsOf(drawing.mesh), triangles = static_cast<int>(drawing.mesh.faces.size()) - quads;
     for (int k = 1; k <= 4; ++k)
@@ -79,7 +79,7 @@ TEST(C10_1, OneLevelMakesQuadsOfAll)
 TEST(C10_4, InsertedPointsOfQuadsAreRegular)
 {
   int inner = 0, outer = 0, centres = 0;
-  for (const Drawing& drawing : mixedDrawings())
+  for (const CoarseDrawing& drawing : mixedDrawings())
   {
     const int base = static_cast<int>(drawing.mesh.points.size());
     const int edges = static_cast<int>(faceEdges(drawing.mesh).edges.size());
@@ -108,7 +108,7 @@ TEST(C10_4, InsertedPointsOfQuadsAreRegular)
 
 TEST(Quads, KeepStrokesAndAreas)
 {
-  for (const Drawing& drawing : mixedDrawings())
+  for (const CoarseDrawing& drawing : mixedDrawings())
   {
     const std::vector<StrokeCurve> curves(drawing.strokes.begin(), drawing.strokes.end());
     for (const PlanarPoint& point : refinedQuads(drawing, 4).points)
@@ -119,7 +119,7 @@ TEST(Quads, KeepStrokesAndAreas)
       }
     }
   }
-  Drawing square = squareDrawing();
+  CoarseDrawing square = squareDrawing();
   square.mesh.points.pop_back();
   square.mesh.faces.clear();
   square.addFace({ 0, 1, 2, 3 });
@@ -214,7 +214,7 @@ TEST(Masks, AreThoseOfCgal)
     {
       // Border points are moved by CGAL and not by us: what they reach is left out from level 2 on.
       const double margin = k == 1 ? 0.0 : 2.5 / 9;
-      const Drawing triangles = gridDrawing(9, Cells::Triangles, false, seed);
+      const CoarseDrawing triangles = gridDrawing(9, Cells::Triangles, false, seed);
       CgalMesh peer = cgalMeshOf(triangles.mesh);
       CGAL::Subdivision_method_3::Loop_subdivision(peer, CGAL::parameters::number_of_iterations(k));
       PlanarRefineOptions options;
@@ -222,7 +222,7 @@ TEST(Masks, AreThoseOfCgal)
       worst = std::max(worst,
         farthestFrom(
           peer, refinePlanar(triangles.mesh, triangles.strokes, options, Context()).mesh, margin, loop));
-      const Drawing mixed = gridDrawing(9, Cells::Mixed, false, seed);
+      const CoarseDrawing mixed = gridDrawing(9, Cells::Mixed, false, seed);
       peer = cgalMeshOf(mixed.mesh);
       CGAL::Subdivision_method_3::CatmullClark_subdivision(peer, CGAL::parameters::number_of_iterations(k));
       worst = std::max(worst, farthestFrom(peer, refinedQuads(mixed, k), margin, catmullClark));

@@ -13,7 +13,7 @@
 namespace oversketch_test
 {
 
-struct Drawing
+struct CoarseDrawing
 {
   std::vector<oversketch::DrawnStroke> strokes;
   oversketch::PlanarMesh mesh;
@@ -115,9 +115,9 @@ inline oversketch::DrawnStroke outlineThrough(const oversketch::Polyline& corner
 }
 
 // A square of side 0.5 round its middle, as the triangulation has it.
-inline Drawing squareDrawing()
+inline CoarseDrawing squareDrawing()
 {
-  Drawing made;
+  CoarseDrawing made;
   made.strokes.push_back(
     outlineThrough({ { 0.25, 0.25 }, { 0.75, 0.25 }, { 0.75, 0.75 }, { 0.25, 0.75 } }, 64));
   const std::vector<int> rim = made.tie({ 0, 64, 128, 192 }, oversketch::BoundaryKind::Object);
@@ -130,9 +130,9 @@ inline Drawing squareDrawing()
 }
 
 // A disc, a fan of 8; its first sample, `first` of 8 * 32, is no base vertex unless that is a multiple of 32.
-inline Drawing discDrawing(double radius, int first = 0)
+inline CoarseDrawing discDrawing(double radius, int first = 0)
 {
-  Drawing made;
+  CoarseDrawing made;
   made.strokes.push_back(closedStroke(ringAt(0.5, 0.5, radius, 256)));
   std::vector<int> samples;
   for (int i = 0; i < 8; ++i)
@@ -150,9 +150,9 @@ inline Drawing discDrawing(double radius, int first = 0)
 
 // A square with a bow in it, off its centre, as an open feature of two edges that it leaves by up to 0.8
 // waves.
-inline Drawing bowDrawing(double wave = 0.015)
+inline CoarseDrawing bowDrawing(double wave = 0.015)
 {
-  Drawing made;
+  CoarseDrawing made;
   made.strokes.push_back(outlineThrough({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, 50));
   const std::vector<int> rim = made.tie({ 0, 50, 100, 150 }, oversketch::BoundaryKind::Object);
   oversketch::Polyline bow;
@@ -186,9 +186,9 @@ enum class Cells
 };
 
 // A square of n x n cells, shaken, with its outline a stroke, and a row of its grid another when asked for.
-inline Drawing gridDrawing(int n, Cells cells, bool feature, unsigned seed)
+inline CoarseDrawing gridDrawing(int n, Cells cells, bool feature, unsigned seed)
 {
-  Drawing made;
+  CoarseDrawing made;
   std::mt19937 random(seed);
   const auto shake = [&] { return (static_cast<double>(random()) / 4294967296.0 - 0.5) * 0.4 / n; };
   std::vector<int> outline, row;
@@ -312,9 +312,9 @@ inline oversketch::DrawnStroke starStroke(double a, int n)
 }
 
 // A drawing of one closed stroke with these samples for base vertices; without faces where they cross.
-inline Drawing polygonDrawing(const oversketch::DrawnStroke& stroke, const std::vector<int>& samples)
+inline CoarseDrawing polygonDrawing(const oversketch::DrawnStroke& stroke, const std::vector<int>& samples)
 {
-  Drawing made;
+  CoarseDrawing made;
   made.strokes.push_back(stroke);
   made.tie(samples, oversketch::BoundaryKind::Object);
   oversketch::Polyline polygon;

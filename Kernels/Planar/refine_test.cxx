@@ -13,7 +13,7 @@ using namespace oversketch_test;
 namespace
 {
 
-PlanarMesh refined(const Drawing& drawing, int levels, bool guard = true, double share = 0.3)
+PlanarMesh refined(const CoarseDrawing& drawing, int levels, bool guard = true, double share = 0.3)
 {
   PlanarRefineOptions options;
   options.levels = levels;
@@ -47,7 +47,7 @@ int borderEdges(const PlanarMesh& mesh)
     links.edges.begin(), links.edges.end(), [](const FaceEdge& edge) { return edge.faces[1] < 0; }));
 }
 
-std::vector<Drawing> soundDrawings()
+std::vector<CoarseDrawing> soundDrawings()
 {
   return { squareDrawing(),
     discDrawing(0.3),
@@ -58,7 +58,7 @@ std::vector<Drawing> soundDrawings()
 }
 
 // How far a stroke's points are from it, and whether its edges hold together.
-double farthestFromStrokes(const Drawing& drawing, const PlanarMesh& mesh)
+double farthestFromStrokes(const CoarseDrawing& drawing, const PlanarMesh& mesh)
 {
   const std::vector<StrokeCurve> curves(drawing.strokes.begin(), drawing.strokes.end());
   double worst = 0.0;
@@ -86,7 +86,7 @@ double farthestFromStrokes(const Drawing& drawing, const PlanarMesh& mesh)
 TEST(C9_1, EveryFaceBecomesFour)
 {
   int compared = 0;
-  for (const Drawing& drawing : soundDrawings())
+  for (const CoarseDrawing& drawing : soundDrawings())
   {
     for (int k = 1; k <= 5; ++k)
     {
@@ -121,7 +121,7 @@ TEST(C9_1, EveryFaceBecomesFour)
 TEST(C9_2, InsertedPointsAreRegular)
 {
   int inner = 0, outer = 0;
-  for (const Drawing& drawing : soundDrawings())
+  for (const CoarseDrawing& drawing : soundDrawings())
   {
     const PlanarMesh mesh = refined(drawing, 3);
     const FaceEdges links = faceEdges(mesh);
@@ -140,7 +140,7 @@ TEST(C9_2, InsertedPointsAreRegular)
 TEST(C9_3, PointsOfStrokesLieOnThem)
 {
   double worst = 0.0;
-  for (const Drawing& drawing : soundDrawings())
+  for (const CoarseDrawing& drawing : soundDrawings())
   {
     for (int k = 0; k <= 5; ++k)
     {
@@ -148,7 +148,7 @@ TEST(C9_3, PointsOfStrokesLieOnThem)
     }
   }
   EXPECT_LE(worst, 1e-12);
-  const Drawing square = squareDrawing();
+  const CoarseDrawing square = squareDrawing();
   for (int k = 0; k <= 6; ++k)
   {
     const PlanarMesh mesh = refined(square, k);
@@ -170,7 +170,7 @@ TEST(C9_4, AnOctagonBecomesItsCircle)
   {
     for (const int first : { 0, 13 })
     {
-      const Drawing disc = discDrawing(radius, first);
+      const CoarseDrawing disc = discDrawing(radius, first);
       const PlanarMesh mesh = refined(disc, 3);
       EXPECT_EQ(borderEdges(mesh), 64);
       EXPECT_EQ(std::count_if(
@@ -199,9 +199,9 @@ TEST(C9_6, AShareOfASnapGoesToItsNeighbours)
   const double share = 0.3;
   double worst = 0.0, most = 0.0;
   int moved = 0;
-  for (const Drawing& drawing : { bowDrawing(), gridDrawing(6, Cells::Triangles, true, 4) })
+  for (const CoarseDrawing& drawing : { bowDrawing(), gridDrawing(6, Cells::Triangles, true, 4) })
   {
-    Drawing without = drawing; // its feature: what the masks alone do
+    CoarseDrawing without = drawing; // its feature: what the masks alone do
     for (PlanarPoint& point : without.mesh.points)
     {
       if (point.kind == BoundaryKind::Feature)
@@ -247,12 +247,12 @@ TEST(C9_6, AShareOfASnapGoesToItsNeighbours)
 TEST(C9_7, TheGuardChangesNothingWhereNothingTurnsOver)
 {
   int compared = 0, mended = 0;
-  std::vector<Drawing> drawings = soundDrawings();
+  std::vector<CoarseDrawing> drawings = soundDrawings();
   for (unsigned seed = 10; seed < 30; ++seed)
   {
     drawings.push_back(gridDrawing(5, seed % 3 == 0 ? Cells::Mixed : Cells::Triangles, seed % 2 == 0, seed));
   }
-  for (const Drawing& drawing : drawings)
+  for (const CoarseDrawing& drawing : drawings)
   {
     for (int k = 0; k <= 4; ++k)
     {
@@ -273,7 +273,7 @@ TEST(C9_7, TheGuardChangesNothingWhereNothingTurnsOver)
 
 TEST(Refine, ThreadsDoNotMatter)
 {
-  Drawing drawing = gridDrawing(6, Cells::Mixed, true, 5);
+  CoarseDrawing drawing = gridDrawing(6, Cells::Mixed, true, 5);
   PlanarRefineOptions options;
   options.levels = 4;
   EXPECT_TRUE(sameBits(refinePlanar(drawing.mesh, drawing.strokes, options, Context()).mesh,
@@ -286,7 +286,7 @@ TEST(Refine, ThreadsDoNotMatter)
 TEST(Refine, AFeatureThatEndsOnTheRimLeavesItsPointThere)
 {
   // The bow's first end, drawn short of the left side, is a point of that.
-  Drawing drawing = bowDrawing();
+  CoarseDrawing drawing = bowDrawing();
   drawing.strokes[1].points.front() = Vector2(0.001, 0.4);
   PlanarPoint& end = drawing.mesh.points[4];
   end.place = drawing.strokes[0].points[180];
@@ -331,7 +331,7 @@ TEST(Refine, ChordsAreSplitAtLevelZeroOnly)
   {
     samples.push_back(count * i / 20);
   }
-  Drawing fan = polygonDrawing(star, samples), quads = squareDrawing();
+  CoarseDrawing fan = polygonDrawing(star, samples), quads = squareDrawing();
   ASSERT_EQ(fan.mesh.faces.size(), 18u);
   // A square's left half as a quad, its right half as two triangles.
   quads.mesh = PlanarMesh();
@@ -349,7 +349,7 @@ TEST(Refine, ChordsAreSplitAtLevelZeroOnly)
   };
   EXPECT_EQ(chords(fan.mesh), 17);
   EXPECT_EQ(chords(quads.mesh), 2);
-  for (const Drawing& drawing : { fan, quads })
+  for (const CoarseDrawing& drawing : { fan, quads })
   {
     const PlanarMesh split = refined(drawing, 0);
     EXPECT_EQ(chords(split), 0);
@@ -368,7 +368,7 @@ TEST(Refine, ChordsAreSplitAtLevelZeroOnly)
 TEST(Refine, RefusesWhatIsNotSound)
 {
   const auto expect =
-    [](const Drawing& drawing, const std::string& words, const PlanarRefineOptions& options = {})
+    [](const CoarseDrawing& drawing, const std::string& words, const PlanarRefineOptions& options = {})
   {
     try
     {
@@ -380,7 +380,7 @@ TEST(Refine, RefusesWhatIsNotSound)
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };
-  Drawing square = squareDrawing();
+  CoarseDrawing square = squareDrawing();
   square.mesh.faces[2].corners[1] = 9;
   expect(square, "face 2 has a corner that is no point");
   square = squareDrawing();
