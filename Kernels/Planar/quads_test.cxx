@@ -110,7 +110,7 @@ TEST(Quads, KeepStrokesAndAreas)
 {
   for (const CoarseDrawing& drawing : mixedDrawings())
   {
-    const std::vector<StrokeCurve> curves(drawing.strokes.begin(), drawing.strokes.end());
+    const std::vector<StrokeByLength> curves(drawing.strokes.begin(), drawing.strokes.end());
     for (const PlanarPoint& point : refinedQuads(drawing, 4).points)
     {
       if (point.stroke >= 0)

@@ -38,7 +38,7 @@ void check(const PlanarRefineOptions& options)
   }
 }
 
-void checkStrokes(const PlanarMesh& mesh, const std::vector<StrokeCurve>& curves)
+void checkStrokes(const PlanarMesh& mesh, const std::vector<StrokeByLength>& curves)
 {
   const int count = static_cast<int>(curves.size());
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
@@ -156,13 +156,20 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   const Context& context)
 {
   check(options);
-  const std::vector<StrokeCurve> curves(strokes.begin(), strokes.end());
+  const std::vector<StrokeByLength> curves(strokes.begin(), strokes.end());
   checkStrokes(mesh, curves);
   checkSize(mesh, options);
   const SubdivisionRule rule{
     options.quads || hasQuad(mesh), options.snapShare, kindsOf(mesh, strokes.size())
   };
-  const double least = leastArea * options.canvasSide * options.canvasSide;
+  // Parts of a face that lie in the middle of it are a quarter of it, a triangle's first corners of quads a
+  // twelfth: what is no longer inverted stays so at the levels to come.
+  const auto leastAt = [&](int level)
+  {
+    const double first = rule.quads && level == 0 && options.levels > 0 ? 3.0 : 1.0;
+    return first * leastArea * options.canvasSide * options.canvasSide *
+           std::pow(4.0, options.levels - level);
+  };
 
   PlanarRefineResult result;
   const FaceEdges links = faceEdges(mesh);
@@ -176,25 +183,25 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
     result.splits = splitsAt(mesh, links, bases);
     result.inverted = static_cast<int>(bad.size());
   };
-  if (options.guard)
-  {
-    const std::vector<int> bad = invertedFaces(mesh, least, context);
-    if (!bad.empty())
-    {
-      handBack(mesh, bad);
-      return result;
-    }
-  }
   SubdividedMesh level;
   level.mesh = options.levels == 0 ? splitChords(mesh) : mesh;
   level.links = links;
+  if (options.guard)
+  {
+    const std::vector<int> bad = invertedFaces(level.mesh, leastAt(0), context);
+    if (!bad.empty())
+    {
+      handBack(level.mesh, bad);
+      return result;
+    }
+  }
   for (int k = 0; k < options.levels; ++k)
   {
     context.checkpoint(static_cast<double>(k) / options.levels);
     level = subdivide(level.mesh, level.links, curves, rule, context);
     if (options.guard)
     {
-      const std::vector<int> bad = keepUpright(level, least, context);
+      const std::vector<int> bad = keepUpright(level, leastAt(k + 1), context);
       if (!bad.empty())
       {
         handBack(level.mesh, bad);
@@ -208,7 +215,7 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
     }
   }
   result.mesh = std::move(level.mesh);
-  result.inverted = static_cast<int>(invertedFaces(result.mesh, least, context).size());
+  result.inverted = static_cast<int>(invertedFaces(result.mesh, leastAt(options.levels), context).size());
   return result;
 }
 

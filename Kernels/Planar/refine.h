@@ -16,7 +16,8 @@ struct PlanarRefineOptions
   double snapShare = 0.3;
   // Nothing inverted leaves; off, as published, it is counted.
   bool guard = true;
-  // L, the longest side of the canvas [world]: a face is inverted whose signed area is at most 1e-12 L^2.
+  // L, the longest side of the canvas [world]: a face is inverted whose signed area is at most 1e-12 L^2,
+  // with the guard four times that for each level to come, since its parts will be a quarter of it.
   double canvasSide = 1.0;
   // Catmull-Clark's masks also where the mesh has triangles alone.
   bool quads = false;

@@ -60,7 +60,7 @@ std::vector<CoarseDrawing> soundDrawings()
 // How far a stroke's points are from it, and whether its edges hold together.
 double farthestFromStrokes(const CoarseDrawing& drawing, const PlanarMesh& mesh)
 {
-  const std::vector<StrokeCurve> curves(drawing.strokes.begin(), drawing.strokes.end());
+  const std::vector<StrokeByLength> curves(drawing.strokes.begin(), drawing.strokes.end());
   double worst = 0.0;
   for (const PlanarPoint& point : mesh.points)
   {
@@ -307,7 +307,7 @@ TEST(Refine, AFeatureThatEndsOnTheRimLeavesItsPointThere)
   drawing.mesh.edges[5] = { 5, 6, 1, lengths[20], lengths[40] };
   const PlanarMesh mesh = refined(drawing, 3);
   EXPECT_EQ(mesh.points[4].place, drawing.strokes[0].points[180]);
-  const StrokeCurve curve(drawing.strokes[1]);
+  const StrokeByLength curve(drawing.strokes[1]);
   int onFeature = 0;
   for (const PlanarPoint& point : mesh.points)
   {

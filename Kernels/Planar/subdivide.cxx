@@ -56,7 +56,7 @@ struct Level
 };
 
 std::vector<PlanarPoint> linearPoints(const Level& level,
-  const std::vector<StrokeCurve>& curves,
+  const std::vector<StrokeByLength>& curves,
   const SubdivisionRule& rule)
 {
   std::vector<PlanarPoint> points = level.mesh.points;
@@ -85,7 +85,9 @@ std::vector<PlanarPoint> linearPoints(const Level& level,
   return points;
 }
 
-PlanarMesh linearMesh(const Level& level, const std::vector<StrokeCurve>& curves, const SubdivisionRule& rule)
+PlanarMesh linearMesh(const Level& level,
+  const std::vector<StrokeByLength>& curves,
+  const SubdivisionRule& rule)
 {
   PlanarMesh made;
   made.points = linearPoints(level, curves, rule);
@@ -227,18 +229,18 @@ Polyline maskPlaces(const Level& level, const PlanarMesh& linear, bool quads)
 
 } // namespace
 
-StrokeCurve::StrokeCurve(const DrawnStroke& stroke)
+StrokeByLength::StrokeByLength(const DrawnStroke& stroke)
   : Stroke(stroke)
   , Lengths(arcLengths(stroke.points, stroke.closed))
 {
 }
 
-double StrokeCurve::wrapped(double length) const
+double StrokeByLength::wrapped(double length) const
 {
   return this->closed() && length >= this->length() ? length - this->length() : length;
 }
 
-Vector2 StrokeCurve::at(double length) const
+Vector2 StrokeByLength::at(double length) const
 {
   const int count = static_cast<int>(this->Stroke.points.size());
   return placeAt(this->Lengths, count, this->wrapped(length)).of(this->Stroke.points);
@@ -246,7 +248,7 @@ Vector2 StrokeCurve::at(double length) const
 
 SubdividedMesh subdivide(const PlanarMesh& mesh,
   const FaceEdges& links,
-  const std::vector<StrokeCurve>& curves,
+  const std::vector<StrokeByLength>& curves,
   const SubdivisionRule& rule,
   const Context& context)
 {

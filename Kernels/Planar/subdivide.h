@@ -10,11 +10,11 @@ namespace oversketch
 {
 
 // A stroke by arc length from its first sample [world].
-class StrokeCurve
+class StrokeByLength
 {
 public:
   // The stroke is kept by reference.
-  explicit StrokeCurve(const DrawnStroke& stroke);
+  explicit StrokeByLength(const DrawnStroke& stroke);
   bool closed() const { return this->Stroke.closed; }
   double length() const { return this->Lengths.empty() ? 0.0 : this->Lengths.back(); }
   // Of a closed one modulo the whole length, in [0, length).
@@ -57,7 +57,7 @@ struct SubdividedMesh
 // threads.
 SubdividedMesh subdivide(const PlanarMesh& mesh,
   const FaceEdges& links,
-  const std::vector<StrokeCurve>& curves,
+  const std::vector<StrokeByLength>& curves,
   const SubdivisionRule& rule,
   const Context& context);
 
