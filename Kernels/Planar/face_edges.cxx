@@ -22,6 +22,29 @@ std::string edgeText(int from, int to)
   return "the edge of points " + std::to_string(from) + " and " + std::to_string(to);
 }
 
+// For each point, the numbers of what has it.
+template <typename Item, typename PointsOf>
+Lists listsAt(std::size_t points, const std::vector<Item>& items, const PointsOf& pointsOf)
+{
+  Lists lists;
+  lists.offsets.assign(points + 1, 0);
+  for (const Item& item : items)
+  {
+    pointsOf(item, [&](int point) { ++lists.offsets[point + 1]; });
+  }
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    lists.offsets[p + 1] += lists.offsets[p];
+  }
+  lists.values.resize(lists.offsets[points]);
+  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
+  for (int i = 0; i < static_cast<int>(items.size()); ++i)
+  {
+    pointsOf(items[i], [&](int point) { lists.values[next[point]++] = i; });
+  }
+  return lists;
+}
+
 // A face's edge from a corner to the next.
 struct Side
 {
@@ -30,6 +53,7 @@ struct Side
   bool forward; // the face passes it from `from` to `to`
 };
 
+// Ascending by (from, to, face).
 std::vector<Side> sidesOf(const PlanarMesh& mesh)
 {
   const int points = static_cast<int>(mesh.points.size()), faces = static_cast<int>(mesh.faces.size());
@@ -49,11 +73,17 @@ std::vector<Side> sidesOf(const PlanarMesh& mesh)
       sides.push_back({ std::min(a, b), std::max(a, b), f, i, a < b });
     }
   }
-  std::sort(sides.begin(),
-    sides.end(),
-    [](const Side& a, const Side& b)
-    { return std::tie(a.from, a.to, a.face) < std::tie(b.from, b.to, b.face); });
-  return sides;
+  // By the one end, and the few of each by the other.
+  Lists at = listsAt(mesh.points.size(), sides, [](const Side& side, const auto& take) { take(side.from); });
+  std::vector<Side> sorted;
+  sorted.reserve(sides.size());
+  for (int p = 0; p < points; ++p)
+  {
+    const auto begin = at.values.begin() + at.offsets[p], end = at.values.begin() + at.offsets[p + 1];
+    std::sort(begin, end, [&](int a, int b) { return std::tie(sides[a].to, a) < std::tie(sides[b].to, b); });
+    std::transform(begin, end, std::back_inserter(sorted), [&](int side) { return sides[side]; });
+  }
+  return sorted;
 }
 
 void tieToStrokes(const PlanarMesh& mesh, std::vector<FaceEdge>& edges)
@@ -90,29 +120,6 @@ void tieToStrokes(const PlanarMesh& mesh, std::vector<FaceEdge>& edges)
       refuse(edgeText(edge.from, edge.to) + " is on the border and on no stroke");
     }
   }
-}
-
-// For each point, the numbers of what has it.
-template <typename Item, typename PointsOf>
-Lists listsAt(std::size_t points, const std::vector<Item>& items, const PointsOf& pointsOf)
-{
-  Lists lists;
-  lists.offsets.assign(points + 1, 0);
-  for (const Item& item : items)
-  {
-    pointsOf(item, [&](int point) { ++lists.offsets[point + 1]; });
-  }
-  for (std::size_t p = 0; p < points; ++p)
-  {
-    lists.offsets[p + 1] += lists.offsets[p];
-  }
-  lists.values.resize(lists.offsets[points]);
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (int i = 0; i < static_cast<int>(items.size()); ++i)
-  {
-    pointsOf(items[i], [&](int point) { lists.values[next[point]++] = i; });
-  }
-  return lists;
 }
 
 } // namespace
