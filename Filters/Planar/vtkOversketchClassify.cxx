@@ -136,7 +136,7 @@ int vtkOversketchClassify::RequestData(vtkInformation*,
           ++this->ClassificationCount;
           const Frame frame = frameOf(CanvasOf(curves), this->Resolution);
           std::vector<DrawnStroke> strokes;
-          for (const StrokeLine& line : ReadStrokes(curves, 1))
+          for (const DrawnLine& line : ReadStrokes(curves, 1))
           {
             strokes.push_back({ line.Samples, line.Closed });
           }

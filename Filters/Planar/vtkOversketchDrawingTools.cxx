@@ -101,8 +101,8 @@ Drawing DrawingOf(vtkPolyData* curves)
   Drawing drawing;
   drawing.Rectangle = CanvasOf(curves);
   drawing.Raster = RasterOf(curves);
-  const std::vector<StrokeLine> lines = ReadStrokes(curves, 1);
-  for (const StrokeLine& line : lines)
+  const std::vector<DrawnLine> lines = ReadStrokes(curves, 1);
+  for (const DrawnLine& line : lines)
   {
     drawing.Strokes.push_back({ line.Samples, line.Closed });
   }

@@ -1,5 +1,6 @@
 #include "vtkOversketchCanvasTools.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -7,6 +8,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -47,7 +49,7 @@ void passMissing(vtkFieldData* from, vtkFieldData* to)
 
 } // namespace
 
-std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes, int least)
+std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least)
 {
   const vtkIdType count = strokes->GetNumberOfLines();
   if (count == 0 || count != strokes->GetNumberOfCells())
@@ -55,11 +57,11 @@ std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes, int least)
     throw Error(Failure::BadStroke,
       "The stroke input must hold polylines and no other cells: a stroke is one polyline.");
   }
-  std::vector<StrokeLine> lines(static_cast<std::size_t>(count));
+  std::vector<DrawnLine> lines(static_cast<std::size_t>(count));
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < count; ++cell)
   {
-    StrokeLine& line = lines[static_cast<std::size_t>(cell)];
+    DrawnLine& line = lines[static_cast<std::size_t>(cell)];
     strokes->GetLines()->GetCellAtId(cell, ids);
     const vtkIdType size = ids->GetNumberOfIds();
     line.Closed = size > 3 && ids->GetId(0) == ids->GetId(size - 1);
@@ -91,12 +93,16 @@ std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes, int least)
   return lines;
 }
 
-MeshKey CurvesKey(vtkPolyData* curves)
+MeshKey CurvesKey(vtkPolyData* curves, const std::vector<const char*>& cellArrays)
 {
   std::vector<vtkDataArray*> arrays{ curves->GetFieldData()->GetArray("Canvas") };
   for (int i = 0; i < curves->GetPointData()->GetNumberOfArrays(); ++i)
   {
     arrays.push_back(curves->GetPointData()->GetArray(i));
+  }
+  for (const char* name : cellArrays)
+  {
+    arrays.push_back(curves->GetCellData()->GetArray(name));
   }
   return MeshKey(curves, arrays);
 }
@@ -157,6 +163,16 @@ PicturePlace PlaceOf(vtkImageData* picture)
   return place;
 }
 
+bool FillPicturePort(int port, vtkInformation* information)
+{
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return port == 1;
+}
+
 double SampleSpacing(const Canvas& canvas)
 {
   return 0.005 * canvas.longest();
@@ -203,7 +219,7 @@ void WriteCurves(const std::vector<CanvasStroke>& curves, const Canvas& canvas, 
 }
 
 void CarryPointArrays(vtkPolyData* input,
-  const std::vector<StrokeLine>& curves,
+  const std::vector<DrawnLine>& curves,
   const std::vector<std::vector<Blend>>& places,
   vtkPolyData* output)
 {

@@ -17,6 +17,7 @@
 #include <vector>
 
 class vtkImageData;
+class vtkInformation;
 class vtkPolyData;
 
 namespace oversketch
@@ -25,7 +26,7 @@ namespace oversketch
 /**
  * One polyline of strokes [display px] or of curves on a canvas [world].
  */
-struct StrokeLine
+struct DrawnLine
 {
   std::vector<vtkIdType> Ids; // of the samples
   Polyline Samples;
@@ -37,12 +38,14 @@ struct StrokeLine
  * there is no polyline or there are other cells, and for a stroke with fewer than `least` samples or one that
  * is not finite.
  */
-OVERSKETCHFILTERSSTROKE_EXPORT std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes, int least = 2);
+OVERSKETCHFILTERSSTROKE_EXPORT std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least = 2);
 
 /**
- * What tells curves apart: points, polylines, point arrays and the canvas; not their cell arrays.
+ * What tells curves apart: points, polylines, point arrays and the canvas, and the cell arrays that are
+ * named.
  */
-OVERSKETCHFILTERSSTROKE_EXPORT MeshKey CurvesKey(vtkPolyData* curves);
+OVERSKETCHFILTERSSTROKE_EXPORT MeshKey CurvesKey(vtkPolyData* curves,
+  const std::vector<const char*>& cellArrays = {});
 
 /**
  * The canvas of curves, from their field array Canvas: x and y of the lower left corner, width, height.
@@ -75,6 +78,12 @@ struct PicturePlace
 OVERSKETCHFILTERSSTROKE_EXPORT PicturePlace PlaceOf(vtkImageData* picture);
 
 /**
+ * For the FillInputPortInformation of a filter whose input 1 is a picture, which may be absent: false for
+ * other ports.
+ */
+OVERSKETCHFILTERSSTROKE_EXPORT bool FillPicturePort(int port, vtkInformation* information);
+
+/**
  * Distance of samples on a canvas, the paper's h: 0.005 of its longest side [world].
  */
 OVERSKETCHFILTERSSTROKE_EXPORT double SampleSpacing(const Canvas& canvas);
@@ -98,7 +107,7 @@ OVERSKETCHFILTERSSTROKE_EXPORT void WriteCurves(const std::vector<CanvasStroke>&
  * points. An array that the output has already, ArcLength among them, is not written again.
  */
 OVERSKETCHFILTERSSTROKE_EXPORT void CarryPointArrays(vtkPolyData* input,
-  const std::vector<StrokeLine>& curves,
+  const std::vector<DrawnLine>& curves,
   const std::vector<std::vector<Blend>>& places,
   vtkPolyData* output);
 

@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace oversketch
@@ -108,7 +109,7 @@ struct CurvePoints
 
 } // namespace
 
-void RefuseEndless(const std::vector<StrokeLine>& strokes)
+void RefuseEndless(const std::vector<DrawnLine>& strokes)
 {
   for (std::size_t i = 0; i < strokes.size(); ++i)
   {
@@ -151,8 +152,45 @@ View ViewOfStroke(vtkPolyData* strokes, int stroke)
   }
 }
 
+StrokeOnCanvas OntoCanvas(vtkPolyData* strokes,
+  const std::vector<DrawnLine>& lines,
+  int stroke,
+  const Canvas& canvas,
+  const char* what)
+{
+  const DrawnLine& line = lines[static_cast<std::size_t>(stroke)];
+  const View view = ViewOfStroke(strokes, stroke);
+  StrokeOnCanvas result;
+  Polyline& points = result.Curve.points;
+  for (int i = 0; i < static_cast<int>(line.Samples.size()); ++i)
+  {
+    if (const std::optional<Vector2> place = ontoCanvas(view, line.Samples[i]))
+    {
+      points.push_back(*place);
+      result.Places.push_back(Blend::point(i));
+    }
+  }
+  if (points.empty())
+  {
+    throw Error(Failure::BadStroke,
+      std::string(what) + " " + std::to_string(stroke) +
+        " cannot be used: its view shows the plane z = 0 at none of its samples; draw it over the canvas.");
+  }
+  vtkDataArray* said = strokes->GetCellData()->GetArray("Closed");
+  const double value =
+    said && said->GetNumberOfTuples() == strokes->GetNumberOfCells() ? said->GetComponent(stroke, 0) : -1.0;
+  const bool open = value == 0.0 || (value != 1.0 && !closesOnCanvas(points, canvas));
+  result.Curve.closed = points.size() > 2 && (line.Closed || !open);
+  if (result.Curve.closed && points.size() > 3 && points.back() == points.front())
+  {
+    points.pop_back();
+    result.Places.pop_back();
+  }
+  return result;
+}
+
 void WriteStrokes(vtkPolyData* input,
-  const std::vector<StrokeLine>& strokes,
+  const std::vector<DrawnLine>& strokes,
   const std::vector<std::vector<Blend>>& places,
   const std::vector<char>& closed,
   vtkPolyData* output)
@@ -195,7 +233,7 @@ MeshKey StrokesKey(vtkPolyData* strokes)
 void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
   const MeshData& mesh,
   vtkPolyData* strokes,
-  const std::vector<StrokeLine>& lines,
+  const std::vector<DrawnLine>& lines,
   vtkPolyData* output)
 {
   vtkDataArray* pressure = pressureOf(strokes);
