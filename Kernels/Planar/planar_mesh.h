@@ -46,8 +46,10 @@ struct PlanarFace
   int count() const { return this->corners[3] < 0 ? 3 : 4; }
 };
 
-// An edge that lies on a stroke: S(start) at `from`, S(end) at `to`, start < end; on the closing edge of a
-// closed stroke `end` is its whole length. Two points of one stroke that a chord joins have none.
+// An edge that lies on a stroke: S(start) at `from`, S(end) at `to`, start < end. A closed stroke's first
+// sample need not be a vertex: on the edge over it `end` is the whole length plus the param of `to`, so
+// lengths are taken modulo the whole one. At an end that joins another stroke the point's place is not S's.
+// Two points of one stroke that a chord joins have no edge.
 struct StrokeEdge
 {
   int from = -1, to = -1;
@@ -71,12 +73,19 @@ struct StrokeSplit
   int halvings = 1;
 };
 
+// A sample of another stroke that an open stroke's end lies at in the mesh, because it was drawn up to there.
+struct StrokeJoin
+{
+  int stroke = -1, sample = -1;
+};
+
 // The approximation of a stroke: numbers of samples of it, ascending, those of an open one its ends too.
 struct StrokePolyline
 {
   int stroke = -1;
   bool closed = false;
   std::vector<int> samples;
+  std::array<StrokeJoin, 2> joins; // of an open one's first and last sample; stroke -1: it lies where drawn
 };
 
 } // namespace oversketch

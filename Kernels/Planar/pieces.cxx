@@ -1,0 +1,241 @@
+#include "Planar/pieces.h"
+
+#include "Planar/corners.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch
+{
+namespace
+{
+
+constexpr double sampleSpacing = 0.005; // h, of L
+
+double toSegment(const Vector2& place, const Vector2& from, const Vector2& to)
+{
+  const Vector2 way = to - from, offset = place - from;
+  const double square = way.squaredNorm();
+  const double t = square > 0.0 ? std::clamp(offset.dot(way) / square, 0.0, 1.0) : 0.0;
+  return (offset - t * way).norm();
+}
+
+int farthestFrom(const Vector2& place, const Polyline& samples)
+{
+  int best = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+  {
+    best =
+      (samples[i] - place).squaredNorm() > (samples[best] - place).squaredNorm() ? static_cast<int>(i) : best;
+  }
+  return best;
+}
+
+} // namespace
+
+PieceList::PieceList(Polyline samples,
+  const DrawnStroke& drawn,
+  std::vector<double> thickness,
+  const std::vector<int>& forced,
+  std::vector<StrokeSplit> splits,
+  double longest,
+  const ApproximationRules& rules)
+  : Samples(std::move(samples))
+  , Closed(drawn.closed)
+  , Lengths(arcLengths(drawn.points, drawn.closed))
+  , Thickness(std::move(thickness))
+  , Splits(std::move(splits))
+  , Longest(longest)
+  , Rules(rules)
+{
+  const std::vector<int> ends = this->anchors(forced);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+  {
+    this->Pieces.push_back({ ends[i], ends[i + 1] });
+  }
+  this->settle(0, static_cast<int>(this->Pieces.size()));
+  while (this->Closed && this->Pieces.size() < 3)
+  {
+    int widest = -1;
+    Farthest most;
+    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      const Farthest here = this->farthest(this->Pieces[i]);
+      if (here.sample >= 0 && here.distance > most.distance)
+      {
+        widest = static_cast<int>(i);
+        most = here;
+      }
+    }
+    if (widest < 0)
+    {
+      break; // all on one line
+    }
+    this->split(widest, most.sample);
+  }
+}
+
+// The first vertices, in the stroke's order; of a closed one the first again at the end.
+std::vector<int> PieceList::anchors(const std::vector<int>& forced) const
+{
+  std::vector<int> found = corners(this->Samples, this->Closed, this->Rules.cornerAngle);
+  if (this->Closed && found.empty())
+  {
+    Vector2 middle = Vector2::Zero();
+    for (const Vector2& p : this->Samples)
+    {
+      middle += p / this->count();
+    }
+    found.push_back(farthestFrom(middle, this->Samples));
+  }
+  if (this->Closed && found.size() == 1)
+  {
+    found.push_back(farthestFrom(this->Samples[found.front()], this->Samples));
+  }
+  if (!this->Closed)
+  {
+    found.insert(found.end(), { 0, this->count() - 1 });
+  }
+  found.insert(found.end(), forced.begin(), forced.end());
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  if (this->Closed)
+  {
+    found.push_back(found.front() + this->count());
+  }
+  return found;
+}
+
+double PieceList::lengthTo(int sample) const
+{
+  const int turns = sample / this->count();
+  return this->Lengths[sample % this->count()] + (turns > 0 ? turns * this->Lengths.back() : 0.0);
+}
+
+// How often delta is halved in it because it, or a part of it, was handed back.
+int PieceList::halvingsOf(const Piece& piece) const
+{
+  const double from = this->lengthTo(piece.from), to = this->lengthTo(piece.to);
+  const double least = 1e-6 * sampleSpacing * this->Longest; // that two intervals must have in common
+  int most = 0;
+  for (const StrokeSplit& split : this->Splits)
+  {
+    for (const double shift : { -1.0, 0.0, 1.0 })
+    {
+      const double by = this->Closed ? shift * this->Lengths.back() : 0.0;
+      if (std::min(to, split.end + by) - std::max(from, split.start + by) > least)
+      {
+        most = std::max(most, split.halvings);
+      }
+    }
+  }
+  return most + piece.halvings;
+}
+
+double PieceList::delta(const Piece& piece) const
+{
+  const double most = this->Rules.tolerance * this->Longest;
+  double result = most;
+  if (!this->Thickness.empty())
+  {
+    for (int i = piece.from; i <= piece.to; ++i)
+    {
+      result = std::min(result, 0.25 * this->Thickness[i % this->count()]);
+    }
+    result = std::min(most, std::max(result, 0.5 * sampleSpacing * this->Longest));
+  }
+  return std::ldexp(result, -this->halvingsOf(piece));
+}
+
+// Of the samples between its ends the one farthest from the segment; the first of several.
+PieceList::Farthest PieceList::farthest(const Piece& piece) const
+{
+  Farthest result;
+  for (int i = piece.from + 1; i < piece.to; ++i)
+  {
+    const double distance = toSegment(this->sample(i), this->sample(piece.from), this->sample(piece.to));
+    if (result.sample < 0 || distance > result.distance)
+    {
+      result = { i, distance };
+    }
+  }
+  return result;
+}
+
+void PieceList::split(int piece, int sample)
+{
+  const Piece second{ sample, this->Pieces[piece].to, this->Pieces[piece].halvings };
+  this->Pieces[piece].to = sample;
+  this->Pieces.insert(this->Pieces.begin() + piece + 1, second);
+}
+
+// Splits pieces begin to end - 1, and what comes of them, until they are near enough to their samples.
+void PieceList::settle(int begin, int end)
+{
+  const double h = sampleSpacing * this->Longest;
+  for (int i = begin; i < end;)
+  {
+    const Piece& piece = this->Pieces[i];
+    const double limit = this->delta(piece);
+    const bool shortArc = this->lengthTo(piece.to) - this->lengthTo(piece.from) < 2.0 * h;
+    const bool mayBeShort = this->halvingsOf(piece) > 0 && limit <= 0.3 * h;
+    const Farthest most = this->farthest(piece);
+    if (most.distance > limit && (!shortArc || mayBeShort))
+    {
+      this->split(i, most.sample);
+      ++end;
+    }
+    else
+    {
+      ++i;
+    }
+  }
+}
+
+PieceList::Halved PieceList::halve(int piece)
+{
+  if (!(this->farthest(this->Pieces[piece]).distance > 1e-12 * this->Longest))
+  {
+    return Halved::Spent;
+  }
+  const std::size_t before = this->Pieces.size();
+  ++this->Pieces[piece].halvings;
+  this->settle(piece, piece + 1);
+  return this->Pieces.size() > before ? Halved::Split : Halved::Same;
+}
+
+bool PieceList::leavesOut(int piece, const Vector2& place) const
+{
+  bool inside = false;
+  const auto pass = [&](const Vector2& a, const Vector2& b)
+  {
+    if ((a[1] > place[1]) != (b[1] > place[1]))
+    {
+      inside = (place[0] < a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1])) != inside;
+    }
+  };
+  const Piece& p = this->Pieces[piece];
+  for (int i = p.from; i < p.to; ++i)
+  {
+    pass(this->sample(i), this->sample(i + 1));
+  }
+  pass(this->sample(p.to), this->sample(p.from));
+  return inside;
+}
+
+std::vector<int> PieceList::vertices() const
+{
+  std::vector<int> result;
+  for (const Piece& piece : this->Pieces)
+  {
+    result.push_back(piece.from % this->count());
+  }
+  if (!this->Closed && !this->Pieces.empty())
+  {
+    result.push_back(this->Pieces.back().to);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+} // namespace oversketch

@@ -1,0 +1,74 @@
+#include "Planar/stroke_line.h"
+
+#include <algorithm>
+
+namespace oversketch
+{
+
+std::vector<StrokeLine> strokeLines(const std::vector<StrokePolyline>& polylines,
+  const std::vector<DrawnStroke>& strokes,
+  const std::vector<StrokeClass>& classes,
+  const std::vector<Treatment>& treatments)
+{
+  std::vector<StrokeLine> lines;
+  for (const StrokePolyline& polyline : polylines)
+  {
+    const DrawnStroke& stroke = strokes[polyline.stroke];
+    const StrokeClass& which = classes[polyline.stroke];
+    const std::vector<double> lengths = arcLengths(stroke.points, stroke.closed);
+    StrokeLine line;
+    line.stroke = polyline.stroke;
+    line.closed = polyline.closed;
+    line.length = lengths.back();
+    line.role = which.role;
+    line.region = which.region;
+    line.childRegion = which.childRegion;
+    line.object = which.object;
+    line.treatment = treatments[polyline.stroke];
+    for (const int sample : polyline.samples)
+    {
+      line.places.push_back(stroke.points[sample]);
+      line.params.push_back(lengths[sample]);
+    }
+    for (const int end : { 0, 1 })
+    {
+      const StrokeJoin& join = polyline.joins[end];
+      if (join.stroke >= 0)
+      {
+        (end == 0 ? line.places.front() : line.places.back()) = strokes[join.stroke].points[join.sample];
+      }
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<bool> inHoles(const std::vector<StrokeClass>& classes, const std::vector<Treatment>& treatments)
+{
+  // Of each region the closed feature that bounds it, -1 where that is an object's boundary.
+  std::vector<int> bounds;
+  for (std::size_t i = 0; i < classes.size(); ++i)
+  {
+    if (classes[i].childRegion >= 0)
+    {
+      bounds.resize(std::max<std::size_t>(bounds.size(), classes[i].childRegion + 1), -1);
+      bounds[classes[i].childRegion] = static_cast<int>(i);
+    }
+  }
+  const auto around = [&](const StrokeClass& which)
+  { return which.region >= 0 && which.region < static_cast<int>(bounds.size()) ? bounds[which.region] : -1; };
+  std::vector<bool> result(classes.size(), false);
+  for (std::size_t i = 0; i < classes.size(); ++i)
+  {
+    // No more steps than strokes, whatever the regions say.
+    int stroke = around(classes[i]);
+    for (std::size_t step = 0; stroke >= 0 && step < classes.size(); ++step)
+    {
+      result[i] = result[i] || treatments[stroke] == Treatment::Hole;
+      stroke = around(classes[stroke]);
+    }
+  }
+  return result;
+}
+
+} // namespace oversketch
