@@ -25,6 +25,11 @@ GridSmoothing::GridSmoothing(const DistanceMaps& maps, int step, const Context& 
     throw Error(Failure::BadStroke, "the smoothing grid's step must be 1 to 16 px");
   }
   const Frame& frame = maps.frame;
+  if (maps.thickness.size() != frame.count() || maps.uphill.size() != frame.count())
+  {
+    throw Error(
+      Failure::Unexpected, "the distance maps have no thickness; call findThickness before smoothing");
+  }
   // What does not fill a cell is margin.
   this->Columns = frame.width / step;
   this->Rows = frame.height / step;
@@ -93,9 +98,7 @@ BlockMatrix GridSmoothing::matrix(const std::vector<double>& flow, bool fixed) c
     matrix.values.push_back(1.0);
     for (const auto& [dx, dy] : sides)
     {
-      const int x = this->Cells[i][0] + dx, y = this->Cells[i][1] + dy;
-      const bool there = x >= 0 && y >= 0 && x < this->Columns && y < this->Rows;
-      const int other = there ? this->Numbers[static_cast<std::size_t>(y) * this->Columns + x] : -1;
+      const int other = this->numberAt(this->Cells[i][0] + dx, this->Cells[i][1] + dy);
       if (other >= 0)
       {
         const double weight = 0.5 * (flow[i] + flow[other]) * scale;
@@ -128,12 +131,6 @@ std::vector<float> GridSmoothing::spread(const std::vector<double>& values,
 {
   const Frame& frame = this->Maps.frame;
   std::vector<float> result(frame.count(), 0.0f);
-  const auto numberAt = [&](int x, int y)
-  {
-    return x < 0 || y < 0 || x >= this->Columns || y >= this->Rows
-             ? -1
-             : this->Numbers[static_cast<std::size_t>(y) * this->Columns + x];
-  };
   context.parallelFor(frame.height,
     [&](int begin, int end)
     {
@@ -148,11 +145,11 @@ std::vector<float> GridSmoothing::spread(const std::vector<double>& values,
           }
           // Beside the rim: up the steepest way, which crosses no rim, into an inner cell.
           int from = static_cast<int>(at);
-          int own = numberAt(x / this->Step, y / this->Step);
+          int own = this->numberAt(x / this->Step, y / this->Step);
           while (own < 0 && this->Maps.uphill[from] >= 0)
           {
             from = this->Maps.uphill[from];
-            own = numberAt(from % frame.width / this->Step, from / frame.width / this->Step);
+            own = this->numberAt(from % frame.width / this->Step, from / frame.width / this->Step);
           }
           if (own < 0)
           {
@@ -167,8 +164,8 @@ std::vector<float> GridSmoothing::spread(const std::vector<double>& values,
           const double v = (from / frame.width - cy * this->Step - middle) / this->Step;
           const int sx = u < 0.0 ? -1 : 1, sy = v < 0.0 ? -1 : 1;
           const double a = std::abs(u), b = std::abs(v);
-          const int right = numberAt(cx + sx, cy), up = numberAt(cx, cy + sy);
-          const int corner = right >= 0 || up >= 0 ? numberAt(cx + sx, cy + sy) : -1;
+          const int right = this->numberAt(cx + sx, cy), up = this->numberAt(cx, cy + sy);
+          const int corner = right >= 0 || up >= 0 ? this->numberAt(cx + sx, cy + sy) : -1;
           double sum = (1.0 - a) * (1.0 - b) * values[own], weights = (1.0 - a) * (1.0 - b);
           const auto add = [&](int cell, double weight)
           {
@@ -244,6 +241,69 @@ std::vector<float> GridSmoothing::profileRatio(const std::vector<float>& smooth,
   {
     const auto at = static_cast<Eigen::Index>(i);
     ratio[i] = own[i] > 0.0 ? std::max(0.0, (first(at, 0) + second(at, 0)) / own[i]) : 1.0;
+  }
+  std::vector<float> result = this->spread(ratio, ones, context);
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = this->Maps.distance[i] > 0.0f ? result[i] : 1.0f;
+  }
+  return result;
+}
+
+// The step's length over the way from a cell's centre to the rim, towards a neighbour that is no inner cell:
+// the mean of the cell's rows of samples on that side.
+double GridSmoothing::nearness(int cell, int dx, int dy) const
+{
+  const Frame& frame = this->Maps.frame;
+  const auto [cx, cy] = this->Cells[cell];
+  double sum = 0.0;
+  for (int k = 0; k < this->Step; ++k)
+  {
+    // From the cell's last sample on; a row may pass the neighbour's rim by. The raster's border has no
+    // inside, so it is not left.
+    int x = cx * this->Step + (dx == 0 ? k : dx < 0 ? 0 : this->Step - 1);
+    int y = cy * this->Step + (dy == 0 ? k : dy < 0 ? 0 : this->Step - 1);
+    double way = 0.5 * (this->Step - 1);
+    do
+    {
+      x += dx;
+      y += dy;
+      way += 1.0;
+    } while (way<2.0 * this->Step&& this->Maps.distance[frame.index(x, y)]> 0.0f);
+    sum += this->Step / way;
+  }
+  return sum / this->Step;
+}
+
+std::vector<float> GridSmoothing::poissonRatio(const Context& context)
+{
+  const std::vector<float> ones(this->Maps.frame.count(), 1.0f);
+  if (this->Cells.empty())
+  {
+    return ones;
+  }
+  // The unit is a cell: -4 becomes -4 Step^2.
+  BlockMatrix matrix = this->matrix(std::vector<double>(this->Cells.size(), this->Step * this->Step), false);
+  for (int i = 0; i < this->cellCount(); ++i)
+  {
+    double& self = matrix.values[matrix.pattern.offsets[i]];
+    self -= 1.0;
+    for (const auto& [dx, dy] : sides)
+    {
+      if (this->numberAt(this->Cells[i][0] + dx, this->Cells[i][1] + dy) < 0)
+      {
+        self += this->nearness(i, dx, dy);
+      }
+    }
+  }
+  Cholesky factor(this->Order);
+  this->factorise(factor, matrix, context);
+  Eigen::MatrixXd u = Eigen::VectorXd::Constant(this->cellCount(), 4.0 * this->Step * this->Step);
+  factor.solve(u, context);
+  std::vector<double> ratio = this->means(this->Maps.distance);
+  for (std::size_t i = 0; i < ratio.size(); ++i)
+  {
+    ratio[i] = std::max(0.0, u(static_cast<Eigen::Index>(i), 0) / ratio[i]);
   }
   std::vector<float> result = this->spread(ratio, ones, context);
   for (std::size_t i = 0; i < result.size(); ++i)

@@ -1,4 +1,5 @@
-// Smooths thickness and heights over the inside of objects, farther the thicker they are.
+// Solves on the inside of objects: smooths thickness and heights, farther the thicker they are, and blows the
+// inside up like a membrane.
 #ifndef oversketch_grid_smoothing_h
 #define oversketch_grid_smoothing_h
 
@@ -23,7 +24,9 @@ class Cholesky;
 class GridSmoothing
 {
 public:
-  // The maps are kept by reference. Throws Error(Failure::BadStroke) for a step that is not 1 to 16.
+  // The maps are kept by reference, those of distanceMaps or of findThickness. Throws
+  // Error(Failure::BadStroke) for a step that is not 1 to 16, Error(Failure::Unexpected) for maps without
+  // thickness.
   GridSmoothing(const DistanceMaps& maps, int step, const Context& context);
   ~GridSmoothing();
   GridSmoothing(const GridSmoothing&) = delete;
@@ -44,10 +47,25 @@ public:
     double c,
     const Context& context);
 
+  // Poisson's inflation: with u [px^2], the solution of Laplacian u = -4 in the inside and u = 0 on its rim,
+  // u / T [px] of samples, 1 where T is 0; never negative. u itself goes to 0 within the rim's own cells,
+  // where this still varies slowly. The rim is where T is first 0 on the way from a cell's centre to its
+  // neighbour's, not at that centre: after Gibou et al., "A Second-Order-Accurate Symmetric Discretization of
+  // the Poisson Equation on Irregular Domains", which stays symmetric.
+  std::vector<float> poissonRatio(const Context& context);
+
 private:
+  // -1 beyond the grid.
+  int numberAt(int x, int y) const
+  {
+    return x < 0 || y < 0 || x >= this->Columns || y >= this->Rows
+             ? -1
+             : this->Numbers[static_cast<std::size_t>(y) * this->Columns + x];
+  }
   std::vector<double> means(const std::vector<float>& samples) const;
   // (cD)^2 of inner cells; `fixed`: the rim is held at 0.
   BlockMatrix matrix(const std::vector<double>& flow, bool fixed) const;
+  double nearness(int cell, int dx, int dy) const;
   void factorise(Cholesky& factor, const BlockMatrix& matrix, const Context& context) const;
   // Values of cells at all samples inside; `otherwise` where no inner cell is near.
   std::vector<float> spread(const std::vector<double>& values,

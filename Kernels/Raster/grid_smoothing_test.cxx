@@ -171,6 +171,55 @@ TEST(GridSmoothing, SolvesTheSystemsAsEigenDoes)
   }
 }
 
+TEST(GridSmoothing, BlowsUpAsEigenDoes)
+{
+  const DistanceMaps maps = limbed(120);
+  const Frame& frame = maps.frame;
+  const std::vector<float> ratio = GridSmoothing(maps, 1, Context()).poissonRatio(Context());
+  std::vector<int> numbers(frame.count(), -1);
+  int count = 0;
+  for (std::size_t i = 0; i < frame.count(); ++i)
+  {
+    numbers[i] = maps.distance[i] > 0.0f ? count++ : -1;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t p = 0; p < frame.count(); ++p)
+  {
+    for (const std::size_t q : { p - 1, p + 1, p - frame.width, p + frame.width })
+    {
+      if (numbers[p] >= 0 && numbers[q] >= 0)
+      {
+        entries.emplace_back(numbers[p], numbers[q], -1.0);
+      }
+    }
+    if (numbers[p] >= 0)
+    {
+      entries.emplace_back(numbers[p], numbers[p], 4.0);
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd u = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(
+    Eigen::VectorXd(Eigen::VectorXd::Constant(count, 4.0)));
+  for (std::size_t i = 0; i < frame.count(); ++i)
+  {
+    const double expected = numbers[i] < 0 ? 1.0 : u[numbers[i]] / maps.distance[i];
+    EXPECT_NEAR(ratio[i], expected, 1e-4 * expected);
+  }
+  // A coarse grid knows where in its cells the rim is.
+  const DistanceMaps large = limbed(400);
+  const std::vector<float> fine = GridSmoothing(large, 1, Context()).poissonRatio(Context());
+  const std::vector<float> coarse = GridSmoothing(large, 2, onTwoThreads()).poissonRatio(onTwoThreads());
+  EXPECT_EQ(coarse, GridSmoothing(large, 2, Context()).poissonRatio(Context()));
+  double off = 0.0;
+  for (std::size_t i = 0; i < fine.size(); ++i)
+  {
+    const double t = large.distance[i] < 4.0f ? 0.0 : large.distance[i]; // beside the rim it is steep
+    off = std::max(off, std::abs(std::sqrt(coarse[i] * t) - std::sqrt(fine[i] * t)));
+  }
+  EXPECT_LT(off, 1.0);
+}
+
 TEST(GridSmoothing, ACoarseGridIsNearTheFineOne)
 {
   const DistanceMaps maps = limbed(800);
@@ -188,9 +237,12 @@ TEST(GridSmoothing, ACoarseGridIsNearTheFineOne)
   EXPECT_LT(off[off.size() * 99 / 100], 1.7f);
   EXPECT_LT(off.back(), 10.0f); // beside the rim where the limb begins: D jumps by 140 px there
   EXPECT_THROW(GridSmoothing(maps, 0, Context()), Error);
+  const DistanceMaps half = distanceTo(maps.frame, { { ringAt(400, 400, 99), 0 } }, Context());
+  EXPECT_THROW(GridSmoothing(half, 2, Context()), Error) << "findThickness was not called";
   const DistanceMaps none = distanceMaps(pixelFrame(40, 40), {}, ThicknessMode::Local, Context());
   GridSmoothing empty(none, 2, Context());
   EXPECT_EQ(empty.thickness(0.5, Context()), none.thickness);
+  EXPECT_EQ(empty.poissonRatio(Context()), std::vector<float>(none.frame.count(), 1.0f));
   Context cancelled;
   cancelled.cancelled = [] { return true; };
   EXPECT_THROW(GridSmoothing(maps, 2, cancelled), Error);

@@ -3,10 +3,10 @@
 #ifndef oversketch_profile_h
 #define oversketch_profile_h
 
-#include "Mesh/mesh.h"
+#include "Mesh/graph.h"
 
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace oversketch
 {
@@ -20,9 +20,7 @@ public:
   // A sharpness, not negative. Throws Error(BadStroke) otherwise.
   explicit Profile(double sharpness = 1.5);
 
-  // A polyline through "x y, x y, ...", with x rising from 0 to 1; "0 1, 1 0" is sharpness 1. Two points at
-  // one x, a cliff, are refused: so near to each other as is wanted does the same. Throws Error(BadStroke)
-  // that names the point.
+  // A polyline through "x y, x y, ...", with x rising from 0 to 1, see Graph; "0 1, 1 0" is sharpness 1.
   static Profile polyline(const std::string& text);
 
   // x is not negative.
@@ -30,7 +28,7 @@ public:
 
 private:
   double Sharpness;
-  std::vector<Vector2> Points; // empty: Eq. 1
+  std::optional<Graph> Line; // in place of Eq. 1
 };
 
 } // namespace oversketch

@@ -1,0 +1,59 @@
+// From rims to the surface, for tests. Header-only; not installed.
+#ifndef oversketch_inflation_chain_h
+#define oversketch_inflation_chain_h
+
+#include "Inflate/drawn_meshes.h"
+#include "Inflate/heights.h"
+#include "Inflate/inflate.h"
+#include "Mesh/context.h"
+#include "Raster/grid_smoothing.h"
+
+namespace oversketch_test
+{
+
+// A drawing's maps and what is made of them, by the defaults or as published.
+struct Chain
+{
+  explicit Chain(const std::vector<Rim>& rims, bool published = false)
+    : maps(
+        oversketch::distanceMaps(pixelFrame(), rims, oversketch::ThicknessMode::Local, oversketch::Context()))
+    , grid(maps, 2, oversketch::Context())
+    , smoothed(!published)
+    , thickness(grid.thickness(published ? 0.0 : 0.5, oversketch::Context()))
+  {
+  }
+
+  // With what `use` is called with, that is.
+  template <typename Use>
+  auto withMaps(const oversketch::Context& context, const Use& use)
+  {
+    const std::vector<float> ratio =
+      this->mode == oversketch::Inflation::Poisson
+        ? this->grid.poissonRatio(context)
+        : this->grid.profileRatio(this->thickness,
+            oversketch::sectionSquares(this->maps, this->thickness, this->section, context),
+            this->smoothed ? this->section.smoothing() : 0.0,
+            context);
+    return use(oversketch::HeightMaps{ this->maps, this->thickness, ratio, this->mode });
+  }
+
+  std::vector<double> heights(const PlanarMesh& mesh, const oversketch::Context& context = {})
+  {
+    return this->withMaps(context,
+      [&](const oversketch::HeightMaps& use)
+      { return oversketch::heightsOf(mesh, use, this->section, this->factor, context); });
+  }
+
+  oversketch::Solid solid(const PlanarMesh& mesh) { return oversketch::inflate(mesh, this->heights(mesh)); }
+
+  oversketch::DistanceMaps maps;
+  oversketch::GridSmoothing grid;
+  bool smoothed;
+  std::vector<float> thickness;
+  oversketch::CrossSection section;
+  oversketch::Inflation mode = oversketch::Inflation::Section;
+  double factor = 1.0;
+};
+
+} // namespace oversketch_test
+#endif

@@ -1,0 +1,18 @@
+// Where a place of the canvas is in its picture.
+#ifndef oversketch_texture_h
+#define oversketch_texture_h
+
+#include "Stroke/canvas.h"
+
+namespace oversketch
+{
+
+// Source: image-assisted modelling, section 15 (2.4 of the paper): s = (x - x_o) / w, t = (y - y_o) / h, z
+// ignored: front and back have the same; along a wall all are. Not clamped.
+inline Vector2 textureCoordinates(const Canvas& canvas, const Vector2& place)
+{
+  return (place - canvas.corner).cwiseQuotient(canvas.size);
+}
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,31 @@
+// Rims without stretched triangles: points move towards the rim before they are pushed out.
+#ifndef oversketch_unstretch_h
+#define oversketch_unstretch_h
+
+#include "Inflate/heights.h"
+
+namespace oversketch
+{
+
+struct UnstretchReport
+{
+  int moved = 0; // points that moved
+  int held = 0;  // points that moved less than wanted, or not at all
+};
+
+// The paper names the triangles that inflation stretches near the rim as future work; section 17 of the
+// specification of image-assisted modelling gives the rule: along -grad T from d to d' = D (1 - cos(pi u /
+// 2)), u = d / D, which puts points evenly on a circular cross-section. Only points that lie on no stroke
+// move. D is D', d = min(T, D').
+//
+// Guarded as the refinement is: while a face has a signed area that is not above 0 (of a quad, one of its
+// four corners' triangles), the moves of its points are halved, below a tenth given up; after six passes
+// those of the points around it too. A face that was turned before stays as it is. The same for any number
+// of threads.
+PlanarMesh unstretch(const PlanarMesh& mesh,
+  const HeightMaps& maps,
+  const Context& context,
+  UnstretchReport* report = nullptr);
+
+} // namespace oversketch
+#endif
