@@ -34,38 +34,43 @@ def view(width, height):
     return camera, clip
 
 
-def strokes(drawing):
-    """The drawing's lines as the pen draws them, one polydata."""
-    points, time, pressure, lines, whole = [], [], [], vtk.vtkCellArray(), vtk.vtkPolyData()
+def polydata(strokes, size, cells, points):
+    """Strokes in the own view of a picture of that size: of each the samples and whether it is closed; arrays of cells and of points."""
+    lines, whole, place, first = vtk.vtkCellArray(), vtk.vtkPolyData(), vtk.vtkPoints(), 0
+    for samples, closed in strokes:
+        ids = [*range(first, first + len(samples)), *[first] * closed]
+        lines.InsertNextCell(len(ids), ids)
+        first += len(samples)
+    place.SetData(numpy_to_vtk(np.pad(np.vstack([samples for samples, _ in strokes]), [(0, 0), (0, 1)]), deep=True))
+    whole.SetPoints(place)
+    whole.SetLines(lines)
+    camera, clip = view(*size)
+    each = {"ViewTransform": camera.ravel(), "ProjectionTransform": clip.ravel(), "ViewportSize": np.array(size, np.int32)}
+    cells = {**{name: np.tile(value, (len(strokes), 1)) for name, value in each.items()}, **cells}
+    for data, arrays in ((whole.GetPointData(), points), (whole.GetCellData(), cells)):
+        for name, values in arrays.items():
+            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+            array.SetName(name)
+            data.AddArray(array)
+    return whole
+
+
+def drawn(drawing):
+    """The drawing's lines as the pen draws them."""
+    strokes, time, pressure = [], [], []
     for seed, line in enumerate(drawing.lines):
         path = np.vstack([line.course, line.course[:1]]) if line.closed else line.course
         samples = [values[:-1] if line.closed else values for values in pen(path, seed)]
-        first = sum(map(len, points))
-        ids = [*range(first, first + len(samples[0])), *[first] * line.closed]
-        lines.InsertNextCell(len(ids), ids)
-        for values, own in zip((points, time, pressure), samples):
-            values.append(own)
-    place = vtk.vtkPoints()
-    place.SetData(numpy_to_vtk(np.pad(np.vstack(points), [(0, 0), (0, 1)]), deep=True))
-    whole.SetPoints(place)
-    whole.SetLines(lines)
-    count, size = len(drawing.lines), (drawing.picture.width, drawing.picture.height)
-    camera, clip = view(*size)
+        strokes.append((samples[0], line.closed))
+        time.append(samples[1])
+        pressure.append(samples[2])
     magnetic = np.array([line.edge is not None for line in drawing.lines], np.int32)
     treatment = np.array([line.treatment for line in drawing.lines], np.int32)
-    arrays = [(whole.GetPointData(), "Time", np.concatenate(time)), (whole.GetPointData(), "Pressure", np.concatenate(pressure).astype(np.float32)),
-              (whole.GetCellData(), "ViewTransform", np.tile(camera.ravel(), (count, 1))),
-              (whole.GetCellData(), "ProjectionTransform", np.tile(clip.ravel(), (count, 1))),
-              (whole.GetCellData(), "ViewportSize", np.tile(np.array(size, np.int32), (count, 1)))]
-    if treatment.any():
-        arrays += [(whole.GetCellData(), "Treatment", treatment)]
+    cells = {"Treatment": treatment} if treatment.any() else {}
     if magnetic.any():
-        arrays += [(whole.GetCellData(), "Magnetic", magnetic), (whole.GetCellData(), "SnapRadius", np.full(count, SNAP_RADIUS))]
-    for data, name, values in arrays:
-        array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
-        array.SetName(name)
-        data.AddArray(array)
-    return whole
+        cells.update({"Magnetic": magnetic, "SnapRadius": np.full(len(magnetic), SNAP_RADIUS)})
+    return polydata(strokes, (drawing.picture.width, drawing.picture.height), cells,
+                    {"Time": np.concatenate(time), "Pressure": np.concatenate(pressure).astype(np.float32)})
 
 
 def figure():
@@ -96,10 +101,10 @@ def main():
         drawing, picture, lines = DRAWINGS[name](), vtk.vtkPNGWriter(), vtk.vtkXMLPolyDataWriter()
         picture.SetCompressionLevel(9)
         lines.SetDataModeToBinary()
-        drawn = strokes(drawing)
+        strokes = drawn(drawing)
         write(picture, options.to, name + ".png", drawing.picture.image())
-        write(lines, options.to, name + ".vtp", drawn)
-        print(f"{name}: {drawing.picture.width} x {drawing.picture.height} px, {drawn.GetNumberOfCells()} strokes, {drawn.GetNumberOfPoints()} samples")
+        write(lines, options.to, name + ".vtp", strokes)
+        print(f"{name}: {strokes.GetNumberOfCells()} strokes, {strokes.GetNumberOfPoints()} samples")
 
 
 if __name__ == "__main__":
