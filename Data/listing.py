@@ -1,10 +1,12 @@
-"""The shipped strokes by the system that they are made for: those of one-stroke deformation and those of augmentation."""
+"""The shipped strokes by the system that they are made for: one-stroke deformation, augmentation, modelling from drawings over pictures."""
 import pathlib
 
 STROKES = pathlib.Path(__file__).resolve().parent / "Strokes"
+DRAWINGS = STROKES.parent / "Drawings"
 ONE_STROKE = ("dinosaur_longer_tail", "dinosaur_raised_neck", "dog_curled_tail", "dog_longer_leg", "hand_bent_thumb", "hand_longer_finger",
               "octopus_bent_arm", "octopus_longer_arm", "person_longer_arm", "person_thicker_leg")
 AUGMENT = ("dinosaur_spines", "dog_collar", "hand_palm_lines", "octopus_veins", "person_crest", "valley_river_ridge_road")
+INFLATE = ("figure_body", "figure_hat", "figure_head", "fish", "heron", "leaf", "mug", "padlock")
 
 
 def one_stroke():
@@ -15,3 +17,8 @@ def one_stroke():
 def augment():
     """The files of the strokes that augment, by name."""
     return [STROKES / f"{name}.vtp" for name in AUGMENT]
+
+
+def drawings():
+    """The files of the drawings, by name; each has its picture beside it, of the same name."""
+    return [DRAWINGS / f"{name}.vtp" for name in INFLATE]
