@@ -24,7 +24,7 @@ double fittingScale(vtkRenderer* renderer, const Canvas& canvas)
 void lookAt(vtkRenderer* renderer, const Vector2& middle, double scale)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  const double away = std::max(10.0 * scale, 1.0);
+  const double away = 10.0 * scale;
   camera->SetParallelProjection(1);
   camera->SetParallelScale(scale);
   camera->SetFocalPoint(middle[0], middle[1], 0.0);

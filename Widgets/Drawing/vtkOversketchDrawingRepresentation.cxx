@@ -20,6 +20,7 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -80,14 +81,6 @@ struct Coloured
   }
 };
 
-// Over what lies in the same plane.
-void placeOver(vtkPolyDataMapper* mapper, double units)
-{
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -units);
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -units);
-}
-
 } // namespace
 
 struct vtkOversketchDrawingRepresentation::Internals
@@ -99,6 +92,14 @@ struct vtkOversketchDrawingRepresentation::Internals
   vtkNew<vtkTriangleFilter> triangles;
   vtkNew<vtkTextActor> text;
   double box[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 0.0 };
+
+  // Regions over the canvas and curves over both, seen from straight above at any zoom.
+  void layUp()
+  {
+    const double longest = std::max(this->box[1] - this->box[0], this->box[3] - this->box[2]);
+    this->regions->SetPosition(0.0, 0.0, 1e-3 * longest);
+    this->curves->SetPosition(0.0, 0.0, 2e-3 * longest);
+  }
 };
 
 vtkOversketchDrawingRepresentation::vtkOversketchDrawingRepresentation()
@@ -115,8 +116,6 @@ vtkOversketchDrawingRepresentation::vtkOversketchDrawingRepresentation()
   inner.regions->SetMapper(inner.regionMapper);
   inner.regions->ForceTranslucentOn();
   inner.curves->SetMapper(inner.curveMapper);
-  placeOver(inner.regionMapper, 20.0);
-  placeOver(inner.curveMapper, 60.0);
   for (vtkActor* actor : { inner.paper.Get(), inner.regions.Get(), inner.curves.Get() })
   {
     actor->GetProperty()->LightingOff();
@@ -150,6 +149,7 @@ void vtkOversketchDrawingRepresentation::SetPicture(vtkImageData* picture)
       inner.box[2 * axis + 1] += 0.5 * picture->GetSpacing()[axis];
     }
   }
+  this->Inner->layUp();
   this->Modified();
 }
 
@@ -162,6 +162,7 @@ void vtkOversketchDrawingRepresentation::SetCanvas(double x, double y, double wi
   inner.canvas->SetPoint2(x, y + height, 0.0);
   const std::array<double, 6> box = { x, x + width, y, y + height, 0.0, 0.0 };
   std::copy(box.begin(), box.end(), inner.box);
+  inner.layUp();
 }
 
 void vtkOversketchDrawingRepresentation::SetCurves(vtkPolyData* curves)
@@ -242,6 +243,10 @@ int vtkOversketchDrawingRepresentation::RenderOpaqueGeometry(vtkViewport* viewpo
                : inner.picture->RenderOpaqueGeometry(viewport);
   }
   drawn += inner.paper->GetVisibility() ? inner.paper->RenderOpaqueGeometry(viewport) : 0;
+  if (this->GetText()[0] != '\0')
+  {
+    inner.text->RenderOpaqueGeometry(viewport); // makes what its overlay shows
+  }
   return drawn + (inner.curves->GetVisibility() ? inner.curves->RenderOpaqueGeometry(viewport) : 0);
 }
 
