@@ -15,7 +15,7 @@ namespace
 {
 
 // The stroke as it is, closed where it comes back; a last sample upon the first is the first.
-std::vector<Blend> ringPlaces(const StrokeLine& stroke, double closingDistance, char& closed)
+std::vector<Blend> ringPlaces(const DrawnLine& stroke, double closingDistance, char& closed)
 {
   std::vector<Blend> places;
   places.reserve(stroke.Samples.size());
@@ -53,7 +53,7 @@ int vtkOversketchChaikin::RequestData(vtkInformation*,
       now->ShallowCopy(input);
       for (int pass = 0; pass <= this->Iterations; ++pass)
       {
-        const std::vector<StrokeLine> strokes = ReadStrokes(now);
+        const std::vector<DrawnLine> strokes = ReadStrokes(now);
         std::vector<std::vector<Blend>> places;
         std::vector<char> closed(strokes.size());
         for (std::size_t i = 0; i < strokes.size(); ++i)

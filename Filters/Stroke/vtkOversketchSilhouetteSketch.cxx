@@ -169,7 +169,7 @@ int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
         [&](vtkPolyData* result)
         {
           ++this->ProjectionCount;
-          const std::vector<StrokeLine> lines = ReadStrokes(strokes);
+          const std::vector<DrawnLine> lines = ReadStrokes(strokes);
           if (lines.size() != 1)
           {
             throw Error(Failure::BadStroke,

@@ -24,7 +24,7 @@ int vtkOversketchStrokeThinning::RequestData(vtkInformation*,
       {
         return;
       }
-      const std::vector<StrokeLine> strokes = ReadStrokes(input);
+      const std::vector<DrawnLine> strokes = ReadStrokes(input);
       const Context context = ContextOf(this);
       std::vector<std::vector<Blend>> places(strokes.size());
       std::vector<char> closed;

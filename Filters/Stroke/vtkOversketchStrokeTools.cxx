@@ -8,7 +8,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -18,7 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <sstream>
 
 namespace oversketch
@@ -110,51 +109,7 @@ struct CurvePoints
 
 } // namespace
 
-std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes)
-{
-  const vtkIdType count = strokes->GetNumberOfLines();
-  if (count == 0 || count != strokes->GetNumberOfCells())
-  {
-    throw Error(Failure::BadStroke,
-      "The stroke input must hold polylines and no other cells: a stroke is one polyline.");
-  }
-  std::vector<StrokeLine> lines(static_cast<std::size_t>(count));
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < count; ++cell)
-  {
-    StrokeLine& line = lines[static_cast<std::size_t>(cell)];
-    strokes->GetLines()->GetCellAtId(cell, ids);
-    const vtkIdType size = ids->GetNumberOfIds();
-    line.Closed = size > 3 && ids->GetId(0) == ids->GetId(size - 1);
-    std::ostringstream message;
-    message << "Stroke " << cell << " cannot be used: ";
-    for (vtkIdType i = 0; i < (line.Closed ? size - 1 : size); ++i)
-    {
-      const vtkIdType id = ids->GetId(i);
-      Vector3 p = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
-      if (id >= 0 && id < strokes->GetNumberOfPoints())
-      {
-        strokes->GetPoint(id, p.data());
-      }
-      if (!p.head<2>().allFinite())
-      {
-        message << "sample " << i << " is not finite or does not exist; record the stroke again.";
-        throw Error(Failure::BadStroke, message.str());
-      }
-      line.Ids.push_back(id);
-      line.Samples.push_back(p.head<2>());
-    }
-    if (line.Samples.size() < 2)
-    {
-      message << "it has " << line.Samples.size() << (line.Samples.size() == 1 ? " sample" : " samples")
-              << "; at least 2 are needed: draw a longer stroke.";
-      throw Error(Failure::BadStroke, message.str());
-    }
-  }
-  return lines;
-}
-
-void RefuseEndless(const std::vector<StrokeLine>& strokes)
+void RefuseEndless(const std::vector<DrawnLine>& strokes)
 {
   for (std::size_t i = 0; i < strokes.size(); ++i)
   {
@@ -197,8 +152,45 @@ View ViewOfStroke(vtkPolyData* strokes, int stroke)
   }
 }
 
+StrokeOnCanvas OntoCanvas(vtkPolyData* strokes,
+  const std::vector<DrawnLine>& lines,
+  int stroke,
+  const Canvas& canvas,
+  const char* what)
+{
+  const DrawnLine& line = lines[static_cast<std::size_t>(stroke)];
+  const View view = ViewOfStroke(strokes, stroke);
+  StrokeOnCanvas result;
+  Polyline& points = result.Curve.points;
+  for (int i = 0; i < static_cast<int>(line.Samples.size()); ++i)
+  {
+    if (const std::optional<Vector2> place = ontoCanvas(view, line.Samples[i]))
+    {
+      points.push_back(*place);
+      result.Places.push_back(Blend::point(i));
+    }
+  }
+  if (points.empty())
+  {
+    throw Error(Failure::BadStroke,
+      std::string(what) + " " + std::to_string(stroke) +
+        " cannot be used: its view shows the plane z = 0 at none of its samples; draw it over the canvas.");
+  }
+  vtkDataArray* said = strokes->GetCellData()->GetArray("Closed");
+  const double value =
+    said && said->GetNumberOfTuples() == strokes->GetNumberOfCells() ? said->GetComponent(stroke, 0) : -1.0;
+  const bool open = value == 0.0 || (value != 1.0 && !closesOnCanvas(points, canvas));
+  result.Curve.closed = points.size() > 2 && (line.Closed || !open);
+  if (result.Curve.closed && points.size() > 3 && points.back() == points.front())
+  {
+    points.pop_back();
+    result.Places.pop_back();
+  }
+  return result;
+}
+
 void WriteStrokes(vtkPolyData* input,
-  const std::vector<StrokeLine>& strokes,
+  const std::vector<DrawnLine>& strokes,
   const std::vector<std::vector<Blend>>& places,
   const std::vector<char>& closed,
   vtkPolyData* output)
@@ -241,7 +233,7 @@ MeshKey StrokesKey(vtkPolyData* strokes)
 void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
   const MeshData& mesh,
   vtkPolyData* strokes,
-  const std::vector<StrokeLine>& lines,
+  const std::vector<DrawnLine>& lines,
   vtkPolyData* output)
 {
   vtkDataArray* pressure = pressureOf(strokes);

@@ -6,6 +6,7 @@
 #include "Mesh/view.h"
 #include "Ray/projection.h"
 #include "Stroke/polyline.h"
+#include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -19,28 +20,31 @@ class vtkPolyData;
 namespace oversketch
 {
 
-// One polyline of a stroke polydata.
-struct StrokeLine
-{
-  std::vector<vtkIdType> Ids; // of the samples
-  Polyline Samples;           // [px]
-  bool Closed = false;        // its last id was its first one, which is not repeated here
-};
-
-// All strokes, stroke i from cell i; z is ignored. Throws Error(BadStroke) naming the stroke when there is no
-// polyline or there are other cells, and for a stroke with fewer than two samples or one that is not finite.
-std::vector<StrokeLine> ReadStrokes(vtkPolyData* strokes);
-
 // Throws Error(BadStroke) naming the stroke when it is longer than `longestStroke`.
-void RefuseEndless(const std::vector<StrokeLine>& strokes);
+void RefuseEndless(const std::vector<DrawnLine>& strokes);
 
 // The view of one stroke, see ViewOf; strokes of one polydata may carry different ones.
 View ViewOfStroke(vtkPolyData* strokes, int stroke);
 
+// A stroke as it lies on a canvas, each sample seen in the stroke's view, and which samples those are. It is
+// closed where it repeats its first id, or its cell array Closed is 1; where that is neither 0 nor 1, or
+// there is none, where its ends come near each other. Throws Error(BadStroke) naming the stroke (what:
+// "Stroke", "Correction") when none of its samples meets the canvas, and what ViewOf does.
+struct StrokeOnCanvas
+{
+  CanvasStroke Curve;
+  std::vector<Blend> Places;
+};
+StrokeOnCanvas OntoCanvas(vtkPolyData* strokes,
+  const std::vector<DrawnLine>& lines,
+  int stroke,
+  const Canvas& canvas,
+  const char* what);
+
 // A stroke for each of the input's: places[i] on the samples of stroke i. Point arrays are interpolated, cell
 // and field data passed, z is 0.
 void WriteStrokes(vtkPolyData* input,
-  const std::vector<StrokeLine>& strokes,
+  const std::vector<DrawnLine>& strokes,
   const std::vector<std::vector<Blend>>& places,
   const std::vector<char>& closed,
   vtkPolyData* output);
@@ -59,7 +63,7 @@ struct StrokeCurve
 void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
   const MeshData& mesh,
   vtkPolyData* strokes,
-  const std::vector<StrokeLine>& lines,
+  const std::vector<DrawnLine>& lines,
   vtkPolyData* output);
 
 // A mesh and its ray scene, held for the next stroke.

@@ -88,7 +88,7 @@ int vtkOversketchSurfaceStroke::RequestData(vtkInformation*,
         [&](vtkPolyData* result)
         {
           ++this->ProjectionCount;
-          const std::vector<StrokeLine> lines = ReadStrokes(strokes);
+          const std::vector<DrawnLine> lines = ReadStrokes(strokes);
           RefuseEndless(lines);
           const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
           const double tolerance = this->Tolerance < 0.0 ? 6e-4 * surface.diagonal() : this->Tolerance;

@@ -107,12 +107,14 @@ function (oversketch_gtest name)
   set_tests_properties(${name} PROPERTIES TIMEOUT 3000 ENVIRONMENT "${oversketch_test_caches}")
 endfunction ()
 
-# oversketch_filter_module(<module> CLASSES <class>... [SOURCES <file>...] [HEADERS <file>...] [KERNELS <target>...]): a VTK
-# module whose filters are thin shells over the named kernels. SOURCES are files beside the classes that are not wrapped.
+# oversketch_filter_module(<module> CLASSES <class>... [SOURCES <file>...] [HEADERS <file>...] [NOWRAP_HEADERS <file>...]
+# [KERNELS <target>...]): a VTK module whose filters are thin shells over the named kernels. SOURCES are files beside the classes
+# that are not wrapped, NOWRAP_HEADERS those of them that other modules include.
 macro (oversketch_filter_module module)
-  cmake_parse_arguments(oversketch "" "" "CLASSES;KERNELS;SOURCES;HEADERS" ${ARGN})
+  cmake_parse_arguments(oversketch "" "" "CLASSES;KERNELS;SOURCES;HEADERS;NOWRAP_HEADERS" ${ARGN})
   vtk_module_add_module(${module}
-    CLASSES ${oversketch_CLASSES} SOURCES ${oversketch_SOURCES} HEADERS ${oversketch_HEADERS})
+    CLASSES ${oversketch_CLASSES} SOURCES ${oversketch_SOURCES} HEADERS ${oversketch_HEADERS}
+    NOWRAP_HEADERS ${oversketch_NOWRAP_HEADERS})
   vtk_module_link(${module} PRIVATE ${oversketch_KERNELS})
   vtk_module_compile_options(${module} PRIVATE ${oversketch_filter_warnings})
 endmacro ()

@@ -1,0 +1,171 @@
+#include "vtkOversketchClassify.h"
+
+#include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchKept.h"
+
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+using namespace oversketch;
+
+struct vtkOversketchClassify::Cache
+{
+  KeptOutput Kept;
+  vtkNew<vtkImageData> Labels;
+  std::vector<std::string> Warnings;
+};
+
+vtkStandardNewMacro(vtkOversketchClassify);
+
+namespace
+{
+
+// A drawing with strokes that meet is none; what is merely too small or astray can be left out.
+bool spoilsTheDrawing(Rejection why)
+{
+  return why == Rejection::Crosses || why == Rejection::CrossesItself || why == Rejection::Areas;
+}
+
+std::string sentence(std::string text)
+{
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+// What to say of the strokes that can be left out. Throws what is to be said of the others.
+std::vector<std::string> judged(const Classification& classification, const std::vector<DrawnStroke>& strokes)
+{
+  std::vector<std::string> warnings;
+  std::string error;
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    const Rejection why = classification.strokes[i].rejection;
+    if (why != Rejection::None)
+    {
+      const std::string text = sentence(rejectionText(classification, static_cast<int>(i), strokes));
+      if (spoilsTheDrawing(why))
+      {
+        error += (error.empty() ? "" : " ") + text;
+      }
+      else
+      {
+        warnings.push_back(text);
+      }
+    }
+  }
+  if (!error.empty())
+  {
+    throw Error(Failure::BadStroke, error);
+  }
+  return warnings;
+}
+
+void writeLabels(const Classification& classification, const Frame& frame, vtkImageData* image)
+{
+  image->Initialize();
+  WriteFrame(frame, image);
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Labels");
+  labels->SetNumberOfTuples(static_cast<vtkIdType>(classification.labels.size()));
+  std::copy(classification.labels.begin(), classification.labels.end(), labels->GetPointer(0));
+  image->GetPointData()->SetScalars(labels);
+}
+
+} // namespace
+
+vtkOversketchClassify::vtkOversketchClassify()
+  : Internals(new Cache)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchClassify::~vtkOversketchClassify() = default;
+
+vtkImageData* vtkOversketchClassify::GetLabelsOutput()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkOversketchClassify::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  return FillImagePort(port, information);
+}
+
+int vtkOversketchClassify::RequestInformation(vtkInformation*,
+  vtkInformationVector**,
+  vtkInformationVector* outputs)
+{
+  return DescribeImage(this,
+    outputs->GetInformationObject(1),
+    VTK_INT,
+    [this](vtkPolyData* curves) { return frameOf(CanvasOf(curves), this->Resolution); });
+}
+
+int vtkOversketchClassify::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      if (curves->GetNumberOfPoints() == 0)
+      {
+        vtkImageData::GetData(outputs, 1)->Initialize();
+        return;
+      }
+      Cache& cache = *this->Internals;
+      const double share = this->AsPublished ? 0.0 : this->ContactShare;
+      cache.Kept.Provide(StepKey({ MeshKey(curves, { curves->GetFieldData()->GetArray("Canvas") }) },
+                           { share, static_cast<double>(this->Resolution) }),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->ClassificationCount;
+          const Frame frame = frameOf(CanvasOf(curves), this->Resolution);
+          std::vector<DrawnStroke> strokes;
+          for (const DrawnLine& line : ReadStrokes(curves, 1))
+          {
+            strokes.push_back({ line.Samples, line.Closed });
+          }
+          const Classification classification = classify(frame, strokes, share, ContextOf(this));
+          cache.Warnings = judged(classification, strokes);
+          writeLabels(classification, frame, cache.Labels);
+          result->SetPoints(curves->GetPoints());
+          result->SetLines(curves->GetLines());
+          WriteClassification(classification, result);
+          vtkNew<vtkIntArray> resolution;
+          resolution->SetName("Resolution");
+          resolution->InsertNextValue(this->Resolution);
+          result->GetFieldData()->AddArray(resolution);
+        });
+      for (const std::string& warning : cache.Warnings)
+      {
+        vtkWarningMacro(<< warning);
+      }
+      output->GetPointData()->PassData(curves->GetPointData());
+      PassDrawingArrays(curves, output);
+      vtkImageData::GetData(outputs, 1)->ShallowCopy(cache.Labels);
+    });
+}
+
+void vtkOversketchClassify::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ContactShare: " << this->ContactShare << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "ClassificationCount: " << this->ClassificationCount << "\n";
+}

@@ -1,0 +1,320 @@
+#include "vtkOversketchDrawingTools.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace oversketch
+{
+namespace
+{
+
+const char* const classArrays[] = { "Role", "RegionId", "ChildRegionId", "ObjectId" };
+
+template <typename Array, typename Value>
+void addArray(vtkDataSetAttributes* to, const char* name, const std::vector<Value>& values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  to->AddArray(array);
+}
+
+template <typename Value>
+std::vector<Value> valuesOf(vtkImageData* image, const char* name)
+{
+  vtkDataArray* array = RequireArray(image->GetPointData(),
+    name,
+    1,
+    image->GetNumberOfPoints(),
+    "distance image",
+    "take it from vtkOversketchDistance");
+  std::vector<Value> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = static_cast<Value>(array->GetComponent(static_cast<vtkIdType>(i), 0));
+  }
+  return values;
+}
+
+[[noreturn]] void contradiction(std::size_t stroke, const std::string& what)
+{
+  throw Error(Failure::BadStroke,
+    "Stroke " + std::to_string(stroke) + " " + what +
+      "; take the curves from vtkOversketchClassify as it put them out.");
+}
+
+} // namespace
+
+Frame RasterOf(vtkPolyData* curves)
+{
+  vtkDataArray* array = curves->GetFieldData()->GetArray("Resolution");
+  const bool given = array && array->GetNumberOfTuples() > 0;
+  return given ? frameOf(CanvasOf(curves), static_cast<int>(array->GetComponent(0, 0)))
+               : frameOf(CanvasOf(curves));
+}
+
+std::vector<Treatment> TreatmentsOf(vtkPolyData* curves)
+{
+  std::vector<Treatment> treatments(static_cast<std::size_t>(curves->GetNumberOfCells()), Treatment::Fill);
+  if (curves->GetCellData()->HasArray("Treatment"))
+  {
+    vtkDataArray* array = RequireArray(curves->GetCellData(),
+      "Treatment",
+      1,
+      curves->GetNumberOfCells(),
+      "drawing",
+      "it is one number for each stroke");
+    for (std::size_t i = 0; i < treatments.size(); ++i)
+    {
+      const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
+      if (value != 0.0 && value != 1.0 && value != 2.0)
+      {
+        throw Error(Failure::BadStroke,
+          "Treatment of stroke " + std::to_string(i) + " is none: 0 fills, 1 is a hole, 2 a tunnel.");
+      }
+      treatments[i] = static_cast<Treatment>(static_cast<int>(value));
+    }
+  }
+  return treatments;
+}
+
+Drawing DrawingOf(vtkPolyData* curves)
+{
+  Drawing drawing;
+  drawing.Rectangle = CanvasOf(curves);
+  drawing.Raster = RasterOf(curves);
+  const std::vector<DrawnLine> lines = ReadStrokes(curves, 1);
+  for (const DrawnLine& line : lines)
+  {
+    drawing.Strokes.push_back({ line.Samples, line.Closed });
+  }
+  drawing.Treatments = TreatmentsOf(curves);
+  return drawing;
+}
+
+Classification ClassificationOf(vtkPolyData* curves)
+{
+  const vtkIdType count = curves->GetNumberOfCells();
+  vtkDataArray* arrays[4];
+  std::transform(std::begin(classArrays),
+    std::end(classArrays),
+    arrays,
+    [&](const char* name)
+    {
+      return RequireArray(
+        curves->GetCellData(), name, 1, count, "drawing", "take the curves from vtkOversketchClassify");
+    });
+  Classification result;
+  result.strokes.resize(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < result.strokes.size(); ++i)
+  {
+    const auto value = [&](int array)
+    { return static_cast<int>(arrays[array]->GetComponent(static_cast<vtkIdType>(i), 0)); };
+    StrokeClass& stroke = result.strokes[i];
+    if (value(0) < static_cast<int>(Role::Rejected) || value(0) > static_cast<int>(Role::OpenFeature) ||
+        value(0) == static_cast<int>(Role::Unknown))
+    {
+      contradiction(i, "has no Role");
+    }
+    stroke.role = static_cast<Role>(value(0));
+    stroke.region = value(1);
+    stroke.childRegion = value(2);
+    stroke.object = value(3);
+    result.objects = std::max(result.objects, stroke.object + 1);
+    const bool bounds = stroke.role == Role::Boundary || stroke.role == Role::ClosedFeature;
+    if (bounds)
+    {
+      // Regions are numbered in the strokes' order.
+      Region region;
+      region.stroke = static_cast<int>(i);
+      region.parent = stroke.role == Role::ClosedFeature ? stroke.region : -1;
+      region.object = stroke.object;
+      const int number = stroke.role == Role::Boundary ? stroke.region : stroke.childRegion;
+      if (number != static_cast<int>(result.regions.size()))
+      {
+        contradiction(i, "does not bound the next region");
+      }
+      result.regions.push_back(region);
+    }
+  }
+  const int regions = static_cast<int>(result.regions.size());
+  for (std::size_t i = 0; i < result.strokes.size(); ++i)
+  {
+    const StrokeClass& stroke = result.strokes[i];
+    if (stroke.role == Role::Rejected)
+    {
+      continue;
+    }
+    if (stroke.region < 0 || stroke.region >= regions || stroke.object < 0 ||
+        result.regions[stroke.region].object != stroke.object)
+    {
+      contradiction(i, "lies in a region that there is not, or that is of another object");
+    }
+    Region& region = result.regions[stroke.region];
+    if (stroke.role != Role::Boundary)
+    {
+      region.features.push_back(static_cast<int>(i));
+    }
+    if (stroke.role == Role::ClosedFeature)
+    {
+      region.children.push_back(stroke.childRegion);
+    }
+  }
+  for (int r = 0; r < regions; ++r)
+  {
+    Region& region = result.regions[r];
+    for (int around = region.parent; around >= 0; around = result.regions[around].parent)
+    {
+      if (++region.depth > regions)
+      {
+        contradiction(region.stroke, "lies in a region that it is round");
+      }
+    }
+  }
+  return result;
+}
+
+void WriteClassification(const Classification& classification, vtkPolyData* curves)
+{
+  std::vector<int> values[4];
+  for (const StrokeClass& stroke : classification.strokes)
+  {
+    values[0].push_back(static_cast<int>(stroke.role));
+    values[1].push_back(stroke.region);
+    values[2].push_back(stroke.childRegion);
+    values[3].push_back(stroke.object);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    addArray<vtkIntArray>(curves->GetCellData(), classArrays[i], values[i]);
+  }
+}
+
+MeshKey DrawingKey(vtkPolyData* curves)
+{
+  std::vector<vtkDataArray*> arrays{ curves->GetFieldData()->GetArray("Canvas"),
+    curves->GetFieldData()->GetArray("Resolution"),
+    curves->GetCellData()->GetArray("Treatment") };
+  for (const char* name : classArrays)
+  {
+    arrays.push_back(curves->GetCellData()->GetArray(name));
+  }
+  return MeshKey(curves, arrays);
+}
+
+DistanceMaps DistanceMapsOf(vtkImageData* image, const Context& context)
+{
+  DistanceMaps maps;
+  maps.frame = FrameOf(image);
+  maps.object = valuesOf<int>(image, "Object");
+  maps.distance = valuesOf<float>(image, "T");
+  findThickness(maps, ThicknessMode::Local, context);
+  maps.thickness = valuesOf<float>(image, "LocalMax");
+  maps.skeleton = valuesOf<std::uint8_t>(image, "Skeleton");
+  return maps;
+}
+
+void WriteDistanceMaps(const DistanceMaps& maps, vtkImageData* image)
+{
+  WriteFrame(maps.frame, image);
+  vtkPointData* data = image->GetPointData();
+  addArray<vtkFloatArray>(data, "T", maps.distance);
+  addArray<vtkFloatArray>(data, "LocalMax", maps.thickness);
+  addArray<vtkUnsignedCharArray>(data, "Skeleton", maps.skeleton);
+  addArray<vtkIntArray>(data, "Object", maps.object);
+  data->SetActiveScalars("T");
+}
+
+MeshKey ImageKey(vtkImageData* image)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    arrays.push_back(image->GetPointData()->GetArray(i));
+  }
+  vtkNew<vtkPolyData> none;
+  return MeshKey(none, arrays);
+}
+
+void WriteFrame(const Frame& frame, vtkImageData* image)
+{
+  image->SetDimensions(frame.width, frame.height, 1);
+  image->SetOrigin(frame.origin[0], frame.origin[1], 0.0);
+  image->SetSpacing(frame.spacing, frame.spacing, frame.spacing);
+}
+
+Frame FrameOf(vtkImageData* image)
+{
+  const PicturePlace place = PlaceOf(image);
+  if (place.Spacing[0] != place.Spacing[1] || place.Columns < 3 || place.Rows < 3)
+  {
+    throw Error(Failure::BadStroke,
+      "The distance image has no square pixels or too few of them; take it from vtkOversketchDistance.");
+  }
+  return { place.Origin, place.Spacing[0], place.Columns, place.Rows };
+}
+
+int FillImagePort(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkImageData" : "vtkPolyData");
+  return 1;
+}
+
+int DescribeImage(vtkAlgorithm* self,
+  vtkInformation* output,
+  int scalarType,
+  const std::function<Frame(vtkPolyData* curves)>& frame)
+{
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  double origin[3] = { 0.0, 0.0, 0.0 }, spacing[3] = { 1.0, 1.0, 1.0 };
+  if (self->GetNumberOfInputConnections(0) > 0)
+  {
+    vtkAlgorithmOutput* source = self->GetInputConnection(0, 0);
+    if (!source->GetProducer()->GetExecutive()->Update(source->GetIndex()))
+    {
+      return 0;
+    }
+    auto* curves = vtkPolyData::SafeDownCast(self->GetInputDataObject(0, 0));
+    if (curves && curves->GetNumberOfPoints() > 0)
+    {
+      try
+      {
+        const Frame raster = frame(curves);
+        extent[1] = raster.width - 1;
+        extent[3] = raster.height - 1;
+        extent[5] = 0;
+        std::copy_n(raster.origin.data(), 2, origin);
+        std::fill_n(spacing, 3, raster.spacing);
+      }
+      catch (const Error&)
+      {
+        extent[1] = -1;
+      }
+    }
+  }
+  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  output->Set(vtkDataObject::ORIGIN(), origin, 3);
+  output->Set(vtkDataObject::SPACING(), spacing, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(output, scalarType, 1);
+  return 1;
+}
+
+} // namespace oversketch

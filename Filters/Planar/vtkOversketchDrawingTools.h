@@ -1,0 +1,115 @@
+/**
+ * A drawing, what its strokes are, and its distance maps, from curves and images and back. Free functions,
+ * for use in the .cxx of filters; not wrapped. README.md of this folder lists the arrays.
+ */
+#ifndef vtkOversketchDrawingTools_h
+#define vtkOversketchDrawingTools_h
+
+#include "OversketchFiltersPlanarModule.h" // For export macro
+
+#include "Raster/classify.h"
+#include "Raster/distance_maps.h"
+#include "vtkOversketchCanvasTools.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkImageData;
+class vtkInformation;
+class vtkPolyData;
+
+namespace oversketch
+{
+
+/**
+ * The strokes of a drawing on their canvas; stroke i is cell i of the curves.
+ */
+struct Drawing
+{
+  Canvas Rectangle;
+  Frame Raster; // by field array Resolution, 1024 px without it
+  std::vector<DrawnStroke> Strokes;
+  std::vector<Treatment> Treatments; // Fill where there is no array Treatment
+
+  /**
+   * The distance of samples that the paper calls h [world].
+   */
+  double Spacing() const { return SampleSpacing(this->Rectangle); }
+};
+
+/**
+ * Throws what ReadStrokes and CanvasOf do, Error(BadStroke) for a Treatment that is none or a Resolution that
+ * frameOf refuses.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT Drawing DrawingOf(vtkPolyData* curves);
+
+/**
+ * The raster of a drawing, see there; the same errors.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT Frame RasterOf(vtkPolyData* curves);
+
+/**
+ * What becomes of the inside of each stroke, see there.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT std::vector<Treatment> TreatmentsOf(vtkPolyData* curves);
+
+/**
+ * What the strokes are, from the cell arrays that vtkOversketchClassify writes: roles, regions, objects. Why
+ * a stroke was rejected, contacts, areas and their labels are not in them. Throws Error(MissingArray) for an
+ * absent array, Error(BadStroke) naming the stroke where they contradict each other.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT Classification ClassificationOf(vtkPolyData* curves);
+
+/**
+ * Writes the cell arrays Role, RegionId, ChildRegionId and ObjectId.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT void WriteClassification(const Classification& classification,
+  vtkPolyData* curves);
+
+/**
+ * All that a drawing and its classification are made of: for keys of what was made of them.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT MeshKey DrawingKey(vtkPolyData* curves);
+
+/**
+ * The maps that vtkOversketchDistance wrote; `uphill` is found again. Throws Error(MissingArray) for an
+ * absent array, Error(BadStroke) for an image that is no raster of square pixels in the plane.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT DistanceMaps DistanceMapsOf(vtkImageData* image, const Context& context);
+
+/**
+ * Writes the image with its arrays T, LocalMax, Skeleton and Object.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT void WriteDistanceMaps(const DistanceMaps& maps, vtkImageData* image);
+
+/**
+ * What tells distance images apart.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT MeshKey ImageKey(vtkImageData* image);
+
+/**
+ * Gives an image the samples of a raster, without arrays; and the raster of an image.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT void WriteFrame(const Frame& frame, vtkImageData* image);
+OVERSKETCHFILTERSPLANAR_EXPORT Frame FrameOf(vtkImageData* image);
+
+/**
+ * For the FillOutputPortInformation of a filter with curves or faces on port 0 and an image on port 1.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT int FillImagePort(int port, vtkInformation* information);
+
+/**
+ * For the RequestInformation of such a filter: extent, spacing and origin of the image on port 1, and its
+ * scalars' type (VTK_INT, ...). The raster depends on the data on port 0, which are therefore updated now;
+ * where they are none that a raster can be made for, the extent is empty and RequestData says why. Returns 0
+ * when that update failed.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT int DescribeImage(vtkAlgorithm* self,
+  vtkInformation* output,
+  int scalarType,
+  const std::function<Frame(vtkPolyData* curves)>& frame);
+
+} // namespace oversketch
+#endif

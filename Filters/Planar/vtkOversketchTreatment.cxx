@@ -1,0 +1,116 @@
+#include "vtkOversketchTreatment.h"
+
+#include "vtkOversketchDrawingTools.h"
+
+#include "vtkCellData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <charconv>
+
+using namespace oversketch;
+
+vtkStandardNewMacro(vtkOversketchTreatment);
+
+namespace
+{
+
+// The stroke numbers of a list.
+std::vector<int> numbersOf(std::string text, const char* parameter)
+{
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::vector<int> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at = std::find_if(at, end, [](char c) { return c != ' '; }), at != end)
+  {
+    int number = 0;
+    const std::from_chars_result read = std::from_chars(at, end, number);
+    if (read.ec != std::errc() || (read.ptr != end && *read.ptr != ' '))
+    {
+      throw Error(Failure::BadStroke,
+        std::string(parameter) + " is \"" + text + "\"; give numbers of strokes, such as \"1 4\".");
+    }
+    numbers.push_back(number);
+    at = read.ptr;
+  }
+  return numbers;
+}
+
+} // namespace
+
+void vtkOversketchTreatment::SetHoles(const char* text)
+{
+  SetText(this, this->Holes, text);
+}
+
+void vtkOversketchTreatment::SetTunnels(const char* text)
+{
+  SetText(this, this->Tunnels, text);
+}
+
+int vtkOversketchTreatment::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+      if (curves->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const Classification classification = ClassificationOf(curves);
+      const std::vector<Treatment> given = TreatmentsOf(curves);
+      const int count = static_cast<int>(given.size());
+      std::vector<Treatment> treatments = given;
+      std::vector<char> named(given.size(), 0);
+      const auto treat = [&](const std::string& list, const char* parameter, Treatment treatment)
+      {
+        for (const int stroke : numbersOf(list, parameter))
+        {
+          const std::string who = std::string(parameter) + " names stroke " + std::to_string(stroke);
+          if (stroke < 0 || stroke >= count)
+          {
+            throw Error(
+              Failure::BadStroke, who + ", but there are " + std::to_string(count) + ", numbered from 0.");
+          }
+          if (classification.strokes[stroke].role != Role::ClosedFeature)
+          {
+            throw Error(Failure::BadStroke,
+              who + ", which is no closed stroke inside another; close it, or name one that is.");
+          }
+          if (named[stroke] && treatments[stroke] != treatment)
+          {
+            throw Error(Failure::BadStroke, who + ", which Holes names too; name it once.");
+          }
+          treatments[stroke] = treatment;
+          named[stroke] = 1;
+        }
+      };
+      treat(this->Holes, "Holes", Treatment::Hole);
+      treat(this->Tunnels, "Tunnels", Treatment::Tunnel);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      output->ShallowCopy(curves);
+      vtkNew<vtkIntArray> array;
+      array->SetName("Treatment");
+      for (const Treatment treatment : treatments)
+      {
+        array->InsertNextValue(static_cast<int>(treatment));
+      }
+      output->GetCellData()->AddArray(array);
+    });
+}
+
+void vtkOversketchTreatment::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Holes: " << this->Holes << "\n";
+  os << indent << "Tunnels: " << this->Tunnels << "\n";
+}

@@ -1,0 +1,254 @@
+#include "vtkOversketchCanvasTools.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <sstream>
+
+namespace oversketch
+{
+namespace
+{
+
+// What says of a stroke how it was seen.
+bool isViewArray(const char* name)
+{
+  const char* const names[] = { "ViewTransform", "ProjectionTransform", "ViewportSize", "Moved" };
+  return name && std::any_of(std::begin(names),
+                   std::end(names),
+                   [&](const char* each) { return std::strcmp(each, name) == 0; });
+}
+
+void passMissing(vtkFieldData* from, vtkFieldData* to)
+{
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(i);
+    if (!isViewArray(array->GetName()) && !(array->GetName() && to->HasArray(array->GetName())))
+    {
+      to->AddArray(array);
+    }
+  }
+}
+
+} // namespace
+
+std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least)
+{
+  const vtkIdType count = strokes->GetNumberOfLines();
+  if (count == 0 || count != strokes->GetNumberOfCells())
+  {
+    throw Error(Failure::BadStroke,
+      "The stroke input must hold polylines and no other cells: a stroke is one polyline.");
+  }
+  std::vector<DrawnLine> lines(static_cast<std::size_t>(count));
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    DrawnLine& line = lines[static_cast<std::size_t>(cell)];
+    strokes->GetLines()->GetCellAtId(cell, ids);
+    const vtkIdType size = ids->GetNumberOfIds();
+    line.Closed = size > 3 && ids->GetId(0) == ids->GetId(size - 1);
+    std::ostringstream message;
+    message << "Stroke " << cell << " cannot be used: ";
+    for (vtkIdType i = 0; i < (line.Closed ? size - 1 : size); ++i)
+    {
+      const vtkIdType id = ids->GetId(i);
+      Vector3 p = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+      if (id >= 0 && id < strokes->GetNumberOfPoints())
+      {
+        strokes->GetPoint(id, p.data());
+      }
+      if (!p.head<2>().allFinite())
+      {
+        message << "sample " << i << " is not finite or does not exist; record the stroke again.";
+        throw Error(Failure::BadStroke, message.str());
+      }
+      line.Ids.push_back(id);
+      line.Samples.push_back(p.head<2>());
+    }
+    if (static_cast<int>(line.Samples.size()) < least)
+    {
+      message << "it has " << line.Samples.size() << (line.Samples.size() == 1 ? " sample" : " samples")
+              << "; at least " << least << (least == 1 ? " is" : " are") << " needed: draw a longer stroke.";
+      throw Error(Failure::BadStroke, message.str());
+    }
+  }
+  return lines;
+}
+
+MeshKey CurvesKey(vtkPolyData* curves, const std::vector<const char*>& cellArrays)
+{
+  std::vector<vtkDataArray*> arrays{ curves->GetFieldData()->GetArray("Canvas") };
+  for (int i = 0; i < curves->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    arrays.push_back(curves->GetPointData()->GetArray(i));
+  }
+  for (const char* name : cellArrays)
+  {
+    arrays.push_back(curves->GetCellData()->GetArray(name));
+  }
+  return MeshKey(curves, arrays);
+}
+
+Canvas CanvasOf(vtkPolyData* curves)
+{
+  vtkDataArray* array = curves->GetFieldData()->GetArray("Canvas");
+  if (!array || array->GetNumberOfComponents() * array->GetNumberOfTuples() != 4)
+  {
+    throw Error(Failure::MissingArray,
+      "The curves have no field array Canvas of four numbers: take them from vtkOversketchCanvas.");
+  }
+  double values[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    values[i] = array->GetComponent(i / array->GetNumberOfComponents(), i % array->GetNumberOfComponents());
+  }
+  const Canvas canvas{ Vector2(values[0], values[1]), Vector2(values[2], values[3]) };
+  if (!canvas.corner.allFinite() || !canvas.size.allFinite() || canvas.size.minCoeff() <= 0.0)
+  {
+    throw Error(Failure::BadStroke,
+      "Field array Canvas has no extent or is not finite; it is x and y of the lower left corner, width and "
+      "height.");
+  }
+  return canvas;
+}
+
+void WriteCanvas(const Canvas& canvas, vtkPolyData* curves)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Canvas");
+  array->SetNumberOfComponents(4);
+  const double values[4] = { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] };
+  array->InsertNextTuple(values);
+  curves->GetFieldData()->AddArray(array);
+}
+
+PicturePlace PlaceOf(vtkImageData* picture)
+{
+  const int* dimensions = picture->GetDimensions();
+  if (dimensions[2] > 1)
+  {
+    throw Error(Failure::BadStroke,
+      "The picture has " + std::to_string(dimensions[2]) + " slices; give one slice across z.");
+  }
+  if (!picture->GetDirectionMatrix()->IsIdentity())
+  {
+    throw Error(Failure::BadStroke,
+      "The picture's direction matrix is not the identity; resample the picture along the axes.");
+  }
+  PicturePlace place;
+  const int* extent = picture->GetExtent();
+  place.Spacing = Vector2(picture->GetSpacing());
+  place.Origin = Vector2(picture->GetOrigin()) + place.Spacing.cwiseProduct(Vector2(extent[0], extent[2]));
+  place.Columns = picture->GetNumberOfPoints() > 0 ? dimensions[0] : 0;
+  place.Rows = dimensions[1];
+  place.Rectangle = pictureCanvas(place.Origin, place.Spacing, place.Columns, place.Rows);
+  return place;
+}
+
+bool FillPicturePort(int port, vtkInformation* information)
+{
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return port == 1;
+}
+
+double SampleSpacing(const Canvas& canvas)
+{
+  return 0.005 * canvas.longest();
+}
+
+bool HasLength(const Polyline& points)
+{
+  return std::any_of(points.begin(), points.end(), [&](const Vector2& p) { return p != points.front(); });
+}
+
+void WriteCurves(const std::vector<CanvasStroke>& curves, const Canvas& canvas, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkDoubleArray> arcs;
+  arcs->SetName("ArcLength");
+  vtkNew<vtkIntArray> ids, closed;
+  ids->SetName("StrokeId");
+  closed->SetName("Closed");
+  for (const CanvasStroke& curve : curves)
+  {
+    const std::vector<double> lengths = arcLengths(curve.points);
+    lines->InsertNextCell(static_cast<int>(curve.points.size()) + curve.closed);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (std::size_t i = 0; i < curve.points.size(); ++i)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(curve.points[i][0], curve.points[i][1], 0.0));
+      arcs->InsertNextValue(lengths[i]);
+    }
+    if (curve.closed)
+    {
+      lines->InsertCellPoint(first);
+    }
+    ids->InsertNextValue(static_cast<int>(ids->GetNumberOfTuples()));
+    closed->InsertNextValue(curve.closed);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetPointData()->AddArray(arcs);
+  output->GetCellData()->AddArray(ids);
+  output->GetCellData()->AddArray(closed);
+  WriteCanvas(canvas, output);
+}
+
+void CarryPointArrays(vtkPolyData* input,
+  const std::vector<DrawnLine>& curves,
+  const std::vector<std::vector<Blend>>& places,
+  vtkPolyData* output)
+{
+  vtkNew<vtkPointData> carried;
+  vtkPointData* from = input->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  for (int i = 0; i < to->GetNumberOfArrays(); ++i)
+  {
+    carried->CopyFieldOff(to->GetArrayName(i));
+  }
+  carried->InterpolateAllocate(from);
+  vtkIdType id = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    for (const Blend& place : places[i])
+    {
+      carried->InterpolateEdge(from, id++, curves[i].Ids[place.from], curves[i].Ids[place.to], place.t);
+    }
+  }
+  for (int i = 0; i < carried->GetNumberOfArrays(); ++i)
+  {
+    to->AddArray(carried->GetAbstractArray(i));
+  }
+}
+
+void PassDrawingArrays(vtkPolyData* input, vtkPolyData* output)
+{
+  passMissing(input->GetCellData(), output->GetCellData());
+  passMissing(input->GetFieldData(), output->GetFieldData());
+}
+
+} // namespace oversketch

@@ -1,0 +1,355 @@
+#include "vtkOversketchMagneticSnap.h"
+
+#include "Planar/approximate.h"
+#include "Stroke/livewire.h"
+#include "Stroke/resample.h"
+#include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchKept.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace oversketch;
+
+namespace
+{
+
+constexpr double usualRadius = 10.0; // px of the picture
+
+// A stroke as it is searched for [px of the picture].
+struct Question
+{
+  Polyline Pixels;
+  bool Closed = false;
+  std::vector<int> Seeds;
+  double Radius = usualRadius;
+
+  bool operator==(const Question& other) const
+  {
+    return this->Closed == other.Closed && this->Radius == other.Radius && this->Seeds == other.Seeds &&
+           this->Pixels == other.Pixels;
+  }
+};
+
+template <typename Array, typename Value>
+std::vector<std::uint8_t> brightnessOf(vtkDataArray* scalars, const PicturePlace& place)
+{
+  vtkNew<Array> copy;
+  auto* values = Array::SafeDownCast(scalars);
+  if (!values)
+  {
+    copy->DeepCopy(scalars);
+    values = copy;
+  }
+  return luminance(
+    PictureView<Value>{ values->GetPointer(0), place.Columns, place.Rows, scalars->GetNumberOfComponents() });
+}
+
+EdgeFeatures edgesOf(vtkImageData* picture, const PicturePlace& place)
+{
+  vtkDataArray* scalars = picture->GetPointData()->GetScalars();
+  if (!scalars)
+  {
+    throw Error(Failure::MissingArray, "The picture has no scalars: read it from a file, or name them.");
+  }
+  std::vector<std::uint8_t> grey;
+  if (scalars->GetDataType() == VTK_UNSIGNED_CHAR)
+  {
+    grey = brightnessOf<vtkUnsignedCharArray, std::uint8_t>(scalars, place);
+  }
+  else if (scalars->GetDataType() == VTK_UNSIGNED_SHORT)
+  {
+    grey = brightnessOf<vtkUnsignedShortArray, std::uint16_t>(scalars, place);
+  }
+  else
+  {
+    throw Error(Failure::BadStroke,
+      std::string("The picture's scalars are of type ") + scalars->GetDataTypeAsString() +
+        "; give unsigned numbers of 8 or 16 bits.");
+  }
+  return edgeFeatures(grey, place.Columns, place.Rows);
+}
+
+// The seeds of a stroke, numbers of its samples: the approximation is made on even samples, of which each
+// lies between two of its own.
+std::vector<int> seedsOf(const DrawnLine& line, const Canvas& canvas)
+{
+  const std::vector<Blend> places = resampled(line.Samples, SampleSpacing(canvas), line.Closed);
+  Polyline even;
+  for (const Blend& place : places)
+  {
+    even.push_back(place.of(line.Samples));
+  }
+  std::vector<int> seeds;
+  for (const int vertex : approximateAlone(even, line.Closed, canvas.longest()))
+  {
+    const Blend& place = places[vertex];
+    const int sample = place.t < 0.5 || place.to < place.from ? place.from : place.to;
+    if (seeds.empty() || sample > seeds.back())
+    {
+      seeds.push_back(sample);
+    }
+  }
+  return seeds;
+}
+
+SnappedStroke asDrawn(const Polyline& points)
+{
+  SnappedStroke result{ points, std::vector<std::uint8_t>(points.size(), 0), {} };
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+  {
+    result.origins.push_back(Blend::point(i));
+  }
+  return result;
+}
+
+vtkDataArray* strokeArray(vtkPolyData* curves, const char* name)
+{
+  return curves->GetCellData()->HasArray(name) ? RequireArray(curves->GetCellData(),
+                                                   name,
+                                                   1,
+                                                   curves->GetNumberOfCells(),
+                                                   "drawing",
+                                                   "it is one number for each stroke")
+                                               : nullptr;
+}
+
+// Does the work for a stroke, whose number is put before what it says of it.
+template <typename Work>
+auto OfStroke(int stroke, const Work& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const Error& error)
+  {
+    throw Error(
+      error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what() + ".");
+  }
+}
+
+// What one execution reads.
+struct Search
+{
+  Canvas Rectangle;
+  std::vector<DrawnLine> Lines;
+  vtkDataArray* Magnetic;
+  vtkDataArray* Radii;
+  vtkImageData* Picture;
+  PicturePlace Place;
+  LivewireRules Rules;
+
+  Search(vtkPolyData* curves, vtkImageData* picture)
+    : Rectangle(CanvasOf(curves))
+    , Lines(ReadStrokes(curves, 1))
+    , Magnetic(strokeArray(curves, "Magnetic"))
+    , Radii(strokeArray(curves, "SnapRadius"))
+    , Picture(picture)
+  {
+    if (picture)
+    {
+      this->Place = PlaceOf(picture);
+    }
+  }
+  MeshKey ScalarsKey() const
+  {
+    vtkNew<vtkPolyData> none; // of which arrays are read
+    return MeshKey(none, { this->Picture ? this->Picture->GetPointData()->GetScalars() : nullptr });
+  }
+  bool IsMagnetic(int stroke) const
+  {
+    return this->Magnetic && this->Magnetic->GetComponent(stroke, 0) != 0.0 &&
+           HasLength(this->Lines[stroke].Samples);
+  }
+  Question Ask(int stroke) const
+  {
+    if (!this->Picture)
+    {
+      throw Error(Failure::BadStroke, "it is magnetic, and there is no picture; give one on input 1");
+    }
+    Question question;
+    const DrawnLine& line = this->Lines[stroke];
+    for (const Vector2& sample : line.Samples)
+    {
+      question.Pixels.push_back(this->Place.ToPixels(sample));
+    }
+    question.Closed = line.Closed;
+    question.Radius = this->Radii ? this->Radii->GetComponent(stroke, 0) : usualRadius;
+    if (!std::isfinite(question.Radius))
+    {
+      throw Error(Failure::BadStroke, "its SnapRadius is not finite; it is px of the picture");
+    }
+    question.Seeds = seedsOf(line, this->Rectangle);
+    return question;
+  }
+};
+
+} // namespace
+
+struct vtkOversketchMagneticSnap::Cache
+{
+  using Answers = std::vector<std::pair<Question, SnappedStroke>>;
+
+  KeptOutput Kept;
+  StepKey FeaturesKey, RulesKey;
+  std::unique_ptr<const EdgeFeatures> Features;
+  Answers Known; // of this and the last run's magnetic strokes
+
+  // The edges of the picture; found anew for another one, which answers have to be, too.
+  const EdgeFeatures& Edges(const Search& search, vtkIdType& count)
+  {
+    const StepKey key({ search.ScalarsKey() },
+      { static_cast<double>(search.Place.Columns), static_cast<double>(search.Place.Rows) });
+    if (!this->Features || this->FeaturesKey != key)
+    {
+      this->Features = nullptr;
+      this->Known.clear();
+      this->Features = std::make_unique<const EdgeFeatures>(edgesOf(search.Picture, search.Place));
+      this->FeaturesKey = key;
+      ++count;
+    }
+    return *this->Features;
+  }
+  const SnappedStroke* Find(const Question& question) const
+  {
+    const auto found = std::find_if(
+      this->Known.begin(), this->Known.end(), [&](const auto& answer) { return answer.first == question; });
+    return found == this->Known.end() ? nullptr : &found->second;
+  }
+};
+
+vtkStandardNewMacro(vtkOversketchMagneticSnap);
+
+vtkOversketchMagneticSnap::vtkOversketchMagneticSnap()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchMagneticSnap::~vtkOversketchMagneticSnap() = default;
+
+void vtkOversketchMagneticSnap::SetPictureData(vtkImageData* picture)
+{
+  this->SetInputData(1, picture);
+}
+
+int vtkOversketchMagneticSnap::FillInputPortInformation(int port, vtkInformation* information)
+{
+  return FillPicturePort(port, information) || this->Superclass::FillInputPortInformation(port, information);
+}
+
+int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+      if (curves->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      Search search(curves, vtkImageData::GetData(inputs[1]));
+      LivewireRules& rules = search.Rules;
+      rules.edgeAngle = vtkMath::RadiansFromDegrees(this->AsPublished ? 180.0 : this->EdgeAngle);
+      rules.sigma = this->AsPublished ? 0.0 : this->SnapSigma;
+      const StepKey rulesKey({}, { rules.edgeAngle, rules.sigma });
+      Cache& cache = *this->Internals;
+      if (cache.RulesKey != rulesKey)
+      {
+        cache.Known.clear();
+        cache.RulesKey = rulesKey;
+      }
+      const auto snap = [&](int stroke, const Context& context)
+      {
+        Question question = OfStroke(stroke, [&] { return search.Ask(stroke); });
+        const EdgeFeatures& edges = cache.Edges(search, this->EdgeCount);
+        const SnappedStroke* known = cache.Find(question);
+        if (!known)
+        {
+          ++this->SnapCount;
+          rules.radius = question.Radius;
+          cache.Known.emplace_back(question,
+            OfStroke(stroke,
+              [&]
+              { return snapped(edges, question.Pixels, question.Closed, question.Seeds, rules, context); }));
+          known = &cache.Known.back().second;
+        }
+        return std::make_pair(std::move(question), *known);
+      };
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      const PicturePlace& place = search.Place;
+      cache.Kept.Provide(StepKey({ CurvesKey(curves, { "Magnetic", "SnapRadius" }), search.ScalarsKey() },
+                           { rules.edgeAngle,
+                             rules.sigma,
+                             place.Origin[0],
+                             place.Origin[1],
+                             place.Spacing[0],
+                             place.Spacing[1],
+                             static_cast<double>(place.Columns),
+                             static_cast<double>(place.Rows) }),
+        output,
+        [&](vtkPolyData* result)
+        {
+          Cache::Answers answers;
+          std::vector<CanvasStroke> written;
+          std::vector<std::vector<Blend>> places;
+          vtkNew<vtkUnsignedCharArray> flags;
+          flags->SetName("Snapped");
+          const double share = 1.0 / static_cast<double>(search.Lines.size());
+          for (int i = 0; i < static_cast<int>(search.Lines.size()); ++i)
+          {
+            const Context context = ContextOf(this, share * i, share * (i + 1));
+            context.checkpoint(0.0);
+            const DrawnLine& line = search.Lines[i];
+            SnappedStroke stroke = asDrawn(line.Samples);
+            if (search.IsMagnetic(i))
+            {
+              answers.push_back(snap(i, context));
+              stroke = answers.back().second;
+            }
+            CanvasStroke curve{ {}, line.Closed };
+            for (std::size_t k = 0; k < stroke.points.size(); ++k)
+            {
+              // What was not moved keeps its bits.
+              curve.points.push_back(
+                stroke.snapped[k] ? place.ToWorld(stroke.points[k]) : stroke.origins[k].of(line.Samples));
+              flags->InsertNextValue(stroke.snapped[k]);
+            }
+            written.push_back(std::move(curve));
+            places.push_back(std::move(stroke.origins));
+          }
+          WriteCurves(written, search.Rectangle, result);
+          result->GetPointData()->AddArray(flags);
+          CarryPointArrays(curves, search.Lines, places, result);
+          cache.Known = std::move(answers);
+        });
+      PassDrawingArrays(curves, output);
+    });
+}
+
+void vtkOversketchMagneticSnap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "EdgeAngle: " << this->EdgeAngle << "\n";
+  os << indent << "SnapSigma: " << this->SnapSigma << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "EdgeCount: " << this->EdgeCount << "\n";
+  os << indent << "SnapCount: " << this->SnapCount << "\n";
+}

@@ -1,0 +1,115 @@
+/**
+ * @class vtkOversketchMagneticSnap
+ * @brief magnetic strokes of a drawing move to the edges of the picture under them
+ *
+ * Source: "Image-Assisted Modeling from Sketches", Sec. 2.1, Fig. 3: intelligent scissors that search within
+ * a fixed distance of the stroke, between seeds of its polyline approximation (tolerance 0.05 of the canvas's
+ * longest side), and replace it only where edges are strong; elsewhere what was drawn stays. Corridor,
+ * weights and thresholds are open there; Kernels/Stroke/livewire.h says what they are here. Departures: an
+ * edge counts only where it runs along the stroke (EdgeAngle), and what was replaced is smoothed (SnapSigma),
+ * since stairs of pixels breed false corners.
+ *
+ * Input 0 (Curves): curves of vtkOversketchCanvas. Cell arrays Magnetic, without which no stroke is, and
+ * SnapRadius, half the corridor's width [px of the picture; without it 10, less than 3 counts as 3]. Field
+ * array Canvas.
+ * Input 1 (Picture, vtkImageData, optional): one slice of 8 or 16 bits: grey, grey and alpha, RGB, RGB and
+ * alpha; transparent pixels count as they look on white. Without magnetic strokes it is not needed.
+ *
+ * Output 0 (Curves): the curves in their order; points in world space, z = 0, double: those on edges found,
+ * the others as they were to the bit. It has
+ * - point array Snapped, unsigned char: 1 on an edge found, else 0,
+ * - point array ArcLength, and those of the curves, interpolated,
+ * - the cell and field arrays of the curves.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray without Canvas, without the picture's
+ * scalars, or for Magnetic or SnapRadius of another size; BadStroke for a picture of other numbers, a
+ * magnetic stroke without a picture, and as vtkOversketchCanvas. Curves without points give an empty output
+ * silently.
+ *
+ * Deterministic: same result bit for bit for any number of threads. Cost: the edges of a picture, once, some
+ * 40 ms for a million pixels; then the corridor's pixels. Edges stay while the picture's scalars do, a
+ * stroke's result while stroke, picture and parameters do.
+ *
+ * @sa vtkOversketchCanvas vtkOversketchResample
+ */
+#ifndef vtkOversketchMagneticSnap_h
+#define vtkOversketchMagneticSnap_h
+
+#include "OversketchFiltersStrokeModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
+
+class vtkImageData;
+
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchMagneticSnap : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchMagneticSnap* New();
+  vtkTypeMacro(vtkOversketchMagneticSnap, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The picture that is drawn over, on port 1.
+   */
+  void SetPictureConnection(vtkAlgorithmOutput* picture) { this->SetInputConnection(1, picture); }
+  void SetPictureData(vtkImageData* picture);
+
+  ///@{
+  /**
+   * An edge whose tangent differs by more from the stroke's does not count [degrees, 0 to 180, default 45;
+   * 180, as published].
+   */
+  vtkSetClampMacro(EdgeAngle, double, 0.0, 180.0);
+  vtkGetMacro(EdgeAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * What was replaced is smoothed along itself with this deviation [px of the picture, 0 to 100, default 1;
+   * 0, as published].
+   */
+  vtkSetClampMacro(SnapSigma, double, 0.0, 100.0);
+  vtkGetMacro(SnapSigma, double);
+  ///@}
+
+  ///@{
+  /**
+   * As the paper prints it: EdgeAngle counts as 180, SnapSigma as 0. Default off.
+   */
+  vtkSetMacro(AsPublished, bool);
+  vtkGetMacro(AsPublished, bool);
+  vtkBooleanMacro(AsPublished, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many times edges of a picture have been found, and how many strokes have been searched for:
+   * executions that kept ones did not answer.
+   */
+  vtkGetMacro(EdgeCount, vtkIdType);
+  vtkGetMacro(SnapCount, vtkIdType);
+  ///@}
+
+protected:
+  vtkOversketchMagneticSnap();
+  ~vtkOversketchMagneticSnap() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchMagneticSnap(const vtkOversketchMagneticSnap&) = delete;
+  void operator=(const vtkOversketchMagneticSnap&) = delete;
+
+  double EdgeAngle = 45.0;
+  double SnapSigma = 1.0;
+  bool AsPublished = false;
+  vtkIdType EdgeCount = 0;
+  vtkIdType SnapCount = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
+};
+
+#endif

@@ -1,0 +1,297 @@
+#include "vtkOversketchRedraw.h"
+
+#include "vtkOversketchKept.h"
+#include "vtkOversketchStrokeTools.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+using namespace oversketch;
+
+struct vtkOversketchRedraw::Cache
+{
+  KeptOutput Kept;
+};
+
+vtkStandardNewMacro(vtkOversketchRedraw);
+
+namespace
+{
+
+constexpr double nearness = 0.02; // r_o of the specification, of the canvas's longest side
+
+// What a stroke is, and what it counts as without the array.
+struct StrokeArray
+{
+  const char* Name;
+  double Otherwise;
+};
+constexpr StrokeArray strokeArrays[] = { { "Magnetic", 0.0 }, { "SnapRadius", 10.0 }, { "Treatment", 0.0 } };
+
+double otherwise(const char* name)
+{
+  const auto found = std::find_if(std::begin(strokeArrays),
+    std::end(strokeArrays),
+    [&](const StrokeArray& each) { return name && std::strcmp(each.Name, name) == 0; });
+  return found == std::end(strokeArrays) ? 0.0 : found->Otherwise;
+}
+
+vtkSmartPointer<vtkDataArray> emptyLike(vtkDataArray* array, vtkIdType tuples)
+{
+  auto result = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  result->SetName(array->GetName());
+  result->SetNumberOfComponents(array->GetNumberOfComponents());
+  result->SetNumberOfTuples(tuples);
+  return result;
+}
+
+// The same array of another polydata, of the same size of tuples.
+vtkDataArray* counterpart(vtkDataArray* array, vtkDataSetAttributes* other)
+{
+  vtkDataArray* found = array->GetName() ? other->GetArray(array->GetName()) : nullptr;
+  return found && found->GetNumberOfComponents() == array->GetNumberOfComponents() ? found : nullptr;
+}
+
+// Numbers at the samples of one curve, one list for each component of each array.
+using Values = std::vector<std::vector<double>>;
+
+Values valuesAt(const std::vector<vtkDataArray*>& arrays, const std::vector<vtkIdType>& ids)
+{
+  Values values;
+  for (vtkDataArray* array : arrays)
+  {
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      values.emplace_back();
+      for (const vtkIdType id : ids)
+      {
+        values.back().push_back(array->GetComponent(id, c));
+      }
+    }
+  }
+  return values;
+}
+
+// The curves as corrections change them.
+struct Redrawn
+{
+  std::vector<CanvasStroke> Curves;
+  std::vector<Values> Numbers; // of each curve
+  std::vector<int> Sources;    // of each new curve, the correction
+
+  void Apply(const StrokeOnCanvas& fresh, const Values& freshNumbers, int number, const Canvas& canvas)
+  {
+    Correction correction;
+    try
+    {
+      correction =
+        corrected(this->Curves, fresh.Curve.points, nearness * canvas.longest(), SampleSpacing(canvas));
+    }
+    catch (const Error& error)
+    {
+      throw Error(
+        error.failure(), "Correction " + std::to_string(number) + " cannot be used: " + error.what() + ".");
+    }
+    if (correction.kind == Correction::New)
+    {
+      this->Curves.push_back(fresh.Curve);
+      this->Numbers.push_back(freshNumbers);
+      this->Sources.push_back(number);
+      return;
+    }
+    this->Curves[correction.stroke].points = correction.result.points;
+    Values& numbers = this->Numbers[correction.stroke];
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+    {
+      std::vector<double> blended;
+      for (const Origin& origin : correction.result.origins)
+      {
+        blended.push_back(origin.of(numbers[k], freshNumbers[k]));
+      }
+      numbers[k] = std::move(blended);
+    }
+  }
+};
+
+void writePointArrays(const std::vector<vtkDataArray*>& arrays, const Redrawn& redrawn, vtkPolyData* output)
+{
+  std::size_t list = 0;
+  for (vtkDataArray* array : arrays)
+  {
+    const auto written = emptyLike(array, output->GetNumberOfPoints());
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c, ++list)
+    {
+      vtkIdType id = 0;
+      for (const Values& numbers : redrawn.Numbers)
+      {
+        for (const double value : numbers[list])
+        {
+          written->SetComponent(id++, c, value);
+        }
+      }
+    }
+    output->GetPointData()->AddArray(written);
+  }
+}
+
+// A cell array with the tuples of the curves, which may be none, and those of new strokes.
+void writeCellArray(vtkDataArray* model,
+  vtkDataArray* old,
+  vtkDataArray* fresh,
+  const Redrawn& redrawn,
+  vtkPolyData* output)
+{
+  const vtkIdType count = static_cast<vtkIdType>(redrawn.Curves.size());
+  const vtkIdType before = count - static_cast<vtkIdType>(redrawn.Sources.size());
+  const auto written = emptyLike(model, count);
+  written->Fill(otherwise(model->GetName()));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    vtkDataArray* from = i < before ? old : fresh;
+    if (from)
+    {
+      written->SetTuple(i, i < before ? i : redrawn.Sources[static_cast<std::size_t>(i - before)], from);
+    }
+  }
+  output->GetCellData()->AddArray(written);
+}
+
+void writeCellArrays(vtkCellData* curves,
+  vtkCellData* corrections,
+  const Redrawn& redrawn,
+  vtkPolyData* output)
+{
+  for (int i = 0; i < curves->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = curves->GetArray(i);
+    if (array && array->GetName() && !output->GetCellData()->HasArray(array->GetName()))
+    {
+      writeCellArray(array, array, counterpart(array, corrections), redrawn, output);
+    }
+  }
+  for (const StrokeArray& each : strokeArrays)
+  {
+    vtkDataArray* array = corrections->GetArray(each.Name);
+    if (array && !output->GetCellData()->HasArray(each.Name))
+    {
+      writeCellArray(array, nullptr, array, redrawn, output);
+    }
+  }
+}
+
+MeshKey wholeKey(vtkPolyData* polyData)
+{
+  std::vector<const char*> names;
+  for (int i = 0; i < polyData->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    if (const char* name = polyData->GetCellData()->GetArrayName(i))
+    {
+      names.push_back(name);
+    }
+  }
+  return CurvesKey(polyData, names);
+}
+
+} // namespace
+
+vtkOversketchRedraw::vtkOversketchRedraw()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchRedraw::~vtkOversketchRedraw() = default;
+
+void vtkOversketchRedraw::SetCorrectionsData(vtkPolyData* strokes)
+{
+  this->SetInputData(1, strokes);
+}
+
+int vtkOversketchRedraw::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, information);
+}
+
+int vtkOversketchRedraw::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* corrections = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (curves->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      if (!corrections || corrections->GetNumberOfPoints() == 0)
+      {
+        output->ShallowCopy(curves);
+        return;
+      }
+      this->Internals->Kept.Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->CorrectionCount;
+          const Canvas canvas = CanvasOf(curves);
+          std::vector<vtkDataArray*> oldArrays, freshArrays;
+          for (int i = 0; i < curves->GetPointData()->GetNumberOfArrays(); ++i)
+          {
+            vtkDataArray* array = curves->GetPointData()->GetArray(i);
+            vtkDataArray* other = array ? counterpart(array, corrections->GetPointData()) : nullptr;
+            if (other && std::strcmp(array->GetName(), "ArcLength") != 0)
+            {
+              oldArrays.push_back(array);
+              freshArrays.push_back(other);
+            }
+          }
+          Redrawn redrawn;
+          for (const DrawnLine& line : ReadStrokes(curves, 1))
+          {
+            redrawn.Curves.push_back({ line.Samples, line.Closed });
+            redrawn.Numbers.push_back(valuesAt(oldArrays, line.Ids));
+          }
+          const std::vector<DrawnLine> lines = ReadStrokes(corrections, 1);
+          const Context context = ContextOf(this);
+          for (int i = 0; i < static_cast<int>(lines.size()); ++i)
+          {
+            const StrokeOnCanvas fresh = OntoCanvas(corrections, lines, i, canvas, "Correction");
+            std::vector<vtkIdType> ids;
+            for (const Blend& place : fresh.Places)
+            {
+              ids.push_back(lines[i].Ids[place.from]);
+            }
+            redrawn.Apply(fresh, valuesAt(freshArrays, ids), i, canvas);
+            context.checkpoint((i + 1.0) / static_cast<double>(lines.size()));
+          }
+          WriteCurves(redrawn.Curves, canvas, result);
+          writePointArrays(oldArrays, redrawn, result);
+          writeCellArrays(curves->GetCellData(), corrections->GetCellData(), redrawn, result);
+          PassDrawingArrays(curves, result);
+        });
+    });
+}
+
+void vtkOversketchRedraw::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CorrectionCount: " << this->CorrectionCount << "\n";
+}

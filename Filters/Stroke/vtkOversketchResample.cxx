@@ -1,0 +1,106 @@
+#include "vtkOversketchResample.h"
+
+#include "Stroke/resample.h"
+#include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchKept.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <string>
+
+using namespace oversketch;
+
+struct vtkOversketchResample::Cache
+{
+  KeptOutput Kept;
+};
+
+vtkStandardNewMacro(vtkOversketchResample);
+
+namespace
+{
+
+std::vector<Blend> placesOf(const DrawnLine& line, int stroke, double spacing)
+{
+  if (HasLength(line.Samples))
+  {
+    try
+    {
+      std::vector<Blend> places = resampled(line.Samples, spacing, line.Closed);
+      if (!line.Closed || places.size() > 2)
+      {
+        return places;
+      }
+    }
+    catch (const Error& error)
+    {
+      throw Error(
+        error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what() + ".");
+    }
+  }
+  std::vector<Blend> all;
+  for (int i = 0; i < static_cast<int>(line.Samples.size()); ++i)
+  {
+    all.push_back(Blend::point(i));
+  }
+  return all;
+}
+
+} // namespace
+
+vtkOversketchResample::vtkOversketchResample()
+  : Internals(new Cache)
+{
+}
+
+vtkOversketchResample::~vtkOversketchResample() = default;
+
+int vtkOversketchResample::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      if (input->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      this->Internals->Kept.Provide(StepKey({ CurvesKey(input) }, {}),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->ResamplingCount;
+          const Canvas canvas = CanvasOf(input);
+          const std::vector<DrawnLine> lines = ReadStrokes(input, 1);
+          const Context context = ContextOf(this);
+          std::vector<CanvasStroke> curves;
+          std::vector<std::vector<Blend>> places;
+          for (const DrawnLine& line : lines)
+          {
+            places.push_back(placesOf(line, static_cast<int>(places.size()), SampleSpacing(canvas)));
+            CanvasStroke curve{ {}, line.Closed };
+            for (const Blend& place : places.back())
+            {
+              curve.points.push_back(place.of(line.Samples));
+            }
+            curves.push_back(std::move(curve));
+            context.checkpoint(static_cast<double>(places.size()) / static_cast<double>(lines.size()));
+          }
+          WriteCurves(curves, canvas, result);
+          CarryPointArrays(input, lines, places, result);
+        });
+      PassDrawingArrays(input, output);
+    });
+}
+
+void vtkOversketchResample::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ResamplingCount: " << this->ResamplingCount << "\n";
+}
