@@ -89,7 +89,6 @@ struct vtkOversketchDrawingRepresentation::Internals
   vtkNew<vtkPlaneSource> canvas;
   vtkNew<vtkActor> paper, regions, curves;
   vtkNew<vtkPolyDataMapper> regionMapper, curveMapper;
-  vtkNew<vtkTriangleFilter> triangles;
   vtkNew<vtkTextActor> text;
   double box[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 0.0 };
 
@@ -111,10 +110,8 @@ vtkOversketchDrawingRepresentation::vtkOversketchDrawingRepresentation()
   vtkNew<vtkPolyDataMapper> paper;
   paper->SetInputConnection(inner.canvas->GetOutputPort());
   inner.paper->SetMapper(paper);
-  inner.triangles->PassLinesOff();
-  inner.regionMapper->SetInputConnection(inner.triangles->GetOutputPort());
   inner.regions->SetMapper(inner.regionMapper);
-  inner.regions->ForceTranslucentOn();
+  inner.regions->ForceOpaqueOn(); // blended all the same, in the order of RenderOpaqueGeometry
   inner.curves->SetMapper(inner.curveMapper);
   for (vtkActor* actor : { inner.paper.Get(), inner.regions.Get(), inner.curves.Get() })
   {
@@ -189,7 +186,10 @@ void vtkOversketchDrawingRepresentation::SetCurves(vtkPolyData* curves)
     lines.data->SetLines(lines.cells);
     regions.data->SetPolys(regions.cells);
     inner.curveMapper->SetInputData(lines.data);
-    inner.triangles->SetInputData(regions.data);
+    vtkNew<vtkTriangleFilter> triangles; // regions are not convex
+    triangles->SetInputData(regions.data);
+    triangles->Update();
+    inner.regionMapper->SetInputData(triangles->GetOutput());
     inner.regions->SetVisibility(regions.cells->GetNumberOfCells() > 0);
   }
   this->Modified();
@@ -243,23 +243,12 @@ int vtkOversketchDrawingRepresentation::RenderOpaqueGeometry(vtkViewport* viewpo
                : inner.picture->RenderOpaqueGeometry(viewport);
   }
   drawn += inner.paper->GetVisibility() ? inner.paper->RenderOpaqueGeometry(viewport) : 0;
+  drawn += inner.regions->GetVisibility() ? inner.regions->RenderOpaqueGeometry(viewport) : 0;
   if (this->GetText()[0] != '\0')
   {
     inner.text->RenderOpaqueGeometry(viewport); // makes what its overlay shows
   }
   return drawn + (inner.curves->GetVisibility() ? inner.curves->RenderOpaqueGeometry(viewport) : 0);
-}
-
-vtkTypeBool vtkOversketchDrawingRepresentation::HasTranslucentPolygonalGeometry()
-{
-  return this->Inner->regions->GetVisibility();
-}
-
-int vtkOversketchDrawingRepresentation::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
-{
-  return this->Inner->regions->GetVisibility()
-           ? this->Inner->regions->RenderTranslucentPolygonalGeometry(viewport)
-           : 0;
 }
 
 int vtkOversketchDrawingRepresentation::RenderOverlay(vtkViewport* viewport)

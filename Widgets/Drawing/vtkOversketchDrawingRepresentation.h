@@ -64,8 +64,6 @@ public:
   double* GetBounds() override VTK_SIZEHINT(6);
   void ReleaseGraphicsResources(vtkWindow* window) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
-  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
-  vtkTypeBool HasTranslucentPolygonalGeometry() override;
   int RenderOverlay(vtkViewport* viewport) override;
   ///@}
 
