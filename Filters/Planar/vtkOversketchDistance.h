@@ -22,7 +22,7 @@
  * vtkOversketchClassify; BadStroke for contradictions in them and for a rim that leaves the canvas. Curves
  * without points give empty outputs silently; without an object T is 0 and Object -1.
  *
- * Deterministic: same result bit for bit for any number of threads. Cost: some 20 ms at 1024 px. The image
+ * Deterministic: same result bit for bit for any number of threads. Cost: some 30 ms at 1024 px. The image
  * stays, as the same arrays, while the rims, the raster and the mode do: features and tunnels compute nothing
  * anew.
  *

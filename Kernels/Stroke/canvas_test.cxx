@@ -215,3 +215,34 @@ TEST(Correct, AWholeTurnReplacesTheWholeCurve)
   ASSERT_EQ(correction.kind, Correction::Replacement);
   EXPECT_EQ(correction.result.points, fresh);
 }
+
+TEST(Correct, AWholeTurnThatEndsShortOrGoesOnIsOneTurn)
+{
+  const Polyline old = circle(0.3, 200);
+  for (const double beyond : { -0.3, -0.06, -0.02, 0.0, 0.01, 0.06, 0.3, 2.0 })
+  {
+    for (const double way : { 1.0, -1.0 })
+    {
+      const Polyline fresh = arc(0.5, 0.5 + way * (2.0 * halfTurn + beyond), 0.305, 300);
+      const Correction correction = corrected({ { old, true } }, fresh, 0.02, 0.005);
+      ASSERT_EQ(correction.kind, Correction::Replacement) << beyond;
+      const Polyline& points = correction.result.points;
+      ASSERT_EQ(points.size(), correction.result.origins.size());
+      double turned = 0.0;
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const Vector2 &a = points[i], &b = points[(i + 1) % points.size()];
+        turned += std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+        EXPECT_GE(a.norm(), 0.3 * std::cos(halfTurn / 200) - 1e-9); // on a chord
+        EXPECT_LE(a.norm(), 0.305 + 1e-9);
+        EXPECT_GT(a[0] * b[1] - a[1] * b[0], 0.0) << "in the old curve's direction, " << beyond;
+        const Origin& origin = correction.result.origins[i];
+        if (origin.weight == 1.0)
+        {
+          EXPECT_LT((origin.after.of(fresh) - a).norm(), 1e-12);
+        }
+      }
+      EXPECT_NEAR(turned, 2.0 * halfTurn, 1e-9) << beyond;
+    }
+  }
+}

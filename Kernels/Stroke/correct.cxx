@@ -36,11 +36,29 @@ struct Ring
   }
   int count() const { return static_cast<int>(this->points.size()); }
   double length() const { return this->lengths.back(); }
-  double foot(const Vector2& to) const
+  // The places nearest to the points of another curve.
+  std::vector<double> feet(const Polyline& other) const
   {
-    const NearestPlace::Answer answer = NearestPlace(this->points, true)(to);
-    return this->lengths[answer.segment] +
-           answer.t * (this->lengths[answer.segment + 1] - this->lengths[answer.segment]);
+    const NearestPlace nearest(this->points, true);
+    std::vector<double> places;
+    for (const Vector2& point : other)
+    {
+      const NearestPlace::Answer answer = nearest(point);
+      places.push_back(this->lengths[answer.segment] +
+                       answer.t * (this->lengths[answer.segment + 1] - this->lengths[answer.segment]));
+    }
+    return places;
+  }
+  // How far round the other curve has come at each of its points: the way from foot to foot, each time the
+  // shorter one, negative against the curve's direction.
+  std::vector<double> travel(const std::vector<double>& feet) const
+  {
+    std::vector<double> way{ 0.0 };
+    for (std::size_t i = 1; i < feet.size(); ++i)
+    {
+      way.push_back(way.back() + std::remainder(feet[i] - feet[i - 1], this->length()));
+    }
+    return way;
   }
   Vector2 at(double place) const
   {
@@ -82,6 +100,20 @@ struct Ring
     return best;
   }
 };
+
+// A curve drawn all the way round another one, without what it goes over twice, in that one's direction.
+Resketched onceRound(const Polyline& fresh, const std::vector<double>& travel, double length)
+{
+  const auto end = std::find_if(
+    travel.begin() + 1, travel.end(), [&](double way) { return std::abs(way) >= length * (1.0 - 1e-9); });
+  Resketched result = unchanged(Polyline(fresh.begin(), fresh.begin() + (end - travel.begin())), true);
+  if (travel.back() < 0.0)
+  {
+    std::reverse(result.points.begin(), result.points.end());
+    std::reverse(result.origins.begin(), result.origins.end());
+  }
+  return result;
+}
 
 // The open part of a curve that stays, up to a place, as a curve of its own: the rest of it is what a stroke
 // with one end near replaces.
@@ -159,15 +191,21 @@ Resketched resketchClosed(const Polyline& old, const Polyline& fresh, double rea
     return unchanged(old, false);
   }
   const Ring ring(old);
-  const NearestPlace nearFresh(fresh);
-  double from = ring.foot(fresh.front()), to = ring.foot(fresh.back());
+  const std::vector<double> feet = ring.feet(fresh), travel = ring.travel(feet);
+  double from = feet.front(), to = feet.back();
+  if (std::abs(travel.back()) >= ring.length() * (1.0 - 1e-9))
+  {
+    return onceRound(fresh, travel, ring.length());
+  }
   if (from == to)
   {
-    // No arc, or all of the curve.
-    const bool whole = arcLengths(fresh).back() >= 0.5 * ring.length();
-    return whole ? unchanged(fresh, true) : unchanged(old, false);
+    return unchanged(old, false);
   }
-  if (ring.meanDistance(from, to, nearFresh) > ring.meanDistance(to, from, nearFresh))
+  // Both arcs are near a curve that goes most of the way round: it goes over one of them.
+  const NearestPlace nearFresh(fresh);
+  const bool most = std::abs(travel.back()) >= 0.5 * ring.length();
+  if (most ? travel.back() < 0.0
+           : ring.meanDistance(from, to, nearFresh) > ring.meanDistance(to, from, nearFresh))
   {
     std::swap(from, to);
   }

@@ -14,11 +14,13 @@ struct CanvasStroke
 };
 
 // resketch for a closed curve: of the two arcs between the places nearest to the new curve's ends, the one of
-// smaller mean distance to it is replaced. The other one is kept, and its samples outside the blends stay as
-// they are; where the blends would meet on it, both are shortened to its middle. The result begins with the
-// old curve's first sample if that is kept, and goes in the old curve's direction. When the arc that goes is
-// the whole curve, the new one is the result; when no arc remains to be replaced, the old one. Blends number
-// the points of `old` and `fresh`.
+// smaller mean distance to it is replaced; both are near a curve that goes more than half the way round, so
+// then it is the one that the curve goes over. The other one is kept, and its samples outside the blends stay
+// as they are; where the blends would meet on it, both are shortened to its middle. The result begins with
+// the old curve's first sample if that is kept, and goes in the old curve's direction. A new curve that goes
+// all the way round is the result, without what it goes over twice; so is one when the arc that goes is the
+// whole curve; when no arc remains to be replaced, the old one. Blends number the points of `old` and
+// `fresh`.
 Resketched resketchClosed(const Polyline& old,
   const Polyline& fresh,
   double reach = 6.0,

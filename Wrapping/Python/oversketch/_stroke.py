@@ -20,13 +20,11 @@ def stroke(points: Any, camera: Any, size: collections.abc.Sequence[int]) -> vtk
     Returns one polyline with the cell arrays ViewTransform, ProjectionTransform (16 values each, row-major) and ViewportSize,
     as the filters take it. Raises ValueError for points of another shape.
     """
-    import numpy
-
     places = _places(points, "points")
     width, height = _size(size)
     view, projection = camera.GetViewTransformMatrix(), camera.GetProjectionTransformMatrix(width / height, -1.0, 1.0)
     result = _polylines([places], [False])
-    _add_view(result, *(numpy.array([[m.GetElement(i // 4, i % 4) for i in range(16)]]) for m in (view, projection)), width, height)
+    _add_view(result, _rows(view), _rows(projection), (width, height))
     return result
 
 
@@ -58,7 +56,8 @@ def drawing(lines: collections.abc.Iterable[Any], image: Any,
     view[:3, 3] = -(x + across / 2), -(y + up / 2), -1.0
     projection[range(3), range(3)] = 2.0 / across, 2.0 / up, -1.0
     result = _polylines(places, [said is True for said in each])
-    _add_view(result, *(numpy.tile(m.reshape(1, 16), (len(places), 1)) for m in (view, projection)), width, height)
+    _add_view(result, numpy.tile(view.reshape(1, 16), (len(places), 1)), numpy.tile(projection.reshape(1, 16), (len(places), 1)),
+              (width, height))
     if closed is not None:
         _add(result.GetCellData(), "Closed", numpy.array([-1 if said is None else int(said) for said in each], dtype=numpy.intc))
     _add(result.GetFieldData(), "Canvas", numpy.array([[x, y, across, up]], dtype=float))
@@ -123,11 +122,17 @@ def _add(data: Any, name: str, values: Any) -> None:
     data.AddArray(array)
 
 
-def _add_view(strokes: vtkPolyData, view: Any, projection: Any, width: int, height: int) -> None:
+def _rows(matrix: Any) -> Any:
     import numpy
 
-    size = numpy.tile(numpy.array([[width, height]], dtype=numpy.intc), (len(view), 1))
-    for name, values in (("ViewTransform", view), ("ProjectionTransform", projection), ("ViewportSize", size)):
+    return numpy.array([[matrix.GetElement(row, column) for row in range(4) for column in range(4)]])
+
+
+def _add_view(strokes: vtkPolyData, view: Any, projection: Any, size: tuple[int, int]) -> None:
+    import numpy
+
+    sizes = numpy.tile(numpy.array([size], dtype=numpy.intc), (len(view), 1))
+    for name, values in (("ViewTransform", view), ("ProjectionTransform", projection), ("ViewportSize", sizes)):
         _add(strokes.GetCellData(), name, values)
 
 
