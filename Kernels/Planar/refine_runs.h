@@ -5,6 +5,7 @@
 #include "Planar/merge_quads.h"
 #include "Planar/planar_shapes.h"
 #include "Planar/refine.h"
+#include "Planar/splits.h"
 #include "Planar/terminal.h"
 #include "Planar/triangulate.h"
 
@@ -12,23 +13,6 @@ namespace oversketch_test
 {
 
 using namespace oversketch;
-
-// Splits asked for again are halved once more than before.
-inline void addSplits(std::vector<StrokeSplit>& splits, const std::vector<StrokeSplit>& more)
-{
-  const std::vector<StrokeSplit> before = splits;
-  for (StrokeSplit split : more)
-  {
-    for (const StrokeSplit& old : before)
-    {
-      if (old.stroke == split.stroke && old.start < split.end && split.start < old.end)
-      {
-        split.halvings = std::max(split.halvings, old.halvings + 1);
-      }
-    }
-    splits.push_back(split);
-  }
-}
 
 struct Rebuilt
 {
