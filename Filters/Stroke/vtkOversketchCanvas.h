@@ -11,8 +11,9 @@
  * Input 0 (Strokes): stroke polydata: polylines in display coordinates with cell arrays ViewTransform,
  * ProjectionTransform and ViewportSize. Any number of strokes, each with its own view. One that repeats its
  * first point id at the end is closed; so is one of which a cell array Closed, which may be absent, says 1;
- * one of which it says 0 is open. Jitter is not dropped. Input 1 (Picture, vtkImageData, optional): one
- * slice, drawn at z = 0; its samples are squares round their centres. Scalars are not read.
+ * one of which it says 0 is open. Jitter is not dropped.
+ * Input 1 (Picture, vtkImageData, optional): one slice, drawn at z = 0; its samples are squares round their
+ * centres. Scalars are not read.
  *
  * The canvas is the rectangle of the picture; without one that of the strokes' field array Canvas (x and y of
  * the lower left corner, width, height); else the viewport of the view, where all strokes share one that is
@@ -20,10 +21,14 @@
  *
  * Output 0 (Curves): one polyline per stroke, in their order, world space, z = 0, double; a closed one
  * repeats its first point id at the end. A stroke that leaves the canvas or is a mere dot is handed on as it
- * is, for vtkOversketchClassify to reject. Point arrays: ArcLength, double: from the curve's first point
- * [world]; those of the strokes (Pressure, Time). Cell arrays: StrokeId, int: the stroke's cell; Closed, int:
- * 1 for a closed one; those of the strokes (Magnetic, SnapRadius, Treatment) but the view and Moved, so that
- * nothing takes curves for strokes. Field array: Canvas, double[4].
+ * is, for vtkOversketchClassify to reject. It has
+ * - point array ArcLength, double: from the curve's first point [world],
+ * - the point arrays of the strokes (Pressure, Time),
+ * - cell array StrokeId, int: the stroke's cell,
+ * - cell array Closed, int: 1 for a closed one, else 0,
+ * - the cell arrays of the strokes (Magnetic, SnapRadius, Treatment) but the view and Moved, so that nothing
+ *   takes curves for strokes,
+ * - field array Canvas, double[4]: x and y of the lower left corner, width, height [world].
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray; BadStroke, naming the stroke, when
  * there is no polyline or there are other cells, for a stroke without samples, with one that is not finite, a

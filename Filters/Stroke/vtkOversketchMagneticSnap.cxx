@@ -128,6 +128,21 @@ vtkDataArray* strokeArray(vtkPolyData* curves, const char* name)
                                                : nullptr;
 }
 
+// Does the work for a stroke, whose number is put before what it says of it.
+template <typename Work>
+auto OfStroke(int stroke, const Work& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const Error& error)
+  {
+    throw Error(
+      error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what() + ".");
+  }
+}
+
 // What one execution reads.
 struct Search
 {
@@ -193,7 +208,7 @@ struct vtkOversketchMagneticSnap::Cache
   KeptOutput Kept;
   StepKey FeaturesKey, RulesKey;
   std::unique_ptr<const EdgeFeatures> Features;
-  Answers Known; // of the last run's magnetic strokes
+  Answers Known; // of this and the last run's magnetic strokes
 
   // The edges of the picture; found anew for another one, which answers have to be, too.
   const EdgeFeatures& Edges(const Search& search, vtkIdType& count)
@@ -263,25 +278,20 @@ int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
       }
       const auto snap = [&](int stroke, const Context& context)
       {
-        try
+        Question question = OfStroke(stroke, [&] { return search.Ask(stroke); });
+        const EdgeFeatures& edges = cache.Edges(search, this->EdgeCount);
+        const SnappedStroke* known = cache.Find(question);
+        if (!known)
         {
-          Question question = search.Ask(stroke);
-          const EdgeFeatures& edges = cache.Edges(search, this->EdgeCount);
-          if (const SnappedStroke* known = cache.Find(question))
-          {
-            return std::make_pair(std::move(question), *known);
-          }
           ++this->SnapCount;
           rules.radius = question.Radius;
-          SnappedStroke found =
-            snapped(edges, question.Pixels, question.Closed, question.Seeds, rules, context);
-          return std::make_pair(std::move(question), std::move(found));
+          cache.Known.emplace_back(question,
+            OfStroke(stroke,
+              [&]
+              { return snapped(edges, question.Pixels, question.Closed, question.Seeds, rules, context); }));
+          known = &cache.Known.back().second;
         }
-        catch (const Error& error)
-        {
-          throw Error(
-            error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what() + ".");
-        }
+        return std::make_pair(std::move(question), *known);
       };
       vtkPolyData* output = vtkPolyData::GetData(outputs);
       const PicturePlace& place = search.Place;

@@ -11,13 +11,15 @@
  *
  * Input 0 (Curves): curves of vtkOversketchCanvas. Cell arrays Magnetic, without which no stroke is, and
  * SnapRadius, half the corridor's width [px of the picture; without it 10, less than 3 counts as 3]. Field
- * array Canvas. Input 1 (Picture, vtkImageData, optional): one slice of 8 or 16 bits: grey, grey and alpha,
- * RGB, RGB and alpha; transparent pixels count as they look on white. Without magnetic strokes it is not
- * needed.
+ * array Canvas.
+ * Input 1 (Picture, vtkImageData, optional): one slice of 8 or 16 bits: grey, grey and alpha, RGB, RGB and
+ * alpha; transparent pixels count as they look on white. Without magnetic strokes it is not needed.
  *
  * Output 0 (Curves): the curves in their order; points in world space, z = 0, double: those on edges found,
- * the others as they were to the bit. Point arrays: Snapped, unsigned char, 1 on an edge found; ArcLength;
- * those of the curves, interpolated. Cell and field arrays are passed.
+ * the others as they were to the bit. It has
+ * - point array Snapped, unsigned char: 1 on an edge found, else 0,
+ * - point array ArcLength, and those of the curves, interpolated,
+ * - the cell and field arrays of the curves.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray without Canvas, without the picture's
  * scalars, or for Magnetic or SnapRadius of another size; BadStroke for a picture of other numbers, a

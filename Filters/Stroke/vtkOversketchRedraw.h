@@ -14,11 +14,12 @@
  * each with its view; any number, applied in their order.
  *
  * Output 0 (Curves): the curves in their order, then new ones; points in world space, z = 0, double; samples
- * outside the blends stay as they are. Without corrections, the input.
- * Point arrays: ArcLength; those that curves and corrections have both (Pressure, Time), blended as the
- * places are. Cell arrays: StrokeId, Closed; those of the curves. Of a new one, what the correction says;
- * else 0, SnapRadius
- * 10. Magnetic, SnapRadius and Treatment are made where only corrections have them. Field arrays are passed.
+ * outside the blends stay as they are. Without corrections, the input. It has
+ * - point array ArcLength, and those that curves and corrections have both (Pressure, Time), blended as the
+ *   places are,
+ * - cell arrays StrokeId and Closed, and those of the curves: of a new stroke what its correction says, else
+ * 0, of SnapRadius 10. Magnetic, SnapRadius and Treatment are made where only corrections have them,
+ * - the field arrays of the curves.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray without Canvas or a correction's view;
  * BadStroke, naming the stroke or the correction, as vtkOversketchCanvas, and for a correction without two

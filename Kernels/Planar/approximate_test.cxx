@@ -97,7 +97,7 @@ TEST(C6_1, CornersOfASquareAndAHexagon)
         }
         EXPECT_EQ(exact[0], 0);
         std::rotate(stroke.points.begin(), stroke.points.begin() + shift, stroke.points.end());
-        const Drawing drawing({ stroke });
+        const UnitDrawing drawing({ stroke });
         ApproximationRules rules;
         rules.mode = mode;
         std::set<std::pair<double, double>> found;
@@ -116,7 +116,7 @@ TEST(C6_1, CornersOfASquareAndAHexagon)
 TEST(C6_2, VerticesOfACircle)
 {
   const auto vertices = [](double radius, const ApproximationRules& rules)
-  { return Drawing({ circleStroke(0.5, 0.5, radius) }).polylines(rules)[0].samples.size(); };
+  { return UnitDrawing({ circleStroke(0.5, 0.5, radius) }).polylines(rules)[0].samples.size(); };
   EXPECT_EQ(vertices(0.1, fixedRules()), 4u);
   EXPECT_EQ(vertices(0.15, fixedRules()), 4u);
   for (const double radius : { 0.2, 0.25, 0.3, 0.35, 0.4, 0.45 })
@@ -143,7 +143,7 @@ TEST(C6_3, EverySampleIsNearItsSegment)
   {
     for (const int petals : { 3, 5, 7 })
     {
-      const Drawing drawing({ flower(0.4, petals),
+      const UnitDrawing drawing({ flower(0.4, petals),
         evenStroke({ { 0.4, 0.4 }, { 0.45, 0.55 }, { 0.6, 0.6 } }, false),
         circleStroke(0.5, 0.45, 0.03) });
       for (const StrokePolyline& polyline : drawing.polylines(fixedRules(tolerance)))
@@ -215,7 +215,7 @@ TEST(Approximate, CornersAreClusteredOncePerRun)
 
 TEST(Approximate, AdaptivePiecesAreAFourthAsFarAsTheBodyIsThick)
 {
-  const Drawing drawing({ flower(0.5, 5) });
+  const UnitDrawing drawing({ flower(0.5, 5) });
   const DrawnStroke& stroke = drawing.strokes[0];
   const StrokePolyline polyline = drawing.polylines()[0];
   EXPECT_GT(polyline.samples.size(), drawing.polylines(fixedRules())[0].samples.size());
@@ -242,7 +242,7 @@ TEST(Approximate, AdaptivePiecesAreAFourthAsFarAsTheBodyIsThick)
 TEST(Approximate, WhatIsHandedBackBecomesFiner)
 {
   // The stroke's first sample is no vertex's neighbour in particular: intervals go over it too.
-  const Drawing drawing({ polarStroke(
+  const UnitDrawing drawing({ polarStroke(
     0.5, 0.5, [](double) { return 0.4; }, 0.2) });
   const DrawnStroke& stroke = drawing.strokes[0];
   const std::vector<double> lengths = arcLengths(stroke.points, true);
@@ -283,16 +283,16 @@ TEST(Approximate, PolylinesOfStrokesThatDoNotMeetDoNotMeet)
     const double a = turn * i / 200, r = 0.3 * (1.0 + 0.3 * std::cos(5 * a)) - 0.012;
     along.emplace_back(0.5 + r * std::cos(a), 0.5 + r * std::sin(a));
   }
-  const Drawing close({ flower(0.3, 5), evenStroke(along, false) });
+  const UnitDrawing close({ flower(0.3, 5), evenStroke(along, false) });
   EXPECT_FALSE(meetSomewhere(close.lines(fixedRules())));
   EXPECT_FALSE(meetSomewhere(close.lines()));
 
-  const std::vector<StrokeLine> coarse = Drawing({ circleStroke(0.5, 0.5, 0.4) }).lines(fixedRules());
+  const std::vector<StrokeLine> coarse = UnitDrawing({ circleStroke(0.5, 0.5, 0.4) }).lines(fixedRules());
   const Vector2 off = (0.5 * (coarse[0].places[1] + coarse[0].places[2]) - Vector2(0.5, 0.5)).normalized();
   for (const double distance : { 0.37, 0.386 }) // on the chord, and wholly beyond it
   {
     const Vector2 centre = Vector2(0.5, 0.5) + distance * off;
-    const Drawing bump({ circleStroke(0.5, 0.5, 0.4), circleStroke(centre[0], centre[1], 0.008) });
+    const UnitDrawing bump({ circleStroke(0.5, 0.5, 0.4), circleStroke(centre[0], centre[1], 0.008) });
     const std::vector<StrokeLine> lines = bump.lines(fixedRules());
     EXPECT_FALSE(meetSomewhere(lines));
     EXPECT_GT(lines[0].places.size(), 8u) << distance;
@@ -308,7 +308,7 @@ TEST(Approximate, PolylinesOfStrokesThatDoNotMeetDoNotMeet)
     }
   }
   // Two strokes that run over each other, which no classification would let through.
-  const Drawing alone({ circleStroke(0.5, 0.5, 0.4) });
+  const UnitDrawing alone({ circleStroke(0.5, 0.5, 0.4) });
   std::vector<DrawnStroke> twice{ alone.strokes[0], alone.strokes[0] };
   std::vector<StrokeClass> classes{ alone.classes.strokes[0], alone.classes.strokes[0] };
   try
@@ -330,7 +330,7 @@ TEST(Approximate, OpenEndsJoinTheRim)
   const auto open = [](double to) { return evenStroke({ { 0.5, 0.5 }, { 0.5 + to, 0.503 } }, false); };
   for (const double gap : { 0.006, 0.0095, 0.0105, 0.02 })
   {
-    const Drawing drawing({ circleStroke(0.5, 0.5, 0.4), open(0.4 - gap) });
+    const UnitDrawing drawing({ circleStroke(0.5, 0.5, 0.4), open(0.4 - gap) });
     const std::vector<StrokePolyline> polylines = drawing.polylines();
     const StrokeJoin join = polylines[1].joins[1];
     EXPECT_EQ(polylines[1].joins[0].stroke, -1);
@@ -347,9 +347,9 @@ TEST(Approximate, OpenEndsJoinTheRim)
   // A hole's rim is joined too, a closed feature that stays filled is not.
   for (const Treatment treatment : { Treatment::Fill, Treatment::Hole })
   {
-    const Drawing drawing({ circleStroke(0.5, 0.5, 0.4),
-                            circleStroke(0.6, 0.5, 0.1),
-                            evenStroke({ { 0.3, 0.5 }, { 0.493, 0.5 } }, false) },
+    const UnitDrawing drawing({ circleStroke(0.5, 0.5, 0.4),
+                                circleStroke(0.6, 0.5, 0.1),
+                                evenStroke({ { 0.3, 0.5 }, { 0.493, 0.5 } }, false) },
       { Treatment::Fill, treatment, Treatment::Fill });
     EXPECT_EQ(drawing.polylines()[2].joins[1].stroke, treatment == Treatment::Hole ? 1 : -1);
   }
@@ -363,8 +363,8 @@ TEST(Approximate, WhatLiesInAHoleHasNoPolyline)
     evenStroke({ { 0.48, 0.5 }, { 0.52, 0.5 } }, false),
     evenStroke({ { 0.2, 0.45 }, { 0.2, 0.55 } }, false) };
   const Treatment fill = Treatment::Fill;
-  EXPECT_EQ(Drawing(strokes).polylines().size(), 5u);
-  const Drawing holed(strokes, { fill, fill, Treatment::Hole, fill, fill });
+  EXPECT_EQ(UnitDrawing(strokes).polylines().size(), 5u);
+  const UnitDrawing holed(strokes, { fill, fill, Treatment::Hole, fill, fill });
   std::vector<int> left;
   for (const StrokePolyline& polyline : holed.polylines())
   {

@@ -74,14 +74,14 @@ inline oversketch::DrawnStroke squareStroke(double low, double high)
 }
 
 // Strokes with all that the planar steps read of them. Throws where a stroke is rejected.
-struct Drawing
+struct UnitDrawing
 {
   std::vector<oversketch::DrawnStroke> strokes;
   std::vector<oversketch::Treatment> treatments;
   oversketch::Classification classes;
   oversketch::DistanceMaps maps;
 
-  explicit Drawing(std::vector<oversketch::DrawnStroke> drawn,
+  explicit UnitDrawing(std::vector<oversketch::DrawnStroke> drawn,
     std::vector<oversketch::Treatment> treated = {})
     : strokes(std::move(drawn))
     , treatments(std::move(treated))

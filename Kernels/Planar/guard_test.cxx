@@ -1,0 +1,145 @@
+// Facts of image-assisted.md, section 9, its amendment: no face turns over.
+#include "Planar/guard.h"
+
+#include "Harness/shapes.h"
+#include "Planar/refine_runs.h"
+#include "Planar/refine_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace oversketch;
+using namespace oversketch_test;
+
+namespace
+{
+
+// A star's base vertices: `count` at equal angles, the first a tip, and what the guard asks for: the sample
+// in the middle of each part of the stroke that it hands back.
+struct StarSamples
+{
+  StarSamples(const DrawnStroke& star, int count)
+    : lengths(arcLengths(star.points, true))
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = turn * i / count;
+      int nearest = 0;
+      for (int s = 0; s < static_cast<int>(star.points.size()); ++s)
+      {
+        const auto off = [&](int at)
+        {
+          const Vector2 d = star.points[at] - Vector2(0.5, 0.5);
+          return -(d[0] * std::cos(angle) + d[1] * std::sin(angle)) / d.norm();
+        };
+        nearest = off(s) < off(nearest) ? s : nearest;
+      }
+      samples.insert(nearest);
+    }
+  }
+
+  void refineAt(const StrokeSplit& split)
+  {
+    const auto at = [&](double length)
+    { return std::lower_bound(lengths.begin(), lengths.end(), length - 1e-12) - lengths.begin(); };
+    const int count = static_cast<int>(lengths.size()) - 1;
+    int from = static_cast<int>(at(split.start));
+    int to = split.end > lengths.back() - 1e-12 ? count + static_cast<int>(at(split.end - lengths.back()))
+                                                : static_cast<int>(at(split.end));
+    samples.insert((from + to) / 2 % count);
+  }
+
+  std::vector<double> lengths;
+  std::set<int> samples;
+};
+
+PlanarRefineResult refine(const CoarseDrawing& drawing,
+  int levels,
+  bool guard,
+  const Context& context = Context())
+{
+  PlanarRefineOptions options;
+  options.levels = levels;
+  options.guard = guard;
+  return refinePlanar(drawing.mesh, drawing.strokes, options, context);
+}
+
+} // namespace
+
+TEST(Guard, HandsBackWhereStrokesLeaveNoRoom)
+{
+  int mostRounds = 0;
+  struct Star
+  {
+    double a;
+    int tips, base;
+  };
+  for (const auto& [a, tips, base] :
+    std::vector<Star>{ { 0.4, 7, 7 }, { 0.4, 7, 14 }, { 0.5, 9, 18 }, { 0.2, 12, 12 }, { 0.2, 12, 24 } })
+  {
+    const DrawnStroke star = starStroke(a, tips);
+    StarSamples samples(star, base);
+    const auto drawing = [&] {
+      return polygonDrawing(star, { samples.samples.begin(), samples.samples.end() });
+    };
+    const int published = refine(drawing(), 3, false).inverted;
+    EXPECT_GT(published, 0) << tips;
+    int rounds = 0;
+    PlanarRefineResult result = refine(drawing(), 3, true);
+    while (!result.splits.empty() && ++rounds <= 24)
+    {
+      EXPECT_TRUE(result.mesh.points.empty());
+      EXPECT_GT(result.inverted, 0);
+      const std::size_t before = samples.samples.size();
+      for (const StrokeSplit& split : result.splits)
+      {
+        samples.refineAt(split);
+      }
+      ASSERT_GT(samples.samples.size(), before);
+      ASSERT_FALSE(drawing().mesh.faces.empty());
+      result = refine(drawing(), 3, true);
+    }
+    EXPECT_LE(rounds, 24);
+    EXPECT_EQ(result.inverted, 0);
+    ASSERT_FALSE(result.mesh.faces.empty());
+    for (const PlanarFace& face : result.mesh.faces)
+    {
+      EXPECT_GT(signedArea(result.mesh.points[face.corners[0]].place,
+                  result.mesh.points[face.corners[1]].place,
+                  result.mesh.points[face.corners[2]].place),
+        1e-12);
+    }
+    mostRounds = std::max(mostRounds, rounds);
+  }
+  EXPECT_GE(mostRounds, 2);
+}
+
+TEST(C9_5, NoTriangleOfAStarTurnsOver)
+{
+  std::string figures;
+  for (const auto& [a, tips] :
+    std::vector<std::pair<double, int>>{ { 0.3, 5 }, { 0.4, 7 }, { 0.5, 9 }, { 0.2, 12 } })
+  {
+    const double swing = a;
+    const int n = tips;
+    const UnitDrawing drawing(
+      { polarStroke(0.5, 0.5, [&](double angle) { return 0.3 * (1.0 + swing * std::cos(n * angle)); }) });
+    for (const DeltaMode mode : { DeltaMode::Fixed, DeltaMode::Adaptive })
+    {
+      PlanarRefineOptions options;
+      options.guard = false;
+      const Rebuilt published = rebuilt(drawing, mode, options);
+      options.guard = true;
+      const Rebuilt run = rebuilt(drawing, mode, options);
+      EXPECT_TRUE(run.result.splits.empty());
+      EXPECT_TRUE(invertedFaces(run.result.mesh, 1e-12, Context()).empty());
+      figures += (figures.empty() ? "a " : "; a ") + digits(a) + ", n " + std::to_string(n) +
+                 (mode == DeltaMode::Fixed ? " fixed: " : " adaptive: ") +
+                 std::to_string(published.result.inverted) + " of " + std::to_string(published.base) +
+                 " base triangles, none after " + std::to_string(run.rounds) + " rounds of " +
+                 std::to_string(run.base);
+    }
+  }
+  fact("C9_5", "inverted triangles of stars, k = 3: " + figures);
+}

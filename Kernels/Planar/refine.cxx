@@ -1,0 +1,222 @@
+#include "Planar/refine.h"
+
+#include "Planar/guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double leastArea = 1e-12; // of the canvas's longest side, squared
+constexpr int mostLevels = 10;
+constexpr double mostFaces = 1 << 24;
+
+void check(const PlanarRefineOptions& options)
+{
+  if (options.levels < 0 || options.levels > mostLevels)
+  {
+    throw Error(Failure::BadStroke,
+      "levels is " + std::to_string(options.levels) + ": set it to 0 to " + std::to_string(mostLevels));
+  }
+  if (!(options.snapShare >= 0.0 && options.snapShare <= 1.0))
+  {
+    throw Error(
+      Failure::BadStroke, "the snap's share is " + std::to_string(options.snapShare) + ": set it to 0 to 1");
+  }
+  if (!(options.canvasSide > 0.0) || !std::isfinite(options.canvasSide))
+  {
+    throw Error(Failure::BadStroke,
+      "the canvas's longest side is " + std::to_string(options.canvasSide) +
+        ": give it one that is positive");
+  }
+}
+
+void checkStrokes(const PlanarMesh& mesh, const std::vector<StrokeByLength>& curves)
+{
+  const int count = static_cast<int>(curves.size());
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    if (mesh.points[p].stroke >= count)
+    {
+      throw Error(Failure::BadMesh,
+        "point " + std::to_string(p) + " lies on stroke " + std::to_string(mesh.points[p].stroke) + " of " +
+          std::to_string(count) + ": give the curves that the mesh was made of");
+    }
+  }
+  for (const StrokeEdge& edge : mesh.edges)
+  {
+    const bool known = edge.stroke >= 0 && edge.stroke < count;
+    const double length = known ? curves[edge.stroke].length() : 0.0;
+    const double most = known && curves[edge.stroke].closed() ? edge.start + length : length;
+    const double slack = 1e-9 * length; // lengths may have been summed in another order
+    if (!known || !(edge.start >= -slack && edge.start < edge.end && edge.start < length + slack) ||
+        !(edge.end <= most + slack))
+    {
+      throw Error(Failure::BadMesh,
+        "the edge of points " + std::to_string(edge.from) + " and " + std::to_string(edge.to) +
+          " is no part of stroke " + std::to_string(edge.stroke) + ", from " + std::to_string(edge.start) +
+          " to " + std::to_string(edge.end) + ": give the curves that the mesh was made of");
+    }
+  }
+}
+
+void checkSize(const PlanarMesh& mesh, const PlanarRefineOptions& options)
+{
+  const double faces = static_cast<double>(mesh.faces.size()) * std::pow(4.0, options.levels);
+  if (faces > mostFaces)
+  {
+    throw Error(Failure::BadMesh,
+      "the refined mesh would have " + std::to_string(static_cast<long long>(faces)) +
+        " faces: ask for fewer levels");
+  }
+}
+
+bool hasQuad(const PlanarMesh& mesh)
+{
+  return std::any_of(
+    mesh.faces.begin(), mesh.faces.end(), [](const PlanarFace& face) { return face.count() == 4; });
+}
+
+// What the points on each stroke are; those of a stroke that has none of its own, between two rims, lie on a
+// feature.
+std::vector<BoundaryKind> kindsOf(const PlanarMesh& mesh, std::size_t strokes)
+{
+  std::vector<BoundaryKind> kinds(strokes, BoundaryKind::Feature);
+  for (const PlanarPoint& point : mesh.points)
+  {
+    if (point.stroke >= 0)
+    {
+      kinds[point.stroke] = point.kind;
+    }
+  }
+  return kinds;
+}
+
+// The parts of strokes at the mesh's faces of these bases.
+std::vector<StrokeSplit> splitsAt(const PlanarMesh& mesh, const FaceEdges& links, const std::set<int>& bases)
+{
+  std::set<std::tuple<int, double, double>> parts;
+  const auto take = [&](int e)
+  {
+    if (links.edges[e].stroke >= 0)
+    {
+      const StrokeEdge& tie = mesh.edges[links.edges[e].stroke];
+      parts.emplace(tie.stroke, tie.start, tie.end);
+      return true;
+    }
+    return false;
+  };
+  for (const int base : bases)
+  {
+    bool found = false;
+    int at = -1;
+    for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
+    {
+      if (mesh.faces[f].base == base)
+      {
+        at = f;
+        const std::array<int, 4>& edges = links.ofFace[f];
+        found = std::count_if(edges.begin(), edges.begin() + mesh.faces[f].count(), take) > 0 || found;
+      }
+    }
+    const PlanarFace& face = mesh.faces[at];
+    for (int i = 0; i < face.count() && !found; ++i)
+    {
+      const Lists& edges = links.atPoint;
+      found = std::count_if(edges.begin(face.corners[i]), edges.end(face.corners[i]), take) > 0;
+    }
+    if (!found)
+    {
+      throw Error(Failure::BadMesh,
+        "face " + std::to_string(at) +
+          " covers next to nothing, or turns clockwise, away from all strokes: " +
+          "take the mesh as the filters of the drawing's triangles make it");
+    }
+  }
+  std::vector<StrokeSplit> splits;
+  for (const auto& [stroke, start, end] : parts)
+  {
+    splits.push_back({ stroke, start, end, 1 });
+  }
+  return splits;
+}
+
+} // namespace
+
+PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
+  const std::vector<DrawnStroke>& strokes,
+  const PlanarRefineOptions& options,
+  const Context& context)
+{
+  check(options);
+  const std::vector<StrokeByLength> curves(strokes.begin(), strokes.end());
+  checkStrokes(mesh, curves);
+  checkSize(mesh, options);
+  const SubdivisionRule rule{
+    options.quads || hasQuad(mesh), options.snapShare, kindsOf(mesh, strokes.size())
+  };
+  // Parts of a face that lie in the middle of it are a quarter of it, a triangle's first corners of quads a
+  // twelfth: what is no longer inverted stays so at the levels to come.
+  const auto leastAt = [&](int level)
+  {
+    const double first = rule.quads && level == 0 && options.levels > 0 ? 3.0 : 1.0;
+    return first * leastArea * options.canvasSide * options.canvasSide *
+           std::pow(4.0, options.levels - level);
+  };
+
+  PlanarRefineResult result;
+  const FaceEdges links = faceEdges(mesh);
+  const auto handBack = [&](const PlanarMesh& at, const std::vector<int>& bad)
+  {
+    std::set<int> bases;
+    for (const int f : bad)
+    {
+      bases.insert(at.faces[f].base);
+    }
+    result.splits = splitsAt(mesh, links, bases);
+    result.inverted = static_cast<int>(bad.size());
+  };
+  SubdividedMesh level;
+  level.mesh = options.levels == 0 ? splitChords(mesh) : mesh;
+  level.links = links;
+  if (options.guard)
+  {
+    const std::vector<int> bad = invertedFaces(level.mesh, leastAt(0), context);
+    if (!bad.empty())
+    {
+      handBack(level.mesh, bad);
+      return result;
+    }
+  }
+  for (int k = 0; k < options.levels; ++k)
+  {
+    context.checkpoint(static_cast<double>(k) / options.levels);
+    level = subdivide(level.mesh, level.links, curves, rule, context);
+    if (options.guard)
+    {
+      const std::vector<int> bad = keepUpright(level, leastAt(k + 1), context);
+      if (!bad.empty())
+      {
+        handBack(level.mesh, bad);
+        return result;
+      }
+      continue;
+    }
+    for (std::size_t p = 0; p < level.mesh.points.size(); ++p)
+    {
+      level.mesh.points[p].place = level.smooth[p];
+    }
+  }
+  result.mesh = std::move(level.mesh);
+  result.inverted = static_cast<int>(invertedFaces(result.mesh, leastAt(options.levels), context).size());
+  return result;
+}
+
+} // namespace oversketch

@@ -1,0 +1,61 @@
+// From strokes to the refined mesh, with what the guard hands back, for tests. Header-only; not installed.
+#ifndef oversketch_refine_runs_h
+#define oversketch_refine_runs_h
+
+#include "Planar/planar_shapes.h"
+#include "Planar/refine.h"
+#include "Planar/triangulate.h"
+
+namespace oversketch_test
+{
+
+using namespace oversketch;
+
+// Splits asked for again are halved once more than before.
+inline void addSplits(std::vector<StrokeSplit>& splits, const std::vector<StrokeSplit>& more)
+{
+  const std::vector<StrokeSplit> before = splits;
+  for (StrokeSplit split : more)
+  {
+    for (const StrokeSplit& old : before)
+    {
+      if (old.stroke == split.stroke && old.start < split.end && split.start < old.end)
+      {
+        split.halvings = std::max(split.halvings, old.halvings + 1);
+      }
+    }
+    splits.push_back(split);
+  }
+}
+
+struct Rebuilt
+{
+  PlanarRefineResult result;
+  int rounds = 0, base = 0;
+};
+
+// Approximation, triangulation and refinement, until nothing is handed back.
+inline Rebuilt rebuilt(const UnitDrawing& drawing, DeltaMode mode, const PlanarRefineOptions& options)
+{
+  Rebuilt run;
+  ApproximationRules rules;
+  rules.mode = mode;
+  std::vector<StrokeSplit> splits;
+  for (; run.rounds <= 24; ++run.rounds)
+  {
+    const std::vector<StrokeLine> lines = strokeLines(
+      drawing.polylines(rules, splits), drawing.strokes, drawing.classes.strokes, drawing.treatments);
+    const PlanarMesh coarse = triangulate(lines, {}, Context());
+    run.base = static_cast<int>(coarse.faces.size());
+    run.result = refinePlanar(coarse, drawing.strokes, options, Context());
+    if (run.result.splits.empty())
+    {
+      return run;
+    }
+    addSplits(splits, run.result.splits);
+  }
+  return run;
+}
+
+} // namespace oversketch_test
+#endif

@@ -1,0 +1,293 @@
+#include "Planar/subdivide.h"
+
+#include <cmath>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double turn = 6.283185307179586;
+
+// What the steps of a level read.
+struct Level
+{
+  const PlanarMesh& mesh;
+  const FaceEdges& links;
+  const Context& context;
+
+  int pointCount() const { return static_cast<int>(this->mesh.points.size()); }
+  int edgeCount() const { return static_cast<int>(this->links.edges.size()); }
+  int faceCount() const { return static_cast<int>(this->mesh.faces.size()); }
+  const Vector2& place(int point) const { return this->mesh.points[point].place; }
+
+  int edgePoint(int edge) const { return this->pointCount() + edge; }
+  int facePoint(int face) const { return this->pointCount() + this->edgeCount() + face; }
+
+  Vector2 middleOf(const FaceEdge& edge) const
+  {
+    return 0.5 * (this->place(edge.from) + this->place(edge.to));
+  }
+
+  Vector2 centreOf(const PlanarFace& face) const
+  {
+    Vector2 sum = Vector2::Zero();
+    for (int i = 0; i < face.count(); ++i)
+    {
+      sum += this->place(face.corners[i]);
+    }
+    return sum / face.count();
+  }
+
+  // Calls what with every number in [0, count).
+  template <typename What>
+  void forEach(int count, const What& what) const
+  {
+    this->context.parallelFor(count,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          what(i);
+        }
+      });
+  }
+};
+
+std::vector<PlanarPoint> linearPoints(const Level& level,
+  const std::vector<StrokeByLength>& curves,
+  const SubdivisionRule& rule)
+{
+  std::vector<PlanarPoint> points = level.mesh.points;
+  points.resize(level.pointCount() + level.edgeCount() + (rule.quads ? level.faceCount() : 0));
+  level.forEach(level.edgeCount(),
+    [&](int e)
+    {
+      const FaceEdge& edge = level.links.edges[e];
+      PlanarPoint& point = points[level.edgePoint(e)];
+      if (edge.stroke < 0)
+      {
+        point.place = level.middleOf(edge);
+        return;
+      }
+      const StrokeEdge& tie = level.mesh.edges[edge.stroke];
+      point.stroke = tie.stroke;
+      point.kind = rule.kinds[tie.stroke];
+      point.param = curves[tie.stroke].wrapped(0.5 * (tie.start + tie.end));
+      point.place = curves[tie.stroke].at(point.param);
+    });
+  if (rule.quads)
+  {
+    level.forEach(level.faceCount(),
+      [&](int f) { points[level.facePoint(f)].place = level.centreOf(level.mesh.faces[f]); });
+  }
+  return points;
+}
+
+PlanarMesh linearMesh(const Level& level,
+  const std::vector<StrokeByLength>& curves,
+  const SubdivisionRule& rule)
+{
+  PlanarMesh made;
+  made.points = linearPoints(level, curves, rule);
+  made.faces.reserve(4 * level.mesh.faces.size());
+  for (int f = 0; f < level.faceCount(); ++f)
+  {
+    PlanarFace child = level.mesh.faces[f];
+    const PlanarFace face = child;
+    const int count = face.count();
+    std::array<int, 4> middles{ -1, -1, -1, -1 };
+    for (int i = 0; i < count; ++i)
+    {
+      middles[i] = level.edgePoint(level.links.ofFace[f][i]);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      const int before = middles[(i + count - 1) % count];
+      child.corners = rule.quads
+                        ? std::array<int, 4>{ face.corners[i], middles[i], level.facePoint(f), before }
+                        : std::array<int, 4>{ face.corners[i], middles[i], before, -1 };
+      made.faces.push_back(child);
+    }
+    if (!rule.quads)
+    {
+      child.corners = middles;
+      made.faces.push_back(child);
+    }
+  }
+  made.edges.resize(2 * level.mesh.edges.size());
+  for (int e = 0; e < level.edgeCount(); ++e)
+  {
+    if (level.links.edges[e].stroke < 0)
+    {
+      continue;
+    }
+    const int number = level.links.edges[e].stroke;
+    const StrokeEdge& whole = level.mesh.edges[number];
+    const double middle = 0.5 * (whole.start + whole.end);
+    made.edges[2 * number] = { whole.from, level.edgePoint(e), whole.stroke, whole.start, middle };
+    // Beyond a closed stroke's first sample lengths begin anew.
+    const double start = curves[whole.stroke].wrapped(middle);
+    made.edges[2 * number + 1] = { level.edgePoint(e),
+      whole.to,
+      whole.stroke,
+      start,
+      start < middle ? curves[whole.stroke].wrapped(whole.end) : whole.end };
+  }
+  return made;
+}
+
+// Where the masks have a point of the mesh that is not on its border.
+Vector2 loopPlace(const Level& level, int point)
+{
+  const Lists& at = level.links.atPoint;
+  const int n = at.size(point);
+  const double inner = 0.375 + 0.25 * std::cos(turn / n);
+  const double beta = (0.625 - inner * inner) / n;
+  Vector2 sum = Vector2::Zero();
+  for (const int* e = at.begin(point); e != at.end(point); ++e)
+  {
+    sum += level.place(level.links.edges[*e].other(point));
+  }
+  return (1.0 - n * beta) * level.place(point) + beta * sum;
+}
+
+Vector2 catmullClarkPlace(const Level& level, const Polyline& smooth, int point)
+{
+  const Lists& edges = level.links.atPoint;
+  const Lists& faces = level.links.facesAtPoint;
+  const int n = edges.size(point);
+  Vector2 faceSum = Vector2::Zero(), edgeSum = Vector2::Zero();
+  for (const int* f = faces.begin(point); f != faces.end(point); ++f)
+  {
+    faceSum += smooth[level.facePoint(*f)];
+  }
+  for (const int* e = edges.begin(point); e != edges.end(point); ++e)
+  {
+    edgeSum += level.middleOf(level.links.edges[*e]);
+  }
+  return (faceSum / n + 2.0 * edgeSum / n + (n - 3) * level.place(point)) / n;
+}
+
+// And a new point of an edge with two faces.
+Vector2 loopMiddle(const Level& level, const FaceEdge& edge)
+{
+  Vector2 across = Vector2::Zero();
+  for (const int f : edge.faces)
+  {
+    const std::array<int, 4>& corners = level.mesh.faces[f].corners;
+    across += level.place(corners[0] + corners[1] + corners[2] - edge.from - edge.to);
+  }
+  return 0.375 * (level.place(edge.from) + level.place(edge.to)) + 0.125 * across;
+}
+
+Vector2 catmullClarkMiddle(const Level& level, const Polyline& smooth, const FaceEdge& edge)
+{
+  return 0.25 * (level.place(edge.from) + level.place(edge.to) + smooth[level.facePoint(edge.faces[0])] +
+                  smooth[level.facePoint(edge.faces[1])]);
+}
+
+bool onBorder(const FaceEdges& links, int point)
+{
+  for (const int* e = links.atPoint.begin(point); e != links.atPoint.end(point); ++e)
+  {
+    if (links.edges[*e].faces[1] < 0)
+    {
+      return true;
+    }
+  }
+  return links.atPoint.size(point) == 0;
+}
+
+// Where the masks alone have the points; those of the mesh's border, which have none, and of rims where
+// `linear` has them.
+Polyline maskPlaces(const Level& level, const PlanarMesh& linear, bool quads)
+{
+  Polyline smooth(linear.points.size());
+  level.forEach(static_cast<int>(smooth.size()), [&](int p) { smooth[p] = linear.points[p].place; });
+  level.forEach(level.edgeCount(),
+    [&](int e)
+    {
+      const FaceEdge& edge = level.links.edges[e];
+      if (edge.faces[1] >= 0 && !isRim(linear.points[level.edgePoint(e)].kind))
+      {
+        smooth[level.edgePoint(e)] =
+          quads ? catmullClarkMiddle(level, smooth, edge) : loopMiddle(level, edge);
+      }
+    });
+  level.forEach(level.pointCount(),
+    [&](int p)
+    {
+      if (!isRim(level.mesh.points[p].kind) && !onBorder(level.links, p))
+      {
+        smooth[p] = quads ? catmullClarkPlace(level, smooth, p) : loopPlace(level, p);
+      }
+    });
+  return smooth;
+}
+
+} // namespace
+
+StrokeByLength::StrokeByLength(const DrawnStroke& stroke)
+  : Stroke(stroke)
+  , Lengths(arcLengths(stroke.points, stroke.closed))
+{
+}
+
+double StrokeByLength::wrapped(double length) const
+{
+  return this->closed() && length >= this->length() ? length - this->length() : length;
+}
+
+Vector2 StrokeByLength::at(double length) const
+{
+  const int count = static_cast<int>(this->Stroke.points.size());
+  return placeAt(this->Lengths, count, this->wrapped(length)).of(this->Stroke.points);
+}
+
+SubdividedMesh subdivide(const PlanarMesh& mesh,
+  const FaceEdges& links,
+  const std::vector<StrokeByLength>& curves,
+  const SubdivisionRule& rule,
+  const Context& context)
+{
+  const Level level{ mesh, links, context };
+  SubdividedMesh made;
+  made.mesh = linearMesh(level, curves, rule);
+  made.links = faceEdges(made.mesh);
+  const std::vector<PlanarPoint>& points = made.mesh.points;
+  const int count = static_cast<int>(points.size());
+  made.free.resize(points.size());
+  level.forEach(count, [&](int p) { made.free[p] = points[p].stroke < 0; });
+
+  const Polyline masks = maskPlaces(level, made.mesh, rule.quads);
+  made.smooth.resize(points.size());
+  level.forEach(count,
+    [&](int p)
+    {
+      made.smooth[p] = made.free[p] ? masks[p] : points[p].place;
+      if (!made.free[p] || rule.share == 0.0)
+      {
+        return;
+      }
+      Vector2 sum = Vector2::Zero();
+      int snapped = 0;
+      for (const int* e = made.links.atPoint.begin(p); e != made.links.atPoint.end(p); ++e)
+      {
+        const int q = made.links.edges[*e].other(p);
+        if (!made.free[q] && !isRim(points[q].kind) && !onBorder(made.links, q))
+        {
+          sum += points[q].place - masks[q];
+          ++snapped;
+        }
+      }
+      if (snapped > 0)
+      {
+        made.smooth[p] += rule.share / snapped * sum;
+      }
+    });
+  return made;
+}
+
+} // namespace oversketch
