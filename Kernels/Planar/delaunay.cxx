@@ -1,10 +1,12 @@
 #include "Planar/delaunay.h"
 
-#include "Planar/hilbert.h"
+#include "Planar/exact.h"
 #include "Planar/predicates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <numeric>
 #include <sstream>
 
 namespace oversketch
@@ -35,11 +37,9 @@ private:
     const std::array<int, 3>& c = this->Faces[face].corners;
     return c[0] == this->Far || c[1] == this->Far || c[2] == this->Far;
   }
-  int turn(int a, int b, int c) const
-  {
-    return orientation(this->Points[a], this->Points[b], this->Points[c]);
-  }
+  int turn(int a, int b, int c) const { return exactTurn(this->Points[a], this->Points[b], this->Points[c]); }
   bool conflicts(int face, int point) const;
+  std::vector<int> insertionOrder() const;
   int seed(const std::vector<int>& order);
   int locate(int point, int start) const;
   int insert(int point, int start);
@@ -60,6 +60,11 @@ private:
   std::vector<int> FaceOf; // of each point, one at it
   const std::vector<Constraint>* Constraints = nullptr;
   // Of an insertion.
+  struct Edge
+  {
+    int from, to, outside;
+  };
+  std::vector<Edge> Border;
   std::vector<int> Cavity, StartAt;
   std::vector<std::uint8_t> InCavity;
 };
@@ -71,6 +76,7 @@ Triangulation::Triangulation(const Polyline& points, const Context& context)
   , FaceOf(points.size() + 1, -1)
   , StartAt(points.size() + 1, -1)
 {
+  this->Faces.reserve(2 * points.size() + 4);
 }
 
 // Whether a point lies in a face's circle, the tie decided as the header says; the circle of an outer face is
@@ -87,7 +93,8 @@ bool Triangulation::conflicts(int face, int point) const
       return side > 0 || (side == 0 && between(this->Points[a], this->Points[b], this->Points[point]));
     }
   }
-  const int side = inCircle(this->Points[c[0]], this->Points[c[1]], this->Points[c[2]], this->Points[point]);
+  const int side =
+    exactCircle(this->Points[c[0]], this->Points[c[1]], this->Points[c[2]], this->Points[point]);
   if (side != 0)
   {
     return side > 0;
@@ -130,13 +137,14 @@ int Triangulation::locate(int point, int start) const
       break;
     }
   }
-  while (true)
+  for (int last = -1;;)
   {
     const DelaunayFace& here = this->Faces[face];
     int next = -1;
     for (int i = 0; i < 3 && next < 0; ++i)
     {
-      if (this->turn(here.corners[(i + 1) % 3], here.corners[(i + 2) % 3], point) < 0)
+      if (here.across[i] != last &&
+          this->turn(here.corners[(i + 1) % 3], here.corners[(i + 2) % 3], point) < 0)
       {
         next = here.across[i];
       }
@@ -145,6 +153,7 @@ int Triangulation::locate(int point, int start) const
     {
       return face;
     }
+    last = face;
     face = next;
     if (this->isOuter(face))
     {
@@ -159,11 +168,7 @@ int Triangulation::insert(int point, int start)
   this->Cavity.assign(1, this->locate(point, start));
   this->InCavity.resize(this->Faces.size(), 0);
   this->InCavity[this->Cavity[0]] = 1;
-  struct Edge
-  {
-    int from, to, outside;
-  };
-  std::vector<Edge> border;
+  this->Border.clear();
   for (std::size_t i = 0; i < this->Cavity.size(); ++i)
   {
     const DelaunayFace& face = this->Faces[this->Cavity[i]];
@@ -181,7 +186,7 @@ int Triangulation::insert(int point, int start)
       }
       else
       {
-        border.push_back({ face.corners[(k + 1) % 3], face.corners[(k + 2) % 3], across });
+        this->Border.push_back({ face.corners[(k + 1) % 3], face.corners[(k + 2) % 3], across });
       }
     }
   }
@@ -191,7 +196,7 @@ int Triangulation::insert(int point, int start)
   }
   // The fan takes the cavity's places and two more.
   std::size_t used = 0;
-  for (const Edge& edge : border)
+  for (const Edge& edge : this->Border)
   {
     int face = static_cast<int>(this->Faces.size());
     if (used < this->Cavity.size())
@@ -213,18 +218,37 @@ int Triangulation::insert(int point, int start)
       }
     }
   }
-  for (const Edge& edge : border)
+  for (const Edge& edge : this->Border)
   {
     const int face = this->StartAt[edge.from], next = this->StartAt[edge.to];
     this->Faces[face].across[0] = next;
     this->Faces[next].across[1] = face;
   }
-  return this->StartAt[border.front().from];
+  return this->StartAt[this->Border.front().from];
+}
+
+// Slabs of neighbours in x, up one and down the next.
+std::vector<int> Triangulation::insertionOrder() const
+{
+  std::vector<int> order(this->Points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const int slab = 1 + static_cast<int>(std::sqrt(2.0 * this->Far));
+  for (int begin = 0, number = 0; begin < this->Far; begin += slab, ++number)
+  {
+    std::sort(order.begin() + begin,
+      order.begin() + std::min(begin + slab, this->Far),
+      [&](int a, int b)
+      {
+        const double ya = this->Points[a][1], yb = this->Points[b][1];
+        return number % 2 == 0 ? ya < yb : ya > yb;
+      });
+  }
+  return order;
 }
 
 bool Triangulation::build()
 {
-  const std::vector<int> order = alongHilbert(this->Points);
+  const std::vector<int> order = this->insertionOrder();
   const int third = this->seed(order);
   int face = 0;
   for (int k = 2; third < this->Far && k < this->Far; ++k)
@@ -488,34 +512,59 @@ void Triangulation::constrain(const std::vector<Constraint>& constraints)
 
 std::vector<DelaunayFace> Triangulation::result() const
 {
-  std::vector<int> kept;
-  std::vector<DelaunayFace> faces = this->Faces;
-  for (std::size_t f = 0; f < faces.size(); ++f)
+  // Faces by their least corner, then by the next one: no two have both.
+  struct Key
   {
-    if (this->isOuter(static_cast<int>(f)))
+    int second, face, shift;
+  };
+  std::vector<int> begins(this->Points.size() + 1, 0);
+  const auto shiftOf = [](const DelaunayFace& face)
+  {
+    const std::array<int, 3>& c = face.corners;
+    return c[0] < c[1] ? (c[0] < c[2] ? 0 : 2) : (c[1] < c[2] ? 1 : 2);
+  };
+  int count = 0;
+  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    if (!this->isOuter(static_cast<int>(f)))
     {
-      continue;
+      ++begins[this->Faces[f].corners[shiftOf(this->Faces[f])] + 1];
+      ++count;
     }
-    DelaunayFace& face = faces[f];
-    const auto shift = std::min_element(face.corners.begin(), face.corners.end()) - face.corners.begin();
-    std::rotate(face.corners.begin(), face.corners.begin() + shift, face.corners.end());
-    std::rotate(face.across.begin(), face.across.begin() + shift, face.across.end());
-    std::rotate(face.constraints.begin(), face.constraints.begin() + shift, face.constraints.end());
-    kept.push_back(static_cast<int>(f));
   }
-  std::sort(kept.begin(), kept.end(), [&](int f, int g) { return faces[f].corners < faces[g].corners; });
-  std::vector<int> numbers(faces.size(), -1);
-  for (std::size_t i = 0; i < kept.size(); ++i)
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::vector<Key> keys(count);
+  std::vector<int> ends = begins;
+  for (std::size_t f = 0; f < this->Faces.size(); ++f)
   {
-    numbers[kept[i]] = static_cast<int>(i);
-  }
-  std::vector<DelaunayFace> sorted;
-  for (const int f : kept)
-  {
-    sorted.push_back(faces[f]);
-    for (int& across : sorted.back().across)
+    if (!this->isOuter(static_cast<int>(f)))
     {
-      across = numbers[across];
+      const std::array<int, 3>& c = this->Faces[f].corners;
+      const int shift = shiftOf(this->Faces[f]);
+      keys[ends[c[shift]]++] = { c[(shift + 1) % 3], static_cast<int>(f), shift };
+    }
+  }
+  std::vector<int> numbers(this->Faces.size(), -1);
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    std::sort(keys.begin() + begins[i],
+      keys.begin() + begins[i + 1],
+      [](const Key& a, const Key& b) { return a.second < b.second; });
+    for (int k = begins[i]; k < begins[i + 1]; ++k)
+    {
+      numbers[keys[k].face] = k;
+    }
+  }
+  std::vector<DelaunayFace> sorted(count);
+  for (int i = 0; i < count; ++i)
+  {
+    const DelaunayFace& face = this->Faces[keys[i].face];
+    for (int k = 0; k < 3; ++k)
+    {
+      const int from = (k + keys[i].shift) % 3;
+      sorted[i].corners[k] = face.corners[from];
+      sorted[i].across[k] = numbers[face.across[from]];
+      sorted[i].constraints[k] = face.constraints[from];
     }
   }
   return sorted;

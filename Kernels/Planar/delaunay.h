@@ -31,9 +31,10 @@ struct DelaunayFace
 // if that were moved by next to nothing. So there is one such triangulation, whatever the order of insertion.
 // Faces are ascending by their corners; none where all points lie on one line.
 //
-// Why ours: CGAL's Triangulation_2 is under the GPL. Points are inserted along a Hilbert curve (Bowyer and
-// Watson: the triangles whose circles hold the point make room for a fan), constraints by flips of the edges
-// they cross (Sloan), then Lawson's flips beside them; every decision by CGAL's exact predicates.
+// Why ours: CGAL's Triangulation_2 is under the GPL. Points are inserted in narrow strips, up and down
+// (Bowyer and Watson: the triangles whose circles hold the point make room for a fan), constraints by flips
+// of the edges they cross (Sloan), then Lawson's flips beside them; every decision by CGAL's exact
+// predicates.
 //
 // Throws Error(Failure::BadStroke), naming both strokes and the place, where a constraint crosses another
 // one, is another one, or goes through a point.

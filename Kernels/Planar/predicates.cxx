@@ -1,31 +1,18 @@
-// CGAL's kernel of exact predicates, which is under the LGPL; its triangulations are under the GPL and stay
-// out of this library.
 #include "Planar/predicates.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Planar/exact.h"
 
 namespace oversketch
 {
-namespace
-{
-
-using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-Exact::Point_2 exact(const Vector2& p)
-{
-  return { p[0], p[1] };
-}
-
-} // namespace
 
 int orientation(const Vector2& a, const Vector2& b, const Vector2& c)
 {
-  return static_cast<int>(CGAL::orientation(exact(a), exact(b), exact(c)));
+  return exactTurn(a, b, c);
 }
 
 int inCircle(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d)
 {
-  return static_cast<int>(CGAL::side_of_oriented_circle(exact(a), exact(b), exact(c), exact(d)));
+  return exactCircle(a, b, c, d);
 }
 
 bool between(const Vector2& a, const Vector2& b, const Vector2& c)

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 
@@ -458,66 +457,3 @@ TEST(Triangulate, ManyPointsAndHostileOnes)
   cancelled.cancelled = [] { return true; };
   EXPECT_THROW(constrainedDelaunay(randomPoints(2000, random, false), {}, cancelled), Error);
 }
-
-#ifdef OVERSKETCH_CGAL
-TEST(Triangulate, DISABLED_FiveThousandPointsBesideCgal)
-{
-  std::mt19937 random(5);
-  const Polyline points = randomPoints(5000, random, false);
-  std::vector<Constraint> constraints;
-  for (int i = 0; i + 1 < 5000; i += 5)
-  {
-    constraints.push_back({ i, i + 1, 0 });
-  }
-  constraints = [&]
-  {
-    std::vector<Constraint> kept;
-    for (const Constraint& c : constraints)
-    {
-      if (std::none_of(kept.begin(),
-            kept.end(),
-            [&](const Constraint& k)
-            { return segmentsMeet(points[c.from], points[c.to], points[k.from], points[k.to]); }))
-      {
-        kept.push_back(c);
-      }
-    }
-    return kept;
-  }();
-  const auto time = [](const std::function<void()>& work)
-  {
-    double best = 1e9;
-    for (int i = 0; i < 7; ++i)
-    {
-      const auto start = std::chrono::steady_clock::now();
-      work();
-      best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    }
-    return 1e3 * best;
-  };
-  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Peer = CGAL::Constrained_Delaunay_triangulation_2<Exact>;
-  const double ours = time([&] { constrainedDelaunay(points, constraints, Context()); });
-  const double theirs = time(
-    [&]
-    {
-      Peer peer;
-      std::vector<Exact::Point_2> given;
-      for (const Vector2& p : points)
-      {
-        given.emplace_back(p[0], p[1]);
-      }
-      std::vector<std::pair<std::size_t, std::size_t>> indices;
-      for (const Constraint& c : constraints)
-      {
-        indices.emplace_back(c.from, c.to);
-      }
-      peer.insert(given.begin(), given.end());
-      for (const auto& [a, b] : indices)
-      {
-        peer.insert_constraint(given[a], given[b]);
-      }
-    });
-  std::cout << constraints.size() << " constraints: ours " << ours << " ms, CGAL " << theirs << " ms\n";
-}
-#endif

@@ -1,13 +1,13 @@
-"""stroke(points, camera, size): a stroke of an array; strokes(parts): several as one."""
+"""stroke(points, camera, size): a stroke of an array; strokes(parts): several as one; drawing(lines, image): those over a picture."""
 from __future__ import annotations
 
 import collections.abc
 from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 
-__all__ = ["stroke", "strokes"]
+__all__ = ["drawing", "stroke", "strokes"]
 
 
 def stroke(points: Any, camera: Any, size: collections.abc.Sequence[int]) -> vtkPolyData:
@@ -21,35 +21,114 @@ def stroke(points: Any, camera: Any, size: collections.abc.Sequence[int]) -> vtk
     as the filters take it. Raises ValueError for points of another shape.
     """
     import numpy
-    from vtkmodules.util.numpy_support import numpy_to_vtk
 
-    places = numpy.asarray(points, dtype=float)
-    if places.ndim != 2 or places.shape[1] != 2 or len(places) < 2:
-        raise ValueError(f"points must have shape (n, 2) with n >= 2, not {places.shape}")
-    width, height = (int(length) for length in size)
-    if width < 1 or height < 1:
-        raise ValueError(f"size must be two positive numbers of pixels, not {width} x {height}")
-
-    coordinates = vtkPoints()
-    coordinates.SetData(numpy_to_vtk(numpy.column_stack([places, numpy.zeros(len(places))]), deep=True))
-    line = vtkCellArray()
-    line.InsertNextCell(len(places), range(len(places)))
-    result = vtkPolyData()
-    result.SetPoints(coordinates)
-    result.SetLines(line)
+    places = _places(points, "points")
+    width, height = _size(size)
     view, projection = camera.GetViewTransformMatrix(), camera.GetProjectionTransformMatrix(width / height, -1.0, 1.0)
-    for name, values in (("ViewTransform", _rows(view)), ("ProjectionTransform", _rows(projection)),
-                         ("ViewportSize", numpy.array([[width, height]], dtype=numpy.intc))):
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        result.GetCellData().AddArray(array)
+    result = _polylines([places], [False])
+    _add_view(result, *(numpy.array([[m.GetElement(i // 4, i % 4) for i in range(16)]]) for m in (view, projection)), width, height)
     return result
 
 
-def _rows(matrix: Any) -> Any:
+def drawing(lines: collections.abc.Iterable[Any], image: Any,
+            closed: bool | collections.abc.Iterable[bool | None] | None = None) -> vtkPolyData:
+    """The strokes of a drawing over a picture, as vtkOversketchCanvas and what follows it take them.
+
+    lines: arrays of shape (n, 2), n >= 2, one for each stroke, in pixels of the picture from its lower left corner, y up: the
+    middle of the first pixel is at (0.5, 0.5).
+    image: vtkImageData of one slice (PyVista: ImageData), or width and height of a picture whose first pixel's middle is the
+    world's origin and whose pixels are one unit wide.
+    closed: of all strokes, or of each, whether it is closed; None where that is for its ends to tell, which close it when they
+    are at most 0.02 of the picture's longest side apart.
+
+    Returns one polyline for each stroke, a closed one with its first point id repeated at the end, with the cell arrays of the
+    view (see stroke), which looks at the picture from above and shows exactly that, and the field array Canvas, the picture's
+    rectangle. Raises ValueError for lines, pictures or numbers of `closed` that are none.
+    """
     import numpy
 
-    return numpy.array([[matrix.GetElement(row, column) for row in range(4) for column in range(4)]])
+    places = [_places(line, f"line {number}") for number, line in enumerate(lines)]
+    if not places:
+        raise ValueError("there is no line to draw")
+    each = [closed] * len(places) if closed is None or isinstance(closed, bool) else list(closed)
+    if len(each) != len(places):
+        raise ValueError(f"closed must say of each of {len(places)} lines, not of {len(each)}, whether it is closed")
+    (x, y), (across, up), (width, height) = _rectangle(image)
+    view, projection = numpy.identity(4), numpy.identity(4)
+    view[:3, 3] = -(x + across / 2), -(y + up / 2), -1.0
+    projection[range(3), range(3)] = 2.0 / across, 2.0 / up, -1.0
+    result = _polylines(places, [said is True for said in each])
+    _add_view(result, *(numpy.tile(m.reshape(1, 16), (len(places), 1)) for m in (view, projection)), width, height)
+    if closed is not None:
+        _add(result.GetCellData(), "Closed", numpy.array([-1 if said is None else int(said) for said in each], dtype=numpy.intc))
+    _add(result.GetFieldData(), "Canvas", numpy.array([[x, y, across, up]], dtype=float))
+    return result
+
+
+def _places(points: Any, name: str) -> Any:
+    import numpy
+
+    places = numpy.asarray(points, dtype=float)
+    if places.ndim != 2 or places.shape[1] != 2 or len(places) < 2:
+        raise ValueError(f"{name} must have shape (n, 2) with n >= 2, not {places.shape}")
+    return places
+
+
+def _size(size: collections.abc.Sequence[int]) -> tuple[int, int]:
+    width, height = (int(length) for length in size)
+    if width < 1 or height < 1:
+        raise ValueError(f"size must be two positive numbers of pixels, not {width} x {height}")
+    return width, height
+
+
+def _rectangle(image: Any) -> Any:
+    """Lower left corner and size in the world, and size in pixels, of a picture or of what only its size is known of."""
+    if not isinstance(image, vtkImageData):
+        width, height = _size(image)
+        return (-0.5, -0.5), (float(width), float(height)), (width, height)
+    columns, rows, slices = image.GetDimensions()
+    spacing, origin, extent = image.GetSpacing(), image.GetOrigin(), image.GetExtent()
+    if image.GetNumberOfPoints() == 0 or slices > 1:
+        raise ValueError(f"the picture must be one slice across z, not {columns} x {rows} x {slices} samples")
+    if spacing[0] <= 0.0 or spacing[1] <= 0.0 or not image.GetDirectionMatrix().IsIdentity():
+        raise ValueError("the picture's spacing must be positive and its direction matrix the identity; resample it along the axes")
+    corner = tuple(origin[k] + (extent[2 * k] - 0.5) * spacing[k] for k in range(2))
+    return corner, (columns * spacing[0], rows * spacing[1]), (columns, rows)
+
+
+def _polylines(lines: Any, closed: collections.abc.Sequence[bool]) -> vtkPolyData:
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    places = numpy.concatenate(lines)
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(numpy.column_stack([places, numpy.zeros(len(places))]), deep=True))
+    cells = vtkCellArray()
+    first = 0
+    for line, ring in zip(lines, closed):
+        ids = [*range(first, first + len(line)), *([first] if ring else [])]
+        cells.InsertNextCell(len(ids), ids)
+        first += len(line)
+    result = vtkPolyData()
+    result.SetPoints(coordinates)
+    result.SetLines(cells)
+    return result
+
+
+def _add(data: Any, name: str, values: Any) -> None:
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    data.AddArray(array)
+
+
+def _add_view(strokes: vtkPolyData, view: Any, projection: Any, width: int, height: int) -> None:
+    import numpy
+
+    size = numpy.tile(numpy.array([[width, height]], dtype=numpy.intc), (len(view), 1))
+    for name, values in (("ViewTransform", view), ("ProjectionTransform", projection), ("ViewportSize", size)):
+        _add(strokes.GetCellData(), name, values)
 
 
 def strokes(parts: collections.abc.Iterable[vtkPolyData]) -> vtkPolyData:

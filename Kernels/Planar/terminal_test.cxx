@@ -1,0 +1,303 @@
+// Facts of image-assisted.md, sections 7 and 10: terminal triangles and merged ones.
+#include "Planar/merge_quads.h"
+#include "Planar/planar_shapes.h"
+#include "Planar/predicates.h"
+#include "Planar/terminal.h"
+#include "Planar/triangulate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace oversketch;
+using namespace oversketch_test;
+
+namespace
+{
+
+// Concave outlines with limbs, one with a hole and a feature, one with a feature from rim to rim.
+std::vector<UnitDrawing> bodies()
+{
+  std::vector<UnitDrawing> result;
+  for (int petals = 2; petals < 9; ++petals)
+  {
+    for (const double amplitude : { 0.1, 0.35, 0.6 })
+    {
+      result.emplace_back(std::vector<DrawnStroke>{ polarStroke(
+        0.5, 0.5, [=](double a) { return 0.28 * (1.0 + amplitude * std::cos(petals * a)); }, 0.1) });
+    }
+  }
+  result.emplace_back(std::vector<DrawnStroke>{ circleStroke(0.5, 0.5, 0.4),
+                        circleStroke(0.55, 0.5, 0.2),
+                        evenStroke({ { 0.2, 0.4 }, { 0.2, 0.6 } }, false) },
+    std::vector<Treatment>{ Treatment::Fill, Treatment::Hole, Treatment::Fill });
+  result.emplace_back(std::vector<DrawnStroke>{
+    circleStroke(0.5, 0.5, 0.4), evenStroke({ { 0.106, 0.5 }, { 0.894, 0.5 } }, false) });
+  return result;
+}
+
+double twiceTheArea(const PlanarMesh& mesh, const PlanarFace& face)
+{
+  double area = 0.0;
+  for (int k = 0; k < face.count(); ++k)
+  {
+    const Vector2 a = mesh.points[face.corners[k]].place - mesh.points[face.corners[0]].place;
+    const Vector2 b =
+      mesh.points[face.corners[(k + 1) % face.count()]].place - mesh.points[face.corners[0]].place;
+    area += a[0] * b[1] - a[1] * b[0];
+  }
+  return area;
+}
+
+// Faces of each edge.
+std::map<std::pair<int, int>, std::vector<int>> facesOfEdges(const PlanarMesh& mesh)
+{
+  std::map<std::pair<int, int>, std::vector<int>> faces;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    const PlanarFace& face = mesh.faces[f];
+    for (int k = 0; k < face.count(); ++k)
+    {
+      faces[std::minmax(face.corners[k], face.corners[(k + 1) % face.count()])].push_back(
+        static_cast<int>(f));
+    }
+  }
+  return faces;
+}
+
+int terminals(const PlanarMesh& mesh)
+{
+  std::vector<int> borders(mesh.faces.size(), 0);
+  for (const auto& [edge, faces] : facesOfEdges(mesh))
+  {
+    EXPECT_LE(faces.size(), 2u);
+    borders[faces[0]] += faces.size() == 1;
+  }
+  return static_cast<int>(std::count_if(borders.begin(), borders.end(), [](int count) { return count > 1; }));
+}
+
+double areaOf(const PlanarMesh& mesh)
+{
+  double area = 0.0;
+  for (const PlanarFace& face : mesh.faces)
+  {
+    const double here = 0.5 * twiceTheArea(mesh, face);
+    EXPECT_GT(here, 0.0);
+    area += here;
+  }
+  return area;
+}
+
+} // namespace
+
+TEST(C7_3, ASquareHasFiveVerticesAndFourTriangles)
+{
+  const UnitDrawing drawing({ squareStroke(0.1, 0.9) });
+  const PlanarMesh bare = triangulate(drawing.lines(), {}, Context());
+  EXPECT_EQ(bare.faces.size(), 2u);
+  const PlanarMesh mesh = repairTerminals(bare, TerminalRule::TwoBoundaryEdges);
+  EXPECT_EQ(mesh.points.size(), 5u);
+  EXPECT_EQ(mesh.faces.size(), 4u);
+  EXPECT_NEAR((mesh.points[4].place - Vector2(0.5, 0.5)).norm(), 0.0, 1e-15);
+  EXPECT_EQ(mesh.points[4].kind, BoundaryKind::Interior);
+  fact("C7_3", "square: 5 vertices, 4 triangles");
+}
+
+TEST(C7_4, NoTriangleKeepsTwoBoundaryEdges)
+{
+  int before = 0, meshes = 0, kept = 0;
+  double least = 1.0;
+  for (const UnitDrawing& drawing : bodies())
+  {
+    const PlanarMesh bare = triangulate(drawing.lines(), {}, Context());
+    before += terminals(bare);
+    const PlanarMesh mesh = repairTerminals(bare, TerminalRule::TwoBoundaryEdges);
+    EXPECT_EQ(terminals(mesh), 0);
+    EXPECT_NEAR(areaOf(mesh), areaOf(bare), 1e-14);
+    for (const PlanarFace& face : mesh.faces)
+    {
+      least = std::min(least, 0.5 * twiceTheArea(mesh, face));
+    }
+    // Strokes' edges stay, and the doubled mesh's edges at level 0 but chords have two faces.
+    const auto faces = facesOfEdges(mesh);
+    for (const StrokeEdge& edge : mesh.edges)
+    {
+      EXPECT_TRUE(faces.count(std::minmax(edge.from, edge.to)));
+      ++kept;
+    }
+    EXPECT_EQ(mesh.edges.size(), bare.edges.size());
+    for (std::size_t i = 0; i < bare.points.size(); ++i)
+    {
+      EXPECT_EQ(mesh.points[i].place, bare.points[i].place);
+    }
+    ++meshes;
+  }
+  EXPECT_GT(before, 40);
+  fact("C7_4",
+    std::to_string(meshes) + " bodies, most of them concave: " + std::to_string(before) +
+      " triangles with two boundary edges before, 0 after; least signed area " + digits(least * 1e5) +
+      "e-5, " + std::to_string(kept) + " edges of strokes kept");
+}
+
+TEST(Terminal, ThreeBoundaryVerticesIsTheLiteralRule)
+{
+  int before = 0, after = 0;
+  for (const UnitDrawing& drawing : bodies())
+  {
+    const PlanarMesh bare = triangulate(drawing.lines(), {}, Context());
+    const PlanarMesh mesh = repairTerminals(bare, TerminalRule::ThreeBoundaryVertices);
+    const auto onRims = [](const PlanarMesh& m)
+    {
+      return std::count_if(m.faces.begin(),
+        m.faces.end(),
+        [&](const PlanarFace& face)
+        {
+          return std::all_of(
+            face.corners.begin(), face.corners.begin() + 3, [&](int c) { return isRim(m.points[c].kind); });
+        });
+    };
+    before += static_cast<int>(onRims(bare));
+    after += static_cast<int>(onRims(mesh));
+    EXPECT_EQ(terminals(mesh), 0);
+    EXPECT_NEAR(areaOf(mesh), areaOf(bare), 1e-14);
+  }
+  EXPECT_GT(before, 100);
+  EXPECT_EQ(after, 0);
+}
+
+TEST(Terminal, ATriangleAloneAndOneAtAFeature)
+{
+  const PlanarMesh alone =
+    repairTerminals(triangulate(UnitDrawing({ polygonStroke(0.5, 0.5, 0.3, 3) }).lines(), {}, Context()),
+      TerminalRule::TwoBoundaryEdges);
+  EXPECT_EQ(alone.points.size(), 4u);
+  EXPECT_EQ(alone.faces.size(), 3u);
+  // The square's diagonal is a feature: each half gets a point of its own.
+  UnitDrawing square(
+    { squareStroke(0.1, 0.9), evenStroke({ { 0.1008, 0.1008 }, { 0.8992, 0.8992 } }, false) });
+  const PlanarMesh bare = triangulate(square.lines(), {}, Context());
+  ASSERT_EQ(bare.faces.size(), 2u);
+  const PlanarMesh mesh = repairTerminals(bare, TerminalRule::TwoBoundaryEdges);
+  EXPECT_EQ(mesh.points.size(), 6u);
+  EXPECT_EQ(mesh.faces.size(), 6u);
+  EXPECT_EQ(mesh.edges.size(), 5u);
+  EXPECT_EQ(terminals(mesh), 0);
+  EXPECT_TRUE(repairTerminals({}, TerminalRule::TwoBoundaryEdges).faces.empty());
+}
+
+TEST(Terminal, AFlatEarIsDividedAtItsEdge)
+{
+  // The mean of the four corners does not see the edge from the second to the third.
+  PlanarMesh mesh;
+  for (const Vector2& place : { Vector2(0.0, 0.0), Vector2(8.0, -0.5), Vector2(1.0, 0.0), Vector2(0.5, 0.2) })
+  {
+    PlanarPoint point;
+    point.place = place;
+    point.kind = BoundaryKind::Object;
+    mesh.points.push_back(point);
+  }
+  PlanarFace ear, body;
+  ear.corners = { 0, 1, 2, -1 };
+  body.corners = { 0, 2, 3, -1 };
+  mesh.faces = { ear, body };
+  const PlanarMesh repaired = repairTerminals(mesh, TerminalRule::TwoBoundaryEdges);
+  EXPECT_EQ(repaired.faces.size(), 4u);
+  EXPECT_EQ(repaired.points[4].place, Vector2(0.5, 0.0));
+  EXPECT_NEAR(areaOf(repaired), areaOf(mesh), 1e-15);
+  // No point lies in a triangle of no area.
+  mesh.points[1].place = { 2.0, 0.0 };
+  try
+  {
+    repairTerminals(mesh, TerminalRule::TwoBoundaryEdges);
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.failure(), Failure::BadStroke);
+    EXPECT_NE(std::string(error.what()).find("too thin near (0.5, 0)"), std::string::npos);
+  }
+}
+
+TEST(C10_2, ASquareIsOneQuad)
+{
+  const PlanarMesh mesh =
+    mergeQuads(triangulate(UnitDrawing({ squareStroke(0.1, 0.9) }).lines(), {}, Context()));
+  ASSERT_EQ(mesh.faces.size(), 1u);
+  EXPECT_EQ(mesh.faces[0].corners, (std::array<int, 4>{ 0, 2, 3, 1 }));
+  EXPECT_EQ(mesh.faces[0].base, 0);
+  EXPECT_EQ(mesh.points.size(), 4u);
+  EXPECT_NEAR(0.5 * twiceTheArea(mesh, mesh.faces[0]), 0.64, 1e-15);
+  fact("C10_2", "square: its base is one quad");
+}
+
+TEST(C10_3, NoStrokesEdgeIsMergedAway)
+{
+  int edges = 0, quads = 0, triangles = 0;
+  for (const UnitDrawing& drawing : bodies())
+  {
+    const PlanarMesh bare = triangulate(drawing.lines(), {}, Context());
+    const PlanarMesh mesh = mergeQuads(bare);
+    EXPECT_NEAR(areaOf(mesh), areaOf(bare), 1e-14);
+    const auto faces = facesOfEdges(mesh);
+    for (const StrokeEdge& edge : mesh.edges)
+    {
+      EXPECT_TRUE(faces.count(std::minmax(edge.from, edge.to)));
+      ++edges;
+    }
+    EXPECT_EQ(mesh.edges.size(), bare.edges.size());
+    for (const PlanarFace& face : mesh.faces)
+    {
+      const int n = face.count();
+      (n == 4 ? quads : triangles) += 1;
+      std::array<Vector2, 4> places;
+      for (int k = 0; k < n; ++k)
+      {
+        places[k] = mesh.points[face.corners[k]].place;
+        EXPECT_EQ(orientation(mesh.points[face.corners[k]].place,
+                    mesh.points[face.corners[(k + 1) % n]].place,
+                    mesh.points[face.corners[(k + 2) % n]].place),
+          1);
+      }
+      EXPECT_TRUE(n == 3 || quadQuality(places) > 0.1);
+    }
+    // Of two triangles that stayed, none could have been merged.
+    std::set<std::pair<int, int>> onStrokes;
+    for (const StrokeEdge& edge : mesh.edges)
+    {
+      onStrokes.insert(std::minmax(edge.from, edge.to));
+    }
+    for (const auto& [edge, sides] : faces)
+    {
+      if (sides.size() == 2 && !onStrokes.count(edge) && mesh.faces[sides[0]].count() == 3 &&
+          mesh.faces[sides[1]].count() == 3)
+      {
+        std::array<int, 2> far{ -1, -1 };
+        for (int i = 0; i < 2; ++i)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            const int c = mesh.faces[sides[i]].corners[k];
+            far[i] = c != edge.first && c != edge.second ? c : far[i];
+          }
+        }
+        std::array<int, 4> quad{ far[0], edge.first, far[1], edge.second };
+        if (orientation(mesh.points[quad[0]].place, mesh.points[quad[1]].place, mesh.points[quad[3]].place) <
+            0)
+        {
+          std::swap(quad[1], quad[3]);
+        }
+        std::array<Vector2, 4> places;
+        std::transform(quad.begin(), quad.end(), places.begin(), [&](int c) { return mesh.points[c].place; });
+        const bool convex = orientation(places[0], places[1], places[2]) > 0 &&
+                            orientation(places[2], places[3], places[0]) > 0;
+        EXPECT_FALSE(convex && quadQuality(places) > 0.1);
+      }
+    }
+  }
+  EXPECT_GT(quads, triangles);
+  fact("C10_3",
+    std::to_string(edges) + " edges of strokes stay; " + std::to_string(quads) + " quads, " +
+      std::to_string(triangles) + " triangles");
+}
