@@ -8,6 +8,7 @@
 #include "Inflate/unstretch.h"
 #include "Planar/guard.h"
 #include "Planar/refine_runs.h"
+#include "Planar/terminal.h"
 #include "Raster/grid_smoothing.h"
 
 #include <gtest/gtest.h>
@@ -44,6 +45,28 @@ std::vector<NamedDrawing> drawings()
       1 } };
 }
 
+// Terminal triangles divided, as what is to be sealed must be.
+PlanarMesh meshOf(const UnitDrawing& drawing)
+{
+  PlanarRefineOptions options;
+  options.levels = 2;
+  std::vector<StrokeSplit> splits;
+  for (int round = 0; round <= 24; ++round)
+  {
+    const std::vector<StrokeLine> lines = strokeLines(
+      drawing.polylines({}, splits), drawing.strokes, drawing.classes.strokes, drawing.treatments);
+    const PlanarMesh coarse =
+      repairTerminals(triangulate(lines, {}, Context()), TerminalRule::TwoBoundaryEdges);
+    PlanarRefineResult result = refinePlanar(coarse, drawing.strokes, options, Context());
+    if (result.splits.empty())
+    {
+      return std::move(result.mesh);
+    }
+    addSplits(splits, result.splits);
+  }
+  throw Error(Failure::BadStroke, "24 rounds were not enough");
+}
+
 // The maps, and the solid made with them.
 Solid inflated(const UnitDrawing& drawing, const PlanarMesh& mesh, bool unstretched)
 {
@@ -65,9 +88,7 @@ TEST(Drawings, BecomeClosedSurfaces)
   for (const NamedDrawing& named : drawings())
   {
     const UnitDrawing drawing(named.strokes, named.treatments);
-    PlanarRefineOptions options;
-    options.levels = 2;
-    const PlanarMesh mesh = rebuilt(drawing, DeltaMode::Adaptive, options).result.mesh;
+    const PlanarMesh mesh = meshOf(drawing);
     for (const int kind : { 0, 1, 2 })
     {
       const Solid whole =
