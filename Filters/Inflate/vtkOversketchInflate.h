@@ -31,8 +31,8 @@
  * it lies outside the image; BadStroke for a Profile that is none and numbers out of range. A mesh without
  * points gives an empty output silently.
  *
- * Deterministic: same result bit for bit for any number of threads. Cost: mostly the two smoothings, about a
- * second each for a large object at 1024 px, which are kept: another HeightFactor repeats none, another
+ * Deterministic: same result bit for bit for any number of threads. Cost: mostly the two smoothings, some 0.3
+ * s each for an object that fills 1024 px, which are kept: another HeightFactor repeats none, another
  * Profile or ProfileSmoothing not that of D, a mesh with further features none.
  *
  * @sa vtkOversketchDistance vtkOversketchExtrude vtkOversketchTunnel vtkOversketchProjectTexture
