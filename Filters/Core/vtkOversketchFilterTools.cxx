@@ -8,6 +8,7 @@
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -399,6 +400,14 @@ vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
   return array;
 }
 
+void RequireFinite(double value, const char* name)
+{
+  if (!std::isfinite(value))
+  {
+    throw Error(Failure::BadStroke, std::string(name) + " is not a finite number; set another.");
+  }
+}
+
 std::vector<char> LabelsOf(vtkDataArray* labels)
 {
   std::vector<char> chosen(static_cast<std::size_t>(labels->GetNumberOfTuples()));
@@ -422,6 +431,21 @@ MeshKey::MeshKey(vtkPolyData* mesh, const std::vector<vtkDataArray*>& arrays)
   {
     add(array);
   }
+}
+
+MeshKey WholeKey(vtkPolyData* data)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (vtkFieldData* of : { static_cast<vtkFieldData*>(data->GetPointData()),
+         static_cast<vtkFieldData*>(data->GetCellData()),
+         data->GetFieldData() })
+  {
+    for (int i = 0; i < of->GetNumberOfArrays(); ++i)
+    {
+      arrays.push_back(of->GetArray(i));
+    }
+  }
+  return MeshKey(data, arrays);
 }
 
 } // namespace oversketch

@@ -111,6 +111,11 @@ OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* RequireArray(vtkDataSetAttributes* at
   const std::string& remedy);
 
 /**
+ * Throws Error(BadStroke) naming the parameter where its value is not finite.
+ */
+OVERSKETCHFILTERSCORE_EXPORT void RequireFinite(double value, const char* name);
+
+/**
  * 1 per tuple of an array of labels (Region, RegionSeed, Visible) that is not 0, else 0.
  */
 OVERSKETCHFILTERSCORE_EXPORT std::vector<char> LabelsOf(vtkDataArray* labels);
@@ -131,6 +136,11 @@ public:
 private:
   std::vector<std::pair<const void*, vtkMTimeType>> Key;
 };
+
+/**
+ * The key of all numbers that a polydata holds.
+ */
+OVERSKETCHFILTERSCORE_EXPORT MeshKey WholeKey(vtkPolyData* data);
 
 } // namespace oversketch
 #endif

@@ -22,6 +22,12 @@ StepKey::StepKey(const std::vector<MeshKey>& inputs, const View& view, const std
   this->Values.push_back(view.height());
 }
 
+void AddText(std::vector<double>& values, const std::string& text)
+{
+  values.push_back(static_cast<double>(text.size()));
+  values.insert(values.end(), text.begin(), text.end());
+}
+
 void KeptOutput::Provide(const StepKey& key,
   vtkPolyData* output,
   const std::function<void(vtkPolyData* result)>& make)

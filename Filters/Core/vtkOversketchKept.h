@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -40,6 +41,11 @@ private:
   std::vector<MeshKey> Inputs;
   std::vector<double> Values;
 };
+
+/**
+ * Adds the characters of a text parameter to the numbers of a key.
+ */
+OVERSKETCHFILTERSCORE_EXPORT void AddText(std::vector<double>& values, const std::string& text);
 
 /**
  * The last result of a step.

@@ -389,21 +389,6 @@ MeshKey StellarKey(vtkPolyData* mesh)
   return MeshKey(mesh, arrays);
 }
 
-MeshKey WholeKey(vtkPolyData* data)
-{
-  std::vector<vtkDataArray*> arrays;
-  for (vtkFieldData* of : { static_cast<vtkFieldData*>(data->GetPointData()),
-         static_cast<vtkFieldData*>(data->GetCellData()),
-         data->GetFieldData() })
-  {
-    for (int i = 0; i < of->GetNumberOfArrays(); ++i)
-    {
-      arrays.push_back(of->GetArray(i));
-    }
-  }
-  return MeshKey(data, arrays);
-}
-
 std::atomic<int>& ForestsRebuilt()
 {
   static std::atomic<int> count{ 0 };
@@ -485,24 +470,10 @@ std::vector<int> WholeNumbers(vtkDataArray* array)
   return WholeOf<int>(array);
 }
 
-void RequireFinite(double value, const char* name)
-{
-  if (!std::isfinite(value))
-  {
-    throw Error(Failure::BadStroke, std::string(name) + " is not a finite number; set another.");
-  }
-}
-
 double LengthOf(double value, double share, const Forest& forest, const char* name)
 {
   RequireFinite(value, name);
   return value < 0.0 ? share * forest.diagonal() : value;
-}
-
-void AddText(std::vector<double>& values, const std::string& text)
-{
-  values.push_back(static_cast<double>(text.size()));
-  values.insert(values.end(), text.begin(), text.end());
 }
 
 int RunCurveStep(vtkAlgorithm* filter,

@@ -32,9 +32,8 @@ bool HasStellarArrays(vtkPolyData* mesh);
 // Whether an array belongs to the 4-8 mesh and is written anew by each step. `of`: the attributes it is in.
 bool IsStellarArray(const char* name);
 
-// What a step reads of a 4-8 mesh, and all numbers that another polydata holds.
+// What a step reads of a 4-8 mesh.
 MeshKey StellarKey(vtkPolyData* mesh);
-MeshKey WholeKey(vtkPolyData* data);
 
 // The forest of a 4-8 mesh. What a step of this module emitted is found as long as somebody holds it, by
 // StellarKey; else it is rebuilt from the arrays, the same to the bit. Throws Error(MissingArray or BadMesh)
@@ -80,10 +79,6 @@ std::vector<int> WholeNumbers(vtkDataArray* array);
 // A length that may be left to the filter, which then takes a share of the mesh's diagonal: below 0. Throws
 // Error(BadStroke) naming the parameter where it is not finite.
 double LengthOf(double value, double share, const Forest& forest, const char* name);
-void RequireFinite(double value, const char* name);
-
-// The characters of a text parameter, for a StepKey.
-void AddText(std::vector<double>& values, const std::string& text);
 
 // Keeps the last result of a step, and carries the user's arrays to it.
 class StellarStep

@@ -1,7 +1,10 @@
 #include "Inflate/unstretch.h"
 
+#include "Planar/guard.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace oversketch
 {
@@ -45,25 +48,29 @@ std::vector<Vector2> wanted(const PlanarMesh& mesh, const HeightMaps& maps, cons
   return moves;
 }
 
-double areaOf(const Vector2& a, const Vector2& b, const Vector2& c)
+// The faces at each point, ascending.
+Lists facesAtPoints(const PlanarMesh& mesh)
 {
-  const Vector2 u = b - a, v = c - a;
-  return 0.5 * (u[0] * v[1] - u[1] * v[0]);
-}
-
-// The least signed area of its corners' triangles.
-double areaOf(const PlanarFace& face, const std::vector<PlanarPoint>& points)
-{
-  const int count = face.count();
-  double least = 1e300;
-  for (int k = 0; k < (count == 3 ? 1 : 4); ++k)
+  Lists lists;
+  lists.offsets.assign(mesh.points.size() + 1, 0);
+  for (const PlanarFace& face : mesh.faces)
   {
-    least = std::min(least,
-      areaOf(points[face.corners[k]].place,
-        points[face.corners[(k + 1) % count]].place,
-        points[face.corners[(k + 2) % count]].place));
+    for (int k = 0; k < face.count(); ++k)
+    {
+      ++lists.offsets[face.corners[k] + 1];
+    }
   }
-  return least;
+  std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
+  lists.values.resize(lists.offsets.back());
+  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    for (int k = 0; k < mesh.faces[f].count(); ++k)
+    {
+      lists.values[next[mesh.faces[f].corners[k]]++] = static_cast<int>(f);
+    }
+  }
+  return lists;
 }
 
 } // namespace
@@ -76,72 +83,22 @@ PlanarMesh unstretch(const PlanarMesh& mesh,
   const std::vector<Vector2> moves = wanted(mesh, maps, context);
   const double longest = maps.distance.frame.spacing * maps.distance.frame.width;
   const double least = flat * longest * longest;
-  PlanarMesh result = mesh;
-  std::vector<double> share(moves.size());
+  SubdividedMesh level;
+  level.mesh = mesh;
+  level.links.facesAtPoint = facesAtPoints(mesh);
   for (std::size_t i = 0; i < moves.size(); ++i)
   {
-    share[i] = moves[i] == Vector2::Zero() ? 0.0 : 1.0;
+    level.smooth.push_back(mesh.points[i].place + moves[i]);
+    level.free.push_back(moves[i] != Vector2::Zero());
   }
-  std::vector<char> bad(moves.size()), around;
-  for (int pass = 0;; ++pass)
+  keepUpright(level, least, context);
+  for (std::size_t i = 0; i < moves.size() && report; ++i)
   {
-    context.checkpoint(0.3 + 0.7 * pass / (pass + 5.0));
-    for (std::size_t i = 0; i < moves.size(); ++i)
-    {
-      result.points[i].place = mesh.points[i].place + share[i] * moves[i];
-    }
-    std::fill(bad.begin(), bad.end(), 0);
-    const auto mark = [](const PlanarFace& face, std::vector<char>& marks)
-    {
-      for (int k = 0; k < face.count(); ++k)
-      {
-        marks[face.corners[k]] = 1;
-      }
-    };
-    for (const PlanarFace& face : result.faces)
-    {
-      if (areaOf(face, result.points) <= least)
-      {
-        mark(face, bad);
-      }
-    }
-    if (pass >= 6)
-    {
-      around = bad;
-      for (const PlanarFace& face : result.faces)
-      {
-        if (std::any_of(face.corners.begin(),
-              face.corners.begin() + face.count(),
-              [&](int corner) { return bad[corner] != 0; }))
-        {
-          mark(face, around);
-        }
-      }
-      bad.swap(around);
-    }
-    bool changed = false;
-    for (std::size_t i = 0; i < moves.size(); ++i)
-    {
-      if (bad[i] && share[i] > 0.0)
-      {
-        share[i] = share[i] < 0.2 ? 0.0 : 0.5 * share[i];
-        changed = true;
-      }
-    }
-    if (!changed)
-    {
-      break;
-    }
+    const Vector2& place = level.mesh.points[i].place;
+    report->moved += place != mesh.points[i].place;
+    report->held += place != level.smooth[i];
   }
-  if (report)
-  {
-    for (std::size_t i = 0; i < moves.size(); ++i)
-    {
-      report->moved += share[i] > 0.0;
-      report->held += share[i] < 1.0 && moves[i] != Vector2::Zero();
-    }
-  }
-  return result;
+  return std::move(level.mesh);
 }
 
 } // namespace oversketch

@@ -18,10 +18,8 @@ struct UnstretchReport
 // 2)), u = d / D, which puts points evenly on a circular cross-section. Only points that lie on no stroke
 // move. D is D', d = min(T, D').
 //
-// Guarded as the refinement is: while a face has a signed area that is not above 0 (of a quad, one of its
-// four corners' triangles), the moves of its points are halved, below a tenth given up; after six passes
-// those of the points around it too. A face that was turned before stays as it is. The same for any number
-// of threads.
+// Guarded as the refinement is, see guard.h: no face is turned over by it. One that was turned before stays
+// so. The same for any number of threads.
 PlanarMesh unstretch(const PlanarMesh& mesh,
   const HeightMaps& maps,
   const Context& context,

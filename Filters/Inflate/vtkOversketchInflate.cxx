@@ -1,0 +1,231 @@
+#include "vtkOversketchInflate.h"
+
+#include "Inflate/heights.h"
+#include "Inflate/inflate.h"
+#include "Inflate/unstretch.h"
+#include "Raster/grid_smoothing.h"
+#include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchPlanarTools.h"
+#include "vtkOversketchSolidTools.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <vector>
+
+using namespace oversketch;
+
+// What heights are read from, each made anew when what is before it is.
+struct vtkOversketchInflate::Cache
+{
+  StepKey MapsKey, ThicknessKey, RatioKey;
+  DistanceMaps Maps;
+  std::unique_ptr<GridSmoothing> Grid; // refers to the maps
+  std::vector<float> Thickness, Ratio;
+  vtkSmartPointer<vtkImageData> Image;
+  KeptOutput Surface;
+
+  // Makes what the key does not answer; what follows from it is forgotten first.
+  template <typename Make>
+  static bool Provide(StepKey& known, const StepKey& key, const Make& make)
+  {
+    if (known == key)
+    {
+      return false;
+    }
+    known = StepKey();
+    make();
+    known = key;
+    return true;
+  }
+};
+
+vtkStandardNewMacro(vtkOversketchInflate);
+
+namespace
+{
+
+vtkSmartPointer<vtkImageData> imageOf(const Frame& frame,
+  const std::vector<float>& thickness,
+  const std::vector<float>& ratio)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  WriteFrame(frame, image);
+  const auto add = [&](const char* name, const std::vector<float>& values)
+  {
+    vtkNew<vtkFloatArray> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    image->GetPointData()->AddArray(array);
+  };
+  add("LocalMaxSmooth", thickness);
+  add("Ratio", ratio);
+  image->GetPointData()->SetActiveScalars("LocalMaxSmooth");
+  return image;
+}
+
+} // namespace
+
+vtkOversketchInflate::vtkOversketchInflate()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchInflate::~vtkOversketchInflate() = default;
+
+void vtkOversketchInflate::SetDistanceData(vtkImageData* distance)
+{
+  this->SetInputData(1, distance);
+}
+
+vtkImageData* vtkOversketchInflate::GetHeightsOutput()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+void vtkOversketchInflate::SetProfile(const char* text)
+{
+  SetText(this, this->Profile, text);
+}
+
+int vtkOversketchInflate::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkImageData" : "vtkPolyData");
+  return 1;
+}
+
+int vtkOversketchInflate::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  return FillImagePort(port, information);
+}
+
+int vtkOversketchInflate::RequestInformation(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  vtkInformation* distance = inputs[1]->GetInformationObject(0);
+  vtkInformation* heights = outputs->GetInformationObject(1);
+  heights->CopyEntry(distance, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  heights->CopyEntry(distance, vtkDataObject::ORIGIN());
+  heights->CopyEntry(distance, vtkDataObject::SPACING());
+  vtkDataObject::SetPointDataActiveScalarInfo(heights, VTK_FLOAT, 1);
+  return 1;
+}
+
+int vtkOversketchInflate::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkImageData* image = vtkImageData::GetData(inputs[1]);
+      vtkImageData* heights = vtkImageData::GetData(outputs, 1);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        heights->Initialize();
+        return;
+      }
+      RequireFinite(this->HeightFactor, "HeightFactor");
+      RequireFinite(this->LocalMaxSmoothing, "LocalMaxSmoothing");
+      RequireFinite(this->ProfileSmoothing, "ProfileSmoothing");
+      const CrossSection section = CrossSection::parse(this->Profile);
+      const PlanarMesh planar = PlanarMeshOf(mesh);
+      const bool poisson = this->Mode == Poisson;
+      const double spread = this->AsPublished ? 0.0 : std::max(0.0, this->LocalMaxSmoothing);
+      const double round = this->AsPublished            ? 0.0
+                           : this->ProfileSmoothing < 0 ? section.smoothing()
+                                                        : this->ProfileSmoothing;
+      Cache& cache = *this->Internals;
+
+      const Frame frame = FrameOf(image);
+      std::vector<double> values{
+        frame.origin[0], frame.origin[1], frame.spacing, 1.0 * frame.width, 1.0 * this->GridStep
+      };
+      const auto key = [&] { return StepKey({ ImageKey(image) }, values); };
+      Cache::Provide(cache.MapsKey,
+        key(),
+        [&]
+        {
+          cache.ThicknessKey = cache.RatioKey = StepKey();
+          cache.Image = nullptr;
+          cache.Grid = nullptr;
+          cache.Maps = DistanceMapsOf(image, ContextOf(this, 0.0, 0.05));
+          cache.Grid =
+            std::make_unique<GridSmoothing>(cache.Maps, this->GridStep, ContextOf(this, 0.05, 0.2));
+        });
+      values.push_back(spread);
+      this->ThicknessCount += Cache::Provide(cache.ThicknessKey,
+        key(),
+        [&]
+        {
+          cache.RatioKey = StepKey();
+          cache.Image = nullptr;
+          cache.Thickness = cache.Grid->thickness(spread, ContextOf(this, 0.2, 0.5));
+        });
+      values.push_back(this->Mode);
+      if (!poisson)
+      {
+        values.push_back(round);
+        AddText(values, this->Profile);
+      }
+      this->RatioCount += Cache::Provide(cache.RatioKey,
+        key(),
+        [&]
+        {
+          cache.Image = nullptr;
+          const Context context = ContextOf(this, 0.5, 0.9);
+          cache.Ratio = poisson ? cache.Grid->poissonRatio(context)
+                                : cache.Grid->profileRatio(cache.Thickness,
+                                    sectionSquares(cache.Maps, cache.Thickness, section, context),
+                                    round,
+                                    context);
+          cache.Image = imageOf(frame, cache.Thickness, cache.Ratio);
+        });
+      values.push_back(this->HeightFactor);
+      values.push_back(this->UnstretchedRims);
+      cache.Surface.Provide(StepKey({ WholeKey(mesh), ImageKey(image) }, values),
+        vtkPolyData::GetData(outputs, 0),
+        [&](vtkPolyData* result)
+        {
+          ++this->InflateCount;
+          const HeightMaps maps{
+            cache.Maps, cache.Thickness, cache.Ratio, poisson ? Inflation::Poisson : Inflation::Section
+          };
+          const Context context = ContextOf(this, 0.9, 1.0);
+          const PlanarMesh moved = this->UnstretchedRims ? unstretch(planar, maps, context) : planar;
+          WriteSolid(
+            inflate(moved, heightsOf(moved, maps, section, this->HeightFactor, context)), mesh, result);
+        });
+      heights->ShallowCopy(cache.Image);
+    });
+}
+
+void vtkOversketchInflate::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "Profile: " << this->Profile << "\n";
+  os << indent << "HeightFactor: " << this->HeightFactor << "\n";
+  os << indent << "LocalMaxSmoothing: " << this->LocalMaxSmoothing << "\n";
+  os << indent << "ProfileSmoothing: " << this->ProfileSmoothing << "\n";
+  os << indent << "GridStep: " << this->GridStep << "\n";
+  os << indent << "UnstretchedRims: " << this->UnstretchedRims << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "ThicknessCount: " << this->ThicknessCount << "\n";
+  os << indent << "RatioCount: " << this->RatioCount << "\n";
+  os << indent << "InflateCount: " << this->InflateCount << "\n";
+}

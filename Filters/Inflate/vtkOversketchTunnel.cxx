@@ -1,0 +1,117 @@
+#include "vtkOversketchTunnel.h"
+
+#include "Inflate/tunnel.h"
+#include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchSolidTools.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+using namespace oversketch;
+
+struct vtkOversketchTunnel::Cache
+{
+  KeptOutput Surface;
+};
+
+vtkStandardNewMacro(vtkOversketchTunnel);
+
+namespace
+{
+
+// 1 of each region that is a tunnel or lies in one.
+std::vector<char> tunnelRegions(vtkPolyData* curves)
+{
+  const Classification drawing = ClassificationOf(curves);
+  const std::vector<Treatment> treatments = TreatmentsOf(curves);
+  std::vector<char> tunnels(drawing.regions.size(), 0);
+  for (std::size_t r = 0; r < tunnels.size(); ++r)
+  {
+    for (int around = static_cast<int>(r); around >= 0; around = drawing.regions[around].parent)
+    {
+      const Region& region = drawing.regions[around];
+      tunnels[r] |= region.parent >= 0 && treatments[region.stroke] == Treatment::Tunnel;
+    }
+  }
+  return tunnels;
+}
+
+} // namespace
+
+vtkOversketchTunnel::vtkOversketchTunnel()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchTunnel::~vtkOversketchTunnel() = default;
+
+void vtkOversketchTunnel::SetCurvesData(vtkPolyData* curves)
+{
+  this->SetInputData(1, curves);
+}
+
+int vtkOversketchTunnel::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* surface = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* curves = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const Context context = ContextOf(this);
+      context.checkpoint(0.0);
+      const std::vector<char> tunnels = tunnelRegions(curves);
+      if (std::count(tunnels.begin(), tunnels.end(), 1) == 0)
+      {
+        output->ShallowCopy(surface);
+        return;
+      }
+      std::vector<double> values(tunnels.begin(), tunnels.end());
+      values.push_back(this->TunnelWall);
+      this->Internals->Surface.Provide(StepKey({ WholeKey(surface) }, values),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->TunnelCount;
+          const Solid solid = SolidOf(surface);
+          vtkDataArray* regions = RequireArray(surface->GetCellData(),
+            "RegionId",
+            1,
+            surface->GetNumberOfCells(),
+            "surface",
+            "take the mesh from vtkOversketchRefine");
+          std::vector<char> removed;
+          for (vtkIdType f = 0; f < regions->GetNumberOfTuples(); ++f)
+          {
+            const double region = regions->GetComponent(f, 0);
+            removed.push_back(region >= 0.0 && region < static_cast<double>(tunnels.size()) &&
+                              tunnels[static_cast<std::size_t>(region)] != 0);
+          }
+          context.checkpoint(0.3);
+          const Solid cut = tunnel(solid, removed, this->TunnelWall);
+          context.checkpoint(0.7);
+          WriteSolid(cut, surface, result);
+        });
+    });
+}
+
+void vtkOversketchTunnel::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TunnelWall: " << this->TunnelWall << "\n";
+  os << indent << "TunnelCount: " << this->TunnelCount << "\n";
+}
