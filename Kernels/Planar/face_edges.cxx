@@ -46,7 +46,7 @@ Lists listsAt(std::size_t points, const std::vector<Item>& items, const PointsOf
 }
 
 // A face's edge from a corner to the next.
-struct Side
+struct FaceSide
 {
   int from, to; // from < to
   int face, corner;
@@ -54,10 +54,10 @@ struct Side
 };
 
 // Ascending by (from, to, face).
-std::vector<Side> sidesOf(const PlanarMesh& mesh)
+std::vector<FaceSide> faceSidesOf(const PlanarMesh& mesh)
 {
   const int points = static_cast<int>(mesh.points.size()), faces = static_cast<int>(mesh.faces.size());
-  std::vector<Side> sides;
+  std::vector<FaceSide> sides;
   sides.reserve(4 * mesh.faces.size());
   for (int f = 0; f < faces; ++f)
   {
@@ -74,8 +74,9 @@ std::vector<Side> sidesOf(const PlanarMesh& mesh)
     }
   }
   // By the one end, and the few of each by the other.
-  Lists at = listsAt(mesh.points.size(), sides, [](const Side& side, const auto& take) { take(side.from); });
-  std::vector<Side> sorted;
+  Lists at =
+    listsAt(mesh.points.size(), sides, [](const FaceSide& side, const auto& take) { take(side.from); });
+  std::vector<FaceSide> sorted;
   sorted.reserve(sides.size());
   for (int p = 0; p < points; ++p)
   {
@@ -135,10 +136,10 @@ FaceEdges faceEdges(const PlanarMesh& mesh)
   }
   FaceEdges made;
   made.ofFace.assign(mesh.faces.size(), { -1, -1, -1, -1 });
-  const std::vector<Side> sides = sidesOf(mesh);
+  const std::vector<FaceSide> sides = faceSidesOf(mesh);
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    const Side& side = sides[i];
+    const FaceSide& side = sides[i];
     const bool again = i > 0 && sides[i - 1].from == side.from && sides[i - 1].to == side.to;
     if (!again)
     {

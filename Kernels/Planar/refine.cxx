@@ -18,7 +18,7 @@ constexpr double leastArea = 1e-12; // of the canvas's longest side, squared
 constexpr int mostLevels = 10;
 constexpr double mostFaces = 1 << 24;
 
-void check(const PlanarRefineOptions& options)
+void checkOptions(const PlanarRefineOptions& options)
 {
   if (options.levels < 0 || options.levels > mostLevels)
   {
@@ -155,7 +155,7 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   const PlanarRefineOptions& options,
   const Context& context)
 {
-  check(options);
+  checkOptions(options);
   const std::vector<StrokeByLength> curves(strokes.begin(), strokes.end());
   checkStrokes(mesh, curves);
   checkSize(mesh, options);

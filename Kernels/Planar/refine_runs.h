@@ -2,8 +2,10 @@
 #ifndef oversketch_refine_runs_h
 #define oversketch_refine_runs_h
 
+#include "Planar/merge_quads.h"
 #include "Planar/planar_shapes.h"
 #include "Planar/refine.h"
+#include "Planar/terminal.h"
 #include "Planar/triangulate.h"
 
 namespace oversketch_test
@@ -34,27 +36,36 @@ struct Rebuilt
   int rounds = 0, base = 0;
 };
 
-// Approximation, triangulation and refinement, until nothing is handed back.
+// The coarse mesh of a drawing; of triangles, repaired, or of quads where they can be.
+inline PlanarMesh coarseMesh(const UnitDrawing& drawing,
+  DeltaMode mode,
+  const std::vector<StrokeSplit>& splits,
+  bool quads)
+{
+  ApproximationRules rules;
+  rules.mode = mode;
+  const std::vector<StrokeLine> lines = strokeLines(
+    drawing.polylines(rules, splits), drawing.strokes, drawing.classes.strokes, drawing.treatments);
+  const PlanarMesh mesh = triangulate(lines, {}, Context());
+  return quads ? mergeQuads(mesh) : repairTerminals(mesh, TerminalRule::TwoBoundaryEdges);
+}
+
+// Coarse meshes and their refinement, until nothing is handed back; 24 times at most.
 inline Rebuilt rebuilt(const UnitDrawing& drawing, DeltaMode mode, const PlanarRefineOptions& options)
 {
   Rebuilt run;
-  ApproximationRules rules;
-  rules.mode = mode;
   std::vector<StrokeSplit> splits;
-  for (; run.rounds <= 24; ++run.rounds)
+  for (;; ++run.rounds)
   {
-    const std::vector<StrokeLine> lines = strokeLines(
-      drawing.polylines(rules, splits), drawing.strokes, drawing.classes.strokes, drawing.treatments);
-    const PlanarMesh coarse = triangulate(lines, {}, Context());
+    const PlanarMesh coarse = coarseMesh(drawing, mode, splits, options.quads);
     run.base = static_cast<int>(coarse.faces.size());
     run.result = refinePlanar(coarse, drawing.strokes, options, Context());
-    if (run.result.splits.empty())
+    if (run.result.splits.empty() || run.rounds == 24)
     {
       return run;
     }
     addSplits(splits, run.result.splits);
   }
-  return run;
 }
 
 } // namespace oversketch_test

@@ -8,7 +8,7 @@ namespace oversketch
 namespace
 {
 
-constexpr double turn = 6.283185307179586;
+constexpr double fullTurn = 6.283185307179586;
 
 // What the steps of a level read.
 struct Level
@@ -143,7 +143,7 @@ Vector2 loopPlace(const Level& level, int point)
 {
   const Lists& at = level.links.atPoint;
   const int n = at.size(point);
-  const double inner = 0.375 + 0.25 * std::cos(turn / n);
+  const double inner = 0.375 + 0.25 * std::cos(fullTurn / n);
   const double beta = (0.625 - inner * inner) / n;
   Vector2 sum = Vector2::Zero();
   for (const int* e = at.begin(point); e != at.end(point); ++e)

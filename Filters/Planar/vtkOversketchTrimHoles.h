@@ -1,0 +1,62 @@
+/**
+ * @class vtkOversketchTrimHoles
+ * @brief cuts the holes of a drawing out of its mesh
+ *
+ * Source: "Image-Assisted Modeling from Sketches", Sec. 2.3.1, Fig. 15: before the surface is made the faces
+ * of a region that is a hole leave the mesh, by the RegionId that they inherited, never by where they lie;
+ * with them goes what lies in the hole (the paper does not say). vtkOversketchCoarseMesh leaves such regions
+ * out from the first; this is for meshes of regions that became holes later.
+ *
+ * Input 0 (Mesh): mesh of vtkOversketchCoarseMesh, vtkOversketchQuadMerge or vtkOversketchPlanarRefine.
+ * Input 1 (Edges): output 1 of the same.
+ * Input 2 (Curves): the curves that it was made of, with the arrays of vtkOversketchClassify and Treatment.
+ *
+ * Output 0 (Mesh): what is left, with the same arrays; points that no face has are left out. BoundaryKind is
+ * 2, hole, where the mesh was cut.
+ * Output 1 (Edges): edges on strokes of what is left.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray and BadMesh, naming array, face or
+ * edge, where mesh and edges are not sound or not of these curves; BadStroke for contradictions in the
+ * curves' arrays. A mesh without points gives empty outputs silently, without holes both go through.
+ *
+ * Deterministic. Cost: some 0.3 microseconds a face.
+ *
+ * @sa vtkOversketchTreatment vtkOversketchPlanarRefine
+ */
+#ifndef vtkOversketchTrimHoles_h
+#define vtkOversketchTrimHoles_h
+
+#include "OversketchFiltersPlanarModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchTrimHoles : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchTrimHoles* New();
+  vtkTypeMacro(vtkOversketchTrimHoles, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The edges, on port 1.
+   */
+  void SetEdgesConnection(vtkAlgorithmOutput* edges) { this->SetInputConnection(1, edges); }
+  void SetEdgesData(vtkPolyData* edges);
+
+  /**
+   * The curves, on port 2.
+   */
+  void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(2, curves); }
+  void SetCurvesData(vtkPolyData* curves);
+
+protected:
+  vtkOversketchTrimHoles();
+  ~vtkOversketchTrimHoles() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchTrimHoles(const vtkOversketchTrimHoles&) = delete;
+  void operator=(const vtkOversketchTrimHoles&) = delete;
+};
+
+#endif
