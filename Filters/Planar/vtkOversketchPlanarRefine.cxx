@@ -8,29 +8,17 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-
-#include <array>
 
 using namespace oversketch;
 
-// The last result and all that it was made of.
 struct vtkOversketchPlanarRefine::Cache
 {
-  StepKey Key;
-  bool Made = false;
+  KeptOutput Kept; // the mesh
+  vtkNew<vtkPolyData> Edges, Splits;
   int Inverted = 0;
-  vtkSmartPointer<vtkPolyData> Mesh, Edges, Splits;
-
-  void Renew()
-  {
-    for (vtkSmartPointer<vtkPolyData>* data : { &this->Mesh, &this->Edges, &this->Splits })
-    {
-      *data = vtkSmartPointer<vtkPolyData>::New();
-    }
-  }
 };
 
 vtkStandardNewMacro(vtkOversketchPlanarRefine);
@@ -43,6 +31,16 @@ vtkOversketchPlanarRefine::vtkOversketchPlanarRefine()
 }
 
 vtkOversketchPlanarRefine::~vtkOversketchPlanarRefine() = default;
+
+vtkPolyData* vtkOversketchPlanarRefine::GetEdgesOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkPolyData* vtkOversketchPlanarRefine::GetSplitsOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
 
 void vtkOversketchPlanarRefine::SetEdgesData(vtkPolyData* edges)
 {
@@ -75,46 +73,40 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
       options.guard = this->Guard && !this->AsPublished;
       options.quads = this->Quads;
       Cache& cache = *this->Internals;
-      const StepKey key({ PlanarKey(faces), PlanarKey(edges), CurvesKey(curves) },
-        { static_cast<double>(options.levels),
-          options.snapShare,
-          static_cast<double>(options.guard),
-          static_cast<double>(options.quads) });
-      if (!cache.Made || cache.Key != key)
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      cache.Kept.Provide(StepKey({ PlanarKey(faces), PlanarKey(edges), CurvesKey(curves) },
+                           { static_cast<double>(options.levels),
+                             options.snapShare,
+                             static_cast<double>(options.guard),
+                             static_cast<double>(options.quads) }),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->RefineCount;
+          const Drawing drawing = DrawingOf(curves);
+          options.canvasSide = drawing.Rectangle.longest();
+          const PlanarRefineResult made =
+            refinePlanar(PlanarMeshOf(faces, edges), drawing.Strokes, options, ContextOf(this));
+          WritePlanarMesh(made.mesh, result);
+          cache.Edges->Initialize();
+          WriteStrokeEdges(made.mesh, result, cache.Edges);
+          cache.Splits->Initialize();
+          WriteSplits(made.splits, drawing.Strokes, cache.Splits);
+          cache.Inverted = made.inverted;
+        });
+      this->GetEdgesOutput()->ShallowCopy(cache.Edges);
+      this->GetSplitsOutput()->ShallowCopy(cache.Splits);
+      for (vtkPolyData* data : { output, this->GetEdgesOutput(), this->GetSplitsOutput() })
       {
-        cache.Made = false; // so that nothing stale is left when making fails
-        ++this->RefineCount;
-        const Drawing drawing = DrawingOf(curves);
-        options.canvasSide = drawing.Rectangle.longest();
-        const PlanarRefineResult result =
-          refinePlanar(PlanarMeshOf(faces, edges), drawing.Strokes, options, ContextOf(this));
-        cache.Renew();
-        if (result.splits.empty())
-        {
-          WritePlanarMesh(result.mesh, cache.Mesh);
-          WriteStrokeEdges(result.mesh, cache.Mesh, cache.Edges);
-        }
-        else
-        {
-          WriteSplits(result.splits, drawing.Strokes, cache.Splits);
-        }
-        cache.Inverted = result.inverted;
-        cache.Key = key;
-        cache.Made = true;
+        data->GetFieldData()->PassData(faces->GetFieldData());
       }
       this->Inverted = cache.Inverted;
-      if (cache.Splits->GetNumberOfCells() > 0)
+      if (const vtkIdType parts = cache.Splits->GetNumberOfCells())
       {
-        vtkWarningMacro("In " << cache.Splits->GetNumberOfCells()
-                              << " places strokes leave triangles no room: approximate them closer there, "
-                                 "with vtkOversketchPolyline and the splits on output 2.");
-      }
-      const std::array<vtkPolyData*, 3> made{ cache.Mesh, cache.Edges, cache.Splits };
-      for (int port = 0; port < 3; ++port)
-      {
-        vtkPolyData* output = vtkPolyData::GetData(outputs, port);
-        output->ShallowCopy(made[port]);
-        output->GetFieldData()->PassData(faces->GetFieldData());
+        vtkWarningMacro("Strokes leave triangles no room, "
+                        << parts
+                        << " parts of them: approximate these closer, with "
+                           "vtkOversketchPolyline and the splits on output 2.");
       }
     });
 }

@@ -59,6 +59,16 @@ public:
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(2, curves); }
   void SetCurvesData(vtkPolyData* curves);
 
+  /**
+   * The edges, on output port 1.
+   */
+  vtkPolyData* GetEdgesOutput();
+
+  /**
+   * The splits, on output port 2.
+   */
+  vtkPolyData* GetSplitsOutput();
+
   ///@{
   /**
    * How often every face is cut in four [0 to 10, default 3; the paper: several].

@@ -2,11 +2,13 @@
 
 #include "Planar/trim.h"
 #include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchKept.h"
 #include "vtkOversketchPlanarTools.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -14,12 +16,26 @@
 
 using namespace oversketch;
 
+struct vtkOversketchTrimHoles::Cache
+{
+  KeptOutput Kept;
+  vtkNew<vtkPolyData> Edges;
+};
+
 vtkStandardNewMacro(vtkOversketchTrimHoles);
 
 vtkOversketchTrimHoles::vtkOversketchTrimHoles()
+  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchTrimHoles::~vtkOversketchTrimHoles() = default;
+
+vtkPolyData* vtkOversketchTrimHoles::GetEdgesOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 void vtkOversketchTrimHoles::SetEdgesData(vtkPolyData* edges)
@@ -47,19 +63,27 @@ int vtkOversketchTrimHoles::RequestData(vtkInformation*,
         return;
       }
       const std::vector<char> gone = regionsInHoles(ClassificationOf(curves), TreatmentsOf(curves));
-      vtkPolyData* leftFaces = vtkPolyData::GetData(outputs, 0);
-      vtkPolyData* leftEdges = vtkPolyData::GetData(outputs, 1);
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       if (std::find(gone.begin(), gone.end(), 1) == gone.end())
       {
-        leftFaces->ShallowCopy(faces);
-        leftEdges->ShallowCopy(edges);
+        output->ShallowCopy(faces);
+        this->GetEdgesOutput()->ShallowCopy(edges);
         return;
       }
-      const PlanarMesh left = withoutRegions(PlanarMeshOf(faces, edges), gone);
-      WritePlanarMesh(left, leftFaces);
-      WriteStrokeEdges(left, leftFaces, leftEdges);
-      leftFaces->GetFieldData()->PassData(faces->GetFieldData());
-      leftEdges->GetFieldData()->PassData(edges->GetFieldData());
+      Cache& cache = *this->Internals;
+      cache.Kept.Provide(
+        StepKey({ PlanarKey(faces), PlanarKey(edges) }, std::vector<double>(gone.begin(), gone.end())),
+        output,
+        [&](vtkPolyData* result)
+        {
+          const PlanarMesh left = withoutRegions(PlanarMeshOf(faces, edges), gone);
+          WritePlanarMesh(left, result);
+          cache.Edges->Initialize();
+          WriteStrokeEdges(left, result, cache.Edges);
+        });
+      this->GetEdgesOutput()->ShallowCopy(cache.Edges);
+      output->GetFieldData()->PassData(faces->GetFieldData());
+      this->GetEdgesOutput()->GetFieldData()->PassData(edges->GetFieldData());
     });
 }
 
