@@ -5,6 +5,9 @@
 #include "vtkOversketchStellarBase.h"
 #include "vtkOversketchStellarDisplace.h"
 #endif
+#ifdef OVERSKETCH_WITH_INFLATEDRAWING
+#include "vtkOversketchInflateDrawing.h"
+#endif
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchLaplacianDeform.h"
 #include "vtkOversketchOneStroke.h"
@@ -12,16 +15,22 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTriangle.h"
 #include "vtk_jsoncpp.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace oversketch_command
 {
@@ -74,6 +83,65 @@ void addFiguresOf(vtkOversketchAugment* augment, Json::Value& json)
          std::pair("SmallestAngle", "smallest_angle") })
   {
     json["met"][word] = jsonNumber(augment->GetFigure(name));
+  }
+}
+#endif
+
+#ifdef OVERSKETCH_WITH_INFLATEDRAWING
+// The smallest angle of each face of a flat mesh, ascending [degrees].
+std::vector<double> smallestAngles(vtkPolyData* mesh)
+{
+  std::vector<double> angles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    const vtkIdType count = ids->GetNumberOfIds();
+    double least = 180.0;
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      double here[3], before[3], after[3];
+      mesh->GetPoint(ids->GetId(k), here);
+      mesh->GetPoint(ids->GetId((k + count - 1) % count), before);
+      mesh->GetPoint(ids->GetId((k + 1) % count), after);
+      vtkMath::Subtract(before, here, before);
+      vtkMath::Subtract(after, here, after);
+      least = std::min(least, vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(before, after)));
+    }
+    angles.push_back(least);
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
+void addFiguresOf(vtkOversketchInflateDrawing* drawing, Json::Value& json)
+{
+  vtkPolyData* curves = drawing->GetInnerOutput("Treatment");
+  vtkDataArray* roles = curves ? curves->GetCellData()->GetArray("Role") : nullptr;
+  const char* const words[] = { "rejected", "unknown", "boundary", "closed feature", "open feature" };
+  json["strokes"] = Json::arrayValue;
+  for (vtkIdType i = 0; roles && i < roles->GetNumberOfTuples(); ++i)
+  {
+    json["strokes"].append(words[std::clamp(static_cast<int>(roles->GetComponent(i, 0)), -1, 3) + 1]);
+  }
+  json["rebuilds"] = drawing->GetRebuilds();
+  for (const char* name : { "CoarseMesh", "QuadMerge", "Refine" })
+  {
+    vtkPolyData* made = drawing->GetInnerOutput(name);
+    if (made && made->GetNumberOfPolys() > 0)
+    {
+      json["faces"][name] = count(made->GetNumberOfPolys());
+    }
+  }
+  if (vtkPolyData* flat = drawing->GetInnerOutput("Refine"))
+  {
+    const std::vector<double> angles = smallestAngles(flat);
+    if (!angles.empty())
+    {
+      json["smallest_angle"]["least"] = jsonNumber(angles.front());
+      json["smallest_angle"]["percentile_5"] = jsonNumber(angles[angles.size() / 20]);
+      json["smallest_angle"]["median"] = jsonNumber(angles[angles.size() / 2]);
+    }
   }
 }
 #endif
@@ -188,6 +256,12 @@ void addFigures([[maybe_unused]] vtkOversketchSystem* system, [[maybe_unused]] J
   if (auto* augment = vtkOversketchAugment::SafeDownCast(system))
   {
     addFiguresOf(augment, json);
+  }
+#endif
+#ifdef OVERSKETCH_WITH_INFLATEDRAWING
+  if (auto* drawing = vtkOversketchInflateDrawing::SafeDownCast(system))
+  {
+    addFiguresOf(drawing, json);
   }
 #endif
 #ifdef OVERSKETCH_WITH_ONESTROKE

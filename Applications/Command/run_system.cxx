@@ -10,10 +10,15 @@
 
 #include "vtkOversketchSystem.h"
 
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkXMLImageDataWriter.h"
+
 #include <chrono>
 #include <filesystem>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace oversketch_command
 {
@@ -24,9 +29,24 @@ using namespace oversketch_session;
 namespace
 {
 
-std::string innerPath(const Options& options, const char* stage)
+// What a step puts out beside its first output, null where that is no image.
+vtkImageData* innerImage(vtkOversketchSystem* system, const char* stage)
 {
-  return options.inner + "/" + stage + ".vtp";
+  vtkAlgorithm* step = system->GetStep(stage);
+  return step->GetNumberOfOutputPorts() > 1 ? vtkImageData::SafeDownCast(step->GetOutputDataObject(1))
+                                            : nullptr;
+}
+
+// The files of a step: its lines or mesh, and its image where it makes one.
+std::vector<std::string> innerPaths(const Options& options, vtkOversketchSystem* system, const char* stage)
+{
+  const std::string path = options.inner + "/" + stage;
+  std::vector<std::string> paths = { path + ".vtp" };
+  if (innerImage(system, stage))
+  {
+    paths.push_back(path + ".vti");
+  }
+  return paths;
 }
 
 void writeInner(const Options& options, vtkOversketchSystem* system, NewFiles& files)
@@ -34,11 +54,27 @@ void writeInner(const Options& options, vtkOversketchSystem* system, NewFiles& f
   for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
   {
     const char* name = system->GetInnerOutputName(i);
+    const std::vector<std::string> paths = innerPaths(options, system, name);
     vtkPolyData* inner = system->GetInnerOutput(name);
     if (inner && inner->GetNumberOfPoints() > 0)
     {
       Notes none;
-      writeMesh(inner, innerPath(options, name), none, files);
+      writeMesh(inner, paths[0], none, files);
+    }
+    vtkImageData* image = innerImage(system, name);
+    if (image && image->GetNumberOfPoints() > 0)
+    {
+      files.write(paths[1],
+        [&](const std::string& temporary)
+        {
+          vtkNew<vtkXMLImageDataWriter> writer;
+          writer->SetInputData(image);
+          writer->SetFileName(temporary.c_str());
+          if (!writer->Write() || !takeError().empty())
+          {
+            throw Failed(paths[1] + ": could not be written (is the disk full?)");
+          }
+        });
     }
   }
 }
@@ -80,7 +116,10 @@ void requireApart(const Options& options, vtkOversketchSystem* system)
   }
   for (int i = 0; !options.inner.empty() && i < system->GetNumberOfInnerOutputs(); ++i)
   {
-    take("--inner:", innerPath(options, system->GetInnerOutputName(i)), false);
+    for (const std::string& path : innerPaths(options, system, system->GetInnerOutputName(i)))
+    {
+      take("--inner:", path, false);
+    }
   }
 }
 
@@ -109,7 +148,10 @@ void checkOutputs(const Options& options, vtkOversketchSystem* system)
     }
     for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
     {
-      requireWritable(innerPath(options, system->GetInnerOutputName(i)));
+      for (const std::string& path : innerPaths(options, system, system->GetInnerOutputName(i)))
+      {
+        requireWritable(path);
+      }
     }
   }
 }

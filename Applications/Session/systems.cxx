@@ -5,6 +5,9 @@
 #ifdef OVERSKETCH_WITH_AUGMENT
 #include "vtkOversketchAugment.h"
 #endif
+#ifdef OVERSKETCH_WITH_INFLATEDRAWING
+#include "vtkOversketchInflateDrawing.h"
+#endif
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchOneStroke.h"
 #endif
@@ -206,6 +209,96 @@ SystemRow augment()
 }
 #endif
 
+#ifdef OVERSKETCH_WITH_INFLATEDRAWING
+SystemRow inflateDrawing()
+{
+  using System = vtkOversketchInflateDrawing;
+  using Kind = SystemInput::Kind;
+  SystemRow row;
+  row.name = "InflateDrawing";
+  row.verb = "inflate";
+  row.title = "Drawing";
+  row.brief = "make a model of a drawing, and of the picture under it";
+  row.help =
+    "Makes a mesh of closed outlines and what is drawn in them, inflates it to both sides or extrudes it, "
+    "and lets it wear the picture that it was drawn over.";
+  row.make = make<System>;
+  row.inputs = {
+    { "Strokes",
+      "drawing",
+      "polylines in pixels, each with its view, drawn over the plane z = 0, and whether it is magnetic "
+      "and its inside a hole where it has these arrays",
+      Kind::Stroke,
+      0 },
+    { "Picture", "image", "the picture that was drawn over", Kind::Picture, 1, true }
+  };
+  row.worn = "Picture";
+  row.parameters = {
+    between(0,
+      1000,
+      parameter<System>("ExtrudeDepth",
+        "extrude",
+        "Extruded by",
+        "extrude so far to either side in place of inflating, in the picture's pixels; 0 inflates",
+        &System::SetExtrudeDepth,
+        &System::GetExtrudeDepth)),
+    parameter<System>("Profile",
+      "profile",
+      "Cross-section",
+      "circle, linear, step, or the cross-section as a line such as \"0 0, 0.3 0.8, 1 1\": share of the way "
+      "from "
+      "rim to ridge, share of the height",
+      &System::SetProfile,
+      &System::GetProfile),
+    between(0,
+      5,
+      parameter<System>(
+        "Height", "height", "Height", "factor of all heights", &System::SetHeight, &System::GetHeight)),
+    parameter<System>("Poisson",
+      "poisson",
+      "Like a balloon",
+      "inflate by a Poisson equation, rounder and thin limbs thicker",
+      &System::SetPoisson,
+      &System::GetPoisson),
+    parameter<System>("Holes",
+      "hole",
+      "Holes",
+      "numbers of the strokes, from 0, whose inside is cut out, such as \"2 5\"",
+      &System::SetHoles,
+      &System::GetHoles),
+    parameter<System>("Tunnels",
+      "tunnel",
+      "Tunnels",
+      "numbers of the strokes whose inside is cut out of the finished surface",
+      &System::SetTunnels,
+      &System::GetTunnels),
+    parameter<System>("Magnetic",
+      "magnetic",
+      "All to the edges",
+      "move every stroke to the picture's edges beside it",
+      &System::SetMagnetic,
+      &System::GetMagnetic),
+    parameter<System>(
+      "Quads", "quads", "Quads", "make a mesh of quads", &System::SetQuads, &System::GetQuads),
+    between(0,
+      7,
+      parameter<System>("Levels",
+        "levels",
+        "Levels",
+        "how often the mesh is refined",
+        &System::SetLevels,
+        &System::GetLevels)),
+    parameter<System>("AsPublished",
+      "as-published",
+      "As published",
+      "without the amendments to the published method",
+      &System::SetAsPublished,
+      &System::GetAsPublished),
+  };
+  return row;
+}
+#endif
+
 #ifdef OVERSKETCH_WITH_STELLAR
 SystemRow terrain()
 {
@@ -288,6 +381,9 @@ const std::vector<SystemRow>& systems()
 #endif
 #ifdef OVERSKETCH_WITH_AUGMENT
     withDefaults(augment()),
+#endif
+#ifdef OVERSKETCH_WITH_INFLATEDRAWING
+    withDefaults(inflateDrawing()),
 #endif
 #ifdef OVERSKETCH_WITH_STELLAR
     withDefaults(terrain()),

@@ -101,7 +101,8 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
         data->GetFieldData()->PassData(faces->GetFieldData());
       }
       this->Inverted = cache.Inverted;
-      if (const vtkIdType parts = cache.Splits->GetNumberOfCells())
+      const vtkIdType parts = cache.Splits->GetNumberOfCells();
+      if (parts > 0 && !this->SplitsAreTaken)
       {
         vtkWarningMacro("Strokes leave triangles no room, "
                         << parts
@@ -119,6 +120,7 @@ void vtkOversketchPlanarRefine::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Guard: " << this->Guard << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
+  os << indent << "SplitsAreTaken: " << this->SplitsAreTaken << "\n";
   os << indent << "Inverted: " << this->Inverted << "\n";
   os << indent << "RefineCount: " << this->RefineCount << "\n";
 }

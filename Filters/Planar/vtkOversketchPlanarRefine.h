@@ -113,6 +113,16 @@ public:
   vtkBooleanMacro(Quads, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether somebody takes the splits and makes the mesh anew: then no warning says that there are some
+   * [default off].
+   */
+  vtkSetMacro(SplitsAreTaken, bool);
+  vtkGetMacro(SplitsAreTaken, bool);
+  vtkBooleanMacro(SplitsAreTaken, bool);
+  ///@}
+
   /**
    * Of the last refinement: faces that are turned over, or cover next to nothing, in the output, or where
    * there are splits those that are the cause of them.
@@ -136,7 +146,7 @@ private:
 
   int Levels = 3;
   double SnapShare = 0.3;
-  bool Guard = true, AsPublished = false, Quads = false;
+  bool Guard = true, AsPublished = false, Quads = false, SplitsAreTaken = false;
   int Inverted = 0;
   vtkIdType RefineCount = 0;
 

@@ -337,6 +337,10 @@ void WriteStrokeLines(const std::vector<StrokeLine>& lines, vtkPolyData* polylin
 std::vector<StrokeSplit> SplitsOf(vtkPolyData* splits)
 {
   const vtkIdType count = splits->GetNumberOfCells();
+  if (count == 0)
+  {
+    return {}; // without arrays, too
+  }
   const auto ofCells = [&](const char* name)
   { return Values(splits->GetCellData(), name, count, "splits", "vtkOversketchPlanarRefine"); };
   const Values stroke = ofCells("StrokeId"), start = ofCells("ParamStart"), end = ofCells("ParamEnd"),

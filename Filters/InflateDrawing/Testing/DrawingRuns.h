@@ -1,0 +1,138 @@
+// Drawings on a canvas of 800 x 600 world units, px for px, and what the system makes of them. Header-only.
+#ifndef DrawingRuns_h
+#define DrawingRuns_h
+
+#include "Harness/drawings.h"
+#include "Harness/promises.h"
+#include "Harness/shipped.h"
+#include "vtkOversketchInflateDrawing.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkPNGReader.h"
+#include "vtkPointData.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace oversketch_test
+{
+
+using oversketch::Vector2;
+using oversketch::Vector3;
+
+struct Line
+{
+  std::vector<Vector2> points;
+  bool closed = true;
+};
+
+inline Line circle(double x, double y, double radius)
+{
+  return { ring({ x, y }, radius, std::max(24, int(radius))), true };
+}
+
+inline vtkSmartPointer<vtkPolyData> drawn(const std::vector<Line>& lines)
+{
+  const View view = viewOver({ 0.0, 0.0 }, { 800.0, 600.0 }, 800, 600);
+  vtkNew<vtkAppendPolyData> all;
+  all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (const Line& line : lines)
+  {
+    std::vector<Vector2> points = line.points;
+    if (line.closed)
+    {
+      points.push_back(points[0]);
+    }
+    all->AddInputData(toStroke(points, view));
+  }
+  all->Update();
+  return all->GetOutput();
+}
+
+// Euler's number, and whether every edge has exactly two faces, which pass it in opposite directions.
+struct Topology
+{
+  int chi = 0;
+  bool closed = true;
+};
+
+inline Topology topologyOf(vtkPolyData* mesh)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
+  std::set<vtkIdType> used;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType a = ids->GetId(k), b = ids->GetId((k + 1) % ids->GetNumberOfIds());
+      ++edges[{ a, b }];
+      used.insert(a);
+    }
+  }
+  Topology topology;
+  int count = 0;
+  for (const auto& [edge, times] : edges)
+  {
+    const auto back = edges.find({ edge.second, edge.first });
+    topology.closed = topology.closed && times == 1 && back != edges.end() && back->second == 1;
+    count += edge.first < edge.second || back == edges.end();
+  }
+  topology.chi = int(used.size()) - count + int(mesh->GetNumberOfPolys());
+  return topology;
+}
+
+inline std::array<double, 6> boxOf(vtkPolyData* mesh)
+{
+  std::array<double, 6> box;
+  mesh->ComputeBounds();
+  mesh->GetBounds(box.data());
+  return box;
+}
+
+struct System
+{
+  vtkNew<vtkOversketchInflateDrawing> filter;
+
+  explicit System(vtkPolyData* strokes) { this->filter->SetInputData(0, strokes); }
+  vtkPolyData* mesh()
+  {
+    this->filter->Update();
+    EXPECT_EQ(this->filter->GetErrorCode(), 0u);
+    return this->filter->GetOutput();
+  }
+  template <typename Step>
+  Step* step(const char* name)
+  {
+    return Step::SafeDownCast(this->filter->GetStep(name));
+  }
+};
+
+struct Shipped
+{
+  vtkNew<vtkPNGReader> picture;
+  vtkNew<vtkXMLPolyDataReader> strokes;
+  vtkNew<vtkOversketchInflateDrawing> filter;
+
+  explicit Shipped(const std::string& name)
+  {
+    this->picture->SetFileName((OVERSKETCH_DATA_FOLDER "/Drawings/" + name + ".png").c_str());
+    this->strokes->SetFileName((OVERSKETCH_DATA_FOLDER "/Drawings/" + name + ".vtp").c_str());
+    this->filter->SetInputConnection(0, this->strokes->GetOutputPort());
+    this->filter->SetInputConnection(1, this->picture->GetOutputPort());
+  }
+};
+
+} // namespace oversketch_test
+#endif

@@ -1,0 +1,216 @@
+// What the whole of system C makes of drawings.
+#include "DrawingRuns.h"
+
+using namespace oversketch;
+using namespace oversketch_test;
+
+namespace
+{
+
+// Faces of a flat mesh that are turned over.
+int inverted(vtkPolyData* flat)
+{
+  int count = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < flat->GetNumberOfPolys(); ++face)
+  {
+    flat->GetPolys()->GetCellAtId(face, ids);
+    const Vector3 a(flat->GetPoint(ids->GetId(0))), b(flat->GetPoint(ids->GetId(1))),
+      c(flat->GetPoint(ids->GetId(2)));
+    count += (b - a).cross(c - a)[2] <= 0.0;
+  }
+  return count;
+}
+
+// By the divergence theorem.
+double volumeOf(vtkPolyData* mesh)
+{
+  double volume = 0.0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    const Vector3 a(mesh->GetPoint(ids->GetId(0))), b(mesh->GetPoint(ids->GetId(1))),
+      c(mesh->GetPoint(ids->GetId(2)));
+    volume += a.dot(b.cross(c)) / 6.0;
+  }
+  return volume;
+}
+
+std::set<std::array<double, 3>> placesOf(vtkPolyData* mesh)
+{
+  std::set<std::array<double, 3>> places;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    places.insert({ mesh->GetPoint(i)[0], mesh->GetPoint(i)[1], mesh->GetPoint(i)[2] });
+  }
+  return places;
+}
+
+} // namespace
+
+TEST(InflateDrawing, ADiscBecomesABall)
+{
+  System system(drawn({ circle(400, 300, 200) }));
+  vtkPolyData* mesh = system.mesh();
+  ASSERT_GT(mesh->GetNumberOfPoints(), 100);
+  double least = 1e9, most = 0.0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double radius = (Vector3(mesh->GetPoint(i)) - Vector3(400, 300, 0)).norm();
+    least = std::min(least, radius);
+    most = std::max(most, radius);
+  }
+  const double px = 800.0 / 1024.0; // of the raster
+  EXPECT_GT(least, 200.0 - 4.0 * px);
+  EXPECT_LT(most, 200.0 + 3.0 * px);
+  const Topology topology = topologyOf(mesh);
+  EXPECT_TRUE(topology.closed);
+  EXPECT_EQ(topology.chi, 2);
+  EXPECT_EQ(system.filter->GetRebuilds(), 0);
+  // Texture coordinates are places on the canvas.
+  vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
+  ASSERT_NE(coordinates, nullptr);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); i += 7)
+  {
+    EXPECT_NEAR(coordinates->GetComponent(i, 0), mesh->GetPoint(i)[0] / 800.0, 1e-6);
+    EXPECT_NEAR(coordinates->GetComponent(i, 1), mesh->GetPoint(i)[1] / 600.0, 1e-6);
+  }
+}
+
+TEST(InflateDrawing, HolesAndTunnelsCutThrough)
+{
+  System system(drawn({ circle(400, 300, 200), circle(400, 300, 90) }));
+  EXPECT_EQ(topologyOf(system.mesh()).chi, 2) << "filled";
+  const double filled = boxOf(system.filter->GetOutput())[5];
+  system.filter->SetHoles("1");
+  const Topology ringed = topologyOf(system.mesh());
+  EXPECT_TRUE(ringed.closed);
+  EXPECT_EQ(ringed.chi, 0) << "a torus";
+  EXPECT_NEAR(boxOf(system.filter->GetOutput())[5], 55.0, 3.0) << "half of what is left between the rims";
+  system.filter->SetHoles("");
+  system.filter->SetTunnels("1");
+  const Topology cut = topologyOf(system.mesh());
+  EXPECT_TRUE(cut.closed);
+  EXPECT_EQ(cut.chi, 0);
+  EXPECT_NEAR(boxOf(system.filter->GetOutput())[5], std::sqrt(200.0 * 200.0 - 90.0 * 90.0), 4.0)
+    << "its rim stands where it would without";
+  EXPECT_LT(boxOf(system.filter->GetOutput())[5], filled);
+}
+
+TEST(InflateDrawing, ExtrudedItIsASlab)
+{
+  System system(drawn({ { { { 200, 150 }, { 600, 150 }, { 600, 450 }, { 200, 450 } }, true } }));
+  system.filter->SetExtrudeDepth(40.0);
+  system.filter->SetLevels(2);
+  vtkPolyData* mesh = system.mesh();
+  EXPECT_EQ(boxOf(mesh)[4], -40.0);
+  EXPECT_EQ(boxOf(mesh)[5], 40.0);
+  const Topology topology = topologyOf(mesh);
+  EXPECT_TRUE(topology.closed);
+  EXPECT_EQ(topology.chi, 2);
+  EXPECT_NEAR(volumeOf(mesh), 400.0 * 300.0 * 80.0, 1e-9 * volumeOf(mesh));
+}
+
+TEST(InflateDrawing, QuadsAreQuads)
+{
+  System system(drawn({ circle(400, 300, 200), { { { 300, 300 }, { 400, 330 }, { 500, 300 } }, false } }));
+  system.filter->QuadsOn();
+  vtkPolyData* mesh = system.mesh();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    ASSERT_EQ(ids->GetNumberOfIds(), 4);
+  }
+  const Topology topology = topologyOf(mesh);
+  EXPECT_TRUE(topology.closed);
+  EXPECT_EQ(topology.chi, 2);
+}
+
+TEST(InflateDrawing, OrderOfStrokesDoesNotMatter)
+{
+  const std::vector<Line> lines = { circle(400, 300, 200),
+    circle(330, 320, 50),
+    { { { 450, 250 }, { 480, 300 }, { 470, 350 } }, false },
+    circle(120, 120, 60) };
+  System one(drawn(lines));
+  const auto before = placesOf(one.mesh());
+  EXPECT_GT(before.size(), 500u);
+  EXPECT_EQ(topologyOf(one.filter->GetOutput()).chi, 4) << "two objects";
+  System other(drawn({ lines[2], lines[3], lines[1], lines[0] }));
+  EXPECT_EQ(placesOf(other.mesh()), before);
+  EXPECT_EQ(other.filter->GetOutput()->GetNumberOfPolys(), one.filter->GetOutput()->GetNumberOfPolys());
+}
+
+TEST(InflateDrawing, CleftsAreFollowedMoreCloselyUntilNothingTurnsOver)
+{
+  std::vector<Vector2> star;
+  for (int i = 0; i < 720; ++i)
+  {
+    const double angle = 2.0 * pi * i / 720.0, radius = 190.0 * (1.0 + 0.4 * std::cos(7.0 * angle));
+    star.emplace_back(400.0 + radius * std::cos(angle), 300.0 + radius * std::sin(angle));
+  }
+  System system(drawn({ { star, true } }));
+  const Topology topology = topologyOf(system.mesh());
+  EXPECT_TRUE(topology.closed);
+  EXPECT_EQ(topology.chi, 2);
+  EXPECT_EQ(inverted(system.filter->GetInnerOutput("Refine")), 0);
+  system.filter->AsPublishedOn();
+  system.mesh();
+  EXPECT_GT(inverted(system.filter->GetInnerOutput("Refine")), 0) << "as published some do";
+}
+
+TEST(InflateDrawing, TheShippedDrawingsBecomeSoundModels)
+{
+  const struct
+  {
+    const char* name;
+    double depth;
+    bool quads;
+    int chi;
+  } drawings[] = { { "fish", 0.0, false, 2 },
+    { "mug", 0.0, false, 0 },
+    { "padlock", 30.0, false, -2 },
+    { "heron", 0.0, false, 2 },
+    { "leaf", 0.0, true, 2 },
+    { "figure_body", 0.0, false, 2 } };
+  for (const auto& drawing : drawings)
+  {
+    SCOPED_TRACE(drawing.name);
+    Shipped shipped(drawing.name);
+    shipped.filter->SetExtrudeDepth(drawing.depth);
+    shipped.filter->SetQuads(drawing.quads);
+    Ear ear(shipped.filter);
+    shipped.filter->Update();
+    ASSERT_TRUE(ear.errors.empty()) << ear.errors[0];
+    EXPECT_TRUE(ear.warnings.empty()) << ear.warnings[0];
+    vtkPolyData* mesh = shipped.filter->GetOutput();
+    const Topology topology = topologyOf(mesh);
+    EXPECT_TRUE(topology.closed);
+    EXPECT_EQ(topology.chi, drawing.chi);
+    std::cout << drawing.name << ": " << mesh->GetNumberOfPolys() << " faces, "
+              << shipped.filter->GetRebuilds() << " rebuilds\n";
+  }
+}
+
+TEST(InflateDrawing, MagneticStrokesKeepToThePicture)
+{
+  const auto picture = discPicture(512, 180.5, { 256.0, 256.0 });
+  std::vector<Vector2> points = ring({ 256.5, 256.5 }, 187.0, 300); // display px, from the picture's corner
+  points.push_back(points[0]);
+  const auto stroke = toStroke(points, viewOfPicture(picture));
+  vtkNew<vtkOversketchInflateDrawing> filter;
+  filter->SetInputData(0, stroke);
+  filter->SetInputData(1, picture);
+  filter->Update();
+  EXPECT_NEAR(boxOf(filter->GetOutput())[1] - 256.0, 187.0, 1.0);
+  filter->MagneticOn();
+  filter->Update();
+  const auto box = boxOf(filter->GetOutput());
+  EXPECT_NEAR(box[1] - 256.0, 181.0, 1.0);
+  EXPECT_NEAR(256.0 - box[0], 181.0, 1.0);
+  EXPECT_NEAR(box[3] - 256.0, 181.0, 1.0);
+  EXPECT_EQ(filter->GetErrorCode(), 0u);
+  EXPECT_EQ(stroke->GetCellData()->GetArray("Magnetic"), nullptr) << "the input is untouched";
+}

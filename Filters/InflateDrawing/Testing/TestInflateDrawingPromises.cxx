@@ -1,0 +1,220 @@
+// What system C promises of bad drawings, of cancelling, of threads and of what it computes anew.
+#include "DrawingRuns.h"
+
+#include "vtkOversketchClassify.h"
+#include "vtkOversketchDistance.h"
+#include "vtkOversketchInflate.h"
+#include "vtkOversketchPlanarRefine.h"
+
+#include "vtkSMPTools.h"
+
+#include <random>
+#include <tuple>
+
+using namespace oversketch;
+using namespace oversketch_test;
+
+namespace
+{
+
+std::vector<Line> face()
+{
+  return { circle(400, 300, 220),
+    circle(320, 360, 40),
+    circle(480, 360, 40),
+    { { { 320, 220 }, { 400, 190 }, { 480, 220 } }, false } };
+}
+
+// Classifications, distances, refinements, thicknesses and ratios that were computed.
+using Counts = std::array<vtkIdType, 5>;
+
+Counts countsOf(System& system)
+{
+  auto* inflate = system.step<vtkOversketchInflate>("Inflate");
+  return { system.step<vtkOversketchClassify>("Classify")->GetClassificationCount(),
+    system.step<vtkOversketchDistance>("Distance")->GetDistanceCount(),
+    system.step<vtkOversketchPlanarRefine>("Refine")->GetRefineCount(),
+    inflate->GetThicknessCount(),
+    inflate->GetRatioCount() };
+}
+
+Line wave(const Vector2& middle, double radius, double depth, int waves)
+{
+  Line line;
+  for (int k = 0; k < 150; ++k)
+  {
+    const double t = 2.0 * pi * k / 150.0, r = radius * (1.0 + depth * std::cos(waves * t));
+    line.points.push_back(middle + r * Vector2(std::cos(t), std::sin(t)));
+  }
+  return line;
+}
+
+} // namespace
+
+TEST(InflateDrawingPromises, OnlyWhatIsReadIsComputedAnew)
+{
+  const auto lines = face();
+  System system(drawn({ lines[0], lines[1], lines[2] }));
+  system.mesh();
+  Counts was = countsOf(system);
+  EXPECT_EQ(was, (Counts{ 1, 1, was[2], 1, 1 })) << "once each, the mesh once and for every rebuild";
+  EXPECT_EQ(was[2], 1 + system.filter->GetRebuilds());
+  system.filter->SetInputData(0, drawn(lines));
+  system.mesh();
+  was[0] += 1;
+  was[2] += 1 + system.filter->GetRebuilds();
+  EXPECT_EQ(countsOf(system), was) << "a further feature measures and solves nothing";
+  system.filter->SetHeight(0.7);
+  system.mesh();
+  EXPECT_EQ(countsOf(system), was) << "nor does another height";
+  system.filter->SetProfile("linear");
+  system.mesh();
+  was[4] = countsOf(system)[4];
+  EXPECT_EQ(countsOf(system), was) << "a profile makes no mesh";
+  system.filter->SetTunnels("1");
+  system.mesh();
+  EXPECT_EQ(countsOf(system)[0], was[0]) << "a treatment labels nothing";
+  EXPECT_EQ(countsOf(system)[1], was[1]) << "tunnels are no rims";
+  const vtkMTimeType time = system.filter->GetOutput()->GetMTime();
+  system.filter->Update();
+  EXPECT_EQ(system.filter->GetOutput()->GetMTime(), time) << "nothing has changed";
+}
+
+TEST(InflateDrawingPromises, SameBitsForAnyThreadsColdAndKept)
+{
+  const auto strokes = drawn(face());
+  vtkNew<vtkPolyData> alone;
+  vtkSMPTools::Initialize(1);
+  {
+    System system(strokes);
+    system.filter->SetHoles("1");
+    alone->DeepCopy(system.mesh());
+  }
+  vtkSMPTools::Initialize(2);
+  System system(strokes);
+  system.mesh();
+  system.filter->SetLevels(2);
+  system.mesh();
+  system.filter->SetLevels(3);
+  system.filter->SetHoles("1");
+  EXPECT_TRUE(identical(system.mesh(), alone));
+  vtkSMPTools::Initialize();
+}
+
+TEST(InflateDrawingPromises, BadDrawingsAreRefusedInWords)
+{
+  std::vector<Vector2> eight;
+  const std::vector<Vector2> wild = { { 100, 100 }, { std::nan(""), 200 }, { 300, 100 } };
+  for (int i = 0; i < 200; ++i)
+  {
+    const double t = 2.0 * pi * i / 200.0;
+    eight.emplace_back(400.0 + 200.0 * std::sin(t), 300.0 + 150.0 * std::sin(2.0 * t));
+  }
+  const struct
+  {
+    std::vector<Line> lines;
+    const char* words;
+  } cases[] = { { { { eight, true } }, "crosses itself" },
+    { { circle(400, 300, 200), circle(600, 300, 100) }, "crosses" },
+    { { { { { 100, 100 }, { 300, 200 } }, false } }, "bounds an object" },
+    { { { wild, false } }, "finite" } };
+  for (const auto& one : cases)
+  {
+    SCOPED_TRACE(one.words);
+    System system(drawn(one.lines));
+    expectRefusal(system.filter, Failure::BadStroke, one.words);
+    system.filter->SetInputData(0, drawn({ circle(400, 300, 100) }));
+    EXPECT_EQ(topologyOf(system.mesh()).chi, 2) << "a sound one after it";
+  }
+  System system(drawn({ circle(400, 300, 100) }));
+  system.filter->SetHoles("7");
+  expectRefusal(system.filter, Failure::BadStroke, "7");
+  system.filter->SetHoles("");
+  system.filter->SetProfile("0 0, 1 nan");
+  expectRefusal(system.filter, Failure::BadStroke, "rofile");
+  vtkNew<vtkPolyData> nothing;
+  System empty(nothing);
+  Ear ear(empty.filter);
+  EXPECT_EQ(empty.mesh()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(ear.errors.empty());
+}
+
+TEST(InflateDrawingPromises, ARunIsCancelledInEachStepAndMadeWhole)
+{
+  const auto strokes = drawn(face());
+  System whole(strokes);
+  whole.mesh();
+  for (const double beyond : { -1.0, 0.05, 0.2, 0.35, 0.5, 0.7 })
+  {
+    SCOPED_TRACE(beyond);
+    System system(strokes);
+    expectCancel(system.filter, beyond);
+    EXPECT_TRUE(identical(system.mesh(), whole.filter->GetOutput()));
+  }
+}
+
+TEST(InflateDrawingPromises, ProgressNeverFalls)
+{
+  System system(drawn(face()));
+  std::vector<double> shares;
+  vtkNew<vtkCallbackCommand> hear;
+  hear->SetClientData(&shares);
+  hear->SetCallback([](vtkObject*, unsigned long, void* all, void* share)
+    { static_cast<std::vector<double>*>(all)->push_back(*static_cast<double*>(share)); });
+  system.filter->AddObserver(vtkCommand::ProgressEvent, hear);
+  system.mesh();
+  EXPECT_GT(shares.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_LE(shares.back(), 1.0);
+}
+
+TEST(InflateDrawingPromises, RandomDrawingsMakeASoundMeshOrOneMessage)
+{
+  std::mt19937 random(7);
+  const auto number = [&](double least, double most)
+  { return least + (most - least) * static_cast<double>(random() % 100000) / 100000.0; };
+  int made = 0, refused = 0;
+  for (int run = 0; run < 25; ++run)
+  {
+    SCOPED_TRACE(run);
+    std::vector<Line> lines = { wave(
+      { number(250, 550), number(220, 380) }, number(120, 170), number(0, 0.3), 2 + int(random() % 6)) };
+    for (int more = int(random() % 6); more > 0; --more)
+    {
+      const Vector2 middle = lines[0].points[0] + Vector2(number(-250, 20), number(-100, 100));
+      if (random() % 2)
+      {
+        lines.push_back(wave(middle, number(2, 25), number(0, 0.4), 3));
+        continue;
+      }
+      Line line;
+      line.closed = false;
+      Vector2 at = middle;
+      for (int k = 0; k < 12; ++k)
+      {
+        line.points.push_back(at);
+        at += Vector2(number(0, 4), number(-3, 3));
+      }
+      lines.push_back(line);
+    }
+    vtkNew<vtkOversketchInflateDrawing> filter;
+    filter->SetInputData(0, drawn(lines));
+    filter->SetQuads(run % 5 == 4);
+    Ear ear(filter);
+    filter->Update();
+    if (filter->GetErrorCode() != 0)
+    {
+      ++refused;
+      ASSERT_EQ(ear.errors.size(), 1u);
+      EXPECT_NE(ear.errors[0].find("troke"), std::string::npos) << ear.errors[0];
+      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+      continue;
+    }
+    ++made;
+    const Topology topology = topologyOf(filter->GetOutput());
+    EXPECT_TRUE(topology.closed);
+    EXPECT_GE(topology.chi, 2);
+  }
+  std::cout << made << " made, " << refused << " refused\n";
+  EXPECT_GT(made, 5);
+}

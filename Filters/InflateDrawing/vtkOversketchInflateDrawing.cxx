@@ -1,0 +1,450 @@
+#include "vtkOversketchInflateDrawing.h"
+
+#include "Planar/splits.h"
+#include "vtkOversketchCanvas.h"
+#include "vtkOversketchClassify.h"
+#include "vtkOversketchCoarseMesh.h"
+#include "vtkOversketchDarts.h"
+#include "vtkOversketchDistance.h"
+#include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchExtrude.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchInflate.h"
+#include "vtkOversketchMagneticSnap.h"
+#include "vtkOversketchPlanarRefine.h"
+#include "vtkOversketchPlanarTools.h"
+#include "vtkOversketchPolyline.h"
+#include "vtkOversketchProjectTexture.h"
+#include "vtkOversketchQuadMerge.h"
+#include "vtkOversketchResample.h"
+#include "vtkOversketchTreatment.h"
+#include "vtkOversketchTunnel.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+using namespace oversketch;
+
+vtkStandardNewMacro(vtkOversketchInflateDrawing);
+
+namespace
+{
+
+constexpr int mostRebuilds = 24;
+constexpr int mostLevels = 7; // 16,384 faces of each
+
+} // namespace
+
+struct vtkOversketchInflateDrawing::Pipeline
+{
+  explicit Pipeline(vtkOversketchInflateDrawing* self);
+
+  // Bring the inner inputs up to date; they change only where what the steps read has changed.
+  void FeedStrokes(vtkPolyData* strokes);
+  void FeedPicture(vtkImageData* picture);
+  // Takes the steps that the parameters leave out of the way.
+  void Connect();
+  void SetAmendments(bool on);
+
+  void RunCurves();
+  // Polyline to Refine, as often as parts of strokes are handed back. Returns how often.
+  int RunMesh();
+  void RunSurface();
+  [[noreturn]] void RefuseSplits(const StrokeSplit& split);
+
+  vtkOversketchInflateDrawing* Self;
+
+  // What the inner pipeline starts from.
+  vtkNew<vtkPolyData> Strokes;
+  vtkNew<vtkImageData> Picture;
+  std::pair<const vtkPolyData*, vtkMTimeType> StrokesSeen{ nullptr, 0 };
+  std::pair<const vtkImageData*, vtkMTimeType> PictureSeen{ nullptr, 0 };
+  bool MagneticSeen = false;
+
+  // What was handed back for the present curves, and what these and the steps are told apart by.
+  vtkNew<vtkPolyData> Splits;
+  std::vector<vtkMTimeType> MeshSeen;
+  int MeshRebuilds = 0;
+
+  vtkNew<vtkOversketchCanvas> Canvas;
+  vtkNew<vtkOversketchMagneticSnap> Snap;
+  vtkNew<vtkOversketchResample> Resample;
+  vtkNew<vtkOversketchClassify> Classify;
+  vtkNew<vtkOversketchTreatment> Treatment;
+  vtkNew<vtkOversketchDistance> Distance;
+  vtkNew<vtkOversketchPolyline> Polyline;
+  vtkNew<vtkOversketchDarts> Darts;
+  vtkNew<vtkOversketchCoarseMesh> CoarseMesh;
+  vtkNew<vtkOversketchQuadMerge> QuadMerge;
+  vtkNew<vtkOversketchPlanarRefine> Refine;
+  vtkNew<vtkOversketchInflate> Inflate;
+  vtkNew<vtkOversketchExtrude> Extrude;
+  vtkNew<vtkOversketchTunnel> Tunnel;
+  vtkNew<vtkOversketchProjectTexture> Texture;
+};
+
+vtkOversketchInflateDrawing::Pipeline::Pipeline(vtkOversketchInflateDrawing* self)
+  : Self(self)
+{
+  this->Canvas->SetInputData(0, this->Strokes);
+  this->Snap->SetInputConnection(0, this->Canvas->GetOutputPort());
+  this->Snap->SetInputData(1, this->Picture);
+  this->Classify->SetInputConnection(0, this->Resample->GetOutputPort());
+  this->Treatment->SetInputConnection(0, this->Classify->GetOutputPort());
+  this->Distance->SetInputConnection(0, this->Treatment->GetOutputPort());
+  this->Polyline->SetInputConnection(0, this->Distance->GetOutputPort(0));
+  this->Polyline->SetInputConnection(1, this->Distance->GetOutputPort(1));
+  this->Polyline->SetInputData(2, this->Splits);
+  this->Darts->SetInputConnection(0, this->Polyline->GetOutputPort());
+  this->Darts->SetInputConnection(1, this->Distance->GetOutputPort(1));
+  this->CoarseMesh->SetInputConnection(0, this->Polyline->GetOutputPort());
+  this->CoarseMesh->SetInputConnection(1, this->Darts->GetOutputPort());
+  this->QuadMerge->SetInputConnection(0, this->CoarseMesh->GetOutputPort(0));
+  this->QuadMerge->SetInputConnection(1, this->CoarseMesh->GetOutputPort(1));
+  this->Refine->SplitsAreTakenOn();
+  this->Refine->SetInputConnection(2, this->Distance->GetOutputPort(0));
+  this->Inflate->SetInputConnection(0, this->Refine->GetOutputPort(0));
+  this->Inflate->SetInputConnection(1, this->Distance->GetOutputPort(1));
+  this->Extrude->SetInputConnection(0, this->Refine->GetOutputPort(0));
+  this->Tunnel->SetInputConnection(1, this->Distance->GetOutputPort(0));
+  this->Texture->SetInputConnection(0, this->Tunnel->GetOutputPort());
+  this->Connect();
+
+  self->AddStage("Canvas", this->Canvas, 0.01);
+  self->AddStage("MagneticSnap", this->Snap, 0.15);
+  self->AddStage("Resample", this->Resample, 0.01);
+  self->AddStage("Classify", this->Classify, 0.05);
+  self->AddStage("Treatment", this->Treatment, 0.01);
+  self->AddStage("Distance", this->Distance, 0.15);
+  self->AddStage("Polyline", this->Polyline, 0.02);
+  self->AddStage("Darts", this->Darts, 0.05);
+  self->AddStage("CoarseMesh", this->CoarseMesh, 0.05);
+  self->AddStage("QuadMerge", this->QuadMerge, 0.01);
+  self->AddStage("Refine", this->Refine, 0.09);
+  self->AddStage("Inflate", this->Inflate, 0.35);
+  self->AddStage("Extrude", this->Extrude, 0.02);
+  self->AddStage("Tunnel", this->Tunnel, 0.01);
+  self->AddStage("ProjectTexture", this->Texture, 0.01);
+  this->SetAmendments(true);
+}
+
+void vtkOversketchInflateDrawing::Pipeline::Connect()
+{
+  const bool pictured = this->PictureSeen.first != nullptr;
+  this->Canvas->SetInputData(1, pictured ? this->Picture.Get() : nullptr);
+  this->Texture->SetInputData(1, pictured ? this->Picture.Get() : nullptr);
+  this->Resample->SetInputConnection(
+    0, (pictured ? this->Snap->GetOutputPort() : this->Canvas->GetOutputPort()));
+  vtkAlgorithm* faces = this->Self->Quads ? static_cast<vtkAlgorithm*>(this->QuadMerge) : this->CoarseMesh;
+  this->Refine->SetInputConnection(0, faces->GetOutputPort(0));
+  this->Refine->SetInputConnection(1, faces->GetOutputPort(1));
+  vtkAlgorithm* surface =
+    this->Self->ExtrudeDepth > 0.0 ? static_cast<vtkAlgorithm*>(this->Extrude) : this->Inflate;
+  this->Tunnel->SetInputConnection(0, surface->GetOutputPort(0));
+}
+
+void vtkOversketchInflateDrawing::Pipeline::FeedStrokes(vtkPolyData* strokes)
+{
+  const std::pair<const vtkPolyData*, vtkMTimeType> now{ strokes, strokes->GetMTime() };
+  if (now == this->StrokesSeen && this->MagneticSeen == this->Self->Magnetic)
+  {
+    return;
+  }
+  this->StrokesSeen = now;
+  this->MagneticSeen = this->Self->Magnetic;
+  this->Strokes->ShallowCopy(strokes);
+  if (this->Self->Magnetic)
+  {
+    vtkNew<vtkIntArray> magnetic;
+    magnetic->SetName("Magnetic");
+    magnetic->SetNumberOfTuples(strokes->GetNumberOfCells());
+    magnetic->FillValue(1);
+    this->Strokes->GetCellData()->AddArray(magnetic);
+  }
+}
+
+void vtkOversketchInflateDrawing::Pipeline::FeedPicture(vtkImageData* picture)
+{
+  const std::pair<const vtkImageData*, vtkMTimeType> now{ picture, picture ? picture->GetMTime() : 0 };
+  if (now == this->PictureSeen)
+  {
+    return;
+  }
+  const bool connect = !picture != !this->PictureSeen.first;
+  this->PictureSeen = now;
+  if (picture)
+  {
+    this->Picture->ShallowCopy(picture);
+  }
+  else
+  {
+    this->Picture->Initialize();
+  }
+  if (connect)
+  {
+    this->Connect();
+  }
+}
+
+void vtkOversketchInflateDrawing::Pipeline::RunCurves()
+{
+  this->Self->RunStage("Canvas");
+  if (this->PictureSeen.first)
+  {
+    this->Self->RunStage("MagneticSnap");
+  }
+  for (const char* stage : { "Resample", "Classify", "Treatment", "Distance" })
+  {
+    this->Self->RunStage(stage);
+  }
+}
+
+int vtkOversketchInflateDrawing::Pipeline::RunMesh()
+{
+  const std::vector<vtkMTimeType> now = { this->Distance->GetOutput()->GetMTime(),
+    this->Distance->GetDistanceOutput()->GetMTime(),
+    this->Polyline->GetMTime(),
+    this->Darts->GetMTime(),
+    this->CoarseMesh->GetMTime(),
+    this->QuadMerge->GetMTime(),
+    this->Refine->GetMTime() };
+  if (now == this->MeshSeen)
+  {
+    return this->MeshRebuilds;
+  }
+  this->MeshSeen.clear(); // until it is made
+  this->Splits->Initialize();
+  std::vector<StrokeSplit> splits;
+  for (int rebuilds = 0;; ++rebuilds)
+  {
+    this->Self->SetPasses(std::size_t(2) << rebuilds); // each round tells half of what is left to be told
+    for (const char* stage : { "Polyline", "Darts", "CoarseMesh", "QuadMerge", "Refine" })
+    {
+      if (this->Self->Quads || std::string(stage) != "QuadMerge")
+      {
+        this->Self->RunStage(stage);
+      }
+    }
+    vtkPolyData* handed = vtkPolyData::SafeDownCast(this->Refine->GetOutputDataObject(2));
+    if (handed->GetNumberOfCells() == 0)
+    {
+      this->Self->SetPasses(1);
+      this->MeshSeen = now;
+      return this->MeshRebuilds = rebuilds;
+    }
+    const std::vector<StrokeSplit> more = SplitsOf(handed);
+    if (rebuilds == mostRebuilds)
+    {
+      this->RefuseSplits(more[0]);
+    }
+    if (getenv("DBG")) for (auto& m : more) fprintf(stderr, "round %d stroke %d %.4f %.4f h %d\n", rebuilds, m.stroke, m.start, m.end, m.halvings);
+    addSplits(splits, more);
+    WriteSplits(splits, DrawingOf(this->Distance->GetOutput()).Strokes, this->Splits);
+    this->Splits->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::Pipeline::RefuseSplits(const StrokeSplit& split)
+{
+  const oversketch::Polyline points =
+    DrawingOf(this->Distance->GetOutput()).Strokes[static_cast<std::size_t>(split.stroke)].points;
+  const std::vector<double> lengths = arcLengths(points);
+  const Vector2 at =
+    placeAt(lengths, static_cast<int>(points.size()), 0.5 * (split.start + split.end)).of(points);
+  std::ostringstream message;
+  message << "Stroke " << split.stroke << " still turns triangles over near (" << at[0] << ", " << at[1]
+          << ") after " << mostRebuilds
+          << " rebuilds of the mesh; draw it there with more room to what is beside it.";
+  throw Error(Failure::BadStroke, message.str());
+}
+
+void vtkOversketchInflateDrawing::Pipeline::RunSurface()
+{
+  this->Self->RunStage(this->Self->ExtrudeDepth > 0.0 ? "Extrude" : "Inflate");
+  this->Self->RunStage("Tunnel");
+  this->Self->RunStage("ProjectTexture");
+}
+
+void vtkOversketchInflateDrawing::Pipeline::SetAmendments(bool on)
+{
+  this->Snap->SetAsPublished(!on);
+  this->Classify->SetAsPublished(!on);
+  this->Polyline->SetAsPublished(!on);
+  this->Darts->SetAsPublished(!on);
+  this->Refine->SetAsPublished(!on);
+  this->Inflate->SetAsPublished(!on);
+  this->Tunnel->SetTunnelWall(on);
+}
+
+vtkOversketchInflateDrawing::vtkOversketchInflateDrawing()
+  : Inner(new Pipeline(this))
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchInflateDrawing::~vtkOversketchInflateDrawing() = default;
+
+int vtkOversketchInflateDrawing::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  Pipeline& inner = *this->Inner;
+  this->Rebuilds = 0;
+  return this->RunSystem(
+    [&]
+    {
+      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+      if (strokes->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      inner.FeedStrokes(strokes);
+      inner.FeedPicture(vtkImageData::GetData(inputs[1]));
+      inner.RunCurves();
+      const int rebuilds = inner.RunMesh();
+      inner.RunSurface();
+      vtkPolyData* made = this->StageOutput("ProjectTexture");
+      if (made->GetNumberOfPolys() == 0)
+      {
+        throw Error(
+          Failure::BadStroke, "No stroke bounds an object; draw a closed outline that crosses nothing.");
+      }
+      vtkPolyData::GetData(outputs)->ShallowCopy(made);
+      this->Rebuilds = rebuilds;
+    });
+}
+
+void vtkOversketchInflateDrawing::SetExtrudeDepth(double depth)
+{
+  if (depth != this->ExtrudeDepth)
+  {
+    const bool other = (depth > 0.0) != (this->ExtrudeDepth > 0.0);
+    this->ExtrudeDepth = depth;
+    this->Inner->Extrude->SetDepth(depth);
+    if (other)
+    {
+      this->Inner->Connect();
+    }
+    this->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::SetProfile(const char* text)
+{
+  SetText(this, this->Profile, text);
+  this->Inner->Inflate->SetProfile(text);
+}
+
+void vtkOversketchInflateDrawing::SetHeight(double factor)
+{
+  if (factor != this->Height)
+  {
+    this->Height = factor;
+    this->Inner->Inflate->SetHeightFactor(factor);
+    this->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::SetPoisson(bool poisson)
+{
+  if (poisson != this->Poisson)
+  {
+    this->Poisson = poisson;
+    this->Inner->Inflate->SetMode(poisson ? vtkOversketchInflate::Poisson : vtkOversketchInflate::Circular);
+    this->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::SetHoles(const char* strokes)
+{
+  SetText(this, this->Holes, strokes);
+  this->Inner->Treatment->SetHoles(strokes);
+}
+
+void vtkOversketchInflateDrawing::SetTunnels(const char* strokes)
+{
+  SetText(this, this->Tunnels, strokes);
+  this->Inner->Treatment->SetTunnels(strokes);
+}
+
+void vtkOversketchInflateDrawing::SetMagnetic(bool magnetic)
+{
+  if (magnetic != this->Magnetic)
+  {
+    this->Magnetic = magnetic;
+    this->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::SetQuads(bool quads)
+{
+  if (quads != this->Quads)
+  {
+    this->Quads = quads;
+    this->Inner->CoarseMesh->SetTerminalRule(
+      quads ? vtkOversketchCoarseMesh::NONE : vtkOversketchCoarseMesh::TWO_BOUNDARY_EDGES);
+    this->Inner->Refine->SetQuads(quads);
+    this->Inner->Connect();
+    this->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::SetLevels(int levels)
+{
+  levels = std::clamp(levels, 0, mostLevels);
+  if (levels != this->Levels)
+  {
+    this->Levels = levels;
+    this->Inner->Refine->SetLevels(levels);
+    this->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::SetAsPublished(bool published)
+{
+  if (published != this->AsPublished)
+  {
+    this->AsPublished = published;
+    this->Inner->SetAmendments(!published);
+    this->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ExtrudeDepth: " << this->ExtrudeDepth << "\n";
+  os << indent << "Profile: " << this->Profile << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Poisson: " << this->Poisson << "\n";
+  os << indent << "Holes: " << this->Holes << "\n";
+  os << indent << "Tunnels: " << this->Tunnels << "\n";
+  os << indent << "Magnetic: " << this->Magnetic << "\n";
+  os << indent << "Quads: " << this->Quads << "\n";
+  os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "Rebuilds: " << this->Rebuilds << "\n";
+}

@@ -1,0 +1,164 @@
+/**
+ * @class vtkOversketchInflateDrawing
+ * @brief a drawing, and the picture under it, becomes a model
+ *
+ * Source: "Image-Assisted Modeling from Sketches": outlines and features drawn on a canvas are classified, a
+ * planar mesh is made whose edges lie on them, and it is inflated to both sides or extruded, with holes and
+ * tunnels, and wears the picture. The whole is this one filter over those of the steps, in their order:
+ * Canvas, MagneticSnap, Resample, Classify, Treatment, Distance, Polyline, Darts, CoarseMesh, QuadMerge,
+ * Refine, Inflate or Extrude, Tunnel, ProjectTexture (GetStage, GetStep, GetInnerOutput). Each departs from
+ * the paper as its header says; AsPublished turns the departures off.
+ *
+ * Refinement that would turn triangles over hands parts of strokes back to be followed more closely
+ * ({Refine}, output 2): steps Polyline to Refine then run again, at most 24 times, until it hands back none.
+ *
+ * Input 0 (Strokes): stroke polydata: polylines in display coordinates, each with its view, drawn over the
+ * plane z = 0; see vtkOversketchCanvas for what else they may say, and oversketch.drawing in Python.
+ * Input 1 (Picture, optional, vtkImageData): the picture that was drawn over. It gives the canvas, edges to
+ * magnetic strokes, and texture coordinates their meaning.
+ *
+ * Output 0: the model, a closed mesh but for tunnels without walls: triangles, or with Quads quads. Arrays of
+ * vtkOversketchInflate or vtkOversketchExtrude, and TCoords; field array Canvas. The picture itself is not in
+ * it: give a renderer the picture as a texture; the command and sessions put the file's bytes beside the
+ * mesh.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): those of the steps, as theirs; BadStroke where no
+ * stroke bounds an object, or a stroke still turns triangles over after 24 rebuilds, named with the place.
+ * Strokes without points give an empty output silently. Strokes that are rejected are said in warnings.
+ *
+ * Deterministic: same result bit for bit for any number of threads, whatever was drawn before. What the steps
+ * computed is kept by what they read: a further feature measures no distance anew, another profile makes no
+ * mesh, another height solves nothing.
+ *
+ * @sa vtkOversketchCanvas vtkOversketchInflate vtkOversketchAssemble
+ */
+#ifndef vtkOversketchInflateDrawing_h
+#define vtkOversketchInflateDrawing_h
+
+#include "OversketchFiltersInflateDrawingModule.h" // For export macro
+#include "vtkOversketchSystem.h"
+
+#include <memory>
+#include <string>
+
+class OVERSKETCHFILTERSINFLATEDRAWING_EXPORT vtkOversketchInflateDrawing : public vtkOversketchSystem
+{
+public:
+  static vtkOversketchInflateDrawing* New();
+  vtkTypeMacro(vtkOversketchInflateDrawing, vtkOversketchSystem);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Extrudes so far to either side in place of inflating [world, default 0: inflates].
+   */
+  void SetExtrudeDepth(double depth);
+  vtkGetMacro(ExtrudeDepth, double);
+  ///@}
+
+  ///@{
+  /**
+   * The cross-section of what is inflated: "circle" (default), "linear", "step", or a polyline "x y, x y, …"
+   * from rim to ridge; see vtkOversketchInflate.
+   */
+  void SetProfile(const char* text);
+  const char* GetProfile() const { return this->Profile.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Heights are multiplied by this [default 1].
+   */
+  void SetHeight(double factor);
+  vtkGetMacro(Height, double);
+  ///@}
+
+  ///@{
+  /**
+   * Inflate by the solution of a Poisson equation in place of the distance: rounder, thin limbs thicker
+   * [default off].
+   */
+  void SetPoisson(bool poisson);
+  vtkGetMacro(Poisson, bool);
+  vtkBooleanMacro(Poisson, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Numbers of strokes, from 0 in the drawing's order, whose inside is cut out before (Holes) or after
+   * (Tunnels) the surface is made, "2" or "2 5" [default none]. They go before a stroke's own Treatment.
+   */
+  void SetHoles(const char* strokes);
+  const char* GetHoles() const { return this->Holes.c_str(); }
+  void SetTunnels(const char* strokes);
+  const char* GetTunnels() const { return this->Tunnels.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Moves every stroke to the picture's edges beside it; off (default), those whose Magnetic says so.
+   */
+  void SetMagnetic(bool magnetic);
+  vtkGetMacro(Magnetic, bool);
+  vtkBooleanMacro(Magnetic, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Merge triangles to quads and refine by Catmull and Clark's scheme in place of Loop's [default off].
+   */
+  void SetQuads(bool quads);
+  vtkGetMacro(Quads, bool);
+  vtkBooleanMacro(Quads, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How often the coarse mesh is refined, 0 to 7 [default 3].
+   */
+  void SetLevels(int levels);
+  vtkGetMacro(Levels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Turn every departure of every step off (true) or on (false, default): sets the properties of the inner
+   * steps at once, so single ones can be changed afterwards by GetStep.
+   */
+  void SetAsPublished(bool published);
+  vtkGetMacro(AsPublished, bool);
+  vtkBooleanMacro(AsPublished, bool);
+  ///@}
+
+  /**
+   * How often the last run made the mesh anew, see above; 0 after one that failed.
+   */
+  vtkGetMacro(Rebuilds, int);
+
+protected:
+  vtkOversketchInflateDrawing();
+  ~vtkOversketchInflateDrawing() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchInflateDrawing(const vtkOversketchInflateDrawing&) = delete;
+  void operator=(const vtkOversketchInflateDrawing&) = delete;
+
+  double ExtrudeDepth = 0.0;
+  double Height = 1.0;
+  bool Poisson = false;
+  bool Magnetic = false;
+  bool Quads = false;
+  bool AsPublished = false;
+  int Levels = 3;
+  int Rebuilds = 0;
+  std::string Profile = "circle";
+  std::string Holes, Tunnels;
+
+  struct Pipeline;
+  std::unique_ptr<Pipeline> Inner;
+};
+
+#endif

@@ -1,0 +1,88 @@
+"""The pen over a picture, from Python in a real window: it works in ten lines, logs of events play, pictures are as they were."""
+import os
+import pathlib
+import sys
+
+import vtk
+
+import oversketch
+
+SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
+sys.path.insert(0, str(SOURCE / "Testing" / "Pictures"))
+import compare  # noqa: E402
+import drawing  # noqa: E402
+import scenes  # noqa: E402
+
+
+class Fish:
+    """The shipped picture of a fish, drawn over in a window of 400 x 300 px."""
+
+    def __init__(self):
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(str(SOURCE / "Data" / "Drawings" / "fish.png"))
+        reader.Update()
+        self.interactor, self.window, self.renderer = vtk.vtkRenderWindowInteractor(), vtk.vtkRenderWindow(), vtk.vtkRenderer()
+        self.renderer.SetBackground(0.9, 0.9, 0.9)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(400, 300)
+        self.window.AddRenderer(self.renderer)
+        self.interactor.SetRenderWindow(self.window)
+        self.widget = oversketch.vtkOversketchDrawingWidget()
+        self.widget.SetSnapRadius(4.0)
+        self.widget.SetInteractor(self.interactor)
+        self.widget.On()
+        self.widget.SetPicture(reader.GetOutput())
+        self.interactor.Initialize()
+        self.window.Render()
+
+    def play(self, *names):
+        drawing.play(self.interactor, *names)
+
+    def picture(self):
+        self.window.Render()
+        return scenes.image(self.window)
+
+    def labels(self, name):
+        array = self.widget.GetCurves().GetCellData().GetArray(name)
+        return [int(array.GetTuple1(i)) for i in range(array.GetNumberOfTuples())]
+
+
+def test_frames_of_a_drawing():
+    fish = Fish()
+    fish.play("drawing_pen_down")
+    assert fish.widget.GetPen().IsDrawing()
+    if compare.matches(fish.picture(), "drawing_pen_down"):  # the corridor is seen
+        fish.widget.GetPen().GetStrokeRepresentation().SetSection(None)
+        assert compare.difference(fish.picture(), compare.read("drawing_pen_down")) > 4 * compare.LIMIT
+    fish.widget.GetPen().CancelStroke()
+    assert fish.widget.GetDrawing().GetNumberOfCells() == 0
+    fish.play("drawing_outline")
+    assert fish.labels("Role") == [1], fish.widget.GetText()
+    snapped = fish.widget.GetCurves().GetPointData().GetArray("Snapped")
+    assert sum(snapped.GetTuple1(i) for i in range(snapped.GetNumberOfTuples())) > 0.5 * snapped.GetNumberOfTuples()
+    fish.play("drawing_features")
+    assert fish.labels("Role").count(1) == 1 and fish.labels("Role").count(2) == 2, fish.labels("Role")
+    fish.widget.CycleTreatment(237.0, 356.0)  # the eye
+    assert fish.labels("Treatment").count(1) == 1
+    compare.matches(fish.picture(), "drawing_fish")
+
+
+def test_in_ten_lines_to_a_model():
+    reader, strokes, window = vtk.vtkPNGReader(), vtk.vtkXMLPolyDataReader(), vtk.vtkRenderWindow()
+    reader.SetFileName(str(SOURCE / "Data" / "Drawings" / "fish.png"))
+    reader.Update()
+    interactor, renderer = vtk.vtkRenderWindowInteractor(), vtk.vtkRenderer()
+    window.AddRenderer(renderer)
+    interactor.SetRenderWindow(window)
+    sheet, system = oversketch.vtkOversketchDrawingWidget(), oversketch.vtkOversketchInflateDrawing()
+    sheet.SetPicture(reader.GetOutput())
+    sheet.SetInteractor(interactor)
+    sheet.On()
+    system.SetInputConnection(0, sheet.GetOutputPort())
+    system.SetInputData(1, reader.GetOutput())
+    assert oversketch.update(system).GetNumberOfPolys() == 0  # nothing is drawn yet
+    strokes.SetFileName(str(SOURCE / "Data" / "Drawings" / "fish.vtp"))
+    strokes.Update()
+    assert sheet.SetDrawing(strokes.GetOutput())
+    assert sheet.GetText() == ""
+    assert oversketch.update(system).GetNumberOfPolys() > 1000
