@@ -145,3 +145,53 @@ TEST(C9_5, NoTriangleOfAStarTurnsOver)
   }
   fact("C9_5", "inverted triangles of stars, k = 3: " + figures);
 }
+
+TEST(Guard, NothingTurnsOverInRestlessDrawings)
+{
+  // Outlines of several waves; a wavy feature near the rim, a closed one with an open one in it.
+  std::mt19937 random(11);
+  const auto uniform = [&](double low, double high)
+  { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+  int published = 0, rounds = 0, faces = 0;
+  for (int run = 0; run < 12; ++run)
+  {
+    const double a = uniform(0.05, 0.25), b = uniform(0.0, 0.1), phase = uniform(0.0, turn);
+    const int n = 2 + static_cast<int>(random() % 6), m = 8 + static_cast<int>(random() % 8);
+    const auto radius = [&](double angle)
+    { return 0.3 * (1.0 + a * std::cos(n * angle + phase) + b * std::cos(m * angle)); };
+    Polyline wave, inner;
+    const double from = uniform(0.0, turn), share = uniform(0.75, 0.93);
+    for (int i = 0; i <= 200; ++i)
+    {
+      const double angle = from + 2.0 * i / 200;
+      wave.push_back(Vector2(0.5, 0.5) + (share + 0.04 * std::sin(30.0 * angle)) * radius(angle) *
+                                           Vector2(std::cos(angle), std::sin(angle)));
+      inner.emplace_back(0.5 + 0.03 * std::cos(0.02 * i), 0.46 + 0.0004 * i);
+    }
+    const double size = uniform(0.4, 0.6);
+    const UnitDrawing drawing({ polarStroke(0.5, 0.5, radius),
+      evenStroke(wave, false),
+      polarStroke(0.5, 0.5, [&](double angle) { return size * radius(angle); }),
+      evenStroke(inner, false) });
+    for (const DeltaMode mode : { DeltaMode::Adaptive, DeltaMode::Fixed })
+    {
+      for (const DartMode darts : { DartMode::Local, DartMode::Off })
+      {
+        PlanarRefineOptions options;
+        options.quads = run % 3 == 2;
+        options.guard = false;
+        published += rebuilt(drawing, mode, options, darts).result.inverted;
+        options.guard = true;
+        const Rebuilt made = rebuilt(drawing, mode, options, darts);
+        EXPECT_TRUE(made.result.splits.empty()) << run;
+        EXPECT_TRUE(invertedFaces(made.result.mesh, 1e-12, Context()).empty()) << run;
+        faces += static_cast<int>(made.result.mesh.faces.size());
+        rounds = std::max(rounds, made.rounds);
+      }
+    }
+  }
+  EXPECT_GT(published, 0);
+  EXPECT_GE(rounds, 1);
+  std::cout << published << " inverted without guard, none of " << faces << " with it, at most " << rounds
+            << " rounds\n";
+}

@@ -2,6 +2,7 @@
 #ifndef oversketch_refine_runs_h
 #define oversketch_refine_runs_h
 
+#include "Planar/darts.h"
 #include "Planar/merge_quads.h"
 #include "Planar/planar_shapes.h"
 #include "Planar/refine.h"
@@ -24,24 +25,28 @@ struct Rebuilt
 inline PlanarMesh coarseMesh(const UnitDrawing& drawing,
   DeltaMode mode,
   const std::vector<StrokeSplit>& splits,
-  bool quads)
+  bool quads,
+  DartMode darts)
 {
   ApproximationRules rules;
   rules.mode = mode;
   const std::vector<StrokeLine> lines = strokeLines(
     drawing.polylines(rules, splits), drawing.strokes, drawing.classes.strokes, drawing.treatments);
-  const PlanarMesh mesh = triangulate(lines, {}, Context());
+  const PlanarMesh mesh = triangulate(lines, throwDarts(drawing.maps, lines, darts, 1, Context()), Context());
   return quads ? mergeQuads(mesh) : repairTerminals(mesh, TerminalRule::TwoBoundaryEdges);
 }
 
 // Coarse meshes and their refinement, until nothing is handed back; 24 times at most.
-inline Rebuilt rebuilt(const UnitDrawing& drawing, DeltaMode mode, const PlanarRefineOptions& options)
+inline Rebuilt rebuilt(const UnitDrawing& drawing,
+  DeltaMode mode,
+  const PlanarRefineOptions& options,
+  DartMode darts = DartMode::Off)
 {
   Rebuilt run;
   std::vector<StrokeSplit> splits;
   for (;; ++run.rounds)
   {
-    const PlanarMesh coarse = coarseMesh(drawing, mode, splits, options.quads);
+    const PlanarMesh coarse = coarseMesh(drawing, mode, splits, options.quads, darts);
     run.base = static_cast<int>(coarse.faces.size());
     run.result = refinePlanar(coarse, drawing.strokes, options, Context());
     if (run.result.splits.empty() || run.rounds == 24)
