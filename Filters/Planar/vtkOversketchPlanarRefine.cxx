@@ -12,6 +12,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
+
 using namespace oversketch;
 
 // The last result and all that it was made of.
@@ -91,7 +93,6 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
         {
           WritePlanarMesh(result.mesh, cache.Mesh);
           WriteStrokeEdges(result.mesh, cache.Mesh, cache.Edges);
-          cache.Mesh->GetFieldData()->PassData(faces->GetFieldData());
         }
         else
         {
@@ -108,9 +109,13 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
                               << " places strokes leave triangles no room: approximate them closer there, "
                                  "with vtkOversketchPolyline and the splits on output 2.");
       }
-      vtkPolyData::GetData(outputs, 0)->ShallowCopy(cache.Mesh);
-      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Edges);
-      vtkPolyData::GetData(outputs, 2)->ShallowCopy(cache.Splits);
+      const std::array<vtkPolyData*, 3> made{ cache.Mesh, cache.Edges, cache.Splits };
+      for (int port = 0; port < 3; ++port)
+      {
+        vtkPolyData* output = vtkPolyData::GetData(outputs, port);
+        output->ShallowCopy(made[port]);
+        output->GetFieldData()->PassData(faces->GetFieldData());
+      }
     });
 }
 

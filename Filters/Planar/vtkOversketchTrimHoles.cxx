@@ -59,6 +59,7 @@ int vtkOversketchTrimHoles::RequestData(vtkInformation*,
       WritePlanarMesh(left, leftFaces);
       WriteStrokeEdges(left, leftFaces, leftEdges);
       leftFaces->GetFieldData()->PassData(faces->GetFieldData());
+      leftEdges->GetFieldData()->PassData(edges->GetFieldData());
     });
 }
 

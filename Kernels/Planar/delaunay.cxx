@@ -15,7 +15,7 @@ namespace
 {
 
 // Where an edge is: a face and the corner opposite.
-struct Side
+struct EdgeSide
 {
   int face = -1, corner = -1;
 };
@@ -43,11 +43,11 @@ private:
   int seed(const std::vector<int>& order);
   int locate(int point, int start) const;
   int insert(int point, int start);
-  Side find(int from, int to) const;
+  EdgeSide find(int from, int to) const;
   template <typename Visit>
   void aroundPoint(int point, const Visit& visit) const;
-  int farCorner(const Side& side) const;
-  void flip(const Side& side);
+  int farCorner(const EdgeSide& side) const;
+  void flip(const EdgeSide& side);
   std::vector<std::array<int, 2>> crossed(int number, const Constraint& constraint) const;
   void insert(int number, const Constraint& constraint);
   void legalise(std::vector<std::array<int, 2>> edges);
@@ -291,9 +291,9 @@ void Triangulation::aroundPoint(int point, const Visit& visit) const
 }
 
 // The face that has the edge from one point to another counter-clockwise.
-Side Triangulation::find(int from, int to) const
+EdgeSide Triangulation::find(int from, int to) const
 {
-  Side result;
+  EdgeSide result;
   this->aroundPoint(from,
     [&](int face, int corner)
     {
@@ -307,7 +307,7 @@ Side Triangulation::find(int from, int to) const
 }
 
 // The corner, in the face across, that is opposite the same edge.
-int Triangulation::farCorner(const Side& side) const
+int Triangulation::farCorner(const EdgeSide& side) const
 {
   const DelaunayFace& here = this->Faces[side.face];
   const DelaunayFace& there = this->Faces[here.across[side.corner]];
@@ -323,7 +323,7 @@ int Triangulation::farCorner(const Side& side) const
 }
 
 // Puts the other diagonal into the two faces at an edge.
-void Triangulation::flip(const Side& side)
+void Triangulation::flip(const EdgeSide& side)
 {
   const int f = side.face, i = side.corner, g = this->Faces[f].across[i], j = this->farCorner(side);
   const DelaunayFace a = this->Faces[f], b = this->Faces[g];
@@ -381,7 +381,7 @@ std::vector<std::array<int, 2>> Triangulation::crossed(int number, const Constra
       [&](const Constraint& c) { return c.from == point || c.to == point; });
     this->refuse(constraint, owner == this->Constraints->end() ? -1 : owner->stroke, this->Points[point]);
   };
-  Side side;
+  EdgeSide side;
   this->aroundPoint(u,
     [&](int face, int corner)
     {
@@ -438,7 +438,7 @@ void Triangulation::insert(int number, const Constraint& constraint)
     {
       const auto [a, b] = queue.front();
       queue.pop_front();
-      const Side side = this->find(a, b);
+      const EdgeSide side = this->find(a, b);
       const int top = this->Faces[side.face].corners[side.corner];
       const int low = this->Faces[this->Faces[side.face].across[side.corner]].corners[this->farCorner(side)];
       if (this->turn(low, b, top) <= 0 || this->turn(top, a, low) <= 0)
@@ -458,7 +458,7 @@ void Triangulation::insert(int number, const Constraint& constraint)
       }
     }
   }
-  for (const Side& side : { this->find(u, v), this->find(v, u) })
+  for (const EdgeSide& side : { this->find(u, v), this->find(v, u) })
   {
     int& owner = this->Faces[side.face].constraints[side.corner];
     if (owner >= 0)
@@ -477,7 +477,7 @@ void Triangulation::legalise(std::vector<std::array<int, 2>> edges)
   {
     const auto [a, b] = edges.back();
     edges.pop_back();
-    const Side side = this->find(a, b);
+    const EdgeSide side = this->find(a, b);
     if (side.face < 0 || this->Faces[side.face].constraints[side.corner] >= 0)
     {
       continue;

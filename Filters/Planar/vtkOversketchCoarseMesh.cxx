@@ -1,0 +1,126 @@
+#include "vtkOversketchCoarseMesh.h"
+
+#include "Planar/terminal.h"
+#include "Planar/triangulate.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchPlanarTools.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <string>
+
+using namespace oversketch;
+
+struct vtkOversketchCoarseMesh::Cache
+{
+  KeptOutput Kept;
+  vtkNew<vtkPolyData> Edges;
+};
+
+vtkStandardNewMacro(vtkOversketchCoarseMesh);
+
+namespace
+{
+
+std::vector<Vector2> dartsOf(vtkPolyData* darts)
+{
+  std::vector<Vector2> places;
+  for (vtkIdType i = 0; darts && i < darts->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    darts->GetPoint(i, place);
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
+    {
+      throw Error(Failure::BadStroke,
+        "Dart " + std::to_string(i) + " is not finite; take the darts from vtkOversketchDarts.");
+    }
+    places.emplace_back(place[0], place[1]);
+  }
+  return places;
+}
+
+} // namespace
+
+vtkOversketchCoarseMesh::vtkOversketchCoarseMesh()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchCoarseMesh::~vtkOversketchCoarseMesh() = default;
+
+void vtkOversketchCoarseMesh::SetDartsData(vtkPolyData* darts)
+{
+  this->SetInputData(1, darts);
+}
+
+vtkPolyData* vtkOversketchCoarseMesh::GetEdgesOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkOversketchCoarseMesh::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, information);
+}
+
+int vtkOversketchCoarseMesh::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* polylines = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* darts = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      if (polylines->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      Cache& cache = *this->Internals;
+      std::vector<MeshKey> read{ PlanarKey(polylines) };
+      if (darts)
+      {
+        read.emplace_back(darts);
+      }
+      cache.Kept.Provide(StepKey(read, { static_cast<double>(this->TerminalRule) }),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->MeshCount;
+          PlanarMesh mesh = triangulate(StrokeLinesOf(polylines), dartsOf(darts), ContextOf(this));
+          if (this->TerminalRule != NONE)
+          {
+            mesh = repairTerminals(mesh,
+              this->TerminalRule == TWO_BOUNDARY_EDGES ? oversketch::TerminalRule::TwoBoundaryEdges
+                                                       : oversketch::TerminalRule::ThreeBoundaryVertices);
+          }
+          WritePlanarMesh(mesh, result);
+          cache.Edges->Initialize();
+          WriteStrokeEdges(mesh, result, cache.Edges);
+        });
+      vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
+      edges->ShallowCopy(cache.Edges);
+      output->GetFieldData()->PassData(polylines->GetFieldData());
+      edges->GetFieldData()->PassData(polylines->GetFieldData());
+    });
+}
+
+void vtkOversketchCoarseMesh::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TerminalRule: " << this->TerminalRule << "\n";
+  os << indent << "MeshCount: " << this->MeshCount << "\n";
+}

@@ -1,0 +1,105 @@
+#include "vtkOversketchDarts.h"
+
+#include "Planar/darts.h"
+#include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchPlanarTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+using namespace oversketch;
+
+struct vtkOversketchDarts::Cache
+{
+  KeptOutput Kept;
+};
+
+vtkStandardNewMacro(vtkOversketchDarts);
+
+vtkOversketchDarts::vtkOversketchDarts()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchDarts::~vtkOversketchDarts() = default;
+
+void vtkOversketchDarts::SetDistanceData(vtkImageData* distance)
+{
+  this->SetInputData(1, distance);
+}
+
+int vtkOversketchDarts::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, information);
+}
+
+int vtkOversketchDarts::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* polylines = vtkPolyData::GetData(inputs[0]);
+      vtkImageData* distance = vtkImageData::GetData(inputs[1]);
+      if (polylines->GetNumberOfPoints() == 0 || this->AsPublished || this->DartMode == OFF)
+      {
+        return;
+      }
+      if (!distance || distance->GetNumberOfPoints() == 0)
+      {
+        throw Error(Failure::MissingArray,
+          "There is no distance image to throw darts in: connect that of vtkOversketchDistance, or choose "
+          "DartMode Off.");
+      }
+      this->Internals->Kept.Provide(
+        StepKey({ PlanarKey(polylines), ImageKey(distance) },
+          { static_cast<double>(this->DartMode), static_cast<double>(this->Seed) }),
+        vtkPolyData::GetData(outputs),
+        [&](vtkPolyData* result)
+        {
+          ++this->DartsCount;
+          const Context context = ContextOf(this);
+          const oversketch::DartMode mode =
+            this->DartMode == LOCAL ? oversketch::DartMode::Local : oversketch::DartMode::Published;
+          const std::vector<Vector2> darts = throwDarts(DistanceMapsOf(distance, context),
+            StrokeLinesOf(polylines),
+            mode,
+            static_cast<unsigned int>(this->Seed),
+            context);
+          vtkNew<vtkPoints> points;
+          points->SetDataTypeToDouble();
+          vtkNew<vtkCellArray> vertices;
+          for (const Vector2& dart : darts)
+          {
+            const vtkIdType id = points->InsertNextPoint(dart[0], dart[1], 0.0);
+            vertices->InsertNextCell(1, &id);
+          }
+          result->SetPoints(points);
+          result->SetVerts(vertices);
+        });
+    });
+}
+
+void vtkOversketchDarts::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DartMode: " << this->DartMode << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "DartsCount: " << this->DartsCount << "\n";
+}

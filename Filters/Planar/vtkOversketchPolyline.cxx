@@ -1,0 +1,133 @@
+#include "vtkOversketchPolyline.h"
+
+#include "Planar/approximate.h"
+#include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchPlanarTools.h"
+
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <string>
+
+using namespace oversketch;
+
+struct vtkOversketchPolyline::Cache
+{
+  KeptOutput Kept;
+};
+
+vtkStandardNewMacro(vtkOversketchPolyline);
+
+vtkOversketchPolyline::vtkOversketchPolyline()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+vtkOversketchPolyline::~vtkOversketchPolyline() = default;
+
+void vtkOversketchPolyline::SetDistanceData(vtkImageData* distance)
+{
+  this->SetInputData(1, distance);
+}
+
+void vtkOversketchPolyline::SetSplitsData(vtkPolyData* splits)
+{
+  this->SetInputData(2, splits);
+}
+
+int vtkOversketchPolyline::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port > 0)
+  {
+    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkImageData" : "vtkPolyData");
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, information);
+}
+
+int vtkOversketchPolyline::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+      vtkImageData* distance = vtkImageData::GetData(inputs[1]);
+      vtkPolyData* splits = vtkPolyData::GetData(inputs[2]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (curves->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const bool fixed = this->AsPublished || this->DeltaMode == FIXED;
+      if (!fixed && !(distance && distance->GetNumberOfPoints() > 0))
+      {
+        throw Error(Failure::MissingArray,
+          "There is no distance image, which DeltaMode Adaptive reads: connect that of "
+          "vtkOversketchDistance, "
+          "or choose Fixed.");
+      }
+      std::vector<MeshKey> read{ DrawingKey(curves) };
+      if (!fixed)
+      {
+        read.push_back(ImageKey(distance));
+      }
+      if (splits)
+      {
+        read.push_back(PlanarKey(splits));
+      }
+      this->Internals->Kept.Provide(
+        StepKey(read, { static_cast<double>(fixed), this->Tolerance, this->CornerAngle }),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->PolylineCount;
+          const Drawing drawing = DrawingOf(curves);
+          const std::vector<StrokeClass> classes = ClassificationOf(curves).strokes;
+          const std::vector<StrokeSplit> parts = splits ? SplitsOf(splits) : std::vector<StrokeSplit>();
+          for (const StrokeSplit& part : parts)
+          {
+            if (part.stroke < 0 || part.stroke >= static_cast<int>(classes.size()))
+            {
+              throw Error(Failure::BadStroke,
+                "The splits name stroke " + std::to_string(part.stroke) + ", but there are " +
+                  std::to_string(classes.size()) + "; take both of one drawing.");
+            }
+          }
+          ApproximationRules rules;
+          rules.mode = fixed ? DeltaMode::Fixed : DeltaMode::Adaptive;
+          rules.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
+          rules.tolerance = this->Tolerance;
+          const Context context = ContextOf(this);
+          const std::vector<StrokePolyline> polylines = approximate(drawing.Strokes,
+            classes,
+            drawing.Treatments,
+            fixed ? DistanceMaps() : DistanceMapsOf(distance, context),
+            parts,
+            drawing.Rectangle.longest(),
+            rules,
+            context);
+          WriteStrokeLines(strokeLines(polylines, drawing.Strokes, classes, drawing.Treatments), result);
+        });
+      output->GetFieldData()->PassData(curves->GetFieldData());
+    });
+}
+
+void vtkOversketchPolyline::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DeltaMode: " << this->DeltaMode << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "PolylineCount: " << this->PolylineCount << "\n";
+}

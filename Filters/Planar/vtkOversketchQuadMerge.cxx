@@ -1,0 +1,71 @@
+#include "vtkOversketchQuadMerge.h"
+
+#include "Planar/merge_quads.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchPlanarTools.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+using namespace oversketch;
+
+struct vtkOversketchQuadMerge::Cache
+{
+  KeptOutput Kept;
+};
+
+vtkStandardNewMacro(vtkOversketchQuadMerge);
+
+vtkOversketchQuadMerge::vtkOversketchQuadMerge()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchQuadMerge::~vtkOversketchQuadMerge() = default;
+
+void vtkOversketchQuadMerge::SetEdgesData(vtkPolyData* edges)
+{
+  this->SetInputData(1, edges);
+}
+
+vtkPolyData* vtkOversketchQuadMerge::GetEdgesOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkOversketchQuadMerge::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* triangles = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      if (triangles->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      this->Internals->Kept.Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
+        output,
+        [&](vtkPolyData* result)
+        {
+          ++this->MergeCount;
+          WritePlanarMesh(mergeQuads(PlanarMeshOf(triangles, edges)), result);
+        });
+      output->GetFieldData()->PassData(triangles->GetFieldData());
+      vtkPolyData::GetData(outputs, 1)->ShallowCopy(edges);
+    });
+}
+
+void vtkOversketchQuadMerge::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MergeCount: " << this->MergeCount << "\n";
+}

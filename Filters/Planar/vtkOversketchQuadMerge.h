@@ -1,0 +1,66 @@
+/**
+ * @class vtkOversketchQuadMerge
+ * @brief pairs of a coarse mesh's triangles become quads
+ *
+ * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.4, Fig. 10: greedy merging, after which triangles
+ * may remain; one level of refinement makes quads of all. The measure of a quad is ours
+ * (Kernels/Planar/merge_quads.h). It takes the mesh of vtkOversketchCoarseMesh best with TerminalRule None:
+ * every quad of the first level has a point inside, so that nothing need be divided.
+ *
+ * Input 0 (Triangles): those of vtkOversketchCoarseMesh.
+ * Input 1 (Edges): its edges, which stay.
+ *
+ * Output 0 (Faces): quads and triangles with the same points and arrays; BaseFaceId is the face itself.
+ * Output 1 (Edges): the same.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray for absent arrays, BadMesh as
+ * vtkOversketchPlanarTools.h says. A mesh without points gives empty outputs silently.
+ *
+ * Deterministic. Cost: some milliseconds. The result stays while both inputs do.
+ *
+ * @sa vtkOversketchCoarseMesh vtkOversketchPlanarRefine
+ */
+#ifndef vtkOversketchQuadMerge_h
+#define vtkOversketchQuadMerge_h
+
+#include "OversketchFiltersPlanarModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory>
+
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchQuadMerge : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchQuadMerge* New();
+  vtkTypeMacro(vtkOversketchQuadMerge, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The edges on strokes, on port 1 of input and output.
+   */
+  void SetEdgesConnection(vtkAlgorithmOutput* edges) { this->SetInputConnection(1, edges); }
+  void SetEdgesData(vtkPolyData* edges);
+  vtkPolyData* GetEdgesOutput();
+
+  /**
+   * How many times triangles have been merged: executions that the kept result did not answer.
+   */
+  vtkGetMacro(MergeCount, vtkIdType);
+
+protected:
+  vtkOversketchQuadMerge();
+  ~vtkOversketchQuadMerge() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchQuadMerge(const vtkOversketchQuadMerge&) = delete;
+  void operator=(const vtkOversketchQuadMerge&) = delete;
+
+  vtkIdType MergeCount = 0;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
+};
+
+#endif
