@@ -9,8 +9,8 @@
  * coarse mesh, what subdivision makes of 2 (of 1); WallRows 1 gives 2 2^k. The paper leaves the distance
  * open.
  *
- * Input 0 (Mesh): the drawing's mesh in the plane, triangles or quads, as vtkOversketchRefine puts it out,
- * holes trimmed, with field array Canvas.
+ * Input 0 (Mesh): the drawing's mesh in the plane, triangles or quads, as vtkOversketchPlanarRefine puts it
+ * out, holes trimmed, with field array Canvas.
  *
  * Output 0 (Mesh): the closed surface: the front's points in the mesh's order, the back's, the walls'; of
  * quads quads. All arrays are passed, walls having those of the rim's points and faces but BaseFaceId -1, and

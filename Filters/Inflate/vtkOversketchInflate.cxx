@@ -34,7 +34,7 @@ struct vtkOversketchInflate::Cache
   vtkSmartPointer<vtkImageData> Image;
   KeptOutput Surface;
 
-  // Makes what the key does not answer; what follows from it is forgotten first.
+  // Makes what the key does not answer; true where it did.
   template <typename Make>
   static bool Provide(StepKey& known, const StepKey& key, const Make& make)
   {

@@ -23,28 +23,6 @@ struct vtkOversketchTunnel::Cache
 
 vtkStandardNewMacro(vtkOversketchTunnel);
 
-namespace
-{
-
-// 1 of each region that is a tunnel or lies in one.
-std::vector<char> tunnelRegions(vtkPolyData* curves)
-{
-  const Classification drawing = ClassificationOf(curves);
-  const std::vector<Treatment> treatments = TreatmentsOf(curves);
-  std::vector<char> tunnels(drawing.regions.size(), 0);
-  for (std::size_t r = 0; r < tunnels.size(); ++r)
-  {
-    for (int around = static_cast<int>(r); around >= 0; around = drawing.regions[around].parent)
-    {
-      const Region& region = drawing.regions[around];
-      tunnels[r] |= region.parent >= 0 && treatments[region.stroke] == Treatment::Tunnel;
-    }
-  }
-  return tunnels;
-}
-
-} // namespace
-
 vtkOversketchTunnel::vtkOversketchTunnel()
   : Internals(new Cache)
 {
@@ -74,7 +52,7 @@ int vtkOversketchTunnel::RequestData(vtkInformation*,
       }
       const Context context = ContextOf(this);
       context.checkpoint(0.0);
-      const std::vector<char> tunnels = tunnelRegions(curves);
+      const std::vector<char> tunnels = regionsInTunnels(ClassificationOf(curves), TreatmentsOf(curves));
       if (std::count(tunnels.begin(), tunnels.end(), 1) == 0)
       {
         output->ShallowCopy(surface);
@@ -93,7 +71,7 @@ int vtkOversketchTunnel::RequestData(vtkInformation*,
             1,
             surface->GetNumberOfCells(),
             "surface",
-            "take the mesh from vtkOversketchRefine");
+            "take the mesh from vtkOversketchPlanarRefine");
           std::vector<char> removed;
           for (vtkIdType f = 0; f < regions->GetNumberOfTuples(); ++f)
           {

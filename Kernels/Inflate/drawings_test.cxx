@@ -8,7 +8,6 @@
 #include "Inflate/unstretch.h"
 #include "Planar/guard.h"
 #include "Planar/refine_runs.h"
-#include "Planar/terminal.h"
 #include "Raster/grid_smoothing.h"
 
 #include <gtest/gtest.h>
@@ -45,28 +44,6 @@ std::vector<NamedDrawing> drawings()
       1 } };
 }
 
-// Terminal triangles divided, as what is to be sealed must be.
-PlanarMesh meshOf(const UnitDrawing& drawing)
-{
-  PlanarRefineOptions options;
-  options.levels = 2;
-  std::vector<StrokeSplit> splits;
-  for (int round = 0; round <= 24; ++round)
-  {
-    const std::vector<StrokeLine> lines = strokeLines(
-      drawing.polylines({}, splits), drawing.strokes, drawing.classes.strokes, drawing.treatments);
-    const PlanarMesh coarse =
-      repairTerminals(triangulate(lines, {}, Context()), TerminalRule::TwoBoundaryEdges);
-    PlanarRefineResult result = refinePlanar(coarse, drawing.strokes, options, Context());
-    if (result.splits.empty())
-    {
-      return std::move(result.mesh);
-    }
-    addSplits(splits, result.splits);
-  }
-  throw Error(Failure::BadStroke, "24 rounds were not enough");
-}
-
 // The maps, and the solid made with them.
 Solid inflated(const UnitDrawing& drawing, const PlanarMesh& mesh, bool unstretched)
 {
@@ -88,26 +65,28 @@ TEST(Drawings, BecomeClosedSurfaces)
   for (const NamedDrawing& named : drawings())
   {
     const UnitDrawing drawing(named.strokes, named.treatments);
-    const PlanarMesh mesh = meshOf(drawing);
-    for (const int kind : { 0, 1, 2 })
+    for (const bool quads : { false, true })
     {
-      const Solid whole =
-        kind == 2 ? extrude(mesh, 0.1, WallRows::Refined) : inflated(drawing, mesh, kind == 1);
-      std::vector<char> removed;
-      for (const SolidFace& face : whole.faces)
+      PlanarRefineOptions options;
+      options.levels = 2;
+      options.quads = quads;
+      const PlanarMesh mesh = rebuilt(drawing, DeltaMode::Adaptive, options).result.mesh;
+      for (const int kind : { 0, 1, 2 })
       {
-        bool gone = false;
-        for (int r = mesh.faces[face.source].region; r >= 0; r = drawing.classes.regions[r].parent)
+        const Solid whole =
+          kind == 2 ? extrude(mesh, 0.1, WallRows::Refined) : inflated(drawing, mesh, kind == 1);
+        const std::vector<char> gone = regionsInTunnels(drawing.classes, drawing.treatments);
+        std::vector<char> removed;
+        for (const SolidFace& face : whole.faces)
         {
-          const Region& region = drawing.classes.regions[r];
-          gone |= region.parent >= 0 && drawing.treatments[region.stroke] == Treatment::Tunnel;
+          removed.push_back(gone[mesh.faces[face.source].region]);
         }
-        removed.push_back(gone);
+        const Shape shape = shapeOf(tunnel(whole, removed, true));
+        EXPECT_EQ(shape.loops + shape.odd + shape.pinched, 0) << named.name << kind << quads;
+        EXPECT_EQ(shape.chi, 2 - 2 * named.handles) << named.name << kind << quads;
+        EXPECT_GT(shape.volume, 0.0);
+        EXPECT_EQ(quads ? shape.triangles : shape.quads, 0);
       }
-      const Shape shape = shapeOf(tunnel(whole, removed, true));
-      EXPECT_EQ(shape.loops + shape.odd + shape.pinched, 0) << named.name << kind;
-      EXPECT_EQ(shape.chi, 2 - 2 * named.handles) << named.name << kind;
-      EXPECT_GT(shape.volume, 0.0);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "Inflate/wall.h"
 #include "Mesh/context.h"
+#include "Planar/trim.h"
 
 #include <algorithm>
 #include <string>
@@ -128,6 +129,17 @@ void compact(Solid& solid)
 }
 
 } // namespace
+
+std::vector<char> regionsInTunnels(const Classification& classification,
+  const std::vector<Treatment>& treatments)
+{
+  std::vector<Treatment> cut;
+  for (const Treatment treatment : treatments)
+  {
+    cut.push_back(treatment == Treatment::Tunnel ? Treatment::Hole : Treatment::Fill);
+  }
+  return regionsInHoles(classification, cut);
+}
 
 Solid tunnel(const Solid& solid, const std::vector<char>& removed, bool wall)
 {

@@ -3,11 +3,16 @@
 #define oversketch_tunnel_h
 
 #include "Inflate/solid.h"
+#include "Raster/distance_maps.h"
 
 #include <vector>
 
 namespace oversketch
 {
+
+// Of each region: 1 where its stroke is a tunnel, or that of a region round it.
+std::vector<char> regionsInTunnels(const Classification& classification,
+  const std::vector<Treatment>& treatments);
 
 // Source: image-assisted modelling, section 14: the faces are removed after the surface has been made, so the
 // tunnel's rim stands where it would without. That leaves two open loops, which the paper does not close;
