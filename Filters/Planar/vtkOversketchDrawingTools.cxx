@@ -245,10 +245,10 @@ void WriteDistanceMaps(const DistanceMaps& maps, vtkImageData* image)
 
 MeshKey ImageKey(vtkImageData* image)
 {
-  std::vector<vtkDataArray*> arrays;
-  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+  std::vector<vtkDataArray*> arrays(static_cast<std::size_t>(image->GetPointData()->GetNumberOfArrays()));
+  for (std::size_t i = 0; i < arrays.size(); ++i)
   {
-    arrays.push_back(image->GetPointData()->GetArray(i));
+    arrays[i] = image->GetPointData()->GetArray(static_cast<int>(i));
   }
   vtkNew<vtkPolyData> none;
   return MeshKey(none, arrays);

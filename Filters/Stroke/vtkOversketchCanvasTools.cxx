@@ -120,7 +120,7 @@ Canvas CanvasOf(vtkPolyData* curves)
   {
     values[i] = array->GetComponent(i / array->GetNumberOfComponents(), i % array->GetNumberOfComponents());
   }
-  const Canvas canvas{ Vector2(values[0], values[1]), Vector2(values[2], values[3]) };
+  Canvas canvas{ Vector2(values[0], values[1]), Vector2(values[2], values[3]) };
   if (!canvas.corner.allFinite() || !canvas.size.allFinite() || canvas.size.minCoeff() <= 0.0)
   {
     throw Error(Failure::BadStroke,
