@@ -71,7 +71,7 @@ def show(mesh_file, drawing_file):
         points = drawing.place(world)
     images = []
     for towards in ((0, 0, 1), (0.75, 0.35, 0.6)):
-        view = picture.View.looking(points if len(triangles) else np.vstack(rim), towards, (0, 1, 0), False, 0.9)
+        view = picture.View.looking(points if len(triangles) else np.vstack([*rim, rim[0] + (0, 0, 1)]), towards, (0, 1, 0), False, 0.9)
         if len(triangles):
             images.append(picture.shaded(view, points, triangles, scale=1))
             continue
