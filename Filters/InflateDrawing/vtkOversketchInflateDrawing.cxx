@@ -250,7 +250,6 @@ int vtkOversketchInflateDrawing::Pipeline::RunMesh()
     {
       this->RefuseSplits(more[0]);
     }
-    if (getenv("DBG")) for (auto& m : more) fprintf(stderr, "round %d stroke %d %.4f %.4f h %d\n", rebuilds, m.stroke, m.start, m.end, m.halvings);
     addSplits(splits, more);
     WriteSplits(splits, DrawingOf(this->Distance->GetOutput()).Strokes, this->Splits);
     this->Splits->Modified();
