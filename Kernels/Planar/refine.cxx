@@ -194,27 +194,21 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   PlanarRefineResult result;
   const FaceEdges links = faceEdges(mesh);
   joinEnds(mesh, curves);
-  const auto handBack = [&](const PlanarMesh& at, const std::vector<int>& bad)
+  std::set<int> given; // bases that faces stay inverted in
+  const auto give = [&](const PlanarMesh& at, const std::vector<int>& bad)
   {
-    std::set<int> bases;
     for (const int f : bad)
     {
-      bases.insert(at.faces[f].base);
+      given.insert(at.faces[f].base);
     }
-    result.splits = splitsAt(mesh, links, bases);
-    result.inverted = static_cast<int>(bad.size());
+    result.inverted += static_cast<int>(bad.size());
   };
   SubdividedMesh level;
   level.mesh = options.levels == 0 ? splitChords(mesh) : mesh;
   level.links = links;
   if (options.guard)
   {
-    const std::vector<int> bad = invertedFaces(level.mesh, leastAt(0), context);
-    if (!bad.empty())
-    {
-      handBack(level.mesh, bad);
-      return result;
-    }
+    give(level.mesh, invertedFaces(level.mesh, leastAt(0), context));
   }
   for (int k = 0; k < options.levels; ++k)
   {
@@ -222,18 +216,18 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
     level = subdivide(level.mesh, level.links, curves, rule, context);
     if (options.guard)
     {
-      const std::vector<int> bad = keepUpright(level, leastAt(k + 1), context);
-      if (!bad.empty())
-      {
-        handBack(level.mesh, bad);
-        return result;
-      }
+      give(level.mesh, keepUpright(level, leastAt(k + 1), given, context));
       continue;
     }
     for (std::size_t p = 0; p < level.mesh.points.size(); ++p)
     {
       level.mesh.points[p].place = level.smooth[p];
     }
+  }
+  if (!given.empty())
+  {
+    result.splits = splitsAt(mesh, links, given);
+    return result;
   }
   result.mesh = std::move(level.mesh);
   result.inverted = static_cast<int>(invertedFaces(result.mesh, leastAt(options.levels), context).size());
