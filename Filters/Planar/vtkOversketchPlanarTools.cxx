@@ -338,7 +338,7 @@ std::vector<StrokeSplit> SplitsOf(vtkPolyData* splits)
 {
   const vtkIdType count = splits->GetNumberOfCells();
   const auto ofCells = [&](const char* name)
-  { return Values(splits->GetCellData(), name, count, "splits", "vtkOversketchRefine"); };
+  { return Values(splits->GetCellData(), name, count, "splits", "vtkOversketchPlanarRefine"); };
   const Values stroke = ofCells("StrokeId"), start = ofCells("ParamStart"), end = ofCells("ParamEnd"),
                halvings = ofCells("Halvings");
   std::vector<StrokeSplit> result;
@@ -350,7 +350,7 @@ std::vector<StrokeSplit> SplitsOf(vtkPolyData* splits)
       throw Error(Failure::BadStroke,
         "Split " + std::to_string(i) +
           " has no finite ParamStart and ParamEnd, or Halvings outside 0 to 64; take the splits from "
-          "vtkOversketchRefine.");
+          "vtkOversketchPlanarRefine.");
     }
     result.push_back({ stroke.whole(i), start.at(i), end.at(i), halvings.whole(i) });
   }

@@ -12,7 +12,7 @@
  * (see vtkOversketchTreatment) may be absent: all filled.
  * Input 1 (Distance, vtkImageData, optional): that of vtkOversketchDistance, point array LocalMax. Not read
  * in mode Fixed. Input 2 (Splits, optional): parts of strokes to be approximated closer, from
- * vtkOversketchRefine.
+ * vtkOversketchPlanarRefine.
  *
  * Output 0 (Polylines): one polyline per stroke, without rejected ones and those in holes; a closed one
  * repeats its first point id at the end. An end that joins another stroke lies on a vertex of that. It has

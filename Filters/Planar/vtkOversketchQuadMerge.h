@@ -18,7 +18,7 @@
  *
  * Deterministic. Cost: some milliseconds. The result stays while both inputs do.
  *
- * @sa vtkOversketchCoarseMesh vtkOversketchRefine
+ * @sa vtkOversketchCoarseMesh vtkOversketchPlanarRefine
  */
 #ifndef vtkOversketchQuadMerge_h
 #define vtkOversketchQuadMerge_h

@@ -116,7 +116,7 @@ std::vector<int> regionsOf(const std::vector<DelaunayFace>& faces,
   const std::vector<StrokeLine>& lines)
 {
   constexpr int unknown = -2;
-  std::vector<int> regions(faces.size(), unknown), queue;
+  std::vector<int> regions(faces.size(), unknown), pending;
   // What lies beyond an edge of a face, or of the hull, seen from a region.
   const auto beyond = [&](int constraint, int region)
   {
@@ -139,7 +139,7 @@ std::vector<int> regionsOf(const std::vector<DelaunayFace>& faces,
     if (regions[face] == unknown)
     {
       regions[face] = region;
-      queue.push_back(face);
+      pending.push_back(face);
     }
     else if (regions[face] != region)
     {
@@ -157,14 +157,16 @@ std::vector<int> regionsOf(const std::vector<DelaunayFace>& faces,
       }
     }
   }
-  for (std::size_t i = 0; i < queue.size(); ++i)
+  while (!pending.empty())
   {
-    const DelaunayFace& face = faces[queue[i]];
+    const int from = pending.back();
+    pending.pop_back();
+    const DelaunayFace& face = faces[from];
     for (int k = 0; k < 3; ++k)
     {
       if (face.across[k] >= 0)
       {
-        reach(face.across[k], face.constraints[k], regions[queue[i]]);
+        reach(face.across[k], face.constraints[k], regions[from]);
       }
     }
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <set>
 
 #ifdef OVERSKETCH_CGAL
@@ -419,6 +420,77 @@ TEST(Triangulate, KindsRegionsAndObjects)
   }
   EXPECT_TRUE(triangulate({}, {}, Context()).points.empty());
   EXPECT_TRUE(triangulate({}, { { 0.1, 0.1 }, { 0.2, 0.2 }, { 0.3, 0.3 } }, Context()).points.empty());
+}
+
+TEST(Triangulate, RandomDrawingsAreFilled)
+{
+  // Bodies with limbs down to 1 % of the canvas, features close along their rims, holes and tunnels.
+  std::mt19937 random(17);
+  const auto uniform = [&](double low, double high)
+  { return std::uniform_real_distribution<double>(low, high)(random); };
+  int filled = 0, segments = 0, closest = 0;
+  for (int run = 0; run < 40; ++run)
+  {
+    std::array<double, 4> heights{}, phases{};
+    for (int k = 0; k < 4; ++k)
+    {
+      heights[k] = uniform(0.0, 0.5);
+      phases[k] = uniform(0.0, turn);
+    }
+    const auto radius = [&](double a)
+    {
+      double r = 1.0;
+      for (int k = 0; k < 4; ++k)
+      {
+        r += heights[k] * std::cos((2 * k + 2) * a + phases[k]);
+      }
+      return 0.02 + 0.14 * std::max(0.0, r);
+    };
+    std::vector<DrawnStroke> strokes{ polarStroke(0.5, 0.5, radius, phases[0]) };
+    Polyline along;
+    const double inside = uniform(0.006, 0.012), begin = uniform(0.0, turn);
+    for (int i = 0; i < 120; ++i)
+    {
+      const double a = begin + 0.02 * i, r = radius(a) - inside;
+      along.emplace_back(0.5 + r * std::cos(a), 0.5 + r * std::sin(a));
+    }
+    strokes.push_back(evenStroke(along, false));
+    strokes.push_back(circleStroke(0.5, 0.5, 0.008));
+    std::unique_ptr<UnitDrawing> drawing;
+    try
+    {
+      drawing = std::make_unique<UnitDrawing>(strokes,
+        std::vector<Treatment>{ fill,
+          fill,
+          run % 3 == 0   ? hole
+          : run % 3 == 1 ? tunnel
+                         : fill });
+    }
+    catch (const Error&)
+    {
+      continue; // strokes that meet
+    }
+    for (const DeltaMode mode : { DeltaMode::Adaptive, DeltaMode::Fixed })
+    {
+      ApproximationRules rules;
+      rules.mode = mode;
+      const std::vector<StrokeLine> lines = drawing->lines(rules);
+      const PlanarMesh mesh = triangulate(lines, {}, Context());
+      double area = 0.0, expected = areaOf(lines[0].places);
+      for (const auto& [region, part] : areasOf(mesh))
+      {
+        area += part;
+      }
+      expected -= run % 3 == 0 ? areaOf(lines[2].places) : 0.0;
+      EXPECT_NEAR(area, expected, 1e-12) << run;
+      closest += lines[1].places.size() > 12;
+      segments += static_cast<int>(mesh.edges.size());
+      ++filled;
+    }
+  }
+  EXPECT_GT(filled, 30);
+  EXPECT_GT(closest, 5);
+  EXPECT_GT(segments, 2000);
 }
 
 TEST(Triangulate, ManyPointsAndHostileOnes)
