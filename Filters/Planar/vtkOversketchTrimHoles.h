@@ -19,7 +19,7 @@
  * edge, where mesh and edges are not sound or not of these curves; BadStroke for contradictions in the
  * curves' arrays. A mesh without points gives empty outputs silently, without holes both go through.
  *
- * Deterministic. Cost: some 0.3 microseconds a face. The result stays, as the same arrays, while mesh, edges
+ * Deterministic. Cost: a few passes over the mesh. The result stays, as the same arrays, while mesh, edges
  * and what is a hole do.
  *
  * @sa vtkOversketchTreatment vtkOversketchPlanarRefine

@@ -87,7 +87,10 @@ std::vector<int> invertedFaces(const PlanarMesh& mesh, double least, const Conte
   return faces;
 }
 
-std::vector<int> keepUpright(SubdividedMesh& level, double least, const Context& context)
+std::vector<int> keepUpright(SubdividedMesh& level,
+  double least,
+  const std::set<int>& given,
+  const Context& context)
 {
   std::vector<PlanarPoint>& points = level.mesh.points;
   Polyline linear(points.size());
@@ -100,7 +103,9 @@ std::vector<int> keepUpright(SubdividedMesh& level, double least, const Context&
   }
   for (int pass = 1;; ++pass)
   {
-    const std::vector<int> bad = invertedFaces(level.mesh, least, context);
+    std::vector<int> bad = invertedFaces(level.mesh, least, context);
+    const auto isGiven = [&](int f) { return given.count(level.mesh.faces[f].base) > 0; };
+    bad.erase(std::remove_if(bad.begin(), bad.end(), isGiven), bad.end());
     if (movable(level.mesh, bad, weights).empty())
     {
       return bad;

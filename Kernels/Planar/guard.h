@@ -4,6 +4,8 @@
 
 #include "Planar/subdivide.h"
 
+#include <set>
+
 namespace oversketch
 {
 
@@ -20,8 +22,12 @@ std::vector<int> invertedFaces(const PlanarMesh& mesh, double least, const Conte
 // 0.1 they are 0, and after 6 passes those of the faces round them too. Points of strokes do not move.
 //
 // Returns the faces that stay inverted with all their w at 0, ascending: the strokes leave them no room.
-// Where no face is inverted with all w at 1, every place is W to the bit.
-std::vector<int> keepUpright(SubdividedMesh& level, double least, const Context& context);
+// Parts of the bases that are `given` up are not looked at. Where no face is inverted with all w at 1, every
+// place is W to the bit.
+std::vector<int> keepUpright(SubdividedMesh& level,
+  double least,
+  const std::set<int>& given,
+  const Context& context);
 
 } // namespace oversketch
 #endif

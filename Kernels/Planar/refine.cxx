@@ -14,7 +14,8 @@ namespace oversketch
 namespace
 {
 
-constexpr double leastArea = 1e-12; // of the canvas's longest side, squared
+constexpr double leastArea = 1e-12;  // of the canvas's longest side, squared
+constexpr double lengthSlack = 1e-9; // of a stroke's whole: lengths may have been summed in another order
 constexpr int mostLevels = 10;
 constexpr double mostFaces = 1 << 24;
 
@@ -55,7 +56,7 @@ void checkStrokes(const PlanarMesh& mesh, const std::vector<StrokeByLength>& cur
     const bool known = edge.stroke >= 0 && edge.stroke < count;
     const double length = known ? curves[edge.stroke].length() : 0.0;
     const double most = known && curves[edge.stroke].closed() ? edge.start + length : length;
-    const double slack = 1e-9 * length; // lengths may have been summed in another order
+    const double slack = lengthSlack * length;
     if (!known || !(edge.start >= -slack && edge.start < edge.end && edge.start < length + slack) ||
         !(edge.end <= most + slack))
     {
@@ -75,6 +76,25 @@ void checkSize(const PlanarMesh& mesh, const PlanarRefineOptions& options)
     throw Error(Failure::BadMesh,
       "the refined mesh would have " + std::to_string(static_cast<long long>(faces)) +
         " faces: ask for fewer levels");
+  }
+}
+
+// Where an open stroke's end joins another stroke, its last piece goes there: else the points on that would
+// not lie between its ends, and strokes between neighbouring samples would not be straight.
+void joinEnds(const PlanarMesh& mesh, std::vector<StrokeByLength>& curves)
+{
+  for (const StrokeEdge& edge : mesh.edges)
+  {
+    StrokeByLength& curve = curves[edge.stroke];
+    const double slack = lengthSlack * curve.length();
+    if (!curve.closed() && edge.start <= slack)
+    {
+      curve.moveEnd(false, mesh.points[edge.from].place);
+    }
+    if (!curve.closed() && edge.end >= curve.length() - slack)
+    {
+      curve.moveEnd(true, mesh.points[edge.to].place);
+    }
   }
 }
 
@@ -156,7 +176,7 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   const Context& context)
 {
   checkOptions(options);
-  const std::vector<StrokeByLength> curves(strokes.begin(), strokes.end());
+  std::vector<StrokeByLength> curves(strokes.begin(), strokes.end());
   checkStrokes(mesh, curves);
   checkSize(mesh, options);
   const SubdivisionRule rule{
@@ -173,27 +193,22 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
 
   PlanarRefineResult result;
   const FaceEdges links = faceEdges(mesh);
-  const auto handBack = [&](const PlanarMesh& at, const std::vector<int>& bad)
+  joinEnds(mesh, curves);
+  std::set<int> given; // bases that faces stay inverted in
+  const auto give = [&](const PlanarMesh& at, const std::vector<int>& bad)
   {
-    std::set<int> bases;
     for (const int f : bad)
     {
-      bases.insert(at.faces[f].base);
+      given.insert(at.faces[f].base);
     }
-    result.splits = splitsAt(mesh, links, bases);
-    result.inverted = static_cast<int>(bad.size());
+    result.inverted += static_cast<int>(bad.size());
   };
   SubdividedMesh level;
   level.mesh = options.levels == 0 ? splitChords(mesh) : mesh;
   level.links = links;
   if (options.guard)
   {
-    const std::vector<int> bad = invertedFaces(level.mesh, leastAt(0), context);
-    if (!bad.empty())
-    {
-      handBack(level.mesh, bad);
-      return result;
-    }
+    give(level.mesh, invertedFaces(level.mesh, leastAt(0), context));
   }
   for (int k = 0; k < options.levels; ++k)
   {
@@ -201,18 +216,18 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
     level = subdivide(level.mesh, level.links, curves, rule, context);
     if (options.guard)
     {
-      const std::vector<int> bad = keepUpright(level, leastAt(k + 1), context);
-      if (!bad.empty())
-      {
-        handBack(level.mesh, bad);
-        return result;
-      }
+      give(level.mesh, keepUpright(level, leastAt(k + 1), given, context));
       continue;
     }
     for (std::size_t p = 0; p < level.mesh.points.size(); ++p)
     {
       level.mesh.points[p].place = level.smooth[p];
     }
+  }
+  if (!given.empty())
+  {
+    result.splits = splitsAt(mesh, links, given);
+    return result;
   }
   result.mesh = std::move(level.mesh);
   result.inverted = static_cast<int>(invertedFaces(result.mesh, leastAt(options.levels), context).size());

@@ -38,11 +38,12 @@ struct PlanarRefineResult
 // published rule turns over 24 to 700 triangles. Level 0 is the mesh itself, its chords split (see there).
 //
 // The splits are the parts of strokes along the edges of the coarse faces that faces stay inverted in, or,
-// where these have none, along the edges that end at their corners, as the mesh has them: the first level
-// that faces stay inverted at is the last that is made. Who takes them makes the mesh anew from a closer
+// where these have none, along the edges that end at their corners, as the mesh has them. The levels after
+// are made all the same, to find them all at once. Who takes them makes the mesh anew from a closer
 // approximation; it ends, since strokes between neighbouring samples are straight, where nothing turns over.
 //
-// strokes: all that the mesh's points and edges name. Stroke points lie at S(t), t by arc length. Throws
+// strokes: all that the mesh's points and edges name. Stroke points lie at S(t), t by arc length;
+// an end that joins another stroke takes the stroke's last piece with it. Throws
 // Error(Failure::BadMesh), naming the place, for a mesh that is not sound (face_edges.h), names a stroke or a
 // length that is not there, or would have more than 2^24 faces, and where inverted faces lie at no stroke;
 // Error(Failure::BadStroke) for options out of range. The same to the bit for any number of threads; where

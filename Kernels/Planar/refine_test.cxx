@@ -307,7 +307,8 @@ TEST(Refine, AFeatureThatEndsOnTheRimLeavesItsPointThere)
   drawing.mesh.edges[5] = { 5, 6, 1, lengths[20], lengths[40] };
   const PlanarMesh mesh = refined(drawing, 3);
   EXPECT_EQ(mesh.points[4].place, drawing.strokes[0].points[180]);
-  const StrokeByLength curve(drawing.strokes[1]);
+  StrokeByLength curve(drawing.strokes[1]);
+  curve.moveEnd(false, mesh.points[4].place); // whose first piece goes there
   int onFeature = 0;
   for (const PlanarPoint& point : mesh.points)
   {

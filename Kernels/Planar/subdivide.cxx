@@ -244,6 +244,11 @@ StrokeByLength::StrokeByLength(const DrawnStroke& stroke)
 {
 }
 
+void StrokeByLength::moveEnd(bool last, const Vector2& place)
+{
+  (last ? this->Stroke.points.back() : this->Stroke.points.front()) = place;
+}
+
 double StrokeByLength::wrapped(double length) const
 {
   return this->closed() && length >= this->length() ? length - this->length() : length;

@@ -13,16 +13,17 @@ namespace oversketch
 class StrokeByLength
 {
 public:
-  // The stroke is kept by reference.
   explicit StrokeByLength(const DrawnStroke& stroke);
   bool closed() const { return this->Stroke.closed; }
   double length() const { return this->Lengths.empty() ? 0.0 : this->Lengths.back(); }
   // Of a closed one modulo the whole length, in [0, length).
   double wrapped(double length) const;
   Vector2 at(double length) const;
+  // An open one's first or last sample moves; lengths stay.
+  void moveEnd(bool last, const Vector2& place);
 
 private:
-  const DrawnStroke& Stroke;
+  DrawnStroke Stroke;
   std::vector<double> Lengths;
 };
 

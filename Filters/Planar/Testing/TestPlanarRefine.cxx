@@ -2,8 +2,12 @@
 #include "Planar/refine_runs.h"
 #include "Planar/refine_shapes.h"
 #include "Planar/trim.h"
+#include "vtkOversketchClassify.h"
+#include "vtkOversketchCoarseMesh.h"
+#include "vtkOversketchDistance.h"
 #include "vtkOversketchPlanarRefine.h"
 #include "vtkOversketchPlanarTools.h"
+#include "vtkOversketchPolyline.h"
 #include "vtkOversketchTrimHoles.h"
 
 #include "vtkSMPTools.h"
@@ -336,4 +340,42 @@ TEST(TrimHolesFilter, CutsByRegionAndTreatment)
   filter->Update();
   EXPECT_TRUE(ear.errors.empty());
   EXPECT_EQ(filter->GetErrorCode(), 0u);
+}
+
+TEST(PlanarRefineFilter, TheSplitsFedBackMakeAMesh)
+{
+  const std::vector<DrawnStroke> strokes{ circleStroke(0.5, 0.5, 0.4),
+    circleStroke(0.4, 0.5, 0.2),
+    circleStroke(0.4, 0.5, 0.1),
+    circleStroke(0.75, 0.5, 0.08) };
+  vtkNew<vtkOversketchClassify> classify;
+  vtkNew<vtkOversketchDistance> distance;
+  vtkNew<vtkOversketchPolyline> polyline;
+  vtkNew<vtkOversketchCoarseMesh> coarse;
+  vtkNew<vtkOversketchPlanarRefine> filter;
+  classify->SetInputData(toCurves(strokes, unitCanvas));
+  distance->SetInputConnection(classify->GetOutputPort());
+  polyline->SetInputConnection(distance->GetOutputPort());
+  polyline->SetDistanceConnection(distance->GetOutputPort(1));
+  coarse->SetInputConnection(polyline->GetOutputPort());
+  filter->SetInputConnection(coarse->GetOutputPort());
+  filter->SetEdgesConnection(coarse->GetOutputPort(1));
+  filter->SetCurvesConnection(distance->GetOutputPort());
+  std::vector<StrokeSplit> splits;
+  int rounds = 0;
+  Ear ear(filter);
+  for (filter->Update(); filter->GetSplitsOutput()->GetNumberOfCells() > 0 && rounds < 24; filter->Update())
+  {
+    addSplits(splits, SplitsOf(filter->GetSplitsOutput()));
+    vtkNew<vtkPolyData> data;
+    WriteSplits(splits, strokes, data);
+    polyline->SetSplitsData(data);
+    ++rounds;
+  }
+  EXPECT_TRUE(ear.errors.empty());
+  EXPECT_GE(rounds, 1);
+  EXPECT_EQ(ear.warnings.size(), static_cast<std::size_t>(rounds));
+  EXPECT_EQ(filter->GetInverted(), 0);
+  EXPECT_EQ(outputOf(filter, 0)->GetNumberOfCells(), 64 * coarse->GetOutput()->GetNumberOfCells());
+  EXPECT_NEAR(areaOf(meshOf(filter)), pi * 0.16, 0.002);
 }
