@@ -41,10 +41,10 @@ std::vector<Blend> placesOf(const DrawnLine& line, int stroke, double spacing)
         error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what() + ".");
     }
   }
-  std::vector<Blend> all;
-  for (int i = 0; i < static_cast<int>(line.Samples.size()); ++i)
+  std::vector<Blend> all(line.Samples.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
   {
-    all.push_back(Blend::point(i));
+    all[i] = Blend::point(static_cast<int>(i));
   }
   return all;
 }

@@ -71,6 +71,18 @@ inline View viewOfPicture(vtkImageData* image)
     Vector2(image->GetOrigin()) - 0.5 * spacing, spacing.cwiseProduct(Vector2(n[0], n[1])), n[0], n[1]);
 }
 
+// Places of the plane as a view shows them [px].
+inline std::vector<Vector2> seen(const std::vector<Vector2>& world, const View& view)
+{
+  std::vector<Vector2> display;
+  display.reserve(world.size());
+  for (const Vector2& p : world)
+  {
+    display.emplace_back(view.toDisplay(Vector3(p[0], p[1], 0.0)).head<2>());
+  }
+  return display;
+}
+
 inline std::vector<Vector2> ring(const Vector2& centre, double radius, int count)
 {
   std::vector<Vector2> points;

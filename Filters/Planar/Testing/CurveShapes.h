@@ -17,6 +17,7 @@ inline vtkSmartPointer<vtkPolyData> toCurves(const std::vector<DrawnStroke>& str
   const Canvas& canvas = { Vector2::Zero(), Vector2(1024.0, 1024.0) })
 {
   std::vector<CanvasStroke> curves;
+  curves.reserve(strokes.size());
   for (const DrawnStroke& stroke : strokes)
   {
     curves.push_back({ stroke.points, stroke.closed });

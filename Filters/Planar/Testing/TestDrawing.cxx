@@ -42,14 +42,6 @@ View viewOfWindow(vtkCamera* camera)
     windowHeight);
 }
 
-std::vector<Vector2> seen(const std::vector<Vector2>& world, const View& view)
-{
-  std::vector<Vector2> display;
-  for (const Vector2& p : world)
-    display.emplace_back(view.toDisplay(Vector3(p[0], p[1], 0.0)).head<2>());
-  return display;
-}
-
 // All filters between the pen and the planar mesh.
 struct Front
 {

@@ -96,10 +96,7 @@ TEST(CanvasFilter, EachStrokeIsSeenInItsOwnView)
   Strokes strokes;
   for (const View& view : views)
   {
-    std::vector<Vector2> seen;
-    for (const Vector2& p : line)
-      seen.emplace_back(view.toDisplay(Vector3(p[0], p[1], 0.0)).head<2>());
-    strokes.emplace_back(seen, view);
+    strokes.emplace_back(seen(line, view), view);
   }
   vtkNew<vtkOversketchCanvas> filter;
   filter->SetInputData(toStrokes(strokes));
