@@ -56,7 +56,8 @@ def fish():
                             (962, 128), (902, 198), (850, 264), (800, 304)], closed=True))
     dorsal = p.inside(spline([(284, 440), (300, 496), (336, 548), (386, 578), (430, 576), (470, 582), (520, 572), (556, 574), (610, 552),
                               (650, 540), (694, 496), (720, 462), (716, 424), (690, 380), (560, 430), (400, 450)], closed=True))
-    anal = p.inside(spline([(520, 200), (545, 130), (590, 88), (640, 84), (690, 108), (722, 152), (724, 200), (704, 252), (620, 240)], closed=True))
+    anal = p.inside(spline([(520, 200), (545, 130), (590, 88), (640, 84), (690, 108), (722, 152), (724, 200), (704, 252), (620, 240)],
+                           closed=True))
     pelvic = p.inside(spline([(318, 190), (326, 130), (352, 84), (392, 58), (420, 72), (434, 112), (440, 172), (380, 200)], closed=True))
     whole = union(body, tail, dorsal, anal, pelvic, blend=14.0)
     line = outline(p, whole, (212, 424))
@@ -109,7 +110,8 @@ def fish():
     breast = p.inside(spline([(396, 296), (430, 318), (492, 318), (548, 292), (566, 258), (536, 236), (474, 234), (420, 256)], closed=True))
     shadow(p, breast, (7, -10), 7, 0.30)
     away = np.hypot(p.x - 372, p.y - 290)
-    p.paint(mixed((0.92, 0.42, 0.24), (1.0, 0.78, 0.40), step(away, 30, 190)) * (1 - 0.28 * rays((372, 290), 84, 0.0) ** 6)[..., None], p.cover(breast))
+    p.paint(mixed((0.92, 0.42, 0.24), (1.0, 0.78, 0.40), step(away, 30, 190)) * (1 - 0.28 * rays((372, 290), 84, 0.0) ** 6)[..., None],
+            p.cover(breast))
     p.shade(0.25 * p.relief(breast, 24.0), p.cover(breast))
     eye = np.hypot(p.x - 236, p.y - 356)
     p.paint((0.05, 0.18, 0.28), p.cover(33 - eye, 1.0))
@@ -127,7 +129,8 @@ def fish():
     features = [Line(gill[6:-5]), Line(circle((236, 356), 32), closed=True), Line(mouth[10:]),
                 Line(started(p.contours(breast)[0], (400, 296)), closed=True)]
     for sign in (1, -1):
-        features += [Line(spline([(x, 324 + sign * y) for x, y in way])) for way in (((836, 30), (884, 80), (938, 156)), ((838, 14), (880, 34), (918, 62)))]
+        for way in (((836, 30), (884, 80), (938, 156)), ((838, 14), (880, 34), (918, 62))):
+            features += [Line(spline([(x, 324 + sign * y) for x, y in way]))]
     features += [ray((500, 210), *where) for where in ((111, 308, 366), (91, 292, 350), (72, 286, 346), (58, 280, 328))]
     features += [ray((600, 380), *where) for where in ((-92, 208, 262), (-80, 206, 270), (-68, 206, 262))]
     return Drawing(p, [line, *features])
@@ -139,8 +142,8 @@ def mug():
     """A stoneware mug with a glazed band; its handle is a hole."""
     p = Picture(720, 640)
     p.toned((0.95, 0.93, 0.90), (0.86, 0.80, 0.73), (330, 420), 0.4)
-    wall = p.inside(np.vstack([spline([(116, 520), (122, 400), (132, 260), (142, 150), (158, 110), (196, 92), (300, 84), (404, 92), (442, 110),
-                                       (458, 150), (468, 260), (478, 400), (484, 520)])[::2], arc((300, 520), (184, 42), 2, 178)]))
+    wall = p.inside(np.vstack([spline([(116, 520), (122, 400), (132, 260), (142, 150), (158, 110), (196, 92), (300, 84), (404, 92),
+                                       (442, 110), (458, 150), (468, 260), (478, 400), (484, 520)])[::2], arc((300, 520), (184, 42), 2, 178)]))
     ring = p.limb([(456, 452), (540, 456), (590, 410), (596, 330), (560, 262), (500, 226), (448, 214)], [25, 26, 27, 26, 25, 25, 26])
     whole = union(wall, ring, blend=16.0)
     loops = p.contours(whole)
@@ -182,7 +185,8 @@ def mug():
     p.paint((0.90, 0.92, 0.90), p.cover((1 - mouth) * 42, 0.8))
     p.paint(mixed((0.66, 0.67, 0.65), (0.80, 0.81, 0.79), step(p.x, 180, 440)), p.cover((1 - inner) * 34, 0.8))
     coffee = np.hypot((p.x - 300) / 158.0, (p.y - 507) / 25.0)
-    p.paint(mixed((0.30, 0.17, 0.10), (0.45, 0.28, 0.17), np.clip(coffee, 0, 1) ** 6), p.cover(np.minimum((1 - coffee) * 25, (1 - inner) * 34), 0.8))
+    p.paint(mixed((0.30, 0.17, 0.10), (0.45, 0.28, 0.17), np.clip(coffee, 0, 1) ** 6),
+            p.cover(np.minimum((1 - coffee) * 25, (1 - inner) * 34), 0.8))
     p.shade(0.5 * np.exp(-((p.x - 238) / 44.0) ** 2 - ((p.y - 512) / 6.0) ** 2), p.cover((1 - coffee) * 25, 1.0))
     p.paint((0.25, 0.22, 0.22), 0.5 * cover * step(-shape, -2.6, -0.4))
 
@@ -246,16 +250,21 @@ def heron():
     """A grey heron on thin legs; drawn loosely beside its edges, for the pen that finds them."""
     p = Picture(768, 1024)
     p.toned((0.90, 0.93, 0.93), (0.95, 0.94, 0.89), (330, 640), 0.2)
-    body = p.inside(spline([(318, 616), (340, 660), (400, 678), (470, 656), (546, 604), (612, 536), (664, 468), (700, 412), (660, 408), (604, 428),
-                            (540, 432), (470, 430), (404, 446), (350, 492), (318, 556)], closed=True))
-    neck = p.limb([(378, 610), (330, 640), (300, 690), (322, 744), (366, 786), (388, 832), (368, 876), (330, 900)], [50, 42, 31, 24, 20, 20, 22, 24])
+    body = p.inside(spline([(318, 616), (340, 660), (400, 678), (470, 656), (546, 604), (612, 536), (664, 468), (700, 412), (660, 408),
+                            (604, 428), (540, 432), (470, 430), (404, 446), (350, 492), (318, 556)], closed=True))
+    neck = p.limb([(378, 610), (330, 640), (300, 690), (322, 744), (366, 786), (388, 832), (368, 876), (330, 900)],
+                  [50, 42, 31, 24, 20, 20, 22, 24])
     head = p.limb([(356, 898), (316, 908), (280, 902)], [20, 25, 17])
     bill = p.tube([(284, 904), (206, 890), (130, 872)], [12, 8.5, 5.5])
     plume = p.limb([(336, 922), (386, 928), (432, 908), (468, 874)], [8, 7, 5.5, 4])
-    near = union(p.limb([(452, 470), (448, 400), (440, 346)], [38, 22, 10]), p.limb([(440, 346), (436, 300), (430, 200), (424, 92)], [8.5, 11, 7, 7]),
-                 p.tube([(424, 92), (352, 70)], [7, 5]), p.tube([(424, 92), (410, 46)], [7, 5]), p.tube([(424, 92), (466, 70)], [7, 5]), blend=8.0)
-    far = union(p.limb([(540, 460), (546, 400), (552, 350)], [34, 20, 10]), p.limb([(552, 350), (556, 306), (566, 210), (572, 108)], [8, 10.5, 6.5, 6.5]),
-                p.tube([(572, 108), (512, 88)], [6.5, 5]), p.tube([(572, 108), (562, 62)], [6.5, 5]), p.tube([(572, 108), (616, 86)], [6.5, 5]), blend=8.0)
+    near = union(p.limb([(452, 470), (448, 400), (440, 346)], [38, 22, 10]),
+                 p.limb([(440, 346), (436, 300), (430, 200), (424, 92)], [8.5, 11, 7, 7]),
+                 p.tube([(424, 92), (352, 70)], [7, 5]), p.tube([(424, 92), (410, 46)], [7, 5]), p.tube([(424, 92), (466, 70)], [7, 5]),
+                 blend=8.0)
+    far = union(p.limb([(540, 460), (546, 400), (552, 350)], [34, 20, 10]),
+                p.limb([(552, 350), (556, 306), (566, 210), (572, 108)], [8, 10.5, 6.5, 6.5]),
+                p.tube([(572, 108), (512, 88)], [6.5, 5]), p.tube([(572, 108), (562, 62)], [6.5, 5]),
+                p.tube([(572, 108), (616, 86)], [6.5, 5]), blend=8.0)
     whole = union(union(body, neck, blend=26.0), head, near, far, blend=10.0)
     whole = union(whole, bill, plume, blend=4.0)
     edge = p.contours(whole)[0]
@@ -279,10 +288,12 @@ def heron():
         start = np.array((322 + 9 * k, 606 - 5 * k))
         p.paint((0.74, 0.74, 0.75), 0.8 * p.line(spline([start, start + (6, -44), start + (24, -98)]), 4.5, 1.2) * cover * step(shape, 8, 16))
     # the wing: coverts as rows of scales, long dark quills behind
-    wing = p.inside(spline([(366, 600), (404, 634), (470, 622), (546, 572), (606, 512), (644, 458), (590, 466), (520, 472), (446, 484), (392, 526)], closed=True))
+    wing = p.inside(spline([(366, 600), (404, 634), (470, 622), (546, 572), (606, 512), (644, 458), (590, 466), (520, 472), (446, 484),
+                            (392, 526)], closed=True))
     p.paint(mixed((0.42, 0.50, 0.60), (0.56, 0.63, 0.71), step(p.y, 450, 640)), p.cover(wing, 0.8))
     turned = np.radians(-38)
-    u, v = (np.cos(turned) * (p.x - 380) + np.sin(turned) * (p.y - 600)) / 30.0, (-np.sin(turned) * (p.x - 380) + np.cos(turned) * (p.y - 600)) / 21.0
+    x, y = p.x - 380, p.y - 600
+    u, v = (np.cos(turned) * x + np.sin(turned) * y) / 30.0, (-np.sin(turned) * x + np.cos(turned) * y) / 21.0
     rim, at = p.scales(u, v)
     p.shade(0.12 * at - 0.34 * rim, p.cover(wing - 3, 2.0) * (1 - step(u, 5.2, 6.6)))
     quills = step(u, 4.0, 5.4) * p.cover(wing - 3, 2.0)
@@ -295,7 +306,8 @@ def heron():
     p.shade(-0.36 * step(wing, -24, 0), (wing < 0) * cover * (p.y < 640))
     # head: black brow into the plume, yellow eye, ochre bill
     p.paint((0.10, 0.12, 0.17), p.cover(union(plume, p.limb([(282, 914), (312, 920), (344, 922)], [5, 8, 8]), blend=6.0)) * cover)
-    p.paint(mixed((0.80, 0.62, 0.20), (0.60, 0.42, 0.16), step(p.x, 130, 280)), p.cover(np.minimum(bill, shape)) * (1 - step(p.x + 0.8 * np.abs(p.y - 904), 276, 296)))
+    p.paint(mixed((0.80, 0.62, 0.20), (0.60, 0.42, 0.16), step(p.x, 130, 280)),
+            p.cover(np.minimum(bill, shape)) * (1 - step(p.x + 0.8 * np.abs(p.y - 904), 276, 296)))
     p.paint((0.36, 0.24, 0.10), 0.8 * p.line(spline([(136, 873), (206, 889), (286, 900)]), 2.2, 0.8) * cover)
     p.shade(0.55 * p.relief(blurred(shape, 1.0), 60.0, 4.0), cover * np.maximum(step(p.y, 380, 440), 0.0))
     p.shade(0.40 * p.relief(shape, 8.0, 1.0), cover * (1 - step(p.y, 380, 440)))
@@ -373,7 +385,8 @@ def leaf():
             way = (vein[k + 1] - vein[k]) / np.linalg.norm(vein[k + 1] - vein[k])
             for turn in (0.75, -0.75):
                 out = np.array([np.cos(turn) * way[0] - np.sin(turn) * way[1], np.sin(turn) * way[0] + np.cos(turn) * way[1]])
-                p.paint((0.97, 0.82, 0.42), 0.35 * p.line(spline([vein[k], vein[k] + 20 * out, vein[k] + 36 * out + 10 * way]), 1.8, 0.9) * cover)
+                p.paint((0.97, 0.82, 0.42), 0.35 * p.line(spline([vein[k], vein[k] + 20 * out, vein[k] + 36 * out + 10 * way]), 1.8, 0.9)
+                        * cover)
         p.shade(-0.25, p.line(vein - (2, 3), 5.0, 2.0) * cover)
         p.paint((0.98, 0.86, 0.48), 0.85 * p.line(vein[:26], 4.2, 1.0) * cover)
         p.paint((0.98, 0.86, 0.48), 0.6 * p.line(vein[25:30], 2.6, 1.0) * cover)
@@ -394,12 +407,13 @@ def figure_body():
     """A gnome from the shoulders down: coat, belt, mittens, boots."""
     p = Picture(640, 640)
     p.toned((0.93, 0.95, 0.91), (0.88, 0.90, 0.84), (320, 340), 0.3)
-    coat = p.inside(spline([(320, 598), (392, 582), (430, 520), (446, 420), (468, 300), (492, 204), (470, 168), (400, 148), (320, 142), (240, 148),
-                            (170, 168), (148, 204), (172, 300), (194, 420), (210, 520), (248, 582)], closed=True))
+    coat = p.inside(spline([(320, 598), (392, 582), (430, 520), (446, 420), (468, 300), (492, 204), (470, 168), (400, 148), (320, 142),
+                            (240, 148), (170, 168), (148, 204), (172, 300), (194, 420), (210, 520), (248, 582)], closed=True))
     parts, boots, sleeves, mittens = [coat], [], [], []
     for sign in (-1, 1):
         x = lambda value: 320 + sign * value
-        boots.append(union(p.limb([(x(86), 170), (x(88), 110), (x(92), 76)], [48, 46, 44]), p.limb([(x(100), 72), (x(150), 66)], [40, 34]), blend=14.0))
+        boots.append(union(p.limb([(x(86), 170), (x(88), 110), (x(92), 76)], [48, 46, 44]), p.limb([(x(100), 72), (x(150), 66)], [40, 34]),
+                           blend=14.0))
         sleeves.append(p.limb([(x(76), 530), (x(136), 470), (x(196), 396), (x(222), 352)], [46, 46, 43, 41]))
         mittens.append(union(p.limb([(x(226), 344), (x(244), 300)], [34, 37]), p.limb([(x(212), 322), (x(186), 292)], [17, 15]), blend=10.0))
         parts += [boots[-1], sleeves[-1], mittens[-1]]
@@ -447,7 +461,8 @@ def figure_body():
         p.shade(0.7 * p.relief(cuff, 14.0, 2.0), p.cover(cuff))
     p.paint((0.12, 0.10, 0.12), 0.55 * cover * step(-shape, -2.8, -0.4))
     x = np.linspace(194, 446, 50)
-    return Drawing(p, [line, Line(np.column_stack([x, 326 + 0.00026 * (x - 320) ** 2])), Line(np.column_stack([x, 274 + 0.00026 * (x - 320) ** 2]))])
+    return Drawing(p, [line, Line(np.column_stack([x, 326 + 0.00026 * (x - 320) ** 2])),
+                       Line(np.column_stack([x, 274 + 0.00026 * (x - 320) ** 2]))])
 
 
 def figure_head():
@@ -456,8 +471,9 @@ def figure_head():
     p.toned((0.93, 0.95, 0.91), (0.88, 0.90, 0.84), (256, 320), 0.3)
     face = p.inside(circle((256, 372), (140, 132)))
     ears = [p.inside(circle((256 + sign * 146, 362), (34, 46))) for sign in (-1, 1)]
-    beard = p.inside(spline([(108, 366), (122, 392), (150, 372), (186, 334), (256, 318), (326, 334), (362, 372), (390, 392), (404, 366), (410, 296),
-                             (394, 232), (366, 188), (342, 140), (300, 92), (262, 48), (236, 76), (198, 126), (158, 176), (122, 226), (104, 296)], closed=True))
+    beard = p.inside(spline([(108, 366), (122, 392), (150, 372), (186, 334), (256, 318), (326, 334), (362, 372), (390, 392), (404, 366),
+                             (410, 296), (394, 232), (366, 188), (342, 140), (300, 92), (262, 48), (236, 76), (198, 126), (158, 176), (122, 226),
+                             (104, 296)], closed=True))
     whole = union(face, *ears, beard, blend=10.0)
     line = outline(p, whole, (110, 296))
     shape = p.inside(line.course[::2])
@@ -500,16 +516,19 @@ def figure_head():
     p.paint((1, 1, 1), 0.6 * np.exp(-(np.hypot(p.x - 244, p.y - 376) / 8.0) ** 2) * p.cover(nose))
     p.paint((0.30, 0.26, 0.26), 0.5 * cover * step(-shape, -2.8, -0.4))
     return Drawing(p, [line, Line(circle((256, 362), (38, 35)), closed=True),
-                       Line(spline([(138, 374), (160, 354), (192, 326), (214, 318)])), Line(spline([(374, 374), (352, 354), (320, 326), (298, 318)]))])
+                       Line(spline([(138, 374), (160, 354), (192, 326), (214, 318)])),
+                       Line(spline([(374, 374), (352, 354), (320, 326), (298, 318)]))])
 
 
 def figure_hat():
     """His hat: red felt, its tip bent over, a brim and a band."""
     p = Picture(512, 512)
     p.toned((0.93, 0.95, 0.91), (0.88, 0.90, 0.84), (256, 220), 0.3)
-    cone = p.limb([(256, 110), (256, 150), (250, 230), (256, 316), (292, 392), (344, 428), (398, 420)], [164, 140, 106, 72, 46, 32, 23], steps=14)
+    cone = p.limb([(256, 110), (256, 150), (250, 230), (256, 316), (292, 392), (344, 428), (398, 420)], [164, 140, 106, 72, 46, 32, 23],
+                  steps=14)
     cone = np.minimum(cone, p.y - 84)
-    brim = p.inside(spline([(36, 104), (60, 130), (150, 150), (256, 156), (362, 150), (452, 130), (476, 104), (450, 74), (362, 52), (256, 46), (150, 52), (62, 74)], closed=True))
+    brim = p.inside(spline([(36, 104), (60, 130), (150, 150), (256, 156), (362, 150), (452, 130), (476, 104), (450, 74), (362, 52),
+                            (256, 46), (150, 52), (62, 74)], closed=True))
     bobble = 36 - np.hypot(p.x - 424, p.y - 398)
     whole = union(cone, brim, bobble, blend=8.0)
     line = outline(p, whole, (180, 300))

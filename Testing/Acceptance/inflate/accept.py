@@ -92,8 +92,8 @@ def enough(results):
 ACCEPTANCE = frame.Run(
     script=__file__,
     title="Acceptance: a drawing is inflated",
-    units="Lengths are px, angles degrees. worst: stroke sample to rim; dihedral: 95th percentile where T is 8 px or more; pit: what closing the "
-          "front by a disc of 10 px fills; limb low, limb: 5th percentile and median of z / T at skeleton pixels of T 4 to 15, where there are "
+    units="Lengths are px, angles degrees. worst: stroke sample to rim; dihedral: 95th percentile where T is 8 px or more; pit: what closing "
+          "the front by a disc of 10 px fills; limb low, limb: 5th percentile and median of z / T at skeleton pixels of T 4 to 15, where there are "
           "400; angle low, angle: 5th percentile and median of the triangles' smallest angles in the plane.",
     modes={"default": "default", "published": "as published"},
     usual=("default", "published"),
@@ -101,10 +101,11 @@ ACCEPTANCE = frame.Run(
     bounds={
         "closed": "closed manifold, wound alike", "outward": "wound outward", "inverted": "no triangle turned over",
         "chi": "Euler characteristic 2, 0 with a hole", "iou": "rim and strokes overlap ≥ 0.993 (lobster, dinosaur 0.984)",
-        "worst": "stroke sample to rim ≤ 4 (kettle 7)", "dihedral": "dihedral ≤ 12", "pit": "pit ≤ 2.5", "limb low": "limb, 5th percentile ≥ 0.93",
-        "limb": "limb, median 0.95 to 1.3 (seahorse 1.5)", "angle low": "planar angle, 5th percentile ≥ 10 (lobster, dinosaur 5)",
+        "worst": "stroke sample to rim ≤ 4 (kettle 7)", "dihedral": "dihedral ≤ 12", "pit": "pit ≤ 2.5",
+        "limb low": "limb, 5th percentile ≥ 0.93", "limb": "limb, median 0.95 to 1.3 (seahorse 1.5)", "angle low": "planar angle, 5th percentile ≥ 10 (lobster, dinosaur 5)",
         "angle": "planar angle, median ≥ 34 (lobster, dinosaur 30)"},
-    columns=("triangles", "iou", "worst", "dihedral", "pit", "limb low", "limb", "angle low", "angle", "inverted", "closed", "chi", "seconds"),
+    columns=("triangles", "iou", "worst", "dihedral", "pit", "limb low", "limb", "angle low", "angle", "inverted", "closed", "chi",
+             "seconds"),
     make=outlines.make_all,
     one=run,
     enough=enough,

@@ -183,7 +183,8 @@ def planar(points, triangles, front, result):
     for k in range(3):
         p, q = (corner[front][:, (k + turn) % 3] - corner[front][:, k] for turn in (1, 2))
         angles.append(np.arctan2(np.abs(cross(p, q)), (p * q).sum(1)))
-    result["angle low"], result["angle"] = (float(v) for v in np.percentile(np.degrees(np.min(angles, axis=0)), (5, 50))) if front.any() else (0.0, 0.0)
+    least = np.degrees(np.min(angles, axis=0)) if front.any() else [0.0]
+    result["angle low"], result["angle"] = (float(v) for v in np.percentile(least, (5, 50)))
 
 
 def roughness(points, triangles, depth):

@@ -225,8 +225,10 @@ def thin_in_part(result):
 
 
 DEFECTS = [(missing, {"closed"}), (twice, {"closed"}), (wound_back, {"closed"}), (touching, {"closed"}), (inside_out, {"outward"}),
-           (turned_over, {"inverted"}), (turned_over_behind, {"inverted"}), (flat, {"inverted"}), (without_a_back, {"closed", "iou", "worst"}),
-           (beside, {"iou"}), (bulge, {"worst"}), (pit, {"pit"}), (crumpled, {"dihedral"}), (thick_limb, {"limb"}), (thin_in_part, {"limb low"})]
+           (turned_over, {"inverted"}), (turned_over_behind, {"inverted"}), (flat, {"inverted"}),
+           (without_a_back, {"closed", "iou", "worst"}),
+           (beside, {"iou"}), (bulge, {"worst"}), (pit, {"pit"}), (crumpled, {"dihedral"}), (thick_limb, {"limb"}),
+           (thin_in_part, {"limb low"})]
 # What else it may fail: a face too many or too few alters the characteristic, a missing one is a pit.
 COMPANY = {missing: {"chi", "pit"}, twice: {"chi"}, wound_back: {"inverted"}, touching: {"chi", "inverted", "pit"}, inside_out: {"inverted"},
            without_a_back: {"chi"}, crumpled: {"pit"}}
