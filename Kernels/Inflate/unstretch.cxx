@@ -91,7 +91,7 @@ PlanarMesh unstretch(const PlanarMesh& mesh,
     level.smooth.push_back(mesh.points[i].place + moves[i]);
     level.free.push_back(moves[i] != Vector2::Zero());
   }
-  keepUpright(level, least, context);
+  keepUpright(level, least, {}, context);
   for (std::size_t i = 0; i < moves.size() && report; ++i)
   {
     const Vector2& place = level.mesh.points[i].place;
