@@ -1,6 +1,7 @@
 #include "vtkOversketchStellarDisplace.h"
 
 #include "Stellar/displace.h"
+#include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkCellArray.h"
@@ -26,8 +27,11 @@ struct vtkOversketchStellarDisplace::Cache
   StellarStep Step;
   // Distances stay while only heights and profiles change.
   StepKey ReachKey;
-  CurvesReached Reached;
-  MeshKey Counted; // that IntersectingFaces is of
+  std::shared_ptr<const CurvesReached> Reached;
+  // Then the result before the last is made the next one, where nobody else holds it.
+  std::shared_ptr<const Forest> Spare;
+  std::shared_ptr<const oversketch::Raised> Made; // how the last result came about
+  MeshKey Counted;                                // that IntersectingFaces is of
 };
 
 vtkStandardNewMacro(vtkOversketchStellarDisplace);
@@ -149,6 +153,8 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
       }
       AddText(values, this->Profile);
       const FeatureCurves curves = CurvesOf(step.curves, this->Height);
+      const std::shared_ptr<const Forest> last = cache.Step.Result();
+      const std::shared_ptr<const oversketch::Raised> made = cache.Made;
       this->Internals->Step.Provide(step.mesh,
         { WholeKey(step.curves), sketch ? WholeKey(sketch) : MeshKey() },
         values,
@@ -182,15 +188,26 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
             options.sketch = &moves;
           }
           const StepKey reachKey({ StellarKey(step.mesh), WholeKey(step.curves) }, reach);
-          if (cache.ReachKey != reachKey)
+          const bool sameReach = cache.ReachKey == reachKey;
+          if (!sameReach)
           {
             cache.ReachKey = StepKey();
-            cache.Reached = reachedBy(before, curves, options, step.context);
+            cache.Spare = nullptr;
+            cache.Reached =
+              std::make_shared<const CurvesReached>(reachedBy(before, curves, options, step.context));
             cache.ReachKey = reachKey;
             ++this->DistanceCount;
           }
-          Forest forest = before;
-          const DisplaceReport report = displace(forest, curves, cache.Reached, options, step.context);
+          Forest forest = TakeForest(cache.Spare);
+          const DisplaceReport report =
+            displace(before, curves, *cache.Reached, options, step.context, forest);
+          cache.Spare = sameReach ? last : nullptr;
+          cache.Made = std::make_shared<const Raised>(Raised{ SharedForest(step.mesh, step.context),
+            cache.Reached,
+            WholeKey(step.curves),
+            options.radius,
+            options.distance,
+            options.connectedOnly });
           this->Moved = report.moved;
           this->FlippedFaces = report.flipped;
           this->Peak = report.peak;
@@ -199,6 +216,10 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
           this->CrestMinimum = report.crests ? report.crestMinimum : std::nan("");
           return forest;
         });
+      if (cache.Made != made)
+      {
+        AddRaised(step.output, cache.Made);
+      }
       const MeshKey counted(step.output);
       if (!this->CountIntersections)
       {
