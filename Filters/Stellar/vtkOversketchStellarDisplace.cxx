@@ -153,8 +153,20 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
       }
       AddText(values, this->Profile);
       const FeatureCurves curves = CurvesOf(step.curves, this->Height);
-      const std::shared_ptr<const Forest> last = cache.Step.Result();
-      const std::shared_ptr<const oversketch::Raised> made = cache.Made;
+      const StepKey reachKey({ StellarKey(step.mesh), WholeKey(step.curves) }, reach);
+      std::shared_ptr<const Forest> last; // a result with the same distances
+      if (cache.ReachKey == reachKey)
+      {
+        last = cache.Step.Result();
+      }
+      else // what is of no use would only take memory
+      {
+        cache.Spare = nullptr;
+        cache.Made = nullptr;
+        cache.Reached = nullptr;
+        cache.ReachKey = StepKey();
+      }
+      const vtkIdType done = this->DisplaceCount;
       this->Internals->Step.Provide(step.mesh,
         { WholeKey(step.curves), sketch ? WholeKey(sketch) : MeshKey() },
         values,
@@ -187,12 +199,8 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
             }
             options.sketch = &moves;
           }
-          const StepKey reachKey({ StellarKey(step.mesh), WholeKey(step.curves) }, reach);
-          const bool sameReach = cache.ReachKey == reachKey;
-          if (!sameReach)
+          if (!cache.Reached)
           {
-            cache.ReachKey = StepKey();
-            cache.Spare = nullptr;
             cache.Reached =
               std::make_shared<const CurvesReached>(reachedBy(before, curves, options, step.context));
             cache.ReachKey = reachKey;
@@ -201,7 +209,7 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
           Forest forest = TakeForest(cache.Spare);
           const DisplaceReport report =
             displace(before, curves, *cache.Reached, options, step.context, forest);
-          cache.Spare = sameReach ? last : nullptr;
+          cache.Spare = last;
           cache.Made = std::make_shared<const Raised>(Raised{ SharedForest(step.mesh, step.context),
             cache.Reached,
             WholeKey(step.curves),
@@ -216,7 +224,7 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
           this->CrestMinimum = report.crests ? report.crestMinimum : std::nan("");
           return forest;
         });
-      if (cache.Made != made)
+      if (this->DisplaceCount != done)
       {
         AddRaised(step.output, cache.Made);
       }
