@@ -1,6 +1,7 @@
 #include "vtkOversketchStellarDisplace.h"
 
 #include "Stellar/displace.h"
+#include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkCellArray.h"
@@ -26,8 +27,11 @@ struct vtkOversketchStellarDisplace::Cache
   StellarStep Step;
   // Distances stay while only heights and profiles change.
   StepKey ReachKey;
-  CurvesReached Reached;
-  MeshKey Counted; // that IntersectingFaces is of
+  std::shared_ptr<const CurvesReached> Reached;
+  // Then the result before the last is made the next one, where nobody else holds it.
+  std::shared_ptr<const Forest> Spare;
+  std::shared_ptr<const oversketch::Raised> Made; // how the last result came about
+  MeshKey Counted;                                // that IntersectingFaces is of
 };
 
 vtkStandardNewMacro(vtkOversketchStellarDisplace);
@@ -149,6 +153,20 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
       }
       AddText(values, this->Profile);
       const FeatureCurves curves = CurvesOf(step.curves, this->Height);
+      const StepKey reachKey({ StellarKey(step.mesh), WholeKey(step.curves) }, reach);
+      std::shared_ptr<const Forest> last; // a result with the same distances
+      if (cache.ReachKey == reachKey)
+      {
+        last = cache.Step.Result();
+      }
+      else // what is of no use would only take memory
+      {
+        cache.Spare = nullptr;
+        cache.Made = nullptr;
+        cache.Reached = nullptr;
+        cache.ReachKey = StepKey();
+      }
+      const vtkIdType done = this->DisplaceCount;
       this->Internals->Step.Provide(step.mesh,
         { WholeKey(step.curves), sketch ? WholeKey(sketch) : MeshKey() },
         values,
@@ -181,16 +199,23 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
             }
             options.sketch = &moves;
           }
-          const StepKey reachKey({ StellarKey(step.mesh), WholeKey(step.curves) }, reach);
-          if (cache.ReachKey != reachKey)
+          if (!cache.Reached)
           {
-            cache.ReachKey = StepKey();
-            cache.Reached = reachedBy(before, curves, options, step.context);
+            cache.Reached =
+              std::make_shared<const CurvesReached>(reachedBy(before, curves, options, step.context));
             cache.ReachKey = reachKey;
             ++this->DistanceCount;
           }
-          Forest forest = before;
-          const DisplaceReport report = displace(forest, curves, cache.Reached, options, step.context);
+          Forest forest = TakeForest(cache.Spare);
+          const DisplaceReport report =
+            displace(before, curves, *cache.Reached, options, step.context, forest);
+          cache.Spare = last;
+          cache.Made = std::make_shared<const Raised>(Raised{ SharedForest(step.mesh, step.context),
+            cache.Reached,
+            WholeKey(step.curves),
+            options.radius,
+            options.distance,
+            options.connectedOnly });
           this->Moved = report.moved;
           this->FlippedFaces = report.flipped;
           this->Peak = report.peak;
@@ -199,6 +224,10 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
           this->CrestMinimum = report.crests ? report.crestMinimum : std::nan("");
           return forest;
         });
+      if (this->DisplaceCount != done)
+      {
+        AddRaised(step.output, cache.Made);
+      }
       const MeshKey counted(step.output);
       if (!this->CountIntersections)
       {

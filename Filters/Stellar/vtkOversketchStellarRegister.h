@@ -6,6 +6,7 @@
 #include "vtkOversketchFilterTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -40,6 +41,23 @@ public:
         this->Entries.begin(), this->Entries.end(), [](const auto& entry) { return entry.second.expired(); }),
       this->Entries.end());
     this->Entries.emplace_back(key, thing);
+  }
+
+  // A thing that nobody else holds, for its last holder to change: it is no longer found. Null, and the
+  // holder keeps it, where somebody does.
+  std::shared_ptr<Thing> Take(std::shared_ptr<const Thing>& thing)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (thing.use_count() != 1)
+    {
+      return nullptr;
+    }
+    const auto isIt = [&thing](const auto& entry)
+    { return !entry.second.owner_before(thing) && !thing.owner_before(entry.second); };
+    this->Entries.erase(
+      std::remove_if(this->Entries.begin(), this->Entries.end(), isIt), this->Entries.end());
+    std::atomic_thread_fence(std::memory_order_acquire); // what others read of it came before they let go
+    return std::const_pointer_cast<Thing>(std::move(thing));
   }
 
 private:

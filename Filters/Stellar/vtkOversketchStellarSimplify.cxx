@@ -1,6 +1,7 @@
 #include "vtkOversketchStellarSimplify.h"
 
 #include "Stellar/simplify.h"
+#include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkInformation.h"
@@ -83,9 +84,15 @@ int vtkOversketchStellarSimplify::RequestData(vtkInformation*,
           options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
           options.connectedOnly = this->ConnectedOnly;
           options.weldSnapped = this->WeldSnapped;
-          std::optional<Forest> forest =
-            simplify(before, drawn ? CurvesOf(curvesIn) : FeatureCurves(), options, context, &this->Welded);
-          return this->Welded > 0 ? std::move(forest) : std::nullopt;
+          const FeatureCurves curves = drawn ? CurvesOf(curvesIn) : FeatureCurves();
+          const std::shared_ptr<const Raised> raised = RaisedOf(mesh);
+          if (drawn && raised && raised->curves == WholeKey(curvesIn) && raised->radius == options.radius &&
+              raised->distance == options.distance && raised->connectedOnly == options.connectedOnly)
+          {
+            const DisplacedFrom from{ *raised->before, *raised->reached };
+            return simplify(before, curves, options, context, &this->Welded, &from);
+          }
+          return simplify(before, curves, options, context, &this->Welded);
         });
     });
 }

@@ -211,15 +211,16 @@ void Put(const Vector3& from, double* to)
   std::copy(from.data(), from.data() + 3, to);
 }
 
-// All arrays at once: a vertex is read from memory once.
-void WritePoints(const Forest& forest, vtkPolyData* mesh)
+// All arrays at once: a vertex is read from memory once. `curvesOf`: null, or a mesh whose CurveId and
+// CurveParam are shared.
+void WritePoints(const Forest& forest, vtkPolyData* mesh, vtkPolyData* curvesOf)
 {
   const auto& vertices = forest.vertices;
   const std::size_t count = vertices.size();
   const auto positions = NewArray<vtkDoubleArray>("Points", 3, count);
   const auto moved = NewArray<vtkUnsignedCharArray>(pointNames[0], 1, count);
-  const auto curves = NewArray<vtkIntArray>(pointNames[1], 1, count);
-  const auto parameters = NewArray<vtkDoubleArray>(pointNames[2], 1, count);
+  const auto curves = curvesOf ? nullptr : NewArray<vtkIntArray>(pointNames[1], 1, count);
+  const auto parameters = curvesOf ? nullptr : NewArray<vtkDoubleArray>(pointNames[2], 1, count);
   const auto optional = [count](bool present, const char* name, int components)
   { return present ? NewArray<vtkDoubleArray>(name, components, count) : nullptr; };
   const auto normals = optional(forest.hasBaseNormals, pointNames[3], 3);
@@ -229,15 +230,18 @@ void WritePoints(const Forest& forest, vtkPolyData* mesh)
   double *position = valuesOf(positions), *parameter = valuesOf(parameters), *normal = valuesOf(normals),
          *displacement = valuesOf(displacements), *feature = valuesOf(features);
   unsigned char* flags = moved->GetPointer(0);
-  int* curve = curves->GetPointer(0);
+  int* curve = curves ? curves->GetPointer(0) : nullptr;
   FillAll(count,
     [&](std::size_t i)
     {
       const Forest::Vertex& vertex = vertices[i];
       Put(vertex.position, position + 3 * i);
       flags[i] = vertex.moved;
-      curve[i] = vertex.curveId;
-      parameter[i] = vertex.curveParam;
+      if (curve)
+      {
+        curve[i] = vertex.curveId;
+        parameter[i] = vertex.curveParam;
+      }
       if (normal)
       {
         Put(vertex.baseNormal, normal + 3 * i);
@@ -254,8 +258,10 @@ void WritePoints(const Forest& forest, vtkPolyData* mesh)
   vtkNew<vtkPoints> places;
   places->SetData(positions);
   mesh->SetPoints(places);
-  for (vtkDataArray* array :
-    std::initializer_list<vtkDataArray*>{ moved, curves, parameters, normals, displacements, features })
+  const auto shared = [curvesOf](int i)
+  { return curvesOf ? curvesOf->GetPointData()->GetArray(pointNames[i]) : nullptr; };
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
+         moved, shared(1), shared(2), curves, parameters, normals, displacements, features })
   {
     if (array)
     {
@@ -395,6 +401,12 @@ std::atomic<int>& ForestsRebuilt()
   return count;
 }
 
+Forest TakeForest(std::shared_ptr<const Forest>& forest)
+{
+  const std::shared_ptr<Forest> taken = TheRegister().Take(forest);
+  return taken ? std::move(*taken) : Forest();
+}
+
 std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& context)
 {
   const MeshKey key = StellarKey(mesh);
@@ -411,7 +423,8 @@ std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& con
 vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>& forest,
   const std::optional<std::uint64_t>& digest,
   vtkPolyData* alike,
-  bool same)
+  bool same,
+  vtkPolyData* curvesOf)
 {
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   if (alike && same && SharesPoints(alike))
@@ -427,7 +440,7 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
   }
   else
   {
-    WritePoints(*forest, mesh);
+    WritePoints(*forest, mesh, curvesOf);
   }
   if (alike && SharesCells(alike))
   {
@@ -474,99 +487,6 @@ double LengthOf(double value, double share, const Forest& forest, const char* na
 {
   RequireFinite(value, name);
   return value < 0.0 ? share * forest.diagonal() : value;
-}
-
-int RunCurveStep(vtkAlgorithm* filter,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs,
-  const std::function<void(const CurveStep& step)>& run)
-{
-  return RunFilter(filter,
-    [&]
-    {
-      const Context context = ContextOf(filter);
-      const CurveStep step{ vtkPolyData::GetData(inputs[0]),
-        vtkPolyData::GetData(inputs[1]),
-        vtkPolyData::GetData(outputs),
-        filter->GetNumberOfInputPorts() > 2 ? vtkPolyData::GetData(inputs[2]) : nullptr,
-        context };
-      if (step.mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      if (step.curves->GetNumberOfPoints() == 0)
-      {
-        SharedForest(step.mesh, context); // refuses what is none
-        step.output->ShallowCopy(step.mesh);
-        return;
-      }
-      run(step);
-    });
-}
-
-void StellarStep::Provide(const StepKey& key,
-  vtkPolyData* input,
-  vtkPolyData* output,
-  const std::function<Made()>& make)
-{
-  if (!this->Stem || this->Key != key)
-  {
-    *this = StellarStep(); // so that nothing stale is left when making fails
-    Made made = make();
-    this->After = made.forest;
-    this->Arrays = CarriedArrays(std::move(made.origins));
-    this->Turns = made.turns;
-    this->Stem = StellarPolyData(
-      this->After, made.digest, made.sameCells ? input : nullptr, made.forest == this->Before);
-    this->Key = key;
-  }
-  output->ShallowCopy(this->Stem);
-  if (this->Turns && input->GetPointData()->GetNormals())
-  {
-    this->Arrays.Turn(turnsOf(*this->Before, *this->After));
-    this->Turns = false;
-  }
-  this->Arrays.Carry(input, output);
-}
-
-void StellarStep::Provide(vtkPolyData* input,
-  const std::vector<MeshKey>& otherInputs,
-  const std::vector<double>& values,
-  const FeatureCurves* curves,
-  Motion motion,
-  vtkPolyData* output,
-  const Context& context,
-  const Change& change)
-{
-  std::vector<MeshKey> inputs{ StellarKey(input) };
-  inputs.insert(inputs.end(), otherInputs.begin(), otherInputs.end());
-  this->Provide(StepKey(inputs, values),
-    input,
-    output,
-    [&]
-    {
-      this->Before = SharedForest(input, context);
-      Made made;
-      made.turns = motion == Motion::Rise;
-      const Forest& before = *this->Before;
-      if (curves)
-      {
-        RequireSameCurves(input, before, *curves);
-      }
-      std::optional<Forest> changed = change(before);
-      made.forest = changed ? std::make_shared<const Forest>(std::move(*changed)) : this->Before;
-      made.origins = originsOf(before, *made.forest, motion == Motion::Slide);
-      made.sameCells = before.faces.size() == made.forest->faces.size();
-      if (motion != Motion::Rise) // what rises ends the stroke
-      {
-        made.digest = curves ? digest(*curves) : WholeNumber(input->GetFieldData(), "CurveDigest");
-      }
-      if (made.digest && !HasSnapped(*made.forest))
-      {
-        made.digest = std::nullopt;
-      }
-      return made;
-    });
 }
 
 } // namespace oversketch

@@ -40,16 +40,21 @@ MeshKey StellarKey(vtkPolyData* mesh);
 // that names the array, the cell or point, and the likely culprit. Callable from any thread.
 std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& context);
 
+// What a forest that nobody else holds has, for its holder to change it; empty, and the holder keeps it,
+// where somebody does.
+Forest TakeForest(std::shared_ptr<const Forest>& forest);
+
 // How often a forest has been rebuilt from arrays since the process started.
 std::atomic<int>& ForestsRebuilt();
 
 // A canonical forest as points, polygons and arrays, known to SharedForest. `digest`: of the curves that
 // CurveId means. `alike`: null, or a 4-8 mesh with the same cells, whose cells and their arrays are shared;
-// `same`: points too.
+// `same`: points too. `curvesOf`: null, or one with the same CurveId and CurveParam, which are shared.
 vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>& forest,
   const std::optional<std::uint64_t>& digest,
   vtkPolyData* alike = nullptr,
-  bool same = false);
+  bool same = false,
+  vtkPolyData* curvesOf = nullptr);
 
 // Whether a vertex lies on a curve of the stroke that has not ended.
 bool HasSnapped(const Forest& forest);
@@ -88,9 +93,10 @@ public:
   {
     std::shared_ptr<const Forest> forest; // canonical
     Origins origins;
-    std::optional<std::uint64_t> digest; // of the curves that it is snapped to
-    bool sameCells = false;              // as a 4-8 mesh that is the input
-    bool turns = false;                  // point normals are to turn with the surface
+    std::optional<std::uint64_t> digest;   // of the curves that it is snapped to
+    bool sameCells = false;                // as a 4-8 mesh that is the input
+    bool turns = false;                    // point normals are to turn with the surface
+    vtkSmartPointer<vtkPolyData> curvesOf; // null, or what has the same CurveId and CurveParam
   };
   // Writes what `make` gives to the output; asks it where the key is a new one.
   void Provide(const StepKey& key,
@@ -121,8 +127,11 @@ public:
   // Of the last result: a point's number in the input, -1 for a new one.
   const std::vector<int>& PointFrom() const { return this->Arrays.PointFrom(); }
 
+  // The forest of the last result; null: nothing is kept.
+  const std::shared_ptr<const Forest>& Result() const { return this->After; }
+
 private:
-  StepKey Key;
+  StepKey Key, InputsKey;
   std::shared_ptr<const Forest> Before, After; // held for who asks SharedForest
   vtkSmartPointer<vtkPolyData> Stem;           // what this module writes of the output; null: nothing is kept
   CarriedArrays Arrays;

@@ -227,15 +227,16 @@ void CurveSearch::search(int curve, int node, int begin, int end, const Vector3&
     }
     return;
   }
-  // A box that is exactly as near may hold a lower segment. What rounding could hide is searched too.
+  // A box that is exactly as near may hold a lower segment. What rounding could hide is searched too, and
+  // what is so near that squares are none.
   const auto away = [&](int child)
-  { return (1.0 - 1e-12) * std::sqrt(tree.boxes[child].squaredExteriorDistance(point)); };
+  { return (1.0 - 1e-11) * tree.boxes[child].squaredExteriorDistance(point); };
   const int middle = (begin + end) / 2, left = 2 * node + 1, right = 2 * node + 2;
   const double toLeft = away(left), toRight = away(right);
   const bool leftFirst = toLeft <= toRight;
   for (bool isLeft : { leftFirst, !leftFirst })
   {
-    if ((isLeft ? toLeft : toRight) <= best.distance)
+    if ((isLeft ? toLeft : toRight) <= std::max(best.distance * best.distance, 1e-290))
     {
       this->search(curve, isLeft ? left : right, isLeft ? begin : middle, isLeft ? middle : end, point, best);
     }

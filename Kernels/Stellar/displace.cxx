@@ -127,24 +127,23 @@ std::vector<Rise> risesOf(const Forest& forest,
   return rises;
 }
 
-// The faces around the vertices that rise, each once.
-std::vector<int> facesAround(const Forest& forest, const std::vector<Rise>& rises)
+// The faces around vertices, each once.
+std::vector<int> facesAround(const Forest& forest, const std::vector<int>& vertices)
 {
-  std::vector<int> faces;
-  for (const Rise& rise : rises)
+  std::vector<char> around(forest.faces.size(), 0);
+  for (const int v : vertices)
   {
-    forest.star(rise.vertex, [&](int f, int) { faces.push_back(f); });
+    forest.star(v, [&](int f, int) { around[f] = 1; });
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
+  return marked(around);
 }
 
 // What the stroke's vertices knew is of no use to the next one.
-void endStroke(Forest& forest)
+void endStroke(Forest& forest, const std::vector<int>& vertices)
 {
-  for (Forest::Vertex& vertex : forest.vertices)
+  for (const int v : vertices)
   {
+    Forest::Vertex& vertex = forest.vertices[v];
     if (vertex.curveId >= 0)
     {
       vertex.moved |= Forest::Crest;
@@ -153,6 +152,39 @@ void endStroke(Forest& forest)
     }
   }
   forest.hasBaseNormals = false;
+}
+
+// Puts back what was displaced before, or makes `after` a copy.
+void startFrom(const Forest& before, const std::vector<int>& changing, Forest& after)
+{
+  if (after.faces.empty())
+  {
+    after = before;
+    after.displacement.assign(before.vertices.size(), Vector3::Zero());
+    after.feature.assign(before.vertices.size(), 0.0);
+    return;
+  }
+  for (const int v : changing)
+  {
+    after.vertices[v] = before.vertices[v];
+    after.displacement[v] = Vector3::Zero();
+    after.feature[v] = 0.0;
+  }
+}
+
+// How many of the faces have turned by over 90 degrees.
+int turned(const Forest& forest, const CurvesReached& reached, const Context& context)
+{
+  std::vector<char> turned(reached.faces.size(), 0);
+  context.parallelFor(static_cast<int>(turned.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        turned[i] = reached.normals[i].dot(forest.facetNormal(reached.faces[i])) < 0.0 ? 1 : 0;
+      }
+    });
+  return static_cast<int>(std::count(turned.begin(), turned.end(), 1));
 }
 
 } // namespace
@@ -168,13 +200,35 @@ CurvesReached reachedBy(const Forest& forest,
   const Passage passage(forest, search, context);
   CurveReach reach(forest, search);
   CurvesReached reached;
+  reached.needed = NeededVertices(forest);
+  std::vector<char> changing(forest.vertices.size(), 0);
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
     reached.vertices.push_back(reach.find(
       k, passage.faces(k), { shapes[k].radius, options.distance, options.connectedOnly }, context));
+    reached.needed.add(forest, k, reached.vertices.back(), passage);
+    for (const Reached& r : reached.vertices.back())
+    {
+      changing[r.vertex] = 1;
+    }
     const std::vector<Binding> crest = crestPlaces(forest, curves[k], shapes[k].radius, passage.faces(k));
     reached.crest.insert(reached.crest.end(), crest.begin(), crest.end());
   }
+  for (std::size_t v = 0; v < forest.vertices.size(); ++v)
+  {
+    changing[v] = changing[v] || forest.vertices[v].curveId >= 0;
+  }
+  reached.changing = marked(changing);
+  reached.faces = facesAround(forest, reached.changing);
+  reached.normals.resize(reached.faces.size());
+  context.parallelFor(static_cast<int>(reached.faces.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        reached.normals[i] = forest.facetNormal(reached.faces[i]);
+      }
+    });
   return reached;
 }
 
@@ -183,61 +237,55 @@ DisplaceReport displace(Forest& forest,
   const DisplaceOptions& options,
   const Context& context)
 {
-  return displace(forest, curves, reachedBy(forest, curves, options, context), options, context);
+  const CurvesReached reached = reachedBy(forest, curves, options, context);
+  Forest after;
+  const DisplaceReport report = displace(forest, curves, reached, options, context, after);
+  forest = std::move(after);
+  return report;
 }
 
-DisplaceReport displace(Forest& forest,
+DisplaceReport displace(const Forest& before,
   const FeatureCurves& curves,
   const CurvesReached& reached,
   const DisplaceOptions& options,
-  const Context& context)
+  const Context& context,
+  Forest& after)
 {
   checkCurves(curves);
   if (options.sketch)
   {
     checkSketch(curves, *options.sketch);
   }
-  std::vector<Rise> rises = risesOf(forest, curves, reached, options);
+  std::vector<Rise> rises = risesOf(before, curves, reached, options);
   rises.erase(
     std::remove_if(rises.begin(), rises.end(), [](const Rise& rise) { return rise.feature == 0.0; }),
     rises.end());
   if (!options.sketch)
   {
-    const bool base = options.along == RiseAlong::Base && forest.hasBaseNormals;
+    const bool base = options.along == RiseAlong::Base && before.hasBaseNormals;
     context.parallelFor(static_cast<int>(rises.size()),
       [&](int begin, int end)
       {
         for (int i = begin; i < end && !context.cancelled(); ++i)
         {
           const int v = rises[i].vertex;
-          rises[i].move = rises[i].along * (base ? forest.vertices[v].baseNormal : forest.vertexNormal(v));
+          rises[i].move = rises[i].along * (base ? before.vertices[v].baseNormal : before.vertexNormal(v));
         }
       });
-  }
-  const std::vector<int> faces = facesAround(forest, rises);
-  std::vector<Vector3> normals;
-  normals.reserve(faces.size());
-  for (const int f : faces)
-  {
-    normals.push_back(forest.facetNormal(f));
   }
   context.checkpoint(0.9);
 
   DisplaceReport report;
-  forest.displacement.assign(forest.vertices.size(), Vector3::Zero());
-  forest.feature.assign(forest.vertices.size(), 0.0);
+  startFrom(before, reached.changing, after);
   for (const Rise& rise : rises)
   {
-    forest.vertices[rise.vertex].position += rise.move;
-    forest.vertices[rise.vertex].moved |= Forest::Displaced;
-    forest.displacement[rise.vertex] = rise.move;
-    forest.feature[rise.vertex] = rise.feature;
+    after.vertices[rise.vertex].position += rise.move;
+    after.vertices[rise.vertex].moved |= Forest::Displaced;
+    after.displacement[rise.vertex] = rise.move;
+    after.feature[rise.vertex] = rise.feature;
     report.peak = std::max(report.peak, rise.feature);
   }
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    report.flipped += normals[i].dot(forest.facetNormal(faces[i])) < 0.0 ? 1 : 0;
-  }
+  report.flipped = turned(after, reached, context);
   report.moved = static_cast<int>(rises.size());
   report.crests = static_cast<int>(reached.crest.size());
   for (const Binding& at : reached.crest)
@@ -245,12 +293,12 @@ DisplaceReport displace(Forest& forest,
     double value = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      value += at.weights[k] * forest.feature[at.vertices[k]];
+      value += at.weights[k] * after.feature[at.vertices[k]];
     }
     report.crestMinimum = &at == reached.crest.data() ? value : std::min(report.crestMinimum, value);
     report.crestSum += value;
   }
-  endStroke(forest);
+  endStroke(after, reached.changing);
   return report;
 }
 

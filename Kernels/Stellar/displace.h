@@ -5,6 +5,7 @@
 
 #include "Mesh/place.h"
 #include "Stellar/distance.h"
+#include "Stellar/needed.h"
 #include "Stellar/profile.h"
 
 #include <optional>
@@ -60,6 +61,10 @@ struct CurvesReached
 {
   std::vector<std::vector<Reached>> vertices; // per curve
   std::vector<Binding> crest;                 // see crestPlaces
+  NeededVertices needed;                      // see there
+  std::vector<int> changing;                  // vertices that a displacement writes: reached or snapped ones
+  std::vector<int> faces;                     // round those, and their normals
+  std::vector<Vector3> normals;
 };
 CurvesReached reachedBy(const Forest& forest,
   const FeatureCurves& curves,
@@ -75,12 +80,14 @@ DisplaceReport displace(Forest& forest,
   const FeatureCurves& curves,
   const DisplaceOptions& options,
   const Context& context);
-// The same with what reachedBy gave for this forest, these curves and radii.
-DisplaceReport displace(Forest& forest,
+// The same with what reachedBy gave for this forest, these curves and radii; `before` stays as it is.
+// `after`: empty, or what this made of the same before: then only what is reached is written.
+DisplaceReport displace(const Forest& before,
   const FeatureCurves& curves,
   const CurvesReached& reached,
   const DisplaceOptions& options,
-  const Context& context);
+  const Context& context,
+  Forest& after);
 
 } // namespace oversketch
 #endif

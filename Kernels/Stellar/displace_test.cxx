@@ -400,13 +400,18 @@ TEST(Displace, AnotherHeightNeedsNoNewDistances)
   }
   const FeatureCurves curves{ featureCurve(arc) };
   const CurvesReached reached = reachedBy(start, curves, shapeOf(0.2, 0.0, 1.5), Context());
+  Forest again; // goes from one to the next
   for (const double h : { 0.1, -0.05 })
     for (const double s : { 0.3, 1.5 })
     {
-      Forest once = start, again = start;
-      displace(once, curves, shapeOf(0.2, h, s), twoThreads());
-      displace(again, curves, reached, shapeOf(0.2, h, s), Context());
+      Forest once = start;
+      const DisplaceReport report = displace(once, curves, shapeOf(0.2, h, s), twoThreads());
+      const Forest::Face* faces = again.faces.data();
+      const DisplaceReport same = displace(start, curves, reached, shapeOf(0.2, h, s), Context(), again);
       EXPECT_TRUE(sameForest(once, again));
+      EXPECT_EQ(report.flipped, same.flipped);
+      EXPECT_EQ(report.crestSum, same.crestSum);
+      EXPECT_TRUE(!faces || faces == again.faces.data());
     }
 }
 

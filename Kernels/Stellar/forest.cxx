@@ -23,6 +23,10 @@ Forest Forest::roomyCopy() const
 int Forest::firstFace(int v) const
 {
   const int start = this->vertices[v].face;
+  if (this->closed)
+  {
+    return start;
+  }
   for (int f = start; f >= 0;)
   {
     const int before = this->faces[f].n[(this->corner(f, v) + 2) % 3];
@@ -464,6 +468,7 @@ void Forest::connect(const Context& context)
     return twins <= 1 && same <= 1;
   };
   std::atomic<int> bad{ count }; // the lowest face with such an edge
+  std::atomic<bool> bounded{ false };
   context.parallelFor(count,
     [&](int begin, int end)
     {
@@ -474,6 +479,10 @@ void Forest::connect(const Context& context)
         for (int i = 0; i < 3; ++i)
         {
           good = across(face, i, face.n[i]) && good;
+        }
+        if (face.n[0] < 0 || face.n[1] < 0 || face.n[2] < 0)
+        {
+          bounded = true;
         }
         for (int known = bad; !good && f < known && !bad.compare_exchange_weak(known, f);)
         {
@@ -491,6 +500,7 @@ void Forest::connect(const Context& context)
           std::to_string(face.v[(i + 2) % 3]) + " belongs to two triangles that run the same way along it");
     }
   }
+  this->closed = !bounded;
 }
 
 std::string Forest::broken() const

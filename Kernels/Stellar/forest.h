@@ -77,6 +77,7 @@ public:
   std::vector<Vertex> vertices;
   int rootCount = 0;
   bool hasBaseNormals = false;
+  bool closed = false; // known to have no boundary, which no split or weld makes
   // What the last displacement moved each vertex by, and its feature value; empty where there was none.
   std::vector<Vector3> displacement;
   std::vector<double> feature;

@@ -455,6 +455,7 @@ Canonical canonical(const Forest& forest, const Context& context)
             vertexCount = static_cast<int>(result.vertexFrom.size());
   out.rootCount = forest.rootCount;
   out.hasBaseNormals = forest.hasBaseNormals;
+  out.closed = forest.closed;
   out.faces.resize(faceCount);
   context.parallelFor(faceCount,
     [&](int begin, int end)

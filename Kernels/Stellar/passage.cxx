@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 namespace oversketch
@@ -25,9 +26,15 @@ struct Corners
   double longest = 0.0, area2 = 0.0;
 
   Corners(const Forest& forest, int f)
-    : p(forest.vertices[forest.faces[f].v[0]].position)
-    , x(forest.vertices[forest.faces[f].v[1]].position - p)
-    , y(forest.vertices[forest.faces[f].v[2]].position - p)
+    : Corners(forest.vertices[forest.faces[f].v[0]].position,
+        forest.vertices[forest.faces[f].v[1]].position,
+        forest.vertices[forest.faces[f].v[2]].position)
+  {
+  }
+  Corners(const Vector3& a, const Vector3& b, const Vector3& c)
+    : p(a)
+    , x(b - a)
+    , y(c - a)
   {
     this->longest = std::max({ this->x.norm(), this->y.norm(), (this->x - this->y).norm() });
     this->normal = this->x.cross(this->y);
@@ -88,38 +95,15 @@ bool meets(const Corners& face, const Vector3& from, const Vector3& to, double g
   return (first < 0.0) != (last < 0.0) || std::min(std::abs(first), std::abs(last)) <= gap;
 }
 
-} // namespace
-
-Passage::Passage(const Forest& forest, const CurveSearch& search, const Context& context)
-  : Mesh(forest)
-  , Search(search)
-  , Faces(search.curves().size())
-  , Gaps(search.curves().size())
+// `gap`: how far the curve may be from the face.
+bool passesThrough(const CurveSearch& search, int curve, const Corners& corners, double gap)
 {
-  for (int k = 0; k < static_cast<int>(this->Faces.size()); ++k)
-  {
-    // A surface that moved away from the curve is looked for farther off.
-    for (double widening = 1.0; this->Faces[k].empty() && widening < 1e5; widening *= 8.0)
-    {
-      const std::vector<int> touched = this->touched(k, widening, context);
-      this->Faces[k] = this->joined(k, widening, touched);
-      for (int f : this->Faces[k])
-      {
-        this->Gaps[k].push_back(0.5 * widening * Corners(forest, f).longest);
-      }
-    }
-  }
-}
-
-bool Passage::passes(int face, int curve, double gap) const
-{
-  const Corners corners(this->Mesh, face);
-  const FeatureCurve& c = this->Search.curves()[curve];
+  const FeatureCurve& c = search.curves()[curve];
   if (corners.area2 <= 0.0)
   {
     return false;
   }
-  return this->Search.meet(curve,
+  return search.meet(curve,
     corners.box(gap),
     [&](int s)
     {
@@ -130,7 +114,184 @@ bool Passage::passes(int face, int curve, double gap) const
     });
 }
 
-std::vector<int> Passage::touched(int curve, double widening, const Context& context) const
+// How far a curve may be from a face with these corners; none where it is farther from its curve's box.
+std::optional<double> gapNear(const Eigen::AlignedBox3d& box,
+  double widening,
+  const Vector3& a,
+  const Vector3& b,
+  const Vector3& c)
+{
+  const double gap =
+    0.5 * widening *
+    std::sqrt(std::max({ (a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm() }));
+  const bool near = (a.cwiseMin(b).cwiseMin(c).array() - gap <= box.max().array()).all() &&
+                    (a.cwiseMax(b).cwiseMax(c).array() + gap >= box.min().array()).all();
+  return near ? std::optional<double>(gap) : std::nullopt;
+}
+
+// By a number for each face, the parts in which they hang together.
+std::vector<int> partsOf(const Forest& forest, const std::vector<int>& touched)
+{
+  std::vector<int> part(touched.size(), -1), stack;
+  const auto reach = [&](int i, int number)
+  {
+    if (part[i] < 0)
+    {
+      part[i] = number;
+      stack.push_back(i);
+    }
+  };
+  int count = 0;
+  for (int i = 0; i < static_cast<int>(touched.size()); ++i)
+  {
+    reach(i, count);
+    count += stack.empty() ? 0 : 1;
+    while (!stack.empty())
+    {
+      const int number = part[stack.back()], f = touched[stack.back()];
+      stack.pop_back();
+      for (const int g : forest.faces[f].n)
+      {
+        const auto found = std::lower_bound(touched.begin(), touched.end(), g);
+        if (found != touched.end() && *found == g)
+        {
+          reach(static_cast<int>(found - touched.begin()), number);
+        }
+      }
+    }
+  }
+  return part;
+}
+
+// Of the faces that a curve touches, those that hang together with one that is the nearest to a sample.
+// `at`: where a vertex is.
+template <class At>
+std::vector<int> joined(const Forest& forest,
+  const CurveSearch& search,
+  int curve,
+  double widening,
+  const std::vector<int>& touched,
+  const std::vector<int>& part,
+  const At& at)
+{
+  const FeatureCurve& c = search.curves()[curve];
+  const auto cornersOf = [&](int i)
+  {
+    const int* v = forest.faces[touched[i]].v;
+    return Corners(at(v[0]), at(v[1]), at(v[2]));
+  };
+  // Distances are of matter only to samples that faces of several parts are near.
+  constexpr int none = -1, several = -2;
+  std::vector<int> partAt(c.points.size(), none);
+  std::vector<std::pair<int, int>> near; // a sample, and a face
+  for (int i = 0; i < static_cast<int>(touched.size()); ++i)
+  {
+    const Corners corners = cornersOf(i);
+    search.meet(curve,
+      corners.box(0.5 * widening * corners.longest),
+      [&](int s)
+      {
+        for (const int p : { s, c.segmentEnd(s) })
+        {
+          partAt[p] = partAt[p] == none || partAt[p] == part[i] ? part[i] : several;
+          near.emplace_back(p, i);
+        }
+        return false;
+      });
+  }
+  std::vector<double> best(c.points.size(), std::numeric_limits<double>::infinity());
+  std::vector<int> nearest(c.points.size(), -1);
+  for (const auto& [p, i] : near)
+  {
+    if (partAt[p] == several)
+    {
+      const Corners corners = cornersOf(i);
+      const double distance =
+        distanceToTriangle(c.points[p], corners.p, corners.p + corners.x, corners.p + corners.y);
+      if (distance < best[p])
+      {
+        best[p] = distance;
+        nearest[p] = i;
+      }
+    }
+  }
+  std::vector<char> stays(touched.size(), 0); // by part
+  for (std::size_t p = 0; p < partAt.size(); ++p)
+  {
+    const int from = nearest[p] >= 0 ? part[nearest[p]] : partAt[p];
+    if (from >= 0)
+    {
+      stays[from] = 1;
+    }
+  }
+  std::vector<int> faces;
+  for (std::size_t i = 0; i < touched.size(); ++i)
+  {
+    if (stays[part[i]])
+    {
+      faces.push_back(touched[i]);
+    }
+  }
+  return faces;
+}
+
+} // namespace
+
+std::vector<int> passedPutBack(const Forest& forest,
+  const CurveSearch& search,
+  int curve,
+  const std::vector<int>& touched,
+  const std::vector<int>& parts)
+{
+  return joined(forest, search, curve, 1.0, touched, parts, [&forest](int v) { return putBack(forest, v); });
+}
+
+bool touches(const CurveSearch& search, int curve, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const std::optional<double> gap = gapNear(search.box(curve), 1.0, a, b, c);
+  return gap && passesThrough(search, curve, Corners(a, b, c), *gap);
+}
+
+Passage::Passage(const Forest& forest, const CurveSearch& search, const Context& context)
+  : Mesh(forest)
+  , Search(search)
+  , Faces(search.curves().size())
+  , Touched(search.curves().size())
+  , Parts(search.curves().size())
+  , Gaps(search.curves().size())
+{
+  for (int k = 0; k < static_cast<int>(this->Faces.size()); ++k)
+  {
+    // A surface that moved away from the curve is looked for farther off.
+    for (double widening = 1.0; this->Faces[k].empty() && widening < 1e5; widening *= 8.0)
+    {
+      std::vector<int> touched = this->touching(k, widening, context), parts = partsOf(forest, touched);
+      this->Faces[k] = joined(forest,
+        search,
+        k,
+        widening,
+        touched,
+        parts,
+        [&forest](int v) -> const Vector3& { return forest.vertices[v].position; });
+      if (widening == 1.0)
+      {
+        this->Touched[k] = std::move(touched);
+        this->Parts[k] = std::move(parts);
+      }
+      for (int f : this->Faces[k])
+      {
+        this->Gaps[k].push_back(0.5 * widening * Corners(forest, f).longest);
+      }
+    }
+  }
+}
+
+bool Passage::passes(int face, int curve, double gap) const
+{
+  return passesThrough(this->Search, curve, Corners(this->Mesh, face), gap);
+}
+
+std::vector<int> Passage::touching(int curve, double widening, const Context& context) const
 {
   const int count = static_cast<int>(this->Mesh.faces.size());
   std::vector<char> touched(count, 0);
@@ -150,13 +311,8 @@ std::vector<int> Passage::touched(int curve, double widening, const Context& con
         const int* v = this->Mesh.faces[f].v;
         const Vector3 &a = this->Mesh.vertices[v[0]].position, &b = this->Mesh.vertices[v[1]].position,
                       &c = this->Mesh.vertices[v[2]].position;
-        const double gap =
-          0.5 * widening *
-          std::sqrt(std::max({ (a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm() }));
-        const Eigen::AlignedBox3d& box = this->Search.box(curve);
-        const bool near = (a.cwiseMin(b).cwiseMin(c).array() - gap <= box.max().array()).all() &&
-                          (a.cwiseMax(b).cwiseMax(c).array() + gap >= box.min().array()).all();
-        touched[f] = near && this->passes(f, curve, gap);
+        const std::optional<double> gap = gapNear(this->Search.box(curve), widening, a, b, c);
+        touched[f] = gap && this->passes(f, curve, *gap);
       }
     });
   context.checkpoint(0.0);
@@ -166,64 +322,6 @@ std::vector<int> Passage::touched(int curve, double widening, const Context& con
     if (touched[f])
     {
       faces.push_back(f);
-    }
-  }
-  return faces;
-}
-
-// Those that hang together with one that is the nearest to a sample.
-std::vector<int> Passage::joined(int curve, double widening, const std::vector<int>& touched) const
-{
-  const FeatureCurve& c = this->Search.curves()[curve];
-  std::vector<double> best(c.points.size(), std::numeric_limits<double>::infinity());
-  std::vector<int> nearest(c.points.size(), -1);
-  for (int i = 0; i < static_cast<int>(touched.size()); ++i)
-  {
-    const Corners corners(this->Mesh, touched[i]);
-    this->Search.meet(curve,
-      corners.box(0.5 * widening * corners.longest),
-      [&](int s)
-      {
-        for (int p : { s, c.segmentEnd(s) })
-        {
-          const double distance =
-            distanceToTriangle(c.points[p], corners.p, corners.p + corners.x, corners.p + corners.y);
-          if (distance < best[p])
-          {
-            best[p] = distance;
-            nearest[p] = i;
-          }
-        }
-        return false;
-      });
-  }
-  std::vector<char> seen(touched.size(), 0);
-  std::vector<int> stack;
-  const auto reach = [&](int i)
-  {
-    if (i >= 0 && !seen[i])
-    {
-      seen[i] = 1;
-      stack.push_back(i);
-    }
-  };
-  std::for_each(nearest.begin(), nearest.end(), reach);
-  while (!stack.empty())
-  {
-    const int f = touched[stack.back()];
-    stack.pop_back();
-    for (int g : this->Mesh.faces[f].n)
-    {
-      const auto found = std::lower_bound(touched.begin(), touched.end(), g);
-      reach(found != touched.end() && *found == g ? static_cast<int>(found - touched.begin()) : -1);
-    }
-  }
-  std::vector<int> faces;
-  for (std::size_t i = 0; i < touched.size(); ++i)
-  {
-    if (seen[i])
-    {
-      faces.push_back(touched[i]);
     }
   }
   return faces;

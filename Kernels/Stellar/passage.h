@@ -27,18 +27,40 @@ public:
 
   // Ascending.
   const std::vector<int>& faces(int curve) const { return this->Faces[curve]; }
+  // All faces that the curve touches, ascending; empty where they had to be looked for farther off.
+  const std::vector<int>& touched(int curve) const { return this->Touched[curve]; }
+  // By a number for each of those, the parts in which they hang together.
+  const std::vector<int>& parts(int curve) const { return this->Parts[curve]; }
 
 private:
   // `gap`: how far the curve may be from the face.
   bool passes(int face, int curve, double gap) const;
-  std::vector<int> touched(int curve, double widening, const Context& context) const;
-  std::vector<int> joined(int curve, double widening, const std::vector<int>& touched) const;
+  std::vector<int> touching(int curve, double widening, const Context& context) const;
 
   const Forest& Mesh;
   const CurveSearch& Search;
-  std::vector<std::vector<int>> Faces;
+  std::vector<std::vector<int>> Faces, Touched, Parts;
   std::vector<std::vector<double>> Gaps; // of the faces that these are pieces of
 };
+
+// Where a vertex was before the last displacement, but for rounding.
+inline Vector3 putBack(const Forest& forest, int v)
+{
+  const Vector3& at = forest.vertices[v].position;
+  const bool moved = !forest.displacement.empty() && forest.displacement[v] != Vector3::Zero();
+  return moved ? Vector3(at - forest.displacement[v]) : at;
+}
+
+// Whether a curve touches a face with these corners: meets it, seen along its normal, no farther off than
+// half its longest edge.
+bool touches(const CurveSearch& search, int curve, const Vector3& a, const Vector3& b, const Vector3& c);
+
+// What Passage::faces are of a forest whose vertices are put back, of which all touched faces are known.
+std::vector<int> passedPutBack(const Forest& forest,
+  const CurveSearch& search,
+  int curve,
+  const std::vector<int>& touched,
+  const std::vector<int>& parts);
 
 } // namespace oversketch
 #endif

@@ -65,7 +65,7 @@ bool mayMove(const Forest& forest,
 {
   const Vector3& from = forest.vertices[v].position;
   const auto was = [&](int w) -> const Vector3& { return first ? (*first)[w] : forest.vertices[w].position; };
-  double before = 1.0, after = 1.0;
+  double after = 1.0;
   bool turned = false;
   forest.star(v,
     [&](int f, int i)
@@ -75,10 +75,23 @@ bool mayMove(const Forest& forest,
       const Vector3 &b = forest.vertices[second].position, &c = forest.vertices[third].position;
       const Vector3 old = (was(second) - was(v)).cross(was(third) - was(v));
       turned = turned || (!old.isZero(0.0) && !(old.dot((b - to).cross(c - to)) > 0.0));
-      before = std::min(before, narrowness(from, b, c));
       after = std::min(after, narrowness(to, b, c));
     });
-  return !turned && (after >= before || after >= squaredSine(minimumAngle));
+  if (turned || after >= squaredSine(minimumAngle))
+  {
+    return !turned;
+  }
+  double before = 1.0;
+  forest.star(v,
+    [&](int f, int i)
+    {
+      const Forest::Face& face = forest.faces[f];
+      before = std::min(before,
+        narrowness(from,
+          forest.vertices[face.v[(i + 1) % 3]].position,
+          forest.vertices[face.v[(i + 2) % 3]].position));
+    });
+  return after >= before;
 }
 
 FaceQuality faceQuality(const Forest& forest, const Context& context)

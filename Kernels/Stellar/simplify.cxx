@@ -33,39 +33,40 @@ double errorOf(const Forest& forest, int w)
   return error;
 }
 
-// Vertices that curves need, of the surface before the last displacement: 1 within the radius, 2 of a face
-// that a curve passes through.
-std::vector<char> needed(const Forest& before,
+// Of the surface before the last displacement.
+std::vector<char> neededOf(const Forest& forest,
   const FeatureCurves& curves,
   const SimplifyOptions& options,
+  const DisplacedFrom* from,
   const Context& context)
 {
-  std::vector<char> needed(before.vertices.size(), 0);
   if (curves.empty())
   {
-    return needed;
+    return std::vector<char>(forest.vertices.size(), 0);
   }
-  const CurveSearch search(curves);
-  const Passage passage(before, search, context);
-  CurveReach reach(before, search);
-  for (int k = 0; k < static_cast<int>(curves.size()); ++k)
+  const ReachOptions reach{ options.radius, options.distance, options.connectedOnly };
+  const bool known = from && stillNeeded(from->before,
+                               from->reached.needed,
+                               forest,
+                               from->reached.changing,
+                               from->reached.faces,
+                               curves,
+                               reach,
+                               context);
+#ifdef NDEBUG
+  if (known)
   {
-    for (const Reached& r : reach.find(k,
-           passage.faces(k),
-           { curves[k].radius.value_or(options.radius), options.distance, options.connectedOnly },
-           context))
-    {
-      needed[r.vertex] |= 1;
-    }
-    for (int f : passage.faces(k))
-    {
-      for (int v : before.faces[f].v)
-      {
-        needed[v] |= 2;
-      }
-    }
+    return from->reached.needed.why;
   }
-  return needed;
+#endif
+  Forest before = forest;
+  for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
+  {
+    before.vertices[v].position = putBack(forest, v);
+  }
+  std::vector<char> why = neededVertices(before, curves, reach, context).why;
+  assert(!known || why == from->reached.needed.why);
+  return why;
 }
 
 void checkSimplifyOptions(const FeatureCurves& curves, const SimplifyOptions& options)
@@ -87,35 +88,21 @@ void checkSimplifyOptions(const FeatureCurves& curves, const SimplifyOptions& op
 
 } // namespace
 
-Forest simplify(const Forest& forest,
+std::optional<Forest> simplify(const Forest& forest,
   const FeatureCurves& curves,
   const SimplifyOptions& options,
   const Context& context,
-  int* welded)
+  int* welded,
+  const DisplacedFrom* from)
 {
   checkSimplifyOptions(curves, options);
-  Forest work = forest;
-  for (std::size_t v = 0; v < forest.displacement.size(); ++v)
-  {
-    if (forest.displacement[v] != Vector3::Zero())
-    {
-      work.vertices[v].position -= forest.displacement[v];
-    }
-  }
-  const std::vector<char> near = needed(work, curves, options, context);
-  for (std::size_t v = 0; v < forest.displacement.size(); ++v)
-  {
-    if (forest.displacement[v] != Vector3::Zero())
-    {
-      work.vertices[v].position = forest.vertices[v].position;
-    }
-  }
+  const std::vector<char> near = neededOf(forest, curves, options, from, context);
   context.checkpoint(0.3);
   std::vector<std::vector<int>> levels;
   for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
   {
     const Forest::Vertex& vertex = forest.vertices[v];
-    if (!forest.isVertex(v) || vertex.parents[0] < 0 || near[v] ||
+    if (near[v] || !forest.isVertex(v) || vertex.parents[0] < 0 ||
         (!options.weldSnapped && (vertex.curveId >= 0 || (vertex.moved & Forest::Crest))))
     {
       continue;
@@ -123,12 +110,14 @@ Forest simplify(const Forest& forest,
     levels.resize(std::max<std::size_t>(levels.size(), vertex.level + 1));
     levels[vertex.level].push_back(v);
   }
+  std::optional<Forest> work; // once something goes
   int count = 0;
   // Stars of weldable vertices of one level are disjoint, and their errors depend on coarser ones alone; so
   // one pass finds all.
   for (std::size_t level = levels.size(); level-- > 0;)
   {
     const std::vector<int>& candidates = levels[level];
+    const Forest& now = work ? *work : forest;
     std::vector<char> goes(candidates.size(), 0);
     context.parallelFor(static_cast<int>(candidates.size()),
       [&](int begin, int end)
@@ -136,11 +125,11 @@ Forest simplify(const Forest& forest,
         for (int i = begin; i < end && !context.cancelled(); ++i)
         {
           const int w = candidates[i];
-          if (work.weldable(w))
+          if (now.weldable(w))
           {
             bool far = true;
-            work.link(w, [&](int u) { far = far && !(near[u] & 1); });
-            goes[i] = far && errorOf(work, w) < options.tolerance;
+            now.link(w, [&](int u) { far = far && !(near[u] & NeededVertices::Within); });
+            goes[i] = far && errorOf(now, w) < options.tolerance;
           }
         }
       });
@@ -149,17 +138,25 @@ Forest simplify(const Forest& forest,
     {
       if (goes[i])
       {
-        work.weld(candidates[i]);
+        if (!work)
+        {
+          work = forest;
+        }
+        work->weld(candidates[i]);
         ++count;
       }
     }
   }
-  assert(work.broken().empty());
   if (welded)
   {
     *welded = count;
   }
-  return count ? canonical(work, context).forest : work;
+  if (!work)
+  {
+    return std::nullopt;
+  }
+  assert(work->broken().empty());
+  return canonical(*work, context).forest;
 }
 
 } // namespace oversketch

@@ -2,8 +2,9 @@
 #ifndef oversketch_stellar_simplify_h
 #define oversketch_stellar_simplify_h
 
-#include "Stellar/distance.h"
-#include "Stellar/forest.h"
+#include "Stellar/displace.h"
+
+#include <optional>
 
 namespace oversketch
 {
@@ -21,15 +22,25 @@ struct SimplifyOptions
   bool connectedOnly = true;
 };
 
-// The canonical forest after welding, from the finest level to the coarsest, what may go. Distances from
+// What a forest was before the last displacement, and what curves reached of it.
+struct DisplacedFrom
+{
+  const Forest& before;
+  const CurvesReached& reached; // of the same curves, radii and kind of distance
+};
+
+// The canonical forest after welding, from the finest level to the coarsest, what may go; none where nothing
+// may. Distances from
 // curves are those before the last displacement. Besides what is itself within a curve's radius, what keeps a
 // curve's triangles small stays: a vertex whose triangles a curve passes through, or one of whose coarser
 // neighbours is within the radius; a refinement for these curves would only make it again.
-Forest simplify(const Forest& forest,
+// `from` spares the search of the curves, which it does not change; null: it is not known.
+std::optional<Forest> simplify(const Forest& forest,
   const FeatureCurves& curves,
   const SimplifyOptions& options,
   const Context& context,
-  int* welded = nullptr);
+  int* welded = nullptr,
+  const DisplacedFrom* from = nullptr);
 
 } // namespace oversketch
 #endif

@@ -224,3 +224,56 @@ TEST(StellarPipeline, SketchMovesByItsVectorsAndCutsAreCounted)
   EXPECT_EQ(chain.displace->GetIntersectingFaces(), -1);
   EXPECT_EQ(chain.displace->GetDisplaceCount(), 2);
 }
+
+TEST(StellarPipeline, AnotherHeightWritesOnlyWhatItChangesAndNothingThatIsHeld)
+{
+  Chain chain(sphere());
+  std::vector<vtkSmartPointer<vtkPolyData>> held, copies;
+  for (const double height : { 0.1, 0.05, -0.02, 0.0815, 0.1, 0.123 })
+  {
+    chain.displace->SetHeight(height);
+    chain.simplify->Update();
+    ASSERT_EQ(chain.simplify->GetErrorCode(), 0u);
+    Chain fresh(sphere());
+    fresh.displace->SetHeight(height);
+    fresh.simplify->Update();
+    expectSameMesh(chain.simplify->GetOutput(), fresh.simplify->GetOutput());
+    expectSameMesh(chain.displace->GetOutput(), fresh.displace->GetOutput());
+    vtkPolyData* now = chain.displace->GetOutput();
+    if (!held.empty())
+    {
+      vtkPolyData* last = held.back();
+      EXPECT_EQ(now->GetPolys(), last->GetPolys());
+      for (const char* name : { "StellarRoot", "StellarPath", "StellarGen" })
+      {
+        EXPECT_EQ(now->GetCellData()->GetArray(name), last->GetCellData()->GetArray(name)) << name;
+      }
+      for (const char* name : { "CurveId", "CurveParam" })
+      {
+        EXPECT_EQ(now->GetPointData()->GetArray(name), last->GetPointData()->GetArray(name)) << name;
+      }
+      EXPECT_NE(now->GetPoints(), last->GetPoints());
+    }
+    // Only the arrays are held: the forest is made the one after the next.
+    held.push_back(vtkSmartPointer<vtkPolyData>::New());
+    held.back()->ShallowCopy(now);
+    copies.push_back(cold(now));
+  }
+  EXPECT_EQ(chain.displace->GetDistanceCount(), 1);
+  for (std::size_t i = 0; i < held.size(); ++i)
+  {
+    SCOPED_TRACE(i);
+    expectSameMesh(held[i], copies[i]);
+    vtkSmartPointer<vtkPolyData> made[2];
+    for (const bool known : { true, false })
+    {
+      vtkNew<vtkOversketchStellarSimplify> simplify;
+      simplify->SetInputData(0, known ? held[i] : copies[i]);
+      simplify->SetInputData(1, chain.curves->GetOutput());
+      simplify->SetRadius(0.15);
+      simplify->Update();
+      made[known] = cold(simplify->GetOutput());
+    }
+    expectSameMesh(made[0], made[1]);
+  }
+}

@@ -1,0 +1,110 @@
+#include "vtkOversketchStellarTools.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace oversketch
+{
+
+int RunCurveStep(vtkAlgorithm* filter,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs,
+  const std::function<void(const CurveStep& step)>& run)
+{
+  return RunFilter(filter,
+    [&]
+    {
+      const Context context = ContextOf(filter);
+      const CurveStep step{ vtkPolyData::GetData(inputs[0]),
+        vtkPolyData::GetData(inputs[1]),
+        vtkPolyData::GetData(outputs),
+        filter->GetNumberOfInputPorts() > 2 ? vtkPolyData::GetData(inputs[2]) : nullptr,
+        context };
+      if (step.mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      if (step.curves->GetNumberOfPoints() == 0)
+      {
+        SharedForest(step.mesh, context); // refuses what is none
+        step.output->ShallowCopy(step.mesh);
+        return;
+      }
+      run(step);
+    });
+}
+
+void StellarStep::Provide(const StepKey& key,
+  vtkPolyData* input,
+  vtkPolyData* output,
+  const std::function<Made()>& make)
+{
+  if (!this->Stem || this->Key != key)
+  {
+    *this = StellarStep(); // so that nothing stale is left when making fails
+    Made made = make();
+    this->After = made.forest;
+    this->Arrays = CarriedArrays(std::move(made.origins));
+    this->Turns = made.turns;
+    this->Stem = StellarPolyData(
+      this->After, made.digest, made.sameCells ? input : nullptr, made.forest == this->Before, made.curvesOf);
+    this->Key = key;
+  }
+  output->ShallowCopy(this->Stem);
+  if (this->Turns && input->GetPointData()->GetNormals())
+  {
+    this->Arrays.Turn(turnsOf(*this->Before, *this->After));
+    this->Turns = false;
+  }
+  this->Arrays.Carry(input, output);
+}
+
+void StellarStep::Provide(vtkPolyData* input,
+  const std::vector<MeshKey>& otherInputs,
+  const std::vector<double>& values,
+  const FeatureCurves* curves,
+  Motion motion,
+  vtkPolyData* output,
+  const Context& context,
+  const Change& change)
+{
+  std::vector<MeshKey> inputs{ StellarKey(input) };
+  inputs.insert(inputs.end(), otherInputs.begin(), otherInputs.end());
+  // Of inputs that are as they were, forest and curves are known to fit.
+  const StepKey inputsKey(inputs, {});
+  const auto known = this->InputsKey == inputsKey ? this->Before : nullptr;
+  const auto last = known ? this->Stem : nullptr;
+  this->Provide(StepKey(inputs, values),
+    input,
+    output,
+    [&]
+    {
+      this->Before = known ? known : SharedForest(input, context);
+      Made made;
+      made.turns = motion == Motion::Rise;
+      made.curvesOf = made.turns ? last : nullptr; // the stroke has ended in both
+      const Forest& before = *this->Before;
+      if (curves && !known)
+      {
+        RequireSameCurves(input, before, *curves);
+      }
+      this->InputsKey = inputsKey;
+      std::optional<Forest> changed = change(before);
+      made.forest = changed ? std::make_shared<const Forest>(std::move(*changed)) : this->Before;
+      made.origins = originsOf(before, *made.forest, motion == Motion::Slide);
+      made.sameCells = before.faces.size() == made.forest->faces.size();
+      if (motion != Motion::Rise) // what rises ends the stroke
+      {
+        made.digest = curves ? digest(*curves) : WholeNumber(input->GetFieldData(), "CurveDigest");
+      }
+      if (made.digest && !HasSnapped(*made.forest))
+      {
+        made.digest = std::nullopt;
+      }
+      return made;
+    });
+}
+
+} // namespace oversketch

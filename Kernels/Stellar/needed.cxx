@@ -1,0 +1,125 @@
+#include "Stellar/needed.h"
+
+#include "Mesh/context.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace oversketch
+{
+
+void NeededVertices::add(const Forest& forest,
+  int curve,
+  const std::vector<Reached>& reached,
+  const Passage& passage)
+{
+  for (const Reached& r : reached)
+  {
+    this->why[r.vertex] |= Within;
+  }
+  this->passed.push_back(passage.faces(curve));
+  for (const int f : this->passed.back())
+  {
+    for (const int v : forest.faces[f].v)
+    {
+      this->why[v] |= Passed;
+    }
+  }
+  this->touched.push_back(passage.touched(curve));
+  this->parts.push_back(passage.parts(curve));
+}
+
+NeededVertices neededVertices(const Forest& forest,
+  const FeatureCurves& curves,
+  const ReachOptions& options,
+  const Context& context)
+{
+  NeededVertices needed(forest);
+  const CurveSearch search(curves);
+  const Passage passage(forest, search, context);
+  CurveReach reach(forest, search);
+  for (int k = 0; k < static_cast<int>(curves.size()); ++k)
+  {
+    const ReachOptions own{ curves[k].radius.value_or(options.radius), options.kind, options.connectedOnly };
+    needed.add(forest, k, reach.find(k, passage.faces(k), own, context), passage);
+  }
+  return needed;
+}
+
+bool stillNeeded(const Forest& before,
+  const NeededVertices& needed,
+  const Forest& after,
+  const std::vector<int>& changing,
+  const std::vector<int>& faces,
+  const FeatureCurves& curves,
+  const ReachOptions& options,
+  const Context& context)
+{
+  const auto isEmpty = [](const std::vector<int>& touched) { return touched.empty(); };
+  if (options.kind != CurveDistance::Straight ||
+      std::any_of(needed.touched.begin(), needed.touched.end(), isEmpty))
+  {
+    return false;
+  }
+  const CurveSearch search(curves);
+  const int count = static_cast<int>(curves.size());
+  std::vector<char> off(before.vertices.size(), 0);
+  std::atomic<bool> same{ true };
+  context.parallelFor(static_cast<int>(changing.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end && same && !context.cancelled(); ++i)
+      {
+        const int v = changing[i];
+        const Forest::Vertex& vertex = before.vertices[v];
+        const Vector3 to = putBack(after, v);
+        off[v] = to != vertex.position;
+        // What was snapped was at distance 0 by its name, which it has no longer.
+        for (int k = 0; k < count && (off[v] || vertex.curveId >= 0); ++k)
+        {
+          const double radius = curves[k].radius.value_or(options.radius);
+          const auto within = [&](const Vector3& at)
+          { return std::isfinite(search.nearest(k, at, radius).distance); };
+          same = same && (vertex.curveId == k || within(vertex.position)) == within(to);
+        }
+      }
+    });
+  context.checkpoint(0.1);
+  context.parallelFor(static_cast<int>(faces.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end && same && !context.cancelled(); ++i)
+      {
+        const int* c = before.faces[faces[i]].v;
+        for (int k = 0; k < count && (off[c[0]] || off[c[1]] || off[c[2]]); ++k)
+        {
+          const std::vector<int>& known = needed.touched[k];
+          same =
+            same && touches(search, k, putBack(after, c[0]), putBack(after, c[1]), putBack(after, c[2])) ==
+                      std::binary_search(known.begin(), known.end(), faces[i]);
+        }
+      }
+    });
+  context.checkpoint(0.2);
+  for (int k = 0; same && k < count; ++k)
+  {
+    same = passedPutBack(after, search, k, needed.touched[k], needed.parts[k]) == needed.passed[k];
+  }
+  return same;
+}
+
+std::vector<int> marked(const std::vector<char>& marks)
+{
+  std::vector<int> all;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    if (marks[i])
+    {
+      all.push_back(static_cast<int>(i));
+    }
+  }
+  return all;
+}
+
+} // namespace oversketch

@@ -1,0 +1,56 @@
+// Vertices of a 4-8 mesh that feature curves need, which simplification keeps.
+#ifndef oversketch_stellar_needed_h
+#define oversketch_stellar_needed_h
+
+#include "Stellar/distance.h"
+#include "Stellar/passage.h"
+
+#include <vector>
+
+namespace oversketch
+{
+
+struct Context;
+
+struct NeededVertices
+{
+  enum Why : char
+  {
+    Within = 1, // the radius of a curve
+    Passed = 2  // of a face that a curve passes through
+  };
+  std::vector<char> why;                                // per vertex, a sum
+  std::vector<std::vector<int>> passed, touched, parts; // per curve, see Passage
+
+  NeededVertices() = default;
+  explicit NeededVertices(const Forest& forest)
+    : why(forest.vertices.size(), 0)
+  {
+  }
+  // What the next curve needs.
+  void add(const Forest& forest, int curve, const std::vector<Reached>& reached, const Passage& passage);
+};
+
+// Of all curves; `options`: of those without a radius of their own.
+NeededVertices neededVertices(const Forest& forest,
+  const FeatureCurves& curves,
+  const ReachOptions& options,
+  const Context& context);
+
+// Whether curves need of `after`, its vertices put back, what they need of `before`, which it was before a
+// displacement wrote the vertices `changing`; `faces`: round those. Looks only at what is not as it was to
+// the bit; false also where that does not tell.
+bool stillNeeded(const Forest& before,
+  const NeededVertices& needed,
+  const Forest& after,
+  const std::vector<int>& changing,
+  const std::vector<int>& faces,
+  const FeatureCurves& curves,
+  const ReachOptions& options,
+  const Context& context);
+
+// Which are marked, ascending.
+std::vector<int> marked(const std::vector<char>& marks);
+
+} // namespace oversketch
+#endif
