@@ -19,7 +19,9 @@ namespace oversketch
 namespace
 {
 
-constexpr double onSource = 1e-9; // diagonals
+constexpr double onSource = 1e-9;  // diagonals
+constexpr double wellWithin = 0.8; // radii: where a curve hides the foot of another
+constexpr double steepCrest = 2.0; // the sharpness above which edges at the crest are too long
 
 // A face as it was marked; what was split since is another one.
 struct Mark
@@ -43,9 +45,9 @@ Demand demandOf(const FeatureCurve& curve, const RefineOptions& options)
     options.targetEdgeLength };
   if (!(d.edgeLength > 0.0))
   {
-    const bool steep = options.fineFoot && !options.profile && d.sharpness < 1.0;
-    d.edgeLength = d.radius * (steep ? 0.125 : 0.25);
-    d.footLength = steep ? d.radius * 0.03125 : d.footLength;
+    const bool published = !options.fineFoot || options.profile, steepFoot = d.sharpness < 1.0;
+    d.edgeLength = d.radius * (!published && (steepFoot || d.sharpness > steepCrest) ? 0.125 : 0.25);
+    d.footLength = !published && steepFoot ? d.radius * 0.03125 : d.footLength;
   }
   return d;
 }
@@ -78,19 +80,21 @@ public:
     , FacesBefore(forest.faceCount())
     , LastReached(curves.size())
   {
+    std::transform(curves.begin(),
+      curves.end(),
+      std::back_inserter(this->Demands),
+      [&](const FeatureCurve& curve) { return demandOf(curve, options); });
   }
 
   // Faces to split, ascending.
   std::vector<Mark> marks()
   {
+    this->cover();
     std::vector<Wish> wishes;
-    for (int k = 0; k < static_cast<int>(this->Search.curves().size()); ++k)
+    for (int k = 0; k < static_cast<int>(this->Demands.size()); ++k)
     {
-      const Demand demand = demandOf(this->Search.curves()[k], this->Options);
-      const std::vector<Reached>& reached = this->Reach.find(k,
-        this->Passes.faces(k),
-        { demand.radius, this->Options.distance, this->Options.connectedOnly },
-        this->Run);
+      const Demand& demand = this->Demands[k];
+      const std::vector<Reached>& reached = this->reach(k);
       std::vector<int> vertices(reached.size());
       std::transform(
         reached.begin(), reached.end(), vertices.begin(), [](const Reached& r) { return r.vertex; });
@@ -155,6 +159,34 @@ public:
   }
 
 private:
+  const std::vector<Reached>& reach(int k)
+  {
+    return this->Reach.find(k,
+      this->Passes.faces(k),
+      { this->Demands[k].radius, this->Options.distance, this->Options.connectedOnly },
+      this->Run);
+  }
+
+  // Marks what lies well within any curve's reach, where it matters.
+  void cover()
+  {
+    this->Covered.clear();
+    if (this->Demands.size() < 2 || std::none_of(this->Demands.begin(),
+                                      this->Demands.end(),
+                                      [](const Demand& demand) { return std::isfinite(demand.footLength); }))
+    {
+      return;
+    }
+    this->Covered.resize(this->Mesh.vertices.size(), 0);
+    for (int k = 0; k < static_cast<int>(this->Demands.size()); ++k)
+    {
+      for (const Reached& reached : this->reach(k))
+      {
+        this->Covered[reached.vertex] |= reached.distance < wellWithin * this->Demands[k].radius;
+      }
+    }
+  }
+
   // Calls look(face) for those that curve k may ask of, some more than once: where it reaches a corner, and
   // where it passes. Once that is done, only for those made since, and where what it reaches has changed;
   // the others have not asked and know nothing new, unless a front measures anew.
@@ -219,11 +251,13 @@ private:
 
   bool isReached(int v) const { return std::isfinite(this->Reach.distance(v)); }
 
-  // Whether the feature ends within a face.
+  // Whether the feature ends within a face, and not in the midst of another curve's, which is nearer there.
   bool isFoot(const Forest::Face& face) const
   {
     const auto reached = [this](int v) { return this->isReached(v); };
-    return std::any_of(face.v, face.v + 3, reached) && !std::all_of(face.v, face.v + 3, reached);
+    const auto covered = [this](int v) { return !this->Covered.empty() && this->Covered[v] != 0; };
+    return std::any_of(face.v, face.v + 3, reached) && !std::all_of(face.v, face.v + 3, reached) &&
+           !std::all_of(face.v, face.v + 3, covered);
   }
 
   bool asks(int f, const Demand& demand) const
@@ -262,6 +296,8 @@ private:
   Passage Passes;
   CurveReach Reach;
   int FacesBefore;
+  std::vector<Demand> Demands;               // of each curve
+  std::vector<char> Covered;                 // per vertex; empty where no foot can be hidden
   std::vector<std::vector<int>> LastReached; // vertices, for each curve
   std::vector<int> Born;                     // faces that the last splits made; none before the first
 };
