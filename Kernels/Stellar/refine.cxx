@@ -3,6 +3,7 @@
 #include "Mesh/context.h"
 #include "Stellar/leaves.h"
 #include "Stellar/passage.h"
+#include "Stellar/quality.h"
 
 #include <algorithm>
 #include <cassert>
@@ -20,6 +21,7 @@ namespace
 {
 
 constexpr double onSource = 1e-9;  // diagonals
+constexpr double needle = 2.5;     // degrees, see SourceOptions
 constexpr double wellWithin = 0.8; // radii: where a curve hides the foot of another
 constexpr double steepCrest = 2.0; // the sharpness above which edges at the crest are too long
 
@@ -330,6 +332,26 @@ void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& option
   }
 }
 
+// Splits a face, unless that makes needles of what was none: where the way back to the source leads far
+// aside.
+void refineWithCare(Forest& forest, int f, const MidpointRule& rule, std::vector<Forest::Birth>& births)
+{
+  std::vector<Forest::Birth> own;
+  forest.refine(f, rule, &own);
+  const double after = narrowestOf(forest, own);
+  if (after < squaredSine(needle))
+  {
+    weldBack(forest, own);
+    if (after < narrowestOf(forest, own))
+    {
+      return;
+    }
+    own.clear();
+    forest.refine(f, rule, &own);
+  }
+  births.insert(births.end(), own.begin(), own.end());
+}
+
 } // namespace
 
 void checkSnapped(const Forest& forest, const FeatureCurves& curves)
@@ -415,10 +437,23 @@ Forest refineToSource(const Forest& forest,
     const auto at = [&](int k) -> const Vector3& { return work.vertices[face.v[k]].position; };
     const SourcePlace middles[] = { { face.root, 0.5 * (weights[1] + weights[2]), 0.5 * (at(1) + at(2)) },
       { face.root, (weights[0] + weights[1] + weights[2]) / 3.0, (at(0) + at(1) + at(2)) / 3.0 } };
+    // The way back may lead aside of a middle, which is no deviation: how far it is from the leaves there.
+    const auto farFrom = [&](int g, const Vector3& place)
+    {
+      const int* v = work.faces[g].v;
+      return distanceToTriangle(place,
+               work.vertices[v[0]].position,
+               work.vertices[v[1]].position,
+               work.vertices[v[2]].position) > options.tolerance;
+    };
     return std::any_of(std::begin(middles),
       std::end(middles),
       [&](const SourcePlace& middle)
-      { return (source(middle) - middle.position).norm() > options.tolerance; });
+      {
+        const Vector3 place = source(middle);
+        return farFrom(f, place) &&
+               std::all_of(face.n, face.n + 3, [&](int g) { return g < 0 || farFrom(g, place); });
+      });
   };
   std::vector<int> faces(work.faces.size());
   std::iota(faces.begin(), faces.end(), 0);
@@ -438,7 +473,7 @@ Forest refineToSource(const Forest& forest,
     {
       if (work.faces[mark.face].path == mark.path)
       {
-        work.refine(mark.face, rule, &births);
+        refineWithCare(work, mark.face, rule, births);
       }
       checkFaceCount(work.faceCount() - forest.faceCount(), options.maximumFaces);
     }
