@@ -1,0 +1,107 @@
+// How the steps over a 4-8 mesh run, and what they keep; the mesh itself is vtkOversketchStellarTools.cxx's.
+#include "vtkOversketchStellarTools.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <utility>
+
+namespace oversketch
+{
+
+int RunCurveStep(vtkAlgorithm* filter,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs,
+  const std::function<void(const CurveStep& step)>& run)
+{
+  return RunFilter(filter,
+    [&]
+    {
+      const Context context = ContextOf(filter);
+      const CurveStep step{ vtkPolyData::GetData(inputs[0]),
+        vtkPolyData::GetData(inputs[1]),
+        vtkPolyData::GetData(outputs),
+        filter->GetNumberOfInputPorts() > 2 ? vtkPolyData::GetData(inputs[2]) : nullptr,
+        context };
+      if (step.mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      if (step.curves->GetNumberOfPoints() == 0)
+      {
+        SharedForest(step.mesh, context); // refuses what is none
+        step.output->ShallowCopy(step.mesh);
+        return;
+      }
+      run(step);
+    });
+}
+
+void StellarStep::Provide(const StepKey& key,
+  vtkPolyData* input,
+  vtkPolyData* output,
+  const std::function<Made()>& make)
+{
+  if (!this->Stem || this->Key != key)
+  {
+    *this = StellarStep(); // so that nothing stale is left when making fails
+    Made made = make();
+    this->After = made.forest;
+    this->Arrays = CarriedArrays(std::move(made.origins));
+    this->Turns = made.turns;
+    this->Stem = StellarPolyData(
+      this->After, made.digest, made.sameCells ? input : nullptr, made.forest == this->Before);
+    this->Key = key;
+  }
+  output->ShallowCopy(this->Stem);
+  if (this->Turns && input->GetPointData()->GetNormals())
+  {
+    this->Arrays.Turn(turnsOf(*this->Before, *this->After));
+    this->Turns = false;
+  }
+  this->Arrays.Carry(input, output);
+}
+
+void StellarStep::Provide(vtkPolyData* input,
+  const std::vector<MeshKey>& otherInputs,
+  const std::vector<double>& values,
+  const FeatureCurves* curves,
+  Motion motion,
+  vtkPolyData* output,
+  const Context& context,
+  const Change& change)
+{
+  std::vector<MeshKey> inputs{ StellarKey(input) };
+  inputs.insert(inputs.end(), otherInputs.begin(), otherInputs.end());
+  this->Provide(StepKey(inputs, values),
+    input,
+    output,
+    [&]
+    {
+      this->Before = SharedForest(input, context);
+      Made made;
+      made.turns = motion == Motion::Rise;
+      const Forest& before = *this->Before;
+      if (curves)
+      {
+        RequireSameCurves(input, before, *curves);
+      }
+      std::optional<Forest> changed = change(before);
+      made.forest = changed ? std::make_shared<const Forest>(std::move(*changed)) : this->Before;
+      made.origins = originsOf(before, *made.forest, motion == Motion::Slide);
+      made.sameCells = before.faces.size() == made.forest->faces.size();
+      if (motion != Motion::Rise) // what rises ends the stroke
+      {
+        made.digest = curves ? digest(*curves) : WholeNumber(input->GetFieldData(), "CurveDigest");
+      }
+      if (made.digest && !HasSnapped(*made.forest))
+      {
+        made.digest = std::nullopt;
+      }
+      return made;
+    });
+}
+
+} // namespace oversketch
