@@ -181,7 +181,8 @@ SystemRow augment()
     length(parameter<System>("TargetEdgeLength",
       "edge-length",
       "Longest edge",
-      "split longer edges near strokes; 0 for a quarter of the radius, an eighth with a sharpness below 1",
+      "split longer edges near strokes; 0 for a quarter of the radius, an eighth with a sharpness below 1 or "
+      "above 2",
       &System::SetTargetEdgeLength,
       &System::GetTargetEdgeLength)),
     parameter<System>("OneByOne",

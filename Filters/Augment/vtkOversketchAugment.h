@@ -28,7 +28,7 @@
  * BadStroke where there is no stroke. An empty mesh gives an empty output silently. A run that AbortExecute
  * stopped needs Modified() before the next.
  *
- * Demand-driven: another height, sharpness (on the same side of 1) or profile runs {Displace} and on, a
+ * Demand-driven: another height, sharpness (on the same side of 1 and 2) or profile runs {Displace} and on, a
  * radius {Curves} and {Refine} too, a stroke no {Base}, a changed attribute array no step. Deterministic.
  *
  * @sa vtkOversketchStellarBase vtkOversketchSurfaceStroke vtkOversketchOneStroke
@@ -164,7 +164,7 @@ public:
   ///@{
   /**
    * Edges near strokes that are longer than this are split [model length, default 0: a quarter of the radius,
-   * an eighth with a sharpness below 1].
+   * an eighth with a sharpness below 1 or above 2].
    */
   vtkSetMacro(TargetEdgeLength, double);
   vtkGetMacro(TargetEdgeLength, double);

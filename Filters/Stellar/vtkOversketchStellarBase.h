@@ -6,7 +6,9 @@
  * over common edges, the longest first (Velho 2000), and those that stay alone cut into thirds at their
  * barycentre. Departure (ImprovePairs): partners are exchanged along short paths until hardly any stays
  * alone. Simplified, a mesh is made coarse first, by Velho's clusters of four faces, and keeps the way back
- * (after MAPS, Lee and others 1998): what is refined again follows the surface that came in.
+ * (after MAPS, Lee and others 1998): what is refined again follows the surface that came in. Departure: no
+ * needles are made on the way (angles under 15 degrees of the coarse mesh, under 2.5 where it is refined
+ * again); where that forbids a split the base stays farther from the mesh than SourceTolerance.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; a manifold with one orientation, with borders or without. A
  * sound 4-8 mesh goes through as it is. Of one whose Stellar arrays do not fit it any more a new base is

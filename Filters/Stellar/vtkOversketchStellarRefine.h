@@ -103,7 +103,8 @@ public:
   ///@{
   /**
    * Where TargetEdgeLength is 0 and the sharpness below 1: an eighth of the radius, and a thirty-second where
-   * the feature ends, which leaves no saw-teeth at the foot [default on; as published: off].
+   * the feature ends and no other curve is nearer, which leaves no saw-teeth at the foot; above 2 an eighth,
+   * or the crest's flanks look torn [default on; as published: off].
    */
   vtkSetMacro(FineFoot, bool);
   vtkGetMacro(FineFoot, bool);

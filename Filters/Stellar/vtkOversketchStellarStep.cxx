@@ -1,3 +1,4 @@
+// How the steps over a 4-8 mesh run, and what they keep; the mesh itself is vtkOversketchStellarTools.cxx's.
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkAlgorithm.h"

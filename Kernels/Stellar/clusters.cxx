@@ -16,6 +16,7 @@ namespace
 
 const double featureCosine = std::sqrt(0.5); // 45 degrees
 constexpr double straightCosine = 0.996;     // 5 degrees: a boundary that turns by less is straight
+const double needleCosine = std::cos(15.0 * std::acos(-1.0) / 180.0);
 
 struct Ring
 {
@@ -212,6 +213,19 @@ private:
     return true;
   }
 
+  // Whether no new face is narrower than what is allowed, or than the narrowest of the old ones.
+  bool keepsAngles(const std::vector<Triangle>& made, const std::vector<int>& old) const
+  {
+    double allowed = needleCosine;
+    for (int f : old)
+    {
+      allowed = std::max(allowed, smallestCosineOf(this->points(), this->Result.original.faces[f]));
+    }
+    return std::all_of(made.begin(),
+      made.end(),
+      [&](const Triangle& t) { return smallestCosineOf(this->points(), t) <= allowed; });
+  }
+
   void replace(const std::vector<int>& old,
     const std::vector<std::pair<int, Vector2>>& flat,
     const std::vector<Triangle>& made,
@@ -253,7 +267,7 @@ private:
       const double angle =
         std::max(smallestCosineOf(this->points(), faces[0]), smallestCosineOf(this->points(), faces[1]));
       if (angle >= best || this->Around[v].size() < 4 || this->hasEdge(before, after) ||
-          !this->keepsSides(faces, two))
+          !this->keepsSides(faces, two) || !this->keepsAngles(faces, two))
       {
         continue;
       }
@@ -331,7 +345,8 @@ private:
         distanceToTriangle(
           this->points()[w], this->points()[t[0]], this->points()[t[1]], this->points()[t[2]]));
     }
-    return this->keepsSides(made, ring.faces) ? error : std::numeric_limits<double>::infinity();
+    const bool sound = this->keepsSides(made, ring.faces) && this->keepsAngles(made, ring.faces);
+    return sound ? error : std::numeric_limits<double>::infinity();
   }
 
   bool isStraight(int w, const Ring& ring) const

@@ -254,6 +254,31 @@ TEST(D6_2, RealSurfacesComeBack)
   }
 }
 
+// A needle of the base stays one whatever is split: none comes that was not there.
+TEST(Clusters, NoNeedlesComeThatWereNotThere)
+{
+  int looked = 0;
+  for (const char* name : { "bunny_5k.obj", "cat.off", "hand_closed.obj", "armadillo_29k.obj" })
+  {
+    const Mesh mesh = sharedMesh(name);
+    if (mesh.triangles.empty())
+    {
+      continue;
+    }
+    ++looked;
+    const Mesh made = simplifyByClusters(mesh, {}, Context()).mesh;
+    EXPECT_GE(smallestAngle(made), std::min(15.0, smallestAngle(mesh)) - 1e-9) << name;
+    EXPECT_LE(made.triangleCount(), mesh.triangleCount() / 4 + 2) << name;
+  }
+  const Mesh plane = jitteredPlane();
+  EXPECT_GE(smallestAngle(simplifyByClusters(plane, {}, Context()).mesh),
+    std::min(15.0, smallestAngle(plane)) - 1e-9);
+  if (looked == 0)
+  {
+    GTEST_SKIP() << "no shared data";
+  }
+}
+
 TEST(Clusters, FeaturesBoundariesAndBoundsHold)
 {
   // A box of finely divided sides: only what is inside the sides and along the boundary of a plane may go.

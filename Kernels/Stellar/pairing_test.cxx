@@ -127,12 +127,7 @@ TEST(Pairing, PiecesKeepThreeFifthsOfTheSmallestAngle)
   {
     GTEST_SKIP() << "no shared data";
   }
-  double own = 1.0;
-  for (const Triangle& t : mesh.triangles)
-  {
-    own = std::min(own, narrowness(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
-  }
-  const double smallest = std::asin(std::sqrt(own)) * 180.0 / std::acos(-1.0);
+  const double smallest = smallestAngle(mesh);
   const auto pieces = [&](bool improve)
   {
     PairingOptions options;

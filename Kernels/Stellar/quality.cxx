@@ -94,6 +94,36 @@ bool mayMove(const Forest& forest,
   return after >= before;
 }
 
+double narrowestOf(const Forest& forest, const std::vector<Forest::Birth>& births)
+{
+  double least = 1.0;
+  for (const Forest::Birth& birth : births)
+  {
+    for (const int f : { birth.parent, birth.child })
+    {
+      if (forest.isFace(f))
+      {
+        const int* v = forest.faces[f].v;
+        least = std::min(least,
+          narrowness(
+            forest.vertices[v[0]].position, forest.vertices[v[1]].position, forest.vertices[v[2]].position));
+      }
+    }
+  }
+  return least;
+}
+
+void weldBack(Forest& forest, const std::vector<Forest::Birth>& births)
+{
+  for (auto birth = births.rbegin(); birth != births.rend(); ++birth)
+  {
+    if (forest.isVertex(birth->vertex)) // not gone with its twin
+    {
+      forest.weld(birth->vertex);
+    }
+  }
+}
+
 FaceQuality faceQuality(const Forest& forest, const Context& context)
 {
   struct Part

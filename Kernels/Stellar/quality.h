@@ -24,6 +24,11 @@ bool mayMove(const Forest& forest,
   double minimumAngle,
   const std::vector<Vector3>* first = nullptr);
 
+// Of the faces that splits left in their slots.
+double narrowestOf(const Forest& forest, const std::vector<Forest::Birth>& births);
+// Undoes splits that nothing was split after.
+void weldBack(Forest& forest, const std::vector<Forest::Birth>& births);
+
 struct FaceQuality
 {
   double smallestAngle = 60.0; // [degrees], of all faces

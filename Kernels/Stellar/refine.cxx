@@ -3,6 +3,7 @@
 #include "Mesh/context.h"
 #include "Stellar/leaves.h"
 #include "Stellar/passage.h"
+#include "Stellar/quality.h"
 
 #include <algorithm>
 #include <cassert>
@@ -19,7 +20,10 @@ namespace oversketch
 namespace
 {
 
-constexpr double onSource = 1e-9; // diagonals
+constexpr double onSource = 1e-9;  // diagonals
+constexpr double needle = 2.5;     // degrees, see SourceOptions
+constexpr double wellWithin = 0.8; // radii: where a curve hides the foot of another
+constexpr double steepCrest = 2.0; // the sharpness above which edges at the crest are too long
 
 // A face as it was marked; what was split since is another one.
 struct Mark
@@ -43,9 +47,9 @@ Demand demandOf(const FeatureCurve& curve, const RefineOptions& options)
     options.targetEdgeLength };
   if (!(d.edgeLength > 0.0))
   {
-    const bool steep = options.fineFoot && !options.profile && d.sharpness < 1.0;
-    d.edgeLength = d.radius * (steep ? 0.125 : 0.25);
-    d.footLength = steep ? d.radius * 0.03125 : d.footLength;
+    const bool published = !options.fineFoot || options.profile, steepFoot = d.sharpness < 1.0;
+    d.edgeLength = d.radius * (!published && (steepFoot || d.sharpness > steepCrest) ? 0.125 : 0.25);
+    d.footLength = !published && steepFoot ? d.radius * 0.03125 : d.footLength;
   }
   return d;
 }
@@ -78,19 +82,21 @@ public:
     , FacesBefore(forest.faceCount())
     , LastReached(curves.size())
   {
+    std::transform(curves.begin(),
+      curves.end(),
+      std::back_inserter(this->Demands),
+      [&](const FeatureCurve& curve) { return demandOf(curve, options); });
   }
 
   // Faces to split, ascending.
   std::vector<Mark> marks()
   {
+    this->cover();
     std::vector<Wish> wishes;
-    for (int k = 0; k < static_cast<int>(this->Search.curves().size()); ++k)
+    for (int k = 0; k < static_cast<int>(this->Demands.size()); ++k)
     {
-      const Demand demand = demandOf(this->Search.curves()[k], this->Options);
-      const std::vector<Reached>& reached = this->Reach.find(k,
-        this->Passes.faces(k),
-        { demand.radius, this->Options.distance, this->Options.connectedOnly },
-        this->Run);
+      const Demand& demand = this->Demands[k];
+      const std::vector<Reached>& reached = this->reach(k);
       std::vector<int> vertices(reached.size());
       std::transform(
         reached.begin(), reached.end(), vertices.begin(), [](const Reached& r) { return r.vertex; });
@@ -155,6 +161,34 @@ public:
   }
 
 private:
+  const std::vector<Reached>& reach(int k)
+  {
+    return this->Reach.find(k,
+      this->Passes.faces(k),
+      { this->Demands[k].radius, this->Options.distance, this->Options.connectedOnly },
+      this->Run);
+  }
+
+  // Marks what lies well within any curve's reach, where it matters.
+  void cover()
+  {
+    this->Covered.clear();
+    if (this->Demands.size() < 2 || std::none_of(this->Demands.begin(),
+                                      this->Demands.end(),
+                                      [](const Demand& demand) { return std::isfinite(demand.footLength); }))
+    {
+      return;
+    }
+    this->Covered.resize(this->Mesh.vertices.size(), 0);
+    for (int k = 0; k < static_cast<int>(this->Demands.size()); ++k)
+    {
+      for (const Reached& reached : this->reach(k))
+      {
+        this->Covered[reached.vertex] |= reached.distance < wellWithin * this->Demands[k].radius;
+      }
+    }
+  }
+
   // Calls look(face) for those that curve k may ask of, some more than once: where it reaches a corner, and
   // where it passes. Once that is done, only for those made since, and where what it reaches has changed;
   // the others have not asked and know nothing new, unless a front measures anew.
@@ -219,11 +253,13 @@ private:
 
   bool isReached(int v) const { return std::isfinite(this->Reach.distance(v)); }
 
-  // Whether the feature ends within a face.
+  // Whether the feature ends within a face, and not in the midst of another curve's, which is nearer there.
   bool isFoot(const Forest::Face& face) const
   {
     const auto reached = [this](int v) { return this->isReached(v); };
-    return std::any_of(face.v, face.v + 3, reached) && !std::all_of(face.v, face.v + 3, reached);
+    const auto covered = [this](int v) { return !this->Covered.empty() && this->Covered[v] != 0; };
+    return std::any_of(face.v, face.v + 3, reached) && !std::all_of(face.v, face.v + 3, reached) &&
+           !std::all_of(face.v, face.v + 3, covered);
   }
 
   bool asks(int f, const Demand& demand) const
@@ -262,6 +298,8 @@ private:
   Passage Passes;
   CurveReach Reach;
   int FacesBefore;
+  std::vector<Demand> Demands;               // of each curve
+  std::vector<char> Covered;                 // per vertex; empty where no foot can be hidden
   std::vector<std::vector<int>> LastReached; // vertices, for each curve
   std::vector<int> Born;                     // faces that the last splits made; none before the first
 };
@@ -292,6 +330,26 @@ void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& option
     throw Error(Failure::BadStroke,
       "MaxGeneration must be between 0 and " + std::to_string(Forest::maximumDepth) + ".");
   }
+}
+
+// Splits a face, unless that makes needles of what was none: where the way back to the source leads far
+// aside.
+void refineWithCare(Forest& forest, int f, const MidpointRule& rule, std::vector<Forest::Birth>& births)
+{
+  std::vector<Forest::Birth> own;
+  forest.refine(f, rule, &own);
+  const double after = narrowestOf(forest, own);
+  if (after < squaredSine(needle))
+  {
+    weldBack(forest, own);
+    if (after < narrowestOf(forest, own))
+    {
+      return;
+    }
+    own.clear();
+    forest.refine(f, rule, &own);
+  }
+  births.insert(births.end(), own.begin(), own.end());
 }
 
 } // namespace
@@ -379,10 +437,23 @@ Forest refineToSource(const Forest& forest,
     const auto at = [&](int k) -> const Vector3& { return work.vertices[face.v[k]].position; };
     const SourcePlace middles[] = { { face.root, 0.5 * (weights[1] + weights[2]), 0.5 * (at(1) + at(2)) },
       { face.root, (weights[0] + weights[1] + weights[2]) / 3.0, (at(0) + at(1) + at(2)) / 3.0 } };
+    // The way back may lead aside of a middle, which is no deviation: how far it is from the leaves there.
+    const auto farFrom = [&](int g, const Vector3& place)
+    {
+      const int* v = work.faces[g].v;
+      return distanceToTriangle(place,
+               work.vertices[v[0]].position,
+               work.vertices[v[1]].position,
+               work.vertices[v[2]].position) > options.tolerance;
+    };
     return std::any_of(std::begin(middles),
       std::end(middles),
       [&](const SourcePlace& middle)
-      { return (source(middle) - middle.position).norm() > options.tolerance; });
+      {
+        const Vector3 place = source(middle);
+        return farFrom(f, place) &&
+               std::all_of(face.n, face.n + 3, [&](int g) { return g < 0 || farFrom(g, place); });
+      });
   };
   std::vector<int> faces(work.faces.size());
   std::iota(faces.begin(), faces.end(), 0);
@@ -402,7 +473,7 @@ Forest refineToSource(const Forest& forest,
     {
       if (work.faces[mark.face].path == mark.path)
       {
-        work.refine(mark.face, rule, &births);
+        refineWithCare(work, mark.face, rule, births);
       }
       checkFaceCount(work.faceCount() - forest.faceCount(), options.maximumFaces);
     }

@@ -211,13 +211,15 @@ TEST(Refine, TargetLengthsFollowRadiusAndSharpness)
     }
     return longest;
   };
-  for (double sharp : { 1.0, 1.5 })
+  for (double sharp : { 1.0, 1.5, 2.0 })
   {
     EXPECT_LE(longestInside(sharp, true, {}), 0.025);
     EXPECT_GT(longestInside(sharp, true, {}), 0.0125);
   }
   EXPECT_LE(longestInside(0.3, true, {}), 0.0125);
   EXPECT_GT(longestInside(0.3, false, {}), 0.0125);
+  EXPECT_LE(longestInside(3.0, true, {}), 0.0125);
+  EXPECT_GT(longestInside(3.0, false, {}), 0.0125);
   EXPECT_LE(longestInside(1.5, true, 0.3), 0.0125); // the curve's own goes first
 }
 
@@ -251,6 +253,48 @@ TEST(Refine, TheFootOfASteepProfileIsFineAndNothingElse)
   EXPECT_LE(longest(0.5, true, false), 0.1 / 8);
   EXPECT_GT(longest(0.5, false, true), 0.1 / 8);
   EXPECT_GT(longest(1.0, true, true), 0.1 / 8);
+}
+
+// Two lines that cross: where one ends in the midst of the other there is no cliff, since the nearest counts.
+TEST(Refine, AFootInTheMidstOfAnotherCurveIsNone)
+{
+  const FeatureCurves curves{ featureCurve({ { 0.1, 0.31, 0 }, { 0.9, 0.31, 0 } }),
+    featureCurve({ { 0.47, 0.05, 0 }, { 0.47, 0.95, 0 } }) };
+  RefineOptions options;
+  options.radius = 0.1;
+  options.sharpness = 0.5;
+  const Forest forest = refined(quadForest(8, 8), curves, options);
+  const CurveSearch search(curves);
+  int hidden = 0, seen = 0;
+  for (const Forest::Face& face : forest.faces)
+  {
+    double least[3];
+    bool foot = false;
+    for (int k = 0; k < 2; ++k)
+    {
+      int inside = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        const double d = search.nearest(k, forest.vertices[face.v[i]].position).distance;
+        least[i] = k == 0 ? d : std::min(least[i], d);
+        inside += d < 0.1;
+      }
+      foot = foot || (inside > 0 && inside < 3);
+    }
+    const double farthest = *std::max_element(least, least + 3);
+    if (foot && farthest >= 0.1)
+    {
+      ++seen;
+      EXPECT_LE(refinementEdge(forest, face), 0.1 / 32);
+    }
+    else if (foot && farthest < 0.06) // beyond what the visible foot's fine faces spread to
+    {
+      ++hidden;
+      EXPECT_GT(refinementEdge(forest, face), 0.1 / 32);
+    }
+  }
+  EXPECT_GT(seen, 1000);
+  EXPECT_GT(hidden, 20);
 }
 
 TEST(Refine, TheProfileToleranceBoundsTheErrorOfEdges)

@@ -170,25 +170,6 @@ std::vector<int> Snapper::residual() const
   return left;
 }
 
-// Sine squared of the smallest angle of the faces that splits left in their slots.
-double Snapper::narrowestOf(const std::vector<Forest::Birth>& births) const
-{
-  double least = 1.0;
-  for (const Forest::Birth& birth : births)
-  {
-    for (const int f : { birth.parent, birth.child })
-    {
-      if (this->Mesh.isFace(f))
-      {
-        const int* v = this->Mesh.faces[f].v;
-        least = std::min(least,
-          narrowness(this->vertex(v[0]).position, this->vertex(v[1]).position, this->vertex(v[2]).position));
-      }
-    }
-  }
-  return least;
-}
-
 // Splits an edge and puts the new vertex where a curve crosses it, if the guard lets it.
 void Snapper::split(const EdgeCrossing& crossing,
   const MidpointRule& rule,
@@ -216,17 +197,14 @@ void Snapper::split(const EdgeCrossing& crossing,
   }
 }
 
-// Undoes splits that nothing was split after.
+// Undoes splits that nothing was split after; their crossings are none of later vertices of the same numbers.
 void Snapper::weldBack(const std::vector<Forest::Birth>& births)
 {
-  for (auto birth = births.rbegin(); birth != births.rend(); ++birth)
+  oversketch::weldBack(this->Mesh, births);
+  for (const Forest::Birth& birth : births)
   {
-    if (this->Mesh.isVertex(birth->vertex)) // not gone with its twin
-    {
-      this->Mesh.weld(birth->vertex);
-    }
     this->Moves.resize(this->Mesh.vertices.size(), 0);
-    ++this->Moves[birth->vertex]; // its crossings are none of a later vertex of the same number
+    ++this->Moves[birth.vertex];
   }
 }
 
@@ -243,12 +221,12 @@ void Snapper::splitWithCare(const EdgeCrossing& crossing,
   const SnapReport report = this->Report;
   std::vector<Forest::Birth> own;
   this->split(crossing, rule, own);
-  const double after = this->narrowestOf(own);
+  const double after = narrowestOf(this->Mesh, own);
   if (after < squaredSine(splitShare * this->Options.minimumAngle))
   {
     this->weldBack(own);
     this->Report = report;
-    const bool wider = after < this->narrowestOf(own);
+    const bool wider = after < narrowestOf(this->Mesh, own);
     own.clear();
     if (wider)
     {

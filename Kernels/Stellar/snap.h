@@ -44,9 +44,11 @@ struct SnapReport
 // Snaps vertices to curves and fills their curveId (the index in `curves`), curveParam, moved and baseNormal.
 // Vertices that are snapped already stay where they are. `source` places the middles of edges that residual
 // rounds split. Departures of Nearest from the paper, all from what its rule does to real meshes:
-// - Crossings are taken one by one. A crossing of curve k at t is ignored (A1) if an end of its edge, of length
-//   L, is snapped to k within L / 2 of t, or both ends are within 2 L of each other, or an end that is snapped
-//   to anything lies within L / 4 of it. A vertex within a billionth of an edge of a curve counts as snapped.
+// - Crossings are taken one by one. A crossing of curve k at t is ignored (A1) if an end of its edge, of
+// length
+//   L, is snapped to k within L / 2 of t, or both ends are within 2 L of each other, or an end that is
+//   snapped to anything lies within L / 4 of it. A vertex within a billionth of an edge of a curve counts as
+//   snapped.
 // - A vertex on the boundary or on a seam moves along that only, and not at all where it turns by over 45
 //   degrees, ends or branches.
 // - Where edges are crossed in the end, an end goes along a curve (ours): one that is on another curve to

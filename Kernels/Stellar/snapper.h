@@ -93,7 +93,6 @@ private:
   bool explained(const EdgeCrossing& crossing) const;
   void findAround(int v);
   std::vector<int> residual() const;
-  double narrowestOf(const std::vector<Forest::Birth>& births) const;
   void split(const EdgeCrossing& crossing, const MidpointRule& rule, std::vector<Forest::Birth>& births);
   void weldBack(const std::vector<Forest::Birth>& births);
   void splitWithCare(const EdgeCrossing& crossing,

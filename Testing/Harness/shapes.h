@@ -5,6 +5,7 @@
 #include "Mesh/mesh.h"
 #include "Mesh/view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -166,6 +167,29 @@ inline Mesh joined(const Mesh& a, const Mesh& b, const Vector3& shift)
   for (const Triangle& t : b.triangles)
     m.triangles.push_back({ t[0] + a.vertexCount(), t[1] + a.vertexCount(), t[2] + a.vertexCount() });
   return m;
+}
+
+// Of a triangle, and of all of a mesh [degrees].
+inline double smallestAngle(const Mesh& mesh, const Triangle& t)
+{
+  double smallest = pi;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 a = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]];
+    const Vector3 b = mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]];
+    smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
+  }
+  return smallest * 180.0 / pi;
+}
+
+inline double smallestAngle(const Mesh& mesh)
+{
+  double smallest = 60.0;
+  for (const Triangle& t : mesh.triangles)
+  {
+    smallest = std::min(smallest, smallestAngle(mesh, t));
+  }
+  return smallest;
 }
 
 } // namespace oversketch_test

@@ -156,6 +156,6 @@ classes = [getattr(oversketch, name) for name in dir(oversketch) if name.startsw
 classes = [kind for kind in classes if complete(kind)]
 assert len(classes) >= 16, classes
 total = sum(check(kind, kind.__name__[3:], "filters") for kind in classes)
-for name in ("OneStroke", "Silhouette"):
+for name in ("OneStroke", "Augment", "Terrain", "Silhouette"):
     total += check(getattr(oversketch, "vtkOversketch" + name), name, "oversketch_driven")
 print(f"{len(classes)} filters, {total} parameters")

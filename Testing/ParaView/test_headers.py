@@ -45,9 +45,16 @@ def header(folder, name="Toy", ports="Input 0 (Mesh): a mesh.", setters=COUNT, b
     return path
 
 
+def described(*paths):
+    return tree.fromstring("\n".join(make_proxies.filters([h for h in map(make_proxies.Header, paths) if h.filter])))
+
+
 def proxies(*paths):
-    root = tree.fromstring("\n".join(make_proxies.filters([h for h in map(make_proxies.Header, paths) if h.filter])))
-    return {proxy.get("name"): proxy for proxy in root.iter("SourceProxy")}
+    return {proxy.get("name"): proxy for proxy in described(*paths).iter("SourceProxy")}
+
+
+def filter_headers():
+    return [path for path in sorted(SOURCE.glob("Filters/*/vtkOversketch*.h")) if "_EXPORT vtkOversketch" in path.read_text()]
 
 
 def refusal(*paths):
@@ -106,8 +113,47 @@ def test_parameters_of_the_base_are_the_class_s_own(tmp_path):
     toy = header(tmp_path, "Toy", setters=size, base="vtkOversketchSystem")
     found = proxies(toy, tmp_path / "Room" / "vtkOversketchSystem.h")
     assert list(found) == ["OversketchToy"]
-    said = {each.get("name"): each.get("default_values") for each in found["OversketchToy"] if each.get("default_values")}
-    assert said == {"Size": "1.5", "Count": "3"}
+    assert [(name, default) for name, default, _ in said(found["OversketchToy"])] == [("Size", "1.5"), ("Count", "3")]
+
+
+def said(proxy):
+    """Name, default and domain of each parameter of a proxy."""
+    kinds = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty")
+    return [(each.get("name"), each.get("default_values"), [tree.tostring(part) for part in each]) for each in proxy if each.tag in kinds]
+
+
+def offered(*paths):
+    """The filters that ForEach has a choice of, each with its proxy."""
+    root = described(*paths)
+    choice, = root.findall(".//ProxyListDomain")
+    group, = [group for group in root.findall("ProxyGroup") if group.get("name") == "oversketch_driven"]
+    found = {each.get("name"): each for each in group}
+    assert list(found) == [each.get("name") for each in choice] and all(each.get("group") == "oversketch_driven" for each in choice)
+    return found
+
+
+def test_for_each_offers_what_a_model_and_one_thing_drawn_on_it_are_enough_for(tmp_path):
+    header(tmp_path, "System", "What all systems share.", abstract=True)
+    mesh, picture = "Input 0 (Mesh): a mesh.", "Input 2 (Picture{}, vtkImageData): a picture."
+    ports = {"Lines": [mesh, "Input 1 (Strokes): lines."], "Alone": ["Input 0 (Heights, vtkImageData): heights."],
+             "More": [mesh, "Input 1 (Lines): lines.", picture.format(", optional")],
+             "TooMany": [mesh, "Input 1 (Strokes): lines.", picture.format("")]}
+    paths = [header(tmp_path, name, "\n * ".join(lines), base="vtkOversketchSystem") for name, lines in ports.items()]
+    paths.append(header(tmp_path, "OneStroke", mesh + "\n * Input 1 (Stroke): a line."))
+    paths.append(header(tmp_path, "Step", mesh + "\n * Input 1 (Handles): handles."))
+    paths.append(header(tmp_path, "ForEach", "Input 0 (Models): models.\n * Input 1 (Strokes, optional): strokes."))
+    assert list(offered(*paths)) == ["OneStroke", "Lines", "Alone", "More"]
+
+
+def test_for_each_offers_every_system_with_the_parameters_of_its_own_proxy():
+    paths = filter_headers()
+    systems = {h.name for h in map(make_proxies.Header, paths)
+               if h.filter and h.base and h.base.name == "System" and sum(not port.optional for port in h.inputs) <= 2}
+    found, alone = offered(*paths), proxies(*paths)
+    assert {"OneStroke", "Augment", "Terrain"} <= systems and set(found) == systems | {"Silhouette"}
+    for name, proxy in found.items():
+        assert proxy.get("class") == "vtkOversketch" + name and proxy.find("InputProperty") is None
+        assert said(proxy) == said(alone["Oversketch" + name]) and (said(proxy) or name == "Silhouette"), name
 
 
 def test_stops_at_a_base_that_is_not_there(tmp_path):
@@ -115,5 +161,4 @@ def test_stops_at_a_base_that_is_not_there(tmp_path):
 
 
 def test_all_headers_are_understood():
-    paths = [path for path in sorted(SOURCE.glob("Filters/*/vtkOversketch*.h")) if "_EXPORT vtkOversketch" in path.read_text()]
-    assert len(proxies(*paths)) > 15
+    assert len(proxies(*filter_headers())) > 15

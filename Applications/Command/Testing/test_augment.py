@@ -8,7 +8,7 @@ import zipfile
 
 import numpy
 import pytest
-from vtkmodules.vtkFiltersCore import vtkMassProperties
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkMassProperties
 
 from scene import *  # noqa: F403
 
@@ -97,11 +97,100 @@ def test_bad_use(folder, tmp_path, more):
 
 @pytest.mark.parametrize("more, words", [
     (["--radius", "0"], "Radius"), (["--sharpness", "-1"], "Sharpness"), (["--profile", "0 1, 0.5"], "Profile"),
+    (["--profile", "0 1, 0.5 nan, 1 0"], "Point 1 of the profile is not two numbers"),
+    (["--profile", "0 1, nan 0.5, 1 0"], "Point 1 of the profile is not two numbers"),
+    (["--profile", "0 1, 0.5 inf, 1 0"], "Point 1 of the profile is not two numbers"),
+    (["--profile", "0 1, 0.6 0.5, 0.4 0.2, 1 0"], "Point 2 of the profile has an x that is not above the one before"),
+    (["--profile", "0 1, 0.5 0.5, 0.5 0.2, 1 0"], "Point 2 of the profile has an x that is not above the one before"),
+    (["--profile", "0.1 1, 1 0"], "Point 0 of the profile is not at x = 0"),
+    (["--edge-length", "1e-12"], "MaximumFaces"),
 ])
 def test_what_cannot_be_made_is_said_and_nothing_written(folder, tmp_path, more, words):
     said = refuse(1, "augment", folder / "body.vtp", folder / "line.vtp", "-o", tmp_path / "o.vtp", *more)
     assert words.lower() in said.lower()
     assert os.listdir(tmp_path) == []
+
+
+def test_radii_that_are_none(folder, tmp_path):
+    """Below 0 the default; one that reaches no point gives a mesh that is finer under the line and stays as high."""
+    usual = augment(folder, tmp_path / "usual.vtp")
+    for radius in ("-1", "-3%", "-1e300"):
+        assert digest(augment(folder, tmp_path / "negative.vtp", "--radius", radius)) == digest(usual)
+    before = read(folder / "body.vtp")
+    tiny = augment(folder, tmp_path / "tiny.vtp", "--radius", "1e-300")
+    assert tiny.GetNumberOfPolys() > before.GetNumberOfPolys() and numpy.isfinite(points_of(tiny)).all()
+    assert volume(tiny) == pytest.approx(volume(before), rel=1e-5)
+    # It is a 4-8 mesh that the next line goes on from, without a word.
+    done = run("augment", tmp_path / "tiny.vtp", folder / "line.vtp", "-o", tmp_path / "next.vtp")
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+
+
+def spoil(mesh, what):
+    """Changes a 4-8 mesh in its place."""
+    def put(data, name, at, value):
+        vtk_to_numpy(data.GetArray(name))[at] = value
+    if what == "cells reordered":
+        order = numpy.r_[1, 0, 2:mesh.GetNumberOfCells()]
+        vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)[:] = triangles_of(mesh)[order]
+        for name in ("StellarRoot", "StellarPath", "StellarGen"):
+            put(mesh.GetCellData(), name, slice(None), vtk_to_numpy(mesh.GetCellData().GetArray(name))[order])
+    elif what == "points cleaned":
+        clean = vtkCleanPolyData()
+        copy = vtkPolyData()
+        copy.DeepCopy(mesh)
+        clean.SetInputData(copy)
+        clean.SetTolerance(0.01)
+        clean.ConvertPolysToLinesOff()
+        clean.ConvertLinesToPointsOff()
+        clean.Update()
+        mesh.ShallowCopy(clean.GetOutput())
+    elif what == "digest":
+        put(mesh.GetFieldData(), "CurveDigest", 0, 7)
+    elif what == "parameter":
+        snapped = numpy.flatnonzero(vtk_to_numpy(mesh.GetPointData().GetArray("CurveId")) >= 0)
+        put(mesh.GetPointData(), "CurveParam", snapped[0], numpy.nan)
+    else:
+        put(mesh.GetCellData(), *what)
+
+
+@pytest.fixture(scope="module")
+def raised(folder, tmp_path_factory):
+    """A 4-8 mesh as the command writes it, and one in the midst of its line."""
+    inner = tmp_path_factory.mktemp("raised")
+    augment(folder, inner / "raised.vtp", "--radius", "4%", "--inner", inner)
+    return inner
+
+
+@pytest.mark.parametrize("what, words", [
+    (("StellarRoot", 5, 99), "StellarRoot of cell 5"), (("StellarPath", 7, 3000000001), "StellarPath of cell 7"),
+    (("StellarGen", 3, 40), "StellarGen of cell 3"), ("cells reordered", "reordered"), ("points cleaned", "merged"),
+])
+def test_a_spoilt_4_8_mesh_becomes_a_base_and_one_is_told(folder, raised, tmp_path, what, words):
+    mesh = read(raised / "raised.vtp")
+    spoil(mesh, what)
+    write(mesh, tmp_path / "spoilt.vtp")
+    done = run("augment", tmp_path / "spoilt.vtp", folder / "line.vtp", "-o", tmp_path / "o.vtp")
+    lines = [line for line in done.stderr.splitlines() if "note:" not in line]
+    assert "new base" in lines[0] and words in lines[0], done.stderr
+    if done.returncode:  # points that were merged may leave no manifold, whose defects are counted
+        assert what == "points cleaned" and len(lines) == 2 and any(c.isdigit() for c in lines[1]), done.stderr
+        assert not (tmp_path / "o.vtp").exists()
+        return
+    assert len(lines) == 1 and read(tmp_path / "o.vtp").GetNumberOfPolys() > mesh.GetNumberOfPolys()
+    again = run("augment", tmp_path / "o.vtp", folder / "line.vtp", "-o", tmp_path / "again.vtp")
+    assert again.returncode == 0 and again.stderr == "", again.stderr
+
+
+@pytest.mark.parametrize("what, words", [(None, "CurveDigest"), ("digest", "CurveDigest"), ("parameter", "CurveParam of point")])
+def test_a_mesh_in_the_midst_of_another_line_is_refused_by_name(folder, raised, tmp_path, what, words):
+    mesh = read(raised / "Snap.vtp")
+    assert (vtk_to_numpy(mesh.GetPointData().GetArray("CurveId")) >= 0).any()
+    if what:
+        spoil(mesh, what)
+    write(mesh, tmp_path / "midst.vtp")
+    done = run("augment", tmp_path / "midst.vtp", folder / "line.vtp", "-o", tmp_path / "o.vtp")
+    assert words in done.stderr and len(done.stderr.splitlines()) == 1, done.stderr
+    assert (done.returncode == 1) != ("new base" in done.stderr), done.stderr
 
 
 def test_a_line_in_the_void_is_refused(folder, tmp_path):

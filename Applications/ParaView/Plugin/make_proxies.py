@@ -209,8 +209,16 @@ def driven_filter(driven):
     yield "      </ProxyProperty>"
 
 
+def is_driven(header):
+    """Whether ForEach has all that a filter needs, which hands it a model and what was drawn on it: any system, and what takes a mesh
+    and a stroke."""
+    needed = [port.label for port in header.inputs if not port.optional]
+    system = any(each.name == "System" for each in header.lineage())
+    return len(needed) <= 2 and (system or needed == ["Mesh", "Stroke"])
+
+
 def filters(headers):
-    driven = [h.name for h in headers if [port.label for port in h.inputs] == ["Mesh", "Stroke"]]
+    driven = [h.name for h in headers if is_driven(h)]
     driven.sort(key=lambda name: name != "OneStroke")  # the first is the default
     yield "<!-- Made by make_proxies.py from the filters' headers; not to be edited. -->"
     yield "<ServerManagerConfiguration>"

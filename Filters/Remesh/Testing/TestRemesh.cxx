@@ -22,18 +22,6 @@ std::vector<char> activeOf(vtkPolyData* data, const Mesh& mesh)
   return active;
 }
 
-double smallestAngle(const Mesh& mesh, const Triangle& t)
-{
-  double smallest = pi;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vector3 a = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]];
-    const Vector3 b = mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]];
-    smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
-  }
-  return smallest * 180.0 / pi;
-}
-
 struct Quality
 {
   int triangles = 0, borderEdges = 0, nonManifoldEdges = 0, folded = 0, euler = 0;

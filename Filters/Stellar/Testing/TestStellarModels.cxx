@@ -1,5 +1,6 @@
 #include "Harness/data.h"
 #include "StellarChain.h"
+#include "vtkOversketchFilterTools.h"
 
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -157,9 +158,11 @@ TEST(D6_2, RealModelsKeepTheirShapeAsCoarseBases)
       off = std::max(off, made.distance(input->GetPoint(i)) / diagonal);
     EXPECT_LT(on, 1e-9) << name;
     EXPECT_LT(off, 4e-3) << name;
+    const double least = smallestAngle(MeshOf(base->GetOutput()));
+    EXPECT_GT(least, 2.5) << name; // none of the models has one under 6
     fact("D6_2",
       std::string(name) + ", filter: " + std::to_string(input->GetNumberOfCells()) + " to " +
         std::to_string(base->GetOutput()->GetNumberOfCells()) + " faces, the mesh's points within " +
-        std::to_string(off) + " diagonals of them");
+        std::to_string(off) + " diagonals of them, smallest angle " + std::to_string(least));
   }
 }

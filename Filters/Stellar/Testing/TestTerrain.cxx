@@ -1,8 +1,10 @@
 #include "StellarChain.h"
+#include "vtkOversketchForEach.h"
 #include "vtkOversketchTerrain.h"
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -130,6 +132,34 @@ TEST(Terrain, ColoursCountByLuminanceAndHolesAreLeftOut)
   terrain->SetColumns(4);
   terrain->Update();
   EXPECT_EQ(terrain->GetOutput()->GetNumberOfCells(), 2 * 15);
+}
+
+// As ParaView offers it: a collection of images, and no stroke.
+TEST(Terrain, ADriverOfSystemsDrivesIt)
+{
+  vtkNew<vtkMultiBlockDataSet> images;
+  images->SetBlock(0, imageOf(9, 9, [](int i, int j) { return i * j; }));
+  images->SetBlock(1, imageOf(5, 3, [](int i, int j) { return i - j; }));
+  vtkNew<vtkOversketchTerrain> driven;
+  driven->SetColumns(4);
+  vtkNew<vtkOversketchForEach> each;
+  each->SetFilter(driven);
+  each->SetInputDataObject(0, images);
+  each->Update();
+  EXPECT_EQ(each->GetErrorCode(), 0u);
+  auto* made = vtkMultiBlockDataSet::SafeDownCast(each->GetOutputDataObject(0));
+  ASSERT_TRUE(made && made->GetNumberOfBlocks() == 2);
+  for (const unsigned int block : { 0u, 1u })
+  {
+    vtkNew<vtkOversketchTerrain> alone;
+    alone->SetColumns(4);
+    alone->SetInputData(vtkImageData::SafeDownCast(images->GetBlock(block)));
+    alone->Update();
+    auto* mesh = vtkPolyData::SafeDownCast(made->GetBlock(block));
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->GetNumberOfCells(), block == 0 ? 32 : 16);
+    expectSameMesh(alone->GetOutput(), mesh);
+  }
 }
 
 TEST(Terrain, BadImagesAndSourcesAreRefused)
