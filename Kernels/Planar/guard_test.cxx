@@ -153,7 +153,7 @@ TEST(Guard, NothingTurnsOverInRestlessDrawings)
   const auto uniform = [&](double low, double high)
   { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
   int published = 0, rounds = 0, faces = 0;
-  for (int run = 0; run < 12; ++run)
+  for (int run = 0; run < 6; ++run)
   {
     const double a = uniform(0.05, 0.25), b = uniform(0.0, 0.1), phase = uniform(0.0, turn);
     const int n = 2 + static_cast<int>(random() % 6), m = 8 + static_cast<int>(random() % 8);

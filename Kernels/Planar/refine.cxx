@@ -161,6 +161,7 @@ std::vector<StrokeSplit> splitsAt(const PlanarMesh& mesh, const FaceEdges& links
     }
   }
   std::vector<StrokeSplit> splits;
+  splits.reserve(parts.size());
   for (const auto& [stroke, start, end] : parts)
   {
     splits.push_back({ stroke, start, end, 1 });
