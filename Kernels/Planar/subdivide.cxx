@@ -55,13 +55,6 @@ struct Level
   }
 };
 
-// How far beside its stroke a point lies: at an end that joins another stroke; else none, rounding left out.
-Vector2 aside(const StrokeByLength& curve, double length, const Vector2& place)
-{
-  const Vector2 by = place - curve.at(length);
-  return by.norm() > 1e-9 * curve.length() ? by : Vector2::Zero();
-}
-
 std::vector<PlanarPoint> linearPoints(const Level& level,
   const std::vector<StrokeByLength>& curves,
   const SubdivisionRule& rule)
@@ -81,10 +74,8 @@ std::vector<PlanarPoint> linearPoints(const Level& level,
       const StrokeEdge& tie = level.mesh.edges[edge.stroke];
       point.stroke = tie.stroke;
       point.kind = rule.kinds[tie.stroke];
-      const StrokeByLength& curve = curves[tie.stroke];
-      point.param = curve.wrapped(0.5 * (tie.start + tie.end));
-      point.place = curve.at(point.param) + 0.5 * (aside(curve, tie.start, level.place(tie.from)) +
-                                                    aside(curve, tie.end, level.place(tie.to)));
+      point.param = curves[tie.stroke].wrapped(0.5 * (tie.start + tie.end));
+      point.place = curves[tie.stroke].at(point.param);
     });
   if (rule.quads)
   {

@@ -46,8 +46,7 @@ struct SubdividedMesh
 // Source: image-assisted modelling, sections 9 and 10; Loop's masks are those of his interior points, beta =
 // (1/n) (5/8 - (3/8 + 1/4 cos(2 pi / n))^2), Catmull and Clark's likewise. A new point on a stroke's edge
 // goes to S((start + end) / 2), an old one stays; with masks and strokes every border edge has, no border
-// mask is needed. Where an end joins another stroke, beside its own, a new point is half as far aside as the
-// ends of its edge are together, so that the last part runs into the join.
+// mask is needed.
 //
 // The snap of a feature's point, from where the mask would have it, old points' too, is shared: a point on no
 // stroke moves by `share` times the mean snap of those of its neighbours that lie on features. Points of rims
