@@ -18,7 +18,6 @@ using oversketch::Rim;
 using oversketch::StrokeEdge;
 using oversketch::Vector2;
 
-// Puts a point of a stroke on its curve.
 using Snap = std::function<Vector2(int stroke, const Vector2& place)>;
 
 // Each triangle and quad in four, `levels` times. New points are midpoints; those of stroke edges are put on
@@ -223,13 +222,11 @@ inline PlanarMesh rectangle(const Vector2& corner,
   return refined(mesh, levels);
 }
 
-// The square of the specification: five points, four triangles (or one quad).
 inline PlanarMesh square(double side, bool quads, int levels)
 {
   return rectangle(Vector2::Zero(), Vector2(side, side), 1, 1, quads, levels);
 }
 
-// The rims of a disc, as its strokes draw them.
 inline std::vector<Rim> rimsOf(const Vector2& centre, const std::vector<Circle>& circles)
 {
   std::vector<Rim> rims;
