@@ -21,16 +21,24 @@ Mesh changedFacets(const Mesh& before,
   const std::vector<int>& vertices)
 {
   Mesh changed;
+  changed.triangles.reserve(match.removed.size() + match.added.size());
   const auto add = [&](const Mesh& mesh, const std::vector<int>& facets)
   {
+    std::vector<int> number(mesh.points.size(), -1);
     for (const int t : facets)
     {
-      const int first = changed.vertexCount();
-      for (const int v : mesh.triangles[t])
+      Triangle corners;
+      for (int k = 0; k < 3; ++k)
       {
-        changed.points.push_back(mesh.points[v]);
+        int& id = number[mesh.triangles[t][k]];
+        if (id < 0)
+        {
+          id = changed.vertexCount();
+          changed.points.push_back(mesh.points[mesh.triangles[t][k]]);
+        }
+        corners[k] = id;
       }
-      changed.triangles.push_back({ first, first + 1, first + 2 });
+      changed.triangles.push_back(corners);
     }
   };
   add(before, match.removed);

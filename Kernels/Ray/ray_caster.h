@@ -60,7 +60,7 @@ struct RayScene
   RayFrame frame;
 
 private:
-  void findPlaces();
+  void findPlaces(const std::vector<std::uint32_t>& cells);
 };
 
 // Rays in groups of equal size, each group with its own origin, a vertex of the mesh.

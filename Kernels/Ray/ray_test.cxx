@@ -339,7 +339,7 @@ TEST(Ray, CurveVisitsEveryPointOnceAndKeepsNeighboursTogether)
     const auto along = [](int k) { return (static_cast<float>(k) + 0.5f) / (0.5f * n) - 1.0f; };
     points.push_back({ along(i % n), along(i / n % n), along(i / n / n), 0.0f });
   }
-  const std::vector<int> order = curveOrder(points, Context());
+  const std::vector<int> order = curveOrder(points, Context()).indices;
   EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), points.size());
   for (std::size_t i = 1; i < order.size(); ++i)
   {
