@@ -261,8 +261,8 @@ int vtkOversketchOneStroke::Pipeline::Folds(const char* stage)
   MadeMesh& made = this->Made(stage);
   if (!made.Folds)
   {
-    made.Folds =
-      foldedEdges(made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage)));
+    made.Folds = foldedEdges(
+      made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage)), ThreadsOnly());
   }
   return *made.Folds;
 }
@@ -272,8 +272,8 @@ const Roughness& vtkOversketchOneStroke::Pipeline::Rough(const char* stage)
   MadeMesh& made = this->Made(stage);
   if (!made.Rough)
   {
-    made.Rough =
-      roughness(made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage)));
+    made.Rough = roughness(
+      made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage)), ThreadsOnly());
   }
   return *made.Rough;
 }
@@ -347,7 +347,8 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
     view,
     stroke,
     section,
-    effect);
+    effect,
+    ThreadsOnly());
   const std::string torn = tornBy(effect);
   if (!torn.empty() && !this->Self->AllowTorn && !this->Self->AsPublished)
   {

@@ -32,7 +32,10 @@ bool narrow(const Mesh& mesh, const Triangle& t)
 
 } // namespace
 
-int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& regionVertex)
+int foldedEdges(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& regionVertex,
+  const Context& context)
 {
   const auto eachTriangleAt = [&](const std::vector<char>& chosen, auto&& visit)
   {
@@ -55,8 +58,7 @@ int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<
       }
     });
   eachTriangleAt(near, [&part](int t) { part[t] = 1; });
-  const double limit = std::cos(100.0 * pi / 180.0);
-  int folded = 0;
+  std::vector<std::array<int, 2>> pairs;
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
     for (int k = 0; part[t] && k < 3; ++k)
@@ -74,11 +76,21 @@ int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<
       }
       if (count == 2 && pair[0] == t)
       {
-        folded += facetNormal(mesh, pair[0]).dot(facetNormal(mesh, pair[1])) < limit;
+        pairs.push_back(pair);
       }
     }
   }
-  return folded;
+  const double limit = std::cos(100.0 * pi / 180.0);
+  std::vector<char> folded(pairs.size(), 0);
+  context.parallelFor(static_cast<int>(pairs.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        folded[i] = facetNormal(mesh, pairs[i][0]).dot(facetNormal(mesh, pairs[i][1])) < limit;
+      }
+    });
+  return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
 }
 
 double narrowShare(const Mesh& mesh, const std::vector<char>& chosen)

@@ -16,7 +16,10 @@ namespace oversketch
 
 // Edges whose two triangles have normals over 100 degrees apart, in the region (one byte per vertex) and two
 // rings round it: elsewhere they are the same before and after.
-int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& regionVertex);
+int foldedEdges(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& regionVertex,
+  const Context& context = Context());
 
 // Share of triangles among `chosen` (one byte per triangle) with an angle under 30 degrees.
 double narrowShare(const Mesh& mesh, const std::vector<char>& chosen);
