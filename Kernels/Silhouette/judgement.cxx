@@ -32,6 +32,41 @@ bool narrow(const Mesh& mesh, const Triangle& t)
 
 } // namespace
 
+JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context)
+{
+  std::vector<char> near = regionVertex;
+  for (const Triangle& t : whole.triangles)
+  {
+    if (regionVertex[t[0]] || regionVertex[t[1]] || regionVertex[t[2]])
+    {
+      near[t[0]] = near[t[1]] = near[t[2]] = 1;
+    }
+  }
+  std::vector<int> number(whole.points.size(), -1);
+  for (const Triangle& t : whole.triangles)
+  {
+    if (near[t[0]] || near[t[1]] || near[t[2]])
+    {
+      this->mesh.triangles.push_back(t);
+      number[t[0]] = number[t[1]] = number[t[2]] = 0;
+    }
+  }
+  for (int v = 0; v < whole.vertexCount(); ++v)
+  {
+    if (number[v] == 0)
+    {
+      number[v] = this->mesh.vertexCount();
+      this->mesh.points.push_back(whole.points[v]);
+      this->region.push_back(regionVertex[v]);
+    }
+  }
+  for (Triangle& t : this->mesh.triangles)
+  {
+    t = { number[t[0]], number[t[1]], number[t[2]] };
+  }
+  this->adjacency = buildAdjacency(this->mesh, context);
+}
+
 int foldedEdges(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<char>& regionVertex,
