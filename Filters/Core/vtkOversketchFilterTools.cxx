@@ -411,6 +411,15 @@ void RequireFinite(double value, const char* name)
 std::vector<char> LabelsOf(vtkDataArray* labels)
 {
   std::vector<char> chosen(static_cast<std::size_t>(labels->GetNumberOfTuples()));
+  if (auto* bytes = vtkAOSDataArrayTemplate<unsigned char>::FastDownCast(labels);
+      bytes && bytes->GetNumberOfComponents() == 1)
+  {
+    std::transform(bytes->GetPointer(0),
+      bytes->GetPointer(0) + chosen.size(),
+      chosen.begin(),
+      [](unsigned char label) { return static_cast<char>(label != 0); });
+    return chosen;
+  }
   for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
   {
     chosen[static_cast<std::size_t>(i)] = labels->GetComponent(i, 0) != 0.0;

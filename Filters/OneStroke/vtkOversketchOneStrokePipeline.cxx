@@ -256,25 +256,42 @@ vtkOversketchOneStroke::Pipeline::MadeMesh& vtkOversketchOneStroke::Pipeline::Ma
   return made;
 }
 
+void vtkOversketchOneStroke::Pipeline::JudgeSurface(MadeMesh& made, const char* stage)
+{
+  if (made.Folds)
+  {
+    return;
+  }
+  const std::vector<char> region = RegionOf(this->Self->StageOutput(stage));
+  const auto judge =
+    [&made](const oversketch::Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& inside)
+  {
+    made.Folds = foldedEdges(mesh, adjacency, inside, ThreadsOnly());
+    made.Rough = roughness(mesh, adjacency, inside, ThreadsOnly());
+  };
+  if (this->Self->GetStep(stage) == this->Restore)
+  {
+    // No other step asks for the links of this mesh.
+    const JudgedPart part(made.Data->Surface(), region, ThreadsOnly());
+    judge(part.mesh, part.adjacency, part.region);
+  }
+  else
+  {
+    judge(made.Data->Surface(), made.Data->Neighbours(), region);
+  }
+}
+
 int vtkOversketchOneStroke::Pipeline::Folds(const char* stage)
 {
   MadeMesh& made = this->Made(stage);
-  if (!made.Folds)
-  {
-    made.Folds =
-      foldedEdges(made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage)));
-  }
+  this->JudgeSurface(made, stage);
   return *made.Folds;
 }
 
 const Roughness& vtkOversketchOneStroke::Pipeline::Rough(const char* stage)
 {
   MadeMesh& made = this->Made(stage);
-  if (!made.Rough)
-  {
-    made.Rough =
-      roughness(made.Data->Surface(), made.Data->Neighbours(), RegionOf(this->Self->StageOutput(stage)));
-  }
+  this->JudgeSurface(made, stage);
   return *made.Rough;
 }
 
@@ -347,7 +364,8 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
     view,
     stroke,
     section,
-    effect);
+    effect,
+    ThreadsOnly());
   const std::string torn = tornBy(effect);
   if (!torn.empty() && !this->Self->AllowTorn && !this->Self->AsPublished)
   {

@@ -72,6 +72,8 @@ struct vtkOversketchOneStroke::Pipeline
     std::optional<std::vector<oversketch::OutlineLoop>> Contours;
   };
   MadeMesh& Made(const char* stage);
+  // Its folds and its roughness.
+  void JudgeSurface(MadeMesh& made, const char* stage);
   std::map<std::string, MadeMesh> MadeMeshes;
 
   vtkOversketchOneStroke* Self;

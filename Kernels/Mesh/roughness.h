@@ -2,6 +2,7 @@
 #ifndef oversketch_roughness_h
 #define oversketch_roughness_h
 
+#include "Mesh/context.h"
 #include "Mesh/mesh.h"
 
 #include <vector>
@@ -22,8 +23,11 @@ bool rougher(const Roughness& one, const Roughness& other);
 
 // Of the edges with an end in the region (one byte per vertex) and two triangles of positive area; zero where
 // there is none. Edges with one triangle or more than two count for nothing; winding does not matter. Summed
-// in the order of the edges, on one thread.
-Roughness roughness(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& region);
+// in the order of the edges.
+Roughness roughness(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& region,
+  const Context& context = Context());
 
 } // namespace oversketch
 #endif

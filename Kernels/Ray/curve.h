@@ -11,11 +11,13 @@
 namespace oversketch
 {
 
-// The cell of a point within [-1, 1].
-std::array<std::uint32_t, 3> curveCell(const std::array<float, 4>& point);
-
-// The indices of points within [-1, 1] along a Hilbert curve through 1024^3 cells; ascending within a cell.
-std::vector<int> curveOrder(const std::vector<std::array<float, 4>>& points, const Context& context);
+// Points within [-1, 1] along a Hilbert curve through 1024^3 cells.
+struct CurveOrder
+{
+  std::vector<int> indices;         // ascending within a cell
+  std::vector<std::uint32_t> cells; // of each of them where the curve reaches its cell: the same in one cell
+};
+CurveOrder curveOrder(const std::vector<std::array<float, 4>>& points, const Context& context);
 
 } // namespace oversketch
 #endif

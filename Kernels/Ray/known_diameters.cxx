@@ -21,16 +21,24 @@ Mesh changedFacets(const Mesh& before,
   const std::vector<int>& vertices)
 {
   Mesh changed;
+  changed.triangles.reserve(match.removed.size() + match.added.size());
   const auto add = [&](const Mesh& mesh, const std::vector<int>& facets)
   {
+    std::vector<int> number(mesh.points.size(), -1);
     for (const int t : facets)
     {
-      const int first = changed.vertexCount();
-      for (const int v : mesh.triangles[t])
+      Triangle corners;
+      for (int k = 0; k < 3; ++k)
       {
-        changed.points.push_back(mesh.points[v]);
+        int& id = number[mesh.triangles[t][k]];
+        if (id < 0)
+        {
+          id = changed.vertexCount();
+          changed.points.push_back(mesh.points[mesh.triangles[t][k]]);
+        }
+        corners[k] = id;
       }
-      changed.triangles.push_back({ first, first + 1, first + 2 });
+      changed.triangles.push_back(corners);
     }
   };
   add(before, match.removed);
@@ -63,10 +71,13 @@ public:
   {
   }
 
-  // Takes over what still holds. Returns per vertex 1 where it does.
-  std::vector<char> takeOver(const MakeCaster& makeCaster, ConeMeasures& result) const
+  // Takes over what still holds.
+  TakenOver takeOver(const MakeCaster& makeCaster, ConeMeasures& result) const
   {
-    std::vector<char> kept(this->Model.points.size(), 0);
+    TakenOver taken{
+      std::vector<char>(this->Model.points.size(), 0), std::vector<int>(this->Model.points.size(), -1), {}
+    };
+    std::vector<char>& kept = taken.kept;
     std::vector<int> vertices;
     for (const int v : this->Scene.order)
     {
@@ -78,7 +89,7 @@ public:
       }
     }
     this->dropCones(vertices, kept);
-    this->dropRays(vertices, makeCaster, kept);
+    this->dropRays(vertices, makeCaster, taken);
     this->Caller.parallelFor(this->Model.vertexCount(),
       [&](int begin, int end)
       {
@@ -97,7 +108,7 @@ public:
           }
         }
       });
-    return kept;
+    return taken;
   }
 
 private:
@@ -136,7 +147,7 @@ private:
 
   // Of the dropped vertices takes back those no ray of which leaves through a changed facet within its
   // length.
-  void dropRays(const std::vector<int>& vertices, const MakeCaster& makeCaster, std::vector<char>& kept) const
+  void dropRays(const std::vector<int>& vertices, const MakeCaster& makeCaster, TakenOver& taken) const
   {
     this->Caller.checkpoint(0.0);
     const Mesh mesh = changedFacets(*this->Known.mesh, this->Model, this->Match, vertices);
@@ -157,6 +168,18 @@ private:
       RayBatch batch =
         conesOf(vertices.data() + first, count, this->Normals, this->Sides, this->Cone, this->Caller);
       std::iota(batch.vertices.begin(), batch.vertices.end(), mesh.vertexCount() - total + first);
+      batch.bounds.resize(batch.directions.size());
+      for (int i = 0; i < count; ++i)
+      {
+        const int v = vertices[first + i];
+        const RayLengths packing(this->reach(v));
+        std::transform(this->lengths(v),
+          this->lengths(v) + rays,
+          batch.bounds.begin() + static_cast<std::ptrdiff_t>(i) * rays,
+          [&](std::uint8_t length) {
+            return RayBounds{ 0.0f, packing.unpack(length) };
+          });
+      }
       caster->cast(batch, hits, this->Caller);
       this->Caller.parallelFor(count,
         [&](int begin, int end)
@@ -164,16 +187,56 @@ private:
           for (int i = begin; i < end; ++i)
           {
             const int v = vertices[first + i];
+            const auto lengths = this->lengths(v);
             const RayLengths packing(this->reach(v));
-            kept[v] = std::equal(this->lengths(v),
-              this->lengths(v) + rays,
-              hits.begin() + static_cast<std::ptrdiff_t>(i) * rays,
-              [&](std::uint8_t length, const RayHit& hit)
-              { return hit.triangle < 0 || hit.distance > packing.unpack(length); });
+            taken.kept[v] = 1;
+            for (int k = 0; k < rays; ++k)
+            {
+              RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
+              hit.triangle = hit.distance > packing.unpack(lengths[k]) ? -1 : hit.triangle;
+              taken.kept[v] = hit.triangle >= 0 ? 0 : taken.kept[v];
+            }
           }
         });
+      this->addBounds(vertices.data() + first, count, hits, taken);
     }
     this->Caller.checkpoint(0.0);
+  }
+
+  // What the lengths before and the hits on changed facets within them tell of the rays of dropped vertices.
+  void addBounds(const int* vertices, int count, const std::vector<RayHit>& hits, TakenOver& taken) const
+  {
+    constexpr float below = 0.9999f, above = 1.0001f; // far more than rounding
+    const int rays = static_cast<int>(this->Cone.size());
+    const int removed = static_cast<int>(this->Match.removed.size());
+    for (int i = 0; i < count; ++i)
+    {
+      const int v = vertices[i];
+      if (taken.kept[v])
+      {
+        continue;
+      }
+      taken.rows[v] = static_cast<int>(taken.bounds.size()) / rays;
+      const RayLengths packing(this->reach(v));
+      for (int k = 0; k < rays; ++k)
+      {
+        const RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
+        const std::uint8_t length = this->lengths(v)[k];
+        RayBounds known{ below * packing.least(length), above * packing.unpack(length) };
+        if (hit.triangle >= 0)
+        {
+          // What was there before is no nearer than it was; where the changed facet is a new one it ends the
+          // ray.
+          known.low = std::min(known.low, below * hit.distance);
+          known.high = hit.triangle < removed ? RayBounds().high : above * hit.distance;
+        }
+        else if (length == RayLengths::endless)
+        {
+          known.high = 0.0f; // still without an end
+        }
+        taken.bounds.push_back(known);
+      }
+    }
   }
 
   const KnownDiameters& Known;
@@ -217,7 +280,7 @@ RayBatch conesOf(const int* vertices,
   return batch;
 }
 
-std::vector<char> takeOver(const KnownDiameters& known,
+TakenOver takeOver(const KnownDiameters& known,
   const Mesh& mesh,
   const RayScene& scene,
   const std::vector<Vector3>& normals,

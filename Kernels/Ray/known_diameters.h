@@ -33,6 +33,12 @@ struct RayLengths
     return packed == endless ? longest : 1.00001f * static_cast<float>(packed) * this->unit;
   }
 
+  // The length is not less than this.
+  float least(std::uint8_t packed) const
+  {
+    return packed == endless ? longest : static_cast<float>(std::max<int>(packed - 1, 0)) * this->unit;
+  }
+
   float unit;
 };
 
@@ -46,9 +52,18 @@ RayBatch conesOf(const int* vertices,
 
 using MakeCaster = std::function<std::unique_ptr<RayCaster>(const RayScene&)>;
 
+// What another mesh tells of the rays of this one.
+struct TakenOver
+{
+  std::vector<char> kept; // per vertex 1 where its values hold
+  // Of vertices whose values do not hold, but whose rays are the same: where to find the bounds of these.
+  std::vector<int> rows; // per vertex, -1: there are none
+  std::vector<RayBounds> bounds;
+};
+
 // Copies to `result`, which has its sizes, what holds of another mesh in the same frame, with the same
-// options and kind of caster. Returns per vertex 1 where it does.
-std::vector<char> takeOver(const KnownDiameters& known,
+// options and kind of caster.
+TakenOver takeOver(const KnownDiameters& known,
   const Mesh& mesh,
   const RayScene& scene,
   const std::vector<Vector3>& normals,

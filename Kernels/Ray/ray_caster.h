@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -60,7 +61,16 @@ struct RayScene
   RayFrame frame;
 
 private:
-  void findPlaces();
+  void findPlaces(const std::vector<std::uint32_t>& cells);
+};
+
+// What is known of a ray [unit of the scene]: it leaves through no facet nearer than `low`, and whether it
+// does through one farther than `high` does not matter: such a hit need not be found. A caster need not use
+// it.
+struct RayBounds
+{
+  float low = 0.0f;
+  float high = std::numeric_limits<float>::max();
 };
 
 // Rays in groups of equal size, each group with its own origin, a vertex of the mesh.
@@ -72,6 +82,7 @@ struct RayBatch
   // it.
   std::vector<float> starts;
   std::vector<std::array<float, 3>> directions; // raysPerVertex per vertex
+  std::vector<RayBounds> bounds;                // per ray, or empty: nothing is known of any
 };
 
 struct RayHit

@@ -9,19 +9,21 @@
 namespace oversketch
 {
 
-void RayScene::findPlaces()
+void RayScene::findPlaces(const std::vector<std::uint32_t>& cells)
 {
   std::iota(this->places.begin(), this->places.end(), 0);
   // Vertices at one place lie in one cell of the curve.
   std::vector<int> cell;
-  for (auto begin = this->order.begin(); begin != this->order.end();)
+  for (std::size_t first = 0, last = 0; first < cells.size(); first = last)
   {
-    const std::array<std::uint32_t, 3> own = curveCell(this->points[*begin]);
-    const auto end = std::find_if_not(
-      begin + 1, this->order.end(), [&](int v) { return curveCell(this->points[v]) == own; });
-    if (end - begin > 1)
+    while (last < cells.size() && cells[last] == cells[first])
     {
-      cell.assign(begin, end);
+      ++last;
+    }
+    if (last - first > 1)
+    {
+      cell.assign(this->order.begin() + static_cast<std::ptrdiff_t>(first),
+        this->order.begin() + static_cast<std::ptrdiff_t>(last));
       std::sort(cell.begin(),
         cell.end(),
         [this](int a, int b)
@@ -34,7 +36,6 @@ void RayScene::findPlaces()
         }
       }
     }
-    begin = end;
   }
 }
 
@@ -104,8 +105,9 @@ RayScene::RayScene(const Mesh& mesh, const RayFrame& within, const Context& cont
         this->points[v] = { q[0], q[1], q[2], 0.0f };
       }
     });
-  this->order = curveOrder(this->points, context);
-  this->findPlaces();
+  CurveOrder along = curveOrder(this->points, context);
+  this->order = std::move(along.indices);
+  this->findPlaces(along.cells);
   context.parallelFor(mesh.triangleCount(),
     [&](int begin, int end)
     {

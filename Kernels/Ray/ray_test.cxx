@@ -339,7 +339,7 @@ TEST(Ray, CurveVisitsEveryPointOnceAndKeepsNeighboursTogether)
     const auto along = [](int k) { return (static_cast<float>(k) + 0.5f) / (0.5f * n) - 1.0f; };
     points.push_back({ along(i % n), along(i / n % n), along(i / n / n), 0.0f });
   }
-  const std::vector<int> order = curveOrder(points, Context());
+  const std::vector<int> order = curveOrder(points, Context()).indices;
   EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), points.size());
   for (std::size_t i = 1; i < order.size(); ++i)
   {
@@ -349,6 +349,57 @@ TEST(Ray, CurveVisitsEveryPointOnceAndKeepsNeighboursTogether)
       step += std::abs(points[order[i]][k] - points[order[i - 1]][k]);
     }
     EXPECT_NEAR(step, 2.0f / n, 1e-6f);
+  }
+}
+
+TEST(Ray, RaysWithinBoundsFindTheSame)
+{
+  const auto device = Device::instance();
+  if (!device)
+  {
+    GTEST_SKIP() << "no OpenCL device";
+  }
+  const auto cone = coneDirections(32, 120.0);
+  for (const Mesh& mesh : shapes())
+  {
+    const auto normals = vertexNormals(mesh);
+    const RayScene scene(mesh);
+    RayBatch batch;
+    batch.raysPerVertex = 32;
+    batch.vertices = scene.order;
+    batch.starts.assign(scene.order.size(), 0.0f);
+    for (const int v : scene.order)
+    {
+      const Eigen::Matrix3d frame = frameAround(-normals[v]);
+      for (const Vector3& d : cone)
+      {
+        const Eigen::Vector3f f = (frame * d).cast<float>();
+        batch.directions.push_back({ f[0], f[1], f[2] });
+      }
+    }
+    const auto caster = makeOpenCLCaster(scene, device, Context());
+    std::vector<RayHit> whole, within;
+    caster->cast(batch, whole, Context());
+    // About each hit; every third ray ends before its own.
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      const float end = i % 3 == 0 ? 0.999f : 1.0001f;
+      batch.bounds.push_back({ 0.9999f * whole[i].distance, end * whole[i].distance });
+    }
+    caster->cast(batch, within, Context());
+    ASSERT_EQ(within.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      if (i % 3 == 0)
+      {
+        ASSERT_EQ(within[i].triangle, -1);
+      }
+      else if (whole[i].triangle >= 0)
+      {
+        ASSERT_EQ(within[i].triangle, whole[i].triangle);
+        ASSERT_EQ(within[i].distance, whole[i].distance);
+      }
+    }
   }
 }
 

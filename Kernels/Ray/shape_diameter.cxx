@@ -170,13 +170,14 @@ public:
     const std::vector<Vector3>& normals,
     const std::vector<Vector3>& sides,
     const ShapeDiameterOptions& options,
-    const std::vector<char>& known)
+    const TakenOver& known)
     : Model(mesh)
     , Scene(scene)
     , Normals(normals)
     , Sides(sides)
     , Cone(coneDirections(options.rayCount, options.coneAngle))
     , Weights(options.rayCount, 1.0)
+    , Known(known)
   {
     for (int k = 0; options.inverseAngleWeights && k < options.rayCount; ++k)
     {
@@ -186,7 +187,7 @@ public:
     std::copy_if(scene.order.begin(),
       scene.order.end(),
       std::back_inserter(this->Vertices),
-      [&](int v) { return !known[v] && normals[v].squaredNorm() > 0.0; });
+      [&](int v) { return !known.kept[v] && normals[v].squaredNorm() > 0.0; });
     this->Starts.resize(this->Vertices.size());
   }
 
@@ -215,6 +216,7 @@ public:
     RayBatch batch =
       conesOf(this->Vertices.data() + first, count, this->Normals, this->Sides, this->Cone, context);
     batch.starts.assign(this->Starts.begin() + first, this->Starts.begin() + first + count);
+    this->addBounds(batch);
     std::vector<RayHit> hits;
     caster.cast(batch, hits, context);
     if (context.cancelled())
@@ -268,12 +270,34 @@ public:
   }
 
 private:
+  // What is known of the rays of a batch, where something is.
+  void addBounds(RayBatch& batch) const
+  {
+    if (this->Known.bounds.empty())
+    {
+      return;
+    }
+    const std::ptrdiff_t rays = this->rayCount();
+    batch.bounds.resize(batch.directions.size());
+    for (std::size_t i = 0; i < batch.vertices.size(); ++i)
+    {
+      const int row = this->Known.rows[batch.vertices[i]];
+      if (row >= 0)
+      {
+        std::copy_n(this->Known.bounds.begin() + row * rays,
+          rays,
+          batch.bounds.begin() + static_cast<std::ptrdiff_t>(i) * rays);
+      }
+    }
+  }
+
   const Mesh& Model;
   const RayScene& Scene;
   const std::vector<Vector3>& Normals;
   const std::vector<Vector3>& Sides;
   std::vector<Vector3> Cone;
   std::vector<double> Weights;
+  const TakenOver& Known;
   std::vector<int> Vertices; // along the curve of the scene
   std::vector<float> Starts;
 };
@@ -456,7 +480,7 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
       std::vector<char>(mesh.points.size(), 0),
       std::vector<float>(mesh.points.size(), 0.0f),
       std::vector<std::uint8_t>(mesh.points.size() * static_cast<std::size_t>(options.rayCount), 0) };
-    std::vector<char> kept(mesh.points.size(), 0);
+    TakenOver taken{ std::vector<char>(mesh.points.size(), 0), {}, {} };
     if (hits)
     {
       hits->assign(mesh.points.size() * static_cast<std::size_t>(options.rayCount), ConeHit());
@@ -464,9 +488,9 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
     else if (known && known->filled && known->used == used && known->options == options &&
              RayFrame(*known->mesh) == scene.frame)
     {
-      kept = takeOver(*known, mesh, scene, normals, sides, makeCaster, context, measures);
+      taken = takeOver(*known, mesh, scene, normals, sides, makeCaster, context, measures);
     }
-    VertexRays cones(mesh, scene, normals, sides, options, kept);
+    VertexRays cones(mesh, scene, normals, sides, options, taken);
     if (cones.vertexCount() > 0)
     {
       const std::unique_ptr<RayCaster> caster = makeCaster(scene);
@@ -479,7 +503,8 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
     result.used = used;
     result.raysCast = static_cast<long long>(cones.vertexCount()) * options.rayCount;
     result.raysTraced =
-      result.raysCast + static_cast<long long>(std::count(kept.begin(), kept.end(), 1)) * options.rayCount;
+      result.raysCast +
+      static_cast<long long>(std::count(taken.kept.begin(), taken.kept.end(), 1)) * options.rayCount;
   };
   bool done = mesh.triangles.empty();
   if (device && !done)

@@ -13,7 +13,7 @@ namespace
 
 // Where a triangle's edge crosses the line along which the coordinate `axis` is `centre`. Lower id first:
 // both triangles of an edge compute the same crossing, bit for bit.
-CoveredEnd crossingOf(const MeshPicture& picture, int corner, int next, int axis, double centre)
+CoveredEnd crossingOf(const PicturePoints& picture, int corner, int next, int axis, double centre)
 {
   const int v0 = std::min(corner, next), v1 = std::max(corner, next);
   const Vector2 &a = picture.points[v0], &b = picture.points[v1];
@@ -27,10 +27,9 @@ struct Span
   double low = std::numeric_limits<double>::infinity(), high = -low;
   int triangle;
 
-  Span(const MeshPicture& picture, int triangleId, int axis, double centre)
+  Span(const PicturePoints& picture, const Triangle& t, int triangleId, int axis, double centre)
     : triangle(triangleId)
   {
-    const Triangle& t = picture.triangles[triangleId];
     const auto below = [&](int k) { return int(picture.points[t[k]][axis] <= centre); };
     // The corner that the line parts from the others; both edges there cross it. Without a branch that goes
     // wrong for every other triangle.
@@ -52,9 +51,8 @@ struct Span
     return this->low != other.low ? this->low < other.low : this->triangle < other.triangle;
   }
   // The low end, or the high one; of two that are equal that of the first edge.
-  CoveredEnd end(const MeshPicture& picture, int axis, double centre, bool isHigh) const
+  CoveredEnd end(const PicturePoints& picture, const Triangle& t, int axis, double centre, bool isHigh) const
   {
-    const Triangle& t = picture.triangles[this->triangle];
     for (int k = 0; k < 3; ++k)
     {
       const int next = (k + 1) % 3;
@@ -177,13 +175,14 @@ MeshPicture::MeshPicture(const Mesh& mesh,
   }
 }
 
-Binding CoveredEnd::binding(const MeshPicture& picture) const
+Binding CoveredEnd::binding(const PicturePoints& picture) const
 {
   const double w0 = (1.0 - this->t) * picture.nearness[this->v0], w1 = this->t * picture.nearness[this->v1];
   return Binding::edge(this->v0, this->v1, w0 / (w0 + w1));
 }
 
-std::vector<std::vector<CoveredInterval>> coveredIntervals(const MeshPicture& picture,
+std::vector<std::vector<CoveredInterval>> coveredIntervals(const PicturePoints& picture,
+  const std::vector<Triangle>& triangles,
   int axis,
   const PixelWindow& window,
   const Context& context)
@@ -192,13 +191,13 @@ std::vector<std::vector<CoveredInterval>> coveredIntervals(const MeshPicture& pi
   const int lineCount = axis == 1 ? window.height : window.width;
   const int length = axis == 1 ? window.width : window.height;
   // Per triangle its lines: low <= centre < high.
-  std::vector<std::array<int, 2>> lines(picture.triangles.size());
+  std::vector<std::array<int, 2>> lines(triangles.size());
   context.parallelFor(static_cast<int>(lines.size()),
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
       {
-        const Triangle& t = picture.triangles[i];
+        const Triangle& t = triangles[i];
         const double a = picture.points[t[0]][axis], b = picture.points[t[1]][axis],
                      c = picture.points[t[2]][axis];
         // Clamped before the cast, since a point near the eye may be anywhere.
@@ -240,7 +239,7 @@ std::vector<std::vector<CoveredInterval>> coveredIntervals(const MeshPicture& pi
         spans.clear();
         for (std::size_t k = offsets[line]; k < offsets[line + 1]; ++k)
         {
-          const Span span(picture, onLine[k], axis, centre);
+          const Span span(picture, triangles[onLine[k]], onLine[k], axis, centre);
           if (!span.empty())
           {
             spans.push_back(span);
@@ -249,8 +248,8 @@ std::vector<std::vector<CoveredInterval>> coveredIntervals(const MeshPicture& pi
         const Span *first = nullptr, *last = nullptr;
         const auto put = [&]
         {
-          result[line].push_back(
-            { first->end(picture, axis, centre, false), last->end(picture, axis, centre, true) });
+          result[line].push_back({ first->end(picture, triangles[first->triangle], axis, centre, false),
+            last->end(picture, triangles[last->triangle], axis, centre, true) });
         };
         for (const Span& span : sorted(spans))
         {

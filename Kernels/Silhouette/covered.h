@@ -37,7 +37,7 @@ struct CoveredEnd
   int v0 = -1, v1 = -1;
   double t = 0.0; // on screen, from v0 to v1
 
-  Binding binding(const MeshPicture& picture) const;
+  Binding binding(const PicturePoints& picture) const;
 };
 
 struct CoveredInterval
@@ -45,9 +45,10 @@ struct CoveredInterval
   CoveredEnd low, high;
 };
 
-// The covered part of every pixel row (axis 1) or column (axis 0) of the window, measured along the line
-// through the pixel centres: disjoint intervals in ascending order.
-std::vector<std::vector<CoveredInterval>> coveredIntervals(const MeshPicture& picture,
+// What the triangles cover of every pixel row (axis 1) or column (axis 0) of the window, measured along the
+// line through the pixel centres: disjoint intervals in ascending order.
+std::vector<std::vector<CoveredInterval>> coveredIntervals(const PicturePoints& picture,
+  const std::vector<Triangle>& triangles,
   int axis,
   const PixelWindow& window,
   const Context& context);

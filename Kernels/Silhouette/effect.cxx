@@ -77,19 +77,29 @@ double areaOf(const Mesh& mesh, const Triangle& t)
 void measureTriangles(const Mesh& before,
   const Mesh& after,
   const std::vector<char>& region,
+  const Context& context,
   StrokeEffect& effect)
 {
+  std::vector<double> areas(before.triangles.size());
+  context.parallelFor(before.triangleCount(),
+    [&](int begin, int end)
+    {
+      for (int t = begin; t < end; ++t)
+      {
+        areas[t] = areaOf(before, before.triangles[t]);
+      }
+    });
   double all = 0.0, moved = 0.0;
   std::vector<double> ratios;
-  for (const Triangle& t : before.triangles)
+  for (int i = 0; i < before.triangleCount(); ++i)
   {
-    const double area = areaOf(before, t);
-    all += area;
+    const Triangle& t = before.triangles[i];
+    all += areas[i];
     if (!region[t[0]] || !region[t[1]] || !region[t[2]])
     {
       continue;
     }
-    moved += area;
+    moved += areas[i];
     for (int k = 0; k < 3; ++k)
     {
       const int a = t[k], b = t[(k + 1) % 3];
@@ -216,9 +226,10 @@ void measureMovement(const Mesh& before,
   const View& view,
   const Polyline& stroke,
   const Polyline& section,
-  StrokeEffect& effect)
+  StrokeEffect& effect,
+  const Context& context)
 {
-  measureTriangles(before, after, region, effect);
+  measureTriangles(before, after, region, context, effect);
   effect.strayDistance = effect.strayMovement = 0.0;
   Polyline drawn = stroke;
   const std::vector<double> length = arcLengths(section);
@@ -234,22 +245,34 @@ void measureMovement(const Mesh& before,
     return;
   }
   const Polyline hull = convexHull(std::move(drawn));
-  for (int v = 0; v < before.vertexCount(); ++v)
+  struct Step
   {
-    if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
+    double movement = 0.0, distance = 0.0; // px; from the hull
+  };
+  std::vector<Step> steps(before.points.size());
+  context.parallelFor(before.vertexCount(),
+    [&](int begin, int end)
     {
-      continue;
-    }
-    const Vector2 was = view.toDisplay(before.points[v]).head<2>();
-    const Vector2 is = view.toDisplay(after.points[v]).head<2>();
-    constexpr double seen = 2.5; // px
-    const double movement = (is - was).norm();
-    const double distance =
-      movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
-    if (distance > StrokeEffect::strayLimit)
+      for (int v = begin; v < end; ++v)
+      {
+        if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
+        {
+          continue;
+        }
+        const Vector2 was = view.toDisplay(before.points[v]).head<2>();
+        const Vector2 is = view.toDisplay(after.points[v]).head<2>();
+        constexpr double seen = 2.5; // px
+        steps[v].movement = (is - was).norm();
+        steps[v].distance =
+          steps[v].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
+      }
+    });
+  for (const Step& step : steps)
+  {
+    if (step.distance > StrokeEffect::strayLimit)
     {
-      effect.strayDistance = std::max(effect.strayDistance, distance);
-      effect.strayMovement = std::max(effect.strayMovement, movement);
+      effect.strayDistance = std::max(effect.strayDistance, step.distance);
+      effect.strayMovement = std::max(effect.strayMovement, step.movement);
     }
   }
 }

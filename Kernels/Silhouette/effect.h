@@ -48,7 +48,8 @@ void measureMovement(const Mesh& before,
   const View& view,
   const Polyline& stroke,
   const Polyline& section,
-  StrokeEffect& effect);
+  StrokeEffect& effect,
+  const Context& context = Context());
 
 // What is to be said of it, a sentence each, the worst first; none where the stroke did what was drawn.
 std::vector<std::string> remarks(const StrokeEffect& effect);

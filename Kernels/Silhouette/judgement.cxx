@@ -32,7 +32,45 @@ bool narrow(const Mesh& mesh, const Triangle& t)
 
 } // namespace
 
-int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& regionVertex)
+JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context)
+{
+  std::vector<char> near = regionVertex;
+  for (const Triangle& t : whole.triangles)
+  {
+    if (regionVertex[t[0]] || regionVertex[t[1]] || regionVertex[t[2]])
+    {
+      near[t[0]] = near[t[1]] = near[t[2]] = 1;
+    }
+  }
+  std::vector<int> number(whole.points.size(), -1);
+  for (const Triangle& t : whole.triangles)
+  {
+    if (near[t[0]] || near[t[1]] || near[t[2]])
+    {
+      this->mesh.triangles.push_back(t);
+      number[t[0]] = number[t[1]] = number[t[2]] = 0;
+    }
+  }
+  for (int v = 0; v < whole.vertexCount(); ++v)
+  {
+    if (number[v] == 0)
+    {
+      number[v] = this->mesh.vertexCount();
+      this->mesh.points.push_back(whole.points[v]);
+      this->region.push_back(regionVertex[v]);
+    }
+  }
+  for (Triangle& t : this->mesh.triangles)
+  {
+    t = { number[t[0]], number[t[1]], number[t[2]] };
+  }
+  this->adjacency = buildAdjacency(this->mesh, context);
+}
+
+int foldedEdges(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& regionVertex,
+  const Context& context)
 {
   const auto eachTriangleAt = [&](const std::vector<char>& chosen, auto&& visit)
   {
@@ -55,8 +93,7 @@ int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<
       }
     });
   eachTriangleAt(near, [&part](int t) { part[t] = 1; });
-  const double limit = std::cos(100.0 * pi / 180.0);
-  int folded = 0;
+  std::vector<std::array<int, 2>> pairs;
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
     for (int k = 0; part[t] && k < 3; ++k)
@@ -74,11 +111,21 @@ int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<
       }
       if (count == 2 && pair[0] == t)
       {
-        folded += facetNormal(mesh, pair[0]).dot(facetNormal(mesh, pair[1])) < limit;
+        pairs.push_back(pair);
       }
     }
   }
-  return folded;
+  const double limit = std::cos(100.0 * pi / 180.0);
+  std::vector<char> folded(pairs.size(), 0);
+  context.parallelFor(static_cast<int>(pairs.size()),
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        folded[i] = facetNormal(mesh, pairs[i][0]).dot(facetNormal(mesh, pairs[i][1])) < limit;
+      }
+    });
+  return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
 }
 
 double narrowShare(const Mesh& mesh, const std::vector<char>& chosen)

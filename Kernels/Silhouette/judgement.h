@@ -14,9 +14,23 @@
 namespace oversketch
 {
 
+// A region (one byte per vertex) and two rings round it as a mesh of its own, in the order of the whole:
+// folds and roughness are those of the whole mesh, which need not be linked for them.
+struct JudgedPart
+{
+  Mesh mesh;
+  Adjacency adjacency;
+  std::vector<char> region;
+
+  JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context = Context());
+};
+
 // Edges whose two triangles have normals over 100 degrees apart, in the region (one byte per vertex) and two
 // rings round it: elsewhere they are the same before and after.
-int foldedEdges(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& regionVertex);
+int foldedEdges(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& regionVertex,
+  const Context& context = Context());
 
 // Share of triangles among `chosen` (one byte per triangle) with an angle under 30 degrees.
 double narrowShare(const Mesh& mesh, const std::vector<char>& chosen);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -105,6 +106,46 @@ TEST(Judgement, AStripFoldedOverAHundredDegreesHasAFoldPerEdgeOfTheLine)
     const Mesh strip = foldedStrip(degrees);
     EXPECT_EQ(foldedEdges(strip, buildAdjacency(strip), all(strip.points.size())), around) << degrees;
   }
+}
+
+TEST(Judgement, APartIsJudgedAsTheWholeIs)
+{
+  std::mt19937 random(5);
+  const auto share = [&random] { return static_cast<double>(random() % 1001) / 1000.0; };
+  int folds = 0;
+  for (int round = 0; round < 20; ++round)
+  {
+    Mesh mesh = icosphere(3);
+    for (Vector3& p : mesh.points)
+    {
+      p *= 0.7 + 0.6 * share();
+    }
+    for (int i = 0; i < 5; ++i) // edges of three triangles, of the same direction, of none
+    {
+      Triangle t = mesh.triangles[random() % mesh.triangles.size()];
+      std::swap(t[1], t[2]);
+      mesh.triangles.push_back(t);
+      mesh.triangles.push_back({ t[0], t[0], t[1] });
+    }
+    std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
+    const Vector3 middle = mesh.points[random() % mesh.points.size()];
+    const double radius = 0.2 + share();
+    std::vector<char> region(mesh.points.size());
+    std::transform(mesh.points.begin(),
+      mesh.points.end(),
+      region.begin(),
+      [&](const Vector3& p) { return static_cast<char>((p - middle).norm() < radius); });
+    const Adjacency adjacency = buildAdjacency(mesh);
+    const JudgedPart part(mesh, region);
+    const Roughness rough = roughness(mesh, adjacency, region),
+                    own = roughness(part.mesh, part.adjacency, part.region);
+    EXPECT_EQ(foldedEdges(part.mesh, part.adjacency, part.region), foldedEdges(mesh, adjacency, region));
+    EXPECT_EQ(own.meanAngle, rough.meanAngle);
+    EXPECT_EQ(own.sharpShare, rough.sharpShare);
+    EXPECT_LT(JudgedPart(mesh, std::vector<char>(mesh.points.size(), 0)).mesh.vertexCount(), 1);
+    folds += foldedEdges(mesh, adjacency, region);
+  }
+  EXPECT_GT(folds, 100);
 }
 
 TEST(Judgement, FoldsCountInTheRegionAndTwoRingsRoundIt)

@@ -24,8 +24,7 @@ class Coverage
 public:
   Coverage(const MeshPicture& picture, const PixelWindow& window, const Context& context)
     : Window(window)
-    , Rows(coveredIntervals(picture, 1, window, context))
-    , Columns(coveredIntervals(picture, 0, window, context))
+    , Rows(coveredIntervals(picture, picture.triangles, 1, window, context))
     , Covered(static_cast<std::size_t>(window.width) * window.height, 0)
   {
     for (int j = 0; j < window.height; ++j)
@@ -41,6 +40,8 @@ public:
         }
       }
     }
+    // Of a column only its crossings are asked for: what lies about them makes the same ones.
+    this->Columns = coveredIntervals(picture, this->aboutCrossings(picture, context), 0, window, context);
   }
 
   std::size_t index(int i, int j) const
@@ -86,6 +87,68 @@ public:
   }
 
 private:
+  // The triangles that may lie within a pixel of where a column leaves the covered pixels.
+  std::vector<Triangle> aboutCrossings(const MeshPicture& picture, const Context& context) const
+  {
+    const int width = this->Window.width, height = this->Window.height;
+    std::vector<char> about(this->Covered.size(), 0);
+    for (int j = 0; j < height; ++j)
+    {
+      for (int i = 0; i < width; ++i)
+      {
+        if (!this->within(i, j) && (*this)(i, j) && !((*this)(i, j - 1) && (*this)(i, j + 1)))
+        {
+          for (int k = std::max(j - 2, 0); k <= std::min(j + 2, height - 1); ++k)
+          {
+            about[this->index(i, k)] = 1;
+          }
+        }
+      }
+    }
+    const auto chosen = [&](const Triangle& t)
+    {
+      const Vector2 &a = picture.points[t[0]], &b = picture.points[t[1]], &c = picture.points[t[2]];
+      const Vector2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+      constexpr double large = 8.0; // px: to look at so many pixels would take longer than it saves
+      if ((high - low).maxCoeff() > large)
+      {
+        return true;
+      }
+      const auto pixel = [](double at, int first, int count)
+      { return static_cast<int>(std::clamp(std::floor(at) - first, 0.0, count - 1.0)); };
+      const int left = pixel(low[0], this->Window.x, width), right = pixel(high[0], this->Window.x, width);
+      const int top = pixel(high[1], this->Window.y, height);
+      for (int j = pixel(low[1], this->Window.y, height); j <= top; ++j)
+      {
+        const char* row = about.data() + this->index(0, j);
+        if (std::find(row + left, row + right + 1, 1) != row + right + 1)
+        {
+          return true;
+        }
+      }
+      return false;
+    };
+    const int count = static_cast<int>(picture.triangles.size());
+    std::vector<char> keep(picture.triangles.size(), 0);
+    context.parallelFor(count,
+      [&](int begin, int end)
+      {
+        for (int t = begin; t < end; ++t)
+        {
+          keep[t] = chosen(picture.triangles[t]);
+        }
+      });
+    std::vector<Triangle> triangles;
+    for (int t = 0; t < count; ++t)
+    {
+      if (keep[t])
+      {
+        triangles.push_back(picture.triangles[t]);
+      }
+    }
+    return triangles;
+  }
+
   PixelWindow Window;
   std::vector<std::vector<CoveredInterval>> Rows, Columns;
   std::vector<char> Covered;

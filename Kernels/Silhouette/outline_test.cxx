@@ -118,6 +118,55 @@ TEST(Outline, PixelsThatTouchAtACornerAreJoined)
   EXPECT_EQ(outlineOf(mesh, view).size(), 1u);
 }
 
+TEST(Outline, RowsAndColumnsSeeTheSame)
+{
+  // A wavy ring of small triangles over two others, and the same turned over the picture's diagonal.
+  const View view = orthographicView(front, up, 100.0);
+  Mesh mesh;
+  for (const Vector3& at : { Vector3(0, 0, 0), Vector3(1.1, 0.4, -1), Vector3(0.3, -0.9, 1) })
+  {
+    Mesh ring = annulus(0.37, 1.0, 300);
+    const int first = mesh.vertexCount();
+    for (const Vector3& p : ring.points)
+    {
+      mesh.points.push_back((1.0 + 0.1 * std::sin(7.0 * std::atan2(p[1], p[0]))) * p + at);
+    }
+    for (const Triangle& t : ring.triangles)
+    {
+      mesh.triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+    }
+  }
+  Mesh turned = mesh;
+  for (Vector3& p : turned.points)
+  {
+    std::swap(p[0], p[1]);
+  }
+  const Vector2 middle = view.toDisplay(Vector3::Zero()).head<2>();
+  const auto loops = outlineOf(mesh, view), others = outlineOf(turned, view);
+  ASSERT_EQ(loops.size(), others.size());
+  std::vector<Vector2> expected;
+  for (const OutlineLoop& loop : others)
+  {
+    for (const Vector2& p : loop.points)
+    {
+      expected.push_back(Vector2(p[1] - middle[1], p[0] - middle[0]) + middle);
+    }
+  }
+  std::size_t points = 0;
+  for (const OutlineLoop& loop : loops)
+  {
+    points += loop.points.size();
+    for (const Vector2& p : loop.points)
+    {
+      EXPECT_TRUE(std::any_of(
+        expected.begin(), expected.end(), [&p](const Vector2& other) { return (other - p).norm() < 1e-9; }))
+        << p.transpose();
+    }
+  }
+  EXPECT_EQ(points, expected.size());
+  EXPECT_GT(points, 1000u);
+}
+
 TEST(Outline, AHugePictureIsTracedRoundTheStroke)
 {
   const View view = orthographicView(front, up, 50000.0);
