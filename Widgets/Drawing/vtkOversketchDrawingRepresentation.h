@@ -61,7 +61,7 @@ public:
    * As a prop.
    */
   void BuildRepresentation() override;
-  double* GetBounds() override VTK_SIZEHINT(6);
+  double* GetBounds() VTK_SIZEHINT(6) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;
