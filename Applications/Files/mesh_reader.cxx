@@ -1,4 +1,5 @@
 #include "mesh_file.h"
+#include "quads.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -134,6 +135,11 @@ vtkSmartPointer<vtkPolyData> trianglesOf(const std::string& path, vtkPolyData* m
   filter->PassVertsOff();
   filter->PassLinesOff();
   filter->Update();
+  if (strips + others == 0 && filter->GetOutput()->GetNumberOfPolys() < trianglesIn(mesh))
+  {
+    filter->SetInputData(withoutQuads(mesh)); // some are too narrow for it
+    filter->Update();
+  }
   takeError(); // a polygon that cannot be triangulated is left out
   vtkSmartPointer<vtkPolyData> result = filter->GetOutput();
   if (!triangles || strips > 0)

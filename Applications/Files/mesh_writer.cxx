@@ -1,10 +1,12 @@
 #include "mesh_file.h"
+#include "quads.h"
 #include "texture.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPLYWriter.h"
@@ -36,7 +38,15 @@ void finish(Writer* writer, const std::string& path)
 void writePly(vtkPolyData* mesh, const std::string& path)
 {
   vtkNew<vtkPLYWriter> writer;
-  writer->SetInputData(mesh);
+  vtkNew<vtkPolyData> single; // it takes the memory of texture coordinates for floats without a look
+  single->ShallowCopy(mesh);
+  if (vtkDataArray* textures = mesh->GetPointData()->GetTCoords())
+  {
+    vtkNew<vtkFloatArray> floats;
+    floats->DeepCopy(textures);
+    single->GetPointData()->SetTCoords(floats);
+  }
+  writer->SetInputData(single);
   writer->SetFileTypeToBinary();
   writer->SetColorModeToOff();
   if (vtkDataArray* colours = coloursOf(mesh))
@@ -61,11 +71,12 @@ void requireReadBack(vtkPolyData* mesh, const std::string& path)
     Notes none;
     // An STL file keeps no triangle whose corners are one in single precision.
     const vtkIdType read = readMesh(path, none)->GetNumberOfPolys();
-    if (read == mesh->GetNumberOfPolys() || (extensionOf(path) == ".stl" && read < mesh->GetNumberOfPolys()))
+    const vtkIdType written = trianglesIn(mesh);
+    if (read == written || (extensionOf(path) == ".stl" && read < written))
     {
       return;
     }
-    why = "it has " + std::to_string(read) + " polygons of " + std::to_string(mesh->GetNumberOfPolys());
+    why = "it has " + std::to_string(read) + " triangles of " + std::to_string(written);
   }
   catch (const Failed& failed)
   {
@@ -164,9 +175,17 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes)
   files.commit();
 }
 
-void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes, NewFiles& files)
+void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFiles& files)
 {
   const std::string extension = extensionOf(path);
+  vtkSmartPointer<vtkPolyData> mesh = given;
+  if ((extension == ".stl" || extension == ".gltf" || extension == ".glb") &&
+      trianglesIn(mesh) != mesh->GetNumberOfPolys())
+  {
+    mesh = withoutQuads(mesh);
+    notes.push_back(
+      std::string(extension == ".stl" ? "STL" : "glTF") + " keeps no quads; they are cut in two");
+  }
   vtkPointData* points = mesh->GetPointData();
   std::function<void(const std::string&)> write;
   bool single = false;
