@@ -1,0 +1,115 @@
+"""Drawings made models by the command: formats, reports, steps, what is refused, and a limb pulled afterwards."""
+import json
+
+import numpy
+import pytest
+
+from scene import *  # noqa: F403
+from vtkmodules.vtkCommonCore import vtkIdList
+
+DRAWINGS = SOURCE / "Data" / "Drawings"
+
+
+def inflate(name, out, *options, picture=True):
+    image = ("--image", DRAWINGS / (name + ".png")) if picture else ()
+    done = run("inflate", DRAWINGS / (name + ".vtp"), *image, "-o", out, *options)
+    assert done.returncode == 0, done.stderr
+    return done
+
+
+def edges_of(mesh):
+    """{edge: how often it is passed} over all faces, in their directions."""
+    counts = {}
+    ids = vtkIdList()
+    for face in range(mesh.GetNumberOfPolys()):
+        mesh.GetPolys().GetCellAtId(face, ids)
+        corners = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        for edge in zip(corners, corners[1:] + corners[:1]):
+            counts[edge] = counts.get(edge, 0) + 1
+    return counts
+
+
+def euler(mesh):
+    """Euler's number of a mesh whose every edge is passed once in either direction."""
+    edges = edges_of(mesh)
+    assert all(count == 1 and (b, a) in edges for (a, b), count in edges.items())
+    return len({a for a, _ in edges}) - len(edges) // 2 + mesh.GetNumberOfPolys()
+
+
+def test_a_picture_becomes_a_textured_model(tmp_path):
+    done = inflate("fish", tmp_path / "fish.vtp", "--report", tmp_path / "fish.json", "--inner", tmp_path / "steps")
+    mesh = read(tmp_path / "fish.vtp")
+    assert euler(mesh) == 2
+    texture = mesh.GetFieldData().GetAbstractArray("Texture")
+    assert vtk_to_numpy(texture).tobytes() == (DRAWINGS / "fish.png").read_bytes()
+    report = json.loads((tmp_path / "fish.json").read_text())
+    assert report["strokes"].count("boundary") == 1 and report["strokes"].count("closed feature") == 2
+    assert len(report["strokes"]) == 16 and report["after"]["triangles"] == mesh.GetNumberOfPolys()
+    assert report["faces"]["Refine"] * 2 == mesh.GetNumberOfPolys()
+    assert 0 < report["smallest_angle"]["least"] <= report["smallest_angle"]["percentile_5"] < report["smallest_angle"]["median"] < 60
+    assert {"Distance.vti", "Distance.vtp", "Refine.vtp", "Inflate.vti"} <= {p.name for p in (tmp_path / "steps").iterdir()}
+    assert done.stdout == ""
+
+
+@pytest.mark.parametrize("extension", ["obj", "glb", "gltf", "ply", "off", "stl"])
+def test_quads_reach_every_format(tmp_path, extension):
+    inflate("leaf", tmp_path / "quads.vtp", "--quads")
+    quads = vtkXMLPolyDataReader()
+    quads.SetFileName(str(tmp_path / "quads.vtp"))
+    quads.Update()
+    faces = quads.GetOutput().GetNumberOfPolys()
+    assert quads.GetOutput().GetPolys().GetNumberOfConnectivityIds() == 4 * faces
+    out = tmp_path / ("leaf." + extension)
+    done = inflate("leaf", out, "--quads")
+    assert ("cut in two" in done.stderr) == (extension in ("glb", "gltf", "stl"))
+    assert out.stat().st_size > 10 ** 5
+    if extension == "obj":
+        assert (tmp_path / "leaf.png").read_bytes() == (DRAWINGS / "leaf.png").read_bytes()
+    assert faces > 5000
+
+
+def test_holes_tunnels_and_slabs(tmp_path):
+    inflate("mug", tmp_path / "mug.vtp")  # its drawing says that the handle is one
+    assert euler(read(tmp_path / "mug.vtp")) == 0
+    inflate("padlock", tmp_path / "padlock.vtp", "--extrude", "40")
+    padlock = read(tmp_path / "padlock.vtp")
+    assert euler(padlock) == -2
+    assert padlock.GetBounds()[4:] == (-40.0, 40.0)
+    inflate("fish", tmp_path / "eye.vtp", "--hole", "2", picture=False)
+    assert euler(read(tmp_path / "eye.vtp")) == 0
+    inflate("fish", tmp_path / "low.vtp", "--hole", "2", "--height", "0.5", picture=False)
+    assert numpy.allclose(points_of(read(tmp_path / "low.vtp"))[:, 2], 0.5 * points_of(read(tmp_path / "eye.vtp"))[:, 2], atol=1e-9)
+
+
+def test_what_cannot_be_is_said(tmp_path):
+    for options, words in ((("--hole", "99"), "99"), (("--hole", "1"), "1"), (("--profile", "0 0, 1 nan"), "rofile"), (("--image", __file__), "PNG or JPEG")):
+        done = run("inflate", DRAWINGS / "fish.vtp", "-o", tmp_path / "no.vtp", *options)
+        assert done.returncode == 1 and words in done.stderr, done.stderr
+        assert not (tmp_path / "no.vtp").exists()
+    done = run("inflate", tmp_path / "absent.vtp", "-o", tmp_path / "no.vtp")
+    assert done.returncode == 1 and "absent.vtp" in done.stderr
+    done = run("inflate", DRAWINGS / "fish.vtp")
+    assert done.returncode == 2
+
+
+def test_a_limb_of_it_is_pulled_and_it_keeps_its_picture(tmp_path):
+    inflate("heron", tmp_path / "heron.vtp")
+    model = read(tmp_path / "heron.vtp")
+    bill = numpy.array([(220, 903), (160, 890), (100, 872), (85, 862), (100, 860), (160, 872), (220, 882)], float)
+    along = numpy.linspace(0, 6, 60)
+    bill = numpy.column_stack([numpy.interp(along, range(7), bill[:, k]) for k in (0, 1)])
+    drawing = vtkXMLPolyDataReader()
+    drawing.SetFileName(str(DRAWINGS / "heron.vtp"))
+    drawing.Update()
+    one = stroke(bill)
+    for name in ("ViewTransform", "ProjectionTransform", "ViewportSize"):
+        source, target = drawing.GetOutput().GetCellData().GetArray(name), one.GetCellData().GetArray(name)
+        target.SetTuple(0, source.GetTuple(0))
+    write(one, tmp_path / "bill.vtp")
+    done = run("one-stroke", tmp_path / "heron.vtp", tmp_path / "bill.vtp", "-o", tmp_path / "longer.vtp", "--allow-torn")
+    assert done.returncode == 0, done.stderr
+    longer = read(tmp_path / "longer.vtp")
+    assert euler(longer) == euler(model) == 2
+    assert longer.GetBounds()[0] < model.GetBounds()[0] - 15  # the bill's tip
+    assert longer.GetPointData().GetTCoords() is not None
+    assert vtk_to_numpy(longer.GetFieldData().GetAbstractArray("Texture")).tobytes() == (DRAWINGS / "heron.png").read_bytes()
