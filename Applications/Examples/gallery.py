@@ -35,7 +35,11 @@ AUGMENTATION = (
     "terrain_pipeline",
     "terrain_strokes",
 )
-EXAMPLES = DEFORMATION + AUGMENTATION
+DRAWING = (
+    "inflation",
+    "cross_sections",
+)
+EXAMPLES = DEFORMATION + AUGMENTATION + DRAWING
 HEAD = """# Gallery
 
 One short script for each figure of the papers that shows a result. Each runs alone, with the package on `PYTHONPATH` and a display or
@@ -57,6 +61,10 @@ Bao and Howard, "SEED: Sketch-Based 3D Model Deformation"; figures 4 and 5 are d
 
 "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", on models of our own; figure 3 is a drawing of operators.
 """, AUGMENTATION),
+    ("""# Models from drawings
+
+"Image-Assisted Modeling from Sketches", on drawings and pictures of our own.
+""", DRAWING),
 )
 
 

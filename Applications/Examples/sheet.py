@@ -18,6 +18,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
     vtkRenderWindow,
     vtkTextActor,
+    vtkTexture,
     vtkWindowToImageFilter,
 )
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (letters)
@@ -112,6 +113,17 @@ def clay(mesh, colours=None, edges=False, crease=180.0):
         look.EdgeVisibilityOn()
         look.SetEdgeColor(0.25, 0.25, 0.30)
         look.SetLineWidth(1.6)
+    return actor
+
+
+def textured(mesh, picture):
+    """The mesh in its picture, lit as clay is."""
+    actor, texture = clay(mesh, crease=60), vtkTexture()
+    texture.SetInputData(picture)
+    texture.InterpolateOn()
+    actor.GetMapper().GetInput().GetPointData().SetTCoords(mesh.GetPointData().GetTCoords())
+    actor.GetProperty().SetColor(1.0, 1.0, 1.0)
+    actor.SetTexture(texture)
     return actor
 
 
