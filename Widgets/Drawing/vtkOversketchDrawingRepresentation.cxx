@@ -197,8 +197,11 @@ void vtkOversketchDrawingRepresentation::SetCurves(vtkPolyData* curves)
 
 void vtkOversketchDrawingRepresentation::SetText(const char* text)
 {
-  this->Inner->text->SetInput(text ? text : "");
-  this->Modified();
+  if (this->GetText() != std::string(text ? text : ""))
+  {
+    this->Inner->text->SetInput(text ? text : "");
+    this->Modified();
+  }
 }
 
 const char* vtkOversketchDrawingRepresentation::GetText()

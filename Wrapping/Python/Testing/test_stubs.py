@@ -55,7 +55,7 @@ def test_every_public_method_of_the_header_is_there_with_its_comment(header):
     class_ = stubs()[header.stem]
     written = {node.name: ast.get_docstring(node) for node in class_.body if isinstance(node, ast.FunctionDef)}
     methods = declared(header)
-    assert len(methods) >= 3
+    assert len(methods) >= 2
     for name, comment in methods.items():
         if name in ("New", "PrintSelf"):  # Python's own constructor, print()
             continue
