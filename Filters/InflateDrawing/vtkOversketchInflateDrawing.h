@@ -85,11 +85,17 @@ public:
 
   ///@{
   /**
-   * Numbers of strokes, from 0 in the drawing's order, whose inside is cut out before (Holes) or after
-   * (Tunnels) the surface is made, "2" or "2 5" [default none]. They go before a stroke's own Treatment.
+   * Numbers of strokes, from 0 in the drawing's order, whose inside is cut out before the surface is made:
+   * "2" or "2 5" [default none]. They go before a stroke's own Treatment.
    */
   void SetHoles(const char* strokes);
   const char* GetHoles() const { return this->Holes.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * The same of strokes whose inside is cut out of the finished surface.
+   */
   void SetTunnels(const char* strokes);
   const char* GetTunnels() const { return this->Tunnels.c_str(); }
   ///@}

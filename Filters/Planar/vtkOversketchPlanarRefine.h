@@ -146,7 +146,10 @@ private:
 
   int Levels = 3;
   double SnapShare = 0.3;
-  bool Guard = true, AsPublished = false, Quads = false, SplitsAreTaken = false;
+  bool Guard = true;
+  bool AsPublished = false;
+  bool Quads = false;
+  bool SplitsAreTaken = false;
   int Inverted = 0;
   vtkIdType RefineCount = 0;
 
