@@ -13,7 +13,9 @@
  * have the equations.
  *
  * Input 0 (Mesh): the drawing's mesh in the plane, triangles or quads, as vtkOversketchPlanarRefine puts it
- * out, holes trimmed; its point array BoundaryKind says what is a rim. Input 1 (Distance, vtkImageData): the
+ * out, holes trimmed; its point array BoundaryKind says what is a rim.
+ *
+ * Input 1 (Distance, vtkImageData): the
  * same drawing's distance image, output 1 of vtkOversketchDistance.
  *
  * Output 0 (Mesh): the closed surface, front and rim first, in the mesh's order, then the back; of quads

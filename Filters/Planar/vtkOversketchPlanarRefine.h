@@ -17,7 +17,11 @@
  * Output 0 (Mesh): the refined mesh, each face in 4^Levels, with the same arrays: StrokeId, StrokeParam and
  * BoundaryKind of new points on strokes, RegionId, ObjectId and BaseFaceId as inherited. With Levels 0 the
  * mesh itself, its edges from rim to rim on no stroke split in the middle. Field arrays are passed, other
- * ones not. Output 1 (Edges): its edges on strokes, as those of the input. Output 2 (Splits): parts of
+ * ones not.
+ *
+ * Output 1 (Edges): its edges on strokes, as those of the input.
+ *
+ * Output 2 (Splits): parts of
  * strokes to be approximated closer, for vtkOversketchPolyline: lines with cell arrays StrokeId, ParamStart,
  * ParamEnd and Halvings, 1. Where there are any, the other outputs are empty and a warning says so: a
  * pipeline has no loop, which vtkOversketchInflateDrawing is for. Empty without Guard.

@@ -11,7 +11,9 @@
  * Input 0 (Curves): curves of vtkOversketchClassify, resampled (vtkOversketchResample); cell array Treatment
  * (see vtkOversketchTreatment) may be absent: all filled.
  * Input 1 (Distance, vtkImageData, optional): that of vtkOversketchDistance, point array LocalMax. Not read
- * in mode Fixed. Input 2 (Splits, optional): parts of strokes to be approximated closer, from
+ * in mode Fixed.
+ *
+ * Input 2 (Splits, optional): parts of strokes to be approximated closer, from
  * vtkOversketchPlanarRefine.
  *
  * Output 0 (Polylines): one polyline per stroke, without rejected ones and those in holes; a closed one

@@ -1,5 +1,6 @@
 """What make_proxies.py reads in a header, and where it stops; ParaView is not needed for this."""
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree as tree
 
@@ -162,3 +163,15 @@ def test_stops_at_a_base_that_is_not_there(tmp_path):
 
 def test_all_headers_are_understood():
     assert len(proxies(*filter_headers())) > 15
+
+
+def test_every_input_is_told_on_a_line_of_its_own():
+    told = 0
+    for header in sorted((SOURCE / "Filters").glob("*/vtkOversketch*.h")):
+        code = header.with_suffix(".cxx")
+        count = re.search(r"SetNumberOfInputPorts\((\d+)\)", code.read_text()) if code.exists() else None
+        if count:
+            ports = {int(port) for port in re.findall(r"^ \* Input (\d+) \(", header.read_text(), re.M)}
+            assert ports == set(range(int(count[1]))), header.name
+            told += 1
+    assert told > 20
