@@ -31,7 +31,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -44,7 +43,6 @@ namespace
 {
 
 constexpr int mostRebuilds = 24;
-constexpr int mostLevels = 7; // 16,384 faces of each
 
 } // namespace
 
@@ -414,7 +412,6 @@ void vtkOversketchInflateDrawing::SetQuads(bool quads)
 
 void vtkOversketchInflateDrawing::SetLevels(int levels)
 {
-  levels = std::clamp(levels, 0, mostLevels);
   if (levels != this->Levels)
   {
     this->Levels = levels;

@@ -120,7 +120,7 @@ public:
 
   ///@{
   /**
-   * How often the coarse mesh is refined, 0 to 7 [default 3].
+   * How often the coarse mesh is refined [0 to 10, default 3].
    */
   void SetLevels(int levels);
   vtkGetMacro(Levels, int);
