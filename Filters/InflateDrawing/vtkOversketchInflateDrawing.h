@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * The cross-section of what is inflated: "circle" (default), "linear", "step", or a polyline "x y, x y, …"
-   * from rim to ridge; see vtkOversketchInflate.
+   * The cross-section of what is inflated: empty (default) or "circle", "linear", "step", or a polyline "x y,
+   * x y, …" from rim to ridge; see vtkOversketchInflate.
    */
   void SetProfile(const char* text);
   const char* GetProfile() const { return this->Profile.c_str(); }
@@ -160,8 +160,7 @@ private:
   bool AsPublished = false;
   int Levels = 3;
   int Rebuilds = 0;
-  std::string Profile = "circle";
-  std::string Holes, Tunnels;
+  std::string Profile, Holes, Tunnels;
 
   struct Pipeline;
   std::unique_ptr<Pipeline> Inner;
