@@ -9,7 +9,6 @@
 #include "vtkSMPTools.h"
 
 #include <random>
-#include <tuple>
 
 using namespace oversketch;
 using namespace oversketch_test;
