@@ -12,10 +12,13 @@
 #include "vtkRendererCollection.h"
 
 #include <QApplication>
+#include <QImage>
 #include <QTest>
+#include <QTimer>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace oversketch_studio
@@ -39,6 +42,18 @@ struct Scene
   void wait()
   {
     EXPECT_TRUE(QTest::qWaitFor([this] { return this->document->isSettled(); }, 600000));
+  }
+  // Once the view's timers have run out: a frame's edges are smoothed some time after it is drawn.
+  QImage pictureAtRest()
+  {
+    const auto rests = [this]
+    {
+      const auto timers = this->view->findChildren<QTimer*>();
+      return std::none_of(timers.begin(), timers.end(), [](QTimer* timer) { return timer->isActive(); });
+    };
+    QApplication::processEvents();
+    EXPECT_TRUE(QTest::qWaitFor(rests, 60000));
+    return this->view->grabFramebuffer();
   }
   vtkRenderer* renderer() { return this->view->renderWindow()->GetRenderers()->GetFirstRenderer(); }
   // Where a place of the world is in the view, in pixels from its upper left corner.

@@ -32,18 +32,23 @@ def look_at_the_dog(window):
     window.window.Render()
 
 
+def snippet(word):
+    """The README's snippet that uses this."""
+    found = [text for text in re.findall(r"```python\n(.*?)```", (SOURCE / "README.md").read_text(), re.S) if word in text]
+    assert len(found) == 1
+    assert len(found[0].strip().splitlines()) <= 10
+    return found[0]
+
+
 @pytest.fixture
 def pen():
     """A window on the dog with the pen of the README's snippet, as written there."""
-    readme = (SOURCE / "README.md").read_text()
-    first, _, _, second = re.findall(r"```python\n(.*?)```", readme, re.S)[:4]
-    assert len(second.strip().splitlines()) < 10
     window = Window()
     look_at_the_dog(window)
     names = {"interactor": window.interactor, "mapper": window.renderer.GetActors().GetLastActor().GetMapper()}
     cwd = os.getcwd()
     os.chdir(SOURCE)
-    exec(compile(first + second, "README.md", "exec"), names)
+    exec(compile(snippet("vtkOversketchOneStroke()") + snippet("vtkOversketchStrokeWidget()"), "README.md", "exec"), names)
     os.chdir(cwd)
     names["system"].SetBackendToHost()  # the same rays whatever OpenCL device there is
     return window, names
@@ -92,15 +97,13 @@ def test_the_stroke_goes_to_a_file_and_back(pen, tmp_path):
 
 
 def test_the_one_stroke_snippet_draws_and_the_mesh_follows():
-    first, _, second = re.findall(r"```python\n(.*?)```", (SOURCE / "README.md").read_text(), re.S)[:3]
-    assert len(second.strip().splitlines()) < 10
     window = Window()
     look_at_the_dog(window)
     mapper = window.renderer.GetActors().GetLastActor().GetMapper()
     names = {"interactor": window.interactor, "mapper": mapper}
     cwd = os.getcwd()
     os.chdir(SOURCE)
-    exec(compile(first + second, "README.md", "exec"), names)
+    exec(compile(snippet("vtkOversketchOneStroke()") + snippet("vtkOversketchOneStrokeWidget()"), "README.md", "exec"), names)
     os.chdir(cwd)
     names["drawing"].GetOneStroke().SetBackendToHost()
     window.window.Render()
