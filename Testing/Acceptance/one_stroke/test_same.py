@@ -26,7 +26,8 @@ STROKES = meshes.DATA / "Strokes"
 NAMES = sorted(listing.ONE_STROKE)
 NEAR = 1e-4  # of the size
 SURFACE = 1e-3  # of the size, with remeshing
-TURNS = [((1.0, 2.0, -0.5), 37.0), ((0.0, 1.0, 0.3), 90.0), ((-1.0, 0.3, 2.0), 200.0)]
+TURNS = [((1.0, 2.0, -0.5), 37.0), ((0.0, 1.0, 0.3), 90.0), ((-1.0, 0.3, 2.0), 200.0),
+         ((1.0, 0.0, 0.0), 90.0), ((0.0, 1.0, 0.0), 90.0), ((0.0, 0.0, 1.0), 90.0)]
 
 
 def mesh_of(points, triangles):
@@ -145,7 +146,7 @@ def test_turned(case, axis, degrees):
                    one_stroke(points @ turn.T, triangles, turned_view(stroke_of(name), turn)))
     result = places_of(there.GetOutput()) @ turn
     regions = [vtk_to_numpy(one.GetInnerOutput("RegionBorder").GetPointData().GetArray("Region")) for one in (here, there)]
-    print(name, "turned", degrees, apart(result, expected, points), np.count_nonzero(regions[0] != regions[1]))
+    print(name, "turned", degrees, "about", axis, apart(result, expected, points), np.count_nonzero(regions[0] != regions[1]))
     assert apart(result, expected, points) <= NEAR
     assert np.array_equal(*regions)
 
@@ -187,7 +188,7 @@ def test_remeshed(case):
     for axis, degrees in TURNS:
         turn = rotation(axis, degrees)
         turned = run(points @ turn.T, triangles, turned_view(stroke_of(name), turn), True)
-        others[f"turned {degrees}"] = mapped(turned, turn.T)
+        others[f"turned {degrees} about {axis}"] = mapped(turned, turn.T)
     for what, other in others.items():
         print(name, "remeshed", what, far(expected, other) / size)
     for what, other in others.items():
