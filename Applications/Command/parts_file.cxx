@@ -25,7 +25,7 @@ namespace
 
 constexpr Json::ArrayIndex mostParts = 1000;
 constexpr double farthest = 1e9;   // that a part is moved or scaled
-constexpr double narrowest = 1e-9; // of a box
+constexpr double narrowest = 1e-9; // of a box, and what a part is scaled by
 const char* const verdict = "see oversketch assemble --help";
 
 void requireKnown(const JsonReader& json, const std::vector<std::string>& members)
@@ -125,15 +125,21 @@ double sensible(const JsonReader& json, const std::string& name, const Json::Val
   return value.asDouble();
 }
 
-void requirePlacement(const std::string& where, const Eigen::Matrix4d& matrix)
+void requirePlacement(const std::string& where, const std::string& member, const Eigen::Matrix4d& matrix)
 {
+  const Eigen::Vector3d scales = matrix.topLeftCorner<3, 3>().colwise().norm();
   try
   {
     const oversketch::Placement placement(matrix);
   }
   catch (const oversketch::Error& error)
   {
-    throw Failed(where + ": 'placement': " + error.what());
+    throw Failed(where + ": '" + member + "': " + error.what());
+  }
+  if (scales.minCoeff() < narrowest || scales.maxCoeff() > farthest)
+  {
+    throw Failed(
+      where + ": '" + member + "' scales the part by less than 1e-9 or over 1e9; give a scale between them");
   }
 }
 
@@ -152,7 +158,7 @@ Eigen::Matrix4d matrixOf(const JsonReader& json)
     matrix(i / 4, i % 4) = sensible(
       json, "placement", rows[static_cast<Json::ArrayIndex>(i / 4)][static_cast<Json::ArrayIndex>(i % 4)]);
   }
-  requirePlacement(json.where(), matrix);
+  requirePlacement(json.where(), "placement", matrix);
   return matrix;
 }
 
@@ -269,7 +275,7 @@ Eigen::Matrix4d placementOf(const Part& part, vtkPolyData* mesh)
     }
     const Eigen::Vector2d size = from.tail<2>() - from.head<2>();
     const Eigen::Vector2d scale = (part.box->tail<2>() - part.box->head<2>()).cwiseQuotient(size);
-    if (!scale.allFinite() || scale.maxCoeff() > farthest)
+    if (!scale.allFinite())
     {
       throw Failed(
         part.where + ": 'box' cannot be filled by a part that is flat in x or y; give a 'placement'");
@@ -277,7 +283,7 @@ Eigen::Matrix4d placementOf(const Part& part, vtkPolyData* mesh)
     matrix.diagonal().head<3>() << scale[0], scale[1], std::sqrt(scale[0] * scale[1]);
     matrix.topRightCorner<2, 1>() = part.box->head<2>() - scale.cwiseProduct(from.head<2>());
   }
-  requirePlacement(part.where, matrix);
+  requirePlacement(part.where, part.box ? "box" : "depth", matrix);
   return matrix;
 }
 
