@@ -48,6 +48,10 @@ void requireKnown(const JsonReader& json, const std::vector<std::string>& member
 std::string fileOf(const JsonReader& json, const std::string& name, const std::filesystem::path& folder)
 {
   const std::string given = json.text(name);
+  if (given.empty() || given.find('\0') != std::string::npos)
+  {
+    json.refuse(name, "is no path of a file; name one, beginning at the folder of the parts' file");
+  }
   const std::string path = (folder / given).lexically_normal().string();
   try
   {

@@ -308,6 +308,8 @@ HOSTILE = {  # what the file holds, and what the message says beside the file's 
     "its own file": ({"parts": [{"mesh": "parts.json"}]}, "part 0: ", "is none of the mesh formats"),
     "a number for a path": ({"parts": [{"mesh": 7}]}, "part 0: 'mesh' is not a string"),
     "absent": ({"parts": [{"mesh": "t.vtp"}, {"mesh": "no.vtp"}]}, "part 1: 'mesh' names 'no.vtp': there is no such file; mend the path"),
+    "an empty path": ({"parts": [{"mesh": ""}]}, "part 0: 'mesh' is no path of a file"),
+    "a path that ends early": ({"parts": [{"mesh": "t.vtp\0.obj"}]}, "part 0: 'mesh' is no path of a file"),
     "absent and outside": ({"parts": [{"strokes": "../../no/way.vtp"}]},
                            "part 0: 'strokes' names '../../no/way.vtp': there is no such file"),
     "a folder": ({"parts": [{"mesh": "."}]}, "part 0: 'mesh' names '.'", "is not a file"),
