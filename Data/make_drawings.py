@@ -21,7 +21,7 @@ from drawings import DRAWINGS, SNAP_RADIUS
 from make_strokes import HERE, pen
 
 # The parts of figure.json: where their pictures stand, in px of the first; y up, z towards the viewer.
-FIGURE = {"figure_body": (0.0, 0.0, 0.0), "figure_head": (64.0, 370.0, 110.0), "figure_hat": (64.0, 792.0, 105.0)}
+FIGURE = {"figure_body": (0.0, 0.0, 0.0), "figure_head": (64.0, 370.0, 110.0), "figure_hat": (64.0, 740.0, 105.0)}
 
 
 def view(width, height):

@@ -125,6 +125,7 @@ void addFiguresOf(vtkOversketchInflateDrawing* drawing, Json::Value& json)
     json["strokes"].append(words[std::clamp(static_cast<int>(roles->GetComponent(i, 0)), -1, 3) + 1]);
   }
   json["rebuilds"] = drawing->GetRebuilds();
+  json["levels"] = drawing->GetLevelsMade();
   for (const char* name : { "CoarseMesh", "QuadMerge", "Refine" })
   {
     vtkPolyData* made = drawing->GetInnerOutput(name);

@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include "mesh_file.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -81,6 +83,8 @@ std::string helpText()
     lines.emplace_back(usageOf(system), system.brief);
     lines.emplace_back("oversketch " + system.verb + " --help", "its options");
   }
+  lines.emplace_back(
+    "oversketch assemble PARTS.json -o OUT", "join drawings and meshes, placed, into one model");
   lines.emplace_back("oversketch replay SESSION.oversketch -o OUT", "make the mesh of a saved session again");
   lines.emplace_back("oversketch --version", "what this program is made of and runs on");
   lines.emplace_back("oversketch --help", "this text");
@@ -112,6 +116,38 @@ std::string replayHelpText()
          "\n"
          "  SESSION              .oversketch file, or a folder of the same content\n"
          "  -o, --output OUT     the mesh to write: .obj .ply .stl .off .vtp .gltf .glb\n";
+}
+
+std::string assembleHelpText()
+{
+  return "oversketch assemble PARTS.json -o OUT [options]\n"
+         "\n"
+         "Makes a model of each drawing that the file names, with its picture, puts it and meshes in their "
+         "places\n"
+         "and joins all into one mesh. Parts are not merged. Each wears its own picture: one material a part "
+         "in\n"
+         ".gltf, .glb and .obj; a .vtp file holds them as field arrays Part0.Texture, …, the cell array "
+         "PartId says\n"
+         "whose a face is. Parts are numbered from 0.\n"
+         "\n"
+         "  PARTS.json           { \"parts\": [ … ] }, at most 1000; paths begin at its folder; members of a "
+         "part:\n"
+         "    strokes            a drawing (.vtp), as of oversketch inflate; or mesh\n"
+         "    picture            the picture that it was drawn over: .png .jpg; may be absent\n"
+         "    parameters         { \"profile\": \"linear\", \"hole\": \"2\" }: as the options of oversketch "
+         "inflate are\n"
+         "                       called, a switch true or false; may be absent\n"
+         "    mesh               in place of these: " +
+         std::string(oversketch_files::meshExtensions) +
+         "\n"
+         "    box, depth         [left, bottom, right, top] that the drawing's canvas, or the mesh, comes to "
+         "fill,\n"
+         "                       and how far it is then moved along z; may be absent\n"
+         "    placement          in place of these: an affine matrix, four rows of four numbers\n"
+         "  -o, --output OUT     the mesh to write: " +
+         std::string(oversketch_files::meshExtensions) +
+         "\n"
+         "  --report JSON        times, and of each part what its strokes are, counts, place\n";
 }
 
 } // namespace oversketch_command

@@ -1,4 +1,5 @@
 // The command `oversketch`. Exit code 0: done, 1: could not, 2: bad use.
+#include "assemble.h"
 #include "files.h"
 #include "options.h"
 #include "replay.h"
@@ -23,9 +24,10 @@ int run(const std::vector<std::string>& arguments)
   switch (options.action)
   {
     case Action::Help:
-      std::fputs((options.isReplay  ? replayHelpText()
-                   : options.system ? helpText(*options.system)
-                                    : helpText())
+      std::fputs((options.verb == Action::Replay      ? replayHelpText()
+                   : options.verb == Action::Assemble ? assembleHelpText()
+                   : options.system                   ? helpText(*options.system)
+                                                      : helpText())
                    .c_str(),
         stdout);
       break;
@@ -37,6 +39,9 @@ int run(const std::vector<std::string>& arguments)
       break;
     case Action::Replay:
       replay(options);
+      break;
+    case Action::Assemble:
+      assemble(options);
       break;
   }
   return 0;

@@ -230,11 +230,15 @@ Option fileOption(std::string& place, const std::string& extension = {})
 OptionTable tableOf(Options& options)
 {
   OptionTable table = { { "-o", fileOption(options.output) }, { "--output", fileOption(options.output) } };
-  if (options.isReplay)
+  if (options.verb == Action::Replay)
   {
     return table;
   }
   table["--report"] = fileOption(options.report, ".json");
+  if (options.verb == Action::Assemble)
+  {
+    return table;
+  }
   table["--inner"] = fileOption(options.inner);
   table["--backend"] = { true, [&options](const std::string& name, const std::string& value) {
                           options.backend = choiceOf(name, value, backendWords());
@@ -322,19 +326,19 @@ std::vector<std::string> verbs()
   {
     all.push_back(system.verb);
   }
-  all.emplace_back("replay");
+  all.insert(all.end(), { "assemble", "replay" });
   return all;
 }
 
 // The files that must be there, by their order.
-void takeFiles(const std::vector<std::string>& files, Options& options)
+void takeFiles(const std::vector<std::string>& files, const std::string& verb, Options& options)
 {
   std::vector<std::string*> places;
   std::vector<std::string> wanted;
-  if (options.isReplay)
+  if (!options.system)
   {
     places = { &options.session };
-    wanted = { "a session" };
+    wanted = { options.verb == Action::Replay ? "a session" : "a file of parts" };
   }
   else
   {
@@ -347,7 +351,6 @@ void takeFiles(const std::vector<std::string>& files, Options& options)
       }
     }
   }
-  const std::string verb = options.isReplay ? "replay" : options.system->verb;
   if (files.size() > places.size())
   {
     throw BadUse("'" + files[places.size()] + "' is one file too many");
@@ -389,9 +392,11 @@ Options parseArguments(const std::vector<std::string>& arguments)
     options.action = verb == "--version" ? Action::Version : Action::Help;
     return options;
   }
-  options.isReplay = verb == "replay";
+  options.verb = verb == "replay"     ? Action::Replay
+                 : verb == "assemble" ? Action::Assemble
+                                      : Action::RunSystem;
   options.system = findVerb(verb);
-  if (!options.isReplay && !options.system)
+  if (options.verb == Action::RunSystem && !options.system)
   {
     throw BadUse("'" + verb + "' is no command; commands are " + listOf(verbs(), " and "));
   }
@@ -400,8 +405,8 @@ Options parseArguments(const std::vector<std::string>& arguments)
   {
     return options; // help
   }
-  options.action = options.isReplay ? Action::Replay : Action::RunSystem;
-  takeFiles(files, options);
+  options.action = options.verb;
+  takeFiles(files, verb, options);
   return options;
 }
 

@@ -21,21 +21,22 @@ struct BadUse : std::runtime_error
 
 enum class Action
 {
-  Help, // of the command, of a system or of replay
+  Help, // of the command, or of one of its verbs
   Version,
   RunSystem,
-  Replay
+  Replay,
+  Assemble
 };
 
 struct Options
 {
   Action action = Action::Help;
-  const oversketch_session::SystemRow* system = nullptr; // null for replay and what is of none
-  bool isReplay = false;
-  std::map<std::string, std::string> inputs; // files, by the names of the system's inputs
+  Action verb = Action::RunSystem;                       // what the verb does, also where help is asked for
+  const oversketch_session::SystemRow* system = nullptr; // null for other verbs and what is of none
+  std::map<std::string, std::string> inputs;             // files, by the names of the system's inputs
   oversketch_session::Values values;
   std::set<std::string> shares; // properties whose values are shares of the mesh's size, to be multiplied
-  std::string session;          // replay
+  std::string session;          // replay: a session; assemble: the file of the parts
   std::string output, picture, report, inner;
   int backend = 0; // vtkOversketchSystem::BackendType
 };
@@ -59,6 +60,7 @@ std::string usageOf(const oversketch_session::SystemRow& system);
 std::string helpText();
 std::string helpText(const oversketch_session::SystemRow& system);
 std::string replayHelpText();
+std::string assembleHelpText();
 
 } // namespace oversketch_command
 #endif

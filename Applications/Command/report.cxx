@@ -26,14 +26,6 @@ Json::Value number(double value)
   return std::isfinite(value) ? Json::Value(value) : Json::Value();
 }
 
-Json::Value countsOf(vtkPolyData* mesh)
-{
-  Json::Value json;
-  json["points"] = static_cast<Json::Int64>(mesh->GetNumberOfPoints());
-  json["triangles"] = static_cast<Json::Int64>(mesh->GetNumberOfPolys());
-  return json;
-}
-
 // The field arrays of one value.
 void addFigures(vtkPolyData* data, const std::string& name, Json::Value& json)
 {
@@ -61,7 +53,47 @@ Json::Value optionsOf(const Options& options, const Step& step)
   return json;
 }
 
+// What the command was called with, and how long it took.
+Json::Value beginning(const Report& report, const std::string& verb, const Options& options)
+{
+  Json::Value json;
+  json["oversketch"] = OVERSKETCH_VERSION;
+  json["command"] = verb;
+  json["output"] = options.output;
+  json["milliseconds"]["read"] = number(report.readMilliseconds);
+  json["milliseconds"]["run"] = number(report.runMilliseconds);
+  json["milliseconds"]["write"] = number(report.writeMilliseconds);
+  return json;
+}
+
+std::string written(const Json::Value& json)
+{
+  Json::StreamWriterBuilder writer;
+  writer["indentation"] = "  ";
+  writer["precision"] = 9;
+  return Json::writeString(writer, json) + "\n";
+}
+
 } // namespace
+
+Json::Value countsOf(vtkPolyData* mesh)
+{
+  Json::Value json;
+  json["points"] = static_cast<Json::Int64>(mesh->GetNumberOfPoints());
+  json["triangles"] = static_cast<Json::Int64>(mesh->GetNumberOfPolys());
+  return json;
+}
+
+Json::Value stageTimes(vtkOversketchSystem* system)
+{
+  Json::Value json;
+  for (int i = 0; i < system->GetNumberOfStages(); ++i)
+  {
+    const char* name = system->GetStage(i);
+    json[name] = number(1e3 * system->GetStageTime(name));
+  }
+  return json;
+}
 
 std::string Report::json(const Options& options,
   const Step& step,
@@ -69,9 +101,7 @@ std::string Report::json(const Options& options,
   vtkPolyData* mesh,
   vtkPolyData* result) const
 {
-  Json::Value json;
-  json["oversketch"] = OVERSKETCH_VERSION;
-  json["command"] = options.system->verb;
+  Json::Value json = beginning(*this, options.system->verb, options);
   for (const SystemInput& input : options.system->inputs)
   {
     if (!options.inputs.at(input.name).empty())
@@ -79,17 +109,9 @@ std::string Report::json(const Options& options,
       json[input.word] = options.inputs.at(input.name);
     }
   }
-  json["output"] = options.output;
   json["options"] = optionsOf(options, step);
   json["backend_used"] = backendWords()[static_cast<std::size_t>(system->GetBackendUsed())];
-  json["milliseconds"]["read"] = number(this->readMilliseconds);
-  json["milliseconds"]["run"] = number(this->runMilliseconds);
-  json["milliseconds"]["write"] = number(this->writeMilliseconds);
-  for (int i = 0; i < system->GetNumberOfStages(); ++i)
-  {
-    const char* name = system->GetStage(i);
-    json["stage_milliseconds"][name] = number(1e3 * system->GetStageTime(name));
-  }
+  json["stage_milliseconds"] = stageTimes(system);
   if (mesh)
   {
     json["before"] = countsOf(mesh);
@@ -103,10 +125,16 @@ std::string Report::json(const Options& options,
   }
   addFigures(result, "Output", json["fields"]);
   oversketch_command::addFigures(system, json);
-  Json::StreamWriterBuilder writer;
-  writer["indentation"] = "  ";
-  writer["precision"] = 9;
-  return Json::writeString(writer, json) + "\n";
+  return written(json);
+}
+
+std::string Report::assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const
+{
+  Json::Value json = beginning(*this, "assemble", options);
+  json["parts_file"] = options.session;
+  json["parts"] = parts;
+  json["after"] = countsOf(result);
+  return written(json);
 }
 
 } // namespace oversketch_command

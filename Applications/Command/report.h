@@ -23,7 +23,14 @@ struct Report
     vtkOversketchSystem* system,
     vtkPolyData* mesh,
     vtkPolyData* result) const;
+  // The same of an assembled mesh: files and times, what is told of each part, counts.
+  std::string assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const;
 };
+
+// Points and triangles.
+Json::Value countsOf(vtkPolyData* mesh);
+// How long each stage of the last run took [ms].
+Json::Value stageTimes(vtkOversketchSystem* system);
 
 // Of one stroke: the matched section with its distance and score [px] and lengths [model length]; the
 // region's size; the handles' residuals [model length]; whether it was remeshed. Of an augmentation: pairs;

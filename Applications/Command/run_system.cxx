@@ -156,22 +156,6 @@ void checkOutputs(const Options& options, vtkOversketchSystem* system)
   }
 }
 
-Image readImage(const std::string& path, SystemInput::Kind kind)
-{
-  requireReadable(path);
-  Image image{ std::filesystem::path(path).filename().string(),
-    std::make_shared<const std::string>(wholeFile(path)) };
-  if (kind == SystemInput::Kind::Heights)
-  {
-    parseHeights(path, *image.bytes);
-  }
-  else if (!pictureOf(*image.bytes))
-  {
-    throw Failed(path + ": is " + notAPicture);
-  }
-  return image;
-}
-
 // The lengths that were given as shares of the mesh's size.
 void multiplyShares(const Options& options, vtkPolyData* mesh, Values& values)
 {
@@ -216,6 +200,22 @@ Session sessionOf(const Options& options, Notes& notes)
 }
 
 } // namespace
+
+Image readImage(const std::string& path, SystemInput::Kind kind)
+{
+  requireReadable(path);
+  Image image{ std::filesystem::path(path).filename().string(),
+    std::make_shared<const std::string>(wholeFile(path)) };
+  if (kind == SystemInput::Kind::Heights)
+  {
+    parseHeights(path, *image.bytes);
+  }
+  else if (!pictureOf(*image.bytes))
+  {
+    throw Failed(path + ": is " + notAPicture);
+  }
+  return image;
+}
 
 void runSystem(const Options& options)
 {

@@ -11,5 +11,8 @@ namespace oversketch_command
 // Failed. An interrupt (SIGINT) cancels: nothing is written.
 void runSystem(const Options& options);
 
+// A picture or a grid of heights. Throws Failed where it is none.
+oversketch_session::Image readImage(const std::string& path, oversketch_session::SystemInput::Kind kind);
+
 } // namespace oversketch_command
 #endif

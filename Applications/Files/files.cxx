@@ -198,7 +198,7 @@ fs::path followed(const std::string& path)
 }
 
 // Names of temporary files, for a signal handler, which may neither lock nor allocate.
-std::array<std::atomic<char*>, 256> temporaries;
+std::array<std::atomic<char*>, 2048> temporaries;
 std::atomic<int> committing{ 0 };
 std::atomic<int> pendingSignal{ 0 };
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace oversketch_files
@@ -123,11 +124,10 @@ void put32(std::string& out, std::size_t value)
   }
 }
 
-} // namespace
-
-void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary)
+// The JSON of a primitive with a material, which it says; what it holds goes into the buffer.
+std::string primitiveOf(Builder& builder, vtkPolyData* mesh, const std::string& material)
 {
-  Builder builder;
+  builder.attributes.clear();
   const std::vector<float> positions = floatsOf(mesh->GetPoints()->GetData(), 3);
   std::vector<float> low(3, FLT_MAX), high(3, -FLT_MAX);
   for (std::size_t i = 0; i < positions.size(); ++i)
@@ -190,23 +190,74 @@ void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary)
   const int indexAccessor =
     builder.add(indices.data(), indices.size() * 4, indices.size(), 5125, "SCALAR", 34963);
 
-  std::string material, look;
-  const std::string picture = textureOf(mesh);
-  if (!picture.empty())
+  return R"({"attributes":{)" + builder.attributes + R"(},"indices":)" + std::to_string(indexAccessor) +
+         material + R"(,"mode":4})";
+}
+
+bool hasMaterial(const Piece& piece)
+{
+  return !piece.picture.empty() || !piece.name.empty();
+}
+
+// The document's members of materials and pictures, empty where there are none; the pictures go into the
+// buffer.
+std::string looksOf(Builder& builder, const std::vector<Piece>& pieces)
+{
+  std::string materials, textures, images;
+  std::map<std::string, std::string> known; // the place of a picture: pieces may wear the same one
+  for (const Piece& piece : pieces)
   {
-    const int view = builder.addView(picture.data(), picture.size());
-    material = R"(,"material":0)";
-    look = R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicFactor":0}}],)"
-           R"("textures":[{"source":0}],"images":[{"bufferView":)" +
-           std::to_string(view) + R"(,"mimeType":"image/)" + pictureFormatOf(picture) + R"("}],)";
+    if (!hasMaterial(piece))
+    {
+      continue;
+    }
+    std::string base;
+    if (!piece.picture.empty())
+    {
+      const auto [picture, isNew] = known.try_emplace(piece.picture, std::to_string(known.size()));
+      if (isNew)
+      {
+        const int view = builder.addView(piece.picture.data(), piece.picture.size());
+        textures += (textures.empty() ? "" : ",") + (R"({"source":)" + picture->second + "}");
+        images += (images.empty() ? "" : ",") +
+                  (R"({"bufferView":)" + std::to_string(view) + R"(,"mimeType":"image/)" +
+                    pictureFormatOf(piece.picture) + R"("})");
+      }
+      base = R"("baseColorTexture":{"index":)" + picture->second + "},";
+    }
+    const std::string name = piece.name.empty() ? "" : R"("name":")" + piece.name + R"(",)";
+    materials += (materials.empty() ? "{" : ",{") + name + R"("pbrMetallicRoughness":{)" + base +
+                 R"("metallicFactor":0}})";
   }
+  if (materials.empty())
+  {
+    return {};
+  }
+  materials = R"("materials":[)" + materials + "],";
+  return images.empty() ? materials
+                        : materials + R"("textures":[)" + textures + R"(],"images":[)" + images + "],";
+}
+
+} // namespace
+
+void writeGltf(const std::vector<Piece>& pieces, const std::string& path, bool binary)
+{
+  Builder builder;
+  std::string primitives;
+  std::size_t count = 0; // of materials
+  for (const Piece& piece : pieces)
+  {
+    const std::string material = hasMaterial(piece) ? R"(,"material":)" + std::to_string(count++) : "";
+    primitives += (primitives.empty() ? "" : ",") + primitiveOf(builder, piece.mesh, material);
+  }
+  const std::string looks = looksOf(builder, pieces);
 
   std::ostringstream json;
   json
     << R"({"asset":{"version":"2.0","generator":"Oversketch"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
-    << R"("meshes":[{"primitives":[{"attributes":{)" << builder.attributes << R"(},"indices":)"
-    << indexAccessor << material << R"(,"mode":4}]}],)" << look << R"("accessors":[)" << builder.accessors
-    << R"(],"bufferViews":[)" << builder.views << R"(],"buffers":[{"byteLength":)" << builder.buffer.size();
+    << R"("meshes":[{"primitives":[)" << primitives << R"(]}],)" << looks << R"("accessors":[)"
+    << builder.accessors << R"(],"bufferViews":[)" << builder.views << R"(],"buffers":[{"byteLength":)"
+    << builder.buffer.size();
   if (!binary)
   {
     json << R"(,"uri":"data:application/octet-stream;base64,)" << base64(builder.buffer) << '"';

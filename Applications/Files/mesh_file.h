@@ -3,6 +3,7 @@
 #define oversketch_files_mesh_file_h
 
 #include "files.h"
+#include "pieces.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -46,16 +47,17 @@ vtkSmartPointer<vtkPolyData> readOff(const std::string& path);
 vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes);
 // The picture of the materials (texture.h) where all that are worn have the same.
 void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes);
-// Makes the texture and a library with one material, "texture", beside an OBJ file of that path; returns the
-// library's name. Replaces no other file.
-std::string writeObjMaterial(vtkPolyData* mesh, const std::string& path, NewFiles& files);
+// Makes the pictures and a library with a material for each piece, "texture" for one without a name, beside
+// an OBJ file of that path; returns the library's name. Replaces no other file.
+std::string writeObjMaterials(const std::vector<Piece>& pieces, const std::string& path, NewFiles& files);
 // With the picture of the base colour (texture.h) where all parts share one; the notes name what is not kept.
 vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes);
 void writeOff(vtkPolyData* mesh, const std::string& path);
-// With one material of that library, unless it is empty; else with those of the file that the mesh was read
-// from.
-void writeObj(vtkPolyData* mesh, const std::string& path, const std::string& library);
-void writeGltf(vtkPolyData* mesh, const std::string& path, bool binary);
+// With the materials of that library, as writeObjMaterials names them, unless it is empty; else with those of
+// the file that the mesh was read from.
+void writeObj(const std::vector<Piece>& pieces, const std::string& path, const std::string& library);
+// One primitive for each piece, with a material where it has a picture or a name.
+void writeGltf(const std::vector<Piece>& pieces, const std::string& path, bool binary);
 
 // Point colours that PLY and glTF can hold: unsigned char, 3 or 4 components; null if there are none.
 vtkDataArray* coloursOf(vtkPolyData* mesh);

@@ -86,27 +86,35 @@ void requireReadBack(vtkPolyData* mesh, const std::string& path)
   throw Failed(path + ": could not be written (is the disk full?); what was written reads: " + why);
 }
 
-// The array of the texture, for formats that keep it.
-vtkAbstractArray* keptTexture(vtkPolyData* mesh)
+// The name of an array for a note; those of an assembled mesh's parts, Part12.Canvas, have one for all.
+std::string notedName(vtkAbstractArray* array)
 {
-  return textureOf(mesh).empty() ? nullptr : mesh->GetFieldData()->GetAbstractArray(textureArray);
+  const std::string name = array->GetName() ? array->GetName() : "(no name)";
+  const std::size_t dot = name.find_first_not_of("0123456789", 4);
+  const bool ofPart = name.rfind("Part", 0) == 0 && dot != 4 && dot != std::string::npos && name[dot] == '.';
+  return ofPart ? "Part…" + name.substr(dot) : name;
 }
 
-// Names the arrays of the mesh that are not among those kept.
+// Names the arrays of the mesh that are neither among those kept nor its pictures, where these are.
 void noteDropped(vtkPolyData* mesh,
   const std::string& format,
-  const std::set<vtkAbstractArray*>& kept,
+  std::set<vtkAbstractArray*> kept,
+  bool keepsPictures,
   Notes& notes)
 {
+  const std::vector<vtkAbstractArray*> pictures = pictureArrays(mesh);
+  kept.insert(pictures.begin(), keepsPictures ? pictures.end() : pictures.begin());
   std::string names;
+  std::set<std::string> named;
   const auto collect = [&](vtkFieldData* data)
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      if (kept.count(array) == 0)
+      const std::string name = notedName(array);
+      if (kept.count(array) == 0 && (name.rfind("Part…", 0) != 0 || named.insert(name).second))
       {
-        names += (names.empty() ? "" : ", ") + std::string(array->GetName() ? array->GetName() : "(no name)");
+        names += (names.empty() ? "" : ", ") + name;
       }
     }
   };
@@ -204,33 +212,35 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
       "OBJ",
       { points->GetTCoords(),
         points->GetNormals(),
-        keptTexture(mesh),
         mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"),
         mesh->GetFieldData()->GetAbstractArray("MaterialNames"),
         mesh->GetCellData()->GetArray("MaterialIds") },
+      true,
       notes);
+    const std::vector<Piece> pieces = piecesOf(mesh);
     std::string library;
     if (mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"))
     {
       notes.push_back("OBJ names the material library that was read; it and its pictures are not copied");
     }
-    else if (keptTexture(mesh))
+    else if (pieces.size() > 1 || !pieces.front().picture.empty())
     {
       requireWritable(path);
-      library = writeObjMaterial(mesh, path, files);
-      notes.push_back("OBJ keeps the texture beside it, in " + library);
+      library = writeObjMaterials(pieces, path, files);
+      notes.push_back(
+        std::string("OBJ keeps the texture") + (pieces.size() > 1 ? "s" : "") + " beside it, in " + library);
     }
-    write = [mesh, library](const std::string& file) { writeObj(mesh, file, library); };
+    write = [pieces, library](const std::string& file) { writeObj(pieces, file, library); };
   }
   else if (extension == ".ply")
   {
-    noteDropped(mesh, "PLY", { points->GetTCoords(), coloursOf(mesh) }, notes);
+    noteDropped(mesh, "PLY", { points->GetTCoords(), coloursOf(mesh) }, false, notes);
     single = true;
     write = [&](const std::string& file) { writePly(mesh, file); };
   }
   else if (extension == ".stl")
   {
-    noteDropped(mesh, "STL", {}, notes);
+    noteDropped(mesh, "STL", {}, false, notes);
     single = true;
     write = [&](const std::string& file)
     {
@@ -242,17 +252,14 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
   }
   else if (extension == ".off")
   {
-    noteDropped(mesh, "OFF", {}, notes);
+    noteDropped(mesh, "OFF", {}, false, notes);
     write = [&](const std::string& file) { writeOff(mesh, file); };
   }
   else if (extension == ".gltf" || extension == ".glb")
   {
-    noteDropped(mesh,
-      "glTF",
-      { points->GetTCoords(), points->GetNormals(), coloursOf(mesh), keptTexture(mesh) },
-      notes);
+    noteDropped(mesh, "glTF", { points->GetTCoords(), points->GetNormals(), coloursOf(mesh) }, true, notes);
     single = true;
-    write = [&](const std::string& file) { writeGltf(mesh, file, extension == ".glb"); };
+    write = [&](const std::string& file) { writeGltf(piecesOf(mesh), file, extension == ".glb"); };
   }
   else
   {

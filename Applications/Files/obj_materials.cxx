@@ -127,15 +127,10 @@ void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes)
   }
 }
 
-std::string writeObjMaterial(vtkPolyData* mesh, const std::string& path, NewFiles& files)
+std::string writeObjMaterials(const std::vector<Piece>& pieces, const std::string& path, NewFiles& files)
 {
-  const std::string bytes = textureOf(mesh);
   const fs::path library = fs::path(path).replace_extension(".mtl");
-  const fs::path picture =
-    fs::path(path).replace_extension(pictureFormatOf(bytes) == "png" ? ".png" : ".jpg");
-  const std::string text =
-    "# Oversketch\nnewmtl texture\nKd 1 1 1\nmap_Kd " + picture.filename().string() + '\n';
-  for (const auto& [file, content] : { std::pair(picture, bytes), std::pair(library, text) })
+  const auto write = [&](const fs::path& file, const std::string& content)
   {
     const bool isThere = fs::exists(fs::symlink_status(file));
     if (isThere && wholeFile(file.string()) != content)
@@ -147,7 +142,29 @@ std::string writeObjMaterial(vtkPolyData* mesh, const std::string& path, NewFile
     {
       files.writeText(file.string(), content);
     }
+  };
+  std::string text = "# Oversketch\n";
+  std::map<std::string, std::string>
+    names; // of the files, by what is in them: parts may wear the same picture
+  for (const Piece& piece : pieces)
+  {
+    text += "newmtl " + (piece.name.empty() ? "texture" : piece.name) + "\nKd 1 1 1\n";
+    if (piece.picture.empty())
+    {
+      continue;
+    }
+    const auto [named, isNew] = names.try_emplace(piece.picture);
+    if (isNew)
+    {
+      fs::path picture = fs::path(path).replace_extension();
+      picture += (piece.name.empty() ? "" : "_" + piece.name) +
+                 (pictureFormatOf(piece.picture) == "png" ? ".png" : ".jpg");
+      named->second = picture.filename().string();
+      write(picture, piece.picture);
+    }
+    text += "map_Kd " + named->second + '\n';
   }
+  write(library, text);
   return library.filename().string();
 }
 

@@ -41,33 +41,27 @@ vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
            : nullptr;
 }
 
-} // namespace
+// What comes before a piece in the file.
+struct Before
+{
+  vtkIdType positions = 0, points = 0;
+};
 
-void writeObj(vtkPolyData* mesh, const std::string& path, const std::string& library)
+// Its vertices and faces; the faces wear the material of that name, unless it is empty, else those of the
+// file that the mesh was read from.
+void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& material, Before& before)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();
   vtkDataArray* textures = usable(mesh->GetPointData()->GetTCoords(), 2, count);
   vtkDataArray* normals = usable(mesh->GetPointData()->GetNormals(), 3, count);
-  std::ofstream stream(path, std::ios::binary);
-  stream << "# Oversketch\n";
-  // vtkOBJReader leaves the material libraries and names here.
-  auto* libraries = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"));
   auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("MaterialNames"));
   vtkDataArray* materials =
-    names ? usable(mesh->GetCellData()->GetArray("MaterialIds"), 1, mesh->GetNumberOfCells()) : nullptr;
-  if (!library.empty())
-  {
-    libraries = nullptr;
-    materials = nullptr;
-    stream << "mtllib " << library << '\n';
-  }
-  for (vtkIdType i = 0; libraries && i < libraries->GetNumberOfValues(); ++i)
-  {
-    stream << "mtllib " << libraries->GetValue(i) << '\n';
-  }
+    names && material.empty()
+      ? usable(mesh->GetCellData()->GetArray("MaterialIds"), 1, mesh->GetNumberOfCells())
+      : nullptr;
   std::vector<vtkIdType> position(static_cast<std::size_t>(count));
   std::map<std::array<double, 3>, vtkIdType> known;
-  vtkIdType written = 0;
+  vtkIdType written = before.positions;
   for (vtkIdType i = 0; i < count; ++i)
   {
     std::array<double, 3> p;
@@ -92,22 +86,22 @@ void writeObj(vtkPolyData* mesh, const std::string& path, const std::string& lib
   {
     writeTuple(stream, "vn", normals->GetTuple(i), 3);
   }
-  if (!library.empty())
+  if (!material.empty())
   {
-    stream << "usemtl texture\n";
+    stream << "usemtl " << material << '\n';
   }
-  vtkIdType material = -1;
+  vtkIdType last = -1;
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
     if (materials)
     {
       const auto id = static_cast<vtkIdType>(materials->GetComponent(it->GetCurrentCellId(), 0));
-      if (id != material && id >= 0 && id < names->GetNumberOfValues())
+      if (id != last && id >= 0 && id < names->GetNumberOfValues())
       {
         stream << "usemtl " << names->GetValue(id) << '\n';
       }
-      material = id;
+      last = id;
     }
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
@@ -115,6 +109,7 @@ void writeObj(vtkPolyData* mesh, const std::string& path, const std::string& lib
     stream << 'f';
     for (vtkIdType k = 0; k < size; ++k)
     {
+      const vtkIdType point = before.points + ids[k] + 1;
       stream << ' ' << position[static_cast<std::size_t>(ids[k])];
       if (textures || normals)
       {
@@ -122,14 +117,41 @@ void writeObj(vtkPolyData* mesh, const std::string& path, const std::string& lib
       }
       if (textures)
       {
-        stream << ids[k] + 1;
+        stream << point;
       }
       if (normals)
       {
-        stream << '/' << ids[k] + 1;
+        stream << '/' << point;
       }
     }
     stream << '\n';
+  }
+  before.positions = written;
+  before.points += count;
+}
+
+} // namespace
+
+void writeObj(const std::vector<Piece>& pieces, const std::string& path, const std::string& library)
+{
+  std::ofstream stream(path, std::ios::binary);
+  stream << "# Oversketch\n";
+  if (!library.empty())
+  {
+    stream << "mtllib " << library << '\n';
+  }
+  Before before;
+  for (const Piece& piece : pieces)
+  {
+    // vtkOBJReader leaves the material libraries and names here.
+    auto* libraries =
+      vtkStringArray::SafeDownCast(piece.mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"));
+    for (vtkIdType i = 0; libraries && library.empty() && i < libraries->GetNumberOfValues(); ++i)
+    {
+      stream << "mtllib " << libraries->GetValue(i) << '\n';
+    }
+    const std::string own = piece.name.empty() ? "texture" : piece.name;
+    writePiece(stream, piece.mesh, library.empty() ? "" : own, before);
   }
   stream.close();
   if (!stream)

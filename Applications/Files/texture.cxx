@@ -124,9 +124,10 @@ vtkSmartPointer<vtkImageData> readJpeg(const std::string& bytes)
 
 } // namespace
 
-std::string textureOf(vtkPolyData* mesh)
+std::string textureOf(vtkPolyData* mesh, const std::string& prefix)
 {
-  auto* array = vtkUnsignedCharArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(textureArray));
+  auto* array = vtkUnsignedCharArray::SafeDownCast(
+    mesh->GetFieldData()->GetAbstractArray((prefix + textureArray).c_str()));
   if (!array || array->GetNumberOfValues() == 0 || !mesh->GetPointData()->GetTCoords())
   {
     return {};

@@ -15,8 +15,9 @@ namespace oversketch_files
 // to the active texture coordinates, which count v from the picture's lower edge, and repeats beyond [0, 1].
 extern const char* const textureArray;
 
-// The bytes, "" where the mesh has none.
-std::string textureOf(vtkPolyData* mesh);
+// The bytes, "" where the mesh has none. Of a part of an assembled mesh (pieces.h) with what its array's name
+// begins with, "Part2.".
+std::string textureOf(vtkPolyData* mesh, const std::string& prefix = {});
 void setTexture(vtkPolyData* mesh, const std::string& bytes);
 
 // "png", "jpeg", or "" for other bytes.

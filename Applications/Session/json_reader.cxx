@@ -12,13 +12,14 @@ namespace oversketch_session
 
 using oversketch_files::Failed;
 
-JsonReader::JsonReader(const Json::Value& object, std::string where)
+JsonReader::JsonReader(const Json::Value& object, std::string where, std::string verdict)
   : Object(object)
   , Where(std::move(where))
+  , Verdict(std::move(verdict))
 {
   if (!object.isObject())
   {
-    throw Failed(this->Where + " is no object; the session is damaged");
+    throw Failed(this->Where + " is no object; " + this->Verdict);
   }
 }
 
@@ -57,7 +58,7 @@ const Json::Value& JsonReader::get(const std::string& name) const
 {
   if (!this->has(name))
   {
-    throw Failed(this->Where + " lacks '" + name + "'; the session is damaged");
+    throw Failed(this->Where + " lacks '" + name + "'; " + this->Verdict);
   }
   return this->Object[name];
 }
@@ -66,7 +67,7 @@ void JsonReader::require(bool good, const std::string& name, const char* what) c
 {
   if (!good)
   {
-    this->refuse(name, "is not " + std::string(what) + "; the session is damaged");
+    this->refuse(name, "is not " + std::string(what) + "; " + this->Verdict);
   }
 }
 
@@ -142,14 +143,15 @@ std::vector<JsonReader> JsonReader::list(const std::string& name, const std::str
   std::vector<JsonReader> objects;
   for (Json::ArrayIndex i = 0; i < value.size(); ++i)
   {
-    objects.emplace_back(value[i], this->Where + ", " + ofWhat + " " + std::to_string(i + 1));
+    objects.emplace_back(
+      value[i], this->Where + ", " + ofWhat + " " + std::to_string(i + 1), this->Verdict);
   }
   return objects;
 }
 
 JsonReader JsonReader::object(const std::string& name) const
 {
-  return { this->get(name), this->Where + ", " + name };
+  return { this->get(name), this->Where + ", " + name, this->Verdict };
 }
 
 Json::Value jsonOf(const Point& point)

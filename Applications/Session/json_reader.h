@@ -15,9 +15,9 @@ namespace oversketch_session
 class JsonReader
 {
 public:
-  // `where` is the name of the object for messages; the object must outlive this. Throws
-  // oversketch_files::Failed, as all below.
-  JsonReader(const Json::Value& object, std::string where);
+  // `where` is the name of the object for messages, `verdict` what a member that is not right tells of the
+  // file; the object must outlive this. Throws oversketch_files::Failed, as all below.
+  JsonReader(const Json::Value& object, std::string where, std::string verdict = "the session is damaged");
 
   // The text of an entry as JSON.
   static Json::Value parse(const std::string& text, const std::string& where);
@@ -45,7 +45,7 @@ private:
   void require(bool good, const std::string& name, const char* what) const;
 
   const Json::Value& Object;
-  std::string Where;
+  std::string Where, Verdict;
 };
 
 // A point as JSON.

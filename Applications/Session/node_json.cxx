@@ -29,26 +29,6 @@ constexpr std::pair<const char*, const char*> members1[] = { { "remesh", "Remesh
   { "adjust_normals", "AdjustNormals" },
   { "as_published", "AsPublished" } };
 
-// A member that is a value of the parameter.
-Value valueOf(const JsonReader& values, const std::string& name, const Parameter& parameter)
-{
-  if (!parameter.choices.empty())
-  {
-    return values.choice(name, wordsOf(parameter));
-  }
-  struct Kinds
-  {
-    const JsonReader& values;
-    const std::string& name;
-    Value operator()(bool) const { return this->values.yes(this->name); }
-    Value operator()(int) const { return this->values.integer(this->name, -largest, largest); }
-    Value operator()(double) const { return this->values.number(this->name); }
-    Value operator()(const std::vector<double>&) const { return this->values.numbers(this->name); }
-    Value operator()(const std::string&) const { return this->values.text(this->name); }
-  };
-  return std::visit(Kinds{ values, name }, parameter.initial);
-}
-
 // A step holds no value that is the default.
 void setValue(Step& step, const JsonReader& values, const std::string& name, const Parameter& parameter)
 {
@@ -183,6 +163,25 @@ const std::shared_ptr<const std::string>& EntryReader::heights(const std::string
     oversketch_files::parseHeights(this->Path + ": " + entry, *bytes);
   }
   return bytes;
+}
+
+Value valueOf(const JsonReader& values, const std::string& name, const Parameter& parameter)
+{
+  if (!parameter.choices.empty())
+  {
+    return values.choice(name, wordsOf(parameter));
+  }
+  struct Kinds
+  {
+    const JsonReader& values;
+    const std::string& name;
+    Value operator()(bool) const { return this->values.yes(this->name); }
+    Value operator()(int) const { return this->values.integer(this->name, -largest, largest); }
+    Value operator()(double) const { return this->values.number(this->name); }
+    Value operator()(const std::vector<double>&) const { return this->values.numbers(this->name); }
+    Value operator()(const std::string&) const { return this->values.text(this->name); }
+  };
+  return std::visit(Kinds{ values, name }, parameter.initial);
 }
 
 Json::Value jsonOf(const Parameter& parameter, const Value& value)

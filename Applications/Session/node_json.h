@@ -19,6 +19,9 @@ namespace oversketch_session
 // The word of a choice; numbers, texts and lists as they are.
 Json::Value jsonOf(const Parameter& parameter, const Value& value);
 
+// A member that is a value of the parameter. Throws Failed, naming it.
+Value valueOf(const JsonReader& values, const std::string& name, const Parameter& parameter);
+
 // Whether version 1 of the format can tell all of the session.
 bool isVersion1(const Session& session, const std::vector<SystemRow>& rows);
 

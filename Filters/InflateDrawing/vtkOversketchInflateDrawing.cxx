@@ -309,7 +309,7 @@ int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
   vtkInformationVector* outputs)
 {
   Pipeline& inner = *this->Inner;
-  this->Rebuilds = 0;
+  this->Rebuilds = this->LevelsMade = 0;
   return this->RunSystem(
     [&]
     {
@@ -331,6 +331,7 @@ int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
       }
       vtkPolyData::GetData(outputs)->ShallowCopy(made);
       this->Rebuilds = rebuilds;
+      this->LevelsMade = inner.Refine->GetLevelsMade();
     });
 }
 
@@ -419,6 +420,16 @@ void vtkOversketchInflateDrawing::SetLevels(int levels)
   }
 }
 
+void vtkOversketchInflateDrawing::SetLevelsFromSketch(bool fromSketch)
+{
+  if (fromSketch != this->LevelsFromSketch)
+  {
+    this->LevelsFromSketch = fromSketch;
+    this->Inner->Refine->SetLevelsFromSketch(fromSketch);
+    this->Modified();
+  }
+}
+
 void vtkOversketchInflateDrawing::SetAsPublished(bool published)
 {
   if (published != this->AsPublished)
@@ -441,6 +452,8 @@ void vtkOversketchInflateDrawing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Magnetic: " << this->Magnetic << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "LevelsFromSketch: " << this->LevelsFromSketch << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "Rebuilds: " << this->Rebuilds << "\n";
+  os << indent << "LevelsMade: " << this->LevelsMade << "\n";
 }

@@ -128,6 +128,16 @@ public:
 
   ///@{
   /**
+   * Refine as often as the sketch asks for, until edges are shorter than 0.02 of the canvas's longest side,
+   * in place of Levels [default off; not as published]; see vtkOversketchPlanarRefine.
+   */
+  void SetLevelsFromSketch(bool fromSketch);
+  vtkGetMacro(LevelsFromSketch, bool);
+  vtkBooleanMacro(LevelsFromSketch, bool);
+  ///@}
+
+  ///@{
+  /**
    * Turn every departure of every step off (true) or on (false, default): sets the properties of the inner
    * steps at once, so single ones can be changed afterwards by GetStep.
    */
@@ -140,6 +150,11 @@ public:
    * How often the last run made the mesh anew, see above; 0 after one that failed.
    */
   vtkGetMacro(Rebuilds, int);
+
+  /**
+   * How often the last run refined the coarse mesh; 0 after one that failed.
+   */
+  vtkGetMacro(LevelsMade, int);
 
 protected:
   vtkOversketchInflateDrawing();
@@ -158,8 +173,9 @@ private:
   bool Magnetic = false;
   bool Quads = false;
   bool AsPublished = false;
+  bool LevelsFromSketch = false;
   int Levels = 3;
-  int Rebuilds = 0;
+  int Rebuilds = 0, LevelsMade = 0;
   std::string Profile, Holes, Tunnels;
 
   struct Pipeline;

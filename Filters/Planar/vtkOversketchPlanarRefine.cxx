@@ -18,7 +18,7 @@ struct vtkOversketchPlanarRefine::Cache
 {
   KeptOutput Kept; // the mesh
   vtkNew<vtkPolyData> Edges, Splits;
-  int Inverted = 0;
+  int Inverted = 0, LevelsMade = 0;
 };
 
 vtkStandardNewMacro(vtkOversketchPlanarRefine);
@@ -62,13 +62,14 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
       vtkPolyData* faces = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
       vtkPolyData* curves = vtkPolyData::GetData(inputs[2]);
-      this->Inverted = 0;
+      this->Inverted = this->LevelsMade = 0;
       if (faces->GetNumberOfPoints() == 0)
       {
         return;
       }
       PlanarRefineOptions options;
-      options.levels = this->Levels;
+      const bool fromSketch = this->LevelsFromSketch && !this->AsPublished;
+      options.levels = fromSketch ? 0 : this->Levels;
       options.snapShare = this->SnapShare;
       options.guard = this->Guard && !this->AsPublished;
       options.quads = this->Quads;
@@ -78,21 +79,24 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
                            { static_cast<double>(options.levels),
                              options.snapShare,
                              static_cast<double>(options.guard),
-                             static_cast<double>(options.quads) }),
+                             static_cast<double>(options.quads),
+                             static_cast<double>(fromSketch) }),
         output,
         [&](vtkPolyData* result)
         {
           ++this->RefineCount;
           const Drawing drawing = DrawingOf(curves);
           options.canvasSide = drawing.Rectangle.longest();
-          const PlanarRefineResult made =
-            refinePlanar(PlanarMeshOf(faces, edges), drawing.Strokes, options, ContextOf(this));
+          const PlanarMesh coarse = PlanarMeshOf(faces, edges);
+          options.levels = fromSketch ? levelsOfSketch(coarse, options.canvasSide) : options.levels;
+          const PlanarRefineResult made = refinePlanar(coarse, drawing.Strokes, options, ContextOf(this));
           WritePlanarMesh(made.mesh, result);
           cache.Edges->Initialize();
           WriteStrokeEdges(made.mesh, result, cache.Edges);
           cache.Splits->Initialize();
           WriteSplits(made.splits, drawing.Strokes, cache.Splits);
           cache.Inverted = made.inverted;
+          cache.LevelsMade = options.levels;
         });
       this->GetEdgesOutput()->ShallowCopy(cache.Edges);
       this->GetSplitsOutput()->ShallowCopy(cache.Splits);
@@ -101,6 +105,7 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
         data->GetFieldData()->PassData(faces->GetFieldData());
       }
       this->Inverted = cache.Inverted;
+      this->LevelsMade = cache.LevelsMade;
       const vtkIdType parts = cache.Splits->GetNumberOfCells();
       if (parts > 0 && !this->SplitsAreTaken)
       {
@@ -116,11 +121,13 @@ void vtkOversketchPlanarRefine::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "LevelsFromSketch: " << this->LevelsFromSketch << "\n";
   os << indent << "SnapShare: " << this->SnapShare << "\n";
   os << indent << "Guard: " << this->Guard << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
   os << indent << "SplitsAreTaken: " << this->SplitsAreTaken << "\n";
+  os << indent << "LevelsMade: " << this->LevelsMade << "\n";
   os << indent << "Inverted: " << this->Inverted << "\n";
   os << indent << "RefineCount: " << this->RefineCount << "\n";
 }

@@ -14,9 +14,9 @@
  * Input 1 (Edges): output 1 of the same.
  * Input 2 (Curves): the curves that the mesh was made of, with field array Canvas.
  *
- * Output 0 (Mesh): the refined mesh, each face in 4^Levels, with the same arrays: StrokeId, StrokeParam and
- * BoundaryKind of new points on strokes, RegionId, ObjectId and BaseFaceId as inherited. With Levels 0 the
- * mesh itself, its edges from rim to rim on no stroke split in the middle. Field arrays are passed, other
+ * Output 0 (Mesh): the refined mesh, each face in 4^LevelsMade, with the same arrays: StrokeId, StrokeParam
+ * and BoundaryKind of new points on strokes, RegionId, ObjectId and BaseFaceId as inherited. With Levels 0
+ * the mesh itself, its edges from rim to rim on no stroke split in the middle. Field arrays are passed, other
  * ones not.
  *
  * Output 1 (Edges): its edges on strokes, as those of the input.
@@ -83,6 +83,17 @@ public:
 
   ///@{
   /**
+   * Whether Levels is not read, and edges are cut until they are shorter than 4 samples of a stroke, 0.02 of
+   * the canvas's longest side: the levels that the sketch asks for, none that would make over 2^20 faces
+   * (Kernels/Planar/refine.h) [default and as published off].
+   */
+  vtkSetMacro(LevelsFromSketch, bool);
+  vtkGetMacro(LevelsFromSketch, bool);
+  vtkBooleanMacro(LevelsFromSketch, bool);
+  ///@}
+
+  ///@{
+  /**
    * The portion of a snapped feature point's way that its neighbours on no stroke go too [0 to 1, default and
    * as published 0.3].
    */
@@ -101,7 +112,7 @@ public:
 
   ///@{
   /**
-   * As published: Guard does not count as on [default off].
+   * As published: Guard and LevelsFromSketch do not count as on [default off].
    */
   vtkSetMacro(AsPublished, bool);
   vtkGetMacro(AsPublished, bool);
@@ -134,6 +145,11 @@ public:
   vtkGetMacro(Inverted, int);
 
   /**
+   * Of the last refinement: the levels, Levels or those of the sketch.
+   */
+  vtkGetMacro(LevelsMade, int);
+
+  /**
    * How many times a mesh has been refined: executions that the kept result did not answer.
    */
   vtkGetMacro(RefineCount, vtkIdType);
@@ -149,12 +165,14 @@ private:
   void operator=(const vtkOversketchPlanarRefine&) = delete;
 
   int Levels = 3;
+  bool LevelsFromSketch = false;
   double SnapShare = 0.3;
   bool Guard = true;
   bool AsPublished = false;
   bool Quads = false;
   bool SplitsAreTaken = false;
   int Inverted = 0;
+  int LevelsMade = 0;
   vtkIdType RefineCount = 0;
 
   struct Cache;

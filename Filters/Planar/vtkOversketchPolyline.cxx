@@ -86,7 +86,7 @@ int vtkOversketchPolyline::RequestData(vtkInformation*,
         read.push_back(PlanarKey(splits));
       }
       this->Internals->Kept.Provide(
-        StepKey(read, { static_cast<double>(fixed), this->Tolerance, this->CornerAngle }),
+        StepKey(read, { static_cast<double>(fixed), this->Tolerance, this->CornerAngle, this->JoinDistance }),
         output,
         [&](vtkPolyData* result)
         {
@@ -107,6 +107,7 @@ int vtkOversketchPolyline::RequestData(vtkInformation*,
           rules.mode = fixed ? DeltaMode::Fixed : DeltaMode::Adaptive;
           rules.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
           rules.tolerance = this->Tolerance;
+          rules.joinDistance = this->JoinDistance;
           const Context context = ContextOf(this);
           const std::vector<StrokePolyline> polylines = approximate(drawing.Strokes,
             classes,
@@ -128,6 +129,7 @@ void vtkOversketchPolyline::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DeltaMode: " << this->DeltaMode << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "JoinDistance: " << this->JoinDistance << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "PolylineCount: " << this->PolylineCount << "\n";
 }

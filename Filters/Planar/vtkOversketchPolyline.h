@@ -99,6 +99,15 @@ public:
 
   ///@{
   /**
+   * Ends of open features so near the rim of their region join it: share of the canvas's longest side [0 to
+   * 0.1, default 0.01; 0: ends stay where they were drawn].
+   */
+  vtkSetClampMacro(JoinDistance, double, 0.0, 0.1);
+  vtkGetMacro(JoinDistance, double);
+  ///@}
+
+  ///@{
+  /**
    * As the paper prints it: DeltaMode counts as Fixed. Default off.
    */
   vtkSetMacro(AsPublished, bool);
@@ -125,6 +134,7 @@ private:
   int DeltaMode = ADAPTIVE;
   double Tolerance = 0.05;
   double CornerAngle = 45.0;
+  double JoinDistance = 0.01;
   bool AsPublished = false;
   vtkIdType PolylineCount = 0;
 

@@ -61,7 +61,7 @@ StrokeJoin joinOf(const Vector2& end,
   double reach)
 {
   StrokeJoin best;
-  double least = reach;
+  double least = reach > 0.0 ? reach : -1.0;
   for (std::size_t i = 0; i < strokes.size(); ++i)
   {
     const bool rim = classes[i].role == Role::Boundary ||
@@ -280,7 +280,7 @@ std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,
     {
       auto& [first, last] = polyline.joins;
       const auto join = [&](const Vector2& end)
-      { return joinOf(end, classes[i].region, strokes, classes, treatments, 0.01 * longest); };
+      { return joinOf(end, classes[i].region, strokes, classes, treatments, rules.joinDistance * longest); };
       first = join(strokes[i].points.front());
       last = join(strokes[i].points.back());
       if (first.stroke == last.stroke && first.sample == last.sample)

@@ -20,6 +20,7 @@ struct ApproximationRules
   DeltaMode mode = DeltaMode::Adaptive;
   double cornerAngle = 0.78539816339744831; // rad, see corners.h
   double tolerance = 0.05;                  // of L: delta where it is fixed, and its upper bound
+  double joinDistance = 0.01;               // of L: open ends so near a rim join it; 0: none does
 };
 
 // Source: image-assisted modelling, section 6, on strokes resampled to h = 0.005 L, L the canvas's longest
@@ -36,8 +37,9 @@ struct ApproximationRules
 // which the paper does not speak of, are made finer likewise, by half of delta at a time, in the pieces
 // concerned. Where that comes to its end Error(Failure::BadStroke) names both strokes.
 //
-// An open feature's end within 0.01 L of the rim of its region (the object's boundary or a hole's) joins it:
-// the nearest sample of that becomes a vertex of both. Two ends of one stroke do not join the same sample.
+// An open feature's end within joinDistance of the rim of its region (the object's boundary or a hole's)
+// joins it: the nearest sample of that becomes a vertex of both. Two ends of one stroke do not join the same
+// sample. The paper names it, "feature ends joined to the boundary", as future work.
 //
 // Rejected strokes have no polyline, nor has what lies in a hole. The result does not depend on the strokes'
 // order, up to numbers; maps are not read in mode Fixed.

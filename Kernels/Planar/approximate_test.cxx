@@ -344,6 +344,28 @@ TEST(Approximate, OpenEndsJoinTheRim)
       EXPECT_FALSE(meetSomewhere(drawing.lines()));
     }
   }
+  // How near is a rule; without it ends stay where they are drawn, even on the rim itself.
+  const UnitDrawing far({ circleStroke(0.5, 0.5, 0.4), open(0.38) });
+  const UnitDrawing touching({ circleStroke(0.5, 0.5, 0.4), open(0.399) });
+  const auto joinsAt = [](const UnitDrawing& drawing, double distance)
+  {
+    ApproximationRules rules;
+    rules.joinDistance = distance;
+    return approximate(drawing.strokes,
+             drawing.classes.strokes,
+             drawing.treatments,
+             drawing.maps,
+             {},
+             1.0,
+             rules,
+             Context())[1]
+             .joins[1]
+             .stroke == 0;
+  };
+  EXPECT_FALSE(joinsAt(far, 0.015));
+  EXPECT_TRUE(joinsAt(far, 0.03));
+  EXPECT_TRUE(joinsAt(touching, 0.01));
+  EXPECT_FALSE(joinsAt(touching, 0.0));
   // A hole's rim is joined too, a closed feature that stays filled is not.
   for (const Treatment treatment : { Treatment::Fill, Treatment::Hole })
   {

@@ -18,6 +18,7 @@ constexpr double leastArea = 1e-12;  // of the canvas's longest side, squared
 constexpr double lengthSlack = 1e-9; // of a stroke's whole: lengths may have been summed in another order
 constexpr int mostLevels = 10;
 constexpr double mostFaces = 1 << 24;
+constexpr double enoughFaces = 1 << 20; // where the sketch says the levels
 
 void checkOptions(const PlanarRefineOptions& options)
 {
@@ -170,6 +171,25 @@ std::vector<StrokeSplit> splitsAt(const PlanarMesh& mesh, const FaceEdges& links
 }
 
 } // namespace
+
+int levelsOfSketch(const PlanarMesh& mesh, double canvasSide)
+{
+  double longest = 0.0;
+  for (const FaceEdge& edge : faceEdges(mesh).edges)
+  {
+    const double along = edge.stroke < 0 ? 0.0 : mesh.edges[edge.stroke].end - mesh.edges[edge.stroke].start;
+    longest =
+      std::max({ longest, along, (mesh.points[edge.from].place - mesh.points[edge.to].place).norm() });
+  }
+  int levels = 0;
+  double faces = 4.0 * static_cast<double>(mesh.faces.size());
+  for (; longest >= 0.02 * canvasSide && levels < mostLevels && faces <= enoughFaces; ++levels)
+  {
+    longest *= 0.5;
+    faces *= 4.0;
+  }
+  return levels;
+}
 
 PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   const std::vector<DrawnStroke>& strokes,

@@ -53,6 +53,12 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   const PlanarRefineOptions& options,
   const Context& context);
 
+// The least number of levels after which no edge of a coarse mesh is 4 h = 0.02 L long or longer, if a level
+// halves it; edges on strokes are measured along them. Source: section 17, "parameters from the
+// sketch: k until edge length < 4 h". Departure: no more levels than make 2^20 faces, at most 10; one long
+// edge beside many short ones is not worth more.
+int levelsOfSketch(const PlanarMesh& mesh, double canvasSide);
+
 // The mesh with every chord, an edge on no stroke between two points of rims, split in the middle, and the
 // faces beside them: two copies of it, joined along the rims, would have the chord's edge four times. From
 // level 1 on there are none, of triangles where none of them has two edges on rims.

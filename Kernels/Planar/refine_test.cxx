@@ -194,6 +194,51 @@ TEST(C9_4, AnOctagonBecomesItsCircle)
     "8 base points of a circle, k = 3: 64 boundary points, area 32 R^2 sin(2 pi/64) within " + digits(worst));
 }
 
+TEST(PlanarRefine, TheSketchSaysTheLevels)
+{
+  // A side of 0.5 becomes less than 0.02 by 5 levels; on a canvas 8 times as large it is that much shorter.
+  EXPECT_EQ(levelsOfSketch(squareDrawing().mesh, 1.0), 5);
+  EXPECT_EQ(levelsOfSketch(squareDrawing().mesh, 8.0), 2);
+  EXPECT_EQ(levelsOfSketch(squareDrawing().mesh, 100.0), 0);
+  int compared = 0;
+  double worst = 0.0;
+  for (const CoarseDrawing& drawing : soundDrawings())
+  {
+    const int levels = levelsOfSketch(drawing.mesh, 1.0);
+    ASSERT_GE(levels, 1);
+    const auto longestOf = [&drawing](int k, bool onStrokes)
+    {
+      const PlanarMesh mesh = refined(drawing, k);
+      double longest = 0.0;
+      for (const StrokeEdge& edge : mesh.edges)
+      {
+        longest = std::max(longest, edge.end - edge.start);
+      }
+      for (const FaceEdge& edge : faceEdges(mesh).edges)
+      {
+        const double length = (mesh.points[edge.from].place - mesh.points[edge.to].place).norm();
+        longest = onStrokes ? longest : std::max(longest, length);
+      }
+      return longest;
+    };
+    EXPECT_LT(longestOf(levels, true), 0.02) << "no part of a stroke between two points is 4 h long";
+    EXPECT_GE(longestOf(levels - 1, false), 0.015) << "one level less leaves an edge that long";
+    worst = std::max(worst, longestOf(levels, false));
+    ++compared;
+  }
+  EXPECT_GE(compared, 5);
+  EXPECT_LT(worst, 0.02 * 1.5) << "masks stretch edges on no stroke a little";
+  // However long the edges are beside the canvas, over 2^20 faces are not made.
+  const CoarseDrawing many = gridDrawing(6, Cells::Triangles, true, 4);
+  for (const int levels : { 5, 6 })
+  {
+    const PlanarMesh mesh = refined(many, levels);
+    const int more = levelsOfSketch(mesh, 0.001);
+    EXPECT_LE(mesh.faces.size() << (2 * more), std::size_t(1) << 20);
+    EXPECT_GT(mesh.faces.size() << (2 * more + 2), std::size_t(1) << 20);
+  }
+}
+
 TEST(C9_6, AShareOfASnapGoesToItsNeighbours)
 {
   const double share = 0.3;

@@ -4,6 +4,7 @@
 #include "Harness/shapes.h"
 #include "heights.h"
 #include "mesh_file.h"
+#include "parts_file.h"
 #include "session_file.h"
 #include "texture.h"
 
@@ -19,6 +20,7 @@
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
@@ -185,6 +187,30 @@ void takeHeights(const std::string& bytes)
   {
     require(std::string(failed.what()).find("grid: ") == 0, failed.what());
   }
+}
+
+// A file of parts that names "mesh.vtp" beside it; where each part goes.
+void takeParts(const std::string& bytes)
+{
+  std::ofstream(scratch() / "mesh.vtp") << "any file";
+  vtkNew<vtkPolyData> mesh;
+  vtkNew<vtkPoints> corners;
+  corners->InsertNextPoint(-1.0, 2.0, 0.0);
+  corners->InsertNextPoint(3.0, 5.0, 1.0);
+  mesh->SetPoints(corners);
+  withFile("parts.json",
+    bytes,
+    [&mesh](const std::string& path)
+    {
+      const std::vector<oversketch_command::Part> parts = oversketch_command::readParts(path);
+      require(!parts.empty(), "no parts and no message");
+      for (const oversketch_command::Part& part : parts)
+      {
+        const Eigen::Matrix4d matrix = oversketch_command::placementOf(part, mesh);
+        require(matrix.allFinite() && matrix.determinant() != 0.0, "a placement that is none");
+        require(part.source.mesh.empty() != part.source.drawing.empty(), "a part of two things, or of none");
+      }
+    });
 }
 
 // A whole session file.
@@ -474,6 +500,7 @@ const std::vector<Target>& targets()
     made.push_back({ "stroke", takeStroke });
     made.push_back({ "picture", takePicture });
     made.push_back({ "heights", takeHeights });
+    made.push_back({ "parts", takeParts });
     made.push_back({ "session", takeSession });
     made.push_back({ "session_text", takeSessionText });
     made.push_back({ "one_stroke", takeOneStroke });

@@ -112,6 +112,32 @@ TEST(InflateDrawing, ExtrudedItIsASlab)
   EXPECT_NEAR(volumeOf(mesh), 400.0 * 300.0 * 80.0, 1e-9 * volumeOf(mesh));
 }
 
+TEST(InflateDrawing, TheSketchSaysHowFineItIs)
+{
+  // The same outline on the canvas of 800 x 600, large and small: no rim's edge is 0.02 of 800 long.
+  for (const double radius : { 250.0, 60.0 })
+  {
+    System system(drawn({ circle(400, 300, radius) }));
+    system.filter->LevelsFromSketchOn();
+    const Topology topology = topologyOf(system.mesh());
+    EXPECT_TRUE(topology.closed);
+    EXPECT_EQ(topology.chi, 2);
+    const int levels = system.filter->GetLevelsMade();
+    EXPECT_TRUE(radius > 100.0 ? levels > 3 : levels <= 3) << levels;
+    vtkPolyData* edges = vtkPolyData::SafeDownCast(system.filter->GetStep("Refine")->GetOutputDataObject(1));
+    vtkDataArray* starts = edges->GetCellData()->GetArray("ParamStart");
+    vtkDataArray* ends = edges->GetCellData()->GetArray("ParamEnd");
+    ASSERT_GT(edges->GetNumberOfCells(), 20);
+    for (vtkIdType i = 0; i < edges->GetNumberOfCells(); ++i)
+    {
+      EXPECT_LT(ends->GetComponent(i, 0) - starts->GetComponent(i, 0), 16.0) << i;
+    }
+    system.filter->AsPublishedOn();
+    system.mesh();
+    EXPECT_EQ(system.filter->GetLevelsMade(), 3);
+  }
+}
+
 TEST(InflateDrawing, QuadsAreQuads)
 {
   System system(drawn({ circle(400, 300, 200), { { { 300, 300 }, { 400, 330 }, { 500, 300 } }, false } }));

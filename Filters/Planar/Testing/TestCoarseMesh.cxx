@@ -1,4 +1,5 @@
 #include "CurveShapes.h"
+#include "Planar/planar_shapes.h"
 #include "vtkOversketchClassify.h"
 #include "vtkOversketchCoarseMesh.h"
 #include "vtkOversketchDarts.h"
@@ -127,6 +128,30 @@ TEST(CoarseMeshFilter, FromCurvesToFacesAndEdges)
   WritePlanarMesh(mesh, again);
   WriteStrokeEdges(mesh, again, againEdges);
   EXPECT_TRUE(sameMesh(PlanarMeshOf(again, againEdges), mesh));
+}
+
+TEST(CoarseMeshFilter, EndsOfFeaturesJoinTheRimAsFarAsTheyMay)
+{
+  // Its end is 0.02 off the rim: in the mesh a point of the feature's own, or one of the rim.
+  Coarse chain(toCurves({ circleStroke(0.5, 0.5, 0.4), evenStroke({ { 0.5, 0.5 }, { 0.88, 0.503 } }, false) },
+    { Vector2(0.0, 0.0), Vector2(1.0, 1.0) }));
+  for (const double distance : { 0.0, 0.01, 0.03 })
+  {
+    chain.polyline->SetJoinDistance(distance);
+    chain.mesh->Update();
+    ASSERT_EQ(chain.mesh->GetErrorCode(), 0u);
+    double nearest = 1.0;
+    const PlanarMesh mesh = PlanarMeshOf(chain.mesh->GetOutput(), chain.mesh->GetEdgesOutput());
+    int joined = 0; // edges of the feature that end on the rim
+    for (const StrokeEdge& edge : mesh.edges)
+    {
+      const PlanarPoint& last = mesh.points[edge.to];
+      joined += edge.stroke == 1 && last.kind == BoundaryKind::Object;
+      nearest = edge.stroke == 1 ? std::min(nearest, 0.4 - (last.place - Vector2(0.5, 0.5)).norm()) : nearest;
+    }
+    EXPECT_EQ(joined, distance > 0.02 ? 1 : 0);
+    EXPECT_NEAR(nearest, distance > 0.02 ? 0.0 : 0.02, 1e-3);
+  }
 }
 
 TEST(CoarseMeshFilter, OnlyWhatChangedRunsAgain)

@@ -122,6 +122,36 @@ TEST(PlanarRefineFilter, GivesTheKernelsMesh)
   }
 }
 
+TEST(PlanarRefineFilter, TakesTheLevelsOfTheSketch)
+{
+  const CoarseDrawing drawing = gridDrawing(5, Cells::Triangles, true, 3);
+  const Inputs inputs(drawing);
+  vtkNew<vtkOversketchPlanarRefine> filter;
+  inputs.feed(filter.Get());
+  filter->Update();
+  EXPECT_EQ(filter->GetLevelsMade(), 3);
+  const PlanarMesh usual = meshOf(filter);
+  filter->LevelsFromSketchOn();
+  filter->Update();
+  PlanarRefineOptions options;
+  options.levels = levelsOfSketch(drawing.mesh, options.canvasSide);
+  ASSERT_GT(options.levels, 3);
+  EXPECT_EQ(filter->GetLevelsMade(), options.levels);
+  expectSame(meshOf(filter), refinePlanar(drawing.mesh, drawing.strokes, options, Context()).mesh);
+  const vtkIdType count = filter->GetRefineCount();
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetRefineCount(), count) << "it is kept";
+  EXPECT_EQ(filter->GetLevelsMade(), options.levels);
+  filter->AsPublishedOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetLevelsMade(), 3) << "as published: as many as are asked for";
+  filter->AsPublishedOff();
+  filter->LevelsFromSketchOff();
+  filter->Update();
+  expectSame(meshOf(filter), usual);
+}
+
 TEST(PlanarRefineFilter, HandsBackPartsOfStrokesAndNoMesh)
 {
   const CoarseDrawing drawing = tightDrawing();

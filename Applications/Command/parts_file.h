@@ -1,0 +1,56 @@
+// The file that `oversketch assemble` reads: parts of a model, and where each one goes.
+#ifndef oversketch_command_parts_file_h
+#define oversketch_command_parts_file_h
+
+#include "step.h"
+
+#include "vtkPolyData.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace oversketch_command
+{
+
+// What a part is made of: a drawing, its picture if any, and the values of its parameters; or a mesh. Files
+// by their paths.
+struct PartSource
+{
+  std::string drawing, picture, mesh;
+  oversketch_session::Values values;
+
+  bool operator<(const PartSource& other) const
+  {
+    return std::tie(this->drawing, this->picture, this->mesh, this->values) <
+           std::tie(other.drawing, other.picture, other.mesh, other.values);
+  }
+};
+
+// Left, bottom, right and top [world units].
+using Box = Eigen::Vector4d;
+
+struct Part
+{
+  std::string where; // "figure.json, part 2", for messages
+  PartSource source;
+  std::optional<Eigen::Matrix4d> placement; // in place of box and depth
+  std::optional<Box> box;
+  double depth = 0.0;
+};
+
+// Throws oversketch_files::Failed, which names the part, from 0, the member and the remedy: the text is no
+// JSON or has other members than it may, a value is of another type, a placement is none of an affine
+// transform that keeps space apart, a part is there twice at one place, there is none or over 1000.
+std::vector<Part> readParts(const std::string& path);
+
+// Where a part goes, by its box and depth where it has no matrix: its canvas (field array Canvas), else what
+// it covers in x and y, comes to fill the box, by a mean of both scales in z, then it is moved along z.
+// Throws Failed where it cannot be.
+Eigen::Matrix4d placementOf(const Part& part, vtkPolyData* mesh);
+
+} // namespace oversketch_command
+#endif

@@ -1,0 +1,130 @@
+#include "pieces.h"
+
+#include "texture.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <map>
+
+namespace oversketch_files
+{
+
+namespace
+{
+
+std::string prefixOf(int part)
+{
+  return "Part" + std::to_string(part) + ".";
+}
+
+// The array of a part's picture; null where it has none.
+vtkAbstractArray* pictureOf(vtkPolyData* mesh, int part)
+{
+  const std::string name = prefixOf(part) + textureArray;
+  return textureOf(mesh, prefixOf(part)).empty() ? nullptr
+                                                 : mesh->GetFieldData()->GetAbstractArray(name.c_str());
+}
+
+// The polygons of each part; empty where no part has a picture.
+std::map<int, std::vector<vtkIdType>> facesOfParts(vtkPolyData* mesh)
+{
+  std::map<int, std::vector<vtkIdType>> faces;
+  auto* parts = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray("PartId"));
+  const vtkIdType count = mesh->GetNumberOfPolys();
+  if (!parts || parts->GetNumberOfComponents() != 1 || parts->GetNumberOfTuples() != count ||
+      mesh->GetNumberOfCells() != count)
+  {
+    return faces;
+  }
+  for (vtkIdType face = 0; face < count; ++face)
+  {
+    faces[parts->GetValue(face)].push_back(face);
+  }
+  const bool worn =
+    std::any_of(faces.begin(), faces.end(), [mesh](const auto& part) { return pictureOf(mesh, part.first); });
+  return worn ? faces : std::map<int, std::vector<vtkIdType>>();
+}
+
+vtkSmartPointer<vtkPolyData> extracted(vtkPolyData* mesh, const std::vector<vtkIdType>& faces)
+{
+  vtkNew<vtkIdList> ids;
+  std::vector<vtkIdType> used;
+  for (const vtkIdType face : faces)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    used.insert(used.end(), ids->begin(), ids->end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  auto piece = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  vtkPointData* data = piece->GetPointData();
+  data->CopyAllOn();
+  data->CopyAllocate(mesh->GetPointData(), static_cast<vtkIdType>(used.size()));
+  for (const vtkIdType point : used)
+  {
+    data->CopyData(mesh->GetPointData(), point, points->InsertNextPoint(mesh->GetPoint(point)));
+  }
+  vtkNew<vtkCellArray> polys;
+  for (const vtkIdType face : faces)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    polys->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
+    for (const vtkIdType point : *ids)
+    {
+      polys->InsertCellPoint(std::lower_bound(used.begin(), used.end(), point) - used.begin());
+    }
+  }
+  piece->SetPoints(points);
+  piece->SetPolys(polys);
+  return piece;
+}
+
+} // namespace
+
+std::vector<Piece> piecesOf(vtkPolyData* mesh)
+{
+  std::vector<Piece> pieces;
+  for (const auto& [part, faces] : facesOfParts(mesh))
+  {
+    pieces.push_back(
+      { "part" + std::to_string(part), textureOf(mesh, prefixOf(part)), extracted(mesh, faces) });
+  }
+  if (pieces.empty())
+  {
+    pieces.push_back({ "", textureOf(mesh), mesh });
+  }
+  return pieces;
+}
+
+std::vector<vtkAbstractArray*> pictureArrays(vtkPolyData* mesh)
+{
+  std::vector<vtkAbstractArray*> arrays;
+  for (const auto& part : facesOfParts(mesh))
+  {
+    if (vtkAbstractArray* array = pictureOf(mesh, part.first))
+    {
+      arrays.push_back(array);
+    }
+  }
+  if (!arrays.empty())
+  {
+    arrays.push_back(mesh->GetCellData()->GetAbstractArray("PartId"));
+  }
+  else if (!textureOf(mesh).empty())
+  {
+    arrays.push_back(mesh->GetFieldData()->GetAbstractArray(textureArray));
+  }
+  return arrays;
+}
+
+} // namespace oversketch_files

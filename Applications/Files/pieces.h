@@ -1,0 +1,32 @@
+// What of a mesh wears one picture: all of it, or each part of one that vtkOversketchAssemble made.
+#ifndef oversketch_files_pieces_h
+#define oversketch_files_pieces_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+
+namespace oversketch_files
+{
+
+struct Piece
+{
+  std::string name;                  // of its material, "part0"; empty where the mesh is of one piece
+  std::string picture;               // the bytes of its picture (texture.h), "" for none
+  vtkSmartPointer<vtkPolyData> mesh; // its polygons and the points that they have, in their order
+};
+
+// The parts of a mesh with the cell array PartId, by their numbers, where a field array Part0.Texture,
+// Part1.Texture, … holds a picture for one of them and there are texture coordinates; any other mesh whole,
+// with its own picture.
+std::vector<Piece> piecesOf(vtkPolyData* mesh);
+
+// The arrays that say so: the mesh's picture, or PartId and the parts' pictures; none where no piece has one.
+std::vector<vtkAbstractArray*> pictureArrays(vtkPolyData* mesh);
+
+} // namespace oversketch_files
+#endif
