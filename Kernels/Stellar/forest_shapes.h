@@ -4,6 +4,7 @@
 
 #include "Harness/data.h"
 #include "Harness/shapes.h"
+#include "Harness/threads.h"
 #include "Mesh/context.h"
 #include "Stellar/leaves.h"
 #include "Stellar/pairing.h"
@@ -18,19 +19,6 @@
 
 namespace oversketch_test
 {
-
-// Two threads, whatever the machine has.
-inline Context twoThreads()
-{
-  Context context;
-  context.parallelFor = [](int count, const Context::Body& body)
-  {
-    std::thread half([&] { body(0, count / 2); });
-    body(count / 2, count);
-    half.join();
-  };
-  return context;
-}
 
 // nx x ny quads over [0, width] x [0, height] as pairs, diagonals from the lower left to the upper right.
 inline Mesh quadPairs(int nx, int ny, double width = 1.0, double height = 1.0)

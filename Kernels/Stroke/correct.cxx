@@ -10,8 +10,6 @@ namespace oversketch
 namespace
 {
 
-constexpr double blendReach = 6.0; // times an end's distance, as resketch has it
-
 Resketched unchanged(const Polyline& points, bool isFresh)
 {
   Resketched result{ points, {} };
@@ -117,7 +115,7 @@ Resketched onceRound(const Polyline& fresh, const std::vector<double>& travel, d
 
 // The open part of a curve that stays, up to a place, as a curve of its own: the rest of it is what a stroke
 // with one end near replaces.
-Resketched extended(const Polyline& old, const Polyline& fresh, bool fromFront, double spacing)
+Resketched extended(const Polyline& old, const Polyline& fresh, bool fromFront, const ResketchRules& rules)
 {
   const NearestPlace nearest(old);
   const NearestPlace::Answer foot = nearest(fromFront ? fresh.front() : fresh.back());
@@ -147,7 +145,7 @@ Resketched extended(const Polyline& old, const Polyline& fresh, bool fromFront, 
   kept.push_back(end.of(before));
   const int keptCount = static_cast<int>(kept.size());
   // The foot is the kept part's end, so that the new curve extends it.
-  Resketched result = continued(kept, after, blendReach, spacing);
+  Resketched result = continued(kept, after, rules);
   const auto mirrored = [](Blend& blend, int count)
   {
     blend.from = count - 1 - blend.from;
@@ -182,7 +180,7 @@ Resketched extended(const Polyline& old, const Polyline& fresh, bool fromFront, 
 
 } // namespace
 
-Resketched resketchClosed(const Polyline& old, const Polyline& fresh, double reach, double spacing)
+Resketched resketchClosed(const Polyline& old, const Polyline& fresh, const ResketchRules& rules)
 {
   const auto differs = [](const Polyline& curve)
   { return std::any_of(curve.begin(), curve.end(), [&](const Vector2& p) { return p != curve.front(); }); };
@@ -225,8 +223,12 @@ Resketched resketchClosed(const Polyline& old, const Polyline& fresh, double rea
   const NearestPlace nearOld(old, true);
   const double farthest = std::max(nearOld(fresh.front()).distance, nearOld(fresh.back()).distance);
   const double room = std::min(first, whole - last) * (1.0 - 1e-9);
-  const double fitting = farthest > 0.0 ? std::min(reach, room / farthest) : reach;
-  Resketched result = resketch(opened, fresh, fitting, spacing);
+  ResketchRules fitting = rules;
+  if (farthest > 0.0)
+  {
+    fitting.reach = std::min(rules.reach, room / farthest);
+  }
+  Resketched result = resketch(opened, fresh, fitting);
   // The seam's sample is there twice.
   result.points.pop_back();
   result.origins.pop_back();
@@ -257,6 +259,8 @@ Correction corrected(const std::vector<CanvasStroke>& strokes,
   {
     throw Error(Failure::BadStroke, "a correction needs two distinct points, all finite; draw a longer one");
   }
+  ResketchRules rules;
+  rules.spacing = spacing;
   Correction answer;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < strokes.size(); ++i)
@@ -283,13 +287,13 @@ Correction corrected(const std::vector<CanvasStroke>& strokes,
   if (front && back)
   {
     answer.kind = Correction::Replacement;
-    answer.result = stroke.closed ? resketchClosed(stroke.points, fresh, blendReach, spacing)
-                                  : resketch(stroke.points, fresh, blendReach, spacing);
+    answer.result =
+      stroke.closed ? resketchClosed(stroke.points, fresh, rules) : resketch(stroke.points, fresh, rules);
   }
   else if ((front || back) && !stroke.closed)
   {
     answer.kind = Correction::Extension;
-    answer.result = extended(stroke.points, fresh, front, spacing);
+    answer.result = extended(stroke.points, fresh, front, rules);
   }
   else
   {

@@ -21,10 +21,7 @@ struct CanvasStroke
 // all the way round is the result, without what it goes over twice; so is one when the arc that goes is the
 // whole curve; when no arc remains to be replaced, the old one. Blends number the points of `old` and
 // `fresh`.
-Resketched resketchClosed(const Polyline& old,
-  const Polyline& fresh,
-  double reach = 6.0,
-  double spacing = 1.0);
+Resketched resketchClosed(const Polyline& old, const Polyline& fresh, const ResketchRules& rules = {});
 
 struct Correction
 {

@@ -28,7 +28,7 @@ struct Walk
   int count() const { return static_cast<int>(this->points.size()); }
   double length() const { return this->lengths.back(); }
   Blend at(double length) const { return placeAt(this->lengths, this->count(), length); }
-  // Unit direction in which the curve arrives at a length; in which it leaves where there is nothing before.
+  // The step in which the curve arrives at a length; in which it leaves where there is nothing before.
   Vector2 arriving(double length) const
   {
     const Vector2 here = this->at(length).of(this->points);
@@ -36,7 +36,7 @@ struct Walk
     {
       if (this->lengths[i] < length && this->points[i] != here)
       {
-        return (here - this->points[i]).normalized();
+        return here - this->points[i];
       }
     }
     return this->leaving();
@@ -45,7 +45,7 @@ struct Walk
   {
     const auto other = std::find_if(
       this->points.begin(), this->points.end(), [&](const Vector2& p) { return p != this->points.front(); });
-    return (*other - this->points.front()).normalized();
+    return *other - this->points.front();
   }
   double nearest(const Vector2& to) const
   {
@@ -57,7 +57,7 @@ struct Walk
 
 // What comes before the new curve: the old one up to S', then the run into the new one's first point, which
 // is left out. `place` is S in px along the old curve.
-Resketched lead(const Walk& old, const Walk& fresh, double place, double reach, double spacing)
+Resketched lead(const Walk& old, const Walk& fresh, double place, const ResketchRules& rules)
 {
   Resketched result;
   const auto add = [&](const Vector2& point, const Origin& origin)
@@ -66,7 +66,7 @@ Resketched lead(const Walk& old, const Walk& fresh, double place, double reach, 
     result.origins.push_back(origin);
   };
   const Vector2 end = fresh.points.front();
-  const double start = place - reach * (old.at(place).of(old.points) - end).norm();
+  const double start = place - rules.reach * (old.at(place).of(old.points) - end).norm();
   if (start < 0.0)
   {
     return result;
@@ -81,8 +81,13 @@ Resketched lead(const Walk& old, const Walk& fresh, double place, double reach, 
   }
   const Vector2 from = old.at(start).of(old.points);
   const double chord = (end - from).norm();
-  const Vector2 t0 = chord * old.arriving(start), t1 = chord * fresh.leaving();
-  const int steps = std::max(2, static_cast<int>(std::ceil(std::max(chord, place - start) / spacing)));
+  Vector2 t0 = old.arriving(start), t1 = fresh.leaving();
+  if (!rules.rawTangents)
+  {
+    t0 = chord * t0.normalized();
+    t1 = chord * t1.normalized();
+  }
+  const int steps = std::max(2, static_cast<int>(std::ceil(std::max(chord, place - start) / rules.spacing)));
   for (int i = 0; i < steps; ++i)
   {
     const double u = static_cast<double>(i) / steps, u2 = u * u, u3 = u2 * u;
@@ -94,6 +99,42 @@ Resketched lead(const Walk& old, const Walk& fresh, double place, double reach, 
   return result;
 }
 
+// The new curve between the ways in and out, which takes the place of the old one's part from one length to
+// another.
+void addMiddle(const Walk& old,
+  const Walk& fresh,
+  double from,
+  double to,
+  ResketchRules::Middle middle,
+  Resketched& result)
+{
+  const auto add = [&](const Blend& place, const Blend& at)
+  {
+    result.points.push_back(at.of(fresh.points));
+    result.origins.push_back({ place, at, 1.0 });
+  };
+  const int last = fresh.count() - 1;
+  if (middle == ResketchRules::Middle::ArcLength)
+  {
+    for (int i = 0; i <= last; ++i)
+    {
+      add(old.at(from + fresh.lengths[i] / fresh.length() * (to - from)), Blend::point(i));
+    }
+    return;
+  }
+  add(old.at(from), Blend::point(0));
+  const NearestPlace nearest(fresh.points);
+  for (int i = 0; i < old.count(); ++i)
+  {
+    if (old.lengths[i] > from && old.lengths[i] < to)
+    {
+      const NearestPlace::Answer answer = nearest(old.points[i]);
+      add(Blend::point(i), { answer.segment, answer.segment + 1, answer.t });
+    }
+  }
+  add(old.at(to), Blend::point(last));
+}
+
 bool differs(const Polyline& curve)
 {
   return std::any_of(curve.begin(), curve.end(), [&](const Vector2& p) { return p != curve.front(); });
@@ -101,7 +142,7 @@ bool differs(const Polyline& curve)
 
 } // namespace
 
-Resketched resketch(const Polyline& old, const Polyline& fresh, double reach, double spacing)
+Resketched resketch(const Polyline& old, const Polyline& fresh, const ResketchRules& rules)
 {
   Resketched result;
   const auto keepOld = [&]
@@ -138,15 +179,13 @@ Resketched resketch(const Polyline& old, const Polyline& fresh, double reach, do
   const Walk after(drawn);
   const int oldCount = before.count(), freshCount = after.count();
 
-  result = lead(before, after, s, reach, spacing);
-  for (int i = 0; i < freshCount; ++i)
-  {
-    result.points.push_back(drawn[i]);
-    result.origins.push_back({ Blend::point(0), Blend::point(i), 1.0 });
-  }
   // The way out is the way in, walked from the other end.
   const Walk oldBack(Polyline(old.rbegin(), old.rend())), freshBack(Polyline(drawn.rbegin(), drawn.rend()));
-  const Resketched out = lead(oldBack, freshBack, length - e, reach, spacing);
+  const Resketched out = lead(oldBack, freshBack, length - e, rules);
+  result = lead(before, after, s, rules);
+  // Without a way in the new curve takes the old one's place from its start on.
+  const double from = result.points.empty() ? 0.0 : s, to = out.points.empty() ? length : e;
+  addMiddle(before, after, from, to, rules.middle, result);
   for (int i = static_cast<int>(out.points.size()) - 1; i >= 0; --i)
   {
     const Origin& origin = out.origins[i];
@@ -164,7 +203,7 @@ Resketched resketch(const Polyline& old, const Polyline& fresh, double reach, do
   return result;
 }
 
-Resketched continued(const Polyline& old, const Polyline& fresh, double reach, double spacing)
+Resketched continued(const Polyline& old, const Polyline& fresh, const ResketchRules& rules)
 {
   Resketched result;
   if (differs(old) && differs(fresh))
@@ -172,8 +211,12 @@ Resketched continued(const Polyline& old, const Polyline& fresh, double reach, d
     const Walk before(old), after(fresh);
     const double gap = (old.back() - fresh.front()).norm();
     // A blend that began before the curve would be left out.
-    const double fitting = gap > 0.0 ? std::min(reach, before.length() / gap * (1.0 - 1e-9)) : reach;
-    result = lead(before, after, before.length(), fitting, spacing);
+    ResketchRules fitting = rules;
+    if (gap > 0.0)
+    {
+      fitting.reach = std::min(rules.reach, before.length() / gap * (1.0 - 1e-9));
+    }
+    result = lead(before, after, before.length(), fitting);
   }
   for (int i = 0; i < static_cast<int>(fresh.size()); ++i)
   {

@@ -1,15 +1,23 @@
 // Facts of editors.md, section 13 (re-sketching): f from (0, 0) to (100, 0), spacing 1.
 #include "Stroke/resketch.h"
 
+#include "Harness/shapes.h"
+#include "Stroke/correct.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+using oversketch::Blend;
+using oversketch::NearestPlace;
+using oversketch::Origin;
 using oversketch::Polyline;
 using oversketch::resketch;
 using oversketch::Resketched;
+using oversketch::ResketchRules;
 using oversketch::Vector2;
+using oversketch_test::fact;
 
 namespace
 {
@@ -43,7 +51,7 @@ double heightAt(const Polyline& r, double x)
 
 } // namespace
 
-TEST(Resketch, APartInTheMiddle)
+TEST(B4_1, APartInTheMiddle)
 {
   const Polyline m = line(40.0, 60.0, 2.0);
   const Resketched r = resketch(f, m);
@@ -76,12 +84,15 @@ TEST(Resketch, APartInTheMiddle)
     EXPECT_EQ(r.points[i], f[i]);
   }
   // With half the reach the old curve is left later.
-  const Resketched k3 = resketch(f, m, 3.0);
+  const Resketched k3 = resketch(f, m, { 3.0 });
   EXPECT_NEAR(heightAt(k3.points, 34.0), 0.0, 1e-9);
   EXPECT_GT(heightAt(k3.points, 35.0), 0.0);
+  fact("B4_1",
+    "y = 0 up to 28 and from 72 on, 2 from 40 to 60, " + std::to_string(heightAt(r.points, 34.0)) +
+      " at 34 and " + std::to_string(heightAt(r.points, 66.0)) + " at 66; with k = 3 it is left at 34");
 }
 
-TEST(Resketch, TheDirectionOfTheNewCurveDoesNotMatter)
+TEST(B4_2, TheDirectionOfTheNewCurveDoesNotMatter)
 {
   const Resketched r = resketch(f, line(40.0, 60.0, 2.0)), back = resketch(f, line(60.0, 40.0, 2.0));
   ASSERT_EQ(r.points.size(), back.points.size());
@@ -89,9 +100,11 @@ TEST(Resketch, TheDirectionOfTheNewCurveDoesNotMatter)
   {
     EXPECT_EQ(r.points[i], back.points[i]);
   }
+  fact(
+    "B4_2", "drawn from right to left: the same " + std::to_string(r.points.size()) + " points to the bit");
 }
 
-TEST(Resketch, OverAnEnd)
+TEST(B4_3, OverAnEnd)
 {
   const Resketched r = resketch(f, line(95.0, 130.0, 1.0));
   EXPECT_EQ(r.points.back(), Vector2(130.0, 1.0));
@@ -103,6 +116,8 @@ TEST(Resketch, OverAnEnd)
   const Resketched start = resketch(f, line(5.0, 50.0, 1.0)); // S' = -0.01
   EXPECT_EQ(start.points.front(), Vector2(5.0, 1.0));
   EXPECT_EQ(start.points.back(), f.back());
+  fact("B4_3",
+    "over the end: left at 89, ends at (130, 1); over both: the new curve; from (5, 1) on: begins there");
 }
 
 TEST(Resketch, RunningOnFromAnEndExtends)
@@ -129,7 +144,7 @@ TEST(Resketch, RunningOnFromAnEndExtends)
   }
 }
 
-TEST(Resketch, ABulgeStays)
+TEST(B4_4, ABulgeStays)
 {
   Polyline arc;
   for (int i = 0; i <= 40; ++i)
@@ -144,6 +159,117 @@ TEST(Resketch, ABulgeStays)
     highest = std::max(highest, p[1]);
   }
   EXPECT_GE(highest, 9.9);
+  // As published every sample goes to one of the two ends, but for the one in the middle.
+  ResketchRules published;
+  published.middle = ResketchRules::Middle::Closest;
+  const Resketched collapsed = resketch(f, arc, published);
+  std::vector<double> heights;
+  for (const Vector2& p : collapsed.points)
+  {
+    heights.push_back(p[1]);
+  }
+  std::sort(heights.begin(), heights.end());
+  EXPECT_LT(heights[heights.size() - 2], 0.5); // the arc is a polyline
+  fact("B4_4",
+    "a semicircle of radius 10: " + std::to_string(highest) +
+      " high; by closest places all but one sample are at " + "most " +
+      std::to_string(heights[heights.size() - 2]) + " high");
+}
+
+TEST(Resketch, ClosestPlacesOfAFlatCurve)
+{
+  ResketchRules published;
+  published.middle = ResketchRules::Middle::Closest;
+  const Polyline m = line(40.0, 60.0, 2.0);
+  const Resketched r = resketch(f, m, published);
+  const NearestPlace nearest(m);
+  int middle = 0;
+  for (std::size_t i = 0; i < r.points.size(); ++i)
+  {
+    if (r.origins[i].weight == 1.0)
+    {
+      EXPECT_NEAR((nearest(r.origins[i].before.of(f)).place - r.points[i]).norm(), 0.0, 1e-12);
+      EXPECT_NEAR((r.origins[i].after.of(m) - r.points[i]).norm(), 0.0, 1e-12);
+      ++middle;
+    }
+  }
+  EXPECT_EQ(middle, 21); // both ends and 41 to 59
+}
+
+TEST(Resketch, RawTangentsAreStepsOfTheCurves)
+{
+  ResketchRules published;
+  published.rawTangents = true;
+  const Resketched r = resketch(f, line(40.0, 60.0, 2.0), published);
+  // A step of 1 where the way is 12 long: at u = 1/2, a quarter of (T0 - T1) / 2 is nothing, so y is the same
+  // there; x of the Hermite curve is that of straight ways but for the tangents' share.
+  EXPECT_NEAR(heightAt(r.points, 34.0), 0.5, 0.02);
+  const auto first = std::find_if(
+    r.origins.begin(), r.origins.end(), [](const Origin& o) { return o.weight > 0.0 && o.weight < 1.0; });
+  const std::size_t i = static_cast<std::size_t>(first - r.origins.begin());
+  const double c = first->weight;
+  // Hermite's curve with both tangents (1, 0): x = 28 + 12 c + (2u^3 - 3u^2 + u), c = 3u^2 - 2u^3.
+  double u = 0.5;
+  for (int k = 0; k < 60; ++k)
+  {
+    u -= (3.0 * u * u - 2.0 * u * u * u - c) / (6.0 * u - 6.0 * u * u);
+  }
+  const double hermite = 28.0 + 12.0 * c + (2.0 * u * u * u - 3.0 * u * u + u);
+  EXPECT_NEAR(r.points[i][0], (1.0 - c) * (28.0 + 12.0 * u) + c * hermite, 1e-6);
+  EXPECT_NEAR(r.points[i][1], c * 2.0 * c, 1e-9);
+}
+
+TEST(Resketch, NewSamplesTakeThePlacesOfTheOldOnes)
+{
+  const auto places = [](const Resketched& r)
+  {
+    std::vector<double> x;
+    for (const Origin& origin : r.origins)
+    {
+      x.push_back(origin.before.of(f)[0]);
+    }
+    return x;
+  };
+  for (const auto& [from, to] : { std::make_pair(40.0, 60.0),
+         std::make_pair(60.0, 40.0),
+         std::make_pair(-10.0, 110.0),
+         std::make_pair(95.0, 130.0) })
+  {
+    const std::vector<double> x = places(resketch(f, line(from, to, 1.0)));
+    EXPECT_TRUE(std::is_sorted(x.begin(), x.end()));
+    EXPECT_NEAR(x.front(), 0.0, 1e-12);
+    EXPECT_NEAR(x.back(), 100.0, 1e-12);
+  }
+}
+
+TEST(Resketch, AClosedCurveByThePublishedRules)
+{
+  // A circle, a flat stroke over its right side: every new sample is one of the closest.
+  Polyline circle;
+  for (int i = 0; i < 200; ++i)
+  {
+    circle.emplace_back(100.0 * std::cos(2.0 * M_PI * i / 200.0), 100.0 * std::sin(2.0 * M_PI * i / 200.0));
+  }
+  Polyline chord;
+  for (int i = -40; i <= 40; ++i)
+  {
+    chord.emplace_back(95.0, i);
+  }
+  ResketchRules published;
+  published.middle = ResketchRules::Middle::Closest;
+  const Resketched r = oversketch::resketchClosed(circle, chord, published);
+  int onChord = 0, kept = 0;
+  for (std::size_t i = 0; i < r.points.size(); ++i)
+  {
+    if (r.origins[i].weight == 1.0)
+    {
+      EXPECT_NEAR(r.points[i][0], 95.0, 1e-12);
+      ++onChord;
+    }
+    kept += r.origins[i].weight == 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(onChord, 20);
+  EXPECT_GT(kept, 100);
 }
 
 TEST(Resketch, OriginsGiveTheSamplesBack)

@@ -21,4 +21,23 @@ std::vector<int> thinStroke(const Polyline& samples, double spacing, bool closed
   return kept;
 }
 
+std::vector<int> thinEvenly(const Polyline& samples, double spacing, bool closed)
+{
+  std::vector<int> kept = thinStroke(samples, spacing, true);
+  const int last = static_cast<int>(samples.size()) - 1;
+  while (closed && kept.size() > 1 && (samples[kept.back()] - samples.front()).norm() < spacing)
+  {
+    kept.pop_back();
+  }
+  if (!closed && !kept.empty() && kept.back() != last)
+  {
+    if (kept.size() > 1)
+    {
+      kept.pop_back();
+    }
+    kept.push_back(last);
+  }
+  return kept;
+}
+
 } // namespace oversketch

@@ -13,5 +13,11 @@ namespace oversketch
 // right.
 std::vector<int> thinStroke(const Polyline& samples, double spacing, bool closed = false);
 
+// The same with none nearer to its neighbour than that but the ends of a short stroke: an open stroke's last
+// sample replaces the last one kept, and of a closed one those that are nearer to the first than `spacing`
+// go, so that it closes with an even gap. Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation
+// and Editing", Sec. 4.1, where the usual spacing is 10.
+std::vector<int> thinEvenly(const Polyline& samples, double spacing, bool closed = false);
+
 } // namespace oversketch
 #endif

@@ -32,6 +32,7 @@ REACH = [
     ("Laplacian solve", "CHOLMOD", 0.7, ["45k"]),
     ("Laplacian drag", "Eigen", 1 / 300, None),
     ("adjusted normals", "plain form", 4.0, None),
+    ("region's exponentials", "Eigen", 1 / 10, None),
     ("remeshing", "CGAL", 1 / 5, ["30k", "180k"]),
     ("one stroke", "limit", 3.0, ["30k", "180k"]),
     ("next stroke", "limit", 3.0, ["30k", "180k"]),

@@ -1,0 +1,284 @@
+#include "Shading/fields.h"
+
+#include "Mesh/context.h"
+#include "Shading/flatten.h"
+#include "Sparse/cholesky.h"
+#include "Stellar/curves.h"
+#include "Stellar/distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <string>
+
+namespace oversketch
+{
+namespace
+{
+
+constexpr double unreached = std::numeric_limits<double>::infinity();
+
+FeatureCurve curveOf(const Mesh& mesh, const std::vector<int>& chain, bool closed)
+{
+  FeatureCurve curve;
+  curve.closed = closed;
+  for (const int v : chain)
+  {
+    curve.points.push_back(mesh.points[v]);
+  }
+  curve.measure();
+  return curve;
+}
+
+// The front over the surface; `straight` holds each vertex's distance through space and place, and is
+// replaced.
+void march(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& chain,
+  const FeatureCurve& curve,
+  ChainDistances& straight,
+  const Context& context)
+{
+  const std::vector<double> least = straight.distance;
+  std::vector<double>&distance = straight.distance, &place = straight.place;
+  std::fill(distance.begin(), distance.end(), unreached);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::vector<char> done(mesh.points.size(), 0);
+  const auto meet = [&](int v, double reached, double at)
+  {
+    const double known = std::max(reached, least[v]);
+    if (!done[v] && known < distance[v])
+    {
+      distance[v] = known;
+      place[v] = at;
+      queue.emplace(known, v);
+    }
+  };
+  // Beside the curve the straight way runs over the triangle.
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    meet(chain[i], 0.0, curve.arc[i]);
+  }
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    const int v = chain[i];
+    for (const int* t = adjacency.vertexTriangles.begin(v); t != adjacency.vertexTriangles.end(v); ++t)
+    {
+      for (const int w : mesh.triangles[*t])
+      {
+        meet(w, least[w], place[w]);
+      }
+    }
+  }
+  for (int steps = 0; !queue.empty(); ++steps)
+  {
+    if (steps % 4096 == 0)
+    {
+      context.checkpoint(0.0);
+    }
+    const int a = queue.top().second;
+    queue.pop();
+    if (done[a])
+    {
+      continue;
+    }
+    done[a] = 1;
+    for (const int* t = adjacency.vertexTriangles.begin(a); t != adjacency.vertexTriangles.end(a); ++t)
+    {
+      const Triangle& corners = mesh.triangles[*t];
+      const int i = static_cast<int>(std::find(corners.begin(), corners.end(), a) - corners.begin());
+      for (int side = 1; side < 3; ++side)
+      {
+        // From a and b, if the front has passed that, to v.
+        const int b = corners[(i + side) % 3], v = corners[(i + 3 - side) % 3];
+        const FrontStep step = frontStep(distance[a],
+          done[b] ? distance[b] : unreached,
+          mesh.points[b] - mesh.points[a],
+          mesh.points[v] - mesh.points[a]);
+        // Two fronts that meet come from places apart: between those is nothing.
+        const bool together = done[b] && curve.apart(place[a], place[b]) <=
+                                           2.0 * (mesh.points[b] - mesh.points[a]).norm() + distance[a];
+        const double at = !together && step.share < 0.5 ? place[a]
+                          : !together                   ? place[b]
+                          : curve.closed                ? place[step.share < 0.5 ? a : b]
+                                                        : place[a] + step.share * (place[b] - place[a]);
+        meet(v, step.distance, at);
+      }
+    }
+  }
+}
+
+// f' - div(room^2 grad f') = f at the vertices that are not held; the others keep theirs.
+void smoothField(const Mesh& patch,
+  const Adjacency& adjacency,
+  const std::vector<double>& weights,
+  const std::vector<double>& room,
+  const std::vector<char>& held,
+  std::vector<double>& field,
+  const Context& context)
+{
+  // Of an edge: the mean of its triangles', which have the mean of their corners'.
+  std::vector<double> flow(weights.size(), 0.0), mass(patch.points.size(), 0.0);
+  for (int t = 0; t < patch.triangleCount(); ++t)
+  {
+    const Triangle& c = patch.triangles[t];
+    const Vector3 u = patch.points[c[1]] - patch.points[c[0]], v = patch.points[c[2]] - patch.points[c[0]];
+    double square = 0.0;
+    for (const int k : c)
+    {
+      mass[k] += u.cross(v).norm() / 6.0;
+      square += room[k] * room[k] / 3.0;
+    }
+    for (const int e : adjacency.triangleEdges[t])
+    {
+      flow[e] += weights[e] * square / adjacency.edges[e].triangleCount;
+    }
+  }
+  std::vector<int> free, number(patch.points.size(), -1);
+  std::vector<Vector3> places;
+  std::vector<double> diagonal;
+  for (int v = 0; v < patch.vertexCount(); ++v)
+  {
+    if (!held[v])
+    {
+      number[v] = static_cast<int>(free.size());
+      free.push_back(v);
+      places.push_back(patch.points[v]);
+      diagonal.push_back(mass[v]);
+    }
+  }
+  if (free.empty())
+  {
+    return;
+  }
+  const BlockMatrix matrix = weightMatrix(adjacency, flow, free, number, diagonal);
+  Eigen::MatrixXd side(static_cast<Eigen::Index>(free.size()), 1);
+  for (std::size_t i = 0; i < free.size(); ++i)
+  {
+    const int v = free[i];
+    double sum = mass[v] * field[v];
+    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    {
+      sum += held[*n] ? flow[adjacency.findEdge(v, *n)] * field[*n] : 0.0;
+    }
+    side(static_cast<Eigen::Index>(i), 0) = sum;
+  }
+  Cholesky factor(std::make_shared<const Elimination>(matrix.pattern, places, context));
+  if (!factor.factorise(matrix, context))
+  {
+    throw Error(Failure::SolveFailed, "The region's shading could not be smoothed; clean the mesh first.");
+  }
+  factor.solve(side, context);
+  for (std::size_t i = 0; i < free.size(); ++i)
+  {
+    field[free[i]] = std::clamp(side(static_cast<Eigen::Index>(i), 0), 0.0, 1.0);
+  }
+}
+
+void checkChain(const Mesh& patch,
+  const Adjacency& adjacency,
+  const std::vector<int>& reference,
+  const std::vector<char>& onBorder)
+{
+  bool good = reference.size() >= 2;
+  for (std::size_t i = 0; good && i < reference.size(); ++i)
+  {
+    good = reference[i] >= 0 && reference[i] < patch.vertexCount() && !onBorder[reference[i]] &&
+           (i == 0 || adjacency.findEdge(reference[i - 1], reference[i]) >= 0);
+  }
+  if (!good)
+  {
+    throw Error(Failure::BadStroke,
+      "The reference curve is not a chain of two or more vertices inside the region; lay it on the mesh "
+      "anew.");
+  }
+}
+
+} // namespace
+
+ChainDistances chainDistances(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& chain,
+  bool closed,
+  bool straight,
+  const Context& context)
+{
+  const FeatureCurves curves{ curveOf(mesh, chain, closed) };
+  const CurveSearch search(curves);
+  ChainDistances result;
+  result.distance.resize(mesh.points.size());
+  result.place.resize(mesh.points.size());
+  context.parallelFor(mesh.vertexCount(),
+    [&](int begin, int end)
+    {
+      for (int v = begin; v < end && !context.cancelled(); ++v)
+      {
+        const NearestOnCurve nearest = search.nearest(0, mesh.points[v]);
+        result.distance[v] = nearest.distance;
+        result.place[v] = nearest.parameter;
+      }
+    });
+  context.checkpoint(0.0);
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    result.distance[chain[i]] = 0.0;
+    result.place[chain[i]] = curves[0].arc[i];
+  }
+  if (!straight)
+  {
+    march(mesh, adjacency, chain, curves[0], result, context);
+  }
+  return result;
+}
+
+CurveFields curveFields(const Mesh& patch,
+  const std::vector<int>& reference,
+  const FieldRules& rules,
+  const Context& context)
+{
+  const Adjacency adjacency = buildAdjacency(patch, context);
+  const std::vector<int> border = discBorder(patch, adjacency);
+  std::vector<char> fixed(patch.points.size(), 0);
+  for (const int v : border)
+  {
+    fixed[v] = 1;
+  }
+  checkChain(patch, adjacency, reference, fixed);
+
+  const ChainDistances inner = chainDistances(patch, adjacency, reference, false, rules.straight, context);
+  const ChainDistances outer = chainDistances(patch, adjacency, border, true, rules.straight, context);
+  const double length = curveOf(patch, reference, false).length;
+  CurveFields fields;
+  std::vector<double> whole;
+  for (std::size_t v = 0; v < patch.points.size(); ++v)
+  {
+    whole.push_back(inner.distance[v] + outer.distance[v]);
+    fields.share.push_back(fixed[v] ? 1.0 : inner.distance[v] / whole.back());
+    fields.parameter.push_back(inner.place[v] / length);
+  }
+
+  const std::vector<double> weights = positiveWeights(patch, adjacency);
+  std::vector<char> onReference(patch.points.size(), 0);
+  for (const int v : reference)
+  {
+    onReference[v] = fixed[v] = 1;
+  }
+  const auto smoothed = [&](double c, const std::vector<char>& held, std::vector<double>& field)
+  {
+    if (c > 0.0)
+    {
+      std::vector<double> room;
+      for (const double w : whole)
+      {
+        room.push_back(c * w);
+      }
+      smoothField(patch, adjacency, weights, room, held, field, context);
+    }
+  };
+  smoothed(rules.smoothing, fixed, fields.share);
+  smoothed(rules.parameterSmoothing, onReference, fields.parameter);
+  return fields;
+}
+
+} // namespace oversketch

@@ -1,0 +1,316 @@
+#include "Shading/flatten.h"
+
+#include "Mesh/context.h"
+#include "Sparse/cholesky.h"
+#include "Sparse/laplacian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace oversketch
+{
+namespace
+{
+
+[[noreturn]] void refuse(const std::string& what)
+{
+  throw Error(Failure::BadRegion, "The region " + what + "; draw the boundary round a piece without holes.");
+}
+
+double signedArea(const std::vector<Vector2>& disc, const Triangle& t)
+{
+  const Vector2 u = disc[t[1]] - disc[t[0]], v = disc[t[2]] - disc[t[0]];
+  return 0.5 * (u[0] * v[1] - u[1] * v[0]);
+}
+
+// Each vertex's share of all area.
+std::vector<double> shares(const Mesh& patch, const std::vector<double>& areas)
+{
+  std::vector<double> share(patch.points.size(), 0.0);
+  double whole = 0.0;
+  for (int t = 0; t < patch.triangleCount(); ++t)
+  {
+    whole += areas[t];
+    for (const int v : patch.triangles[t])
+    {
+      share[v] += areas[t] / 3.0;
+    }
+  }
+  for (double& s : share)
+  {
+    s /= whole;
+  }
+  return share;
+}
+
+// The harmonic map with a fixed border.
+class Harmonic
+{
+public:
+  Harmonic(const Mesh& patch,
+    const std::vector<int>& border,
+    const Adjacency& adjacency,
+    const Context& context)
+    : Sides(adjacency)
+    , Number(patch.points.size(), 0)
+  {
+    for (const int v : border)
+    {
+      this->Number[v] = -1;
+    }
+    std::vector<Vector3> places;
+    for (int v = 0; v < patch.vertexCount(); ++v)
+    {
+      if (this->Number[v] == 0)
+      {
+        this->Number[v] = static_cast<int>(this->Inner.size());
+        this->Inner.push_back(v);
+        places.push_back(patch.points[v]);
+      }
+    }
+    if (!this->Inner.empty())
+    {
+      const std::vector<double> ones(adjacency.edges.size(), 1.0), none(this->Inner.size(), 0.0);
+      this->Order = std::make_shared<const Elimination>(
+        weightMatrix(adjacency, ones, this->Inner, this->Number, none).pattern, places, context);
+    }
+  }
+
+  void solve(const std::vector<double>& weights, std::vector<Vector2>& disc, const Context& context)
+  {
+    if (this->Inner.empty())
+    {
+      return;
+    }
+    const std::vector<double> none(this->Inner.size(), 0.0);
+    Cholesky factor(this->Order, this->Room);
+    if (!factor.factorise(weightMatrix(this->Sides, weights, this->Inner, this->Number, none), context))
+    {
+      throw Error(Failure::SolveFailed, "The region could not be flattened; clean the mesh first.");
+    }
+    Eigen::MatrixXd side = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Inner.size()), 2);
+    for (std::size_t e = 0; e < this->Sides.edges.size(); ++e)
+    {
+      const MeshEdge& edge = this->Sides.edges[e];
+      for (const auto& [inner, fixed] :
+        { std::make_pair(edge.v0, edge.v1), std::make_pair(edge.v1, edge.v0) })
+      {
+        if (this->Number[inner] >= 0 && this->Number[fixed] < 0)
+        {
+          side.row(this->Number[inner]) += weights[e] * disc[fixed].transpose();
+        }
+      }
+    }
+    factor.solve(side, context);
+    for (std::size_t i = 0; i < this->Inner.size(); ++i)
+    {
+      disc[this->Inner[i]] = side.row(static_cast<Eigen::Index>(i));
+    }
+  }
+
+private:
+  const Adjacency& Sides;
+  std::vector<int> Number, Inner;
+  std::shared_ptr<const Elimination> Order;
+  std::shared_ptr<FactorMemory> Room = std::make_shared<FactorMemory>();
+};
+
+// The border on the unit circle by its length.
+std::vector<Vector2> onCircle(const Mesh& patch, const std::vector<int>& border)
+{
+  std::vector<double> lengths{ 0.0 };
+  for (std::size_t i = 0; i < border.size(); ++i)
+  {
+    const double step = (patch.points[border[(i + 1) % border.size()]] - patch.points[border[i]]).norm();
+    if (!(step > 0.0) || !std::isfinite(step))
+    {
+      throw Error(Failure::BadRegion,
+        "The boundary has an edge without length at vertex " + std::to_string(border[i]) +
+          " of the region; clean the mesh first.");
+    }
+    lengths.push_back(lengths.back() + step);
+  }
+  std::vector<Vector2> disc(patch.points.size(), Vector2::Zero());
+  for (std::size_t i = 0; i < border.size(); ++i)
+  {
+    const double angle = 2.0 * M_PI * lengths[i] / lengths.back();
+    disc[border[i]] = { std::cos(angle), std::sin(angle) };
+  }
+  return disc;
+}
+
+} // namespace
+
+std::vector<int> discBorder(const Mesh& patch, const Adjacency& adjacency)
+{
+  std::vector<int> next(patch.points.size(), -1);
+  std::size_t count = 0;
+  int start = -1;
+  for (const Triangle& t : patch.triangles)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = t[k], b = t[(k + 1) % 3], edge = a == b ? -1 : adjacency.findEdge(a, b);
+      if (edge < 0)
+      {
+        refuse("has a triangle with a repeated vertex");
+      }
+      if (adjacency.edges[edge].triangleCount > 2)
+      {
+        refuse("has an edge with three triangles");
+      }
+      if (adjacency.edges[edge].triangleCount == 1)
+      {
+        if (next[a] >= 0)
+        {
+          refuse("is pinched at a vertex");
+        }
+        next[a] = b;
+        start = start < 0 ? a : std::min(start, a);
+        ++count;
+      }
+    }
+  }
+  if (start < 0)
+  {
+    refuse("is closed: it has no boundary");
+  }
+  std::vector<int> border{ start };
+  for (int v = next[start]; v != start; v = next[v])
+  {
+    if (v < 0 || border.size() > count)
+    {
+      refuse("is pinched or has triangles turned over");
+    }
+    border.push_back(v);
+  }
+  if (border.size() < count)
+  {
+    refuse("has a hole or is in several pieces");
+  }
+  // A vertex without a triangle belongs to no piece.
+  int used = 0;
+  for (int v = 0; v < patch.vertexCount(); ++v)
+  {
+    used += adjacency.vertexTriangles.size(v) > 0 ? 1 : 0;
+  }
+  if (used < patch.vertexCount())
+  {
+    refuse("has a vertex without a triangle");
+  }
+  if (used - static_cast<int>(adjacency.edges.size()) + patch.triangleCount() != 1)
+  {
+    refuse("has a handle or is in several pieces");
+  }
+  return border;
+}
+
+std::vector<double> positiveWeights(const Mesh& mesh, const Adjacency& adjacency)
+{
+  std::vector<double> weights;
+  for (int e = 0; e < static_cast<int>(adjacency.edges.size()); ++e)
+  {
+    weights.push_back(std::max(cotangentWeight(mesh, adjacency, e), 1e-3));
+  }
+  return weights;
+}
+
+BlockMatrix weightMatrix(const Adjacency& adjacency,
+  const std::vector<double>& weights,
+  const std::vector<int>& vertices,
+  const std::vector<int>& number,
+  const std::vector<double>& diagonal)
+{
+  BlockMatrix matrix;
+  matrix.pattern.offsets.push_back(0);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const int v = vertices[i];
+    const std::size_t own = matrix.values.size();
+    matrix.pattern.values.push_back(static_cast<int>(i));
+    matrix.values.push_back(diagonal[i]);
+    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    {
+      const double weight = weights[adjacency.findEdge(v, *n)];
+      matrix.values[own] += weight;
+      if (number[*n] >= 0)
+      {
+        matrix.pattern.values.push_back(number[*n]);
+        matrix.values.push_back(-weight);
+      }
+    }
+    matrix.pattern.offsets.push_back(static_cast<int>(matrix.pattern.values.size()));
+  }
+  return matrix;
+}
+
+std::vector<Vector2> flattened(const Mesh& patch, const Context& context, int rounds)
+{
+  const Adjacency adjacency = buildAdjacency(patch, context);
+  const std::vector<int> border = discBorder(patch, adjacency);
+  const std::vector<double> weights = positiveWeights(patch, adjacency);
+  std::vector<double> areas;
+  for (const Triangle& t : patch.triangles)
+  {
+    const Vector3 u = patch.points[t[1]] - patch.points[t[0]], v = patch.points[t[2]] - patch.points[t[0]];
+    areas.push_back(0.5 * u.cross(v).norm());
+  }
+  const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
+  if (!(whole > 0.0) || !std::isfinite(whole))
+  {
+    throw Error(Failure::BadRegion, "The region has no area; clean the mesh first.");
+  }
+  const std::vector<double> surface = shares(patch, areas);
+
+  std::vector<Vector2> disc = onCircle(patch, border);
+  Harmonic map(patch, border, adjacency, context);
+  std::vector<double> pull(patch.points.size(), 1.0), balanced = weights;
+  for (int round = 0; round <= rounds; ++round)
+  {
+    context.checkpoint(static_cast<double>(round) / (rounds + 1));
+    std::vector<Vector2> now = disc;
+    map.solve(balanced, now, context);
+    bool turned = false;
+    for (int t = 0; t < patch.triangleCount(); ++t)
+    {
+      areas[t] = signedArea(now, patch.triangles[t]);
+      turned = turned || !(areas[t] > 0.0);
+    }
+    if (turned && round == 0)
+    {
+      throw Error(Failure::SolveFailed, "The region could not be flattened; clean the mesh first.");
+    }
+    if (turned)
+    {
+      break;
+    }
+    disc = now;
+    const std::vector<double> drawn = shares(patch, areas);
+    for (std::size_t v = 0; v < pull.size(); ++v)
+    {
+      pull[v] /= std::clamp(std::sqrt(surface[v] / drawn[v]), 0.25, 4.0);
+    }
+    for (std::size_t e = 0; e < weights.size(); ++e)
+    {
+      balanced[e] = weights[e] * pull[adjacency.edges[e].v0] * pull[adjacency.edges[e].v1];
+    }
+  }
+
+  Eigen::AlignedBox2d box;
+  for (const Vector2& p : disc)
+  {
+    box.extend(p);
+  }
+  for (Vector2& p : disc)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      p[k] = std::clamp(2.0 * (p[k] - box.min()[k]) / (box.max()[k] - box.min()[k]) - 1.0, -1.0, 1.0);
+    }
+  }
+  return disc;
+}
+
+} // namespace oversketch
