@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # Coverage-guided fuzzing (libFuzzer of Debian's clang, address and undefined-behaviour sanitizers) of what comes from outside: every mesh
-# reader, strokes, pictures, heights, files of parts, sessions, and the whole of systems A and D on tiny meshes. Fails where an input
-# crashes, is neither refused nor sound, takes more than 20 s or 2 GiB. Such an input is left in build/fuzz/found; once it is mended it
-# belongs into Testing/Fuzz/Corpora/TARGET, which the test fuzz_corpus_test replays. What else it finds new is kept in build/fuzz/corpora,
+# reader, strokes, pictures, heights, files of parts, sessions, and the whole of systems A and D on tiny meshes and of system C. Fails where
+# an input crashes, is neither refused nor sound, takes more than 20 s or 2 GiB. Such an input is left in build/fuzz/found; once it is mended
+# it belongs into Testing/Fuzz/Corpora/TARGET, which the test fuzz_corpus_test replays. What else it finds new is kept in build/fuzz/corpora,
 # where the next run begins.
 #
-# usage: Testing/fuzz.sh [INPUTS [TARGET...]]   10000 for each target; one_stroke and augment, which take some hundred times as long, a hundredth
+# usage: Testing/fuzz.sh [INPUTS [TARGET...]]   10000 for each target; one_stroke, augment and drawing, which take some hundred times as long, a hundredth
 set -euo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 cd "$oversketch_root"
 inputs=${1:-10000}
 shift || true
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(ply obj off stl gltf glb vtp stroke picture heights parts session session_text one_stroke augment)
+[ ${#targets[@]} -gt 0 ] || targets=(ply obj off stl gltf glb vtp stroke picture heights parts session session_text one_stroke augment drawing)
 oversketch_packages+=(clang)
 oversketch_install
 oversketch_packages+=("libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev")
@@ -29,7 +29,7 @@ for target in "${targets[@]}"; do
   [ -d "$seeds" ] || { echo "fuzz.sh: there is no target $target" >&2; exit 2; }
   mkdir -p "$folder/corpora/$target"
   count=$inputs
-  case $target in one_stroke | augment) count=$((inputs / 100 + 1)) ;; esac
+  case $target in one_stroke | augment | drawing) count=$((inputs / 100 + 1)) ;; esac
   start=$SECONDS
   running=()
   for ((shard = 0; shard < shards; ++shard)); do

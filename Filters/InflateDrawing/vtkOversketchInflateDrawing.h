@@ -9,7 +9,8 @@
  * Refine, Inflate or Extrude, Tunnel, ProjectTexture (GetStage, GetStep, GetInnerOutput). Each departs from
  * the paper as its header says; AsPublished turns the departures off.
  *
- * Refinement that would turn triangles over hands parts of strokes back to be followed more closely
+ * Refinement that would turn triangles over, or miss small tips, hands parts of strokes back to be followed
+ * more closely
  * ({Refine}, output 2): steps Polyline to Refine then run again, at most 24 times, until it hands back none.
  *
  * Input 0 (Strokes): stroke polydata: polylines in display coordinates, each with its view, drawn over the

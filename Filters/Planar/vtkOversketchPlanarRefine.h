@@ -7,7 +7,8 @@
  * goes onto it, to the middle of the edge's part of it; a portion of what points of features move by goes to
  * their neighbours. Departure: on most real outlines triangles turn over by that. Guard takes what free
  * points moved by back where they do, and where strokes leave no room all the same hands the strokes' parts
- * back, for a closer approximation (Kernels/Planar/refine.h, guard.h). Named so, and not Refine, beside
+ * back, for a closer approximation, as it does those that have samples farther from the refined edges than
+ * 0.004 of the canvas (Kernels/Planar/refine.h, guard.h). Named so, and not Refine, beside
  * vtkOversketchStellarRefine and vtkOversketchRemesh, which refine meshes of other kinds by other means.
  *
  * Input 0 (Mesh): triangles or quads of vtkOversketchCoarseMesh or vtkOversketchQuadMerge, with their arrays.
@@ -21,18 +22,17 @@
  *
  * Output 1 (Edges): its edges on strokes, as those of the input.
  *
- * Output 2 (Splits): parts of
- * strokes to be approximated closer, for vtkOversketchPolyline: lines with cell arrays StrokeId, ParamStart,
- * ParamEnd and Halvings, 1. Where there are any, the other outputs are empty and a warning says so: a
- * pipeline has no loop, which vtkOversketchInflateDrawing is for. Empty without Guard.
+ * Output 2 (Splits): parts of strokes to be approximated closer, for vtkOversketchPolyline: lines with cell
+ * arrays StrokeId, ParamStart, ParamEnd and Halvings, 1. Where there are any, the other outputs are empty and
+ * a warning says so: a pipeline has no loop, which vtkOversketchInflateDrawing is for. Empty without Guard.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray and BadMesh, naming array, face or
  * edge, where mesh and edges are not sound or not of these curves, and for more than 2^24 faces; BadStroke
  * for Levels or SnapShare out of range. A mesh without points gives empty outputs silently.
  *
- * Deterministic: same result bit for bit for any number of threads, and with and without Guard where nothing
- * turns over. The result stays, as the same arrays, while mesh, edges, curves and parameters do; what strokes
- * are treated as is not read. Cost: some 0.3 microseconds a face.
+ * Deterministic: same result bit for bit for any number of threads, and with and without Guard where it
+ * hands nothing back and nothing turns over. The result stays, as the same arrays, while mesh, edges, curves
+ * and parameters do; what strokes are treated as is not read. Cost: some 0.3 microseconds a face.
  *
  * @sa vtkOversketchTrimHoles
  */

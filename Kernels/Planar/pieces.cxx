@@ -12,14 +12,6 @@ namespace
 
 constexpr double sampleSpacing = 0.005; // h, of L
 
-double toSegment(const Vector2& place, const Vector2& from, const Vector2& to)
-{
-  const Vector2 way = to - from, offset = place - from;
-  const double square = way.squaredNorm();
-  const double t = square > 0.0 ? std::clamp(offset.dot(way) / square, 0.0, 1.0) : 0.0;
-  return (offset - t * way).norm();
-}
-
 int farthestFrom(const Vector2& place, const Polyline& samples)
 {
   int best = 0;
@@ -32,6 +24,14 @@ int farthestFrom(const Vector2& place, const Polyline& samples)
 }
 
 } // namespace
+
+double toSegment(const Vector2& place, const Vector2& from, const Vector2& to)
+{
+  const Vector2 way = to - from, offset = place - from;
+  const double square = way.squaredNorm();
+  const double t = square > 0.0 ? std::clamp(offset.dot(way) / square, 0.0, 1.0) : 0.0;
+  return (offset - t * way).norm();
+}
 
 PieceList::PieceList(Polyline samples,
   const DrawnStroke& drawn,

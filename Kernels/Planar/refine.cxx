@@ -16,6 +16,9 @@ namespace
 
 constexpr double leastArea = 1e-12;  // of the canvas's longest side, squared
 constexpr double lengthSlack = 1e-9; // of a stroke's whole: lengths may have been summed in another order
+// How far samples may lie from the refined edges, of the canvas's longest side: as far as those of a round
+// curve may from its approximation, which each level brings four times nearer, and 4 px of 1024 in any case.
+constexpr double roundCurve = 0.05, nearEnough = 0.004;
 constexpr int mostLevels = 10;
 constexpr double mostFaces = 1 << 24;
 constexpr double enoughFaces = 1 << 20; // where the sketch says the levels
@@ -170,6 +173,42 @@ std::vector<StrokeSplit> splitsAt(const PlanarMesh& mesh, const FaceEdges& links
   return splits;
 }
 
+// The parts of strokes, by the coarse mesh's edges, that have samples beside the refined edges.
+std::vector<StrokeSplit> missed(const PlanarMesh& coarse,
+  const PlanarMesh& fine,
+  const std::vector<StrokeByLength>& curves,
+  double most)
+{
+  std::set<std::tuple<int, double, double>> ends; // of coarse edges: where they end, and begin
+  for (const StrokeEdge& edge : coarse.edges)
+  {
+    ends.emplace(edge.stroke, edge.end, edge.start);
+  }
+  std::set<std::tuple<int, double, double>> parts;
+  for (const StrokeEdge& edge : fine.edges)
+  {
+    const Vector2 &a = fine.points[edge.from].place, &b = fine.points[edge.to].place;
+    if (curves[edge.stroke].farthest(edge.start, edge.end, a, b) > most)
+    {
+      const double middle = 0.5 * (edge.start + edge.end);
+      auto of = ends.lower_bound({ edge.stroke, middle, 0.0 });
+      if (of == ends.end() || std::get<0>(*of) != edge.stroke ||
+          std::get<2>(*of) > middle) // of the edge over the stroke's first sample
+      {
+        of = ends.lower_bound({ edge.stroke, middle + curves[edge.stroke].length(), 0.0 });
+      }
+      parts.emplace(edge.stroke, std::get<2>(*of), std::get<1>(*of));
+    }
+  }
+  std::vector<StrokeSplit> splits;
+  splits.reserve(parts.size());
+  for (const auto& [stroke, start, end] : parts)
+  {
+    splits.push_back({ stroke, start, end, 1 });
+  }
+  return splits;
+}
+
 } // namespace
 
 int levelsOfSketch(const PlanarMesh& mesh, double canvasSide)
@@ -249,6 +288,15 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   {
     result.splits = splitsAt(mesh, links, given);
     return result;
+  }
+  if (options.guard)
+  {
+    const double share = std::max(nearEnough, roundCurve / std::pow(4.0, options.levels));
+    result.splits = missed(mesh, level.mesh, curves, share * options.canvasSide);
+    if (!result.splits.empty())
+    {
+      return result;
+    }
   }
   result.mesh = std::move(level.mesh);
   result.inverted = static_cast<int>(invertedFaces(result.mesh, leastAt(options.levels), context).size());

@@ -26,8 +26,8 @@ struct PlanarRefineOptions
 struct PlanarRefineResult
 {
   PlanarMesh mesh; // without points where there are splits
-  // The parts of strokes that faces stay inverted at, to be approximated closer, each once, ascending; never
-  // without the guard.
+  // The parts of strokes to be approximated closer, each once, ascending: those that faces stay inverted at,
+  // or, where none does, that the refined edges miss. Never without the guard.
   std::vector<StrokeSplit> splits;
   int inverted = 0; // faces: of the mesh, without the guard; with it those that are the cause of the splits
 };
@@ -42,12 +42,16 @@ struct PlanarRefineResult
 // are made all the same, to find them all at once. Who takes them makes the mesh anew from a closer
 // approximation; it ends, since strokes between neighbouring samples are straight, where nothing turns over.
 //
+// An edge misses a sample of its part of the stroke that is farther from it than 0.05 L / 4^levels, what
+// becomes of a round curve that was approximated to 0.05 L, and than 0.004 L, 4 px of 1024. The paper leaves
+// it there, and small tips and notches with it: on nine of 70 real outlines the rim was 4 to 10 px off.
+//
 // strokes: all that the mesh's points and edges name. Stroke points lie at S(t), t by arc length;
 // an end that joins another stroke takes the stroke's last piece with it. Throws
 // Error(Failure::BadMesh), naming the place, for a mesh that is not sound (face_edges.h), names a stroke or a
 // length that is not there, or would have more than 2^24 faces, and where inverted faces lie at no stroke;
 // Error(Failure::BadStroke) for options out of range. The same to the bit for any number of threads; where
-// nothing turns over also with and without the guard.
+// the guard hands nothing back and nothing turns over also without it.
 PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   const std::vector<DrawnStroke>& strokes,
   const PlanarRefineOptions& options,

@@ -1,5 +1,8 @@
 #include "Planar/subdivide.h"
 
+#include "Planar/pieces.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace oversketch
@@ -249,6 +252,21 @@ Vector2 StrokeByLength::at(double length) const
 {
   const int count = static_cast<int>(this->Stroke.points.size());
   return placeAt(this->Lengths, count, this->wrapped(length)).of(this->Stroke.points);
+}
+
+double StrokeByLength::farthest(double start, double end, const Vector2& a, const Vector2& b) const
+{
+  double most = 0.0;
+  for (const double turn : { 0.0, this->closed() ? this->length() : end })
+  {
+    auto at = std::upper_bound(this->Lengths.begin(), this->Lengths.end(), start - turn);
+    for (; at != this->Lengths.end() && *at < end - turn; ++at)
+    {
+      const std::size_t sample = (at - this->Lengths.begin()) % this->Stroke.points.size();
+      most = std::max(most, toSegment(this->Stroke.points[sample], a, b));
+    }
+  }
+  return most;
 }
 
 SubdividedMesh subdivide(const PlanarMesh& mesh,

@@ -19,6 +19,8 @@ public:
   // Of a closed one modulo the whole length, in [0, length).
   double wrapped(double length) const;
   Vector2 at(double length) const;
+  // How far samples of the part from `start` to `end` lie from the segment that stands for it, at most.
+  double farthest(double start, double end, const Vector2& a, const Vector2& b) const;
   // An open one's first or last sample moves; lengths stay.
   void moveEnd(bool last, const Vector2& place);
 

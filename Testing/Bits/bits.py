@@ -38,7 +38,7 @@ import stroke_files  # noqa: E402
 import variants  # noqa: E402
 
 BACKENDS = ("embree", "opencl")
-GROUPS = ("shipped", "acceptance", "sessions", "each", "lines")
+GROUPS = ("shipped", "acceptance", "sessions", "each", "lines", "drawings")
 SOME = 20  # models of the collection that the test suite runs, and the bad ones
 ALL = 200
 SHORT = 12  # digits kept of the digests that are nobody else's
@@ -251,6 +251,21 @@ def run_lines(backend: str, cold: bool) -> Iterator[Tuple[str, Row]]:
     yield "lines/chain", row(parts[-1], dog, drawn)
 
 
+def run_drawings(cold: bool) -> Iterator[Tuple[str, Row]]:
+    """The shipped drawings over their pictures. Nothing of them is computed on a back end."""
+    from oversketch import vtkOversketchInflateDrawing
+
+    kept = silent(vtkOversketchInflateDrawing())
+    for path in listing.drawings():
+        filter = silent(vtkOversketchInflateDrawing()) if cold else kept
+        drawing, image = meshes.read(path), vtkPNGReader()
+        image.SetFileName(str(path.with_suffix(".png")))
+        filter.SetInputData(0, drawing)
+        filter.SetInputConnection(1, image.GetOutputPort())
+        filter.Update()
+        yield f"drawings/{path.stem}", row(filter.GetOutput(), drawing, path.read_bytes() + path.with_suffix(".png").read_bytes())
+
+
 def run(group: str, backend: str, cold: bool, everything: bool) -> Iterator[Tuple[str, Row]]:
     if group == "sessions":
         return run_sessions(backend)
@@ -258,6 +273,8 @@ def run(group: str, backend: str, cold: bool, everything: bool) -> Iterator[Tupl
         return run_each(backend, everything)
     if group == "lines":
         return run_lines(backend, cold)
+    if group == "drawings":
+        return run_drawings(cold)
     return run_single(group, backend, cold)
 
 

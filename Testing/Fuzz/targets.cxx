@@ -10,6 +10,7 @@
 
 #include "vtkOversketchAugment.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchInflateDrawing.h"
 #include "vtkOversketchOneStroke.h"
 #include "vtkOversketchStellarRefine.h"
 #include "vtkOversketchStrokeFilter.h"
@@ -18,6 +19,8 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -30,8 +33,10 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <unistd.h>
+#include <utility>
 
 namespace fs = std::filesystem;
 using namespace oversketch;
@@ -484,6 +489,97 @@ void takeAugment(const std::string& bytes)
   }
 }
 
+// A closed surface, but for tunnels without walls: every edge of two faces, wound against each other.
+void requireClosed(vtkPolyData* surface)
+{
+  std::set<std::pair<vtkIdType, vtkIdType>> ways;
+  vtkNew<vtkIdList> face;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    surface->GetCellPoints(i, face);
+    const vtkIdType count = face->GetNumberOfIds();
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      require(
+        ways.emplace(face->GetId(k), face->GetId((k + 1) % count)).second, "an edge twice the same way");
+    }
+  }
+  for (const auto& [from, to] : ways)
+  {
+    require(ways.count({ to, from }) == 1, "an open edge");
+  }
+}
+
+// The whole of system C: options and strokes from bytes, over a canvas of 256 px.
+void takeDrawing(const std::string& bytes)
+{
+  Source source(bytes);
+  const int flags = source.take<std::uint8_t>(), more = source.take<std::uint8_t>();
+  static const View view =
+    oversketch_test::orthographicView(Vector3::UnitZ(), Vector3::UnitY(), 128.0, 256, 256);
+  vtkNew<vtkOversketchInflateDrawing> system;
+  const Ear ear(system);
+  system->SetExtrudeDepth(flags & 1 ? lengthFrom(source, more & 1) : 0.0);
+  system->SetHeight(flags & 2 ? lengthFrom(source, more & 2) : 1.0);
+  static const char* const profiles[] = { "", "linear", "step", "0 0, 0.3 0.8, 1 1" };
+  system->SetProfile(profiles[more >> 2 & 3]);
+  system->SetPoisson((flags & 4) != 0);
+  system->SetQuads((flags & 8) != 0);
+  system->SetLevels(more >> 4 & 3);
+  system->SetAsPublished((flags & 16) != 0);
+  vtkNew<vtkAppendPolyData> strokes;
+  bool any = false;
+  while (!source.ended() && strokes->GetNumberOfInputConnections(0) < 8)
+  {
+    const int kind = source.take<std::uint8_t>();
+    const bool closed = (kind & 1) != 0;
+    std::vector<Vector2> samples;
+    for (int count = kind >> 3; count > 0 && !source.ended(); --count)
+    {
+      samples.emplace_back(source.take<std::uint16_t>() / 256.0, source.take<std::uint16_t>() / 256.0);
+    }
+    if (samples.empty())
+    {
+      continue;
+    }
+    if (closed)
+    {
+      samples.push_back(samples.front());
+    }
+    const auto stroke = oversketch_test::toStroke(samples, view);
+    vtkNew<vtkIntArray> treatment;
+    treatment->SetName("Treatment");
+    treatment->InsertNextValue(kind >> 1 & 3);
+    stroke->GetCellData()->AddArray(treatment);
+    strokes->AddInputData(stroke);
+    any = true;
+  }
+  if (!any)
+  {
+    return;
+  }
+  strokes->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  strokes->Update();
+  system->SetInputData(0, strokes->GetOutput());
+  system->Update();
+  vtkPolyData* result = system->GetOutput();
+  require(ear.errors.size() < 2, "more than one message");
+  require((system->GetErrorCode() != 0) == !ear.errors.empty(),
+    "an error code and no message, or the other way round");
+  if (!ear.errors.empty())
+  {
+    require(result->GetNumberOfPoints() == 0, "an error and an output");
+    require(system->GetErrorCode() - 40000 != static_cast<unsigned long>(Failure::Unexpected), ear.errors[0]);
+    return;
+  }
+  requireFinite(result);
+  require(result->GetNumberOfPolys() > 0, "no polygon and no message");
+  if (!system->GetAsPublished()) // which cuts tunnels without walls, and leaves what turned over
+  {
+    requireClosed(result);
+  }
+}
+
 } // namespace
 
 const std::vector<Target>& targets()
@@ -505,6 +601,7 @@ const std::vector<Target>& targets()
     made.push_back({ "session_text", takeSessionText });
     made.push_back({ "one_stroke", takeOneStroke });
     made.push_back({ "augment", takeAugment });
+    made.push_back({ "drawing", takeDrawing });
     return made;
   }();
   return all;
