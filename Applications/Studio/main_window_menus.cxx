@@ -2,6 +2,7 @@
 #include "main_window.h"
 
 #include "history_panel.h"
+#include "systems.h"
 #include "tool.h"
 #include "viewport.h"
 
@@ -51,6 +52,14 @@ void MainWindow::makeMenus()
 {
   QMenu* file = this->menuBar()->addMenu(tr("&File"));
   this->add(file, tr("&Open…"), QKeySequence::Open, [this] { this->openAsked(); });
+  if (oversketch_session::findSystem(oversketch_session::drawingSystem))
+  {
+    this->add(file, tr("&New from picture…"), QKeySequence::New, [this] { this->newFromPictureAsked(); });
+    this->add(file,
+      tr("New on an empty &canvas"),
+      QKeySequence(tr("Ctrl+Shift+N")),
+      [this] { this->openPicture({}); });
+  }
   this->Recent = file->addMenu(tr("Open &recent"));
   connect(this->Recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   this->Save = this->add(file, tr("&Save session"), QKeySequence::Save, [this] { this->save(); });
