@@ -1,6 +1,7 @@
 #include "main_window.h"
 
 #include "files.h"
+#include "focus_frame.h"
 #include "history_panel.h"
 #include "latency.h"
 #include "looks.h"
@@ -11,7 +12,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
-#include <QFrame>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -21,7 +21,6 @@
 #include <QStyle>
 #include <QStyleFactory>
 #include <QTimer>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -48,8 +47,7 @@ MainWindow::MainWindow(QWidget* parent)
   , OpenDocument(new Document(this))
   , View(new Viewport(this))
   , Tools(oversketch_studio::makeTools(this->View, this->OpenDocument))
-  , Frame(new QFrame(this))
-  , Sides(new QSplitter(Qt::Horizontal, this->Frame))
+  , Sides(new QSplitter(Qt::Horizontal, this))
   , Scene(new ScenePanel(this->OpenDocument, this))
   , History(new HistoryPanel(this->OpenDocument, this))
   , Advice(new QLabel(this))
@@ -58,18 +56,14 @@ MainWindow::MainWindow(QWidget* parent)
   , Cancel(new QPushButton(tr("&Cancel"), this))
   , Patience(new QTimer(this))
 {
-  auto* about = new QVBoxLayout(this->Frame);
-  about->setContentsMargins(2, 2, 2, 2);
-  about->addWidget(this->Sides);
   for (Tool* tool : this->Tools)
   {
     this->Canvases << tool->makeCanvas(this->Sides); // at the left
   }
-  this->Sides->addWidget(this->View);
+  this->Sides->addWidget(new FocusFrame(this->View, this->Sides));
   this->Sides->setChildrenCollapsible(false);
   this->Sides->setSizes({ this->width(), this->width() }); // halves, also of what is not seen yet
-  this->Frame->setAutoFillBackground(true);
-  this->setCentralWidget(this->Frame);
+  this->setCentralWidget(this->Sides);
   this->setAcceptDrops(true);
   this->addDock(tr("&Scene"), "scene_dock", this->Scene);
   this->addDock(tr("&History"), "history_dock", this->History);
@@ -89,13 +83,6 @@ MainWindow::MainWindow(QWidget* parent)
     this->listenToTool(tool);
   }
   connect(this->View, &Viewport::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
-  // Of the frame, not of the window, which is no longer one when it closes at its end and the focus goes.
-  connect(qApp,
-    &QApplication::focusChanged,
-    this->Frame,
-    [frame = this->Frame](QWidget*, QWidget* now)
-    { frame->setBackgroundRole(frame->isAncestorOf(now) ? QPalette::Highlight : QPalette::Window); });
-
   QSettings settings;
   this->resize(1200, 800);
   this->restoreGeometry(settings.value("geometry").toByteArray());

@@ -12,7 +12,6 @@
 
 class QAction;
 class QDockWidget;
-class QFrame;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -114,7 +113,6 @@ private:
   QVector<Tool*> Tools;
   QVector<QAction*> ToolActions;   // of the same order
   QVector<QDockWidget*> ToolDocks; // of the same order; null where a tool has no panel
-  QFrame* Frame;                   // about the view, in the colour of the focus while keys go there
   QSplitter* Sides;                // the view, and what tools draw on that is not the model
   QVector<QWidget*> Canvases;      // of the tools' order; null where a tool draws on the model
   ScenePanel* Scene;

@@ -121,6 +121,11 @@ void MainWindow::makeToolMenu()
     group->addAction(action);
     this->ToolActions << action;
   }
+  menu->addSeparator();
+  for (const Tool* tool : this->Tools)
+  {
+    menu->addActions(tool->actions());
+  }
 }
 
 void MainWindow::makeViewMenu()

@@ -497,9 +497,9 @@ TEST(Drawing, ItsFormAndItsKeys)
   EXPECT_NE(sheet.document->digest(), inflated);
   // Keys of its own: sides change, the magnet goes.
   auto* sides = sheet.window.findChild<QSplitter*>();
-  EXPECT_LT(sides->indexOf(sheet.pad), sides->indexOf(sheet.view));
+  EXPECT_LT(sides->indexOf(sheet.pad->parentWidget()), sides->indexOf(sheet.view->parentWidget()));
   QTest::keyClick(&sheet.window, Qt::Key_V);
-  EXPECT_GT(sides->indexOf(sheet.pad), sides->indexOf(sheet.view));
+  EXPECT_GT(sides->indexOf(sheet.pad->parentWidget()), sides->indexOf(sheet.view->parentWidget()));
   QTest::keyClick(&sheet.window, Qt::Key_F4);
   auto* magnetic = sheet.window.findChild<QAction*>("magnetic");
   EXPECT_FALSE(magnetic->isChecked());

@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "drawing_pad.h"
+#include "focus_frame.h"
 #include "texture.h"
 #include "viewport.h"
 
@@ -49,8 +50,8 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   : Tool(viewport)
   , View(viewport)
   , OpenDocument(document)
-  , Magnetic(new QAction(tr("Magnetic pen (F4)"), this))
-  , Swap(new QAction(tr("Swap sides (V)"), this))
+  , Magnetic(new QAction(tr("&Magnetic pen"), this))
+  , Swap(new QAction(tr("&Swap sides"), this))
 {
   this->setObjectName("drawing");
   this->Magnetic->setObjectName("magnetic");
@@ -59,6 +60,7 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   this->Magnetic->setShortcut(QKeySequence(tr("F4")));
   this->Magnetic->setToolTip(tr("New lines move to the picture's edges beside them, when the pen goes up"));
   this->Swap->setObjectName("swap");
+  this->Swap->setIconText(tr("Swap sides (V)"));
   this->Swap->setShortcut(QKeySequence(tr("V")));
   this->Swap->setToolTip(tr("Picture and model change sides"));
   connect(this->Magnetic,
@@ -229,8 +231,7 @@ QWidget* DrawingTool::makeOptions(QWidget* parent)
   auto* options = new QWidget(parent);
   auto* row = new QHBoxLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
-  options->addActions({ this->Magnetic, this->Swap }); // their keys hold while the options are seen
-  auto* magnetic = new QCheckBox(this->Magnetic->text(), options);
+  auto* magnetic = new QCheckBox(tr("Magnetic pen (F4)"), options);
   magnetic->setToolTip(this->Magnetic->toolTip());
   magnetic->setChecked(this->Magnetic->isChecked());
   connect(magnetic, &QCheckBox::toggled, this->Magnetic, &QAction::setChecked);
@@ -249,12 +250,13 @@ QWidget* DrawingTool::makeOptions(QWidget* parent)
 
 QWidget* DrawingTool::makeCanvas(QWidget* parent)
 {
-  this->Pad = new DrawingPad(parent);
-  this->Pad->hide();
+  this->Pad = new DrawingPad;
+  auto* frame = new FocusFrame(this->Pad, parent);
+  frame->hide();
   connect(this->Pad, &DrawingPad::changed, this, &DrawingTool::take);
   connect(this->Pad, &DrawingPad::began, this->View, &Viewport::hideHint);
   connect(this->Pad, &DrawingPad::ended, this, &Tool::left);
-  return this->Pad;
+  return frame;
 }
 
 int DrawingTool::node() const
@@ -317,7 +319,9 @@ void DrawingTool::follow()
   {
     return;
   }
-  this->Pad->setVisible(this->Held && at >= 0);
+  this->Pad->parentWidget()->setVisible(this->Held && at >= 0);
+  this->Swap->setEnabled(this->Held && at >= 0);
+  this->Magnetic->setEnabled(this->Held && at >= 0 && this->Picture);
   if (at < 0)
   {
     this->Started = false;
@@ -336,7 +340,7 @@ void DrawingTool::follow()
   {
     this->Started = true;
     this->Picture = bytes;
-    this->Magnetic->setEnabled(bytes != nullptr);
+    this->Magnetic->setEnabled(this->Held && bytes);
     vtkDataArray* canvas = drawing ? drawing->GetFieldData()->GetArray("Canvas") : nullptr;
     if (bytes)
     {

@@ -39,6 +39,7 @@ public:
   // Magnetic, and the two views' sides.
   QWidget* makeOptions(QWidget* parent) override;
   QWidget* makeCanvas(QWidget* parent) override;
+  QList<QAction*> actions() const override { return { this->Magnetic, this->Swap }; }
   void start() override;
   void stop() override;
   bool draws() const override;
@@ -59,7 +60,7 @@ private:
 
   Viewport* View;
   const Document* OpenDocument;
-  QPointer<DrawingPad> Pad;
+  QPointer<DrawingPad> Pad; // in a frame of its own
   QAction *Magnetic, *Swap;
   bool Held = false;                                    // the tool is in the hand
   std::vector<oversketch_session::DrawnStroke> Strokes; // of the drawing, also those that are off

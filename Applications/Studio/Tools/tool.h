@@ -7,6 +7,7 @@
 #include "worker.h"
 
 #include <QKeySequence>
+#include <QList>
 #include <QObject>
 #include <QPainterPath>
 #include <QPair>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <string>
 
+class QAction;
 class QWidget;
 
 namespace oversketch_studio
@@ -54,6 +56,8 @@ public:
   virtual std::string system() const { return {}; }
   // What new steps are made with, for the bar above the viewport; null where there is nothing to choose.
   virtual QWidget* makeOptions(QWidget*) { return nullptr; }
+  // What else can be done with it while it is in the hand, for a menu.
+  virtual QList<QAction*> actions() const { return {}; }
   // A second view of what it makes, for a panel beside the viewport, whose title is the widget's; null: none.
   virtual QWidget* makePanel(QWidget*) { return nullptr; }
 
