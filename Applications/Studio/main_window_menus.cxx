@@ -211,6 +211,7 @@ void MainWindow::makeStatus()
 {
   this->Advice->setObjectName("advice");
   this->Advice->setIndent(6);
+  this->Advice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // no text widens the window
   this->Mode->setObjectName("mode");
   this->Progress->setAccessibleName(tr("Progress"));
   this->Progress->setRange(0, 100);

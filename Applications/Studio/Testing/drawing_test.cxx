@@ -9,6 +9,8 @@
 #include "texture.h"
 #include "tool.h"
 
+#include "vtkOversketchInteractorStyle.h"
+
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkFeatureEdges.h"
@@ -510,6 +512,9 @@ TEST(Drawing, ItsFormAndItsKeys)
   EXPECT_EQ(strokes[1].line->GetCellData()->GetArray("Magnetic")->GetComponent(0, 0), 0.0);
   QTest::keyClick(&sheet.window, Qt::Key_F4);
   EXPECT_TRUE(magnetic->isChecked());
+  const QString listed = QString::fromUtf8(sheet.view->camera()->GetKeyList());
+  EXPECT_TRUE(listed.contains("\nF4 ") && listed.contains("\nV ") && listed.contains("In the picture:\n"))
+    << listed.toStdString();
 }
 
 TEST(Drawing, AnEmptyCanvasIsDrawnOn)

@@ -117,7 +117,7 @@ QVector<QPair<QString, QString>> DrawingTool::keys() const
     { tr("In the picture:"), {} },
     { tr("  Left drag"), tr("draw a line; an outline ends where it began") },
     { tr("  Shift + left drag"), tr("over a line: draw a part of it anew") },
-    { tr("  Left click"), tr("in a closed line within the outline: fill, hole, tunnel") },
+    { tr("  Left click"), tr("in a closed inner line: fill, hole, tunnel") },
     { tr("  Wheel, middle drag"), tr("zoom, pan") },
     { tr("F4"), tr("magnetic pen on or off") },
     { tr("V"), tr("picture and model change sides") },
@@ -191,7 +191,9 @@ QString DrawingTool::advice(const Situation&) const
     return lacks;
   }
   const auto& states = this->OpenDocument->result().nodes;
-  const QString wrong = this->inLines(this->Pad->text().section('\n', 0, 0));
+  // The first sentence; the picture has all of them.
+  const QString all = this->inLines(this->Pad->text().section('\n', 0, 0)), first = all.section(". ", 0, 0);
+  const QString wrong = first == all ? all : first + '.';
   if (!wrong.isEmpty())
   {
     return tr("%1 Ctrl+Z takes the last line back.").arg(wrong);
