@@ -146,7 +146,10 @@ std::string bytesOf(vtkPolyData* data)
   vtkNew<vtkPolyData> clean;
   clean->ShallowCopy(data);
   vtkNew<vtkPoints> points;
-  points->SetData(bare(data->GetPoints()->GetData()));
+  if (data->GetPoints()) // a drawing without strokes has none
+  {
+    points->SetData(bare(data->GetPoints()->GetData()));
+  }
   clean->SetPoints(points);
   for (vtkFieldData* arrays : { static_cast<vtkFieldData*>(clean->GetPointData()),
          static_cast<vtkFieldData*>(clean->GetCellData()),

@@ -1,5 +1,6 @@
 #include "evaluator.h"
 
+#include "drawing_lines.h"
 #include "files.h"
 #include "heights.h"
 #include "system_runner.h"
@@ -255,7 +256,7 @@ std::string Evaluator::resolve(Run& run,
       if (!data || identity.owner_before(lines->identity()) || lines->identity().owner_before(identity))
       {
         identity = lines->identity();
-        data = lines->own();
+        data = strokesThatAreOn(lines->own());
       }
       inputs[input.name] = data;
     }

@@ -243,14 +243,15 @@ SystemRow inflateDrawing()
         "extrude so far to either side in place of inflating, in the picture's pixels; 0 inflates",
         &System::SetExtrudeDepth,
         &System::GetExtrudeDepth)),
-    parameter<System>("Profile",
-      "profile",
-      "Cross-section",
-      "circle, linear, step, or the cross-section as a line such as \"0 0, 0.3 0.8, 1 1\": share of the way "
-      "from "
-      "rim to ridge, share of the height",
-      &System::SetProfile,
-      &System::GetProfile),
+    offering({ { "", "circle" }, { "linear", "linear" }, { "step", "step" } },
+      parameter<System>("Profile",
+        "profile",
+        "Cross-section",
+        "circle, linear, step, or the cross-section as a line such as \"0 0, 0.3 0.8, 1 1\": share of the "
+        "way "
+        "from rim to ridge, share of the height",
+        &System::SetProfile,
+        &System::GetProfile)),
     between(0,
       5,
       parameter<System>(

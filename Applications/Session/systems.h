@@ -34,6 +34,7 @@ struct Parameter
   std::string title;              // "New triangles": in a window
   std::string help;               // a line; ends without a stop
   std::vector<Choice> choices;    // of an int that counts them from 0; empty for others
+  std::vector<Choice> offers;     // of a text: what a form offers beside what is typed; empty: no field
   double least = 0.0, most = 0.0; // of a number, that a form offers; equal: any
   bool isLength = false;          // [model length]; a command line may give it as a share of the mesh's size
   std::function<void(vtkOversketchSystem*, const Value&)> set;
@@ -172,6 +173,13 @@ inline Parameter between(double least, double most, Parameter made)
 {
   made.least = least;
   made.most = most;
+  return made;
+}
+
+// The same with what a form offers of a text.
+inline Parameter offering(std::vector<Choice> offers, Parameter made)
+{
+  made.offers = std::move(offers);
   return made;
 }
 

@@ -8,6 +8,7 @@
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <chrono>
@@ -58,7 +59,10 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
   shown->ShallowCopy(mesh);
   if (!mesh->GetPointData()->GetNormals())
   {
-    const oversketch::Mesh surface = oversketch::MeshOf(mesh);
+    vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
+    triangles->SetInputData(mesh);
+    triangles->Update();
+    const oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
     const std::vector<oversketch::Vector3> normals =
       oversketch::vertexNormals(surface, oversketch::trianglesAround(surface), oversketch::ThreadsOnly());
     vtkNew<vtkFloatArray> array;

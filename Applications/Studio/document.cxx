@@ -23,6 +23,7 @@ namespace
 {
 
 const char* const sessionExtension = ".oversketch";
+constexpr double canvasSize[2] = { 1024.0, 768.0 }; // of an empty one
 
 QStringList listOf(const Notes& notes)
 {
@@ -109,6 +110,44 @@ bool Document::open(const QString& path, const std::function<bool()>& mayLeave, 
   this->Path = saved ? path : QString();
   this->start(std::move(session), false);
   notes += listOf(said);
+  emit this->opened();
+  return true;
+}
+
+bool Document::beginDrawing(const QString& path, const std::function<bool()>& mayLeave)
+{
+  const std::string file = path.toStdString();
+  requireReadable(file);
+  const QString name = QFileInfo(path).fileName();
+  return this->begin(
+    drawingOver({ name.toStdString(), std::make_shared<const std::string>(wholeFile(file)) }),
+    name,
+    mayLeave);
+}
+
+bool Document::beginDrawing(const std::function<bool()>& mayLeave)
+{
+  return this->begin(drawingOn(canvasSize[0], canvasSize[1]), tr("Drawing"), mayLeave);
+}
+
+bool Document::begin(std::shared_ptr<const Step> step,
+  const QString& name,
+  const std::function<bool()>& mayLeave)
+{
+  if (!mayLeave())
+  {
+    return false;
+  }
+  Session session;
+  Node node;
+  node.id = 1;
+  node.name = titleOf(step->system).toStdString();
+  node.step = std::move(step);
+  session.nodes = { node };
+  session.meshName = name.toStdString();
+  session.backend = this->Backend;
+  this->Path.clear();
+  this->start(std::move(session), false);
   emit this->opened();
   return true;
 }
@@ -217,6 +256,13 @@ void Document::redraw(int index, const Step& drawn)
   node.step = step;
   node.committed.reset(); // it takes hold anew
   this->commit(std::move(next), Change::Drawn);
+}
+
+void Document::setStrokes(int index, const std::vector<DrawnStroke>& strokes)
+{
+  const Step& step = *this->session().nodes[indexOf(index)].step;
+  const SystemInput* input = findInput(*findSystem(step.system), SystemInput::Kind::Stroke);
+  this->redraw(index, withDrawing(step, drawingOf(strokes, linesOf(step, input->name))));
 }
 
 void Document::setParameters(int index, const Values& values, const std::optional<MirrorPlane>& mirror)

@@ -3,6 +3,7 @@
 #define oversketch_studio_document_h
 
 #include "autosave.h"
+#include "drawing_lines.h"
 #include "history.h"
 #include "worker.h"
 
@@ -13,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace oversketch_studio
 {
@@ -35,6 +37,10 @@ public:
   // Opens a mesh or a session. Once it is read, mayLeave is asked whether what was there may be given up;
   // where it says no, nothing changes and false is returned. Throws Failed. Adds what the reader notes.
   bool open(const QString& path, const std::function<bool()>& mayLeave, QStringList& notes);
+  // Begins a session whose first step makes a mesh of what will be drawn: over a picture; on an empty canvas.
+  // The same asking; throws Failed for what is no picture.
+  bool beginDrawing(const QString& picture, const std::function<bool()>& mayLeave);
+  bool beginDrawing(const std::function<bool()>& mayLeave);
   // Opens what a crash left behind, as a session that is not saved. Throws Failed.
   void recover(const oversketch_session::LeftBehind& left);
   // Saves the session, or exports the shown mesh, by the path's extension. Throws Failed. Returns what the
@@ -67,6 +73,8 @@ public:
   // that is there: the inputs of another.
   void add(const oversketch_session::Step& step);
   void redraw(int node, const oversketch_session::Step& step);
+  // The strokes of a step that was given several: one is another, off, gone.
+  void setStrokes(int node, const std::vector<oversketch_session::DrawnStroke>& strokes);
   void setParameters(int node,
     const oversketch_session::Values& values,
     const std::optional<oversketch_session::MirrorPlane>& mirror);
@@ -118,6 +126,9 @@ signals:
 
 private:
   void start(oversketch_session::Session session, bool modified);
+  bool begin(std::shared_ptr<const oversketch_session::Step> step,
+    const QString& name,
+    const std::function<bool()>& mayLeave);
   void commit(oversketch_session::Session session, Change change = Change::Edited);
   void commitPictures(oversketch_session::Pictures pictures);
   void run(Change change);

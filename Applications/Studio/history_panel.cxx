@@ -1,6 +1,7 @@
 #include "history_panel.h"
 
 #include "document.h"
+#include "drawing_lines.h"
 #include "row_texts.h"
 #include "step_panel.h"
 
@@ -19,6 +20,20 @@ namespace oversketch_studio
 {
 
 using namespace oversketch_session;
+
+namespace
+{
+
+// Of an item: its step, and the line of a drawing that it is, or -1.
+constexpr int nodeRole = Qt::UserRole, lineRole = Qt::UserRole + 1;
+
+// The strokes of a step that is a drawing; none of another.
+std::vector<DrawnStroke> linesIn(const Step& step)
+{
+  return step.system == drawingSystem ? strokesOf(linesOf(step, "Strokes")) : std::vector<DrawnStroke>();
+}
+
+} // namespace
 
 HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   : QWidget(parent)
@@ -58,12 +73,12 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   connect(this->List,
     &QListWidget::currentRowChanged,
     this,
-    [this](int row)
+    [this]
     {
       if (!this->Filling)
       {
         this->showStep();
-        emit this->selected(row);
+        emit this->selected(this->current());
       }
     });
   connect(this->Form,
@@ -97,13 +112,20 @@ void HistoryPanel::makeActions()
   // In the view this key is nobody's, in a name that is edited it is the editor's.
   this->Remove->setShortcutContext(Qt::WidgetShortcut);
   this->List->addAction(this->Remove);
-  connect(this->Redraw, &QAction::triggered, this, [this] { emit this->redrawAsked(this->current()); });
+  connect(this->Redraw,
+    &QAction::triggered,
+    this,
+    [this]
+    {
+      const int line = this->currentLine();
+      line < 0 ? emit this->redrawAsked(this->current()) : emit this->lineAsked(this->current(), line);
+    });
   connect(this->View, &QAction::triggered, this, [this] { emit this->viewAsked(this->current()); });
   const auto shift = [this](int by)
   {
     const int row = this->current();
     this->OpenDocument->move(row, row + by);
-    this->List->setCurrentRow(row + by);
+    this->select(row + by, -1);
   };
   connect(this->Up, &QAction::triggered, this, [shift] { shift(-1); });
   connect(this->Down, &QAction::triggered, this, [shift] { shift(1); });
@@ -129,7 +151,39 @@ void HistoryPanel::makeActions()
   };
   connect(this->Less, &QAction::triggered, this, [reach] { reach(-0.05); });
   connect(this->More, &QAction::triggered, this, [reach] { reach(0.05); });
-  connect(this->Remove, &QAction::triggered, this, [this] { this->OpenDocument->remove(this->current()); });
+  connect(this->Remove, &QAction::triggered, this, &HistoryPanel::remove);
+}
+
+void HistoryPanel::remove()
+{
+  const int node = this->current(), line = this->currentLine();
+  if (line < 0)
+  {
+    this->OpenDocument->remove(node);
+    return;
+  }
+  std::vector<DrawnStroke> lines = linesIn(*this->OpenDocument->session().nodes[indexOf(node)].step);
+  lines.erase(lines.begin() + line);
+  this->OpenDocument->setStrokes(node, lines);
+}
+
+void HistoryPanel::setOn(int node, int line, bool on)
+{
+  const Node& one = this->OpenDocument->session().nodes[indexOf(node)];
+  if (line < 0)
+  {
+    if (on != one.on)
+    {
+      this->OpenDocument->setOn(node, on);
+    }
+    return;
+  }
+  std::vector<DrawnStroke> lines = linesIn(*one.step);
+  if (indexOf(line) < lines.size() && on != lines[indexOf(line)].on)
+  {
+    lines[indexOf(line)].on = on;
+    this->OpenDocument->setStrokes(node, lines);
+  }
 }
 
 int HistoryPanel::changed() const
@@ -169,49 +223,107 @@ void HistoryPanel::turnTo(const std::string& system)
 
 int HistoryPanel::current() const
 {
-  return this->List->currentRow();
+  const QListWidgetItem* item = this->List->currentItem();
+  return item ? item->data(nodeRole).toInt() : -1;
+}
+
+int HistoryPanel::currentLine() const
+{
+  const QListWidgetItem* item = this->List->currentItem();
+  return item ? item->data(lineRole).toInt() : -1;
+}
+
+void HistoryPanel::select(int node, int line)
+{
+  int row = -1;
+  for (int i = 0; i < this->List->count(); ++i)
+  {
+    const QListWidgetItem* item = this->List->item(i);
+    const bool isOfNode = item->data(nodeRole).toInt() == node;
+    row = isOfNode && item->data(lineRole).toInt() <= line ? i : row; // the last line where it is gone
+  }
+  this->List->setCurrentRow(row);
+}
+
+void HistoryPanel::selectStep(int node)
+{
+  this->select(node, -1);
+}
+
+void HistoryPanel::addStep(int at)
+{
+  const Node& node = this->OpenDocument->session().nodes[indexOf(at)];
+  const auto& states = this->OpenDocument->result().nodes;
+  auto* item = new QListWidgetItem(QString::fromStdString(node.name));
+  item->setData(nodeRole, at);
+  item->setData(lineRole, -1);
+  item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+  item->setCheckState(node.on ? Qt::Checked : Qt::Unchecked);
+  const bool isEmpty = node.step->system == drawingSystem && linesIn(*node.step).empty();
+  if (indexOf(at) < states.size() && node.on && !isEmpty)
+  {
+    const auto& state = states[indexOf(at)];
+    if (!state.failure.empty())
+    {
+      item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
+      item->setToolTip(tr("Did nothing: %1").arg(QString::fromStdString(state.failure)));
+    }
+    else if (!state.remark.empty())
+    {
+      item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
+      item->setToolTip(QString::fromStdString(state.remark));
+    }
+    else if (state.elsewhere)
+    {
+      item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxInformation));
+      item->setToolTip(tr("Takes hold in another place than when it was drawn"));
+    }
+  }
+  if (item->toolTip().isEmpty())
+  {
+    const SystemRow* system = findSystem(node.step->system);
+    item->setToolTip(system ? rowSentence(system->brief) : QString());
+  }
+  this->List->addItem(item);
+}
+
+// Under their drawing, which is one step.
+void HistoryPanel::addLines(int at)
+{
+  const std::vector<DrawnStroke> lines = linesIn(*this->OpenDocument->session().nodes[indexOf(at)].step);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    const int treatment = treatmentOf(lines[i].line);
+    const QString name = tr("    Line %1").arg(i + 1);
+    auto* item = new QListWidgetItem(treatment == 0   ? name
+                                     : treatment == 1 ? tr("%1, hole").arg(name)
+                                                      : tr("%1, tunnel").arg(name));
+    item->setData(nodeRole, at);
+    item->setData(lineRole, static_cast<int>(i));
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(lines[i].on ? Qt::Checked : Qt::Unchecked);
+    item->setToolTip(tr("A line of the drawing. Shift over it in the picture draws a part of it anew."));
+    this->List->addItem(item);
+  }
 }
 
 void HistoryPanel::refresh()
 {
   this->Filling = true;
-  const int row = this->current();
+  const int node = this->current(), line = this->currentLine();
   this->List->clear();
   if (this->OpenDocument->isOpen())
   {
-    const auto& nodes = this->OpenDocument->session().nodes;
-    const auto& states = this->OpenDocument->result().nodes;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
+    const int count = static_cast<int>(this->OpenDocument->session().nodes.size());
+    for (int i = 0; i < count; ++i)
     {
-      auto* item = new QListWidgetItem(QString::fromStdString(nodes[i].name));
-      item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
-      item->setCheckState(nodes[i].on ? Qt::Checked : Qt::Unchecked);
-      if (i < states.size() && nodes[i].on)
-      {
-        if (!states[i].failure.empty())
-        {
-          item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
-          item->setToolTip(tr("Did nothing: %1").arg(QString::fromStdString(states[i].failure)));
-        }
-        else if (!states[i].remark.empty())
-        {
-          item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
-          item->setToolTip(QString::fromStdString(states[i].remark));
-        }
-        else if (states[i].elsewhere)
-        {
-          item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxInformation));
-          item->setToolTip(tr("Takes hold in another place than when it was drawn"));
-        }
-      }
-      if (item->toolTip().isEmpty())
-      {
-        const SystemRow* system = findSystem(nodes[i].step->system);
-        item->setToolTip(system ? rowSentence(system->brief) : QString());
-      }
-      this->List->addItem(item);
+      this->addStep(i);
+      this->addLines(i);
     }
-    this->List->setCurrentRow(std::min(row, this->List->count() - 1));
+    if (node >= 0)
+    {
+      this->select(std::min(node, count - 1), line);
+    }
   }
   this->Empty->setVisible(this->List->count() == 0);
   this->Filling = false;
@@ -221,12 +333,12 @@ void HistoryPanel::refresh()
 void HistoryPanel::showStep()
 {
   const int row = this->current();
-  const Step* step =
-    row < 0 ? nullptr : this->OpenDocument->session().nodes[static_cast<std::size_t>(row)].step.get();
+  const Step* step = row < 0 ? nullptr : this->OpenDocument->session().nodes[indexOf(row)].step.get();
   const SystemRow* system = step ? findSystem(step->system) : nullptr;
   const bool isDrawn = system && findInput(*system, SystemInput::Kind::Stroke);
-  this->Redraw->setEnabled(isDrawn);
-  this->View->setEnabled(isDrawn);
+  const bool isLine = this->currentLine() >= 0, isDrawing = step && step->system == drawingSystem;
+  this->Redraw->setEnabled(isDrawing ? isLine : isDrawn);
+  this->View->setEnabled(isDrawn && (!isDrawing || !linesIn(*step).empty()));
   this->Remove->setEnabled(step);
   const int changed = this->changed();
   const SystemRow* other =
@@ -234,8 +346,8 @@ void HistoryPanel::showStep()
   this->Next->setEnabled(other && findParameter(*other, "Candidate"));
   this->Less->setEnabled(other && findParameter(*other, "Reach"));
   this->More->setEnabled(this->Less->isEnabled());
-  this->Up->setEnabled(row > 0);
-  this->Down->setEnabled(step && row + 1 < this->List->count());
+  this->Up->setEnabled(row > 0 && !isLine);
+  this->Down->setEnabled(step && !isLine && indexOf(row) + 1 < this->OpenDocument->session().nodes.size());
   this->Form->show(step);
 }
 
@@ -246,24 +358,20 @@ void HistoryPanel::itemChanged(QListWidgetItem* item)
     return;
   }
   // The change makes the list anew, which must wait until the list is done with the item.
-  const int row = this->List->row(item);
+  const int row = item->data(nodeRole).toInt(), line = item->data(lineRole).toInt();
   const bool on = item->checkState() == Qt::Checked;
   const QString name = item->text();
   QMetaObject::invokeMethod(
     this,
-    [this, row, on, name]
+    [this, row, line, on, name]
     {
       const auto& nodes = this->OpenDocument->session().nodes;
-      if (static_cast<std::size_t>(row) >= nodes.size())
+      if (indexOf(row) >= nodes.size())
       {
         return;
       }
-      const Node& node = nodes[static_cast<std::size_t>(row)];
-      if (on != node.on)
-      {
-        this->OpenDocument->setOn(row, on);
-      }
-      else if (name.toStdString() != node.name)
+      this->setOn(row, line, on);
+      if (line < 0 && name.toStdString() != nodes[indexOf(row)].name)
       {
         this->OpenDocument->rename(row, name);
       }

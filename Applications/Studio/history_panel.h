@@ -26,8 +26,11 @@ class HistoryPanel : public QWidget
 public:
   HistoryPanel(Document* document, QWidget* parent = nullptr);
 
-  // The selected step, or -1.
+  // The selected step, or -1; of a drawing the line of it that is selected, or -1.
   int current() const;
+  int currentLine() const;
+  // Selects a step; -1: none.
+  void selectStep(int node);
   // Shows the form of a system while no step is selected.
   void turnTo(const std::string& system);
   // What can be done with it, for a menu; the first ones have buttons under the list, too.
@@ -43,6 +46,8 @@ signals:
   void selected(int node);
   // The step is to be drawn anew.
   void redrawAsked(int node);
+  // A line of a drawing is.
+  void lineAsked(int node, int line);
   // The camera is to go where the step was drawn.
   void viewAsked(int node);
 
@@ -52,6 +57,11 @@ private:
   {
     return { this->Redraw, this->View, this->Up, this->Down, this->Remove };
   }
+  void addStep(int node);
+  void addLines(int node);
+  void select(int node, int line);
+  void remove();
+  void setOn(int node, int line, bool on);
   void showStep();
   // The step that keys change: the selected one, else the last; -1 where there is none.
   int changed() const;

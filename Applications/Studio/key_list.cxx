@@ -56,7 +56,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
   QStringList lines{ T::tr("Mode: %1").arg(tool.mode()), QString() };
   for (const auto& [hand, what] : rows)
   {
-    lines << (what.isEmpty() ? QString() : hand.leftJustified(widest + 3) + what);
+    lines << (what.isEmpty() ? hand : hand.leftJustified(widest + 3) + what); // a heading has no keys
   }
   return lines.join('\n');
 }

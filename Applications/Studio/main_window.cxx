@@ -1,6 +1,7 @@
 #include "main_window.h"
 
 #include "files.h"
+#include "focus_frame.h"
 #include "history_panel.h"
 #include "latency.h"
 #include "looks.h"
@@ -11,16 +12,17 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
-#include <QFrame>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QTimer>
-#include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace oversketch_studio
 {
@@ -45,7 +47,7 @@ MainWindow::MainWindow(QWidget* parent)
   , OpenDocument(new Document(this))
   , View(new Viewport(this))
   , Tools(oversketch_studio::makeTools(this->View, this->OpenDocument))
-  , Frame(new QFrame(this))
+  , Sides(new QSplitter(Qt::Horizontal, this))
   , Scene(new ScenePanel(this->OpenDocument, this))
   , History(new HistoryPanel(this->OpenDocument, this))
   , Advice(new QLabel(this))
@@ -54,11 +56,14 @@ MainWindow::MainWindow(QWidget* parent)
   , Cancel(new QPushButton(tr("&Cancel"), this))
   , Patience(new QTimer(this))
 {
-  auto* about = new QVBoxLayout(this->Frame);
-  about->setContentsMargins(2, 2, 2, 2);
-  about->addWidget(this->View);
-  this->Frame->setAutoFillBackground(true);
-  this->setCentralWidget(this->Frame);
+  for (Tool* tool : this->Tools)
+  {
+    this->Canvases << tool->makeCanvas(this->Sides); // at the left
+  }
+  this->Sides->addWidget(new FocusFrame(this->View, this->Sides));
+  this->Sides->setChildrenCollapsible(false);
+  this->Sides->setSizes({ this->width(), this->width() }); // halves, also of what is not seen yet
+  this->setCentralWidget(this->Sides);
   this->setAcceptDrops(true);
   this->addDock(tr("&Scene"), "scene_dock", this->Scene);
   this->addDock(tr("&History"), "history_dock", this->History);
@@ -78,13 +83,6 @@ MainWindow::MainWindow(QWidget* parent)
     this->listenToTool(tool);
   }
   connect(this->View, &Viewport::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
-  // Of the frame, not of the window, which is no longer one when it closes at its end and the focus goes.
-  connect(qApp,
-    &QApplication::focusChanged,
-    this->Frame,
-    [frame = this->Frame, view = static_cast<QWidget*>(this->View)](QWidget*, QWidget* now)
-    { frame->setBackgroundRole(now == view ? QPalette::Highlight : QPalette::Window); });
-
   QSettings settings;
   this->resize(1200, 800);
   this->restoreGeometry(settings.value("geometry").toByteArray());
@@ -99,7 +97,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::listenToDocument()
 {
-  connect(this->OpenDocument, &Document::opened, this, [this] { this->Reset = true; });
+  connect(this->OpenDocument, &Document::opened, this, &MainWindow::opened);
   connect(this->OpenDocument, &Document::changed, this, &MainWindow::changed);
   connect(this->OpenDocument, &Document::shown, this, &MainWindow::showResult);
   connect(this->OpenDocument, &Document::detailed, this, &MainWindow::showDetails);
@@ -122,6 +120,18 @@ void MainWindow::listenToPanels()
         this->advise();
       }
     });
+  connect(this->History,
+    &HistoryPanel::lineAsked,
+    this,
+    [this](int node, int line)
+    {
+      if (Tool* tool = this->toolOf(node))
+      {
+        this->setTool(tool);
+        tool->redraw(line);
+        this->advise();
+      }
+    });
   connect(this->History, &HistoryPanel::viewAsked, this, &MainWindow::lookFrom);
   connect(this->History, &HistoryPanel::selected, this, &MainWindow::select);
   connect(this->Scene, &ScenePanel::addAsked, this, &MainWindow::addPictureAsked);
@@ -137,6 +147,11 @@ void MainWindow::listenToTool(Tool* tool)
   connect(tool, &Tool::drawn, this, &MainWindow::stepDrawn);
   connect(tool, &Tool::changed, this, &MainWindow::stepChanged);
   connect(tool, &Tool::shaped, this, &MainWindow::stepShaped);
+  connect(tool, &Tool::edited, this->OpenDocument, &Document::redraw);
+  connect(tool,
+    &Tool::swapAsked,
+    this,
+    [this] { this->Sides->insertWidget(0, this->Sides->widget(this->Sides->count() - 1)); });
   connect(tool,
     &Tool::movesAlone,
     this,
@@ -165,6 +180,27 @@ void MainWindow::changed(Document::Change change)
       break;
   }
   this->refresh();
+}
+
+// The tool that draws on what the session begins with; a model that was opened is drawn on itself.
+void MainWindow::opened()
+{
+  this->Reset = true;
+  const Session& session = this->OpenDocument->session();
+  if (!session.mesh)
+  {
+    this->View->clearMesh();
+  }
+  Tool* first = session.nodes.empty() || session.mesh ? nullptr : this->toolOf(0);
+  const int at = first ? this->Tools.indexOf(first) : -1;
+  if (at >= 0 && this->Canvases[at])
+  {
+    this->setTool(first);
+  }
+  else if (this->Canvases[this->Tools.indexOf(this->View->tool())])
+  {
+    this->setTool(this->Tools.first());
+  }
 }
 
 void MainWindow::stepDrawn(const Step& step)
@@ -214,12 +250,36 @@ void MainWindow::setTool(Tool* tool)
   }
   this->View->setTool(tool);
   this->History->turnTo(tool->system());
+  this->selectDrawing(tool);
   this->ToolActions[at]->setChecked(true);
   this->Options->setCurrentIndex(at);
   const QString mode = tool->mode();
   this->Mode->setText(mode.left(1).toUpper() + mode.mid(1));
   this->Redrawn = tool->system().empty() ? -1 : this->Redrawn;
   this->advise();
+}
+
+// A drawing is changed with its form at hand; what is drawn on the model then is a step of its own.
+void MainWindow::selectDrawing(const Tool* tool)
+{
+  const int current = this->History->current();
+  const bool isDrawing = tool->system() == drawingSystem;
+  const auto isOne = [](const Node& node) { return node.step->system == drawingSystem; };
+  if (!this->OpenDocument->isOpen())
+  {
+    return;
+  }
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto it = std::find_if(nodes.begin(), nodes.end(), isOne);
+  if (it == nodes.end())
+  {
+    return;
+  }
+  const int drawing = static_cast<int>(it - nodes.begin());
+  if (isDrawing != (current == drawing))
+  {
+    this->History->selectStep(isDrawing ? drawing : -1);
+  }
 }
 
 Tool* MainWindow::toolOf(int node) const
@@ -250,6 +310,7 @@ void MainWindow::apply(const Preferences& preferences)
   this->drawToolIcons();
   for (Tool* tool : this->Tools)
   {
+    tool->setDark(preferences.dark);
     tool->setSteadiness(preferences.stabilizer);
   }
   this->OpenDocument->setBackend(preferences.backend);
@@ -268,6 +329,7 @@ void MainWindow::askPreferences()
 void MainWindow::select(int node)
 {
   this->Redrawn = -1;
+  this->View->tool()->redraw(-1);
   this->showSection(node);
   this->offerStep();
   this->advise();
@@ -340,6 +402,11 @@ void MainWindow::showResult()
       tool->setMesh(result.display);
     }
   }
+  else if (this->isNothingDrawn())
+  {
+    this->View->clearMesh();
+    this->Reset = true;
+  }
   this->History->refresh();
   this->refresh();
 }
@@ -361,6 +428,15 @@ void MainWindow::showDetails()
     }
     this->View->showRegion(this->Region->isChecked() ? state.region.Get() : nullptr);
   }
+}
+
+// Of a drawing without strokes there is no model, also not the last one.
+bool MainWindow::isNothingDrawn() const
+{
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const Step* first = nodes.empty() ? nullptr : nodes.front().step.get();
+  return !this->OpenDocument->isBusy() && first && first->system == drawingSystem &&
+         strokesOf(linesOf(*first, "Strokes")).empty();
 }
 
 void MainWindow::refresh()
@@ -387,6 +463,12 @@ void MainWindow::refresh()
 // What to do next.
 void MainWindow::advise()
 {
+  Tool::Situation situation;
+  if (this->View->tool()->judges())
+  {
+    this->Advice->setText(this->View->tool()->advice(situation));
+    return;
+  }
   if (!this->OpenDocument->isOpen())
   {
     this->Advice->setText(tr("Open a model with Ctrl+O, or drop one here."));
@@ -409,7 +491,6 @@ void MainWindow::advise()
         .arg(QString::fromStdString(states.back().remark)));
     return;
   }
-  Tool::Situation situation;
   situation.empty = nodes.empty();
   situation.selected = this->History->current() >= 0;
   situation.redraws = this->Redrawn >= 0;

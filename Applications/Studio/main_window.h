@@ -12,11 +12,11 @@
 
 class QAction;
 class QDockWidget;
-class QFrame;
 class QLabel;
 class QMenu;
 class QProgressBar;
 class QPushButton;
+class QSplitter;
 class QStackedWidget;
 class QTimer;
 class QToolBar;
@@ -42,6 +42,9 @@ public:
   bool open(const QString& path);
   // Offers what a crash left behind; true when it was opened.
   bool offerRecovery();
+  // Begins a drawing over a picture, or says why it cannot; on an empty canvas where there is none. Returns
+  // whether it did.
+  bool openPicture(const QString& path);
   // Opens the model that is shipped, with a line that says where to draw.
   void openShippedModel();
 
@@ -68,6 +71,8 @@ private:
   bool tried(const std::function<void()>& run);
   void tell(const QStringList& notes);
   void openAsked();
+  QString pictureAsked(const QString& title); // a path; empty for none
+  void newFromPictureAsked();
   bool save();
   bool saveAs();
   void exportAsked();
@@ -83,8 +88,10 @@ private:
   void changed(Document::Change change);
   void stepDrawn(const oversketch_session::Step& step);
   void stepChanged(const oversketch_session::Step& step);
+  void opened();
   void stepShaped(const oversketch_session::Values& values, bool goesOn);
   void setTool(Tool* tool);
+  void selectDrawing(const Tool* tool);
   // The one that draws steps of a node's system; null where none does.
   Tool* toolOf(int node) const;
   void lookFrom(int node);
@@ -97,6 +104,7 @@ private:
   // The step that can be taken hold of: the selected one, else the last.
   void offerStep();
   void offerNothing();
+  bool isNothingDrawn() const;
   void showResult();
   void showDetails();
 
@@ -105,7 +113,8 @@ private:
   QVector<Tool*> Tools;
   QVector<QAction*> ToolActions;   // of the same order
   QVector<QDockWidget*> ToolDocks; // of the same order; null where a tool has no panel
-  QFrame* Frame;                   // about the view, in the colour of the focus while keys go there
+  QSplitter* Sides;                // the view, and what tools draw on that is not the model
+  QVector<QWidget*> Canvases;      // of the tools' order; null where a tool draws on the model
   ScenePanel* Scene;
   HistoryPanel* History;
   QToolBar* Strip = nullptr;

@@ -91,6 +91,49 @@ bool MainWindow::open(const QString& path)
   return opened;
 }
 
+bool MainWindow::openPicture(const QString& path)
+{
+  bool opened = false;
+  const auto mayLeave = [this] { return this->mayLeave(); };
+  try
+  {
+    opened = path.isEmpty() ? this->OpenDocument->beginDrawing(mayLeave)
+                            : this->OpenDocument->beginDrawing(path, mayLeave);
+  }
+  catch (const Failed& failure)
+  {
+    this->tell({ QString::fromStdString(failure.what()) });
+  }
+  if (opened)
+  {
+    this->View->showHint({});
+    this->Redrawn = -1;
+  }
+  return opened;
+}
+
+QString MainWindow::pictureAsked(const QString& title)
+{
+  QStringList patterns;
+  for (const QString& extension : pictureExtensions)
+  {
+    patterns << "*." + extension;
+  }
+  return QFileDialog::getOpenFileName(this,
+    title,
+    QSettings().value("folder").toString(),
+    tr("Pictures (%1);;All files (*)").arg(patterns.join(' ')));
+}
+
+void MainWindow::newFromPictureAsked()
+{
+  const QString path = this->pictureAsked(tr("Draw a model over a picture"));
+  if (!path.isEmpty())
+  {
+    this->openPicture(path);
+  }
+}
+
 bool MainWindow::offerRecovery()
 {
   for (const LeftBehind& left : leftBehind(autosaveRoot()))
@@ -270,22 +313,18 @@ void MainWindow::dropEvent(QDropEvent* event)
     this,
     [this, path]
     {
-      pictureExtensions.contains(QFileInfo(path).suffix().toLower()) ? this->addPicture(path)
-                                                                     : void(this->open(path));
+      // Behind an open model, or to be drawn over.
+      const bool isPicture = pictureExtensions.contains(QFileInfo(path).suffix().toLower());
+      const bool isBehind =
+        this->OpenDocument->isOpen() && !this->Canvases[this->Tools.indexOf(this->View->tool())];
+      isPicture ? (isBehind ? this->addPicture(path) : void(this->openPicture(path)))
+                : void(this->open(path));
     });
 }
 
 void MainWindow::addPictureAsked()
 {
-  QStringList patterns;
-  for (const QString& extension : pictureExtensions)
-  {
-    patterns << "*." + extension;
-  }
-  const QString path = QFileDialog::getOpenFileName(this,
-    tr("Put a picture behind the model"),
-    QSettings().value("folder").toString(),
-    tr("Pictures (%1);;All files (*)").arg(patterns.join(' ')));
+  const QString path = this->pictureAsked(tr("Put a picture behind the model"));
   if (!path.isEmpty())
   {
     this->addPicture(path);

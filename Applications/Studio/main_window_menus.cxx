@@ -2,6 +2,7 @@
 #include "main_window.h"
 
 #include "history_panel.h"
+#include "systems.h"
 #include "tool.h"
 #include "viewport.h"
 
@@ -51,6 +52,14 @@ void MainWindow::makeMenus()
 {
   QMenu* file = this->menuBar()->addMenu(tr("&File"));
   this->add(file, tr("&Open…"), QKeySequence::Open, [this] { this->openAsked(); });
+  if (oversketch_session::findSystem(oversketch_session::drawingSystem))
+  {
+    this->add(file, tr("&New from picture…"), QKeySequence::New, [this] { this->newFromPictureAsked(); });
+    this->add(file,
+      tr("New on an empty &canvas"),
+      QKeySequence(tr("Ctrl+Shift+N")),
+      [this] { this->openPicture({}); });
+  }
   this->Recent = file->addMenu(tr("Open &recent"));
   connect(this->Recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   this->Save = this->add(file, tr("&Save session"), QKeySequence::Save, [this] { this->save(); });
@@ -111,6 +120,11 @@ void MainWindow::makeToolMenu()
     action->setIconText(inStrip);
     group->addAction(action);
     this->ToolActions << action;
+  }
+  menu->addSeparator();
+  for (const Tool* tool : this->Tools)
+  {
+    menu->addActions(tool->actions());
   }
 }
 
@@ -197,6 +211,7 @@ void MainWindow::makeStatus()
 {
   this->Advice->setObjectName("advice");
   this->Advice->setIndent(6);
+  this->Advice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // no text widens the window
   this->Mode->setObjectName("mode");
   this->Progress->setAccessibleName(tr("Progress"));
   this->Progress->setRange(0, 100);

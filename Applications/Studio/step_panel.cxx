@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -170,6 +171,31 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
       box->setDecimals(std::clamp(2 - static_cast<int>(digits), 4, 12));
       widget->setProperty(exactValue, set);
       box->setValue(set);
+    };
+  }
+  else if (!parameter.offers.empty())
+  {
+    auto* text = new QComboBox(page);
+    text->setEditable(true);
+    for (const Choice& one : parameter.offers)
+    {
+      text->addItem(rowText(one.title), QString::fromStdString(one.word));
+    }
+    connect(text, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
+    connect(text->lineEdit(), &QLineEdit::editingFinished, this, [this] { this->read(); });
+    field.widget = text;
+    field.read = [](QWidget* widget) -> Value
+    {
+      const auto* box = static_cast<QComboBox*>(widget);
+      const int offered = box->findText(box->currentText());
+      return (offered < 0 ? box->currentText() : box->itemData(offered).toString()).toStdString();
+    };
+    field.write = [](QWidget* widget, const Value& value)
+    {
+      auto* box = static_cast<QComboBox*>(widget);
+      const QString word = QString::fromStdString(std::get<std::string>(value));
+      const int offered = box->findData(word);
+      box->setEditText(offered < 0 ? word : box->itemText(offered));
     };
   }
   else

@@ -380,6 +380,7 @@ bool Viewport::event(QEvent* event)
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)
 {
   this->MeshMapper->SetInputData(mesh);
+  this->Mesh->VisibilityOn();
   this->MeshSkin.dress(this->Mesh, this->MeshMapper, mesh);
   this->Behind.setMesh(mesh);
   if (reset)
@@ -406,6 +407,16 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   this->renderSoon();
 }
 
+void Viewport::clearMesh()
+{
+  this->MeshMapper->SetInputData(nullptr);
+  this->Mesh->VisibilityOff();
+  this->HintBox.setText({});
+  this->showSection(nullptr);
+  this->showRegion(nullptr);
+  this->renderSoon();
+}
+
 void Viewport::showPreview(vtkPolyData* mesh)
 {
   this->MeshMapper->SetInputData(mesh);
@@ -413,7 +424,7 @@ void Viewport::showPreview(vtkPolyData* mesh)
 
 vtkPolyData* Viewport::mesh() const
 {
-  return this->MeshMapper->GetInput();
+  return this->Mesh->GetVisibility() ? this->MeshMapper->GetInput() : nullptr;
 }
 
 void Viewport::showPictures(const Pictures& pictures)
@@ -452,7 +463,7 @@ void Viewport::showSection(vtkPolyData* section)
 
 void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
 {
-  vtkPolyData* mesh = this->MeshMapper->GetInput();
+  vtkPolyData* mesh = this->mesh();
   this->Mirror->SetVisibility(plane && mesh);
   if (plane && mesh)
   {
@@ -490,7 +501,10 @@ void Viewport::hideHint()
 
 void Viewport::placeHint()
 {
-  this->HintBox.place(this->Renderer, this->MeshMapper->GetInput(), this->devicePixelRatioF());
+  if (vtkPolyData* mesh = this->mesh())
+  {
+    this->HintBox.place(this->Renderer, mesh, this->devicePixelRatioF());
+  }
 }
 
 void Viewport::setDark(bool dark)

@@ -44,9 +44,11 @@ public:
 
   // Shows a mesh instead of the last; with `reset` the camera looks at all of it from the front.
   void showMesh(vtkPolyData* mesh, bool reset);
+  // Shows none.
+  void clearMesh();
   // The mesh as a tool shows it meanwhile, with the same skin.
   void showPreview(vtkPolyData* mesh);
-  vtkPolyData* mesh() const;
+  vtkPolyData* mesh() const; // null where none is shown
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
   // something.
   void awaitMesh();

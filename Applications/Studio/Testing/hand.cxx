@@ -142,7 +142,7 @@ int Hand::act()
   {
     case 0:
     case 1:
-      events = this->strokeBesideTheModel();
+      events = this->oneIn(3) ? this->lineOnThePad() : this->strokeBesideTheModel();
       break;
     case 2:
     case 3:
@@ -271,6 +271,10 @@ int Hand::dragOfTheStroke()
   const Step& step = *nodes.back().step;
   const SystemInput* drawn = findInput(*findSystem(step.system), SystemInput::Kind::Stroke);
   const auto stroke = linesOf(step, drawn->name);
+  if (stroke->GetNumberOfPoints() == 0) // a drawing without lines
+  {
+    return this->lineOnThePad();
+  }
   if (this->oneIn(2))
   {
     this->View->lookFrom(stroke);
@@ -290,6 +294,35 @@ int Hand::dragOfTheStroke()
   }
   QTest::mouseRelease(this->View, Qt::LeftButton, Qt::NoModifier, place);
   return steps + 3;
+}
+
+// A ring in the picture that is drawn over, or a part of one; of a size that a limb, a body or a dot has.
+int Hand::lineOnThePad()
+{
+  auto* pad = this->Window.findChild<QWidget*>("drawing_pad");
+  if (!pad || !pad->isVisible())
+  {
+    QTest::keyClick(this->View, Qt::Key_G);
+    return 1;
+  }
+  const QPoint middle = this->place(pad);
+  const int radius = 1 + this->upTo(150), steps = 6 + this->upTo(14);
+  const double round = 2.0 * M_PI * (this->oneIn(3) ? 0.01 * this->upTo(100) : 1.0);
+  const Qt::KeyboardModifiers held = this->oneIn(4) ? Qt::ShiftModifier : Qt::NoModifier;
+  const auto at = [&](int i)
+  {
+    const double angle = round * i / steps;
+    return middle +
+           QPoint(static_cast<int>(radius * std::cos(angle)), static_cast<int>(radius * std::sin(angle)));
+  };
+  QTest::mousePress(pad, Qt::LeftButton, held, at(0));
+  for (int i = 1; i <= steps; ++i)
+  {
+    QTest::mouseMove(pad, at(i));
+    QApplication::processEvents();
+  }
+  QTest::mouseRelease(pad, Qt::LeftButton, held, at(steps));
+  return steps + 2;
 }
 
 int Hand::press()
@@ -321,6 +354,9 @@ int Hand::key()
     Qt::Key_N,
     Qt::Key_D,
     Qt::Key_B,
+    Qt::Key_G,
+    Qt::Key_V,
+    Qt::Key_F4,
     Qt::Key_T,
     Qt::Key_O,
     Qt::Key_F1,

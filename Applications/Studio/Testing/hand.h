@@ -59,6 +59,7 @@ private:
 
   int strokeBesideTheModel();
   int dragOfTheStroke();
+  int lineOnThePad();
   int press();
   int key();
   int undoAndRedo();

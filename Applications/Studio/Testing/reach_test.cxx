@@ -294,7 +294,8 @@ TEST(Reach, TheListOfKeysIsTrue)
   EXPECT_GE(moves.size(), 16);
   for (const QChar key : listed)
   {
-    EXPECT_TRUE(moves.contains(key) || QString("bdto?q").contains(key)) << "does nothing: " << key.toLatin1();
+    EXPECT_TRUE(moves.contains(key) || QString("bdgto?q").contains(key))
+      << "does nothing: " << key.toLatin1();
   }
 }
 

@@ -7,6 +7,7 @@
 #include "worker.h"
 
 #include <QKeySequence>
+#include <QList>
 #include <QObject>
 #include <QPainterPath>
 #include <QPair>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <string>
 
+class QAction;
 class QWidget;
 
 namespace oversketch_studio
@@ -54,6 +56,8 @@ public:
   virtual std::string system() const { return {}; }
   // What new steps are made with, for the bar above the viewport; null where there is nothing to choose.
   virtual QWidget* makeOptions(QWidget*) { return nullptr; }
+  // What else can be done with it while it is in the hand, for a menu.
+  virtual QList<QAction*> actions() const { return {}; }
   // A second view of what it makes, for a panel beside the viewport, whose title is the widget's; null: none.
   virtual QWidget* makePanel(QWidget*) { return nullptr; }
 
@@ -74,6 +78,14 @@ public:
   virtual void offerNothing() {}
   virtual void setFollowing(const std::shared_ptr<const oversketch_session::Following>&) {}
 
+  // Whether its advice also says why a step of its system did nothing.
+  virtual bool judges() const { return false; }
+  // What is drawn on, where that is not the model: a widget beside the viewport, seen while the tool is in
+  // the hand; null: the model.
+  virtual QWidget* makeCanvas(QWidget*) { return nullptr; }
+  // The next line replaces one of the lines of its step; -1: none.
+  virtual void redraw(int) {}
+
   // The mesh that is drawn over from here on, once it is on screen.
   virtual void setMesh(vtkPolyData*) {}
   // The screen's pixels a pixel as Qt counts them; how far the line trails behind the pen [px as Qt counts
@@ -84,6 +96,7 @@ public:
   // The wheel has been turned away from the hand, by so many notches. Returns whether it was of use; then it
   // is not the camera's.
   virtual bool wheel(double, Qt::KeyboardModifiers) { return false; }
+  virtual void setDark(bool) {}
   // A frame begins; it has been painted.
   virtual void frameBegins() {}
   virtual void framePainted() {}
@@ -96,6 +109,10 @@ signals:
   void changed(const oversketch_session::Step& step);
   // The hand gives the step that was offered other values; `goesOn`: of one movement with the last time.
   void shaped(const oversketch_session::Values& values, bool goesOn);
+  // The hand has changed a step of the history, whatever is offered.
+  void edited(int node, const oversketch_session::Step& step);
+  // What is drawn on and the model change sides.
+  void swapAsked();
   // The hand moves a step that the mesh cannot follow before it is let go; it lets go.
   void movesAlone();
   void left();

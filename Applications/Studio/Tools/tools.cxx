@@ -3,6 +3,9 @@
 #ifdef OVERSKETCH_WITH_AUGMENT
 #include "augment_tool.h"
 #endif
+#ifdef OVERSKETCH_WITH_INFLATEDRAWING
+#include "drawing_tool.h"
+#endif
 #include "one_stroke_tool.h"
 #include "turn_tool.h"
 
@@ -17,6 +20,9 @@ QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
 #endif
 #ifdef OVERSKETCH_WITH_AUGMENT
     new AugmentTool(viewport, document),
+#endif
+#ifdef OVERSKETCH_WITH_INFLATEDRAWING
+    new DrawingTool(viewport, document),
 #endif
     new TurnTool(viewport),
   };

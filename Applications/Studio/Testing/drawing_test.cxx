@@ -1,0 +1,542 @@
+// The tool Image to model, as a person uses it: a picture, lines drawn over it, and the model beside it.
+#include "drawing_lines.h"
+#include "drawing_pad.h"
+#include "evaluator.h"
+#include "files.h"
+#include "mesh_file.h"
+#include "scene.h"
+#include "session_file.h"
+#include "texture.h"
+#include "tool.h"
+
+#include "vtkOversketchInteractorStyle.h"
+
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkFeatureEdges.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QSplitter>
+#include <QTemporaryDir>
+
+#include <set>
+#include <vector>
+
+using namespace oversketch_studio;
+using namespace oversketch_session;
+
+namespace
+{
+
+using Places = std::vector<QPointF>; // in the picture, px from its lower left corner
+
+constexpr int width = 400, height = 300;
+
+// A ring's places, the first one once more at the end.
+Places ring(const QPointF& middle, double radius, int count = 60)
+{
+  Places places;
+  for (int i = 0; i <= count; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / count;
+    places.push_back(middle + radius * QPointF(std::cos(angle), std::sin(angle)));
+  }
+  return places;
+}
+
+// A body of 240 x 120 with a leg of 40 x 80 below, about its left half.
+Places beast()
+{
+  Places places;
+  const auto line = [&places](QPointF from, QPointF to)
+  {
+    for (int i = 0; i < 12; ++i)
+    {
+      places.push_back(from + (to - from) * (i / 12.0));
+    }
+  };
+  const Places corners{ { 80, 240 },
+    { 80, 130 },
+    { 120, 120 },
+    { 120, 40 },
+    { 160, 40 },
+    { 160, 120 },
+    { 320, 130 },
+    { 320, 240 },
+    { 80, 240 } };
+  for (std::size_t i = 1; i < corners.size(); ++i)
+  {
+    line(corners[i - 1], corners[i]);
+  }
+  places.push_back(corners.front());
+  return places;
+}
+
+struct Sheet : Scene
+{
+  Sheet()
+    : pad(this->window.findChild<DrawingPad*>())
+    , list(this->window.findChild<QListWidget*>("history"))
+    , advice(this->window.findChild<QLabel*>("advice"))
+  {
+    this->file = this->folder.filePath("beast.png");
+    QImage image(width, height, QImage::Format_RGB32);
+    image.fill(QColor(235, 230, 220));
+    QPainter painter(&image);
+    QPolygonF shape;
+    for (const QPointF& place : beast())
+    {
+      shape << QPointF(place.x(), height - place.y());
+    }
+    painter.setBrush(QColor(190, 60, 40));
+    painter.drawPolygon(shape);
+    painter.end();
+    EXPECT_TRUE(image.save(this->file));
+  }
+
+  void open()
+  {
+    QApplication::setActiveWindow(&this->window);
+    EXPECT_TRUE(this->window.openPicture(this->file));
+    this->settle();
+  }
+  void settle()
+  {
+    QApplication::processEvents();
+    this->wait();
+    QApplication::processEvents();
+  }
+  QPoint onPad(const QPointF& place)
+  {
+    vtkRenderer* from = this->pad->renderWindow()->GetRenderers()->GetFirstRenderer();
+    from->SetWorldPoint(place.x(), place.y(), 0.0, 1.0);
+    from->WorldToDisplay();
+    const double* at = from->GetDisplayPoint();
+    return { static_cast<int>(std::lround(at[0])),
+      this->pad->height() - 1 - static_cast<int>(std::lround(at[1])) };
+  }
+  void line(const Places& places, Qt::KeyboardModifiers held = Qt::NoModifier)
+  {
+    QApplication::processEvents();
+    const auto send = [this, held](QEvent::Type type, const QPointF& place, Qt::MouseButton button)
+    {
+      const QPoint at = this->onPad(place);
+      const Qt::MouseButtons down = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+      QMouseEvent event(type, at, this->pad->mapToGlobal(at), button, down, held);
+      QApplication::sendEvent(
+        this->pad, &event); // the server's own would run together while frames are drawn
+      QApplication::processEvents();
+    };
+    send(QEvent::MouseButtonPress, places.front(), Qt::LeftButton);
+    for (const QPointF& place : places)
+    {
+      send(QEvent::MouseMove, place, Qt::NoButton);
+    }
+    send(QEvent::MouseButtonRelease, places.back(), Qt::LeftButton);
+    this->settle();
+  }
+  void click(const QPointF& place)
+  {
+    QTest::mouseClick(this->pad, Qt::LeftButton, Qt::NoModifier, this->onPad(place));
+    this->settle();
+  }
+  const Session& session() { return this->document->session(); }
+  vtkPolyData* mesh() { return this->document->result().mesh; }
+  const Step& step(int node) { return *this->session().nodes[indexOf(node)].step; }
+  std::vector<DrawnStroke> strokes() { return strokesOf(linesOf(this->step(0), "Strokes")); }
+  std::string failure(int node = 0) { return this->document->result().nodes[indexOf(node)].failure; }
+  QString row(int at) { return this->list->item(at)->text().trimmed(); }
+  QAction* action(const QString& text)
+  {
+    for (QAction* one : this->window.findChildren<QAction*>())
+    {
+      if (one->text() == text)
+      {
+        return one;
+      }
+    }
+    ADD_FAILURE() << "no action " << text.toStdString();
+    return nullptr;
+  }
+  // A line beside the end of the leg, further down, drawn on the model by system A's tool.
+  void pullTheLeg()
+  {
+    QTest::keyClick(this->view, Qt::Key_D);
+    QApplication::processEvents();
+    this->pictureAtRest();
+    const double ends[3][3] = { { 116, 70, 0 }, { 140, 12, 0 }, { 164, 70, 0 } };
+    const auto at = [&](int i)
+    {
+      const double t = i / 30.0, a = (1 - t) * (1 - t), b = 2 * t * (1 - t), c = t * t;
+      const double side = 140.0 + (t - 0.5) * 56.0, low = a * 70.0 + b * -40.0 + c * 70.0;
+      const double place[3] = { side, low, ends[0][2] };
+      return this->seen(place);
+    };
+    QTest::mouseMove(this->view, at(0));
+    QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(0));
+    for (int i = 1; i <= 30; ++i)
+    {
+      QTest::mouseMove(this->view, at(i));
+      QApplication::processEvents();
+    }
+    QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, at(30));
+    this->settle();
+  }
+
+  QTemporaryDir folder;
+  QString file;
+  DrawingPad* pad;
+  QListWidget* list;
+  QLabel* advice;
+};
+
+int openEdges(vtkPolyData* mesh)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(mesh);
+  edges->BoundaryEdgesOn();
+  edges->FeatureEdgesOff();
+  edges->NonManifoldEdgesOn();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  return static_cast<int>(edges->GetOutput()->GetNumberOfCells());
+}
+
+// Points - edges + faces of a closed mesh of triangles.
+vtkIdType eulerOf(vtkPolyData* mesh)
+{
+  return mesh->GetNumberOfPoints() - mesh->GetNumberOfPolys() / 2;
+}
+
+std::string replayed(const Session& session)
+{
+  std::vector<Outcome> outcomes;
+  Evaluator evaluator;
+  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  vtkPolyData* made = resultOf(session, outcomes);
+  return made ? digestOf(made) : std::string();
+}
+
+} // namespace
+
+TEST(Drawing, APictureBecomesAModelThatWearsIt)
+{
+  Sheet sheet;
+  EXPECT_FALSE(sheet.pad->isVisible());
+  sheet.open();
+  ASSERT_TRUE(sheet.pad->isVisible());
+  EXPECT_EQ(sheet.view->tool()->system(), "InflateDrawing");
+  EXPECT_FALSE(sheet.view->mesh()) << "the dog is still there";
+  EXPECT_TRUE(sheet.advice->text().contains("Draw round")) << sheet.advice->text().toStdString();
+  sheet.line(beast());
+  ASSERT_TRUE(sheet.mesh()) << sheet.failure();
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_EQ(openEdges(sheet.mesh()), 0);
+  EXPECT_EQ(eulerOf(sheet.mesh()), 2);
+  EXPECT_TRUE(sheet.mesh()->GetPointData()->GetTCoords());
+  EXPECT_EQ(oversketch_files::textureOf(sheet.mesh()), oversketch_files::wholeFile(sheet.file.toStdString()));
+  ASSERT_EQ(sheet.list->count(), 2);
+  EXPECT_EQ(sheet.row(1), "Line 1");
+  EXPECT_TRUE(sheet.advice->text().contains("feature")) << sheet.advice->text().toStdString();
+  // It is seen beside the picture, in the picture's colour.
+  const QImage seen = sheet.pictureAtRest();
+  int red = 0;
+  for (int y = 0; y < seen.height(); ++y)
+  {
+    for (int x = 0; x < seen.width(); ++x)
+    {
+      const QColor c = seen.pixelColor(x, y);
+      red += c.red() > 2 * c.green() && c.red() > 60;
+    }
+  }
+  EXPECT_GT(red, seen.width() * seen.height() / 20);
+  // Saved, opened again, replayed, undone and redone: the same.
+  const std::string made = sheet.document->digest();
+  const QString saved = sheet.folder.filePath("a.oversketch");
+  sheet.document->save(saved);
+  EXPECT_EQ(replayed(readSession(saved.toStdString()).session), made);
+  sheet.document->undo();
+  sheet.settle();
+  EXPECT_FALSE(sheet.mesh());
+  EXPECT_FALSE(sheet.view->mesh()) << "a drawing without lines has a model";
+  EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 0);
+  sheet.document->redo();
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), made);
+  sheet.document->save(saved);
+  ASSERT_TRUE(sheet.window.open(saved));
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), made);
+  EXPECT_TRUE(sheet.pad->isVisible());
+  EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 1);
+}
+
+TEST(Drawing, AClickMakesAHoleAndATunnel)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.line(beast());
+  sheet.line(ring({ 240, 185 }, 28));
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_EQ(eulerOf(sheet.mesh()), 2);
+  EXPECT_TRUE(sheet.advice->text().contains("hole")) << sheet.advice->text().toStdString();
+  const std::string filled = sheet.document->digest();
+  sheet.click({ 240, 185 });
+  EXPECT_EQ(sheet.row(2), "Line 2, hole");
+  EXPECT_EQ(eulerOf(sheet.mesh()), 0) << sheet.failure();
+  EXPECT_EQ(openEdges(sheet.mesh()), 0);
+  sheet.click({ 240, 185 });
+  EXPECT_EQ(sheet.row(2), "Line 2, tunnel");
+  EXPECT_EQ(eulerOf(sheet.mesh()), 0) << sheet.failure();
+  sheet.click({ 240, 185 });
+  EXPECT_EQ(sheet.row(2), "Line 2");
+  EXPECT_EQ(sheet.document->digest(), filled);
+  // The line is switched off, and taken away.
+  sheet.list->item(2)->setCheckState(Qt::Unchecked);
+  sheet.settle();
+  EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 1);
+  EXPECT_NE(sheet.document->digest(), filled);
+  EXPECT_EQ(sheet.document->digest(), replayed(sheet.session()));
+  EXPECT_EQ(sheet.strokes().size(), 2u);
+  // What is drawn meanwhile comes after it, and it comes back as it was.
+  sheet.line({ { 200, 150 }, { 210, 160 }, { 220, 150 } });
+  ASSERT_EQ(sheet.strokes().size(), 3u);
+  EXPECT_FALSE(sheet.strokes()[1].on);
+  sheet.list->setCurrentRow(3);
+  sheet.action("De&lete")->trigger();
+  sheet.settle();
+  sheet.list->item(2)->setCheckState(Qt::Checked);
+  sheet.settle();
+  ASSERT_EQ(sheet.strokes().size(), 2u);
+  EXPECT_EQ(sheet.document->digest(), filled);
+}
+
+TEST(Drawing, ALegIsPulledAndTheDrawingChangedAfterwards)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.line(beast());
+  const std::string drawn = sheet.document->digest();
+  sheet.pullTheLeg();
+  EXPECT_FALSE(sheet.pad->isVisible());
+  ASSERT_EQ(sheet.session().nodes.size(), 2u);
+  ASSERT_EQ(sheet.step(1).system, "OneStroke");
+  ASSERT_EQ(sheet.failure(1), "");
+  const std::string pulled = sheet.document->digest();
+  EXPECT_NE(pulled, drawn);
+  EXPECT_LT(sheet.mesh()->GetBounds()[2], 38.0) << "the leg is no longer";
+  EXPECT_EQ(openEdges(sheet.mesh()), 0);
+  EXPECT_TRUE(sheet.mesh()->GetPointData()->GetTCoords());
+  EXPECT_FALSE(oversketch_files::textureOf(sheet.mesh()).empty());
+  // The back is raised, by a line over it: the leg is pulled again.
+  QTest::keyClick(sheet.view, Qt::Key_G);
+  sheet.settle();
+  ASSERT_TRUE(sheet.pad->isVisible());
+  const Session before = sheet.session();
+  std::set<int> ran;
+  QObject::connect(
+    sheet.document, &Document::progressed, [&ran](int node, const QString&, double) { ran.insert(node); });
+  Places hump;
+  for (int i = 0; i <= 20; ++i)
+  {
+    hump.emplace_back(280.0 - 8.0 * i, 240.0 + 25.0 * std::sin(M_PI * i / 20.0));
+  }
+  sheet.line(hump, Qt::ShiftModifier);
+  ASSERT_EQ(sheet.strokes().size(), 1u);
+  EXPECT_EQ(sheet.failure(0), "");
+  EXPECT_EQ(sheet.failure(1), "");
+  EXPECT_EQ(ran, (std::set<int>{ 0, 1 }));
+  EXPECT_GT(sheet.mesh()->GetBounds()[3], 255.0);
+  EXPECT_LT(sheet.mesh()->GetBounds()[2], 38.0);
+  const std::string both = sheet.document->digest();
+  EXPECT_EQ(both, replayed(sheet.session()));
+  // Counted: both steps for another line of the drawing, the pulled leg alone for another line of that.
+  Evaluator evaluator;
+  std::vector<Outcome> outcomes;
+  ASSERT_TRUE(evaluator.run(before, {}, outcomes));
+  EXPECT_EQ(evaluator.runs(), 2u);
+  ASSERT_TRUE(evaluator.run(sheet.session(), {}, outcomes));
+  EXPECT_EQ(evaluator.runs(), 4u);
+  Session other = sheet.session();
+  auto again = std::make_shared<Step>(*other.nodes[1].step);
+  again->values["AsPublished"] = true;
+  other.nodes[1].step = again;
+  ASSERT_TRUE(evaluator.run(other, {}, outcomes));
+  EXPECT_EQ(evaluator.runs(), 5u);
+  // To the start and back.
+  int undone = 0;
+  for (; sheet.document->canUndo(); ++undone)
+  {
+    sheet.document->undo();
+  }
+  sheet.settle();
+  EXPECT_EQ(undone, 3);
+  EXPECT_FALSE(sheet.mesh());
+  sheet.document->redo();
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), drawn);
+  sheet.document->redo();
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), pulled);
+  sheet.document->redo();
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), both);
+  const QString saved = sheet.folder.filePath("a.oversketch");
+  sheet.document->save(saved);
+  EXPECT_EQ(replayed(readSession(saved.toStdString()).session), both);
+}
+
+TEST(Drawing, ALineIsDrawnAnewWhole)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.line(beast());
+  sheet.line(ring({ 240, 185 }, 28));
+  sheet.click({ 240, 185 });
+  sheet.list->setCurrentRow(2);
+  sheet.action("&Redraw")->trigger();
+  EXPECT_TRUE(sheet.advice->text().contains("line 2")) << sheet.advice->text().toStdString();
+  sheet.line(ring({ 180, 190 }, 24));
+  ASSERT_EQ(sheet.strokes().size(), 2u);
+  EXPECT_EQ(sheet.row(2), "Line 2, hole") << "it is filled";
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_EQ(eulerOf(sheet.mesh()), 0);
+  EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 2);
+  EXPECT_EQ(sheet.pad->text(), "");
+  sheet.line({ { 280, 180 }, { 290, 190 }, { 300, 180 } });
+  EXPECT_EQ(sheet.strokes().size(), 3u) << "the next line still replaces it";
+}
+
+TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
+{
+  Sheet sheet;
+  sheet.open();
+  // An open scribble is no outline.
+  Places open = beast();
+  open.resize(open.size() / 2);
+  sheet.line(open);
+  EXPECT_FALSE(sheet.mesh());
+  EXPECT_TRUE(sheet.advice->text().contains("lose")) << sheet.advice->text().toStdString();
+  sheet.document->undo();
+  sheet.settle();
+  // A dot, and a click in nothing, are no lines.
+  sheet.line({ { 200, 200 }, { 200.4, 200 } });
+  sheet.click({ 30, 30 });
+  EXPECT_TRUE(sheet.strokes().empty());
+  EXPECT_FALSE(sheet.document->canUndo());
+  sheet.line(beast());
+  const std::string made = sheet.document->digest();
+  vtkPolyData* shown = sheet.view->mesh();
+  // A line in the void: told in the picture and below, the model is the same.
+  sheet.line({ { 350, 40 }, { 370, 60 }, { 380, 90 } });
+  EXPECT_FALSE(sheet.pad->text().isEmpty());
+  EXPECT_TRUE(sheet.advice->text().contains("Ctrl+Z")) << sheet.advice->text().toStdString();
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_EQ(sheet.document->digest(), made);
+  sheet.document->undo();
+  sheet.settle();
+  // One across the outline: no model, the last one stays.
+  sheet.line({ { 60, 180 }, { 200, 185 }, { 350, 190 } });
+  EXPECT_FALSE(sheet.mesh());
+  EXPECT_TRUE(sheet.view->mesh());
+  EXPECT_TRUE(
+    sheet.advice->text().startsWith("Line 1 crosses line 2") && sheet.advice->text().contains("Ctrl+Z"))
+    << sheet.advice->text().toStdString();
+  sheet.document->undo();
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), made);
+  shown = sheet.view->mesh();
+  // What is no picture is said, and changes nothing.
+  const QString bad = sheet.folder.filePath("bad.png");
+  {
+    QFile file(bad);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("no picture");
+  }
+  QString said;
+  QTimer::singleShot(200,
+    [&said]
+    {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
+      {
+        said = box->text();
+        box->close();
+      }
+    });
+  EXPECT_FALSE(sheet.window.openPicture(bad));
+  EXPECT_TRUE(said.contains("bad.png")) << said.toStdString();
+  EXPECT_EQ(sheet.view->mesh(), shown);
+  EXPECT_EQ(sheet.document->digest(), made);
+}
+
+TEST(Drawing, ItsFormAndItsKeys)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.line(beast());
+  const std::string inflated = sheet.document->digest();
+  Values values = sheet.step(0).values;
+  values["Quads"] = true;
+  sheet.document->setParameters(0, values, std::nullopt);
+  sheet.settle();
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_EQ(sheet.mesh()->GetMaxCellSize(), 4);
+  EXPECT_TRUE(sheet.view->mesh());
+  values["Quads"] = false;
+  values["ExtrudeDepth"] = 20.0;
+  sheet.document->setParameters(0, values, std::nullopt);
+  sheet.settle();
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_NEAR(sheet.mesh()->GetBounds()[5], 20.0, 1e-9);
+  EXPECT_NE(sheet.document->digest(), inflated);
+  // Keys of its own: sides change, the magnet goes.
+  auto* sides = sheet.window.findChild<QSplitter*>();
+  EXPECT_LT(sides->indexOf(sheet.pad->parentWidget()), sides->indexOf(sheet.view->parentWidget()));
+  QTest::keyClick(&sheet.window, Qt::Key_V);
+  EXPECT_GT(sides->indexOf(sheet.pad->parentWidget()), sides->indexOf(sheet.view->parentWidget()));
+  QTest::keyClick(&sheet.window, Qt::Key_F4);
+  auto* magnetic = sheet.window.findChild<QAction*>("magnetic");
+  EXPECT_FALSE(magnetic->isChecked());
+  sheet.line(ring({ 240, 185 }, 20));
+  const auto strokes = sheet.strokes();
+  ASSERT_EQ(strokes.size(), 2u);
+  EXPECT_EQ(strokes[0].line->GetCellData()->GetArray("Magnetic")->GetComponent(0, 0), 1.0);
+  EXPECT_EQ(strokes[1].line->GetCellData()->GetArray("Magnetic")->GetComponent(0, 0), 0.0);
+  QTest::keyClick(&sheet.window, Qt::Key_F4);
+  EXPECT_TRUE(magnetic->isChecked());
+  const QString listed = QString::fromUtf8(sheet.view->camera()->GetKeyList());
+  EXPECT_TRUE(listed.contains("\nF4 ") && listed.contains("\nV ") && listed.contains("In the picture:\n"))
+    << listed.toStdString();
+}
+
+TEST(Drawing, AnEmptyCanvasIsDrawnOn)
+{
+  Sheet sheet;
+  QApplication::setActiveWindow(&sheet.window);
+  sheet.action("New on an empty &canvas")->trigger();
+  sheet.settle();
+  ASSERT_TRUE(sheet.pad->isVisible());
+  sheet.line(ring({ 500, 400 }, 200, 120));
+  EXPECT_EQ(sheet.failure(), "");
+  ASSERT_TRUE(sheet.mesh());
+  EXPECT_EQ(eulerOf(sheet.mesh()), 2);
+  EXPECT_EQ(openEdges(sheet.mesh()), 0);
+  EXPECT_TRUE(oversketch_files::textureOf(sheet.mesh()).empty());
+  EXPECT_EQ(sheet.document->digest(), replayed(sheet.session()));
+  // A model that is opened then is drawn on itself.
+  sheet.document->discardAutosave();
+  QStringList notes;
+  ASSERT_TRUE(sheet.document->open(
+    OVERSKETCH_DATA_FOLDER "/Models/dog.ply", [] { return true; }, notes));
+  sheet.settle();
+  EXPECT_FALSE(sheet.pad->isVisible());
+  EXPECT_TRUE(sheet.view->mesh());
+}

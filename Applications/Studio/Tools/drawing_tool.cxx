@@ -1,0 +1,412 @@
+#include "drawing_tool.h"
+
+#include "document.h"
+#include "drawing_pad.h"
+#include "focus_frame.h"
+#include "texture.h"
+#include "viewport.h"
+
+#include "vtkOversketchInteractorStyle.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QRegularExpression>
+#include <QToolButton>
+
+#include <algorithm>
+#include <utility>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+namespace
+{
+
+constexpr int closedFeature = 2; // cell array Role
+
+int countOf(vtkPolyData* curves, int role)
+{
+  vtkDataArray* roles = curves->GetCellData()->GetArray("Role");
+  int count = 0;
+  for (vtkIdType i = 0; roles && i < roles->GetNumberOfTuples(); ++i)
+  {
+    count += static_cast<int>(roles->GetComponent(i, 0)) == role;
+  }
+  return count;
+}
+
+} // namespace
+
+DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
+  : Tool(viewport)
+  , View(viewport)
+  , OpenDocument(document)
+  , Magnetic(new QAction(tr("&Magnetic pen"), this))
+  , Swap(new QAction(tr("&Swap sides"), this))
+{
+  this->setObjectName("drawing");
+  this->Magnetic->setObjectName("magnetic");
+  this->Magnetic->setCheckable(true);
+  this->Magnetic->setChecked(true);
+  this->Magnetic->setShortcut(QKeySequence(tr("F4")));
+  this->Magnetic->setToolTip(tr("New lines move to the picture's edges beside them, when the pen goes up"));
+  this->Swap->setObjectName("swap");
+  this->Swap->setIconText(tr("Swap sides (V)"));
+  this->Swap->setShortcut(QKeySequence(tr("V")));
+  this->Swap->setToolTip(tr("Picture and model change sides"));
+  connect(this->Magnetic,
+    &QAction::toggled,
+    this,
+    [this](bool on)
+    {
+      if (this->Pad)
+      {
+        this->Pad->setMagnetic(on);
+      }
+      emit this->left();
+    });
+  connect(this->Swap, &QAction::triggered, this, &Tool::swapAsked);
+  connect(document, &Document::opened, this, &DrawingTool::follow);
+  connect(document, &Document::changed, this, &DrawingTool::follow);
+}
+
+QString DrawingTool::title() const
+{
+  return tr("Ima&ge to model");
+}
+
+QKeySequence DrawingTool::key() const
+{
+  return tr("G");
+}
+
+QString DrawingTool::help() const
+{
+  return tr("Draw round a shape in a picture, and it becomes a model (G)");
+}
+
+QString DrawingTool::mode() const
+{
+  return tr("drawing");
+}
+
+// A picture's corner, a line round something in it.
+QPainterPath DrawingTool::icon() const
+{
+  QPainterPath path;
+  path.addRect(2, 3, 20, 18);
+  path.moveTo(7, 15);
+  path.cubicTo(4, 10, 8, 6, 12, 8);
+  path.cubicTo(16, 5, 21, 9, 17.5, 13);
+  path.cubicTo(16, 18, 9, 19, 7, 15);
+  return path;
+}
+
+QVector<QPair<QString, QString>> DrawingTool::keys() const
+{
+  return {
+    { tr("In the picture:"), {} },
+    { tr("  Left drag"), tr("draw a line; an outline ends where it began") },
+    { tr("  Shift + left drag"), tr("over a line: draw a part of it anew") },
+    { tr("  Left click"), tr("in a closed inner line: fill, hole, tunnel") },
+    { tr("  Wheel, middle drag"), tr("zoom, pan") },
+    { tr("F4"), tr("magnetic pen on or off") },
+    { tr("V"), tr("picture and model change sides") },
+    { tr("Over the model:"), {} },
+    { tr("  Left drag"), tr("turn the model") },
+  };
+}
+
+QString DrawingTool::need() const
+{
+  const bool anyOn =
+    std::any_of(this->Strokes.begin(), this->Strokes.end(), [](const DrawnStroke& one) { return one.on; });
+  if (this->Strokes.empty())
+  {
+    return this->Picture ? tr("Draw round the shape in the picture, one line that ends where it began: it "
+                              "becomes a model. F4 turns the magnet to edges %1, F1 lists the keys.")
+                             .arg(this->Magnetic->isChecked() ? tr("off") : tr("on"))
+                         : tr("Draw an outline, one line that ends where it began: it becomes a model. F1 "
+                              "lists the keys.");
+  }
+  if (!anyOn)
+  {
+    return tr("All lines of the drawing are off. Tick one in the list.");
+  }
+  vtkDataArray* closed = this->Pad->curves()->GetCellData()->GetArray("Closed");
+  if (closed && closed->GetRange(0)[1] == 0.0)
+  {
+    return tr("Close the outline: end it where it began, or draw what is missing with Shift from one end to "
+              "the other.");
+  }
+  return {};
+}
+
+QString DrawingTool::inLines(const QString& text) const
+{
+  static const QRegularExpression number("([Ss])troke (\\d+)");
+  QVector<int> lines; // of those that are on
+  for (std::size_t i = 0; i < this->Strokes.size(); ++i)
+  {
+    if (this->Strokes[i].on)
+    {
+      lines << static_cast<int>(i) + 1;
+    }
+  }
+  QString words;
+  int from = 0;
+  for (auto it = number.globalMatch(text); it.hasNext();)
+  {
+    const QRegularExpressionMatch match = it.next();
+    const QString line = match.captured(1) == "S" ? tr("Line %1") : tr("line %1");
+    words += text.mid(from, match.capturedStart() - from) + line.arg(lines.value(match.captured(2).toInt()));
+    from = match.capturedEnd();
+  }
+  return words + text.mid(from);
+}
+
+QString DrawingTool::advice(const Situation&) const
+{
+  const int at = this->node();
+  if (at < 0 || !this->Pad)
+  {
+    return tr("File > New from picture, or drop a picture here: what you draw over it becomes a model.");
+  }
+  if (this->Redrawn >= 0)
+  {
+    return tr("Draw line %1 anew, whole. G leaves it as it is.").arg(this->Redrawn + 1);
+  }
+  const QString lacks = this->need();
+  if (!lacks.isEmpty())
+  {
+    return lacks;
+  }
+  const auto& states = this->OpenDocument->result().nodes;
+  // The first sentence; the picture has all of them.
+  const QString all = this->inLines(this->Pad->text().section('\n', 0, 0)), first = all.section(". ", 0, 0);
+  const QString wrong = first == all ? all : first + '.';
+  if (!wrong.isEmpty())
+  {
+    return tr("%1 Ctrl+Z takes the last line back.").arg(wrong);
+  }
+  if (indexOf(at) < states.size() && !states[indexOf(at)].failure.empty() && !this->OpenDocument->isBusy())
+  {
+    return tr("The last model stays: %1")
+      .arg(this->inLines(QString::fromStdString(states[indexOf(at)].failure)));
+  }
+  if (countOf(this->Pad->curves(), closedFeature) > 0)
+  {
+    return tr(
+      "Click in the inner line: hole, tunnel, filled again. Shift + drag over a line draws a part of it "
+      "anew. D pulls a limb of the model.");
+  }
+  return tr(
+    "Draw a feature inside, or a closed line that a click makes a hole. Shift + drag over a line draws "
+    "a part of it anew. D pulls a limb of the model.");
+}
+
+QString DrawingTool::stage(const QString& name) const
+{
+  if (name == "Inflate" || name == "Extrude" || name == "Tunnel" || name == "ProjectTexture")
+  {
+    return tr("Inflating");
+  }
+  if (name == "Canvas" || name == "MagneticSnap" || name == "Resample" || name == "Classify" ||
+      name == "Treatment")
+  {
+    return tr("Reading the drawing");
+  }
+  return name == "Distance" ? tr("Measuring the thickness") : tr("Making triangles");
+}
+
+QWidget* DrawingTool::makeOptions(QWidget* parent)
+{
+  auto* options = new QWidget(parent);
+  auto* row = new QHBoxLayout(options);
+  row->setContentsMargins(6, 0, 6, 0);
+  auto* magnetic = new QCheckBox(tr("Magnetic pen (F4)"), options);
+  magnetic->setToolTip(this->Magnetic->toolTip());
+  magnetic->setChecked(this->Magnetic->isChecked());
+  connect(magnetic, &QCheckBox::toggled, this->Magnetic, &QAction::setChecked);
+  connect(this->Magnetic, &QAction::toggled, magnetic, &QCheckBox::setChecked);
+  connect(this->Magnetic,
+    &QAction::changed,
+    magnetic,
+    [this, magnetic] { magnetic->setEnabled(this->Magnetic->isEnabled()); });
+  row->addWidget(magnetic);
+  auto* swap = new QToolButton(options);
+  swap->setDefaultAction(this->Swap);
+  row->addWidget(swap);
+  row->addStretch();
+  return options;
+}
+
+QWidget* DrawingTool::makeCanvas(QWidget* parent)
+{
+  this->Pad = new DrawingPad;
+  auto* frame = new FocusFrame(this->Pad, parent);
+  frame->hide();
+  connect(this->Pad, &DrawingPad::changed, this, &DrawingTool::take);
+  connect(this->Pad, &DrawingPad::began, this->View, &Viewport::hideHint);
+  connect(this->Pad, &DrawingPad::ended, this, &Tool::left);
+  return frame;
+}
+
+int DrawingTool::node() const
+{
+  if (!this->OpenDocument->isOpen())
+  {
+    return -1;
+  }
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto it = std::find_if(
+    nodes.begin(), nodes.end(), [](const Node& one) { return one.step->system == drawingSystem; });
+  return it == nodes.end() ? -1 : static_cast<int>(it - nodes.begin());
+}
+
+void DrawingTool::start()
+{
+  this->Held = true;
+  this->View->camera()->SetModeToNavigate();
+  this->View->setHandCursor(Qt::OpenHandCursor);
+  this->follow();
+}
+
+void DrawingTool::stop()
+{
+  this->Held = false;
+  this->Redrawn = -1;
+  this->follow();
+}
+
+bool DrawingTool::draws() const
+{
+  return this->Pad && this->Pad->isDrawing();
+}
+
+void DrawingTool::setSteadiness(double pixels)
+{
+  if (this->Pad)
+  {
+    this->Pad->setSteadiness(pixels);
+  }
+}
+
+void DrawingTool::setDark(bool dark)
+{
+  if (this->Pad)
+  {
+    this->Pad->setDark(dark);
+  }
+}
+
+void DrawingTool::redraw(int stroke)
+{
+  this->Redrawn = stroke;
+}
+
+void DrawingTool::follow()
+{
+  const int at = this->node();
+  if (!this->Pad)
+  {
+    return;
+  }
+  this->Pad->parentWidget()->setVisible(this->Held && at >= 0);
+  this->Swap->setEnabled(this->Held && at >= 0);
+  this->Magnetic->setEnabled(this->Held && at >= 0 && this->Picture);
+  if (at < 0)
+  {
+    this->Started = false;
+    this->Shown = nullptr;
+    this->Strokes.clear();
+    return;
+  }
+  const Step& step = *this->OpenDocument->session().nodes[indexOf(at)].step;
+  const auto lines = step.inputs.find("Strokes");
+  const Lines* drawn = lines == step.inputs.end() ? nullptr : std::get_if<Lines>(&lines->second);
+  const vtkSmartPointer<vtkPolyData> drawing = drawn ? drawn->own() : nullptr;
+  const auto given = step.inputs.find("Picture");
+  const Image* image = given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+  const auto bytes = image ? image->bytes : nullptr;
+  if (!this->Started || bytes != this->Picture)
+  {
+    this->Started = true;
+    this->Picture = bytes;
+    this->Magnetic->setEnabled(this->Held && bytes);
+    vtkDataArray* canvas = drawing ? drawing->GetFieldData()->GetArray("Canvas") : nullptr;
+    if (bytes)
+    {
+      this->Pad->setPicture(oversketch_files::pictureOf(*bytes));
+    }
+    else if (canvas && canvas->GetNumberOfValues() == 4)
+    {
+      const auto value = [canvas](int i) { return canvas->GetVariantValue(i).ToDouble(); };
+      this->Pad->setCanvas(value(0), value(1), value(2), value(3));
+    }
+  }
+  const auto identity = drawn ? drawn->identity() : nullptr;
+  if (identity != this->Shown)
+  {
+    this->Shown = identity;
+    this->Redrawn = -1;
+    this->Strokes = strokesOf(drawing);
+    this->Pad->setDrawing(drawing ? strokesThatAreOn(drawing) : nullptr);
+    this->Pad->showText(this->inLines(this->Pad->text()));
+  }
+}
+
+void DrawingTool::take()
+{
+  const int at = this->node();
+  if (at < 0)
+  {
+    return;
+  }
+  // Those that are off were not on the pad; what is new there is its last one.
+  const std::vector<DrawnStroke> now = strokesOf(this->Pad->drawing());
+  std::vector<DrawnStroke> next = this->Strokes;
+  std::size_t k = 0;
+  for (DrawnStroke& stroke : next)
+  {
+    if (stroke.on && k < now.size())
+    {
+      stroke.line = now[k++].line;
+    }
+  }
+  const bool replaces = k < now.size() && this->Redrawn >= 0 && indexOf(this->Redrawn) < next.size();
+  if (replaces)
+  {
+    vtkSmartPointer<vtkPolyData>& line = next[indexOf(this->Redrawn)].line;
+    const vtkSmartPointer<vtkDataArray> treatment = line->GetCellData()->GetArray("Treatment");
+    line = now[k].line;
+    if (treatment)
+    {
+      line->GetCellData()->AddArray(treatment); // a hole stays one
+    }
+  }
+  else if (k < now.size())
+  {
+    next.push_back(now[k]);
+  }
+  const Step step = withDrawing(
+    *this->OpenDocument->session().nodes[indexOf(at)].step, drawingOf(next, this->Pad->drawing()));
+  if (!replaces) // the pad shows it already
+  {
+    this->Strokes = next;
+    this->Shown = std::get<Lines>(step.inputs.at("Strokes")).identity();
+    this->Pad->showText(this->inLines(this->Pad->text()));
+  }
+  emit this->edited(at, step);
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,74 @@
+// System C's tool: what is drawn over a picture becomes a model, which is seen beside it.
+#ifndef oversketch_studio_drawing_tool_h
+#define oversketch_studio_drawing_tool_h
+
+#include "drawing_lines.h"
+#include "tool.h"
+
+#include <QPointer>
+
+#include <memory>
+#include <vector>
+
+class QAction;
+
+namespace oversketch_studio
+{
+
+class Document;
+class DrawingPad;
+class Viewport;
+
+class DrawingTool : public Tool
+{
+  Q_OBJECT
+
+public:
+  DrawingTool(Viewport* viewport, const Document* document);
+
+  QString title() const override;
+  QKeySequence key() const override;
+  QString help() const override;
+  QString mode() const override;
+  QPainterPath icon() const override;
+  QVector<QPair<QString, QString>> keys() const override;
+  QString advice(const Situation& situation) const override;
+  bool judges() const override { return true; }
+  QString stage(const QString& name) const override;
+  std::string system() const override { return oversketch_session::drawingSystem; }
+  // Magnetic, and the two views' sides.
+  QWidget* makeOptions(QWidget* parent) override;
+  QWidget* makeCanvas(QWidget* parent) override;
+  QList<QAction*> actions() const override { return { this->Magnetic, this->Swap }; }
+  void start() override;
+  void stop() override;
+  bool draws() const override;
+  void setSteadiness(double pixels) override;
+  void setDark(bool dark) override;
+  void redraw(int stroke) override;
+
+private:
+  // The step of the drawing, -1 where there is none.
+  int node() const;
+  // Shows what the document holds.
+  void follow();
+  // The hand has changed the drawing on the pad.
+  void take();
+  QString need() const; // what the drawing lacks, in words
+  // What a filter says of strokes, counted from 0 where they are on, in words of the list's lines.
+  QString inLines(const QString& text) const;
+
+  Viewport* View;
+  const Document* OpenDocument;
+  QPointer<DrawingPad> Pad; // in a frame of its own
+  QAction *Magnetic, *Swap;
+  bool Held = false;                                    // the tool is in the hand
+  std::vector<oversketch_session::DrawnStroke> Strokes; // of the drawing, also those that are off
+  std::shared_ptr<const void> Shown;                    // the identity of its lines
+  std::shared_ptr<const std::string> Picture;           // the bytes of what it is drawn over
+  bool Started = false;                                 // something is drawn on
+  int Redrawn = -1;                                     // the stroke that the next one replaces
+};
+
+} // namespace oversketch_studio
+#endif

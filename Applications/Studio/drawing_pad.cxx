@@ -1,0 +1,194 @@
+#include "drawing_pad.h"
+
+#include "vtkOversketchDrawingRepresentation.h"
+#include "vtkOversketchDrawingWidget.h"
+#include "vtkOversketchStrokeRepresentation.h"
+#include "vtkOversketchStrokeWidget.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <QMouseEvent>
+#include <QRegularExpression>
+#include <QTabletEvent>
+
+#include <algorithm>
+
+namespace oversketch_studio
+{
+
+namespace
+{
+
+// px as Qt counts them
+constexpr double lineWidth = 3.0, snapRadius = 10.0;
+constexpr int leastSide = 120, letterWidth = 8;
+constexpr int samples = 4; // a pixel
+
+} // namespace
+
+DrawingPad::DrawingPad(QWidget* parent)
+  : QVTKOpenGLNativeWidget(parent)
+{
+  this->setObjectName("drawing_pad");
+  this->setRenderWindow(this->Window);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->SetMultiSamples(samples);
+  this->interactor()->SetInteractorStyle(nullptr); // there is no camera to turn
+  this->Widget->SetInteractor(this->interactor());
+  this->Widget->SetDefaultRenderer(this->Renderer);
+  this->Widget->SetEnabled(1);
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
+    [](vtkObject*, unsigned long event, void* self, void*) { static_cast<DrawingPad*>(self)->heard(event); });
+  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
+         vtkCommand::EndInteractionEvent,
+         vtkCommand::WidgetValueChangedEvent })
+  {
+    this->Widget->AddObserver(event, this->Observer);
+  }
+  this->setMinimumSize(leastSide, leastSide);
+  this->setFocusPolicy(Qt::StrongFocus);
+  this->setAccessibleName(tr("Picture"));
+  this->setDefaultCursor(Qt::CrossCursor);
+  this->setCursor(Qt::CrossCursor);
+  this->setDark(true);
+}
+
+DrawingPad::~DrawingPad()
+{
+  this->Widget->RemoveObserver(this->Observer);
+  this->Widget->SetEnabled(0);
+  this->Widget->SetInteractor(nullptr);
+}
+
+void DrawingPad::heard(unsigned long event)
+{
+  if (event == vtkCommand::StartInteractionEvent)
+  {
+    emit this->began();
+  }
+  else if (event == vtkCommand::EndInteractionEvent)
+  {
+    emit this->ended();
+  }
+  else
+  {
+    emit this->changed();
+  }
+}
+
+void DrawingPad::setPicture(vtkImageData* picture)
+{
+  this->Widget->SetPicture(picture);
+  this->Fits = true;
+}
+
+void DrawingPad::setCanvas(double x, double y, double width, double height)
+{
+  this->Widget->SetCanvas(x, y, width, height);
+  this->Fits = true;
+}
+
+void DrawingPad::setDrawing(vtkPolyData* drawing)
+{
+  this->Widget->SetDrawing(drawing);
+}
+
+vtkPolyData* DrawingPad::drawing() const
+{
+  return this->Widget->GetDrawing();
+}
+
+vtkPolyData* DrawingPad::curves() const
+{
+  return this->Widget->GetCurves();
+}
+
+QString DrawingPad::text() const
+{
+  return QString::fromUtf8(this->Widget->GetText());
+}
+
+void DrawingPad::showText(const QString& text)
+{
+  // In lines that the widget has room for.
+  const int room = std::max(20, this->width() / letterWidth);
+  QString lines;
+  int length = 0;
+  for (const QString& word : text.split(QRegularExpression("\\s+"), Qt::SkipEmptyParts))
+  {
+    const bool fits = length + word.size() < room;
+    lines += (lines.isEmpty() ? "" : fits ? " " : "\n") + word;
+    length = fits ? length + word.size() + 1 : word.size();
+  }
+  this->Widget->GetDrawingRepresentation()->SetText(lines.toUtf8().constData());
+  this->Window->Render();
+}
+
+bool DrawingPad::isDrawing() const
+{
+  return this->Widget->GetPen()->IsDrawing();
+}
+
+void DrawingPad::setMagnetic(bool magnetic)
+{
+  this->Widget->SetMagnetic(magnetic);
+}
+
+void DrawingPad::setSteadiness(double pixels)
+{
+  this->Steadiness = pixels;
+  this->Widget->GetPen()->SetStabilizer(pixels * this->devicePixelRatioF());
+}
+
+void DrawingPad::setDark(bool dark)
+{
+  // The model's.
+  dark ? this->Renderer->SetBackground(0.13, 0.14, 0.16) : this->Renderer->SetBackground(0.80, 0.82, 0.84);
+  dark ? this->Renderer->SetBackground2(0.22, 0.24, 0.27) : this->Renderer->SetBackground2(0.95, 0.96, 0.97);
+  this->Renderer->GradientBackgroundOn();
+  this->Window->Render();
+}
+
+bool DrawingPad::event(QEvent* event)
+{
+  const auto* mouse = event->type() == QEvent::MouseButtonPress ? static_cast<QMouseEvent*>(event) : nullptr;
+  if (event->type() == QEvent::Wheel || (mouse && mouse->button() == Qt::MiddleButton))
+  {
+    this->Fits = false;
+  }
+  return QVTKOpenGLNativeWidget::event(event);
+}
+
+// VTK counts the screen's own pixels.
+void DrawingPad::resizeGL(int width, int height)
+{
+  QVTKOpenGLNativeWidget::resizeGL(width, height);
+  const double ratio = this->devicePixelRatioF();
+  this->Widget->GetDrawingRepresentation()->GetCurveProperty()->SetLineWidth(
+    static_cast<float>(lineWidth * ratio));
+  this->Widget->GetPen()->GetStrokeRepresentation()->GetProperty()->SetLineWidth(
+    static_cast<float>(lineWidth * ratio));
+  this->Widget->SetSnapRadius(snapRadius * ratio);
+  this->setSteadiness(this->Steadiness);
+  if (this->Fits && !this->isDrawing()) // a line keeps the view that it was begun in
+  {
+    this->Widget->ResetView();
+  }
+}
+
+void DrawingPad::tabletEvent(QTabletEvent* event)
+{
+  // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
+  this->Widget->GetPen()->SetPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+  event->ignore();
+}
+
+} // namespace oversketch_studio

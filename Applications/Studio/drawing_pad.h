@@ -1,0 +1,71 @@
+// The picture or the canvas that a model is drawn on, beside the model: a Qt widget about the drawing widget.
+#ifndef oversketch_studio_drawing_pad_h
+#define oversketch_studio_drawing_pad_h
+
+#include "vtkNew.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+class vtkCallbackCommand;
+class vtkGenericOpenGLRenderWindow;
+class vtkImageData;
+class vtkOversketchDrawingWidget;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace oversketch_studio
+{
+
+class DrawingPad : public QVTKOpenGLNativeWidget
+{
+  Q_OBJECT
+
+public:
+  explicit DrawingPad(QWidget* parent = nullptr);
+  ~DrawingPad() override;
+
+  // What is drawn on; all of it is seen.
+  void setPicture(vtkImageData* picture);
+  void setCanvas(double x, double y, double width, double height);
+  // The strokes of the drawing, as vtkOversketchDrawingWidget holds them.
+  void setDrawing(vtkPolyData* drawing);
+  vtkPolyData* drawing() const;
+  // The strokes on the canvas, with what each is: cell array Role.
+  vtkPolyData* curves() const;
+  // What is wrong with a stroke, in words; empty where nothing is.
+  QString text() const;
+  // The same in the words of whoever shows it.
+  void showText(const QString& text);
+  bool isDrawing() const;
+
+  // New strokes move to the picture's edges.
+  void setMagnetic(bool magnetic);
+  // How far the line trails behind the pen [px as Qt counts them]; the pen's pressure.
+  void setSteadiness(double pixels);
+  void setDark(bool dark);
+
+signals:
+  // The hand has changed the drawing; begins, and ends, a line.
+  void changed();
+  void began();
+  void ended();
+
+protected:
+  bool event(QEvent* event) override;
+  void resizeGL(int width, int height) override;
+  void tabletEvent(QTabletEvent* event) override;
+
+private:
+  void heard(unsigned long event);
+  void fit();
+
+  vtkNew<vtkGenericOpenGLRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkOversketchDrawingWidget> Widget;
+  vtkNew<vtkCallbackCommand> Observer;
+  double Steadiness = 6.0;
+  bool Fits = true; // all of the canvas is seen, until the hand zooms or pans
+};
+
+} // namespace oversketch_studio
+#endif
