@@ -314,18 +314,27 @@ const std::vector<OutlineLoop>& vtkOversketchOneStroke::Pipeline::Contours(const
   return *made.Contours;
 }
 
-Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
+const StrokeOutline& vtkOversketchOneStroke::Pipeline::OutlineOf(const char* stage)
 {
   MadeMesh& made = this->Made(stage);
   if (!made.Outline)
   {
-    made.Outline = outlineError(made.Data->Surface(),
+    made.Outline.emplace(made.Data->Surface(),
       ViewOf(this->Stroke),
       StrokeOf(this->Match->GetOutput(1)),
-      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()),
-      this->Contours(stage));
+      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
   }
-  return { *made.Outline, this->Folds(stage) - foldsBefore, this->Rough(stage) };
+  return *made.Outline;
+}
+
+Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
+{
+  MadeMesh& made = this->Made(stage);
+  if (!made.OutlineMissed)
+  {
+    made.OutlineMissed = outlineError(this->OutlineOf(stage), this->Contours(stage));
+  }
+  return { *made.OutlineMissed, this->Folds(stage) - foldsBefore, this->Rough(stage) };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
@@ -353,11 +362,7 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
   {
     displays->GetTuple(static_cast<vtkIdType>(i), section[i].data());
   }
-  effect.outlineBack = outlineBack(this->Made(made).Data->Surface(),
-    view,
-    stroke,
-    ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()),
-    this->Contours(made));
+  effect.outlineBack = outlineBack(this->OutlineOf(made), this->Contours(made));
   measureMovement(this->Made(before).Data->Surface(),
     this->Made(this->Deformation).Data->Surface(),
     RegionOf(this->Self->StageOutput(before)),
