@@ -266,8 +266,26 @@ void vtkOversketchOneStroke::Pipeline::JudgeSurface(MadeMesh& made, const char* 
   const auto judge =
     [&made](const oversketch::Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& inside)
   {
-    made.Folds = foldedEdges(mesh, adjacency, inside, ThreadsOnly());
-    made.Rough = roughness(mesh, adjacency, inside, ThreadsOnly());
+    // Side by side: most of either is a walk over the mesh that is not threaded.
+    const auto one = [&](int which)
+    {
+      if (which == 0)
+      {
+        made.Folds = foldedEdges(mesh, adjacency, inside, ThreadsOnly());
+      }
+      else
+      {
+        made.Rough = roughness(mesh, adjacency, inside, ThreadsOnly());
+      }
+    };
+    ThreadsOnly().parallelFor(2,
+      [&one](int begin, int end)
+      {
+        for (int which = begin; which < end; ++which)
+        {
+          one(which);
+        }
+      });
   };
   if (this->Self->GetStep(stage) == this->Restore)
   {
