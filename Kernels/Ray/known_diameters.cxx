@@ -3,6 +3,7 @@
 #include "Ray/mesh_match.h"
 #include "Ray/ray_starts.h"
 
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -72,16 +73,21 @@ public:
       std::vector<char>(this->Model.points.size(), 0), std::vector<int>(this->Model.points.size(), -1), {}
     };
     std::vector<char>& kept = taken.kept;
-    std::vector<int> vertices;
-    for (const int v : this->Scene.order)
-    {
-      const int before = this->Match.vertices[v];
-      if (before >= 0 && this->Normals[v].squaredNorm() > 0.0 && this->Sides[v] == this->Known.sides[before])
+    this->Caller.parallelFor(this->Model.vertexCount(),
+      [&](int begin, int end)
       {
-        vertices.push_back(v);
-        kept[v] = 1;
-      }
-    }
+        for (int v = begin; v < end; ++v)
+        {
+          const int before = this->Match.vertices[v];
+          kept[v] = before >= 0 && this->Normals[v].squaredNorm() > 0.0 &&
+                    this->Sides[v] == this->Known.sides[before];
+        }
+      });
+    std::vector<int> vertices;
+    std::copy_if(this->Scene.order.begin(),
+      this->Scene.order.end(),
+      std::back_inserter(vertices),
+      [&kept](int v) { return kept[v]; });
     Mesh changed = changedFacets(*this->Known.mesh, this->Model, this->Match);
     this->dropCones(changed, vertices, kept);
     this->dropRays(std::move(changed), vertices, makeCaster, taken);
