@@ -266,8 +266,26 @@ void vtkOversketchOneStroke::Pipeline::JudgeSurface(MadeMesh& made, const char* 
   const auto judge =
     [&made](const oversketch::Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& inside)
   {
-    made.Folds = foldedEdges(mesh, adjacency, inside, ThreadsOnly());
-    made.Rough = roughness(mesh, adjacency, inside, ThreadsOnly());
+    // Side by side: most of either is a walk over the mesh that is not threaded.
+    const auto one = [&](int which)
+    {
+      if (which == 0)
+      {
+        made.Folds = foldedEdges(mesh, adjacency, inside, ThreadsOnly());
+      }
+      else
+      {
+        made.Rough = roughness(mesh, adjacency, inside, ThreadsOnly());
+      }
+    };
+    ThreadsOnly().parallelFor(2,
+      [&one](int begin, int end)
+      {
+        for (int which = begin; which < end; ++which)
+        {
+          one(which);
+        }
+      });
   };
   if (this->Self->GetStep(stage) == this->Restore)
   {
@@ -314,18 +332,27 @@ const std::vector<OutlineLoop>& vtkOversketchOneStroke::Pipeline::Contours(const
   return *made.Contours;
 }
 
-Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
+const StrokeOutline& vtkOversketchOneStroke::Pipeline::OutlineOf(const char* stage)
 {
   MadeMesh& made = this->Made(stage);
   if (!made.Outline)
   {
-    made.Outline = outlineError(made.Data->Surface(),
+    made.Outline.emplace(made.Data->Surface(),
       ViewOf(this->Stroke),
       StrokeOf(this->Match->GetOutput(1)),
-      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()),
-      this->Contours(stage));
+      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
   }
-  return { *made.Outline, this->Folds(stage) - foldsBefore, this->Rough(stage) };
+  return *made.Outline;
+}
+
+Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
+{
+  MadeMesh& made = this->Made(stage);
+  if (!made.OutlineMissed)
+  {
+    made.OutlineMissed = outlineError(this->OutlineOf(stage), this->Contours(stage));
+  }
+  return { *made.OutlineMissed, this->Folds(stage) - foldsBefore, this->Rough(stage) };
 }
 
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
@@ -353,11 +380,7 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
   {
     displays->GetTuple(static_cast<vtkIdType>(i), section[i].data());
   }
-  effect.outlineBack = outlineBack(this->Made(made).Data->Surface(),
-    view,
-    stroke,
-    ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()),
-    this->Contours(made));
+  effect.outlineBack = outlineBack(this->OutlineOf(made), this->Contours(made));
   measureMovement(this->Made(before).Data->Surface(),
     this->Made(this->Deformation).Data->Surface(),
     RegionOf(this->Self->StageOutput(before)),

@@ -53,6 +53,7 @@ struct vtkOversketchOneStroke::Pipeline
   // Adds handles where the outline of a deformation has left the stroke, and deforms again. Returns the name
   // of the better deformation.
   const char* Corrected(const char* before, const char* deform, const char* correction, const char* again);
+  const oversketch::StrokeOutline& OutlineOf(const char* stage);
   oversketch::Judgement Judged(const char* stage, int foldsBefore);
   int Folds(const char* stage);
   const oversketch::Roughness& Rough(const char* stage);
@@ -67,7 +68,8 @@ struct vtkOversketchOneStroke::Pipeline
   {
     std::shared_ptr<const oversketch::MeshData> Data;
     std::optional<int> Folds;
-    std::optional<oversketch::OutlineError> Outline;
+    std::optional<oversketch::StrokeOutline> Outline;
+    std::optional<oversketch::OutlineError> OutlineMissed;
     std::optional<oversketch::Roughness> Rough; // of its region
     std::optional<std::vector<oversketch::OutlineLoop>> Contours;
   };

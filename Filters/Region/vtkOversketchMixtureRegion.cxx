@@ -291,7 +291,7 @@ const MeshParts& vtkOversketchMixtureRegion::Cache::PartsOf()
 {
   if (this->PartsData != this->Data)
   {
-    this->Parts = findParts(this->Data->Surface(), this->Data->Neighbours());
+    this->Parts = findParts(this->Data->Surface(), this->Data->Neighbours(), ThreadsOnly());
     this->PartsData = this->Data;
   }
   return this->Parts;
@@ -370,10 +370,11 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
     this->Diameters.end(),
     this->Scaled.begin(),
     [&](double d) { return range > 0.0 ? (d - low) / range : 0.0; });
+  const int most = self->MaximumSamples;
   const std::vector<double> samples =
     self->EvenSamples
-      ? evenSamples(Pick(this->Scaled, fitted), Pick(this->PartsOf().areas, fitted), self->MaximumSamples)
-      : Pick(this->Scaled, drawWithoutReplacement(count, self->MaximumSamples, self->Seed));
+      ? evenSamples(Pick(this->Scaled, fitted), Pick(this->PartsOf().areas, fitted), most, ThreadsOnly())
+      : Pick(this->Scaled, drawWithoutReplacement(count, most, self->Seed));
   ++self->WholeFitCount;
   self->WholeSampleCount = static_cast<vtkIdType>(samples.size());
   this->Deviation = DeviationOf(samples, range > 0.0 ? low / range : 1.0);

@@ -255,11 +255,16 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   const std::vector<char> mask = LabelsOf(question.Region);
   const auto valuesOf = [input](vtkDataArray* array)
   {
-    std::vector<double> values;
-    for (vtkIdType i = 0; array && i < input->GetNumberOfPoints(); ++i)
-    {
-      values.push_back(array->GetComponent(i, 0));
-    }
+    std::vector<double> values(array ? static_cast<std::size_t>(input->GetNumberOfPoints()) : 0);
+    vtkSMPTools::For(0,
+      static_cast<vtkIdType>(values.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          values[i] = array->GetComponent(i, 0);
+        }
+      });
     return values;
   };
   std::vector<int> chart;

@@ -238,7 +238,8 @@ std::vector<int> drawWithoutReplacement(int population, int maximum, int seed)
 
 std::vector<double> evenSamples(const std::vector<double>& values,
   const std::vector<double>& weights,
-  int maximum)
+  int maximum,
+  const Context& context)
 {
   std::vector<std::pair<double, double>> sorted; // value, weight
   sorted.reserve(values.size());
@@ -246,7 +247,17 @@ std::vector<double> evenSamples(const std::vector<double>& values,
   {
     sorted.emplace_back(values[i], weights.empty() ? 1.0 : weights[i]);
   }
-  std::sort(sorted.begin(), sorted.end());
+  // In halves, so that two threads can.
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  context.parallelFor(2,
+    [&](int begin, int end)
+    {
+      for (int half = begin; half < end; ++half)
+      {
+        std::sort(half == 0 ? sorted.begin() : middle, half == 0 ? middle : sorted.end());
+      }
+    });
+  std::inplace_merge(sorted.begin(), middle, sorted.end());
   double all = 0.0;
   for (const auto& [value, weight] : sorted)
   {
@@ -254,7 +265,7 @@ std::vector<double> evenSamples(const std::vector<double>& values,
   }
   if (!(all > 0.0))
   {
-    return weights.empty() ? std::vector<double>() : evenSamples(values, {}, maximum);
+    return weights.empty() ? std::vector<double>() : evenSamples(values, {}, maximum, context);
   }
   const std::size_t count = std::min(sorted.size(), static_cast<std::size_t>(maximum));
   const double step = all / static_cast<double>(count);

@@ -84,7 +84,8 @@ std::vector<int> drawWithoutReplacement(int population, int maximum, int seed);
 // are values; none, or weights that are all zero, stand for equal ones.
 std::vector<double> evenSamples(const std::vector<double>& values,
   const std::vector<double>& weights,
-  int maximum);
+  int maximum,
+  const Context& context = Context());
 
 } // namespace oversketch
 #endif

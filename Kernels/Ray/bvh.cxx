@@ -14,6 +14,7 @@ namespace
 constexpr int binCount = 16;
 // Deeper than this the heuristic gives way to halving, which bounds the depth for any input.
 constexpr int heuristicDepth = 20;
+constexpr int usualLeaf = 5;       // triangles, or a little more
 constexpr float boxMargin = 1e-6f; // the scene's half width is 1
 constexpr float far = std::numeric_limits<float>::max();
 
@@ -153,6 +154,7 @@ public:
       {
         for (int i = begin; i < end && !this->Caller.cancelled(); ++i)
         {
+          parts[i].packs.reserve(third[i].count() / usualLeaf);
           this->subtree(parts[i], third[i]);
         }
       });
@@ -359,7 +361,9 @@ private:
 
   void writeLeaf(Part& part, int node, int child, const Range& range)
   {
-    Bvh::Pack pack = {};
+    part.packs.emplace_back();
+    Bvh::Pack& pack = part.packs.back();
+    std::memset(pack.corner, 0, sizeof pack.corner);
     float low[3] = { 1.0f, 1.0f, 1.0f }, high[3] = { -1.0f, -1.0f, -1.0f };
     for (int i = 0; i < Bvh::width; ++i)
     {
@@ -385,8 +389,7 @@ private:
       part.nodes[node].normalUpper[k][child] =
         static_cast<std::int8_t>(std::ceil(Bvh::normalScale * high[k]));
     }
-    part.nodes[node].child[child] = -2 - static_cast<int>(part.packs.size());
-    part.packs.push_back(pack);
+    part.nodes[node].child[child] = -1 - static_cast<int>(part.packs.size());
   }
 
   // Appends a part's nodes and packs, references moved; returns where its root went.

@@ -28,6 +28,10 @@ struct Bvh
   {
     float corner[3][3][width];    // corner, axis, triangle
     std::int32_t triangle[width]; // -1: none; its corners are then all at the origin
+
+    // Nothing is written: most of the time that many of them take is the first touch of their memory, which
+    // the threads that fill them in share.
+    Pack() {} // "= default" would fill in zeros
   };
   // A power of two, so that scaling does not round.
   static constexpr float normalScale = 64.0f;

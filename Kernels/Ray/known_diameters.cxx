@@ -3,7 +3,9 @@
 #include "Ray/mesh_match.h"
 #include "Ray/ray_starts.h"
 
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace oversketch
 {
@@ -14,11 +16,8 @@ namespace
 constexpr int raysBetweenChecks = 1 << 18; // a cancel waits for one at most
 constexpr int fewFacets = 4; // a part of all: so few changed ones are tried by rays on them alone
 
-// The facets that one of two meshes has and the other has not, and the given vertices at the end.
-Mesh changedFacets(const Mesh& before,
-  const Mesh& now,
-  const MeshMatch& match,
-  const std::vector<int>& vertices)
+// The facets that one of two meshes has and the other has not.
+Mesh changedFacets(const Mesh& before, const Mesh& now, const MeshMatch& match)
 {
   Mesh changed;
   changed.triangles.reserve(match.removed.size() + match.added.size());
@@ -43,10 +42,6 @@ Mesh changedFacets(const Mesh& before,
   };
   add(before, match.removed);
   add(now, match.added);
-  for (const int v : vertices)
-  {
-    changed.points.push_back(now.points[v]);
-  }
   return changed;
 }
 
@@ -78,18 +73,24 @@ public:
       std::vector<char>(this->Model.points.size(), 0), std::vector<int>(this->Model.points.size(), -1), {}
     };
     std::vector<char>& kept = taken.kept;
-    std::vector<int> vertices;
-    for (const int v : this->Scene.order)
-    {
-      const int before = this->Match.vertices[v];
-      if (before >= 0 && this->Normals[v].squaredNorm() > 0.0 && this->Sides[v] == this->Known.sides[before])
+    this->Caller.parallelFor(this->Model.vertexCount(),
+      [&](int begin, int end)
       {
-        vertices.push_back(v);
-        kept[v] = 1;
-      }
-    }
-    this->dropCones(vertices, kept);
-    this->dropRays(vertices, makeCaster, taken);
+        for (int v = begin; v < end; ++v)
+        {
+          const int before = this->Match.vertices[v];
+          kept[v] = before >= 0 && this->Normals[v].squaredNorm() > 0.0 &&
+                    this->Sides[v] == this->Known.sides[before];
+        }
+      });
+    std::vector<int> vertices;
+    std::copy_if(this->Scene.order.begin(),
+      this->Scene.order.end(),
+      std::back_inserter(vertices),
+      [&kept](int v) { return kept[v]; });
+    Mesh changed = changedFacets(*this->Known.mesh, this->Model, this->Match);
+    this->dropCones(changed, vertices, kept);
+    this->dropRays(std::move(changed), vertices, makeCaster, taken);
     this->Caller.parallelFor(this->Model.vertexCount(),
       [&](int begin, int end)
       {
@@ -120,7 +121,7 @@ private:
   }
 
   // Drops the vertices whose cone as a whole may meet a changed facet; they stay in `vertices`.
-  void dropCones(std::vector<int>& vertices, std::vector<char>& kept) const
+  void dropCones(const Mesh& changedMesh, std::vector<int>& vertices, std::vector<char>& kept) const
   {
     this->Caller.checkpoint(0.0);
     std::vector<float> reaches;
@@ -129,8 +130,7 @@ private:
     {
       reaches.push_back(this->reach(v));
     }
-    const RayScene changed(
-      changedFacets(*this->Known.mesh, this->Model, this->Match, {}), this->Scene.frame, this->Caller);
+    const RayScene changed(changedMesh, this->Scene.frame, this->Caller);
     const std::vector<char> met = conesThatMeet(
       changed, this->Scene, this->Normals, vertices, reaches, std::acos(this->Cone.back()[2]), this->Caller);
     std::size_t count = 0;
@@ -147,10 +147,16 @@ private:
 
   // Of the dropped vertices takes back those no ray of which leaves through a changed facet within its
   // length.
-  void dropRays(const std::vector<int>& vertices, const MakeCaster& makeCaster, TakenOver& taken) const
+  void dropRays(Mesh mesh,
+    const std::vector<int>& vertices,
+    const MakeCaster& makeCaster,
+    TakenOver& taken) const
   {
     this->Caller.checkpoint(0.0);
-    const Mesh mesh = changedFacets(*this->Known.mesh, this->Model, this->Match, vertices);
+    for (const int v : vertices)
+    {
+      mesh.points.push_back(this->Model.points[v]); // where the rays start
+    }
     if (vertices.empty() || fewFacets * mesh.triangles.size() > this->Model.triangles.size())
     {
       return;
@@ -207,36 +213,41 @@ private:
   void addBounds(const int* vertices, int count, const std::vector<RayHit>& hits, TakenOver& taken) const
   {
     constexpr float below = 0.9999f, above = 1.0001f; // far more than rounding
-    const int rays = static_cast<int>(this->Cone.size());
+    const std::size_t rays = this->Cone.size();
     const int removed = static_cast<int>(this->Match.removed.size());
+    int rows = static_cast<int>(taken.bounds.size() / rays);
     for (int i = 0; i < count; ++i)
     {
-      const int v = vertices[i];
-      if (taken.kept[v])
-      {
-        continue;
-      }
-      taken.rows[v] = static_cast<int>(taken.bounds.size()) / rays;
-      const RayLengths packing(this->reach(v));
-      for (int k = 0; k < rays; ++k)
-      {
-        const RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
-        const std::uint8_t length = this->lengths(v)[k];
-        RayBounds known{ below * packing.least(length), above * packing.unpack(length) };
-        if (hit.triangle >= 0)
-        {
-          // What was there before is no nearer than it was; where the changed facet is a new one it ends the
-          // ray.
-          known.low = std::min(known.low, below * hit.distance);
-          known.high = hit.triangle < removed ? RayBounds().high : above * hit.distance;
-        }
-        else if (length == RayLengths::endless)
-        {
-          known.high = 0.0f; // still without an end
-        }
-        taken.bounds.push_back(known);
-      }
+      taken.rows[vertices[i]] = taken.kept[vertices[i]] ? -1 : rows++;
     }
+    taken.bounds.resize(rows * rays);
+    this->Caller.parallelFor(count,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          const int v = vertices[i];
+          const RayLengths packing(this->reach(v));
+          for (std::size_t k = 0; k < rays && taken.rows[v] >= 0; ++k)
+          {
+            const RayHit& hit = hits[i * rays + k];
+            const std::uint8_t length = this->lengths(v)[k];
+            RayBounds& known = taken.bounds[taken.rows[v] * rays + k];
+            known = { below * packing.least(length), above * packing.unpack(length) };
+            if (hit.triangle >= 0)
+            {
+              // What was there before is no nearer than it was; where the changed facet is a new one it ends
+              // the ray.
+              known.low = std::min(known.low, below * hit.distance);
+              known.high = hit.triangle < removed ? RayBounds().high : above * hit.distance;
+            }
+            else if (length == RayLengths::endless)
+            {
+              known.high = 0.0f; // still without an end
+            }
+          }
+        }
+      });
   }
 
   const KnownDiameters& Known;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace oversketch
 {
@@ -178,42 +179,57 @@ MeshMatch matchMeshes(const Mesh& before,
 {
   const Mesh* meshes[2] = { &before, &now };
   const std::vector<Vector3>* normals[2] = { &normalsBefore, &normalsNow };
-  MeshMatch result;
-  result.vertices = match(
-    before.vertexCount(),
-    now.vertexCount(),
-    [&](int side, int v)
-    {
-      Hash hash;
-      hash.add(meshes[side]->points[v]);
-      hash.add((*normals[side])[v]);
-      return hash.value();
-    },
-    [&](int a, int side, int b) {
-      return same(before.points[a], meshes[side]->points[b]) && same(normalsBefore[a], (*normals[side])[b]);
-    },
-    context)
-                      .found;
-  const Pairs facets = match(
-    before.triangleCount(),
-    now.triangleCount(),
-    [&](int side, int t)
-    {
-      Hash hash;
-      for (const int v : meshes[side]->triangles[t])
+  const auto matchVertices = [&]
+  {
+    return match(
+      before.vertexCount(),
+      now.vertexCount(),
+      [&](int side, int v)
       {
+        Hash hash;
         hash.add(meshes[side]->points[v]);
-      }
-      return hash.value();
-    },
-    [&](int a, int side, int b)
+        hash.add((*normals[side])[v]);
+        return hash.value();
+      },
+      [&](int a, int side, int b) {
+        return same(before.points[a], meshes[side]->points[b]) && same(normalsBefore[a], (*normals[side])[b]);
+      },
+      context);
+  };
+  const auto matchFacets = [&]
+  {
+    return match(
+      before.triangleCount(),
+      now.triangleCount(),
+      [&](int side, int t)
+      {
+        Hash hash;
+        for (const int v : meshes[side]->triangles[t])
+        {
+          hash.add(meshes[side]->points[v]);
+        }
+        return hash.value();
+      },
+      [&](int a, int side, int b)
+      {
+        const Triangle &s = before.triangles[a], &t = meshes[side]->triangles[b];
+        const std::vector<Vector3>& points = meshes[side]->points;
+        return same(before.points[s[0]], points[t[0]]) && same(before.points[s[1]], points[t[1]]) &&
+               same(before.points[s[2]], points[t[2]]);
+      },
+      context);
+  };
+  Pairs vertices, facets;
+  context.parallelFor(2,
+    [&](int begin, int end)
     {
-      const Triangle &s = before.triangles[a], &t = meshes[side]->triangles[b];
-      const std::vector<Vector3>& points = meshes[side]->points;
-      return same(before.points[s[0]], points[t[0]]) && same(before.points[s[1]], points[t[1]]) &&
-             same(before.points[s[2]], points[t[2]]);
-    },
-    context);
+      for (int which = begin; which < end; ++which)
+      {
+        (which == 0 ? vertices : facets) = which == 0 ? matchVertices() : matchFacets();
+      }
+    });
+  MeshMatch result;
+  result.vertices = std::move(vertices.found);
   for (int t = 0; t < now.triangleCount(); ++t)
   {
     if (facets.found[t] < 0)

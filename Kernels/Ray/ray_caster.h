@@ -24,6 +24,9 @@ struct alignas(64) RayFacet
   std::array<int, 3> places;   // of the corners
   Vector3 plane;               // normal . x = offset holds for the facet's points, before they were rounded
   double offset;
+
+  // Nothing is written; see Bvh::Pack.
+  RayFacet() {} // "= default" would fill in zeros
 };
 
 // How a mesh is moved and scaled so that it lies within [-1, 1] and is at least 0.88 long. Precision then

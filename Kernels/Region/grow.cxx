@@ -313,10 +313,26 @@ std::vector<char> growRegion(const Adjacency& adjacency,
   return region;
 }
 
-MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency)
+MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency, const Context& context)
 {
-  Pieces pieces = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
-  MeshParts parts{ vertexAreas(mesh), std::move(pieces.of), pieces.count, {} };
+  Pieces pieces;
+  std::vector<double> areas;
+  context.parallelFor(2,
+    [&](int begin, int end)
+    {
+      for (int which = begin; which < end; ++which)
+      {
+        if (which == 0)
+        {
+          pieces = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
+        }
+        else
+        {
+          areas = vertexAreas(mesh);
+        }
+      }
+    });
+  MeshParts parts{ std::move(areas), std::move(pieces.of), pieces.count, {} };
   parts.partAreas.resize(parts.count, 0.0);
   for (std::size_t v = 0; v < parts.of.size(); ++v)
   {

@@ -22,7 +22,7 @@ struct MeshParts
   int count = 0;
   std::vector<double> partAreas;
 };
-MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency);
+MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency, const Context& context = Context());
 
 // Grows from the seeds over unselected neighbours. ratio(v) = ln p_fg(x_v) - ln p_whole(x_v); with E^c(v,
 // label) = -ln p_label(x_v) and E^s(v, label) the number of v's neighbours with the other label, a vertex is

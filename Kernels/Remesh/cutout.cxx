@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace oversketch
 {
@@ -114,8 +115,33 @@ Cutout::Cutout(const Mesh& whole, const std::vector<char>& wholeActive)
       inside[whole.triangles[t][k]] = 1;
     }
   }
+  std::vector<int> chosen;
+  std::vector<char> near(whole.points.size(), 0); // corners of these
+  for (int t = 0; t < whole.triangleCount(); ++t)
+  {
+    const Triangle& c = whole.triangles[t];
+    if (inside[c[0]] || inside[c[1]] || inside[c[2]])
+    {
+      chosen.push_back(t);
+      near[c[0]] = near[c[1]] = near[c[2]] = 1;
+    }
+  }
+  std::vector<int> number(whole.points.size());
+  std::vector<Vector3> points;
+  std::vector<char> measured;
+  for (int v = 0; v < whole.vertexCount(); ++v)
+  {
+    if (near[v])
+    {
+      number[v] = static_cast<int>(points.size());
+      points.push_back(whole.points[v]);
+      measured.push_back(inside[v]);
+    }
+  }
   // Cells along a Z curve.
-  const std::vector<Vector3> places = inCube(whole.points, inside);
+  const std::vector<Vector3> places = inCube(std::move(points), measured);
+  const auto placeOf = [&](int t, int corner) -> const Vector3&
+  { return places[number[whole.triangles[t][corner]]]; };
   constexpr int cells = 1 << bits;
   std::array<std::uint32_t, cells> spreads;
   for (int i = 0; i < cells; ++i)
@@ -127,23 +153,18 @@ Cutout::Cutout(const Mesh& whole, const std::vector<char>& wholeActive)
     std::uint32_t cell = 0;
     for (int k = 0; k < 3; ++k)
     {
-      const double x = places[whole.triangles[t][0]][k] * cells;
+      const double x = placeOf(t, 0)[k] * cells;
       cell |= spreads[static_cast<int>(std::clamp(x, 0.0, cells - 1.0))] << k;
     }
     return cell;
   };
-  std::vector<int> chosen;
   std::vector<std::uint32_t> cellOfChosen;
+  cellOfChosen.reserve(chosen.size());
   std::vector<int> offsets(std::size_t(cells) * cells * cells + 1, 0);
-  for (int t = 0; t < whole.triangleCount(); ++t)
+  for (const int t : chosen)
   {
-    const Triangle& c = whole.triangles[t];
-    if (inside[c[0]] || inside[c[1]] || inside[c[2]])
-    {
-      chosen.push_back(t);
-      cellOfChosen.push_back(cellOf(t));
-      ++offsets[cellOfChosen.back() + 1];
-    }
+    cellOfChosen.push_back(cellOf(t));
+    ++offsets[cellOfChosen.back() + 1];
   }
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   this->triangles.resize(chosen.size());
@@ -157,10 +178,7 @@ Cutout::Cutout(const Mesh& whole, const std::vector<char>& wholeActive)
   const auto earlier = [&](int t, int u)
   {
     const auto key = [&](int of)
-    {
-      const Triangle& c = whole.triangles[of];
-      return std::make_tuple(slant.dot(places[c[0]]), slant.dot(places[c[1]]), of);
-    };
+    { return std::make_tuple(slant.dot(placeOf(of, 0)), slant.dot(placeOf(of, 1)), of); };
     return key(t) < key(u);
   };
   for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)

@@ -139,14 +139,10 @@ Polyline wayAlong(const OutlineLoop& loop, const NearestPlace::Answer& from, con
   return way;
 }
 
-double backIn(const PixelWindow& window,
-  const Mesh& mesh,
-  const View& view,
+double backAlong(std::vector<OutlineLoop> loops,
   const Polyline& stroke,
-  const Context& context,
   const std::vector<OutlineLoop>& further)
 {
-  std::vector<OutlineLoop> loops = traceOutline(mesh, view, window, context);
   loops.insert(loops.end(), further.begin(), further.end());
   std::vector<NearestPlace> places;
   for (const OutlineLoop& loop : loops)
@@ -207,17 +203,11 @@ std::string percent(double share)
 
 } // namespace
 
-double outlineBack(const Mesh& mesh,
-  const View& view,
-  const Polyline& stroke,
-  const Context& context,
-  const std::vector<OutlineLoop>& further)
+double outlineBack(const StrokeOutline& outline, const std::vector<OutlineLoop>& further)
 {
-  constexpr double near = 50.0; // px; farther outlines are looked for where none is as near
-  const double back = backIn(strokeWindow(stroke, near), mesh, view, stroke, context, further);
-  return std::isfinite(back)
-           ? back
-           : backIn(outlineWindow(mesh, view, stroke, context), mesh, view, stroke, context, further);
+  // Farther outlines are looked for where none is near.
+  const double back = backAlong(outline.nearby(), outline.stroke(), further);
+  return std::isfinite(back) ? back : backAlong(outline.whole(), outline.stroke(), further);
 }
 
 void measureMovement(const Mesh& before,

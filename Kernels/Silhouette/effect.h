@@ -31,11 +31,7 @@ struct StrokeEffect
 // Mean distance to the stroke of the outline between the places nearest to the ends of the stroke's middle 60
 // % [px]; of a closed loop the way round that lies nearer to the stroke counts. Infinite where no one loop
 // holds both places. `further` lines: see outlineError.
-double outlineBack(const Mesh& mesh,
-  const View& view,
-  const Polyline& stroke,
-  const Context& context = {},
-  const std::vector<OutlineLoop>& further = {});
+double outlineBack(const StrokeOutline& outline, const std::vector<OutlineLoop>& further = {});
 
 // Fills in what the deformation alone tells: stretch, movedShare and the strays. Both meshes have the same
 // triangles; region has one byte per vertex; the section is what the stroke was matched with [px]. Stray is

@@ -80,18 +80,20 @@ TEST(StrokeEffect, OutlineIsComparedWithTheStrokeOnTheWayBack)
   addDisk(disk, 0.0);
   for (const double radius : { 100.0, 110.0, 90.0 })
   {
-    EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, radius, 0.0, pi)), std::abs(radius - 100.0), 0.05);
-    EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, radius, pi, 0.0)), std::abs(radius - 100.0), 0.05);
-    EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, radius, 1.5 * pi, 2.5 * pi)),
+    EXPECT_NEAR(
+      outlineBack({ disk, effectView, arcOver(0.0, radius, 0.0, pi) }), std::abs(radius - 100.0), 0.05);
+    EXPECT_NEAR(
+      outlineBack({ disk, effectView, arcOver(0.0, radius, pi, 0.0) }), std::abs(radius - 100.0), 0.05);
+    EXPECT_NEAR(outlineBack({ disk, effectView, arcOver(0.0, radius, 1.5 * pi, 2.5 * pi) }),
       std::abs(radius - 100.0),
       0.05);
   }
   // Farther off than the picture that is looked at first.
-  EXPECT_NEAR(outlineBack(disk, effectView, arcOver(0.0, 180.0, 0.0, pi)), 80.0, 0.1);
+  EXPECT_NEAR(outlineBack({ disk, effectView, arcOver(0.0, 180.0, 0.0, pi) }), 80.0, 0.1);
   // Straight over the disk: each of its places is nearer to the outline than the outline's are to it.
   const Polyline across{ Vector2(310, 300), Vector2(490, 300) };
   const double middle = 0.6 * 90.0; // half of what is between the two places nearest to the stroke's middle
-  EXPECT_GT(outlineBack(disk, effectView, across), middle);
+  EXPECT_GT(outlineBack({ disk, effectView, across }), middle);
 }
 
 TEST(StrokeEffect, AStrokeFromOneOutlineToAnotherHasNoWayBack)
@@ -99,7 +101,7 @@ TEST(StrokeEffect, AStrokeFromOneOutlineToAnotherHasNoWayBack)
   Mesh disks;
   addDisk(disks, -150.0);
   addDisk(disks, 150.0);
-  EXPECT_TRUE(std::isinf(outlineBack(disks, effectView, { Vector2(200, 410), Vector2(600, 410) })));
+  EXPECT_TRUE(std::isinf(outlineBack({ disks, effectView, { Vector2(200, 410), Vector2(600, 410) } })));
 }
 
 TEST(StrokeEffect, WhatMovesBesideTheStrokeIsFoundWithItsDistance)

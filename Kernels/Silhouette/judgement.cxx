@@ -194,17 +194,14 @@ std::vector<OutlineLoop> regionContours(const Mesh& mesh,
   return lines;
 }
 
-OutlineError outlineError(const Mesh& mesh,
-  const View& view,
-  const Polyline& stroke,
-  const Context& context,
-  const std::vector<OutlineLoop>& further)
+OutlineError outlineError(const StrokeOutline& outline, const std::vector<OutlineLoop>& further)
 {
+  const Polyline& stroke = outline.stroke();
   const std::vector<double> length = arcLengths(stroke);
-  const auto measure = [&](const PixelWindow& window)
+  const auto measure = [&](const std::vector<OutlineLoop>& traced)
   {
     std::vector<NearestPlace> loops;
-    for (const OutlineLoop& loop : traceOutline(mesh, view, window, context))
+    for (const OutlineLoop& loop : traced)
     {
       loops.emplace_back(loop.points, loop.closed);
     }
@@ -232,9 +229,8 @@ OutlineError outlineError(const Mesh& mesh,
     error.mean /= std::max(counted, 1);
     return error;
   };
-  constexpr double near = 50.0; // px; no outline that is nearer than this lies outside the window
-  const OutlineError error = measure(strokeWindow(stroke, near));
-  return error.worst <= near ? error : measure(outlineWindow(mesh, view, stroke, context));
+  const OutlineError error = measure(outline.nearby());
+  return error.worst <= StrokeOutline::margin ? error : measure(outline.whole());
 }
 
 bool Judgement::keptAgainst(const Judgement& plain) const

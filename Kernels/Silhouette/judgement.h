@@ -46,11 +46,7 @@ struct OutlineError
   double worst = 0.0;
 };
 // `further` lines in the picture count like loops of the outline.
-OutlineError outlineError(const Mesh& mesh,
-  const View& view,
-  const Polyline& stroke,
-  const Context& context,
-  const std::vector<OutlineLoop>& further = {});
+OutlineError outlineError(const StrokeOutline& outline, const std::vector<OutlineLoop>& further = {});
 
 // The silhouette of the region (one byte per vertex) in the picture, hidden or not: what a stroke over a
 // silhouette inside the outline is judged by. In pieces, where a curve leaves the region or passes behind the

@@ -214,8 +214,7 @@ TEST(Judgement, TheOutlineOfADiskIsAsFarAsItsCircle)
   // Beyond 50 px the whole picture is looked at.
   for (const double distance : { 0.0, 7.0, -7.0, 49.0, 80.0 })
   {
-    const OutlineError error =
-      outlineError(mesh, view, halfCircle(radius + distance, Vector2::Zero()), Context());
+    const OutlineError error = outlineError({ mesh, view, halfCircle(radius + distance, Vector2::Zero()) });
     EXPECT_NEAR(error.mean, std::abs(distance), 0.01) << distance;
     EXPECT_NEAR(error.worst, std::abs(distance), 0.02) << distance;
   }
@@ -236,7 +235,7 @@ TEST(Judgement, AShiftedCircleIsMeasuredOverItsMiddle)
     ++counted;
   }
   EXPECT_NEAR(worst, 12.0, 1e-9); // where the circle was shifted to
-  const OutlineError error = outlineError(mesh, view, stroke, Context());
+  const OutlineError error = outlineError({ mesh, view, stroke });
   EXPECT_NEAR(error.mean, mean / counted, 0.05);
   EXPECT_NEAR(error.worst, worst, 0.02);
   // What its ends do does not count.
@@ -245,7 +244,7 @@ TEST(Judgement, AShiftedCircleIsMeasuredOverItsMiddle)
     stroke[i][0] += 4.0;
     stroke[500 - i][0] -= 4.0;
   }
-  EXPECT_NEAR(outlineError(mesh, view, stroke, Context()).worst, worst, 0.02);
+  EXPECT_NEAR(outlineError({ mesh, view, stroke }).worst, worst, 0.02);
 }
 
 // A ball before a disk twice as large: its outline is inside the disk's.
@@ -266,8 +265,8 @@ TEST(Judgement, ASilhouetteInsideTheOutlineIsWhatItsStrokeIsJudgedBy)
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(lines[0].closed);
   const Polyline stroke = halfCircle(0.5 * radius + 4.0, Vector2::Zero());
-  EXPECT_GT(outlineError(mesh, view, stroke, Context()).mean, 0.4 * radius);
-  EXPECT_NEAR(outlineError(mesh, view, stroke, Context(), lines).mean, 4.0, 0.2);
+  EXPECT_GT(outlineError({ mesh, view, stroke }).mean, 0.4 * radius);
+  EXPECT_NEAR(outlineError({ mesh, view, stroke }, lines).mean, 4.0, 0.2);
   // Half of the ball: the line ends where the region does.
   for (int v = first; v < mesh.vertexCount(); ++v)
   {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 // Written here because what libraries offer (cv::findContours, marching squares on a mask) follows pixel
 // centres or the stairs between pixels: half a pixel of bias or of noise, which the targets would hand on to
@@ -331,6 +332,33 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
   }
   context.checkpoint(1.0);
   return loops;
+}
+
+StrokeOutline::StrokeOutline(const Mesh& mesh, const View& view, Polyline stroke, Context context)
+  : Model(&mesh)
+  , Seen(view)
+  , Stroke(std::move(stroke))
+  , Caller(std::move(context))
+{
+}
+
+const std::vector<OutlineLoop>& StrokeOutline::nearby() const
+{
+  if (!this->Nearby)
+  {
+    this->Nearby = traceOutline(*this->Model, this->Seen, strokeWindow(this->Stroke, margin), this->Caller);
+  }
+  return *this->Nearby;
+}
+
+const std::vector<OutlineLoop>& StrokeOutline::whole() const
+{
+  if (!this->Whole)
+  {
+    const PixelWindow window = outlineWindow(*this->Model, this->Seen, this->Stroke, this->Caller);
+    this->Whole = traceOutline(*this->Model, this->Seen, window, this->Caller);
+  }
+  return *this->Whole;
 }
 
 Polyline smoothLoop(const Polyline& points, bool closed)

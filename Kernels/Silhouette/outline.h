@@ -8,6 +8,7 @@
 #include "Silhouette/curves.h"
 #include "Stroke/polyline.h"
 
+#include <optional>
 #include <vector>
 
 namespace oversketch
@@ -51,6 +52,27 @@ std::vector<OutlineLoop> traceOutline(const Mesh& mesh,
   const View& view,
   const PixelWindow& window,
   const Context& context = {});
+
+// The outline of a mesh for who asks of it how far it is from a stroke. Traced when it is first asked for,
+// and once for all who ask; the mesh must live as long. Not for several threads at a time.
+class StrokeOutline
+{
+public:
+  StrokeOutline(const Mesh& mesh, const View& view, Polyline stroke, Context context = {});
+
+  static constexpr double margin = 50.0; // px; no outline that is nearer than this lies outside nearby()
+  const Polyline& stroke() const { return this->Stroke; }
+  // What lies in the window of this margin round the stroke; all of it.
+  const std::vector<OutlineLoop>& nearby() const;
+  const std::vector<OutlineLoop>& whole() const;
+
+private:
+  const Mesh* Model;
+  View Seen;
+  Polyline Stroke;
+  Context Caller;
+  mutable std::optional<std::vector<OutlineLoop>> Nearby, Whole;
+};
 
 // Each point replaced by the (1, 4, 6, 4, 1) / 16 mean of its neighbours along the loop; open ends stay.
 Polyline smoothLoop(const Polyline& points, bool closed);
