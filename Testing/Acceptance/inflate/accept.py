@@ -5,7 +5,7 @@ and smoothing (c = 0), and as published. The command runs, for c = 0 the system 
         Testing/Acceptance/inflate/accept.py FOLDER [--strokes FOLDER] [--only PART-OF-NAME ...] [--modes default,plain,published] [--workers 2]
         [--limit SECONDS] [--no-pictures]
 
-A drawing is named OUTLINE-WOBBLEpx-HAND: `--only crane`, `--only -1px-`, `--only horse-2px-0`. FOLDER receives table.md, results.json, a
+A drawing is named OUTLINE-WOBBLEpx-HAND: `--only crane`, `--only 1px`, `--only horse-2px-0`. FOLDER receives table.md, results.json, a
 picture of every result and contact sheets; the images are those of the shared test data, looked for in OVERSKETCH_DATA, else in
 ../shared/data beside the source tree. Exit code 0 when by default every result is sound, whatever the wobble, and all bounds hold in 66 of 70
 drawings of 1 px.

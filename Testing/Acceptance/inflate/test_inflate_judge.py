@@ -1,6 +1,7 @@
 """The judge of inflated drawings is judged: a body of revolution with a limb and a torus hold; each defect put into them fails its own row."""
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -274,6 +275,25 @@ def test_harder_outlines_have_their_own_bounds(result, tmp_path):
     assert result.judged(tmp_path, "seahorse")["fails"] == ["iou"] and "limb" not in result.judged(tmp_path, "capybara")
     bulge(result)
     assert "worst" in result.judged(tmp_path)["fails"]
+
+
+def test_the_row_at_the_rim_is_told_by_itself():
+    """Two triangles of a slope, of which one counts."""
+    points = np.array([(0, 0, 0), (20, 0, 0), (0, 18, 3), (20, 18, 3)], float)
+    drawing = SimpleNamespace(view=SimpleNamespace(width=30, height=20))
+    height, inner = inflate_judge.heights(points, np.array([(0, 1, 3), (0, 3, 2)]), drawing, np.array([True, False]))
+    assert inner[2, 15] and not inner[15, 2] and not inner[5, 25]
+    assert height[9, 5] == pytest.approx(3 * 9.5 / 18) and height[9, 15] == pytest.approx(3 * 9.5 / 18) and height[5, 25] == 0
+
+
+def test_without_smoothing_other_bounds_count():
+    found = {"iou": 0.986, "worst": 9.0, "dihedral": 64.0, "pit": 30.0, "limb low": 0.91, "limb": 0.91, "angle low": 3.0, "angle": 19.0}
+    assert inflate_judge.failing({**found, "closed": 0}, "crane", True) == []
+    assert inflate_judge.failing({**found, "closed": 1}, "crane", True) == ["closed"]
+    assert inflate_judge.failing(found, "crane") == list(found)
+    worse = {"iou": 0.98, "worst": 11.0, "dihedral": 80.0, "limb low": 0.89, "limb": 0.89, "angle low": 1.0, "angle": 17.0}
+    assert inflate_judge.failing(worse, "crane", True) == list(worse)
+    assert inflate_judge.failing({"dihedral": 80.0}, "capybara", True) == inflate_judge.failing({"iou": 0.98}, "lobster", True) == []
 
 
 def test_no_result(result, tmp_path):

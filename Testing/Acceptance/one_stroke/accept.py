@@ -42,8 +42,9 @@ def system(mode, backend):
     return one_stroke
 
 
-def run(stroke_file, mesh_file, modes, backend, pictures):
-    """Runs one stroke in every mode and returns {mode: result}; writes pictures into a folder where one is given."""
+def run(stroke_file, mesh_file, modes, backend, pictures, also=lambda result, mesh, output: None):
+    """Runs one stroke in every mode and returns {mode: result}; writes pictures into a folder where one is given. `also` judges what else
+    is asked of an output."""
     mesh = meshes.read(mesh_file)
     stroke, samples, view, note = stroke_files.read(stroke_file)
     before = meshes.arrays(mesh)
@@ -70,6 +71,7 @@ def run(stroke_file, mesh_file, modes, backend, pictures):
             after = meshes.arrays(output)
             result = judge.judge(known, after, samples, view, region, note)
             result["remeshed"] = bool(one_stroke.GetRemeshed())
+            also(result, mesh, output)
         result["seconds"], result["messages"] = seconds, messages
         results[mode] = result
         if mode in ("default", "on"):

@@ -239,13 +239,13 @@ def views_of(points, up):
             yield number, perspective, picture.View.looking(points, towards, up_vector, perspective, 0.62)
 
 
-def strokes_for(name, mesh, up, number=0, count=PER_MODEL):
+def strokes_for(name, mesh, up, number=0, count=PER_MODEL, views=views_of):
     """A model's strokes: (stroke polydata with its note). Spread over its limbs, the kinds and both projections."""
     points, triangles, _ = meshes.weld(*meshes.arrays(mesh))
     paths = tips(points, triangles)
     all_tips = list(paths)
     candidates = []
-    for view_number, perspective, view in views_of(points, up):
+    for view_number, perspective, view in views(points, up):
         if (view_number % 2 == 0) == perspective:  # each view with one projection
             continue
         limbs, xy, depth, covered = limbs_in(view, points, triangles)
