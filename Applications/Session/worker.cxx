@@ -19,7 +19,9 @@ namespace oversketch_session
 namespace
 {
 
-constexpr std::chrono::milliseconds prepareAfter{ 150 }; // a result has been told of
+// Whoever shows a mesh first needs the processors: what comes after it waits so long, or until it is seen.
+constexpr std::chrono::milliseconds detailsAfter{ 150 };
+constexpr std::chrono::milliseconds prepareAfter{ 150 };
 
 vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
 {
@@ -119,6 +121,15 @@ std::uint64_t Worker::submit(Session session)
   return ticket;
 }
 
+void Worker::seen(std::uint64_t ticket)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Seen = std::max(this->Seen, ticket);
+  }
+  this->Wake.notify_one();
+}
+
 void Worker::cancel()
 {
   std::uint64_t waiting = 0;
@@ -129,6 +140,7 @@ void Worker::cancel()
     this->Waiting = false;
     this->Wanted = 0;
   }
+  this->Wake.notify_one();
   if (waiting && this->Report.cancelled)
   {
     this->Report.cancelled(waiting);
@@ -230,6 +242,13 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   {
     this->Report.done(std::move(result)); // this thread keeps nothing of it
   }
+  if (shown)
+  {
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    this->Wake.wait_for(lock,
+      detailsAfter,
+      [&] { return this->Stop || this->Waiting || this->Seen >= ticket || watch.cancelled(); });
+  }
   if (!this->Runner.details(outcomes, watch) || watch.cancelled())
   {
     return;
@@ -239,7 +258,6 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     this->Report.detailed({ ticket, this->statesOf(outcomes), shown ? digestOf(shown) : std::string() });
   }
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
-  // Whoever shows the mesh first needs the processor.
   std::unique_lock<std::mutex> lock(this->Mutex);
   if (this->Wake.wait_for(lock, prepareAfter, [&] { return this->Stop || watch.cancelled(); }))
   {

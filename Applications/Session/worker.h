@@ -53,7 +53,8 @@ public:
     std::string digest;           // digestOf(mesh); empty where there is no mesh
   };
   // Called on the worker's thread. Each session is answered once: done, or cancelled where a newer one
-  // replaced it or it was cancelled. Details follow on done, unless something newer is to be run first.
+  // replaced it or it was cancelled. Details follow on done once it has been seen, or after a while, unless
+  // something newer is to be run first.
   struct Listener
   {
     std::function<void(Result)> done;
@@ -72,6 +73,8 @@ public:
   // Runs it as soon as it can, instead of what runs or waits; then prepares its result for the next step.
   // The session's data must not be changed afterwards. Returns the ticket, one more than the last.
   std::uint64_t submit(Session session);
+  // The result of a ticket is on screen: what comes after it may take the processors.
+  void seen(std::uint64_t ticket);
   // Stops what runs or waits, if anything does.
   void cancel();
 
@@ -88,6 +91,7 @@ private:
   std::condition_variable Wake;
   std::optional<Session> Next, Running;
   std::uint64_t Ticket = 0;               // of the newest session
+  std::uint64_t Seen = 0;                 // of the newest result that was
   std::atomic<std::uint64_t> Wanted{ 0 }; // the ticket that may run; all others are to stop
   std::atomic<bool> Waiting{ false };     // a session does, so nothing is to be prepared
   bool Stop = false;

@@ -453,6 +453,7 @@ void Document::take(const Worker::Result& result)
   this->Digest.clear();
   this->answered(result.ticket);
   emit this->shown();
+  this->Background->seen(result.ticket);
 }
 
 void Document::takeDetails(const Worker::Details& details)

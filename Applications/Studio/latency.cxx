@@ -6,6 +6,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <chrono>
+#include <ctime>
+
 namespace oversketch_studio
 {
 
@@ -15,17 +18,24 @@ Latency& Latency::of()
   return one;
 }
 
+Latency::Times Latency::now()
+{
+  using Milliseconds = std::chrono::duration<double, std::milli>;
+  const Milliseconds wall = std::chrono::steady_clock::now().time_since_epoch();
+  return { wall.count(), 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC };
+}
+
 void Latency::begin(const char* what)
 {
   if (this->Path)
   {
-    this->Waiting[what].push_back(Clock::now());
+    this->Waiting[what].push_back(now());
   }
 }
 
 void Latency::frameBegins()
 {
-  this->Frame = Clock::now();
+  this->Frame = now();
 }
 
 void Latency::framePainted()
@@ -34,15 +44,15 @@ void Latency::framePainted()
   {
     return;
   }
-  const Clock::time_point now = Clock::now();
-  const auto since = [now](Clock::time_point start)
-  { return std::chrono::duration<double, std::milli>(now - start).count(); };
+  const auto since = [end = now()](const Times& start) {
+    return Times{ end.wall - start.wall, end.processors - start.processors };
+  };
   bool plain = true;
   const auto answer = [&](const char* what)
   {
-    for (const Clock::time_point& start : this->Waiting[what])
+    for (const Times& start : this->Waiting[what])
     {
-      this->Times[what].push_back(since(start));
+      this->Waited[what].push_back(since(start));
       plain = false;
     }
     this->Waiting[what].clear();
@@ -51,12 +61,13 @@ void Latency::framePainted()
   if (this->MeshComes)
   {
     answer("stroke");
-    answer("notch");
+    answer("radius");
+    answer("height");
     this->MeshComes = false;
   }
   if (plain)
   {
-    this->Times["redraw"].push_back(since(*this->Frame));
+    this->Waited["redraw"].push_back(since(*this->Frame));
   }
   this->Frame.reset();
 }
@@ -68,12 +79,12 @@ void Latency::write() const
     return;
   }
   QJsonObject all;
-  for (const auto& [what, times] : this->Times)
+  for (const auto& [what, waited] : this->Waited)
   {
     QJsonArray list;
-    for (const double ms : times)
+    for (const Times& times : waited)
     {
-      list.append(ms);
+      list.append(QJsonArray{ times.wall, times.processors });
     }
     all[QString::fromStdString(what)] = list;
   }

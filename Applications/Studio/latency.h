@@ -1,10 +1,10 @@
 // How long a person waits, measured inside: from a sample of the pen to its drawn pixel, from the end of a
-// stroke or a notch of the wheel to the new mesh on screen, and for a plain redraw. Written as JSON when the
+// stroke or a notch of the wheel to the new mesh on screen, and for a plain redraw; and how long processors
+// were at work for the program meanwhile, which other programs change little. Written as JSON when the
 // program ends, where it was asked for.
 #ifndef oversketch_studio_latency_h
 #define oversketch_studio_latency_h
 
-#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,10 +22,11 @@ public:
   // From here on times are kept.
   void writeTo(const std::string& path) { this->Path = path; }
 
-  // A sample of the pen, the end of a stroke, or a turn of the wheel that a tool uses, has come.
+  // A sample of the pen, the end of a stroke, or a turn of the wheel that changes a line has come.
   void sample() { this->begin("sample"); }
   void strokeEnd() { this->begin("stroke"); }
-  void notch() { this->begin("notch"); }
+  void radius() { this->begin("radius"); }
+  void height() { this->begin("height"); }
   // The deformed mesh is what the next frame shows.
   void meshComes() { this->MeshComes = true; }
   // A frame begins; it is painted. A frame that nothing waited for is a plain redraw.
@@ -33,17 +34,22 @@ public:
   void framePainted();
   bool isOn() const { return this->Path.has_value(); }
 
-  // Writes {"sample": [ms, ...], "stroke": [...], "notch": [...], "redraw": [...]}. Throws Failed.
+  // Writes {"sample": [[ms, ms of processors], ...], "stroke": [...], "radius": [...], "height": [...],
+  // "redraw": [...]}. Throws Failed.
   void write() const;
 
 private:
-  using Clock = std::chrono::steady_clock;
+  struct Times // ms
+  {
+    double wall, processors;
+  };
+  static Times now();
   void begin(const char* what);
 
   std::optional<std::string> Path;
-  std::map<std::string, std::vector<Clock::time_point>> Waiting;
-  std::map<std::string, std::vector<double>> Times; // ms
-  std::optional<Clock::time_point> Frame;
+  std::map<std::string, std::vector<Times>> Waiting; // since when
+  std::map<std::string, std::vector<Times>> Waited;
+  std::optional<Times> Frame;
   bool MeshComes = false;
 };
 

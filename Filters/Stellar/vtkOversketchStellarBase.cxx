@@ -177,7 +177,7 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
             this->Pairs = base.pairs;
             this->Unpaired = base.unpaired;
             StellarStep::Made made;
-            made.origins = OriginsOfBase(base, mesh);
+            made.origins = [found = OriginsOfBase(base, mesh)] { return found; };
             made.forest = std::make_shared<const Forest>(std::move(base.forest));
             return made;
           }
@@ -198,7 +198,8 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
           StellarStep::Made made;
           made.forest = std::make_shared<const Forest>(
             refineToSource(base.forest, original, follow, ContextOf(this, 0.8, 1.0)));
-          made.origins = OriginsOnSurface(*made.forest, *surface, simplified.pointFrom);
+          made.origins = [found = OriginsOnSurface(*made.forest, *surface, simplified.pointFrom)]
+          { return found; };
           cache.Records = vtkSmartPointer<vtkPolyData>::New();
           cache.Surface = WriteSurface(surface, input, cache.Records);
           return made;

@@ -205,11 +205,15 @@ Turns turnsOf(const Forest& before, const Forest& after)
   return turned;
 }
 
-CarriedArrays::CarriedArrays(Origins origins)
-  : From(std::move(origins))
-  , SamePoints(From.slid.empty() && Identity(From.pointFrom))
-  , SameCells(Identity(From.cellFrom))
+void CarriedArrays::NeedOrigins()
 {
+  if (this->Find)
+  {
+    this->From = this->Find();
+    this->Find = nullptr;
+    this->SamePoints = this->From.slid.empty() && Identity(this->From.pointFrom);
+    this->SameCells = Identity(this->From.cellFrom);
+  }
 }
 
 vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bool normals) const
@@ -291,6 +295,7 @@ void CarriedArrays::Carry(vtkPolyData* input, vtkPolyData* output)
       }
       if (!item.Result)
       {
+        this->NeedOrigins();
         item.Result = points ? this->CarryPoints(array, normals) : this->CarryCells(array);
       }
       items.push_back(item);

@@ -8,6 +8,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -34,17 +35,25 @@ Origins originsOf(const Forest& before, const Forest& after, bool slides);
 using Turns = std::vector<std::pair<int, Eigen::Quaterniond>>;
 Turns turnsOf(const Forest& before, const Forest& after);
 
-// Keeps what became of each array while it and the origins stand.
+// Keeps what became of each array while it and the origins stand. Those are asked for once they are needed:
+// many meshes have no arrays.
 class CarriedArrays
 {
 public:
   CarriedArrays() = default;
-  explicit CarriedArrays(Origins origins);
+  explicit CarriedArrays(std::function<Origins()> origins)
+    : Find(std::move(origins))
+  {
+  }
 
   // Has normals turn with the surface.
   void Turn(Turns turned) { this->Turned = std::move(turned); }
 
-  const std::vector<int>& PointFrom() const { return this->From.pointFrom; }
+  const std::vector<int>& PointFrom()
+  {
+    this->NeedOrigins();
+    return this->From.pointFrom;
+  }
 
   // Point and cell arrays of numbers but those that this module writes itself, and ids, which would be there
   // twice; field arrays. Real ones are mixed, others taken from the nearest; an array that stays as it is is
@@ -59,9 +68,11 @@ private:
     bool Points, Normals;
     vtkSmartPointer<vtkDataArray> Result;
   };
+  void NeedOrigins();
   vtkSmartPointer<vtkDataArray> CarryPoints(vtkDataArray* array, bool normals) const;
   vtkSmartPointer<vtkDataArray> CarryCells(vtkDataArray* array) const;
 
+  std::function<Origins()> Find; // null once they are found
   Origins From;
   Turns Turned;
   bool SamePoints = false, SameCells = false;

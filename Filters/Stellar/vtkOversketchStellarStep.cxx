@@ -94,7 +94,8 @@ void StellarStep::Provide(vtkPolyData* input,
       this->InputsKey = inputsKey;
       std::optional<Forest> changed = change(before);
       made.forest = changed ? std::make_shared<const Forest>(std::move(*changed)) : this->Before;
-      made.origins = originsOf(before, *made.forest, motion == Motion::Slide);
+      made.origins = [from = this->Before, to = made.forest, slides = motion == Motion::Slide]
+      { return originsOf(*from, *to, slides); };
       made.sameCells = before.faces.size() == made.forest->faces.size();
       if (motion != Motion::Rise) // what rises ends the stroke
       {

@@ -354,8 +354,9 @@ bool SameForest(const Forest& a, const Forest& b)
 
 bool HasSnapped(const Forest& forest)
 {
+  // Most are new vertices, which come last.
   return std::any_of(
-    forest.vertices.begin(), forest.vertices.end(), [](const Forest::Vertex& v) { return v.curveId >= 0; });
+    forest.vertices.rbegin(), forest.vertices.rend(), [](const Forest::Vertex& v) { return v.curveId >= 0; });
 }
 
 bool IsStellarArray(const char* name)

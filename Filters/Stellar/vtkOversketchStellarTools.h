@@ -92,7 +92,7 @@ public:
   struct Made
   {
     std::shared_ptr<const Forest> forest; // canonical
-    Origins origins;
+    std::function<Origins()> origins;
     std::optional<std::uint64_t> digest;   // of the curves that it is snapped to
     bool sameCells = false;                // as a 4-8 mesh that is the input
     bool turns = false;                    // point normals are to turn with the surface
@@ -125,7 +125,7 @@ public:
     const Change& change);
 
   // Of the last result: a point's number in the input, -1 for a new one.
-  const std::vector<int>& PointFrom() const { return this->Arrays.PointFrom(); }
+  const std::vector<int>& PointFrom() { return this->Arrays.PointFrom(); }
 
   // The forest of the last result; null: nothing is kept.
   const std::shared_ptr<const Forest>& Result() const { return this->After; }

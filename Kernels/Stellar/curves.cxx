@@ -157,6 +157,14 @@ CurveSearch::CurveSearch(const FeatureCurves& curves)
       this->Trees[k].order.resize(count);
       std::iota(this->Trees[k].order.begin(), this->Trees[k].order.end(), 0);
       this->build(k, 0, 0, count);
+      Tree& tree = this->Trees[k];
+      for (const int s : tree.order)
+      {
+        const FeatureCurve& c = curves[k];
+        const Vector3 &from = c.points[s], &to = c.points[c.segmentEnd(s)], along = to - from;
+        const double end = s + 1 < static_cast<int>(c.arc.size()) ? c.arc[s + 1] : c.length;
+        tree.segments.push_back({ from, to, along, along.squaredNorm(), c.arc[s], end });
+      }
     }
   }
 }
@@ -210,19 +218,15 @@ void CurveSearch::search(int curve, int node, int begin, int end, const Vector3&
   const Tree& tree = this->Trees[curve];
   if (end - begin <= leafSize)
   {
-    const FeatureCurve& c = this->Curves[curve];
     for (int i = begin; i < end; ++i)
     {
-      const int s = tree.order[i];
-      const Vector3 &p = c.points[s], &q = c.points[c.segmentEnd(s)], along = q - p;
-      const double square = along.squaredNorm();
-      const double t = square > 0.0 ? std::clamp(along.dot(point - p) / square, 0.0, 1.0) : 0.0;
-      const Vector3 foot = (1.0 - t) * p + t * q;
+      const Segment& s = tree.segments[i];
+      const double t = s.square > 0.0 ? std::clamp(s.along.dot(point - s.from) / s.square, 0.0, 1.0) : 0.0;
+      const Vector3 foot = (1.0 - t) * s.from + t * s.to;
       const double distance = (point - foot).norm();
-      if (distance < best.distance || (distance == best.distance && best.segment > s))
+      if (distance < best.distance || (distance == best.distance && best.segment > tree.order[i]))
       {
-        const double next = s + 1 < static_cast<int>(c.arc.size()) ? c.arc[s + 1] : c.length;
-        best = { distance, c.arc[s] + t * (next - c.arc[s]), foot, s };
+        best = { distance, s.begin + t * (s.end - s.begin), foot, tree.order[i] };
       }
     }
     return;

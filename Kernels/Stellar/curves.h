@@ -31,7 +31,10 @@ struct FeatureCurve
   std::optional<double> sharpness;
 
   int segmentCount() const { return static_cast<int>(this->points.size()) - (this->closed ? 0 : 1); }
-  int segmentEnd(int segment) const { return (segment + 1) % static_cast<int>(this->points.size()); }
+  int segmentEnd(int segment) const
+  {
+    return segment + 1 < static_cast<int>(this->points.size()) ? segment + 1 : 0;
+  }
 
   // Fills arc and length from the points.
   void measure();
@@ -87,11 +90,18 @@ public:
   const FeatureCurves& curves() const { return this->Curves; }
 
 private:
+  struct Segment
+  {
+    Vector3 from, to, along;
+    double square;     // of its length
+    double begin, end; // arc lengths
+  };
   // A node stands for segments order[begin], …, order[end - 1] and is halved; children of node i are 2 i + 1
   // and 2 i + 2.
   struct Tree
   {
     std::vector<int> order;
+    std::vector<Segment> segments; // in that order
     std::vector<Eigen::AlignedBox3d> boxes;
   };
   static constexpr int leafSize = 4;

@@ -115,9 +115,10 @@ double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a,
   return best;
 }
 
-CurveReach::CurveReach(const Forest& forest, const CurveSearch& search)
+CurveReach::CurveReach(const Forest& forest, const CurveSearch& search, bool follows)
   : Mesh(forest)
   , Search(search)
+  , Follows(follows)
   , Memories(search.curves().size())
 {
 }
@@ -127,56 +128,102 @@ const std::vector<Reached>& CurveReach::find(int curve,
   const ReachOptions& options,
   const Context& context)
 {
-  for (const Reached& r : this->Found)
-  {
-    this->Place[r.vertex] = -1;
-  }
-  this->Found.clear();
-  this->Place.resize(this->Mesh.vertices.size(), -1);
   this->recall(curve, options);
-  if (options.kind == CurveDistance::Geodesic)
+  std::size_t known = this->Found.size();
+  const bool grown = this->grow(faces, context),
+             floods = options.kind == CurveDistance::Straight && options.connectedOnly;
+  if (!grown)
   {
-    this->front(faces, context);
+    known = 0;
+    this->forget();
+    if (options.kind == CurveDistance::Geodesic)
+    {
+      this->front(faces, context);
+    }
+    else if (options.connectedOnly)
+    {
+      this->flood(faces, context);
+    }
+    else
+    {
+      this->everywhere(context);
+    }
   }
-  else if (options.connectedOnly)
-  {
-    this->flood(faces, context);
-  }
-  else
-  {
-    this->everywhere(context);
-  }
-  std::sort(this->Found.begin(),
-    this->Found.end(),
-    [](const Reached& a, const Reached& b) { return a.vertex < b.vertex; });
+  const auto lower = [](const Reached& a, const Reached& b) { return a.vertex < b.vertex; };
+  const auto middle = this->Found.begin() + static_cast<std::ptrdiff_t>(known);
+  std::sort(middle, this->Found.end(), lower);
+  std::inplace_merge(this->Found.begin(), middle, this->Found.end(), lower);
   for (std::size_t i = 0; i < this->Found.size(); ++i)
   {
     this->Place[this->Found[i].vertex] = static_cast<int>(i);
   }
+  Memory& memory = this->Memories[curve];
+  memory.isWhole = grown || (this->Follows && floods && this->hangsTogether());
+  memory.born.clear();
   return this->Found;
+}
+
+void CurveReach::follow(const std::vector<Forest::Birth>& births)
+{
+  for (Memory& memory : this->Memories)
+  {
+    if (memory.isWhole)
+    {
+      memory.born.insert(memory.born.end(), births.begin(), births.end());
+    }
+  }
 }
 
 void CurveReach::recall(int curve, const ReachOptions& options)
 {
-  if (this->Curve >= 0)
+  const bool same = curve == this->Curve && options == this->Options;
+  if (this->Curve >= 0 && !same)
   {
-    for (const Reached& r : this->Memories[this->Curve].straight)
+    Memory& last = this->Memories[this->Curve];
+    for (const Reached& r : last.straight)
     {
       this->Known[r.vertex] = -1;
     }
+    last.found = this->Found;
+    this->forget();
   }
   this->Known.resize(this->Mesh.vertices.size(), -1);
+  this->Place.resize(this->Mesh.vertices.size(), -1);
+  if (same)
+  {
+    return;
+  }
   this->Curve = curve;
   this->Options = options;
   Memory& memory = this->Memories[curve];
-  if (memory.radius != options.radius)
+  if (!(memory.options == options))
   {
-    memory = { options.radius, {} };
+    memory = Memory();
+    memory.options = options;
   }
   for (std::size_t i = 0; i < memory.straight.size(); ++i)
   {
     this->Known[memory.straight[i].vertex] = static_cast<int>(i);
   }
+  for (const Reached& reached : memory.found)
+  {
+    this->put(reached);
+  }
+}
+
+void CurveReach::forget()
+{
+  for (const Reached& r : this->Found)
+  {
+    this->Place[r.vertex] = -1;
+  }
+  this->Found.clear();
+}
+
+void CurveReach::put(const Reached& reached)
+{
+  this->Place[reached.vertex] = static_cast<int>(this->Found.size());
+  this->Found.push_back(reached);
 }
 
 void CurveReach::remember(const Reached& measured)
@@ -247,9 +294,48 @@ void CurveReach::everywhere(const Context& context)
   }
 }
 
+std::vector<Reached> CurveReach::measured(const std::vector<int>& vertices, const Context& context)
+{
+  std::vector<Reached> distances(vertices.size());
+  const auto measure = [&](int begin, int end)
+  {
+    for (int i = begin; i < end; ++i)
+    {
+      distances[i] = this->straight(vertices[i]);
+    }
+  };
+  // What is known, or a small ring, is not worth waking threads for.
+  const auto isNew = [this](int v) { return this->Known[v] < 0; };
+  if (std::count_if(vertices.begin(), vertices.end(), isNew) < 512)
+  {
+    measure(0, static_cast<int>(vertices.size()));
+  }
+  else
+  {
+    context.parallelFor(static_cast<int>(vertices.size()), measure);
+  }
+  context.checkpoint(0.0);
+  for (const Reached& r : distances)
+  {
+    this->remember(r);
+  }
+  return distances;
+}
+
 void CurveReach::flood(const std::vector<int>& faces, const Context& context)
 {
-  constexpr int looked = -2; // and too far
+  std::vector<int> ring;
+  for (int f : faces)
+  {
+    ring.insert(ring.end(), this->Mesh.faces[f].v, this->Mesh.faces[f].v + 3);
+  }
+  this->spread(ring, context);
+}
+
+// Puts what of a ring is near and not there yet, and on from there.
+void CurveReach::spread(const std::vector<int>& from, const Context& context)
+{
+  constexpr int looked = -2; // and too far, or not measured yet
   std::vector<int> seen, ring;
   const auto look = [&](int v)
   {
@@ -260,47 +346,123 @@ void CurveReach::flood(const std::vector<int>& faces, const Context& context)
       seen.push_back(v);
     }
   };
-  for (int f : faces)
-  {
-    std::for_each(this->Mesh.faces[f].v, this->Mesh.faces[f].v + 3, look);
-  }
-  std::vector<Reached> distances;
+  std::for_each(from.begin(), from.end(), look);
   while (!ring.empty())
   {
-    distances.resize(ring.size());
-    const auto measure = [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        distances[i] = this->straight(ring[i]);
-      }
-    };
-    // What is known, or a small ring, is not worth waking threads for.
-    const auto isNew = [this](int v) { return this->Known[v] < 0; };
-    if (std::count_if(ring.begin(), ring.end(), isNew) < 512)
-    {
-      measure(0, static_cast<int>(ring.size()));
-    }
-    else
-    {
-      context.parallelFor(static_cast<int>(ring.size()), measure);
-    }
-    context.checkpoint(0.0);
+    const std::vector<Reached> distances = this->measured(ring, context);
     ring.clear();
     for (const Reached& r : distances)
     {
-      this->remember(r);
       if (std::isfinite(r.distance))
       {
-        this->Found.push_back(r);
+        this->put(r);
         this->Mesh.link(r.vertex, look);
       }
     }
   }
   for (int v : seen)
   {
-    this->Place[v] = -1;
+    this->Place[v] = std::max(this->Place[v], -1);
   }
+}
+
+// Whether what was found is joined by its edges to one piece.
+bool CurveReach::hangsTogether() const
+{
+  std::vector<char> met(this->Found.size(), 0);
+  std::vector<int> stack;
+  std::size_t count = 0;
+  const auto meet = [&](int v)
+  {
+    const int at = this->Place[v];
+    if (at >= 0 && !met[at])
+    {
+      met[at] = 1;
+      stack.push_back(v);
+      ++count;
+    }
+  };
+  for (std::size_t i = 0; i < std::min<std::size_t>(this->Found.size(), 1); ++i)
+  {
+    meet(this->Found[i].vertex);
+  }
+  while (!stack.empty())
+  {
+    const int v = stack.back();
+    stack.pop_back();
+    this->Mesh.link(v, meet);
+  }
+  return count == this->Found.size();
+}
+
+// Adds what new vertices join to a whole that the curve has reached. False where a flood is to find it anew:
+// where an edge of it was split too far off and no triangle there leads round, so that it may have come
+// apart, or where it is not all that the curve's faces begin with.
+bool CurveReach::grow(const std::vector<int>& faces, const Context& context)
+{
+  const Memory& memory = this->Memories[this->Curve];
+  if (!memory.isWhole)
+  {
+    return false;
+  }
+  std::vector<int> born, ring;
+  for (const Forest::Birth& birth : memory.born)
+  {
+    if (born.empty() || born.back() != birth.vertex) // else of the edge's other side
+    {
+      born.push_back(birth.vertex);
+    }
+  }
+  this->measured(born, context);
+  const auto isNear = [this](int v) // and known to be
+  { return this->Known[v] >= 0 && std::isfinite(this->straight(v).distance); };
+  const auto gather = [&ring](int v) { ring.push_back(v); };
+  for (std::size_t i = 0; i < memory.born.size(); ++i)
+  {
+    const Forest::Birth& birth = memory.born[i];
+    const bool hasTwin = i + 1 < memory.born.size() && memory.born[i + 1].vertex == birth.vertex;
+    const int m = birth.vertex, *ends = this->Mesh.vertices[m].parents;
+    const bool near = isNear(m);
+    if (!near && isNear(ends[0]) && isNear(ends[1]) && !isNear(birth.apex) &&
+        !(hasTwin && isNear(memory.born[i + 1].apex)))
+    {
+      return false;
+    }
+    // What lies on an edge that ends in the whole is joined to it, and stays so, whatever is split next.
+    if (near && (this->Place[ends[0]] >= 0 || this->Place[ends[1]] >= 0))
+    {
+      this->put(this->straight(m));
+      this->Mesh.link(m, gather);
+    }
+    i += hasTwin ? 1 : 0;
+  }
+  for (const int m : born)
+  {
+    bool joined = false;
+    if (this->Place[m] < 0 && isNear(m))
+    {
+      this->Mesh.link(m, [&](int w) { joined = joined || this->Place[w] >= 0; });
+    }
+    if (joined)
+    {
+      ring.push_back(m);
+    }
+  }
+  this->spread(ring, context);
+  bool begins = false;
+  for (const int f : faces)
+  {
+    for (const int v : this->Mesh.faces[f].v)
+    {
+      const bool in = this->Place[v] >= 0;
+      if (!in && std::isfinite(this->straight(v).distance))
+      {
+        return false;
+      }
+      begins = begins || in;
+    }
+  }
+  return begins;
 }
 
 void CurveReach::front(const std::vector<int>& faces, const Context& context)
@@ -319,8 +481,7 @@ void CurveReach::front(const std::vector<int>& faces, const Context& context)
       this->remember(nearest);
       if (std::isfinite(nearest.distance))
       {
-        at = static_cast<int>(this->Found.size());
-        this->Found.push_back({ v, unreached, nearest.parameter });
+        this->put({ v, unreached, nearest.parameter });
         done.push_back(0);
         least.push_back(nearest.distance);
       }

@@ -24,6 +24,12 @@ struct ReachOptions
   // Straight alone: reach only what is joined to the curve by edges whose ends are both reached. A front is
   // always joined.
   bool connectedOnly = true;
+
+  bool operator==(const ReachOptions& other) const
+  {
+    return this->radius == other.radius && this->kind == other.kind &&
+           this->connectedOnly == other.connectedOnly;
+  }
 };
 
 struct Reached
@@ -34,17 +40,22 @@ struct Reached
 };
 
 // The vertices that one curve reaches. Holds numbers for each vertex, so keep it for all curves of a forest,
-// and for later states of it in which no vertex has been moved or snapped: each is measured once.
+// and for later states of it in which no vertex has been moved or snapped: each is measured once, and where
+// it is told what was split, what was reached is not gone over again.
 class CurveReach
 {
 public:
-  CurveReach(const Forest& forest, const CurveSearch& search);
+  // `follows`: follow() will tell of all that happens to the forest.
+  CurveReach(const Forest& forest, const CurveSearch& search, bool follows = false);
 
   // `faces`: that the curve passes through, see Passage. Ascending by vertex; valid until the next call.
   const std::vector<Reached>& find(int curve,
     const std::vector<int>& faces,
     const ReachOptions& options,
     const Context& context);
+
+  // Tells of faces that were split, before the next find().
+  void follow(const std::vector<Forest::Birth>& births);
 
   // Of the last curve: a vertex's distance, infinite where it is not reached.
   double distance(int vertex) const;
@@ -53,14 +64,23 @@ public:
   double distanceOfMiddle(int a, int b) const;
 
 private:
-  // What one curve measured in its last search, in any order.
+  // What one curve measured in its last search, in any order, and what it found while another one is
+  // searched. isWhole: that hangs together, and but for those `born` the forest is as it was.
   struct Memory
   {
-    double radius = 0.0;
-    std::vector<Reached> straight;
+    ReachOptions options;
+    std::vector<Reached> straight, found;
+    bool isWhole = false;
+    std::vector<Forest::Birth> born;
   };
   void recall(int curve, const ReachOptions& options);
   void remember(const Reached& measured);
+  void put(const Reached& reached);
+  void forget();
+  std::vector<Reached> measured(const std::vector<int>& vertices, const Context& context);
+  void spread(const std::vector<int>& from, const Context& context);
+  bool hangsTogether() const;
+  bool grow(const std::vector<int>& faces, const Context& context);
   Reached straight(int vertex) const;
   void everywhere(const Context& context);
   void flood(const std::vector<int>& faces, const Context& context);
@@ -68,6 +88,7 @@ private:
 
   const Forest& Mesh;
   const CurveSearch& Search;
+  const bool Follows;
   int Curve = -1;
   ReachOptions Options;
   std::vector<Reached> Found;

@@ -248,6 +248,53 @@ TEST(Distance, ASnappedVertexIsOnItsCurve)
   }
 }
 
+// Lines that cross a coarse mesh in bends, some between sheets, so that what a radius reaches is in pieces at
+// times, and edges of it are split far from the line.
+TEST(Distance, WhatIsFollowedIsWhatIsFoundAnew)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.02, 0.98);
+  const auto place = [&] { return Vector3(unit(random), unit(random), 0.0); };
+  std::size_t found = 0;
+  for (int run = 0; run < 60; ++run)
+  {
+    Forest forest = run % 3 ? quadForest(6, 6)
+                            : forestOfPairs(joined(quadPairs(6, 6), quadPairs(6, 6), Vector3(0, 0, 0.04)));
+    const FeatureCurves curves{ featureCurve({ place(), place(), place() }),
+      featureCurve({ place(), place() }) };
+    const CurveSearch search(curves);
+    Passage passage(forest, search, Context());
+    CurveReach followed(forest, search, true);
+    const ReachOptions options{ 0.02 + 0.2 * unit(random), CurveDistance::Straight, true };
+    for (int sweep = 0; sweep < 12; ++sweep)
+    {
+      for (int k = 0; k < 2; ++k)
+      {
+        CurveReach anew(forest, search);
+        const std::vector<Reached>& all = anew.find(k, passage.faces(k), options, Context());
+        const std::vector<Reached>& kept = followed.find(k, passage.faces(k), options, twoThreads());
+        ASSERT_EQ(kept.size(), all.size()) << "run " << run << ", sweep " << sweep << ", curve " << k;
+        found += all.size();
+        for (std::size_t i = 0; i < all.size(); ++i)
+        {
+          ASSERT_EQ(kept[i].vertex, all[i].vertex);
+          ASSERT_EQ(kept[i].distance, all[i].distance);
+          ASSERT_EQ(kept[i].parameter, all[i].parameter);
+          ASSERT_EQ(followed.distance(all[i].vertex), all[i].distance);
+        }
+      }
+      std::vector<Forest::Birth> births;
+      for (int i = 0; i < 1 << (sweep / 2); ++i)
+      {
+        forest.refine(anyFace(forest, random), {}, &births);
+      }
+      passage.follow(births);
+      followed.follow(births);
+    }
+  }
+  EXPECT_GT(found, 10000u);
+}
+
 TEST(Distance, ThreadsChangeNothing)
 {
   const Forest forest = baseOf(icosphere(5));

@@ -131,7 +131,7 @@ int Forest::split(int f, const MidpointRule& rule, std::vector<Birth>* births)
     this->replaceNeighbour(parent.n[1], child0, child1);
     if (births)
     {
-      births->push_back({ child0, child1, m });
+      births->push_back({ child0, child1, m, parent.v[0] });
     }
   };
   halve(f, f1, g, g1);

@@ -157,10 +157,10 @@ public:
   int faceWithEdge(int a, int b) const;
 
   // A split of one face, for those who keep lists of faces: child 0 is in `parent`'s slot, child 1 in
-  // `child`.
+  // `child`. The new vertex is on the edge opposite `apex`.
   struct Birth
   {
-    int parent, child, vertex;
+    int parent, child, vertex, apex;
   };
 
   // Splits the refinement edge of a face, whose neighbour there is absent or has the same refinement edge.

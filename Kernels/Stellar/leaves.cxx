@@ -456,52 +456,44 @@ Canonical canonical(const Forest& forest, const Context& context)
   out.rootCount = forest.rootCount;
   out.hasBaseNormals = forest.hasBaseNormals;
   out.closed = forest.closed;
-  out.faces.resize(faceCount);
-  context.parallelFor(faceCount,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        Forest::Face& face = out.faces[i] = forest.faces[result.faceFrom[i]];
-        for (int k = 0; k < 3; ++k)
-        {
-          face.v[k] = newVertex[face.v[k]];
-          face.n[k] = face.n[k] < 0 ? -1 : newFace[face.n[k]];
-        }
-      }
-    });
-  out.vertices.resize(vertexCount);
-  out.displacement.resize(forest.displacement.empty() ? 0 : vertexCount);
-  out.feature.resize(forest.feature.empty() ? 0 : vertexCount);
-  context.parallelFor(vertexCount,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        const int from = result.vertexFrom[i];
-        Forest::Vertex& vertex = out.vertices[i] = forest.vertices[from];
-        if (vertex.parents[0] >= 0)
-        {
-          const auto [low, high] = std::minmax(newVertex[vertex.parents[0]], newVertex[vertex.parents[1]]);
-          vertex.parents[0] = low;
-          vertex.parents[1] = high;
-        }
-        if (!out.displacement.empty())
-        {
-          out.displacement[i] = forest.displacement[from];
-        }
-        if (!out.feature.empty())
-        {
-          out.feature[i] = forest.feature[from];
-        }
-      }
-    });
-  // The highest of a star, as connect() has it.
-  for (int f = 0; f < faceCount; ++f)
+  // Memory is what this takes: each place is written once, and one thread is as quick as several are where
+  // they find places that had to be made first.
+  std::vector<int> highest(vertexCount, -1); // of a star, as connect() has it
+  out.faces.reserve(faceCount);
+  for (int i = 0; i < faceCount; ++i)
   {
-    for (int v : out.faces[f].v)
+    out.faces.push_back(forest.faces[result.faceFrom[i]]);
+    Forest::Face& face = out.faces.back();
+    for (int k = 0; k < 3; ++k)
     {
-      out.vertices[v].face = f;
+      face.v[k] = newVertex[face.v[k]];
+      face.n[k] = face.n[k] < 0 ? -1 : newFace[face.n[k]];
+      highest[face.v[k]] = i;
+    }
+  }
+  context.checkpoint(0.85);
+  out.vertices.reserve(vertexCount);
+  out.displacement.reserve(forest.displacement.empty() ? 0 : vertexCount);
+  out.feature.reserve(forest.feature.empty() ? 0 : vertexCount);
+  for (int i = 0; i < vertexCount; ++i)
+  {
+    const int from = result.vertexFrom[i];
+    out.vertices.push_back(forest.vertices[from]);
+    Forest::Vertex& vertex = out.vertices.back();
+    vertex.face = highest[i] < 0 ? vertex.face : highest[i];
+    if (vertex.parents[0] >= 0)
+    {
+      const auto [low, high] = std::minmax(newVertex[vertex.parents[0]], newVertex[vertex.parents[1]]);
+      vertex.parents[0] = low;
+      vertex.parents[1] = high;
+    }
+    if (!forest.displacement.empty())
+    {
+      out.displacement.push_back(forest.displacement[from]);
+    }
+    if (!forest.feature.empty())
+    {
+      out.feature.push_back(forest.feature[from]);
     }
   }
   context.checkpoint(1.0);

@@ -13,6 +13,7 @@
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace oversketch
 {
@@ -78,7 +79,7 @@ public:
     , Run(context)
     , Search(curves)
     , Passes(forest, this->Search, context)
-    , Reach(forest, this->Search)
+    , Reach(forest, this->Search, true)
     , FacesBefore(forest.faceCount())
     , LastReached(curves.size())
   {
@@ -97,6 +98,8 @@ public:
     {
       const Demand& demand = this->Demands[k];
       const std::vector<Reached>& reached = this->reach(k);
+      const int look = ++this->Looks;
+      this->Looked.resize(this->Mesh.faces.size(), 0);
       std::vector<int> vertices(reached.size());
       std::transform(
         reached.begin(), reached.end(), vertices.begin(), [](const Reached& r) { return r.vertex; });
@@ -104,7 +107,7 @@ public:
         vertices,
         [&](int f)
         {
-          if (this->asks(f, demand))
+          if (std::exchange(this->Looked[f], look) != look && this->asks(f, demand))
           {
             wishes.push_back({ f, this->leavesOf(f, demand) });
           }
@@ -151,6 +154,7 @@ public:
       }
     }
     this->Passes.follow(births);
+    this->Reach.follow(births);
     this->Born.clear();
     for (const Forest::Birth& birth : births)
     {
@@ -302,6 +306,8 @@ private:
   std::vector<char> Covered;                 // per vertex; empty where no foot can be hidden
   std::vector<std::vector<int>> LastReached; // vertices, for each curve
   std::vector<int> Born;                     // faces that the last splits made; none before the first
+  std::vector<int> Looked;                   // per face: the last of the looks, a curve's in a sweep, at it
+  int Looks = 0;
 };
 
 void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& options)

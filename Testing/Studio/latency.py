@@ -5,8 +5,8 @@ notch of the wheel to the new mesh on screen, beside a plain redraw.
 usage: latency.py [--line] MODEL [MODEL...]     needs a display, a quiet machine, and in the environment OVERSKETCH_STUDIO, the program
 
 Draws one arch over the top of each model, as it opens, ten times: over it, undone, over it again; with --line, a line on the middle of it
-with the tool for that, and then gives its height 20 notches of the wheel, and its radius 20. Prints medians and 99th percentiles [ms]. The
-first stroke counts as well.
+with the tool for that, and then gives its height 20 notches of the wheel, and its radius 20. Prints medians and 99th percentiles [ms], and
+medians of the time that processors worked for it meanwhile, all threads together. The first stroke counts as well.
 """
 import json
 import pathlib
@@ -104,14 +104,16 @@ def main():
     if missing or not models:
         print(f"latency.py: no file {missing[0]}" if missing else __doc__, file=sys.stderr)
         sys.exit(2)
-    columns = ["sample", "stroke", *(["notch"] if line else []), "redraw"]
-    titles = {"sample": "pen sample to painted frame", "stroke": "stroke end to new mesh", "notch": "notch to new mesh", "redraw": "plain redraw"}
+    columns = ["sample", "stroke", *(["radius", "height"] if line else []), "redraw"]
+    titles = {"sample": "pen sample to painted frame", "stroke": "stroke end to new mesh", "radius": "notch of the radius to new mesh",
+              "height": "of the height", "redraw": "plain redraw"}
     print("| model | " + " | ".join(titles[what] for what in columns) + " |")
     print("|---" * (1 + len(columns)) + "|")
     for model in models:
-        times = measure(pathlib.Path(model).resolve(), line)
+        times = {what: numpy.array(list(zip(*waited))) for what, waited in measure(pathlib.Path(model).resolve(), line).items()}
         print(f"| {pathlib.Path(model).stem} | " + " | ".join(
-            f"{numpy.median(times[what]):.1f} / {numpy.percentile(times[what], 99):.1f}" for what in columns) + " |")
+            f"{numpy.median(times[what][0]):.1f} / {numpy.percentile(times[what][0], 99):.1f}, {numpy.median(times[what][1]):.1f}"
+            for what in columns) + " |")
 
 
 main()

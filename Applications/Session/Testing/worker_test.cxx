@@ -124,6 +124,43 @@ TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)
   EXPECT_NE(before[1].region.identity(), after[1].region.identity());
 }
 
+TEST(Worker, WaitsWithWhatComesAfterTheMeshUntilThatIsSeen)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto told = [](bool isSeen)
+  {
+    Desk desk;
+    Clock::time_point done, detailed;
+    Worker::Listener listener = desk.listener();
+    Worker* told = nullptr;
+    listener.done = [&](const Worker::Result& result)
+    {
+      done = Clock::now();
+      if (isSeen)
+      {
+        told->seen(result.ticket);
+      }
+    };
+    listener.detailed = [&, inner = listener.detailed](const Worker::Details& details)
+    {
+      detailed = Clock::now();
+      inner(details);
+    };
+    Worker worker(listener);
+    told = &worker;
+    worker.submit(dogSession());
+    EXPECT_TRUE(desk.wait([&] { return !desk.details.empty(); }));
+    return std::chrono::duration<double, std::milli>(detailed - done).count();
+  };
+  EXPECT_GE(told(false), 150.0);
+  double least = 150.0; // whatever else the machine does
+  for (int i = 0; i < 5 && least >= 150.0; ++i)
+  {
+    least = std::min(least, told(true));
+  }
+  EXPECT_LT(least, 150.0);
+}
+
 TEST(Worker, AnswersASessionWithoutAMesh)
 {
   Desk desk;

@@ -256,7 +256,7 @@ bool AugmentTool::wheel(double notches, Qt::KeyboardModifiers modifiers)
   }
   if (this->IsOffered && !this->draws())
   {
-    Latency::of().notch();
+    wide ? Latency::of().radius() : Latency::of().height();
   }
   wide ? this->Options->widen(notches) : this->Options->heighten(notches);
   return true;
