@@ -109,6 +109,7 @@ void vtkOversketchAugment::Pipeline::SetAmendments(bool on)
     step->SetSeedCurveFaces(on);
   }
   this->Snap->SetOrder(on ? vtkOversketchStellarSnap::Nearest : vtkOversketchStellarSnap::AllAtOnce);
+  this->Snap->SetConnectedOnly(on);
   this->Smooth->SetRings(on ? 2 : -1);
   this->Displace->SetConnectedOnly(on);
   this->Displace->SetNormals(on ? vtkOversketchStellarDisplace::Base : vtkOversketchStellarDisplace::Current);
@@ -294,6 +295,10 @@ void vtkOversketchAugment::Pipeline::SetParameters()
   this->Sketch->SetMaximumStep(least);
   this->SetEdges(this->Refine, radius);
   this->SetEdges(this->RefineOnSource, radius);
+  // A front's distances are not known within edges.
+  this->Snap->SetSnapFoot(!self->AsPublished && self->Distance == Straight);
+  this->Snap->SetRadius(radius);
+  this->Snap->SetSharpness(this->Refine->GetSharpness());
   this->SetShape(this->Displace, radius, self->Height, self->Sharpness);
   this->Simplify->SetRadius(radius);
   this->Simplify->SetDistance(self->Distance);

@@ -1,5 +1,6 @@
 #include "vtkOversketchStellarSnap.h"
 
+#include "Stellar/foot.h"
 #include "Stellar/leaves.h"
 #include "Stellar/refine.h"
 #include "Stellar/snap.h"
@@ -58,9 +59,14 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
     outputs,
     [&](const CurveStep& step)
     {
-      const std::vector<double> values{
+      std::vector<double> values{
         static_cast<double>(this->Order), this->MinimumAngle, static_cast<double>(this->MaximumResidualRounds)
       };
+      if (this->SnapFoot)
+      {
+        values.insert(
+          values.end(), { this->Radius, this->Sharpness, static_cast<double>(this->ConnectedOnly) });
+      }
       const FeatureCurves curves = CurvesOf(step.curves);
       this->Internals->Step.Provide(step.mesh,
         { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
@@ -86,7 +92,21 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
           this->Snapped = report.snapped;
           this->Refused = report.refused;
           this->FacesAdded = report.facesAdded;
-          if (report.split)
+          this->FootMoved = 0;
+          bool split = report.split;
+          if (this->SnapFoot)
+          {
+            FootOptions foot;
+            foot.radius = LengthOf(this->Radius, 0.03, before, "Radius");
+            foot.sharpness = this->Sharpness;
+            foot.connectedOnly = this->ConnectedOnly;
+            foot.minimumAngle = this->MinimumAngle;
+            foot.parts = options.parts;
+            const FootReport made = snapFoot(forest, curves, foot, rule, step.context);
+            this->FootMoved = made.moved;
+            split = split || made.facesAdded > 0;
+          }
+          if (split)
           {
             forest = canonical(forest, step.context).forest;
           }
@@ -101,10 +121,15 @@ void vtkOversketchStellarSnap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Order: " << this->Order << "\n";
   os << indent << "MinimumAngle: " << this->MinimumAngle << "\n";
   os << indent << "MaximumResidualRounds: " << this->MaximumResidualRounds << "\n";
+  os << indent << "SnapFoot: " << this->SnapFoot << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Sharpness: " << this->Sharpness << "\n";
+  os << indent << "ConnectedOnly: " << this->ConnectedOnly << "\n";
   os << indent << "Crossings: " << this->Crossings << "\n";
   os << indent << "Residual: " << this->Residual << "\n";
   os << indent << "Snapped: " << this->Snapped << "\n";
   os << indent << "Refused: " << this->Refused << "\n";
   os << indent << "FacesAdded: " << this->FacesAdded << "\n";
+  os << indent << "FootMoved: " << this->FootMoved << "\n";
   os << indent << "SnapCount: " << this->SnapCount << "\n";
 }

@@ -7,7 +7,7 @@
  * taken one by one, the nearest of all first; those that a snapped vertex explains are left alone; moves that
  * would spoil a triangle are refused (MinimumAngle); where edges are still crossed an end goes along a curve,
  * to where it meets another, or they are split (MaximumResidualRounds). Vertices on the border and on seams
- * move along those only.
+ * move along those only. Ours too: steep features get edges along their foot (SnapFoot).
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Cell array Chart
  * (optional): one whole number per triangle, as for vtkOversketchRemesh; where neighbours have different ones
@@ -95,6 +95,44 @@ public:
 
   ///@{
   /**
+   * Put vertices also on the foot of features whose sharpness is below 1, and on a rim just inside of it,
+   * which else show saw-teeth there: their slope has no bound at the foot [default on; as published: off].
+   */
+  vtkSetMacro(SnapFoot, bool);
+  vtkGetMacro(SnapFoot, bool);
+  vtkBooleanMacro(SnapFoot, bool);
+  ///@}
+
+  ///@{
+  /**
+   * For SnapFoot: how far from the curve the foot is [model length, default -1: 0.03 of the mesh's diagonal].
+   * A curve's own Radius goes before it.
+   */
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * For SnapFoot: exponent s of the feature's profile (1 - distance / radius)^s, not negative [default 1.5].
+   * A curve's own Sharpness goes before it.
+   */
+  vtkSetMacro(Sharpness, double);
+  vtkGetMacro(Sharpness, double);
+  ///@}
+
+  ///@{
+  /**
+   * For SnapFoot: reach only what is joined to the curve through what is reached [default on; as published:
+   * off].
+   */
+  vtkSetMacro(ConnectedOnly, bool);
+  vtkGetMacro(ConnectedOnly, bool);
+  vtkBooleanMacro(ConnectedOnly, bool);
+  ///@}
+
+  ///@{
+  /**
    * Of the last snapping: crossings before the first move and after the last, vertices put on a curve, moves
    * refused, faces added.
    */
@@ -103,6 +141,13 @@ public:
   vtkGetMacro(Snapped, int);
   vtkGetMacro(Refused, int);
   vtkGetMacro(FacesAdded, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last snapping: vertices put on feet and their rims.
+   */
+  vtkGetMacro(FootMoved, int);
   ///@}
 
   ///@{
@@ -126,7 +171,11 @@ private:
   int Order = Nearest;
   double MinimumAngle = 5.0;
   int MaximumResidualRounds = 2;
-  int Crossings = 0, Residual = 0, Snapped = 0, Refused = 0, FacesAdded = 0;
+  bool SnapFoot = true;
+  double Radius = -1.0;
+  double Sharpness = 1.5;
+  bool ConnectedOnly = true;
+  int Crossings = 0, Residual = 0, Snapped = 0, Refused = 0, FacesAdded = 0, FootMoved = 0;
   vtkIdType SnapCount = 0;
 
   struct Cache;

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double cornerCosine = 0.70710678118654752440; // a boundary that turns by more stays
 constexpr int facesAtOnce = 4096;
 
 // Calls body(chunk, face) for all leaves.
@@ -92,6 +93,35 @@ bool mayMove(const Forest& forest,
           forest.vertices[face.v[(i + 2) % 3]].position));
     });
   return after >= before;
+}
+
+bool keepsToLines(const Forest& forest, int v, int towards, const std::vector<int>& parts)
+{
+  if (!forest.onBoundary(v) && !forest.onSeam(v, parts))
+  {
+    return true;
+  }
+  std::vector<int> ways; // the other ends of its edges on the boundary and on seams
+  forest.star(v,
+    [&](int f, int i)
+    {
+      const Forest::Face& face = forest.faces[f];
+      if (face.n[(i + 2) % 3] < 0 || forest.isSeam(f, (i + 2) % 3, parts))
+      {
+        ways.push_back(face.v[(i + 1) % 3]);
+      }
+      if (face.n[(i + 1) % 3] < 0) // the last face's other edge
+      {
+        ways.push_back(face.v[(i + 2) % 3]);
+      }
+    });
+  if (ways.size() != 2 || (towards != ways[0] && towards != ways[1]))
+  {
+    return false;
+  }
+  const Vector3 in = forest.vertices[v].position - forest.vertices[ways[0]].position;
+  const Vector3 out = forest.vertices[ways[1]].position - forest.vertices[v].position;
+  return in.dot(out) >= cornerCosine * in.norm() * out.norm();
 }
 
 double narrowestOf(const Forest& forest, const std::vector<Forest::Birth>& births)

@@ -24,6 +24,10 @@ bool mayMove(const Forest& forest,
   double minimumAngle,
   const std::vector<Vector3>* first = nullptr);
 
+// Whether a vertex keeps to the boundary and to seams, see SnapOptions, on its way along an edge: on one it
+// goes along that only, and not at all where that turns by over 45 degrees, ends or branches.
+bool keepsToLines(const Forest& forest, int v, int towards, const std::vector<int>& parts);
+
 // Of the faces that splits left in their slots.
 double narrowestOf(const Forest& forest, const std::vector<Forest::Birth>& births);
 // Undoes splits that nothing was split after.

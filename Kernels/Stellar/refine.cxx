@@ -24,6 +24,7 @@ namespace
 constexpr double onSource = 1e-9;  // diagonals
 constexpr double needle = 2.5;     // degrees, see SourceOptions
 constexpr double wellWithin = 0.8; // radii: where a curve hides the foot of another
+constexpr double footWidth = 0.03; // radii: inside the foot, where edges are as fine as there
 constexpr double steepCrest = 2.0; // the sharpness above which edges at the crest are too long
 
 // A face as it was marked; what was split since is another one.
@@ -257,12 +258,14 @@ private:
 
   bool isReached(int v) const { return std::isfinite(this->Reach.distance(v)); }
 
-  // Whether the feature ends within a face, and not in the midst of another curve's, which is nearer there.
-  bool isFoot(const Forest::Face& face) const
+  // Whether the feature ends within a face or next to it, and not in the midst of another curve's, which is
+  // nearer there.
+  bool isFoot(const Forest::Face& face, double radius) const
   {
     const auto reached = [this](int v) { return this->isReached(v); };
+    const auto inside = [&](int v) { return this->Reach.distance(v) < (1.0 - footWidth) * radius; };
     const auto covered = [this](int v) { return !this->Covered.empty() && this->Covered[v] != 0; };
-    return std::any_of(face.v, face.v + 3, reached) && !std::all_of(face.v, face.v + 3, reached) &&
+    return std::any_of(face.v, face.v + 3, reached) && !std::all_of(face.v, face.v + 3, inside) &&
            !std::all_of(face.v, face.v + 3, covered);
   }
 
@@ -275,7 +278,7 @@ private:
     }
     const int a = face.v[1], c = face.v[2];
     const double length = (this->Mesh.vertices[a].position - this->Mesh.vertices[c].position).norm();
-    if (length > demand.edgeLength || (length > demand.footLength && this->isFoot(face)))
+    if (length > demand.edgeLength || (length > demand.footLength && this->isFoot(face, demand.radius)))
     {
       return true;
     }

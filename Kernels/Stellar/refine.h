@@ -17,8 +17,8 @@ struct RefineOptions
   double radius = 0.0; // above 0; faces with a vertex nearer than this to a curve are refined
   double height = 0.0, sharpness = 1.5;
   // Faces whose refinement edge is longer are split. 0: a quarter of the radius. Where the sharpness is below
-  // 1, and the feature's slope without bound at its foot, an eighth, and in faces that the foot passes
-  // through a thirty-second (ours), which else show saw-teeth; where one curve ends within another's reach
+  // 1, and the feature's slope without bound at its foot, an eighth, and in faces at the foot
+  // a thirty-second (ours), which else show saw-teeth; where one curve ends within another's reach
   // there is no foot, since the nearest curve counts alone. Where the sharpness is above 2 an eighth (ours):
   // on a quarter more than half of the height is lost beside the crest, whose flanks look torn. fineFoot off:
   // a quarter everywhere, as published.

@@ -13,8 +13,7 @@ namespace oversketch
 namespace
 {
 
-constexpr double onCurve = 1e-9;                        // edge lengths
-constexpr double cornerCosine = 0.70710678118654752440; // a boundary that turns by more stays
+constexpr double onCurve = 1e-9; // edge lengths
 constexpr int facesPerScan = 4096;
 constexpr int movesPerCheck = 1024; // moves between two looks at whether to stop
 
@@ -83,36 +82,6 @@ void Snapper::put(int v, const EdgeCrossing& crossing, const Vector3& to)
   this->mark(v, crossing.curve, crossing.parameter);
 }
 
-// A vertex on the boundary or on a seam keeps to it, a corner or an end of it to its place.
-bool Snapper::mayGo(int v, int towards) const
-{
-  if (this->isFree(v))
-  {
-    return true;
-  }
-  std::vector<int> ways; // the other ends of its edges on the boundary and on seams
-  this->Mesh.star(v,
-    [&](int f, int i)
-    {
-      const Forest::Face& face = this->Mesh.faces[f];
-      if (face.n[(i + 2) % 3] < 0 || this->Mesh.isSeam(f, (i + 2) % 3, this->Options.parts))
-      {
-        ways.push_back(face.v[(i + 1) % 3]);
-      }
-      if (face.n[(i + 1) % 3] < 0) // the last face's other edge
-      {
-        ways.push_back(face.v[(i + 2) % 3]);
-      }
-    });
-  if (ways.size() != 2 || (towards != ways[0] && towards != ways[1]))
-  {
-    return false;
-  }
-  const Vector3 in = this->vertex(v).position - this->vertex(ways[0]).position;
-  const Vector3 out = this->vertex(ways[1]).position - this->vertex(v).position;
-  return in.dot(out) >= cornerCosine * in.norm() * out.norm();
-}
-
 // A1: whether a snapped end stands for this crossing.
 bool Snapper::explained(const EdgeCrossing& crossing) const
 {
@@ -158,7 +127,7 @@ void Snapper::remember(const EdgeCrossing& crossing)
   for (int i = 0; i < 2; ++i)
   {
     const int v = crossing.ends[i], other = crossing.ends[1 - i];
-    if (!this->snapped(v) && (!nearest || this->mayGo(v, other)))
+    if (!this->snapped(v) && (!nearest || keepsToLines(this->Mesh, v, other, this->Options.parts)))
     {
       this->Heap.push({ (i == 0 ? crossing.u : 1.0 - crossing.u) * length, v, other, id });
     }

@@ -88,7 +88,6 @@ private:
   void slide();
   int movesOf(int v) const { return v < static_cast<int>(this->Moves.size()) ? this->Moves[v] : 0; }
   bool isFree(int v) const { return !this->Mesh.onBoundary(v) && !this->Mesh.onSeam(v, this->Options.parts); }
-  bool mayGo(int v, int towards) const;
   bool unchanged(const Found& found) const;
   bool explained(const EdgeCrossing& crossing) const;
   void findAround(int v);

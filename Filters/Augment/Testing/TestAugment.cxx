@@ -197,6 +197,7 @@ TEST(Augment, AsPublishedIsEachStepAsPublished)
       before = step;
     }
     refine->SetRadius(radius);
+    snap->SetRadius(radius);
     displace->SetRadius(radius);
     simplify->SetRadius(radius);
     if (published)
@@ -206,6 +207,8 @@ TEST(Augment, AsPublishedIsEachStepAsPublished)
       refine->ConnectedOnlyOff();
       refine->SeedCurveFacesOff();
       snap->SetOrderToAllAtOnce();
+      snap->SnapFootOff();
+      snap->ConnectedOnlyOff();
       smooth->SetRings(-1);
       displace->ConnectedOnlyOff();
       displace->SetNormalsToCurrent();
