@@ -249,7 +249,7 @@ TEST(Distance, ASnappedVertexIsOnItsCurve)
 }
 
 // Lines that cross a coarse mesh in bends, some between sheets, so that what a radius reaches is in pieces at
-// times, and edges of it are split far from the line.
+// times; in half of the runs most new vertices lie far off, so that what was whole comes apart.
 TEST(Distance, WhatIsFollowedIsWhatIsFoundAnew)
 {
   std::mt19937 random(7);
@@ -265,6 +265,9 @@ TEST(Distance, WhatIsFollowedIsWhatIsFoundAnew)
     const CurveSearch search(curves);
     Passage passage(forest, search, Context());
     CurveReach followed(forest, search, true);
+    const MidpointRule far{ nullptr,
+      [&](const SourcePlace& at) { return Vector3(at.position + Vector3(0, 0, unit(random) < 0.6)); },
+      1e9 };
     const ReachOptions options{ 0.02 + 0.2 * unit(random), CurveDistance::Straight, true };
     for (int sweep = 0; sweep < 12; ++sweep)
     {
@@ -286,7 +289,7 @@ TEST(Distance, WhatIsFollowedIsWhatIsFoundAnew)
       std::vector<Forest::Birth> births;
       for (int i = 0; i < 1 << (sweep / 2); ++i)
       {
-        forest.refine(anyFace(forest, random), {}, &births);
+        forest.refine(anyFace(forest, random), run % 2 ? MidpointRule() : far, &births);
       }
       passage.follow(births);
       followed.follow(births);
