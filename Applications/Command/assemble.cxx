@@ -25,6 +25,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -69,7 +70,9 @@ void requireApart(const Options& options, const std::vector<Part>& parts)
     {
       if (!path.empty() && isSameFile(path, its))
       {
-        throw BadUse(std::string(what) + " " + path + " would replace " + other);
+        std::ostringstream message;
+        message << what << ' ' << path << " would replace " << other;
+        throw BadUse(message.str());
       }
     }
     taken.emplace_back(what, path);
@@ -137,7 +140,11 @@ void runDrawings(Sources& sources)
                          std::size_t, const std::string& stage, double share)
       { showProgress((done + share) / count, stage); };
       watch.warning = [&where = made.where](std::size_t, const std::string& message)
-      { warn(where + ": " + message); };
+      {
+        std::ostringstream said;
+        said << where << ": " << message;
+        warn(said.str());
+      };
       Session session;
       session.nodes.emplace_back();
       session.nodes[0].id = 1;

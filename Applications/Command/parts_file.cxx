@@ -52,7 +52,7 @@ std::string fileOf(const JsonReader& json, const std::string& name, const std::f
   {
     json.refuse(name, "is no path of a file; name one, beginning at the folder of the parts' file");
   }
-  const std::string path = (folder / given).lexically_normal().string();
+  std::string path = (folder / given).lexically_normal().string();
   try
   {
     requireReadable(path);

@@ -226,8 +226,8 @@ std::string looksOf(Builder& builder, const std::vector<Piece>& pieces)
       base = R"("baseColorTexture":{"index":)" + picture->second + "},";
     }
     const std::string name = piece.name.empty() ? "" : R"("name":")" + piece.name + R"(",)";
-    materials += (materials.empty() ? "{" : ",{") + name + R"("pbrMetallicRoughness":{)" + base +
-                 R"("metallicFactor":0}})";
+    materials += (materials.empty() ? "{" : ",{") + name;
+    materials += R"("pbrMetallicRoughness":{)" + base + R"("metallicFactor":0}})";
   }
   if (materials.empty())
   {
