@@ -42,6 +42,10 @@ public:
     , Shares(forest.vertices.size())
     , Placed(forest.vertices.size(), 0)
   {
+    for (const Forest::Vertex& v : forest.vertices)
+    {
+      this->First.push_back(v.position);
+    }
   }
 
   FootReport run(const MidpointRule& rule)
@@ -225,7 +229,7 @@ private:
       {
         continue;
       }
-      if (!mayMove(this->Mesh, m.vertex, m.to, this->Options.minimumAngle))
+      if (!mayMove(this->Mesh, m.vertex, m.to, this->Options.minimumAngle, &this->First))
       {
         ++this->Report.refused;
         continue;
@@ -247,7 +251,13 @@ private:
       const Vector3 to = this->at(c.within) + c.u * (this->at(c.beyond) - this->at(c.within));
       std::vector<Forest::Birth> births;
       const int made = this->Mesh.refineEdge(c.within, c.beyond, rule, &births);
-      if (mayMove(this->Mesh, made, to, this->Options.minimumAngle))
+      this->First.resize(this->Mesh.vertices.size());
+      for (const Forest::Birth& birth : births)
+      {
+        const int* ends = this->Mesh.vertices[birth.vertex].parents;
+        this->First[birth.vertex] = 0.5 * (this->First[ends[0]] + this->First[ends[1]]);
+      }
+      if (mayMove(this->Mesh, made, to, this->Options.minimumAngle, &this->First))
       {
         this->Mesh.vertices[made].position = to;
         this->Mesh.vertices[made].moved |= Forest::Placed;
@@ -266,9 +276,10 @@ private:
   const FootOptions& Options;
   const Context& Caller;
   CurveSearch Search;
-  std::vector<Share> Shares; // per vertex, before any split
-  std::vector<char> Placed;  // per vertex: on foot or rim
-  std::vector<int> Inside;   // reached vertices, ascending
+  std::vector<Share> Shares;  // per vertex, before any split
+  std::vector<char> Placed;   // per vertex: on foot or rim
+  std::vector<Vector3> First; // where vertices were before they moved, by slot
+  std::vector<int> Inside;    // reached vertices, ascending
 };
 
 } // namespace
