@@ -163,7 +163,8 @@ TEST(PlanarRefineFilter, HandsBackPartsOfStrokesAndNoMesh)
   EXPECT_EQ(filter->GetErrorCode(), 0u);
   EXPECT_TRUE(ear.errors.empty());
   ASSERT_EQ(ear.warnings.size(), 1u);
-  EXPECT_NE(ear.warnings[0].find("Strokes leave triangles no room, or"), std::string::npos) << ear.warnings[0];
+  EXPECT_NE(ear.warnings[0].find("Strokes leave triangles no room, or"), std::string::npos)
+    << ear.warnings[0];
   EXPECT_EQ(outputOf(filter, 0)->GetNumberOfPoints(), 0);
   EXPECT_EQ(outputOf(filter, 1)->GetNumberOfCells(), 0);
   const std::vector<StrokeSplit> splits = SplitsOf(outputOf(filter, 2)),
