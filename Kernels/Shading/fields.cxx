@@ -96,7 +96,8 @@ void march(const Mesh& mesh,
           done[b] ? distance[b] : unreached,
           mesh.points[b] - mesh.points[a],
           mesh.points[v] - mesh.points[a]);
-        // Two fronts that meet come from places apart: between those is nothing.
+        // Ways to a bent curve spread by no more than their length; farther apart are two fronts that meet,
+        // and between their places is nothing.
         const bool together = done[b] && curve.apart(place[a], place[b]) <=
                                            2.0 * (mesh.points[b] - mesh.points[a]).norm() + distance[a];
         const double at = !together && step.share < 0.5 ? place[a]
