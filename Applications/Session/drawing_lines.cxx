@@ -22,7 +22,6 @@ namespace
 {
 
 constexpr const char* isOn = "On";
-constexpr const char* strokesInput = "Strokes";
 constexpr const char* pictureInput = "Picture";
 
 vtkDataArray* onArray(vtkPolyData* drawing)
@@ -40,6 +39,7 @@ bool isOfLines(vtkPolyData* drawing)
 } // namespace
 
 const char* const drawingSystem = "InflateDrawing";
+const char* const strokesInput = "Strokes";
 
 std::vector<DrawnStroke> strokesOf(vtkPolyData* drawing)
 {

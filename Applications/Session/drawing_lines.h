@@ -40,7 +40,8 @@ std::shared_ptr<const Step> drawingOn(double width, double height);
 // The same step with another drawing.
 Step withDrawing(const Step& step, vtkPolyData* drawing);
 
-extern const char* const drawingSystem; // "InflateDrawing", its inputs "Strokes" and "Picture"
+extern const char* const drawingSystem; // "InflateDrawing"
+extern const char* const strokesInput;  // "Strokes", its input beside "Picture"
 
 } // namespace oversketch_session
 #endif

@@ -30,7 +30,7 @@ constexpr int nodeRole = Qt::UserRole, lineRole = Qt::UserRole + 1;
 // The strokes of a step that is a drawing; none of another.
 std::vector<DrawnStroke> linesIn(const Step& step)
 {
-  return step.system == drawingSystem ? strokesOf(linesOf(step, "Strokes")) : std::vector<DrawnStroke>();
+  return step.system == drawingSystem ? strokesOf(linesOf(step, strokesInput)) : std::vector<DrawnStroke>();
 }
 
 } // namespace

@@ -436,7 +436,7 @@ bool MainWindow::isNothingDrawn() const
   const auto& nodes = this->OpenDocument->session().nodes;
   const Step* first = nodes.empty() ? nullptr : nodes.front().step.get();
   return !this->OpenDocument->isBusy() && first && first->system == drawingSystem &&
-         strokesOf(linesOf(*first, "Strokes")).empty();
+         strokesOf(linesOf(*first, strokesInput)).empty();
 }
 
 void MainWindow::refresh()

@@ -172,7 +172,7 @@ void startFrom(const Forest& before, const std::vector<int>& changing, Forest& a
   }
 }
 
-// How many of the faces have turned by over 90 degrees.
+// How many of the faces have turned over: by over 90 degrees, and to the other side of the way they rose.
 int turned(const Forest& forest, const CurvesReached& reached, const Context& context)
 {
   std::vector<char> turned(reached.faces.size(), 0);
@@ -181,7 +181,11 @@ int turned(const Forest& forest, const CurvesReached& reached, const Context& co
     {
       for (int i = begin; i < end; ++i)
       {
-        turned[i] = reached.normals[i].dot(forest.facetNormal(reached.faces[i])) < 0.0 ? 1 : 0;
+        const int* v = forest.faces[reached.faces[i]].v;
+        const Vector3 rise =
+          forest.displacement[v[0]] + forest.displacement[v[1]] + forest.displacement[v[2]];
+        const Vector3 &old = reached.normals[i], now = forest.facetNormal(reached.faces[i]);
+        turned[i] = old.dot(now) < 0.0 && old.dot(rise) * now.dot(rise) <= 0.0 ? 1 : 0;
       }
     });
   return static_cast<int>(std::count(turned.begin(), turned.end(), 1));

@@ -47,8 +47,10 @@ struct DisplaceOptions
 
 struct DisplaceReport
 {
-  int moved = 0;     // vertices with a feature value other than zero
-  int flipped = 0;   // faces whose normals turned over 90 degrees
+  int moved = 0; // vertices with a feature value other than zero
+  // Faces whose normals turned over 90 degrees (A10) and look to the other side of the way they rose. Ours:
+  // a steep flank over relief that falls the other way turns by more than 90 degrees and is sound.
+  int flipped = 0;
   double peak = 0.0; // the greatest feature value
   // Feature values along the curves, see crestPlaces: 1 where the mesh holds the crest. `crests`: how many.
   double crestSum = 0.0, crestMinimum = 0.0;

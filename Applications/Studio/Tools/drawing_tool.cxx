@@ -332,7 +332,7 @@ void DrawingTool::follow()
     return;
   }
   const Step& step = *this->OpenDocument->session().nodes[indexOf(at)].step;
-  const auto lines = step.inputs.find("Strokes");
+  const auto lines = step.inputs.find(strokesInput);
   const Lines* drawn = lines == step.inputs.end() ? nullptr : std::get_if<Lines>(&lines->second);
   const vtkSmartPointer<vtkPolyData> drawing = drawn ? drawn->own() : nullptr;
   const auto given = step.inputs.find("Picture");
@@ -403,7 +403,7 @@ void DrawingTool::take()
   if (!replaces) // the pad shows it already
   {
     this->Strokes = next;
-    this->Shown = std::get<Lines>(step.inputs.at("Strokes")).identity();
+    this->Shown = std::get<Lines>(step.inputs.at(strokesInput)).identity();
     this->Pad->showText(this->inLines(this->Pad->text()));
   }
   emit this->edited(at, step);
