@@ -260,7 +260,7 @@ TEST(Heights, ScaleWithTheFactorAndThePixel)
     EXPECT_NEAR(more[i], 2.5 * once[i], 1e-9);
     EXPECT_EQ(once[i] == 0.0, isRim(mesh.points[i].kind)) << i;
   }
-  EXPECT_EQ(more, chain.heights(mesh, onTwoThreads()));
+  EXPECT_EQ(more, chain.heights(mesh, twoThreads()));
   for (const double factor : { 0.0, -1.0, std::nan("") })
   {
     chain.factor = factor;

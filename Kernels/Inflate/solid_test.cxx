@@ -489,7 +489,7 @@ TEST(Unstretch, TurnsNoFaceAndMovesNoStroke)
         EXPECT_EQ(moved.points[i].place, mesh.points[i].place);
       }
     }
-    const PlanarMesh twice = work(onTwoThreads());
+    const PlanarMesh twice = work(twoThreads());
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
     {
       EXPECT_EQ(moved.points[i].place, twice.points[i].place);

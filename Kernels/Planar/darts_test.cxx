@@ -178,7 +178,7 @@ TEST(C8_3, ASeedGivesTheSameDarts)
   { return throwDarts(drawing.maps, drawing.lines(), DartMode::Local, seed, context); };
   const auto first = dartsOf(7, Context());
   EXPECT_EQ(dartsOf(7, Context()), first);
-  EXPECT_EQ(dartsOf(7, onTwoThreads()), first);
+  EXPECT_EQ(dartsOf(7, twoThreads()), first);
   EXPECT_NE(dartsOf(8, Context()), first);
   // Strokes in another order: the objects' numbers change, the darts do not.
   const std::vector<DrawnStroke>& s = drawing.strokes;

@@ -322,10 +322,10 @@ TEST(Refine, ThreadsDoNotMatter)
   PlanarRefineOptions options;
   options.levels = 4;
   EXPECT_TRUE(sameBits(refinePlanar(drawing.mesh, drawing.strokes, options, Context()).mesh,
-    refinePlanar(drawing.mesh, drawing.strokes, options, onTwoThreads()).mesh));
+    refinePlanar(drawing.mesh, drawing.strokes, options, twoThreads()).mesh));
   drawing = bowDrawing();
   EXPECT_TRUE(sameBits(refinePlanar(drawing.mesh, drawing.strokes, options, Context()).mesh,
-    refinePlanar(drawing.mesh, drawing.strokes, options, onTwoThreads()).mesh));
+    refinePlanar(drawing.mesh, drawing.strokes, options, twoThreads()).mesh));
 }
 
 TEST(Refine, AFeatureThatEndsOnTheRimLeavesItsPointThere)

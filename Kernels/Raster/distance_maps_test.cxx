@@ -192,7 +192,7 @@ TEST(Distance, IsThatOfEveryPairOfPixels)
         EXPECT_GE(maps.thickness[at], maps.distance[at]);
       }
     }
-    const DistanceMaps again = distanceMaps(frame, rims, ThicknessMode::Local, onTwoThreads());
+    const DistanceMaps again = distanceMaps(frame, rims, ThicknessMode::Local, twoThreads());
     EXPECT_EQ(again.distance, maps.distance);
     EXPECT_EQ(again.thickness, maps.thickness);
     EXPECT_EQ(again.skeleton, maps.skeleton);

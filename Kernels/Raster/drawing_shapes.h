@@ -2,13 +2,13 @@
 #ifndef oversketch_drawing_shapes_h
 #define oversketch_drawing_shapes_h
 
+#include "Harness/threads.h"
 #include "Raster/distance_maps.h"
 
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <string>
-#include <thread>
 
 namespace oversketch_test
 {
@@ -48,19 +48,6 @@ inline std::string digits(double value, int count = 3)
   std::ostringstream text;
   text << std::setprecision(count) << value;
   return text.str();
-}
-
-// Two threads, whatever the machine has.
-inline oversketch::Context onTwoThreads()
-{
-  oversketch::Context context;
-  context.parallelFor = [](int count, const oversketch::Context::Body& body)
-  {
-    std::thread other([&] { body(0, count / 2); });
-    body(count / 2, count);
-    other.join();
-  };
-  return context;
 }
 
 } // namespace oversketch_test

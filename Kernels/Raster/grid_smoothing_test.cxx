@@ -54,8 +54,8 @@ TEST(C11_5, ThicknessIsNowhereLessThanTheDistance)
       EXPECT_EQ(c == 0.0, smooth == maps.thickness);
     }
     // The same for two threads.
-    GridSmoothing other(maps, step, onTwoThreads());
-    EXPECT_EQ(grid.thickness(0.5, Context()), other.thickness(0.5, onTwoThreads()));
+    GridSmoothing other(maps, step, twoThreads());
+    EXPECT_EQ(grid.thickness(0.5, Context()), other.thickness(0.5, twoThreads()));
   }
   fact("C11_5",
     "a body with a limb, steps 1 to 3, c = 0 to 1: D and D' >= T at every sample, D' up to " + digits(rise) +
@@ -209,7 +209,7 @@ TEST(GridSmoothing, BlowsUpAsEigenDoes)
   // A coarse grid knows where in its cells the rim is.
   const DistanceMaps large = limbed(400);
   const std::vector<float> fine = GridSmoothing(large, 1, Context()).poissonRatio(Context());
-  const std::vector<float> coarse = GridSmoothing(large, 2, onTwoThreads()).poissonRatio(onTwoThreads());
+  const std::vector<float> coarse = GridSmoothing(large, 2, twoThreads()).poissonRatio(twoThreads());
   EXPECT_EQ(coarse, GridSmoothing(large, 2, Context()).poissonRatio(Context()));
   double off = 0.0;
   for (std::size_t i = 0; i < fine.size(); ++i)

@@ -99,6 +99,15 @@ double Layers::placeOf(double rest) const
   return std::clamp(x + (1.0 - t) * (a.place - a.rest) + t * (b.place - b.rest), a.place, b.place);
 }
 
+std::pair<Layers::Knot, Layers::Knot> Layers::aboutPlace(double place) const
+{
+  const auto after = std::upper_bound(this->Knots.begin(),
+    this->Knots.end(),
+    place,
+    [](double value, const Knot& knot) { return value < knot.place; });
+  return { *(after - 1), *after };
+}
+
 double Layers::restOf(double s) const
 {
   const double x = std::clamp(s, 0.0, 1.0);
@@ -106,11 +115,7 @@ double Layers::restOf(double s) const
   {
     return this->Knots.back().after;
   }
-  const auto after = std::upper_bound(this->Knots.begin(),
-    this->Knots.end(),
-    x,
-    [](double value, const Knot& knot) { return value < knot.place; });
-  const Knot &a = *(after - 1), &b = *after;
+  const auto [a, b] = this->aboutPlace(x);
   const double t = (x - a.place) / (b.place - a.place);
   return std::clamp(x + (1.0 - t) * (a.after - a.place) + t * (b.before - b.place), a.after, b.before);
 }
@@ -162,11 +167,7 @@ double Layers::smoothRestOf(double s) const
   {
     return this->Knots.back().after;
   }
-  const auto after = std::upper_bound(this->Knots.begin(),
-    this->Knots.end(),
-    x,
-    [](double value, const Knot& knot) { return value < knot.place; });
-  const Knot &a = *(after - 1), &b = *after;
+  const auto [a, b] = this->aboutPlace(x);
   const double step = b.place - a.place, t = (x - a.place) / step, u = 1.0 - t;
   // Hermite's cubic of how far it has moved.
   const double moved = u * u * (1.0 + 2.0 * t) * (a.after - a.place) +

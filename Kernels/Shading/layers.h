@@ -2,6 +2,7 @@
 #ifndef oversketch_layers_h
 #define oversketch_layers_h
 
+#include <utility>
 #include <vector>
 
 namespace oversketch
@@ -60,6 +61,7 @@ private:
     double place, before, after;
     double slopeBefore = 1.0, slopeAfter = 1.0; // of phi^-1
   };
+  std::pair<Knot, Knot> aboutPlace(double place) const; // below the last one's
   double smoothRestOf(double s) const;
   void findSlopes();
 

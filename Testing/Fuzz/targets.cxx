@@ -67,6 +67,26 @@ void requireFinite(vtkPolyData* mesh)
   }
 }
 
+// What a run of a system may end in: a mesh, or one message and none. Whether it is the mesh.
+template <class System>
+bool requireMeshOrMessage(System* system, const Ear& ear)
+{
+  vtkPolyData* result = system->GetOutput();
+  require(ear.errors.size() < 2, "more than one message");
+  require((system->GetErrorCode() != 0) == !ear.errors.empty(),
+    "an error code and no message, or the other way round");
+  if (!ear.errors.empty())
+  {
+    require(result->GetNumberOfPoints() == 0, "an error and an output");
+    const auto unexpected = static_cast<unsigned long>(Failure::Unexpected);
+    require(system->GetErrorCode() - 40000 != unexpected, ear.errors[0]);
+    return false;
+  }
+  requireFinite(result);
+  require(result->GetNumberOfPolys() > 0, "no polygon and no message");
+  return true;
+}
+
 // A folder in memory, where there is one, that goes with the program.
 const fs::path& scratch()
 {
@@ -369,19 +389,7 @@ void takeOneStroke(const std::string& bytes)
   system->SetInputData(0, mesh);
   system->SetStrokeData(stroke);
   system->Update();
-  vtkPolyData* result = system->GetOutput();
-  require(ear.errors.size() < 2, "more than one message");
-  require((system->GetErrorCode() != 0) == !ear.errors.empty(),
-    "an error code and no message, or the other way round");
-  if (!ear.errors.empty())
-  {
-    require(result->GetNumberOfPoints() == 0, "an error and an output");
-    const auto unexpected = static_cast<unsigned long>(Failure::Unexpected);
-    require(system->GetErrorCode() - 40000 != unexpected, ear.errors[0]);
-    return;
-  }
-  requireFinite(result);
-  require(result->GetNumberOfPolys() > 0, "no polygon and no message");
+  requireMeshOrMessage(system.Get(), ear);
 }
 
 // What the bytes say of a length: about the model's size, or any number.
@@ -468,21 +476,12 @@ void takeAugment(const std::string& bytes)
     ear.errors.clear();
     system->Modified();
     system->Update();
-    vtkPolyData* result = system->GetOutput();
-    require(ear.errors.size() < 2, "more than one message");
-    require((system->GetErrorCode() != 0) == !ear.errors.empty(),
-      "an error code and no message, or the other way round");
-    if (!ear.errors.empty())
+    if (!requireMeshOrMessage(system.Get(), ear))
     {
-      require(result->GetNumberOfPoints() == 0, "an error and an output");
-      require(
-        system->GetErrorCode() - 40000 != static_cast<unsigned long>(Failure::Unexpected), ear.errors[0]);
       return;
     }
-    requireFinite(result);
-    require(result->GetNumberOfPolys() > 0, "no polygon and no message");
     vtkNew<vtkPolyData> again;
-    again->DeepCopy(result);
+    again->DeepCopy(system->GetOutput());
     Source of(faultBytes);
     damage(again, of, faults);
     system->SetInputData(0, again);
@@ -562,21 +561,10 @@ void takeDrawing(const std::string& bytes)
   strokes->Update();
   system->SetInputData(0, strokes->GetOutput());
   system->Update();
-  vtkPolyData* result = system->GetOutput();
-  require(ear.errors.size() < 2, "more than one message");
-  require((system->GetErrorCode() != 0) == !ear.errors.empty(),
-    "an error code and no message, or the other way round");
-  if (!ear.errors.empty())
+  const bool isMesh = requireMeshOrMessage(system.Get(), ear);
+  if (isMesh && !system->GetAsPublished()) // which cuts tunnels without walls, and leaves what turned over
   {
-    require(result->GetNumberOfPoints() == 0, "an error and an output");
-    require(system->GetErrorCode() - 40000 != static_cast<unsigned long>(Failure::Unexpected), ear.errors[0]);
-    return;
-  }
-  requireFinite(result);
-  require(result->GetNumberOfPolys() > 0, "no polygon and no message");
-  if (!system->GetAsPublished()) // which cuts tunnels without walls, and leaves what turned over
-  {
-    requireClosed(result);
+    requireClosed(system->GetOutput());
   }
 }
 
