@@ -24,7 +24,7 @@ from desk import Desk, Studio, until  # noqa: E402
 DOG = SOURCE / "Data" / "Models" / "dog.ply"
 VIEW = (880, 700)  # size of the model's part of the window; strokes are told in it, from its upper left corner
 SHOTS = pathlib.Path(os.environ["OVERSKETCH_TEMPORARY"]) / "Studio"  # what the screen showed, to look at
-README = {"stroke_1_of_3": "studio.png"}
+README = {"stroke_1_of_3": "studio.png", "fish_with_a_tunnel": "studio_drawing.png"}
 
 
 def digest(mesh):
