@@ -1,5 +1,6 @@
 """A drawing over a picture in the Studio, by real mouse and keys: a picture is dropped, an outline drawn by the magnetic pen, a part of it
-anew, a hole made, all undone and redone, saved, the program killed amid a line: what it shows is what the command makes, bit for bit."""
+anew, a hole made, all undone and redone, a fin of the model pulled, the outline changed once more, all saved, the program killed amid a line:
+what it shows is what the command makes, bit for bit."""
 import os
 import pathlib
 import subprocess
@@ -46,6 +47,15 @@ def euler(mesh):
     faces = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     edges = numpy.unique(numpy.sort(numpy.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1), axis=0)
     return len(numpy.unique(faces)) - len(edges) + len(faces)
+
+
+def lowest_fin(sitting):
+    """Where the shown model is lowest on the screen: its colours are stronger than those behind it."""
+    view = sitting.place("filler", "Model")
+    picture = sitting.desk.picture(view.left, view.top, view.width, view.height)
+    pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(view.height, view.width, 3)[::-1].astype(int)
+    rows, columns = numpy.nonzero(pixels.max(axis=2) - pixels.min(axis=2) > 60)
+    return view.left + int(numpy.median(columns[rows == rows.max()])), view.top + int(rows.max())
 
 
 def replayed(session, path):
@@ -109,6 +119,29 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
         desk.key("ctrl+y")
         assert sitting.shows(1, other_than=digest_before) == now
 
+    # A stroke over the outline pulls a fin of the model; a part of the drawing drawn anew then, and the fin follows.
+    desk.key("d")
+    until(lambda: sitting.place("filler", "Model"), "the model's view")
+    sitting.shot("fish_before_the_pull")
+    x, y = lowest_fin(sitting)
+    desk.drag([(x + 22 * t, y - 28 + 55 * (1 - t * t)) for t in numpy.linspace(-1.0, 1.0, 41)])
+    pulled = sitting.shows(2)
+    assert [step["system"] for step in sitting.session()["steps"]] == ["InflateDrawing", "OneStroke"]
+    longer = replayed(sitting.autosave(), tmp_path / "pulled.vtp")
+    assert digest(longer) == pulled and euler(longer) == 0 and longer.GetPointData().GetTCoords() is not None
+    assert longer.GetBounds()[2] < mesh(tmp_path / "tunnel.vtp").GetBounds()[2] - 5.0  # the fin is lower
+    sitting.shot("fish_with_a_longer_fin")
+    desk.key("g")
+    high = int(line[:, 1].argmax())
+    part = numpy.array([line[(high + k) % (len(line) - 1)] for k in range(-8, 9)])
+    part[:, 1] += 15.0 * numpy.sin(numpy.linspace(0.0, numpy.pi, len(part)))
+    until(lambda: sitting.place("filler", "Picture"), "the picture's view")
+    desk.hold("shift")
+    desk.drag(on_screen(sitting, part))
+    desk.hold("shift", down=False)
+    both = sitting.shows(2, other_than=pulled)
+    assert digest(replayed(sitting.autosave(), tmp_path / "both.vtp")) == both
+
     saved = tmp_path / "fish.oversketch"
     desk.key("ctrl+s")
     sitting.dialogue()
@@ -116,7 +149,7 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
     desk.type(str(saved))
     desk.key("Return")
     until(saved.exists, "the file")
-    assert digest(replayed(saved, tmp_path / "saved.vtp")) == anew
+    assert digest(replayed(saved, tmp_path / "saved.vtp")) == both
 
     # Killed amid a line: what was drawn before comes back.
     sitting.alone()
@@ -126,6 +159,6 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
     sitting.start()
     sitting.dialogue()
     desk.key("Return")
-    assert sitting.shows(1) == anew
+    assert sitting.shows(2) == both
     sitting.shot("fish_after_a_crash")
-    assert digest(replayed(sitting.autosave(), tmp_path / "recovered.vtp")) == anew
+    assert digest(replayed(sitting.autosave(), tmp_path / "recovered.vtp")) == both
