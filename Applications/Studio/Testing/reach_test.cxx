@@ -26,6 +26,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
@@ -78,7 +79,11 @@ struct Scene
     for (int x = width / 4; x < 3 * width / 4; x += 12)
     {
       const int up = static_cast<int>(std::lround(tremble * std::sin(x)));
-      QTest::mouseMove(this->view, { x, y + up });
+      // Sent as it is: the server's own would run together while frames are drawn.
+      const QPoint at(x, y + up);
+      QMouseEvent move(
+        QEvent::MouseMove, at, this->view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(this->view, &move);
       QApplication::processEvents();
     }
     QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, { 3 * width / 4, y });
