@@ -44,6 +44,10 @@ REACH = [
     ("augment: new radius", "limit", 1.0, ["30k", "180k"]),
     ("augment: new height", "limit", 1.0, ["30k", "180k"]),
     ("augment: crest under the pen", "limit", 1.0, None),
+    ("path along edges", "OpenCV's map", 1 / 50, None),
+    ("local maximum", "the distance", 1.0, None),
+    ("drawing: new", "limit", 1.0, None),
+    ("drawing: another feature", "limit", 1.0, None),
 ]
 # Jobs whose cost should grow with the model: from 180k to the million, per triangle, at most by this factor.
 LINEAR = {"SDF Embree": 1.15, "SDF OpenCL": 1.15, "BVH build": 1.15, "silhouette": 1.15, "curves": 1.15,
