@@ -180,11 +180,11 @@ struct Sheet : Scene
       const double place[3] = { side, low, ends[0][2] };
       return this->seen(place);
     };
-    QTest::mouseMove(this->view, at(0));
+    moveMouse(this->view, at(0), Qt::NoButton);
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(0));
     for (int i = 1; i <= 30; ++i)
     {
-      QTest::mouseMove(this->view, at(i));
+      moveMouse(this->view, at(i));
       QApplication::processEvents();
     }
     QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, at(30));

@@ -33,7 +33,7 @@ TEST(Hint, FollowedExactlyItMakesTheTailLonger)
   QTest::mousePress(scene.view, Qt::LeftButton, Qt::NoModifier, at(line.front()));
   for (const Vector2& p : line)
   {
-    QTest::mouseMove(scene.view, at(p));
+    moveMouse(scene.view, at(p));
     QApplication::processEvents();
   }
   QTest::mouseRelease(scene.view, Qt::LeftButton, Qt::NoModifier, at(line.back()));

@@ -46,7 +46,7 @@ struct Lines : Scene
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(0));
     for (int i = 1; i <= 30; ++i)
     {
-      QTest::mouseMove(this->view, at(i));
+      moveMouse(this->view, at(i));
       QApplication::processEvents();
     }
     this->end = at(30);
@@ -90,9 +90,9 @@ struct Lines : Scene
     }
     return all;
   }
-  int orange()
+  int orange() { return orangeIn(this->view->grabFramebuffer()); }
+  static int orangeIn(const QImage& image)
   {
-    const QImage image = this->view->grabFramebuffer();
     int found = 0;
     for (int y = 0; y < image.height(); ++y)
     {
@@ -123,7 +123,8 @@ TEST(Line, IsSeenBeforeItRisesAndKeepsItsLengths)
   EXPECT_EQ(scene.orange(), 0);
   const vtkIdType before = scene.triangles();
   scene.drawOn();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return scene.orange() > 200; }, 60000)) << "no crest under the pen";
+  EXPECT_TRUE(scene.comes([](const QImage& image) { return Lines::orangeIn(image) > 200; }))
+    << "no crest under the pen";
   scene.release();
   scene.wait();
   EXPECT_EQ(scene.failures(), "");
@@ -189,7 +190,7 @@ TEST(Line, TheWheelInTheAirIsForTheLineThatComes)
   const Values first = scene.step(0).values;
   // While the pen is on the model, too; the line before keeps what it has.
   scene.drawOn(-40);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return scene.orange() > 100; }, 60000));
+  EXPECT_TRUE(scene.comes([](const QImage& image) { return Lines::orangeIn(image) > 100; }));
   scene.wheel(-2, Qt::ControlModifier);
   scene.wheel(3, Qt::ShiftModifier);
   scene.release();
@@ -360,14 +361,15 @@ TEST(Line, ARedLineIsMoved)
   scene.line();
   const std::string before = scene.document->digest();
   const QPoint on = scene.end;
-  QTest::mouseMove(scene.view, on);
+  moveMouse(scene.view, on, Qt::NoButton);
   QTest::mousePress(scene.view, Qt::LeftButton, Qt::NoModifier, on);
   for (int i = 1; i <= 10; ++i)
   {
-    QTest::mouseMove(scene.view, on + QPoint(0, 3 * i));
+    moveMouse(scene.view, on + QPoint(0, 3 * i));
     QApplication::processEvents();
   }
-  EXPECT_TRUE(QTest::qWaitFor([&] { return scene.orange() > 100; }, 60000)) << "no crest where it is now";
+  EXPECT_TRUE(scene.comes([](const QImage& image) { return Lines::orangeIn(image) > 100; }))
+    << "no crest where it is now";
   QTest::mouseRelease(scene.view, Qt::LeftButton, Qt::NoModifier, on + QPoint(0, 30));
   scene.wait();
   ASSERT_EQ(scene.document->session().nodes.size(), 1u) << "a new line was begun";

@@ -2,6 +2,7 @@
 #include "document.h"
 #include "history_panel.h"
 #include "main_window.h"
+#include "mouse.h"
 #include "preferences.h"
 #include "tool.h"
 #include "viewport.h"
@@ -26,7 +27,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
@@ -79,11 +79,7 @@ struct Scene
     for (int x = width / 4; x < 3 * width / 4; x += 12)
     {
       const int up = static_cast<int>(std::lround(tremble * std::sin(x)));
-      // Sent as it is: the server's own would run together while frames are drawn.
-      const QPoint at(x, y + up);
-      QMouseEvent move(
-        QEvent::MouseMove, at, this->view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-      QApplication::sendEvent(this->view, &move);
+      moveMouse(this->view, { x, y + up });
       QApplication::processEvents();
     }
     QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, { 3 * width / 4, y });

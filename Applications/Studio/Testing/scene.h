@@ -4,6 +4,7 @@
 
 #include "document.h"
 #include "main_window.h"
+#include "mouse.h"
 #include "viewport.h"
 
 #include "vtkPolyData.h"
@@ -12,6 +13,7 @@
 #include "vtkRendererCollection.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QImage>
 #include <QTest>
 #include <QTimer>
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace oversketch_studio
 {
@@ -55,6 +58,20 @@ struct Scene
     EXPECT_TRUE(QTest::qWaitFor(rests, 60000));
     return this->view->grabFramebuffer();
   }
+  // Whether a picture comes that is such. It is asked for now and then: each look paints a frame, and what
+  // the pen takes hold of waits for some time without one.
+  bool comes(const std::function<bool(const QImage&)>& isSuch)
+  {
+    QElapsedTimer time;
+    for (time.start(); time.elapsed() < 60000; QTest::qWait(400))
+    {
+      if (isSuch(this->view->grabFramebuffer()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
   vtkRenderer* renderer() { return this->view->renderWindow()->GetRenderers()->GetFirstRenderer(); }
   // Where a place of the world is in the view, in pixels from its upper left corner.
   QPoint seen(const double place[3])
@@ -87,7 +104,7 @@ struct Scene
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(-15));
     for (int i = -14; i <= 15; ++i)
     {
-      QTest::mouseMove(this->view, at(i));
+      moveMouse(this->view, at(i));
       QApplication::processEvents();
     }
     this->end = at(15);

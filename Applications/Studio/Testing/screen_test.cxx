@@ -66,7 +66,7 @@ TEST(Screen, TheWholeLineIsPaintedBeforeTheStrokeRuns)
   Painting painting(scene.view, &scene.window);
   QObject::connect(scene.view->tool(), &Tool::drawn, [&] { paintedBefore = painting.count; });
   painting.putOff = true;
-  QTest::mouseMove(scene.view, scene.end += QPoint(3, 1));
+  moveMouse(scene.view, scene.end += QPoint(3, 1));
   EXPECT_TRUE(QTest::qWaitFor([&] { return drawn; }, 60000));
   painting.putOff = false;
   painting.count = 0;
@@ -133,7 +133,7 @@ TEST(Screen, ASaveTakesNothingAway)
   EXPECT_TRUE(scene.pictureAtRest() == before);
   // The line can still be moved.
   QTest::mousePress(scene.view, Qt::LeftButton, Qt::NoModifier, scene.end);
-  QTest::mouseMove(scene.view, scene.end + QPoint(30, 0));
+  moveMouse(scene.view, scene.end + QPoint(30, 0));
   QTest::mouseRelease(scene.view, Qt::LeftButton, Qt::NoModifier, scene.end + QPoint(30, 0));
   scene.wait();
   EXPECT_EQ(scene.document->session().nodes.size(), 1u) << "another line was drawn";

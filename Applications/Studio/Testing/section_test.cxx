@@ -39,13 +39,12 @@ TEST(PenSection, IsSeenUnderAPenThatStandsAndIsWhatTheStrokeTakesHoldOf)
   EXPECT_EQ(count(scene.view->grabFramebuffer(), isBlue), 0);
   scene.draw();
   QImage drawn;
-  EXPECT_TRUE(QTest::qWaitFor(
-    [&]
+  EXPECT_TRUE(scene.comes(
+    [&](const QImage& image)
     {
-      drawn = scene.view->grabFramebuffer();
+      drawn = image;
       return count(drawn, isBlue) > 30;
-    },
-    600000))
+    }))
     << "no section under the pen";
   // It may still be that of fewer samples.
   EXPECT_TRUE(QTest::qWaitFor(
@@ -84,7 +83,7 @@ TEST(PenSection, GoesWithTheStroke)
   int most = 0;
   for (int x = 5; x < 20; ++x)
   {
-    QTest::mouseMove(scene.view, { x, 4 + x % 3 });
+    moveMouse(scene.view, { x, 4 + x % 3 });
     QApplication::processEvents();
     most = std::max(most, count(scene.view->grabFramebuffer(), isBlue));
   }

@@ -2,6 +2,7 @@
 #include "document.h"
 #include "main_window.h"
 #include "mesh_file.h"
+#include "mouse.h"
 #include "texture.h"
 #include "viewport.h"
 
@@ -150,7 +151,7 @@ TEST(Skin, ATextureIsShownAndSurvivesAStrokeAndFiles)
   QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, { width / 4, y });
   for (int x = width / 4; x < 3 * width / 4; x += 12)
   {
-    QTest::mouseMove(view, { x, y });
+    moveMouse(view, { x, y });
     QApplication::processEvents();
   }
   QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, { 3 * width / 4, y });
