@@ -1,7 +1,9 @@
 #include "Silhouette/shape_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -31,7 +33,7 @@ Polyline samplesOf(const Polyline& points, int count)
 // A candidate as a row of places at equal lengths.
 struct SearchTrack
 {
-  Polyline places;
+  Polyline places;   // of a closed one three times, so that a part may pass its start either way
   double step = 0.0; // px
   bool closed = false;
 
@@ -49,20 +51,21 @@ struct SearchTrack
     {
       this->places.push_back(placeAt(lengths, points, i * this->step).of(candidate.display));
     }
+    for (std::size_t i = 0, once = this->places.size(); this->closed && i < 2 * once; ++i)
+    {
+      this->places.push_back(Vector2(this->places[i]));
+    }
   }
 
-  int count() const { return static_cast<int>(this->places.size()); }
+  int count() const { return static_cast<int>(this->places.size()) / (this->closed ? 3 : 1); }
   // Signed steps a part may take from a place; the whole of a closed one, less its last step.
   bool holds(int begin, int steps) const
   {
     return this->closed ? std::abs(steps) < this->count()
                         : begin + steps >= 0 && begin + steps < this->count();
   }
-  const Vector2& at(int i) const
-  {
-    return this->places[static_cast<std::size_t>(
-      this->closed ? (i % this->count() + this->count()) % this->count() : i)];
-  }
+  // From a whole round before the first place of a closed one.
+  const Vector2* from(int i) const { return this->places.data() + (this->closed ? this->count() + i : i); }
 };
 
 double scoreOf(const Polyline& section,
@@ -119,16 +122,19 @@ struct Drawn
   }
 };
 
-// Mean distance of the stroke to a part after the shift, and some of the shift; infinite where that is
-// another shape.
-double difference(const Polyline& stroke, double drawn, const SearchTrack& track, int begin, int steps)
+// The steps to each sample of a part.
+using Offsets = std::array<int, sampleCount>;
+
+// Mean distance of the stroke to the part that begins at a place, after the shift, and some of the shift;
+// infinite where that is another shape.
+double difference(const Polyline& stroke, double drawn, const Vector2* place, const Offsets& offsets)
 {
   Vector2 differences[sampleCount], mean = Vector2::Zero();
   for (int i = 0; i < sampleCount; ++i)
   {
-    const int at = begin + static_cast<int>(std::lround(static_cast<double>(steps) * i / (sampleCount - 1)));
-    differences[i] = stroke[static_cast<std::size_t>(i)] - track.at(at);
-    mean += differences[i] / sampleCount;
+    const std::size_t k = static_cast<std::size_t>(i);
+    differences[k] = stroke[k] - place[offsets[k]];
+    mean += differences[k] / sampleCount;
   }
   double sum = 0.0;
   for (const Vector2& d : differences)
@@ -147,11 +153,12 @@ bool better(const CandidatePart& a, const CandidatePart& b)
 }
 
 // Leaves the best of them, in their order.
-void keepBest(std::vector<CandidatePart>& parts, std::size_t count)
+template <class Value, class Better>
+void keepBest(std::vector<Value>& values, std::size_t count, const Better& isBetter)
 {
-  const auto last = parts.begin() + static_cast<std::ptrdiff_t>(std::min(count, parts.size()));
-  std::partial_sort(parts.begin(), last, parts.end(), better);
-  parts.erase(last, parts.end());
+  const auto last = values.begin() + static_cast<std::ptrdiff_t>(std::min(count, values.size()));
+  std::partial_sort(values.begin(), last, values.end(), isBetter);
+  values.erase(last, values.end());
 }
 
 // What the sweeps found.
@@ -170,33 +177,52 @@ void sweep(const Polyline& stroke,
   Findings& found)
 {
   constexpr std::size_t kept = 6;
-  const int count = track.count();
-  std::vector<CandidatePart> parts, minima;
-  for (int begin = 0; begin < count; ++begin)
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Offsets offsets;
+  for (int i = 0; i < sampleCount; ++i)
   {
-    CandidatePart part;
-    part.candidate = candidate;
-    part.begin = begin * track.step;
-    part.length = steps * track.step;
-    part.score = track.holds(begin, steps) ? difference(stroke, drawn, track, begin, steps)
-                                           : std::numeric_limits<double>::infinity();
-    parts.push_back(part);
+    offsets[static_cast<std::size_t>(i)] =
+      static_cast<int>(std::lround(static_cast<double>(steps) * i / (sampleCount - 1)));
   }
+  const int count = track.count();
+  std::vector<double> scores; // of the parts that begin at each place
+  scores.reserve(static_cast<std::size_t>(count));
   for (int begin = 0; begin < count; ++begin)
   {
-    const auto scoreAt = [&](int i) { return parts[static_cast<std::size_t>((i + count) % count)].score; };
-    if (scoreAt(begin) <= scoreAt(begin - 1) && scoreAt(begin) < scoreAt(begin + 1))
+    scores.push_back(
+      track.holds(begin, steps) ? difference(stroke, drawn, track.from(begin), offsets) : infinite);
+  }
+  using Scored = std::pair<double, int>; // and where the part begins
+  std::vector<Scored> parts, minima;
+  for (int begin = 0; begin < count; ++begin)
+  {
+    const double score = scores[static_cast<std::size_t>(begin)];
+    if (score == infinite)
     {
-      minima.push_back(parts[static_cast<std::size_t>(begin)]);
+      continue;
+    }
+    parts.push_back({ score, begin });
+    if (score <= scores[static_cast<std::size_t>(begin > 0 ? begin - 1 : count - 1)] &&
+        score < scores[static_cast<std::size_t>(begin + 1 < count ? begin + 1 : 0)])
+    {
+      minima.push_back({ score, begin });
     }
   }
-  parts.erase(std::remove_if(
-                parts.begin(), parts.end(), [](const CandidatePart& part) { return std::isinf(part.score); }),
-    parts.end());
-  keepBest(parts, kept);
-  keepBest(minima, kept);
-  found.best.insert(found.best.end(), parts.begin(), parts.end());
-  found.minima.insert(found.minima.end(), minima.begin(), minima.end());
+  const auto add = [&](std::vector<Scored>& best, std::vector<CandidatePart>& to)
+  {
+    keepBest(best, kept, std::less<>());
+    for (const auto& [score, begin] : best)
+    {
+      CandidatePart part;
+      part.candidate = candidate;
+      part.begin = begin * track.step;
+      part.length = steps * track.step;
+      part.score = score;
+      to.push_back(part);
+    }
+  };
+  add(parts, found.best);
+  add(minima, found.minima);
 }
 
 } // namespace
@@ -262,8 +288,8 @@ std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candida
       }
     }
   }
-  keepBest(findings.best, finalists);
-  keepBest(findings.minima, finalists);
+  keepBest(findings.best, finalists, better);
+  keepBest(findings.minima, finalists, better);
   std::vector<CandidatePart> found = std::move(findings.best);
   found.insert(found.end(), findings.minima.begin(), findings.minima.end());
   const Drawn whole(stroke);
