@@ -144,21 +144,31 @@ inline bool soundCurve(const MeshCurve& curve)
   return sound;
 }
 
-// Smallest angles of the triangles with a vertex on the curve, ascending [degrees].
-inline std::vector<double> anglesAlong(const Mesh& mesh, const MeshCurve& curve)
+inline std::vector<Triangle> trianglesAlong(const Mesh& mesh, const MeshCurve& curve)
 {
   std::vector<char> on(mesh.points.size(), 0);
   for (const int v : curve.vertices)
   {
     on[v] = 1;
   }
-  std::vector<double> angles;
+  std::vector<Triangle> along;
   for (const Triangle& t : mesh.triangles)
   {
     if (on[t[0]] || on[t[1]] || on[t[2]])
     {
-      angles.push_back(smallestAngle(mesh, t));
+      along.push_back(t);
     }
+  }
+  return along;
+}
+
+// Smallest angles of the triangles with a vertex on the curve, ascending [degrees].
+inline std::vector<double> anglesAlong(const Mesh& mesh, const MeshCurve& curve)
+{
+  std::vector<double> angles;
+  for (const Triangle& t : trianglesAlong(mesh, curve))
+  {
+    angles.push_back(smallestAngle(mesh, t));
   }
   std::sort(angles.begin(), angles.end());
   return angles;
