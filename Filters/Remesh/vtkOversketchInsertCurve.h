@@ -12,9 +12,10 @@
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Borders and non-manifold edges are tolerated.
  * Input 1 (Curves): curves of vtkOversketchProjectCurve on this mesh: point arrays CurveT, MeshCell,
- * MeshVertices, MeshWeights; cell arrays StrokeId, Closed and those of the view. Runs with one StrokeId
- * follow each other and make one curve. Input 2 (Stored, optional): curves that the mesh has as chains of
- * edges, with point arrays VertexId and CurveT. What splits an edge of theirs becomes a point of theirs.
+ * MeshVertices, MeshWeights; cell arrays StrokeId, Closed and those of the view. Runs of one StrokeId make
+ * one curve and follow each other.
+ * Input 2 (Stored, optional): curves that the mesh has as chains of edges, with point arrays VertexId and
+ * CurveT. What splits an edge of theirs becomes a point of theirs.
  *
  * Output 0 (Mesh): the mesh: points that stay in their order and bit for bit, then new ones. Point arrays:
  * floating ones mixed (active normals of length 1), others and Region from the point of largest weight; cell
