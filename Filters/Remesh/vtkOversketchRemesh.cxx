@@ -3,10 +3,10 @@
 #include "Remesh/remesh.h"
 #include "Remesh/sizing.h"
 #include "vtkOversketchBindings.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchHierarchy.h"
 #include "vtkOversketchKept.h"
-#include "vtkOversketchRuns.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellArray.h"
@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <sstream>
 
@@ -109,78 +108,15 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
   return array;
 }
 
-vtkSmartPointer<vtkAbstractArray> LikeArray(vtkAbstractArray* array, std::size_t tuples)
+// The corners of the triangle that a point lies in.
+PointMix CornersOf(const RemeshResult& result, vtkCellArray* triangles)
 {
-  auto result = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  result->CopyComponentNames(array);
-  return result;
-}
-
-// Whether new points take the mix of their triangle's corners, or what the nearest corner has.
-bool Mixes(vtkAbstractArray* array)
-{
-  const bool real = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
-  return real && !(array->GetName() && std::strcmp(array->GetName(), "Region") == 0);
-}
-
-void NormaliseTuple(vtkDataArray* values, vtkIdType tuple)
-{
-  Vector3 n;
-  values->GetTuple(tuple, n.data());
-  if (n.norm() > 0.0)
+  return [&result, triangles](vtkIdType point, vtkIdList* corners, std::vector<double>& weights)
   {
-    n.normalize();
-    values->SetTuple(tuple, n.data());
-  }
-}
-
-vtkSmartPointer<vtkAbstractArray> CarryPointArray(vtkAbstractArray* array,
-  bool normals,
-  const RemeshResult& result,
-  vtkCellArray* triangles)
-{
-  auto carried = LikeArray(array, result.pointSource.size());
-  const bool linear = Mixes(array);
-  auto* directions = normals ? vtkDataArray::SafeDownCast(carried) : nullptr;
-  vtkNew<vtkIdList> corners;
-  EachRun(
-    result.pointSource,
-    [&](vtkIdType first, vtkIdType count, vtkIdType source)
-    { carried->InsertTuples(first, count, source, array); },
-    [&](vtkIdType point)
-    {
-      const SurfacePoint place = result.place(static_cast<int>(point));
-      std::array<double, 3> weights = place.weights;
-      triangles->GetCellAtId(place.triangle, corners);
-      if (linear)
-      {
-        carried->InterpolateTuple(point, corners, array, weights.data());
-      }
-      else
-      {
-        const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-        carried->SetTuple(point, corners->GetId(nearest), array);
-      }
-      if (directions && directions->GetNumberOfComponents() == 3)
-      {
-        NormaliseTuple(directions, point);
-      }
-    });
-  return carried;
-}
-
-vtkSmartPointer<vtkAbstractArray> CarryCellArray(vtkAbstractArray* array, const RemeshResult& result)
-{
-  auto carried = LikeArray(array, result.triangleSource.size());
-  EachRun(
-    result.triangleSource,
-    [&](vtkIdType first, vtkIdType count, vtkIdType source)
-    { carried->InsertTuples(first, count, source, array); },
-    [](vtkIdType) {});
-  return carried;
+    const SurfacePoint place = result.place(static_cast<int>(point));
+    weights.assign(place.weights.begin(), place.weights.end());
+    triangles->GetCellAtId(place.triangle, corners);
+  };
 }
 
 } // namespace
@@ -309,7 +245,8 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   {
     const auto lengths = NewArray<vtkDoubleArray>("EdgeLength", 1, mesh.vertexCount());
     std::copy(own.begin(), own.end(), lengths->GetPointer(0));
-    this->EdgeLength = CarryPointArray(lengths, false, this->Result, input->GetPolys());
+    this->EdgeLength =
+      CarriedPointArray(lengths, false, this->Result.pointSource, CornersOf(this->Result, input->GetPolys()));
   }
   this->Key = question.Key;
 }
@@ -394,8 +331,10 @@ std::vector<vtkOversketchRemesh::Cache::Carried> vtkOversketchRemesh::Cache::Car
     }
     if (!item.Result)
     {
-      item.Result = points ? CarryPointArray(array, item.Normals, this->Result, input->GetPolys())
-                           : CarryCellArray(array, this->Result);
+      item.Result =
+        points ? CarriedPointArray(
+                   array, item.Normals, this->Result.pointSource, CornersOf(this->Result, input->GetPolys()))
+               : CarriedCellArray(array, this->Result.triangleSource);
     }
     carried.push_back(item);
     const int index = to->AddArray(item.Result);

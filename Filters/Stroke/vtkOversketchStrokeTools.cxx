@@ -26,23 +26,19 @@ namespace oversketch
 namespace
 {
 
-const char* const viewArrays[] = { "ViewTransform", "ProjectionTransform", "ViewportSize" };
 // What a stroke may say of the feature that it draws.
 const char* const profileArrays[] = { "Radius", "Height", "Sharpness" };
 
 // What a curve takes over from the stroke's cell.
 std::vector<vtkDataArray*> passedArrays(vtkPolyData* strokes)
 {
-  std::vector<vtkDataArray*> arrays;
-  for (const char* const* names : { viewArrays, profileArrays })
+  std::vector<vtkDataArray*> arrays = ViewArraysOf(strokes);
+  for (const char* name : profileArrays)
   {
-    for (int i = 0; i < 3; ++i)
+    vtkDataArray* array = strokes->GetCellData()->GetArray(name);
+    if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())
     {
-      vtkDataArray* array = strokes->GetCellData()->GetArray(names[i]);
-      if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())
-      {
-        arrays.push_back(array);
-      }
+      arrays.push_back(array);
     }
   }
   return arrays;
@@ -121,34 +117,6 @@ void RefuseEndless(const std::vector<DrawnLine>& strokes)
               << longestStroke << " px are taken: record the stroke again.";
       throw Error(Failure::BadStroke, message.str());
     }
-  }
-}
-
-View ViewOfStroke(vtkPolyData* strokes, int stroke)
-{
-  vtkNew<vtkPolyData> one;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ points->InsertNextPoint(0.0, 0.0, 0.0) });
-  one->SetPoints(points);
-  one->SetLines(lines);
-  for (const char* name : viewArrays)
-  {
-    vtkDataArray* array = strokes->GetCellData()->GetArray(name);
-    if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())
-    {
-      auto its = emptyLike(array);
-      its->InsertNextTuple(stroke, array);
-      one->GetCellData()->AddArray(its);
-    }
-  }
-  try
-  {
-    return ViewOf(one);
-  }
-  catch (const Error& error)
-  {
-    throw Error(error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what());
   }
 }
 

@@ -9,6 +9,7 @@
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
+#include "vtkOversketchStrokeView.h"
 
 #include "vtkType.h"
 
@@ -22,9 +23,6 @@ namespace oversketch
 
 // Throws Error(BadStroke) naming the stroke when it is longer than `longestStroke`.
 void RefuseEndless(const std::vector<DrawnLine>& strokes);
-
-// The view of one stroke, see ViewOf; strokes of one polydata may carry different ones.
-View ViewOfStroke(vtkPolyData* strokes, int stroke);
 
 // A stroke as it lies on a canvas, each sample seen in the stroke's view, and which samples those are. It is
 // closed where it repeats its first id, or its cell array Closed is 1; where that is neither 0 nor 1, or

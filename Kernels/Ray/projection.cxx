@@ -1,5 +1,8 @@
 #include "Ray/projection.h"
 
+#include "Mesh/pixel.h"
+#include "Ray/surface_pieces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -100,64 +103,13 @@ private:
   // Size of a pixel in the world, at the nearer of two places.
   double pixelSize(const Seen& a, const Seen& b) const
   {
-    const Vector3& nearer = (a.hit.distance < b.hit.distance ? a : b).hit.position;
-    const Vector3 display = this->Camera.toDisplay(nearer);
-    return (this->Camera.toWorld({ display[0] + 1.0, display[1] }, display[2]) - nearer).norm();
+    return oversketch::pixelSize(this->Camera, (a.hit.distance < b.hit.distance ? a : b).hit.position);
   }
 
   const SurfaceRays& Surface;
   const View& Camera;
   const double Tolerance;
 };
-
-// Splits a row of samples at its gaps.
-std::vector<SurfaceCurve> cutAtGaps(const std::vector<std::vector<SurfaceSample>>& rows)
-{
-  std::vector<SurfaceCurve> pieces(1);
-  for (const std::vector<SurfaceSample>& row : rows)
-  {
-    for (const SurfaceSample& sample : row)
-    {
-      std::vector<SurfaceSample>& samples = pieces.back().samples;
-      if (sample.at.triangle < 0)
-      {
-        pieces.emplace_back();
-      }
-      else if (samples.empty() || samples.back().position != sample.position)
-      {
-        samples.push_back(sample);
-      }
-    }
-  }
-  return pieces;
-}
-
-// The last piece of a closed stroke ends where the first one begins, if that place was hit.
-void joinRing(std::vector<SurfaceCurve>& pieces, int strokeSize)
-{
-  std::vector<SurfaceSample>& first = pieces.front().samples;
-  std::vector<SurfaceSample>& last = pieces.back().samples;
-  if (first.empty() || last.empty() || first.front().position != last.back().position)
-  {
-    return;
-  }
-  if (pieces.size() == 1)
-  {
-    if (first.size() > 3)
-    {
-      first.pop_back();
-      pieces.front().closed = true;
-    }
-    return;
-  }
-  for (std::size_t i = 1; i < first.size(); ++i)
-  {
-    first[i].along += strokeSize;
-  }
-  last.insert(last.end(), first.begin() + 1, first.end());
-  first.swap(last);
-  pieces.pop_back();
-}
 
 struct End
 {
@@ -430,16 +382,7 @@ std::vector<SurfaceCurve> projectStroke(const SurfaceRays& surface,
       }
     });
   context.checkpoint(0.9);
-  std::vector<SurfaceCurve> pieces = cutAtGaps(rows);
-  if (closed)
-  {
-    joinRing(pieces, count);
-  }
-  pieces.erase(
-    std::remove_if(
-      pieces.begin(), pieces.end(), [](const SurfaceCurve& piece) { return piece.samples.size() < 2; }),
-    pieces.end());
-  return pieces;
+  return piecesOf(rows, closed, count);
 }
 
 SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,

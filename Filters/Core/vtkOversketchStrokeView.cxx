@@ -1,0 +1,58 @@
+#include "vtkOversketchStrokeView.h"
+
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace oversketch
+{
+
+std::vector<vtkDataArray*> ViewArraysOf(vtkPolyData* strokes)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
+  {
+    vtkDataArray* array = strokes->GetCellData()->GetArray(name);
+    if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())
+    {
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
+}
+
+View ViewOfStroke(vtkPolyData* strokes, vtkIdType stroke)
+{
+  vtkNew<vtkPolyData> one;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ points->InsertNextPoint(0.0, 0.0, 0.0) });
+  one->SetPoints(points);
+  one->SetLines(lines);
+  for (vtkDataArray* array : ViewArraysOf(strokes))
+  {
+    const auto its = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    its->SetName(array->GetName());
+    its->SetNumberOfComponents(array->GetNumberOfComponents());
+    its->InsertNextTuple(stroke, array);
+    one->GetCellData()->AddArray(its);
+  }
+  try
+  {
+    return ViewOf(one);
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what());
+  }
+}
+
+} // namespace oversketch

@@ -1,0 +1,402 @@
+#include "vtkOversketchInsertCurve.h"
+
+#include "Remesh/insert_curves.h"
+#include "vtkOversketchBindings.h"
+#include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchChains.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchSharedMesh.h"
+#include "vtkOversketchStrokeView.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <cmath>
+#include <list>
+#include <memory>
+#include <string>
+
+using namespace oversketch;
+
+// The last result.
+struct vtkOversketchInsertCurve::Cache
+{
+  StepKey Key;
+  vtkSmartPointer<vtkPolyData> Outputs[3]; // null: nothing is kept
+  int Bridges = 0;
+};
+
+namespace
+{
+
+const char* const curveRemedy = "take the curves from vtkOversketchProjectCurve";
+const char* const chainRemedy = "take them from vtkOversketchInsertCurve";
+
+// The curves of the input as the kernel takes them, and the cell that stands for each.
+struct ReadCurves
+{
+  std::list<View> Views; // that the curves point to
+  std::vector<NewCurve> Curves;
+  std::vector<vtkIdType> Cells;
+};
+
+class CurveReader
+{
+public:
+  CurveReader(vtkPolyData* curves, const Mesh& mesh)
+    : Input(curves)
+    , Surface(mesh)
+  {
+    const vtkIdType points = curves->GetNumberOfPoints(), cells = curves->GetNumberOfCells();
+    if (curves->GetNumberOfLines() == 0 || curves->GetNumberOfLines() != cells)
+    {
+      throw Error(Failure::BadStroke,
+        std::string("The curves must be polylines and no other cells: ") + curveRemedy + ".");
+    }
+    this->Parameters = RequireArray(curves->GetPointData(), "CurveT", 1, points, "curves", curveRemedy);
+    this->Triangles = RequireArray(curves->GetPointData(), "MeshCell", 1, points, "curves", curveRemedy);
+    this->Strokes = RequireArray(curves->GetCellData(), "StrokeId", 1, cells, "curves", curveRemedy);
+    this->Closed = RequireArray(curves->GetCellData(), "Closed", 1, cells, "curves", curveRemedy);
+    this->Bindings = ReadBindings(curves, mesh.vertexCount(), "curves", curveRemedy);
+  }
+
+  ReadCurves Read()
+  {
+    ReadCurves result;
+    for (vtkIdType cell = 0; cell < this->Input->GetNumberOfCells(); ++cell)
+    {
+      if (cell == 0 || this->Strokes->GetComponent(cell, 0) != this->Strokes->GetComponent(cell - 1, 0))
+      {
+        result.Views.push_back(ViewOfStroke(this->Input, cell));
+        NewCurve curve;
+        curve.closed = this->Closed->GetComponent(cell, 0) != 0.0;
+        curve.number = static_cast<int>(result.Curves.size());
+        curve.view = &result.Views.back();
+        result.Curves.push_back(curve);
+        result.Cells.push_back(cell);
+      }
+      NewCurve& curve = result.Curves.back();
+      curve.runs.push_back(this->Run(cell));
+      if (!curve.closed && curve.runs.size() > 1)
+      {
+        throw Error(Failure::BadStroke,
+          "Curve " + std::to_string(curve.number) +
+            " cannot be used: it is open, and in several runs. Give one of them.");
+      }
+    }
+    return result;
+  }
+
+private:
+  CurveRun Run(vtkIdType cell) const
+  {
+    vtkNew<vtkIdList> ids;
+    this->Input->GetLines()->GetCellAtId(cell, ids);
+    vtkIdType count = ids->GetNumberOfIds();
+    CurveRun run;
+    run.closed = count > 3 && ids->GetId(0) == ids->GetId(count - 1);
+    count -= run.closed;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const vtkIdType id = ids->GetId(i);
+      const double parameter = this->Parameters->GetComponent(id, 0);
+      if (!std::isfinite(parameter) || (i > 0 && !(parameter > run.parameters.back())))
+      {
+        throw Error(Failure::BadStroke,
+          "Array CurveT of the curves does not rise along polyline " + std::to_string(cell) + ": " +
+            curveRemedy + ".");
+      }
+      run.parameters.push_back(parameter);
+      run.places.push_back(this->Place(id));
+    }
+    if (count < 2)
+    {
+      throw Error(Failure::BadStroke,
+        "Polyline " + std::to_string(cell) + " of the curves has fewer than two points: " + curveRemedy +
+          ".");
+    }
+    return run;
+  }
+
+  // The triangle that a point names must be the one that it hangs on.
+  SurfacePoint Place(vtkIdType id) const
+  {
+    const double triangle = this->Triangles->GetComponent(id, 0);
+    const Binding& binding = this->Bindings[static_cast<std::size_t>(id)];
+    if (!(triangle >= 0.0 && triangle < this->Surface.triangleCount()) ||
+        this->Surface.triangles[static_cast<std::size_t>(triangle)] != binding.vertices)
+    {
+      throw Error(Failure::BadMesh,
+        "Point " + std::to_string(id) + " of the curves lies in triangle " +
+          std::to_string(static_cast<long long>(triangle)) +
+          ", which the mesh does not have like that: project the curves on this mesh.");
+    }
+    return { static_cast<int>(triangle), binding.weights };
+  }
+
+  vtkPolyData* Input;
+  const Mesh& Surface;
+  vtkDataArray *Parameters, *Triangles, *Strokes, *Closed;
+  std::vector<Binding> Bindings;
+};
+
+std::vector<MeshCurve> readStored(vtkPolyData* stored, int vertexCount)
+{
+  std::vector<MeshCurve> curves;
+  if (!stored || stored->GetNumberOfPoints() == 0)
+  {
+    return curves;
+  }
+  vtkDataArray* parameters = RequireArray(
+    stored->GetPointData(), "CurveT", 1, stored->GetNumberOfPoints(), "stored curves", chainRemedy);
+  for (const Chain& chain : ReadChains(stored, vertexCount, "stored curves"))
+  {
+    MeshCurve curve;
+    curve.closed = chain.Vertices.size() > 3 && chain.Vertices.front() == chain.Vertices.back();
+    const std::size_t count = chain.Vertices.size() - curve.closed;
+    curve.vertices.assign(
+      chain.Vertices.begin(), chain.Vertices.begin() + static_cast<std::ptrdiff_t>(count));
+    bool rises = count > 1;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double t = parameters->GetComponent(chain.Ids[i], 0);
+      rises = rises && std::isfinite(t) && (i == 0 || t > curve.parameters.back());
+      curve.parameters.push_back(t);
+    }
+    if (!rises)
+    {
+      throw Error(Failure::BadStroke,
+        "Stored curve " + std::to_string(curves.size()) +
+          " cannot be used: array CurveT does not rise along it: " + chainRemedy + ".");
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+void writeMesh(vtkPolyData* input, const InsertedCurves& result, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(input->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(result.mesh.vertexCount());
+  for (int v = 0; v < result.mesh.vertexCount(); ++v)
+  {
+    points->SetPoint(v, result.mesh.points[v].data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateEstimate(result.mesh.triangleCount(), 3);
+  for (const Triangle& t : result.mesh.triangles)
+  {
+    triangles->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  const PointMix mix = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
+  {
+    const Mix& origin = result.origins[static_cast<std::size_t>(point)];
+    ids->SetNumberOfIds(static_cast<vtkIdType>(origin.size()));
+    weights.clear();
+    for (const auto& part : origin)
+    {
+      ids->SetId(static_cast<vtkIdType>(weights.size()), part.first);
+      weights.push_back(part.second);
+    }
+  };
+  for (const bool ofPoints : { true, false })
+  {
+    vtkDataSetAttributes* from = ofPoints ? static_cast<vtkDataSetAttributes*>(input->GetPointData())
+                                          : static_cast<vtkDataSetAttributes*>(input->GetCellData());
+    vtkDataSetAttributes* to = ofPoints ? static_cast<vtkDataSetAttributes*>(output->GetPointData())
+                                        : static_cast<vtkDataSetAttributes*>(output->GetCellData());
+    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = from->GetAbstractArray(i);
+      const int attribute = from->IsArrayAnAttribute(i);
+      if (attribute == vtkDataSetAttributes::GLOBALIDS)
+      {
+        continue;
+      }
+      const int index = to->AddArray(
+        ofPoints
+          ? CarriedPointArray(array, attribute == vtkDataSetAttributes::NORMALS, result.pointSources, mix)
+          : CarriedCellArray(array, result.triangleSources));
+      if (attribute >= 0)
+      {
+        to->SetActiveAttribute(index, attribute);
+      }
+    }
+  }
+  output->GetFieldData()->PassData(input->GetFieldData());
+  DropHierarchy(output);
+}
+
+// cells: the input's cell that each curve takes its arrays from.
+void writeCurves(const std::vector<MeshCurve>& curves,
+  const Mesh& mesh,
+  vtkPolyData* input,
+  const std::vector<vtkIdType>& cells,
+  vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIdTypeArray> vertices;
+  vertices->SetName("VertexId");
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetName("CurveT");
+  vtkCellData* from = input->GetCellData();
+  vtkCellData* to = output->GetCellData();
+  to->CopyAllocate(from);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    const MeshCurve& curve = curves[i];
+    const vtkIdType cell = lines->InsertNextCell(curve.count() + curve.closed);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (int k = 0; k < curve.count(); ++k)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(mesh.points[curve.vertices[k]].data()));
+      vertices->InsertNextValue(curve.vertices[k]);
+      parameters->InsertNextValue(curve.parameters[k]);
+    }
+    if (curve.closed)
+    {
+      lines->InsertCellPoint(first);
+    }
+    to->CopyData(from, cells[i], cell);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetPointData()->AddArray(vertices);
+  output->GetPointData()->AddArray(parameters);
+  output->GetFieldData()->PassData(input->GetFieldData());
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkOversketchInsertCurve);
+
+vtkOversketchInsertCurve::vtkOversketchInsertCurve()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkOversketchInsertCurve::~vtkOversketchInsertCurve() = default;
+
+void vtkOversketchInsertCurve::SetCurvesData(vtkPolyData* curves)
+{
+  this->SetInputData(1, curves);
+}
+
+void vtkOversketchInsertCurve::SetStoredData(vtkPolyData* curves)
+{
+  this->SetInputData(2, curves);
+}
+
+int vtkOversketchInsertCurve::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 2)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, information);
+}
+
+int vtkOversketchInsertCurve::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* curves = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* stored = vtkPolyData::GetData(inputs[2]);
+      if (input->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      if (curves->GetNumberOfPoints() == 0)
+      {
+        vtkPolyData::GetData(outputs, 0)->ShallowCopy(input);
+        if (stored)
+        {
+          vtkPolyData::GetData(outputs, 2)->ShallowCopy(stored);
+        }
+        return;
+      }
+      RequirePolygonsOnly(input); // the key does not see other cells
+      Cache& cache = *this->Internals;
+      const StepKey key({ WholeKey(input), WholeKey(curves), stored ? WholeKey(stored) : MeshKey() },
+        { this->Snap ? 1.0 : 0.0,
+          this->EmbedSegments ? 1.0 : 0.0,
+          this->Bridge ? 1.0 : 0.0,
+          this->Clean ? 1.0 : 0.0 });
+      if (!cache.Outputs[0] || cache.Key != key)
+      {
+        cache = Cache();
+        ++this->InsertionCount;
+        const Mesh& mesh = SharedMesh(input)->Surface();
+        const ReadCurves read = CurveReader(curves, mesh).Read();
+        const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());
+        InsertRules rules;
+        rules.snap = this->Snap;
+        rules.embed = this->EmbedSegments;
+        rules.bridge = this->Bridge;
+        rules.clean = this->Clean;
+        const InsertedCurves result = insertCurves(mesh, read.Curves, kept, rules, ContextOf(this));
+        vtkSmartPointer<vtkPolyData> made[3];
+        for (vtkSmartPointer<vtkPolyData>& output : made)
+        {
+          output = vtkSmartPointer<vtkPolyData>::New();
+        }
+        writeMesh(input, result, made[0]);
+        writeCurves(result.curves, result.mesh, curves, read.Cells, made[1]);
+        made[1]->GetCellData()->RemoveArray("CurveId");
+        if (!kept.empty())
+        {
+          std::vector<vtkIdType> cells;
+          for (std::size_t i = 0; i < kept.size(); ++i)
+          {
+            cells.push_back(static_cast<vtkIdType>(i));
+          }
+          writeCurves(result.stored, result.mesh, stored, cells, made[2]);
+        }
+        std::copy(std::begin(made), std::end(made), cache.Outputs);
+        cache.Bridges = result.bridges;
+        cache.Key = key;
+      }
+      this->BridgeCount = cache.Bridges;
+      for (int port = 0; port < 3; ++port)
+      {
+        vtkPolyData::GetData(outputs, port)->ShallowCopy(cache.Outputs[port]);
+      }
+    });
+}
+
+void vtkOversketchInsertCurve::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Snap: " << (this->Snap ? "On" : "Off") << "\n";
+  os << indent << "EmbedSegments: " << (this->EmbedSegments ? "On" : "Off") << "\n";
+  os << indent << "Bridge: " << (this->Bridge ? "On" : "Off") << "\n";
+  os << indent << "Clean: " << (this->Clean ? "On" : "Off") << "\n";
+  os << indent << "BridgeCount: " << this->BridgeCount << "\n";
+  os << indent << "InsertionCount: " << this->InsertionCount << "\n";
+}

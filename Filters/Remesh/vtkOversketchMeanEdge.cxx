@@ -1,0 +1,79 @@
+#include "vtkOversketchMeanEdge.h"
+
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+using namespace oversketch;
+
+vtkStandardNewMacro(vtkOversketchMeanEdge);
+
+namespace
+{
+
+const char* const meanName = "MeanEdge";
+
+double meanEdgeOf(const MeshData& data)
+{
+  const std::vector<Vector3>& points = data.Surface().points;
+  const std::vector<MeshEdge>& edges = data.Neighbours().edges;
+  double sum = 0.0;
+  for (const MeshEdge& edge : edges)
+  {
+    sum += (points[edge.v1] - points[edge.v0]).norm();
+  }
+  const double mean = sum / static_cast<double>(edges.size());
+  if (!(mean > 0.0))
+  {
+    throw Error(Failure::BadMesh, "No edge of the mesh has a length; give a mesh with triangles.");
+  }
+  return mean;
+}
+
+} // namespace
+
+int vtkOversketchMeanEdge::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      if (input->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      output->ShallowCopy(input);
+      if (input->GetFieldData()->GetAbstractArray(meanName))
+      {
+        vtkDataArray* mean = input->GetFieldData()->GetArray(meanName);
+        if (!mean || mean->GetNumberOfValues() != 1 || !(mean->GetComponent(0, 0) > 0.0) ||
+            !std::isfinite(mean->GetComponent(0, 0)))
+        {
+          throw Error(Failure::MissingArray,
+            "Field array MeanEdge of the mesh must hold one positive value: remove it, and it is made anew.");
+        }
+        return;
+      }
+      vtkNew<vtkDoubleArray> mean;
+      mean->SetName(meanName);
+      mean->InsertNextValue(meanEdgeOf(*SharedMesh(input)));
+      output->GetFieldData()->AddArray(mean);
+    });
+}
+
+void vtkOversketchMeanEdge::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

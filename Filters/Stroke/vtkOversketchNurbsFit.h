@@ -1,0 +1,114 @@
+/**
+ * @class vtkOversketchNurbsFit
+ * @brief strokes as splines in the picture
+ *
+ * Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", Sec. 3.2 and 4.1: samples
+ * nearer than 10 px to each other are dropped, the others are control points of a spline of degree 3, which
+ * begins and ends at the first and the last sample. The degree and the knots are not told there.
+ *
+ * Departures: the thesis builds the spline in space; here it is one in the picture, since in space it leaps
+ * through the air wherever a part of the model hides another. A closed spline is periodic (Periodic) and does
+ * not cross itself (CutLoops).
+ *
+ * Input 0 (Strokes): stroke polydata: polylines in display coordinates [px from the viewport's lower left
+ * corner, y up]; z is ignored. Any number of strokes, from any views, open or closed; a closed one repeats
+ * its first point id at the end.
+ *
+ * Output 0 (Curves): one polyline per stroke, a place of the spline each half pixel, z = 0, double; a closed
+ * one repeats its first point id. Point arrays: CurveT, double: the spline's parameter, 0 to 1, of a closed
+ * one below 1; those of the strokes, mixed as the control points are. Cell and field data, the view arrays
+ * among them, are passed. Field arrays, curve after curve:
+ * - NurbsDegree, int, and NurbsPointCount, int: the number of control points, one of each per curve,
+ * - NurbsPoints, double[2]: control points [px], of a periodic curve its last ones are its first ones again,
+ * - NurbsKnots, double: clamped to 0 and 1, of a periodic curve evenly running on, NurbsPointCount +
+ *   NurbsDegree + 1 of them per curve.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadStroke, naming the stroke, when there is no
+ * polyline or there are other cells, for a stroke with fewer than two samples that differ, one that is not
+ * finite or over 1e5 px long, and for a closed one of fewer than three control points. A polydata without
+ * points gives an empty output silently.
+ *
+ * Deterministic. Cost: linear in the strokes' length; of closed ones the square of the control points.
+ *
+ * @sa vtkOversketchProjectCurve vtkOversketchResample
+ */
+#ifndef vtkOversketchNurbsFit_h
+#define vtkOversketchNurbsFit_h
+
+#include "OversketchFiltersStrokeModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchNurbsFit : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOversketchNurbsFit* New();
+  vtkTypeMacro(vtkOversketchNurbsFit, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Samples nearer than this to the last one kept are dropped; the last one replaces it, and of a closed
+   * stroke those this near to the first go [px, >= 0, default 10].
+   */
+  vtkSetClampMacro(Spacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Close every stroke, as a boundary is, wherever it ends [default off: those that repeat their first point
+   * id are closed].
+   */
+  vtkSetMacro(Closed, bool);
+  vtkGetMacro(Closed, bool);
+  vtkBooleanMacro(Closed, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Pass through the samples, which is what Sec. 4.1 calls fitted; off, samples are control points, as Sec.
+   * 3.2 has it, and a shaky hand is smoothed [default off].
+   */
+  vtkSetMacro(Interpolate, bool);
+  vtkGetMacro(Interpolate, bool);
+  vtkBooleanMacro(Interpolate, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A closed spline has no corner where it begins [default on; off, as published, the first control point is
+   * the last one too].
+   */
+  vtkSetMacro(Periodic, bool);
+  vtkGetMacro(Periodic, bool);
+  vtkBooleanMacro(Periodic, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where the control points' polygon of a closed stroke crosses itself its shorter part is cut out [default
+   * on; off as published].
+   */
+  vtkSetMacro(CutLoops, bool);
+  vtkGetMacro(CutLoops, bool);
+  vtkBooleanMacro(CutLoops, bool);
+  ///@}
+
+protected:
+  vtkOversketchNurbsFit() = default;
+  ~vtkOversketchNurbsFit() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchNurbsFit(const vtkOversketchNurbsFit&) = delete;
+  void operator=(const vtkOversketchNurbsFit&) = delete;
+
+  double Spacing = 10.0;
+  bool Closed = false;
+  bool Interpolate = false;
+  bool Periodic = true;
+  bool CutLoops = true;
+};
+
+#endif

@@ -1,0 +1,202 @@
+#include "vtkOversketchProjectCurve.h"
+
+#include "Ray/curve_projection.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchStrokeTools.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace oversketch;
+
+// The ray scene of the mesh, held for the next curve, and the last result.
+struct vtkOversketchProjectCurve::Cache
+{
+  KeptSurface Surface;
+  KeptOutput Kept;
+};
+
+vtkStandardNewMacro(vtkOversketchProjectCurve);
+
+namespace
+{
+
+double lengthOf(const SurfaceCurve& run)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < run.samples.size(); ++i)
+  {
+    length += (run.samples[i].position - run.samples[i - 1].position).norm();
+  }
+  return length;
+}
+
+// The parameter of a curve at a place along its points, which of a closed one may run on beyond the last.
+double parameterAt(const DrawnLine& line, vtkDataArray* parameters, double along)
+{
+  const std::size_t count = line.Ids.size();
+  const auto at = [&](std::size_t i)
+  {
+    const double turns = static_cast<double>(i / count);
+    return turns + (parameters ? parameters->GetComponent(line.Ids[i % count], 0)
+                               : static_cast<double>(i % count) /
+                                   static_cast<double>(line.Closed ? count : count - 1));
+  };
+  const std::size_t before = static_cast<std::size_t>(along);
+  const double t = along - static_cast<double>(before);
+  return t > 0.0 ? (1.0 - t) * at(before) + t * at(before + 1) : at(before);
+}
+
+std::vector<SurfaceCurve> projectLine(const SurfaceRays& surface,
+  vtkPolyData* strokes,
+  const DrawnLine& line,
+  int stroke,
+  const CurveRules& rules,
+  const Context& context)
+{
+  std::vector<SurfaceCurve> runs =
+    projectCurve(surface, ViewOfStroke(strokes, stroke), line.Samples, line.Closed, rules, context);
+  if (runs.empty())
+  {
+    throw Error(Failure::BadStroke,
+      "Stroke " + std::to_string(stroke) +
+        " cannot be used: nothing of it lies on the mesh; draw it over the "
+        "model.");
+  }
+  return runs;
+}
+
+void writeParameters(const std::vector<StrokeCurve>& curves,
+  const std::vector<DrawnLine>& lines,
+  vtkDataArray* parameters,
+  vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> along;
+  along->SetName("CurveT");
+  vtkNew<vtkIntArray> closed;
+  closed->SetName("Closed");
+  for (const StrokeCurve& curve : curves)
+  {
+    const DrawnLine& line = lines[static_cast<std::size_t>(curve.Stroke)];
+    for (const SurfaceSample& sample : curve.Curve.samples)
+    {
+      along->InsertNextValue(parameterAt(line, parameters, sample.along));
+    }
+    closed->InsertNextValue(line.Closed);
+  }
+  output->GetPointData()->AddArray(along);
+  output->GetCellData()->AddArray(closed);
+}
+
+} // namespace
+
+vtkOversketchProjectCurve::vtkOversketchProjectCurve()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchProjectCurve::~vtkOversketchProjectCurve() = default;
+
+void vtkOversketchProjectCurve::SetMeshData(vtkPolyData* mesh)
+{
+  this->SetInputData(1, mesh);
+}
+
+vtkIdType vtkOversketchProjectCurve::GetSceneCount()
+{
+  return this->Internals->Surface.Builds();
+}
+
+int vtkOversketchProjectCurve::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+      if (strokes->GetNumberOfPoints() == 0 || mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      RequirePolygonsOnly(mesh); // the key does not see other cells
+      RequireFinite(this->Spacing, "Spacing");
+      vtkDataArray* parameters = strokes->GetPointData()->GetAbstractArray("CurveT")
+                                   ? RequireArray(strokes->GetPointData(),
+                                       "CurveT",
+                                       1,
+                                       strokes->GetNumberOfPoints(),
+                                       "curves",
+                                       "take them from vtkOversketchNurbsFit, or remove it")
+                                   : nullptr;
+      Cache& cache = *this->Internals;
+      cache.Kept.Provide(StepKey({ WholeKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) },
+                           { this->Spacing }),
+        vtkPolyData::GetData(outputs),
+        [&](vtkPolyData* result)
+        {
+          ++this->ProjectionCount;
+          const std::vector<DrawnLine> lines = ReadStrokes(strokes);
+          RefuseEndless(lines);
+          const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+          CurveRules rules;
+          rules.spacing = this->Spacing;
+          std::vector<StrokeCurve> curves;
+          for (std::size_t i = 0; i < lines.size(); ++i)
+          {
+            const int stroke = static_cast<int>(i);
+            const double share = 0.5 / static_cast<double>(lines.size());
+            const std::vector<SurfaceCurve> runs = projectLine(surface,
+              strokes,
+              lines[i],
+              stroke,
+              rules,
+              ContextOf(this, 0.5 + share * stroke, 0.5 + share * (stroke + 1)));
+            if (lines[i].Closed)
+            {
+              for (const SurfaceCurve& run : runs)
+              {
+                curves.push_back({ run, stroke });
+              }
+              continue;
+            }
+            curves.push_back(
+              { *std::max_element(runs.begin(),
+                  runs.end(),
+                  [](const SurfaceCurve& a, const SurfaceCurve& b) { return lengthOf(a) < lengthOf(b); }),
+                stroke });
+            if (runs.size() > 1)
+            {
+              vtkWarningMacro(<< "Stroke " << stroke << " lies on the mesh in " << runs.size()
+                              << " parts; the longest one is taken.");
+            }
+          }
+          WriteSurfaceCurves(curves, cache.Surface.Mesh(), strokes, lines, result);
+          writeParameters(curves, lines, parameters, result);
+          result->GetFieldData()->PassData(strokes->GetFieldData());
+        });
+    });
+}
+
+void vtkOversketchProjectCurve::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "ProjectionCount: " << this->ProjectionCount << "\n";
+  os << indent << "SceneCount: " << this->GetSceneCount() << "\n";
+}

@@ -1,0 +1,275 @@
+#include "Remesh/curve_mesh.h"
+
+#include <algorithm>
+
+namespace oversketch
+{
+
+CurveMesh::CurveMesh(const Mesh& mesh)
+  : marks(mesh.points.size(), 0)
+  , Points(mesh.points)
+  , Triangles(mesh.triangles)
+  , Around(mesh.points.size())
+  , Loose(mesh.points.size(), 0)
+  , Sources(mesh.triangles.size())
+  , InputCount(mesh.vertexCount())
+  , InputTriangles(mesh.triangleCount())
+  , Diagonal(boundingDiagonal(mesh))
+{
+  const Lists around = trianglesAround(mesh);
+  for (int v = 0; v < this->InputCount; ++v)
+  {
+    this->Around[v].assign(around.begin(v), around.end(v));
+    this->Loose[v] = around.size(v) == 0;
+  }
+  for (int t = 0; t < this->InputTriangles; ++t)
+  {
+    this->Sources[t] = t;
+  }
+}
+
+Mix CurveMesh::origin(int v) const
+{
+  return this->inserted(v) ? this->Origins[v - this->InputCount] : Mix{ { v, 1.0 } };
+}
+
+std::vector<int> CurveMesh::piecesOf(int inputTriangle) const
+{
+  std::vector<int> pieces{ inputTriangle };
+  const auto more = this->Pieces.find(inputTriangle);
+  if (more != this->Pieces.end())
+  {
+    pieces.insert(pieces.end(), more->second.begin(), more->second.end());
+  }
+  return pieces;
+}
+
+std::vector<int> CurveMesh::trianglesAt(int a, int b) const
+{
+  std::vector<int> found;
+  for (const int t : this->Around[a])
+  {
+    const Triangle& corners = this->Triangles[t];
+    if (std::find(corners.begin(), corners.end(), b) != corners.end())
+    {
+      found.push_back(t);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool CurveMesh::joined(int a, int b) const
+{
+  return std::any_of(this->Around[a].begin(),
+    this->Around[a].end(),
+    [&](int t)
+    {
+      const Triangle& corners = this->Triangles[t];
+      return std::find(corners.begin(), corners.end(), b) != corners.end();
+    });
+}
+
+std::vector<int> CurveMesh::neighbours(int v) const
+{
+  std::vector<int> found;
+  for (const int t : this->Around[v])
+  {
+    for (const int w : this->Triangles[t])
+    {
+      if (w != v)
+      {
+        found.push_back(w);
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+int CurveMesh::opposite(int t, int a, int b) const
+{
+  for (const int v : this->Triangles[t])
+  {
+    if (v != a && v != b)
+    {
+      return v;
+    }
+  }
+  return -1; // a triangle with a vertex twice
+}
+
+Vector3 CurveMesh::cross(int t) const
+{
+  const Triangle& corners = this->Triangles[t];
+  const Vector3& a = this->Points[corners[0]];
+  return (this->Points[corners[1]] - a).cross(this->Points[corners[2]] - a);
+}
+
+int CurveMesh::addPoint(const Vector3& point, Mix origin)
+{
+  this->Points.push_back(point);
+  this->Origins.push_back(normalisedMix(std::move(origin)));
+  this->Around.emplace_back();
+  this->marks.push_back(0);
+  return static_cast<int>(this->Points.size()) - 1;
+}
+
+int CurveMesh::addTriangle(const Triangle& t, int source)
+{
+  const int id = static_cast<int>(this->Triangles.size());
+  this->Triangles.push_back(t);
+  this->Sources.push_back(source);
+  this->Pieces[source].push_back(id);
+  for (const int v : t)
+  {
+    this->Around[v].push_back(id);
+  }
+  return id;
+}
+
+void CurveMesh::detach(int v, int t)
+{
+  std::vector<int>& around = this->Around[v];
+  around.erase(std::remove(around.begin(), around.end(), t), around.end());
+}
+
+void CurveMesh::replace(int t, int from, int to)
+{
+  Triangle& corners = this->Triangles[t];
+  std::replace(corners.begin(), corners.end(), from, to);
+  this->detach(from, t);
+  this->Around[to].push_back(t);
+}
+
+int CurveMesh::splitTriangle(int t, const std::array<double, 3>& weights)
+{
+  const Triangle corners = this->Triangles[t];
+  Vector3 place = Vector3::Zero();
+  Mix mix;
+  for (int k = 0; k < 3; ++k)
+  {
+    place += weights[k] * this->Points[corners[k]];
+    for (const auto& part : this->origin(corners[k]))
+    {
+      mix.emplace_back(part.first, weights[k] * part.second);
+    }
+  }
+  const int m = this->addPoint(place, std::move(mix));
+  this->replace(t, corners[0], m);
+  this->addTriangle({ corners[0], m, corners[2] }, this->Sources[t]);
+  this->addTriangle({ corners[0], corners[1], m }, this->Sources[t]);
+  return m;
+}
+
+int CurveMesh::splitEdge(int a, int b, double s)
+{
+  Mix mix;
+  for (const auto& part : this->origin(a))
+  {
+    mix.emplace_back(part.first, (1.0 - s) * part.second);
+  }
+  for (const auto& part : this->origin(b))
+  {
+    mix.emplace_back(part.first, s * part.second);
+  }
+  const int m = this->addPoint((1.0 - s) * this->Points[a] + s * this->Points[b], std::move(mix));
+  for (const int t : this->trianglesAt(a, b))
+  {
+    Triangle other = this->Triangles[t];
+    std::replace(other.begin(), other.end(), a, m);
+    this->replace(t, b, m);
+    this->addTriangle(other, this->Sources[t]);
+  }
+  if (this->onCurve(a) && this->onCurve(b))
+  {
+    for (MeshCurve& curve : this->curves)
+    {
+      for (int i = 0; i < curve.segments(); ++i)
+      {
+        const int j = curve.next(i);
+        const bool forwards = curve.vertices[i] == a && curve.vertices[j] == b;
+        if (forwards || (curve.vertices[i] == b && curve.vertices[j] == a))
+        {
+          // The last segment of a closed curve runs up to 1 + the first parameter.
+          const double from = curve.parameters[i], to = curve.parameters[j] + (j <= i ? 1.0 : 0.0);
+          const double along = from + (forwards ? s : 1.0 - s) * (to - from);
+          curve.vertices.insert(curve.vertices.begin() + i + 1, m);
+          curve.parameters.insert(curve.parameters.begin() + i + 1, along);
+          ++this->marks[m];
+          break;
+        }
+      }
+    }
+  }
+  return m;
+}
+
+void CurveMesh::flip(int a, int b)
+{
+  const std::vector<int> both = this->trianglesAt(a, b);
+  const int c = this->opposite(both[0], a, b), d = this->opposite(both[1], a, b);
+  this->replace(both[0], b, d);
+  this->replace(both[1], a, c);
+}
+
+void CurveMesh::collapse(int from, int to)
+{
+  for (const int t : this->trianglesAt(from, to))
+  {
+    for (const int v : Triangle(this->Triangles[t]))
+    {
+      this->detach(v, t);
+    }
+    this->Triangles[t] = { -1, -1, -1 };
+  }
+  for (const int t : std::vector<int>(this->Around[from]))
+  {
+    this->replace(t, from, to);
+  }
+  for (MeshCurve& curve : this->curves)
+  {
+    const auto at = std::find(curve.vertices.begin(), curve.vertices.end(), from);
+    if (at != curve.vertices.end())
+    {
+      curve.parameters.erase(curve.parameters.begin() + (at - curve.vertices.begin()));
+      curve.vertices.erase(at);
+    }
+  }
+  this->marks[from] = 0;
+}
+
+bool CurveMesh::curveEdge(int a, int b) const
+{
+  if (!this->onCurve(a) || !this->onCurve(b))
+  {
+    return false;
+  }
+  for (const MeshCurve& curve : this->curves)
+  {
+    for (int i = 0; i < curve.segments(); ++i)
+    {
+      const int v = curve.vertices[i], w = curve.vertices[curve.next(i)];
+      if ((v == a && w == b) || (v == b && w == a))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void CurveMesh::markCurves()
+{
+  std::fill(this->marks.begin(), this->marks.end(), 0);
+  for (const MeshCurve& curve : this->curves)
+  {
+    for (const int v : curve.vertices)
+    {
+      ++this->marks[v];
+    }
+  }
+}
+
+} // namespace oversketch
