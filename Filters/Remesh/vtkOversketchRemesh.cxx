@@ -6,6 +6,7 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchHierarchy.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchRetriangulateTools.h"
 #include "vtkOversketchRuns.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -109,32 +110,10 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
   return array;
 }
 
-vtkSmartPointer<vtkAbstractArray> LikeArray(vtkAbstractArray* array, std::size_t tuples)
-{
-  auto result = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  result->CopyComponentNames(array);
-  return result;
-}
-
 // Whether new points take the mix of their triangle's corners, or what the nearest corner has.
 bool Mixes(vtkAbstractArray* array)
 {
-  const bool real = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
-  return real && !(array->GetName() && std::strcmp(array->GetName(), "Region") == 0);
-}
-
-void NormaliseTuple(vtkDataArray* values, vtkIdType tuple)
-{
-  Vector3 n;
-  values->GetTuple(tuple, n.data());
-  if (n.norm() > 0.0)
-  {
-    n.normalize();
-    values->SetTuple(tuple, n.data());
-  }
+  return IsReal(array) && !(array->GetName() && std::strcmp(array->GetName(), "Region") == 0);
 }
 
 vtkSmartPointer<vtkAbstractArray> CarryPointArray(vtkAbstractArray* array,
