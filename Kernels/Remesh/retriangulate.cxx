@@ -369,7 +369,7 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
   const Surface rest(cutout.mesh, cutout.active, oneChart);
   Held held = heldIn(cutout, input);
   Steps steps{ context };
-  steps.each = 1.0 / (splitRounds + 3.0 * remeshRounds);
+  steps.each = 1.0 / (splitRounds + 3.0 * remeshRounds + 2.0);
   Retriangulated counts;
   Splitting splitting(input, cutout, rest, held, movement, values, channels);
   splitting.run(steps, counts);
@@ -394,9 +394,9 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
   {
     origins.push_back(split.place(v));
   }
-  const std::vector<std::vector<HeldVertex>> curves = heldCurves(cutout, input, split.keptSplits());
+  std::vector<std::array<int, 3>> onCurves = split.keptSplits();
   held.edges.clear();
-  for (const std::vector<HeldVertex>& curve : curves)
+  for (const std::vector<HeldVertex>& curve : heldCurves(cutout, input, onCurves))
   {
     for (std::size_t i = 1; i < curve.size(); ++i)
     {
@@ -417,7 +417,11 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
     relaxation.run();
     steps.next();
   }
-  Retriangulated result = reassembled(input, cutout, rest, { mesh, touched, origins }, patch, curves);
+  counts.flips += flipAll(patch, true, steps);
+  counts.splits += splitAll(patch, longestEdge, steps);
+  onCurves.insert(onCurves.end(), patch.keptSplits().begin(), patch.keptSplits().end());
+  Retriangulated result =
+    reassembled(input, cutout, rest, { mesh, touched, origins }, patch, heldCurves(cutout, input, onCurves));
   result.splits = counts.splits;
   result.collapses = counts.collapses;
   result.flips = counts.flips;

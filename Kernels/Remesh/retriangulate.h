@@ -52,7 +52,7 @@ struct Retriangulated
 // curvature of a vertex as the mesh comes; swapped where that makes the smallest angle larger; five rounds at
 // most. Only faces with a vertex strictly inside change. Moves are those of Patch, whose tests are stricter:
 // an edge beside one that cannot be split is not halved for ever, and normals turn by 60 degrees at most.
-// `rest` and `moved` are looked at in turn: the former names the faces, the latter is remeshed.
+// Of `rest` only the faces are looked at.
 // Throws Error(Failure::BadRegion) for a mean edge that is not positive, Error(Failure::Cancelled).
 Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const Context& context);
 
@@ -62,8 +62,9 @@ Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const C
 // mean edges and than it was, or that is over 0.35 mean edges long and whose middle it carries away from the
 // edge by over 0.03 of its length; then edges are swapped where the smallest angle of the moved faces grows.
 // Faces that were split, or of which an edge's length changes by over 1 %, are then remeshed as the edit
-// leaves them: in up to three rounds edges under 0.35 mean edges are collapsed, swapped, and vertices relaxed
-// in the tangent plane and back to the surface. Without a motion nothing changes.
+// leaves them: in three rounds edges under 0.35 mean edges are collapsed, others swapped, and vertices
+// relaxed in the tangent plane and back to the surface; edges that this leaves over 4/3 mean edges are split.
+// Without a motion nothing changes.
 //
 // values: `channels` of each vertex of the mesh, mixed where a new one is made.
 Retriangulated retriangulateEdit(const RetriangulateInput& input,
