@@ -413,6 +413,34 @@ TEST(Retriangulate, ValuesAreMixedAsPlacesAre)
   EXPECT_LT(worst, 1e-9);
 }
 
+TEST(Retriangulate, WildDragsLeaveSoundMeshes)
+{
+  // Sideways over the boundary, down through the sheet's far side, to nothing, and all to one point.
+  const Movement toAPoint = [](const std::vector<Vector3>& points, const std::vector<double>& shares)
+  {
+    std::vector<Vector3> result;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const double weight = shares[i] >= 1.0 ? 0.0 : falloff(shares[i]);
+      result.push_back(weight == 0.0 ? points[i] : Vector3((1.0 - weight) * points[i]));
+    }
+    return result;
+  };
+  for (const auto& [scene, size] : { std::make_pair(sheet(10), 10.0), std::make_pair(roughCap(3), 1.0) })
+  {
+    for (const Movement& motion : { drag(size * Vector3(3, 0, 0)),
+           drag(size * Vector3(2, 1, -4)),
+           drag(size * Vector3(0, 0, 1e-4)),
+           drag(size * Vector3(0, 0, 6)),
+           toAPoint })
+    {
+      const Edited edited(scene, motion);
+      expectSound(edited, edited.run());
+      expectSound(edited, retriangulateByCurvature(edited.input(), {}));
+    }
+  }
+}
+
 TEST(Retriangulate, SameForAnyNumberOfThreads)
 {
   const Edited edited(roughCap(4), drag(Vector3(0.2, 0, 1)));
