@@ -23,8 +23,8 @@
  * vertex of largest weight; EditRegion is 2 but between two vertices of the boundary. Cell arrays: from the
  * triangle under the middle of each. Field data is passed. Global ids, which would no longer be unique, and
  * the arrays of a 4-8 mesh are dropped. Where nothing is to be done it is the input.
- * Output 1 (Reference): the reference curve, VertexId and places renewed, with a point more wherever an edge of
- * it was split; floating arrays of that lie between its neighbours', others are the nearer one's.
+ * Output 1 (Reference): the reference curve, VertexId and places renewed, with a point more wherever an edge
+ * of it was split; floating arrays of that lie between its neighbours', others are the nearer one's.
  * Output 2 (Boundary): the boundary curve, alike.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, also where Rest is absent or has other
@@ -33,7 +33,7 @@
  * vertices. A mesh without points gives empty outputs silently.
  *
  * Deterministic: same result bit for bit for any number of threads. The result is kept while all that it is
- * made from stands. Cost: some 10 milliseconds per 1,000 triangles made.
+ * made from stands. Cost: under 10 milliseconds per 1,000 triangles made.
  *
  * @sa vtkOversketchEnclose vtkOversketchRemesh
  */
