@@ -261,11 +261,26 @@ int Patch::split(int h, std::array<int, 4>& neighbours)
       return -1;
     }
   }
+  return this->halve(h, place, p, neighbours);
+}
 
+int Patch::halve(int h, const SurfacePoint& place, const Vector3& position, std::array<int, 4>& neighbours)
+{
+  const bool inside = this->inner(h);
+  const int a = this->origin(h), b = this->target(h), c = this->origin(previousHalfEdge(h));
+  const int g = inside ? this->Twin[h] : -1;
+  const int d = inside ? this->origin(previousHalfEdge(g)) : -1;
+  const int t0 = h / 3, t1 = g / 3;
+  const int h1 = nextHalfEdge(h), h2 = previousHalfEdge(h);
+  const int g1 = inside ? nextHalfEdge(g) : -1, g2 = inside ? previousHalfEdge(g) : -1;
   const char kept = this->Kept[h];
-  const int m = this->addVertex(place, kept || !inside, !inside);
+  const int m = this->addVertex(place, position, kept || !inside, !inside);
+  if (kept)
+  {
+    this->KeptSplits.push_back({ a, b, m });
+  }
   neighbours = { a, b, c, d };
-  const auto halve = [&](int t, int s, int e, int wing, int first, int second)
+  const auto part = [&](int t, int s, int e, int wing, int first, int second)
   {
     // Triangle t = (s, e, wing), with half-edges first (e to wing) and second (wing to s), becomes
     // (s, m, wing) and a new one, (m, e, wing).
@@ -289,10 +304,10 @@ int Patch::split(int h, std::array<int, 4>& neighbours)
     this->Valence[m] += 2;
     return fresh;
   };
-  const int f0 = halve(t0, a, b, c, h1, h2);
+  const int f0 = part(t0, a, b, c, h1, h2);
   if (inside)
   {
-    const int f1 = halve(t1, b, a, d, g1, g2); // t1 is now (b, m, d), f1 (m, a, d)
+    const int f1 = part(t1, b, a, d, g1, g2); // t1 is now (b, m, d), f1 (m, a, d)
     this->join(3 * t0, 3 * f1);
     this->join(3 * f0, 3 * t1);
   }

@@ -169,10 +169,10 @@ void Patch::detach(int v, int t)
   }
 }
 
-int Patch::addVertex(const SurfacePoint& at, bool fixedVertex, bool border)
+int Patch::addVertex(const SurfacePoint& at, const Vector3& position, bool fixedVertex, bool border)
 {
   const int v = this->vertexCount();
-  this->Points.push_back(positionOf(this->Original.mesh(), at));
+  this->Points.push_back(position);
   this->Places.push_back(at);
   this->Sizes.push_back(this->sizeAt(at));
   this->Fixed.push_back(fixedVertex);

@@ -53,6 +53,11 @@ public:
   }
   int chart(int t) const { return this->Charts.empty() ? 0 : this->Charts[t]; }
 
+  // Moves all vertices; their places stay.
+  void moveTo(const std::vector<Vector3>& points) { this->Points = points; }
+  // The ends of each protected edge that was split, and the vertex between them.
+  const std::vector<std::array<int, 3>>& keptSplits() const { return this->KeptSplits; }
+
   // Half-edges.
   int origin(int h) const { return this->Origin[h]; }
   int target(int h) const { return this->Origin[nextHalfEdge(h)]; }
@@ -96,6 +101,9 @@ public:
   // Puts a vertex at the middle of an edge, on the surface; -1 if refused (a folded edge, flat or folded
   // halves). neighbours: vertices it is joined to, -1 fill.
   int split(int h, std::array<int, 4>& neighbours);
+  // The same without a question, of an edge between two triangles with other corners each: puts the vertex at
+  // this place of the surface, and to this position, which need not be on it.
+  int halve(int h, const SurfacePoint& place, const Vector3& position, std::array<int, 4>& neighbours);
   // Removes the half-edge's origin by merging it into its target, unless an edge longer than `longest`
   // (relative) would come.
   bool collapse(int h, double longest);
@@ -133,7 +141,7 @@ private:
   void attach(int v, int t);
   void detach(int v, int t);
   double sizeAt(const SurfacePoint& at) const;
-  int addVertex(const SurfacePoint& at, bool fixedVertex, bool border);
+  int addVertex(const SurfacePoint& at, const Vector3& position, bool fixedVertex, bool border);
   int addTriangle(int chart);
 
   const Surface& Original;
@@ -156,6 +164,7 @@ private:
   std::vector<int> Origin;
   std::vector<int> Twin; // as Surface::twins()
   std::vector<char> Kept;
+  std::vector<std::array<int, 3>> KeptSplits;
   // Of a collapse in progress, kept for their memory.
   std::vector<int> Spokes, Ring;
   std::vector<Vector3> Before, After;

@@ -2,6 +2,7 @@
 #ifndef oversketch_flatten_h
 #define oversketch_flatten_h
 
+#include "Mesh/disc.h"
 #include "Mesh/mesh.h"
 
 #include <vector>
@@ -11,11 +12,6 @@ namespace oversketch
 
 struct Context;
 struct BlockMatrix;
-
-// A patch without its holes: its one border, counter-clockwise seen from outside, from its lowest vertex on.
-// Throws Error(Failure::BadRegion) that says what the patch is instead of a disc: several pieces, a hole or a
-// handle, a pinch, three triangles at an edge.
-std::vector<int> discBorder(const Mesh& patch, const Adjacency& adjacency);
 
 // max(cotangent weight, 1e-3) of each edge: positive, so that means of neighbours stay between them.
 std::vector<double> positiveWeights(const Mesh& mesh, const Adjacency& adjacency);

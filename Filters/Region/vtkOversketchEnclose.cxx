@@ -1,0 +1,163 @@
+#include "vtkOversketchEnclose.h"
+
+#include "Region/enclose.h"
+#include "vtkOversketchChains.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+using namespace oversketch;
+
+struct vtkOversketchEnclose::Cache
+{
+  std::shared_ptr<const MeshData> Data;
+  StepKey Key;
+  vtkSmartPointer<vtkUnsignedCharArray> Vertices, Faces; // null: nothing is kept
+  Extract Patch;
+  KeptOutput KeptPatch;
+};
+
+namespace
+{
+
+vtkSmartPointer<vtkUnsignedCharArray> labelsFrom(const std::vector<char>& labels)
+{
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName("EditRegion");
+  array->SetNumberOfValues(static_cast<vtkIdType>(labels.size()));
+  std::copy(labels.begin(), labels.end(), array->GetPointer(0));
+  return array;
+}
+
+vtkSmartPointer<vtkIdList> idsFrom(const std::vector<int>& ids)
+{
+  auto list = vtkSmartPointer<vtkIdList>::New();
+  list->SetNumberOfIds(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), list->GetPointer(0));
+  return list;
+}
+
+// Fills `to` with the tuples of some elements; global ids stay ids.
+void takeTuples(vtkDataSetAttributes* from, const std::vector<int>& elements, vtkDataSetAttributes* to)
+{
+  to->CopyAllOn();
+  to->CopyAllocate(from, static_cast<vtkIdType>(elements.size()));
+  const auto source = idsFrom(elements);
+  vtkNew<vtkIdList> target;
+  target->SetNumberOfIds(source->GetNumberOfIds());
+  for (vtkIdType i = 0; i < target->GetNumberOfIds(); ++i)
+  {
+    target->SetId(i, i);
+  }
+  to->CopyData(from, source, target);
+}
+
+void writePatch(vtkPolyData* mesh, const Extract& extract, vtkPolyData* patch)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(static_cast<vtkIdType>(extract.vertices.size()));
+  mesh->GetPoints()->GetData()->GetTuples(idsFrom(extract.vertices), points->GetData());
+  vtkNew<vtkCellArray> polys;
+  for (const Triangle& t : extract.mesh.triangles)
+  {
+    polys->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  patch->SetPoints(points);
+  patch->SetPolys(polys);
+  takeTuples(mesh->GetPointData(), extract.vertices, patch->GetPointData());
+  takeTuples(mesh->GetCellData(), extract.triangles, patch->GetCellData());
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("VertexId");
+  ids->SetNumberOfValues(static_cast<vtkIdType>(extract.vertices.size()));
+  std::copy(extract.vertices.begin(), extract.vertices.end(), ids->GetPointer(0));
+  patch->GetPointData()->AddArray(ids);
+  patch->GetFieldData()->PassData(mesh->GetFieldData());
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkOversketchEnclose);
+
+vtkOversketchEnclose::vtkOversketchEnclose()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchEnclose::~vtkOversketchEnclose() = default;
+
+void vtkOversketchEnclose::SetReferenceData(vtkPolyData* curve)
+{
+  this->SetInputData(1, curve);
+}
+
+void vtkOversketchEnclose::SetBoundaryData(vtkPolyData* curve)
+{
+  this->SetInputData(2, curve);
+}
+
+int vtkOversketchEnclose::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* boundary = vtkPolyData::GetData(inputs[2]);
+      if (input->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      Cache& cache = *this->Internals;
+      cache.Data = SharedMesh(input);
+      const StepKey key({ MeshKey(input), ChainsKey(reference), ChainsKey(boundary) }, {});
+      if (!cache.Vertices || cache.Key != key)
+      {
+        cache.Vertices = nullptr;
+        ++this->GrowthCount;
+        const Mesh& mesh = cache.Data->Surface();
+        const Enclosed enclosed = enclose(mesh,
+          cache.Data->Neighbours(),
+          ReadChain(reference, mesh.vertexCount(), "reference curve").Vertices,
+          ReadChain(boundary, mesh.vertexCount(), "boundary curve").Vertices,
+          ContextOf(this));
+        cache.Patch = extractFaces(mesh, enclosed.faces, 1);
+        cache.Faces = labelsFrom(enclosed.faces);
+        cache.Vertices = labelsFrom(enclosed.vertices);
+        cache.Key = key;
+      }
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      output->ShallowCopy(input);
+      output->GetPointData()->AddArray(cache.Vertices);
+      output->GetCellData()->AddArray(cache.Faces);
+      cache.KeptPatch.Provide(StepKey({ WholeKey(output) }, {}),
+        vtkPolyData::GetData(outputs, 1),
+        [&](vtkPolyData* patch) { writePatch(output, cache.Patch, patch); });
+    });
+}
+
+void vtkOversketchEnclose::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "GrowthCount: " << this->GrowthCount << '\n';
+}

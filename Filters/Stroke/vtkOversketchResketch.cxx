@@ -1,0 +1,284 @@
+#include "vtkOversketchResketch.h"
+
+#include "Stroke/correct.h"
+#include "Stroke/resketch.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchStrokeTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+using namespace oversketch;
+
+struct vtkOversketchResketch::Cache
+{
+  KeptOutput Kept;
+};
+
+namespace
+{
+
+DrawnLine oneLine(vtkPolyData* curve, const char* what)
+{
+  std::vector<DrawnLine> lines = ReadStrokes(curve);
+  if (lines.size() != 1)
+  {
+    throw Error(Failure::BadStroke,
+      "There are " + std::to_string(lines.size()) + " polylines where the " + what +
+        " is one: give that one.");
+  }
+  return std::move(lines.front());
+}
+
+void requireLength(const Polyline& points, const char* what)
+{
+  if (!HasLength(points))
+  {
+    throw Error(
+      Failure::BadStroke, std::string("The ") + what + " has no two places that differ: draw a longer one.");
+  }
+}
+
+// A curve on a mesh as the stroke's view shows it.
+void seeInPicture(vtkPolyData* curve, const View& view, DrawnLine& line)
+{
+  for (std::size_t i = 0; i < line.Ids.size(); ++i)
+  {
+    const Vector3 world(curve->GetPoint(line.Ids[i]));
+    if (!world.allFinite() || !view.inFront(world))
+    {
+      throw Error(Failure::BadStroke,
+        "The curve's sample " + std::to_string(i) +
+          " is not in front of the eye in the stroke's view: look at the whole curve and draw again.");
+    }
+    line.Samples[i] = view.toDisplay(world).head<2>();
+  }
+}
+
+double meanStep(const DrawnLine& line)
+{
+  const std::size_t steps = line.Samples.size() - (line.Closed ? 0 : 1);
+  return arcLengths(line.Samples, line.Closed).back() / static_cast<double>(steps);
+}
+
+// The share of the curve's length at a place between two neighbours, in whichever order they are named.
+double shareAt(const Blend& place, const std::vector<double>& lengths)
+{
+  // Of a closed curve the first sample is also the one after the last.
+  const bool wraps = std::abs(place.from - place.to) > 1;
+  const std::size_t end = lengths.size() - 1;
+  const double from = lengths[wraps && place.from == 0 ? end : static_cast<std::size_t>(place.from)];
+  const double to = lengths[wraps && place.to == 0 ? end : static_cast<std::size_t>(place.to)];
+  return ((1.0 - place.t) * from + place.t * to) / lengths.back();
+}
+
+bool isPoint(const Blend& place)
+{
+  return place.from == place.to || place.t == 0.0;
+}
+
+// Numbers that both curves have on their points, but what is written anew.
+void blendArrays(vtkPolyData* curve,
+  const DrawnLine& old,
+  vtkPolyData* stroke,
+  const DrawnLine& fresh,
+  const std::vector<Origin>& origins,
+  vtkPolyData* output)
+{
+  const auto valuesOf = [](vtkDataArray* array, const std::vector<vtkIdType>& ids)
+  {
+    std::vector<double> values;
+    std::transform(ids.begin(),
+      ids.end(),
+      std::back_inserter(values),
+      [array](vtkIdType id) { return array->GetComponent(id, 0); });
+    return values;
+  };
+  for (int i = 0; i < curve->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* first = curve->GetPointData()->GetArray(i);
+    const char* name = first ? first->GetName() : nullptr;
+    vtkDataArray* second = name ? stroke->GetPointData()->GetArray(name) : nullptr;
+    const auto plain = [](vtkDataArray* array)
+    {
+      return array->GetNumberOfComponents() == 1 &&
+             (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT);
+    };
+    if (!second || !plain(first) || !plain(second) || output->GetPointData()->HasArray(name))
+    {
+      continue;
+    }
+    const std::vector<double> before = valuesOf(first, old.Ids), after = valuesOf(second, fresh.Ids);
+    auto blended = vtkSmartPointer<vtkDataArray>::Take(first->NewInstance());
+    blended->SetName(name);
+    for (const Origin& origin : origins)
+    {
+      blended->InsertNextTuple1(origin.of(before, after));
+    }
+    output->GetPointData()->AddArray(blended);
+  }
+}
+
+void writeCurve(const Polyline& curve, bool closed, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(curve.size()) + (closed ? 1 : 0));
+  for (const Vector2& p : curve)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
+  }
+  if (closed)
+  {
+    lines->InsertCellPoint(0);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  vtkNew<vtkDoubleArray> shares;
+  shares->SetName("CurveT");
+  const std::vector<double> lengths = arcLengths(curve, closed);
+  for (std::size_t i = 0; i < curve.size(); ++i)
+  {
+    shares->InsertNextValue(lengths[i] / lengths.back());
+  }
+  output->GetPointData()->AddArray(shares);
+}
+
+// Samples upon the one before them are none: CurveT rises.
+void dropRepeated(Resketched& result, bool closed)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < result.points.size(); ++i)
+  {
+    const bool repeats =
+      kept > 0 && (result.points[i] == result.points[kept - 1] ||
+                    (closed && i + 1 == result.points.size() && result.points[i] == result.points[0]));
+    if (!repeats)
+    {
+      result.points[kept] = result.points[i];
+      result.origins[kept++] = result.origins[i];
+    }
+  }
+  result.points.resize(kept);
+  result.origins.resize(kept);
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkOversketchResketch);
+
+vtkOversketchResketch::vtkOversketchResketch()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchResketch::~vtkOversketchResketch() = default;
+
+void vtkOversketchResketch::SetStrokeData(vtkPolyData* stroke)
+{
+  this->SetInputData(1, stroke);
+}
+
+int vtkOversketchResketch::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* curve = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
+      if (curve->GetNumberOfPoints() == 0 || stroke->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      this->Internals->Kept.Provide(
+        StepKey({ WholeKey(curve), WholeKey(stroke) },
+          { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
+        vtkPolyData::GetData(outputs),
+        [&](vtkPolyData* result)
+        {
+          ++this->ResketchCount;
+          DrawnLine old = oneLine(curve, "curve");
+          const DrawnLine fresh = oneLine(stroke, "stroke");
+          vtkDataArray* vertices = nullptr;
+          if (curve->GetPointData()->HasArray("VertexId"))
+          {
+            vertices = RequireArray(curve->GetPointData(),
+              "VertexId",
+              1,
+              curve->GetNumberOfPoints(),
+              "curve",
+              "take it from vtkOversketchInsertCurve");
+            seeInPicture(curve, ViewOf(stroke), old);
+          }
+          requireLength(old.Samples, "curve");
+          requireLength(fresh.Samples, "stroke");
+          ResketchRules rules;
+          rules.reach = this->K;
+          rules.spacing = std::min(meanStep(old), meanStep(fresh));
+          rules.middle =
+            this->Middle == Closest ? ResketchRules::Middle::Closest : ResketchRules::Middle::ArcLength;
+          rules.rawTangents = this->RawTangents;
+          Resketched drawn = old.Closed ? resketchClosed(old.Samples, fresh.Samples, rules)
+                                        : resketch(old.Samples, fresh.Samples, rules);
+          if (drawn.points == old.Samples)
+          {
+            vtkWarningMacro("The stroke replaces nothing of the curve: draw it along a part of the curve.");
+          }
+          dropRepeated(drawn, old.Closed);
+          ContextOf(this).checkpoint(0.9);
+
+          writeCurve(drawn.points, old.Closed, result);
+          vtkNew<vtkDoubleArray> sources;
+          sources->SetName("SourceT");
+          vtkNew<vtkIdTypeArray> kept;
+          kept->SetName("VertexId");
+          const std::vector<double> lengths = arcLengths(old.Samples, old.Closed);
+          for (const Origin& origin : drawn.origins)
+          {
+            const bool stays = origin.weight == 0.0 && isPoint(origin.before);
+            sources->InsertNextValue(shareAt(origin.before, lengths));
+            kept->InsertNextValue(stays && vertices ? static_cast<vtkIdType>(vertices->GetComponent(
+                                                        old.Ids[origin.before.from], 0))
+                                                    : -1);
+          }
+          result->GetPointData()->AddArray(sources);
+          if (vertices)
+          {
+            result->GetPointData()->AddArray(kept);
+          }
+          blendArrays(curve, old, stroke, fresh, drawn.origins, result);
+          result->GetCellData()->PassData(curve->GetCellData());
+          result->GetCellData()->PassData(stroke->GetCellData());
+          result->GetFieldData()->PassData(curve->GetFieldData());
+        });
+    });
+}
+
+void vtkOversketchResketch::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "K: " << this->K << '\n'
+     << indent << "Middle: " << (this->Middle == Closest ? "Closest" : "ArcLength") << '\n'
+     << indent << "RawTangents: " << (this->RawTangents ? "On" : "Off") << '\n'
+     << indent << "ResketchCount: " << this->ResketchCount << '\n';
+}

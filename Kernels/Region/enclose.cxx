@@ -1,0 +1,219 @@
+#include "Region/enclose.h"
+
+#include "Mesh/disc.h"
+#include "Region/grow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace oversketch
+{
+namespace
+{
+
+constexpr double largestShare = 0.8; // of the area of the part of the mesh that a region lies on
+
+// The edges of the boundary.
+std::vector<char> walls(const Adjacency& adjacency, const std::vector<int>& boundary)
+{
+  if (boundary.size() < 4 || boundary.front() != boundary.back())
+  {
+    throw Error(Failure::BadStroke,
+      "The boundary curve is not closed round at least one face: draw it back to where it began.");
+  }
+  std::vector<char> wall(adjacency.edges.size(), 0);
+  for (std::size_t i = 0; i + 1 < boundary.size(); ++i)
+  {
+    const int edge = adjacency.findEdge(boundary[i], boundary[i + 1]);
+    if (edge < 0)
+    {
+      throw Error(Failure::BadStroke,
+        "The boundary curve leaves the edges of the mesh between its vertices " +
+          std::to_string(boundary[i]) + " and " + std::to_string(boundary[i + 1]) +
+          ", where the region would leak out: insert it with its segments as edges.");
+    }
+    wall[edge] = 1;
+  }
+  return wall;
+}
+
+// A face at the middle of the reference curve.
+int seedOf(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& reference)
+{
+  if (reference.size() < 2)
+  {
+    throw Error(Failure::BadStroke, "The reference curve has fewer than two vertices: draw a longer one.");
+  }
+  std::vector<double> lengths{ 0.0 };
+  for (std::size_t i = 1; i < reference.size(); ++i)
+  {
+    lengths.push_back(lengths.back() + (mesh.points[reference[i]] - mesh.points[reference[i - 1]]).norm());
+  }
+  const double half = 0.5 * lengths.back();
+  const auto next = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, half);
+  const std::size_t i = static_cast<std::size_t>(next - lengths.begin());
+  const int a = reference[i - 1], b = reference[i];
+  const int edge = adjacency.findEdge(a, b);
+  if (edge >= 0)
+  {
+    return *adjacency.trianglesBegin(edge);
+  }
+  const int nearer = half - lengths[i - 1] <= lengths[i] - half ? a : b;
+  if (adjacency.vertexTriangles.size(nearer) == 0)
+  {
+    throw Error(Failure::BadStroke,
+      "Vertex " + std::to_string(nearer) +
+        " of the reference curve is at no face of the mesh: draw the curve anew on this mesh.");
+  }
+  return *adjacency.vertexTriangles.begin(nearer);
+}
+
+void grow(const Adjacency& adjacency,
+  const std::vector<char>& wall,
+  int seed,
+  std::vector<char>& faces,
+  const Context& context)
+{
+  constexpr std::size_t checkEvery = 65536; // faces between two looks at whether to stop
+  std::vector<int> front{ seed };
+  faces[seed] = 2;
+  for (std::size_t i = 0; i < front.size(); ++i)
+  {
+    if (i % checkEvery == 0)
+    {
+      context.checkpoint(static_cast<double>(i) / static_cast<double>(faces.size()));
+    }
+    for (const int edge : adjacency.triangleEdges[front[i]])
+    {
+      if (edge < 0 || wall[edge])
+      {
+        continue;
+      }
+      for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
+      {
+        if (faces[*t] == 0)
+        {
+          faces[*t] = 2;
+          front.push_back(*t);
+        }
+      }
+    }
+  }
+}
+
+void requireInside(const std::vector<int>& reference, const Enclosed& enclosed)
+{
+  for (std::size_t i = 0; i < reference.size(); ++i)
+  {
+    if (enclosed.vertices[reference[i]] != 2)
+    {
+      throw Error(Failure::BadRegion,
+        "The reference curve is not all inside the boundary: its point " + std::to_string(i) + ", vertex " +
+          std::to_string(reference[i]) + " of the mesh, lies on the boundary or beyond; draw the boundary " +
+          "round the whole reference curve.");
+    }
+  }
+}
+
+void requireRoomOutside(const Mesh& mesh, const Adjacency& adjacency, const Mesh& inside, int seed)
+{
+  const std::vector<double> areas = vertexAreas(inside);
+  const MeshParts parts = findParts(mesh, adjacency);
+  const double share =
+    std::accumulate(areas.begin(), areas.end(), 0.0) / parts.partAreas[parts.of[mesh.triangles[seed][0]]];
+  if (!(share <= largestShare))
+  {
+    const int percent = std::isfinite(share) ? static_cast<int>(std::lround(100.0 * share)) : 100;
+    throw Error(Failure::BadRegion,
+      "The region takes " + std::to_string(percent) +
+        " % of the surface that it lies on, over 80 %, so nothing would hold it: draw a smaller boundary, " +
+        "one that closes round the reference curve.");
+  }
+}
+
+} // namespace
+
+Enclosed enclose(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& reference,
+  const std::vector<int>& boundary,
+  const Context& context)
+{
+  const std::vector<char> wall = walls(adjacency, boundary);
+  const int seed = seedOf(mesh, adjacency, reference);
+  Enclosed enclosed;
+  enclosed.faces.assign(mesh.triangles.size(), 0);
+  grow(adjacency, wall, seed, enclosed.faces, context);
+
+  enclosed.vertices.assign(mesh.points.size(), 0);
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    for (int k = 0; enclosed.faces[t] == 2 && k < 3; ++k)
+    {
+      enclosed.vertices[mesh.triangles[t][k]] = 2;
+    }
+  }
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& c = mesh.triangles[t];
+    const bool beside = std::any_of(c.begin(), c.end(), [&](int v) { return enclosed.vertices[v] == 2; });
+    enclosed.faces[t] = enclosed.faces[t] == 0 && beside ? 1 : enclosed.faces[t];
+  }
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    for (int k = 0; enclosed.faces[t] == 1 && k < 3; ++k)
+    {
+      enclosed.vertices[mesh.triangles[t][k]] = 1;
+    }
+  }
+  for (const int v : boundary)
+  {
+    enclosed.vertices[v] = 1;
+  }
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    enclosed.vertices[v] = enclosed.vertices[v] == 2 && adjacency.borderVertex[v] ? 1 : enclosed.vertices[v];
+  }
+
+  requireInside(reference, enclosed);
+  const Mesh inside = extractFaces(mesh, enclosed.faces, 2).mesh;
+  requireRoomOutside(mesh, adjacency, inside, seed);
+  discBorder(inside, buildAdjacency(inside, context));
+  return enclosed;
+}
+
+Extract extractFaces(const Mesh& mesh, const std::vector<char>& flags, char least)
+{
+  Extract extract;
+  std::vector<int> number(mesh.points.size(), -1);
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    if (flags[t] >= least)
+    {
+      extract.triangles.push_back(t);
+      for (const int v : mesh.triangles[t])
+      {
+        number[v] = 0;
+      }
+    }
+  }
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (number[v] == 0)
+    {
+      number[v] = extract.mesh.vertexCount();
+      extract.mesh.points.push_back(mesh.points[v]);
+      extract.vertices.push_back(v);
+    }
+  }
+  for (const int t : extract.triangles)
+  {
+    const Triangle& c = mesh.triangles[t];
+    extract.mesh.triangles.push_back({ number[c[0]], number[c[1]], number[c[2]] });
+  }
+  return extract;
+}
+
+} // namespace oversketch

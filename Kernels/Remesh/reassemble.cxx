@@ -1,0 +1,333 @@
+#include "Remesh/reassemble.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace oversketch
+{
+namespace
+{
+
+using Between = std::map<std::pair<int, int>, int>;
+
+std::pair<int, int> ends(int a, int b)
+{
+  return std::minmax(a, b);
+}
+
+// What came between two vertices of a curve, without either, in their order.
+void addBetween(const Between& between,
+  const HeldVertex& a,
+  const HeldVertex& b,
+  std::vector<HeldVertex>& chain)
+{
+  const auto found = a.own >= 0 && b.own >= 0 ? between.find(ends(a.own, b.own)) : between.end();
+  if (found == between.end())
+  {
+    return;
+  }
+  const HeldVertex middle{ -1, found->second, a.from, 0.5 * (a.t + b.t) };
+  addBetween(between, a, middle, chain);
+  chain.push_back(middle);
+  addBetween(between, middle, b, chain);
+}
+
+class Reassembly
+{
+public:
+  Reassembly(const RetriangulateInput& input,
+    const Cutout& cutout,
+    const Surface& rest,
+    const Stage& stage,
+    const Patch& patch)
+    : Input(input)
+    , Cut(cutout)
+    , Rest(rest)
+    , Base(stage)
+    , Area(patch)
+    , Output(patch.vertexCount(), -1)
+  {
+  }
+
+  Retriangulated run(const std::vector<std::vector<HeldVertex>>& curves)
+  {
+    this->addPoints();
+    this->addTriangles();
+    for (const std::vector<HeldVertex>& curve : curves)
+    {
+      std::vector<CurveVertex>& chain = this->Result.curves.emplace_back();
+      for (const HeldVertex& v : curve)
+      {
+        chain.push_back({ v.own >= 0 ? this->Output[v.own] : this->OutputOfInput[v.whole], v.from, v.t });
+      }
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  int cutVertices() const { return this->Cut.mesh.vertexCount(); }
+
+  void addPoints()
+  {
+    const int count = this->Input.rest.vertexCount();
+    this->OutputOfInput.assign(static_cast<std::size_t>(count), -1);
+    for (int v = 0; v < count; ++v)
+    {
+      const int own = this->Cut.vertexOf[v];
+      if (own < 0)
+      {
+        this->OutputOfInput[v] = this->addPoint(this->Input.moved[v], v);
+      }
+      else if (this->Area.aliveVertex(own))
+      {
+        const bool still = this->Area.point(own) == this->Base.mesh.points[own];
+        this->OutputOfInput[v] = this->Output[own] = this->addPoint(this->Area.point(own), still ? v : -1);
+        this->addMix(own, still);
+      }
+    }
+    for (int own = this->cutVertices(); own < this->Area.vertexCount(); ++own)
+    {
+      if (this->Area.aliveVertex(own))
+      {
+        this->Output[own] = this->addPoint(this->Area.point(own), -1);
+        this->addMix(own, false);
+      }
+    }
+  }
+
+  int addPoint(const Vector3& point, int source)
+  {
+    this->Result.mesh.points.push_back(point);
+    this->Result.pointSource.push_back(source);
+    return this->Result.mesh.vertexCount() - 1;
+  }
+
+  void addMix(int own, bool isInput)
+  {
+    if (!isInput)
+    {
+      this->Result.mixes.push_back(this->mixOf(own));
+    }
+  }
+
+  // Of a vertex of the stage's mesh, `share` of it.
+  void addOrigin(int base, double share, Mix& mix) const
+  {
+    if (base < this->cutVertices())
+    {
+      mix.emplace_back(this->Cut.vertices[base], share);
+      return;
+    }
+    const SurfacePoint& at = this->Base.origins[base - this->cutVertices()];
+    for (int k = 0; k < 3; ++k)
+    {
+      mix.emplace_back(this->Cut.vertices[this->Cut.mesh.triangles[at.triangle][k]], share * at.weights[k]);
+    }
+  }
+
+  bool isOfBase(int own) const
+  {
+    return own < this->Base.mesh.vertexCount() && this->Area.point(own) == this->Base.mesh.points[own];
+  }
+
+  Mix mixOf(int own) const
+  {
+    Mix mix;
+    if (this->isOfBase(own))
+    {
+      this->addOrigin(own, 1.0, mix);
+    }
+    else
+    {
+      const SurfacePoint& at = this->Area.place(own);
+      for (int k = 0; k < 3; ++k)
+      {
+        this->addOrigin(this->Base.mesh.triangles[at.triangle][k], at.weights[k], mix);
+      }
+    }
+    return normalisedMix(std::move(mix));
+  }
+
+  // Of a vertex of the stage's mesh, and of the patch, in the cut-out.
+  Vector3 baseAtRest(int base) const
+  {
+    return base < this->cutVertices()
+             ? this->Cut.mesh.points[base]
+             : positionOf(this->Cut.mesh, this->Base.origins[base - this->cutVertices()]);
+  }
+  Vector3 atRest(int own) const
+  {
+    if (this->isOfBase(own))
+    {
+      return this->baseAtRest(own);
+    }
+    const SurfacePoint& at = this->Area.place(own);
+    const Triangle& c = this->Base.mesh.triangles[at.triangle];
+    return at.weights[0] * this->baseAtRest(c[0]) + at.weights[1] * this->baseAtRest(c[1]) +
+           at.weights[2] * this->baseAtRest(c[2]);
+  }
+
+  void addTriangles()
+  {
+    const int count = this->Input.rest.triangleCount();
+    std::vector<int> slots(static_cast<std::size_t>(count), -1);
+    for (int slot = 0; slot < this->Cut.mesh.triangleCount(); ++slot)
+    {
+      slots[this->Cut.triangles[slot]] = slot;
+    }
+    for (int t = 0; t < count; ++t)
+    {
+      if (slots[t] >= 0)
+      {
+        this->addSlot(slots[t]);
+        continue;
+      }
+      const Triangle& c = this->Input.rest.triangles[t];
+      this->addTriangle(
+        { this->OutputOfInput[c[0]], this->OutputOfInput[c[1]], this->OutputOfInput[c[2]] }, t);
+    }
+    for (int slot = this->Cut.mesh.triangleCount(); slot < this->Area.triangleCount(); ++slot)
+    {
+      this->addSlot(slot);
+    }
+  }
+
+  void addSlot(int slot)
+  {
+    const bool changes = slot >= this->Base.mesh.triangleCount() || this->Base.active[slot];
+    if (changes && !this->Area.aliveTriangle(slot))
+    {
+      return;
+    }
+    const Triangle c = this->Area.triangle(slot);
+    const bool still = slot < this->Cut.mesh.triangleCount() && c == this->Cut.mesh.triangles[slot] &&
+                       this->isOfBase(c[0]) && this->isOfBase(c[1]) && this->isOfBase(c[2]);
+    this->addTriangle({ this->Output[c[0]], this->Output[c[1]], this->Output[c[2]] },
+      still ? this->Cut.triangles[slot] : this->sourceOf(c));
+  }
+
+  void addTriangle(const Triangle& triangle, int source)
+  {
+    this->Result.mesh.triangles.push_back(triangle);
+    this->Result.triangleSource.push_back(source);
+  }
+
+  int sourceOf(const Triangle& c) const
+  {
+    const Vector3 middle = (this->atRest(c[0]) + this->atRest(c[1]) + this->atRest(c[2])) / 3.0;
+    return this->Cut.triangles[this->Rest.closest(middle, this->startNear(c[0])).triangle];
+  }
+
+  // A triangle of the cut-out at a vertex or near it.
+  int startNear(int own) const
+  {
+    const int base = own < this->Base.mesh.vertexCount()
+                       ? own
+                       : this->Base.mesh.triangles[this->Area.place(own).triangle][0];
+    return base < this->cutVertices() ? this->Rest.triangleWith({ base })
+                                      : this->Base.origins[base - this->cutVertices()].triangle;
+  }
+
+  const RetriangulateInput& Input;
+  const Cutout& Cut;
+  const Surface& Rest;
+  const Stage& Base;
+  const Patch& Area;
+  std::vector<int> Output;        // of a patch vertex
+  std::vector<int> OutputOfInput; // of an input vertex
+  Retriangulated Result;
+};
+
+} // namespace
+
+Held heldIn(const Cutout& cutout, const RetriangulateInput& input)
+{
+  Held held;
+  for (int own = 0; own < cutout.mesh.vertexCount(); ++own)
+  {
+    if (input.region[cutout.vertices[own]] != 2)
+    {
+      held.vertices.push_back(own);
+    }
+  }
+  for (const std::vector<int>& curve : input.curves)
+  {
+    for (std::size_t i = 0; i < curve.size(); ++i)
+    {
+      const int own = cutout.vertexOf[curve[i]], last = i > 0 ? cutout.vertexOf[curve[i - 1]] : -1;
+      if (own >= 0)
+      {
+        held.vertices.push_back(own);
+      }
+      if (own >= 0 && last >= 0)
+      {
+        held.edges.push_back({ last, own });
+      }
+    }
+  }
+  return held;
+}
+
+std::vector<std::vector<HeldVertex>> heldCurves(const Cutout& cutout,
+  const RetriangulateInput& input,
+  const std::vector<std::array<int, 3>>& splits)
+{
+  Between between;
+  for (const auto& [a, b, middle] : splits)
+  {
+    between.emplace(ends(a, b), middle);
+  }
+  std::vector<std::vector<HeldVertex>> curves;
+  for (const std::vector<int>& curve : input.curves)
+  {
+    std::vector<HeldVertex>& chain = curves.emplace_back();
+    for (std::size_t i = 0; i < curve.size(); ++i)
+    {
+      const HeldVertex next{ curve[i], cutout.vertexOf[curve[i]], static_cast<int>(i), 0.0 };
+      if (i > 0)
+      {
+        HeldVertex end = next;
+        end.t = 1.0;
+        addBetween(between, HeldVertex(chain.back()), end, chain);
+      }
+      chain.push_back(next);
+    }
+  }
+  return curves;
+}
+
+Retriangulated reassembled(const RetriangulateInput& input,
+  const Cutout& cutout,
+  const Surface& rest,
+  const Stage& stage,
+  const Patch& patch,
+  const std::vector<std::vector<HeldVertex>>& curves)
+{
+  return Reassembly(input, cutout, rest, stage, patch).run(curves);
+}
+
+Retriangulated untouched(const RetriangulateInput& input)
+{
+  Retriangulated result;
+  result.mesh = { input.moved, input.rest.triangles };
+  for (int v = 0; v < input.rest.vertexCount(); ++v)
+  {
+    result.pointSource.push_back(v);
+  }
+  for (int t = 0; t < input.rest.triangleCount(); ++t)
+  {
+    result.triangleSource.push_back(t);
+  }
+  for (const std::vector<int>& curve : input.curves)
+  {
+    std::vector<CurveVertex>& chain = result.curves.emplace_back();
+    for (std::size_t i = 0; i < curve.size(); ++i)
+    {
+      chain.push_back({ curve[i], static_cast<int>(i), 0.0 });
+    }
+  }
+  return result;
+}
+
+} // namespace oversketch

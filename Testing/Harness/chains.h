@@ -1,0 +1,59 @@
+// Curves of mesh edges as polydata, and back. Header-only.
+#ifndef oversketch_test_chains_h
+#define oversketch_test_chains_h
+
+#include "Harness/enclosures.h"
+#include "Harness/polydata.h"
+
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+
+namespace oversketch_test
+{
+
+// One polyline with VertexId and CurveT; a closed chain repeats its first point's id.
+inline vtkSmartPointer<vtkPolyData> toChain(const Mesh& mesh, const std::vector<int>& chain)
+{
+  const bool closed = chain.size() > 2 && chain.front() == chain.back();
+  const std::size_t count = chain.size() - (closed ? 1 : 0);
+  auto curve = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIdTypeArray> vertices;
+  vertices->SetName("VertexId");
+  vtkNew<vtkDoubleArray> shares;
+  shares->SetName("CurveT");
+  lines->InsertNextCell(static_cast<int>(chain.size()));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(mesh.points[chain[i]].data()));
+    vertices->InsertNextValue(chain[i]);
+    shares->InsertNextValue(static_cast<double>(i) / static_cast<double>(chain.size() - 1));
+  }
+  if (closed)
+  {
+    lines->InsertCellPoint(0);
+  }
+  curve->SetPoints(points);
+  curve->SetLines(lines);
+  curve->GetPointData()->AddArray(vertices);
+  curve->GetPointData()->AddArray(shares);
+  return curve;
+}
+
+inline std::vector<int> chainOf(vtkPolyData* curve)
+{
+  vtkNew<vtkIdList> ids;
+  curve->GetLines()->GetCellAtId(0, ids);
+  vtkDataArray* vertices = curve->GetPointData()->GetArray("VertexId");
+  std::vector<int> chain;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    chain.push_back(static_cast<int>(vertices->GetComponent(ids->GetId(i), 0)));
+  }
+  return chain;
+}
+
+} // namespace oversketch_test
+#endif
