@@ -26,7 +26,7 @@
  * instead; BadStroke for a reference that is not one polyline on vertices of the mesh, or not on the disc. A
  * mesh without points gives empty outputs silently.
  *
- * Deterministic: same result bit for bit for any number of threads. Cost: some 12 solves of a sparse system;
+ * Deterministic: same result bit for bit for any number of threads. Cost: 2 to 11 solves of a sparse system;
  * the disc stays while points, triangles and EditRegion do: another reference flattens nothing.
  *
  * @sa vtkOversketchDistanceField vtkOversketchShadingLevels
@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * Rounds of balancing [0 to 100, default 10; as published: 0].
+   * Rounds of balancing at most; it ends where the disc is even [0 to 100, default 10; as published: 0].
    */
   vtkSetClampMacro(Rounds, int, 0, 100);
   vtkGetMacro(Rounds, int);

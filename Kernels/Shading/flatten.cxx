@@ -20,6 +20,8 @@ namespace
   throw Error(Failure::BadRegion, "The region " + what + "; draw the boundary round a piece without holes.");
 }
 
+constexpr double evenEnough = 0.05; // of a texel's side, in the mean
+
 double signedArea(const std::vector<Vector2>& disc, const Triangle& t)
 {
   const Vector2 u = disc[t[1]] - disc[t[0]], v = disc[t[2]] - disc[t[0]];
@@ -321,9 +323,16 @@ std::vector<Vector2> flattened(const Mesh& patch, const Context& context, int ro
     }
     disc = now;
     const std::vector<double> drawn = shares(patch, areas);
+    double uneven = 0.0; // mean square of log r
     for (std::size_t v = 0; v < pull.size(); ++v)
     {
-      pull[v] /= std::clamp(std::sqrt(surface[v] / drawn[v]), 0.25, 4.0);
+      const double root = std::sqrt(surface[v] / drawn[v]), off = std::log(root);
+      uneven += surface[v] > 0.0 ? surface[v] * off * off : 0.0;
+      pull[v] /= std::clamp(root, 0.25, 4.0);
+    }
+    if (uneven < evenEnough * evenEnough)
+    {
+      break;
     }
     for (std::size_t e = 0; e < weights.size(); ++e)
     {
