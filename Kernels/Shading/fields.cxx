@@ -10,6 +10,7 @@
 #include <cmath>
 #include <queue>
 #include <string>
+#include <tuple>
 
 namespace oversketch
 {
@@ -177,6 +178,36 @@ void smoothField(const Mesh& patch,
   }
 }
 
+// The neighbours of a vertex inside, counter-clockwise seen from outside, with the angle turned so far, of
+// 2 pi for all of it.
+std::vector<std::pair<int, double>> anglesRound(const Mesh& mesh, const Adjacency& adjacency, int vertex)
+{
+  std::vector<std::array<int, 2>> steps; // from a neighbour to the next
+  for (const int* t = adjacency.vertexTriangles.begin(vertex); t != adjacency.vertexTriangles.end(vertex);
+       ++t)
+  {
+    const Triangle& c = mesh.triangles[*t];
+    const int k = static_cast<int>(std::find(c.begin(), c.end(), vertex) - c.begin());
+    steps.push_back({ c[(k + 1) % 3], c[(k + 2) % 3] });
+  }
+  std::vector<std::pair<int, double>> round;
+  double sum = 0.0;
+  for (auto step = steps.begin(); round.size() < steps.size() && step != steps.end();)
+  {
+    round.emplace_back((*step)[0], sum);
+    const Vector3 a = mesh.points[(*step)[0]] - mesh.points[vertex],
+                  b = mesh.points[(*step)[1]] - mesh.points[vertex];
+    sum += std::atan2(a.cross(b).norm(), a.dot(b));
+    const int next = (*step)[1];
+    step = std::find_if(steps.begin(), steps.end(), [&](const auto& other) { return other[0] == next; });
+  }
+  for (auto& [neighbour, angle] : round)
+  {
+    angle *= 2.0 * M_PI / sum;
+  }
+  return round;
+}
+
 void checkChain(const Mesh& patch,
   const Adjacency& adjacency,
   const std::vector<int>& reference,
@@ -233,6 +264,72 @@ ChainDistances chainDistances(const Mesh& mesh,
   return result;
 }
 
+std::vector<signed char> chainSides(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& chain)
+{
+  std::vector<signed char> side(mesh.points.size(), 0);
+  std::vector<char> done(mesh.points.size(), 0);
+  for (const int v : chain)
+  {
+    done[v] = 1;
+  }
+  struct Way
+  {
+    double length;
+    int vertex;
+    signed char side;
+    bool operator>(const Way& other) const
+    {
+      return std::tie(this->length, this->vertex, this->side) >
+             std::tie(other.length, other.vertex, other.side);
+    }
+  };
+  std::priority_queue<Way, std::vector<Way>, std::greater<>> queue;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    const std::vector<std::pair<int, double>> round = anglesRound(mesh, adjacency, chain[i]);
+    const auto angleTo = [&](int v)
+    {
+      const auto found =
+        std::find_if(round.begin(), round.end(), [v](const auto& each) { return each.first == v; });
+      return found == round.end() ? 0.0 : found->second;
+    };
+    const double before = i > 0 ? angleTo(chain[i - 1]) : angleTo(chain[i + 1]) + M_PI;
+    const double after = i + 1 < chain.size() ? angleTo(chain[i + 1]) : angleTo(chain[i - 1]) + M_PI;
+    const auto turned = [&](double angle) { return std::fmod(angle - after + 4.0 * M_PI, 2.0 * M_PI); };
+    for (const auto& [v, angle] : round)
+    {
+      if (!done[v])
+      {
+        const signed char which = turned(angle) < turned(before) ? 1 : -1;
+        queue.push({ (mesh.points[v] - mesh.points[chain[i]]).norm(), v, which });
+      }
+    }
+  }
+  while (!queue.empty())
+  {
+    const Way way = queue.top();
+    queue.pop();
+    if (done[way.vertex])
+    {
+      continue;
+    }
+    done[way.vertex] = 1;
+    side[way.vertex] = way.side;
+    for (const int* n = adjacency.vertexVertices.begin(way.vertex);
+         n != adjacency.vertexVertices.end(way.vertex);
+         ++n)
+    {
+      if (!done[*n])
+      {
+        queue.push({ way.length + (mesh.points[*n] - mesh.points[way.vertex]).norm(), *n, way.side });
+      }
+    }
+  }
+  return side;
+}
+
 CurveFields curveFields(const Mesh& patch,
   const std::vector<int>& reference,
   const FieldRules& rules,
@@ -279,6 +376,7 @@ CurveFields curveFields(const Mesh& patch,
   };
   smoothed(rules.smoothing, fixed, fields.share);
   smoothed(rules.parameterSmoothing, onReference, fields.parameter);
+  fields.side = chainSides(patch, adjacency, reference);
   return fields;
 }
 

@@ -23,7 +23,16 @@ struct CurveFields
 {
   std::vector<double> share;     // 0 on the reference curve, 1 on the boundary, between them elsewhere
   std::vector<double> parameter; // share of the reference curve's length, 0 to 1
+  std::vector<signed char>
+    side; // 1 left of the reference curve as it goes, seen from outside, -1 right, 0 on it
 };
+
+// On which side of a chain of two or more vertices inside, whose segments are edges, the others lie, as
+// CurveFields has it: that of the neighbour of the chain from which the shortest way over edges comes. Beyond
+// an end the chain counts as gone on straight. Vertices that no way leads to have 0.
+std::vector<signed char> chainSides(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& chain);
 
 // The distance of each vertex from a chain of vertices whose segments are edges: the length of a front's way
 // over the surface, as CurveReach has it, never less than the straight one. And the place on the chain that

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <string>
 
@@ -13,6 +14,8 @@ namespace oversketch
 {
 namespace
 {
+
+constexpr double evenEnough = 0.05; // of a texel's side, in the mean
 
 double signedArea(const std::vector<Vector2>& disc, const Triangle& t)
 {
@@ -65,12 +68,22 @@ public:
         places.push_back(patch.points[v]);
       }
     }
-    if (!this->Inner.empty())
+    if (this->Inner.empty())
     {
-      const std::vector<double> ones(adjacency.edges.size(), 1.0), none(this->Inner.size(), 0.0);
-      this->Order = std::make_shared<const Elimination>(
-        weightMatrix(adjacency, ones, this->Inner, this->Number, none).pattern, places, context);
+      return;
     }
+    const std::vector<double> ones(adjacency.edges.size(), 1.0), none(this->Inner.size(), 0.0);
+    this->Matrix = weightMatrix(adjacency, ones, this->Inner, this->Number, none);
+    for (const int v : this->Inner)
+    {
+      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      {
+        this->Edges.push_back(adjacency.findEdge(v, *n));
+        this->Stays.push_back(this->Number[*n] < 0);
+      }
+    }
+    this->Factor =
+      std::make_unique<Cholesky>(std::make_shared<const Elimination>(this->Matrix.pattern, places, context));
   }
 
   void solve(const std::vector<double>& weights, std::vector<Vector2>& disc, const Context& context)
@@ -79,9 +92,8 @@ public:
     {
       return;
     }
-    const std::vector<double> none(this->Inner.size(), 0.0);
-    Cholesky factor(this->Order, this->Room);
-    if (!factor.factorise(weightMatrix(this->Sides, weights, this->Inner, this->Number, none), context))
+    this->weigh(weights);
+    if (!this->Factor->factorise(this->Matrix, context))
     {
       throw Error(Failure::SolveFailed, "The region could not be flattened; clean the mesh first.");
     }
@@ -98,7 +110,7 @@ public:
         }
       }
     }
-    factor.solve(side, context);
+    this->Factor->solve(side, context);
     for (std::size_t i = 0; i < this->Inner.size(); ++i)
     {
       disc[this->Inner[i]] = side.row(static_cast<Eigen::Index>(i));
@@ -106,10 +118,33 @@ public:
   }
 
 private:
+  // What weightMatrix makes of other weights, in the place of the last ones.
+  void weigh(const std::vector<double>& weights)
+  {
+    std::size_t neighbour = 0;
+    for (std::size_t i = 0; i < this->Inner.size(); ++i)
+    {
+      double* own = &this->Matrix.values[static_cast<std::size_t>(this->Matrix.pattern.offsets[i])];
+      double* next = own + 1;
+      *own = 0.0;
+      for (int k = this->Sides.vertexVertices.size(this->Inner[i]); k > 0; --k, ++neighbour)
+      {
+        const double weight = weights[this->Edges[neighbour]];
+        *own += weight;
+        if (!this->Stays[neighbour])
+        {
+          *next++ = -weight;
+        }
+      }
+    }
+  }
+
   const Adjacency& Sides;
   std::vector<int> Number, Inner;
-  std::shared_ptr<const Elimination> Order;
-  std::shared_ptr<FactorMemory> Room = std::make_shared<FactorMemory>();
+  BlockMatrix Matrix;
+  std::vector<int> Edges;  // of the inner vertices, neighbour by neighbour
+  std::vector<char> Stays; // whether that neighbour is on the border
+  std::unique_ptr<Cholesky> Factor;
 };
 
 // The border on the unit circle by its length.
@@ -219,9 +254,16 @@ std::vector<Vector2> flattened(const Mesh& patch, const Context& context, int ro
     }
     disc = now;
     const std::vector<double> drawn = shares(patch, areas);
+    double uneven = 0.0; // mean square of log r
     for (std::size_t v = 0; v < pull.size(); ++v)
     {
-      pull[v] /= std::clamp(std::sqrt(surface[v] / drawn[v]), 0.25, 4.0);
+      const double root = std::sqrt(surface[v] / drawn[v]), off = std::log(root);
+      uneven += surface[v] > 0.0 ? surface[v] * off * off : 0.0;
+      pull[v] /= std::clamp(root, 0.25, 4.0);
+    }
+    if (uneven < evenEnough * evenEnough)
+    {
+      break;
     }
     for (std::size_t e = 0; e < weights.size(); ++e)
     {

@@ -28,9 +28,10 @@ BlockMatrix weightMatrix(const Adjacency& adjacency,
 // Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", Sec. 5.1 and Appendix B,
 // which give x and y within -1 and 1, and not the map. Here the border is on a circle by its length, the
 // inside at means of neighbours with positive symmetric weights (W. Tutte, "How to Draw a Graph": no triangle
-// turns over). Such maps squeeze a limb into a few texels, so then comes balancing, `rounds` times: with r
-// the root of a vertex's share of the surface over its share of the disc, within 1/4 and 4, g becomes g / r,
-// and weights w_ij g_i g_j. A round that turns a triangle over, by rounding, is not taken and is the last.
+// turns over). Such maps squeeze a limb into a few texels, so then comes balancing, at most `rounds` times:
+// with r the root of a vertex's share of the surface over its share of the disc, within 1/4 and 4, g becomes
+// g / r, and weights w_ij g_i g_j, until r is off 1 by less than 5 % in the mean, which nobody sees. A round
+// that turns a triangle over, by rounding, is not taken and is the last.
 //
 // Appendix B divides by the largest coordinate after it has lost the smallest; here x and y go from the
 // extremes to -1 and 1.

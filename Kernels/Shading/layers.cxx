@@ -99,7 +99,7 @@ double Layers::placeOf(double rest) const
   return std::clamp(x + (1.0 - t) * (a.place - a.rest) + t * (b.place - b.rest), a.place, b.place);
 }
 
-std::pair<Layers::Knot, Layers::Knot> Layers::aboutPlace(double place) const
+std::pair<const Layers::Knot&, const Layers::Knot&> Layers::aboutPlace(double place) const
 {
   const auto after = std::upper_bound(this->Knots.begin(),
     this->Knots.end(),
@@ -115,7 +115,7 @@ double Layers::restOf(double s) const
   {
     return this->Knots.back().after;
   }
-  const auto [a, b] = this->aboutPlace(x);
+  const auto& [a, b] = this->aboutPlace(x);
   const double t = (x - a.place) / (b.place - a.place);
   return std::clamp(x + (1.0 - t) * (a.after - a.place) + t * (b.before - b.place), a.after, b.before);
 }
@@ -167,7 +167,7 @@ double Layers::smoothRestOf(double s) const
   {
     return this->Knots.back().after;
   }
-  const auto [a, b] = this->aboutPlace(x);
+  const auto& [a, b] = this->aboutPlace(x);
   const double step = b.place - a.place, t = (x - a.place) / step, u = 1.0 - t;
   // Hermite's cubic of how far it has moved.
   const double moved = u * u * (1.0 + 2.0 * t) * (a.after - a.place) +

@@ -61,7 +61,7 @@ private:
     double place, before, after;
     double slopeBefore = 1.0, slopeAfter = 1.0; // of phi^-1
   };
-  std::pair<Knot, Knot> aboutPlace(double place) const; // below the last one's
+  std::pair<const Knot&, const Knot&> aboutPlace(double place) const; // below the last one's
   double smoothRestOf(double s) const;
   void findSlopes();
 

@@ -1,0 +1,233 @@
+// Meshes with a region and a reference curve, as vtkOversketchEnclose and vtkOversketchInsertCurve hand them
+// on, and the steps of this room over them. Header-only.
+#ifndef oversketch_test_shading_scenes_h
+#define oversketch_test_shading_scenes_h
+
+#include "Harness/polydata.h"
+#include "Harness/promises.h"
+#include "Shading/patches.h"
+#include "vtkOversketchDistanceField.h"
+#include "vtkOversketchFlatten.h"
+#include "vtkOversketchScanFill.h"
+#include "vtkOversketchShadingLevels.h"
+#include "vtkOversketchTextureToWeight.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace oversketch_test
+{
+
+struct Scene
+{
+  Mesh mesh;
+  std::vector<char> inside; // per triangle
+  std::vector<int> labels;  // EditRegion
+  std::vector<int> reference;
+};
+
+// The triangles for which `chosen` holds, the ring of triangles round them, and a reference curve.
+inline Scene sceneOf(const Mesh& mesh,
+  const std::function<bool(const Triangle&)>& chosen,
+  const std::vector<int>& reference)
+{
+  Scene scene{ mesh, {}, std::vector<int>(mesh.points.size(), 0), reference };
+  const Adjacency adjacency = buildAdjacency(mesh);
+  std::vector<char> core(mesh.points.size(), 0);
+  for (const Triangle& t : mesh.triangles)
+  {
+    scene.inside.push_back(chosen(t));
+    for (int k = 0; scene.inside.back() && k < 3; ++k)
+      core[t[k]] = 1;
+  }
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& c = mesh.triangles[t];
+    if (core[c[0]] || core[c[1]] || core[c[2]])
+      for (const int v : c)
+        scene.labels[v] = 1;
+  }
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    bool within = core[v] && !adjacency.borderVertex[v];
+    for (const int* t = adjacency.vertexTriangles.begin(v); t != adjacency.vertexTriangles.end(v); ++t)
+      within = within && scene.inside[*t];
+    if (within)
+      scene.labels[v] = 2;
+  }
+  return scene;
+}
+
+inline Scene sceneOf(const Drawn& drawn)
+{
+  return sceneOf(
+    drawn.patch, [](const Triangle&) { return true; }, drawn.reference);
+}
+
+// The shortest way over edges.
+inline std::vector<int> edgeWay(const Mesh& mesh, int from, int to)
+{
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const std::vector<double> far = edgeDistances(mesh, adjacency, { to });
+  std::vector<int> way{ from };
+  while (way.back() != to)
+  {
+    const int v = way.back();
+    way.push_back(*std::min_element(adjacency.vertexVertices.begin(v),
+      adjacency.vertexVertices.end(v),
+      [&](int a, int b)
+      {
+        return far[a] + (mesh.points[a] - mesh.points[v]).norm() <
+               far[b] + (mesh.points[b] - mesh.points[v]).norm();
+      }));
+  }
+  return way;
+}
+
+inline int nearestVertex(const Mesh& mesh, const Vector3& place)
+{
+  int nearest = 0;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    if ((mesh.points[v] - place).norm() < (mesh.points[nearest] - place).norm())
+      nearest = v;
+  return nearest;
+}
+
+// A sphere, what lies above z = 0.3, a curve over the pole.
+inline Scene capScene(int levels = 4)
+{
+  const Mesh mesh = icosphere(levels);
+  return sceneOf(
+    mesh,
+    [&](const Triangle& t) {
+      return std::min({ mesh.points[t[0]][2], mesh.points[t[1]][2], mesh.points[t[2]][2] }) > 0.3;
+    },
+    edgeWay(mesh, nearestVertex(mesh, { -0.6, 0.0, 0.8 }), nearestVertex(mesh, { 0.6, 0.0, 0.8 })));
+}
+
+inline vtkSmartPointer<vtkPolyData> meshOf(const Scene& scene, bool cells = true)
+{
+  const auto mesh = toPolyData(scene.mesh);
+  vtkNew<vtkUnsignedCharArray> points, faces;
+  points->SetName("EditRegion");
+  for (const int label : scene.labels)
+    points->InsertNextValue(static_cast<unsigned char>(label));
+  mesh->GetPointData()->AddArray(points);
+  faces->SetName("EditRegion");
+  for (const char inside : scene.inside)
+    faces->InsertNextValue(inside ? 2 : 0);
+  if (cells)
+    mesh->GetCellData()->AddArray(faces);
+  return mesh;
+}
+
+inline vtkSmartPointer<vtkPolyData> curveOf(const Mesh& mesh, const std::vector<int>& chain)
+{
+  auto curve = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("VertexId");
+  vtkNew<vtkDoubleArray> shares;
+  shares->SetName("CurveT");
+  lines->InsertNextCell(static_cast<int>(chain.size()));
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    const bool there = chain[i] >= 0 && chain[i] < mesh.vertexCount();
+    const Vector3 place = there ? mesh.points[chain[i]] : Vector3(Vector3::Zero());
+    lines->InsertCellPoint(points->InsertNextPoint(place.data()));
+    ids->InsertNextValue(chain[i]);
+    shares->InsertNextValue(static_cast<double>(i) / std::max(1.0, static_cast<double>(chain.size()) - 1.0));
+  }
+  curve->SetPoints(points);
+  curve->SetLines(lines);
+  curve->GetPointData()->AddArray(ids);
+  curve->GetPointData()->AddArray(shares);
+  return curve;
+}
+
+// Areas drawn on the disc itself.
+inline vtkSmartPointer<vtkPolyData> areasOnDisc(const std::vector<std::vector<Vector2>>& outlines)
+{
+  auto areas = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const std::vector<Vector2>& outline : outlines)
+  {
+    lines->InsertNextCell(static_cast<int>(outline.size()));
+    for (const Vector2& p : outline)
+      lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
+  }
+  areas->SetPoints(points);
+  areas->SetLines(lines);
+  return areas;
+}
+
+inline std::vector<double> pointValues(vtkDataSet* data, const char* name)
+{
+  vtkDataArray* array = data->GetPointData()->GetArray(name);
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+    values.push_back(array->GetComponent(
+      i / array->GetNumberOfComponents(), static_cast<int>(i % array->GetNumberOfComponents())));
+  return values;
+}
+
+inline bool sameBits(vtkDataArray* a, vtkDataArray* b)
+{
+  return a && b && a->GetDataType() == b->GetDataType() && a->GetNumberOfValues() == b->GetNumberOfValues() &&
+         std::memcmp(a->GetVoidPointer(0),
+           b->GetVoidPointer(0),
+           static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0;
+}
+
+// The steps one after the other; areas may be set.
+struct ShadingChain
+{
+  Scene scene;
+  vtkSmartPointer<vtkPolyData> mesh, reference;
+  vtkNew<vtkOversketchFlatten> flatten;
+  vtkNew<vtkOversketchDistanceField> field;
+  vtkNew<vtkOversketchScanFill> fill;
+  vtkNew<vtkOversketchShadingLevels> levels;
+
+  explicit ShadingChain(const Scene& from)
+    : scene(from)
+    , mesh(meshOf(from))
+    , reference(curveOf(from.mesh, from.reference))
+  {
+    this->flatten->SetInputData(this->mesh);
+    this->flatten->SetReferenceData(this->reference);
+    this->field->SetInputConnection(this->flatten->GetOutputPort());
+    this->field->SetReferenceData(this->reference);
+    this->levels->SetInputConnection(this->field->GetOutputPort());
+    this->levels->SetDiscConnection(this->flatten->GetOutputPort(1));
+  }
+  void select(const std::vector<std::vector<Vector2>>& outlines)
+  {
+    this->fill->SetInputData(areasOnDisc(outlines));
+    this->levels->SetAreasConnection(this->fill->GetOutputPort(1));
+  }
+  std::vector<double> weights()
+  {
+    this->levels->Update();
+    return pointValues(this->levels->GetOutput(), "EditWeight");
+  }
+  std::vector<double> greys()
+  {
+    this->levels->Update();
+    return pointValues(this->levels->GetDisplayOutput(), "Grey");
+  }
+};
+
+} // namespace oversketch_test
+#endif

@@ -1,0 +1,129 @@
+#include "vtkOversketchDistanceField.h"
+
+#include "Shading/fields.h"
+#include "vtkOversketchShadingTools.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <string>
+
+using namespace oversketch;
+
+// The last fields, and what they were made of.
+struct vtkOversketchDistanceField::Cache
+{
+  StepKey Key;
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+};
+
+vtkStandardNewMacro(vtkOversketchDistanceField);
+
+namespace
+{
+
+// An array of the mesh's points, `outside` but where the patch has a value.
+template <typename Array, typename Value>
+vtkSmartPointer<vtkDataArray> meshArray(const char* name,
+  vtkIdType points,
+  double outside,
+  const std::vector<int>& vertices,
+  const std::vector<Value>& values)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(points);
+  array->Fill(outside);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetValue(vertices[i], values[i]);
+  }
+  return array;
+}
+
+void requireSmoothing(double value, const char* name)
+{
+  if (!(value >= 0.0 && value <= 10.0))
+  {
+    throw Error(Failure::BadStroke, std::string(name) + " is not within 0 and 10; set another.");
+  }
+}
+
+} // namespace
+
+vtkOversketchDistanceField::vtkOversketchDistanceField()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchDistanceField::~vtkOversketchDistanceField() = default;
+
+void vtkOversketchDistanceField::SetReferenceData(vtkPolyData* curve)
+{
+  this->SetInputData(1, curve);
+}
+
+int vtkOversketchDistanceField::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      requireSmoothing(this->FieldSmoothing, "FieldSmoothing");
+      requireSmoothing(this->ParameterSmoothing, "ParameterSmoothing");
+      FieldRules rules;
+      rules.straight = this->AsPublished || this->Measure == EUCLIDEAN;
+      rules.smoothing = this->AsPublished ? 0.0 : this->FieldSmoothing;
+      rules.parameterSmoothing = this->AsPublished ? 0.0 : this->ParameterSmoothing;
+      const StepKey key({ InsideKey(mesh), ChainKey(reference) },
+        { static_cast<double>(rules.straight), rules.smoothing, rules.parameterSmoothing });
+      Cache& cache = *this->Internals;
+      if (cache.Arrays.empty() || cache.Key != key)
+      {
+        cache.Arrays.clear(); // so that nothing stale is left when making fails
+        ++this->FieldCount;
+        std::vector<int> chain = ChainOf(reference, "reference", mesh);
+        const InsidePatch inside = InsideOf(mesh, false);
+        for (int& vertex : chain)
+        {
+          vertex = inside.Numbers[vertex];
+        }
+        const CurveFields fields = curveFields(inside.Patch, chain, rules, ContextOf(this));
+        const vtkIdType points = mesh->GetNumberOfPoints();
+        const std::vector<int>& vertices = inside.Vertices;
+        cache.Arrays = { meshArray<vtkDoubleArray>("CurveDistance", points, 1.0, vertices, fields.share),
+          meshArray<vtkDoubleArray>("CurveParameter", points, 0.0, vertices, fields.parameter),
+          meshArray<vtkIntArray>("CurveSide", points, 0.0, vertices, fields.side) };
+        cache.Key = key;
+      }
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      output->ShallowCopy(mesh);
+      for (vtkDataArray* array : cache.Arrays)
+      {
+        output->GetPointData()->AddArray(array);
+      }
+    });
+}
+
+void vtkOversketchDistanceField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Measure: " << this->Measure << "\n";
+  os << indent << "FieldSmoothing: " << this->FieldSmoothing << "\n";
+  os << indent << "ParameterSmoothing: " << this->ParameterSmoothing << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "FieldCount: " << this->FieldCount << "\n";
+}

@@ -1,0 +1,169 @@
+#include "vtkOversketchFlatten.h"
+
+#include "Shading/flatten.h"
+#include "vtkOversketchShadingTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <string>
+
+using namespace oversketch;
+
+// The last disc, and what it was made of.
+struct vtkOversketchFlatten::Cache
+{
+  StepKey Key;
+  bool Made = false;
+  std::vector<int> Numbers; // of the disc's points by the mesh's
+  vtkSmartPointer<vtkPolyData> Disc;
+  vtkSmartPointer<vtkDoubleArray> Coordinates; // of the mesh's points
+};
+
+vtkStandardNewMacro(vtkOversketchFlatten);
+
+namespace
+{
+
+vtkSmartPointer<vtkDoubleArray> coordinateArray(vtkIdType points)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName("DiscCoords");
+  array->SetNumberOfComponents(2);
+  array->SetNumberOfTuples(points);
+  array->Fill(-1.0);
+  return array;
+}
+
+vtkSmartPointer<vtkPolyData> discOf(const InsidePatch& inside,
+  const std::vector<Vector2>& places,
+  vtkDoubleArray* meshCoordinates)
+{
+  auto disc = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("VertexId");
+  const auto coordinates = coordinateArray(static_cast<vtkIdType>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const Vector2 uv = 0.5 * (places[i] + Vector2::Ones());
+    points->InsertNextPoint(places[i][0], places[i][1], 0.0);
+    ids->InsertNextValue(inside.Vertices[i]);
+    coordinates->SetTuple(static_cast<vtkIdType>(i), uv.data());
+    meshCoordinates->SetTuple(inside.Vertices[i], uv.data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const Triangle& t : inside.Patch.triangles)
+  {
+    const vtkIdType corners[3] = { t[0], t[1], t[2] };
+    triangles->InsertNextCell(3, corners);
+  }
+  disc->SetPoints(points);
+  disc->SetPolys(triangles);
+  disc->GetPointData()->AddArray(ids);
+  disc->GetPointData()->SetTCoords(coordinates);
+  return disc;
+}
+
+// The curve on the disc, each sample by itself.
+void layOnDisc(vtkPolyData* curve,
+  const std::vector<int>& chain,
+  const std::vector<int>& numbers,
+  vtkPolyData* disc,
+  vtkPolyData* discCurve)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(curve->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
+  {
+    points->SetPoint(i, 0.0, 0.0, 0.0); // of no sample
+  }
+  vtkNew<vtkIdList> samples;
+  curve->GetLines()->GetCellAtId(0, samples);
+  for (vtkIdType i = 0; i < samples->GetNumberOfIds(); ++i)
+  {
+    const int number = numbers[chain[static_cast<std::size_t>(i) % chain.size()]];
+    if (number < 0)
+    {
+      throw Error(Failure::BadStroke,
+        "Point " + std::to_string(i) +
+          " of the reference curve lies outside the boundary; draw the boundary round all of it.");
+    }
+    points->SetPoint(samples->GetId(i), disc->GetPoint(number));
+  }
+  discCurve->ShallowCopy(curve);
+  discCurve->SetPoints(points);
+}
+
+} // namespace
+
+vtkOversketchFlatten::vtkOversketchFlatten()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkOversketchFlatten::~vtkOversketchFlatten() = default;
+
+void vtkOversketchFlatten::SetReferenceData(vtkPolyData* curve)
+{
+  this->SetInputData(1, curve);
+}
+
+int vtkOversketchFlatten::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const int rounds = this->AsPublished ? 0 : this->Rounds;
+      const std::vector<int> chain = ChainOf(reference, "reference", mesh);
+      const StepKey key(
+        { InsideKey(mesh) }, { static_cast<double>(rounds), static_cast<double>(this->AsPublished) });
+      Cache& cache = *this->Internals;
+      if (!cache.Made || cache.Key != key)
+      {
+        cache.Made = false; // so that nothing stale is left when making fails
+        ++this->FlattenCount;
+        InsidePatch inside = InsideOf(mesh, this->AsPublished);
+        const std::vector<Vector2> places = flattened(inside.Patch, ContextOf(this), rounds);
+        cache.Coordinates = coordinateArray(mesh->GetNumberOfPoints());
+        cache.Disc = discOf(inside, places, cache.Coordinates);
+        cache.Numbers = std::move(inside.Numbers);
+        cache.Key = key;
+        cache.Made = true;
+      }
+      layOnDisc(reference, chain, cache.Numbers, cache.Disc, vtkPolyData::GetData(outputs, 2));
+      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      output->ShallowCopy(mesh);
+      output->GetPointData()->AddArray(cache.Coordinates);
+      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Disc);
+    });
+}
+
+void vtkOversketchFlatten::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Rounds: " << this->Rounds << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "FlattenCount: " << this->FlattenCount << "\n";
+}

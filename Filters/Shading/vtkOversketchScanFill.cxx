@@ -1,0 +1,211 @@
+#include "vtkOversketchScanFill.h"
+
+#include "Shading/scan_fill.h"
+#include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchShadingTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <string>
+
+using namespace oversketch;
+
+// The last mask, and what it was made of.
+struct vtkOversketchScanFill::Cache
+{
+  StepKey Key;
+  vtkSmartPointer<vtkPolyData> Areas;
+  vtkSmartPointer<vtkImageData> Mask;
+};
+
+vtkStandardNewMacro(vtkOversketchScanFill);
+
+namespace
+{
+
+constexpr std::size_t mostAreas = 64;
+constexpr double farthest = 100.0; // [disc's radii]
+const char* const viewArrays[] = { "ViewTransform", "ProjectionTransform", "ViewportSize" };
+
+// A stroke's samples on the disc's plane.
+Polyline onDisc(vtkPolyData* strokes, const DrawnLine& line, std::size_t stroke)
+{
+  bool hasView = false;
+  for (const char* name : viewArrays)
+  {
+    hasView = hasView || strokes->GetCellData()->HasArray(name);
+  }
+  Polyline samples = line.Samples;
+  const auto refuse = [&](std::size_t sample, const std::string& what)
+  {
+    throw Error(Failure::BadStroke,
+      "Sample " + std::to_string(sample) + " of area " + std::to_string(stroke) + " " + what +
+        "; draw the area again.");
+  };
+  if (hasView)
+  {
+    const View view = ViewOf(StrokeAlone(strokes, static_cast<vtkIdType>(stroke)));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      const auto place = ontoCanvas(view, line.Samples[i]);
+      if (!place)
+      {
+        refuse(i, "does not meet the disc in the view that it was drawn in");
+      }
+      samples[i] = *place;
+    }
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (!(samples[i].cwiseAbs().maxCoeff() <= farthest))
+    {
+      refuse(i, "lies far outside the disc");
+    }
+  }
+  return samples;
+}
+
+vtkSmartPointer<vtkPolyData> areasOf(vtkPolyData* strokes, const std::vector<Polyline>& outlines)
+{
+  auto areas = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const Polyline& outline : outlines)
+  {
+    lines->InsertNextCell(static_cast<int>(outline.size()) + 1);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (const Vector2& p : outline)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
+    }
+    lines->InsertCellPoint(first);
+  }
+  areas->SetPoints(points);
+  areas->SetLines(lines);
+  areas->GetCellData()->PassData(strokes->GetCellData());
+  for (const char* name : viewArrays)
+  {
+    areas->GetCellData()->RemoveArray(name);
+  }
+  return areas;
+}
+
+vtkSmartPointer<vtkImageData> maskOf(const std::vector<Polyline>& outlines, int size, const Context& context)
+{
+  auto mask = vtkSmartPointer<vtkImageData>::New();
+  LayOnDisc(mask, size);
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName("Area");
+  const int areas = static_cast<int>(outlines.size());
+  array->SetNumberOfComponents(areas);
+  array->SetNumberOfTuples(mask->GetNumberOfPoints());
+  array->Fill(0.0);
+  for (int area = 0; area < areas; ++area)
+  {
+    context.checkpoint(static_cast<double>(area) / areas);
+    std::vector<Pixel> pixels;
+    for (const Vector2& p : outlines[static_cast<std::size_t>(area)])
+    {
+      pixels.push_back({ static_cast<int>(std::floor(0.5 * (p[0] + 1.0) * size)),
+        static_cast<int>(std::floor(0.5 * (p[1] + 1.0) * size)) });
+    }
+    const std::vector<char> selected = filledMask(pixels, size, size);
+    for (std::size_t i = 0; i < selected.size(); ++i)
+    {
+      if (selected[i])
+      {
+        array->SetTypedComponent(static_cast<vtkIdType>(i), area, 1);
+      }
+    }
+  }
+  mask->GetPointData()->SetScalars(array);
+  return mask;
+}
+
+} // namespace
+
+vtkOversketchScanFill::vtkOversketchScanFill()
+  : Internals(new Cache)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkOversketchScanFill::~vtkOversketchScanFill() = default;
+
+vtkImageData* vtkOversketchScanFill::GetMaskOutput()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkOversketchScanFill::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkImageData" : "vtkPolyData");
+  return 1;
+}
+
+int vtkOversketchScanFill::RequestInformation(vtkInformation*,
+  vtkInformationVector**,
+  vtkInformationVector* outputs)
+{
+  DescribeDiscImage(outputs->GetInformationObject(1), this->Resolution, VTK_UNSIGNED_CHAR, 1);
+  return 1;
+}
+
+int vtkOversketchScanFill::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+      vtkImageData* mask = vtkImageData::GetData(outputs, 1);
+      if (strokes->GetNumberOfPoints() == 0)
+      {
+        mask->Initialize();
+        return;
+      }
+      const StepKey key({ WholeKey(strokes) }, { static_cast<double>(this->Resolution) });
+      Cache& cache = *this->Internals;
+      if (!cache.Mask || cache.Key != key)
+      {
+        cache.Mask = nullptr; // so that nothing stale is left when making fails
+        ++this->FillCount;
+        const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
+        if (lines.size() > mostAreas)
+        {
+          throw Error(Failure::BadStroke,
+            "There are " + std::to_string(lines.size()) + " areas; there can be 64, remove some.");
+        }
+        std::vector<Polyline> outlines;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+        {
+          outlines.push_back(onDisc(strokes, lines[i], i));
+        }
+        cache.Areas = areasOf(strokes, outlines);
+        cache.Mask = maskOf(outlines, this->Resolution, ContextOf(this));
+        cache.Key = key;
+      }
+      vtkPolyData::GetData(outputs, 0)->ShallowCopy(cache.Areas);
+      mask->ShallowCopy(cache.Mask);
+    });
+}
+
+void vtkOversketchScanFill::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "FillCount: " << this->FillCount << "\n";
+}

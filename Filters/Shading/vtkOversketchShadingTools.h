@@ -1,0 +1,83 @@
+/**
+ * What the filters of this room share: a mesh with its region, the curves on it, arrays of images. Free
+ * functions, for use in the .cxx of filters; not wrapped. README.md of this folder lists the arrays.
+ */
+#ifndef vtkOversketchShadingTools_h
+#define vtkOversketchShadingTools_h
+
+#include "Mesh/mesh.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkImageData;
+class vtkInformation;
+class vtkInformationVector;
+class vtkPolyData;
+
+namespace oversketch
+{
+
+// What point array EditRegion says of a vertex.
+enum class EditLabel : signed char
+{
+  Outside = 0,
+  Rim = 1,   // on the boundary, or of the ring of triangles round it
+  Inside = 2 // strictly within the boundary
+};
+
+// Throws Error(MissingArray) without the array, Error(BadRegion) naming the vertex for a value that is not
+// one of these.
+std::vector<EditLabel> EditRegionOf(vtkPolyData* mesh);
+
+// The triangles inside the boundary by themselves.
+struct InsidePatch
+{
+  Mesh Patch;
+  std::vector<int> Vertices; // of the mesh, ascending; vertex i of the patch is Vertices[i]
+  std::vector<int> Numbers;  // of the patch by vertices of the mesh, -1 elsewhere
+};
+
+// Inside are the triangles that cell array EditRegion gives 2; without it those with a corner strictly
+// inside, which are all but such as have every corner on the boundary. withRing: and every triangle that
+// shares a vertex with them. Throws what MeshOf and EditRegionOf do, Error(BadRegion) where no vertex is
+// strictly inside.
+InsidePatch InsideOf(vtkPolyData* mesh, bool withRing);
+
+// The vertices of the mesh that a curve goes through, by its point array VertexId; of a closed one the first
+// is not repeated. Of a patch that has point array VertexId itself, the vertices with these. `which` names
+// the curve in messages ("reference"). Throws Error(MissingArray) without the array, Error(BadStroke) where
+// there is not exactly one polyline, and for an id that the mesh does not have.
+std::vector<int> ChainOf(vtkPolyData* curve, const std::string& which, vtkPolyData* mesh);
+
+// What these read of both.
+MeshKey InsideKey(vtkPolyData* mesh);
+MeshKey ChainKey(vtkPolyData* curve);
+
+// Array DiscCoords of a mesh. Throws Error(MissingArray) without it, Error(BadMesh) naming a vertex of the
+// region whose coordinates are not finite.
+std::vector<Vector2> DiscCoordsOf(vtkPolyData* mesh, const std::vector<EditLabel>& labels);
+
+// What tells arrays apart, whatever they belong to; null for an absent one.
+MeshKey ArraysKey(const std::vector<vtkDataArray*>& arrays);
+
+// Both sides of an image in samples. Throws Error(BadStroke) for one without samples or of several slices;
+// `which` names it.
+std::pair<int, int> SidesOf(vtkImageData* image, const std::string& which);
+
+// For the RequestUpdateExtent of a filter that reads all of an image on a port, whatever is asked of its own
+// outputs; it may be absent.
+void RequestWholeImage(vtkInformationVector* input);
+
+// Gives an image of size x size samples its place: the square from -1 to 1, over the disc.
+void LayOnDisc(vtkImageData* image, int size);
+
+// For RequestInformation: extent, place and scalars' type of such an image.
+void DescribeDiscImage(vtkInformation* output, int size, int scalarType, int components);
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,34 @@
+// Layers as a text says them, for parameters of filters and for files.
+#ifndef oversketch_layer_list_h
+#define oversketch_layer_list_h
+
+#include "Shading/layers.h"
+
+#include <string>
+#include <vector>
+
+namespace oversketch
+{
+
+// An area with layers of its own.
+struct AreaLayers
+{
+  int area = 0;
+  int levels = 0;                   // 0: as many as the whole disc
+  std::vector<LayerHandle> handles; // none: those of the whole disc
+};
+
+struct LayerList
+{
+  std::vector<LayerHandle> handles;
+  std::vector<AreaLayers> areas; // each once, in the text's order
+};
+
+// "handle FROM TO" puts a handle on what lies at FROM by default and drags it to TO, both shares of the way
+// from the reference curve to the boundary; "area NUMBER [LEVELS]" begins an area's own, by the number of its
+// stroke from 0; with ";" between them: "handle 0.4 0.2; area 0 9; handle 0.4 0.6". Throws
+// Error(Failure::BadStroke) that quotes what is not understood.
+LayerList layerList(const std::string& text);
+
+} // namespace oversketch
+#endif
