@@ -109,7 +109,7 @@ TEST(B8_2, TheSectionRunsFromBoundaryToBoundary)
   EXPECT_LT(met[0], 0.0);
   EXPECT_GT(met[1], 0.0);
   fact("B8_2",
-    "section within " + std::to_string(off) + " of x = 0, " + std::to_string(shortest) + " to " +
+    "section within " + std::to_string(off * 1e15) + "e-15 of x = 0, " + std::to_string(shortest) + " to " +
       std::to_string(longest) +
       " long, from z = 0.5 to z = 0.5, in order; of four meetings the outer two as published, those next to "
       "the curve by default");
