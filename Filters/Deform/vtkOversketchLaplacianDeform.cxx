@@ -4,6 +4,7 @@
 #include "Sparse/laplacian.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchMovedPoints.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellData.h"
@@ -122,27 +123,6 @@ ShapeRegister& Shapes()
   return instance;
 }
 
-// A copy of normals with the listed tuples overwritten; a normal without length is left as it was.
-vtkSmartPointer<vtkDataArray> WithNormals(vtkDataArray* normals,
-  const std::vector<std::pair<int, Vector3>>& changed)
-{
-  auto copy = vtkSmartPointer<vtkDataArray>::Take(normals->NewInstance());
-  copy->DeepCopy(normals);
-  for (const auto& [index, normal] : changed)
-  {
-    if (normal.squaredNorm() > 0.0)
-    {
-      copy->SetTuple(index, normal.data());
-    }
-  }
-  return copy;
-}
-
-bool UsableNormals(vtkDataArray* normals, vtkIdType count)
-{
-  return normals && normals->GetNumberOfComponents() == 3 && normals->GetNumberOfTuples() == count;
-}
-
 } // namespace
 
 // The factor, and what was written last, with what each was made from.
@@ -190,19 +170,15 @@ void vtkOversketchLaplacianDeform::SetHandlesData(vtkPolyData* handles)
 void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input)
 {
   const Mesh& before = this->Data->Surface();
-  this->Points = vtkSmartPointer<vtkPoints>::New();
-  this->Points->SetDataType(input->GetPoints()->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
-  this->Points->DeepCopy(input->GetPoints());
-  std::vector<int> moved;
+  std::vector<std::pair<int, Vector3>> places;
   for (int v = 0; v < before.vertexCount(); ++v)
   {
     if (this->Moves[v] != Vector3::Zero())
     {
-      moved.push_back(v);
-      const Vector3 place = before.points[v] + this->Moves[v];
-      this->Points->SetPoint(v, place.data());
+      places.emplace_back(v, before.points[v] + this->Moves[v]);
     }
   }
+  this->Points = WithPlaces(input->GetPoints(), places);
   this->PointNormals = nullptr;
   this->CellNormals = nullptr;
   vtkDataArray* pointNormals = input->GetPointData()->GetNormals();
@@ -215,10 +191,10 @@ void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input)
   }
   Mesh after = before;
   std::vector<char> isMoved(this->Moves.size(), 0), touched(this->Moves.size(), 0);
-  for (const int v : moved)
+  for (const auto& [v, place] : places)
   {
     isMoved[v] = 1;
-    after.points[v] += this->Moves[v];
+    after.points[v] = place;
   }
   std::vector<std::pair<int, Vector3>> changed;
   for (int t = 0; t < after.triangleCount(); ++t)

@@ -1,0 +1,239 @@
+#include "vtkOversketchEditTools.h"
+
+#include "Mesh/context.h"
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace oversketch
+{
+
+namespace
+{
+
+const char* const insertRemedy = "lay the curve into the mesh with vtkOversketchInsertCurve";
+const char* const regionRemedy =
+  "vtkOversketchEnclose makes EditRegion, the filters of Filters/Shading make the other arrays";
+const char* const handleRemedy = "make handles with vtkOversketchHandles";
+
+Matrix4 matrixOf(vtkDataArray* array, vtkIdType tuple)
+{
+  Matrix4 matrix;
+  for (int i = 0; i < 16; ++i)
+  {
+    matrix(i / 4, i % 4) = array->GetComponent(tuple, i);
+  }
+  return matrix;
+}
+
+std::vector<Vector3> chosen(const std::vector<Vector3>& values, const std::vector<int>& ids)
+{
+  std::vector<Vector3> result;
+  for (const int id : ids)
+  {
+    result.push_back(values[id]);
+  }
+  return result;
+}
+
+[[noreturn]] void refuse(Failure failure, const std::ostringstream& message)
+{
+  throw Error(failure, message.str());
+}
+
+} // namespace
+
+std::vector<int> ReadCurve(vtkPolyData* curve, int vertexCount, const std::string& holder)
+{
+  std::ostringstream message;
+  if (curve->GetNumberOfLines() != 1 || curve->GetNumberOfCells() != 1)
+  {
+    message << "The " << holder << " holds " << curve->GetNumberOfLines() << " polylines and "
+            << curve->GetNumberOfCells() - curve->GetNumberOfLines()
+            << " other cells; exactly one polyline is needed.";
+    refuse(Failure::BadStroke, message);
+  }
+  const vtkIdType count = curve->GetNumberOfPoints();
+  vtkDataArray* vertices = RequireArray(curve->GetPointData(), "VertexId", 1, count, holder, insertRemedy);
+  vtkNew<vtkIdList> ids;
+  curve->GetLines()->GetCellAtId(0, ids);
+  std::vector<int> chain;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType id = ids->GetId(i);
+    const double vertex = id >= 0 && id < count ? vertices->GetComponent(id, 0) : -1.0;
+    if (!(vertex >= 0.0 && vertex < vertexCount))
+    {
+      message << "Point " << i << " of the " << holder
+              << " is no vertex of the mesh (array VertexId): " << insertRemedy << '.';
+      refuse(Failure::BadStroke, message);
+    }
+    chain.push_back(static_cast<int>(vertex));
+  }
+  if (chain.size() > 2 && chain.front() == chain.back())
+  {
+    chain.pop_back();
+  }
+  return chain;
+}
+
+CurveOnMesh::CurveOnMesh(vtkPolyData* curve, const MeshData& mesh)
+  : Vertices(ReadCurve(curve, mesh.Surface().vertexCount(), "reference curve"))
+  , Points(chosen(mesh.Surface().points, this->Vertices))
+  , Frames(this->Points, chosen(mesh.Normals(), this->Vertices))
+{
+}
+
+Binding CurveOnMesh::PlaceAt(double t) const
+{
+  std::vector<double> lengths{ 0.0 };
+  for (std::size_t i = 1; i < this->Points.size(); ++i)
+  {
+    lengths.push_back(lengths.back() + (this->Points[i] - this->Points[i - 1]).norm());
+  }
+  const double length = t * lengths.back();
+  const auto after = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
+  const auto i = static_cast<std::size_t>(after - lengths.begin());
+  const double step = lengths[i] - lengths[i - 1];
+  const double share = step > 0.0 ? std::min(1.0, (length - lengths[i - 1]) / step) : 0.0;
+  return Binding::edge(this->Vertices[i - 1], this->Vertices[i], 1.0 - share);
+}
+
+std::vector<double> ReadValues(vtkPolyData* mesh,
+  const char* name,
+  const std::vector<int>& vertices,
+  double low,
+  double high)
+{
+  vtkDataArray* array =
+    RequireArray(mesh->GetPointData(), name, 1, mesh->GetNumberOfPoints(), "mesh", regionRemedy);
+  constexpr double rounding = 1e-6;
+  std::vector<double> values;
+  values.reserve(vertices.size());
+  for (const int v : vertices)
+  {
+    const double value = array->GetComponent(v, 0);
+    if (!(value >= low - rounding && value <= high + rounding))
+    {
+      std::ostringstream message;
+      message << name << " of point " << v << " is " << value << ", not within " << low << " and " << high
+              << ": " << regionRemedy << '.';
+      refuse(Failure::BadRegion, message);
+    }
+    values.push_back(std::clamp(value, low, high));
+  }
+  return values;
+}
+
+std::vector<int> ReadInside(vtkPolyData* mesh)
+{
+  vtkDataArray* array =
+    RequireArray(mesh->GetPointData(), "EditRegion", 1, mesh->GetNumberOfPoints(), "mesh", regionRemedy);
+  std::vector<int> inside;
+  for (vtkIdType v = 0; v < mesh->GetNumberOfPoints(); ++v)
+  {
+    if (array->GetComponent(v, 0) == 2.0)
+    {
+      inside.push_back(static_cast<int>(v));
+    }
+  }
+  if (inside.empty())
+  {
+    throw Error(Failure::BadRegion,
+      "No point lies strictly inside the boundary (EditRegion 2): draw it larger, or refine the mesh there.");
+  }
+  return inside;
+}
+
+void WriteMatrix(vtkFieldData* data, const char* name, const Matrix4& matrix)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(16);
+  array->SetNumberOfTuples(1);
+  for (int i = 0; i < 16; ++i)
+  {
+    array->SetComponent(0, i, matrix(i / 4, i % 4));
+  }
+  data->AddArray(array);
+}
+
+Matrix4 ReadMatrix(vtkFieldData* data, const char* name, const std::string& holder, const std::string& remedy)
+{
+  vtkDataArray* array = data->GetArray(name);
+  const bool fits = array && array->GetNumberOfComponents() == 16 && array->GetNumberOfTuples() == 1;
+  if (!fits || !matrixOf(array, 0).allFinite())
+  {
+    throw Error(fits ? Failure::BadStroke : Failure::MissingArray,
+      "The " + holder + " has no field array " + name + " of 16 finite numbers: " + remedy + ".");
+  }
+  return matrixOf(array, 0);
+}
+
+CurveFrame FrameOf(const Matrix4& matrix)
+{
+  return {
+    matrix.col(3).head<3>(), matrix.col(0).head<3>(), matrix.col(1).head<3>(), matrix.col(2).head<3>()
+  };
+}
+
+std::vector<double> ReadHandlePlaces(vtkPolyData* handles)
+{
+  const vtkIdType count = handles->GetNumberOfPoints();
+  std::vector<double> places;
+  if (count == 0)
+  {
+    return places;
+  }
+  vtkDataArray* array = RequireArray(handles->GetPointData(), "CurveT", 1, count, "handles", handleRemedy);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    places.push_back(array->GetComponent(i, 0));
+    if (!(places.back() >= 0.0 && places.back() <= 1.0))
+    {
+      std::ostringstream message;
+      message << "Handle " << i << " has a CurveT of " << places.back()
+              << ", which is no place on the curve; give one from 0, where the curve begins, to 1.";
+      refuse(Failure::BadStroke, message);
+    }
+  }
+  return places;
+}
+
+std::vector<Matrix4> ReadHandleMatrices(vtkPolyData* handles)
+{
+  const vtkIdType count = handles->GetNumberOfPoints();
+  std::vector<Matrix4> matrices;
+  if (count == 0)
+  {
+    return matrices;
+  }
+  vtkDataArray* array = RequireArray(handles->GetPointData(), "Matrix", 16, count, "handles", handleRemedy);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    matrices.push_back(matrixOf(array, i));
+    const bool finite = matrices.back().allFinite();
+    if (!finite || matrices.back().row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0))
+    {
+      std::ostringstream message;
+      message << "The Matrix of handle " << i
+              << (finite ? " is a perspective: its last row is not 0 0 0 1; give an affine one."
+                         : " is not finite; give one that is.");
+      refuse(Failure::BadStroke, message);
+    }
+  }
+  return matrices;
+}
+
+} // namespace oversketch

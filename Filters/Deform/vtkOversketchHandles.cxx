@@ -1,0 +1,144 @@
+#include "vtkOversketchHandles.h"
+
+#include "Matrix/operations.h"
+#include "vtkOversketchEditTools.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+using namespace oversketch;
+
+struct vtkOversketchHandles::Cache
+{
+  std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
+  KeptOutput Kept;
+};
+
+vtkStandardNewMacro(vtkOversketchHandles);
+
+namespace
+{
+
+void Write(const std::vector<PlacedHandle>& handles, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkDoubleArray> places, matrices, frames;
+  places->SetName("CurveT");
+  matrices->SetName("Matrix");
+  frames->SetName("Frame");
+  for (vtkDoubleArray* array : { matrices.Get(), frames.Get() })
+  {
+    array->SetNumberOfComponents(16);
+  }
+  for (const PlacedHandle& handle : handles)
+  {
+    const vtkIdType id = points->InsertNextPoint(handle.frame.origin.data());
+    vertices->InsertNextCell(1, &id);
+    places->InsertNextValue(handle.t);
+    // Eigen's matrices run column by column.
+    matrices->InsertNextTuple(Matrix4(handle.matrix.transpose()).data());
+    frames->InsertNextTuple(Matrix4(matrixOf(handle.frame).transpose()).data());
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  for (vtkDoubleArray* array : { places.Get(), matrices.Get(), frames.Get() })
+  {
+    output->GetPointData()->AddArray(array);
+  }
+}
+
+} // namespace
+
+vtkOversketchHandles::vtkOversketchHandles()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+vtkOversketchHandles::~vtkOversketchHandles() = default;
+
+void vtkOversketchHandles::SetReferenceData(vtkPolyData* curve)
+{
+  this->SetInputData(1, curve);
+}
+
+void vtkOversketchHandles::SetHandlesData(vtkPolyData* handles)
+{
+  this->SetInputData(2, handles);
+}
+
+void vtkOversketchHandles::SetOperations(const char* text)
+{
+  SetText(this, this->Operations, text);
+}
+
+int vtkOversketchHandles::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 2)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkOversketchHandles::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* further = vtkPolyData::GetData(inputs[2]);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      Cache& cache = *this->Internals;
+      std::vector<double> text;
+      AddText(text, this->Operations);
+      const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }),
+                          WholeKey(curve),
+                          further ? WholeKey(further) : MeshKey() },
+        text);
+      cache.Kept.Provide(key,
+        vtkPolyData::GetData(outputs),
+        [&](vtkPolyData* result)
+        {
+          cache.Data = SharedMesh(mesh);
+          const CurveOnMesh reference(curve, *cache.Data);
+          std::vector<PlacedHandle> handles =
+            handlesOf(this->Operations, [&](double t) { return reference.Frames.at(t); });
+          if (further)
+          {
+            const std::vector<double> places = ReadHandlePlaces(further);
+            const std::vector<Matrix4> matrices = ReadHandleMatrices(further);
+            for (std::size_t i = 0; i < places.size(); ++i)
+            {
+              const CurveFrame frame = reference.Frames.at(places[i]);
+              handles.push_back({ places[i], frame, inWorld(frame, matrices[i]) });
+            }
+          }
+          Write(handles, result);
+        });
+    });
+}
+
+void vtkOversketchHandles::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Operations: " << this->Operations << '\n';
+}

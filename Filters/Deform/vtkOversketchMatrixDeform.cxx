@@ -1,0 +1,208 @@
+#include "vtkOversketchMatrixDeform.h"
+
+#include "Matrix/moved.h"
+#include "Matrix/moving_patch.h"
+#include "vtkOversketchEditTools.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchMovedPoints.h"
+
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+using namespace oversketch;
+
+namespace
+{
+
+// Logarithms by place, those at one place summed up.
+struct Pulls
+{
+  std::vector<double> Places; // ascending
+  std::vector<Matrix4> Logs;
+
+  bool Still() const
+  {
+    return std::all_of(
+      this->Logs.begin(), this->Logs.end(), [](const Matrix4& log) { return log.isZero(0.0); });
+  }
+};
+
+Matrix4 LogOf(const Matrix4& matrix, std::size_t handle)
+{
+  try
+  {
+    return logarithm(matrix);
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.failure(), "Handle " + std::to_string(handle) + ": " + error.what());
+  }
+}
+
+Pulls PullsOf(vtkPolyData* handles)
+{
+  const std::vector<double> places = ReadHandlePlaces(handles);
+  const std::vector<Matrix4> matrices = ReadHandleMatrices(handles);
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(
+    order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
+  Pulls pulls;
+  for (const std::size_t i : order)
+  {
+    const Matrix4 log = LogOf(matrices[i], i);
+    if (pulls.Places.empty() || pulls.Places.back() != places[i])
+    {
+      pulls.Places.push_back(places[i]);
+      pulls.Logs.push_back(log);
+    }
+    else
+    {
+      pulls.Logs.back() += log;
+    }
+  }
+  return pulls;
+}
+
+} // namespace
+
+// The points that follow, and what was made of them last.
+struct vtkOversketchMatrixDeform::Cache
+{
+  std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
+  StepKey RegionKey;
+  MovingPatch Patch;
+  std::vector<double> Weights, Parameters; // of the patch's vertices
+  std::vector<double> Places;              // of the handles, for which there are
+  std::vector<double> Shares;              // of each vertex for each handle
+  KeptOutput Kept;
+
+  void ReadRegion(vtkPolyData* mesh);
+  void FindShares(const std::vector<double>& places);
+};
+
+vtkStandardNewMacro(vtkOversketchMatrixDeform);
+
+void vtkOversketchMatrixDeform::Cache::ReadRegion(vtkPolyData* mesh)
+{
+  vtkPointData* data = mesh->GetPointData();
+  const StepKey key({ MeshKey(mesh,
+                      { data->GetNormals(),
+                        data->GetArray("EditRegion"),
+                        data->GetArray("EditWeight"),
+                        data->GetArray("CurveParameter") }) },
+    {});
+  if (this->Data && this->RegionKey == key)
+  {
+    return;
+  }
+  this->Data = nullptr;
+  const auto shared = SharedMesh(mesh);
+  const std::vector<int> inside = ReadInside(mesh);
+  const std::vector<double> weights = ReadValues(mesh, "EditWeight", inside, 0.0, 1.0);
+  std::vector<int> following;
+  this->Weights.clear();
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    if (weights[i] > 0.0)
+    {
+      following.push_back(inside[i]);
+      this->Weights.push_back(weights[i]);
+    }
+  }
+  this->Parameters = ReadValues(mesh, "CurveParameter", following, 0.0, 1.0);
+  this->Patch = MovingPatch(shared->Surface(), shared->Neighbours(), following);
+  this->Places.clear();
+  this->Data = shared;
+  this->RegionKey = key;
+}
+
+void vtkOversketchMatrixDeform::Cache::FindShares(const std::vector<double>& places)
+{
+  if (this->Places == places)
+  {
+    return;
+  }
+  this->Shares.clear();
+  for (std::size_t i = 0; i < this->Weights.size(); ++i)
+  {
+    for (const double share : tents(places, this->Parameters[i]))
+    {
+      this->Shares.push_back(this->Weights[i] * share);
+    }
+  }
+  this->Places = places;
+}
+
+vtkOversketchMatrixDeform::vtkOversketchMatrixDeform()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchMatrixDeform::~vtkOversketchMatrixDeform() = default;
+
+void vtkOversketchMatrixDeform::SetHandlesData(vtkPolyData* handles)
+{
+  this->SetInputData(1, handles);
+}
+
+int vtkOversketchMatrixDeform::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return port < 2;
+}
+
+int vtkOversketchMatrixDeform::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      Cache& cache = *this->Internals;
+      cache.Kept.Provide(StepKey({ WholeKey(mesh), WholeKey(handles) }, {}),
+        vtkPolyData::GetData(outputs),
+        [&](vtkPolyData* result)
+        {
+          ++this->DeformCount;
+          this->MovedPoints = this->FoldedEdges = 0;
+          cache.ReadRegion(mesh);
+          const Pulls pulls = PullsOf(handles);
+          if (pulls.Still())
+          {
+            result->ShallowCopy(mesh);
+            return;
+          }
+          cache.FindShares(pulls.Places);
+          const std::vector<Vector3> places =
+            moved(cache.Patch.rest(), pulls.Logs, cache.Shares, ContextOf(this, 0.0, 0.5));
+          const MoveReport report = WriteMoved(mesh, cache.Patch, places, result, ContextOf(this, 0.5, 1.0));
+          this->MovedPoints = report.Moved;
+          this->FoldedEdges = report.Folds;
+        });
+    });
+}
+
+void vtkOversketchMatrixDeform::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MovedPoints: " << this->MovedPoints << '\n';
+  os << indent << "FoldedEdges: " << this->FoldedEdges << '\n';
+  os << indent << "DeformCount: " << this->DeformCount << '\n';
+}

@@ -1,0 +1,295 @@
+#include "vtkOversketchProfileDeform.h"
+
+#include "Matrix/moving_patch.h"
+#include "Section/follow.h"
+#include "vtkOversketchEditTools.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchMovedPoints.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <optional>
+#include <string>
+
+using namespace oversketch;
+
+namespace
+{
+
+const char* const profileRemedy = "take it from vtkOversketchCrossSection";
+const char* const drawnRemedy = "draw the profile anew with vtkOversketchResketch";
+
+// The points of the one polyline, and an array of them.
+struct Line
+{
+  Polyline Points;
+  std::vector<vtkIdType> Ids;
+
+  Line(vtkPolyData* data, const std::string& holder)
+  {
+    if (data->GetNumberOfLines() != 1 || data->GetNumberOfCells() != 1)
+    {
+      throw Error(Failure::BadStroke,
+        "The " + holder + " input holds " + std::to_string(data->GetNumberOfLines()) + " polylines and " +
+          std::to_string(data->GetNumberOfCells() - data->GetNumberOfLines()) +
+          " other cells; exactly one polyline is needed.");
+    }
+    vtkNew<vtkIdList> ids;
+    data->GetLines()->GetCellAtId(0, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType id = ids->GetId(i);
+      if (id < 0 || id >= data->GetNumberOfPoints())
+      {
+        throw Error(Failure::BadStroke,
+          "Point " + std::to_string(i) + " of the " + holder + " does not exist; draw it anew.");
+      }
+      Vector3 point;
+      data->GetPoint(id, point.data());
+      this->Points.emplace_back(point[0], point[1]);
+      this->Ids.push_back(id);
+    }
+  }
+
+  std::vector<double> Values(vtkPolyData* data,
+    const char* name,
+    const std::string& holder,
+    const std::string& remedy) const
+  {
+    vtkDataArray* array =
+      RequireArray(data->GetPointData(), name, 1, data->GetNumberOfPoints(), holder, remedy);
+    std::vector<double> values;
+    for (const vtkIdType id : this->Ids)
+    {
+      values.push_back(array->GetComponent(id, 0));
+    }
+    return values;
+  }
+};
+
+FlatProfile ProfileOf(vtkPolyData* data)
+{
+  const std::string holder = "profile";
+  const Line line(data, holder);
+  FlatProfile profile;
+  profile.points = line.Points;
+  profile.t = line.Values(data, "CurveT", holder, profileRemedy);
+  profile.beside = line.Values(data, "SideDistance", holder, profileRemedy);
+  profile.toWorld = ReadMatrix(data->GetFieldData(), "ProfileMatrix", holder, profileRemedy);
+  for (std::size_t i = 0; i < profile.points.size(); ++i)
+  {
+    const bool ordered = i == 0 ? profile.t[i] == 0.0 : profile.t[i] > profile.t[i - 1];
+    if (!profile.points[i].allFinite() || !ordered || !(profile.t[i] <= 1.0) ||
+        !(std::abs(profile.beside[i]) <= 1.0 + 1e-6))
+    {
+      throw Error(Failure::BadStroke,
+        "Point " + std::to_string(i) +
+          " of the profile is not finite, or its CurveT or SideDistance is none: " + profileRemedy + ".");
+    }
+  }
+  const Eigen::Matrix3d linear = profile.toWorld.topLeftCorner<3, 3>();
+  if (profile.points.size() < 2 || !(std::abs(linear.determinant()) > 0.0))
+  {
+    throw Error(Failure::BadStroke,
+      std::string("The profile has fewer than two points, or its ProfileMatrix is singular: ") +
+        profileRemedy + ".");
+  }
+  return profile;
+}
+
+} // namespace
+
+// What depends on mesh, region and curve alone, and the last result.
+struct vtkOversketchProfileDeform::Cache
+{
+  std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
+  StepKey RegionKey;
+  std::optional<CurveOnMesh> Reference;
+  MovingPatch Patch;
+  RegionPlaces Region;
+  std::vector<double> Sides; // see sideShares
+  KeptOutput Kept;
+
+  void ReadRegion(vtkPolyData* mesh, vtkPolyData* curve, const Context& context);
+  std::vector<Vector3> Places(vtkPolyData* profile,
+    vtkPolyData* drawn,
+    const std::vector<double>& handles,
+    const std::vector<double>& weights,
+    const Context& context) const;
+};
+
+vtkStandardNewMacro(vtkOversketchProfileDeform);
+
+void vtkOversketchProfileDeform::Cache::ReadRegion(vtkPolyData* mesh,
+  vtkPolyData* curve,
+  const Context& context)
+{
+  vtkPointData* data = mesh->GetPointData();
+  const StepKey key({ MeshKey(mesh,
+                        { data->GetNormals(),
+                          data->GetArray("EditRegion"),
+                          data->GetArray("CurveDistance"),
+                          data->GetArray("CurveParameter"),
+                          data->GetArray("CurveSide") }),
+                      WholeKey(curve) },
+    {});
+  if (this->Data && this->RegionKey == key)
+  {
+    return;
+  }
+  this->Data = nullptr;
+  const auto shared = SharedMesh(mesh);
+  this->Reference.emplace(curve, *shared);
+  RegionPlaces& region = this->Region;
+  region.vertices = ReadInside(mesh);
+  region.distance = ReadValues(mesh, "CurveDistance", region.vertices, 0.0, 1.0);
+  region.parameter = ReadValues(mesh, "CurveParameter", region.vertices, 0.0, 1.0);
+  region.side = ReadValues(mesh, "CurveSide", region.vertices, -1.0, 1.0);
+  this->Patch = MovingPatch(shared->Surface(), shared->Neighbours(), region.vertices);
+  this->Sides =
+    sideShares(shared->Surface().points, region, this->Reference->Points, this->Reference->Frames, context);
+  this->Data = shared;
+  this->RegionKey = key;
+}
+
+std::vector<Vector3> vtkOversketchProfileDeform::Cache::Places(vtkPolyData* profile,
+  vtkPolyData* drawn,
+  const std::vector<double>& handles,
+  const std::vector<double>& weights,
+  const Context& context) const
+{
+  const FlatProfile old = ProfileOf(profile);
+  const CurveFrame plane = FrameOf(ReadMatrix(profile->GetFieldData(), "Frame", "profile", profileRemedy));
+  vtkDataArray* where = profile->GetFieldData()->GetArray("PlaneT");
+  if (!where || where->GetNumberOfTuples() != 1)
+  {
+    throw Error(
+      Failure::MissingArray, std::string("The profile has no field array PlaneT: ") + profileRemedy + ".");
+  }
+  const Line fresh(drawn, "new profile");
+  const Vector2 middle = (old.toWorld.inverse() * plane.origin.homogeneous()).head<2>();
+  const ProfileChange change(
+    old, middle, fresh.Points, fresh.Values(drawn, "SourceT", "new profile", drawnRemedy));
+  const std::vector<Vector3> moves = profileMoves(this->Region,
+    this->Sides,
+    change,
+    old.toWorld,
+    plane,
+    this->Reference->Frames,
+    PlaneReach(where->GetComponent(0, 0), handles),
+    weights,
+    context);
+  std::vector<Vector3> places = this->Patch.rest();
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    places[i] += moves[i];
+  }
+  return places;
+}
+
+vtkOversketchProfileDeform::vtkOversketchProfileDeform()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(5);
+}
+
+vtkOversketchProfileDeform::~vtkOversketchProfileDeform() = default;
+
+void vtkOversketchProfileDeform::SetReferenceData(vtkPolyData* curve)
+{
+  this->SetInputData(1, curve);
+}
+
+void vtkOversketchProfileDeform::SetProfileData(vtkPolyData* profile)
+{
+  this->SetInputData(2, profile);
+}
+
+void vtkOversketchProfileDeform::SetDrawnData(vtkPolyData* profile)
+{
+  this->SetInputData(3, profile);
+}
+
+void vtkOversketchProfileDeform::SetHandlesData(vtkPolyData* handles)
+{
+  this->SetInputData(4, handles);
+}
+
+int vtkOversketchProfileDeform::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 4)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkOversketchProfileDeform::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* profile = vtkPolyData::GetData(inputs[2]);
+      vtkPolyData* drawn = vtkPolyData::GetData(inputs[3]);
+      vtkPolyData* handles = vtkPolyData::GetData(inputs[4]);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      Cache& cache = *this->Internals;
+      const StepKey key({ WholeKey(mesh),
+                          WholeKey(curve),
+                          WholeKey(profile),
+                          WholeKey(drawn),
+                          handles ? WholeKey(handles) : MeshKey() },
+        { this->UseTexture ? 1.0 : 0.0 });
+      cache.Kept.Provide(key,
+        vtkPolyData::GetData(outputs),
+        [&](vtkPolyData* result)
+        {
+          ++this->DeformCount;
+          this->MovedPoints = this->FoldedEdges = 0;
+          if (profile->GetNumberOfPoints() == 0)
+          {
+            result->ShallowCopy(mesh);
+            return;
+          }
+          cache.ReadRegion(mesh, curve, ContextOf(this, 0.0, 0.3));
+          const std::vector<double> weights =
+            this->UseTexture ? ReadValues(mesh, "EditWeight", cache.Region.vertices, 0.0, 1.0)
+                             : std::vector<double>();
+          const std::vector<Vector3> places = cache.Places(profile,
+            drawn,
+            handles ? ReadHandlePlaces(handles) : std::vector<double>(),
+            weights,
+            ContextOf(this, 0.3, 0.7));
+          const MoveReport report = WriteMoved(mesh, cache.Patch, places, result, ContextOf(this, 0.7, 1.0));
+          this->MovedPoints = report.Moved;
+          this->FoldedEdges = report.Folds;
+        });
+    });
+}
+
+void vtkOversketchProfileDeform::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UseTexture: " << this->UseTexture << '\n';
+  os << indent << "MovedPoints: " << this->MovedPoints << '\n';
+  os << indent << "FoldedEdges: " << this->FoldedEdges << '\n';
+  os << indent << "DeformCount: " << this->DeformCount << '\n';
+}

@@ -1,0 +1,43 @@
+// What is done to handles along a curve, written as text.
+#ifndef oversketch_operations_h
+#define oversketch_operations_h
+
+#include "Matrix/pose.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace oversketch
+{
+
+// A handle at a share t of the curve's length, and what was made of it there.
+struct PlacedHandle
+{
+  double t = 0.0;
+  CurveFrame frame; // at its place
+  Matrix4 matrix = Matrix4::Identity();
+};
+
+// "move 0.5 n 0.1; rotate 0.7 t 30; scale 0.3 w 1.5; pin 0.2", apart by semicolons: of the handle at that
+// share of the curve's length the length along, the degrees about, the factor along one of its axes, t along
+// the curve, w beside it, n outward. A pin does nothing, and so ends what its neighbours do. One handle for
+// each operation, in their order; several may be at one place.
+//
+// Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", chapter 7. The text is ours.
+//
+// frameAt: the curve's frame at a share of its length. Throws Error(Failure::BadStroke), which names the
+// operation by number and text, and the remedy, for what cannot be read, a share outside [0, 1] and what
+// movedAlong, scaledAlong and turnedAbout refuse.
+std::vector<PlacedHandle> handlesOf(const std::string& operations,
+  const std::function<CurveFrame(double t)>& frameAt);
+
+// A transformation given in the frame's own coordinates (along, side, outward, from its origin), in the
+// world's.
+Matrix4 inWorld(const CurveFrame& frame, const Matrix4& local);
+
+// The frame as the transformation from its coordinates to the world's.
+Matrix4 matrixOf(const CurveFrame& frame);
+
+} // namespace oversketch
+#endif

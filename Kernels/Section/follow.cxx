@@ -1,0 +1,139 @@
+#include "Section/follow.h"
+
+#include "Matrix/operations.h"
+#include "Mesh/context.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace oversketch
+{
+namespace
+{
+
+// -1 or 1 where the first or the last point of a polyline is the nearest of its places, 0 elsewhere.
+int nearestEnd(const std::vector<Vector3>& curve, const Vector3& point)
+{
+  const double first = (point - curve.front()).squaredNorm(), last = (point - curve.back()).squaredNorm();
+  const double least = std::min(first, last);
+  for (std::size_t i = 1; i < curve.size(); ++i)
+  {
+    const Vector3 step = curve[i] - curve[i - 1], from = point - curve[i - 1];
+    const double length2 = step.squaredNorm();
+    const double share = length2 > 0.0 ? std::clamp(from.dot(step) / length2, 0.0, 1.0) : 0.0;
+    if ((from - share * step).squaredNorm() < least)
+    {
+      return 0;
+    }
+  }
+  return first <= last ? -1 : 1;
+}
+
+Eigen::Matrix3d axesOf(const CurveFrame& frame)
+{
+  return matrixOf(frame).topLeftCorner<3, 3>();
+}
+
+} // namespace
+
+std::vector<double> sideShares(const std::vector<Vector3>& points,
+  const RegionPlaces& region,
+  const std::vector<Vector3>& curve,
+  const CurveFrames& frames,
+  const Context& context)
+{
+  const CurveFrame ends[2] = { frames.at(0.0), frames.at(1.0) };
+  const int count = static_cast<int>(region.vertices.size());
+  std::vector<double> shares(region.vertices.size());
+  context.parallelFor(count,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end && !context.cancelled(); ++i)
+      {
+        shares[i] = 0.5 * (1.0 + region.side[i]);
+        const Vector3& point = points[region.vertices[i]];
+        const int which = nearestEnd(curve, point);
+        if (which != 0)
+        {
+          const CurveFrame& frame = ends[which < 0 ? 0 : 1];
+          const Vector3 way = point - frame.origin;
+          const double beside = way.dot(frame.side), along = way.dot(frame.along);
+          const double length = std::hypot(beside, along);
+          shares[i] = length > 0.0 ? 0.5 * (1.0 + beside / length) : 0.5;
+        }
+      }
+    });
+  context.checkpoint(0.0);
+  return shares;
+}
+
+PlaneReach::PlaneReach(double plane, std::vector<double> handles)
+  : Plane(plane)
+  , Before(-std::numeric_limits<double>::infinity())
+  , After(std::numeric_limits<double>::infinity())
+{
+  for (const double t : handles)
+  {
+    this->Before = t < plane ? std::max(this->Before, t) : this->Before;
+    this->After = t > plane ? std::min(this->After, t) : this->After;
+  }
+}
+
+double PlaneReach::at(double t) const
+{
+  const double end = t < this->Plane ? this->Before : this->After;
+  return std::isinf(end) ? 1.0 : std::clamp((t - end) / (this->Plane - end), 0.0, 1.0);
+}
+
+std::vector<Vector3> profileMoves(const RegionPlaces& region,
+  const std::vector<double>& shares,
+  const ProfileChange& change,
+  const Matrix4& flat,
+  const CurveFrame& plane,
+  const CurveFrames& frames,
+  const PlaneReach& reach,
+  const std::vector<double>& weights,
+  const Context& context)
+{
+  // From the flat profile to the plane's frame.
+  const Eigen::Matrix<double, 3, 2> turn = axesOf(plane).transpose() * flat.topLeftCorner<3, 2>();
+  const int count = static_cast<int>(region.vertices.size());
+  std::vector<Vector3> moves(region.vertices.size(), Vector3::Zero());
+  std::atomic<int> without{ count }; // the first vertex that has no frame
+  context.parallelFor(count,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end && !context.cancelled(); ++i)
+      {
+        const double s = region.distance[i], share = shares[i];
+        const Vector2 move = share * change.at(s) + (1.0 - share) * change.at(-s);
+        if (move == Vector2::Zero())
+        {
+          continue;
+        }
+        const double factor = reach.at(region.parameter[i]) * (weights.empty() ? 1.0 : weights[i]);
+        try
+        {
+          moves[i] = factor * (axesOf(frames.at(region.parameter[i])) * (turn * move));
+        }
+        catch (const Error&)
+        {
+          int known = without;
+          while (i < known && !without.compare_exchange_weak(known, i))
+          {
+          }
+          return;
+        }
+      }
+    });
+  context.checkpoint(1.0);
+  if (without < count)
+  {
+    frames.at(region.parameter[without]); // says why
+  }
+  return moves;
+}
+
+} // namespace oversketch
