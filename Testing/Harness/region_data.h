@@ -1,4 +1,4 @@
-// Regions with their arrays and curves as polydata. Header-only.
+// Regions with their arrays and curves as polydata, and regions on models. Header-only.
 #ifndef oversketch_test_region_data_h
 #define oversketch_test_region_data_h
 
@@ -109,6 +109,42 @@ inline std::vector<Vector3> pointsOf(vtkPolyData* data)
     data->GetPoint(static_cast<vtkIdType>(i), points[i].data());
   }
   return points;
+}
+
+// A mesh's shortest path along its edges between the vertices nearest to two places, and the region within so
+// far of it.
+inline EditScene pathScene(const Mesh& mesh, const Vector3& from, const Vector3& to, double reach)
+{
+  const auto nearest = [&](const Vector3& place)
+  {
+    int best = 0;
+    for (int v = 1; v < mesh.vertexCount(); ++v)
+    {
+      best = (mesh.points[v] - place).norm() < (mesh.points[best] - place).norm() ? v : best;
+    }
+    return best;
+  };
+  const Adjacency links = buildAdjacency(mesh);
+  const int end = nearest(to);
+  const std::vector<double> left = edgeDistances(mesh, links, { end });
+  std::vector<int> chain{ nearest(from) };
+  while (chain.back() != end)
+  {
+    const int v = chain.back();
+    const auto further = [&](int a, int b)
+    {
+      return left[a] + (mesh.points[a] - mesh.points[v]).norm() <
+             left[b] + (mesh.points[b] - mesh.points[v]).norm();
+    };
+    chain.push_back(*std::min_element(links.vertexVertices.begin(v), links.vertexVertices.end(v), further));
+  }
+  const std::vector<double> distance = edgeDistances(mesh, links, chain, reach);
+  std::vector<char> inside;
+  for (const double d : distance)
+  {
+    inside.push_back(d <= reach ? 1 : 0);
+  }
+  return editScene(mesh, inside, chain);
 }
 
 } // namespace oversketch_test
