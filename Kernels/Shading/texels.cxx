@@ -202,7 +202,7 @@ ShadedPlaces shadedPlaces(const std::vector<Vector2>& disc,
     if (texels[i] >= 0.0)
     {
       const int column = static_cast<int>(i) % size, row = static_cast<int>(i) / size;
-      places.texels.push_back(i);
+      places.texels.push_back(static_cast<int>(i));
       places.steps.push_back(static_cast<std::uint16_t>(std::lround(std::min(texels[i], 1.0) * shadeSteps)));
       places.uv.emplace_back((column + 0.5) / size, (row + 0.5) / size);
     }
@@ -291,7 +291,7 @@ void Shading::paint(const ShadedPlaces& places,
     {
       for (int i = begin; i < end; ++i)
       {
-        const std::size_t texel = places.texels[i];
+        const int texel = places.texels[i];
         const int step = places.steps[i];
         float weight = whole.weights[step];
         unsigned char grey = whole.greys[step];
