@@ -308,16 +308,15 @@ void vtkOversketchShadingLevels::Paint(vtkIdType points,
   const auto weights = vtkSmartPointer<vtkDoubleArray>::New();
   weights->SetName("EditWeight");
   weights->SetNumberOfTuples(points);
-  weights->Fill(0.0);
+  weights->FillValue(0.0);
   vtkNew<vtkFloatArray> texels;
   texels->SetName("Weight");
   vtkNew<vtkUnsignedCharArray> greys;
   greys->SetName("Grey");
-  for (vtkDataArray* each : { static_cast<vtkDataArray*>(texels), static_cast<vtkDataArray*>(greys) })
-  {
-    each->SetNumberOfTuples(static_cast<vtkIdType>(this->Resolution) * this->Resolution);
-    each->Fill(0.0);
-  }
+  texels->SetNumberOfValues(static_cast<vtkIdType>(this->Resolution) * this->Resolution);
+  texels->FillValue(0.0f);
+  greys->SetNumberOfValues(texels->GetNumberOfValues());
+  greys->FillValue(0);
   Cache& cache = *this->Internals;
   const Context context = ContextOf(this);
   const Shading shading(whole, areas, falloff);

@@ -10,7 +10,7 @@ namespace oversketch
 namespace
 {
 
-// The rows whose centres lie between two heights of the disc.
+// The rows, or columns, whose centres lie between two places of the disc.
 std::pair<int, int> rowsWithin(double low, double high, int size)
 {
   const double first = std::ceil(0.5 * ((low + 1.0) * size - 1.0) - 1e-9);
@@ -33,25 +33,35 @@ std::vector<double> onTexels(const std::vector<Vector2>& disc,
   const Context& context)
 {
   std::vector<double> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), outside);
+  // Of each row the triangles that may reach it, ascending.
+  std::vector<std::vector<int>> rows(static_cast<std::size_t>(size));
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const Triangle& c = triangles[t];
+    const auto [low, high] = std::minmax({ disc[c[0]][1], disc[c[1]][1], disc[c[2]][1] });
+    const auto [bottom, top] = rowsWithin(low, high, size);
+    for (int j = bottom; j <= top; ++j)
+    {
+      rows[j].push_back(static_cast<int>(t));
+    }
+  }
   context.parallelFor(size,
     [&](int begin, int end)
     {
-      for (std::size_t t = 0; t < triangles.size() && !context.cancelled(); ++t)
+      for (int j = begin; j < end && !context.cancelled(); ++j)
       {
-        const Triangle& c = triangles[t];
-        const Vector2 &a = disc[c[0]], &b = disc[c[1]], &p = disc[c[2]];
-        const Vector2 u = b - a, v = p - a;
-        const double area = u[0] * v[1] - u[1] * v[0];
-        if (!(area > 0.0))
+        for (const int t : rows[j])
         {
-          continue;
-        }
-        const auto [bottom, top] =
-          rowsWithin(std::min({ a[1], b[1], p[1] }), std::max({ a[1], b[1], p[1] }), size);
-        const auto [left, right] =
-          rowsWithin(std::min({ a[0], b[0], p[0] }), std::max({ a[0], b[0], p[0] }), size);
-        for (int j = std::max(bottom, begin); j <= std::min(top, end - 1); ++j)
-        {
+          const Triangle& c = triangles[t];
+          const Vector2 &a = disc[c[0]], &b = disc[c[1]], &p = disc[c[2]];
+          const Vector2 u = b - a, v = p - a;
+          const double area = u[0] * v[1] - u[1] * v[0];
+          if (!(area > 0.0))
+          {
+            continue;
+          }
+          const auto [low, high] = std::minmax({ a[0], b[0], p[0] });
+          const auto [left, right] = rowsWithin(low, high, size);
           for (int i = left; i <= right; ++i)
           {
             const Vector2 d = discPlace(i, j, size) - a;
@@ -192,7 +202,7 @@ ShadedPlaces shadedPlaces(const std::vector<Vector2>& disc,
     if (texels[i] >= 0.0)
     {
       const int column = static_cast<int>(i) % size, row = static_cast<int>(i) / size;
-      places.texels.push_back(i);
+      places.texels.push_back(static_cast<int>(i));
       places.steps.push_back(static_cast<std::uint16_t>(std::lround(std::min(texels[i], 1.0) * shadeSteps)));
       places.uv.emplace_back((column + 0.5) / size, (row + 0.5) / size);
     }
@@ -281,7 +291,7 @@ void Shading::paint(const ShadedPlaces& places,
     {
       for (int i = begin; i < end; ++i)
       {
-        const std::size_t texel = places.texels[i];
+        const int texel = places.texels[i];
         const int step = places.steps[i];
         float weight = whole.weights[step];
         unsigned char grey = whole.greys[step];

@@ -69,7 +69,7 @@ struct ShadedPlaces
 {
   std::vector<int> vertices;        // of the disc
   std::vector<double> shares;       // of each of these: of the way from the reference curve to the boundary
-  std::vector<std::size_t> texels;  // of size x size, row by row
+  std::vector<int> texels;          // of size x size, row by row
   std::vector<std::uint16_t> steps; // of each of these: its share in steps of 1 / shadeSteps
   std::vector<Vector2> uv;          // of the vertices, then of the texels
 };
