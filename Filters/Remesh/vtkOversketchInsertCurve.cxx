@@ -352,7 +352,8 @@ int vtkOversketchInsertCurve::RequestData(vtkInformation*,
       {
         cache = Cache();
         ++this->InsertionCount;
-        const Mesh& mesh = SharedMesh(input)->Surface();
+        const std::shared_ptr<const MeshData> data = SharedMesh(input);
+        const Mesh& mesh = data->Surface();
         const ReadCurves read = CurveReader(curves, mesh).Read();
         const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());
         InsertRules rules;

@@ -31,7 +31,7 @@
  * close, one that comes to less than a segment, and for a stored curve that is no chain of edges. Without
  * curves mesh and stored curves are passed; a mesh without points gives empty outputs silently.
  *
- * Deterministic. Cost: some 0.2 s a million triangles and 10 microseconds a vertex made. The result is kept,
+ * Deterministic. Cost: some 0.2 s a million triangles and 30 microseconds a vertex made. The result is kept,
  * as the same arrays, while all that it is made from stands.
  *
  * @sa vtkOversketchProjectCurve vtkOversketchMeanEdge

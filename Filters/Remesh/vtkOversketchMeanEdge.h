@@ -17,7 +17,7 @@
  * MissingArray for a MeanEdge that is not one positive number. A mesh without points gives an empty output
  * silently.
  *
- * Deterministic. Cost: some 0.1 s a million triangles, once for a mesh.
+ * Deterministic. Cost: some 0.2 s a million triangles, once for a mesh.
  *
  * @sa vtkOversketchInsertCurve
  */

@@ -325,7 +325,11 @@ private:
     {
       way = walkPlane(this->Mesh, from, to, rules);
     }
-    return way ? way : this->normalWay(from, to, rules);
+    if (!way)
+    {
+      way = this->normalWay(from, to, rules);
+    }
+    return way ? way : walkEdges(this->Mesh, from, to, rules.longest);
   }
 
   std::optional<Way> bridgeWay(int from, int to, const View& view) const

@@ -55,7 +55,8 @@ struct InsertedCurves
 //   edge nearer than 0.15 of the height over it, at most 1.5 px; not to vertices and edges of curves;
 // - each segment is walked along the plane through the eye, from vertex to vertex, the plane taken anew at
 //   each crossing; a crossing within 0.2 of an edge's end, at most half the segment away, is that vertex.
-//   Where that meets a curve, the plane of the surface's normals and the shortest way over edges are tried;
+//   Where that meets a curve, or gets nowhere, the plane of the surface's normals and the shortest way over
+//   edges are tried;
 // - over a gap of a closed curve leads the first of three ways that meets no curve: along the plane of both
 //   ends and the eye, off from the viewer and straight on; along the plane of both ends and the mean of
 //   their normals; over edges; each no longer than four gaps and 0.3 of the mesh's diagonal;
