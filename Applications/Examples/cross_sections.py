@@ -6,11 +6,9 @@ usage: cross_sections.py [PICTURE.png]
 """
 import sys
 
-import numpy as np
-
 import oversketch
-from sheet import Sheet, View, clay
-from inflation import system_of
+from inflated import system_of, view_of
+from sheet import Sheet, clay
 
 system = system_of("heron")
 sheet = Sheet(columns=3)
@@ -20,6 +18,5 @@ for profile, height, poisson in (("circle", 1.0, False), ("linear", 1.0, False),
     system.SetHeight(height)
     system.SetPoisson(poisson)
     mesh = oversketch.update(system)
-    middle = np.array(system.GetInputDataObject(1, 0).GetCenter())
-    sheet.panel(View(system.GetInputDataObject(0, 0), 50.0, middle), [clay(mesh)], crop=(180, 320, 520, 390))
+    sheet.panel(view_of(system, 50.0), [clay(mesh)], crop=(180, 320, 520, 390))
 sheet.save(sys.argv[1] if len(sys.argv) > 1 else "cross_sections.png")

@@ -36,8 +36,19 @@ AUGMENTATION = (
     "terrain_strokes",
 )
 DRAWING = (
+    "magnetic_pen",
+    "classification",
+    "approximation",
+    "planar_meshing",
+    "subdivision",
+    "quads",
+    "darts",
     "inflation",
+    "distance_transform",
     "cross_sections",
+    "holes_and_tunnels",
+    "features",
+    "models",
 )
 EXAMPLES = DEFORMATION + AUGMENTATION + DRAWING
 HEAD = """# Gallery
@@ -50,7 +61,7 @@ xvfb-run -a /usr/bin/python3 Applications/Examples/matching.py matching.png
 ```
 
 `gallery.py` makes all pictures and this page again; the tests compare each picture with the one here. `sheet.py` is what they draw with,
-`grown.py` what those of augmentation share.
+`grown.py` what those of augmentation share, `inflated.py` those of drawings.
 """
 CHAPTERS = (
     ("""# Deformation by one stroke
@@ -63,7 +74,7 @@ Bao and Howard, "SEED: Sketch-Based 3D Model Deformation"; figures 4 and 5 are d
 """, AUGMENTATION),
     ("""# Models from drawings
 
-"Image-Assisted Modeling from Sketches", on drawings and pictures of our own.
+"Image-Assisted Modeling from Sketches", on drawings and pictures of our own; figures 1 and 2 are among those of figure 17, 4 and 5 are drawings.
 """, DRAWING),
 )
 

@@ -256,7 +256,7 @@ class Sheet:
         camera.SetPosition(0.5 * self.size[0], 0.5 * self.size[1], 1000.0)
         camera.SetClippingRange(1.0, 2000.0)
         letter = vtkTextActor()
-        letter.SetInput(f"({'abcdefghijkl'[len(self.panels)]})")
+        letter.SetInput(f"({'abcdefghijklmnopqrstuvwx'[len(self.panels)]})")
         letter.GetTextProperty().SetFontSize(15 * self.FINE)
         letter.GetTextProperty().SetColor(0.2, 0.2, 0.2)
         letter.SetPosition(8 * self.FINE, 8 * self.FINE)

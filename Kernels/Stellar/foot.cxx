@@ -4,6 +4,7 @@
 #include "Stellar/distance.h"
 #include "Stellar/passage.h"
 #include "Stellar/quality.h"
+#include "Stellar/snapper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,6 @@ constexpr double rim = 1.0 - 0.0175;  // shares of the radius: a row of the vert
 constexpr double rimEdge = 0.0625;    // and the longest edge that is cut there
 constexpr double closeEnough = 1e-13; // and how near to its place a vertex is put
 constexpr double farOff = 2.0;        // and from where on nothing needs to be known
-constexpr int residualGeneration = 24;
-constexpr int movesPerCheck = 1024; // moves between two looks at whether to stop
 
 // Of a place: distance / radius of the curve where that is least.
 struct Share

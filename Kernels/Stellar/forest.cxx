@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 
@@ -413,94 +412,6 @@ double Forest::diagonal() const
     }
   }
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
-void Forest::connect(const Context& context)
-{
-  const int count = static_cast<int>(this->faces.size());
-  // Edges by their first vertex: where they go to, and the corner that they are opposite to.
-  struct Edge
-  {
-    int to, corner;
-  };
-  std::vector<int> first(this->vertices.size() + 1, 0);
-  for (const Face& face : this->faces)
-  {
-    for (int v : face.v)
-    {
-      ++first[v + 1];
-    }
-  }
-  for (std::size_t v = 0; v < this->vertices.size(); ++v)
-  {
-    first[v + 1] += first[v];
-  }
-  std::vector<Edge> edges(3 * this->faces.size());
-  std::vector<int> next(first.begin(), first.end() - 1);
-  for (int f = 0; f < count; ++f)
-  {
-    const int* v = this->faces[f].v;
-    for (int i = 0; i < 3; ++i)
-    {
-      edges[next[v[(i + 1) % 3]]++] = { v[(i + 2) % 3], 3 * f + i };
-      this->vertices[v[i]].face = f;
-    }
-  }
-  // The face on the other side of an edge, -1 for none; false where the edge is there twice in one direction.
-  const auto across = [&](const Face& face, int i, int& other)
-  {
-    const int from = face.v[(i + 1) % 3], to = face.v[(i + 2) % 3];
-    int twins = 0, same = 0;
-    other = -1;
-    for (int e = first[to]; e < first[to + 1]; ++e)
-    {
-      if (edges[e].to == from)
-      {
-        other = edges[e].corner / 3;
-        ++twins;
-      }
-    }
-    // Where there is a twin it sees whether this edge is there once.
-    for (int e = first[from]; twins == 0 && e < first[from + 1]; ++e)
-    {
-      same += edges[e].to == to;
-    }
-    return twins <= 1 && same <= 1;
-  };
-  std::atomic<int> bad{ count }; // the lowest face with such an edge
-  std::atomic<bool> bounded{ false };
-  context.parallelFor(count,
-    [&](int begin, int end)
-    {
-      for (int f = begin; f < end; ++f)
-      {
-        Face& face = this->faces[f];
-        bool good = true;
-        for (int i = 0; i < 3; ++i)
-        {
-          good = across(face, i, face.n[i]) && good;
-        }
-        if (face.n[0] < 0 || face.n[1] < 0 || face.n[2] < 0)
-        {
-          bounded = true;
-        }
-        for (int known = bad; !good && f < known && !bad.compare_exchange_weak(known, f);)
-        {
-        }
-      }
-    });
-  for (int i = 0; bad < count && i < 3; ++i)
-  {
-    const Face& face = this->faces[bad];
-    int other = -1;
-    if (!across(face, i, other))
-    {
-      throw Error(Failure::BadMesh,
-        "The edge of points " + std::to_string(face.v[(i + 1) % 3]) + " and " +
-          std::to_string(face.v[(i + 2) % 3]) + " belongs to two triangles that run the same way along it");
-    }
-  }
-  this->closed = !bounded;
 }
 
 std::string Forest::broken() const

@@ -49,6 +49,7 @@ public:
     : In(leaves)
     , Out(forest)
     , Sides(leaves.points.size(), 0)
+    , Levels(leaves.points.size(), 0)
   {
   }
 
@@ -75,6 +76,7 @@ public:
 
   // How many faces each vertex's split made parents of: 2, or 1 on the boundary.
   const std::vector<char>& sides() const { return this->Sides; }
+  const std::vector<std::uint8_t>& levels() const { return this->Levels; }
 
 private:
   void push(int cell)
@@ -130,7 +132,7 @@ private:
     Forest::Vertex& vertex = this->Out.vertices[m];
     const bool fits = second.v[0] == m && second.v[2] == p && a != c &&
                       (this->Sides[m] == 0 || (this->Sides[m] == 1 && vertex.parents[0] == c &&
-                                                vertex.parents[1] == a && vertex.level == first.gen));
+                                                vertex.parents[1] == a && this->Levels[m] == first.gen));
     if (!fits)
     {
       refuseLeaves(
@@ -138,7 +140,7 @@ private:
     }
     vertex.parents[0] = a;
     vertex.parents[1] = c;
-    vertex.level = static_cast<std::uint8_t>(first.gen);
+    this->Levels[m] = static_cast<std::uint8_t>(first.gen);
     ++this->Sides[m];
     first = { first.path / 2, { p, a, c }, first.gen - 1 };
   }
@@ -149,15 +151,14 @@ private:
     // A corner of a root has no parents; only the first of a third is a barycentre.
     for (int i = 0; i < 3; ++i)
     {
-      Forest::Vertex& vertex = this->Out.vertices[root.v[i]];
-      const int level = i == 0 ? root.gen : 0;
-      if (this->Sides[root.v[i]] < 0 ? vertex.level != level : this->Sides[root.v[i]] > 0)
+      const int v = root.v[i], level = i == 0 ? root.gen : 0;
+      if (this->Sides[v] < 0 ? this->Levels[v] != level : this->Sides[v] > 0)
       {
-        refuseLeaves("Point " + std::to_string(root.v[i]) + ", a corner of the root that ends with cell " +
+        refuseLeaves("Point " + std::to_string(v) + ", a corner of the root that ends with cell " +
                      std::to_string(cell) + ", is a new point elsewhere");
       }
-      vertex.level = static_cast<std::uint8_t>(level);
-      this->Sides[root.v[i]] = -1;
+      this->Levels[v] = static_cast<std::uint8_t>(level);
+      this->Sides[v] = -1;
     }
     ++this->Out.rootCount;
     this->Stack.pop_back();
@@ -165,7 +166,8 @@ private:
 
   const Leaves& In;
   Forest& Out;
-  std::vector<char> Sides; // -1 for a corner of a root
+  std::vector<char> Sides; // by point, -1 for a corner of a root; apart, since corners come in any order
+  std::vector<std::uint8_t> Levels;
   std::vector<Node> Stack;
   int RootGen = 0;
 };
@@ -195,7 +197,7 @@ void checkSizes(const Leaves& in)
 
 void readPoints(const Leaves& in, Forest& out)
 {
-  out.vertices.resize(in.points.size());
+  out.vertices.reserve(in.points.size());
   out.hasBaseNormals = !in.baseNormal.empty();
   out.displacement = in.displacement;
   out.feature = in.feature;
@@ -203,7 +205,7 @@ void readPoints(const Leaves& in, Forest& out)
   {
     const auto wrong = [&](const char* array, const char* why)
     { refuseLeaves(std::string(array) + " of point " + std::to_string(i) + " " + why); };
-    Forest::Vertex& v = out.vertices[i];
+    Forest::Vertex& v = out.vertices.emplace_back();
     v.position = in.points[i];
     v.moved = in.moved[i];
     v.curveId = in.curveId[i];
@@ -243,14 +245,15 @@ void readPoints(const Leaves& in, Forest& out)
   }
 }
 
-// Points without parents first, then by level and parents; each edge is split once.
-void checkPointOrder(Forest& forest)
+// Writes levels down. Points without parents first, then by level and parents; each edge is split once.
+void checkPointOrder(Forest& forest, const std::vector<std::uint8_t>& levels)
 {
   const auto key = [&](const Forest::Vertex& v)
   { return std::make_pair(v.level, std::minmax(v.parents[0], v.parents[1])); };
   for (std::size_t i = 0; i < forest.vertices.size(); ++i)
   {
     Forest::Vertex& v = forest.vertices[i];
+    v.level = levels[i];
     if (v.parents[0] > v.parents[1])
     {
       std::swap(v.parents[0], v.parents[1]);
@@ -268,16 +271,19 @@ int reached(const Forest& forest, int v)
 {
   const int start = forest.vertices[v].face;
   int count = 0;
-  for (int turn : { 1, 2 }) // counter-clockwise; if that ends at the boundary, clockwise
+  for (int f = start; f >= 0; ++count) // counter-clockwise
   {
-    for (int f = start; f >= 0; ++count)
+    const Forest::Face& face = forest.faces[f];
+    f = face.n[(face.v[0] == v) + 2 * (face.v[1] == v)]; // no branch, which would be guessed wrong
+    if (f == start)
     {
-      f = forest.faces[f].n[(forest.corner(f, v) + turn) % 3];
-      if (f == start)
-      {
-        return count + 1;
-      }
+      return count + 1;
     }
+  }
+  for (int f = start; f >= 0; ++count) // and where that ended at the boundary, clockwise
+  {
+    const Forest::Face& face = forest.faces[f];
+    f = face.n[2 * (face.v[0] == v) + (face.v[2] == v)];
   }
   return count - 1; // the first one was met twice
 }
@@ -548,12 +554,13 @@ Forest rebuild(const Leaves& leaves, const Context& context)
   Reader reader(leaves, forest);
   reader.read();
   context.checkpoint(0.3);
-  checkPointOrder(forest);
-  forest.faces.resize(leaves.triangles.size());
-  for (std::size_t f = 0; f < forest.faces.size(); ++f)
+  checkPointOrder(forest, reader.levels());
+  forest.faces.reserve(leaves.triangles.size());
+  for (std::size_t f = 0; f < leaves.triangles.size(); ++f)
   {
     const Triangle& t = leaves.triangles[f];
-    forest.faces[f] = { leaves.path[f], { t[0], t[1], t[2] }, { -1, -1, -1 }, leaves.root[f], leaves.gen[f] };
+    forest.faces.push_back(
+      { leaves.path[f], { t[0], t[1], t[2] }, { -1, -1, -1 }, leaves.root[f], leaves.gen[f] });
   }
   try
   {

@@ -13,7 +13,6 @@ namespace oversketch
 namespace
 {
 
-constexpr int residualGeneration = 24;
 constexpr double splitShare = 0.9;    // of A2's angle: what a split may leave, since it halves angles
 constexpr double meetingShare = 0.25; // of a crossed edge: how near two curves are that meet there
 constexpr double slideShare = 0.75;   // of a crossed edge: how far along the curve a vertex may go

@@ -15,7 +15,6 @@ namespace
 
 constexpr double onCurve = 1e-9; // edge lengths
 constexpr int facesPerScan = 4096;
-constexpr int movesPerCheck = 1024; // moves between two looks at whether to stop
 
 } // namespace
 

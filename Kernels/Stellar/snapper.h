@@ -14,6 +14,9 @@
 namespace oversketch
 {
 
+constexpr int residualGeneration = 24; // how deep edges are split that refinement left, the spec's
+constexpr int movesPerCheck = 1024;    // moves between two looks at whether to stop
+
 class Snapper
 {
 public:
