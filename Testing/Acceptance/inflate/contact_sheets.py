@@ -35,7 +35,7 @@ def figure(folder, published):
     for part in parts["parts"]:
         for name in ("picture", "strokes"):
             part[name] = str(meshes.DATA / "Drawings" / part[name])
-        part["parameters"] = {"as_published": True} if published else {}
+        part["parameters"] = {"as-published": True} if published else {}
     path = folder / f"figure-{int(published)}.json"
     path.write_text(json.dumps(parts))
     return path
