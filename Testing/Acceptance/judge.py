@@ -133,8 +133,8 @@ def surviving(before, after):
 
 
 def about(points, edges, tip, radius):
-    """The points of a surface within a radius of one of them, as a mask: those that edges between such points join to it. A neighbouring limb
-    may come nearer than that."""
+    """The points of a surface within a radius of one of them, as a mask: those that edges between such points join to it. A
+    neighbouring limb may come nearer than that."""
     away = np.linalg.norm(points - tip, axis=1)
     near = edges[(away[edges] < radius).all(1)]
     found, before = np.arange(len(points)) == away.argmin(), None
