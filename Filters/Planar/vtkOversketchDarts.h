@@ -3,9 +3,10 @@
  * @brief points thrown into a drawing's inside, for rounder triangles
  *
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.4, Fig. 11. Departure (Kernels/Planar/darts.h):
- * the distance to keep is 0.7 of how thick the object is there, so that limbs get darts too, and strokes'
- * polylines are kept clear of; by the published rule, half of the object's greatest distance from its rim,
- * thin limbs have none. The paper's darts are an option, off by default.
+ * the distance to keep is 0.7 of how thick the object is there, so that limbs get darts too, less beside
+ * corners that point inwards, and strokes' polylines are kept clear of; by the published rule, half of the
+ * object's greatest distance from its rim, thin limbs have none. The paper's darts are an option, off by
+ * default.
  *
  * Input 0 (Polylines): those of vtkOversketchPolyline.
  * Input 1 (Distance, vtkImageData, optional): that of vtkOversketchDistance, of the same drawing. Not read
@@ -54,8 +55,9 @@ public:
 
   ///@{
   /**
-   * What distance darts keep: Local, 0.7 of the thickness there, at least 6 px; Published, half of the
-   * object's greatest distance from its rim; Off, there are none [default Local].
+   * What distance darts keep: Local, 0.7 of the thickness there, at least 6 px, less beside corners that
+   * point inwards; Published, half of the object's greatest distance from its rim; Off, there are none
+   * [default Local].
    */
   vtkSetClampMacro(DartMode, int, LOCAL, OFF);
   vtkGetMacro(DartMode, int);

@@ -19,7 +19,8 @@
  * limb's border where the rays begin to see the body, some 5 % short, and leaves patches where a limb is not
  * of one thickness. Before that, what the region reached over a bridge narrower than half the seeds'
  * thickness from either side is taken off: a finger's region spilled over the web to its neighbours, which
- * are as thick;
+ * are as thick. So is what lies beyond a fork whose branches both lead back to the body, as on two legs that
+ * touch: a stroke over the foot moved the other leg too;
  * - where the section goes on beyond the region and is to move there, the border moves up to it, on a limb
  * all round (ReachEnds): else the moved part ends in a step at a border that nothing moves, in the middle of
  * a thickened thigh;
@@ -127,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Take limbs behind narrow bridges off the region, then move its border to the nearest good place to cut,
-   * up to 1.25 times the thickness there away; default on. Off is as published.
+   * Take limbs behind narrow bridges and beyond forks off the region, then move its border to the nearest
+   * good place to cut, up to 1.25 times the thickness there away; default on. Off is as published.
    */
   vtkSetMacro(CutAtJunction, bool);
   vtkGetMacro(CutAtJunction, bool);

@@ -1,5 +1,6 @@
 #include "vtkOversketchResample.h"
 
+#include "Raster/apart.h"
 #include "Stroke/resample.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchKept.h"
@@ -79,18 +80,24 @@ int vtkOversketchResample::RequestData(vtkInformation*,
           const Canvas canvas = CanvasOf(input);
           const std::vector<DrawnLine> lines = ReadStrokes(input, 1);
           const Context context = ContextOf(this);
-          std::vector<CanvasStroke> curves;
+          std::vector<DrawnStroke> strokes;
           std::vector<std::vector<Blend>> places;
           for (const DrawnLine& line : lines)
           {
             places.push_back(placesOf(line, static_cast<int>(places.size()), SampleSpacing(canvas)));
-            CanvasStroke curve{ {}, line.Closed };
-            for (const Blend& place : places.back())
+            strokes.push_back({ line.Samples, line.Closed });
+            context.checkpoint(0.5 * static_cast<double>(places.size()) / static_cast<double>(lines.size()));
+          }
+          keepApart(frameOf(canvas), strokes, SampleSpacing(canvas), places, context);
+          std::vector<CanvasStroke> curves;
+          for (std::size_t i = 0; i < lines.size(); ++i)
+          {
+            CanvasStroke curve{ {}, lines[i].Closed };
+            for (const Blend& place : places[i])
             {
-              curve.points.push_back(place.of(line.Samples));
+              curve.points.push_back(place.of(lines[i].Samples));
             }
             curves.push_back(std::move(curve));
-            context.checkpoint(static_cast<double>(places.size()) / static_cast<double>(lines.size()));
           }
           WriteCurves(curves, canvas, result);
           CarryPointArrays(input, lines, places, result);

@@ -5,7 +5,8 @@
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.1: extraneous points are discarded, and points put
  * between widely spaced ones. The paper gives no distance: here it is h, 0.005 of the canvas's longest side.
  * Samples nearer than h / 2 to the last one kept are dropped, both ends kept; longer gaps than h are divided
- * evenly. What is kept stays where it is, so corners do.
+ * evenly. What is kept stays where it is, so corners do. Departure: samples that were dropped stay where the
+ * curves would cross, or touch, without them though they do not as drawn, as at the tip of a thin limb.
  *
  * Input 0 (Curves): curves of vtkOversketchCanvas, magnetic or not. Field array Canvas.
  *

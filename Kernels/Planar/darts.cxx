@@ -10,7 +10,9 @@ namespace
 {
 
 constexpr double dartShare = 0.7;
-constexpr double leastRadius = 6.0; // px
+constexpr double leastRadius = 6.0;   // px
+constexpr double besideCorner = 0.05; // of the raster's longer side: r beside a corner that points inwards
+constexpr double sharp = 0.70710678118654752; // cosine of 45 degrees
 
 // A pixel where a dart may lie, and its distance r [px].
 struct Candidate
@@ -19,7 +21,63 @@ struct Candidate
   double radius;
 };
 
-std::vector<Candidate> farFromRims(const DistanceMaps& maps, DartMode mode)
+// Corners of rims that point into their object [px].
+std::vector<Vector2> inwardCorners(const std::vector<StrokeLine>& lines, const Frame& frame)
+{
+  std::vector<Vector2> found;
+  for (const StrokeLine& line : lines)
+  {
+    const bool hole = line.role == Role::ClosedFeature && line.treatment == Treatment::Hole;
+    const std::size_t count = line.places.size();
+    if (!line.closed || count < 3 || !(line.role == Role::Boundary || hole))
+    {
+      continue;
+    }
+    const auto cross = [](const Vector2& a, const Vector2& b) { return a[0] * b[1] - a[1] * b[0]; };
+    double area = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      area += cross(line.places[i] - line.places[0], line.places[(i + 1) % count] - line.places[0]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Vector2 before = line.places[i] - line.places[(i + count - 1) % count];
+      const Vector2 after = line.places[(i + 1) % count] - line.places[i];
+      const bool inwards = (cross(before, after) * area < 0.0) != hole;
+      if (inwards && before.dot(after) < sharp * before.norm() * after.norm())
+      {
+        found.push_back(frame.toPixels(line.places[i]));
+      }
+    }
+  }
+  return found;
+}
+
+// Of each pixel how far the nearest of these is, where that is less than `most` px; `most` elsewhere.
+std::vector<float> distancesTo(const std::vector<Vector2>& corners, const Frame& frame, double most)
+{
+  std::vector<float> distances(frame.count(), static_cast<float>(most));
+  for (const Vector2& corner : corners)
+  {
+    const int x0 = std::max(0, static_cast<int>(corner[0] - most));
+    const int y0 = std::max(0, static_cast<int>(corner[1] - most));
+    const int x1 = std::min(frame.width - 1, static_cast<int>(corner[0] + most) + 1);
+    const int y1 = std::min(frame.height - 1, static_cast<int>(corner[1] + most) + 1);
+    for (int y = y0; y <= y1; ++y)
+    {
+      for (int x = x0; x <= x1; ++x)
+      {
+        float& least = distances[frame.index(x, y)];
+        least = std::min(least, static_cast<float>((Vector2(x, y) - corner).norm()));
+      }
+    }
+  }
+  return distances;
+}
+
+std::vector<Candidate> farFromRims(const DistanceMaps& maps,
+  const std::vector<StrokeLine>& lines,
+  DartMode mode)
 {
   std::vector<double> greatest; // T, of each object
   if (mode == DartMode::Published)
@@ -33,6 +91,13 @@ std::vector<Candidate> farFromRims(const DistanceMaps& maps, DartMode mode)
       }
     }
   }
+  std::vector<float> toCorner;
+  const double least = besideCorner * std::max(maps.frame.width, maps.frame.height);
+  if (mode == DartMode::Local)
+  {
+    const float thickest = *std::max_element(maps.thickness.begin(), maps.thickness.end());
+    toCorner = distancesTo(inwardCorners(lines, maps.frame), maps.frame, dartShare * thickest);
+  }
   std::vector<Candidate> result;
   for (int y = 0; y < maps.frame.height; ++y)
   {
@@ -44,9 +109,11 @@ std::vector<Candidate> farFromRims(const DistanceMaps& maps, DartMode mode)
       {
         continue;
       }
-      const double radius = mode == DartMode::Published
-                              ? 0.5 * greatest[object]
-                              : std::max(dartShare * static_cast<double>(maps.thickness[i]), leastRadius);
+      const double radius =
+        mode == DartMode::Published
+          ? 0.5 * greatest[object]
+          : std::max(leastRadius,
+              std::min<double>(dartShare * maps.thickness[i], std::max<double>(least, toCorner[i])));
       if (maps.distance[i] >= radius)
       {
         result.push_back({ x, y, object, radius });
@@ -119,7 +186,7 @@ std::vector<Vector2> throwDarts(const DistanceMaps& maps,
   {
     return darts;
   }
-  std::vector<Candidate> candidates = farFromRims(maps, mode);
+  std::vector<Candidate> candidates = farFromRims(maps, lines, mode);
   context.checkpoint(0.1);
   if (mode == DartMode::Local)
   {

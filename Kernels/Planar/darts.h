@@ -10,7 +10,7 @@ namespace oversketch
 
 enum class DartMode
 {
-  Local,     // a pixel's distance is r = max(0.7 D, 6 px)
+  Local,     // a pixel's distance r is 0.7 D, at least 6 px, less beside corners that point inwards
   Published, // r = half of its object's greatest T
   Off
 };
@@ -19,6 +19,12 @@ enum class DartMode
 // r) and, in mode Local, at least 0.7 r from every line of their object; two darts of one object are at least
 // the larger r of the two apart. Each is drawn at random from the pixels where one may still lie, until there
 // are none. Why Local: by the published rule limbs that are thinner than the body have none.
+//
+// In mode Local r is no more than the distance to the nearest vertex of a rim's line that points into the
+// object and turns by over 45 degrees there, but at least 0.05 of the raster's longer side. Departure:
+// triangles as long as a body is thick meet such a corner in a fan of few steps round which the surface is
+// steep, and refinement does not add to them; on four of five drawings of a mushroom, which is cap and stem,
+// the 95th percentile of the angles between faces was over 12 degrees.
 //
 // World coordinates, in the order they were drawn in. The same for a seed on every machine, in any order of
 // the strokes and for any number of threads.

@@ -23,6 +23,38 @@ UnitDrawing sketchOfTwo()
     { Treatment::Fill, Treatment::Hole, Treatment::Fill, Treatment::Fill });
 }
 
+// The vertices of rims that point into their object and turn by over 45 degrees [px], by their angles.
+std::vector<Vector2> inwardCorners(const UnitDrawing& drawing)
+{
+  std::vector<Vector2> corners;
+  for (const StrokeLine& line : drawing.lines())
+  {
+    const bool hole = line.treatment == Treatment::Hole && line.role == Role::ClosedFeature;
+    if (!line.closed || (line.role != Role::Boundary && !hole))
+    {
+      continue;
+    }
+    const std::size_t n = line.places.size();
+    double whole = 0.0;
+    std::vector<double> turns(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Vector2 a = line.places[i] - line.places[(i + n - 1) % n],
+                    b = line.places[(i + 1) % n] - line.places[i];
+      turns[i] = std::remainder(std::atan2(b[1], b[0]) - std::atan2(a[1], a[0]), turn);
+      whole += turns[i]; // a whole turn, to the left or the right
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      if ((turns[i] * whole < 0.0) != hole && std::abs(turns[i]) > turn / 8)
+      {
+        corners.push_back(drawing.maps.frame.toPixels(line.places[i]));
+      }
+    }
+  }
+  return corners;
+}
+
 // What the rule asks of a pixel: the distance to keep, negative where no dart may lie.
 std::vector<double> radiiOf(const UnitDrawing& drawing, DartMode mode)
 {
@@ -44,6 +76,7 @@ std::vector<double> radiiOf(const UnitDrawing& drawing, DartMode mode)
         maps.frame.toPixels(line.places[(k + 1) % line.places.size()]) });
     }
   }
+  const std::vector<Vector2> corners = inwardCorners(drawing);
   std::vector<double> radii(maps.object.size(), -1.0);
   for (int y = 0; y < maps.frame.height; ++y)
   {
@@ -55,8 +88,17 @@ std::vector<double> radiiOf(const UnitDrawing& drawing, DartMode mode)
       {
         continue;
       }
-      const double radius =
-        mode == DartMode::Local ? std::max(0.7 * maps.thickness[i], 6.0) : 0.5 * greatest[object];
+      double radius = 0.5 * greatest[object];
+      if (mode == DartMode::Local)
+      {
+        double corner = 1e9;
+        for (const Vector2& place : corners)
+        {
+          corner = std::min(corner, (place - Vector2(x, y)).norm());
+        }
+        corner = std::max(corner, 0.05 * std::max(maps.frame.width, maps.frame.height));
+        radius = std::max(6.0, std::min(0.7 * maps.thickness[i], corner));
+      }
       bool legal = maps.distance[i] >= radius;
       for (const auto& [a, b] : segments[object])
       {
@@ -80,6 +122,7 @@ TEST(C8_1, EveryDistanceIsKeptAndNoLegalPixelIsLeft)
 {
   const UnitDrawing drawing = sketchOfTwo();
   const DistanceMaps& maps = drawing.maps;
+  ASSERT_FALSE(inwardCorners(drawing).empty());
   std::string figures;
   for (const DartMode mode : { DartMode::Local, DartMode::Published })
   {

@@ -74,9 +74,9 @@ bool meetOnOne(const Segment& s, const Segment& t)
   return meet(s, t);
 }
 
-} // namespace
-
-std::vector<Meeting> meetings(const std::vector<PlaneCurve>& curves, const Context& context)
+// Calls note(s, t) for every two segments that meet, each way round.
+template <typename Note>
+void forEachMeeting(const std::vector<PlaneCurve>& curves, const Context& context, const Note& note)
 {
   std::vector<Segment> segments;
   for (std::size_t c = 0; c < curves.size(); ++c)
@@ -136,16 +136,6 @@ std::vector<Meeting> meetings(const std::vector<PlaneCurve>& curves, const Conte
     }
   }
   std::sort(entries.begin(), entries.end());
-  std::vector<Meeting> found(curves.size());
-  const auto note = [&](const Segment& s, const Segment& t)
-  {
-    Meeting& meeting = found[s.curve];
-    if (meeting.segment < 0 || s.number < meeting.segment ||
-        (s.number == meeting.segment && t.curve < meeting.other))
-    {
-      meeting = { s.number, t.curve };
-    }
-  };
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end)
   {
     for (end = begin; end < entries.size() && entries[end].cell == entries[begin].cell; ++end)
@@ -171,6 +161,37 @@ std::vector<Meeting> meetings(const std::vector<PlaneCurve>& curves, const Conte
         }
       }
     }
+  }
+}
+
+} // namespace
+
+std::vector<Meeting> meetings(const std::vector<PlaneCurve>& curves, const Context& context)
+{
+  std::vector<Meeting> found(curves.size());
+  forEachMeeting(curves,
+    context,
+    [&](const Segment& s, const Segment& t)
+    {
+      Meeting& meeting = found[s.curve];
+      if (meeting.segment < 0 || s.number < meeting.segment ||
+          (s.number == meeting.segment && t.curve < meeting.other))
+      {
+        meeting = { s.number, t.curve };
+      }
+    });
+  return found;
+}
+
+std::vector<std::vector<int>> meetingSegments(const std::vector<PlaneCurve>& curves, const Context& context)
+{
+  std::vector<std::vector<int>> found(curves.size());
+  forEachMeeting(
+    curves, context, [&](const Segment& s, const Segment&) { found[s.curve].push_back(s.number); });
+  for (std::vector<int>& numbers : found)
+  {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   }
   return found;
 }

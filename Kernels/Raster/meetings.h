@@ -27,5 +27,8 @@ struct Meeting
 // rounded ones is exact. The same in any order and direction of the curves, up to numbering.
 std::vector<Meeting> meetings(const std::vector<PlaneCurve>& curves, const Context& context);
 
+// Of each curve, all of its segments that meet another one or itself, ascending.
+std::vector<std::vector<int>> meetingSegments(const std::vector<PlaneCurve>& curves, const Context& context);
+
 } // namespace oversketch
 #endif

@@ -1,6 +1,7 @@
 #include "Region/grow.h"
 
 #include "Region/cut.h"
+#include "Region/fork.h"
 #include "Region/reach.h"
 
 #include <algorithm>
@@ -495,6 +496,7 @@ std::vector<char> detectRegion(const Mesh& mesh,
   if (options.cutAtJunction)
   {
     region = cutBridges(mesh, adjacency, parts, evidence.diameter, isSeed, region);
+    region = cutAtFork(mesh, adjacency, parts, evidence.seeds, region);
     Context half = context;
     half.progress = [&context](double done) { context.progress(0.5 + 0.5 * done); };
     std::vector<char> moved =

@@ -75,12 +75,12 @@ struct RegionEvidence
 
 // Growing and its amendments, in this order: grow; fill islands; where the region then exceeds half of the
 // area of the connected parts it lies in, grow again within an edge path of one section length of the seeds,
-// and fill islands again; cut off what hangs on narrow bridges (see cutBridges) and cut at the junction (see
-// cutAtJunction), unless that exceeds the half; drop pieces without a seed; extend the rest towards the
-// section's ends (see reachEnds), unless that exceeds the half; where the seeds' median diameter is over 1.25
-// times `near`, so that the section is of a body and not of a limb, leave what is within `near` of a seed;
-// shift the border (see shiftBorder). Throws Error(BadRegion) without seeds and when a part is selected
-// wholly, for nothing would be left to hold it.
+// and fill islands again; cut off what hangs on narrow bridges (see cutBridges) and what lies beyond a fork
+// (see cutAtFork), and cut at the junction (see cutAtJunction), unless that exceeds the half; drop pieces
+// without a seed; extend the rest towards the section's ends (see reachEnds), unless that exceeds the half;
+// where the seeds' median diameter is over 1.25 times `near`, so that the section is of a body and not of a
+// limb, leave what is within `near` of a seed; shift the border (see shiftBorder). Throws Error(BadRegion)
+// without seeds and when a part is selected wholly, for nothing would be left to hold it.
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,

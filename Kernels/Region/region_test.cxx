@@ -1,5 +1,6 @@
 #include "Harness/shapes.h"
 #include "Region/cut.h"
+#include "Region/fork.h"
 #include "Region/grow.h"
 #include "Region/reach.h"
 
@@ -151,6 +152,61 @@ TEST(Bridges, ALimbBehindANarrowBridgeIsNotMeant)
     where(mesh, [](const Vector3& p) { return std::abs(p[0] - 1.2) > 0.6 && std::abs(p[1] - 1.5) < 0.2; });
   EXPECT_EQ(cutBridges(mesh, adjacency, findParts(mesh, adjacency), diameter, both, narrow),
     narrow); // seeds on either side: both are meant
+}
+
+TEST(Fork, WhatLeadsBackToTheBodyBothWaysIsNotMeant)
+{
+  // A ring with a limb drawn out of its outer side at angle 0; the region is the limb and two thirds of the
+  // ring.
+  const Mesh ring = torus(2.0, 0.5, 240, 60);
+  Mesh limbed = ring;
+  for (Vector3& p : limbed.points)
+  {
+    const double off = std::hypot(p[1], p[2]) / 0.35;
+    p[0] += p[0] > 2.0 && off < 1.0 ? 3.0 * (1.0 - off) : 0.0;
+  }
+  const Adjacency adjacency = buildAdjacency(limbed);
+  const MeshParts parts = findParts(limbed, adjacency);
+  const auto numbers = [](const std::vector<char>& flags)
+  {
+    std::vector<int> result;
+    for (int v = 0; v < static_cast<int>(flags.size()); ++v)
+    {
+      if (flags[v])
+      {
+        result.push_back(v);
+      }
+    }
+    return result;
+  };
+  const auto angle = [](const Vector3& p) { return std::abs(std::atan2(p[1], p[0])); };
+  const auto arc = [&](const Vector3& p) { return angle(p) < 2.0 * pi / 3.0; };
+  const auto tip = [](const Vector3& p) { return p[0] > 3.0; };
+  const std::vector<char> cut =
+    cutAtFork(limbed, adjacency, parts, numbers(where(limbed, tip)), where(limbed, arc));
+  for (int v = 0; v < limbed.vertexCount(); ++v)
+  {
+    const Vector3& p = limbed.points[v];
+    if (p[0] > 2.6)
+    {
+      EXPECT_TRUE(cut[v]) << p.transpose();
+    }
+    else if (angle(p) > 0.6)
+    {
+      EXPECT_FALSE(cut[v]) << p.transpose();
+    }
+  }
+  // A cup's handle drawn along its outer side is meant as a whole; so is what has one border.
+  const Adjacency round = buildAdjacency(ring);
+  const std::vector<char> handle = where(ring, arc);
+  const std::vector<char> along =
+    where(ring, [&](const Vector3& p) { return angle(p) < 1.7 && p.norm() > 2.49; });
+  EXPECT_EQ(cutAtFork(ring, round, findParts(ring, round), numbers(along), handle), handle);
+  const Mesh ball = icosphere(4);
+  const Adjacency links = buildAdjacency(ball);
+  const std::vector<char> cap = where(ball, [](const Vector3& p) { return p[2] > 0.3; });
+  const std::vector<char> pole = where(ball, [](const Vector3& p) { return p[2] > 0.95; });
+  EXPECT_EQ(cutAtFork(ball, links, findParts(ball, links), numbers(pole), cap), cap);
 }
 
 TEST(Islands, AllButTheLargestRestByAreaAreFilled)

@@ -62,7 +62,11 @@ std::vector<Blend> resampled(const Polyline& points, double spacing, bool closed
     throw Error(
       Failure::BadStroke, "the spacing must be positive, and give no more than ten million samples");
   }
-  std::vector<int> kept = spread(points, 0.5 * spacing * (1.0 - slack), closed);
+  return evenPlaces(points, spread(points, 0.5 * spacing * (1.0 - slack), closed), spacing, closed);
+}
+
+std::vector<Blend> evenPlaces(const Polyline& points, std::vector<int> kept, double spacing, bool closed)
+{
   if (closed)
   {
     kept.push_back(0);

@@ -19,5 +19,8 @@ namespace oversketch
 // more than ten million samples would come of it.
 std::vector<Blend> resampled(const Polyline& points, double spacing, bool closed = false);
 
+// The second half of it: places at the samples that are kept, ascending, and even ones in their gaps.
+std::vector<Blend> evenPlaces(const Polyline& points, std::vector<int> kept, double spacing, bool closed);
+
 } // namespace oversketch
 #endif

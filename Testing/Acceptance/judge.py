@@ -132,6 +132,18 @@ def surviving(before, after):
     return np.isin(key(before), key(after))
 
 
+def about(points, edges, tip, radius):
+    """The points of a surface within a radius of one of them, as a mask: those that edges between such points join to it. A
+    neighbouring limb may come nearer than that."""
+    away = np.linalg.norm(points - tip, axis=1)
+    near = edges[(away[edges] < radius).all(1)]
+    found, before = np.arange(len(points)) == away.argmin(), None
+    while before is None or (found != before).any():
+        before = found.copy()
+        found[near[before[near].any(1)]] = True
+    return found
+
+
 def capsule_limb(points, triangles, at):
     """Triangles of capsule_figure nearer to the capsule at a point than to any other, as a mask; and its name."""
     def gaps(p):
@@ -190,10 +202,8 @@ def judge(before, after, stroke, view, region=None, note=None):
             result["overlap"] = float(area[inside & limb].sum() / area[inside | limb].sum())
     if note and note.get("other_tips"):
         # A limb's tip stays when the points about it do, within 2 % of the model's size.
-        tips = np.array(note["other_tips"])
-        size = np.linalg.norm(np.ptp(p0, axis=0))
-        about = [np.linalg.norm(p0 - tip, axis=1) < 0.02 * size for tip in tips]
-        result["other limbs moved"] = int(sum(not stays[near].all() for near in about))
+        size, edges = np.linalg.norm(np.ptp(p0, axis=0)), meshes.edges_of(t0)[0]
+        result["other limbs moved"] = int(sum(not stays[about(p0, edges, tip, 0.02 * size)].all() for tip in np.array(note["other_tips"])))
     result["fails"] = failures(result)
     result["holds"] = not result["fails"]
     return result

@@ -187,6 +187,19 @@ def test_judge_holds_for_a_true_result_and_names_what_fails():
     assert judge.judge(judge.facts_of((points, triangles)), (moved, triangles), stroke, view, region, tips)["other limbs moved"] == 1
 
 
+def test_about_a_tip_is_its_own_limb_alone():
+    # Two spheres a hundredth apart on x, joined behind by a long way round: what is about the pole of one is not the other's.
+    points, triangles = sphere(24)
+    two = np.vstack([points, points + (2.01, 0, 0)])
+    both = np.vstack([triangles, triangles + len(points)])
+    bridge = np.array([[np.argmin(points[:, 0]), np.argmax(two[:, 0]), np.argmax(points[:, 1])]])
+    edges = meshes.edges_of(np.vstack([both, bridge]))[0]
+    tip = points[np.argmax(points[:, 0])]
+    found, away = judge.about(two, edges, tip, 0.3), np.linalg.norm(two - tip, axis=1)
+    assert (found[:len(points)] == (away[:len(points)] < 0.3)).all() and found.sum() > 10
+    assert not found[len(points):].any() and (away[len(points):] < 0.3).sum() > 10
+
+
 def test_capsule_limb_is_the_leg():
     t = np.linspace(0, 1, 30)[:, None]
     leg = (1 - t) * np.array([0.22, 0.16, -0.3]) + t * np.array([0.22, 0.16, -1.4])
