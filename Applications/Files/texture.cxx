@@ -136,10 +136,10 @@ std::string textureOf(vtkPolyData* mesh, const std::string& prefix)
     static_cast<std::size_t>(array->GetNumberOfValues()) };
 }
 
-void setTexture(vtkPolyData* mesh, const std::string& bytes)
+void setTexture(vtkPolyData* mesh, const std::string& bytes, const std::string& prefix)
 {
   vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(textureArray);
+  array->SetName((prefix + textureArray).c_str());
   array->SetNumberOfValues(static_cast<vtkIdType>(bytes.size()));
   std::copy(bytes.begin(), bytes.end(), array->GetPointer(0));
   mesh->GetFieldData()->AddArray(array);

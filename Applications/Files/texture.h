@@ -18,7 +18,7 @@ extern const char* const textureArray;
 // The bytes, "" where the mesh has none. Of a part of an assembled mesh (pieces.h) with what its array's name
 // begins with, "Part2.".
 std::string textureOf(vtkPolyData* mesh, const std::string& prefix = {});
-void setTexture(vtkPolyData* mesh, const std::string& bytes);
+void setTexture(vtkPolyData* mesh, const std::string& bytes, const std::string& prefix = {});
 
 // "png", "jpeg", or "" for other bytes.
 std::string pictureFormatOf(const std::string& bytes);

@@ -75,11 +75,23 @@ std::size_t bytesOf(const Outcome& outcome)
 // The picture's file itself travels with the mesh: a filter sees its samples alone.
 void wear(const Step& step, const SystemRow& row, const Outcome& outcome)
 {
-  const auto given = step.inputs.find(row.worn);
-  const Image* image = given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
-  if (image && outcome.failure.empty() && outcome.mesh->GetPointData()->GetTCoords())
+  const auto imageOf = [&](const std::string& name)
   {
-    oversketch_files::setTexture(outcome.mesh, *image->bytes);
+    const auto given = step.inputs.find(name);
+    return given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+  };
+  if (!outcome.failure.empty() || !outcome.mesh->GetPointData()->GetTCoords())
+  {
+    return;
+  }
+  const Image *front = imageOf(row.worn), *back = imageOf(row.wornBehind);
+  if (front)
+  {
+    oversketch_files::setTexture(outcome.mesh, *front->bytes, back ? "Part0." : "");
+  }
+  if (back)
+  {
+    oversketch_files::setTexture(outcome.mesh, *back->bytes, "Part1.");
   }
 }
 

@@ -231,9 +231,11 @@ SystemRow inflateDrawing()
       "and its inside a hole where it has these arrays",
       Kind::Stroke,
       0 },
-    { "Picture", "image", "the picture that was drawn over", Kind::Picture, 1, true }
+    { "Picture", "image", "the picture that was drawn over", Kind::Picture, 1, true },
+    { "BackPicture", "back-image", "a picture of the back, as seen from behind", Kind::Picture, 2, true }
   };
   row.worn = "Picture";
+  row.wornBehind = "BackPicture";
   row.parameters = {
     between(0,
       1000,
@@ -296,6 +298,18 @@ SystemRow inflateDrawing()
       "refine until edges are shorter than a fiftieth of the canvas, whatever the levels",
       &System::SetLevelsFromSketch,
       &System::GetLevelsFromSketch),
+    parameter<System>("UnstretchedRims",
+      "unstretched-rims",
+      "Even triangles at rims",
+      "move vertices near rims, so that triangles there are not stretched by their height",
+      &System::SetUnstretchedRims,
+      &System::GetUnstretchedRims),
+    parameter<System>("Arrange",
+      "arrange",
+      "Strokes may cross",
+      "let strokes cross each other, span what they lie in, and bound an object together",
+      &System::SetArrange,
+      &System::GetArrange),
     parameter<System>("AsPublished",
       "as-published",
       "As published",

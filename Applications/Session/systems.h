@@ -96,6 +96,8 @@ struct SystemRow
   bool reflectsStrokes = false;
   // The name of the input whose picture the mesh wears, by its texture coordinates; empty for none.
   std::string worn;
+  // Likewise of the picture that its back wears; where it is given both are pictures of parts, 0 and 1.
+  std::string wornBehind;
   // A hand goes on changing its last step and sees the mesh follow: what that step computed is kept beside
   // what is prepared for the next one.
   bool followsHand = false;

@@ -4,14 +4,22 @@
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchKept.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 using namespace oversketch;
 
@@ -22,10 +30,83 @@ struct vtkOversketchProjectTexture::Cache
 
 vtkStandardNewMacro(vtkOversketchProjectTexture);
 
+namespace
+{
+
+// Gives faces of the back points of their own, and says of each face and point whether it is one of these.
+std::vector<char> separateBack(vtkPolyData* mesh, vtkPolyData* result)
+{
+  RequirePolygonsOnly(mesh);
+  const vtkIdType faces = mesh->GetNumberOfCells(), points = mesh->GetNumberOfPoints();
+  vtkDataArray* sides = RequireArray(mesh->GetCellData(),
+    "Side",
+    1,
+    faces,
+    "mesh",
+    "take it from vtkOversketchInflate or vtkOversketchExtrude, or give no picture of the back");
+  const auto isBack = [&](vtkIdType face) { return sides->GetComponent(face, 0) < 0.0; };
+  std::vector<char> shared(static_cast<std::size_t>(points), 0), back(static_cast<std::size_t>(points), 0);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < faces; ++face)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      (isBack(face) ? back : shared)[static_cast<std::size_t>(ids->GetId(k))] = 1;
+    }
+  }
+  std::vector<vtkIdType> sources, twins(static_cast<std::size_t>(points));
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    sources.push_back(i);
+  }
+  for (std::size_t i = 0; i < twins.size(); ++i)
+  {
+    twins[i] = static_cast<vtkIdType>(i);
+    if (back[i] && shared[i])
+    {
+      twins[i] = static_cast<vtkIdType>(sources.size());
+      sources.push_back(static_cast<vtkIdType>(i));
+      back[i] = 0;
+    }
+  }
+  back.resize(sources.size(), 1);
+  vtkNew<vtkPoints> places;
+  places->SetDataType(mesh->GetPoints()->GetDataType());
+  vtkPointData* data = result->GetPointData();
+  data->CopyAllOn();
+  data->CopyAllocate(mesh->GetPointData(), static_cast<vtkIdType>(sources.size()));
+  for (const vtkIdType source : sources)
+  {
+    data->CopyData(mesh->GetPointData(), source, places->InsertNextPoint(mesh->GetPoint(source)));
+  }
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIntArray> parts;
+  parts->SetName("PartId");
+  for (vtkIdType face = 0; face < faces; ++face)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    for (vtkIdType k = 0; isBack(face) && k < ids->GetNumberOfIds(); ++k)
+    {
+      ids->SetId(k, twins[static_cast<std::size_t>(ids->GetId(k))]);
+    }
+    polys->InsertNextCell(ids);
+    parts->InsertNextValue(isBack(face) ? 1 : 0);
+  }
+  result->SetPoints(places);
+  result->SetPolys(polys);
+  result->GetCellData()->ShallowCopy(mesh->GetCellData());
+  result->GetCellData()->AddArray(parts);
+  result->GetFieldData()->PassData(mesh->GetFieldData());
+  return back;
+}
+
+} // namespace
+
 vtkOversketchProjectTexture::vtkOversketchProjectTexture()
   : Internals(new Cache)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 vtkOversketchProjectTexture::~vtkOversketchProjectTexture() = default;
@@ -35,10 +116,16 @@ void vtkOversketchProjectTexture::SetPictureData(vtkImageData* picture)
   this->SetInputData(1, picture);
 }
 
+void vtkOversketchProjectTexture::SetBackPictureData(vtkImageData* picture)
+{
+  this->SetInputData(2, picture);
+}
+
 int vtkOversketchProjectTexture::FillInputPortInformation(int port, vtkInformation* information)
 {
-  return FillPicturePort(port, information) ? 1
-                                            : this->Superclass::FillInputPortInformation(port, information);
+  return FillPicturePort(std::min(port, 1), information)
+           ? 1
+           : this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchProjectTexture::RequestData(vtkInformation*,
@@ -50,6 +137,7 @@ int vtkOversketchProjectTexture::RequestData(vtkInformation*,
     {
       vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
       vtkImageData* picture = vtkImageData::GetData(inputs[1]);
+      const bool apart = vtkImageData::GetData(inputs[2]) != nullptr;
       if (mesh->GetNumberOfPoints() == 0)
       {
         return;
@@ -57,20 +145,33 @@ int vtkOversketchProjectTexture::RequestData(vtkInformation*,
       ContextOf(this).checkpoint(0.0);
       const Canvas canvas = picture ? PlaceOf(picture).Rectangle : CanvasOf(mesh);
       this->Internals->Mesh.Provide(
-        StepKey({ WholeKey(mesh) }, { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] }),
+        StepKey({ WholeKey(mesh) },
+          { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1], apart ? 1.0 : 0.0 }),
         vtkPolyData::GetData(outputs),
         [&](vtkPolyData* result)
         {
+          std::vector<char> back;
+          if (apart)
+          {
+            back = separateBack(mesh, result);
+          }
+          else
+          {
+            result->ShallowCopy(mesh);
+          }
+          const vtkIdType count = result->GetNumberOfPoints();
+          back.resize(static_cast<std::size_t>(count), 0);
           vtkNew<vtkDoubleArray> coordinates;
           coordinates->SetName("TCoords");
           coordinates->SetNumberOfComponents(2);
-          coordinates->SetNumberOfTuples(mesh->GetNumberOfPoints());
-          for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+          coordinates->SetNumberOfTuples(count);
+          for (vtkIdType i = 0; i < count; ++i)
           {
-            const Vector2 place = textureCoordinates(canvas, Vector2(mesh->GetPoint(i)));
+            const Vector2 at(result->GetPoint(i));
+            const Vector2 place = back[static_cast<std::size_t>(i)] ? backTextureCoordinates(canvas, at)
+                                                                    : textureCoordinates(canvas, at);
             coordinates->SetTuple(i, place.data());
           }
-          result->ShallowCopy(mesh);
           result->GetPointData()->SetTCoords(coordinates);
         });
     });

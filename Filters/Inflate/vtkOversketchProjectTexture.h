@@ -10,9 +10,17 @@
  * Input 1 (Picture, vtkImageData, optional): the picture it was drawn over; without it the mesh's field array
  * Canvas says where that is.
  *
- * Output 0 (Mesh): the same with the point array TCoords, double[2], as active texture coordinates.
+ * Input 2 (BackPicture, vtkImageData, optional): a picture of the back, as seen from behind. The paper names
+ * separate front and back textures as future work. It fills the same rectangle, whatever its samples, its
+ * left at the canvas's right.
+ *
+ * Output 0 (Mesh): the same with the point array TCoords, double[2], as active texture coordinates. With a
+ * picture of the back, faces of the back (cell array Side) have points of their own: those that they share
+ * with others are there twice, the second ones after all others; a cell array PartId, int, is 1 there and 0
+ * on front and walls, so that each side can wear its picture, as parts of vtkOversketchAssemble do.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray with neither a picture nor Canvas;
+ * without Side where there is a picture of the back;
  * BadStroke for a picture without samples, of several slices or with a direction matrix other than the
  * identity, and a Canvas without extent. A mesh without points gives an empty output silently.
  *
@@ -42,6 +50,12 @@ public:
    */
   void SetPictureConnection(vtkAlgorithmOutput* picture) { this->SetInputConnection(1, picture); }
   void SetPictureData(vtkImageData* picture);
+
+  /**
+   * The picture of the back, on port 2.
+   */
+  void SetBackPictureConnection(vtkAlgorithmOutput* picture) { this->SetInputConnection(2, picture); }
+  void SetBackPictureData(vtkImageData* picture);
 
 protected:
   vtkOversketchProjectTexture();

@@ -1,6 +1,7 @@
 #include "vtkOversketchTunnel.h"
 
 #include "Inflate/tunnel.h"
+#include "Planar/planar_mesh.h"
 #include "vtkOversketchDrawingTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSolidTools.h"
@@ -75,9 +76,9 @@ int vtkOversketchTunnel::RequestData(vtkInformation*,
           std::vector<char> removed;
           for (vtkIdType f = 0; f < regions->GetNumberOfTuples(); ++f)
           {
-            const double region = regions->GetComponent(f, 0);
-            removed.push_back(region >= 0.0 && region < static_cast<double>(tunnels.size()) &&
-                              tunnels[static_cast<std::size_t>(region)] != 0);
+            const int region = wholeRegion(static_cast<int>(regions->GetComponent(f, 0)));
+            removed.push_back(
+              region >= 0 && region < static_cast<int>(tunnels.size()) && tunnels[region] != 0);
           }
           context.checkpoint(0.3);
           const Solid cut = tunnel(solid, removed, this->TunnelWall);

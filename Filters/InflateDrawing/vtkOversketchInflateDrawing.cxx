@@ -1,6 +1,7 @@
 #include "vtkOversketchInflateDrawing.h"
 
 #include "Planar/splits.h"
+#include "vtkOversketchArrange.h"
 #include "vtkOversketchCanvas.h"
 #include "vtkOversketchClassify.h"
 #include "vtkOversketchCoarseMesh.h"
@@ -53,6 +54,7 @@ struct vtkOversketchInflateDrawing::Pipeline
   // Bring the inner inputs up to date; they change only where what the steps read has changed.
   void FeedStrokes(vtkPolyData* strokes);
   void FeedPicture(vtkImageData* picture);
+  void FeedBack(vtkImageData* picture);
   // Takes the steps that the parameters leave out of the way.
   void Connect();
   void SetAmendments(bool on);
@@ -67,9 +69,9 @@ struct vtkOversketchInflateDrawing::Pipeline
 
   // What the inner pipeline starts from.
   vtkNew<vtkPolyData> Strokes;
-  vtkNew<vtkImageData> Picture;
+  vtkNew<vtkImageData> Picture, Back;
   std::pair<const vtkPolyData*, vtkMTimeType> StrokesSeen{ nullptr, 0 };
-  std::pair<const vtkImageData*, vtkMTimeType> PictureSeen{ nullptr, 0 };
+  std::pair<const vtkImageData*, vtkMTimeType> PictureSeen{ nullptr, 0 }, BackSeen{ nullptr, 0 };
   bool MagneticSeen = false;
 
   // What was handed back for the present curves, and what these and the steps are told apart by.
@@ -80,6 +82,7 @@ struct vtkOversketchInflateDrawing::Pipeline
   vtkNew<vtkOversketchCanvas> Canvas;
   vtkNew<vtkOversketchMagneticSnap> Snap;
   vtkNew<vtkOversketchResample> Resample;
+  vtkNew<vtkOversketchArrange> Arrange;
   vtkNew<vtkOversketchClassify> Classify;
   vtkNew<vtkOversketchTreatment> Treatment;
   vtkNew<vtkOversketchDistance> Distance;
@@ -100,7 +103,7 @@ vtkOversketchInflateDrawing::Pipeline::Pipeline(vtkOversketchInflateDrawing* sel
   this->Canvas->SetInputData(0, this->Strokes);
   this->Snap->SetInputConnection(0, this->Canvas->GetOutputPort());
   this->Snap->SetInputData(1, this->Picture);
-  this->Classify->SetInputConnection(0, this->Resample->GetOutputPort());
+  this->Arrange->SetInputConnection(0, this->Resample->GetOutputPort());
   this->Treatment->SetInputConnection(0, this->Classify->GetOutputPort());
   this->Distance->SetInputConnection(0, this->Treatment->GetOutputPort());
   this->Polyline->SetInputConnection(0, this->Distance->GetOutputPort(0));
@@ -124,6 +127,7 @@ vtkOversketchInflateDrawing::Pipeline::Pipeline(vtkOversketchInflateDrawing* sel
   self->AddStage("Canvas", this->Canvas, 0.01);
   self->AddStage("MagneticSnap", this->Snap, 0.15);
   self->AddStage("Resample", this->Resample, 0.01);
+  self->AddStage("Arrange", this->Arrange, 0.01);
   self->AddStage("Classify", this->Classify, 0.05);
   self->AddStage("Treatment", this->Treatment, 0.01);
   self->AddStage("Distance", this->Distance, 0.15);
@@ -146,6 +150,8 @@ void vtkOversketchInflateDrawing::Pipeline::Connect()
   this->Texture->SetInputData(1, pictured ? this->Picture.Get() : nullptr);
   this->Resample->SetInputConnection(
     0, (pictured ? this->Snap->GetOutputPort() : this->Canvas->GetOutputPort()));
+  this->Classify->SetInputConnection(
+    0, this->Self->Arrange ? this->Arrange->GetOutputPort() : this->Resample->GetOutputPort());
   vtkAlgorithm* faces = this->Self->Quads ? static_cast<vtkAlgorithm*>(this->QuadMerge) : this->CoarseMesh;
   this->Refine->SetInputConnection(0, faces->GetOutputPort(0));
   this->Refine->SetInputConnection(1, faces->GetOutputPort(1));
@@ -197,6 +203,21 @@ void vtkOversketchInflateDrawing::Pipeline::FeedPicture(vtkImageData* picture)
   }
 }
 
+void vtkOversketchInflateDrawing::Pipeline::FeedBack(vtkImageData* picture)
+{
+  const std::pair<const vtkImageData*, vtkMTimeType> now{ picture, picture ? picture->GetMTime() : 0 };
+  if (now != this->BackSeen)
+  {
+    this->BackSeen = now;
+    this->Back->Initialize();
+    if (picture)
+    {
+      this->Back->ShallowCopy(picture);
+    }
+    this->Texture->SetInputData(2, picture ? this->Back.Get() : nullptr);
+  }
+}
+
 void vtkOversketchInflateDrawing::Pipeline::RunCurves()
 {
   this->Self->RunStage("Canvas");
@@ -204,7 +225,12 @@ void vtkOversketchInflateDrawing::Pipeline::RunCurves()
   {
     this->Self->RunStage("MagneticSnap");
   }
-  for (const char* stage : { "Resample", "Classify", "Treatment", "Distance" })
+  this->Self->RunStage("Resample");
+  if (this->Self->Arrange)
+  {
+    this->Self->RunStage("Arrange");
+  }
+  for (const char* stage : { "Classify", "Treatment", "Distance" })
   {
     this->Self->RunStage(stage);
   }
@@ -256,14 +282,14 @@ int vtkOversketchInflateDrawing::Pipeline::RunMesh()
 
 void vtkOversketchInflateDrawing::Pipeline::RefuseSplits(const StrokeSplit& split)
 {
-  const oversketch::Polyline points =
-    DrawingOf(this->Distance->GetOutput()).Strokes[static_cast<std::size_t>(split.stroke)].points;
+  const std::vector<DrawnStroke> strokes = StrokesOf(this->Distance->GetOutput());
+  const oversketch::Polyline& points = strokes[static_cast<std::size_t>(split.stroke)].points;
   const std::vector<double> lengths = arcLengths(points);
   const Vector2 at =
     placeAt(lengths, static_cast<int>(points.size()), 0.5 * (split.start + split.end)).of(points);
   std::ostringstream message;
-  message << "Stroke " << split.stroke << " still turns triangles over near (" << at[0] << ", " << at[1]
-          << ") after " << mostRebuilds
+  message << "Stroke " << nameOf(strokes, split.stroke) << " still turns triangles over near (" << at[0]
+          << ", " << at[1] << ") after " << mostRebuilds
           << " rebuilds of the mesh; draw it there with more room to what is beside it.";
   throw Error(Failure::BadStroke, message.str());
 }
@@ -289,7 +315,7 @@ void vtkOversketchInflateDrawing::Pipeline::SetAmendments(bool on)
 vtkOversketchInflateDrawing::vtkOversketchInflateDrawing()
   : Inner(new Pipeline(this))
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 vtkOversketchInflateDrawing::~vtkOversketchInflateDrawing() = default;
@@ -297,7 +323,7 @@ vtkOversketchInflateDrawing::~vtkOversketchInflateDrawing() = default;
 int vtkOversketchInflateDrawing::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
-  if (port == 1)
+  if (port > 0)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -320,6 +346,7 @@ int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
       }
       inner.FeedStrokes(strokes);
       inner.FeedPicture(vtkImageData::GetData(inputs[1]));
+      inner.FeedBack(vtkImageData::GetData(inputs[2]));
       inner.RunCurves();
       const int rebuilds = inner.RunMesh();
       inner.RunSurface();
@@ -430,6 +457,26 @@ void vtkOversketchInflateDrawing::SetLevelsFromSketch(bool fromSketch)
   }
 }
 
+void vtkOversketchInflateDrawing::SetUnstretchedRims(bool unstretched)
+{
+  if (unstretched != this->UnstretchedRims)
+  {
+    this->UnstretchedRims = unstretched;
+    this->Inner->Inflate->SetUnstretchedRims(unstretched);
+    this->Modified();
+  }
+}
+
+void vtkOversketchInflateDrawing::SetArrange(bool arrange)
+{
+  if (arrange != this->Arrange)
+  {
+    this->Arrange = arrange;
+    this->Inner->Connect();
+    this->Modified();
+  }
+}
+
 void vtkOversketchInflateDrawing::SetAsPublished(bool published)
 {
   if (published != this->AsPublished)
@@ -453,6 +500,8 @@ void vtkOversketchInflateDrawing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Quads: " << this->Quads << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
   os << indent << "LevelsFromSketch: " << this->LevelsFromSketch << "\n";
+  os << indent << "UnstretchedRims: " << this->UnstretchedRims << "\n";
+  os << indent << "Arrange: " << this->Arrange << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "Rebuilds: " << this->Rebuilds << "\n";
   os << indent << "LevelsMade: " << this->LevelsMade << "\n";

@@ -5,9 +5,9 @@
  * Source: "Image-Assisted Modeling from Sketches": outlines and features drawn on a canvas are classified, a
  * planar mesh is made whose edges lie on them, and it is inflated to both sides or extruded, with holes and
  * tunnels, and wears the picture. The whole is this one filter over those of the steps, in their order:
- * Canvas, MagneticSnap, Resample, Classify, Treatment, Distance, Polyline, Darts, CoarseMesh, QuadMerge,
- * Refine, Inflate or Extrude, Tunnel, ProjectTexture (GetStage, GetStep, GetInnerOutput). Each departs from
- * the paper as its header says; AsPublished turns the departures off.
+ * Canvas, MagneticSnap, Resample, Arrange, Classify, Treatment, Distance, Polyline, Darts, CoarseMesh,
+ * QuadMerge, Refine, Inflate or Extrude, Tunnel, ProjectTexture (GetStage, GetStep, GetInnerOutput). Each
+ * departs from the paper as its header says; AsPublished turns the departures off.
  *
  * Refinement that would turn triangles over, or miss small tips, hands parts of strokes back to be followed
  * more closely
@@ -17,6 +17,9 @@
  * plane z = 0; see vtkOversketchCanvas for what else they may say, and oversketch.drawing in Python.
  * Input 1 (Picture, optional, vtkImageData): the picture that was drawn over. It gives the canvas, edges to
  * magnetic strokes, and texture coordinates their meaning.
+ *
+ * Input 2 (BackPicture, optional, vtkImageData): a picture of the back, as seen from behind, which faces of
+ * the back are to wear: see vtkOversketchProjectTexture, which gives them points of their own then.
  *
  * Output 0: the model, a closed mesh but for tunnels without walls: triangles, or with Quads quads. Arrays of
  * vtkOversketchInflate or vtkOversketchExtrude, and TCoords; field array Canvas. The picture itself is not in
@@ -139,6 +142,26 @@ public:
 
   ///@{
   /**
+   * Move vertices near rims, so that triangles there are not stretched by their height [default off; not as
+   * published]; see vtkOversketchInflate.
+   */
+  void SetUnstretchedRims(bool unstretched);
+  vtkGetMacro(UnstretchedRims, bool);
+  vtkBooleanMacro(UnstretchedRims, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Strokes may cross each other and themselves, span what they lie in, and bound an object together
+   * (vtkOversketchArrange) [default off: a stroke that meets another one is an error; not as published].
+   */
+  void SetArrange(bool arrange);
+  vtkGetMacro(Arrange, bool);
+  vtkBooleanMacro(Arrange, bool);
+  ///@}
+
+  ///@{
+  /**
    * Turn every departure of every step off (true) or on (false, default): sets the properties of the inner
    * steps at once, so single ones can be changed afterwards by GetStep.
    */
@@ -175,6 +198,8 @@ private:
   bool Quads = false;
   bool AsPublished = false;
   bool LevelsFromSketch = false;
+  bool Arrange = false;
+  bool UnstretchedRims = false;
   int Levels = 3;
   int Rebuilds = 0, LevelsMade = 0;
   std::string Profile, Holes, Tunnels;

@@ -3,6 +3,7 @@
 #include "vtkOversketchDrawingTools.h"
 #include "vtkOversketchKept.h"
 
+#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -128,18 +129,17 @@ int vtkOversketchClassify::RequestData(vtkInformation*,
       }
       Cache& cache = *this->Internals;
       const double share = this->AsPublished ? 0.0 : this->ContactShare;
-      cache.Kept.Provide(StepKey({ MeshKey(curves, { curves->GetFieldData()->GetArray("Canvas") }) },
+      cache.Kept.Provide(StepKey({ MeshKey(curves,
+                                   { curves->GetFieldData()->GetArray("Canvas"),
+                                     curves->GetCellData()->GetArray("StrokeId"),
+                                     curves->GetPointData()->GetArray("Node") }) },
                            { share, static_cast<double>(this->Resolution) }),
         output,
         [&](vtkPolyData* result)
         {
           ++this->ClassificationCount;
           const Frame frame = frameOf(CanvasOf(curves), this->Resolution);
-          std::vector<DrawnStroke> strokes;
-          for (const DrawnLine& line : ReadStrokes(curves, 1))
-          {
-            strokes.push_back({ line.Samples, line.Closed });
-          }
+          const std::vector<DrawnStroke> strokes = StrokesOf(curves);
           const Classification classification = classify(frame, strokes, share, ContextOf(this));
           cache.Warnings = judged(classification, strokes);
           writeLabels(classification, frame, cache.Labels);

@@ -9,7 +9,8 @@
  * The paper's resolution is open.
  *
  * Input 0 (Curves): curves of vtkOversketchCanvas, magnetic or not, usually resampled; a closed one repeats
- * its first point id at the end. Stroke i is cell i. Field array Canvas.
+ * its first point id at the end. Stroke i is cell i, called by its StrokeId in messages where it has one.
+ * Field array Canvas. Curves of vtkOversketchArrange may meet in its nodes.
  *
  * Output 0 (Curves): the same, points and all arrays passed, and
  * - cell array Role, int: -1 rejected, 1 boundary of an object, 2 closed feature, 3 open feature,

@@ -96,16 +96,34 @@ std::vector<Treatment> TreatmentsOf(vtkPolyData* curves)
   return treatments;
 }
 
+std::vector<DrawnStroke> StrokesOf(vtkPolyData* curves)
+{
+  vtkDataArray* nodes = curves->GetPointData()->GetArray("Node");
+  vtkDataArray* names = curves->GetCellData()->GetArray("StrokeId");
+  std::vector<DrawnStroke> strokes;
+  for (const DrawnLine& line : ReadStrokes(curves, 1))
+  {
+    DrawnStroke stroke{ line.Samples, line.Closed };
+    for (std::size_t k = 0; nodes && k < line.Ids.size(); ++k)
+    {
+      if (nodes->GetComponent(line.Ids[k], 0) != 0.0)
+      {
+        stroke.nodes.push_back(static_cast<int>(k));
+      }
+    }
+    const double name = names ? names->GetComponent(static_cast<vtkIdType>(strokes.size()), 0) : -1.0;
+    stroke.number = name >= 0.0 && name < 1e9 ? static_cast<int>(name) : -1;
+    strokes.push_back(std::move(stroke));
+  }
+  return strokes;
+}
+
 Drawing DrawingOf(vtkPolyData* curves)
 {
   Drawing drawing;
   drawing.Rectangle = CanvasOf(curves);
   drawing.Raster = RasterOf(curves);
-  const std::vector<DrawnLine> lines = ReadStrokes(curves, 1);
-  for (const DrawnLine& line : lines)
-  {
-    drawing.Strokes.push_back({ line.Samples, line.Closed });
-  }
+  drawing.Strokes = StrokesOf(curves);
   drawing.Treatments = TreatmentsOf(curves);
   return drawing;
 }
@@ -212,7 +230,9 @@ MeshKey DrawingKey(vtkPolyData* curves)
 {
   std::vector<vtkDataArray*> arrays{ curves->GetFieldData()->GetArray("Canvas"),
     curves->GetFieldData()->GetArray("Resolution"),
-    curves->GetCellData()->GetArray("Treatment") };
+    curves->GetCellData()->GetArray("Treatment"),
+    curves->GetCellData()->GetArray("StrokeId"),
+    curves->GetPointData()->GetArray("Node") };
   for (const char* name : classArrays)
   {
     arrays.push_back(curves->GetCellData()->GetArray(name));

@@ -40,6 +40,12 @@ struct Drawing
 };
 
 /**
+ * The strokes alone: their samples, which of these are nodes (point array Node, none without it), and what
+ * messages call them (cell array StrokeId). Throws what ReadStrokes does.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT std::vector<DrawnStroke> StrokesOf(vtkPolyData* curves);
+
+/**
  * Throws what ReadStrokes and CanvasOf do, Error(BadStroke) for a Treatment that is none or a Resolution that
  * frameOf refuses.
  */

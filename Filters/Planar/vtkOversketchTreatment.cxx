@@ -71,17 +71,35 @@ int vtkOversketchTreatment::RequestData(vtkInformation*,
       const int count = static_cast<int>(given.size());
       std::vector<Treatment> treatments = given;
       std::vector<char> named(given.size(), 0);
+      const std::vector<DrawnStroke> strokes = StrokesOf(curves);
+      int names = 0; // strokes are numbered below it
+      for (int i = 0; i < count; ++i)
+      {
+        names = std::max(names, nameOf(strokes, i) + 1);
+      }
+      // Of several curves of one stroke the one that it may be.
+      const auto curveOf = [&](int name)
+      {
+        int found = -1;
+        for (int i = 0; i < count; ++i)
+        {
+          const bool bounds = classification.strokes[i].role == Role::ClosedFeature;
+          found = nameOf(strokes, i) == name && (found < 0 || bounds) ? i : found;
+        }
+        return found;
+      };
       const auto treat = [&](const std::string& list, const char* parameter, Treatment treatment)
       {
-        for (const int stroke : numbersOf(list, parameter))
+        for (const int name : numbersOf(list, parameter))
         {
-          const std::string who = std::string(parameter) + " names stroke " + std::to_string(stroke);
-          if (stroke < 0 || stroke >= count)
+          const std::string who = std::string(parameter) + " names stroke " + std::to_string(name);
+          if (name < 0 || name >= names)
           {
             throw Error(
-              Failure::BadStroke, who + ", but there are " + std::to_string(count) + ", numbered from 0.");
+              Failure::BadStroke, who + ", but there are " + std::to_string(names) + ", numbered from 0.");
           }
-          if (classification.strokes[stroke].role != Role::ClosedFeature)
+          const int stroke = curveOf(name);
+          if (stroke < 0 || classification.strokes[stroke].role != Role::ClosedFeature)
           {
             throw Error(Failure::BadStroke,
               who + ", which is no closed stroke inside another; close it, or name one that is.");

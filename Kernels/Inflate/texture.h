@@ -14,5 +14,13 @@ inline Vector2 textureCoordinates(const Canvas& canvas, const Vector2& place)
   return (place - canvas.corner).cwiseQuotient(canvas.size);
 }
 
+// The same in a picture of the back, taken from behind, so that its left is at the canvas's right; it fills
+// the canvas.
+inline Vector2 backTextureCoordinates(const Canvas& canvas, const Vector2& place)
+{
+  const Vector2 front = textureCoordinates(canvas, place);
+  return { 1.0 - front[0], front[1] };
+}
+
 } // namespace oversketch
 #endif

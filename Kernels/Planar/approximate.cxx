@@ -208,9 +208,10 @@ std::vector<Fault> wrongSides(const Drafts& drafts, const std::vector<StrokeClas
   return faults;
 }
 
-[[noreturn]] void refuse(const Drafts& drafts, const Fault& fault)
+[[noreturn]] void refuse(const Drafts& drafts, const Fault& fault, const std::vector<DrawnStroke>& strokes)
 {
-  const auto [a, b] = std::minmax(fault.first[0], fault.second[0]);
+  const int one = nameOf(strokes, fault.first[0]), two = nameOf(strokes, fault.second[0]);
+  const auto [a, b] = std::minmax(one, two);
   const PieceList& list = *drafts[fault.first[0]];
   const Vector2 place = list.sample(list.pieces()[fault.first[1]].from);
   std::ostringstream text;
@@ -221,7 +222,7 @@ std::vector<Fault> wrongSides(const Drafts& drafts, const std::vector<StrokeClas
 }
 
 // Makes the pieces concerned finer until one of them is split.
-void resolve(Drafts& drafts, const std::vector<Fault>& faults)
+void resolve(Drafts& drafts, const std::vector<Fault>& faults, const std::vector<DrawnStroke>& strokes)
 {
   std::vector<std::array<int, 2>> concerned;
   for (const Fault& fault : faults)
@@ -249,7 +250,7 @@ void resolve(Drafts& drafts, const std::vector<Fault>& faults)
     {
       if (isSpent(fault.first) && isSpent(fault.second))
       {
-        refuse(drafts, fault);
+        refuse(drafts, fault, strokes);
       }
     }
   }
@@ -269,6 +270,8 @@ std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,
   const std::vector<bool> gone = inHoles(classes, treatments);
   std::vector<StrokePolyline> result;
   std::vector<std::vector<int>> forced(strokes.size());
+  std::transform(
+    strokes.begin(), strokes.end(), forced.begin(), [](const DrawnStroke& s) { return s.nodes; });
   for (std::size_t i = 0; i < strokes.size(); ++i)
   {
     if (classes[i].role == Role::Rejected || classes[i].role == Role::Unknown || gone[i])
@@ -281,8 +284,13 @@ std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,
       auto& [first, last] = polyline.joins;
       const auto join = [&](const Vector2& end)
       { return joinOf(end, classes[i].region, strokes, classes, treatments, rules.joinDistance * longest); };
-      first = join(strokes[i].points.front());
-      last = join(strokes[i].points.back());
+      const auto ends = [&](bool isLast)
+      {
+        const int sample = isLast ? static_cast<int>(strokes[i].points.size()) - 1 : 0;
+        return strokes[i].isNode(sample) ? StrokeJoin() : join(strokes[i].points[sample]);
+      };
+      first = ends(false);
+      last = ends(true);
       if (first.stroke == last.stroke && first.sample == last.sample)
       {
         last = {};
@@ -323,6 +331,16 @@ std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,
       std::move(own),
       longest,
       rules);
+    // Where one segment divides a region from rim to rim, two copies of it joined at the rims would be one.
+    const auto isHeld = [&](int end)
+    {
+      return polyline.joins[end].stroke >= 0 ||
+             stroke.isNode(end == 0 ? 0 : static_cast<int>(stroke.points.size()) - 1);
+    };
+    if (!polyline.closed && isHeld(0) && isHeld(1))
+    {
+      drafts[polyline.stroke]->divide();
+    }
   }
   while (true)
   {
@@ -336,7 +354,7 @@ std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,
     {
       break;
     }
-    resolve(drafts, faults);
+    resolve(drafts, faults, strokes);
   }
   for (StrokePolyline& polyline : result)
   {

@@ -41,6 +41,9 @@ struct ApproximationRules
 // joins it: the nearest sample of that becomes a vertex of both. Two ends of one stroke do not join the same
 // sample. The paper names it, "feature ends joined to the boundary", as future work.
 //
+// Nodes of arranged strokes (arrange.h) are vertices, and an end at one joins nothing else. An open stroke
+// whose ends are both nodes or joined has a vertex between them.
+//
 // Rejected strokes have no polyline, nor has what lies in a hole. The result does not depend on the strokes'
 // order, up to numbers; maps are not read in mode Fixed.
 std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,

@@ -204,6 +204,14 @@ PieceList::Halved PieceList::halve(int piece)
   return this->Pieces.size() > before ? Halved::Split : Halved::Same;
 }
 
+void PieceList::divide()
+{
+  if (this->Pieces.size() == 1 && this->count() > 2)
+  {
+    this->split(0, this->count() / 2);
+  }
+}
+
 bool PieceList::leavesOut(int piece, const Vector2& place) const
 {
   bool inside = false;

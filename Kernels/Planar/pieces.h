@@ -44,6 +44,8 @@ public:
     Spent // no sample of it is off its segment
   };
   Halved halve(int piece);
+  // Splits a lone piece at its middle sample.
+  void divide();
   // Whether a place lies between a piece and its samples (even-odd).
   bool leavesOut(int piece, const Vector2& place) const;
 

@@ -36,6 +36,16 @@ struct PlanarPoint
   bool isBase = false; // a point of the coarse mesh
 };
 
+// Parts of a region that open strokes divide, from rim to rim, have regions of their own: the first part
+// keeps the region's number, part k has k times this more. More regions are on no raster.
+constexpr int regionStride = 1 << 20;
+
+// The region that closed strokes bound, of a part of it.
+inline int wholeRegion(int region)
+{
+  return region < 0 ? region : region % regionStride;
+}
+
 // A triangle, corner[3] < 0, or a quad; counter-clockwise.
 struct PlanarFace
 {

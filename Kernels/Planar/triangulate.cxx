@@ -3,6 +3,7 @@
 #include "Planar/delaunay.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -173,6 +174,43 @@ std::vector<int> regionsOf(const std::vector<DelaunayFace>& faces,
   return regions;
 }
 
+// Tells parts of regions apart that no way joins that crosses no line.
+void divideRegions(const std::vector<DelaunayFace>& faces, std::vector<int>& regions)
+{
+  std::map<int, int> parts; // of each region, so far
+  std::vector<char> done(faces.size(), 0);
+  std::vector<int> pending;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (done[f] || regions[f] < 0)
+    {
+      continue;
+    }
+    const int whole = regions[f], part = parts[whole]++;
+    if (whole >= regionStride || part >= std::numeric_limits<int>::max() / regionStride)
+    {
+      throw Error(Failure::BadStroke, "the strokes divide the drawing into too many regions; draw fewer");
+    }
+    done[f] = 1;
+    pending = { static_cast<int>(f) };
+    while (!pending.empty())
+    {
+      const int at = pending.back();
+      pending.pop_back();
+      regions[at] = whole + part * regionStride;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int next = faces[at].across[k];
+        if (next >= 0 && faces[at].constraints[k] < 0 && !done[next])
+        {
+          done[next] = 1;
+          pending.push_back(next);
+        }
+      }
+    }
+  }
+}
+
 // Of each region: the object, -1 where the region is a hole's or lies in one.
 std::map<int, int> objectsOf(const std::vector<StrokeLine>& lines)
 {
@@ -273,12 +311,13 @@ PlanarMesh triangulate(const std::vector<StrokeLine>& lines,
     places.push_back(point.place);
   }
   const std::vector<DelaunayFace> faces = constrainedDelaunay(places, sketch.constraints, context);
-  const std::vector<int> regions = regionsOf(faces, sketch, lines);
+  std::vector<int> regions = regionsOf(faces, sketch, lines);
+  divideRegions(faces, regions);
   const std::map<int, int> objects = objectsOf(lines);
   std::vector<bool> kept(sketch.constraints.size(), false);
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    const auto object = objects.find(regions[f]);
+    const auto object = objects.find(wholeRegion(regions[f]));
     if (object == objects.end() || object->second < 0)
     {
       continue;

@@ -32,7 +32,8 @@ PlanarMesh withoutRegions(const PlanarMesh& mesh, const std::vector<char>& gone)
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const PlanarFace& face = mesh.faces[f];
-    if (face.region < 0 || face.region >= static_cast<int>(gone.size()))
+    const int region = wholeRegion(face.region);
+    if (region < 0 || region >= static_cast<int>(gone.size()))
     {
       throw Error(Failure::BadMesh,
         "face " + std::to_string(f) + " lies in region " + std::to_string(face.region) + " of " +
@@ -40,9 +41,9 @@ PlanarMesh withoutRegions(const PlanarMesh& mesh, const std::vector<char>& gone)
     }
     for (int i = 0; i < face.count(); ++i)
     {
-      (gone[face.region] ? lost : kept)[face.corners[i]] = 1;
+      (gone[region] ? lost : kept)[face.corners[i]] = 1;
     }
-    if (!gone[face.region])
+    if (!gone[region])
     {
       made.faces.push_back(face);
     }
@@ -70,7 +71,7 @@ PlanarMesh withoutRegions(const PlanarMesh& mesh, const std::vector<char>& gone)
   {
     for (const int f : edge.faces)
     {
-      if (edge.stroke >= 0 && f >= 0 && !gone[mesh.faces[f].region])
+      if (edge.stroke >= 0 && f >= 0 && !gone[wholeRegion(mesh.faces[f].region)])
       {
         onEdge[edge.stroke] = 1;
       }

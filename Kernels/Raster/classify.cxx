@@ -67,6 +67,14 @@ int distinctPoints(const Polyline& points)
   return count;
 }
 
+// A pen that was set down and hardly moved: however it runs, nothing is lost without it.
+bool isDot(const Polyline& points)
+{
+  Eigen::AlignedBox2d box;
+  std::for_each(points.begin(), points.end(), [&](const Vector2& p) { box.extend(p); });
+  return box.volume() < smallestArea;
+}
+
 void reject(StrokeClass& stroke, Rejection why)
 {
   stroke.role = Role::Rejected;
@@ -125,8 +133,13 @@ int areasOf(const StrokeClass& stroke, double share)
     [&](const Contact& contact) { return contact.pixels >= share * largest; }));
 }
 
-bool rightAreas(const StrokeClass& stroke, bool closed, double share)
+bool rightAreas(const StrokeClass& stroke, const DrawnStroke& drawn, double share)
 {
+  const bool closed = drawn.closed;
+  if (!drawn.nodes.empty())
+  {
+    return true;
+  }
   if (share > 0.0)
   {
     return closed || areasOf(stroke, share) < 3;
@@ -153,7 +166,7 @@ Classification classify(const Frame& frame,
     }
     else
     {
-      curves[i] = { onRaster(frame, stroke.points), stroke.closed };
+      curves[i] = { onRaster(frame, stroke.points), stroke.closed, stroke.nodes };
       if (curves[i].points.empty())
       {
         reject(result.strokes[i], Rejection::OffCanvas);
@@ -173,11 +186,14 @@ Classification classify(const Frame& frame,
     if (met[i].segment >= 0)
     {
       const bool itself = met[i].other == static_cast<int>(i);
-      reject(stroke, itself ? Rejection::CrossesItself : Rejection::Crosses);
+      reject(stroke,
+        !itself                   ? Rejection::Crosses
+        : isDot(curves[i].points) ? Rejection::TooSmall
+                                  : Rejection::CrossesItself);
       stroke.other = met[i].other;
       stroke.segment = met[i].segment;
     }
-    else if (!rightAreas(stroke, strokes[i].closed, contactShare))
+    else if (!rightAreas(stroke, strokes[i], contactShare))
     {
       reject(stroke, Rejection::Areas);
     }
@@ -195,14 +211,20 @@ Classification classify(const Frame& frame,
     }
   }
   context.checkpoint(0.8);
-  // Nothing crosses now, so any point of a curve tells what it lies in: of the outlines round it, the least.
+  // Nothing crosses now, so any point beside nodes of a curve tells what it lies in: of the outlines round
+  // it, the least.
   const auto around = [&](int stroke)
   {
+    const Polyline& points = curves[stroke].points;
+    const std::size_t middle = points.size() / 2;
+    // Its ends may lie on an outline.
+    const Vector2 place =
+      strokes[stroke].nodes.empty() ? points.front() : Vector2(0.5 * (points[middle - 1] + points[middle]));
     int best = -1;
     for (std::size_t r = 0; r < outlines.size(); ++r)
     {
       if (outlines[r].stroke != stroke && (best < 0 || outlines[r].area < outlines[best].area) &&
-          outlines[r].holds(curves[stroke].points.front()))
+          outlines[r].holds(place))
       {
         best = static_cast<int>(r);
       }
@@ -268,7 +290,7 @@ std::string rejectionText(const Classification& classification,
 {
   const StrokeClass& which = classification.strokes[stroke];
   std::ostringstream text;
-  text << "stroke " << stroke << " ";
+  text << "stroke " << nameOf(strokes, stroke) << " ";
   const auto near = [&]
   {
     const Vector2 p = strokes[stroke].points[which.segment];
@@ -290,7 +312,7 @@ std::string rejectionText(const Classification& classification,
       text << "; draw it without the loop";
       break;
     case Rejection::Crosses:
-      text << "crosses stroke " << which.other;
+      text << "crosses stroke " << nameOf(strokes, which.other);
       near();
       text << "; end it before the other one, or draw one of them anew";
       break;

@@ -5,6 +5,7 @@
 #include "Mesh/context.h"
 #include "Raster/blobs.h"
 
+#include <algorithm>
 #include <string>
 
 namespace oversketch
@@ -27,7 +28,7 @@ enum class Rejection : int
   CrossesItself, // or touches
   Crosses,       // another stroke, or touches it
   Outside,       // an open one in no region
-  TooSmall,      // a closed one round less than 9 px
+  TooSmall,      // a closed one round less than 9 px, or one that crosses itself in a box of less
   Areas          // touches more areas, or fewer, than a stroke of its kind does
 };
 
@@ -68,7 +69,18 @@ struct DrawnStroke
 {
   Polyline points;     // world
   bool closed = false; // the first point is not repeated
+  // Samples, ascending, that other strokes have too: there they may meet (Planar/arrange.h).
+  std::vector<int> nodes = {};
+  int number = -1; // that it is called by in messages; -1: its place among the strokes
+
+  bool isNode(int sample) const { return std::binary_search(this->nodes.begin(), this->nodes.end(), sample); }
 };
+
+// What messages call a stroke.
+inline int nameOf(const std::vector<DrawnStroke>& strokes, int stroke)
+{
+  return strokes[stroke].number < 0 ? stroke : strokes[stroke].number;
+}
 
 // Source: image-assisted modelling, section 5. Lines are 1 px, strokes 8-connected, the background
 // 4-connected. Regions are those of the closed curves themselves: one lies in the smallest other one round
@@ -80,6 +92,9 @@ struct DrawnStroke
 // crosses nothing is sound however many it touches. With 0, as published, every area counts: a stroke is
 // rejected at three or more, an open one at two (the paper takes it for closed, or fails), a closed one at
 // one. Departure: roles follow from the curves in both, which is what areas tell of what is not rejected.
+//
+// Where strokes meet in a node of both they do not cross, and areas are not counted of strokes with nodes:
+// those of arranged strokes, section 17, meet nowhere else, and touch as many areas as they have neighbours.
 //
 // Roles and regions do not depend on order and direction of the strokes, up to numbers. Nothing is thrown
 // for a bad stroke; Error(Failure::Cancelled) when cancelled.

@@ -5,7 +5,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace oversketch
 {
@@ -14,28 +16,67 @@ namespace
 
 constexpr float ridgeSlope = 0.75f, ridgeDepth = 3.0f;
 
-// Of a row of samples, the steepest way up and where it leads: the step's number, or -1 on the ridge and
-// where T is 0. `row` is the sample's own row of T.
-void steepest(const float* row, int width, int stride, float* slopes, int* steps)
+// What is found of a row of samples: whether each is on the ridge, where T is not 0, its thickness there, and
+// where the steepest way up leads to from the others. All are written for every sample of it, without
+// branches, so that several are done at a time.
+struct Row
 {
-  const int offsets[8] = { -stride - 1, -stride, -stride + 1, -1, 1, stride - 1, stride, stride + 1 };
+  float* thickness;
+  std::uint8_t* skeleton;
+  int* uphill;
+};
+
+// `row`: T at the row's first sample, whose number is `first`.
+void climb(const float* row, int width, int stride, int first, const Row& found)
+{
   const float diagonal = std::sqrt(0.5f);
+  const float *below = row - stride, *above = row + stride;
   for (int x = 0; x < width; ++x)
   {
-    slopes[x] = -1e30f;
-    steps[x] = 0;
-  }
-  for (int k = 0; k < 8; ++k)
-  {
-    const float* other = row + offsets[k];
-    const float scale = k == 0 || k == 2 || k == 5 || k == 7 ? diagonal : 1.0f;
-    for (int x = 0; x < width; ++x)
+    const float t = row[x];
+    float steepest = (below[x - 1] - t) * diagonal;
+    int step = -stride - 1;
+    const auto offer = [&](float slope, int to)
     {
-      const float slope = (other[x] - row[x]) * scale;
-      steps[x] = slope > slopes[x] ? offsets[k] : steps[x];
-      slopes[x] = slope > slopes[x] ? slope : slopes[x];
+      step = slope > steepest ? to : step;
+      steepest = slope > steepest ? slope : steepest;
+    };
+    offer(below[x] - t, -stride);
+    offer((below[x + 1] - t) * diagonal, -stride + 1);
+    offer(row[x - 1] - t, -1);
+    offer(row[x + 1] - t, 1);
+    offer((above[x - 1] - t) * diagonal, stride - 1);
+    offer(above[x] - t, stride);
+    offer((above[x + 1] - t) * diagonal, stride + 1);
+    const int inside = t > 0.0f, top = steepest <= 0.0f, deep = t >= ridgeDepth, flat = steepest < ridgeSlope;
+    const int ridge = inside & (top | (deep & flat));
+    found.thickness[x] = ridge ? t : 0.0f;
+    found.uphill[x] = inside & (ridge ^ 1) ? first + x + step : -1;
+  }
+  for (int x = 0; x < width; ++x)
+  {
+    found.skeleton[x] = found.thickness[x] > 0.0f; // T is, where the ridge is
+  }
+}
+
+// Of each row, the samples from the first to the last one with an inside, [begin, end).
+std::vector<std::array<int, 2>> insides(const std::vector<float>& distance, const Frame& frame)
+{
+  std::vector<std::array<int, 2>> spans(frame.height, { 0, 0 });
+  const auto isInside = [](float t) { return t > 0.0f; };
+  for (int y = 1; y + 1 < frame.height; ++y) // the border has no inside
+  {
+    const auto row = distance.begin() + static_cast<std::ptrdiff_t>(frame.index(0, y));
+    const auto first = row + 1, last = row + frame.width - 1;
+    const auto begin = std::find_if(first, last, isInside);
+    if (begin != last)
+    {
+      const auto end =
+        std::find_if(std::make_reverse_iterator(last), std::make_reverse_iterator(begin), isInside);
+      spans[y] = { static_cast<int>(begin - row), static_cast<int>(end.base() - row) };
     }
   }
+  return spans;
 }
 
 } // namespace
@@ -153,37 +194,16 @@ void findThickness(DistanceMaps& maps, ThicknessMode mode, const Context& contex
   maps.thickness.assign(frame.count(), 0.0f);
   maps.skeleton.assign(frame.count(), 0);
   maps.uphill.assign(frame.count(), -1);
-  const int inner = frame.width - 2; // the border has no inside
-  context.parallelFor(frame.height - 2,
+  const std::vector<std::array<int, 2>> spans = insides(distance, frame);
+  context.parallelFor(frame.height,
     [&](int begin, int end)
     {
-      std::vector<float> slopes(inner);
-      std::vector<int> steps(inner);
-      for (int y = begin + 1; y <= end && !context.cancelled(); ++y)
+      for (int y = begin; y < end && !context.cancelled(); ++y)
       {
-        const std::size_t first = frame.index(1, y);
-        // Rows without an inside are most of many pictures.
-        const auto begins = std::find_if(
-          distance.begin() + first, distance.begin() + first + inner, [](float t) { return t > 0.0f; });
-        const int from = static_cast<int>(begins - distance.begin() - first);
-        if (from == inner)
-        {
-          continue;
-        }
-        steepest(distance.data() + first + from, inner - from, frame.width, slopes.data(), steps.data());
-        for (int x = from; x < inner; ++x)
-        {
-          const std::size_t at = first + x;
-          const float t = distance[at];
-          if (t > 0.0f)
-          {
-            const float slope = slopes[x - from];
-            const bool ridge = slope <= 0.0f || (t >= ridgeDepth && slope < ridgeSlope);
-            maps.skeleton[at] = ridge;
-            maps.thickness[at] = ridge ? t : 0.0f;
-            maps.uphill[at] = ridge ? -1 : static_cast<int>(at) + steps[x - from];
-          }
-        }
+        const auto [from, to] = spans[y];
+        const std::size_t at = frame.index(from, y);
+        const Row row{ maps.thickness.data() + at, maps.skeleton.data() + at, maps.uphill.data() + at };
+        climb(distance.data() + at, to - from, frame.width, static_cast<int>(at), row);
       }
     });
   context.checkpoint(0.6);
@@ -209,29 +229,37 @@ void findThickness(DistanceMaps& maps, ThicknessMode mode, const Context& contex
   // followed.
   const std::vector<int>& uphill = maps.uphill;
   std::vector<float>& thickness = maps.thickness;
-  for (std::size_t i = frame.count(); i-- > 0;)
+  for (int y = frame.height; y-- > 0;)
   {
-    if (uphill[i] >= 0)
+    const std::size_t first = frame.index(spans[y][0], y);
+    for (std::size_t i = frame.index(spans[y][1], y); i-- > first;)
     {
-      thickness[i] = thickness[uphill[i]];
+      if (uphill[i] >= 0)
+      {
+        thickness[i] = thickness[uphill[i]];
+      }
     }
   }
   context.checkpoint(0.8);
   std::vector<int> way;
-  for (std::size_t i = 0; i < frame.count(); ++i)
+  for (int y = 0; y < frame.height; ++y)
   {
-    if (uphill[i] < 0 || thickness[i] > 0.0f)
+    const std::size_t end = frame.index(spans[y][1], y);
+    for (std::size_t i = frame.index(spans[y][0], y); i < end; ++i)
     {
-      continue;
-    }
-    int at = static_cast<int>(i);
-    for (way.clear(); thickness[at] == 0.0f; at = uphill[at])
-    {
-      way.push_back(at);
-    }
-    for (const int sample : way)
-    {
-      thickness[sample] = thickness[at];
+      if (uphill[i] < 0 || thickness[i] > 0.0f)
+      {
+        continue;
+      }
+      int at = static_cast<int>(i);
+      for (way.clear(); thickness[at] == 0.0f; at = uphill[at])
+      {
+        way.push_back(at);
+      }
+      for (const int sample : way)
+      {
+        thickness[sample] = thickness[at];
+      }
     }
   }
 }

@@ -27,6 +27,7 @@ struct Segment
   int curve, number; // the number is its first point's
   int place;         // among the curve's segments that have a length
   int count;         // of these; negative where the curve is open
+  bool nodeA, nodeB; // that its ends are nodes
 };
 
 // Sign of twice the area of a triangle.
@@ -52,6 +53,26 @@ bool meet(const Segment& s, const Segment& t)
   }
   return (a == 0 && within(s.a, s.b, t.a)) || (b == 0 && within(s.a, s.b, t.b)) ||
          (c == 0 && within(t.a, t.b, s.a)) || (d == 0 && within(t.a, t.b, s.b));
+}
+
+// Two segments with a node of both curves in common meet only if they run over each other from there.
+bool meetBesideNodes(const Segment& s, const Segment& t)
+{
+  for (const bool first : { true, false })
+  {
+    for (const bool second : { true, false })
+    {
+      const Node &p = first ? s.a : s.b, &q = second ? t.a : t.b;
+      if (p == q && (first ? s.nodeA : s.nodeB) && (second ? t.nodeA : t.nodeB))
+      {
+        const Node &u = first ? s.b : s.a, &v = second ? t.b : t.a;
+        const Wide along =
+          static_cast<Wide>(u.x - p.x) * (v.x - p.x) + static_cast<Wide>(u.y - p.y) * (v.y - p.y);
+        return side(p, u, v) == 0 && along > 0;
+      }
+    }
+  }
+  return meet(s, t);
 }
 
 // t follows s on the same curve, s.b == t.a: whether it runs back.
@@ -86,12 +107,19 @@ void forEachMeeting(const std::vector<PlaneCurve>& curves, const Context& contex
     const auto node = [&](int i) {
       return Node{ std::llround(points[i % count][0] * grid), std::llround(points[i % count][1] * grid) };
     };
+    const std::vector<int>& nodes = curves[c].nodes;
+    const auto isNode = [&](int i) { return std::binary_search(nodes.begin(), nodes.end(), i); };
     const std::size_t first = segments.size();
     for (int i = 0; i < (curves[c].closed ? count : count - 1); ++i)
     {
-      const Segment segment{
-        node(i), node(i + 1), static_cast<int>(c), i, static_cast<int>(segments.size() - first), 0
-      };
+      const Segment segment{ node(i),
+        node(i + 1),
+        static_cast<int>(c),
+        i,
+        static_cast<int>(segments.size() - first),
+        0,
+        isNode(i),
+        isNode((i + 1) % count) };
       if (!(segment.a == segment.b))
       {
         segments.push_back(segment);
@@ -154,7 +182,7 @@ void forEachMeeting(const std::vector<PlaneCurve>& curves, const Context& contex
         const Segment& t = segments[entries[j].segment];
         const auto tc = cells(t);
         if (std::max(sc[1], tc[1]) * stride + std::max(sc[0], tc[0]) == entries[begin].cell &&
-            (s.curve == t.curve ? meetOnOne(s, t) : meet(s, t)))
+            (s.curve == t.curve ? meetOnOne(s, t) : meetBesideNodes(s, t)))
         {
           note(s, t);
           note(t, s);

@@ -12,6 +12,8 @@ struct PlaneCurve
 {
   Polyline points;
   bool closed = false; // the first point is not repeated
+  // Of its points, ascending: where another curve has one, too, they do not meet by that alone.
+  std::vector<int> nodes = {};
 };
 
 // Of each curve, the first segment of its own (from that point to the next) at which it meets another one or

@@ -525,6 +525,7 @@ void takeDrawing(const std::string& bytes)
   system->SetPoisson((flags & 4) != 0);
   system->SetQuads((flags & 8) != 0);
   system->SetLevels(more >> 4 & 3);
+  system->SetArrange((more & 64) != 0);
   system->SetAsPublished((flags & 16) != 0);
   vtkNew<vtkAppendPolyData> strokes;
   bool any = false;

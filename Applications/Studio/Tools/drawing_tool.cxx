@@ -220,8 +220,8 @@ QString DrawingTool::stage(const QString& name) const
   {
     return tr("Inflating");
   }
-  if (name == "Canvas" || name == "MagneticSnap" || name == "Resample" || name == "Classify" ||
-      name == "Treatment")
+  if (name == "Canvas" || name == "MagneticSnap" || name == "Resample" || name == "Arrange" ||
+      name == "Classify" || name == "Treatment")
   {
     return tr("Reading the drawing");
   }

@@ -101,6 +101,57 @@ TEST(C15_1, TheCanvassCornersAreThePicturesCorners)
   fact("C15_1", "a picture of 40 x 20 px, and a Canvas: its corners at exactly (0, 0) and (1, 1)");
 }
 
+TEST(ProjectTexture, ThePictureOfTheBackIsSeenFromBehind)
+{
+  DrawingChain chain(Treatment::Tunnel, 2);
+  for (vtkAlgorithm* maker :
+    { static_cast<vtkAlgorithm*>(chain.Cut), static_cast<vtkAlgorithm*>(chain.Extrude) })
+  {
+    vtkNew<vtkOversketchProjectTexture> texture;
+    texture->SetInputConnection(maker->GetOutputPort());
+    texture->Update();
+    vtkNew<vtkPolyData> plain;
+    plain->ShallowCopy(texture->GetOutput());
+    EXPECT_EQ(plain->GetCellData()->GetArray("PartId"), nullptr);
+    texture->SetBackPictureData(picture(7, 3));
+    texture->Update();
+    ASSERT_EQ(texture->GetErrorCode(), 0u);
+    vtkPolyData* apart = texture->GetOutput();
+    ASSERT_EQ(apart->GetNumberOfPolys(), plain->GetNumberOfPolys());
+    vtkDataArray *parts = apart->GetCellData()->GetArray("PartId"),
+                 *sides = apart->GetCellData()->GetArray("Side");
+    vtkDataArray *before = plain->GetPointData()->GetTCoords(), *after = apart->GetPointData()->GetTCoords();
+    vtkNew<vtkIdList> was, is;
+    std::map<vtkIdType, int> partOfPoint;
+    int backs = 0;
+    for (vtkIdType face = 0; face < apart->GetNumberOfPolys(); ++face)
+    {
+      plain->GetPolys()->GetCellAtId(face, was);
+      apart->GetPolys()->GetCellAtId(face, is);
+      const bool back = sides->GetComponent(face, 0) < 0.0;
+      backs += back;
+      ASSERT_EQ(parts->GetComponent(face, 0), back ? 1.0 : 0.0);
+      for (vtkIdType k = 0; k < is->GetNumberOfIds(); ++k)
+      {
+        const vtkIdType p = is->GetId(k), q = was->GetId(k);
+        ASSERT_EQ(Vector3(apart->GetPoint(p)), Vector3(plain->GetPoint(q)));
+        const double s = before->GetComponent(q, 0);
+        ASSERT_EQ(after->GetComponent(p, 0), back ? 1.0 - s : s);
+        ASSERT_EQ(after->GetComponent(p, 1), before->GetComponent(q, 1));
+        ASSERT_EQ(partOfPoint.emplace(p, back).first->second, back) << "no point is of both";
+      }
+    }
+    EXPECT_GT(backs, 100);
+    EXPECT_EQ(apart->GetPointData()->GetNumberOfArrays(), plain->GetPointData()->GetNumberOfArrays());
+  }
+  const auto flat = toPlanar(rectangle(Vector2(10.0, -4.0), Vector2(20.0, 10.0), 2, 1, true, 0));
+  vtkNew<vtkOversketchProjectTexture> texture;
+  texture->SetInputData(flat);
+  texture->SetPictureData(picture(40, 20));
+  texture->SetBackPictureData(picture(40, 20));
+  expectRefusal(texture, Failure::MissingArray, "Side");
+}
+
 TEST(C15_2, FrontAndBackAgreeAndPlacingChangesNothing)
 {
   DrawingChain chain(Treatment::Tunnel, 2);

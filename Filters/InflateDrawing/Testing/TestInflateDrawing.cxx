@@ -112,6 +112,32 @@ TEST(InflateDrawing, ExtrudedItIsASlab)
   EXPECT_NEAR(volumeOf(mesh), 400.0 * 300.0 * 80.0, 1e-9 * volumeOf(mesh));
 }
 
+TEST(InflateDrawing, UnstretchedRimsAreEven)
+{
+  // Along the equator's normal a ball's triangles grow towards the rim; evened out the longest are shorter.
+  System system(drawn({ circle(400, 300, 250) }));
+  const auto longest = [](vtkPolyData* mesh)
+  {
+    double most = 0.0;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+    {
+      mesh->GetPolys()->GetCellAtId(face, ids);
+      for (int k = 0; k < 3; ++k)
+      {
+        const Vector3 a(mesh->GetPoint(ids->GetId(k))), b(mesh->GetPoint(ids->GetId((k + 1) % 3)));
+        most = std::max(most, (a - b).norm());
+      }
+    }
+    return most;
+  };
+  const double before = longest(system.mesh());
+  system.filter->SetUnstretchedRims(true);
+  EXPECT_LT(longest(system.mesh()), 0.8 * before);
+  EXPECT_TRUE(topologyOf(system.filter->GetOutput()).closed);
+  EXPECT_TRUE(system.filter->GetUnstretchedRims());
+}
+
 TEST(InflateDrawing, TheSketchSaysHowFineItIs)
 {
   // The same outline on the canvas of 800 x 600, large and small: no rim's edge is 0.02 of 800 long.

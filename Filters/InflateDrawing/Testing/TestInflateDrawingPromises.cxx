@@ -8,8 +8,6 @@
 
 #include "vtkSMPTools.h"
 
-#include <random>
-
 using namespace oversketch;
 using namespace oversketch_test;
 
@@ -35,17 +33,6 @@ Counts countsOf(System& system)
     system.step<vtkOversketchPlanarRefine>("Refine")->GetRefineCount(),
     inflate->GetThicknessCount(),
     inflate->GetRatioCount() };
-}
-
-Line wave(const Vector2& middle, double radius, double depth, int waves)
-{
-  Line line;
-  for (int k = 0; k < 150; ++k)
-  {
-    const double t = 2.0 * pi * k / 150.0, r = radius * (1.0 + depth * std::cos(waves * t));
-    line.points.push_back(middle + r * Vector2(std::cos(t), std::sin(t)));
-  }
-  return line;
 }
 
 } // namespace
@@ -165,55 +152,4 @@ TEST(InflateDrawingPromises, ProgressNeverFalls)
   EXPECT_GT(shares.size(), 10u);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_LE(shares.back(), 1.0);
-}
-
-TEST(InflateDrawingPromises, RandomDrawingsMakeASoundMeshOrOneMessage)
-{
-  std::mt19937 random(7);
-  const auto number = [&](double least, double most)
-  { return least + (most - least) * static_cast<double>(random() % 100000) / 100000.0; };
-  int made = 0, refused = 0;
-  for (int run = 0; run < 25; ++run)
-  {
-    SCOPED_TRACE(run);
-    std::vector<Line> lines = { wave(
-      { number(250, 550), number(220, 380) }, number(120, 170), number(0, 0.3), 2 + int(random() % 6)) };
-    for (int more = int(random() % 6); more > 0; --more)
-    {
-      const Vector2 middle = lines[0].points[0] + Vector2(number(-250, 20), number(-100, 100));
-      if (random() % 2)
-      {
-        lines.push_back(wave(middle, number(2, 25), number(0, 0.4), 3));
-        continue;
-      }
-      Line line;
-      line.closed = false;
-      Vector2 at = middle;
-      for (int k = 0; k < 12; ++k)
-      {
-        line.points.push_back(at);
-        at += Vector2(number(0, 4), number(-3, 3));
-      }
-      lines.push_back(line);
-    }
-    vtkNew<vtkOversketchInflateDrawing> filter;
-    filter->SetInputData(0, drawn(lines));
-    filter->SetQuads(run % 5 == 4);
-    Ear ear(filter);
-    filter->Update();
-    if (filter->GetErrorCode() != 0)
-    {
-      ++refused;
-      ASSERT_EQ(ear.errors.size(), 1u);
-      EXPECT_NE(ear.errors[0].find("troke"), std::string::npos) << ear.errors[0];
-      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-      continue;
-    }
-    ++made;
-    const Topology topology = topologyOf(filter->GetOutput());
-    EXPECT_TRUE(topology.closed);
-    EXPECT_GE(topology.chi, 2);
-  }
-  std::cout << made << " made, " << refused << " refused\n";
-  EXPECT_GT(made, 5);
 }
