@@ -22,13 +22,12 @@ Skin::Skin()
 
 Skin::~Skin() = default;
 
-void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh)
+void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh, const std::string& picture)
 {
-  std::string bytes = oversketch_files::textureOf(mesh);
-  if (bytes != this->Bytes)
+  if (picture != this->Bytes)
   {
-    this->Texture->SetInputData(oversketch_files::pictureOf(bytes));
-    this->Bytes = std::move(bytes);
+    this->Texture->SetInputData(oversketch_files::pictureOf(picture));
+    this->Bytes = picture;
   }
   this->Textured = !this->Bytes.empty() && this->Texture->GetInput();
   actor->SetTexture(this->Textured ? this->Texture.Get() : nullptr);
