@@ -12,6 +12,15 @@
 namespace oversketch_studio
 {
 
+namespace
+{
+
+// So that what faces the eye is as light as the picture itself: the lights alone give it little more than
+// half.
+constexpr double pictureLight = 0.4;
+
+} // namespace
+
 Skin::Skin()
 {
   this->Texture->SetColorModeToDirectScalars();
@@ -56,10 +65,12 @@ void Skin::colour(vtkActor* actor)
   if (this->Textured)
   {
     actor->GetProperty()->SetColor(1.0, 1.0, 1.0); // the picture's own
+    actor->GetProperty()->SetAmbient(pictureLight);
   }
   else
   {
     actor->GetProperty()->SetColor(this->Plain);
+    actor->GetProperty()->SetAmbient(0.0);
   }
 }
 

@@ -98,12 +98,14 @@ def test_two_pictures_are_one_model(sitting, tmp_path):
     sitting.shot("placed_from_the_front")
 
     # From aside the depth is dragged along its own axis.
-    view = sitting.place("filler", "Model")
-    desk.drag([(view.left + 40 + 12 * i, view.top + 60) for i in range(20)], button=2)
+    front = handles(sitting)
+    desk.drag([front["middle"] + (40 + 10 * i, 50) for i in range(16)])
     sitting.shot("turned")
     before = seen(sitting, ORANGE).mean(axis=0)
-    toward = before - numpy.mean(seen(sitting, BLUE), axis=0)
-    toward = numpy.array([numpy.sign(toward[0]), 0.0])
+    toward = before - seen(sitting, BLUE).mean(axis=0)
+    toward /= numpy.linalg.norm(toward)
+    assert abs(toward - (front["depth"] - front["middle"]) / numpy.linalg.norm(front["depth"] - front["middle"])).max() > 0.2, "not turned"
+    assert abs(toward[1]) < 0.5, "the axis does not lie across the screen"
     desk.drag([before + 4.0 * i * toward for i in range(12)])
     digests.append(sitting.shows(2, other_than=digests[-1]))
     same, nearer = part(sitting)

@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkPointData.h"
+#include "vtkProperty2D.h"
 
 #include <algorithm>
 #include <cmath>
