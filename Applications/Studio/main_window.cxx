@@ -270,7 +270,8 @@ void MainWindow::selectDrawing(const Tool* tool)
   }
   const int current = this->History->current();
   const auto& nodes = this->OpenDocument->session().nodes;
-  const bool isOne = current >= 0 && nodes[indexOf(current)].step->system == drawingSystem;
+  const bool isOne =
+    current >= 0 && indexOf(current) < nodes.size() && nodes[indexOf(current)].step->system == drawingSystem;
   if (isOne != (tool->system() == drawingSystem))
   {
     this->History->selectStep(tool->node());
