@@ -2,11 +2,11 @@
 
 #include "evaluator.h"
 #include "mesh_file.h"
+#include "parts.h"
 #include "parts_file.h"
 #include "report.h"
 #include "run_system.h"
 #include "terminal.h"
-#include "texture.h"
 
 #include "vtkOversketchAssemble.h"
 #include "vtkOversketchSystem.h"
@@ -14,7 +14,6 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -165,51 +164,6 @@ void runDrawings(Sources& sources)
   }
 }
 
-// The mesh with its placement, and what all parts must have alike: materials of the file that it was read
-// from mean nothing in the whole, and texture coordinates, where any part has some, would be lost if one
-// lacked them.
-vtkSmartPointer<vtkPolyData> asPart(const Part& part, vtkPolyData* mesh, bool withCoordinates)
-{
-  const Eigen::Matrix4d matrix = placementOf(part, mesh);
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->ShallowCopy(mesh);
-  vtkNew<vtkFieldData> fields; // the mesh's own is shared
-  fields->ShallowCopy(mesh->GetFieldData());
-  vtkNew<vtkDoubleArray> placement;
-  placement->SetName("Placement");
-  placement->SetNumberOfComponents(16);
-  placement->SetNumberOfTuples(1);
-  for (int i = 0; i < 16; ++i)
-  {
-    placement->SetComponent(0, i, matrix(i / 4, i % 4));
-  }
-  fields->AddArray(placement);
-  result->SetFieldData(fields);
-  result->GetCellData()->RemoveArray("MaterialIds");
-  if (withCoordinates)
-  {
-    vtkDataArray* own = mesh->GetPointData()->GetTCoords();
-    vtkNew<vtkDoubleArray> coordinates;
-    coordinates->SetName("TCoords");
-    coordinates->SetNumberOfComponents(2);
-    coordinates->SetNumberOfTuples(mesh->GetNumberOfPoints());
-    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-    {
-      for (int c = 0; c < 2; ++c)
-      {
-        coordinates->SetComponent(
-          i, c, own && c < own->GetNumberOfComponents() ? own->GetComponent(i, c) : 0.0);
-      }
-    }
-    if (own && own->GetName())
-    {
-      result->GetPointData()->RemoveArray(own->GetName());
-    }
-    result->GetPointData()->SetTCoords(coordinates);
-  }
-  return result;
-}
-
 // Names what the parts had and the whole has not.
 void noteLost(const std::string& parts, const Sources& sources, vtkPolyData* whole, Notes& notes)
 {
@@ -231,12 +185,6 @@ void noteLost(const std::string& parts, const Sources& sources, vtkPolyData* who
         }
       }
     }
-    if (textureOf(mesh).empty() && !pictureArrays(mesh).empty())
-    {
-      notes.push_back(
-        source.second.where +
-        ": is assembled itself, and its pictures are not kept; name its own parts in its place");
-    }
   }
   std::string names;
   for (const std::string& name : lost)
@@ -251,13 +199,11 @@ void noteLost(const std::string& parts, const Sources& sources, vtkPolyData* who
 
 vtkSmartPointer<vtkPolyData> joined(const std::vector<Part>& parts, const Sources& sources)
 {
-  const bool withCoordinates = std::any_of(sources.begin(),
-    sources.end(),
-    [](const auto& source) { return source.second.mesh->GetPointData()->GetTCoords() != nullptr; });
   vtkNew<vtkOversketchAssemble> filter;
   for (const Part& part : parts)
   {
-    filter->AddInputDataObject(0, asPart(part, sources.at(part.source).mesh, withCoordinates));
+    vtkPolyData* mesh = sources.at(part.source).mesh;
+    filter->AddInputDataObject(0, placedBy(placementOf(part, mesh), mesh));
   }
   vtkNew<vtkCallbackCommand> watch;
   watch->SetCallback(

@@ -2,12 +2,10 @@
 
 #include "files.h"
 #include "node_json.h"
+#include "parts.h"
 
 #include "Inflate/placement.h"
 #include "Mesh/context.h"
-
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -267,25 +265,13 @@ Eigen::Matrix4d placementOf(const Part& part, vtkPolyData* mesh)
   matrix(2, 3) = part.depth;
   if (part.box)
   {
-    double bounds[6];
-    mesh->GetBounds(bounds);
-    Box from(bounds[0], bounds[2], bounds[1], bounds[3]);
-    vtkDataArray* canvas = mesh->GetFieldData()->GetArray("Canvas");
-    if (canvas && canvas->GetNumberOfValues() == 4)
-    {
-      const int components = canvas->GetNumberOfComponents();
-      const auto value = [&](int i) { return canvas->GetComponent(i / components, i % components); };
-      from = Box(value(0), value(1), value(0) + value(2), value(1) + value(3));
-    }
-    const Eigen::Vector2d size = from.tail<2>() - from.head<2>();
-    const Eigen::Vector2d scale = (part.box->tail<2>() - part.box->head<2>()).cwiseQuotient(size);
-    if (!scale.allFinite())
+    const Box from = rectangleOf(mesh);
+    if (!((from.tail<2>() - from.head<2>()).minCoeff() > 0.0))
     {
       throw Failed(
         part.where + ": 'box' cannot be filled by a part that is flat in x or y; give a 'placement'");
     }
-    matrix.diagonal().head<3>() << scale[0], scale[1], std::sqrt(scale[0] * scale[1]);
-    matrix.topRightCorner<2, 1>() = part.box->head<2>() - scale.cwiseProduct(from.head<2>());
+    matrix = oversketch::intoBox(from, *part.box, part.depth);
   }
   requirePlacement(part.where, part.box ? "box" : "depth", matrix);
   return matrix;

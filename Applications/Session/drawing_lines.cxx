@@ -22,7 +22,6 @@ namespace
 {
 
 constexpr const char* isOn = "On";
-constexpr const char* pictureInput = "Picture";
 
 vtkDataArray* onArray(vtkPolyData* drawing)
 {
@@ -40,6 +39,7 @@ bool isOfLines(vtkPolyData* drawing)
 
 const char* const drawingSystem = "InflateDrawing";
 const char* const strokesInput = "Strokes";
+const char* const pictureInput = "Picture";
 
 std::vector<DrawnStroke> strokesOf(vtkPolyData* drawing)
 {
@@ -55,6 +55,48 @@ std::vector<DrawnStroke> strokesOf(vtkPolyData* drawing)
   return strokes;
 }
 
+namespace
+{
+
+// What a stroke says of itself, and what it is without the array.
+constexpr struct
+{
+  const char* name;
+  double otherwise;
+} ofStrokes[] = { { "Magnetic", 0.0 }, { "SnapRadius", 10.0 }, { "Treatment", 0.0 } };
+
+// Strokes that are appended keep the arrays that all have: one that lacks an array gets what it means
+// without.
+std::vector<vtkSmartPointer<vtkPolyData>> alike(const std::vector<DrawnStroke>& strokes)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> lines;
+  for (const DrawnStroke& stroke : strokes)
+  {
+    lines.push_back(stroke.line);
+  }
+  for (const auto& array : ofStrokes)
+  {
+    const auto has = [&](vtkPolyData* line) { return line->GetCellData()->GetArray(array.name); };
+    const auto it = std::find_if(lines.begin(), lines.end(), has);
+    for (std::size_t i = 0; it != lines.end() && i < lines.size(); ++i)
+    {
+      if (!has(lines[i]))
+      {
+        const auto value = vtkSmartPointer<vtkDataArray>::Take(has(*it)->NewInstance());
+        value->SetName(array.name);
+        value->InsertNextTuple1(array.otherwise);
+        const vtkSmartPointer<vtkPolyData> before = lines[i];
+        lines[i] = vtkSmartPointer<vtkPolyData>::New();
+        lines[i]->ShallowCopy(before);
+        lines[i]->GetCellData()->AddArray(value);
+      }
+    }
+  }
+  return lines;
+}
+
+} // namespace
+
 vtkSmartPointer<vtkPolyData> drawingOf(const std::vector<DrawnStroke>& strokes, vtkPolyData* like)
 {
   auto drawing = vtkSmartPointer<vtkPolyData>::New();
@@ -64,9 +106,12 @@ vtkSmartPointer<vtkPolyData> drawingOf(const std::vector<DrawnStroke>& strokes, 
     append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     vtkNew<vtkIntArray> on;
     on->SetName(isOn);
+    for (vtkPolyData* line : alike(strokes))
+    {
+      append->AddInputData(line);
+    }
     for (const DrawnStroke& stroke : strokes)
     {
-      append->AddInputData(stroke.line);
       on->InsertNextValue(stroke.on);
     }
     append->Update();
@@ -121,6 +166,38 @@ std::shared_ptr<const Step> drawingOn(double width, double height)
   step->system = drawingSystem;
   step->inputs[strokesInput] = Lines(empty);
   return step;
+}
+
+std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place)
+{
+  auto step = std::make_shared<Step>(*drawingOver(picture));
+  const std::array<double, 4> canvas = canvasOf(*step);
+  const double half[2] = { 0.5 * (canvas[2] - canvas[0]), 0.5 * (canvas[3] - canvas[1]) };
+  step->part = { { place[0] - half[0], place[1] - half[1], place[0] + half[0], place[1] + half[1] },
+    place[2] };
+  return step;
+}
+
+std::array<double, 4> canvasOf(const Step& step)
+{
+  const auto given = step.inputs.find(pictureInput);
+  const Image* image = given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+  oversketch::Canvas canvas;
+  if (const auto picture = image ? oversketch_files::pictureOf(*image->bytes) : nullptr)
+  {
+    canvas = oversketch::PlaceOf(picture).Rectangle;
+  }
+  else if (const auto drawing = linesOf(step, strokesInput);
+           drawing && drawing->GetFieldData()->GetArray("Canvas"))
+  {
+    canvas = oversketch::CanvasOf(drawing);
+  }
+  else
+  {
+    return {};
+  }
+  const oversketch::Vector2 end = canvas.corner + canvas.size;
+  return { canvas.corner[0], canvas.corner[1], end[0], end[1] };
 }
 
 Step withDrawing(const Step& step, vtkPolyData* drawing)

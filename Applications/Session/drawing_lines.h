@@ -7,6 +7,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,12 +37,18 @@ int treatmentOf(vtkPolyData* line);
 // an empty canvas of that size. Throws oversketch_files::Failed for what is no picture.
 std::shared_ptr<const Step> drawingOver(const Image& picture);
 std::shared_ptr<const Step> drawingOn(double width, double height);
+// The same over a picture, as a part of its size, in its own units, about a place.
+std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place);
+
+// What a step's drawing is drawn on: left, bottom, right, top; zeros where nothing tells.
+std::array<double, 4> canvasOf(const Step& step);
 
 // The same step with another drawing.
 Step withDrawing(const Step& step, vtkPolyData* drawing);
 
 extern const char* const drawingSystem; // "InflateDrawing"
-extern const char* const strokesInput;  // "Strokes", its input beside "Picture"
+extern const char* const strokesInput;  // "Strokes", its input beside the picture
+extern const char* const pictureInput;  // "Picture"
 
 } // namespace oversketch_session
 #endif

@@ -3,10 +3,13 @@
 #include "drawing_lines.h"
 #include "files.h"
 #include "heights.h"
+#include "parts.h"
 #include "system_runner.h"
 #include "texture.h"
 
 #include "vtkOversketchSystem.h"
+
+#include "Mesh/context.h"
 
 #include "vtkPointData.h"
 
@@ -93,6 +96,20 @@ void wear(const Step& step, const SystemRow& row, const Outcome& outcome)
   {
     oversketch_files::setTexture(outcome.mesh, *back->bytes, "Part1.");
   }
+}
+
+// Whether two steps make the same thing, wherever it is put then.
+bool isSameWork(const Step& a, const Step& b)
+{
+  const auto isSame = [](const auto& x, const auto& y)
+  {
+    const auto *xLines = std::get_if<Lines>(&x.second), *yLines = std::get_if<Lines>(&y.second);
+    const auto *xImage = std::get_if<Image>(&x.second), *yImage = std::get_if<Image>(&y.second);
+    return x.first == y.first && ((xLines && yLines && xLines->identity() == yLines->identity()) ||
+                                   (xImage && yImage && xImage->bytes == yImage->bytes));
+  };
+  return a.system == b.system && a.values == b.values &&
+         std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(), isSame);
 }
 
 } // namespace
@@ -237,7 +254,7 @@ vtkSmartPointer<vtkImageData> Evaluator::imageOf(const Image& image, SystemInput
 std::string Evaluator::resolve(Run& run,
   std::size_t index,
   const SystemRow& row,
-  std::map<std::string, vtkSmartPointer<vtkDataObject>>& inputs,
+  Inputs& inputs,
   std::vector<std::uint64_t>& numbers)
 {
   const auto& nodes = run.session.nodes;
@@ -319,11 +336,92 @@ std::string Evaluator::resolve(Run& run,
   return {};
 }
 
+bool Evaluator::make(Run& run,
+  std::size_t index,
+  const Inputs& inputs,
+  std::uint64_t number,
+  const std::set<int>& ports,
+  Outcome& outcome)
+{
+  const Step& step = *run.session.nodes[index].step;
+  Runner& runner = *this->runner(step.system);
+  if (run.watch.details && !this->finish(runner, run.watch.cancelled))
+  {
+    return false;
+  }
+  Listener listener;
+  listener.cancelled = run.watch.cancelled;
+  if (run.watch.progress)
+  {
+    listener.progress = [&](const std::string& stage, double share)
+    { run.watch.progress(index, stage, share); };
+  }
+  if (run.watch.warning)
+  {
+    listener.warning = [&](const std::string& message) { run.watch.warning(index, message); };
+  }
+  const auto isAheadOf = [&runner](const auto& input) { return input.second == runner.aheadOf; };
+  if (runner.ahead && std::any_of(inputs.begin(), inputs.end(), isAheadOf))
+  {
+    runner.steps = std::move(runner.ahead);
+    runner.aheadOf = nullptr;
+  }
+  ++this->Runs;
+  runner.last = 0;
+  if (!runner.steps->run(step, inputs, run.session.backend, ports, listener, outcome))
+  {
+    return false;
+  }
+  wear(step, *findSystem(step.system, this->Rows), outcome);
+  runner.last = outcome.failure.empty() ? number : 0;
+  return true;
+}
+
+bool Evaluator::makePart(Run& run,
+  std::size_t index,
+  const Inputs& inputs,
+  std::uint64_t number,
+  const std::set<int>& ports,
+  Outcome& outcome)
+{
+  const Node& node = run.session.nodes[index];
+  const vtkSmartPointer<vtkPolyData> came = outcome.mesh;
+  const auto kept = this->Parts.find(node.id);
+  const auto has = [&](int port) { return kept->second.outcome.outputs.count(port) > 0; };
+  if (kept != this->Parts.end() && kept->second.backend == run.session.backend &&
+      isSameWork(kept->second.step, *node.step) && std::all_of(ports.begin(), ports.end(), has))
+  {
+    outcome = kept->second.outcome;
+  }
+  else
+  {
+    if (!this->make(run, index, inputs, number, ports, outcome))
+    {
+      return false;
+    }
+    this->Parts[node.id] = { *node.step, run.session.backend, outcome };
+  }
+  const vtkSmartPointer<vtkPolyData> made = outcome.failure.empty() ? outcome.mesh : nullptr;
+  outcome.mesh = came || !made ? came : made;
+  if (made && made->GetNumberOfPoints() > 0)
+  {
+    try
+    {
+      outcome.mesh = withPart(came, made, *node.step->part);
+    }
+    catch (const oversketch::Error& error)
+    {
+      outcome.failure = error.what();
+    }
+  }
+  return true;
+}
+
 bool Evaluator::runNode(Run& run, std::size_t index)
 {
   const std::shared_ptr<const Step>& step = run.session.nodes[index].step;
   Outcome& outcome = run.outcomes[index];
-  std::map<std::string, vtkSmartPointer<vtkDataObject>> inputs;
+  Inputs inputs;
   std::vector<std::uint64_t> numbers;
   outcome.failure = faultOf(*step, this->Rows);
   if (outcome.failure.empty())
@@ -334,13 +432,16 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   {
     return true;
   }
+  if (step->part && outcome.mesh)
+  {
+    numbers.push_back(run.mesh);
+  }
   const std::uint64_t number = this->numberOf({ step, numbers, run.session.backend });
   Kept& kept = this->Outcomes.at(number);
-  Runner& runner = *this->runner(step->system);
   std::set<int> ports; // that it has and others refer to
   for (const int port : run.ports[run.session.nodes[index].id])
   {
-    if (port > 0 && port < runner.steps->system()->GetNumberOfOutputPorts())
+    if (port > 0 && port < this->system(step->system)->GetNumberOfOutputPorts())
     {
       ports.insert(port);
     }
@@ -352,37 +453,14 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   }
   else
   {
-    if (run.watch.details && !this->finish(runner, run.watch.cancelled))
+    const bool done = step->part ? this->makePart(run, index, inputs, number, ports, outcome)
+                                 : this->make(run, index, inputs, number, ports, outcome);
+    if (!done)
     {
       return false;
     }
-    Listener listener;
-    listener.cancelled = run.watch.cancelled;
-    if (run.watch.progress)
-    {
-      listener.progress = [&](const std::string& stage, double share)
-      { run.watch.progress(index, stage, share); };
-    }
-    if (run.watch.warning)
-    {
-      listener.warning = [&](const std::string& message) { run.watch.warning(index, message); };
-    }
-    const auto isAheadOf = [&runner](const auto& input) { return input.second == runner.aheadOf; };
-    if (runner.ahead && std::any_of(inputs.begin(), inputs.end(), isAheadOf))
-    {
-      runner.steps = std::move(runner.ahead);
-      runner.aheadOf = nullptr;
-    }
-    ++this->Runs;
-    runner.last = 0;
-    if (!runner.steps->run(*step, inputs, run.session.backend, ports, listener, outcome))
-    {
-      return false;
-    }
-    wear(*step, *findSystem(step->system, this->Rows), outcome);
     outcome.number = outcome.failure.empty() ? number : 0;
     outcome.details = kept.outcome ? kept.outcome->details : nullptr;
-    runner.last = outcome.number;
     kept.outcome = outcome;
     kept.bytes = bytesOf(outcome);
   }
@@ -399,6 +477,12 @@ bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outc
   this->forget();
   ++this->RunCount;
   Run run{ session, watch, outcomes, portsOf(session) };
+  for (auto it = this->Parts.begin(); it != this->Parts.end();)
+  {
+    const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
+    const bool isThere = std::any_of(session.nodes.begin(), session.nodes.end(), isIt);
+    it = isThere ? std::next(it) : this->Parts.erase(it);
+  }
   run.mesh = session.mesh ? this->numberOf({ session.mesh.identity(), {}, 0 }) : 0;
   vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
   for (std::size_t i = 0; i < session.nodes.size(); ++i)

@@ -86,17 +86,40 @@ private:
   struct Run;
   // Who runs a system's steps, and whose outcome its last one is.
   struct Runner;
+  // What the step of a part made, before it was put at its place.
+  struct Bare
+  {
+    Step step;
+    int backend = 0;
+    Outcome outcome;
+  };
+  using Inputs = std::map<std::string, vtkSmartPointer<vtkDataObject>>;
 
   Runner* runner(const std::string& name);
   std::uint64_t numberOf(const Place& place);
   void forget(); // what cannot come again
   void giveUp(); // what is beyond the budget
   bool runNode(Run& run, std::size_t index);
+  // Runs a node's step, whose outcome will have that number, and fills in the outcome. False when cancelled.
+  bool make(Run& run,
+    std::size_t index,
+    const Inputs& inputs,
+    std::uint64_t number,
+    const std::set<int>& ports,
+    Outcome& outcome);
+  // The same of a part, beside the mesh that came. What was made of the same drawing is not made again when
+  // the part is put elsewhere or that mesh changes.
+  bool makePart(Run& run,
+    std::size_t index,
+    const Inputs& inputs,
+    std::uint64_t number,
+    const std::set<int>& ports,
+    Outcome& outcome);
   // Why a step cannot be run, or empty, with its inputs, and the numbers of the outcomes that they are.
   std::string resolve(Run& run,
     std::size_t index,
     const SystemRow& row,
-    std::map<std::string, vtkSmartPointer<vtkDataObject>>& inputs,
+    Inputs& inputs,
     std::vector<std::uint64_t>& numbers);
   // Of the last that it ran, where they are missing; false when cancelled.
   bool finish(Runner& runner, const std::function<bool()>& cancelled);
@@ -104,6 +127,7 @@ private:
 
   const std::vector<SystemRow>& Rows;
   std::map<std::string, std::unique_ptr<Runner>> Runners; // by system
+  std::map<int, Bare> Parts;                              // by node
   std::map<std::uint64_t, Kept> Outcomes;                 // what an outcome takes comes before it
   std::map<Place, std::uint64_t> Numbers;
   using Images = std::map<SystemInput::Kind, vtkSmartPointer<vtkImageData>>;

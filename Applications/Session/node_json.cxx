@@ -3,6 +3,7 @@
 #include "files.h"
 #include "heights.h"
 #include "mesh_file.h"
+#include "parts.h"
 #include "texture.h"
 #include "vtkOversketchFilterTools.h"
 
@@ -96,6 +97,22 @@ void putCommon(Json::Value& json, const Node& node)
     json["section"]["middle"] = jsonOf(node.committed->middle);
     json["section"]["length"] = node.committed->length;
   }
+}
+
+PartPlace partOf(const JsonReader& json)
+{
+  const JsonReader part = json.object("part");
+  const std::vector<double> box = part.numbers("box");
+  if (box.size() != 4)
+  {
+    part.refuse("box", "is not four numbers");
+  }
+  const PartPlace place{ { box[0], box[1], box[2], box[3] }, part.number("depth") };
+  if (const std::string fault = faultOf(place); !fault.empty())
+  {
+    json.refuse("part", fault);
+  }
+  return place;
 }
 
 Node commonOf(const JsonReader& json, Step& step)
@@ -279,6 +296,15 @@ Json::Value jsonOf2(const Node& node, const std::vector<SystemRow>& rows, const 
       json["values"][parameter.property] = jsonOf(parameter, valueOf(step, parameter));
     }
   }
+  if (step.part)
+  {
+    json["part"]["box"] = Json::arrayValue;
+    for (const double side : step.part->box)
+    {
+      json["part"]["box"].append(side);
+    }
+    json["part"]["depth"] = step.part->depth;
+  }
   for (const auto& [name, input] : step.inputs)
   {
     json["inputs"][name] = jsonOfInput(input, entries);
@@ -320,6 +346,10 @@ Node nodeOf2(const JsonReader& json, const std::vector<SystemRow>& rows, EntryRe
     {
       inputs.get(input.name);
     }
+  }
+  if (json.has("part"))
+  {
+    step->part = partOf(json);
   }
   Node node = commonOf(json, *step);
   node.id = json.integer("id", 1, largestId);

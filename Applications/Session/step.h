@@ -4,6 +4,7 @@
 
 #include "lines.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -43,6 +44,19 @@ struct MirrorPlane
   double offset = 0.0;
 };
 
+// Where a part goes: the canvas that it was drawn on comes to fill a box in x and y, by a mean of both scales
+// in z, and is moved along z.
+struct PartPlace
+{
+  std::array<double, 4> box{}; // left, bottom, right, top [world]
+  double depth = 0.0;
+
+  bool operator==(const PartPlace& other) const
+  {
+    return this->box == other.box && this->depth == other.depth;
+  }
+};
+
 // Never changed once made: results are kept by its identity.
 struct Step
 {
@@ -50,6 +64,9 @@ struct Step
   Values values;                       // where they are not the system's defaults
   std::map<std::string, Input> inputs; // by their names in systems.h; the mesh comes from the step before
   std::optional<MirrorPlane> mirror;   // only of systems whose points can keep their ids
+  // What it makes is put there, beside the mesh of the step before and not in its place; only of systems that
+  // take no mesh.
+  std::optional<PartPlace> part;
 };
 
 // The lines of an input, for a pipeline; null where it holds none.

@@ -496,6 +496,10 @@ std::string faultOf(const Step& step, const std::vector<SystemRow>& rows)
       return "'" + named.first + "' is no input of " + row->name;
     }
   }
+  if (step.part && findInput(*row, SystemInput::Kind::Mesh))
+  {
+    return row->name + " changes the mesh that comes to it, and makes no part of its own";
+  }
   if (step.mirror && !actsOnBothSides(*row))
   {
     return row->name + " cannot act on both sides of a plane: its points do not keep their ids";

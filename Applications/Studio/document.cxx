@@ -130,6 +130,28 @@ bool Document::beginDrawing(const std::function<bool()>& mayLeave)
   return this->begin(drawingOn(canvasSize[0], canvasSize[1]), tr("Drawing"), mayLeave);
 }
 
+void Document::addPart(const QString& path)
+{
+  const std::string file = path.toStdString();
+  requireReadable(file);
+  const Image picture{ QFileInfo(path).fileName().toStdString(),
+    std::make_shared<const std::string>(wholeFile(file)) };
+  // Before the model; where there is none yet, over what is drawn on.
+  Point place{};
+  if (this->Result.mesh && this->Result.mesh->GetNumberOfPoints() > 0)
+  {
+    double box[6];
+    this->Result.mesh->GetBounds(box);
+    place = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), box[5] };
+  }
+  else if (!this->session().nodes.empty())
+  {
+    const auto canvas = canvasOf(*this->session().nodes.front().step);
+    place = { 0.5 * (canvas[0] + canvas[2]), 0.5 * (canvas[1] + canvas[3]), 0.0 };
+  }
+  this->add(*partOver(picture, place));
+}
+
 bool Document::begin(std::shared_ptr<const Step> step,
   const QString& name,
   const std::function<bool()>& mayLeave)
@@ -278,11 +300,24 @@ void Document::setParameters(int index, const Values& values, const std::optiona
 
 void Document::shape(int index, const Values& values, bool goesOn)
 {
+  auto step = std::make_shared<Step>(*this->session().nodes[indexOf(index)].step);
+  step->values = values;
+  this->follow(index, step, goesOn);
+}
+
+void Document::place(int index, const PartPlace& place, bool goesOn)
+{
+  auto step = std::make_shared<Step>(*this->session().nodes[indexOf(index)].step);
+  step->part = place;
+  this->follow(index, step, goesOn);
+}
+
+// A change by a hand that goes on.
+void Document::follow(int index, std::shared_ptr<const Step> step, bool goesOn)
+{
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
-  auto step = std::make_shared<Step>(*node.step);
-  step->values = values;
-  node.step = step;
+  node.step = std::move(step);
   const int id = node.id;
   if (goesOn && this->Shaped == id)
   {

@@ -41,6 +41,9 @@ public:
   // The same asking; throws Failed for what is no picture.
   bool beginDrawing(const QString& picture, const std::function<bool()>& mayLeave);
   bool beginDrawing(const std::function<bool()>& mayLeave);
+  // A further part of the model: a drawing over a picture, before the model's middle. Throws Failed for what
+  // is no picture.
+  void addPart(const QString& picture);
   // Opens what a crash left behind, as a session that is not saved. Throws Failed.
   void recover(const oversketch_session::LeftBehind& left);
   // Saves the session, or exports the shown mesh, by the path's extension. Throws Failed. Returns what the
@@ -81,6 +84,8 @@ public:
   // The same by a hand that sees the mesh follow. What goes on from the last such change of the step is one
   // step of undo with it.
   void shape(int node, const oversketch_session::Values& values, bool goesOn);
+  // Puts a part elsewhere, as shape().
+  void place(int node, const oversketch_session::PartPlace& place, bool goesOn);
   void setOn(int node, bool on);
   void rename(int node, const QString& name);
   void remove(int node);
@@ -131,6 +136,7 @@ private:
     const std::function<bool()>& mayLeave);
   void commit(oversketch_session::Session session, Change change = Change::Edited);
   void commitPictures(oversketch_session::Pictures pictures);
+  void follow(int node, std::shared_ptr<const oversketch_session::Step> step, bool goesOn);
   void run(Change change);
   void keep();
   void take(const oversketch_session::Worker::Result& result);
@@ -142,7 +148,7 @@ private:
   QString Path;
   int Backend = 0;
   bool Modified = false;
-  int Shaped = 0;         // the id of the step that the last change was a shape() of
+  int Shaped = 0;         // the id of the step that the last change was a shape() or place() of
   bool Discarded = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result Result;
   std::string Digest; // of its mesh

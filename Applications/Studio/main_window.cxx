@@ -148,6 +148,8 @@ void MainWindow::listenToTool(Tool* tool)
   connect(tool, &Tool::changed, this, &MainWindow::stepChanged);
   connect(tool, &Tool::shaped, this, &MainWindow::stepShaped);
   connect(tool, &Tool::edited, this->OpenDocument, &Document::redraw);
+  connect(tool, &Tool::placed, this->OpenDocument, &Document::place);
+  connect(tool, &Tool::givenUp, this->OpenDocument, &Document::undo);
   connect(tool,
     &Tool::swapAsked,
     this,
@@ -262,23 +264,17 @@ void MainWindow::setTool(Tool* tool)
 // A drawing is changed with its form at hand; what is drawn on the model then is a step of its own.
 void MainWindow::selectDrawing(const Tool* tool)
 {
-  const int current = this->History->current();
-  const bool isDrawing = tool->system() == drawingSystem;
-  const auto isOne = [](const Node& node) { return node.step->system == drawingSystem; };
   if (!this->OpenDocument->isOpen())
   {
     return;
   }
+  const int current = this->History->current();
   const auto& nodes = this->OpenDocument->session().nodes;
-  const auto it = std::find_if(nodes.begin(), nodes.end(), isOne);
-  if (it == nodes.end())
+  const bool isOne =
+    current >= 0 && indexOf(current) < nodes.size() && nodes[indexOf(current)].step->system == drawingSystem;
+  if (isOne != (tool->system() == drawingSystem))
   {
-    return;
-  }
-  const int drawing = static_cast<int>(it - nodes.begin());
-  if (isDrawing != (current == drawing))
-  {
-    this->History->selectStep(isDrawing ? drawing : -1);
+    this->History->selectStep(tool->node());
   }
 }
 
@@ -330,6 +326,10 @@ void MainWindow::select(int node)
 {
   this->Redrawn = -1;
   this->View->tool()->redraw(-1);
+  for (Tool* tool : this->Tools)
+  {
+    tool->select(node);
+  }
   this->showSection(node);
   this->offerStep();
   this->advise();
@@ -433,10 +433,12 @@ void MainWindow::showDetails()
 // Of a drawing without strokes there is no model, also not the last one.
 bool MainWindow::isNothingDrawn() const
 {
-  const auto& nodes = this->OpenDocument->session().nodes;
-  const Step* first = nodes.empty() ? nullptr : nodes.front().step.get();
-  return !this->OpenDocument->isBusy() && first && first->system == drawingSystem &&
-         strokesOf(linesOf(*first, strokesInput)).empty();
+  const Session& session = this->OpenDocument->session();
+  const auto isDrawn = [](const Node& node)
+  { return node.step->system == drawingSystem && !strokesOf(linesOf(*node.step, strokesInput)).empty(); };
+  return !this->OpenDocument->isBusy() && !session.nodes.empty() &&
+         session.nodes.front().step->system == drawingSystem &&
+         std::none_of(session.nodes.begin(), session.nodes.end(), isDrawn);
 }
 
 void MainWindow::refresh()

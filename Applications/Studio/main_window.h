@@ -73,6 +73,7 @@ private:
   void openAsked();
   QString pictureAsked(const QString& title); // a path; empty for none
   void newFromPictureAsked();
+  void addPartAsked();
   bool save();
   bool saveAs();
   void exportAsked();

@@ -2,6 +2,7 @@
 
 #include "files.h"
 #include "heights.h"
+#include "history_panel.h"
 #include "mesh_file.h"
 #include "resources.h"
 #include "texture.h"
@@ -132,6 +133,32 @@ void MainWindow::newFromPictureAsked()
   {
     this->openPicture(path);
   }
+}
+
+void MainWindow::addPartAsked()
+{
+  if (!this->OpenDocument->isOpen())
+  {
+    this->newFromPictureAsked();
+    return;
+  }
+  const QString path = this->pictureAsked(tr("Draw a further part over a picture"));
+  if (path.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    this->OpenDocument->addPart(path);
+  }
+  catch (const Failed& failure)
+  {
+    this->tell({ QString::fromStdString(failure.what()) });
+    return;
+  }
+  const int part = static_cast<int>(this->OpenDocument->session().nodes.size()) - 1;
+  this->History->selectStep(part);
+  this->setTool(this->toolOf(part));
 }
 
 bool MainWindow::offerRecovery()

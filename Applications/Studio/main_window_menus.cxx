@@ -59,6 +59,10 @@ void MainWindow::makeMenus()
       tr("New on an empty &canvas"),
       QKeySequence(tr("Ctrl+Shift+N")),
       [this] { this->openPicture({}); });
+    this->add(file,
+      tr("Add a pict&ure as a part…"),
+      QKeySequence(tr("Ctrl+Shift+P")),
+      [this] { this->addPartAsked(); });
   }
   this->Recent = file->addMenu(tr("Open &recent"));
   connect(this->Recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);

@@ -12,6 +12,15 @@
 namespace oversketch_studio
 {
 
+namespace
+{
+
+// So that what faces the eye is as light as the picture itself: the lights alone give it little more than
+// half.
+constexpr double pictureLight = 0.4;
+
+} // namespace
+
 Skin::Skin()
 {
   this->Texture->SetColorModeToDirectScalars();
@@ -22,13 +31,12 @@ Skin::Skin()
 
 Skin::~Skin() = default;
 
-void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh)
+void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh, const std::string& picture)
 {
-  std::string bytes = oversketch_files::textureOf(mesh);
-  if (bytes != this->Bytes)
+  if (picture != this->Bytes)
   {
-    this->Texture->SetInputData(oversketch_files::pictureOf(bytes));
-    this->Bytes = std::move(bytes);
+    this->Texture->SetInputData(oversketch_files::pictureOf(picture));
+    this->Bytes = picture;
   }
   this->Textured = !this->Bytes.empty() && this->Texture->GetInput();
   actor->SetTexture(this->Textured ? this->Texture.Get() : nullptr);
@@ -57,10 +65,12 @@ void Skin::colour(vtkActor* actor)
   if (this->Textured)
   {
     actor->GetProperty()->SetColor(1.0, 1.0, 1.0); // the picture's own
+    actor->GetProperty()->SetAmbient(pictureLight);
   }
   else
   {
     actor->GetProperty()->SetColor(this->Plain);
+    actor->GetProperty()->SetAmbient(0.0);
   }
 }
 

@@ -1,4 +1,4 @@
-// What a mesh wears in the view: its texture, else its own colours, else none.
+// What a mesh wears in the view: a picture, else its own colours, else none.
 #ifndef oversketch_studio_skin_h
 #define oversketch_studio_skin_h
 
@@ -22,8 +22,8 @@ public:
   Skin(const Skin&) = delete;
   Skin& operator=(const Skin&) = delete;
 
-  // Shows the mesh so; a plain one has the colour of setPlain.
-  void dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh);
+  // Shows the mesh so, with the bytes of its picture, if any; a plain one has the colour of setPlain.
+  void dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh, const std::string& picture);
   void setPlain(vtkActor* actor, double red, double green, double blue);
 
 private:

@@ -95,12 +95,6 @@ void Viewport::makeScene()
   this->Lights->SetKeyLightWarmth(0.55);
   this->Lights->SetKeyToFillRatio(2.5);
 
-  this->Mesh->SetMapper(this->MeshMapper);
-  this->Mesh->GetProperty()->SetInterpolationToGouraud();
-  this->Mesh->GetProperty()->SetSpecular(0.15);
-  this->Mesh->GetProperty()->SetSpecularPower(20.0);
-  this->Renderer->AddActor(this->Mesh);
-
   // Drawn over the surface that it lies on.
   this->Section->SetMapper(this->SectionMapper);
   this->SectionMapper->ScalarVisibilityOff();
@@ -379,9 +373,7 @@ bool Viewport::event(QEvent* event)
 
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)
 {
-  this->MeshMapper->SetInputData(mesh);
-  this->Mesh->VisibilityOn();
-  this->MeshSkin.dress(this->Mesh, this->MeshMapper, mesh);
+  this->Model.show(mesh);
   this->Behind.setMesh(mesh);
   if (reset)
   {
@@ -409,8 +401,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
 
 void Viewport::clearMesh()
 {
-  this->MeshMapper->SetInputData(nullptr);
-  this->Mesh->VisibilityOff();
+  this->Model.clear();
   this->HintBox.setText({});
   this->showSection(nullptr);
   this->showRegion(nullptr);
@@ -419,12 +410,12 @@ void Viewport::clearMesh()
 
 void Viewport::showPreview(vtkPolyData* mesh)
 {
-  this->MeshMapper->SetInputData(mesh);
+  this->Model.preview(mesh);
 }
 
 vtkPolyData* Viewport::mesh() const
 {
-  return this->Mesh->GetVisibility() ? this->MeshMapper->GetInput() : nullptr;
+  return this->Model.mesh();
 }
 
 void Viewport::showPictures(const Pictures& pictures)
@@ -513,7 +504,7 @@ void Viewport::setDark(bool dark)
   {
     this->Renderer->SetBackground(0.13, 0.14, 0.16);
     this->Renderer->SetBackground2(0.22, 0.24, 0.27);
-    this->MeshSkin.setPlain(this->Mesh, 0.78, 0.76, 0.73);
+    this->Model.setPlain(0.78, 0.76, 0.73);
     this->Mirror->GetProperty()->SetColor(0.6, 0.8, 1.0);
     this->HintBox.setDark(true);
   }
@@ -521,7 +512,7 @@ void Viewport::setDark(bool dark)
   {
     this->Renderer->SetBackground(0.80, 0.82, 0.84);
     this->Renderer->SetBackground2(0.95, 0.96, 0.97);
-    this->MeshSkin.setPlain(this->Mesh, 0.90, 0.88, 0.85);
+    this->Model.setPlain(0.90, 0.88, 0.85);
     this->Mirror->GetProperty()->SetColor(0.2, 0.4, 0.7);
     this->HintBox.setDark(false);
   }

@@ -4,8 +4,8 @@
 
 #include "backdrop.h"
 #include "hint.h"
+#include "model_view.h"
 #include "session.h"
-#include "skin.h"
 
 #include "vtkNew.h"
 
@@ -109,10 +109,10 @@ private:
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLightKit> Lights;
-  vtkNew<vtkPolyDataMapper> MeshMapper, SectionMapper, RegionMapper, MirrorMapper;
-  vtkNew<vtkActor> Mesh, Section, Region, Mirror;
+  ModelView Model{ this->Renderer };
+  vtkNew<vtkPolyDataMapper> SectionMapper, RegionMapper, MirrorMapper;
+  vtkNew<vtkActor> Section, Region, Mirror;
   vtkNew<vtkPolyDataNormals> RegionNormals;
-  Skin MeshSkin; // of the mesh
   vtkNew<vtkPlaneSource> MirrorSheet;
   Backdrop Behind;
   Hint HintBox;

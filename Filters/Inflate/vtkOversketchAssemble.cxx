@@ -7,6 +7,8 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -19,6 +21,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <regex>
 #include <string>
 
 using namespace oversketch;
@@ -27,6 +31,8 @@ vtkStandardNewMacro(vtkOversketchAssemble);
 
 namespace
 {
+
+constexpr int mostParts = 1000000;
 
 Placement placementOf(vtkPolyData* part)
 {
@@ -46,7 +52,56 @@ Placement placementOf(vtkPolyData* part)
   return Placement(matrix);
 }
 
-vtkSmartPointer<vtkPolyData> placed(vtkPolyData* part, int number)
+// The numbers that a part takes: one, or those of a part that was assembled itself.
+int countOf(vtkPolyData* part)
+{
+  vtkAbstractArray* array = part->GetCellData()->GetAbstractArray("PartId");
+  if (!array)
+  {
+    return 1;
+  }
+  auto* ids = vtkIntArray::SafeDownCast(array);
+  int most = 0;
+  if (!ids || ids->GetNumberOfComponents() != 1 || ids->GetNumberOfTuples() != part->GetNumberOfPolys())
+  {
+    throw Error(Failure::BadMesh, "Cell array PartId must hold one int a face.");
+  }
+  for (const int id : vtk::DataArrayValueRange<1>(ids))
+  {
+    if (id < 0 || id > mostParts)
+    {
+      throw Error(
+        Failure::BadMesh, "Cell array PartId holds " + std::to_string(id) + "; parts are counted from 0.");
+    }
+    most = std::max(most, id);
+  }
+  return most + 1;
+}
+
+// As vtkAppendPolyData joins them: of one name and type.
+void setCoordinates(vtkPolyData* part)
+{
+  vtkDataArray* own = part->GetPointData()->GetTCoords();
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetName("TCoords");
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(part->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 2; ++c)
+    {
+      coordinates->SetComponent(
+        i, c, own && c < own->GetNumberOfComponents() ? own->GetComponent(i, c) : 0.0);
+    }
+  }
+  if (own && own->GetName())
+  {
+    part->GetPointData()->RemoveArray(own->GetName());
+  }
+  part->GetPointData()->SetTCoords(coordinates);
+}
+
+vtkSmartPointer<vtkPolyData> placed(vtkPolyData* part, int number, bool withCoordinates)
 {
   RequirePolygonsOnly(part);
   const Placement placement = placementOf(part);
@@ -83,12 +138,30 @@ vtkSmartPointer<vtkPolyData> placed(vtkPolyData* part, int number)
   }
   result->GetPointData()->SetNormals(nullptr);
   result->GetCellData()->SetNormals(nullptr);
+  if (withCoordinates)
+  {
+    setCoordinates(result);
+  }
+  vtkDataArray* own = part->GetCellData()->GetArray("PartId");
   vtkNew<vtkIntArray> parts;
   parts->SetName("PartId");
   parts->SetNumberOfTuples(part->GetNumberOfPolys());
-  parts->FillValue(number);
+  for (vtkIdType f = 0; f < part->GetNumberOfPolys(); ++f)
+  {
+    parts->SetValue(f, number + (own ? static_cast<int>(own->GetComponent(f, 0)) : 0));
+  }
   result->GetCellData()->AddArray(parts);
   return result;
+}
+
+// "Part2.Canvas" of "Canvas" for part 2, "Part5.Canvas" of "Part3.Canvas".
+std::string numbered(const std::string& name, int number)
+{
+  static const std::regex ofPart("Part(\\d{1,6})\\.(.*)");
+  std::smatch match;
+  const bool isOfPart = std::regex_match(name, match, ofPart);
+  return "Part" + std::to_string(number + (isOfPart ? std::stoi(match[1]) : 0)) + "." +
+         (isOfPart ? match[2].str() : name);
 }
 
 // The field arrays of a part, under names of its own.
@@ -102,7 +175,7 @@ void addFields(vtkPolyData* part, int number, vtkFieldData* fields)
     {
       const vtkSmartPointer<vtkAbstractArray> copy = vtk::TakeSmartPointer(array->NewInstance());
       copy->DeepCopy(array);
-      copy->SetName(("Part" + std::to_string(number) + "." + name).c_str());
+      copy->SetName(numbered(name, number).c_str());
       fields->AddArray(copy);
     }
   }
@@ -128,23 +201,33 @@ int vtkOversketchAssemble::RequestData(vtkInformation*,
       vtkNew<vtkAppendPolyData> all;
       all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
       vtkNew<vtkFieldData> fields;
-      for (int number = 0; number < count; ++number)
+      bool withCoordinates = false;
+      for (int i = 0; i < count; ++i)
       {
-        vtkPolyData* part = vtkPolyData::GetData(inputs[0], number);
-        context.checkpoint(static_cast<double>(number) / count);
+        withCoordinates =
+          withCoordinates || vtkPolyData::GetData(inputs[0], i)->GetPointData()->GetTCoords() != nullptr;
+      }
+      int number = 0; // of the first part of a connection
+      for (int i = 0; i < count; ++i)
+      {
+        vtkPolyData* part = vtkPolyData::GetData(inputs[0], i);
+        context.checkpoint(static_cast<double>(i) / count);
         if (part->GetNumberOfPoints() == 0)
         {
+          ++number;
           continue;
         }
         try
         {
-          all->AddInputData(placed(part, number));
+          const int parts = countOf(part);
+          all->AddInputData(placed(part, number, withCoordinates));
+          addFields(part, number, fields);
+          number += parts;
         }
         catch (const Error& error)
         {
-          throw Error(error.failure(), "Part " + std::to_string(number) + ": " + error.what());
+          throw Error(error.failure(), "Part " + std::to_string(i) + ": " + error.what());
         }
-        addFields(part, number, fields);
       }
       vtkPolyData* output = vtkPolyData::GetData(outputs);
       if (all->GetNumberOfInputConnections(0) > 0)

@@ -10,12 +10,16 @@
  * row; without it the part stays where it is.
  *
  * Output 0 (Mesh): all of them, in the order of the connections. Point and cell arrays that every part has
- * are passed, normals not; cell array PartId, int: the number of the connection, from 0. Field arrays of part
- * 2 are called Part2.Canvas and so on; its Placement is done and is not among them.
+ * are passed, normals not; texture coordinates are passed where any part has some, as doubles in TCoords, 0
+ * on the others. Cell array PartId, int: the number of the connection, from 0. Field arrays of part 2 are
+ * called Part2.Canvas and so on; its Placement is done and is not among them. A part that was assembled
+ * itself (PartId) stays several: its numbers, and those in its arrays' names, are counted on, and later
+ * connections after them.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, naming the part, for a Placement that is
- * not 16 finite numbers of an affine transform or flattens the part, a point that is not finite, and for
- * lines, vertices or strips. Parts without points are left out silently and keep their number.
+ * not 16 finite numbers of an affine transform or flattens the part, a point that is not finite, a PartId
+ * that is below 0 or not one int a face, and for lines, vertices or strips. Parts without points are left out
+ * silently and keep their number.
  *
  * Deterministic. Cost: a copy of the parts. No part's own filters run again when another one moves.
  *

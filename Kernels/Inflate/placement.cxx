@@ -29,4 +29,15 @@ Placement::Placement(const Eigen::Matrix4d& matrix)
   this->Mirrors = determinant < 0.0;
 }
 
+Eigen::Matrix4d intoBox(const Eigen::Vector4d& from, const Eigen::Vector4d& box, double depth)
+{
+  const Eigen::Vector2d size = from.tail<2>() - from.head<2>();
+  const Eigen::Vector2d scale = (box.tail<2>() - box.head<2>()).cwiseQuotient(size);
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.diagonal().head<3>() << scale[0], scale[1], std::sqrt(scale[0] * scale[1]);
+  matrix.topRightCorner<2, 1>() = box.head<2>() - scale.cwiseProduct(from.head<2>());
+  matrix(2, 3) = depth;
+  return matrix;
+}
+
 } // namespace oversketch

@@ -28,5 +28,9 @@ private:
   bool Mirrors;
 };
 
+// The matrix by which one rectangle in x and y comes to fill another one, by a mean of both scales in z, and
+// is then moved along z: left, bottom, right, top. The first one must have an extent.
+Eigen::Matrix4d intoBox(const Eigen::Vector4d& from, const Eigen::Vector4d& box, double depth);
+
 } // namespace oversketch
 #endif

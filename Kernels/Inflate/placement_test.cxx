@@ -24,6 +24,16 @@ TEST(Placement, MovesAndTellsMirrors)
   EXPECT_FALSE(Placement(tiny).mirrors());
 }
 
+TEST(Placement, ARectangleFillsABox)
+{
+  const Eigen::Vector4d from(10, 20, 30, 60), box(-1, 0, 3, 36);
+  const Placement placement(intoBox(from, box, 5.0));
+  EXPECT_TRUE(placement(Vector3(10, 20, 0)).isApprox(Vector3(-1, 0, 5), 1e-14));
+  EXPECT_TRUE(placement(Vector3(30, 60, 0)).isApprox(Vector3(3, 36, 5), 1e-14));
+  // Scales of 0.2 and 0.9: their geometric mean in z.
+  EXPECT_NEAR(placement(Vector3(10, 20, 1)).z(), 5.0 + std::sqrt(0.2 * 0.9), 1e-15);
+}
+
 TEST(Placement, RefusesWhatPlacesNothing)
 {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();

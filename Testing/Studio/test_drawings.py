@@ -3,51 +3,16 @@ anew, a hole made, all undone and redone, a fin of the model pulled, the outline
 what it shows is what the command makes, bit for bit."""
 import os
 import pathlib
-import subprocess
 import sys
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path[:0] = [str(SOURCE / "Testing" / "Studio"), str(SOURCE / "Testing" / "Pictures")]
 from desk import until  # noqa: E402
+from sheet import Sheet, euler, replayed, ring  # noqa: E402
 from sitting import DOG, digest, mesh, sitting  # noqa: E402, F401
-
-FISH = SOURCE / "Data" / "Drawings" / "fish.png"
-SIZE = numpy.array([1024, 640])  # of that picture
-MARGIN = 1.1  # about it, in its view
-
-
-def outline():
-    """The fish's, as shipped; its first place last once more."""
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(FISH.with_suffix(".vtp")))
-    reader.Update()
-    places = vtk_to_numpy(reader.GetOutput().GetCell(0).GetPoints().GetData())[::6, :2]
-    return numpy.vstack([places, places[:1]])
-
-
-def ring(x, y, radius, count=40):
-    angles = numpy.linspace(0.0, 2.0 * numpy.pi, count + 1)
-    return numpy.column_stack([x + radius * numpy.cos(angles), y + radius * numpy.sin(angles)])
-
-
-def on_screen(sitting, places):
-    """Where places of the picture are, which fits its view."""
-    pad = sitting.place("filler", "Picture")
-    pixel = MARGIN * max(SIZE[1] / pad.height, SIZE[0] / pad.width)
-    away = (numpy.asarray(places, float) - 0.5 * SIZE) / pixel
-    middle = numpy.array([pad.left + 0.5 * pad.width, pad.top + 0.5 * pad.height])
-    return [tuple(place) for place in middle + away * [1, -1]]
-
-
-def euler(mesh):
-    faces = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    edges = numpy.unique(numpy.sort(numpy.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1), axis=0)
-    return len(numpy.unique(faces)) - len(edges) + len(faces)
-
 
 def lowest_fin(sitting):
     """Where the shown model is lowest on the screen: its colours are stronger than those behind it."""
@@ -58,25 +23,18 @@ def lowest_fin(sitting):
     return view.left + int(numpy.median(columns[rows == rows.max()])), view.top + int(rows.max())
 
 
-def replayed(session, path):
-    done = subprocess.run([os.environ["OVERSKETCH_COMMAND"], "replay", session, "-o", path],
-                          env=dict(os.environ, OVERSKETCH_OPENCL="off"), capture_output=True, text=True)
-    assert done.returncode == 0 and "not bit for bit" not in done.stderr, done.stderr
-    return mesh(path)
-
-
 def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
-    desk = sitting.desk
+    desk, fish = sitting.desk, Sheet(sitting, "fish")
     sitting.start(DOG)
     sitting.shows(0)
     sitting.fit()
     sitting.alone()
     desk.key("g")
-    desk.drop(FISH, sitting.view.left + 300, sitting.view.top + 300)
+    desk.drop(fish.picture, sitting.view.left + 300, sitting.view.top + 300)
     until(lambda: (sitting.session() or sitting.autosave()) and sitting.place("filler", "Picture"), "the picture")
     sitting.alone()
 
-    desk.drag(on_screen(sitting, outline()))
+    fish.draw(fish.outline())
     whole = sitting.shows(1)
     sitting.shot("drawn_fish")
     solid = replayed(sitting.autosave(), tmp_path / "whole.vtp")
@@ -85,29 +43,29 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
 
     # A ring in its middle, by a pen that keeps to no edge, is filled; a click makes it a hole, another one a tunnel.
     desk.key("F4")
-    middle = outline().mean(axis=0) + [40, 0]
-    desk.drag(on_screen(sitting, ring(*middle, 45)))
+    middle = fish.outline().mean(axis=0) + [40, 0]
+    fish.draw(ring(*middle, 45))
     filled = sitting.shows(1, other_than=whole)
-    desk.click(*on_screen(sitting, [middle])[0])
+    desk.click(*fish.on_screen([middle])[0])
     hole = sitting.shows(1, other_than=filled)
     assert euler(replayed(sitting.autosave(), tmp_path / "hole.vtp")) == 0
-    desk.click(*on_screen(sitting, [middle])[0])
+    desk.click(*fish.on_screen([middle])[0])
     tunnel = sitting.shows(1, other_than=hole)
     assert euler(replayed(sitting.autosave(), tmp_path / "tunnel.vtp")) == 0
     sitting.shot("fish_with_a_tunnel")
 
     # A part of the outline is drawn anew with Shift: a bump on the side where the shipped line is lowest.
-    line = outline()
+    line = fish.outline()
     low = int(line[:, 1].argmin())
     part = numpy.array([line[(low + k) % (len(line) - 1)] for k in range(-8, 9)])
     part[:, 1] -= 25.0 * numpy.sin(numpy.linspace(0.0, numpy.pi, len(part)))
     desk.hold("shift")
-    desk.drag(on_screen(sitting, part))
+    fish.draw(part)
     desk.hold("shift", down=False)
     anew = sitting.shows(1, other_than=tunnel)
 
     # A line in the void makes nothing, and the model stays.
-    desk.drag(on_screen(sitting, [(20, 620), (60, 622), (90, 618)]))
+    fish.draw([(20, 620), (60, 622), (90, 618)])
     desk.key("ctrl+z")
     assert sitting.shows(1) == anew
 
@@ -137,7 +95,7 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
     part[:, 1] += 15.0 * numpy.sin(numpy.linspace(0.0, numpy.pi, len(part)))
     until(lambda: sitting.place("filler", "Picture"), "the picture's view")
     desk.hold("shift")
-    desk.drag(on_screen(sitting, part))
+    fish.draw(part)
     desk.hold("shift", down=False)
     both = sitting.shows(2, other_than=pulled)
     assert digest(replayed(sitting.autosave(), tmp_path / "both.vtp")) == both
@@ -153,7 +111,7 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
 
     # Killed amid a line: what was drawn before comes back.
     sitting.alone()
-    desk.drag(on_screen(sitting, ring(*(middle + [150, 0]), 20))[:20], release=False)
+    desk.drag(fish.on_screen(ring(*(middle + [150, 0]), 20))[:20], release=False)
     sitting.studio.kill()
     desk.release()
     sitting.start()

@@ -20,11 +20,9 @@
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkProperty2D.h"
@@ -397,28 +395,18 @@ void vtkOversketchDrawingWidget::Heard(unsigned long event)
 void vtkOversketchDrawingWidget::LineGrows()
 {
   vtkOversketchStrokeRepresentation* line = this->Pen->GetStrokeRepresentation();
-  const bool first = line->GetNumberOfSamples() == 1;
-  if (!first && (!this->Magnetic || !this->Inner->picture))
+  if (line->GetNumberOfSamples() == 1)
   {
-    return;
+    vtkNew<vtkPolyData> sample;
+    line->GetPolyData(sample);
+    std::copy_n(sample->GetPoint(0), 2, this->Begun);
   }
-  vtkNew<vtkPolyData> samples;
-  line->GetPolyData(samples);
-  if (first)
+  const bool hasCorridor = this->Magnetic && this->Inner->picture;
+  if (hasCorridor != line->GetSectionFollows())
   {
-    std::copy_n(samples->GetPoint(0), 2, this->Begun);
-    return;
+    line->GetSectionProperty()->SetLineWidth(static_cast<float>(2.0 * this->SnapRadius));
+    line->SetSectionFollows(hasCorridor);
   }
-  vtkNew<vtkDoubleArray> places;
-  places->SetName("Display");
-  places->SetNumberOfComponents(2);
-  for (vtkIdType i = 0; i < samples->GetNumberOfPoints(); ++i)
-  {
-    places->InsertNextTuple(samples->GetPoint(i));
-  }
-  samples->GetPointData()->AddArray(places);
-  line->GetSectionProperty()->SetLineWidth(static_cast<float>(2.0 * this->SnapRadius));
-  line->SetSection(samples);
 }
 
 void vtkOversketchDrawingWidget::Click()

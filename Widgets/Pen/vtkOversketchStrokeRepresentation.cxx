@@ -128,6 +128,7 @@ struct vtkOversketchStrokeRepresentation::Internals
   std::optional<PenStroke> drawing; // while the pen is down
   PenStroke stroke;                 // drawn last
   bool over = false;                // the pen draws over it
+  bool sectionFollows = false;      // the section is what is drawn
   oversketch::LastFrame frame;
   // What the window's last frame shows: its size, and whether the stroke drawn last is in it.
   std::array<int, 2> shownSize{ 0, 0 };
@@ -216,6 +217,10 @@ void vtkOversketchStrokeRepresentation::AddSample(double x, double y, double pre
   const int* origin = this->Renderer->GetOrigin();
   inner.drawing->add(Vector2(x - origin[0], y - origin[1]), pressure, time);
   inner.running.add(inner.drawing->points.back());
+  if (inner.sectionFollows)
+  {
+    inner.section.add(inner.drawing->points.back());
+  }
 }
 
 void vtkOversketchStrokeRepresentation::RemoveLast(double length)
@@ -224,6 +229,10 @@ void vtkOversketchStrokeRepresentation::RemoveLast(double length)
   PenStroke& from = inner.drawing ? *inner.drawing : inner.stroke;
   from.removeLast(length);
   (inner.drawing ? inner.running : inner.kept).set(from.points);
+  if (inner.drawing && inner.sectionFollows)
+  {
+    inner.section.set(from.points);
+  }
 }
 
 bool vtkOversketchStrokeRepresentation::EndStroke()
@@ -245,6 +254,7 @@ void vtkOversketchStrokeRepresentation::DropStroke()
   inner.drawing.reset();
   inner.running.set({});
   inner.section.set({});
+  inner.sectionFollows = false;
   this->SetCrest(nullptr);
   inner.frame.thaw();
 }
@@ -340,6 +350,18 @@ void vtkOversketchStrokeRepresentation::SetSection(vtkPolyData* section)
     }
   }
   this->Inner->section.setAll(seen);
+}
+
+void vtkOversketchStrokeRepresentation::SetSectionFollows(bool follows)
+{
+  Internals& inner = *this->Inner;
+  inner.sectionFollows = follows && inner.drawing;
+  inner.section.set(inner.sectionFollows ? inner.drawing->points : oversketch::Polyline());
+}
+
+bool vtkOversketchStrokeRepresentation::GetSectionFollows() const
+{
+  return this->Inner->sectionFollows;
 }
 
 void vtkOversketchStrokeRepresentation::SetCrest(vtkPolyData* crest)

@@ -107,6 +107,15 @@ public:
    */
   void SetSection(vtkPolyData* section);
 
+  ///@{
+  /**
+   * The stroke itself, while it is drawn, as the section: a band under it that grows with it, for a pen whose
+   * stroke moves within the section's width. Off with the end of the stroke.
+   */
+  void SetSectionFollows(bool follows);
+  bool GetSectionFollows() const;
+  ///@}
+
   /**
    * Lines in the world that say what the stroke would make, over all else, whether one is drawn or not: of
    * cell array Part 0 (or without that array) strong, others thin (vtkOversketchAugment::PreviewCrest). Null,

@@ -269,8 +269,20 @@ def test_what_is_lost_of_the_parts_is_named(tmp_path, figure):
     write(tetrahedron(), tmp_path / "t.vtp")
     said = assembled(parts_file(tmp_path / "parts.json", {"mesh": "body.vtp"}, {"mesh": "t.vtp"}), tmp_path / "o.vtp")
     assert said == f"oversketch: note: {tmp_path}/parts.json: normals, and arrays that only some parts have, are dropped: RGB\n"
-    said = assembled(parts_file(tmp_path / "parts.json", {"mesh": str(figure[0] / "figure.vtp")}), tmp_path / "o.vtp")
-    assert "part 0: is assembled itself, and its pictures are not kept; name its own parts in its place" in said
+
+
+def test_what_was_assembled_is_a_part_with_its_pictures(tmp_path, figure):
+    write(tetrahedron(png(9, 8, 7)), tmp_path / "t.vtp")
+    parts = parts_file(tmp_path / "parts.json", {"mesh": "t.vtp"}, {"mesh": str(figure[0] / "figure.vtp"), "depth": 5})
+    assembled(parts, tmp_path / "o.vtp")
+    mesh = read(tmp_path / "o.vtp")
+    ids = vtk_to_numpy(mesh.GetCellData().GetArray("PartId"))
+    assert sorted(set(ids)) == [0, 1, 2, 3] and (ids == 0).sum() == 4
+    bytes_of = lambda data, name: vtk_to_numpy(data.GetFieldData().GetArray(name)).tobytes()
+    whole = read(figure[0] / "figure.vtp")
+    for part in range(3):
+        assert bytes_of(mesh, f"Part{part + 1}.Texture") == bytes_of(whole, f"Part{part}.Texture")
+    assert bytes_of(mesh, "Part0.Texture") == png(9, 8, 7)
 
 
 def test_the_same_parts_give_the_same_bytes(tmp_path, figure):

@@ -196,7 +196,7 @@ TEST(Systems, InputsAreThePortsOfTheClass)
     if (row.mirrored)
     {
       EXPECT_NE(findInput(row, SystemInput::Kind::Mesh), nullptr);
-      EXPECT_EQ(faultOf({ row.name, *row.mirrored, {}, MirrorPlane() }), "");
+      EXPECT_EQ(faultOf({ row.name, *row.mirrored, {}, MirrorPlane(), std::nullopt }), "");
     }
   }
   EXPECT_EQ(findSystem("Nothing"), nullptr);

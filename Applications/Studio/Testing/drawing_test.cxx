@@ -1,11 +1,7 @@
 // The tool Image to model, as a person uses it: a picture, lines drawn over it, and the model beside it.
-#include "drawing_lines.h"
-#include "drawing_pad.h"
-#include "evaluator.h"
 #include "files.h"
 #include "mesh_file.h"
-#include "scene.h"
-#include "session_file.h"
+#include "sheet.h"
 #include "texture.h"
 #include "tool.h"
 
@@ -13,219 +9,18 @@
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkFeatureEdges.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
-#include <QAction>
 #include <QCheckBox>
-#include <QLabel>
-#include <QListWidget>
 #include <QMessageBox>
-#include <QMouseEvent>
-#include <QPainter>
 #include <QSplitter>
-#include <QTemporaryDir>
 
 #include <set>
 #include <vector>
 
 using namespace oversketch_studio;
 using namespace oversketch_session;
-
-namespace
-{
-
-using Places = std::vector<QPointF>; // in the picture, px from its lower left corner
-
-constexpr int width = 400, height = 300;
-
-// A ring's places, the first one once more at the end.
-Places ring(const QPointF& middle, double radius, int count = 60)
-{
-  Places places;
-  for (int i = 0; i <= count; ++i)
-  {
-    const double angle = 2.0 * M_PI * i / count;
-    places.push_back(middle + radius * QPointF(std::cos(angle), std::sin(angle)));
-  }
-  return places;
-}
-
-// A body of 240 x 120 with a leg of 40 x 80 below, about its left half.
-Places beast()
-{
-  Places places;
-  const auto line = [&places](QPointF from, QPointF to)
-  {
-    for (int i = 0; i < 12; ++i)
-    {
-      places.push_back(from + (to - from) * (i / 12.0));
-    }
-  };
-  const Places corners{ { 80, 240 },
-    { 80, 130 },
-    { 120, 120 },
-    { 120, 40 },
-    { 160, 40 },
-    { 160, 120 },
-    { 320, 130 },
-    { 320, 240 },
-    { 80, 240 } };
-  for (std::size_t i = 1; i < corners.size(); ++i)
-  {
-    line(corners[i - 1], corners[i]);
-  }
-  places.push_back(corners.front());
-  return places;
-}
-
-struct Sheet : Scene
-{
-  Sheet()
-    : pad(this->window.findChild<DrawingPad*>())
-    , list(this->window.findChild<QListWidget*>("history"))
-    , advice(this->window.findChild<QLabel*>("advice"))
-  {
-    this->file = this->folder.filePath("beast.png");
-    QImage image(width, height, QImage::Format_RGB32);
-    image.fill(QColor(235, 230, 220));
-    QPainter painter(&image);
-    QPolygonF shape;
-    for (const QPointF& place : beast())
-    {
-      shape << QPointF(place.x(), height - place.y());
-    }
-    painter.setBrush(QColor(190, 60, 40));
-    painter.drawPolygon(shape);
-    painter.end();
-    EXPECT_TRUE(image.save(this->file));
-  }
-
-  void open()
-  {
-    QApplication::setActiveWindow(&this->window);
-    EXPECT_TRUE(this->window.openPicture(this->file));
-    this->settle();
-  }
-  void settle()
-  {
-    QApplication::processEvents();
-    this->wait();
-    QApplication::processEvents();
-  }
-  QPoint onPad(const QPointF& place)
-  {
-    vtkRenderer* from = this->pad->renderWindow()->GetRenderers()->GetFirstRenderer();
-    from->SetWorldPoint(place.x(), place.y(), 0.0, 1.0);
-    from->WorldToDisplay();
-    const double* at = from->GetDisplayPoint();
-    return { static_cast<int>(std::lround(at[0])),
-      this->pad->height() - 1 - static_cast<int>(std::lround(at[1])) };
-  }
-  void line(const Places& places, Qt::KeyboardModifiers held = Qt::NoModifier)
-  {
-    QApplication::processEvents();
-    const auto send = [this, held](QEvent::Type type, const QPointF& place, Qt::MouseButton button)
-    {
-      const QPoint at = this->onPad(place);
-      const Qt::MouseButtons down = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
-      QMouseEvent event(type, at, this->pad->mapToGlobal(at), button, down, held);
-      QApplication::sendEvent(
-        this->pad, &event); // the server's own would run together while frames are drawn
-      QApplication::processEvents();
-    };
-    send(QEvent::MouseButtonPress, places.front(), Qt::LeftButton);
-    for (const QPointF& place : places)
-    {
-      send(QEvent::MouseMove, place, Qt::NoButton);
-    }
-    send(QEvent::MouseButtonRelease, places.back(), Qt::LeftButton);
-    this->settle();
-  }
-  void click(const QPointF& place)
-  {
-    QTest::mouseClick(this->pad, Qt::LeftButton, Qt::NoModifier, this->onPad(place));
-    this->settle();
-  }
-  const Session& session() { return this->document->session(); }
-  vtkPolyData* mesh() { return this->document->result().mesh; }
-  const Step& step(int node) { return *this->session().nodes[indexOf(node)].step; }
-  std::vector<DrawnStroke> strokes() { return strokesOf(linesOf(this->step(0), "Strokes")); }
-  std::string failure(int node = 0) { return this->document->result().nodes[indexOf(node)].failure; }
-  QString row(int at) { return this->list->item(at)->text().trimmed(); }
-  QAction* action(const QString& text)
-  {
-    for (QAction* one : this->window.findChildren<QAction*>())
-    {
-      if (one->text() == text)
-      {
-        return one;
-      }
-    }
-    ADD_FAILURE() << "no action " << text.toStdString();
-    return nullptr;
-  }
-  // A line beside the end of the leg, further down, drawn on the model by system A's tool.
-  void pullTheLeg()
-  {
-    QTest::keyClick(this->view, Qt::Key_D);
-    QApplication::processEvents();
-    this->pictureAtRest();
-    const double ends[3][3] = { { 116, 70, 0 }, { 140, 12, 0 }, { 164, 70, 0 } };
-    const auto at = [&](int i)
-    {
-      const double t = i / 30.0, a = (1 - t) * (1 - t), b = 2 * t * (1 - t), c = t * t;
-      const double side = 140.0 + (t - 0.5) * 56.0, low = a * 70.0 + b * -40.0 + c * 70.0;
-      const double place[3] = { side, low, ends[0][2] };
-      return this->seen(place);
-    };
-    moveMouse(this->view, at(0), Qt::NoButton);
-    QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(0));
-    for (int i = 1; i <= 30; ++i)
-    {
-      moveMouse(this->view, at(i));
-      QApplication::processEvents();
-    }
-    QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, at(30));
-    this->settle();
-  }
-
-  QTemporaryDir folder;
-  QString file;
-  DrawingPad* pad;
-  QListWidget* list;
-  QLabel* advice;
-};
-
-int openEdges(vtkPolyData* mesh)
-{
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(mesh);
-  edges->BoundaryEdgesOn();
-  edges->FeatureEdgesOff();
-  edges->NonManifoldEdgesOn();
-  edges->ManifoldEdgesOff();
-  edges->Update();
-  return static_cast<int>(edges->GetOutput()->GetNumberOfCells());
-}
-
-// Points - edges + faces of a closed mesh of triangles.
-vtkIdType eulerOf(vtkPolyData* mesh)
-{
-  return mesh->GetNumberOfPoints() - mesh->GetNumberOfPolys() / 2;
-}
-
-std::string replayed(const Session& session)
-{
-  std::vector<Outcome> outcomes;
-  Evaluator evaluator;
-  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
-  vtkPolyData* made = resultOf(session, outcomes);
-  return made ? digestOf(made) : std::string();
-}
-
-} // namespace
 
 TEST(Drawing, APictureBecomesAModelThatWearsIt)
 {
@@ -392,6 +187,82 @@ TEST(Drawing, ALegIsPulledAndTheDrawingChangedAfterwards)
   const QString saved = sheet.folder.filePath("a.oversketch");
   sheet.document->save(saved);
   EXPECT_EQ(replayed(readSession(saved.toStdString()).session), both);
+}
+
+TEST(Drawing, ALineOnTheSurfaceStaysWhenTheDrawingChangesUnderIt)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.line(beast());
+  const std::string whole = sheet.document->digest();
+  // A ridge along the body, by system D's tool.
+  QTest::keyClick(sheet.view, Qt::Key_B);
+  sheet.pictureAtRest();
+  const auto at = [&](int i)
+  {
+    const double place[3] = { 120.0 + 4.0 * i, 185.0, 40.0 };
+    return sheet.seen(place);
+  };
+  moveMouse(sheet.view, at(0), Qt::NoButton);
+  QTest::mousePress(sheet.view, Qt::LeftButton, Qt::NoModifier, at(0));
+  for (int i = 1; i <= 40; ++i)
+  {
+    moveMouse(sheet.view, at(i));
+    QApplication::processEvents();
+  }
+  QTest::mouseRelease(sheet.view, Qt::LeftButton, Qt::NoModifier, at(40));
+  sheet.settle();
+  ASSERT_EQ(sheet.session().nodes.size(), 2u);
+  EXPECT_EQ(sheet.step(1).system, "Augment");
+  // Closed, one piece, and as high as the line says above what it was drawn on.
+  const auto expectRidge = [&]
+  {
+    EXPECT_EQ(sheet.failure(0), "");
+    EXPECT_EQ(sheet.failure(1), "");
+    EXPECT_EQ(openEdges(sheet.mesh()), 0);
+    EXPECT_EQ(eulerOf(sheet.mesh()), 2);
+    EXPECT_TRUE(sheet.mesh()->GetPointData()->GetTCoords());
+    EXPECT_EQ(sheet.document->digest(), replayed(sheet.session()));
+    Session alone = sheet.session();
+    alone.nodes[1].on = false;
+    std::vector<Outcome> outcomes;
+    EXPECT_TRUE(Evaluator().run(alone, {}, outcomes));
+    vtkPolyData* bare = outcomes[1].mesh;
+    const double height = 0.5 * 0.03 * bare->GetLength(); // of the defaults
+    const double risen = sheet.mesh()->GetBounds()[5] - bare->GetBounds()[5];
+    EXPECT_GT(risen, 0.7 * height);
+    EXPECT_LT(risen, 1.1 * height);
+    EXPECT_NEAR(sheet.mesh()->GetBounds()[4], bare->GetBounds()[4], 1e-6) << "its back";
+  };
+  expectRidge();
+  const std::string ridge = sheet.document->digest();
+  EXPECT_NE(ridge, whole);
+  // The outline's upper side is drawn anew, higher.
+  QTest::keyClick(sheet.view, Qt::Key_G);
+  QApplication::processEvents();
+  Places higher;
+  for (int i = 0; i <= 24; ++i)
+  {
+    const double t = i / 24.0;
+    higher.push_back({ 270.0 - 140.0 * t, 241.0 + 24.0 * std::sin(M_PI * t) });
+  }
+  QTest::keyClick(&sheet.window, Qt::Key_F4); // no edge is there
+  sheet.line(higher, Qt::ShiftModifier);
+  EXPECT_EQ(sheet.strokes().size(), 1u);
+  EXPECT_GT(sheet.mesh()->GetBounds()[3], 255.0);
+  expectRidge();
+  const std::string both = sheet.document->digest();
+  EXPECT_NE(both, ridge);
+  for (const std::string& earlier : { ridge, whole })
+  {
+    sheet.document->undo();
+    sheet.settle();
+    EXPECT_EQ(sheet.document->digest(), earlier);
+  }
+  sheet.document->redo();
+  sheet.document->redo();
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), both);
 }
 
 TEST(Drawing, ALineIsDrawnAnewWhole)

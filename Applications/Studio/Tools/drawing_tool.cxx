@@ -50,6 +50,7 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   : Tool(viewport)
   , View(viewport)
   , OpenDocument(document)
+  , Handles(viewport)
   , Magnetic(new QAction(tr("&Magnetic pen"), this))
   , Swap(new QAction(tr("&Swap sides"), this))
 {
@@ -74,6 +75,9 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
       }
       emit this->left();
     });
+  this->Handles.moved = [this](const PartPlace& place, bool goesOn)
+  { emit this->placed(this->node(), place, goesOn); };
+  this->Handles.givenUp = [this] { emit Tool::givenUp(); };
   connect(this->Swap, &QAction::triggered, this, &Tool::swapAsked);
   connect(document, &Document::opened, this, &DrawingTool::follow);
   connect(document, &Document::changed, this, &DrawingTool::follow);
@@ -123,6 +127,7 @@ QVector<QPair<QString, QString>> DrawingTool::keys() const
     { tr("V"), tr("picture and model change sides") },
     { tr("Over the model:"), {} },
     { tr("  Left drag"), tr("turn the model") },
+    { tr("  On a part's handle"), tr("move it; a corner: its size, Shift: freely; orange: its depth") },
   };
 }
 
@@ -203,6 +208,12 @@ QString DrawingTool::advice(const Situation&) const
     return tr("The last model stays: %1")
       .arg(this->inLines(QString::fromStdString(states[indexOf(at)].failure)));
   }
+  if (this->OpenDocument->session().nodes[indexOf(at)].step->part)
+  {
+    return tr(
+      "Over the model: drag the box's middle to move the part, a corner for its size, the orange handle "
+      "for its depth. D pulls a limb of the model.");
+  }
   if (countOf(this->Pad->curves(), closedFeature) > 0)
   {
     return tr(
@@ -268,9 +279,21 @@ int DrawingTool::node() const
     return -1;
   }
   const auto& nodes = this->OpenDocument->session().nodes;
-  const auto it = std::find_if(
-    nodes.begin(), nodes.end(), [](const Node& one) { return one.step->system == drawingSystem; });
+  const auto isDrawing = [](const Node& one) { return one.step->system == drawingSystem; };
+  auto it = std::find_if(
+    nodes.begin(), nodes.end(), [&](const Node& one) { return isDrawing(one) && one.id == this->Drawing; });
+  it = it == nodes.end() ? std::find_if(nodes.begin(), nodes.end(), isDrawing) : it;
   return it == nodes.end() ? -1 : static_cast<int>(it - nodes.begin());
+}
+
+void DrawingTool::select(int node)
+{
+  const Node* one = node < 0 ? nullptr : &this->OpenDocument->session().nodes[indexOf(node)];
+  if (one && one->step->system == drawingSystem && one->id != this->Drawing)
+  {
+    this->Drawing = one->id;
+    this->follow();
+  }
 }
 
 void DrawingTool::start()
@@ -326,16 +349,22 @@ void DrawingTool::follow()
   this->Magnetic->setEnabled(this->Held && at >= 0 && this->Picture);
   if (at < 0)
   {
+    this->Handles.show(std::nullopt);
+    this->Drawing = this->OnPad = 0;
     this->Started = false;
     this->Shown = nullptr;
     this->Strokes.clear();
     return;
   }
-  const Step& step = *this->OpenDocument->session().nodes[indexOf(at)].step;
+  const Node& node = this->OpenDocument->session().nodes[indexOf(at)];
+  const Step& step = *node.step;
+  this->Handles.show(this->Held ? step.part : std::nullopt);
+  this->Drawing = node.id;
+  this->Started = std::exchange(this->OnPad, node.id) == node.id && this->Started;
   const auto lines = step.inputs.find(strokesInput);
   const Lines* drawn = lines == step.inputs.end() ? nullptr : std::get_if<Lines>(&lines->second);
   const vtkSmartPointer<vtkPolyData> drawing = drawn ? drawn->own() : nullptr;
-  const auto given = step.inputs.find("Picture");
+  const auto given = step.inputs.find(pictureInput);
   const Image* image = given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
   const auto bytes = image ? image->bytes : nullptr;
   if (!this->Started || bytes != this->Picture)

@@ -3,6 +3,7 @@
 #define oversketch_studio_drawing_tool_h
 
 #include "drawing_lines.h"
+#include "part_handles.h"
 #include "tool.h"
 
 #include <QPointer>
@@ -36,6 +37,9 @@ public:
   bool judges() const override { return true; }
   QString stage(const QString& name) const override;
   std::string system() const override { return oversketch_session::drawingSystem; }
+  // The drawing that was selected last, else the first one.
+  int node() const override;
+  void select(int node) override;
   // Magnetic, and the two views' sides.
   QWidget* makeOptions(QWidget* parent) override;
   QWidget* makeCanvas(QWidget* parent) override;
@@ -43,13 +47,15 @@ public:
   void start() override;
   void stop() override;
   bool draws() const override;
+  bool moves() const override { return this->Handles.isHeld(); }
   void setSteadiness(double pixels) override;
   void setDark(bool dark) override;
+  void setPixelRatio(double ratio) override { this->Handles.setPixelRatio(ratio); }
+  void frameBegins() override { this->Handles.follow(); }
+  void showLines(bool show) override { this->Handles.setVisible(show); }
   void redraw(int stroke) override;
 
 private:
-  // The step of the drawing, -1 where there is none.
-  int node() const;
   // Shows what the document holds.
   void follow();
   // The hand has changed the drawing on the pad.
@@ -61,11 +67,13 @@ private:
   Viewport* View;
   const Document* OpenDocument;
   QPointer<DrawingPad> Pad; // in a frame of its own
+  PartHandles Handles;      // of the drawing's model, where it is a part
   QAction *Magnetic, *Swap;
   bool Held = false;                                    // the tool is in the hand
   std::vector<oversketch_session::DrawnStroke> Strokes; // of the drawing, also those that are off
   std::shared_ptr<const void> Shown;                    // the identity of its lines
   std::shared_ptr<const std::string> Picture;           // the bytes of what it is drawn over
+  int Drawing = 0, OnPad = 0;                           // ids: of its step, of the one that is seen
   bool Started = false;                                 // something is drawn on
   int Redrawn = -1;                                     // the stroke that the next one replaces
 };

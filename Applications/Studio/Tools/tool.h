@@ -54,6 +54,9 @@ public:
 
   // Whose steps it makes (SystemRow::name); empty: none.
   virtual std::string system() const { return {}; }
+  // The step of the history that it changes by itself; -1: none. One is selected, -1: none.
+  virtual int node() const { return -1; }
+  virtual void select(int) {}
   // What new steps are made with, for the bar above the viewport; null where there is nothing to choose.
   virtual QWidget* makeOptions(QWidget*) { return nullptr; }
   // What else can be done with it while it is in the hand, for a menu.
@@ -111,6 +114,10 @@ signals:
   void shaped(const oversketch_session::Values& values, bool goesOn);
   // The hand has changed a step of the history, whatever is offered.
   void edited(int node, const oversketch_session::Step& step);
+  // The hand puts a part of the model elsewhere; `goesOn`: of one movement with the last time. It gives the
+  // movement up.
+  void placed(int node, const oversketch_session::PartPlace& place, bool goesOn);
+  void givenUp();
   // What is drawn on and the model change sides.
   void swapAsked();
   // The hand moves a step that the mesh cannot follow before it is let go; it lets go.

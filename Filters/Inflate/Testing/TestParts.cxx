@@ -3,6 +3,7 @@
 #include "vtkOversketchAssemble.h"
 #include "vtkOversketchProjectTexture.h"
 
+#include "vtkIntArray.h"
 #include "vtkPolyDataNormals.h"
 
 #include <gtest/gtest.h>
@@ -272,6 +273,83 @@ TEST(C16_3, MovingAPartRunsNoOther)
   EXPECT_EQ(chain.Inflate->GetOutput()->GetMTime(), before);
   EXPECT_EQ(chain.Classify->GetClassificationCount(), 1);
   fact("C16_3", "a part moved four times: the other one's filters ran once, their output is the same");
+}
+
+TEST(Assemble, WhatWasAssembledStaysSeveralParts)
+{
+  DrawingChain ball(Treatment::Fill, 1);
+  ball.Inflate->Update();
+  const auto part = [&](double x) { return placedAt(ball.Inflate->GetOutput(), shifted(x, 0.0, 0.0)); };
+  const auto named = part(0.0);
+  vtkNew<vtkDoubleArray> ink;
+  ink->SetName("Ink");
+  ink->InsertNextValue(7.0);
+  named->GetFieldData()->AddArray(ink);
+  const auto joined = [](const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
+  {
+    vtkNew<vtkOversketchAssemble> assemble;
+    for (vtkPolyData* one : parts)
+    {
+      assemble->AddInputData(one);
+    }
+    assemble->Update();
+    EXPECT_EQ(assemble->GetErrorCode(), 0u);
+    return vtkSmartPointer<vtkPolyData>(assemble->GetOutput());
+  };
+  // Two and then two more are the same as four at once, to the bit.
+  const auto pair = joined({ part(1000.0), named });
+  const auto all = joined({ part(2000.0), pair, part(3000.0) });
+  const auto atOnce = joined({ part(2000.0), part(1000.0), named, part(3000.0) });
+  ASSERT_EQ(all->GetNumberOfPoints(), atOnce->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(Vector3(all->GetPoint(i)), Vector3(atOnce->GetPoint(i)));
+  }
+  for (vtkIdType f = 0; f < all->GetNumberOfPolys(); ++f)
+  {
+    EXPECT_EQ(all->GetCellData()->GetArray("PartId")->GetComponent(f, 0),
+      atOnce->GetCellData()->GetArray("PartId")->GetComponent(f, 0));
+  }
+  for (int number = 0; number < 4; ++number)
+  {
+    EXPECT_EQ(shapeOf(partOf(all, number)).chi, 2);
+    const std::string prefix = "Part" + std::to_string(number) + ".";
+    EXPECT_NE(all->GetFieldData()->GetArray((prefix + "Canvas").c_str()), nullptr) << number;
+    EXPECT_EQ(all->GetFieldData()->GetArray((prefix + "Ink").c_str()) != nullptr, number == 2);
+  }
+  const auto wrong = part(0.0);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("PartId");
+  ids->SetNumberOfTuples(wrong->GetNumberOfPolys());
+  ids->FillValue(-1);
+  wrong->GetCellData()->AddArray(ids);
+  vtkNew<vtkOversketchAssemble> filter;
+  filter->AddInputData(wrong);
+  expectRefusal(filter, Failure::BadMesh, "Part 0: Cell array PartId holds -1");
+}
+
+TEST(Assemble, CoordinatesOfSomeAreNoneOfTheOthers)
+{
+  DrawingChain ball(Treatment::Fill, 1);
+  vtkNew<vtkOversketchProjectTexture> texture;
+  texture->SetInputConnection(ball.Inflate->GetOutputPort());
+  texture->Update();
+  vtkNew<vtkOversketchAssemble> assemble;
+  assemble->AddInputConnection(ball.Inflate->GetOutputPort());
+  assemble->AddInputConnection(texture->GetOutputPort());
+  assemble->Update();
+  vtkDataArray* coordinates = assemble->GetOutput()->GetPointData()->GetTCoords();
+  ASSERT_NE(coordinates, nullptr);
+  const vtkIdType count = texture->GetOutput()->GetNumberOfPoints();
+  vtkDataArray* own = texture->GetOutput()->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < 2; ++c)
+    {
+      EXPECT_EQ(coordinates->GetComponent(i, c), 0.0);
+      EXPECT_EQ(coordinates->GetComponent(count + i, c), own->GetComponent(i, c));
+    }
+  }
 }
 
 TEST(ProjectTexture, RefusesAndCancels)

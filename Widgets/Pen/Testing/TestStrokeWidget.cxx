@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkPointData.h"
+#include "vtkProperty2D.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,6 +188,40 @@ TEST(Pen, BackspaceTakesTheLastPoints)
   Counter commits(scene.pen, vtkCommand::WidgetValueChangedEvent);
   scene.release(70, 150);
   EXPECT_EQ(commits.count, 0);
+}
+
+TEST(Pen, ABandUnderTheStrokeGrowsWithIt)
+{
+  Pen scene;
+  vtkOversketchStrokeRepresentation* line = scene.pen->GetStrokeRepresentation();
+  line->GetSectionProperty()->SetColor(0.0, 0.0, 1.0);
+  line->GetSectionProperty()->SetLineWidth(20.0F);
+  line->SetSectionFollows(true);
+  EXPECT_FALSE(line->GetSectionFollows()) << "there is no stroke";
+  const auto isBlue = [](const Pixels& pixels, int x, int y)
+  {
+    const unsigned char* p = &pixels[3 * (400 * y + x)];
+    return p[2] > 200 && p[0] < 60;
+  };
+  scene.press(60, 20);
+  scene.move(100, 20);
+  EXPECT_FALSE(isBlue(scene.pixels(), 80, 27));
+  line->SetSectionFollows(true); // what is drawn already, too
+  for (int x = 104; x <= 220; x += 4)
+  {
+    scene.move(x, 20);
+    const Pixels now = scene.pixels();
+    EXPECT_TRUE(isBlue(now, 64, 27) && isBlue(now, x - 2, 27) && isBlue(now, x - 2, 13)) << x;
+    EXPECT_FALSE(isBlue(now, x + 6, 27)) << x;
+    EXPECT_TRUE(isRed(now, x - 2, 20)) << "the stroke lies over it";
+  }
+  line->RemoveLast(60.0);
+  scene.move(164, 20);
+  EXPECT_TRUE(isBlue(scene.pixels(), 150, 27));
+  EXPECT_FALSE(isBlue(scene.pixels(), 190, 27));
+  scene.release(164, 20);
+  EXPECT_FALSE(isBlue(scene.pixels(), 100, 27));
+  EXPECT_FALSE(line->GetSectionFollows());
 }
 
 TEST(Pen, AClickIsNoStroke)

@@ -1,0 +1,264 @@
+// Drawings beside each other in a session: placed, kept, filed, passed by.
+#include "sessions.h"
+
+#include "drawing_lines.h"
+#include "files.h"
+#include "parts.h"
+#include "pieces.h"
+#include "session_file.h"
+#include "texture.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkMassProperties.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+using namespace oversketch_session;
+using namespace oversketch_test;
+
+namespace
+{
+
+// The drawing over a part of the gnome, as a step of its own.
+Node drawing(const std::string& name, int id, const std::optional<PartPlace>& place = std::nullopt)
+{
+  const std::string path = OVERSKETCH_DATA_FOLDER "/Drawings/figure_" + name;
+  const auto bytes = std::make_shared<const std::string>(oversketch_files::wholeFile(path + ".png"));
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName((path + ".vtp").c_str());
+  reader->Update();
+  auto step =
+    std::make_shared<Step>(withDrawing(*drawingOver({ name + ".png", bytes }), reader->GetOutput()));
+  step->values["Levels"] = 2;
+  step->part = place;
+  Node node;
+  node.id = id;
+  node.name = name;
+  node.step = step;
+  return node;
+}
+
+Node at(Node node, const PartPlace& place)
+{
+  return changed(node, [&](Step& step) { step.part = place; });
+}
+
+const PartPlace beside{ { 600.0, 100.0, 1000.0, 500.0 }, 70.0 };
+
+Session gnome()
+{
+  Session session;
+  session.backend = 2;
+  session.nodes = { drawing("body", 1), drawing("head", 2, beside) };
+  return session;
+}
+
+std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Session& session)
+{
+  std::vector<Outcome> outcomes;
+  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  for (const Outcome& outcome : outcomes)
+  {
+    EXPECT_EQ(outcome.failure, "");
+  }
+  return outcomes;
+}
+
+std::string bitsOf(const Session& session)
+{
+  Evaluator evaluator;
+  return digestOf(outcomesOf(evaluator, session).back().mesh);
+}
+
+std::set<int> partsOf(vtkPolyData* mesh)
+{
+  std::set<int> parts;
+  vtkDataArray* ids = mesh->GetCellData()->GetArray("PartId");
+  for (vtkIdType f = 0; ids && f < ids->GetNumberOfTuples(); ++f)
+  {
+    parts.insert(static_cast<int>(ids->GetComponent(f, 0)));
+  }
+  return parts;
+}
+
+double volumeOf(vtkPolyData* mesh)
+{
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(mesh);
+  return mass->GetVolume();
+}
+
+} // namespace
+
+TEST(Parts, ADrawingStandsWhereItsBoxIs)
+{
+  Evaluator evaluator;
+  const Session session = gnome();
+  const auto outcomes = outcomesOf(evaluator, session);
+  Session alone = session;
+  alone.nodes = { drawing("head", 2) };
+  Evaluator other;
+  const auto head = outcomesOf(other, alone)[0].mesh;
+  vtkPolyData* body = outcomes[0].mesh;
+  vtkPolyData* both = outcomes[1].mesh;
+  ASSERT_EQ(both->GetNumberOfPoints(), body->GetNumberOfPoints() + head->GetNumberOfPoints());
+  EXPECT_EQ(both->GetNumberOfPolys(), body->GetNumberOfPolys() + head->GetNumberOfPolys());
+  EXPECT_EQ(partsOf(both), (std::set<int>{ 0, 1 }));
+  // The canvas fills the box; z is scaled by the mean of both and moved.
+  const auto canvas = canvasOf(*alone.nodes[0].step);
+  const double x = 400.0 / (canvas[2] - canvas[0]), y = 400.0 / (canvas[3] - canvas[1]);
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < head->GetNumberOfPoints(); ++i)
+  {
+    const double* from = head->GetPoint(i);
+    const Vector3 expected(600.0 + x * (from[0] - canvas[0]),
+      100.0 + y * (from[1] - canvas[1]),
+      70.0 + std::sqrt(x * y) * from[2]);
+    worst = std::max(worst, (expected - Vector3(both->GetPoint(body->GetNumberOfPoints() + i))).norm());
+  }
+  EXPECT_LT(worst, 1e-9);
+  EXPECT_NEAR(volumeOf(both) / (volumeOf(body) + std::pow(x * y, 1.5) * volumeOf(head)), 1.0, 1e-6);
+  // Both wear their pictures.
+  const auto pieces = oversketch_files::piecesOf(both);
+  ASSERT_EQ(pieces.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const auto& image = std::get<Image>(session.nodes[i].step->inputs.at("Picture"));
+    EXPECT_TRUE(pieces[i].picture == *image.bytes) << i;
+  }
+}
+
+TEST(Parts, MovingOneDrawsNothingAnewAndGivesTheSameBits)
+{
+  Evaluator evaluator;
+  Session session = gnome();
+  outcomesOf(evaluator, session);
+  const std::size_t drawn = evaluator.runs();
+  EXPECT_EQ(drawn, 2u);
+  PartPlace place = beside;
+  for (int i = 0; i < 5; ++i)
+  {
+    place.depth += 3.0;
+    place.box[2] += 7.0;
+    session.nodes[1] = at(session.nodes[1], place);
+    const auto outcomes = outcomesOf(evaluator, session);
+    EXPECT_EQ(digestOf(outcomes[1].mesh), bitsOf(session));
+  }
+  EXPECT_EQ(evaluator.runs(), drawn);
+  // A changed first drawing runs itself alone.
+  session.nodes[0] = changed(session.nodes[0], [](Step& step) { step.values["Height"] = 0.5; });
+  EXPECT_EQ(digestOf(outcomesOf(evaluator, session)[1].mesh), bitsOf(session));
+  EXPECT_EQ(evaluator.runs(), drawn + 1);
+  // And a changed second one.
+  session.nodes[1] = changed(session.nodes[1], [](Step& step) { step.values["Height"] = 0.5; });
+  EXPECT_EQ(digestOf(outcomesOf(evaluator, session)[1].mesh), bitsOf(session));
+  EXPECT_EQ(evaluator.runs(), drawn + 2);
+}
+
+TEST(Parts, ThreeAreCountedOnAndOneThatIsOffIsPassedBy)
+{
+  Session session = gnome();
+  session.nodes.push_back(drawing("hat", 3, PartPlace{ { 0.0, 700.0, 400.0, 900.0 }, 0.0 }));
+  Evaluator evaluator;
+  EXPECT_EQ(partsOf(outcomesOf(evaluator, session)[2].mesh), (std::set<int>{ 0, 1, 2 }));
+  session.nodes[1].on = false;
+  const auto outcomes = outcomesOf(evaluator, session);
+  EXPECT_EQ(partsOf(outcomes[2].mesh), (std::set<int>{ 0, 1 }));
+  EXPECT_EQ(oversketch_files::piecesOf(outcomes[2].mesh)[1].picture,
+    *std::get<Image>(session.nodes[2].step->inputs.at("Picture")).bytes);
+  // One that fails, or is not drawn yet, leaves the others as they are.
+  session.nodes[1].on = true;
+  session.nodes[1] = changed(session.nodes[1], [](Step& step) { step.values["Holes"] = std::string("7"); });
+  std::vector<Outcome> failed;
+  EXPECT_TRUE(evaluator.run(session, {}, failed));
+  EXPECT_NE(failed[1].failure, "");
+  EXPECT_EQ(digestOf(failed[2].mesh), digestOf(outcomes[2].mesh));
+  session.nodes[1] = drawing("head", 2, beside);
+  session.nodes[1] =
+    changed(session.nodes[1], [](Step& step) { step.inputs["Strokes"] = Lines(vtkNew<vtkPolyData>()); });
+  EXPECT_TRUE(evaluator.run(session, {}, failed));
+  EXPECT_EQ(digestOf(failed[2].mesh), digestOf(outcomes[2].mesh));
+  // The first one off: the others stay at their places.
+  session.nodes[1] = drawing("head", 2, beside);
+  session.nodes[0].on = false;
+  const auto without = outcomesOf(evaluator, session);
+  EXPECT_EQ(partsOf(without[2].mesh), (std::set<int>{ 0, 1 }));
+  EXPECT_GT(without[1].mesh->GetBounds()[0], 600.0);
+}
+
+TEST(Parts, AreFiledWithTheirPlaces)
+{
+  const Session session = gnome();
+  const Package package = Encoder().encode({ session, {}, "" });
+  const SessionFile back = decode(package, "file");
+  ASSERT_EQ(back.session.nodes.size(), 2u);
+  EXPECT_FALSE(back.session.nodes[0].step->part);
+  ASSERT_TRUE(back.session.nodes[1].step->part);
+  EXPECT_TRUE(*back.session.nodes[1].step->part == beside);
+  EXPECT_EQ(bitsOf(back.session), bitsOf(session));
+  const auto refused = [&](const std::string& from, const std::string& to, const std::string& words)
+  {
+    Package bad = package;
+    std::string text = *bad.at(sessionEntry);
+    const std::size_t place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    bad[sessionEntry] = std::make_shared<std::string>(text);
+    try
+    {
+      decode(bad, "file");
+      FAIL() << to;
+    }
+    catch (const oversketch_files::Failed& failed)
+    {
+      EXPECT_NE(std::string(failed.what()).find(words), std::string::npos) << failed.what();
+    }
+  };
+  refused("1000.0", "600.0", "is an empty box");
+  refused("1000.0", "1e300", "beyond 1e9");
+  refused("600.0,", "", "is not four numbers");
+  refused("\"depth\" : 70.0", "\"depth\" : \"70\"", "depth");
+}
+
+TEST(Parts, OnlyWhatTakesNoMeshMakesOne)
+{
+  Session session = dogSession();
+  session.nodes[0] = at(session.nodes[0], beside);
+  Evaluator evaluator;
+  std::vector<Outcome> outcomes;
+  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  EXPECT_EQ(outcomes[0].failure, "OneStroke changes the mesh that comes to it, and makes no part of its own");
+  // Beside a model that was opened.
+  session.nodes = { drawing("head", 3, beside) };
+  const auto both = outcomesOf(evaluator, session)[0].mesh;
+  EXPECT_EQ(partsOf(both), (std::set<int>{ 0, 1 }));
+  EXPECT_EQ(oversketch_files::piecesOf(both).size(), 2u);
+}
+
+TEST(Parts, WhatALineLacksIsWhatItMeansWithout)
+{
+  const auto strokes = strokesOf(linesOf(*drawing("body", 1).step, "Strokes"));
+  ASSERT_FALSE(strokes.empty());
+  DrawnStroke plain = strokes[0], told = strokes[0];
+  plain.line->GetCellData()->RemoveArray("Treatment");
+  plain.on = false;
+  told.line = vtkSmartPointer<vtkPolyData>::New();
+  told.line->ShallowCopy(strokes[0].line);
+  vtkNew<vtkIntArray> hole;
+  hole->SetName("Treatment");
+  hole->InsertNextValue(1);
+  told.line->GetCellData()->AddArray(hole);
+  const auto back = strokesOf(drawingOf({ plain, told }, strokes[0].line));
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(treatmentOf(back[0].line), 0);
+  EXPECT_EQ(treatmentOf(back[1].line), 1) << "a hole is forgotten beside a line that is off";
+  EXPECT_FALSE(back[0].on);
+  EXPECT_EQ(plain.line->GetCellData()->GetArray("Treatment"), nullptr) << "the line itself has changed";
+}

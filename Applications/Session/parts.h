@@ -1,0 +1,31 @@
+// Parts of a model: meshes that are put beside each other, each at its place.
+#ifndef oversketch_parts_h
+#define oversketch_parts_h
+
+#include "step.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <Eigen/Core>
+
+namespace oversketch_session
+{
+
+// Left, bottom, right and top of what is placed: the canvas that it was drawn on (field array Canvas), else
+// what it covers in x and y.
+Eigen::Vector4d rectangleOf(vtkPolyData* mesh);
+
+// The mesh with its placement, as vtkOversketchAssemble takes it. Materials of the file that it was read from
+// mean nothing in the whole.
+vtkSmartPointer<vtkPolyData> placedBy(const Eigen::Matrix4d& matrix, vtkPolyData* mesh);
+
+// A mesh with one more part: its PartId is the next after those of the mesh. Throws oversketch::Error where
+// it cannot be put there.
+vtkSmartPointer<vtkPolyData> withPart(vtkPolyData* mesh, vtkPolyData* part, const PartPlace& place);
+
+// What is wrong with a place, in words; empty where nothing is.
+std::string faultOf(const PartPlace& place);
+
+} // namespace oversketch_session
+#endif

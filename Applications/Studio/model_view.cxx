@@ -1,0 +1,102 @@
+#include "model_view.h"
+
+#include "pieces.h"
+#include "skin.h"
+
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+namespace oversketch_studio
+{
+
+struct ModelView::Part
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  Skin skin;
+
+  Part()
+  {
+    this->actor->SetMapper(this->mapper);
+    this->actor->GetProperty()->SetInterpolationToGouraud();
+    this->actor->GetProperty()->SetSpecular(0.15);
+    this->actor->GetProperty()->SetSpecularPower(20.0);
+  }
+};
+
+ModelView::ModelView(vtkRenderer* renderer)
+  : Renderer(renderer)
+{
+  this->resize(1);
+}
+
+ModelView::~ModelView() = default;
+
+void ModelView::resize(std::size_t count)
+{
+  while (this->Parts.size() > count)
+  {
+    this->Renderer->RemoveActor(this->Parts.back()->actor);
+    this->Parts.pop_back();
+  }
+  while (this->Parts.size() < count)
+  {
+    this->Parts.push_back(std::make_unique<Part>());
+    Part& part = *this->Parts.back();
+    part.skin.setPlain(part.actor, this->Plain[0], this->Plain[1], this->Plain[2]);
+    this->Renderer->AddActor(part.actor);
+  }
+}
+
+void ModelView::show(vtkPolyData* mesh)
+{
+  this->Shown = mesh;
+  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(mesh);
+  this->resize(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    Part& part = *this->Parts[i];
+    part.mapper->SetInputData(pieces[i].mesh);
+    part.actor->VisibilityOn();
+    part.skin.dress(part.actor, part.mapper, pieces[i].mesh, pieces[i].picture);
+  }
+}
+
+void ModelView::clear()
+{
+  this->Shown = nullptr;
+  this->resize(1);
+  this->Parts[0]->mapper->SetInputData(nullptr);
+  this->Parts[0]->actor->VisibilityOff();
+}
+
+void ModelView::preview(vtkPolyData* mesh)
+{
+  this->Shown = mesh;
+  if (this->Parts.size() == 1)
+  {
+    this->Parts[0]->mapper->SetInputData(mesh);
+    return;
+  }
+  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(mesh);
+  this->resize(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    this->Parts[i]->mapper->SetInputData(pieces[i].mesh);
+  }
+}
+
+void ModelView::setPlain(double red, double green, double blue)
+{
+  this->Plain = { red, green, blue };
+  for (const auto& part : this->Parts)
+  {
+    part->skin.setPlain(part->actor, red, green, blue);
+  }
+}
+
+} // namespace oversketch_studio

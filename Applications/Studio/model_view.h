@@ -1,0 +1,46 @@
+// The model in the view. Parts of it that wear pictures of their own are drawn each by itself.
+#ifndef oversketch_studio_model_view_h
+#define oversketch_studio_model_view_h
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+class vtkPolyData;
+class vtkRenderer;
+
+namespace oversketch_studio
+{
+
+class ModelView
+{
+public:
+  explicit ModelView(vtkRenderer* renderer);
+  ~ModelView();
+  ModelView(const ModelView&) = delete;
+  ModelView& operator=(const ModelView&) = delete;
+
+  // Shows a mesh in what it wears, instead of the last; shows none.
+  void show(vtkPolyData* mesh);
+  void clear();
+  // The same mesh moved, in the same skins.
+  void preview(vtkPolyData* mesh);
+  vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
+
+  // The colour of what wears nothing.
+  void setPlain(double red, double green, double blue);
+
+private:
+  struct Part;
+  void resize(std::size_t count);
+
+  vtkRenderer* Renderer; // outlives it
+  std::vector<std::unique_ptr<Part>> Parts;
+  vtkSmartPointer<vtkPolyData> Shown;
+  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
+};
+
+} // namespace oversketch_studio
+#endif
