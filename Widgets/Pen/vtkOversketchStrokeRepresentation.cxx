@@ -455,4 +455,5 @@ void vtkOversketchStrokeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Drawing: " << this->IsDrawing() << "\n";
   os << indent << "Samples: " << this->GetNumberOfSamples() << "\n";
+  os << indent << "SectionFollows: " << (this->GetSectionFollows() ? "On" : "Off") << "\n";
 }
