@@ -211,7 +211,7 @@ TEST(DistanceFieldFilter, RefusesAndCancels)
   refused({ a, far }, noChain);
   refused({ a, rim }, noChain);
   refused({ outside, outside + 1 }, noChain);
-  refused({ a, -1 }, "names no vertex of the mesh");
+  refused({ a, -1 }, "is no vertex of the mesh");
   refused({}, noChain);
   Measured made(scene);
   for (const double bad : { -0.1, 11.0, std::nan("") })

@@ -248,7 +248,7 @@ TEST(FlattenFilter, APatchGivesTheDiscOfItsMesh)
   // A vertex that the patch lacks.
   const auto outside = static_cast<int>(std::find(number.begin(), number.end(), -1) - number.begin());
   made.filter->SetReferenceData(curveOf(scene.mesh, { scene.reference[0], outside }));
-  expectRefusal(made.filter, Failure::BadStroke, "Point 1 of the reference curve names no vertex");
+  expectRefusal(made.filter, Failure::BadStroke, "Point 1 of the reference curve is no vertex of the mesh");
 }
 
 TEST(FlattenFilter, PointLabelsAloneLeaveOutWhatHasAllCornersOnTheBoundary)
@@ -353,18 +353,24 @@ TEST(FlattenFilter, RefusesAndCancels)
   const auto curve = curveOf(scene.mesh, scene.reference);
   const auto mesh = meshOf(scene);
   for (const int wrong : { -1, 21 * 21, 1 << 30 })
-    refused(mesh, curveOf(scene.mesh, { scene.reference[0], wrong }), Failure::BadStroke, "names no vertex");
+    refused(mesh,
+      curveOf(scene.mesh, { scene.reference[0], wrong }),
+      Failure::BadStroke,
+      "is no vertex of the mesh");
   refused(
     mesh, curveOf(scene.mesh, { scene.reference[0], 0 }), Failure::BadStroke, "lies outside the boundary");
   refused(mesh, areasOnDisc({ { { 0, 0 }, { 1, 1 } } }), Failure::MissingArray, "no array VertexId");
-  refused(mesh, areasOnDisc({ { { 0, 0 } }, { { 1, 1 } } }), Failure::BadStroke, "is 2 polylines");
-  refused(mesh, toPolyData(scene.mesh), Failure::BadStroke, "exactly one polyline");
+  refused(mesh,
+    areasOnDisc({ { { 0, 0 } }, { { 1, 1 } } }),
+    Failure::BadStroke,
+    "There are 2 polylines where the reference curve is one");
+  refused(mesh, toPolyData(scene.mesh), Failure::BadStroke, "must be polylines and no other cells");
   vtkNew<vtkPolyData> nothing;
-  refused(mesh, nothing, Failure::BadStroke, "is 0 polylines");
+  refused(mesh, nothing, Failure::BadStroke, "must be polylines and no other cells");
   refused(toPolyData(scene.mesh), curve, Failure::MissingArray, "no array EditRegion");
   Scene wrong = scene;
   wrong.labels[7] = 3;
-  refused(meshOf(wrong), curve, Failure::BadRegion, "EditRegion of vertex 7 is none");
+  refused(meshOf(wrong), curve, Failure::BadRegion, "EditRegion of vertex 7 is not 0");
   wrong = scene;
   wrong.mesh.points[210][1] = std::nan("");
   refused(meshOf(wrong), curve, Failure::BadMesh, "Point 210 of the mesh is not finite");
@@ -379,7 +385,7 @@ TEST(FlattenFilter, RefusesAndCancels)
   ids->InsertNextValue(0.5);
   ids->InsertNextValue(1.0);
   nan->GetPointData()->AddArray(ids);
-  refused(mesh, nan, Failure::BadStroke, "Point 0 of the reference curve names no vertex");
+  refused(mesh, nan, Failure::BadStroke, "Point 0 of the reference curve is no vertex of the mesh");
   const auto quads = meshOf(scene);
   vtkNew<vtkCellArray> polys;
   const vtkIdType corners[4] = { 0, 1, 22, 21 };
