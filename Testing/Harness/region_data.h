@@ -2,10 +2,8 @@
 #ifndef oversketch_test_region_data_h
 #define oversketch_test_region_data_h
 
-#include "Harness/polydata.h"
+#include "Harness/chains.h"
 #include "Harness/regions.h"
-
-#include "vtkIdTypeArray.h"
 
 namespace oversketch_test
 {
@@ -21,28 +19,11 @@ inline vtkSmartPointer<vtkDoubleArray> arrayOf(const char* name, const std::vect
   return array;
 }
 
-inline vtkSmartPointer<vtkPolyData> toCurve(const Mesh& mesh, const std::vector<int>& chain, bool closed)
+// A closed chain by its vertices.
+inline std::vector<int> closed(std::vector<int> chain)
 {
-  auto curve = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdTypeArray> vertices;
-  vertices->SetName("VertexId");
-  lines->InsertNextCell(static_cast<int>(chain.size()) + (closed ? 1 : 0));
-  for (const int v : chain)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(mesh.points[v].data()));
-    vertices->InsertNextValue(v);
-  }
-  if (closed)
-  {
-    lines->InsertCellPoint(0);
-  }
-  curve->SetPoints(points);
-  curve->SetLines(lines);
-  curve->GetPointData()->AddArray(vertices);
-  return curve;
+  chain.push_back(chain.front());
+  return chain;
 }
 
 // What the filters of a region have made.
@@ -53,8 +34,8 @@ struct EditData
 
   explicit EditData(EditScene made, bool withNormals = true)
     : scene(std::move(made))
-    , reference(toCurve(this->scene.mesh, this->scene.reference, false))
-    , boundary(toCurve(this->scene.mesh, this->scene.boundary, true))
+    , reference(toChain(this->scene.mesh, this->scene.reference))
+    , boundary(toChain(this->scene.mesh, closed(this->scene.boundary)))
   {
     const std::vector<Vector3> normals = vertexNormals(this->scene.mesh);
     this->mesh = toPolyData(this->scene.mesh, withNormals ? &normals : nullptr);

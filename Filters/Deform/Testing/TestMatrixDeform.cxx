@@ -383,13 +383,13 @@ TEST(Handles, ErrorsNameOperationAndRemedy)
   scene.handles->SetHandlesData(none);
   scene.handles->SetReferenceData(none);
   expectRefusal(scene.handles, Failure::BadStroke, "must be polylines and no other cells");
-  auto wrong = toCurve(scene.data.scene.mesh, { 0, 1, 2 }, false);
+  auto wrong = toChain(scene.data.scene.mesh, { 0, 1, 2 });
   wrong->GetPointData()->GetArray("VertexId")->SetComponent(1, 0, 1e9);
   scene.handles->SetReferenceData(wrong);
   expectRefusal(scene.handles, Failure::BadStroke, "Point 1 of the reference curve is no vertex of the mesh");
   wrong->GetPointData()->RemoveArray("VertexId");
   expectRefusal(scene.handles, Failure::MissingArray, "VertexId");
-  scene.handles->SetReferenceData(toCurve(scene.data.scene.mesh, { 5, 5 }, false));
+  scene.handles->SetReferenceData(toChain(scene.data.scene.mesh, { 5, 5 }));
   expectRefusal(scene.handles, Failure::BadStroke, "fewer than two distinct points");
   scene.handles->SetInputData(none);
   scene.handles->Update();

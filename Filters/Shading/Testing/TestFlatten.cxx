@@ -21,7 +21,7 @@ struct Flattened
     this->filter->SetReferenceData(reference);
   }
   explicit Flattened(const Scene& scene)
-    : Flattened(meshOf(scene), curveOf(scene.mesh, scene.reference))
+    : Flattened(meshOf(scene), toChain(scene.mesh, scene.reference))
   {
   }
 };
@@ -91,7 +91,7 @@ TEST(B6_1, ByTheFilterTheModelKeepsWhatItHas)
   own->SetNumberOfTuples(mesh->GetNumberOfPoints());
   own->Fill(0.25);
   mesh->GetPointData()->SetTCoords(own);
-  Flattened made(mesh, curveOf(scene.mesh, scene.reference));
+  Flattened made(mesh, toChain(scene.mesh, scene.reference));
   made.filter->Update();
   ASSERT_EQ(made.filter->GetErrorCode(), 0u);
 
@@ -235,7 +235,7 @@ TEST(FlattenFilter, APatchGivesTheDiscOfItsMesh)
   part.mesh = alone;
   const auto mesh = meshOf(part);
   mesh->GetPointData()->AddArray(ids);
-  Flattened made(mesh, curveOf(scene.mesh, scene.reference));
+  Flattened made(mesh, toChain(scene.mesh, scene.reference));
   made.filter->Update();
   ASSERT_EQ(made.filter->GetErrorCode(), 0u);
   EXPECT_TRUE(sameBits(made.filter->GetDiscOutput()->GetPoints()->GetData(),
@@ -247,14 +247,14 @@ TEST(FlattenFilter, APatchGivesTheDiscOfItsMesh)
     made.filter->GetDiscOutput()->GetPointData()->GetArray("VertexId")->GetComponent(7, 0));
   // A vertex that the patch lacks.
   const auto outside = static_cast<int>(std::find(number.begin(), number.end(), -1) - number.begin());
-  made.filter->SetReferenceData(curveOf(scene.mesh, { scene.reference[0], outside }));
+  made.filter->SetReferenceData(toChain(scene.mesh, { scene.reference[0], outside }));
   expectRefusal(made.filter, Failure::BadStroke, "Point 1 of the reference curve is no vertex of the mesh");
 }
 
 TEST(FlattenFilter, PointLabelsAloneLeaveOutWhatHasAllCornersOnTheBoundary)
 {
   const Scene scene = squareScene();
-  Flattened made(meshOf(scene, false), curveOf(scene.mesh, scene.reference));
+  Flattened made(meshOf(scene, false), toChain(scene.mesh, scene.reference));
   made.filter->Update();
   ASSERT_EQ(made.filter->GetErrorCode(), 0u);
   EXPECT_EQ(made.filter->GetDiscOutput()->GetNumberOfCells(), 2 * 12 * 12 - 2) << "two corners of the square";
@@ -264,12 +264,12 @@ TEST(FlattenFilter, OnlyTheRegionFlattensAnew)
 {
   Scene scene = squareScene();
   const auto mesh = meshOf(scene);
-  Flattened made(mesh, curveOf(scene.mesh, scene.reference));
+  Flattened made(mesh, toChain(scene.mesh, scene.reference));
   made.filter->Update();
   const vtkSmartPointer<vtkDataArray> first =
     made.filter->GetOutput()->GetPointData()->GetArray("DiscCoords");
   scene.reference.push_back(scene.reference.back() + 1);
-  made.filter->SetReferenceData(curveOf(scene.mesh, scene.reference));
+  made.filter->SetReferenceData(toChain(scene.mesh, scene.reference));
   made.filter->Update();
   EXPECT_EQ(made.filter->GetDiscCurveOutput()->GetNumberOfPoints(), 4);
   vtkNew<vtkDoubleArray> other;
@@ -350,15 +350,15 @@ TEST(FlattenFilter, RefusesAndCancels)
     Flattened made(mesh, reference);
     expectRefusal(made.filter, failure, words);
   };
-  const auto curve = curveOf(scene.mesh, scene.reference);
+  const auto curve = toChain(scene.mesh, scene.reference);
   const auto mesh = meshOf(scene);
   for (const int wrong : { -1, 21 * 21, 1 << 30 })
     refused(mesh,
-      curveOf(scene.mesh, { scene.reference[0], wrong }),
+      toChain(scene.mesh, { scene.reference[0], wrong }),
       Failure::BadStroke,
       "is no vertex of the mesh");
   refused(
-    mesh, curveOf(scene.mesh, { scene.reference[0], 0 }), Failure::BadStroke, "lies outside the boundary");
+    mesh, toChain(scene.mesh, { scene.reference[0], 0 }), Failure::BadStroke, "lies outside the boundary");
   refused(mesh, areasOnDisc({ { { 0, 0 }, { 1, 1 } } }), Failure::MissingArray, "no array VertexId");
   refused(mesh,
     areasOnDisc({ { { 0, 0 } }, { { 1, 1 } } }),
@@ -378,7 +378,7 @@ TEST(FlattenFilter, RefusesAndCancels)
   for (Vector3& p : wrong.mesh.points)
     p = Vector3::Zero();
   refused(meshOf(wrong), curve, Failure::BadRegion, "has no area");
-  const auto nan = curveOf(scene.mesh, scene.reference);
+  const auto nan = toChain(scene.mesh, scene.reference);
   vtkNew<vtkDoubleArray> ids;
   ids->SetName("VertexId");
   ids->InsertNextValue(std::nan(""));
