@@ -386,6 +386,8 @@ TEST(FlattenFilter, RefusesAndCancels)
   ids->InsertNextValue(1.0);
   nan->GetPointData()->AddArray(ids);
   refused(mesh, nan, Failure::BadStroke, "Point 0 of the reference curve is no vertex of the mesh");
+  ids->SetValue(0, 0.0);
+  refused(mesh, nan, Failure::BadStroke, "Point 1 of the reference curve is no vertex of the mesh");
   const auto quads = meshOf(scene);
   vtkNew<vtkCellArray> polys;
   const vtkIdType corners[4] = { 0, 1, 22, 21 };
