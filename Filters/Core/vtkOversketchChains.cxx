@@ -7,7 +7,10 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
+#include <functional>
 #include <sstream>
+#include <unordered_map>
 
 namespace oversketch
 {
@@ -18,9 +21,19 @@ namespace
 const char* const vertexName = "VertexId";
 const char* const chainRemedy = "lay the curve into the mesh with vtkOversketchInsertCurve";
 
-} // namespace
+// The vertex by a value of VertexId, -1 where there is none.
+using VertexOf = std::function<int(double value)>;
 
-std::vector<Chain> ReadChains(vtkPolyData* curves, int vertexCount, const std::string& holder)
+VertexOf vertexBelow(vtkIdType count)
+{
+  return [count](double value)
+  {
+    const bool there = value >= 0.0 && value < static_cast<double>(count) && value == std::floor(value);
+    return there ? static_cast<int>(value) : -1;
+  };
+}
+
+std::vector<Chain> readChains(vtkPolyData* curves, const VertexOf& vertexOf, const std::string& holder)
 {
   const vtkIdType count = curves->GetNumberOfLines(), points = curves->GetNumberOfPoints();
   if (count == 0 || count != curves->GetNumberOfCells())
@@ -38,32 +51,73 @@ std::vector<Chain> ReadChains(vtkPolyData* curves, int vertexCount, const std::s
     for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
     {
       const vtkIdType id = ids->GetId(i);
-      const double vertex = id >= 0 && id < points ? vertices->GetComponent(id, 0) : -1.0;
-      if (!(vertex >= 0.0 && vertex < vertexCount))
+      const int vertex = id >= 0 && id < points ? vertexOf(vertices->GetComponent(id, 0)) : -1;
+      if (vertex < 0)
       {
         std::ostringstream message;
         message << "Point " << i << " of the " << holder
                 << " is no vertex of the mesh (array VertexId): " << chainRemedy << '.';
         throw Error(Failure::BadStroke, message.str());
       }
-      chain.Vertices.push_back(static_cast<int>(vertex));
+      chain.Vertices.push_back(vertex);
       chain.Ids.push_back(id);
     }
   }
   return chains;
 }
 
-Chain ReadChain(vtkPolyData* curve, int vertexCount, const std::string& holder)
+Chain readChain(vtkPolyData* curve, const VertexOf& vertexOf, const std::string& holder)
 {
-  const std::vector<Chain> chains = ReadChains(curve, vertexCount, holder);
-  if (chains.size() > 1)
+  if (curve->GetNumberOfLines() > 1)
   {
     std::ostringstream message;
-    message << "There are " << chains.size() << " polylines where the " << holder
+    message << "There are " << curve->GetNumberOfLines() << " polylines where the " << holder
             << " is one: give that one.";
     throw Error(Failure::BadStroke, message.str());
   }
-  return chains.front();
+  return readChains(curve, vertexOf, holder).front();
+}
+
+} // namespace
+
+std::vector<Chain> ReadChains(vtkPolyData* curves, int vertexCount, const std::string& holder)
+{
+  return readChains(curves, vertexBelow(vertexCount), holder);
+}
+
+Chain ReadChain(vtkPolyData* curve, int vertexCount, const std::string& holder)
+{
+  return readChain(curve, vertexBelow(vertexCount), holder);
+}
+
+Chain ReadChain(vtkPolyData* curve, vtkPolyData* mesh, const std::string& holder)
+{
+  vtkDataArray* ids = mesh->GetPointData()->GetArray(vertexName);
+  if (!ids)
+  {
+    return readChain(curve, vertexBelow(mesh->GetNumberOfPoints()), holder);
+  }
+  std::unordered_map<double, int> own;
+  for (vtkIdType v = 0; v < ids->GetNumberOfTuples(); ++v)
+  {
+    own.emplace(ids->GetComponent(v, 0), static_cast<int>(v));
+  }
+  const auto vertexOf = [&own](double value)
+  {
+    const auto found = own.find(value);
+    return found == own.end() ? -1 : found->second;
+  };
+  return readChain(curve, vertexOf, holder);
+}
+
+std::vector<int> VerticesOnce(Chain chain)
+{
+  std::vector<int>& vertices = chain.Vertices;
+  if (vertices.size() > 2 && vertices.front() == vertices.back())
+  {
+    vertices.pop_back();
+  }
+  return std::move(vertices);
 }
 
 MeshKey ChainsKey(vtkPolyData* curves)

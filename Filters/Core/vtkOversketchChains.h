@@ -43,6 +43,19 @@ OVERSKETCHFILTERSCORE_EXPORT std::vector<Chain> ReadChains(vtkPolyData* curves,
 OVERSKETCHFILTERSCORE_EXPORT Chain ReadChain(vtkPolyData* curve, int vertexCount, const std::string& holder);
 
 /**
+ * The same on a mesh. Of a patch (vtkOversketchEnclose), which has point array VertexId itself, the vertices
+ * with these values.
+ */
+OVERSKETCHFILTERSCORE_EXPORT Chain ReadChain(vtkPolyData* curve,
+  vtkPolyData* mesh,
+  const std::string& holder);
+
+/**
+ * The vertices, of a closed curve without the first one's repetition.
+ */
+OVERSKETCHFILTERSCORE_EXPORT std::vector<int> VerticesOnce(Chain chain);
+
+/**
  * What ReadChains reads.
  */
 OVERSKETCHFILTERSCORE_EXPORT MeshKey ChainsKey(vtkPolyData* curves);

@@ -3,6 +3,7 @@
 #include "Section/profile.h"
 #include "Section/walk.h"
 #include "vtkOversketchBindings.h"
+#include "vtkOversketchChains.h"
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
@@ -211,7 +212,8 @@ int vtkOversketchCrossSection::RequestData(vtkInformation*,
           cache.Section->Initialize();
           cache.Data = SharedMesh(mesh);
           const Mesh& surface = cache.Data->Surface();
-          const std::vector<int> chain = ReadCurve(boundary, surface.vertexCount(), "boundary curve");
+          const std::vector<int> chain =
+            VerticesOnce(ReadChain(boundary, surface.vertexCount(), "boundary curve"));
           const Matrix4 frame = ReadMatrix(planes->GetFieldData(), "Frame", "planes input", planesRemedy);
           if (!planes->GetFieldData()->GetArray("PlaneT"))
           {

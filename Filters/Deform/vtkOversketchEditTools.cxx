@@ -1,13 +1,12 @@
 #include "vtkOversketchEditTools.h"
 
 #include "Mesh/context.h"
+#include "vtkOversketchChains.h"
 #include "vtkOversketchFilterTools.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -22,9 +21,7 @@ namespace oversketch
 namespace
 {
 
-const char* const insertRemedy = "lay the curve into the mesh with vtkOversketchInsertCurve";
-const char* const regionRemedy =
-  "vtkOversketchEnclose makes EditRegion, the filters of Filters/Shading make the other arrays";
+const char* const regionRemedy = "the filters of Filters/Shading make it";
 const char* const handleRemedy = "make handles with vtkOversketchHandles";
 
 Matrix4 matrixOf(vtkDataArray* array, vtkIdType tuple)
@@ -54,42 +51,8 @@ std::vector<Vector3> chosen(const std::vector<Vector3>& values, const std::vecto
 
 } // namespace
 
-std::vector<int> ReadCurve(vtkPolyData* curve, int vertexCount, const std::string& holder)
-{
-  std::ostringstream message;
-  if (curve->GetNumberOfLines() != 1 || curve->GetNumberOfCells() != 1)
-  {
-    message << "The " << holder << " holds " << curve->GetNumberOfLines() << " polylines and "
-            << curve->GetNumberOfCells() - curve->GetNumberOfLines()
-            << " other cells; exactly one polyline is needed.";
-    refuse(Failure::BadStroke, message);
-  }
-  const vtkIdType count = curve->GetNumberOfPoints();
-  vtkDataArray* vertices = RequireArray(curve->GetPointData(), "VertexId", 1, count, holder, insertRemedy);
-  vtkNew<vtkIdList> ids;
-  curve->GetLines()->GetCellAtId(0, ids);
-  std::vector<int> chain;
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    const vtkIdType id = ids->GetId(i);
-    const double vertex = id >= 0 && id < count ? vertices->GetComponent(id, 0) : -1.0;
-    if (!(vertex >= 0.0 && vertex < vertexCount))
-    {
-      message << "Point " << i << " of the " << holder
-              << " is no vertex of the mesh (array VertexId): " << insertRemedy << '.';
-      refuse(Failure::BadStroke, message);
-    }
-    chain.push_back(static_cast<int>(vertex));
-  }
-  if (chain.size() > 2 && chain.front() == chain.back())
-  {
-    chain.pop_back();
-  }
-  return chain;
-}
-
 CurveOnMesh::CurveOnMesh(vtkPolyData* curve, const MeshData& mesh)
-  : Vertices(ReadCurve(curve, mesh.Surface().vertexCount(), "reference curve"))
+  : Vertices(VerticesOnce(ReadChain(curve, mesh.Surface().vertexCount(), "reference curve")))
   , Points(chosen(mesh.Surface().points, this->Vertices))
   , Frames(this->Points, chosen(mesh.Normals(), this->Vertices))
 {
@@ -134,26 +97,6 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
     values.push_back(std::clamp(value, low, high));
   }
   return values;
-}
-
-std::vector<int> ReadInside(vtkPolyData* mesh)
-{
-  vtkDataArray* array =
-    RequireArray(mesh->GetPointData(), "EditRegion", 1, mesh->GetNumberOfPoints(), "mesh", regionRemedy);
-  std::vector<int> inside;
-  for (vtkIdType v = 0; v < mesh->GetNumberOfPoints(); ++v)
-  {
-    if (array->GetComponent(v, 0) == 2.0)
-    {
-      inside.push_back(static_cast<int>(v));
-    }
-  }
-  if (inside.empty())
-  {
-    throw Error(Failure::BadRegion,
-      "No point lies strictly inside the boundary (EditRegion 2): draw it larger, or refine the mesh there.");
-  }
-  return inside;
 }
 
 void WriteMatrix(vtkFieldData* data, const char* name, const Matrix4& matrix)

@@ -8,6 +8,7 @@
 #include "Matrix/frames.h"
 #include "Matrix/logarithm.h"
 #include "Mesh/place.h"
+#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include <string>
@@ -19,13 +20,6 @@ class vtkPolyData;
 
 namespace oversketch
 {
-
-/**
- * The vertices that the one polyline of a curve goes through, by point array VertexId; of a closed one the
- * first is not repeated. holder names it in messages ("boundary curve"). Throws Error(BadStroke),
- * Error(MissingArray).
- */
-std::vector<int> ReadCurve(vtkPolyData* curve, int vertexCount, const std::string& holder);
 
 /**
  * The reference curve on its mesh.
@@ -49,11 +43,6 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
   const std::vector<int>& vertices,
   double low,
   double high);
-
-/**
- * The vertices with EditRegion 2, which may move, ascending.
- */
-std::vector<int> ReadInside(vtkPolyData* mesh);
 
 /**
  * A matrix as 16 numbers, row by row. ReadMatrix throws Error(MissingArray), Error(BadStroke) where one is

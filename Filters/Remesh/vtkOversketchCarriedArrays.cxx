@@ -1,37 +1,25 @@
 #include "vtkOversketchCarriedArrays.h"
 
-#include "Mesh/mesh.h"
+#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchRuns.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace oversketch
 {
 
 namespace
 {
-
-vtkSmartPointer<vtkAbstractArray> likeArray(vtkAbstractArray* array, std::size_t tuples)
-{
-  auto result = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  result->CopyComponentNames(array);
-  return result;
-}
-
-// Whether new points take a mix, or what the nearest point has.
-bool mixes(vtkAbstractArray* array)
-{
-  const bool real = array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
-  return real && !(array->GetName() && std::strcmp(array->GetName(), "Region") == 0);
-}
 
 void normaliseTuple(vtkDataArray* values, vtkIdType tuple)
 {
@@ -46,23 +34,52 @@ void normaliseTuple(vtkDataArray* values, vtkIdType tuple)
 
 } // namespace
 
-vtkSmartPointer<vtkAbstractArray> CarriedPointArray(vtkAbstractArray* array,
-  bool normals,
-  const std::vector<int>& sources,
-  const PointMix& mix)
+vtkSmartPointer<vtkAbstractArray> LikeArray(vtkAbstractArray* array, std::size_t tuples)
 {
-  auto carried = likeArray(array, sources.size());
-  const bool linear = mixes(array);
+  auto result = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+  result->SetName(array->GetName());
+  result->SetNumberOfComponents(array->GetNumberOfComponents());
+  result->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  result->CopyComponentNames(array);
+  return result;
+}
+
+bool IsNamed(vtkAbstractArray* array, const char* name)
+{
+  return array->GetName() && std::string(array->GetName()) == name;
+}
+
+bool IsReal(vtkAbstractArray* array)
+{
+  return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
+}
+
+void SetMix(const Mix& mix, vtkIdList* ids, std::vector<double>& weights)
+{
+  ids->SetNumberOfIds(static_cast<vtkIdType>(mix.size()));
+  weights.clear();
+  for (const auto& [id, weight] : mix)
+  {
+    ids->SetId(static_cast<vtkIdType>(weights.size()), id);
+    weights.push_back(weight);
+  }
+}
+
+vtkSmartPointer<vtkAbstractArray> CarriedPoints::Array(vtkAbstractArray* array, bool normals) const
+{
+  auto carried = LikeArray(array, this->Sources.size());
+  const bool labels = IsNamed(array, this->Labels.c_str()), linear = IsReal(array) && !labels;
+  const PointMix& mixed = labels && this->OfLabels ? this->OfLabels : this->Mixed;
   auto* directions = normals ? vtkDataArray::SafeDownCast(carried) : nullptr;
   vtkNew<vtkIdList> ids;
   std::vector<double> weights;
   EachRun(
-    sources,
+    this->Sources,
     [&](vtkIdType first, vtkIdType count, vtkIdType source)
     { carried->InsertTuples(first, count, source, array); },
     [&](vtkIdType point)
     {
-      mix(point, ids, weights);
+      mixed(point, ids, weights);
       if (linear)
       {
         carried->InterpolateTuple(point, ids, array, weights.data());
@@ -82,13 +99,64 @@ vtkSmartPointer<vtkAbstractArray> CarriedPointArray(vtkAbstractArray* array,
 
 vtkSmartPointer<vtkAbstractArray> CarriedCellArray(vtkAbstractArray* array, const std::vector<int>& sources)
 {
-  auto carried = likeArray(array, sources.size());
+  auto carried = LikeArray(array, sources.size());
   EachRun(
     sources,
     [&](vtkIdType first, vtkIdType count, vtkIdType source)
     { carried->InsertTuples(first, count, source, array); },
     [](vtkIdType) {});
   return carried;
+}
+
+void CarryArrays(vtkDataSetAttributes* from,
+  vtkDataSetAttributes* to,
+  const std::function<vtkSmartPointer<vtkAbstractArray>(vtkAbstractArray*, bool normals)>& made)
+{
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    const int attribute = from->IsArrayAnAttribute(i);
+    if (attribute == vtkDataSetAttributes::GLOBALIDS)
+    {
+      continue;
+    }
+    const int index =
+      to->AddArray(made(from->GetAbstractArray(i), attribute == vtkDataSetAttributes::NORMALS));
+    if (attribute >= 0)
+    {
+      to->SetActiveAttribute(index, attribute);
+    }
+  }
+}
+
+void WriteCarried(const Mesh& mesh,
+  const CarriedPoints& points,
+  const std::vector<int>& triangleSources,
+  vtkPolyData* input,
+  vtkPolyData* output)
+{
+  vtkNew<vtkPoints> places;
+  places->SetDataType(input->GetPoints()->GetDataType());
+  places->SetNumberOfPoints(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    places->SetPoint(v, mesh.points[v].data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(mesh.triangleCount(), 3 * static_cast<vtkIdType>(mesh.triangleCount()));
+  for (const Triangle& t : mesh.triangles)
+  {
+    triangles->InsertNextCell({ t[0], t[1], t[2] });
+  }
+  output->SetPoints(places);
+  output->SetPolys(triangles);
+  CarryArrays(input->GetPointData(),
+    output->GetPointData(),
+    [&](vtkAbstractArray* array, bool normals) { return points.Array(array, normals); });
+  CarryArrays(input->GetCellData(),
+    output->GetCellData(),
+    [&](vtkAbstractArray* array, bool) { return CarriedCellArray(array, triangleSources); });
+  output->GetFieldData()->PassData(input->GetFieldData());
+  DropHierarchy(output);
 }
 
 } // namespace oversketch

@@ -5,7 +5,6 @@
 #include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchChains.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 #include "vtkOversketchStrokeView.h"
@@ -191,58 +190,10 @@ std::vector<MeshCurve> readStored(vtkPolyData* stored, int vertexCount)
 
 void writeMesh(vtkPolyData* input, const InsertedCurves& result, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataType(input->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(result.mesh.vertexCount());
-  for (int v = 0; v < result.mesh.vertexCount(); ++v)
-  {
-    points->SetPoint(v, result.mesh.points[v].data());
-  }
-  vtkNew<vtkCellArray> triangles;
-  triangles->AllocateEstimate(result.mesh.triangleCount(), 3);
-  for (const Triangle& t : result.mesh.triangles)
-  {
-    triangles->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  output->SetPoints(points);
-  output->SetPolys(triangles);
-  const PointMix mix = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
-  {
-    const Mix& origin = result.origins[static_cast<std::size_t>(point)];
-    ids->SetNumberOfIds(static_cast<vtkIdType>(origin.size()));
-    weights.clear();
-    for (const auto& part : origin)
-    {
-      ids->SetId(static_cast<vtkIdType>(weights.size()), part.first);
-      weights.push_back(part.second);
-    }
-  };
-  for (const bool ofPoints : { true, false })
-  {
-    vtkDataSetAttributes* from = ofPoints ? static_cast<vtkDataSetAttributes*>(input->GetPointData())
-                                          : static_cast<vtkDataSetAttributes*>(input->GetCellData());
-    vtkDataSetAttributes* to = ofPoints ? static_cast<vtkDataSetAttributes*>(output->GetPointData())
-                                        : static_cast<vtkDataSetAttributes*>(output->GetCellData());
-    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-    {
-      vtkAbstractArray* array = from->GetAbstractArray(i);
-      const int attribute = from->IsArrayAnAttribute(i);
-      if (attribute == vtkDataSetAttributes::GLOBALIDS)
-      {
-        continue;
-      }
-      const int index = to->AddArray(
-        ofPoints
-          ? CarriedPointArray(array, attribute == vtkDataSetAttributes::NORMALS, result.pointSources, mix)
-          : CarriedCellArray(array, result.triangleSources));
-      if (attribute >= 0)
-      {
-        to->SetActiveAttribute(index, attribute);
-      }
-    }
-  }
-  output->GetFieldData()->PassData(input->GetFieldData());
-  DropHierarchy(output);
+  const PointMix mixed = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
+  { SetMix(result.origins[static_cast<std::size_t>(point)], ids, weights); };
+  WriteCarried(
+    result.mesh, { result.pointSources, mixed, "Region", nullptr }, result.triangleSources, input, output);
 }
 
 // cells: the input's cell that each curve takes its arrays from.
@@ -352,8 +303,8 @@ int vtkOversketchInsertCurve::RequestData(vtkInformation*,
       {
         cache = Cache();
         ++this->InsertionCount;
-        const std::shared_ptr<const MeshData> data = SharedMesh(input);
-        const Mesh& mesh = data->Surface();
+        const std::shared_ptr<const MeshData> shared = SharedMesh(input);
+        const Mesh& mesh = shared->Surface();
         const ReadCurves read = CurveReader(curves, mesh).Read();
         const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());
         InsertRules rules;

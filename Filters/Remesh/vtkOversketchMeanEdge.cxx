@@ -1,5 +1,6 @@
 #include "vtkOversketchMeanEdge.h"
 
+#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -10,8 +11,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-
-#include <cmath>
 
 using namespace oversketch;
 
@@ -57,13 +56,7 @@ int vtkOversketchMeanEdge::RequestData(vtkInformation*,
       output->ShallowCopy(input);
       if (input->GetFieldData()->GetAbstractArray(meanName))
       {
-        vtkDataArray* mean = input->GetFieldData()->GetArray(meanName);
-        if (!mean || mean->GetNumberOfValues() != 1 || !(mean->GetComponent(0, 0) > 0.0) ||
-            !std::isfinite(mean->GetComponent(0, 0)))
-        {
-          throw Error(Failure::MissingArray,
-            "Field array MeanEdge of the mesh must hold one positive value: remove it, and it is made anew.");
-        }
+        FieldValue(input, meanName, "mesh", "remove it, and it is made anew");
         return;
       }
       vtkNew<vtkDoubleArray> mean;

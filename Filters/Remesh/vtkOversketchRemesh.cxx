@@ -4,6 +4,7 @@
 #include "Remesh/sizing.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchHierarchy.h"
 #include "vtkOversketchKept.h"
@@ -27,9 +28,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
-#include <sstream>
 
 using namespace oversketch;
 
@@ -81,23 +80,6 @@ namespace
 
 const char* const handlesRemedy = "take them from vtkOversketchTargets";
 
-double FieldValue(vtkDataObject* object,
-  const char* name,
-  const std::string& holder,
-  const std::string& remedy)
-{
-  vtkDataArray* array = object->GetFieldData()->GetArray(name);
-  if (!array || array->GetNumberOfTuples() != 1 || array->GetNumberOfComponents() != 1 ||
-      !std::isfinite(array->GetComponent(0, 0)) || !(array->GetComponent(0, 0) > 0.0))
-  {
-    std::ostringstream message;
-    message << "Field array " << name << " of the " << holder << " must hold one positive value: " << remedy
-            << ".";
-    throw Error(Failure::MissingArray, message.str());
-  }
-  return array->GetComponent(0, 0);
-}
-
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
 {
@@ -108,15 +90,16 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
   return array;
 }
 
-// The corners of the triangle that a point lies in.
-PointMix CornersOf(const RemeshResult& result, vtkCellArray* triangles)
+// A point is a mix of the corners of the triangle that it lies in.
+CarriedPoints PointsOf(const RemeshResult& result, vtkCellArray* triangles)
 {
-  return [&result, triangles](vtkIdType point, vtkIdList* corners, std::vector<double>& weights)
+  const PointMix corners = [&result, triangles](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
   {
     const SurfacePoint place = result.place(static_cast<int>(point));
     weights.assign(place.weights.begin(), place.weights.end());
-    triangles->GetCellAtId(place.triangle, corners);
+    triangles->GetCellAtId(place.triangle, ids);
   };
+  return { result.pointSource, corners, "Region", nullptr };
 }
 
 } // namespace
@@ -245,8 +228,7 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   {
     const auto lengths = NewArray<vtkDoubleArray>("EdgeLength", 1, mesh.vertexCount());
     std::copy(own.begin(), own.end(), lengths->GetPointer(0));
-    this->EdgeLength =
-      CarriedPointArray(lengths, false, this->Result.pointSource, CornersOf(this->Result, input->GetPolys()));
+    this->EdgeLength = PointsOf(this->Result, input->GetPolys()).Array(lengths, false);
   }
   this->Key = question.Key;
 }
@@ -309,6 +291,7 @@ std::vector<vtkOversketchRemesh::Cache::Carried> vtkOversketchRemesh::Cache::Car
     from = input->GetCellData();
     to = output->GetCellData();
   }
+  const CarriedPoints made = PointsOf(this->Result, input->GetPolys());
   std::vector<Carried> carried;
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
@@ -332,9 +315,7 @@ std::vector<vtkOversketchRemesh::Cache::Carried> vtkOversketchRemesh::Cache::Car
     if (!item.Result)
     {
       item.Result =
-        points ? CarriedPointArray(
-                   array, item.Normals, this->Result.pointSource, CornersOf(this->Result, input->GetPolys()))
-               : CarriedCellArray(array, this->Result.triangleSource);
+        points ? made.Array(array, item.Normals) : CarriedCellArray(array, this->Result.triangleSource);
     }
     carried.push_back(item);
     const int index = to->AddArray(item.Result);

@@ -3,6 +3,8 @@
 #include "Remesh/motion.h"
 #include "Remesh/retriangulate.h"
 #include "vtkOversketchChains.h"
+#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchRetriangulateTools.h"
@@ -60,8 +62,9 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
     output = nullptr;
   }
   ++self->RetriangulationCount;
-  const double meanEdge = MeanEdgeOf(mesh);
-  const std::vector<char> region = EditRegionLabels(mesh);
+  const double meanEdge =
+    FieldValue(mesh, "MeanEdge", "mesh", "pass the mesh through vtkOversketchMeanEdge when it is loaded");
+  const std::vector<char> region = ReadEditRegion(mesh);
   const std::shared_ptr<const MeshData> moved = SharedMesh(mesh);
   const int count = moved->Surface().vertexCount();
   const std::vector<Chain> chains[2] = { ReadChains(curves[0], count, "reference curve"),

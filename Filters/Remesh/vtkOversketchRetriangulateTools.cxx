@@ -1,8 +1,7 @@
 #include "vtkOversketchRetriangulateTools.h"
 
-#include "vtkOversketchFilterTools.h"
-#include "vtkOversketchHierarchy.h"
-#include "vtkOversketchRuns.h"
+#include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchEditRegion.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -15,9 +14,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <string>
 
 namespace oversketch
 {
@@ -25,157 +21,34 @@ namespace oversketch
 namespace
 {
 
-bool isNamed(vtkAbstractArray* array, const char* name)
-{
-  return array->GetName() && std::strcmp(array->GetName(), name) == 0;
-}
-
-// What a mixed point has of an array whose numbers are not mixed.
-vtkIdType heaviest(const Mix& mix)
-{
-  return std::max_element(
-    mix.begin(), mix.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
-    ->first;
-}
-
-vtkSmartPointer<vtkAbstractArray> pointArray(vtkAbstractArray* array,
-  bool normals,
-  const Retriangulated& result)
-{
-  auto carried = LikeArray(array, result.pointSource.size());
-  auto* labels = isNamed(array, "EditRegion") ? vtkDataArray::SafeDownCast(array) : nullptr;
-  auto* directions = normals ? vtkDataArray::SafeDownCast(carried) : nullptr;
-  const bool real = IsReal(array) && !labels;
-  vtkNew<vtkIdList> ids;
-  std::vector<double> weights;
-  auto mix = result.mixes.begin();
-  EachRun(
-    result.pointSource,
-    [&](vtkIdType first, vtkIdType count, vtkIdType source)
-    { carried->InsertTuples(first, count, source, array); },
-    [&](vtkIdType point)
-    {
-      if (real)
-      {
-        ids->Reset();
-        weights.clear();
-        for (const auto& [id, weight] : *mix)
-        {
-          ids->InsertNextId(id);
-          weights.push_back(weight);
-        }
-        carried->InterpolateTuple(point, ids, array, weights.data());
-      }
-      else
-      {
-        const auto inside = std::find_if(mix->begin(),
-          mix->end(),
-          [labels](const auto& entry) { return labels && labels->GetComponent(entry.first, 0) == 2.0; });
-        carried->SetTuple(point, inside != mix->end() ? inside->first : heaviest(*mix), array);
-      }
-      if (directions && directions->GetNumberOfComponents() == 3)
-      {
-        NormaliseTuple(directions, point);
-      }
-      ++mix;
-    });
-  return carried;
-}
-
-vtkSmartPointer<vtkAbstractArray> cellArray(vtkAbstractArray* array, const Retriangulated& result)
-{
-  auto carried = LikeArray(array, result.triangleSource.size());
-  EachRun(
-    result.triangleSource,
-    [&](vtkIdType first, vtkIdType count, vtkIdType source)
-    { carried->InsertTuples(first, count, source, array); },
-    [](vtkIdType) {});
-  return carried;
-}
-
-void carry(vtkDataSetAttributes* from,
-  vtkDataSetAttributes* to,
-  const std::function<vtkSmartPointer<vtkAbstractArray>(vtkAbstractArray*, bool normals)>& made)
-{
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-  {
-    const int attribute = from->IsArrayAnAttribute(i);
-    if (attribute != vtkDataSetAttributes::GLOBALIDS)
-    {
-      const int index =
-        to->AddArray(made(from->GetAbstractArray(i), attribute == vtkDataSetAttributes::NORMALS));
-      if (attribute >= 0)
-      {
-        to->SetActiveAttribute(index, attribute);
-      }
-    }
-  }
-}
+const char* const regionName = "EditRegion";
 
 } // namespace
 
-double MeanEdgeOf(vtkPolyData* mesh)
-{
-  vtkDataArray* array = mesh->GetFieldData()->GetArray("MeanEdge");
-  const bool whole = array && array->GetNumberOfTuples() == 1 && array->GetNumberOfComponents() == 1;
-  const double value = whole ? array->GetComponent(0, 0) : 0.0;
-  if (!(value > 0.0) || !std::isfinite(value))
-  {
-    throw Error(Failure::MissingArray,
-      "Field array MeanEdge of the mesh must hold one positive value: pass the mesh through "
-      "vtkOversketchMeanEdge when it is loaded.");
-  }
-  return value;
-}
-
-std::vector<char> EditRegionLabels(vtkPolyData* mesh)
-{
-  vtkDataArray* array = RequireArray(mesh->GetPointData(),
-    "EditRegion",
-    1,
-    mesh->GetNumberOfPoints(),
-    "mesh",
-    "find the region with vtkOversketchEnclose");
-  std::vector<char> labels(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  for (vtkIdType v = 0; v < mesh->GetNumberOfPoints(); ++v)
-  {
-    const double label = array->GetComponent(v, 0);
-    if (label != 0.0 && label != 1.0 && label != 2.0)
-    {
-      throw Error(Failure::BadRegion,
-        "EditRegion of vertex " + std::to_string(v) +
-          " is not 0, 1 or 2: find the region with vtkOversketchEnclose.");
-    }
-    labels[static_cast<std::size_t>(v)] = static_cast<char>(label);
-  }
-  return labels;
-}
-
 void WriteRetriangulated(const Retriangulated& result, vtkPolyData* mesh, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(result.mesh.vertexCount());
-  for (int v = 0; v < result.mesh.vertexCount(); ++v)
+  std::vector<std::size_t> numbers(result.pointSource.size(), 0); // of the mixes
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < numbers.size(); ++v)
   {
-    points->SetPoint(v, result.mesh.points[v].data());
+    numbers[v] = count;
+    count += result.pointSource[v] < 0;
   }
-  vtkNew<vtkCellArray> polys;
-  polys->AllocateExact(result.mesh.triangleCount(), 3 * static_cast<vtkIdType>(result.mesh.triangleCount()));
-  for (const Triangle& t : result.mesh.triangles)
+  const auto mixOf = [&](vtkIdType point) -> const Mix&
+  { return result.mixes[numbers[static_cast<std::size_t>(point)]]; };
+  vtkDataArray* labels = mesh->GetPointData()->GetArray(regionName);
+  const PointMix mixed = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
+  { SetMix(mixOf(point), ids, weights); };
+  const PointMix inside = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
   {
-    polys->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  output->SetPoints(points);
-  output->SetPolys(polys);
-  carry(mesh->GetPointData(),
-    output->GetPointData(),
-    [&](vtkAbstractArray* array, bool normals) { return pointArray(array, normals, result); });
-  carry(mesh->GetCellData(),
-    output->GetCellData(),
-    [&](vtkAbstractArray* array, bool) { return cellArray(array, result); });
-  output->GetFieldData()->PassData(mesh->GetFieldData());
-  DropHierarchy(output);
+    const Mix& mix = mixOf(point);
+    const auto found = std::find_if(mix.begin(),
+      mix.end(),
+      [labels](const auto& entry) { return labels->GetComponent(entry.first, 0) == EditLabel::Inside; });
+    SetMix(found != mix.end() ? Mix{ *found } : mix, ids, weights);
+  };
+  WriteCarried(
+    result.mesh, { result.pointSource, mixed, regionName, inside }, result.triangleSource, mesh, output);
 }
 
 void WriteChains(const Retriangulated& result,
@@ -225,14 +98,14 @@ void WriteChains(const Retriangulated& result,
     {
       const Source& source = sources[k];
       const vtkIdType point = static_cast<vtkIdType>(k);
-      if (isNamed(array, "VertexId"))
+      if (IsNamed(array, "VertexId"))
       {
         numbers->SetComponent(point, 0, source.vertex);
       }
       else if (IsReal(array) && source.t > 0.0)
       {
         carried->InterpolateTuple(point, source.a, array, source.b, array, source.t);
-        if (source.closes && isNamed(array, "CurveT"))
+        if (source.closes && IsNamed(array, "CurveT"))
         {
           // The curve's first point, 0, is also its end, 1.
           const double before = vtkDataArray::SafeDownCast(array)->GetComponent(source.a, 0);
@@ -246,35 +119,9 @@ void WriteChains(const Retriangulated& result,
     }
     return carried;
   };
-  carry(curves->GetPointData(), output->GetPointData(), made);
+  CarryArrays(curves->GetPointData(), output->GetPointData(), made);
   output->GetCellData()->PassData(curves->GetCellData());
   output->GetFieldData()->PassData(curves->GetFieldData());
-}
-
-vtkSmartPointer<vtkAbstractArray> LikeArray(vtkAbstractArray* array, std::size_t tuples)
-{
-  auto result = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  result->CopyComponentNames(array);
-  return result;
-}
-
-bool IsReal(vtkAbstractArray* array)
-{
-  return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
-}
-
-void NormaliseTuple(vtkDataArray* values, vtkIdType tuple)
-{
-  Vector3 n;
-  values->GetTuple(tuple, n.data());
-  if (n.norm() > 0.0)
-  {
-    n.normalize();
-    values->SetTuple(tuple, n.data());
-  }
 }
 
 } // namespace oversketch

@@ -10,29 +10,13 @@
 #include "Remesh/retriangulate.h"
 #include "vtkOversketchChains.h"
 
-#include "vtkSmartPointer.h"
-
 #include <cstddef>
 #include <vector>
 
-class vtkAbstractArray;
-class vtkDataArray;
 class vtkPolyData;
 
 namespace oversketch
 {
-
-/**
- * Field array MeanEdge of a mesh, its mean edge length when it was loaded. Throws Error(MissingArray) where
- * it is not one positive value.
- */
-OVERSKETCHFILTERSREMESH_EXPORT double MeanEdgeOf(vtkPolyData* mesh);
-
-/**
- * Point array EditRegion of a mesh. Throws Error(MissingArray) without it, Error(BadRegion) naming the vertex
- * for a value that is not 0, 1 or 2.
- */
-OVERSKETCHFILTERSREMESH_EXPORT std::vector<char> EditRegionLabels(vtkPolyData* mesh);
 
 /**
  * The new triangles with the arrays of the mesh as it was: floating point arrays mixed (active normals
@@ -54,22 +38,6 @@ OVERSKETCHFILTERSREMESH_EXPORT void WriteChains(const Retriangulated& result,
   const std::vector<Chain>& chains,
   vtkPolyData* curves,
   vtkPolyData* output);
-
-/**
- * An array without values of the same kind, name and components, of some tuples.
- */
-OVERSKETCHFILTERSREMESH_EXPORT vtkSmartPointer<vtkAbstractArray> LikeArray(vtkAbstractArray* array,
-  std::size_t tuples);
-
-/**
- * Whether an array's numbers are mixed between elements: those of floating kinds.
- */
-OVERSKETCHFILTERSREMESH_EXPORT bool IsReal(vtkAbstractArray* array);
-
-/**
- * Makes a tuple of three a unit vector, but for a zero one.
- */
-OVERSKETCHFILTERSREMESH_EXPORT void NormaliseTuple(vtkDataArray* values, vtkIdType tuple);
 
 } // namespace oversketch
 #endif

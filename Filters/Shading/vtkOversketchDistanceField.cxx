@@ -1,6 +1,7 @@
 #include "vtkOversketchDistanceField.h"
 
 #include "Shading/fields.h"
+#include "vtkOversketchChains.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkDoubleArray.h"
@@ -88,14 +89,14 @@ int vtkOversketchDistanceField::RequestData(vtkInformation*,
       rules.straight = this->AsPublished || this->Measure == EUCLIDEAN;
       rules.smoothing = this->AsPublished ? 0.0 : this->FieldSmoothing;
       rules.parameterSmoothing = this->AsPublished ? 0.0 : this->ParameterSmoothing;
-      const StepKey key({ InsideKey(mesh), ChainKey(reference) },
+      const StepKey key({ InsideKey(mesh), ChainsKey(reference) },
         { static_cast<double>(rules.straight), rules.smoothing, rules.parameterSmoothing });
       Cache& cache = *this->Internals;
       if (cache.Arrays.empty() || cache.Key != key)
       {
         cache.Arrays.clear(); // so that nothing stale is left when making fails
         ++this->FieldCount;
-        std::vector<int> chain = ChainOf(reference, "reference", mesh);
+        std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
         const InsidePatch inside = InsideOf(mesh, false);
         for (int& vertex : chain)
         {

@@ -1,6 +1,7 @@
 #include "vtkOversketchFlatten.h"
 
 #include "Shading/flatten.h"
+#include "vtkOversketchChains.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkCellArray.h"
@@ -136,7 +137,7 @@ int vtkOversketchFlatten::RequestData(vtkInformation*,
         return;
       }
       const int rounds = this->AsPublished ? 0 : this->Rounds;
-      const std::vector<int> chain = ChainOf(reference, "reference", mesh);
+      const std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
       const StepKey key(
         { InsideKey(mesh) }, { static_cast<double>(rounds), static_cast<double>(this->AsPublished) });
       Cache& cache = *this->Internals;

@@ -2,6 +2,7 @@
 
 #include "Shading/layer_list.h"
 #include "Shading/texels.h"
+#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchShadingTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -32,7 +33,7 @@ ShadedPlaces placesOf(vtkPolyData* mesh, vtkPolyData* disc, int size, const Cont
     throw Error(
       Failure::BadMesh, what + "; take mesh and disc from the same vtkOversketchFlatten, not a later one.");
   };
-  const std::vector<EditLabel> labels = EditRegionOf(mesh);
+  const std::vector<char> labels = ReadEditRegion(mesh);
   vtkDataArray* distance = RequireArray(mesh->GetPointData(),
     "CurveDistance",
     1,

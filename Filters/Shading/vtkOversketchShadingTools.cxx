@@ -1,11 +1,10 @@
 #include "vtkOversketchShadingTools.h"
 
+#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchSharedMesh.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -13,10 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-
-#include <algorithm>
-#include <cmath>
-#include <unordered_map>
 
 namespace oversketch
 {
@@ -28,34 +23,11 @@ const char *const regionName = "EditRegion", *const vertexName = "VertexId",
 
 } // namespace
 
-std::vector<EditLabel> EditRegionOf(vtkPolyData* mesh)
-{
-  vtkDataArray* array =
-    RequireArray(mesh->GetPointData(), regionName, 1, mesh->GetNumberOfPoints(), "mesh", enclose);
-  std::vector<EditLabel> labels(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  for (std::size_t v = 0; v < labels.size(); ++v)
-  {
-    const double value = array->GetComponent(static_cast<vtkIdType>(v), 0);
-    if (value != 0.0 && value != 1.0 && value != 2.0)
-    {
-      throw Error(Failure::BadRegion,
-        "EditRegion of vertex " + std::to_string(v) + " is none: 0 is outside, 1 on the rim, 2 inside.");
-    }
-    labels[v] = static_cast<EditLabel>(static_cast<signed char>(value));
-  }
-  return labels;
-}
-
 InsidePatch InsideOf(vtkPolyData* mesh, bool withRing)
 {
-  const std::vector<EditLabel> labels = EditRegionOf(mesh);
+  const std::vector<int> within = ReadInside(mesh);
   const auto shared = SharedMesh(mesh);
   const Mesh& whole = shared->Surface();
-  if (std::find(labels.begin(), labels.end(), EditLabel::Inside) == labels.end())
-  {
-    throw Error(Failure::BadRegion,
-      "No vertex lies strictly inside the boundary; draw it larger, or refine the mesh there.");
-  }
   std::vector<char> inside(whole.triangles.size(), 0), used(whole.points.size(), 0);
   const auto mark = [&](const auto& chosen)
   {
@@ -71,10 +43,14 @@ InsidePatch InsideOf(vtkPolyData* mesh, bool withRing)
       }
     }
   };
-  const auto anyCorner = [&](int t, const auto& is)
+  const auto markAt = [&](const std::vector<char>& vertices)
   {
-    const Triangle& c = whole.triangles[t];
-    return is(c[0]) || is(c[1]) || is(c[2]);
+    mark(
+      [&](int t)
+      {
+        const Triangle& c = whole.triangles[t];
+        return vertices[c[0]] != 0 || vertices[c[1]] != 0 || vertices[c[2]] != 0;
+      });
   };
   if (mesh->GetCellData()->HasArray(regionName))
   {
@@ -84,12 +60,16 @@ InsidePatch InsideOf(vtkPolyData* mesh, bool withRing)
   }
   else
   {
-    mark([&](int t) { return anyCorner(t, [&](int v) { return labels[v] == EditLabel::Inside; }); });
+    std::vector<char> strictly(whole.points.size(), 0);
+    for (const int v : within)
+    {
+      strictly[v] = 1;
+    }
+    markAt(strictly);
   }
   if (withRing)
   {
-    const std::vector<char> core = used;
-    mark([&](int t) { return anyCorner(t, [&](int v) { return core[v] != 0; }); });
+    markAt(used);
   }
 
   InsidePatch result;
@@ -114,60 +94,6 @@ InsidePatch InsideOf(vtkPolyData* mesh, bool withRing)
   return result;
 }
 
-std::vector<int> ChainOf(vtkPolyData* curve, const std::string& which, vtkPolyData* mesh)
-{
-  const std::string remedy = "lay it into the mesh by vtkOversketchInsertCurve";
-  if (curve->GetNumberOfCells() != 1 || curve->GetNumberOfLines() != 1)
-  {
-    throw Error(Failure::BadStroke,
-      "The " + which + " curve is " + std::to_string(curve->GetNumberOfLines()) + " polylines and " +
-        std::to_string(curve->GetNumberOfCells() - curve->GetNumberOfLines()) +
-        " other cells; exactly one polyline is needed.");
-  }
-  vtkDataArray* array =
-    RequireArray(curve->GetPointData(), vertexName, 1, curve->GetNumberOfPoints(), which + " curve", remedy);
-  // Of a patch, its own vertices by those of the mesh that it was taken from.
-  std::unordered_map<double, int> own;
-  if (vtkDataArray* ids = mesh->GetPointData()->GetArray(vertexName))
-  {
-    for (vtkIdType v = 0; v < ids->GetNumberOfTuples(); ++v)
-    {
-      own.emplace(ids->GetComponent(v, 0), static_cast<int>(v));
-    }
-  }
-  const auto vertexOf = [&](double id)
-  {
-    if (!own.empty())
-    {
-      const auto found = own.find(id);
-      return found == own.end() ? -1 : found->second;
-    }
-    return id >= 0.0 && id < static_cast<double>(mesh->GetNumberOfPoints()) && id == std::floor(id)
-             ? static_cast<int>(id)
-             : -1;
-  };
-  vtkNew<vtkIdList> points;
-  curve->GetLines()->GetCellAtId(0, points);
-  std::vector<int> chain;
-  for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
-  {
-    const vtkIdType point = points->GetId(i);
-    const bool there = point >= 0 && point < curve->GetNumberOfPoints();
-    chain.push_back(there ? vertexOf(array->GetComponent(point, 0)) : -1);
-    if (chain.back() < 0)
-    {
-      throw Error(Failure::BadStroke,
-        "Point " + std::to_string(i) + " of the " + which + " curve names no vertex of the mesh; " + remedy +
-          " anew.");
-    }
-  }
-  if (chain.size() > 1 && chain.front() == chain.back())
-  {
-    chain.pop_back();
-  }
-  return chain;
-}
-
 MeshKey InsideKey(vtkPolyData* mesh)
 {
   return MeshKey(mesh,
@@ -176,12 +102,7 @@ MeshKey InsideKey(vtkPolyData* mesh)
       mesh->GetPointData()->GetArray(vertexName) });
 }
 
-MeshKey ChainKey(vtkPolyData* curve)
-{
-  return MeshKey(curve, { curve->GetPointData()->GetArray(vertexName) });
-}
-
-std::vector<Vector2> DiscCoordsOf(vtkPolyData* mesh, const std::vector<EditLabel>& labels)
+std::vector<Vector2> DiscCoordsOf(vtkPolyData* mesh, const std::vector<char>& labels)
 {
   vtkDataArray* array = RequireArray(mesh->GetPointData(),
     "DiscCoords",

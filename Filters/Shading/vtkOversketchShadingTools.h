@@ -1,5 +1,5 @@
 /**
- * What the filters of this room share: a mesh with its region, the curves on it, arrays of images. Free
+ * What the filters of this room share: a mesh with its region, arrays of images. Free
  * functions, for use in the .cxx of filters; not wrapped. README.md of this folder lists the arrays.
  */
 #ifndef vtkOversketchShadingTools_h
@@ -22,18 +22,6 @@ class vtkPolyData;
 namespace oversketch
 {
 
-// What point array EditRegion says of a vertex.
-enum class EditLabel : signed char
-{
-  Outside = 0,
-  Rim = 1,   // on the boundary, or of the ring of triangles round it
-  Inside = 2 // strictly within the boundary
-};
-
-// Throws Error(MissingArray) without the array, Error(BadRegion) naming the vertex for a value that is not
-// one of these.
-std::vector<EditLabel> EditRegionOf(vtkPolyData* mesh);
-
 // The triangles inside the boundary by themselves.
 struct InsidePatch
 {
@@ -44,23 +32,16 @@ struct InsidePatch
 
 // Inside are the triangles that cell array EditRegion gives 2; without it those with a corner strictly
 // inside, which are all but such as have every corner on the boundary. withRing: and every triangle that
-// shares a vertex with them. Throws what MeshOf and EditRegionOf do, Error(BadRegion) where no vertex is
+// shares a vertex with them. Throws what MeshOf and ReadEditRegion do, Error(BadRegion) where no vertex is
 // strictly inside.
 InsidePatch InsideOf(vtkPolyData* mesh, bool withRing);
 
-// The vertices of the mesh that a curve goes through, by its point array VertexId; of a closed one the first
-// is not repeated. Of a patch that has point array VertexId itself, the vertices with these. `which` names
-// the curve in messages ("reference"). Throws Error(MissingArray) without the array, Error(BadStroke) where
-// there is not exactly one polyline, and for an id that the mesh does not have.
-std::vector<int> ChainOf(vtkPolyData* curve, const std::string& which, vtkPolyData* mesh);
-
-// What these read of both.
+// What InsideOf reads of the mesh, and ReadChain of a patch.
 MeshKey InsideKey(vtkPolyData* mesh);
-MeshKey ChainKey(vtkPolyData* curve);
 
 // Array DiscCoords of a mesh. Throws Error(MissingArray) without it, Error(BadMesh) naming a vertex of the
 // region whose coordinates are not finite.
-std::vector<Vector2> DiscCoordsOf(vtkPolyData* mesh, const std::vector<EditLabel>& labels);
+std::vector<Vector2> DiscCoordsOf(vtkPolyData* mesh, const std::vector<char>& labels);
 
 // What tells arrays apart, whatever they belong to; null for an absent one.
 MeshKey ArraysKey(const std::vector<vtkDataArray*>& arrays);

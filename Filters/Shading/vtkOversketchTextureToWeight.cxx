@@ -1,6 +1,7 @@
 #include "vtkOversketchTextureToWeight.h"
 
 #include "Shading/texels.h"
+#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkDoubleArray.h"
@@ -146,7 +147,7 @@ int vtkOversketchTextureToWeight::RequestData(vtkInformation*,
       if (!cache.Weights || cache.Key != key)
       {
         cache.Weights = nullptr; // so that nothing stale is left when making fails
-        const std::vector<EditLabel> labels = EditRegionOf(mesh);
+        const std::vector<char> labels = ReadEditRegion(mesh);
         const std::vector<Vector2> coordinates = DiscCoordsOf(mesh, labels);
         const auto weights = vtkSmartPointer<vtkDoubleArray>::New();
         weights->SetName("EditWeight");

@@ -168,7 +168,7 @@ Look lookAt(const Mesh& mesh, const std::vector<char>& region)
 void expectSound(const Edited& edited, const Retriangulated& result)
 {
   EXPECT_TRUE(isManifold(result.mesh));
-  EXPECT_EQ(eulerOf(result.mesh), eulerOf(edited.scene.mesh));
+  EXPECT_EQ(eulerNumber(result.mesh.triangles), eulerNumber(edited.scene.mesh.triangles));
   ASSERT_EQ(result.pointSource.size(), result.mesh.points.size());
   ASSERT_EQ(result.triangleSource.size(), result.mesh.triangles.size());
   // Outside every point and face is there, in its order.

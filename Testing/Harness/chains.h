@@ -2,7 +2,6 @@
 #ifndef oversketch_test_chains_h
 #define oversketch_test_chains_h
 
-#include "Harness/enclosures.h"
 #include "Harness/polydata.h"
 
 #include "vtkIdList.h"
@@ -11,7 +10,8 @@
 namespace oversketch_test
 {
 
-// One polyline with VertexId and CurveT; a closed chain repeats its first point's id.
+// One polyline with VertexId and CurveT; a closed chain repeats its first point's id. A vertex that the mesh
+// does not have lies at the origin.
 inline vtkSmartPointer<vtkPolyData> toChain(const Mesh& mesh, const std::vector<int>& chain)
 {
   const bool closed = chain.size() > 2 && chain.front() == chain.back();
@@ -27,9 +27,11 @@ inline vtkSmartPointer<vtkPolyData> toChain(const Mesh& mesh, const std::vector<
   lines->InsertNextCell(static_cast<int>(chain.size()));
   for (std::size_t i = 0; i < count; ++i)
   {
-    lines->InsertCellPoint(points->InsertNextPoint(mesh.points[chain[i]].data()));
+    const bool there = chain[i] >= 0 && chain[i] < mesh.vertexCount();
+    const Vector3 place = there ? mesh.points[chain[i]] : Vector3(Vector3::Zero());
+    lines->InsertCellPoint(points->InsertNextPoint(place.data()));
     vertices->InsertNextValue(chain[i]);
-    shares->InsertNextValue(static_cast<double>(i) / static_cast<double>(chain.size() - 1));
+    shares->InsertNextValue(static_cast<double>(i) / std::max(1.0, static_cast<double>(chain.size()) - 1.0));
   }
   if (closed)
   {

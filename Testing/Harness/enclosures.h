@@ -3,12 +3,9 @@
 #ifndef oversketch_test_enclosures_h
 #define oversketch_test_enclosures_h
 
-#include "Harness/shapes.h"
+#include "Harness/edges.h"
 
 #include <array>
-#include <set>
-#include <utility>
-#include <vector>
 
 namespace oversketch_test
 {
@@ -38,26 +35,13 @@ inline Enclosure ringedSphere(int rings, int sectors)
     }
   }
   mesh.points.emplace_back(0.0, 0.0, -1.0);
-  const auto id = [&](int r, int s) {
-    return r == 0 ? 0 : r == rings ? mesh.vertexCount() - 1 : 1 + (r - 1) * sectors + s % sectors;
-  };
-  for (int s = 0; s < sectors; ++s)
+  const Rings net{ rings, sectors };
+  mesh.triangles = net.triangles();
+  for (int s = 0; s <= sectors; ++s)
   {
-    mesh.triangles.push_back({ 0, id(1, s), id(1, s + 1) });
-    for (int r = 1; r + 1 < rings; ++r)
-    {
-      mesh.triangles.push_back({ id(r, s), id(r + 1, s), id(r + 1, s + 1) });
-      mesh.triangles.push_back({ id(r, s), id(r + 1, s + 1), id(r, s + 1) });
-    }
-    mesh.triangles.push_back({ id(rings - 1, s), id(rings, s), id(rings - 1, s + 1) });
-    scene.boundary.push_back(id(rings / 3, s));
+    scene.boundary.push_back(net.id(rings / 3, s));
   }
-  scene.boundary.push_back(scene.boundary.front());
-  const int arm = rings / 4;
-  for (int k = -arm; k <= arm; ++k)
-  {
-    scene.reference.push_back(id(std::abs(k), k < 0 ? sectors / 2 : 0));
-  }
+  scene.reference = net.overPole(rings / 4);
   return scene;
 }
 
@@ -145,22 +129,6 @@ inline std::vector<double> sharesOf(const Enclosure& scene, const std::vector<ch
     }
   }
   return shares;
-}
-
-// V - E + F of all vertices that triangles have.
-inline int eulerOf(const Mesh& mesh)
-{
-  std::set<int> vertices;
-  std::set<std::pair<int, int>> edges;
-  for (const Triangle& t : mesh.triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      vertices.insert(t[k]);
-      edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
-    }
-  }
-  return static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + mesh.triangleCount();
 }
 
 // No edge twice in one direction, every vertex in a triangle.

@@ -2,7 +2,7 @@
 #ifndef oversketch_test_mesh_curves_h
 #define oversketch_test_mesh_curves_h
 
-#include "Harness/shapes.h"
+#include "Harness/edges.h"
 #include "Mesh/context.h"
 #include "Ray/curve_projection.h"
 #include "Remesh/insert_curves.h"
@@ -79,24 +79,6 @@ inline double areaOf(const Mesh& mesh)
     area += areaOf(mesh, t);
   }
   return area;
-}
-
-// Of all vertices that triangles have, edges and triangles.
-inline int eulerNumber(const std::vector<Triangle>& triangles)
-{
-  std::set<int> vertices;
-  std::set<std::pair<int, int>> edges;
-  for (const Triangle& t : triangles)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int a = t[k], b = t[(k + 1) % 3];
-      vertices.insert(a);
-      edges.emplace(std::min(a, b), std::max(a, b));
-    }
-  }
-  return static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) +
-         static_cast<int>(triangles.size());
 }
 
 using Edge = std::pair<int, int>;

@@ -2,10 +2,8 @@
 #ifndef oversketch_test_region_data_h
 #define oversketch_test_region_data_h
 
-#include "Harness/polydata.h"
+#include "Harness/chains.h"
 #include "Harness/regions.h"
-
-#include "vtkIdTypeArray.h"
 
 namespace oversketch_test
 {
@@ -21,28 +19,11 @@ inline vtkSmartPointer<vtkDoubleArray> arrayOf(const char* name, const std::vect
   return array;
 }
 
-inline vtkSmartPointer<vtkPolyData> toCurve(const Mesh& mesh, const std::vector<int>& chain, bool closed)
+// A closed chain by its vertices.
+inline std::vector<int> closed(std::vector<int> chain)
 {
-  auto curve = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdTypeArray> vertices;
-  vertices->SetName("VertexId");
-  lines->InsertNextCell(static_cast<int>(chain.size()) + (closed ? 1 : 0));
-  for (const int v : chain)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(mesh.points[v].data()));
-    vertices->InsertNextValue(v);
-  }
-  if (closed)
-  {
-    lines->InsertCellPoint(0);
-  }
-  curve->SetPoints(points);
-  curve->SetLines(lines);
-  curve->GetPointData()->AddArray(vertices);
-  return curve;
+  chain.push_back(chain.front());
+  return chain;
 }
 
 // What the filters of a region have made.
@@ -53,8 +34,8 @@ struct EditData
 
   explicit EditData(EditScene made, bool withNormals = true)
     : scene(std::move(made))
-    , reference(toCurve(this->scene.mesh, this->scene.reference, false))
-    , boundary(toCurve(this->scene.mesh, this->scene.boundary, true))
+    , reference(toChain(this->scene.mesh, this->scene.reference))
+    , boundary(toChain(this->scene.mesh, closed(this->scene.boundary)))
   {
     const std::vector<Vector3> normals = vertexNormals(this->scene.mesh);
     this->mesh = toPolyData(this->scene.mesh, withNormals ? &normals : nullptr);
@@ -109,42 +90,6 @@ inline std::vector<Vector3> pointsOf(vtkPolyData* data)
     data->GetPoint(static_cast<vtkIdType>(i), points[i].data());
   }
   return points;
-}
-
-// A mesh's shortest path along its edges between the vertices nearest to two places, and the region within so
-// far of it.
-inline EditScene pathScene(const Mesh& mesh, const Vector3& from, const Vector3& to, double reach)
-{
-  const auto nearest = [&](const Vector3& place)
-  {
-    int best = 0;
-    for (int v = 1; v < mesh.vertexCount(); ++v)
-    {
-      best = (mesh.points[v] - place).norm() < (mesh.points[best] - place).norm() ? v : best;
-    }
-    return best;
-  };
-  const Adjacency links = buildAdjacency(mesh);
-  const int end = nearest(to);
-  const std::vector<double> left = edgeDistances(mesh, links, { end });
-  std::vector<int> chain{ nearest(from) };
-  while (chain.back() != end)
-  {
-    const int v = chain.back();
-    const auto further = [&](int a, int b)
-    {
-      return left[a] + (mesh.points[a] - mesh.points[v]).norm() <
-             left[b] + (mesh.points[b] - mesh.points[v]).norm();
-    };
-    chain.push_back(*std::min_element(links.vertexVertices.begin(v), links.vertexVertices.end(v), further));
-  }
-  const std::vector<double> distance = edgeDistances(mesh, links, chain, reach);
-  std::vector<char> inside;
-  for (const double d : distance)
-  {
-    inside.push_back(d <= reach ? 1 : 0);
-  }
-  return editScene(mesh, inside, chain);
 }
 
 } // namespace oversketch_test

@@ -2,7 +2,7 @@
 #ifndef oversketch_test_regions_h
 #define oversketch_test_regions_h
 
-#include "Harness/shapes.h"
+#include "Harness/edges.h"
 #include "Mesh/context.h"
 #include "Shading/fields.h"
 #include "Shading/flatten.h"
@@ -165,26 +165,9 @@ inline EditScene sphereScene(
   }
   mesh.points.emplace_back(0.0, 0.0, -1.0);
   inside.push_back(0);
-  const auto id = [&](int r, int s) {
-    return r == 0 ? 0 : r == all ? mesh.vertexCount() - 1 : 1 + (r - 1) * sectors + s % sectors;
-  };
-  for (int s = 0; s < sectors; ++s)
-  {
-    mesh.triangles.push_back({ 0, id(1, s), id(1, s + 1) });
-    for (int r = 1; r + 1 < all; ++r)
-    {
-      mesh.triangles.push_back({ id(r, s), id(r + 1, s), id(r + 1, s + 1) });
-      mesh.triangles.push_back({ id(r, s), id(r + 1, s + 1), id(r, s + 1) });
-    }
-    mesh.triangles.push_back({ id(all - 1, s), id(all, s), id(all - 1, s + 1) });
-  }
-  std::vector<int> reference;
-  const int arm = rings * 3 / 4;
-  for (int k = -arm; k <= arm; ++k)
-  {
-    reference.push_back(id(std::abs(k), k < 0 ? sectors / 2 : 0));
-  }
-  return editScene(mesh, inside, reference);
+  const Rings net{ all, sectors };
+  mesh.triangles = net.triangles();
+  return editScene(mesh, inside, net.overPole(rings * 3 / 4));
 }
 
 // A hill of side x side quads over [-1, 1]^2, bent so that the reference curve, along its middle, is an S.
@@ -214,6 +197,20 @@ inline EditScene letterScene(int side)
     }
   }
   return editScene(mesh, inside, reference);
+}
+
+// A mesh's shortest path along its edges between the vertices nearest to two places, and the region within so
+// far of it.
+inline EditScene pathScene(const Mesh& mesh, const Vector3& from, const Vector3& to, double reach)
+{
+  const std::vector<int> chain = edgeWay(mesh, nearestVertex(mesh, from), nearestVertex(mesh, to));
+  const std::vector<double> distance = edgeDistances(mesh, buildAdjacency(mesh), chain, reach);
+  std::vector<char> inside;
+  for (const double d : distance)
+  {
+    inside.push_back(d <= reach ? 1 : 0);
+  }
+  return editScene(mesh, inside, chain);
 }
 
 } // namespace oversketch_test

@@ -294,7 +294,7 @@ TEST(MatrixDeform, BadInputIsRefused)
   auto empty = data.with("EditRegion", v, 0.0);
   empty->GetPointData()->GetArray("EditRegion")->Fill(1.0);
   scene.deform->SetInputData(empty);
-  expectRefusal(scene.deform, Failure::BadRegion, "No point lies strictly inside");
+  expectRefusal(scene.deform, Failure::BadRegion, "No vertex lies strictly inside");
 
   scene.deform->SetInputData(data.mesh);
   for (const double place : { -1.0, 2.0, nan })
@@ -382,14 +382,14 @@ TEST(Handles, ErrorsNameOperationAndRemedy)
   vtkNew<vtkPolyData> none;
   scene.handles->SetHandlesData(none);
   scene.handles->SetReferenceData(none);
-  expectRefusal(scene.handles, Failure::BadStroke, "exactly one polyline is needed");
-  auto wrong = toCurve(scene.data.scene.mesh, { 0, 1, 2 }, false);
+  expectRefusal(scene.handles, Failure::BadStroke, "must be polylines and no other cells");
+  auto wrong = toChain(scene.data.scene.mesh, { 0, 1, 2 });
   wrong->GetPointData()->GetArray("VertexId")->SetComponent(1, 0, 1e9);
   scene.handles->SetReferenceData(wrong);
   expectRefusal(scene.handles, Failure::BadStroke, "Point 1 of the reference curve is no vertex of the mesh");
   wrong->GetPointData()->RemoveArray("VertexId");
   expectRefusal(scene.handles, Failure::MissingArray, "VertexId");
-  scene.handles->SetReferenceData(toCurve(scene.data.scene.mesh, { 5, 5 }, false));
+  scene.handles->SetReferenceData(toChain(scene.data.scene.mesh, { 5, 5 }));
   expectRefusal(scene.handles, Failure::BadStroke, "fewer than two distinct points");
   scene.handles->SetInputData(none);
   scene.handles->Update();

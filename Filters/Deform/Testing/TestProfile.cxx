@@ -385,7 +385,7 @@ TEST(CrossSection, WhatHasNoneIsSaid)
   Chain chain;
   // A boundary elsewhere: no profile, and a warning.
   const Triangle& last = chain.data.scene.mesh.triangles.back();
-  chain.section->SetBoundaryData(toCurve(chain.data.scene.mesh, { last[0], last[1], last[2] }, true));
+  chain.section->SetBoundaryData(toChain(chain.data.scene.mesh, closed({ last[0], last[1], last[2] })));
   chain.planes->SetT(0.3);
   {
     Ear ear(chain.section);
@@ -398,7 +398,7 @@ TEST(CrossSection, WhatHasNoneIsSaid)
   }
   std::vector<int> torn = chain.data.scene.boundary;
   std::swap(torn[4], torn[20]);
-  chain.section->SetBoundaryData(toCurve(chain.data.scene.mesh, torn, true));
+  chain.section->SetBoundaryData(toChain(chain.data.scene.mesh, closed(torn)));
   expectRefusal(chain.section, Failure::BadStroke, "are not joined by an edge of the mesh");
   EXPECT_EQ(chain.section->GetSectionOutput()->GetNumberOfPoints(), 0);
   chain.section->SetBoundaryData(chain.data.boundary);

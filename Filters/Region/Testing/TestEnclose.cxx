@@ -1,6 +1,7 @@
 // Facts of editors.md, section 13 (ROI): the unit sphere seen from +z, boundary z = 0.5, reference over the
 // pole.
 #include "Harness/chains.h"
+#include "Harness/enclosures.h"
 #include "Harness/promises.h"
 #include "vtkOversketchEnclose.h"
 #include "vtkOversketchFilterTools.h"
@@ -168,7 +169,7 @@ TEST(B5_2, ThePatchIsTheFacesInsideAndOneRing)
     EXPECT_EQ(round.filter->GetPatchOutput()->GetPointData()->GetArray("EditRegion")->GetComponent(v, 0),
       round.label(id));
   }
-  EXPECT_EQ(eulerOf(patch), 1);
+  EXPECT_EQ(eulerNumber(patch.triangles), 1);
   // Boundary and ring are not strictly inside.
   for (const int v : scene.boundary)
   {
@@ -177,7 +178,7 @@ TEST(B5_2, ThePatchIsTheFacesInsideAndOneRing)
   fact("B5_2",
     std::to_string(expected.size()) +
       " faces: those inside and every one that shares a vertex, V - E + F = " +
-      std::to_string(eulerOf(patch)));
+      std::to_string(eulerNumber(patch.triangles)));
 }
 
 TEST(B5_3, WhatIsNoDiscIsRefused)

@@ -28,23 +28,6 @@ struct CurveChain
   }
 };
 
-inline Mesh fromPolyData(vtkPolyData* polyData)
-{
-  Mesh mesh;
-  for (vtkIdType i = 0; i < polyData->GetNumberOfPoints(); ++i)
-  {
-    mesh.points.emplace_back(polyData->GetPoint(i));
-  }
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < polyData->GetNumberOfPolys(); ++cell)
-  {
-    polyData->GetPolys()->GetCellAtId(cell, ids);
-    mesh.triangles.push_back(
-      { static_cast<int>(ids->GetId(0)), static_cast<int>(ids->GetId(1)), static_cast<int>(ids->GetId(2)) });
-  }
-  return mesh;
-}
-
 // A curve of the filter as the kernel has it.
 inline MeshCurve curveOfCell(vtkPolyData* curves, vtkIdType cell)
 {

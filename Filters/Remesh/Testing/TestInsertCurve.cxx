@@ -1,4 +1,5 @@
 #include "CurveChain.h"
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchMeanEdge.h"
 
 #include "vtkFieldData.h"
@@ -73,7 +74,7 @@ void expectChain(vtkPolyData* mesh, vtkPolyData* curves, vtkIdType cell)
 {
   const MeshCurve curve = curveOfCell(curves, cell);
   EXPECT_TRUE(soundCurve(curve));
-  EXPECT_EQ(looseSegments(fromPolyData(mesh), curve), 0);
+  EXPECT_EQ(looseSegments(MeshOf(mesh), curve), 0);
   vtkNew<vtkIdList> ids;
   curves->GetLines()->GetCellAtId(cell, ids);
   for (int i = 0; i < curve.count(); ++i)
@@ -105,7 +106,7 @@ TEST(InsertCurve, ArraysOfMeshAndCurves)
   EXPECT_EQ(curves->GetFieldData()->GetArray("NurbsDegree")->GetComponent(1, 0), 3.0);
   EXPECT_EQ(curves->GetFieldData()->GetArray("NurbsKnots")->GetNumberOfValues(),
     curves->GetFieldData()->GetArray("NurbsPoints")->GetNumberOfTuples() + 8);
-  EXPECT_EQ(eulerNumber(fromPolyData(output).triangles), 2);
+  EXPECT_EQ(eulerNumber(MeshOf(output).triangles), 2);
   EXPECT_EQ(chain.Insert->GetStoredOutput()->GetNumberOfPoints(), 0);
 
   vtkPointData* points = output->GetPointData();
@@ -128,8 +129,8 @@ TEST(InsertCurve, ArraysOfMeshAndCurves)
   }
   EXPECT_GT(mixed, 20);
   // Every triangle lies in the one that it says.
-  const SurfaceRays surface(std::make_shared<const Mesh>(fromPolyData(mesh)));
-  const Mesh made = fromPolyData(output);
+  const SurfaceRays surface(std::make_shared<const Mesh>(MeshOf(mesh)));
+  const Mesh made = MeshOf(output);
   int beside = 0;
   for (int t = 0; t < made.triangleCount(); ++t)
   {
@@ -156,7 +157,7 @@ TEST(InsertCurve, AStoredCurveIsCarriedAndSoAreTheSteps)
   expectChain(boundary.Insert->GetOutput(), stored, 0);
   expectChain(boundary.Insert->GetOutput(), boundary.Insert->GetCurvesOutput(), 0);
   EXPECT_EQ(stored->GetCellData()->GetArray("StrokeId")->GetNumberOfTuples(), 1);
-  const Mesh result = fromPolyData(boundary.Insert->GetOutput());
+  const Mesh result = MeshOf(boundary.Insert->GetOutput());
   const std::vector<Triangle> region =
     sideOf(result, curveOfCell(boundary.Insert->GetCurvesOutput(), 0), seenAt(result, front, { 400, 300 }));
   EXPECT_EQ(eulerNumber(region), 1);

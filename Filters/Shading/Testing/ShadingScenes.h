@@ -3,7 +3,8 @@
 #ifndef oversketch_test_shading_scenes_h
 #define oversketch_test_shading_scenes_h
 
-#include "Harness/polydata.h"
+#include "Harness/chains.h"
+#include "Harness/edges.h"
 #include "Harness/promises.h"
 #include "Shading/patches.h"
 #include "vtkOversketchDistanceField.h"
@@ -12,7 +13,6 @@
 #include "vtkOversketchShadingLevels.h"
 #include "vtkOversketchTextureToWeight.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -71,35 +71,6 @@ inline Scene sceneOf(const Drawn& drawn)
     drawn.patch, [](const Triangle&) { return true; }, drawn.reference);
 }
 
-// The shortest way over edges.
-inline std::vector<int> edgeWay(const Mesh& mesh, int from, int to)
-{
-  const Adjacency adjacency = buildAdjacency(mesh);
-  const std::vector<double> far = edgeDistances(mesh, adjacency, { to });
-  std::vector<int> way{ from };
-  while (way.back() != to)
-  {
-    const int v = way.back();
-    way.push_back(*std::min_element(adjacency.vertexVertices.begin(v),
-      adjacency.vertexVertices.end(v),
-      [&](int a, int b)
-      {
-        return far[a] + (mesh.points[a] - mesh.points[v]).norm() <
-               far[b] + (mesh.points[b] - mesh.points[v]).norm();
-      }));
-  }
-  return way;
-}
-
-inline int nearestVertex(const Mesh& mesh, const Vector3& place)
-{
-  int nearest = 0;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-    if ((mesh.points[v] - place).norm() < (mesh.points[nearest] - place).norm())
-      nearest = v;
-  return nearest;
-}
-
 // A sphere, what lies above z = 0.3, a curve over the pole.
 inline Scene capScene(int levels = 4)
 {
@@ -126,32 +97,6 @@ inline vtkSmartPointer<vtkPolyData> meshOf(const Scene& scene, bool cells = true
   if (cells)
     mesh->GetCellData()->AddArray(faces);
   return mesh;
-}
-
-inline vtkSmartPointer<vtkPolyData> curveOf(const Mesh& mesh, const std::vector<int>& chain)
-{
-  auto curve = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("VertexId");
-  vtkNew<vtkDoubleArray> shares;
-  shares->SetName("CurveT");
-  lines->InsertNextCell(static_cast<int>(chain.size()));
-  for (std::size_t i = 0; i < chain.size(); ++i)
-  {
-    const bool there = chain[i] >= 0 && chain[i] < mesh.vertexCount();
-    const Vector3 place = there ? mesh.points[chain[i]] : Vector3(Vector3::Zero());
-    lines->InsertCellPoint(points->InsertNextPoint(place.data()));
-    ids->InsertNextValue(chain[i]);
-    shares->InsertNextValue(static_cast<double>(i) / std::max(1.0, static_cast<double>(chain.size()) - 1.0));
-  }
-  curve->SetPoints(points);
-  curve->SetLines(lines);
-  curve->GetPointData()->AddArray(ids);
-  curve->GetPointData()->AddArray(shares);
-  return curve;
 }
 
 // Areas drawn on the disc itself.
@@ -203,7 +148,7 @@ struct ShadingChain
   explicit ShadingChain(const Scene& from)
     : scene(from)
     , mesh(meshOf(from))
-    , reference(curveOf(from.mesh, from.reference))
+    , reference(toChain(from.mesh, from.reference))
   {
     this->flatten->SetInputData(this->mesh);
     this->flatten->SetReferenceData(this->reference);

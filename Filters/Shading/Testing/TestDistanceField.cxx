@@ -21,7 +21,7 @@ struct Measured
     this->filter->SetReferenceData(reference);
   }
   explicit Measured(const Scene& scene)
-    : Measured(meshOf(scene), curveOf(scene.mesh, scene.reference))
+    : Measured(meshOf(scene), toChain(scene.mesh, scene.reference))
   {
   }
   std::vector<double> values(const char* name)
@@ -158,7 +158,7 @@ TEST(DistanceFieldFilter, OnlyWhatItReadsMeasuresAnew)
 {
   Scene scene = capScene(3);
   const auto mesh = meshOf(scene);
-  Measured made(mesh, curveOf(scene.mesh, scene.reference));
+  Measured made(mesh, toChain(scene.mesh, scene.reference));
   made.filter->Update();
   vtkDataArray* const first = made.filter->GetOutput()->GetPointData()->GetArray("CurveDistance");
   vtkNew<vtkDoubleArray> other;
@@ -170,7 +170,7 @@ TEST(DistanceFieldFilter, OnlyWhatItReadsMeasuresAnew)
   EXPECT_EQ(made.filter->GetOutput()->GetPointData()->GetArray("CurveDistance"), first);
   EXPECT_EQ(made.filter->GetFieldCount(), 1);
   scene.reference.pop_back();
-  made.filter->SetReferenceData(curveOf(scene.mesh, scene.reference));
+  made.filter->SetReferenceData(toChain(scene.mesh, scene.reference));
   made.filter->Update();
   EXPECT_EQ(made.filter->GetFieldCount(), 2);
   made.filter->SetFieldSmoothing(0.1);
@@ -198,7 +198,7 @@ TEST(DistanceFieldFilter, RefusesAndCancels)
   const Scene scene = capScene(3);
   const auto refused = [&](const std::vector<int>& chain, const char* words)
   {
-    Measured made(meshOf(scene), curveOf(scene.mesh, chain));
+    Measured made(meshOf(scene), toChain(scene.mesh, chain));
     expectRefusal(made.filter, Failure::BadStroke, words);
   };
   const int a = scene.reference[2], far = scene.reference[5];
@@ -211,7 +211,7 @@ TEST(DistanceFieldFilter, RefusesAndCancels)
   refused({ a, far }, noChain);
   refused({ a, rim }, noChain);
   refused({ outside, outside + 1 }, noChain);
-  refused({ a, -1 }, "names no vertex of the mesh");
+  refused({ a, -1 }, "is no vertex of the mesh");
   refused({}, noChain);
   Measured made(scene);
   for (const double bad : { -0.1, 11.0, std::nan("") })

@@ -21,7 +21,7 @@ struct Flattened
     this->filter->SetReferenceData(reference);
   }
   explicit Flattened(const Scene& scene)
-    : Flattened(meshOf(scene), curveOf(scene.mesh, scene.reference))
+    : Flattened(meshOf(scene), toChain(scene.mesh, scene.reference))
   {
   }
 };
@@ -91,7 +91,7 @@ TEST(B6_1, ByTheFilterTheModelKeepsWhatItHas)
   own->SetNumberOfTuples(mesh->GetNumberOfPoints());
   own->Fill(0.25);
   mesh->GetPointData()->SetTCoords(own);
-  Flattened made(mesh, curveOf(scene.mesh, scene.reference));
+  Flattened made(mesh, toChain(scene.mesh, scene.reference));
   made.filter->Update();
   ASSERT_EQ(made.filter->GetErrorCode(), 0u);
 
@@ -235,7 +235,7 @@ TEST(FlattenFilter, APatchGivesTheDiscOfItsMesh)
   part.mesh = alone;
   const auto mesh = meshOf(part);
   mesh->GetPointData()->AddArray(ids);
-  Flattened made(mesh, curveOf(scene.mesh, scene.reference));
+  Flattened made(mesh, toChain(scene.mesh, scene.reference));
   made.filter->Update();
   ASSERT_EQ(made.filter->GetErrorCode(), 0u);
   EXPECT_TRUE(sameBits(made.filter->GetDiscOutput()->GetPoints()->GetData(),
@@ -247,14 +247,14 @@ TEST(FlattenFilter, APatchGivesTheDiscOfItsMesh)
     made.filter->GetDiscOutput()->GetPointData()->GetArray("VertexId")->GetComponent(7, 0));
   // A vertex that the patch lacks.
   const auto outside = static_cast<int>(std::find(number.begin(), number.end(), -1) - number.begin());
-  made.filter->SetReferenceData(curveOf(scene.mesh, { scene.reference[0], outside }));
-  expectRefusal(made.filter, Failure::BadStroke, "Point 1 of the reference curve names no vertex");
+  made.filter->SetReferenceData(toChain(scene.mesh, { scene.reference[0], outside }));
+  expectRefusal(made.filter, Failure::BadStroke, "Point 1 of the reference curve is no vertex of the mesh");
 }
 
 TEST(FlattenFilter, PointLabelsAloneLeaveOutWhatHasAllCornersOnTheBoundary)
 {
   const Scene scene = squareScene();
-  Flattened made(meshOf(scene, false), curveOf(scene.mesh, scene.reference));
+  Flattened made(meshOf(scene, false), toChain(scene.mesh, scene.reference));
   made.filter->Update();
   ASSERT_EQ(made.filter->GetErrorCode(), 0u);
   EXPECT_EQ(made.filter->GetDiscOutput()->GetNumberOfCells(), 2 * 12 * 12 - 2) << "two corners of the square";
@@ -264,12 +264,12 @@ TEST(FlattenFilter, OnlyTheRegionFlattensAnew)
 {
   Scene scene = squareScene();
   const auto mesh = meshOf(scene);
-  Flattened made(mesh, curveOf(scene.mesh, scene.reference));
+  Flattened made(mesh, toChain(scene.mesh, scene.reference));
   made.filter->Update();
   const vtkSmartPointer<vtkDataArray> first =
     made.filter->GetOutput()->GetPointData()->GetArray("DiscCoords");
   scene.reference.push_back(scene.reference.back() + 1);
-  made.filter->SetReferenceData(curveOf(scene.mesh, scene.reference));
+  made.filter->SetReferenceData(toChain(scene.mesh, scene.reference));
   made.filter->Update();
   EXPECT_EQ(made.filter->GetDiscCurveOutput()->GetNumberOfPoints(), 4);
   vtkNew<vtkDoubleArray> other;
@@ -350,21 +350,27 @@ TEST(FlattenFilter, RefusesAndCancels)
     Flattened made(mesh, reference);
     expectRefusal(made.filter, failure, words);
   };
-  const auto curve = curveOf(scene.mesh, scene.reference);
+  const auto curve = toChain(scene.mesh, scene.reference);
   const auto mesh = meshOf(scene);
   for (const int wrong : { -1, 21 * 21, 1 << 30 })
-    refused(mesh, curveOf(scene.mesh, { scene.reference[0], wrong }), Failure::BadStroke, "names no vertex");
+    refused(mesh,
+      toChain(scene.mesh, { scene.reference[0], wrong }),
+      Failure::BadStroke,
+      "is no vertex of the mesh");
   refused(
-    mesh, curveOf(scene.mesh, { scene.reference[0], 0 }), Failure::BadStroke, "lies outside the boundary");
+    mesh, toChain(scene.mesh, { scene.reference[0], 0 }), Failure::BadStroke, "lies outside the boundary");
   refused(mesh, areasOnDisc({ { { 0, 0 }, { 1, 1 } } }), Failure::MissingArray, "no array VertexId");
-  refused(mesh, areasOnDisc({ { { 0, 0 } }, { { 1, 1 } } }), Failure::BadStroke, "is 2 polylines");
-  refused(mesh, toPolyData(scene.mesh), Failure::BadStroke, "exactly one polyline");
+  refused(mesh,
+    areasOnDisc({ { { 0, 0 } }, { { 1, 1 } } }),
+    Failure::BadStroke,
+    "There are 2 polylines where the reference curve is one");
+  refused(mesh, toPolyData(scene.mesh), Failure::BadStroke, "must be polylines and no other cells");
   vtkNew<vtkPolyData> nothing;
-  refused(mesh, nothing, Failure::BadStroke, "is 0 polylines");
+  refused(mesh, nothing, Failure::BadStroke, "must be polylines and no other cells");
   refused(toPolyData(scene.mesh), curve, Failure::MissingArray, "no array EditRegion");
   Scene wrong = scene;
   wrong.labels[7] = 3;
-  refused(meshOf(wrong), curve, Failure::BadRegion, "EditRegion of vertex 7 is none");
+  refused(meshOf(wrong), curve, Failure::BadRegion, "EditRegion of vertex 7 is not 0");
   wrong = scene;
   wrong.mesh.points[210][1] = std::nan("");
   refused(meshOf(wrong), curve, Failure::BadMesh, "Point 210 of the mesh is not finite");
@@ -372,14 +378,16 @@ TEST(FlattenFilter, RefusesAndCancels)
   for (Vector3& p : wrong.mesh.points)
     p = Vector3::Zero();
   refused(meshOf(wrong), curve, Failure::BadRegion, "has no area");
-  const auto nan = curveOf(scene.mesh, scene.reference);
+  const auto nan = toChain(scene.mesh, scene.reference);
   vtkNew<vtkDoubleArray> ids;
   ids->SetName("VertexId");
   ids->InsertNextValue(std::nan(""));
   ids->InsertNextValue(0.5);
   ids->InsertNextValue(1.0);
   nan->GetPointData()->AddArray(ids);
-  refused(mesh, nan, Failure::BadStroke, "Point 0 of the reference curve names no vertex");
+  refused(mesh, nan, Failure::BadStroke, "Point 0 of the reference curve is no vertex of the mesh");
+  ids->SetValue(0, 0.0);
+  refused(mesh, nan, Failure::BadStroke, "Point 1 of the reference curve is no vertex of the mesh");
   const auto quads = meshOf(scene);
   vtkNew<vtkCellArray> polys;
   const vtkIdType corners[4] = { 0, 1, 22, 21 };

@@ -318,7 +318,7 @@ TEST(B13_1, ALayerRunsNoSolve)
   EXPECT_EQ(chain.levels->GetShadeCount(), 5);
   // Another curve measures anew and flattens nothing.
   chain.scene.reference.pop_back();
-  const auto shorter = curveOf(chain.scene.mesh, chain.scene.reference);
+  const auto shorter = toChain(chain.scene.mesh, chain.scene.reference);
   chain.flatten->SetReferenceData(shorter);
   chain.field->SetReferenceData(shorter);
   chain.levels->Update();

@@ -31,7 +31,7 @@ struct Painted
     : scene(capScene(levels))
   {
     this->flatten->SetInputData(meshOf(this->scene));
-    this->flatten->SetReferenceData(curveOf(this->scene.mesh, this->scene.reference));
+    this->flatten->SetReferenceData(toChain(this->scene.mesh, this->scene.reference));
     this->filter->SetInputConnection(this->flatten->GetOutputPort());
   }
   std::vector<double> weights(vtkImageData* image)
