@@ -352,7 +352,8 @@ int vtkOversketchInsertCurve::RequestData(vtkInformation*,
       {
         cache = Cache();
         ++this->InsertionCount;
-        const Mesh& mesh = SharedMesh(input)->Surface();
+        const auto shared = SharedMesh(input); // whose mesh goes with the last who holds it
+        const Mesh& mesh = shared->Surface();
         const ReadCurves read = CurveReader(curves, mesh).Read();
         const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());
         InsertRules rules;
