@@ -4,6 +4,7 @@
 #include "vtkOversketchAugmentSeams.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchHierarchy.h"
+#include "vtkOversketchSources.h"
 #include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStepRunner.h"
 

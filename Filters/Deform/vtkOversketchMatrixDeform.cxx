@@ -2,6 +2,7 @@
 
 #include "Matrix/moved.h"
 #include "Matrix/moving_patch.h"
+#include "vtkOversketchEditMotion.h"
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
@@ -14,66 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <numeric>
-#include <string>
-
 using namespace oversketch;
-
-namespace
-{
-
-// Logarithms by place, those at one place summed up.
-struct Pulls
-{
-  std::vector<double> Places; // ascending
-  std::vector<Matrix4> Logs;
-
-  bool Still() const
-  {
-    return std::all_of(
-      this->Logs.begin(), this->Logs.end(), [](const Matrix4& log) { return log.isZero(0.0); });
-  }
-};
-
-Matrix4 LogOf(const Matrix4& matrix, std::size_t handle)
-{
-  try
-  {
-    return logarithm(matrix);
-  }
-  catch (const Error& error)
-  {
-    throw Error(error.failure(), "Handle " + std::to_string(handle) + ": " + error.what());
-  }
-}
-
-Pulls PullsOf(vtkPolyData* handles)
-{
-  const std::vector<double> places = ReadHandlePlaces(handles);
-  const std::vector<Matrix4> matrices = ReadHandleMatrices(handles);
-  std::vector<std::size_t> order(places.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(
-    order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
-  Pulls pulls;
-  for (const std::size_t i : order)
-  {
-    const Matrix4 log = LogOf(matrices[i], i);
-    if (pulls.Places.empty() || pulls.Places.back() != places[i])
-    {
-      pulls.Places.push_back(places[i]);
-      pulls.Logs.push_back(log);
-    }
-    else
-    {
-      pulls.Logs.back() += log;
-    }
-  }
-  return pulls;
-}
-
-} // namespace
 
 // The points that follow, and what was made of them last.
 struct vtkOversketchMatrixDeform::Cache

@@ -2,6 +2,7 @@
 
 #include "Matrix/moving_patch.h"
 #include "Section/follow.h"
+#include "vtkOversketchEditMotion.h"
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
@@ -22,92 +23,6 @@
 #include <string>
 
 using namespace oversketch;
-
-namespace
-{
-
-const char* const profileRemedy = "take it from vtkOversketchCrossSection";
-const char* const drawnRemedy = "draw the profile anew with vtkOversketchResketch";
-
-// The points of the one polyline, and an array of them.
-struct Line
-{
-  Polyline Points;
-  std::vector<vtkIdType> Ids;
-
-  Line(vtkPolyData* data, const std::string& holder)
-  {
-    if (data->GetNumberOfLines() != 1 || data->GetNumberOfCells() != 1)
-    {
-      throw Error(Failure::BadStroke,
-        "The " + holder + " input holds " + std::to_string(data->GetNumberOfLines()) + " polylines and " +
-          std::to_string(data->GetNumberOfCells() - data->GetNumberOfLines()) +
-          " other cells; exactly one polyline is needed.");
-    }
-    vtkNew<vtkIdList> ids;
-    data->GetLines()->GetCellAtId(0, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      const vtkIdType id = ids->GetId(i);
-      if (id < 0 || id >= data->GetNumberOfPoints())
-      {
-        throw Error(Failure::BadStroke,
-          "Point " + std::to_string(i) + " of the " + holder + " does not exist; draw it anew.");
-      }
-      Vector3 point;
-      data->GetPoint(id, point.data());
-      this->Points.emplace_back(point[0], point[1]);
-      this->Ids.push_back(id);
-    }
-  }
-
-  std::vector<double> Values(vtkPolyData* data,
-    const char* name,
-    const std::string& holder,
-    const std::string& remedy) const
-  {
-    vtkDataArray* array =
-      RequireArray(data->GetPointData(), name, 1, data->GetNumberOfPoints(), holder, remedy);
-    std::vector<double> values;
-    for (const vtkIdType id : this->Ids)
-    {
-      values.push_back(array->GetComponent(id, 0));
-    }
-    return values;
-  }
-};
-
-FlatProfile ProfileOf(vtkPolyData* data)
-{
-  const std::string holder = "profile";
-  const Line line(data, holder);
-  FlatProfile profile;
-  profile.points = line.Points;
-  profile.t = line.Values(data, "CurveT", holder, profileRemedy);
-  profile.beside = line.Values(data, "SideDistance", holder, profileRemedy);
-  profile.toWorld = ReadMatrix(data->GetFieldData(), "ProfileMatrix", holder, profileRemedy);
-  for (std::size_t i = 0; i < profile.points.size(); ++i)
-  {
-    const bool ordered = i == 0 ? profile.t[i] == 0.0 : profile.t[i] > profile.t[i - 1];
-    if (!profile.points[i].allFinite() || !ordered || !(profile.t[i] <= 1.0) ||
-        !(std::abs(profile.beside[i]) <= 1.0 + 1e-6))
-    {
-      throw Error(Failure::BadStroke,
-        "Point " + std::to_string(i) +
-          " of the profile is not finite, or its CurveT or SideDistance is none: " + profileRemedy + ".");
-    }
-  }
-  const Eigen::Matrix3d linear = profile.toWorld.topLeftCorner<3, 3>();
-  if (profile.points.size() < 2 || !(std::abs(linear.determinant()) > 0.0))
-  {
-    throw Error(Failure::BadStroke,
-      std::string("The profile has fewer than two points, or its ProfileMatrix is singular: ") +
-        profileRemedy + ".");
-  }
-  return profile;
-}
-
-} // namespace
 
 // What depends on mesh, region and curve alone, and the last result.
 struct vtkOversketchProfileDeform::Cache
@@ -168,25 +83,14 @@ std::vector<Vector3> vtkOversketchProfileDeform::Cache::Places(vtkPolyData* prof
   const std::vector<double>& weights,
   const Context& context) const
 {
-  const FlatProfile old = ProfileOf(profile);
-  const CurveFrame plane = FrameOf(ReadMatrix(profile->GetFieldData(), "Frame", "profile", profileRemedy));
-  vtkDataArray* where = profile->GetFieldData()->GetArray("PlaneT");
-  if (!where || where->GetNumberOfTuples() != 1)
-  {
-    throw Error(
-      Failure::MissingArray, std::string("The profile has no field array PlaneT: ") + profileRemedy + ".");
-  }
-  const Line fresh(drawn, "new profile");
-  const Vector2 middle = (old.toWorld.inverse() * plane.origin.homogeneous()).head<2>();
-  const ProfileChange change(
-    old, middle, fresh.Points, fresh.Values(drawn, "SourceT", "new profile", drawnRemedy));
+  const DrawnChange drawnChange = ReadChange(profile, drawn, handles);
   const std::vector<Vector3> moves = profileMoves(this->Region,
     this->Sides,
-    change,
-    old.toWorld,
-    plane,
+    drawnChange.Change,
+    drawnChange.Old.toWorld,
+    drawnChange.Plane,
     this->Reference->Frames,
-    PlaneReach(where->GetComponent(0, 0), handles),
+    drawnChange.Reach,
     weights,
     context);
   std::vector<Vector3> places = this->Patch.rest();

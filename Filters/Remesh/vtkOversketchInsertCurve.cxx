@@ -303,7 +303,8 @@ int vtkOversketchInsertCurve::RequestData(vtkInformation*,
       {
         cache = Cache();
         ++this->InsertionCount;
-        const std::shared_ptr<const MeshData> shared = SharedMesh(input);
+        const std::shared_ptr<const MeshData> shared =
+          SharedMesh(input); // whose mesh goes with the last who holds it
         const Mesh& mesh = shared->Surface();
         const ReadCurves read = CurveReader(curves, mesh).Read();
         const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());

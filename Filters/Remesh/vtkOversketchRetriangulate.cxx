@@ -21,6 +21,7 @@ using namespace oversketch;
 struct vtkOversketchRetriangulate::Cache
 {
   StepKey Key;
+  std::shared_ptr<const Motion> Known;     // held, so that another one has another address
   vtkSmartPointer<vtkPolyData> Outputs[3]; // null: nothing is kept
   std::shared_ptr<const MeshData> Rest;
 
@@ -88,11 +89,12 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
     this->Rest = restOf(rest, moved->Surface());
     const Mesh& before = this->Rest->Surface();
     const Motion motion =
-      motionBetween(before, this->Rest->Neighbours(), moved->Surface().points, ContextOf(self));
+      self->Known ? *self->Known
+                  : motionBetween(before, this->Rest->Neighbours(), moved->Surface().points, ContextOf(self));
     result = retriangulateEdit({ before, moved->Surface().points, region, vertices, meanEdge },
       motion.movement,
       motion.values,
-      Motion::channels,
+      motion.channels,
       ContextOf(self));
   }
   self->OperationCount = result.splits + result.collapses + result.flips;
@@ -170,10 +172,11 @@ int vtkOversketchRetriangulate::RequestData(vtkInformation*,
       const StepKey key(
         { WholeKey(mesh), WholeKey(curves[0]), WholeKey(curves[1]), rest ? MeshKey(rest) : MeshKey() },
         { static_cast<double>(this->Rule) });
-      if (!cache.Outputs[0] || cache.Key != key)
+      if (!cache.Outputs[0] || cache.Key != key || cache.Known != this->Known)
       {
         cache.Make(this, mesh, rest, curves);
         cache.Key = key;
+        cache.Known = this->Known;
       }
       for (int port = 0; port < 3; ++port)
       {

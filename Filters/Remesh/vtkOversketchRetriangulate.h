@@ -9,7 +9,8 @@
  * Departure: the rule of the thesis goes by curvature, which is found in the noise of an unchanged region
  * too, and puts new vertices onto the facets of a stretched surface. Rule Edit splits edges before the edit
  * by what the edit makes of them, and remeshes what it has changed. What moved the vertices is not known
- * here: between them the motion is taken to be as smooth as Kernels/Remesh/motion.h says.
+ * here: between them the motion is taken to be as smooth as Kernels/Remesh/motion.h says. Who knows it hands
+ * it over (vtkOversketchEdit).
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, moved by the edit, with point array EditRegion (0 outside, 1 on
  * the boundary, 2 strictly inside; vtkOversketchEnclose) and field array MeanEdge (vtkOversketchMeanEdge).
@@ -44,6 +45,11 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory>
+
+namespace oversketch
+{
+struct Motion;
+}
 
 class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRetriangulate : public vtkPolyDataAlgorithm
 {
@@ -98,6 +104,9 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  // What moved the vertices, of the mesh before the edit, for an heir that knows it; null: it is found.
+  std::shared_ptr<const oversketch::Motion> Known;
 
 private:
   vtkOversketchRetriangulate(const vtkOversketchRetriangulate&) = delete;

@@ -41,8 +41,9 @@ Motion motionBetween(const Mesh& rest,
   const std::vector<Vector3>& moved,
   const Context& context)
 {
-  constexpr std::size_t channels = Motion::channels;
+  constexpr std::size_t channels = 15;
   Motion motion;
+  motion.channels = channels;
   motion.values.resize(channels * rest.points.size());
   const std::vector<Vector3> normals = vertexNormals(rest, adjacency.vertexTriangles, context);
   context.parallelFor(rest.vertexCount(),

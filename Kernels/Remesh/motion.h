@@ -1,4 +1,5 @@
-// The motion between two meshes with the same triangles, at every place of the first one.
+// The motion of an edit, and that between two meshes with the same triangles, at every place of the first
+// one.
 #ifndef oversketch_motion_h
 #define oversketch_motion_h
 
@@ -11,7 +12,7 @@ namespace oversketch
 
 struct Motion
 {
-  static constexpr int channels = 15;
+  int channels = 0;           // values of a vertex
   std::vector<double> values; // of each vertex
   Movement movement;
 };

@@ -338,7 +338,7 @@ TEST(B11_3, WithoutAMotionNothingChanges)
     const Motion motion =
       motionBetween(scene.mesh, buildAdjacency(scene.mesh), scene.mesh.points, twoThreads());
     const Retriangulated known =
-      retriangulateEdit(still.input(), motion.movement, motion.values, Motion::channels, {});
+      retriangulateEdit(still.input(), motion.movement, motion.values, motion.channels, {});
     EXPECT_EQ(known.splits + known.collapses + known.flips, 0);
     EXPECT_EQ(known.mesh.points, scene.mesh.points);
   }
@@ -463,7 +463,7 @@ TEST(Retriangulate, AKnownMotionIsNearlyTheFunction)
     EXPECT_LT((again[v] - edited.moved[v]).norm(), 1e-9);
   }
   const Retriangulated known =
-    retriangulateEdit(edited.input(), motion.movement, motion.values, Motion::channels, {});
+    retriangulateEdit(edited.input(), motion.movement, motion.values, motion.channels, {});
   expectSound(edited, known);
   const Retriangulated exact = edited.run();
   EXPECT_NEAR(known.mesh.triangleCount(), exact.mesh.triangleCount(), 0.1 * exact.mesh.triangleCount());

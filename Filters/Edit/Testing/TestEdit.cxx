@@ -1,0 +1,459 @@
+// The edit system: what comes out, what stays as it was, what runs again.
+#include "EditSystem.h"
+
+#include "vtkOversketchDistanceField.h"
+#include "vtkOversketchFlatten.h"
+#include "vtkOversketchMatrixDeform.h"
+#include "vtkOversketchScanFill.h"
+#include "vtkOversketchShadingLevels.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <string>
+
+using namespace oversketch_test;
+using oversketch::Failure;
+
+namespace
+{
+
+const char* const models[] = { "bear", "dog", "hand", "octopus" };
+
+double distanceTo(vtkPolyData* curve, const Vector3& p)
+{
+  double least = HUGE_VAL;
+  for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
+  {
+    least = std::min(least, (placeOf(curve, i) - p).norm());
+  }
+  return least;
+}
+
+// Executions of each step.
+class Count
+{
+public:
+  explicit Count(vtkOversketchEdit* system)
+  {
+    this->Told->SetClientData(this);
+    this->Told->SetCallback([](vtkObject* caller, unsigned long, void* self, void*)
+      { ++static_cast<Count*>(self)->Of[static_cast<vtkAlgorithm*>(caller)]; });
+    for (int i = 0; i < system->GetNumberOfStages(); ++i)
+    {
+      const char* name = system->GetStage(i);
+      this->Names[system->GetStep(name)] = name;
+      system->GetStep(name)->AddObserver(vtkCommand::StartEvent, this->Told);
+    }
+  }
+  // The steps that ran since the last call.
+  std::set<std::string> Ran()
+  {
+    std::set<std::string> names;
+    for (const auto& [step, count] : this->Of)
+    {
+      names.insert(this->Names[step]);
+    }
+    this->Of.clear();
+    return names;
+  }
+
+private:
+  vtkNew<vtkCallbackCommand> Told;
+  std::map<vtkAlgorithm*, int> Of;
+  std::map<vtkAlgorithm*, std::string> Names;
+};
+
+using Steps = std::set<std::string>;
+
+} // namespace
+
+// Bits outside: a vertex farther from the region than its ring and two mean edges is there as it was.
+TEST(EditSystem, ALineIsDraggedAndWhatLiesOutsideStays)
+{
+  for (const std::string model : models)
+  {
+    EditSystem s(shippedModel(model), lineOver(40.0), ringOver(35.0));
+    s.operate("move 0.5 n %.9g", 0.03);
+    vtkPolyData* output = s.run();
+    ASSERT_GT(output->GetNumberOfPolys(), 0) << model;
+    EXPECT_GT(s.filter->GetMovedPoints(), 0);
+    EXPECT_EQ(eulerNumber(output), eulerNumber(s.mesh)) << model;
+    const double meanEdge = output->GetFieldData()->GetArray("MeanEdge")->GetComponent(0, 0);
+
+    std::set<std::array<double, 3>> places;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 p = placeOf(output, i);
+      places.insert({ p[0], p[1], p[2] });
+    }
+    vtkPolyData* patch = vtkPolyData::SafeDownCast(s.filter->GetStep("Enclose")->GetOutputDataObject(1));
+    vtkIdType far = 0;
+    for (vtkIdType i = 0; i < s.mesh->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 p = placeOf(s.mesh, i);
+      if (distanceTo(patch, p) > 2.0 * meanEdge)
+      {
+        ++far;
+        EXPECT_TRUE(places.count({ p[0], p[1], p[2] })) << model << " point " << i;
+      }
+    }
+    EXPECT_GT(far, s.mesh->GetNumberOfPoints() / 2);
+
+    // The line's middle has gone outward by the length, all of it.
+    vtkNew<vtkPolyData> hold, region;
+    s.filter->GetHold(hold);
+    s.filter->GetRegion(region);
+    EXPECT_GT(region->GetNumberOfPolys(), 0);
+    for (vtkIdType i = 0; i < hold->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_NEAR(distanceTo(s.filter->GetReferenceOutput(), placeOf(hold, i)),
+        0.03 * s.diagonal(),
+        0.015 * s.diagonal());
+    }
+    // Curves are chains of vertices of the output.
+    for (vtkPolyData* curve : { s.filter->GetReferenceOutput(), s.filter->GetBoundaryOutput() })
+    {
+      vtkDataArray* ids = curve->GetPointData()->GetArray("VertexId");
+      ASSERT_GT(curve->GetNumberOfPoints(), 2);
+      for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
+      {
+        EXPECT_EQ(
+          (placeOf(curve, i) - placeOf(output, static_cast<vtkIdType>(ids->GetComponent(i, 0)))).norm(), 0.0);
+      }
+    }
+  }
+}
+
+TEST(EditSystem, AnEditThatMovesNothingPutsOutItsInput)
+{
+  EditSystem s(shippedModel("bear"));
+  const auto before = deepCopy(s.mesh);
+  for (const char* operations : { "", "pin 0.5", "move 0.5 n 0", "rotate 0.2 t 0; scale 0.8 w 1" })
+  {
+    s.filter->SetOperations(operations);
+    vtkPolyData* output = s.run();
+    EXPECT_EQ(output->GetPoints(), s.mesh->GetPoints()) << operations;
+    EXPECT_EQ(output->GetPolys(), s.mesh->GetPolys()) << operations;
+    expectSameBits(output, before);
+    EXPECT_EQ(s.filter->GetMovedPoints(), 0);
+    EXPECT_GT(s.filter->GetReferenceOutput()->GetNumberOfPoints(), 1);
+    EXPECT_EQ(s.filter->GetReferenceOutput()->GetPointData()->GetArray("VertexId")->GetRange()[1], -1.0);
+  }
+  // Black all over.
+  vtkNew<vtkImageData> black;
+  black->SetDimensions(8, 8, 1);
+  black->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::memset(black->GetScalarPointer(), 0, 64);
+  s.filter->SetWeightsData(black);
+  s.operate("move 0.5 n %.9g", 0.05);
+  expectSameBits(s.run(), before);
+}
+
+TEST(EditSystem, RunsWhatDependsAndNothingElse)
+{
+  EditSystem s(shippedModel("bear"));
+  s.operate("move 0.5 n %.9g", 0.02);
+  s.run();
+  Count count(s.filter);
+  s.run();
+  EXPECT_EQ(count.Ran(), Steps{});
+  s.operate("move 0.5 n %.9g", 0.03);
+  s.run();
+  EXPECT_EQ(count.Ran(), (Steps{ "Handles", "Deform", "Retriangulate" }));
+  s.filter->SetLayers("handle 0.4 0.6");
+  s.run();
+  const Steps layer = count.Ran();
+  EXPECT_EQ(layer.count("Flatten") + layer.count("Distance") + layer.count("Enclose"), 0u);
+  EXPECT_EQ(layer.count("Shading") + layer.count("Deform"), 2u);
+  s.filter->SetRule(vtkOversketchEdit::Off);
+  s.run();
+  EXPECT_EQ(count.Ran().count("Deform"), 0u);
+  s.filter->SetRule(vtkOversketchEdit::Edit);
+  // A ring drawn anew leaves the line's part alone.
+  s.filter->SetBoundaryData(toStroke(ringOver(60.0), s.view));
+  s.run();
+  const Steps ring = count.Ran();
+  EXPECT_EQ(ring.count("ReferenceProject") + ring.count("ReferenceInsert"), 0u);
+  EXPECT_EQ(ring.count("BoundaryInsert") + ring.count("Distance") + ring.count("Deform"), 3u);
+}
+
+TEST(EditSystem, SameBitsForAnyNumberOfThreadsAndColdAsCached)
+{
+  EditSystem warm(shippedModel("hand"), lineOver(40.0), ringOver(35.0));
+  warm.operate("rotate 0.5 t 20; move 0.3 n %.9g", 0.01);
+  warm.run();
+  warm.operate("move 0.7 n %.9g; rotate 0.2 t 25", 0.02);
+  const auto cached = deepCopy(warm.run());
+  for (const int threads : { 1, 2 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
+      [&]
+      {
+        EditSystem cold(shippedModel("hand"), lineOver(40.0), ringOver(35.0));
+        cold.operate("move 0.7 n %.9g; rotate 0.2 t 25", 0.02);
+        expectSameBits(cold.run(), cached);
+      });
+  }
+}
+
+// The last preview is the result without new triangles: {Deform}'s places, bit for bit.
+TEST(EditSystem, WithoutNewTrianglesItIsWhatTheDeformationMakes)
+{
+  EditSystem s(shippedModel("dog"), lineOver(40.0), ringOver(35.0));
+  s.filter->SetRule(vtkOversketchEdit::Off);
+  s.operate("move 0.5 n %.9g", 0.02);
+  vtkPolyData* output = s.run();
+  vtkPolyData* inner = s.filter->GetInnerOutput("Deform");
+  ASSERT_EQ(output->GetNumberOfPoints(), inner->GetNumberOfPoints());
+  std::set<std::array<double, 3>> places;
+  for (vtkIdType i = 0; i < inner->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p = placeOf(inner, i);
+    places.insert({ p[0], p[1], p[2] });
+  }
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p = placeOf(output, i);
+    EXPECT_TRUE(places.count({ p[0], p[1], p[2] }));
+  }
+}
+
+// An edit takes the curves of the one before it: the region is the same, and nothing is cut anew.
+TEST(EditSystem, AnEditTakesTheCurvesOfTheOneBefore)
+{
+  EditSystem s(shippedModel("bear"));
+  s.operate("move 0.5 n %.9g", 0.02);
+  vtkPolyData* first = s.run();
+  vtkNew<vtkOversketchEdit> next;
+  next->SetInputData(0, first);
+  next->SetReferenceData(s.filter->GetReferenceOutput());
+  next->SetBoundaryData(s.filter->GetBoundaryOutput());
+  next->SetOperations("rotate 0.5 t 10");
+  Ear ear(next);
+  next->Update();
+  ASSERT_TRUE(ear.errors.empty()) << ear.errors[0];
+  EXPECT_GT(next->GetMovedPoints(), 0);
+  EXPECT_EQ(eulerNumber(next->GetOutput()), eulerNumber(s.mesh));
+  EXPECT_EQ(next->GetOutput()->GetFieldData()->GetArray("MeanEdge")->GetComponent(0, 0),
+    first->GetFieldData()->GetArray("MeanEdge")->GetComponent(0, 0));
+  // After an edit that moved nothing, whose curves are of no vertices.
+  s.filter->SetOperations("");
+  s.run();
+  next->SetInputData(0, s.filter->GetOutput());
+  next->SetReferenceData(s.filter->GetReferenceOutput());
+  next->SetBoundaryData(s.filter->GetBoundaryOutput());
+  next->Update();
+  ASSERT_EQ(next->GetErrorCode(), 0u);
+  EXPECT_GT(next->GetMovedPoints(), 0);
+}
+
+TEST(EditSystem, KeepsSeamsAndArrays)
+{
+  EditSystem s(shippedModel("bear"));
+  // Each point twice, right of the middle with other texture coordinates: a seam through the line.
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("Wrap");
+  coordinates->SetNumberOfComponents(2);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(s.mesh->GetPoints()->GetDataType());
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName("Triangle");
+  double box[6];
+  s.mesh->GetBounds(box);
+  std::map<std::pair<vtkIdType, bool>, vtkIdType> known;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < s.mesh->GetNumberOfPolys(); ++t)
+  {
+    s.mesh->GetPolys()->GetCellAtId(t, ids);
+    double middle = 0.0;
+    for (const vtkIdType id : *ids)
+    {
+      middle += placeOf(s.mesh, id)[0] / 3.0;
+    }
+    const bool right = middle > 0.5 * (box[0] + box[1]);
+    triangles->InsertNextCell(3);
+    for (const vtkIdType id : *ids)
+    {
+      const auto [found, isNew] = known.emplace(std::make_pair(id, right), points->GetNumberOfPoints());
+      if (isNew)
+      {
+        const Vector3 p = placeOf(s.mesh, id);
+        points->InsertNextPoint(p.data());
+        coordinates->InsertNextTuple2(p[0] + (right ? 100.0 : 0.0), p[1]);
+      }
+      triangles->InsertCellPoint(found->second);
+    }
+    numbers->InsertNextValue(t);
+  }
+  vtkNew<vtkPolyData> seamed;
+  seamed->SetPoints(points);
+  seamed->SetPolys(triangles);
+  seamed->GetPointData()->SetTCoords(coordinates);
+  seamed->GetCellData()->AddArray(numbers);
+  s.filter->SetInputData(0, seamed);
+  s.filter->SetRule(vtkOversketchEdit::Off);
+  s.operate("move 0.5 n %.9g", 0.02);
+  vtkPolyData* output = s.run();
+  vtkDataArray* carried = output->GetPointData()->GetTCoords();
+  ASSERT_TRUE(carried);
+  ASSERT_TRUE(output->GetCellData()->HasArray("Triangle"));
+  EXPECT_FALSE(output->GetPointData()->HasArray("Place"));
+  // Nothing is mixed over the seam: all corners of a triangle are of one side.
+  for (vtkIdType t = 0; t < output->GetNumberOfPolys(); ++t)
+  {
+    output->GetPolys()->GetCellAtId(t, ids);
+    int sides = 0;
+    for (const vtkIdType id : *ids)
+    {
+      const double u = carried->GetComponent(id, 0);
+      EXPECT_TRUE(u < box[1] + 1.0 || u > box[0] + 99.0) << u;
+      sides += u > 50.0;
+    }
+    EXPECT_TRUE(sides == 0 || sides == 3) << t;
+  }
+  // And with the geometry alone all is where it is without a seam.
+  EditSystem plain(s.mesh);
+  plain.filter->SetRule(vtkOversketchEdit::Off);
+  plain.operate("move 0.5 n %.9g", 0.02);
+  EXPECT_EQ(plain.run()->GetNumberOfPolys(), output->GetNumberOfPolys());
+}
+
+// White where the image is painted, still elsewhere.
+TEST(EditSystem, AnImageSaysWhatFollows)
+{
+  EditSystem s(shippedModel("bear"));
+  s.filter->SetRule(vtkOversketchEdit::Off);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 64, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::memset(image->GetScalarPointer(), 0, 64 * 64);
+  for (int y = 36; y < 46; ++y)
+  {
+    for (int x = 36; x < 46; ++x)
+    {
+      image->SetScalarComponentFromDouble(x, y, 0, 0, 255.0);
+    }
+  }
+  s.filter->SetWeightsData(image);
+  s.operate("move 0.5 n %.9g", 0.02);
+  s.run();
+  vtkPolyData* rest = s.filter->GetInnerOutput("Texture");
+  vtkPolyData* moved = s.filter->GetInnerOutput("Deform");
+  vtkDataArray* disc = rest->GetPointData()->GetArray("DiscCoords");
+  ASSERT_TRUE(disc);
+  int blob = 0;
+  for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
+  {
+    const double u = 64.0 * disc->GetComponent(i, 0), v = 64.0 * disc->GetComponent(i, 1);
+    const bool inside = u > 36.5 && u < 45.5 && v > 36.5 && v < 45.5;
+    const bool outside = u < 35.5 || u > 46.5 || v < 35.5 || v > 46.5;
+    const bool still = placeOf(rest, i) == placeOf(moved, i);
+    blob += inside;
+    EXPECT_TRUE(!inside || !still) << i;
+    EXPECT_TRUE(!outside || still) << i;
+  }
+  EXPECT_GT(blob, 0);
+}
+
+// A profile drawn anew is met by the surface; with operations it is refused; one that is the section moves
+// nothing.
+TEST(EditSystem, AProfileIsFollowed)
+{
+  EditSystem s(shippedModel("bear"));
+  s.filter->SetRule(vtkOversketchEdit::Off);
+  vtkNew<vtkPolyData> drawn;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(101);
+  for (int i = 0; i <= 100; ++i)
+  {
+    const double t = i / 100.0;
+    lines->InsertCellPoint(points->InsertNextPoint(t, 0.5 * std::sin(pi * t), 0.0));
+  }
+  drawn->SetPoints(points);
+  drawn->SetLines(lines);
+  s.filter->SetProfileData(drawn);
+  vtkPolyData* output = s.run();
+  EXPECT_GT(s.filter->GetMovedPoints(), 0);
+  EXPECT_GT(output->GetNumberOfPolys(), 0);
+  Count count(s.filter);
+  s.filter->SetProfileAt(0.6);
+  s.run();
+  EXPECT_EQ(count.Ran(), (Steps{ "Planes", "Section", "Redraw", "Bend" }));
+  s.filter->SetOperations("move 0.5 n 1");
+  expectRefusal(s.filter, Failure::BadStroke, "profile");
+  s.filter->SetOperations("");
+  s.filter->SetRule(vtkOversketchEdit::Edit);
+  EXPECT_EQ(eulerNumber(s.run()), eulerNumber(s.mesh));
+}
+
+TEST(EditSystem, RefusesWhatIsNone)
+{
+  EditSystem s(shippedModel("bear"));
+  s.operate("move 0.5 n %.9g", 0.02);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  vtkNew<vtkPolyData> none;
+  s.filter->SetReferenceData(none);
+  expectRefusal(s.filter, Failure::BadStroke, "no reference");
+  s.filter->SetReferenceData(toStroke(lineOver(60.0, 400.0), s.view));
+  expectRefusal(s.filter, Failure::BadStroke, "draw it over the model");
+  s.filter->SetReferenceData(toStroke({ { 380, 300 }, { nan, 300 }, { 420, 300 } }, s.view));
+  expectRefusal(s.filter, Failure::BadStroke, "troke");
+  s.filter->SetReferenceData(toStroke(lineOver(300.0), s.view));
+  Ear ear(s.filter);
+  s.filter->Update();
+  EXPECT_EQ(ear.errors.size(), 1u); // across the ring
+  EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
+  s.filter->SetReferenceData(s.reference);
+  s.filter->SetBoundaryData(none);
+  expectRefusal(s.filter, Failure::BadStroke, "no boundary");
+  s.filter->SetBoundaryData(s.boundary);
+  for (const char* operations : { "lift 0.5 n 1", "move 1.5 n 1", "scale 0.5 n 0", "rotate 0.5 t 180" })
+  {
+    s.filter->SetOperations(operations);
+    expectRefusal(s.filter, Failure::BadStroke, "peration");
+  }
+  s.operate("move 0.5 n %.9g", 0.02);
+  s.filter->SetLayers("handle 2");
+  expectRefusal(s.filter, Failure::BadStroke, "handle 2");
+  s.filter->SetLayers("");
+  expectCancel(s.filter, 0.3);
+  EXPECT_GT(s.run()->GetNumberOfPoints(), 0);
+  s.filter->SetInputData(0, none);
+  s.run();
+  EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(EditSystem, AsPublishedTurnsEveryStep)
+{
+  EditSystem s(shippedModel("bear"));
+  s.operate("move 0.5 n %.9g", 0.01);
+  const auto amended = deepCopy(s.run());
+  s.filter->AsPublishedOn();
+  s.filter->SetRule(vtkOversketchEdit::Off);
+  vtkPolyData* mesh = s.run();
+  EXPECT_GT(mesh->GetNumberOfPolys(), 0);
+  vtkPolyData* weighted = s.filter->GetInnerOutput("Shading");
+  vtkDataArray* weight = weighted->GetPointData()->GetArray("EditWeight");
+  vtkDataArray* share = weighted->GetPointData()->GetArray("CurveDistance");
+  for (vtkIdType i = 0; i < weight->GetNumberOfTuples(); ++i)
+  {
+    if (weight->GetComponent(i, 0) > 0.0)
+    {
+      EXPECT_NEAR(weight->GetComponent(i, 0), 1.0 - share->GetComponent(i, 0), 1e-9);
+    }
+  }
+  s.filter->AsPublishedOff();
+  s.filter->SetRule(vtkOversketchEdit::Edit);
+  expectSameBits(s.run(), amended);
+}

@@ -1,0 +1,179 @@
+#include "vtkOversketchEdit.h"
+
+#include "vtkOversketchEditPipeline.h"
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+using namespace oversketch;
+
+vtkStandardNewMacro(vtkOversketchEdit);
+
+vtkOversketchEdit::vtkOversketchEdit()
+  : Inner(new Pipeline(this))
+{
+  this->SetNumberOfInputPorts(7);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkOversketchEdit::~vtkOversketchEdit() = default;
+
+void vtkOversketchEdit::SetReferenceData(vtkPolyData* curve)
+{
+  this->SetInputData(1, curve);
+}
+
+void vtkOversketchEdit::SetBoundaryData(vtkPolyData* curve)
+{
+  this->SetInputData(2, curve);
+}
+
+void vtkOversketchEdit::SetProfileData(vtkPolyData* profile)
+{
+  this->SetInputData(3, profile);
+}
+
+void vtkOversketchEdit::SetAreasData(vtkPolyData* areas)
+{
+  this->SetInputData(4, areas);
+}
+
+void vtkOversketchEdit::SetWeightsData(vtkImageData* image)
+{
+  this->SetInputData(5, image);
+}
+
+void vtkOversketchEdit::SetHandlesData(vtkPolyData* handles)
+{
+  this->SetInputData(6, handles);
+}
+
+int vtkOversketchEdit::FillInputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 5 ? "vtkImageData" : "vtkPolyData");
+  if (port > 2)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkOversketchEdit::RequestUpdateExtent(vtkInformation* request,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  const int done = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  if (vtkInformation* image = inputs[5]->GetInformationObject(0))
+  {
+    using Streaming = vtkStreamingDemandDrivenPipeline;
+    image->Set(Streaming::UPDATE_EXTENT(), image->Get(Streaming::WHOLE_EXTENT()), 6);
+  }
+  return done;
+}
+
+int vtkOversketchEdit::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  Pipeline& inner = *this->Inner;
+  inner.Made = nullptr;
+  return this->RunSystem(
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      RequireFinite(this->ProfileAt, "ProfileAt");
+      inner.FeedMesh(mesh);
+      inner.FeedEdit(vtkPolyData::GetData(inputs[3]),
+        vtkPolyData::GetData(inputs[4]),
+        vtkImageData::GetData(inputs[5]),
+        vtkPolyData::GetData(inputs[6]));
+      inner.SetParameters();
+      inner.RunCurves(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]));
+      inner.RunRegion();
+      inner.RunWeights();
+      inner.RunDeform();
+      inner.RunTriangles();
+      inner.PutOutput(mesh,
+        vtkPolyData::GetData(outputs, 0),
+        vtkPolyData::GetData(outputs, 1),
+        vtkPolyData::GetData(outputs, 2));
+    });
+}
+
+int vtkOversketchEdit::GetMovedPoints()
+{
+  return this->Inner->Made ? this->Inner->Made->MovedPoints : 0;
+}
+
+int vtkOversketchEdit::GetFoldedEdges()
+{
+  return this->Inner->Made ? this->Inner->Made->FoldedEdges : 0;
+}
+
+int vtkOversketchEdit::GetBridges()
+{
+  return this->Inner->Made ? this->Inner->Made->Bridges : 0;
+}
+
+void vtkOversketchEdit::GetHold(vtkPolyData* hold)
+{
+  hold->Initialize();
+  if (this->Inner->Made)
+  {
+    hold->ShallowCopy(this->Inner->Made->Reference);
+  }
+}
+
+void vtkOversketchEdit::GetRegion(vtkPolyData* region)
+{
+  region->Initialize();
+  if (this->Inner->Made)
+  {
+    this->Inner->PutRegion(region);
+  }
+}
+
+void vtkOversketchEdit::SetOperations(const char* text)
+{
+  SetText(this, this->Operations, text);
+}
+
+void vtkOversketchEdit::SetLayers(const char* text)
+{
+  SetText(this, this->Layers, text);
+}
+
+void vtkOversketchEdit::SetAsPublished(bool published)
+{
+  if (published != this->AsPublished)
+  {
+    this->AsPublished = published;
+    this->Inner->SetAmendments(!published);
+    this->Modified();
+  }
+}
+
+void vtkOversketchEdit::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Operations: " << this->Operations << "\n";
+  os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "ProfileAt: " << this->ProfileAt << "\n";
+  os << indent << "Falloff: " << this->Falloff << "\n";
+  os << indent << "UseTexture: " << this->UseTexture << "\n";
+  os << indent << "Feather: " << this->Feather << "\n";
+  os << indent << "Rule: " << this->Rule << "\n";
+  os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "MovedPoints: " << this->GetMovedPoints() << "\n";
+  os << indent << "FoldedEdges: " << this->GetFoldedEdges() << "\n";
+  os << indent << "Bridges: " << this->GetBridges() << "\n";
+}

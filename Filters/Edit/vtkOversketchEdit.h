@@ -1,0 +1,223 @@
+/**
+ * @class vtkOversketchEdit
+ * @brief a line on a mesh and a ring round it: what lies between follows the line; system B as one filter
+ *
+ * Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing". Each step is a filter of its
+ * own (see GetInnerOutput): the mean edge of the mesh {MeanEdge}, the line in it {ReferenceFit,
+ * ReferenceProject, ReferenceInsert}, the ring {BoundaryFit, BoundaryProject, BoundaryInsert}, the region
+ * between them {Enclose}, flat {Flatten}, where on the way from line to ring its vertices are {Distance},
+ * how far they follow, by grey layers {Areas, Shading} or an image {Texture}, what is done to the line
+ * {Handles, Deform}, or a cross-section drawn anew {Planes, Section, Redraw, Bend}, and new triangles
+ * {Retriangulate}, by what the edit does between vertices too. Departures are those of each step; AsPublished
+ * turns all off, but that curves are edges of the mesh, without which there is no region.
+ *
+ * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or normals
+ * are welded for computing (exactly equal positions) and split again in the output. Field array MeanEdge, the
+ * mean edge when it was loaded, is read where it is there.
+ * Input 1 (Reference): the line: one polyline in display coordinates with cell arrays ViewTransform,
+ * ProjectionTransform, ViewportSize; or what an earlier edit has put out on port 1, which is laid on the mesh
+ * anew, each point at the nearest place.
+ * Input 2 (Boundary): the ring round it, alike; it is closed wherever it ends.
+ * Input 3 (Profile, optional): the cross-section at ProfileAt drawn anew, wholly or in part: one polyline in
+ * its plane (vtkOversketchCrossSection), or in display coordinates with a view onto that plane. Without
+ * points there is none.
+ * Input 4 (Areas, optional): areas of the disc with layers of their own, see vtkOversketchScanFill.
+ * Input 5 (Weights, vtkImageData, optional): an image on the disc, see vtkOversketchTextureToWeight; it takes
+ * the place of layers and areas.
+ * Input 6 (Handles, optional): further handles, see vtkOversketchHandles; of a profile, how far it reaches.
+ *
+ * Output 0 (Mesh): the mesh with the edit. Point arrays are mixed where a point is new, on each side of a
+ * seam by itself, cell arrays those of the triangle that was there; field array MeanEdge is added, the arrays
+ * of a 4-8 mesh are dropped. Points farther from the region than its ring of triangles and two mean edges are
+ * bit-identical. An edit that moves nothing puts out its input, as the same arrays.
+ * Output 1 (Reference): the line in the mesh, with point arrays VertexId, a vertex of output 0, or -1 where
+ * the input is put out, and CurveT, and the stroke's cell arrays; its points lie where the edit left them.
+ * Output 2 (Boundary): the ring, alike.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
+ * BadStroke where there is no line or ring, or several, and for operations together with a profile. An empty
+ * mesh gives empty outputs silently. A run that AbortExecute stopped needs Modified() before the next.
+ *
+ * Demand-driven: an operation runs {Handles} and on, a layer {Shading} and on, a profile {Redraw} and on,
+ * its place {Planes} and on: no region is grown, no field solved. Deterministic.
+ *
+ * @sa vtkOversketchInsertCurve vtkOversketchEnclose vtkOversketchShadingLevels vtkOversketchMatrixDeform
+ */
+#ifndef vtkOversketchEdit_h
+#define vtkOversketchEdit_h
+
+#include "OversketchFiltersEditModule.h" // For export macro
+#include "vtkOversketchSystem.h"
+
+#include <memory>
+#include <string>
+
+class vtkImageData;
+
+class OVERSKETCHFILTERSEDIT_EXPORT vtkOversketchEdit : public vtkOversketchSystem
+{
+public:
+  static vtkOversketchEdit* New();
+  vtkTypeMacro(vtkOversketchEdit, vtkOversketchSystem);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The curves on ports 1 and 2, what may be absent on ports 3 to 6, and where the curves come out.
+   */
+  void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
+  void SetReferenceData(vtkPolyData* curve);
+  void SetBoundaryConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(2, curve); }
+  void SetBoundaryData(vtkPolyData* curve);
+  void SetProfileConnection(vtkAlgorithmOutput* profile) { this->SetInputConnection(3, profile); }
+  void SetProfileData(vtkPolyData* profile);
+  void SetAreasConnection(vtkAlgorithmOutput* areas) { this->SetInputConnection(4, areas); }
+  void SetAreasData(vtkPolyData* areas);
+  void SetWeightsConnection(vtkAlgorithmOutput* image) { this->SetInputConnection(5, image); }
+  void SetWeightsData(vtkImageData* image);
+  void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(6, handles); }
+  void SetHandlesData(vtkPolyData* handles);
+  vtkPolyData* GetReferenceOutput() { return this->GetOutput(1); }
+  vtkPolyData* GetBoundaryOutput() { return this->GetOutput(2); }
+  ///@}
+
+  ///@{
+  /**
+   * What is done to the line, such as "move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2", see vtkOversketchHandles;
+   * all at once, in no order. Empty (default): nothing.
+   */
+  void SetOperations(const char* text);
+  const char* GetOperations() const { return this->Operations.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * How many grey levels there are [2 to 256, default 5]; weights do not depend on it.
+   */
+  vtkSetClampMacro(Levels, int, 2, 256);
+  vtkGetMacro(Levels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Handles on layers and layers of areas, such as "handle 0.4 0.2; area 0 9", see
+   * vtkOversketchShadingLevels. Empty (default): none.
+   */
+  void SetLayers(const char* text);
+  const char* GetLayers() const { return this->Layers.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Where the profile is: share of the line's length [0 to 1, default 0.5].
+   */
+  vtkSetClampMacro(ProfileAt, double, 0.0, 1.0);
+  vtkGetMacro(ProfileAt, double);
+  ///@}
+
+  enum FalloffType
+  {
+    Smooth = 0,
+    Linear = 1
+  };
+  ///@{
+  /**
+   * How weights fall from line to ring: Smooth (default), without a crease at either, or as published Linear.
+   */
+  vtkSetClampMacro(Falloff, int, Smooth, Linear);
+  vtkGetMacro(Falloff, int);
+  void SetFalloffToSmooth() { this->SetFalloff(Smooth); }
+  void SetFalloffToLinear() { this->SetFalloff(Linear); }
+  ///@}
+
+  ///@{
+  /**
+   * Multiply what a profile does by the weights, as published, so that nothing off the line matches it
+   * [default off].
+   */
+  vtkSetMacro(UseTexture, bool);
+  vtkGetMacro(UseTexture, bool);
+  vtkBooleanMacro(UseTexture, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far inside its border an area's weights blend with those round it, as a share of the disc's radius [0
+   * to 1, default 0.05].
+   */
+  vtkSetMacro(Feather, double);
+  vtkGetMacro(Feather, double);
+  ///@}
+
+  enum RuleType
+  {
+    Edit = 0,
+    Curvature = 1,
+    Off = 2
+  };
+  ///@{
+  /**
+   * New triangles by what the edit does (Edit, default), or as published by curvature; Off: none but those
+   * that the curves made.
+   */
+  vtkSetClampMacro(Rule, int, Edit, Off);
+  vtkGetMacro(Rule, int);
+  void SetRuleToEdit() { this->SetRule(Edit); }
+  void SetRuleToCurvature() { this->SetRule(Curvature); }
+  void SetRuleToOff() { this->SetRule(Off); }
+  ///@}
+
+  ///@{
+  /**
+   * Turn every departure of every step off (true) or on (false, default): sets the properties of the inner
+   * steps at once, so single ones can be changed afterwards by GetStep. While true, weights fall linearly,
+   * areas do not blend and Rule Edit is Curvature.
+   */
+  void SetAsPublished(bool published);
+  vtkGetMacro(AsPublished, bool);
+  vtkBooleanMacro(AsPublished, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last run, 0 after one that failed: vertices that the edit moved, before new triangles were made;
+   * edges that it folded by over 120 degrees and were not; gaps that curves were led over.
+   */
+  int GetMovedPoints();
+  int GetFoldedEdges();
+  int GetBridges();
+  ///@}
+
+  /**
+   * The line of the last run, where it was before the edit.
+   */
+  void GetHold(vtkPolyData* hold) override;
+  void GetRegion(vtkPolyData* region) override;
+
+protected:
+  vtkOversketchEdit();
+  ~vtkOversketchEdit() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOversketchEdit(const vtkOversketchEdit&) = delete;
+  void operator=(const vtkOversketchEdit&) = delete;
+
+  std::string Operations;
+  int Levels = 5;
+  std::string Layers;
+  double ProfileAt = 0.5;
+  int Falloff = Smooth;
+  bool UseTexture = false;
+  double Feather = 0.05;
+  int Rule = Edit;
+  bool AsPublished = false;
+
+  struct Pipeline;
+  std::unique_ptr<Pipeline> Inner;
+};
+
+#endif

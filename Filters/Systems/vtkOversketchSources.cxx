@@ -1,0 +1,183 @@
+#include "vtkOversketchSources.h"
+
+#include "Ray/surface_rays.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace oversketch
+{
+
+namespace
+{
+
+// One chart of a mesh as a surface of its own.
+class ChartSurface
+{
+public:
+  ChartSurface(const Mesh& mesh, const std::vector<int>& triangles, const Context& context)
+    : Triangles(triangles)
+  {
+    auto part = std::make_shared<Mesh>();
+    std::unordered_map<int, int> number;
+    for (const int t : triangles)
+    {
+      Triangle corners;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int v = mesh.triangles[t][k];
+        const auto [known, isNew] = number.emplace(v, part->vertexCount());
+        if (isNew)
+        {
+          part->points.push_back(mesh.points[v]);
+        }
+        corners[k] = known->second;
+      }
+      part->triangles.push_back(corners);
+    }
+    this->Rays = std::make_unique<SurfaceRays>(part, context);
+  }
+
+  SurfacePoint Closest(const Vector3& place) const
+  {
+    SurfacePoint at = this->Rays->closest(place).at;
+    if (at.triangle < 0) // only where no triangle has an area
+    {
+      at.triangle = 0;
+    }
+    at.triangle = this->Triangles[at.triangle];
+    return at;
+  }
+
+private:
+  std::vector<int> Triangles;
+  std::unique_ptr<SurfaceRays> Rays;
+};
+
+class Charts
+{
+public:
+  Charts(const Mesh& mesh, vtkDataArray* chart, const Context& context)
+    : Surface(mesh)
+    , Work(context)
+    , Of(static_cast<std::size_t>(mesh.triangleCount()), 0)
+  {
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+    {
+      this->Of[t] = chart ? static_cast<int>(chart->GetComponent(t, 0)) : 0;
+      this->Triangles[this->Of[t]].push_back(t);
+    }
+  }
+
+  // Where a vertex of the changed mesh lies, seen from a cell that was made of the triangle.
+  SurfacePoint Source(int vertex, const Vector3& place, int triangle)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (this->Surface.points[this->Surface.triangles[triangle][k]] == place)
+      {
+        SurfacePoint corner{ triangle, { 0.0, 0.0, 0.0 } };
+        corner.weights[k] = 1.0;
+        return corner;
+      }
+    }
+    const int chart = this->Of[triangle];
+    const auto [found, isNew] = this->Known.emplace(std::make_pair(vertex, chart), SurfacePoint());
+    if (isNew)
+    {
+      std::unique_ptr<ChartSurface>& surface = this->Surfaces[chart];
+      if (!surface)
+      {
+        surface = std::make_unique<ChartSurface>(this->Surface, this->Triangles[chart], this->Work);
+      }
+      found->second = surface->Closest(place);
+    }
+    return found->second;
+  }
+
+private:
+  const Mesh& Surface;
+  const Context& Work;
+  std::vector<int> Of; // per triangle
+  std::map<int, std::vector<int>> Triangles;
+  std::map<int, std::unique_ptr<ChartSurface>> Surfaces;
+  std::map<std::pair<int, int>, SurfacePoint> Known; // by vertex and chart, so that all its cells agree
+};
+
+} // namespace
+
+void AddPlaces(vtkPolyData* welded)
+{
+  vtkNew<vtkDoubleArray> places;
+  places->SetName("Place");
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(welded->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < welded->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    welded->GetPoint(i, p);
+    places->SetTypedTuple(i, p);
+  }
+  welded->GetPointData()->AddArray(places);
+}
+
+void AddSources(vtkPolyData* welded, vtkPolyData* changed, const Context& context)
+{
+  const std::shared_ptr<const MeshData> data = SharedMesh(welded);
+  const Mesh& mesh = data->Surface();
+  Charts charts(mesh, welded->GetCellData()->GetArray("Chart"), context);
+  const vtkIdType count = changed->GetNumberOfPolys();
+  const char* const remedy = "the steps carry it";
+  vtkDataArray* places =
+    RequireArray(changed->GetPointData(), "Place", 3, changed->GetNumberOfPoints(), "changed mesh", remedy);
+  vtkDataArray* cells =
+    RequireArray(changed->GetCellData(), "OriginalCell", 1, count, "changed mesh", remedy);
+  vtkNew<vtkIdTypeArray> sources;
+  sources->SetName("SourceCell");
+  sources->SetNumberOfComponents(3);
+  sources->SetNumberOfTuples(count);
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName("SourceWeights");
+  weights->SetNumberOfComponents(9);
+  weights->SetNumberOfTuples(count);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType f = 0; f < count; ++f)
+  {
+    if (f % 4096 == 0)
+    {
+      context.checkpoint(static_cast<double>(f) / static_cast<double>(count));
+    }
+    changed->GetPolys()->GetCellAtId(f, ids);
+    const int triangle = static_cast<int>(cells->GetComponent(f, 0));
+    for (int k = 0; k < 3; ++k)
+    {
+      Vector3 place;
+      places->GetTuple(ids->GetId(k), place.data());
+      const SurfacePoint at = charts.Source(static_cast<int>(ids->GetId(k)), place, triangle);
+      sources->SetTypedComponent(f, k, at.triangle);
+      for (int j = 0; j < 3; ++j)
+      {
+        weights->SetTypedComponent(f, 3 * k + j, at.weights[j]);
+      }
+    }
+  }
+  changed->GetCellData()->AddArray(sources);
+  changed->GetCellData()->AddArray(weights);
+}
+
+} // namespace oversketch
