@@ -39,7 +39,7 @@ TEST(InsertCurve, ShakyRingsAndLinesOverModels)
     {
       GTEST_SKIP();
     }
-    const Mesh before = fromPolyData(model);
+    const Mesh before = MeshOf(model);
     const int euler = eulerNumber(before.triangles);
     std::mt19937 random(11);
     std::vector<double> angles;
@@ -64,7 +64,7 @@ TEST(InsertCurve, ShakyRingsAndLinesOverModels)
         chain.Insert->Update();
         vtkPolyData* curves = chain.Insert->GetCurvesOutput();
         ASSERT_EQ(curves->GetNumberOfLines(), 1) << name << " " << i;
-        const Mesh after = fromPolyData(chain.Insert->GetOutput());
+        const Mesh after = MeshOf(chain.Insert->GetOutput());
         const MeshCurve curve = curveOfCell(curves, 0);
         EXPECT_EQ(curve.closed, ring);
         EXPECT_TRUE(soundCurve(curve)) << name << " " << i;
