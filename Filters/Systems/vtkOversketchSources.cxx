@@ -69,10 +69,10 @@ private:
   std::unique_ptr<SurfaceRays> Rays;
 };
 
-class Charts
+class SourceOnCharts
 {
 public:
-  Charts(const Mesh& mesh, vtkDataArray* chart, const Context& context)
+  SourceOnCharts(const Mesh& mesh, vtkDataArray* chart, const Context& context)
     : Surface(mesh)
     , Work(context)
     , Of(static_cast<std::size_t>(mesh.triangleCount()), 0)
@@ -140,7 +140,7 @@ void AddSources(vtkPolyData* welded, vtkPolyData* changed, const Context& contex
 {
   const std::shared_ptr<const MeshData> data = SharedMesh(welded);
   const Mesh& mesh = data->Surface();
-  Charts charts(mesh, welded->GetCellData()->GetArray("Chart"), context);
+  SourceOnCharts onCharts(mesh, welded->GetCellData()->GetArray("Chart"), context);
   const vtkIdType count = changed->GetNumberOfPolys();
   const char* const remedy = "the steps carry it";
   vtkDataArray* places =
@@ -168,7 +168,7 @@ void AddSources(vtkPolyData* welded, vtkPolyData* changed, const Context& contex
     {
       Vector3 place;
       places->GetTuple(ids->GetId(k), place.data());
-      const SurfacePoint at = charts.Source(static_cast<int>(ids->GetId(k)), place, triangle);
+      const SurfacePoint at = onCharts.Source(static_cast<int>(ids->GetId(k)), place, triangle);
       sources->SetTypedComponent(f, k, at.triangle);
       for (int j = 0; j < 3; ++j)
       {
