@@ -83,8 +83,8 @@ void LayOnMesh(vtkPolyData* curve, vtkPolyData* mesh, bool closed, const Context
   laid->GetPointData()->AddArray(triangles);
   WriteBindings(bindings, laid);
   laid->GetCellData()->PassData(curve->GetCellData());
-  for (const auto& [name, value] :
-    { std::make_pair("StrokeId", 0), std::make_pair("Closed", closed ? 1 : 0) })
+  const std::pair<const char*, int> values[] = { { "StrokeId", 0 }, { "Closed", closed ? 1 : 0 } };
+  for (const auto& [name, value] : values)
   {
     vtkNew<vtkIntArray> array;
     array->SetName(name);
