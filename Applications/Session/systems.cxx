@@ -5,6 +5,9 @@
 #ifdef OVERSKETCH_WITH_AUGMENT
 #include "vtkOversketchAugment.h"
 #endif
+#ifdef OVERSKETCH_WITH_EDIT
+#include "vtkOversketchEdit.h"
+#endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
 #include "vtkOversketchInflateDrawing.h"
 #endif
@@ -210,6 +213,143 @@ SystemRow augment()
 }
 #endif
 
+#ifdef OVERSKETCH_WITH_EDIT
+SystemRow edit()
+{
+  using System = vtkOversketchEdit;
+  using Kind = SystemInput::Kind;
+  SystemRow row;
+  row.name = "Edit";
+  row.verb = "edit";
+  row.title = "Edit";
+  row.brief = "move a line on a mesh, or draw its cross-section anew, and what a ring encloses with it";
+  row.help =
+    "What lies between a line on the mesh and a ring round it follows the line, by grey layers less and less "
+    "towards the ring, when it is moved, turned, scaled or dragged; or it follows a cross-section that is "
+    "drawn anew. The first stroke of the line, the ring and the cross-section draws it, each further one "
+    "redraws a part. Lengths are those of the model, or with % a share of the diagonal of its box. AXIS is "
+    "t, "
+    "along the line, w, beside it, or n, outward; T is a share of the line's length, 0 to 1.";
+  row.make = make<System>;
+  SystemInput reference{
+    "Reference", "reference", "the line: polylines in pixels, each with its view", Kind::Stroke, 1
+  };
+  SystemInput boundary{ "Boundary", "boundary", "the ring round it, alike", Kind::Stroke, 2 };
+  reference.byOption = boundary.byOption = true;
+  SystemInput profile{ "Profile",
+    "profile",
+    "the cross-section at a place of the line, drawn anew: polylines in its plane, from ring to ring (0 to "
+    "1), "
+    "outward up, or in pixels with a view onto that; or the places of one as a text, such as \"0 0, 0.4 0.3, "
+    "1 0\"",
+    Kind::Stroke,
+    3,
+    true };
+  profile.orNumbers = true;
+  row.inputs = { { "Mesh", "mesh", "the mesh that is edited", Kind::Mesh, 0 },
+    reference,
+    boundary,
+    profile,
+    { "Areas",
+      "areas",
+      "strokes round areas of the disc, x and y from -1 to 1, that have layers of their own",
+      Kind::Stroke,
+      4,
+      true },
+    { "Weights",
+      "weights",
+      "an image on the disc, white where it follows, black where it stays; it takes the place of layers",
+      Kind::Picture,
+      5,
+      true },
+    { "Handles",
+      "handles",
+      "further handles: points with arrays CurveT and Matrix; of a profile, how far it reaches",
+      Kind::Curves,
+      6,
+      true } };
+  row.parameters = {
+    parameter<System>("Operations",
+      "operations",
+      "What is done",
+      "what is done to the line, such as \"move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2; drag 12 -5\"",
+      &System::SetOperations,
+      &System::GetOperations),
+    between(0,
+      1,
+      parameter<System>("ProfileAt",
+        "at",
+        "Cross-section at",
+        "where the cross-section is, a share of the line's length",
+        &System::SetProfileAt,
+        &System::GetProfileAt)),
+    between(2,
+      16,
+      parameter<System>("Levels",
+        "levels",
+        "Grey levels",
+        "how many grey levels there are",
+        &System::SetLevels,
+        &System::GetLevels)),
+    fromFile(parameter<System>("Layers",
+      "layers",
+      "Layers",
+      "levels, handles on layers, and areas: { \"levels\": 5, \"handles\": [[0.4, 0.2]], \"areas\": "
+      "[{ \"stroke\": \"area.vtp\", \"levels\": 9, \"handles\": [] }] }; a handle is taken from one share of "
+      "the way from line to ring to another",
+      &System::SetLayers,
+      &System::GetLayers)),
+    parameter<System>("Falloff",
+      "falloff",
+      "Falls off",
+      "how weights fall from line to ring",
+      &System::SetFalloff,
+      &System::GetFalloff,
+      { { "smooth", "smoothly" }, { "linear", "evenly" } }),
+    parameter<System>("UseTexture",
+      "use-texture",
+      "Layers weigh the cross-section",
+      "multiply what a cross-section does by the layers, too",
+      &System::SetUseTexture,
+      &System::GetUseTexture),
+    between(0,
+      1,
+      parameter<System>("Feather",
+        "feather",
+        "Areas blend over",
+        "how far inside its border an area blends with what is round it, a share of the disc's radius",
+        &System::SetFeather,
+        &System::GetFeather)),
+    parameter<System>("Rule",
+      "rule",
+      "New triangles",
+      "new triangles by what the edit does, by curvature, or none",
+      &System::SetRule,
+      &System::GetRule,
+      { { "edit", "by the edit" }, { "curvature", "by curvature" }, { "off", "none" } }),
+    parameter<System>("AsPublished",
+      "as-published",
+      "As published",
+      "without the amendments to the published method",
+      &System::SetAsPublished,
+      &System::GetAsPublished),
+  };
+  row.phrases = {
+    { "move",
+      "Operations",
+      "T,AXIS,LENGTH",
+      "move the line there along the axis; may be given again, as the next three" },
+    { "rotate", "Operations", "T,AXIS,DEGREES", "turn it there about the axis, by less than 180 degrees" },
+    { "scale", "Operations", "T,AXIS,FACTOR", "scale it there along the axis, by a factor above 0" },
+    { "pin", "Operations", "T", "leave it there, and what its neighbours do ends there" },
+    { "drag", "Operations", "DX,DY", "move all of the line to the right and up in its view [px]" },
+  };
+  row.runsTwice = true;
+  row.followsHand = true;
+  return row;
+}
+#endif
+
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
 SystemRow inflateDrawing()
 {
@@ -403,6 +543,9 @@ const std::vector<SystemRow>& systems()
 #endif
 #ifdef OVERSKETCH_WITH_AUGMENT
     withDefaults(augment()),
+#endif
+#ifdef OVERSKETCH_WITH_EDIT
+    withDefaults(edit()),
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
     withDefaults(inflateDrawing()),
