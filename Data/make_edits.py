@@ -34,8 +34,8 @@ def dinosaur_crest():
     """Along the dinosaur's back, seen from above and the side: the line, and how far round it the ring is [px]."""
     outline = cut(model("dinosaur"), np.array([0.0, 1.0, 0.0]), (0, 0, 1))
     back = outline[(outline[:, 0] > -0.42) & (outline[:, 0] < 0.42) & (outline[:, 1] > 1.0)]
-    view = View((0.0, 7.0, 6.0), (0.0, 1.3, 0.0), scale=330)
-    return view, view.display(back[np.argsort(back[:, 0])]), 62.0
+    view = View((0.0, 9.0, 4.0), (0.0, 1.3, 0.0), scale=330)
+    return view, view.display(back[np.argsort(back[:, 0])]), 48.0
 
 
 # Of each edit the view, the line in the picture and how far round it the ring is; "NAME_ring" is that ring.
