@@ -149,7 +149,8 @@ def test_an_image_says_what_follows(folder, tmp_path, kind):
         grey = numpy.full((1, 1), 255, numpy.uint8)
     if kind == "alpha":
         image.SetDimensions(64, 64, 1)
-        image.GetPointData().SetScalars(numpy_to_vtk(numpy.column_stack([grey.ravel()] * 3 + [numpy.full(grey.size, 255, numpy.uint8)]), deep=True))
+        opaque = numpy.full(grey.size, 255, numpy.uint8)
+        image.GetPointData().SetScalars(numpy_to_vtk(numpy.column_stack([grey.ravel()] * 3 + [opaque]), deep=True))
         writer = vtkPNGWriter()
         writer.SetInputData(image)
         writer.SetFileName(str(tmp_path / "w.png"))
@@ -230,7 +231,8 @@ def test_what_cannot_be_made_is_said_and_nothing_written(folder, tmp_path, more,
     ('{"levels": 1}', "'levels'"), ('{"levels": 5.5}', "'levels'"), ('{"handles": [0.5]}', "no pair [from, to]"),
     ('{"handles": [[0.5, 1e999]]}', ""), ('{"handles": [[0.5, "x"]]}', "no pair [from, to]"), ('{"handles": 3}', "no list"),
     ('{"areas": {}}', "no list of at most 64"), ('{"areas": [{}]}', "area 0"), ('{"areas": [7]}', "area 0"),
-    ('{"areas": [{"stroke": "gone.vtp"}]}', "names 'gone.vtp': there is no such file"), ('{"areas": [{"stroke": "a\\u0000b"}]}', "is no path"),
+    ('{"areas": [{"stroke": "gone.vtp"}]}', "names 'gone.vtp': there is no such file"),
+    ('{"areas": [{"stroke": "a\\u0000b"}]}', "is no path"),
     ('{"handles": [[2, 0.5]]}', "Layer handle 0"), ('{"areas": [{"stroke": "PATH", "levels": 300}]}', "'levels'"),
 ])
 def test_layers_that_are_none(folder, tmp_path, text, words):
@@ -290,7 +292,8 @@ def test_a_chain_with_other_kinds_replays_to_the_bits_of_its_commands(folder, tm
              ("Edit", {}, {**lines, "Profile": {"lines": "strokes/profile.vtp"}}),
              ("Augment", {"Radius": 0.1, "Height": 0.05}, {"Strokes": {"lines": "strokes/line.vtp"}})]
     session = {"format": "oversketch-session", "format_version": 2, "mesh": "mesh/body.vtp", "mesh_name": "body.vtp", "backend": "embree",
-               "made_by": {"version": "", "backend": "embree", "device": "", "processor": ""}, "result_md5": digest(read(tmp_path / "3.vtp")),
+               "made_by": {"version": "", "backend": "embree", "device": "", "processor": ""},
+               "result_md5": digest(read(tmp_path / "3.vtp")),
                "steps": [{"id": i + 1, "name": system, "on": True, "system": system, "values": values, "inputs": inputs}
                          for i, (system, values, inputs) in enumerate(steps)]}
     with zipfile.ZipFile(tmp_path / "chain.oversketch", "w") as archive:
