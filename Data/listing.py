@@ -1,4 +1,5 @@
-"""The shipped strokes by the system that they are made for: one-stroke deformation, augmentation, modelling from drawings over pictures."""
+"""The shipped strokes by the system that they are made for: one-stroke deformation, augmentation, edits, modelling from drawings over
+pictures."""
 import pathlib
 
 STROKES = pathlib.Path(__file__).resolve().parent / "Strokes"
@@ -6,6 +7,7 @@ DRAWINGS = STROKES.parent / "Drawings"
 ONE_STROKE = ("dinosaur_longer_tail", "dinosaur_raised_neck", "dog_curled_tail", "dog_longer_leg", "hand_bent_thumb", "hand_longer_finger",
               "octopus_bent_arm", "octopus_longer_arm", "person_longer_arm", "person_thicker_leg")
 AUGMENT = ("dinosaur_spines", "dog_collar", "hand_palm_lines", "octopus_veins", "person_crest", "valley_river_ridge_road")
+EDIT = ("dinosaur_crest",)
 INFLATE = ("figure_body", "figure_hat", "figure_head", "fish", "heron", "leaf", "mug", "padlock")
 
 
@@ -17,6 +19,11 @@ def one_stroke():
 def augment():
     """The files of the strokes that augment, by name."""
     return [STROKES / f"{name}.vtp" for name in AUGMENT]
+
+
+def edits():
+    """The files of the lines that edits are made with, by name; the ring round each is beside it, NAME_ring."""
+    return [STROKES / f"{name}.vtp" for name in EDIT]
 
 
 def drawings():

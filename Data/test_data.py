@@ -68,7 +68,9 @@ def assert_sound(mesh, genus=0):
 def test_what_is_shipped():
     assert sorted(figures.FIGURES) == MODELS
     assert sorted(os.listdir(os.path.join(HERE, "Models"))) == [name + ".ply" for name in MODELS]
-    assert sorted(os.listdir(os.path.join(HERE, "Strokes"))) == sorted(path.name for path in listing.one_stroke() + listing.augment())
+    edits = [name + end for name in listing.EDIT for end in (".vtp", "_ring.vtp")]
+    assert sorted(os.listdir(os.path.join(HERE, "Strokes"))) == sorted(
+        [path.name for path in listing.one_stroke() + listing.augment()] + edits)
     assert listing.ONE_STROKE == tuple(sorted(make_strokes.STROKES))
     assert listing.AUGMENT == tuple(sorted(make_augmentations.STROKES))
     assert os.listdir(os.path.join(HERE, "Terrain")) == ["valley.png"]

@@ -5,6 +5,10 @@
 #include "vtkOversketchStellarBase.h"
 #include "vtkOversketchStellarDisplace.h"
 #endif
+#ifdef OVERSKETCH_WITH_EDIT
+#include "edit_figures.h"
+#include "vtkOversketchEdit.h"
+#endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
 #include "vtkOversketchInflateDrawing.h"
 #endif
@@ -257,6 +261,12 @@ void addFigures([[maybe_unused]] vtkOversketchSystem* system, [[maybe_unused]] J
   if (auto* augment = vtkOversketchAugment::SafeDownCast(system))
   {
     addFiguresOf(augment, json);
+  }
+#endif
+#ifdef OVERSKETCH_WITH_EDIT
+  if (auto* edit = vtkOversketchEdit::SafeDownCast(system))
+  {
+    addEditFigures(edit, json["edit"]);
   }
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING

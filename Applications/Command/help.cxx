@@ -72,6 +72,10 @@ std::string usageOf(const SystemRow& system)
   {
     usage += " " + file.names;
   }
+  for (const OptionText& option : neededOf(system))
+  {
+    usage += " " + option.names + " " + option.value;
+  }
   return usage + " -o OUT [options]";
 }
 

@@ -50,6 +50,10 @@ std::string synopsis()
     {
       text += " " + italic(file.names);
     }
+    for (const OptionText& option : neededOf(system))
+    {
+      text += " " + bold(option.names) + " " + italic(option.value);
+    }
     text += " " + bold("-o") + " " + italic("OUT") + " [" + italic("options") + "]\n.br\n";
   }
   return text;

@@ -129,6 +129,51 @@ void takePair(Options& options, const Pair& pair, const std::string& option, con
     cross == std::string::npos ? second.initial : valueOf(second, option, text.substr(cross + 1));
 }
 
+// "0.5,n,3%" for the fields of a phrase.
+void takePhrase(Options& options, const Phrase& phrase, const std::string& option, const std::string& text)
+{
+  const auto split = [](const std::string& list)
+  {
+    std::vector<std::string> parts;
+    std::istringstream stream(list);
+    for (std::string part; std::getline(stream, part, ',');)
+    {
+      parts.push_back(part);
+    }
+    return parts;
+  };
+  const std::vector<std::string> fields = split(phrase.fields), given = split(text);
+  if (given.size() != fields.size())
+  {
+    throw BadUse(option + " takes " + phrase.fields + ", not '" + text + "'");
+  }
+  Options::Added added;
+  added.property = phrase.property;
+  added.words = { phrase.word };
+  for (std::size_t i = 0; i < fields.size(); ++i)
+  {
+    std::string word = given[i];
+    if (fields[i] == "AXIS")
+    {
+      choiceOf(option + "'s AXIS", word, { "t", "w", "n" });
+    }
+    else
+    {
+      if (fields[i] == "LENGTH" && !word.empty() && word.back() == '%')
+      {
+        word.pop_back();
+        added.shares.insert(added.words.size());
+      }
+      if (numbersOf(option, word).size() != 1)
+      {
+        throw BadUse(option + " takes " + phrase.fields + ", not '" + text + "'");
+      }
+    }
+    added.words.push_back(word);
+  }
+  options.added.push_back(added);
+}
+
 // The parameters that have options of their own.
 std::vector<Parameter> singlesOf(const SystemRow& system)
 {
@@ -137,7 +182,9 @@ std::vector<Parameter> singlesOf(const SystemRow& system)
   {
     const auto has = [&](const Pair& pair)
     { return pair.first == parameter.property || pair.second == parameter.property; };
-    if (std::none_of(system.pairs.begin(), system.pairs.end(), has))
+    const auto adds = [&](const Phrase& phrase) { return phrase.property == parameter.property; };
+    if (std::none_of(system.pairs.begin(), system.pairs.end(), has) &&
+        std::none_of(system.phrases.begin(), system.phrases.end(), adds))
     {
       singles.push_back(parameter);
     }
@@ -151,6 +198,10 @@ std::string valueName(const Parameter& parameter)
   if (parameter.isLength)
   {
     return "X|X%";
+  }
+  if (parameter.isFile)
+  {
+    return "JSON";
   }
   if (!parameter.choices.empty())
   {
@@ -167,6 +218,12 @@ std::string valueName(const Parameter& parameter)
   return std::visit(Kinds{}, parameter.initial);
 }
 
+// Whether an option names it, and not its place on the command line.
+bool isOption(const SystemInput& input)
+{
+  return input.optional || input.byOption;
+}
+
 bool isLines(const SystemInput& input)
 {
   return input.kind == SystemInput::Kind::Stroke || input.kind == SystemInput::Kind::Curves;
@@ -180,7 +237,7 @@ std::string fileName(const SystemInput& input)
     name.end(),
     name.begin(),
     [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return name + (isLines(input) ? ".vtp" : "");
+  return name + (isLines(input) ? ".vtp" : "") + (input.orNumbers ? "|TEXT" : "");
 }
 
 std::string fileHelp(const SystemInput& input)
@@ -206,10 +263,10 @@ struct Option
 };
 using OptionTable = std::map<std::string, Option>;
 
-Option fileOption(std::string& place, const std::string& extension = {})
+Option fileOption(std::string& place, const std::string& extension = {}, const std::string& does = "writes")
 {
   return { true,
-    [&place, extension](const std::string& name, const std::string& value)
+    [&place, extension, does](const std::string& name, const std::string& value)
     {
       if (!place.empty())
       {
@@ -221,7 +278,7 @@ Option fileOption(std::string& place, const std::string& extension = {})
       }
       if (!extension.empty() && extensionOf(value) != extension)
       {
-        throw BadUse(name + " writes a " + extension + " file, not '" + value + "'");
+        throw BadUse(name + " " + does + " a " + extension + " file, not '" + value + "'");
       }
       place = value;
     } };
@@ -249,10 +306,16 @@ OptionTable tableOf(Options& options)
   }
   for (const SystemInput& input : options.system->inputs)
   {
-    if (input.optional)
+    if (isOption(input))
     {
       table["--" + input.word] = fileOption(options.inputs[input.name]);
     }
+  }
+  for (const Phrase& phrase : options.system->phrases)
+  {
+    table["--" + phrase.word] = { true,
+      [&options, &phrase](const std::string& name, const std::string& value)
+      { takePhrase(options, phrase, name, value); } };
   }
   for (const Pair& pair : options.system->pairs)
   {
@@ -262,6 +325,11 @@ OptionTable tableOf(Options& options)
   }
   for (const Parameter& parameter : singlesOf(*options.system))
   {
+    if (parameter.isFile)
+    {
+      table["--" + parameter.word] = fileOption(options.textFiles[parameter.property], ".json", "reads");
+      continue;
+    }
     table["--" + parameter.word] = { !isSwitch(parameter),
       [&options, parameter](const std::string& name, const std::string& value)
       { takeValue(options, parameter, name, value); } };
@@ -344,7 +412,7 @@ void takeFiles(const std::vector<std::string>& files, const std::string& verb, O
   {
     for (const SystemInput& input : options.system->inputs)
     {
-      if (!input.optional)
+      if (!isOption(input))
       {
         places.push_back(&options.inputs[input.name]);
         wanted.push_back("a " + input.word);
@@ -363,6 +431,19 @@ void takeFiles(const std::vector<std::string>& files, const std::string& verb, O
   {
     *places[i] = files[i];
   }
+  for (std::size_t i = 0; options.system && i < options.system->inputs.size(); ++i)
+  {
+    const SystemInput& input = options.system->inputs[i];
+    const std::string& given = options.inputs[input.name];
+    if (input.byOption && given.empty())
+    {
+      throw BadUse(verb + " needs --" + input.word + " " + fileName(input) + ", " + input.help);
+    }
+    if (isPlaces(input, given))
+    {
+      placesOf("--" + input.word, given);
+    }
+  }
   if (options.output.empty())
   {
     throw BadUse(verb + " needs -o OUT, the mesh to write");
@@ -374,6 +455,32 @@ void takeFiles(const std::vector<std::string>& files, const std::string& verb, O
 }
 
 } // namespace
+
+bool isPlaces(const SystemInput& input, const std::string& given)
+{
+  return input.orNumbers && !given.empty() && extensionOf(given) != ".vtp";
+}
+
+std::vector<std::array<double, 2>> placesOf(const std::string& option, const std::string& text)
+{
+  std::vector<std::array<double, 2>> places;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');)
+  {
+    std::istringstream words(part);
+    std::string x, y, more;
+    if (!(words >> x >> y) || (words >> more))
+    {
+      throw BadUse(option + " takes a .vtp file or places such as \"0 0, 0.4 0.3, 1 0\", not '" + text + "'");
+    }
+    places.push_back({ numbersOf(option, x).at(0), numbersOf(option, y).at(0) });
+  }
+  if (places.size() < 2)
+  {
+    throw BadUse(option + " takes two places at least, such as \"0 0, 0.4 0.3, 1 0\", not '" + text + "'");
+  }
+  return places;
+}
 
 Options parseArguments(const std::vector<std::string>& arguments)
 {
@@ -415,7 +522,7 @@ std::vector<OptionText> filesOf(const SystemRow& system)
   std::vector<OptionText> files;
   for (const SystemInput& input : system.inputs)
   {
-    if (!input.optional)
+    if (!isOption(input))
     {
       files.push_back({ fileName(input), "", fileHelp(input) });
     }
@@ -423,17 +530,38 @@ std::vector<OptionText> filesOf(const SystemRow& system)
   return files;
 }
 
+std::vector<OptionText> neededOf(const SystemRow& system)
+{
+  std::vector<OptionText> options;
+  for (const SystemInput& input : system.inputs)
+  {
+    if (input.byOption)
+    {
+      options.push_back({ "--" + input.word, fileName(input), fileHelp(input) });
+    }
+  }
+  return options;
+}
+
 std::vector<OptionText> optionsOf(const SystemRow& system)
 {
   std::vector<OptionText> options = {
     { "-o, --output", "OUT", std::string("the mesh to write: ") + meshExtensions }
   };
+  for (const OptionText& needed : neededOf(system))
+  {
+    options.push_back(needed);
+  }
   for (const SystemInput& input : system.inputs)
   {
     if (input.optional)
     {
       options.push_back({ "--" + input.word, fileName(input), fileHelp(input) });
     }
+  }
+  for (const Phrase& phrase : system.phrases)
+  {
+    options.push_back({ "--" + phrase.word, phrase.fields, phrase.help });
   }
   if (findInput(system, SystemInput::Kind::Stroke))
   {

@@ -4,6 +4,7 @@
 
 #include "systems.h"
 
+#include <array>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -36,10 +37,24 @@ struct Options
   std::map<std::string, std::string> inputs;             // files, by the names of the system's inputs
   oversketch_session::Values values;
   std::set<std::string> shares; // properties whose values are shares of the mesh's size, to be multiplied
-  std::string session;          // replay: a session; assemble: the file of the parts
+  // What phrases add to texts, and numbers of words that are shares, to be multiplied.
+  struct Added
+  {
+    std::string property;
+    std::vector<std::string> words; // "move", "0.5", "n", "0.1"
+    std::set<std::size_t> shares;
+  };
+  std::vector<Added> added;
+  std::map<std::string, std::string> textFiles; // by the properties that they say
+  std::string session;                          // replay: a session; assemble: the file of the parts
   std::string output, picture, report, inner;
   int backend = 0; // vtkOversketchSystem::BackendType
 };
+
+// Whether what was given for an input are the places of a line, and no file.
+bool isPlaces(const oversketch_session::SystemInput& input, const std::string& given);
+// "0 0, 0.4 0.3, 1 0". Throws BadUse, naming the option.
+std::vector<std::array<double, 2>> placesOf(const std::string& option, const std::string& text);
 
 // Throws BadUse, naming the argument.
 Options parseArguments(const std::vector<std::string>& arguments);
@@ -53,6 +68,8 @@ struct OptionText
 };
 // What a system's verb takes, in the order of its help: files that must be there, then options.
 std::vector<OptionText> filesOf(const oversketch_session::SystemRow& system);
+// Of these the ones that must be given, but -o.
+std::vector<OptionText> neededOf(const oversketch_session::SystemRow& system);
 std::vector<OptionText> optionsOf(const oversketch_session::SystemRow& system);
 
 // "oversketch one-stroke MESH STROKE.vtp -o OUT [options]"

@@ -1,6 +1,7 @@
 #include "parts_file.h"
 
 #include "files.h"
+#include "json_members.h"
 #include "node_json.h"
 #include "parts.h"
 
@@ -26,43 +27,10 @@ constexpr double farthest = 1e9;   // that a part is moved or scaled
 constexpr double narrowest = 1e-9; // of a box, and what a part is scaled by
 const char* const verdict = "see oversketch assemble --help";
 
-void requireKnown(const JsonReader& json, const std::vector<std::string>& members)
-{
-  for (const std::string& name : json.names())
-  {
-    if (std::find(members.begin(), members.end(), name) == members.end())
-    {
-      std::string known;
-      for (const std::string& member : members)
-      {
-        known += (known.empty() ? "" : ", ") + member;
-      }
-      json.refuse(name, "is no member of it; these are: " + known);
-    }
-  }
-}
-
 // A file that a part names; relative to the folder of the parts' file.
 std::string fileOf(const JsonReader& json, const std::string& name, const std::filesystem::path& folder)
 {
-  const std::string given = json.text(name);
-  if (given.empty() || given.find('\0') != std::string::npos)
-  {
-    json.refuse(name, "is no path of a file; name one, beginning at the folder of the parts' file");
-  }
-  std::string path = (folder / given).lexically_normal().string();
-  try
-  {
-    requireReadable(path);
-  }
-  catch (const Failed& failed)
-  {
-    const std::string why = failed.what();
-    json.refuse(name,
-      "names '" + given + "': " + why.substr(path.size() + 2) +
-        "; mend the path, which begins at the folder of the parts' file");
-  }
-  return path;
+  return fileBeside(json, name, folder.string(), "the parts' file");
 }
 
 // The values of a drawing's parameters, by the words of the command.

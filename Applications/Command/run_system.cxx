@@ -2,6 +2,7 @@
 
 #include "evaluator.h"
 #include "heights.h"
+#include "layers_file.h"
 #include "mesh_file.h"
 #include "picture.h"
 #include "report.h"
@@ -10,12 +11,19 @@
 
 #include "vtkOversketchSystem.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <array>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <locale>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -100,9 +108,16 @@ void requireApart(const Options& options, vtkOversketchSystem* system)
   for (const SystemInput& input : options.system->inputs)
   {
     const std::string& path = options.inputs.at(input.name);
-    if (!path.empty())
+    if (!path.empty() && !isPlaces(input, path))
     {
       taken.emplace_back(input.kind == SystemInput::Kind::Mesh ? "the mesh" : "the " + input.word, path);
+    }
+  }
+  for (const auto& named : options.textFiles)
+  {
+    if (!named.second.empty())
+    {
+      taken.emplace_back("the " + findParameter(*options.system, named.first)->word, named.second);
     }
   }
   take("-o", options.output, true);
@@ -166,6 +181,67 @@ void multiplyShares(const Options& options, vtkPolyData* mesh, Values& values)
   }
 }
 
+// A line of places that the command line gave.
+vtkSmartPointer<vtkPolyData> lineOf(const std::vector<std::array<double, 2>>& places)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(places.size()));
+  for (const auto& [x, y] : places)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(x, y, 0.0));
+  }
+  auto line = vtkSmartPointer<vtkPolyData>::New();
+  line->SetPoints(points);
+  line->SetLines(lines);
+  return line;
+}
+
+// What phrases add to texts, with shares of the mesh's size as lengths.
+void addPhrases(const Options& options, vtkPolyData* mesh, Values& values)
+{
+  for (const Options::Added& added : options.added)
+  {
+    std::ostringstream phrase;
+    phrase.imbue(std::locale::classic());
+    phrase.precision(17);
+    for (std::size_t i = 0; i < added.words.size(); ++i)
+    {
+      phrase << (i > 0 ? " " : "");
+      if (added.shares.count(i) > 0)
+      {
+        phrase << 0.01 * std::strtod(added.words[i].c_str(), nullptr) * mesh->GetLength();
+      }
+      else
+      {
+        phrase << added.words[i];
+      }
+    }
+    const auto [text, isNew] = values.emplace(added.property, std::string());
+    std::string& all = std::get<std::string>(text->second);
+    all += (all.empty() ? "" : "; ") + phrase.str();
+  }
+}
+
+// All strokes of a step, in the order of its inputs, that say the view that they were drawn in.
+vtkSmartPointer<vtkPolyData> strokesOf(const Options& options, const Step& step)
+{
+  vtkNew<vtkAppendPolyData> all;
+  all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (const SystemInput& input : options.system->inputs)
+  {
+    const auto lines = input.kind == SystemInput::Kind::Stroke ? linesOf(step, input.name) : nullptr;
+    if (lines && lines->GetCellData()->HasArray("ViewTransform"))
+    {
+      all->AddInputData(lines);
+    }
+  }
+  all->Update();
+  return all->GetNumberOfInputConnections(0) == 1 ? vtkPolyData::SafeDownCast(all->GetInputDataObject(0, 0))
+                                                  : all->GetOutput();
+}
+
 // One step on the mesh that is given, if the system takes one.
 Session sessionOf(const Options& options, Notes& notes)
 {
@@ -178,7 +254,11 @@ Session sessionOf(const Options& options, Notes& notes)
   for (const SystemInput& input : options.system->inputs)
   {
     const std::string& path = options.inputs.at(input.name);
-    if (!path.empty() && isImage(input.kind))
+    if (isPlaces(input, path))
+    {
+      step->inputs[input.name] = Lines(lineOf(placesOf("--" + input.word, path)));
+    }
+    else if (!path.empty() && isImage(input.kind))
     {
       step->inputs[input.name] = readImage(path, input.kind);
     }
@@ -187,10 +267,18 @@ Session sessionOf(const Options& options, Notes& notes)
       step->inputs[input.name] = Lines(readStroke(path));
     }
   }
+  for (const auto& [property, path] : options.textFiles)
+  {
+    if (!path.empty())
+    {
+      readLayers(path, *step);
+    }
+  }
   if (const SystemInput* input = findInput(*options.system, SystemInput::Kind::Mesh))
   {
     session.mesh = readMesh(options.inputs.at(input->name), notes);
     multiplyShares(options, session.mesh.Get(), step->values);
+    addPhrases(options, session.mesh.Get(), step->values);
   }
   Node node;
   node.id = 1;
@@ -270,8 +358,7 @@ void runSystem(const Options& options)
   }
   if (!options.picture.empty())
   {
-    const SystemInput* drawn = findInput(*options.system, SystemInput::Kind::Stroke);
-    writePicture(system, linesOf(*session.nodes[0].step, drawn->name), options.picture, files);
+    writePicture(system, strokesOf(options, *session.nodes[0].step), options.picture, files);
   }
   throwIfInterrupted();
   files.commit();

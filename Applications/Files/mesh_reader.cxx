@@ -233,7 +233,8 @@ vtkSmartPointer<vtkPolyData> readStroke(const std::string& path)
 vtkSmartPointer<vtkPolyData> parseStroke(const std::string& path, const std::string& bytes)
 {
   vtkSmartPointer<vtkPolyData> stroke = readVtp(path, bytes);
-  if (!stroke || stroke->GetNumberOfPoints() == 0 || stroke->GetNumberOfLines() == 0)
+  if (!stroke || stroke->GetNumberOfPoints() == 0 ||
+      stroke->GetNumberOfLines() + stroke->GetNumberOfVerts() == 0) // handles are vertices
   {
     throw Failed(path + ": holds no polyline; the file is empty or damaged");
   }

@@ -13,6 +13,7 @@
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -185,7 +186,7 @@ bool SystemRunner::run(const Step& step,
   {
     return this->runReflected(task, outcome);
   }
-  if (!this->FollowPartners)
+  if (!this->FollowPartners || this->Row.runsTwice)
   {
     return this->runTwice(task, outcome);
   }
@@ -383,9 +384,11 @@ bool SystemRunner::runImage(const Task& task, const MirrorImage& image, Outcome&
   const SystemInput* changed = findInput(this->Row, SystemInput::Kind::Mesh);
   for (const SystemInput& input : this->Row.inputs)
   {
-    const bool isInWorld = input.kind == SystemInput::Kind::Mesh || input.kind == SystemInput::Kind::Curves;
     const auto given = inputs.find(input.name);
     vtkPolyData* data = given == inputs.end() ? nullptr : vtkPolyData::SafeDownCast(given->second);
+    // What an earlier step put out lies on the mesh, whatever else the input may be.
+    const bool isInWorld = input.kind == SystemInput::Kind::Mesh || input.kind == SystemInput::Kind::Curves ||
+                           (data && data->GetPointData()->HasArray("VertexId"));
     if (&input == changed)
     {
       given->second = image.get();

@@ -41,7 +41,8 @@ public:
   // is the one that came. False when cancelled: nothing is filled in.
   //
   // A step with a mirror plane, of a system that takes several strokes, runs once on each stroke and the same
-  // in the mirror; where the first one lies over the plane itself, on the strokes alone. Of another system
+  // in the mirror; where the first one lies over the plane itself, on the strokes alone. Of a system that
+  // says so (SystemRow::runsTwice) it runs on one side and then on the other, as below. Of another one
   // (SystemRow::mirrored) it runs with the values that keep points' ids (SystemRow::mirrored), and points
   // on the other side follow their partners (vtkOversketchMirror). Where a point that moved has none, or that
   // run fails, the step runs with its own values, and once more on the other side, as if its strokes had been

@@ -5,6 +5,9 @@
 #ifdef OVERSKETCH_WITH_AUGMENT
 #include "vtkOversketchAugment.h"
 #endif
+#ifdef OVERSKETCH_WITH_EDIT
+#include "vtkOversketchEdit.h"
+#endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
 #include "vtkOversketchInflateDrawing.h"
 #endif
@@ -14,8 +17,6 @@
 #ifdef OVERSKETCH_WITH_STELLAR
 #include "vtkOversketchTerrain.h"
 #endif
-
-#include <algorithm>
 
 namespace oversketch_session
 {
@@ -205,6 +206,143 @@ SystemRow augment()
       &System::GetAsPublished),
   };
   row.reflectsStrokes = true;
+  row.followsHand = true;
+  return row;
+}
+#endif
+
+#ifdef OVERSKETCH_WITH_EDIT
+SystemRow edit()
+{
+  using System = vtkOversketchEdit;
+  using Kind = SystemInput::Kind;
+  SystemRow row;
+  row.name = "Edit";
+  row.verb = "edit";
+  row.title = "Edit";
+  row.brief = "move a line on a mesh, or draw its cross-section anew, and what a ring encloses with it";
+  row.help =
+    "What lies between a line on the mesh and a ring round it follows the line, by grey layers less and less "
+    "towards the ring, when it is moved, turned, scaled or dragged; or it follows a cross-section that is "
+    "drawn anew. The first stroke of the line, the ring and the cross-section draws it, each further one "
+    "redraws a part. Lengths are those of the model, or with % a share of the diagonal of its box. AXIS is "
+    "t, "
+    "along the line, w, beside it, or n, outward; T is a share of the line's length, 0 to 1.";
+  row.make = make<System>;
+  SystemInput reference{
+    "Reference", "reference", "the line: polylines in pixels, each with its view", Kind::Stroke, 1
+  };
+  SystemInput boundary{ "Boundary", "boundary", "the ring round it, alike", Kind::Stroke, 2 };
+  reference.byOption = boundary.byOption = true;
+  SystemInput profile{ "Profile",
+    "profile",
+    "the cross-section at a place of the line, drawn anew: polylines in its plane, from ring to ring (0 to "
+    "1), "
+    "outward up, or in pixels with a view onto that; or the places of one as a text, such as \"0 0, 0.4 0.3, "
+    "1 0\"",
+    Kind::Stroke,
+    3,
+    true };
+  profile.orNumbers = true;
+  row.inputs = { { "Mesh", "mesh", "the mesh that is edited", Kind::Mesh, 0 },
+    reference,
+    boundary,
+    profile,
+    { "Areas",
+      "areas",
+      "strokes round areas of the disc, x and y from -1 to 1, that have layers of their own",
+      Kind::Stroke,
+      4,
+      true },
+    { "Weights",
+      "weights",
+      "an image on the disc, white where it follows, black where it stays; it takes the place of layers",
+      Kind::Picture,
+      5,
+      true },
+    { "Handles",
+      "handles",
+      "further handles: points with arrays CurveT and Matrix; of a profile, how far it reaches",
+      Kind::Curves,
+      6,
+      true } };
+  row.parameters = {
+    parameter<System>("Operations",
+      "operations",
+      "What is done",
+      "what is done to the line, such as \"move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2; drag 12 -5\"",
+      &System::SetOperations,
+      &System::GetOperations),
+    between(0,
+      1,
+      parameter<System>("ProfileAt",
+        "at",
+        "Cross-section at",
+        "where the cross-section is, a share of the line's length",
+        &System::SetProfileAt,
+        &System::GetProfileAt)),
+    between(2,
+      16,
+      parameter<System>("Levels",
+        "levels",
+        "Grey levels",
+        "how many grey levels there are",
+        &System::SetLevels,
+        &System::GetLevels)),
+    fromFile(parameter<System>("Layers",
+      "layers",
+      "Layers",
+      "levels, handles on layers, and areas: { \"levels\": 5, \"handles\": [[0.4, 0.2]], \"areas\": "
+      "[{ \"stroke\": \"area.vtp\", \"levels\": 9, \"handles\": [] }] }; a handle is taken from one share of "
+      "the way from line to ring to another",
+      &System::SetLayers,
+      &System::GetLayers)),
+    parameter<System>("Falloff",
+      "falloff",
+      "Falls off",
+      "how weights fall from line to ring",
+      &System::SetFalloff,
+      &System::GetFalloff,
+      { { "smooth", "smoothly" }, { "linear", "evenly" } }),
+    parameter<System>("UseTexture",
+      "use-texture",
+      "Layers weigh the cross-section",
+      "multiply what a cross-section does by the layers, too",
+      &System::SetUseTexture,
+      &System::GetUseTexture),
+    between(0,
+      1,
+      parameter<System>("Feather",
+        "feather",
+        "Areas blend over",
+        "how far inside its border an area blends with what is round it, a share of the disc's radius",
+        &System::SetFeather,
+        &System::GetFeather)),
+    parameter<System>("Rule",
+      "rule",
+      "New triangles",
+      "new triangles by what the edit does, by curvature, or none",
+      &System::SetRule,
+      &System::GetRule,
+      { { "edit", "by the edit" }, { "curvature", "by curvature" }, { "off", "none" } }),
+    parameter<System>("AsPublished",
+      "as-published",
+      "As published",
+      "without the amendments to the published method",
+      &System::SetAsPublished,
+      &System::GetAsPublished),
+  };
+  row.phrases = {
+    { "move",
+      "Operations",
+      "T,AXIS,LENGTH",
+      "move the line there along the axis; may be given again, as the next three" },
+    { "rotate", "Operations", "T,AXIS,DEGREES", "turn it there about the axis, by less than 180 degrees" },
+    { "scale", "Operations", "T,AXIS,FACTOR", "scale it there along the axis, by a factor above 0" },
+    { "pin", "Operations", "T", "leave it there, and what its neighbours do ends there" },
+    { "drag", "Operations", "DX,DY", "move all of the line to the right and up in its view [px]" },
+  };
+  row.runsTwice = true;
   row.followsHand = true;
   return row;
 }
@@ -404,6 +542,9 @@ const std::vector<SystemRow>& systems()
 #ifdef OVERSKETCH_WITH_AUGMENT
     withDefaults(augment()),
 #endif
+#ifdef OVERSKETCH_WITH_EDIT
+    withDefaults(edit()),
+#endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
     withDefaults(inflateDrawing()),
 #endif
@@ -412,108 +553,6 @@ const std::vector<SystemRow>& systems()
 #endif
   };
   return rows;
-}
-
-const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows)
-{
-  const auto it =
-    std::find_if(rows.begin(), rows.end(), [&](const SystemRow& row) { return row.name == name; });
-  return it == rows.end() ? nullptr : &*it;
-}
-
-const SystemRow* findVerb(const std::string& verb)
-{
-  const auto& rows = systems();
-  const auto it =
-    std::find_if(rows.begin(), rows.end(), [&](const SystemRow& row) { return row.verb == verb; });
-  return it == rows.end() ? nullptr : &*it;
-}
-
-const Parameter* findParameter(const SystemRow& row, const std::string& property)
-{
-  const auto it = std::find_if(row.parameters.begin(),
-    row.parameters.end(),
-    [&](const Parameter& one) { return one.property == property; });
-  return it == row.parameters.end() ? nullptr : &*it;
-}
-
-const SystemInput* findInput(const SystemRow& row, const std::string& name)
-{
-  const auto it = std::find_if(
-    row.inputs.begin(), row.inputs.end(), [&](const SystemInput& input) { return input.name == name; });
-  return it == row.inputs.end() ? nullptr : &*it;
-}
-
-const SystemInput* findInput(const SystemRow& row, SystemInput::Kind kind)
-{
-  const auto it = std::find_if(
-    row.inputs.begin(), row.inputs.end(), [&](const SystemInput& input) { return input.kind == kind; });
-  return it == row.inputs.end() ? nullptr : &*it;
-}
-
-std::vector<std::string> wordsOf(const Parameter& parameter)
-{
-  std::vector<std::string> words;
-  for (const Choice& choice : parameter.choices)
-  {
-    words.push_back(choice.word);
-  }
-  return words;
-}
-
-const Value& valueOf(const Step& step, const Parameter& parameter)
-{
-  const auto it = step.values.find(parameter.property);
-  return it == step.values.end() ? parameter.initial : it->second;
-}
-
-std::string faultOf(const Step& step, const std::vector<SystemRow>& rows)
-{
-  const SystemRow* row = findSystem(step.system, rows);
-  if (!row)
-  {
-    return "'" + step.system + "' is no system that this version has";
-  }
-  for (const auto& [property, value] : step.values)
-  {
-    const Parameter* one = findParameter(*row, property);
-    if (!one)
-    {
-      return "'" + property + "' is no parameter of " + row->name;
-    }
-    const int* chosen = std::get_if<int>(&value);
-    if (value.index() != one->initial.index() ||
-        (chosen && !one->choices.empty() &&
-          (*chosen < 0 || static_cast<std::size_t>(*chosen) >= one->choices.size())))
-    {
-      return "'" + property + "' of " + row->name + " has a value that it cannot have";
-    }
-  }
-  for (const auto& named : step.inputs)
-  {
-    if (!findInput(*row, named.first))
-    {
-      return "'" + named.first + "' is no input of " + row->name;
-    }
-  }
-  if (step.part && findInput(*row, SystemInput::Kind::Mesh))
-  {
-    return row->name + " changes the mesh that comes to it, and makes no part of its own";
-  }
-  if (step.mirror && !actsOnBothSides(*row))
-  {
-    return row->name + " cannot act on both sides of a plane: its points do not keep their ids";
-  }
-  return {};
-}
-
-const std::vector<std::string>& backendWords()
-{
-  static const std::vector<std::string> words = { vtkOversketchSystem::GetBackendWord(
-                                                    vtkOversketchSystem::Auto),
-    vtkOversketchSystem::GetBackendWord(vtkOversketchSystem::OpenCL),
-    vtkOversketchSystem::GetBackendWord(vtkOversketchSystem::Host) };
-  return words;
 }
 
 } // namespace oversketch_session

@@ -37,6 +37,7 @@ struct Parameter
   std::vector<Choice> offers;     // of a text: what a form offers beside what is typed; empty: no field
   double least = 0.0, most = 0.0; // of a number, that a form offers; equal: any
   bool isLength = false;          // [model length]; a command line may give it as a share of the mesh's size
+  bool isFile = false;            // of a text: a command line names a JSON file that says it
   std::function<void(vtkOversketchSystem*, const Value&)> set;
   std::function<Value(vtkOversketchSystem*)> get;
   Value initial; // of a fresh instance; its alternative is that of all values of the parameter
@@ -48,6 +49,15 @@ struct Pair
 {
   std::string word, first, second; // "quads", and the properties
   std::string help;                // a line; ends without a stop
+};
+
+// What a command line adds to a text, any number of times: "--move 0.5,n,3%" for "move 0.5 n 12.7".
+struct Phrase
+{
+  std::string word, property; // "move", "Operations"
+  // "T,AXIS,LENGTH": numbers, but AXIS, which is t, w or n; LENGTH may be a share of the mesh's size.
+  std::string fields;
+  std::string help; // a line; ends without a stop
 };
 
 struct SystemInput
@@ -67,6 +77,8 @@ struct SystemInput
   Kind kind = Kind::Mesh;
   int port = 0;
   bool optional = false;
+  bool byOption = false;  // it must be there, and a command line names it by an option, too
+  bool orNumbers = false; // of lines: a command line may give one as its places, "0 0, 0.4 0.3, 1 0"
 };
 
 // Whether it is given as the bytes of a file.
@@ -86,7 +98,8 @@ struct SystemRow
   vtkSmartPointer<vtkOversketchSystem> (*make)() = nullptr;
   std::vector<SystemInput> inputs;
   std::vector<Parameter> parameters;
-  std::vector<Pair> pairs; // of parameters, which then have no options of their own
+  std::vector<Pair> pairs;     // of parameters, which then have no options of their own
+  std::vector<Phrase> phrases; // likewise
   // The values with which its output's points keep their ids, so that a step that acts on both sides of a
   // mirror plane can move points with their partners; where these have none its own values hold
   // (SystemRunner::run). Null: points never keep their ids.
@@ -94,6 +107,8 @@ struct SystemRow
   // It takes several strokes, each with a view of its own, and acts on both sides by one run with each stroke
   // and the same in the mirror.
   bool reflectsStrokes = false;
+  // It acts on both sides by two runs, whatever the points (SystemRunner::run).
+  bool runsTwice = false;
   // The name of the input whose picture the mesh wears, by its texture coordinates; empty for none.
   std::string worn;
   // Likewise of the picture that its back wears; where it is given both are pictures of parts, 0 and 1.
@@ -115,7 +130,7 @@ const SystemRow* findVerb(const std::string& verb);
 // Whether its steps can have a mirror plane.
 inline bool actsOnBothSides(const SystemRow& row)
 {
-  return row.mirrored || row.reflectsStrokes;
+  return row.mirrored || row.reflectsStrokes || row.runsTwice;
 }
 
 const Parameter* findParameter(const SystemRow& row, const std::string& property);
@@ -182,6 +197,13 @@ inline Parameter between(double least, double most, Parameter made)
 inline Parameter offering(std::vector<Choice> offers, Parameter made)
 {
   made.offers = std::move(offers);
+  return made;
+}
+
+// The same of a text that a command line takes from a file.
+inline Parameter fromFile(Parameter made)
+{
+  made.isFile = true;
   return made;
 }
 

@@ -1,12 +1,15 @@
 """What the command's tests share: a small body with one limb, strokes over it, and the running of the program."""
+import hashlib
 import os
 import pathlib
+import struct
 import subprocess
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
@@ -151,3 +154,23 @@ def points_of(data):
 
 def triangles_of(data):
     return vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def volume(mesh):
+    mass = vtkMassProperties()
+    mass.SetInputData(mesh)
+    return mass.GetVolume()
+
+
+def diagonal(mesh):
+    points = points_of(mesh)
+    return numpy.linalg.norm(points.max(axis=0) - points.min(axis=0))
+
+
+def digest(mesh):
+    """As Applications/Session/README.md has it."""
+    data = mesh.GetPoints().GetData()
+    bits = struct.pack("i", data.GetDataType()) + vtk_to_numpy(data).tobytes()
+    triangles = triangles_of(mesh)
+    bits += numpy.column_stack([numpy.full(len(triangles), 3), triangles]).astype(numpy.int64).tobytes()
+    return hashlib.md5(bits).hexdigest()

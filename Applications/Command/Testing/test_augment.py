@@ -1,29 +1,16 @@
 """Lines on a mesh and terrains by the command: lengths, signs, files, reports, pictures, and chains with one-stroke."""
-import hashlib
 import json
 import os
 import shutil
-import struct
 import zipfile
 
 import numpy
 import pytest
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkMassProperties
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
 from scene import *  # noqa: F403
 
 LINE = numpy.column_stack([WIDTH / 3 - 30 + numpy.linspace(-20, 20, 30), HEIGHT / 2 + 12 * numpy.sin(numpy.linspace(0, 5, 30))])
-
-
-def volume(mesh):
-    mass = vtkMassProperties()
-    mass.SetInputData(mesh)
-    return mass.GetVolume()
-
-
-def diagonal(mesh):
-    points = points_of(mesh)
-    return numpy.linalg.norm(points.max(axis=0) - points.min(axis=0))
 
 
 @pytest.fixture(scope="module")
@@ -297,12 +284,3 @@ def test_a_chain_of_both_kinds_replays_to_the_bits_of_its_commands(folder, tmp_p
     done = run("replay", tmp_path / "chain.oversketch", "-o", tmp_path / "replayed.vtp")
     assert done.returncode == 0 and "bit for bit" not in done.stderr, done.stderr
     assert digest(read(tmp_path / "replayed.vtp")) == digest(read(mesh))
-
-
-def digest(mesh):
-    """As Applications/Session/README.md has it."""
-    data = mesh.GetPoints().GetData()
-    bits = struct.pack("i", data.GetDataType()) + vtk_to_numpy(data).tobytes()
-    triangles = triangles_of(mesh)
-    bits += numpy.column_stack([numpy.full(len(triangles), 3), triangles]).astype(numpy.int64).tobytes()
-    return hashlib.md5(bits).hexdigest()

@@ -60,7 +60,7 @@ SNIPPETS = [text for text in re.findall(r"```python\n(.*?)```", (SOURCE / "READM
 
 
 def test_the_readme_has_a_snippet_for_each_system():
-    assert [re.search(r"vtkOversketch\w+", text).group() for text in SNIPPETS] == ["vtkOversketchOneStroke", "vtkOversketchAugment", "vtkOversketchInflateDrawing"]
+    assert [re.search(r"vtkOversketch\w+", text).group() for text in SNIPPETS] == ["vtkOversketchOneStroke", "vtkOversketchAugment", "vtkOversketchEdit", "vtkOversketchInflateDrawing"]
 
 
 @pytest.mark.parametrize("snippet", SNIPPETS)
