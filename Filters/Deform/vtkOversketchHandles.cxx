@@ -4,6 +4,7 @@
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -27,6 +28,20 @@ vtkStandardNewMacro(vtkOversketchHandles);
 
 namespace
 {
+
+// The way in the world of a place that goes so far in the picture, as far from the eye as before.
+Vector3 ShiftOf(const View& view, const Vector3& place, const Vector2& pixels)
+{
+  if (!view.inFront(place))
+  {
+    throw Error(Failure::BadStroke,
+      "The curve's middle is behind the eye of the view that it would be dragged in; look at it and draw it "
+      "anew.");
+  }
+  const Vector2 seen = view.toDisplay(place).head<2>();
+  const double depth = view.depth(place);
+  return view.toWorld(seen + pixels, depth) - view.toWorld(seen, depth);
+}
 
 void Write(const std::vector<PlacedHandle>& handles, vtkPolyData* output)
 {
@@ -120,8 +135,15 @@ int vtkOversketchHandles::RequestData(vtkInformation*,
         {
           cache.Data = SharedMesh(mesh);
           const CurveOnMesh reference(curve, *cache.Data);
-          std::vector<PlacedHandle> handles =
-            handlesOf(this->Operations, [&](double t) { return reference.Frames.at(t); });
+          const auto frameAt = [&](double t) { return reference.Frames.at(t); };
+          std::function<Vector3(const Vector2&)> shiftOf;
+          if (!ViewArraysOf(curve).empty())
+          {
+            shiftOf = [&](const Vector2& pixels)
+            { return ShiftOf(ViewOf(curve), frameAt(0.5).origin, pixels); };
+          }
+          const OperatedHandles operated = handlesOf(this->Operations, frameAt, shiftOf);
+          std::vector<PlacedHandle> handles = operated.handles;
           if (further)
           {
             const std::vector<double> places = ReadHandlePlaces(further);
@@ -131,6 +153,10 @@ int vtkOversketchHandles::RequestData(vtkInformation*,
               const CurveFrame frame = reference.Frames.at(places[i]);
               handles.push_back({ places[i], frame, inWorld(frame, matrices[i]) });
             }
+          }
+          if (!operated.shift.isZero(0.0))
+          {
+            shiftAll(handles, operated.shift, frameAt);
           }
           Write(handles, result);
         });

@@ -10,13 +10,14 @@
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; its point normals say what is outward.
  * Input 1 (Reference): the reference curve, one polyline with point array VertexId, see
- * vtkOversketchInsertCurve.
+ * vtkOversketchInsertCurve; to be dragged it has the cell arrays of the view that it was drawn in.
  * Input 2 (Handles, optional): further handles, points with point arrays CurveT, the place, and Matrix, 16
  * numbers row by row: the transformation in the handle's own axes, x along the curve, y beside it, z outward,
  * from its place. Where the points lie is not read.
  *
- * Output 0 (Handles): one vertex for each operation, in their order, then for each point of input 2, at their
- * places, with point arrays
+ * Output 0 (Handles): one vertex for each operation but drags, in their order, then for each point of input
+ * 2, at their places; with a drag then one more at each place that has one, at the middle where none has, of
+ * what moves the curve as a whole. Point arrays
  * - CurveT, double: share of the curve's length, 0 to 1,
  * - Matrix, double[16]: the transformation in world space, row by row,
  * - Frame, double[16]: from the handle's axes to world space: columns along, side, outward, place.
@@ -64,7 +65,8 @@ public:
    * What is done, apart by semicolons: "move 0.5 n 0.1; rotate 0.7 t 30; scale 0.3 w 1.5; pin 0.2": at a
    * share of the curve's length, along or about an axis (t along the curve, w beside it, n outward), by a
    * length, degrees or a factor. A pin does nothing and so ends what its neighbours do. Several at one place
-   * act at once. Empty (default): nothing.
+   * act at once. "drag 12 -5" moves the curve as a whole, so many pixels to the right and up in its view, as
+   * far from the eye as its middle is; pins do not hold it. Empty (default): nothing.
    */
   void SetOperations(const char* text);
   const char* GetOperations() const { return this->Operations.c_str(); }

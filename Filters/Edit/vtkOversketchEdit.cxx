@@ -9,6 +9,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <locale>
+#include <sstream>
+
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchEdit);
@@ -90,15 +93,10 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
         return;
       }
       RequireFinite(this->ProfileAt, "ProfileAt");
+      const Pipeline::Inputs all = Pipeline::InputsOf(inputs);
       inner.FeedMesh(mesh);
-      inner.FeedEdit(vtkPolyData::GetData(inputs[3]),
-        vtkPolyData::GetData(inputs[4]),
-        vtkImageData::GetData(inputs[5]),
-        vtkPolyData::GetData(inputs[6]));
-      inner.SetParameters();
-      inner.RunCurves(vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]));
-      inner.RunRegion();
-      inner.RunWeights();
+      inner.FeedEdit(all, this->Operations);
+      inner.RunToWeights(all);
       inner.RunDeform();
       inner.RunTriangles();
       inner.PutOutput(mesh,
@@ -106,6 +104,44 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
         vtkPolyData::GetData(outputs, 1),
         vtkPolyData::GetData(outputs, 2));
     });
+}
+
+bool vtkOversketchEdit::Prepare()
+{
+  Pipeline& inner = *this->Inner;
+  return inner.Outside(
+    [&](const Pipeline::Inputs& inputs)
+    {
+      const auto isDrawn = [](vtkPolyData* curve) { return curve && curve->GetNumberOfPoints() > 0; };
+      inner.FeedMesh(inputs.Mesh);
+      inner.FeedEdit(inputs, this->Operations);
+      inner.SetParameters();
+      if (isDrawn(inputs.Reference) && isDrawn(inputs.Boundary))
+      {
+        inner.RunToWeights(inputs);
+        return true;
+      }
+      this->RunStage("MeanEdge");
+      if (isDrawn(inputs.Reference))
+      {
+        inner.RunReference(inputs.Reference);
+      }
+      return true;
+    });
+}
+
+bool vtkOversketchEdit::PreviewEdit(vtkPolyData* edited)
+{
+  return this->Inner->Show(this->Operations, edited);
+}
+
+bool vtkOversketchEdit::DragLine(double right, double up, vtkPolyData* edited)
+{
+  std::ostringstream operations;
+  operations.imbue(std::locale::classic());
+  operations.precision(17);
+  operations << this->Operations << "; drag " << right << ' ' << up;
+  return this->Inner->Show(operations.str(), edited);
 }
 
 int vtkOversketchEdit::GetMovedPoints()

@@ -14,13 +14,15 @@
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or normals
  * are welded for computing (exactly equal positions) and split again in the output. Field array MeanEdge, the
  * mean edge when it was loaded, is read where it is there.
- * Input 1 (Reference): the line: one polyline in display coordinates with cell arrays ViewTransform,
- * ProjectionTransform, ViewportSize; or what an earlier edit has put out on port 1, which is laid on the mesh
- * anew, each point at the nearest place.
- * Input 2 (Boundary): the ring round it, alike; it is closed wherever it ends.
- * Input 3 (Profile, optional): the cross-section at ProfileAt drawn anew, wholly or in part: one polyline in
- * its plane (vtkOversketchCrossSection), or in display coordinates with a view onto that plane. Without
- * points there is none.
+ * Input 1 (Reference): the line: polylines in display coordinates with cell arrays ViewTransform,
+ * ProjectionTransform, ViewportSize, each of a view of its own: the first one draws, each further one redraws
+ * a part of what those before have made, in the picture (vtkOversketchResketch), as it is seen in its view;
+ * what it leaves keeps its vertices {Refit, Resketch, Reproject, Reinsert}. Or the one curve that an earlier
+ * edit has put out on port 1, which is laid on the mesh anew, each point at the nearest place.
+ * Input 2 (Boundary): the ring round it, alike; it is closed wherever the first polyline ends.
+ * Input 3 (Profile, optional): the cross-section at ProfileAt drawn anew, wholly or in part: polylines in its
+ * plane (vtkOversketchCrossSection), or in display coordinates with a view onto that plane; each redraws what
+ * those before have made of the section. Without points there is none.
  * Input 4 (Areas, optional): areas of the disc with layers of their own, see vtkOversketchScanFill.
  * Input 5 (Weights, vtkImageData, optional): an image on the disc, see vtkOversketchTextureToWeight; it takes
  * the place of layers and areas.
@@ -35,7 +37,7 @@
  * Output 2 (Boundary): the ring, alike.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
- * BadStroke where there is no line or ring, or several, and for operations together with a profile. An empty
+ * BadStroke where there is no line or ring, and for operations together with a profile. An empty
  * mesh gives empty outputs silently. A run that AbortExecute stopped needs Modified() before the next.
  *
  * Demand-driven: an operation runs {Handles} and on, a layer {Shading} and on, a profile {Redraw} and on,
@@ -83,8 +85,9 @@ public:
 
   ///@{
   /**
-   * What is done to the line, such as "move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2", see vtkOversketchHandles;
-   * all at once, in no order. Empty (default): nothing.
+   * What is done to the line, such as "move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2; drag 12 -5", see
+   * vtkOversketchHandles; all at once, in no order. A drag is in pixels of the view that the line was first
+   * drawn in. Empty (default): nothing.
    */
   void SetOperations(const char* text);
   const char* GetOperations() const { return this->Operations.c_str(); }
@@ -186,6 +189,26 @@ public:
   int GetMovedPoints();
   int GetFoldedEdges();
   int GetBridges();
+  ///@}
+
+  /**
+   * All that comes before the deformation, for the inputs that there are: of a mesh alone little, of mesh and
+   * line the line in it, with a ring the region, its disc, where its vertices are, and weights.
+   */
+  bool Prepare() override;
+
+  ///@{
+  /**
+   * What comes out with Rule Off, to the bit, for the inputs and parameters by now, without a run: to be
+   * shown while something is dragged. The mesh in `edited` always has active point normals. What one call has
+   * written into `edited` the next one writes over, as the same cells and arrays: places and normals of the
+   * region alone are new. DragLine adds "drag RIGHT UP" to the operations [px of the line's view], which stay
+   * as they are; to keep it, add it to them. Both do what Prepare does where that is not done, and leave
+   * output and inputs as they are. False, and `edited` as it was, without mesh, line or ring and where an
+   * edit cannot be made; the error code tells why.
+   */
+  bool PreviewEdit(vtkPolyData* edited);
+  bool DragLine(double right, double up, vtkPolyData* edited);
   ///@}
 
   /**

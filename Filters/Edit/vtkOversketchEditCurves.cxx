@@ -4,12 +4,16 @@
 #include "Stroke/canvas.h"
 #include "Stroke/polyline.h"
 #include "vtkOversketchBindings.h"
+#include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 #include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -17,6 +21,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -29,21 +35,97 @@ namespace
 // Steps of a drawn profile; a section has some tens of points.
 constexpr int profileSteps = 400;
 
+bool SameValues(vtkDataArray* a, vtkDataArray* b)
+{
+  return a && b && a->GetDataType() == b->GetDataType() &&
+         a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+         a->GetNumberOfTuples() == b->GetNumberOfTuples() &&
+         std::memcmp(a->GetVoidPointer(0),
+           b->GetVoidPointer(0),
+           static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0;
+}
+
+// Points, ids and the numbers of points and cells.
+bool SameLine(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto sameArrays = [](vtkFieldData* one, vtkFieldData* other)
+  {
+    bool same = one->GetNumberOfArrays() == other->GetNumberOfArrays();
+    for (int i = 0; same && i < one->GetNumberOfArrays(); ++i)
+    {
+      const char* name = one->GetArrayName(i);
+      same = name && SameValues(one->GetArray(i), other->GetArray(name));
+    }
+    return same;
+  };
+  vtkNew<vtkIdList> ids, others;
+  a->GetLines()->GetCellAtId(0, ids);
+  b->GetLines()->GetCellAtId(0, others);
+  return std::equal(ids->begin(), ids->end(), others->begin(), others->end()) &&
+         SameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
+         sameArrays(a->GetPointData(), b->GetPointData()) && sameArrays(a->GetCellData(), b->GetCellData());
+}
+
+// What tells InsertCurve that polylines are runs of one curve.
+void AddRunArrays(vtkIdType runs, bool closed, vtkPolyData* laid)
+{
+  for (const auto& [name, value] :
+    { std::make_pair("StrokeId", 0), std::make_pair("Closed", closed ? 1 : 0) })
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(name);
+    for (vtkIdType i = 0; i < runs; ++i)
+    {
+      array->InsertNextValue(value);
+    }
+    laid->GetCellData()->AddArray(array);
+  }
+}
+
 } // namespace
 
-void RequireOneCurve(vtkPolyData* curve, const std::string& holder)
+void DrawnLines::Read(vtkPolyData* input, const std::string& holder)
 {
-  if (curve->GetNumberOfPoints() == 0 || curve->GetNumberOfCells() == 0)
+  const std::pair<const vtkDataObject*, vtkMTimeType> now{ input, input->GetMTime() };
+  if (!this->Lines.empty() && this->Seen == now)
+  {
+    return;
+  }
+  if (input->GetNumberOfPoints() == 0 || input->GetNumberOfCells() == 0)
   {
     throw Error(Failure::BadStroke, "There is no " + holder + " curve; draw one over the mesh.");
   }
-  if (curve->GetNumberOfLines() != 1 || curve->GetNumberOfCells() != 1)
+  if (input->GetNumberOfLines() != input->GetNumberOfCells())
   {
     throw Error(Failure::BadStroke,
-      "The " + holder + " input holds " + std::to_string(curve->GetNumberOfLines()) + " polylines and " +
-        std::to_string(curve->GetNumberOfCells() - curve->GetNumberOfLines()) +
-        " other cells; give the one polyline that is to count.");
+      "The " + holder + " input holds " +
+        std::to_string(input->GetNumberOfCells() - input->GetNumberOfLines()) +
+        " cells that are no polylines; give the curve, and what redraws it, alone.");
   }
+  std::vector<vtkSmartPointer<vtkPolyData>> lines;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < input->GetNumberOfLines(); ++i)
+  {
+    input->GetLines()->GetCellAtId(i, ids);
+    if (std::any_of(
+          ids->begin(), ids->end(), [&](vtkIdType id) { return id < 0 || id >= input->GetNumberOfPoints(); }))
+    {
+      throw Error(Failure::BadStroke,
+        "Polyline " + std::to_string(i) + " of the " + holder +
+          " input has points that do not exist; draw it anew.");
+    }
+    vtkSmartPointer<vtkPolyData> line = StrokeAlone(input, i);
+    const std::size_t k = lines.size();
+    lines.push_back(k < this->Lines.size() && SameLine(line, this->Lines[k]) ? this->Lines[k] : line);
+  }
+  if (lines.size() > 1 && IsCurveOfEdit(input))
+  {
+    throw Error(Failure::BadStroke,
+      "The " + holder + " input holds " + std::to_string(lines.size()) +
+        " curves of earlier edits; give the one that is to count.");
+  }
+  this->Lines = std::move(lines);
+  this->Seen = now;
 }
 
 bool IsCurveOfEdit(vtkPolyData* curve)
@@ -83,20 +165,250 @@ void LayOnMesh(vtkPolyData* curve, vtkPolyData* mesh, bool closed, const Context
   laid->GetPointData()->AddArray(triangles);
   WriteBindings(bindings, laid);
   laid->GetCellData()->PassData(curve->GetCellData());
-  for (const auto& [name, value] :
-    { std::make_pair("StrokeId", 0), std::make_pair("Closed", closed ? 1 : 0) })
-  {
-    vtkNew<vtkIntArray> array;
-    array->SetName(name);
-    array->InsertNextValue(value);
-    laid->GetCellData()->AddArray(array);
-  }
+  AddRunArrays(1, closed, laid);
   laid->GetFieldData()->PassData(curve->GetFieldData());
+}
+
+RedrawnPart PartRedrawn(vtkPolyData* redrawn)
+{
+  RedrawnPart part;
+  vtkDataArray* vertices = redrawn->GetPointData()->GetArray("VertexId");
+  const DrawnLine line = ReadStrokes(redrawn).front();
+  std::vector<int> kept;
+  for (const vtkIdType id : line.Ids)
+  {
+    kept.push_back(static_cast<int>(vertices->GetComponent(id, 0)));
+  }
+  const auto isKept = [](int vertex) { return vertex >= 0; };
+  const auto isNew = [](int vertex) { return vertex < 0; };
+  if (std::all_of(kept.begin(), kept.end(), isKept))
+  {
+    return part;
+  }
+  part.Closed = line.Closed;
+  Polyline samples = line.Samples;
+  const bool isWhole = std::none_of(kept.begin(), kept.end(), isKept);
+  if (line.Closed && !isWhole) // begins with the first new one after one that is kept
+  {
+    std::size_t first = 0;
+    while (!(isNew(kept[first]) && isKept(kept[(first + kept.size() - 1) % kept.size()])))
+    {
+      ++first;
+    }
+    std::rotate(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
+    std::rotate(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(first), samples.end());
+  }
+  const auto begin = std::find_if(kept.begin(), kept.end(), isNew);
+  const auto end = std::find_if(kept.rbegin(), kept.rend(), isNew).base();
+  part.Before.assign(kept.begin(), begin);
+  part.After.assign(end, kept.end());
+  Polyline fresh(samples.begin() + (begin - kept.begin()), samples.begin() + (end - kept.begin()));
+  if (fresh.size() == 1) // no line; what is kept beside it is seen there, too
+  {
+    const std::size_t at = static_cast<std::size_t>(begin - kept.begin()), count = samples.size();
+    if (line.Closed || at > 0)
+    {
+      fresh.insert(fresh.begin(), samples[(at + count - 1) % count]);
+    }
+    if (line.Closed || at + 1 < count)
+    {
+      fresh.push_back(samples[(at + 1) % count]);
+    }
+  }
+  // What is projected is looked at each half pixel, as vtkOversketchNurbsFit has it.
+  const bool isRing = line.Closed && isWhole;
+  if (isRing)
+  {
+    fresh.push_back(fresh.front());
+  }
+  Polyline even = uniformPolyline(fresh, 0.5);
+  if (isRing)
+  {
+    even.pop_back();
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(even.size()) + isRing);
+  for (const Vector2& p : even)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
+  }
+  if (isRing)
+  {
+    lines->InsertCellPoint(0);
+  }
+  part.Stroke = vtkSmartPointer<vtkPolyData>::New();
+  part.Stroke->SetPoints(points);
+  part.Stroke->SetLines(lines);
+  for (vtkDataArray* array : ViewArraysOf(redrawn))
+  {
+    part.Stroke->GetCellData()->AddArray(array);
+  }
+  return part;
+}
+
+namespace
+{
+
+// Runs of a curve on a mesh, and what is known of them.
+class Laid
+{
+public:
+  explicit Laid(const MeshData& mesh)
+    : Data(mesh)
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Triangles->SetName("MeshCell");
+    this->Parameters->SetName("CurveT");
+  }
+
+  void BeginRun() { this->Runs.emplace_back(); }
+
+  void Insert(const Vector3& place, int triangle, const Binding& binding)
+  {
+    const vtkIdType count = this->Points->GetNumberOfPoints();
+    const double step = count > 0 ? (place - Vector3(this->Points->GetPoint(count - 1))).norm() : 0.0;
+    if (!this->Runs.back().empty() && !(this->Length + step > this->Length))
+    {
+      return; // CurveT rises along a run
+    }
+    this->Length += step;
+    this->Runs.back().push_back(this->Points->InsertNextPoint(place.data()));
+    this->Triangles->InsertNextValue(triangle);
+    this->Bindings.push_back(binding);
+    this->Parameters->InsertNextValue(this->Length);
+  }
+
+  void InsertVertices(const std::vector<int>& vertices)
+  {
+    for (const int v : vertices)
+    {
+      const int triangle = *this->Data.Neighbours().vertexTriangles.begin(v);
+      const Triangle& corners = this->Data.Surface().triangles[triangle];
+      Binding binding{ corners, { 0.0, 0.0, 0.0 } };
+      binding
+        .weights[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin())] =
+        1.0;
+      this->Insert(this->Data.Surface().points[v], triangle, binding);
+    }
+  }
+
+  void InsertRun(vtkPolyData* projected, vtkIdType cell)
+  {
+    const std::vector<Binding> bindings = ReadBindings(
+      projected, this->Data.Surface().vertexCount(), "curves", "vtkOversketchProjectCurve makes it");
+    vtkDataArray* triangles = projected->GetPointData()->GetArray("MeshCell");
+    vtkNew<vtkIdList> ids;
+    projected->GetLines()->GetCellAtId(cell, ids);
+    const vtkIdType count = ids->GetNumberOfIds() - (ids->GetId(0) == ids->GetId(ids->GetNumberOfIds() - 1));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const vtkIdType id = ids->GetId(i);
+      this->Insert(Vector3(projected->GetPoint(id)),
+        static_cast<int>(triangles->GetComponent(id, 0)),
+        bindings[static_cast<std::size_t>(id)]);
+    }
+  }
+
+  // rings: whether the only run closes by itself.
+  void Write(bool closed, bool rings, vtkPolyData* views, vtkPolyData* laid) const
+  {
+    vtkNew<vtkCellArray> lines;
+    laid->Initialize();
+    laid->GetCellData()->CopyAllocate(views->GetCellData());
+    for (const std::vector<vtkIdType>& run : this->Runs)
+    {
+      const vtkIdType cell = lines->InsertNextCell(static_cast<int>(run.size()) + rings);
+      for (const vtkIdType id : run)
+      {
+        lines->InsertCellPoint(id);
+      }
+      if (rings)
+      {
+        lines->InsertCellPoint(run.front());
+      }
+      laid->GetCellData()->CopyData(views->GetCellData(), 0, cell);
+    }
+    const vtkIdType last = this->Points->GetNumberOfPoints() - 1;
+    const double closing =
+      (Vector3(this->Points->GetPoint(last)) - Vector3(this->Points->GetPoint(0))).norm();
+    vtkNew<vtkDoubleArray> shares;
+    shares->DeepCopy(this->Parameters);
+    for (vtkIdType i = 0; i <= last; ++i)
+    {
+      shares->SetValue(i, shares->GetValue(i) / (closed ? this->Length + closing : this->Length));
+    }
+    laid->SetPoints(this->Points);
+    laid->SetLines(lines);
+    laid->GetPointData()->AddArray(shares);
+    laid->GetPointData()->AddArray(this->Triangles);
+    WriteBindings(this->Bindings, laid);
+    AddRunArrays(static_cast<vtkIdType>(this->Runs.size()), closed, laid);
+  }
+
+private:
+  const MeshData& Data;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkIdTypeArray> Triangles;
+  vtkNew<vtkDoubleArray> Parameters;
+  std::vector<Binding> Bindings;
+  std::vector<std::vector<vtkIdType>> Runs;
+  double Length = 0.0;
+};
+
+} // namespace
+
+void LayRedrawn(const RedrawnPart& part, vtkPolyData* projected, vtkPolyData* mesh, vtkPolyData* laid)
+{
+  const auto data = SharedMesh(mesh);
+  Laid runs(*data);
+  if (part.Closed && part.After.empty()) // drawn anew all the way round
+  {
+    vtkNew<vtkIdList> ids;
+    projected->GetLines()->GetCellAtId(0, ids);
+    const bool rings =
+      projected->GetNumberOfLines() == 1 && ids->GetId(0) == ids->GetId(ids->GetNumberOfIds() - 1);
+    for (vtkIdType cell = 0; cell < projected->GetNumberOfLines(); ++cell)
+    {
+      runs.BeginRun();
+      runs.InsertRun(projected, cell);
+    }
+    runs.Write(true, rings, part.Stroke, laid);
+    return;
+  }
+  // Of an open stroke there is one run; what is hidden at its ends is missing there.
+  vtkDataArray* along = projected->GetPointData()->GetArray("CurveT");
+  const bool begins = along->GetComponent(0, 0) == 0.0;
+  const bool ends = along->GetComponent(projected->GetNumberOfPoints() - 1, 0) == 1.0;
+  runs.BeginRun();
+  if (!part.Closed)
+  {
+    runs.InsertVertices(part.Before);
+    runs.InsertRun(projected, 0);
+    runs.InsertVertices(part.After);
+    runs.Write(false, false, part.Stroke, laid);
+    return;
+  }
+  if (!begins || ends)
+  {
+    runs.InsertRun(projected, 0);
+    if (!ends)
+    {
+      runs.BeginRun();
+    }
+    runs.InsertVertices(part.After);
+  }
+  else
+  {
+    runs.InsertVertices(part.After);
+    runs.InsertRun(projected, 0);
+  }
+  runs.Write(true, begins && ends, part.Stroke, laid);
 }
 
 void LayInPlane(vtkPolyData* profile, vtkPolyData* drawn)
 {
-  RequireOneCurve(profile, "profile");
   Polyline samples = StrokeOf(profile);
   if (!ViewArraysOf(profile).empty())
   {
@@ -131,6 +443,29 @@ void LayInPlane(vtkPolyData* profile, vtkPolyData* drawn)
   drawn->Initialize();
   drawn->SetPoints(points);
   drawn->SetLines(lines);
+}
+
+void FollowSources(vtkPolyData* before, vtkPolyData* redrawn)
+{
+  vtkDataArray* places = before->GetPointData()->GetArray("CurveT");
+  vtkDataArray* sources = before->GetPointData()->GetArray("SourceT");
+  vtkDataArray* own = redrawn->GetPointData()->GetArray("SourceT");
+  vtkNew<vtkDoubleArray> followed;
+  followed->SetName("SourceT");
+  vtkIdType k = 0; // both rise
+  for (vtkIdType i = 0; i < own->GetNumberOfTuples(); ++i)
+  {
+    const double t = own->GetComponent(i, 0);
+    while (k + 2 < places->GetNumberOfTuples() && places->GetComponent(k + 1, 0) <= t)
+    {
+      ++k;
+    }
+    const double from = places->GetComponent(k, 0), to = places->GetComponent(k + 1, 0);
+    const double share = std::clamp((t - from) / (to - from), 0.0, 1.0);
+    followed->InsertNextValue(
+      (1.0 - share) * sources->GetComponent(k, 0) + share * sources->GetComponent(k + 1, 0));
+  }
+  redrawn->GetPointData()->AddArray(followed);
 }
 
 } // namespace oversketch

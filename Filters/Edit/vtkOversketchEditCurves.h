@@ -1,19 +1,37 @@
-// What the edit's inputs draw: curves of an earlier edit on a mesh that has changed, a profile in its plane.
-// Not installed.
+// What the edit's inputs draw: curves and what redraws them, curves of an earlier edit on a mesh that has
+// changed, profiles in their plane. Not installed.
 #ifndef vtkOversketchEditCurves_h
 #define vtkOversketchEditCurves_h
 
 #include "Mesh/context.h"
 
-#include <string>
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkDataObject;
 class vtkPolyData;
 
 namespace oversketch
 {
 
-// Throws Error(BadStroke) where the input does not hold exactly one polyline. holder names it ("reference").
-void RequireOneCurve(vtkPolyData* curve, const std::string& holder);
+// The polylines of an input, each as a polydata of its own. One that has not changed by a bit stays the same
+// object, so that what was made of it stands.
+class DrawnLines
+{
+public:
+  // Throws Error(BadStroke) where there is no polyline, or there are other cells. holder names the input
+  // ("reference").
+  void Read(vtkPolyData* input, const std::string& holder);
+  const std::vector<vtkSmartPointer<vtkPolyData>>& All() const { return this->Lines; }
+
+private:
+  std::pair<const vtkDataObject*, vtkMTimeType> Seen{ nullptr, 0 };
+  std::vector<vtkSmartPointer<vtkPolyData>> Lines;
+};
 
 // Whether a curve is one that an edit has put out.
 bool IsCurveOfEdit(vtkPolyData* curve);
@@ -21,9 +39,27 @@ bool IsCurveOfEdit(vtkPolyData* curve);
 // Such a curve at the nearest places of the mesh, as vtkOversketchProjectCurve would have it.
 void LayOnMesh(vtkPolyData* curve, vtkPolyData* mesh, bool closed, const Context& context, vtkPolyData* laid);
 
+// What a redrawn curve on a mesh (vtkOversketchResketch) has that the old one had not: the samples in a row
+// that are no vertices, as a stroke in the view that they were drawn in. Of kept the vertices that are, in
+// the curve's direction: before and after that row; of a closed curve after it alone, from its end on.
+struct RedrawnPart
+{
+  vtkSmartPointer<vtkPolyData> Stroke; // null: nothing has changed
+  std::vector<int> Before, After;
+  bool Closed = false;
+};
+RedrawnPart PartRedrawn(vtkPolyData* redrawn);
+
+// The curve whole, as vtkOversketchProjectCurve would have it: projected is that part on the mesh. Of a
+// closed curve a run ends where the part does not reach what is kept, so that the gap is bridged.
+void LayRedrawn(const RedrawnPart& part, vtkPolyData* projected, vtkPolyData* mesh, vtkPolyData* laid);
+
 // A drawn profile, evenly sampled, in its plane: the samples as they are, or where the view onto the plane
 // that they carry has them. Throws Error(BadStroke), Error(MissingArray).
 void LayInPlane(vtkPolyData* profile, vtkPolyData* drawn);
+
+// A profile drawn over one that was itself drawn over another: its SourceT becomes that of the first.
+void FollowSources(vtkPolyData* before, vtkPolyData* redrawn);
 
 } // namespace oversketch
 #endif

@@ -11,8 +11,10 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -36,27 +38,30 @@ vtkOversketchEdit::Pipeline::Pipeline(vtkOversketchEdit* self)
   : Self(self)
 {
   this->MeanEdge->SetInputData(0, this->Start);
-  this->ReferenceFit->SetInputData(0, this->ReferenceInput);
-  this->ReferenceProject->SetInputConnection(0, this->ReferenceFit->GetOutputPort());
-  this->ReferenceProject->SetMeshConnection(this->MeanEdge->GetOutputPort());
-  this->ReferenceInsert->SetInputConnection(0, this->MeanEdge->GetOutputPort());
-  this->BoundaryFit->SetInputData(0, this->BoundaryInput);
-  this->BoundaryFit->ClosedOn();
-  this->BoundaryProject->SetInputConnection(0, this->BoundaryFit->GetOutputPort());
-  this->BoundaryProject->SetMeshConnection(this->ReferenceInsert->GetOutputPort());
-  this->BoundaryInsert->SetInputConnection(0, this->ReferenceInsert->GetOutputPort());
-  this->BoundaryInsert->SetStoredConnection(this->ReferenceInsert->GetOutputPort(1));
+  for (Drawn* drawn : { &this->Reference, &this->Boundary })
+  {
+    drawn->Fit->SetInputData(0, drawn->Input);
+    drawn->Project->SetInputConnection(0, drawn->Fit->GetOutputPort());
+  }
+  this->Reference.Name = "Reference";
+  this->Reference.Project->SetMeshConnection(this->MeanEdge->GetOutputPort());
+  this->Reference.Insert->SetInputConnection(0, this->MeanEdge->GetOutputPort());
+  this->Boundary.Name = "Boundary";
+  this->Boundary.Fit->ClosedOn();
+  this->Boundary.Project->SetMeshData(this->Reference.Made.Mesh);
+  this->Boundary.Insert->SetInputData(0, this->Reference.Made.Mesh);
+  this->Boundary.Insert->SetStoredData(this->Reference.Made.Curve);
+  this->Resketch->SetStrokeConnection(this->Refit->GetOutputPort());
 
-  vtkAlgorithmOutput* mesh = this->BoundaryInsert->GetOutputPort();
-  vtkAlgorithmOutput* boundary = this->BoundaryInsert->GetOutputPort(1);
-  vtkAlgorithmOutput* reference = this->BoundaryInsert->GetOutputPort(2);
-  this->Enclose->SetInputConnection(0, mesh);
-  this->Enclose->SetReferenceConnection(reference);
-  this->Enclose->SetBoundaryConnection(boundary);
+  vtkPolyData* boundary = this->Boundary.Made.Curve;
+  vtkPolyData* reference = this->Boundary.Made.Stored;
+  this->Enclose->SetInputData(0, this->Boundary.Made.Mesh);
+  this->Enclose->SetReferenceData(reference);
+  this->Enclose->SetBoundaryData(boundary);
   this->Flatten->SetInputConnection(0, this->Enclose->GetOutputPort());
-  this->Flatten->SetReferenceConnection(reference);
+  this->Flatten->SetReferenceData(reference);
   this->Distance->SetInputConnection(0, this->Flatten->GetOutputPort());
-  this->Distance->SetReferenceConnection(reference);
+  this->Distance->SetReferenceData(reference);
   vtkAlgorithmOutput* region = this->Distance->GetOutputPort();
   this->Areas->SetInputData(0, this->AreasInput);
   this->Shading->SetInputConnection(0, region);
@@ -64,28 +69,33 @@ vtkOversketchEdit::Pipeline::Pipeline(vtkOversketchEdit* self)
   this->Texture->SetInputConnection(0, region);
   this->Texture->SetImageData(this->ImageInput);
   this->Handles->SetInputConnection(0, region);
-  this->Handles->SetReferenceConnection(reference);
+  this->Handles->SetReferenceData(reference);
+  this->Deform->SetInputData(0, this->Weighted);
   this->Deform->SetHandlesConnection(this->Handles->GetOutputPort());
   this->Planes->SetInputConnection(0, region);
-  this->Planes->SetReferenceConnection(reference);
+  this->Planes->SetReferenceData(reference);
   this->Section->SetInputConnection(0, region);
-  this->Section->SetBoundaryConnection(boundary);
+  this->Section->SetBoundaryData(boundary);
   this->Section->SetPlanesConnection(this->Planes->GetOutputPort());
-  this->Redraw->SetInputConnection(0, this->Section->GetOutputPort());
-  this->Redraw->SetStrokeData(this->DrawnInput);
-  this->Bend->SetReferenceConnection(reference);
+  this->Bend->SetInputData(0, this->Weighted);
+  this->Bend->SetReferenceData(reference);
   this->Bend->SetProfileConnection(this->Section->GetOutputPort());
-  this->Bend->SetDrawnConnection(this->Redraw->GetOutputPort());
-  this->Retriangulate->SetReferenceConnection(reference);
-  this->Retriangulate->SetBoundaryConnection(boundary);
+  this->Bend->SetDrawnData(this->DrawnProfile);
+  this->Retriangulate->SetInputData(0, this->Bare);
+  this->Retriangulate->SetReferenceData(reference);
+  this->Retriangulate->SetBoundaryData(boundary);
 
   self->AddStage("MeanEdge", this->MeanEdge, 0.01);
-  self->AddStage("ReferenceFit", this->ReferenceFit, 0.01);
-  self->AddStage("ReferenceProject", this->ReferenceProject, 0.08);
-  self->AddStage("ReferenceInsert", this->ReferenceInsert, 0.08);
-  self->AddStage("BoundaryFit", this->BoundaryFit, 0.01);
-  self->AddStage("BoundaryProject", this->BoundaryProject, 0.08);
-  self->AddStage("BoundaryInsert", this->BoundaryInsert, 0.08);
+  self->AddStage("ReferenceFit", this->Reference.Fit, 0.01);
+  self->AddStage("ReferenceProject", this->Reference.Project, 0.08);
+  self->AddStage("ReferenceInsert", this->Reference.Insert, 0.08);
+  self->AddStage("BoundaryFit", this->Boundary.Fit, 0.01);
+  self->AddStage("BoundaryProject", this->Boundary.Project, 0.08);
+  self->AddStage("BoundaryInsert", this->Boundary.Insert, 0.08);
+  self->AddStage("Refit", this->Refit, 0.0);
+  self->AddStage("Resketch", this->Resketch, 0.0);
+  self->AddStage("Reproject", this->Reproject, 0.0);
+  self->AddStage("Reinsert", this->Reinsert, 0.0);
   self->AddStage("Enclose", this->Enclose, 0.03);
   self->AddStage("Flatten", this->Flatten, 0.20);
   self->AddStage("Distance", this->Distance, 0.10);
@@ -104,11 +114,15 @@ vtkOversketchEdit::Pipeline::Pipeline(vtkOversketchEdit* self)
 
 void vtkOversketchEdit::Pipeline::SetAmendments(bool on)
 {
-  this->BoundaryFit->SetPeriodic(on);
-  this->BoundaryFit->SetCutLoops(on);
-  this->ReferenceProject->SetSpacing(on ? 0.0 : 4.0);
-  this->BoundaryProject->SetSpacing(on ? 0.0 : 4.0);
-  for (vtkOversketchInsertCurve* step : { this->ReferenceInsert.Get(), this->BoundaryInsert.Get() })
+  this->Boundary.Fit->SetPeriodic(on);
+  this->Boundary.Fit->SetCutLoops(on);
+  for (vtkOversketchProjectCurve* step :
+    { this->Reference.Project.Get(), this->Boundary.Project.Get(), this->Reproject.Get() })
+  {
+    step->SetSpacing(on ? 0.0 : 4.0);
+  }
+  for (vtkOversketchInsertCurve* step :
+    { this->Reference.Insert.Get(), this->Boundary.Insert.Get(), this->Reinsert.Get() })
   {
     step->SetSnap(on);
     step->SetBridge(on);
@@ -120,8 +134,11 @@ void vtkOversketchEdit::Pipeline::SetAmendments(bool on)
   this->Planes->SetFrame(on ? vtkOversketchProfilePlanes::Surface : vtkOversketchProfilePlanes::Fitted);
   this->Section->SetEnds(on ? vtkOversketchCrossSection::Nearest : vtkOversketchCrossSection::Outermost);
   this->Section->SetWalk(on ? vtkOversketchCrossSection::Across : vtkOversketchCrossSection::Centre);
-  this->Redraw->SetMiddle(on ? vtkOversketchResketch::ArcLength : vtkOversketchResketch::Closest);
-  this->Redraw->SetRawTangents(!on);
+  for (vtkOversketchResketch* step : { this->Resketch.Get(), this->Redraw.Get() })
+  {
+    step->SetMiddle(on ? vtkOversketchResketch::ArcLength : vtkOversketchResketch::Closest);
+    step->SetRawTangents(!on);
+  }
 }
 
 void vtkOversketchEdit::Pipeline::SetParameters()
@@ -131,12 +148,59 @@ void vtkOversketchEdit::Pipeline::SetParameters()
   this->Shading->SetLayers(self->GetLayers());
   this->Shading->SetFalloff(self->Falloff);
   this->Shading->SetFeather(self->Feather);
-  this->Handles->SetOperations(self->GetOperations());
   this->Planes->SetT(self->ProfileAt);
   this->Bend->SetUseTexture(self->UseTexture);
   this->Retriangulate->SetRule(self->Rule == Curvature || self->AsPublished
                                  ? vtkOversketchRetriangulate::Curvature
                                  : vtkOversketchRetriangulate::Edit);
+}
+
+vtkOversketchEdit::Pipeline::Inputs vtkOversketchEdit::Pipeline::InputsOf(vtkInformationVector** inputs)
+{
+  return { vtkPolyData::GetData(inputs[0]),
+    vtkPolyData::GetData(inputs[1]),
+    vtkPolyData::GetData(inputs[2]),
+    vtkPolyData::GetData(inputs[3]),
+    vtkPolyData::GetData(inputs[4]),
+    vtkImageData::GetData(inputs[5]),
+    vtkPolyData::GetData(inputs[6]) };
+}
+
+bool vtkOversketchEdit::Pipeline::Outside(const std::function<bool(const Inputs& inputs)>& work)
+{
+  vtkDataObject* data[7] = {};
+  for (int port = 0; port < 7; ++port)
+  {
+    if (this->Self->GetNumberOfInputConnections(port) > 0)
+    {
+      vtkAlgorithmOutput* source = this->Self->GetInputConnection(port, 0);
+      source->GetProducer()->Update(source->GetIndex());
+      data[port] = this->Self->GetInputDataObject(port, 0);
+    }
+  }
+  const auto lines = [&data](int port) { return vtkPolyData::SafeDownCast(data[port]); };
+  const Inputs inputs{
+    lines(0), lines(1), lines(2), lines(3), lines(4), vtkImageData::SafeDownCast(data[5]), lines(6)
+  };
+  return inputs.Mesh && inputs.Mesh->GetNumberOfPoints() > 0 && this->Self->Try([&] { return work(inputs); });
+}
+
+bool vtkOversketchEdit::Pipeline::Show(const std::string& operations, vtkPolyData* edited)
+{
+  return this->Outside(
+    [&](const Inputs& inputs)
+    {
+      if (!inputs.Reference || !inputs.Boundary || !edited)
+      {
+        return false;
+      }
+      this->FeedMesh(inputs.Mesh);
+      this->FeedEdit(inputs, operations);
+      this->RunToWeights(inputs);
+      this->RunDeform();
+      this->PutPreview(edited);
+      return true;
+    });
 }
 
 void vtkOversketchEdit::Pipeline::Feed(vtkDataObject* from, vtkDataObject* to)
@@ -175,75 +239,25 @@ void vtkOversketchEdit::Pipeline::FeedMesh(vtkPolyData* mesh)
   this->MeshSeen = key;
 }
 
-void vtkOversketchEdit::Pipeline::FeedEdit(vtkPolyData* profile,
-  vtkPolyData* areas,
-  vtkImageData* image,
-  vtkPolyData* handles)
+void vtkOversketchEdit::Pipeline::FeedEdit(const Inputs& inputs, const std::string& operations)
 {
-  this->Feed(profile, this->ProfileInput);
-  this->Feed(areas, this->AreasInput);
-  this->Feed(handles, this->HandlesInput);
-  this->Feed(image, this->ImageInput);
-  this->HasImage = image != nullptr;
+  this->Feed(inputs.Profile, this->ProfileInput);
+  this->Feed(inputs.Areas, this->AreasInput);
+  this->Feed(inputs.Handles, this->HandlesInput);
+  this->Feed(inputs.Weights, this->ImageInput);
+  this->HasImage = inputs.Weights != nullptr;
+  this->Handles->SetOperations(operations.c_str());
   this->Shading->SetAreasConnection(
     this->AreasInput->GetNumberOfPoints() > 0 ? this->Areas->GetOutputPort(1) : nullptr);
   this->Handles->SetHandlesData(
     this->HandlesInput->GetNumberOfPoints() > 0 ? this->HandlesInput.Get() : nullptr);
   this->Bend->SetHandlesConnection(
     this->HandlesInput->GetNumberOfPoints() > 0 ? this->Handles->GetOutputPort() : nullptr);
-  if (this->HasProfile())
+  if (this->HasProfile() && !operations.empty())
   {
-    if (!this->Self->Operations.empty())
-    {
-      throw Error(Failure::BadStroke,
-        "A profile and operations cannot be in one edit; make them in one after the other.");
-    }
-    const StepKey key({ WholeKey(this->ProfileInput) }, {});
-    if (this->DrawnInput->GetNumberOfPoints() == 0 || this->DrawnSeen != key)
-    {
-      LayInPlane(this->ProfileInput, this->DrawnInput);
-      this->DrawnSeen = key;
-    }
+    throw Error(Failure::BadStroke,
+      "A profile and operations cannot be in one edit; make them in one after the other.");
   }
-}
-
-void vtkOversketchEdit::Pipeline::RunCurve(const std::string& name,
-  vtkPolyData* curve,
-  vtkPolyData* input,
-  vtkPolyData* laid)
-{
-  const bool isRing = name == "Boundary";
-  vtkOversketchInsertCurve* insert = isRing ? this->BoundaryInsert : this->ReferenceInsert;
-  vtkOversketchProjectCurve* project = isRing ? this->BoundaryProject : this->ReferenceProject;
-  RequireOneCurve(curve, isRing ? "boundary" : "reference");
-  if (IsCurveOfEdit(curve))
-  {
-    vtkPolyData* mesh = this->Self->StageOutput(isRing ? "ReferenceInsert" : "MeanEdge");
-    StepKey& seen = isRing ? this->BoundarySeen : this->ReferenceSeen;
-    const StepKey key({ WholeKey(curve), MeshKey(mesh) }, {});
-    if (laid->GetNumberOfPoints() == 0 || seen != key)
-    {
-      LayOnMesh(
-        curve, mesh, isRing, ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()), laid);
-      seen = key;
-    }
-    insert->SetCurvesData(laid);
-  }
-  else
-  {
-    this->Feed(curve, input);
-    this->Self->RunStage((name + "Fit").c_str());
-    this->Self->RunStage((name + "Project").c_str());
-    insert->SetCurvesConnection(project->GetOutputPort());
-  }
-  this->Self->RunStage((name + "Insert").c_str());
-}
-
-void vtkOversketchEdit::Pipeline::RunCurves(vtkPolyData* reference, vtkPolyData* boundary)
-{
-  this->Self->RunStage("MeanEdge");
-  this->RunCurve("Reference", reference, this->ReferenceInput, this->ReferenceLaid);
-  this->RunCurve("Boundary", boundary, this->BoundaryInput, this->BoundaryLaid);
 }
 
 void vtkOversketchEdit::Pipeline::RunRegion()
@@ -263,27 +277,58 @@ void vtkOversketchEdit::Pipeline::RunWeights()
   this->Self->RunStage(this->WeightName());
 }
 
+// What is told to what turns with the surface: normals of the welded mesh, which has none of its own.
+void vtkOversketchEdit::Pipeline::AddNormals()
+{
+  const StepKey ofMesh({ MeshKey(this->Boundary.Made.Mesh) }, {});
+  if (!this->RestNormals || this->NormalsSeen != ofMesh)
+  {
+    const auto data = SharedMesh(this->Boundary.Made.Mesh);
+    auto normals = vtkSmartPointer<vtkFloatArray>::New();
+    normals->SetName("Normals");
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(this->Boundary.Made.Mesh->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+    {
+      normals->SetTuple(i, data->Normals()[static_cast<std::size_t>(i)].data());
+    }
+    this->RestNormals = normals;
+    this->NormalsSeen = ofMesh;
+  }
+  vtkPolyData* weights = this->Self->StageOutput(this->WeightName());
+  const StepKey key({ WholeKey(weights) }, {});
+  if (this->Weighted->GetNumberOfPoints() == 0 || this->WeightedSeen != key)
+  {
+    this->Weighted->ShallowCopy(weights);
+    this->Weighted->GetPointData()->SetNormals(this->RestNormals);
+    this->WeightedSeen = key;
+  }
+}
+
 void vtkOversketchEdit::Pipeline::RunDeform()
 {
-  vtkAlgorithmOutput* weights =
-    this->HasImage ? this->Texture->GetOutputPort() : this->Shading->GetOutputPort();
+  this->AddNormals();
   if (!this->HasProfile() || this->HandlesInput->GetNumberOfPoints() > 0)
   {
     this->Self->RunStage("Handles");
   }
   if (this->HasProfile())
   {
-    this->Bend->SetInputConnection(0, weights);
-    for (const char* name : { "Planes", "Section", "Redraw", "Bend" })
-    {
-      this->Self->RunStage(name);
-    }
+    this->Self->RunStage("Planes");
+    this->Self->RunStage("Section");
+    this->RunProfile();
   }
-  else
-  {
-    this->Deform->SetInputConnection(0, weights);
-    this->Self->RunStage("Deform");
-  }
+  this->Self->RunStage(this->DeformName());
+}
+
+void vtkOversketchEdit::Pipeline::RunToWeights(const Inputs& inputs)
+{
+  this->SetParameters();
+  this->Self->RunStage("MeanEdge");
+  this->RunReference(inputs.Reference);
+  this->RunBoundary(inputs.Boundary);
+  this->RunRegion();
+  this->RunWeights();
 }
 
 int vtkOversketchEdit::Pipeline::Moved()
@@ -322,20 +367,20 @@ std::shared_ptr<const Motion> vtkOversketchEdit::Pipeline::FindMotion()
   if (this->HasProfile())
   {
     inputs.push_back(WholeKey(this->Self->StageOutput("Section")));
-    inputs.push_back(WholeKey(this->Self->StageOutput("Redraw")));
+    inputs.push_back(WholeKey(this->DrawnProfile));
   }
   const StepKey key(inputs, numbers);
   if (!this->Motion || this->MotionSeen != key)
   {
-    this->Motion = std::make_shared<const oversketch::Motion>(this->HasProfile()
-                                                                ? MotionOfProfile(mesh,
-                                                                    this->BoundaryInsert->GetStoredOutput(),
-                                                                    this->Self->StageOutput("Section"),
-                                                                    this->Self->StageOutput("Redraw"),
-                                                                    limits ? handles : nullptr,
-                                                                    this->Self->UseTexture,
-                                                                    weight)
-                                                                : MotionOfHandles(mesh, handles, weight));
+    this->Motion =
+      std::make_shared<const oversketch::Motion>(this->HasProfile() ? MotionOfProfile(mesh,
+                                                                        this->Boundary.Made.Stored,
+                                                                        this->Self->StageOutput("Section"),
+                                                                        this->DrawnProfile,
+                                                                        limits ? handles : nullptr,
+                                                                        this->Self->UseTexture,
+                                                                        weight)
+                                                                    : MotionOfHandles(mesh, handles, weight));
     this->MotionSeen = key;
   }
   return this->Motion;
@@ -349,11 +394,26 @@ void vtkOversketchEdit::Pipeline::RunTriangles()
   }
   const bool isTold = this->Retriangulate->GetRule() == vtkOversketchRetriangulate::Edit;
   this->Retriangulate->Tell(isTold ? this->FindMotion() : nullptr);
-  this->Retriangulate->SetInputConnection(
-    0, this->HasProfile() ? this->Bend->GetOutputPort() : this->Deform->GetOutputPort());
+  vtkPolyData* moved = this->Self->StageOutput(this->DeformName());
+  const StepKey key({ WholeKey(moved) }, {});
+  if (this->Bare->GetNumberOfPoints() == 0 || this->BareSeen != key)
+  {
+    this->Bare->ShallowCopy(moved);
+    this->Bare->GetPointData()->SetNormals(nullptr);
+    this->Bare->GetPointData()->RemoveArray(this->RestNormals->GetName());
+    this->BareSeen = key;
+  }
   this->Retriangulate->SetRestConnection(
     this->HasImage ? this->Texture->GetOutputPort() : this->Shading->GetOutputPort());
   this->Self->RunStage("Retriangulate");
+}
+
+void vtkOversketchEdit::Pipeline::PutPreview(vtkPolyData* edited)
+{
+  const double done = this->Self->GetDone();
+  this->Preview.Provide(
+    *this->Welding, this->Plain, this->Start, this->Weighted, ContextOf(this->Self, done, done));
+  this->Preview.Write(this->Self->StageOutput(this->DeformName()), edited);
 }
 
 namespace
@@ -392,10 +452,10 @@ void vtkOversketchEdit::Pipeline::PutOutput(vtkPolyData* mesh,
   auto made = std::make_unique<Result>();
   made->MovedPoints = this->Moved();
   made->FoldedEdges = this->Folded();
-  made->Bridges = this->BoundaryInsert->GetBridgeCount();
-  made->Reference->ShallowCopy(this->BoundaryInsert->GetStoredOutput());
-  vtkPolyData* line = this->BoundaryInsert->GetStoredOutput();
-  vtkPolyData* ring = this->BoundaryInsert->GetCurvesOutput();
+  made->Bridges = this->Boundary.Made.Bridges;
+  made->Reference->ShallowCopy(this->Boundary.Made.Stored);
+  vtkPolyData* line = this->Boundary.Made.Stored;
+  vtkPolyData* ring = this->Boundary.Made.Curve;
   vtkPolyData* last = this->Self->StageOutput(this->DeformName());
   if (made->MovedPoints == 0)
   {
@@ -406,18 +466,32 @@ void vtkOversketchEdit::Pipeline::PutOutput(vtkPolyData* mesh,
   }
   else
   {
+    const double done = this->Self->GetDone();
+    const Context context = ContextOf(this->Self, done, done);
+    std::vector<int> vertices;
     if (this->Retriangulates())
     {
       last = this->Self->StageOutput("Retriangulate");
       line = this->Retriangulate->GetReferenceOutput();
       ring = this->Retriangulate->GetBoundaryOutput();
+      vtkNew<vtkPolyData> sourced;
+      sourced->ShallowCopy(last);
+      AddSources(this->Start, sourced, context);
+      vertices = this->Welding->Transfer(this->Plain, { sourced.Get() }, output);
+      output->GetFieldData()->AddArray(last->GetFieldData()->GetArray("MeanEdge"));
     }
-    vtkNew<vtkPolyData> sourced;
-    sourced->ShallowCopy(last);
-    const double done = this->Self->GetDone();
-    AddSources(this->Start, sourced, ContextOf(this->Self, done, done));
-    const std::vector<int> vertices = this->Welding->Transfer(this->Plain, { sourced.Get() }, output);
-    output->GetFieldData()->AddArray(last->GetFieldData()->GetArray("MeanEdge"));
+    else
+    {
+      vtkNew<vtkPolyData> edited;
+      this->PutPreview(edited);
+      output->ShallowCopy(edited);
+      if (!this->Preview.HasNormals())
+      {
+        output->GetPointData()->SetNormals(nullptr);
+        output->GetPointData()->RemoveArray(this->RestNormals->GetName());
+      }
+      vertices = this->Preview.Vertices();
+    }
     vtkDataArray* region = last->GetPointData()->GetArray("EditRegion");
     std::vector<vtkIdType> numbers(static_cast<std::size_t>(last->GetNumberOfPoints()), -1);
     for (std::size_t i = 0; i < vertices.size(); ++i)

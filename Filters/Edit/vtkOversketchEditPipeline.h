@@ -8,7 +8,9 @@
 #include "Remesh/motion.h"
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchDistanceField.h"
+#include "vtkOversketchEditCurves.h"
 #include "vtkOversketchEditMotion.h"
+#include "vtkOversketchEditPreview.h"
 #include "vtkOversketchEnclose.h"
 #include "vtkOversketchFlatten.h"
 #include "vtkOversketchHandles.h"
@@ -31,6 +33,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -59,18 +62,33 @@ struct vtkOversketchEdit::Pipeline
 {
   explicit Pipeline(vtkOversketchEdit* self);
 
+  // What comes in by ports 0 to 6; the last four may be null.
+  struct Inputs
+  {
+    vtkPolyData *Mesh, *Reference, *Boundary, *Profile, *Areas;
+    vtkImageData* Weights;
+    vtkPolyData* Handles;
+  };
+  static Inputs InputsOf(vtkInformationVector** inputs);
+  // Work outside a run, on what the ports hold by now; false where there is no mesh, or see Try.
+  bool Outside(const std::function<bool(const Inputs& inputs)>& work);
   // Brings the inner inputs up to date; they change only where what came in has changed.
   void FeedMesh(vtkPolyData* mesh);
-  void FeedEdit(vtkPolyData* profile, vtkPolyData* areas, vtkImageData* image, vtkPolyData* handles);
+  void FeedEdit(const Inputs& inputs, const std::string& operations);
 
   void SetAmendments(bool on);
   void SetParameters();
 
-  void RunCurves(vtkPolyData* reference, vtkPolyData* boundary);
+  void RunReference(vtkPolyData* curve);
+  void RunBoundary(vtkPolyData* curve);
   void RunRegion();
   void RunWeights();
   void RunDeform();
   void RunTriangles();
+  // All before the deformation.
+  void RunToWeights(const Inputs& inputs);
+  bool Show(const std::string& operations, vtkPolyData* edited); // as PreviewEdit
+  void PutPreview(vtkPolyData* edited);
   void PutOutput(vtkPolyData* mesh, vtkPolyData* output, vtkPolyData* reference, vtkPolyData* boundary);
   void PutRegion(vtkPolyData* region);
 
@@ -87,17 +105,43 @@ struct vtkOversketchEdit::Pipeline
   vtkNew<vtkPolyData> Start, Plain;
   std::unique_ptr<oversketch::Weld> Welding;
   oversketch::MeshKey MeshSeen;
-  vtkNew<vtkPolyData> ReferenceInput, BoundaryInput, ReferenceLaid, BoundaryLaid;
-  vtkNew<vtkPolyData> ProfileInput, DrawnInput, AreasInput, HandlesInput;
+  vtkNew<vtkPolyData> ProfileInput, AreasInput, HandlesInput;
   vtkNew<vtkImageData> ImageInput;
-  oversketch::StepKey ReferenceSeen, BoundarySeen, DrawnSeen;
   std::map<const vtkDataObject*, std::pair<const vtkDataObject*, vtkMTimeType>> Seen; // by Feed, per copy
   bool HasImage = false;
 
+  // The mesh with a curve in it, the curve, and the one before it.
+  struct OnMesh
+  {
+    vtkNew<vtkPolyData> Mesh, Curve, Stored;
+    oversketch::StepKey Seen;
+    int Bridges = 0;
+  };
+  // A curve's own steps, and what is made of it when all that redraws it has.
+  struct Drawn
+  {
+    std::string Name; // "Reference"
+    vtkNew<vtkOversketchNurbsFit> Fit;
+    vtkNew<vtkOversketchProjectCurve> Project;
+    vtkNew<vtkOversketchInsertCurve> Insert;
+    oversketch::DrawnLines Lines;
+    vtkNew<vtkPolyData> Input, Laid;
+    oversketch::StepKey LaidSeen;
+    struct Redrawing
+    {
+      oversketch::StepKey Seen;
+      OnMesh Made;
+    };
+    std::vector<std::unique_ptr<Redrawing>> Redrawings;
+    OnMesh First, Made;
+  };
+  Drawn Reference, Boundary;
+
   vtkNew<vtkOversketchMeanEdge> MeanEdge;
-  vtkNew<vtkOversketchNurbsFit> ReferenceFit, BoundaryFit;
-  vtkNew<vtkOversketchProjectCurve> ReferenceProject, BoundaryProject;
-  vtkNew<vtkOversketchInsertCurve> ReferenceInsert, BoundaryInsert;
+  vtkNew<vtkOversketchNurbsFit> Refit; // these four of whatever redraws either curve
+  vtkNew<vtkOversketchResketch> Resketch;
+  vtkNew<vtkOversketchProjectCurve> Reproject;
+  vtkNew<vtkOversketchInsertCurve> Reinsert;
   vtkNew<vtkOversketchEnclose> Enclose;
   vtkNew<vtkOversketchFlatten> Flatten;
   vtkNew<vtkOversketchDistanceField> Distance;
@@ -111,6 +155,20 @@ struct vtkOversketchEdit::Pipeline
   vtkNew<vtkOversketchResketch> Redraw;
   vtkNew<vtkOversketchProfileDeform> Bend;
   vtkNew<vtkOversketchToldRetriangulate> Retriangulate;
+
+  // Weights on the mesh, with normals that turn with it.
+  vtkNew<vtkPolyData> Weighted;
+  oversketch::StepKey WeightedSeen;
+  vtkSmartPointer<vtkDataArray> RestNormals; // of Boundary.Made.Mesh
+  oversketch::StepKey NormalsSeen;
+  vtkNew<vtkPolyData> Bare; // what the deformation made, without these
+  oversketch::StepKey BareSeen;
+  oversketch::EditPreview Preview;
+
+  oversketch::DrawnLines Profiles;
+  std::vector<vtkSmartPointer<vtkPolyData>> ProfilesSeen, Flat; // as drawn, in their plane
+  vtkNew<vtkPolyData> DrawnProfile;                             // the section after all of them
+  oversketch::StepKey DrawnSeen;
 
   oversketch::StepKey MotionSeen;
   std::shared_ptr<const oversketch::Motion> Motion; // that the last step was told
@@ -127,7 +185,12 @@ struct vtkOversketchEdit::Pipeline
 private:
   // Copies, shallowly, what is another one than it was; nothing of a null one.
   void Feed(vtkDataObject* from, vtkDataObject* to);
-  void RunCurve(const std::string& name, vtkPolyData* curve, vtkPolyData* input, vtkPolyData* laid);
+  static void Keep(vtkOversketchInsertCurve* insert, OnMesh& kept);
+  static void Keep(const OnMesh& from, OnMesh& kept);
+  void RunCurve(Drawn& drawn, vtkPolyData* curve, vtkPolyData* mesh);
+  void RunRedrawing(Drawn& drawn, std::size_t number);
+  void RunProfile();
+  void AddNormals();
   std::shared_ptr<const oversketch::Motion> FindMotion();
 };
 

@@ -31,7 +31,8 @@ namespace
 
 const char* const remedy = "vtkOversketchRemesh writes it";
 
-// The rotation that takes one surface normal to another, applied to a normal of the user's.
+} // namespace
+
 Vector3 Turned(const Vector3& normal, const Vector3& before, const Vector3& after)
 {
   if (before.squaredNorm() == 0.0 || after.squaredNorm() == 0.0)
@@ -41,7 +42,6 @@ Vector3 Turned(const Vector3& normal, const Vector3& before, const Vector3& afte
   return rotationBetween(before, after) * normal;
 }
 
-// Cell normals of triangles whose points changed are computed anew.
 void RefreshCellNormals(vtkPolyData* output, const std::vector<char>& changedPoint)
 {
   vtkDataArray* old = output->GetCellData()->GetNormals();
@@ -69,6 +69,9 @@ void RefreshCellNormals(vtkPolyData* output, const std::vector<char>& changedPoi
   }
   output->GetCellData()->SetNormals(normals);
 }
+
+namespace
+{
 
 vtkSmartPointer<vtkPoints> NewPoints(vtkPolyData* like, vtkIdType count)
 {

@@ -16,6 +16,15 @@
 namespace oversketch
 {
 
+// The rotation that takes one surface normal to another, applied to a normal of the user's.
+OVERSKETCHFILTERSSYSTEMS_EXPORT Vector3 Turned(const Vector3& normal,
+  const Vector3& before,
+  const Vector3& after);
+
+// Active cell normals, where there are any, of triangles with a point that changed, computed anew.
+OVERSKETCHFILTERSSYSTEMS_EXPORT void RefreshCellNormals(vtkPolyData* output,
+  const std::vector<char>& changedPoint);
+
 class OVERSKETCHFILTERSSYSTEMS_EXPORT Weld
 {
 public:

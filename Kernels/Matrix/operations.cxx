@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <locale>
+#include <set>
 #include <sstream>
 
 namespace oversketch
@@ -12,9 +13,9 @@ namespace oversketch
 namespace
 {
 
-constexpr const char* howTo =
-  "write \"move T AXIS LENGTH\", \"rotate T AXIS DEGREES\", \"scale T AXIS FACTOR\" or \"pin T\", apart by "
-  "semicolons, with T from 0 to 1 along the curve and AXIS t, w or n";
+constexpr const char* howTo = "write \"move T AXIS LENGTH\", \"rotate T AXIS DEGREES\", \"scale T AXIS "
+                              "FACTOR\", \"pin T\" or \"drag X Y\", "
+                              "apart by semicolons, with T from 0 to 1 along the curve and AXIS t, w or n";
 
 struct Operation
 {
@@ -23,6 +24,7 @@ struct Operation
   double t = 0.0;
   HandleAxis axis = HandleAxis::Along;
   double amount = 0.0;
+  Vector2 pixels = Vector2::Zero(); // of a drag
 
   [[noreturn]] void refuse(const std::string& why) const
   {
@@ -59,16 +61,24 @@ Operation operationOf(const std::string& text, int number)
   operation.name = "Operation " + std::to_string(number) + ", \"" + text + "\"";
   operation.verb = wordOf(words);
   const std::string& verb = operation.verb;
-  if (verb != "move" && verb != "rotate" && verb != "scale" && verb != "pin")
+  if (verb != "move" && verb != "rotate" && verb != "scale" && verb != "pin" && verb != "drag")
   {
     operation.refuse("\"" + verb + "\" is none; " + howTo + ".");
   }
-  operation.t = numberOf(operation, words, "place");
-  if (!(operation.t >= 0.0 && operation.t <= 1.0))
+  if (verb == "drag")
   {
-    operation.refuse("its place is not on the curve; give one from 0, where the curve begins, to 1.");
+    operation.pixels[0] = numberOf(operation, words, "way to the right");
+    operation.pixels[1] = numberOf(operation, words, "way up");
   }
-  if (verb != "pin")
+  else
+  {
+    operation.t = numberOf(operation, words, "place");
+    if (!(operation.t >= 0.0 && operation.t <= 1.0))
+    {
+      operation.refuse("its place is not on the curve; give one from 0, where the curve begins, to 1.");
+    }
+  }
+  if (verb != "pin" && verb != "drag")
   {
     const std::string axis = wordOf(words), axes = "twn";
     if (axis.size() != 1 || axes.find(axis) == std::string::npos)
@@ -111,10 +121,11 @@ std::string trimmed(const std::string& text)
 
 } // namespace
 
-std::vector<PlacedHandle> handlesOf(const std::string& operations,
-  const std::function<CurveFrame(double t)>& frameAt)
+OperatedHandles handlesOf(const std::string& operations,
+  const std::function<CurveFrame(double t)>& frameAt,
+  const std::function<Vector3(const Vector2& pixels)>& shiftOf)
 {
-  std::vector<PlacedHandle> handles;
+  OperatedHandles result;
   std::istringstream parts(operations);
   int number = 0;
   for (std::string part; std::getline(parts, part, ';');)
@@ -126,10 +137,41 @@ std::vector<PlacedHandle> handlesOf(const std::string& operations,
       continue; // after the last semicolon, say
     }
     const Operation operation = operationOf(text, number);
+    if (operation.verb == "drag")
+    {
+      if (!shiftOf)
+      {
+        operation.refuse(
+          "the curve carries no view that it could be dragged in; draw it, or move it along axes.");
+      }
+      result.shift += shiftOf(operation.pixels);
+      continue;
+    }
     const CurveFrame frame = frameAt(operation.t);
-    handles.push_back({ operation.t, frame, matrixOf(operation, frame) });
+    result.handles.push_back({ operation.t, frame, matrixOf(operation, frame) });
   }
-  return handles;
+  return result;
+}
+
+void shiftAll(std::vector<PlacedHandle>& handles,
+  const Vector3& shift,
+  const std::function<CurveFrame(double t)>& frameAt)
+{
+  std::set<double> places;
+  for (const PlacedHandle& handle : handles)
+  {
+    places.insert(handle.t);
+  }
+  if (places.empty())
+  {
+    places.insert(0.5);
+  }
+  Matrix4 matrix = Matrix4::Identity();
+  matrix.topRightCorner<3, 1>() = shift;
+  for (const double t : places)
+  {
+    handles.push_back({ t, frameAt(t), matrix });
+  }
 }
 
 Matrix4 matrixOf(const CurveFrame& frame)

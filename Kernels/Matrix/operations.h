@@ -22,14 +22,29 @@ struct PlacedHandle
 // "move 0.5 n 0.1; rotate 0.7 t 30; scale 0.3 w 1.5; pin 0.2", apart by semicolons: of the handle at that
 // share of the curve's length the length along, the degrees about, the factor along one of its axes, t along
 // the curve, w beside it, n outward. A pin does nothing, and so ends what its neighbours do. One handle for
-// each operation, in their order; several may be at one place.
+// each operation, in their order; several may be at one place. "drag 12 -5" moves the curve as a whole, so
+// many pixels to the right and up in the view that it was drawn in; it is no handle.
 //
-// Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", chapter 7. The text is ours.
+// Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", chapters 4 and 7. The text
+// is ours.
 //
-// frameAt: the curve's frame at a share of its length. Throws Error(Failure::BadStroke), which names the
-// operation by number and text, and the remedy, for what cannot be read, a share outside [0, 1] and what
-// movedAlong, scaledAlong and turnedAbout refuse.
-std::vector<PlacedHandle> handlesOf(const std::string& operations,
+// frameAt: the curve's frame at a share of its length. shiftOf: what a drag [px] is in the world; null where
+// the curve has no view. Throws Error(Failure::BadStroke), which names the operation by number and text, and
+// the remedy, for what cannot be read, a share outside [0, 1], a drag without a view, and what movedAlong,
+// scaledAlong and turnedAbout refuse.
+struct OperatedHandles
+{
+  std::vector<PlacedHandle> handles;
+  Vector3 shift = Vector3::Zero(); // the sum of all drags [world]
+};
+OperatedHandles handlesOf(const std::string& operations,
+  const std::function<CurveFrame(double t)>& frameAt,
+  const std::function<Vector3(const Vector2& pixels)>& shiftOf = nullptr);
+
+// Adds what moves all of the curve alike: what falls from 1 at each handle's place to 0 at its neighbours'
+// sums up to 1 everywhere, so one handle with the shift at each place, at the middle where there is none.
+void shiftAll(std::vector<PlacedHandle>& handles,
+  const Vector3& shift,
   const std::function<CurveFrame(double t)>& frameAt);
 
 // A transformation given in the frame's own coordinates (along, side, outward, from its origin), in the

@@ -37,7 +37,8 @@ void expectRefused(const std::string& text, const std::string& named, const std:
 
 TEST(Operations, AreDoneInTheFrameAtTheirPlace)
 {
-  const auto handles = handlesOf("move 0.5 n 0.1; rotate 0.7 t 30;\n scale 0.3 w 1.5 ; pin 0.2;", frameAt);
+  const auto handles =
+    handlesOf("move 0.5 n 0.1; rotate 0.7 t 30;\n scale 0.3 w 1.5 ; pin 0.2;", frameAt).handles;
   ASSERT_EQ(handles.size(), 4u);
   EXPECT_EQ(handles[0].t, 0.5);
   EXPECT_EQ(handles[0].matrix, shift(0, 0, 0.1));
@@ -46,9 +47,34 @@ TEST(Operations, AreDoneInTheFrameAtTheirPlace)
   EXPECT_EQ(handles[2].matrix, scale(1, 1.5, 1));
   EXPECT_EQ(handles[3].matrix, Matrix4::Identity());
   EXPECT_EQ(handles[3].t, 0.2);
-  EXPECT_TRUE(handlesOf("", frameAt).empty());
-  EXPECT_TRUE(handlesOf(" ; ;", frameAt).empty());
-  EXPECT_EQ(handlesOf("move 0 w -1e-3; move 0 w 2; pin 1", frameAt).size(), 3u); // several at one place
+  EXPECT_TRUE(handlesOf("", frameAt).handles.empty());
+  EXPECT_TRUE(handlesOf(" ; ;", frameAt).handles.empty());
+  EXPECT_EQ(handlesOf("move 0 w -1e-3; move 0 w 2; pin 1", frameAt).handles.size(),
+    3u); // several at one place
+}
+
+// A drag is of the curve as a whole: shares of handles sum up to 1, so what is added to each moves all alike.
+TEST(Operations, ADragMovesAllOfTheCurve)
+{
+  const auto shiftOf = [](const Vector2& pixels) { return Vector3(0.01 * pixels[0], 0.01 * pixels[1], 0.0); };
+  OperatedHandles dragged = handlesOf("drag 20 -30; move 0.2 n 0.1; drag 5 0; pin 0.8", frameAt, shiftOf);
+  ASSERT_EQ(dragged.handles.size(), 2u);
+  EXPECT_LT((dragged.shift - Vector3(0.25, -0.3, 0.0)).norm(), 1e-15);
+  shiftAll(dragged.handles, dragged.shift, frameAt);
+  ASSERT_EQ(dragged.handles.size(), 4u);
+  EXPECT_EQ(dragged.handles[2].t, 0.2);
+  EXPECT_EQ(dragged.handles[3].t, 0.8);
+  for (const std::size_t i : { 2, 3 })
+  {
+    EXPECT_LT((dragged.handles[i].matrix - shift(0.25, -0.3, 0.0)).norm(), 1e-15);
+  }
+  std::vector<PlacedHandle> none;
+  shiftAll(none, dragged.shift, frameAt);
+  ASSERT_EQ(none.size(), 1u);
+  EXPECT_EQ(none[0].t, 0.5);
+  expectRefused("drag 3 4", "Operation 1, \"drag 3 4\": the curve carries no view", "draw it");
+  expectRefused("drag 3", "Operation 1, \"drag 3\": its way up is missing", "\"drag X Y\"");
+  expectRefused("drag 3 4 5", "Operation 1", "\"5\" is too much");
 }
 
 TEST(Operations, WhatIsNoneIsNamed)

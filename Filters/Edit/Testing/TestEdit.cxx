@@ -7,7 +7,6 @@
 #include "vtkOversketchScanFill.h"
 #include "vtkOversketchShadingLevels.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -27,52 +26,6 @@ namespace
 {
 
 const char* const models[] = { "bear", "dog", "hand", "octopus" };
-
-double distanceTo(vtkPolyData* curve, const Vector3& p)
-{
-  double least = HUGE_VAL;
-  for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
-  {
-    least = std::min(least, (placeOf(curve, i) - p).norm());
-  }
-  return least;
-}
-
-// Executions of each step.
-class Count
-{
-public:
-  explicit Count(vtkOversketchEdit* system)
-  {
-    this->Told->SetClientData(this);
-    this->Told->SetCallback([](vtkObject* caller, unsigned long, void* self, void*)
-      { ++static_cast<Count*>(self)->Of[static_cast<vtkAlgorithm*>(caller)]; });
-    for (int i = 0; i < system->GetNumberOfStages(); ++i)
-    {
-      const char* name = system->GetStage(i);
-      this->Names[system->GetStep(name)] = name;
-      system->GetStep(name)->AddObserver(vtkCommand::StartEvent, this->Told);
-    }
-  }
-  // The steps that ran since the last call.
-  std::set<std::string> Ran()
-  {
-    std::set<std::string> names;
-    for (const auto& [step, count] : this->Of)
-    {
-      names.insert(this->Names[step]);
-    }
-    this->Of.clear();
-    return names;
-  }
-
-private:
-  vtkNew<vtkCallbackCommand> Told;
-  std::map<vtkAlgorithm*, int> Of;
-  std::map<vtkAlgorithm*, std::string> Names;
-};
-
-using Steps = std::set<std::string>;
 
 } // namespace
 

@@ -1,0 +1,182 @@
+// The lines that the edit is drawn with: from strokes to curves in the mesh, and what redraws them.
+#include "vtkOversketchEditPipeline.h"
+
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+
+using namespace oversketch;
+
+void vtkOversketchEdit::Pipeline::Keep(vtkOversketchInsertCurve* insert, OnMesh& kept)
+{
+  const auto output = [insert](int port)
+  { return vtkPolyData::SafeDownCast(insert->GetOutputDataObject(port)); };
+  const StepKey key({ WholeKey(output(0)), WholeKey(output(1)), WholeKey(output(2)) }, {});
+  if (kept.Mesh->GetNumberOfPoints() == 0 || kept.Seen != key)
+  {
+    kept.Mesh->ShallowCopy(output(0));
+    kept.Curve->ShallowCopy(output(1));
+    kept.Stored->ShallowCopy(output(2));
+    kept.Seen = key;
+  }
+  kept.Bridges = insert->GetBridgeCount();
+}
+
+void vtkOversketchEdit::Pipeline::Keep(const OnMesh& from, OnMesh& kept)
+{
+  const StepKey key({ WholeKey(from.Mesh), WholeKey(from.Curve), WholeKey(from.Stored) }, {});
+  if (kept.Mesh->GetNumberOfPoints() == 0 || kept.Seen != key)
+  {
+    kept.Mesh->ShallowCopy(from.Mesh);
+    kept.Curve->ShallowCopy(from.Curve);
+    kept.Stored->ShallowCopy(from.Stored);
+    kept.Seen = key;
+  }
+  kept.Bridges = from.Bridges;
+}
+
+void vtkOversketchEdit::Pipeline::RunCurve(Drawn& drawn, vtkPolyData* curve, vtkPolyData* mesh)
+{
+  const bool isRing = &drawn == &this->Boundary;
+  drawn.Lines.Read(curve, isRing ? "boundary" : "reference");
+  vtkPolyData* first = drawn.Lines.All().front();
+  if (IsCurveOfEdit(first))
+  {
+    const StepKey key({ WholeKey(first), MeshKey(mesh) }, {});
+    if (drawn.Laid->GetNumberOfPoints() == 0 || drawn.LaidSeen != key)
+    {
+      const double done = this->Self->GetDone();
+      LayOnMesh(first, mesh, isRing, ContextOf(this->Self, done, done), drawn.Laid);
+      drawn.LaidSeen = key;
+    }
+    drawn.Insert->SetCurvesData(drawn.Laid);
+  }
+  else
+  {
+    this->Feed(first, drawn.Input);
+    this->Self->RunStage((drawn.Name + "Fit").c_str());
+    this->Self->RunStage((drawn.Name + "Project").c_str());
+    drawn.Insert->SetCurvesConnection(drawn.Project->GetOutputPort());
+  }
+  this->Self->RunStage((drawn.Name + "Insert").c_str());
+  Keep(drawn.Insert, drawn.First);
+  const std::size_t count = drawn.Lines.All().size() - 1;
+  drawn.Redrawings.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    this->RunRedrawing(drawn, i);
+  }
+  Keep(count > 0 ? drawn.Redrawings.back()->Made : drawn.First, drawn.Made);
+}
+
+// One that redraws what the ones before have made.
+void vtkOversketchEdit::Pipeline::RunRedrawing(Drawn& drawn, std::size_t number)
+{
+  const OnMesh& before = number > 0 ? drawn.Redrawings[number - 1]->Made : drawn.First;
+  vtkPolyData* stroke = drawn.Lines.All()[number + 1];
+  const StepKey key(
+    { WholeKey(before.Mesh), WholeKey(before.Curve), WholeKey(before.Stored), WholeKey(stroke) },
+    { this->Refit->GetSpacing(),
+      this->Refit->GetInterpolate() ? 1.0 : 0.0,
+      this->Resketch->GetK(),
+      static_cast<double>(this->Resketch->GetMiddle()),
+      this->Resketch->GetRawTangents() ? 1.0 : 0.0,
+      this->Reproject->GetSpacing(),
+      this->Reinsert->GetSnap() ? 1.0 : 0.0,
+      this->Reinsert->GetEmbedSegments() ? 1.0 : 0.0,
+      this->Reinsert->GetBridge() ? 1.0 : 0.0,
+      this->Reinsert->GetClean() ? 1.0 : 0.0 });
+  std::unique_ptr<Drawn::Redrawing>& redrawing = drawn.Redrawings[number];
+  if (redrawing && redrawing->Seen == key)
+  {
+    return;
+  }
+  redrawing = nullptr;
+  auto made = std::make_unique<Drawn::Redrawing>();
+  this->Refit->SetInputData(0, stroke);
+  this->Resketch->SetInputData(0, before.Curve);
+  this->Self->RunStage("Refit");
+  this->Self->RunStage("Resketch");
+  const RedrawnPart part = PartRedrawn(this->Self->StageOutput("Resketch"));
+  if (part.Stroke)
+  {
+    this->Reproject->SetInputData(0, part.Stroke);
+    this->Reproject->SetMeshData(before.Mesh);
+    this->Self->RunStage("Reproject");
+    vtkNew<vtkPolyData> laid;
+    LayRedrawn(part, this->Self->StageOutput("Reproject"), before.Mesh, laid);
+    this->Reinsert->SetInputData(0, before.Mesh);
+    this->Reinsert->SetCurvesData(laid);
+    this->Reinsert->SetStoredData(before.Stored);
+    this->Self->RunStage("Reinsert");
+    Keep(this->Reinsert, made->Made);
+    made->Made.Bridges += before.Bridges;
+    // The view that the curve can be dragged in stays the one that it was first drawn in.
+    made->Made.Curve->GetCellData()->ShallowCopy(before.Curve->GetCellData());
+  }
+  else
+  {
+    Keep(before, made->Made);
+  }
+  made->Seen = key;
+  redrawing = std::move(made);
+}
+
+void vtkOversketchEdit::Pipeline::RunReference(vtkPolyData* curve)
+{
+  this->RunCurve(this->Reference, curve, this->Self->StageOutput("MeanEdge"));
+}
+
+void vtkOversketchEdit::Pipeline::RunBoundary(vtkPolyData* curve)
+{
+  this->RunCurve(this->Boundary, curve, this->Reference.Made.Mesh);
+}
+
+// The section, redrawn by each of the drawn ones in turn.
+void vtkOversketchEdit::Pipeline::RunProfile()
+{
+  this->Profiles.Read(this->ProfileInput, "profile");
+  const std::vector<vtkSmartPointer<vtkPolyData>>& drawn = this->Profiles.All();
+  this->Flat.resize(drawn.size());
+  this->ProfilesSeen.resize(drawn.size());
+  vtkPolyData* section = this->Self->StageOutput("Section");
+  std::vector<MeshKey> read{ WholeKey(section) };
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+  {
+    if (this->ProfilesSeen[i] != drawn[i])
+    {
+      this->ProfilesSeen[i] = nullptr;
+      this->Flat[i] = vtkSmartPointer<vtkPolyData>::New();
+      LayInPlane(drawn[i], this->Flat[i]);
+      this->ProfilesSeen[i] = drawn[i];
+    }
+    read.push_back(WholeKey(this->Flat[i]));
+  }
+  const StepKey key(read,
+    { this->Redraw->GetK(),
+      static_cast<double>(this->Redraw->GetMiddle()),
+      this->Redraw->GetRawTangents() ? 1.0 : 0.0 });
+  if (this->DrawnSeen == key)
+  {
+    return;
+  }
+  this->DrawnSeen = StepKey();
+  vtkNew<vtkPolyData> before, after;
+  before->ShallowCopy(section);
+  for (std::size_t i = 0; i < drawn.size() && section->GetNumberOfPoints() > 0; ++i)
+  {
+    this->Redraw->SetInputData(0, before);
+    this->Redraw->SetStrokeData(this->Flat[i]);
+    before->Modified();
+    this->Self->RunStage("Redraw");
+    after->ShallowCopy(this->Self->StageOutput("Redraw"));
+    if (i > 0)
+    {
+      FollowSources(before, after);
+    }
+    before->ShallowCopy(after);
+  }
+  this->DrawnProfile->ShallowCopy(before);
+  this->DrawnSeen = key;
+}
