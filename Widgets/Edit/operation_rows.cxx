@@ -12,7 +12,7 @@ namespace oversketch
 namespace
 {
 
-constexpr const char* verbs[] = { "move", "scale", "rotate", "pin" };
+constexpr const char* verbs[] = { "move", "scale", "rotate", "pin", "drag" };
 constexpr const char* axes = "twn";
 constexpr double mostDegrees = 179.0, leastFactor = 0.05, mostFactor = 20.0; // of a drag
 
@@ -21,7 +21,10 @@ constexpr double mostDegrees = 179.0, leastFactor = 0.05, mostFactor = 20.0; // 
 std::vector<OperationRow> operationRows(const std::string& text)
 {
   const CurveFrame anywhere{ Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ() };
-  handlesOf(text, [&](double) { return anywhere; }); // its messages
+  handlesOf(
+    text,
+    [&](double) { return anywhere; },
+    [](const Vector2&) { return Vector3(Vector3::Zero()); }); // its messages
   std::vector<OperationRow> rows;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ';');)
@@ -30,12 +33,18 @@ std::vector<OperationRow> operationRows(const std::string& text)
     words.imbue(std::locale::classic());
     std::string verb, axis;
     OperationRow row;
-    if (!(words >> verb >> row.t))
+    double first = 0.0;
+    if (!(words >> verb >> first))
     {
       continue; // after the last semicolon, say
     }
     row.verb = static_cast<Verb>(std::find(std::begin(verbs), std::end(verbs), verb) - std::begin(verbs));
-    if (words >> axis >> row.amount)
+    (row.verb == Verb::Drag ? row.amount : row.t) = first;
+    if (row.verb == Verb::Drag)
+    {
+      words >> row.up;
+    }
+    else if (words >> axis >> row.amount)
     {
       row.axis = static_cast<int>(std::string(axes).find(axis));
     }
@@ -48,8 +57,12 @@ std::string operationText(const OperationRow& row)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << verbs[static_cast<int>(row.verb)] << ' ' << row.t;
-  if (row.verb != Verb::Pin)
+  text << verbs[static_cast<int>(row.verb)] << ' ' << (row.verb == Verb::Drag ? row.amount : row.t);
+  if (row.verb == Verb::Drag)
+  {
+    text << ' ' << row.up;
+  }
+  else if (row.verb != Verb::Pin)
   {
     text << ' ' << axes[row.axis] << ' ' << row.amount;
   }
@@ -90,7 +103,10 @@ std::vector<double> handlePlaces(const std::vector<OperationRow>& rows)
   std::vector<double> places;
   for (const OperationRow& row : rows)
   {
-    places.push_back(row.t);
+    if (row.verb != Verb::Drag)
+    {
+      places.push_back(row.t);
+    }
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());

@@ -14,7 +14,8 @@ enum class Verb
   Move,
   Scale,
   Rotate,
-  Pin
+  Pin,
+  Drag // of all of the line, by the host
 };
 
 struct OperationRow
@@ -22,7 +23,8 @@ struct OperationRow
   Verb verb = Verb::Pin;
   double t = 0.0;      // share of the line's length
   int axis = 0;        // t, w, n
-  double amount = 0.0; // length, factor or degrees
+  double amount = 0.0; // length, factor or degrees; of a drag to the right [px]
+  double up = 0.0;     // of a drag [px]
 };
 
 // Throws Error(BadStroke) naming what is not understood, see handlesOf.
@@ -35,7 +37,7 @@ std::string operationText(const OperationRow& row);
 // is allowed: 179 degrees, factors from 0.05 to 20.
 void operate(std::vector<OperationRow>& rows, Verb verb, double t, int axis, double amount);
 
-// The places of handles, ascending, each once.
+// The places of handles, ascending, each once; a drag has none.
 std::vector<double> handlePlaces(const std::vector<OperationRow>& rows);
 
 } // namespace oversketch

@@ -10,7 +10,9 @@
 #include "Mesh/context.h"
 #include "Mesh/pixel.h"
 #include "vtkOversketchChains.h"
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
+#include "vtkOversketchStrokeView.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -18,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
 
 using namespace oversketch;
@@ -67,6 +71,7 @@ struct vtkOversketchAxisHandleRepresentation::Internals
   std::vector<Vector3> curve; // before the edit
   std::vector<double> shares; // of its length, of each point
   std::optional<CurveFrames> frames;
+  std::optional<View> drawnIn; // for drags in that view
   std::string text;
   std::vector<OperationRow> rows;
 
@@ -108,16 +113,32 @@ void vtkOversketchAxisHandleRepresentation::Internals::follow()
   {
     return;
   }
-  const std::vector<double> places = handlePlaces(this->rows);
-  std::vector<Matrix4> logs(places.size(), Matrix4::Zero());
-  for (const PlacedHandle& made : handlesOf(this->text, [&](double t) { return this->frames->at(t); }))
+  const auto frameAt = [&](double t) { return this->frames->at(t); };
+  std::function<Vector3(const Vector2&)> shiftOf;
+  if (this->drawnIn)
   {
-    const auto which = std::lower_bound(places.begin(), places.end(), made.t) - places.begin();
-    logs[static_cast<std::size_t>(which)] += logarithm(made.matrix);
+    shiftOf = [&](const Vector2& pixels)
+    {
+      const View& view = *this->drawnIn;
+      const Vector3 middle = frameAt(0.5).origin;
+      const Vector2 seen = view.toDisplay(middle).head<2>();
+      return Vector3(
+        view.toWorld(seen + pixels, view.depth(middle)) - view.toWorld(seen, view.depth(middle)));
+    };
   }
-  if (places.empty())
+  OperatedHandles operated = handlesOf(this->text, frameAt, shiftOf);
+  shiftAll(operated.handles, operated.shift, frameAt);
+  std::map<double, Matrix4> logs; // of all that is done at a place, at once
+  for (const PlacedHandle& made : operated.handles)
   {
-    return;
+    logs.emplace(made.t, Matrix4::Zero()).first->second += logarithm(made.matrix);
+  }
+  std::vector<double> places;
+  std::vector<Matrix4> sums;
+  for (const auto& [t, log] : logs)
+  {
+    places.push_back(t);
+    sums.push_back(log);
   }
   std::vector<double> weights;
   for (const double share : this->shares)
@@ -125,11 +146,11 @@ void vtkOversketchAxisHandleRepresentation::Internals::follow()
     const std::vector<double> tent = tents(places, share);
     weights.insert(weights.end(), tent.begin(), tent.end());
   }
-  this->moved = oversketch::moved(this->curve, logs, weights, Context());
-  for (std::size_t i = 0; i < places.size(); ++i)
+  this->moved = oversketch::moved(this->curve, sums, weights, Context());
+  for (const double t : handlePlaces(this->rows))
   {
-    Handle handle{ places[i], this->frames->at(places[i]) };
-    handle.frame.origin = (exponential(logs[i]) * handle.frame.origin.homogeneous()).head<3>();
+    Handle handle{ t, frameAt(t) };
+    handle.frame.origin = (exponential(logs.at(t)) * handle.frame.origin.homogeneous()).head<3>();
     this->handles.push_back(handle);
   }
 }
@@ -178,6 +199,11 @@ bool vtkOversketchAxisHandleRepresentation::SetCurve(vtkPolyData* curve, vtkPoly
       inner.frames.emplace(points, normals);
       inner.shares = sharesOf(points);
       inner.curve = points;
+      inner.drawnIn.reset();
+      if (!ViewArraysOf(curve).empty())
+      {
+        inner.drawnIn = ViewOf(curve);
+      }
       inner.follow();
     }
     catch (const Error& error)

@@ -108,7 +108,9 @@ bool vtkOversketchAxisHandleWidget::RemoveSelectedHandle()
     return false;
   }
   std::vector<OperationRow> rows = operationRows(shown->GetOperations());
-  rows.erase(std::remove_if(rows.begin(), rows.end(), [&](const OperationRow& row) { return row.t == t; }),
+  rows.erase(std::remove_if(rows.begin(),
+               rows.end(),
+               [&](const OperationRow& row) { return row.verb != Verb::Drag && row.t == t; }),
     rows.end());
   shown->SetOperations(operationText(rows).c_str());
   shown->SetSelectedHandle(-1);

@@ -1,5 +1,6 @@
 // The widgets of the edit in windows that change and go, and under events in any order.
 #include "Shading/layer_list.h"
+#include "edit_widget_scene.h"
 #include "widget_scenes.h"
 
 #include "vtkRendererCollection.h"
@@ -350,5 +351,109 @@ TEST(Random, EventsOnTheProfilePlaneWidget)
       ASSERT_FALSE(scene.widget->IsDragging());
       ASSERT_GE(scene.widget->GetProfileAt(), 0.0);
       ASSERT_LE(scene.widget->GetProfileAt(), 1.0);
+    });
+}
+
+TEST(EditWindows, TheEditGoesAwayInMidDragInAnyOrder)
+{
+  Quiet quiet;
+  for (int what = 0; what < 7; ++what)
+  {
+    SCOPED_TRACE(what);
+    EditScene scene;
+    scene.drawBoth();
+    scene.placeHandle();
+    scene.play("axis_drag.log");
+    ASSERT_TRUE(scene.widget->IsPreviewing());
+    switch (what)
+    {
+      case 0:
+        scene.widget->Off();
+        break;
+      case 1:
+        scene.widget = nullptr;
+        break;
+      case 2:
+        scene.widget->SetInteractor(nullptr);
+        break;
+      case 3:
+        scene.widget->SetInputData(editBall());
+        break;
+      case 4:
+        scene.widget->SetModeToShade();
+        break;
+      case 5:
+        scene.widget->Drop();
+        break;
+      default:
+        break; // the window first
+    }
+    if (what < 6)
+    {
+      scene.move(210, 160);
+      scene.window->Render();
+      scene.release(210, 160);
+      EXPECT_TRUE(scene.renderer->GetDraw());
+      EXPECT_TRUE(!scene.widget || !scene.widget->IsPreviewing());
+    }
+  }
+  EXPECT_EQ(quiet.errors(), 0);
+}
+
+TEST(EditWindows, AnObserverMayLetGoOfTheEdit)
+{
+  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
+         vtkCommand::InteractionEvent,
+         vtkCommand::EndInteractionEvent,
+         vtkCommand::WidgetValueChangedEvent })
+  {
+    EditScene scene;
+    scene.drawBoth();
+    scene.placeHandle();
+    vtkNew<vtkCallbackCommand> drop;
+    drop->SetClientData(&scene);
+    drop->SetCallback(
+      [](vtkObject*, unsigned long, void* held, void*) { static_cast<EditScene*>(held)->widget = nullptr; });
+    scene.widget->AddObserver(event, drop);
+    scene.play("axis_drag.log");
+    scene.release(200, 185);
+    EXPECT_EQ(scene.widget, nullptr) << event;
+    scene.window->Render();
+  }
+}
+
+TEST(Random, EventsOnTheEditWidget)
+{
+  expectItWithstandsHands<EditScene>(
+    { "region_line.log", "region_ring.log" },
+    [](EditScene& scene, const Below& below)
+    {
+      switch (below(6))
+      {
+        case 0:
+        case 1:
+        case 2:
+          scene.widget->SetMode(below(5));
+          break;
+        case 3:
+          scene.widget->SetShowRegion(below(2) != 0);
+          break;
+        case 4:
+          scene.system()->SetOperations(below(2) ? "move 0.4 n 0.1; pin 0.9" : "");
+          break;
+        default:
+          below(3) ? scene.widget->Drop() : scene.widget->Commit();
+      }
+    },
+    [](EditScene& scene)
+    {
+      scene.widget->GetRegionWidget()->GetPen()->CancelStroke();
+      scene.widget->GetAreaSelectWidget()->GetPen()->CancelStroke();
+      ASSERT_FALSE(scene.widget->IsPreviewing());
+      for (vtkIdType p = 0; p < scene.output()->GetNumberOfPoints(); ++p)
+      {
+        const double* at = scene.output()->GetPoint(p);
+        ASSERT_TRUE(std::isfinite(at[0] + at[1] + at[2]));
+      }
     });
 }

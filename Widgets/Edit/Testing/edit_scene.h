@@ -153,7 +153,7 @@ struct BallRegion
   vtkPolyData* mesh() { return this->system->GetInnerOutput("Distance"); }
   vtkPolyData* ring()
   {
-    return vtkPolyData::SafeDownCast(this->system->GetStep("BoundaryInsert")->GetOutputDataObject(1));
+    return vtkPolyData::SafeDownCast(this->system->GetStep("Enclose")->GetInputDataObject(2, 0));
   }
 };
 

@@ -85,7 +85,7 @@ def region():
     oversketch.update(system)
     line = vtk.vtkPolyData()
     system.GetHold(line)
-    return mesh, system, line, system.GetStep("BoundaryInsert").GetOutputDataObject(1)
+    return mesh, system, line, system.GetStep("Enclose").GetInputDataObject(2, 0)
 
 
 def test_frames_of_a_region():
@@ -175,6 +175,36 @@ def test_frames_of_a_profile(region):
     assert widget.GetProfile().GetNumberOfLines() == 1
     flat.window.Render()
     compare.matches(scenes.image(flat.window), "profile_drawn")
+
+
+def test_frames_of_an_edit():
+    widget = oversketch.vtkOversketchEditWidget()
+    widget.SetInputData(ball())
+    widget.Update()
+    scene = Scene(widget, widget.GetOutput())
+    scene.actor.GetMapper().GetInputAlgorithm().SetInputConnection(widget.GetOutputPort())
+    scene.play("region_line", "region_ring")
+    assert widget.HasRegion(), widget.GetMessage()
+    widget.GetEdit().SetOperations("move 0.5 n 0.25; pin 0.1")
+    widget.SetShowRegion(True)
+    camera = scene.renderer.GetActiveCamera()
+    camera.Azimuth(-25.0)
+    camera.Elevation(-30.0)
+    compare.matches(scene.picture(), "edit_idle")
+    widget.SetShowRegion(False)
+    widget.SetModeToDirect()
+    widget.GetAxisHandleWidget().GetAxisHandleRepresentation().SetSelectedHandle(1)
+    camera.SetPosition(0.0, 0.0, 10.0)
+    camera.SetViewUp(0.0, 1.0, 0.0)
+    scene.picture()
+    scene.play("axis_drag")
+    assert widget.IsPreviewing()
+    compare.matches(scene.picture(), "edit_dragged")
+    scene.play("axis_drop")
+    assert not widget.IsPreviewing() and widget.GetEdit().GetMovedPoints() > 50
+    compare.matches(scene.picture(), "edit_let_go")
+    widget.SetModeToShade()
+    compare.matches(scene.picture(), "edit_shaded")
 
 
 def test_in_ten_lines_to_an_edit():
