@@ -162,18 +162,18 @@ vtkOversketchAxisHandleRepresentation::vtkOversketchAxisHandleRepresentation()
 
 vtkOversketchAxisHandleRepresentation::~vtkOversketchAxisHandleRepresentation() = default;
 
-int vtkOversketchAxisHandleRepresentation::GetPart(int grip)
+int vtkOversketchAxisHandleRepresentation::GetPart(int grip) const
 {
   const int part = (grip - firstHandle) % gripsOfHandle;
   return grip == lineGrip ? Line : grip < firstHandle ? -1 : part == 0 ? Knob : (part - 1) % 3;
 }
 
-int vtkOversketchAxisHandleRepresentation::GetHandle(int grip)
+int vtkOversketchAxisHandleRepresentation::GetHandle(int grip) const
 {
   return grip < firstHandle ? -1 : (grip - firstHandle) / gripsOfHandle;
 }
 
-int vtkOversketchAxisHandleRepresentation::GetAxis(int grip)
+int vtkOversketchAxisHandleRepresentation::GetAxis(int grip) const
 {
   const int part = (grip - firstHandle) % gripsOfHandle;
   return grip < firstHandle || part == 0 ? -1 : (part - 1) / 3;

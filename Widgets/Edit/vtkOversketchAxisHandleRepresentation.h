@@ -40,9 +40,9 @@ public:
   /**
    * The part of a grip; the handle that it belongs to and the axis (0 t, 1 w, 2 n), -1 where there is none.
    */
-  static int GetPart(int grip);
-  static int GetHandle(int grip);
-  static int GetAxis(int grip);
+  int GetPart(int grip) const;
+  int GetHandle(int grip) const;
+  int GetAxis(int grip) const;
   ///@}
 
   /**

@@ -125,7 +125,7 @@ bool vtkOversketchAxisHandleWidget::Grasp(int grip, const int at[2])
   {
     return false;
   }
-  const int part = AxesShown::GetPart(grip), handle = AxesShown::GetHandle(grip);
+  const int part = shown->GetPart(grip), handle = shown->GetHandle(grip);
   this->Before = shown->GetOperations();
   this->Grip = grip;
   std::copy_n(at, 2, this->From);
@@ -147,7 +147,7 @@ void vtkOversketchAxisHandleWidget::Pull(const int at[2])
   this->Moved = this->Moved || std::hypot(at[0] - this->From[0], at[1] - this->From[1]) > clickLength;
   if (this->Moved)
   {
-    AxesShown::GetAxis(this->Grip) < 0 ? this->PullLine(at) : this->PullAxis(at);
+    this->GetAxisHandleRepresentation()->GetAxis(this->Grip) < 0 ? this->PullLine(at) : this->PullAxis(at);
   }
 }
 
@@ -182,7 +182,7 @@ void vtkOversketchAxisHandleWidget::PullLine(const int at[2])
 void vtkOversketchAxisHandleWidget::PullAxis(const int at[2])
 {
   AxesShown* shown = this->GetAxisHandleRepresentation();
-  const int part = AxesShown::GetPart(this->Grip), axis = AxesShown::GetAxis(this->Grip);
+  const int part = shown->GetPart(this->Grip), axis = shown->GetAxis(this->Grip);
   std::vector<OperationRow> rows = operationRows(this->Before);
   const double amount = shown->GetAmount(part, axis, at[0], at[1]);
   if (std::isfinite(amount))
@@ -209,7 +209,7 @@ bool vtkOversketchAxisHandleWidget::LetGo(bool keep)
     shown->SetText("");
     this->Select(selected);
   }
-  else if (!this->Moved && AxesShown::GetPart(this->Grip) != AxesShown::Knob &&
+  else if (!this->Moved && shown->GetPart(this->Grip) != AxesShown::Knob &&
            shown->IsOnLine(this->From[0], this->From[1])) // an axis may lie along the line
   {
     this->AddHandle(shown->GetT(this->From[0], this->From[1]));

@@ -58,13 +58,19 @@ struct vtkOversketchEditWidget::Internals
   vtkNew<vtkTrivialProducer> producer;
   vtkNew<vtkOversketchEdit> system;
   bool stale = false, acted = false;
-  MeshKey fed; // the region that the widgets have
+  MeshKey fed, shown; // the region that the widgets have, and the same after the edit
   std::string message;
   vtkWeakPointer<vtkRenderer> watched;
 
   std::array<vtkAbstractWidget*, 5> byMode()
   {
     return { this->region, this->axes, this->layers, this->areas, this->planes };
+  }
+  // The region after the edit, before new triangles.
+  vtkPolyData* moved()
+  {
+    return this->system->GetInnerOutput(
+      this->planes->GetProfile()->GetNumberOfPoints() > 0 ? "Bend" : "Deform");
   }
   bool isWhole() { return this->region->HasReference() && this->region->HasBoundary(); }
 };
@@ -272,6 +278,11 @@ void vtkOversketchEditWidget::Preview()
     {
       inner.output->ShallowCopy(inner.preview);
       inner.output->Modified();
+      inner.planes->ShowSectionOn(inner.moved());
+      if (this->Mode == Shade)
+      {
+        inner.layers->GetLayerHandleRepresentation()->SetRegion(inner.moved());
+      }
     }
     inner.systemTime = inner.system->GetMTime();
   }
@@ -330,9 +341,21 @@ void vtkOversketchEditWidget::FeedWidgets()
                   : nullptr;
     };
     inner.axes->SetCurve(curve(1), mesh);
-    inner.layers->SetRegion(mesh);
-    inner.areas->SetRegion(mesh);
     inner.planes->SetRegion(mesh, curve(1), curve(2));
+  }
+  // What is seen on the model is where the edit has taken it, with its new triangles.
+  inner.planes->ShowSectionOn(inner.acted ? inner.moved() : nullptr);
+  const bool isNew =
+    inner.acted && inner.system->GetMovedPoints() > 0 && inner.system->GetRule() != vtkOversketchEdit::Off;
+  vtkPolyData* seen = !inner.acted ? nullptr
+                      : isNew      ? inner.system->GetInnerOutput("Retriangulate")
+                                   : inner.moved();
+  const MeshKey shown = seen ? WholeKey(seen) : MeshKey();
+  if (shown != inner.shown)
+  {
+    inner.shown = shown;
+    inner.layers->SetRegion(seen);
+    inner.areas->SetRegion(seen);
   }
   vtkOversketchLayerHandleRepresentation* shading = inner.layers->GetLayerHandleRepresentation();
   inner.axes->SetOperations(inner.system->GetOperations());

@@ -16,6 +16,7 @@
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -39,6 +40,7 @@ struct vtkOversketchProfilePlaneWidget::Internals
   vtkNew<vtkOversketchProfilePlanes> planes;
   vtkNew<vtkOversketchCrossSection> section;
   vtkNew<vtkPolyData> flat, onModel;
+  vtkSmartPointer<vtkPolyData> moved;
   vtkNew<vtkOversketchProfileRepresentation> profile;
   vtkWeakPointer<vtkRenderer> window;
   vtkWeakPointer<vtkRenderWindowInteractor> heard;
@@ -120,6 +122,7 @@ bool vtkOversketchProfilePlaneWidget::SetRegion(vtkPolyData* mesh,
     any ? to->ShallowCopy(from) : to->Initialize();
     to->Modified();
   };
+  inner.moved = nullptr;
   copy(mesh, inner.mesh);
   copy(reference, inner.reference);
   copy(boundary, inner.boundary);
@@ -162,7 +165,7 @@ bool vtkOversketchProfilePlaneWidget::Cut()
       message = error.what();
     }
   }
-  shown->SetSection(planes, inner.onModel);
+  this->ShowSection(planes);
   shown->SetText("");
   if (!message.empty())
   {
@@ -170,6 +173,45 @@ bool vtkOversketchProfilePlaneWidget::Cut()
   }
   this->ShowProfile();
   return inner.flat->GetNumberOfPoints() > 0;
+}
+
+// Its places hang on vertices of the mesh, wherever these have gone.
+void vtkOversketchProfilePlaneWidget::ShowSection(vtkPolyData* planes)
+{
+  Internals& inner = *this->Inner;
+  vtkNew<vtkPolyData> section;
+  section->ShallowCopy(inner.onModel);
+  const bool fits = inner.moved && inner.moved->GetNumberOfPoints() == inner.mesh->GetNumberOfPoints();
+  if (fits && section->GetNumberOfPoints() > 0)
+  {
+    vtkDataArray* vertices = section->GetPointData()->GetArray("MeshVertices");
+    vtkDataArray* weights = section->GetPointData()->GetArray("MeshWeights");
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < section->GetNumberOfPoints(); ++i)
+    {
+      double place[3] = { 0.0, 0.0, 0.0 };
+      for (int k = 0; k < 3; ++k)
+      {
+        const double* corner = inner.moved->GetPoint(static_cast<vtkIdType>(vertices->GetComponent(i, k)));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          place[axis] += weights->GetComponent(i, k) * corner[axis];
+        }
+      }
+      points->InsertNextPoint(place);
+    }
+    section->SetPoints(points);
+  }
+  this->GetProfilePlaneRepresentation()->SetSection(planes, section);
+}
+
+void vtkOversketchProfilePlaneWidget::ShowSectionOn(vtkPolyData* moved)
+{
+  Internals& inner = *this->Inner;
+  inner.moved = moved;
+  const bool any = inner.mesh->GetNumberOfPoints() > 0;
+  this->ShowSection(any ? inner.planes->GetOutput() : nullptr);
 }
 
 void vtkOversketchProfilePlaneWidget::ShowProfile()

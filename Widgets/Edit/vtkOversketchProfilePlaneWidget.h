@@ -86,6 +86,12 @@ public:
   vtkPolyData* GetSection();
   ///@}
 
+  /**
+   * The mesh of the region after the edit, with the same vertices, for the section to be shown on; null
+   * (default): as it was before. The section is cut before the edit all the same.
+   */
+  void ShowSectionOn(vtkPolyData* moved);
+
   ///@{
   /**
    * The profile's window, by its renderer, whose window has an interactor; null (default): none. The pen
@@ -118,6 +124,7 @@ private:
   void ShowRegion();
   bool Cut();
   void ShowProfile();
+  void ShowSection(vtkPolyData* planes);
   void TakeStroke();
   void TakeBack();
   void ReadyPen();

@@ -149,6 +149,42 @@ TEST(EditWidget, AProfileDrawnAnewIsFollowed)
   EXPECT_TRUE(identical(scene.output(), scene.mesh));
 }
 
+TEST(EditWidget, WhatIsSeenOnTheModelIsWhereTheEditHasTakenIt)
+{
+  EditScene scene;
+  scene.drawBoth();
+  scene.system()->SetOperations("move 0.5 n 0.3");
+  scene.window->Render();
+  const double top = scene.output()->GetBounds()[5];
+  ASSERT_NEAR(top, 1.3, 0.01);
+  EXPECT_NEAR(
+    scene.widget->GetLayerHandleWidget()->GetLayerHandleRepresentation()->GetBounds()[5], top, 1e-9);
+  EXPECT_NEAR(scene.widget->GetAreaSelectWidget()->GetAreaSelectRepresentation()->GetBounds()[5], top, 1e-9);
+  // While a layer is dragged too.
+  scene.widget->SetModeToShade();
+  scene.drag(200, 175, 200, 190);
+  ASSERT_TRUE(scene.widget->IsPreviewing());
+  EXPECT_NEAR(scene.widget->GetLayerHandleWidget()->GetLayerHandleRepresentation()->GetBounds()[5],
+    scene.output()->GetBounds()[5],
+    1e-9);
+  scene.key("Escape");
+  scene.release(200, 190);
+  scene.system()->SetOperations("");
+  // The section of a profile, seen from above: not where it was cut but where it has been bent to.
+  scene.widget->SetModeToProfile();
+  scene.window->Render();
+  scene.flat.play("profile_stroke.log");
+  scene.flat.key("Return");
+  scene.widget->GetProfilePlaneWidget()->GetProfilePlaneRepresentation()->SetPlaneVisibility(2, false);
+  scene.camera()->SetPosition(0.0, 10.0, 0.0);
+  scene.camera()->SetViewUp(0.0, 0.0, -1.0);
+  const double bent = scene.output()->GetBounds()[5];
+  ASSERT_GT(bent, 1.1);
+  const auto at = scene.display({ 0.0, 0.0, bent });
+  EXPECT_EQ(
+    scene.widget->GetProfilePlaneWidget()->GetProfilePlaneRepresentation()->GetGripAt(at[0], at[1]), 3);
+}
+
 TEST(EditWidget, DoneWithTheNextIsDrawnOnWhatItMade)
 {
   EditScene scene;

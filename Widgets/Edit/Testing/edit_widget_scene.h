@@ -4,6 +4,7 @@
 
 #include "Harness/shipped.h"
 #include "edit_scene.h"
+#include "vtkOversketchAreaSelectRepresentation.h"
 #include "vtkOversketchAreaSelectWidget.h"
 #include "vtkOversketchAxisHandleRepresentation.h"
 #include "vtkOversketchAxisHandleWidget.h"
