@@ -52,7 +52,7 @@ TEST(B7_5, ByAHandOnTheDisc)
   EXPECT_EQ(leaked, 0);
   EXPECT_GT(inside, 20);
   EXPECT_GT(changed, inside / 2);
-  fact("by hand",
+  fact("B7_5",
     "a star lassoed by a log, nine levels and a handle in it: " + std::to_string(changed) + " of " +
       std::to_string(inside) + " vertices inside change, none outside");
 }

@@ -53,8 +53,8 @@ TEST(B10_6, ThirdsOfAnAxisMoveScaleAndTurn)
   EXPECT_NEAR(rows[1].amount, (215.0 + 15.0 - from[1] - 20.0) / (215.0 - from[1] - 20.0), 2e-2);
   EXPECT_NEAR(rows[2].amount, 30.0, 1e-9);
   EXPECT_EQ(changes.count, 3);
-  fact(
-    "axes", "presses at 15, 45 and 75 px on one axis: " + scene.operations() + "; no other axis has changed");
+  fact("B10_6",
+    "presses at 15, 45 and 75 px on one axis: " + scene.operations() + "; no other axis has changed");
 }
 
 TEST(AxisHandleWidget, TheSameAxisAgainChangesItsRowAnotherMakesOne)

@@ -71,7 +71,7 @@ TEST(B8_4, KeysShowPlanesAndAnAcceptedStrokeIsMatched)
   }
   EXPECT_GT(compared, 3);
   EXPECT_LT(off, 0.25 * meanEdge) << compared;
-  fact("planes and profile",
+  fact("B8_4",
     "keys 7, 6, 0 show 1, 3 and 0 planes; vertices at the plane within " + std::to_string(off / meanEdge) +
       " mean edges of the profile drawn and accepted in its window");
 }
