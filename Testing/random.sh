@@ -5,15 +5,15 @@
 # OVERSKETCH_FIRST_SEQUENCE=NUMBER see one again.
 #
 # usage: Testing/random.sh [SEQUENCES [PART...]]   1000 on each part; parts: camera style stroke drawing one_stroke
-#        augment window
+#        augment edit window
 set -euo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 cd "$oversketch_root"
 sequences=${1:-1000}
 shift || true
-parts=${*:-camera style stroke drawing one_stroke augment window}
+parts=${*:-camera style stroke drawing one_stroke augment edit window}
 oversketch_install
-oversketch_build asan --target widgets_camera_test widgets_style_test widgets_stroke_test widgets_drawing_test widgets_one_stroke_test widgets_augment_test studio_window_test
+oversketch_build asan --target widgets_camera_test widgets_style_test widgets_stroke_test widgets_drawing_test widgets_one_stroke_test widgets_augment_test widgets_edit_test studio_window_test
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0 UBSAN_OPTIONS=print_stacktrace=1
 export OVERSKETCH_OPENCL=off LP_NUM_THREADS=0 # the cores are the shards'
 logs=build/asan/Testing/Temporary/random

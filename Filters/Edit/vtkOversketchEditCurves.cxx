@@ -69,8 +69,8 @@ bool SameLine(vtkPolyData* a, vtkPolyData* b)
 // What tells InsertCurve that polylines are runs of one curve.
 void AddRunArrays(vtkIdType runs, bool closed, vtkPolyData* laid)
 {
-  for (const auto& [name, value] :
-    { std::make_pair("StrokeId", 0), std::make_pair("Closed", closed ? 1 : 0) })
+  const std::pair<const char*, int> values[] = { { "StrokeId", 0 }, { "Closed", closed ? 1 : 0 } };
+  for (const auto& [name, value] : values)
   {
     vtkNew<vtkIntArray> array;
     array->SetName(name);

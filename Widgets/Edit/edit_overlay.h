@@ -1,0 +1,52 @@
+// What is drawn over a renderer's picture: lines, discs and plain shapes of any width and colour, in the
+// order that they come in. Lines of the graphics library are of one width each, and of some drivers of one
+// pixel.
+#ifndef oversketch_edit_overlay_h
+#define oversketch_edit_overlay_h
+
+#include "Stroke/polyline.h"
+
+#include "vtkNew.h"
+
+#include <array>
+
+class vtkActor2D;
+class vtkPolyData;
+class vtkViewport;
+class vtkWindow;
+
+namespace oversketch
+{
+
+using Colour = std::array<unsigned char, 4>;
+
+constexpr Colour strokeRed{ 219, 33, 31, 255 }, sectionBlue{ 41, 107, 242, 255 },
+  regionOrange{ 250, 158, 51, 255 }, axisGreen{ 20, 145, 60, 255 }, paperWhite{ 255, 255, 255, 255 },
+  inkGrey{ 60, 60, 66, 255 };
+
+class Overlay
+{
+public:
+  Overlay();
+  ~Overlay();
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  void clear();
+  // px from the viewport's lower left corner. A polygon is convex.
+  void line(const Polyline& points, double width, const Colour& colour);
+  void polygon(const Polyline& corners, const Colour& colour);
+  void disc(const Vector2& centre, double radius, const Colour& colour);
+  // With a light rim, so that it is seen before anything.
+  void knob(const Vector2& centre, double radius, const Colour& colour);
+
+  int render(vtkViewport* viewport);
+  void release(vtkWindow* window);
+
+private:
+  vtkNew<vtkPolyData> Data;
+  vtkNew<vtkActor2D> Actor;
+};
+
+} // namespace oversketch
+#endif

@@ -1,0 +1,23 @@
+// Layers read, changed by a hand and written: the text of vtkOversketchShadingLevels.
+#ifndef oversketch_layer_text_h
+#define oversketch_layer_text_h
+
+#include "Shading/layer_list.h"
+
+#include <string>
+#include <vector>
+
+namespace oversketch
+{
+
+std::string layerText(const LayerList& list);
+
+// The handles of an area, which is added where the list does not have it; of the whole disc below 0.
+std::vector<LayerHandle>& handlesIn(LayerList& list, int area);
+
+// The layers that an area's handles, or the whole disc's, make of so many levels. An area without handles of
+// its own has those of the whole disc.
+Layers layersOf(const LayerList& list, int area, int levels);
+
+} // namespace oversketch
+#endif

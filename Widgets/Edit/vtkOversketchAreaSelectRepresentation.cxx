@@ -1,0 +1,211 @@
+#include "vtkOversketchAreaSelectRepresentation.h"
+
+#include "drawn_curve.h"
+#include "edit_overlay.h"
+#include "region_patch.h"
+
+#include "Mesh/context.h"
+#include "Stroke/canvas.h"
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+using namespace oversketch;
+
+vtkStandardNewMacro(vtkOversketchAreaSelectRepresentation);
+
+namespace
+{
+
+constexpr double rimShare = 0.997; // the share at which the region's rim is drawn
+constexpr double farthest = 1.5;   // of a sample on the disc's plane
+constexpr double longest = 0.015;  // of an outline's steps on the disc, to follow the model
+
+} // namespace
+
+struct vtkOversketchAreaSelectRepresentation::Internals
+{
+  std::unique_ptr<const RegionPatch> patch;
+  std::vector<WorldLine> areas;                         // on the disc
+  std::vector<std::vector<std::vector<Vector3>>> lines; // of each area, pieces in the world
+  std::vector<std::array<Vector3, 2>> border;
+  double box[6] = { -1.0, 1.0, -1.0, 1.0, 0.0, 0.0 };
+};
+
+vtkOversketchAreaSelectRepresentation::vtkOversketchAreaSelectRepresentation()
+  : Inner(std::make_unique<Internals>())
+{
+}
+
+vtkOversketchAreaSelectRepresentation::~vtkOversketchAreaSelectRepresentation() = default;
+
+void vtkOversketchAreaSelectRepresentation::Follow()
+{
+  Internals& inner = *this->Inner;
+  inner.lines.clear();
+  inner.border.clear();
+  if (inner.patch)
+  {
+    const PatchSide side = patchSide(this->Side);
+    inner.border = inner.patch->level(side, rimShare);
+    for (const WorldLine& area : inner.areas)
+    {
+      Polyline outline;
+      for (const Vector3& p : area.points)
+      {
+        outline.emplace_back(p.head<2>());
+      }
+      outline.push_back(outline.front());
+      std::vector<std::vector<Vector3>> pieces(1);
+      for (const Vector2& p : uniformPolyline(outline, longest))
+      {
+        if (const auto place = inner.patch->placeOf(side, p))
+        {
+          pieces.back().push_back(*place);
+        }
+        else if (this->Side == Disc)
+        {
+          pieces.back().emplace_back(p[0], p[1], 0.0);
+        }
+        else if (!pieces.back().empty())
+        {
+          pieces.emplace_back();
+        }
+      }
+      inner.lines.push_back(std::move(pieces));
+    }
+    vtkBoundingBox box;
+    for (const Vector3& p : inner.patch->shape(side).points)
+    {
+      double place[3] = { p[0], p[1], p[2] };
+      box.AddPoint(place);
+    }
+    box.GetBounds(inner.box);
+  }
+  this->Modified();
+}
+
+bool vtkOversketchAreaSelectRepresentation::SetRegion(vtkPolyData* mesh)
+{
+  Internals& inner = *this->Inner;
+  inner.patch = nullptr;
+  bool fits = true;
+  if (mesh && mesh->GetNumberOfPoints() > 0)
+  {
+    try
+    {
+      inner.patch = std::make_unique<const RegionPatch>(mesh);
+    }
+    catch (const Error& error)
+    {
+      vtkErrorMacro(<< error.what());
+      fits = false;
+    }
+  }
+  this->Follow();
+  return fits;
+}
+
+bool vtkOversketchAreaSelectRepresentation::HasRegion() const
+{
+  return this->Inner->patch != nullptr;
+}
+
+void vtkOversketchAreaSelectRepresentation::SetSide(int side)
+{
+  if (side != this->Side && (side == Disc || side == Model))
+  {
+    this->Side = side;
+    this->Follow();
+  }
+}
+
+void vtkOversketchAreaSelectRepresentation::SetAreas(vtkPolyData* areas)
+{
+  this->Inner->areas = linesOf(areas);
+  this->Follow();
+}
+
+void vtkOversketchAreaSelectRepresentation::PutOnDisc(vtkPolyData* stroke, vtkPolyData* area)
+{
+  const Internals& inner = *this->Inner;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  if (inner.patch)
+  {
+    const View view = ViewOf(stroke);
+    Polyline places;
+    for (const Vector2& sample : StrokeOf(stroke))
+    {
+      const SurfaceHit hit = inner.patch->under(patchSide(this->Side), view, sample);
+      if (hit.found())
+      {
+        places.push_back(inner.patch->discAt(hit.at));
+      }
+      else if (const auto beside = ontoCanvas(view, sample); beside && this->Side == Disc)
+      {
+        places.push_back(beside->cwiseMax(-farthest).cwiseMin(farthest));
+      }
+    }
+    lines->InsertNextCell(static_cast<int>(places.size()));
+    for (const Vector2& p : places)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
+    }
+  }
+  area->Initialize();
+  area->SetPoints(points);
+  area->SetLines(lines);
+}
+
+int vtkOversketchAreaSelectRepresentation::FindGrip(const View&, double, double)
+{
+  return 0;
+}
+
+void vtkOversketchAreaSelectRepresentation::Paint(const View& view, Overlay& overlay)
+{
+  const Internals& inner = *this->Inner;
+  for (const auto& piece : inner.border)
+  {
+    if (view.inFront(piece[0]) && view.inFront(piece[1]))
+    {
+      overlay.line({ view.toDisplay(piece[0]).head<2>(), view.toDisplay(piece[1]).head<2>() }, 2.0, inkGrey);
+    }
+  }
+  for (std::size_t i = 0; i < inner.lines.size(); ++i)
+  {
+    const double width = static_cast<int>(i) == this->Area ? 4.5 : 3.0;
+    for (const bool isRim : { true, false })
+    {
+      for (const std::vector<Vector3>& line : inner.lines[i])
+      {
+        for (const Polyline& seen : seenIn(view, line))
+        {
+          overlay.line(seen, width + (isRim ? 2.0 : 0.0), isRim ? paperWhite : axisGreen);
+        }
+      }
+    }
+  }
+}
+
+double* vtkOversketchAreaSelectRepresentation::GetBounds()
+{
+  return this->Inner->patch ? this->Inner->box : nullptr;
+}
+
+void vtkOversketchAreaSelectRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Side: " << (this->Side == Disc ? "disc" : "model") << "\n";
+  os << indent << "Area: " << this->Area << "\n";
+  os << indent << "Areas: " << this->Inner->areas.size() << "\n";
+}

@@ -1,0 +1,61 @@
+/**
+ * @class vtkOversketchEditRepresentation
+ * @brief what vtkOversketchEditWidget adds to the pictures of its widgets: what moved, a line of text
+ *
+ * What moved is orange over the model, as by a live stroke.
+ *
+ * @sa vtkOversketchEditWidget
+ */
+#ifndef vtkOversketchEditRepresentation_h
+#define vtkOversketchEditRepresentation_h
+
+#include "OversketchWidgetsEditModule.h" // For export macro
+#include "vtkNew.h"                      // For RegionNormals, RegionActor
+#include "vtkOversketchGripRepresentation.h"
+
+class vtkActor;
+class vtkPolyData;
+class vtkPolyDataNormals;
+class vtkProperty;
+
+class OVERSKETCHWIDGETSEDIT_EXPORT vtkOversketchEditRepresentation : public vtkOversketchGripRepresentation
+{
+public:
+  static vtkOversketchEditRepresentation* New();
+  vtkTypeMacro(vtkOversketchEditRepresentation, vtkOversketchGripRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The part of the mesh to be drawn orange; null none.
+   */
+  void SetRegion(vtkPolyData* region);
+
+  /**
+   * Looks of it.
+   */
+  vtkProperty* GetRegionProperty();
+
+  ///@{
+  /**
+   * As a prop.
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  ///@}
+
+protected:
+  vtkOversketchEditRepresentation();
+  ~vtkOversketchEditRepresentation() override;
+
+  int FindGrip(const oversketch::View& view, double x, double y) override;
+  void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
+
+private:
+  vtkOversketchEditRepresentation(const vtkOversketchEditRepresentation&) = delete;
+  void operator=(const vtkOversketchEditRepresentation&) = delete;
+
+  vtkNew<vtkPolyDataNormals> RegionNormals;
+  vtkNew<vtkActor> RegionActor;
+};
+
+#endif

@@ -1,0 +1,411 @@
+#include "vtkOversketchLayerHandleRepresentation.h"
+
+#include "drawn_curve.h"
+#include "edit_overlay.h"
+#include "layer_text.h"
+#include "pen_view.h"
+#include "region_patch.h"
+
+#include "Mesh/context.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+using namespace oversketch;
+
+vtkStandardNewMacro(vtkOversketchLayerHandleRepresentation);
+
+namespace
+{
+
+constexpr int steps = 1024;         // of a share, in the texture
+constexpr double nearCurve = 0.003; // a handle's line on a curve is drawn beside it
+
+} // namespace
+
+struct vtkOversketchLayerHandleRepresentation::Internals
+{
+  std::unique_ptr<const RegionPatch> patch;
+  LayerList list;
+  std::vector<LayerHandle> shown;  // where they are held
+  std::map<double, Vector2> knobs; // by rest, the place on the disc that each is to be near to
+  vtkNew<vtkPolyData> greys;
+  vtkNew<vtkPolyDataNormals> normals;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkTexture> texture;
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkImageData> ramp;
+  vtkSmartPointer<vtkImageData> display;
+  double box[6] = { -1.0, 1.0, -1.0, 1.0, 0.0, 0.0 };
+
+  void layOut(PatchSide side);
+  void paintRamp(const oversketch::Layers& layers);
+  Vector3 knobOf(PatchSide side, const LayerHandle& handle) const;
+};
+
+// The patch with the coordinates of both textures: by share and by place on the disc.
+void vtkOversketchLayerHandleRepresentation::Internals::layOut(PatchSide side)
+{
+  this->greys->Initialize();
+  if (this->patch)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> polygons;
+    vtkNew<vtkFloatArray> byShare, byDisc;
+    byShare->SetName("ByShare");
+    byDisc->SetName("ByDisc");
+    byShare->SetNumberOfComponents(2);
+    byDisc->SetNumberOfComponents(2);
+    const Mesh& mesh = this->patch->shape(side);
+    const Mesh& disc = this->patch->shape(PatchSide::Disc);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    {
+      points->InsertNextPoint(mesh.points[i].data());
+      byShare->InsertNextTuple2(this->patch->shares()[i], 0.5);
+      byDisc->InsertNextTuple2(0.5 * (disc.points[i][0] + 1.0), 0.5 * (disc.points[i][1] + 1.0));
+    }
+    for (const Triangle& t : mesh.triangles)
+    {
+      polygons->InsertNextCell({ t[0], t[1], t[2] });
+    }
+    this->greys->SetPoints(points);
+    this->greys->SetPolys(polygons);
+    this->greys->GetPointData()->AddArray(byShare);
+    this->greys->GetPointData()->AddArray(byDisc);
+    this->greys->GetPointData()->SetActiveTCoords(this->display ? "ByDisc" : "ByShare");
+    this->greys->GetBounds(this->box);
+  }
+  this->actor->SetVisibility(this->patch != nullptr);
+  const bool flat = side == PatchSide::Disc;
+  this->actor->GetProperty()->SetLighting(!flat);
+  this->texture->SetInputData(this->display ? this->display.Get() : this->ramp.Get());
+}
+
+void vtkOversketchLayerHandleRepresentation::Internals::paintRamp(const oversketch::Layers& layers)
+{
+  auto* greyScale = static_cast<vtkUnsignedCharArray*>(this->ramp->GetPointData()->GetScalars());
+  for (int i = 0; i < steps; ++i)
+  {
+    const auto grey = static_cast<unsigned char>(layers.grey(layers.level((i + 0.5) / steps)));
+    const unsigned char rgb[3] = { grey, grey, grey };
+    greyScale->SetTypedTuple(i, rgb);
+  }
+  greyScale->Modified();
+  this->ramp->Modified();
+}
+
+Vector3 vtkOversketchLayerHandleRepresentation::Internals::knobOf(PatchSide side,
+  const LayerHandle& handle) const
+{
+  const double share = std::clamp(handle.place, nearCurve, 1.0 - nearCurve);
+  const auto known = this->knobs.find(handle.rest);
+  const Vector2 wanted = known != this->knobs.end() ? known->second : Vector2(2.0, 0.0);
+  const auto onDisc = this->patch->level(PatchSide::Disc, share), there = this->patch->level(side, share);
+  double least = std::numeric_limits<double>::infinity();
+  Vector3 place = Vector3::Zero();
+  for (std::size_t i = 0; i < onDisc.size(); ++i)
+  {
+    const double apart = (onDisc[i][0].head<2>() - wanted).norm();
+    if (apart < least)
+    {
+      least = apart;
+      place = there[i][0];
+    }
+  }
+  return place;
+}
+
+vtkOversketchLayerHandleRepresentation::vtkOversketchLayerHandleRepresentation()
+  : Inner(std::make_unique<Internals>())
+{
+  Internals& inner = *this->Inner;
+  inner.ramp->SetDimensions(steps, 1, 1);
+  inner.ramp->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  inner.texture->InterpolateOff();
+  inner.texture->RepeatOff();
+  inner.texture->EdgeClampOn();
+  inner.normals->SetInputData(inner.greys);
+  inner.normals->SplittingOff();
+  inner.normals->ConsistencyOff();
+  inner.mapper->SetInputConnection(inner.normals->GetOutputPort());
+  inner.mapper->ScalarVisibilityOff();
+  // Over the surface that it is a part of.
+  inner.mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  inner.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -200.0);
+  inner.actor->SetMapper(inner.mapper);
+  inner.actor->SetTexture(inner.texture);
+  inner.actor->GetProperty()->SetAmbient(0.35);
+  inner.actor->GetProperty()->SetDiffuse(0.65);
+  inner.actor->PickableOff();
+  inner.layOut(PatchSide::Disc);
+  this->Follow();
+}
+
+vtkOversketchLayerHandleRepresentation::~vtkOversketchLayerHandleRepresentation() = default;
+
+void vtkOversketchLayerHandleRepresentation::Follow()
+{
+  Internals& inner = *this->Inner;
+  inner.paintRamp(layersOf(inner.list, -1, this->Levels));
+  LayerList list = inner.list; // which may not have the area
+  inner.shown = oversketch::Layers(2, handlesIn(list, this->Area)).held();
+  this->Modified();
+}
+
+bool vtkOversketchLayerHandleRepresentation::SetRegion(vtkPolyData* mesh)
+{
+  Internals& inner = *this->Inner;
+  inner.patch = nullptr;
+  bool fits = true;
+  if (mesh && mesh->GetNumberOfPoints() > 0)
+  {
+    try
+    {
+      inner.patch = std::make_unique<const RegionPatch>(mesh);
+    }
+    catch (const Error& error)
+    {
+      vtkErrorMacro(<< error.what());
+      fits = false;
+    }
+  }
+  inner.layOut(patchSide(this->Side));
+  this->Modified();
+  return fits;
+}
+
+void vtkOversketchLayerHandleRepresentation::SetSide(int side)
+{
+  if (side != this->Side && (side == Disc || side == Model))
+  {
+    this->Side = side;
+    this->Inner->layOut(patchSide(side));
+    this->Modified();
+  }
+}
+
+void vtkOversketchLayerHandleRepresentation::SetLevels(int levels)
+{
+  if (std::clamp(levels, 2, 256) != this->Levels)
+  {
+    this->Levels = std::clamp(levels, 2, 256);
+    this->Follow();
+  }
+}
+
+void vtkOversketchLayerHandleRepresentation::SetLayers(const char* text)
+{
+  const std::string now = text ? text : "";
+  if (now == this->Layers)
+  {
+    return;
+  }
+  Internals& inner = *this->Inner;
+  try
+  {
+    LayerList list = layerList(now);
+    layersOf(list, -1, this->Levels);
+    for (const AreaLayers& area : std::vector<AreaLayers>(list.areas))
+    {
+      layersOf(list, area.area, this->Levels);
+    }
+    inner.list = std::move(list);
+    this->Layers = now;
+    this->Follow();
+  }
+  catch (const Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+void vtkOversketchLayerHandleRepresentation::SetArea(int area)
+{
+  if (std::max(area, -1) != this->Area)
+  {
+    this->Area = std::max(area, -1);
+    this->Follow();
+  }
+}
+
+void vtkOversketchLayerHandleRepresentation::SetDisplay(vtkImageData* display)
+{
+  Internals& inner = *this->Inner;
+  if (display != inner.display)
+  {
+    inner.display = display;
+    inner.texture->SetInputData(display ? display : inner.ramp.Get());
+    inner.greys->GetPointData()->SetActiveTCoords(display ? "ByDisc" : "ByShare");
+    inner.greys->Modified();
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkOversketchLayerHandleRepresentation::GetDisplay()
+{
+  return this->Inner->display;
+}
+
+double vtkOversketchLayerHandleRepresentation::GetShareAt(double x, double y)
+{
+  const Internals& inner = *this->Inner;
+  if (!inner.patch || !this->Renderer)
+  {
+    return 1.0;
+  }
+  const int* origin = this->Renderer->GetOrigin();
+  try
+  {
+    const SurfaceHit hit = inner.patch->under(
+      patchSide(this->Side), PenView::of(this->Renderer).kernelView(), Vector2(x - origin[0], y - origin[1]));
+    return hit.found() ? inner.patch->shareAt(hit.at) : 1.0;
+  }
+  catch (const Error&)
+  {
+    return 1.0; // a camera that sees nothing
+  }
+}
+
+bool vtkOversketchLayerHandleRepresentation::IsOnRegion(double x, double y)
+{
+  const Internals& inner = *this->Inner;
+  if (!inner.patch || !this->Renderer)
+  {
+    return false;
+  }
+  const int* origin = this->Renderer->GetOrigin();
+  try
+  {
+    return inner.patch
+      ->under(patchSide(this->Side),
+        PenView::of(this->Renderer).kernelView(),
+        Vector2(x - origin[0], y - origin[1]))
+      .found();
+  }
+  catch (const Error&)
+  {
+    return false;
+  }
+}
+
+void vtkOversketchLayerHandleRepresentation::PutKnob(int handle, double x, double y)
+{
+  Internals& inner = *this->Inner;
+  if (!inner.patch || !this->Renderer || handle < 0 || handle >= this->GetNumberOfHandles())
+  {
+    return;
+  }
+  const int* origin = this->Renderer->GetOrigin();
+  const SurfaceHit hit = inner.patch->under(
+    patchSide(this->Side), PenView::of(this->Renderer).kernelView(), Vector2(x - origin[0], y - origin[1]));
+  if (hit.found())
+  {
+    inner.knobs[inner.shown[static_cast<std::size_t>(handle)].rest] = inner.patch->discAt(hit.at);
+    this->Modified();
+  }
+}
+
+int vtkOversketchLayerHandleRepresentation::GetNumberOfHandles() const
+{
+  return static_cast<int>(this->Inner->shown.size());
+}
+
+int vtkOversketchLayerHandleRepresentation::FindGrip(const View& view, double x, double y)
+{
+  const Internals& inner = *this->Inner;
+  int found = 0;
+  double least = this->GetGrabDistance();
+  for (std::size_t i = 0; inner.patch && i < inner.shown.size(); ++i)
+  {
+    const double share = std::clamp(inner.shown[i].place, nearCurve, 1.0 - nearCurve);
+    for (const auto& piece : inner.patch->level(patchSide(this->Side), share))
+    {
+      if (view.inFront(piece[0]) && view.inFront(piece[1]))
+      {
+        const Polyline seen{ view.toDisplay(piece[0]).head<2>(), view.toDisplay(piece[1]).head<2>() };
+        const double apart = NearestPlace(seen)(Vector2(x, y)).distance;
+        if (apart <= least)
+        {
+          least = apart;
+          found = static_cast<int>(i) + 1;
+        }
+      }
+    }
+  }
+  return found;
+}
+
+void vtkOversketchLayerHandleRepresentation::Paint(const View& view, Overlay& overlay)
+{
+  const Internals& inner = *this->Inner;
+  for (std::size_t i = 0; inner.patch && i < inner.shown.size(); ++i)
+  {
+    const bool isActive = this->GetActiveGrip() == static_cast<int>(i) + 1;
+    const double share = std::clamp(inner.shown[i].place, nearCurve, 1.0 - nearCurve);
+    for (const bool isRim : { true, false })
+    {
+      for (const auto& piece : inner.patch->level(patchSide(this->Side), share))
+      {
+        if (view.inFront(piece[0]) && view.inFront(piece[1]))
+        {
+          overlay.line({ view.toDisplay(piece[0]).head<2>(), view.toDisplay(piece[1]).head<2>() },
+            (isActive ? 4.0 : 2.5) + (isRim ? 2.0 : 0.0),
+            isRim ? inkGrey : regionOrange);
+        }
+      }
+    }
+    const Vector3 knob = inner.knobOf(patchSide(this->Side), inner.shown[i]);
+    if (view.inFront(knob))
+    {
+      overlay.knob(view.toDisplay(knob).head<2>(), isActive ? 8.0 : 6.5, strokeRed);
+    }
+  }
+}
+
+double* vtkOversketchLayerHandleRepresentation::GetBounds()
+{
+  return this->Inner->patch ? this->Inner->box : nullptr;
+}
+
+void vtkOversketchLayerHandleRepresentation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Inner->actor->ReleaseGraphicsResources(window);
+  this->Inner->texture->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+int vtkOversketchLayerHandleRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  vtkActor* actor = this->Inner->actor;
+  return (actor->GetVisibility() ? actor->RenderOpaqueGeometry(viewport) : 0) +
+         this->Superclass::RenderOpaqueGeometry(viewport);
+}
+
+void vtkOversketchLayerHandleRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Side: " << (this->Side == Disc ? "disc" : "model") << "\n";
+  os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "Area: " << this->Area << "\n";
+  os << indent << "Handles: " << this->GetNumberOfHandles() << "\n";
+}
