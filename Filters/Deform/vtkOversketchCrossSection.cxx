@@ -11,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -18,16 +19,38 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 using namespace oversketch;
 
 struct vtkOversketchCrossSection::Cache
 {
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
+  std::optional<Sectioner> Cutter;      // of it and the boundary, which stay as the plane slides
+  StepKey CutterKey;
+  ProfileFit Fit;
   KeptOutput Profile;
   vtkNew<vtkPolyData> Section;
+
+  const Sectioner& CutterOf(vtkPolyData* mesh, vtkPolyData* boundary)
+  {
+    const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(boundary) }, {});
+    if (!this->Cutter || this->CutterKey != key)
+    {
+      this->Cutter.reset(); // it points into the mesh
+      this->Data = SharedMesh(mesh);
+      const Mesh& surface = this->Data->Surface();
+      this->Cutter.emplace(surface,
+        this->Data->Neighbours(),
+        VerticesOnce(ReadChain(boundary, surface.vertexCount(), "boundary curve")));
+      this->CutterKey = key;
+    }
+    return *this->Cutter;
+  }
 };
 
 vtkStandardNewMacro(vtkOversketchCrossSection);
@@ -69,24 +92,47 @@ Binding PlaceOf(vtkPolyData* planes, int vertexCount)
 // CurveSide times CurveDistance at each place.
 std::vector<double> SidesOf(vtkPolyData* mesh, const std::vector<Binding>& places)
 {
-  std::vector<int> vertices;
+  const auto counts = [](const Binding& place, int k) { return k == 0 || place.weights[k] != 0.0; };
+  std::vector<int> vertices; // but those of weight 0, which repeat the first
+  vertices.reserve(2 * places.size());
   for (const Binding& place : places)
   {
-    vertices.insert(vertices.end(), place.vertices.begin(), place.vertices.end());
+    for (int k = 0; k < 3; ++k)
+    {
+      if (counts(place, k))
+      {
+        vertices.push_back(place.vertices[k]);
+      }
+    }
   }
   const std::vector<double> distances = ReadValues(mesh, "CurveDistance", vertices, 0.0, 1.0),
                             sides = ReadValues(mesh, "CurveSide", vertices, -1.0, 1.0);
   std::vector<double> beside;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  beside.reserve(places.size());
+  std::size_t i = 0;
+  for (const Binding& place : places)
   {
     double value = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k)
     {
-      value += places[i].weights[k] * distances[3 * i + k] * sides[3 * i + k];
+      if (counts(place, k))
+      {
+        value += place.weights[k] * distances[i] * sides[i];
+        ++i;
+      }
     }
     beside.push_back(value);
   }
   return beside;
+}
+
+vtkSmartPointer<vtkDoubleArray> ArrayOf(const char* name, const std::vector<double>& values)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
 }
 
 void WriteLine(const std::vector<Vector3>& line,
@@ -94,28 +140,35 @@ void WriteLine(const std::vector<Vector3>& line,
   const std::vector<double>& beside,
   vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkDoubleArray> shares, sides;
-  shares->SetName("CurveT");
-  sides->SetName("SideDistance");
-  lines->InsertNextCell(static_cast<int>(line.size()));
-  for (std::size_t i = 0; i < line.size(); ++i)
+  const auto count = static_cast<vtkIdType>(line.size());
+  vtkNew<vtkDoubleArray> places;
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(count);
+  double* place = places->GetPointer(0);
+  for (const Vector3& point : line)
   {
-    lines->InsertCellPoint(points->InsertNextPoint(line[i].data()));
-    shares->InsertNextValue(t[i]);
-    sides->InsertNextValue(beside[i]);
+    place = std::copy_n(point.data(), 3, place);
   }
+  vtkNew<vtkPoints> points;
+  points->SetData(places);
+  vtkNew<vtkIdTypeArray> ends, ids;
+  ends->SetNumberOfValues(2);
+  ends->SetValue(0, 0);
+  ends->SetValue(1, count);
+  ids->SetNumberOfValues(count);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, 0);
+  vtkNew<vtkCellArray> lines;
+  lines->SetData(ends, ids);
   output->SetPoints(points);
   output->SetLines(lines);
-  output->GetPointData()->AddArray(shares);
-  output->GetPointData()->AddArray(sides);
+  output->GetPointData()->AddArray(ArrayOf("CurveT", t));
+  output->GetPointData()->AddArray(ArrayOf("SideDistance", beside));
 }
 
 void WriteSection(const Section& section, const std::vector<double>& beside, vtkPolyData* output)
 {
   std::vector<double> t{ 0.0 };
+  t.reserve(section.points.size());
   for (std::size_t i = 1; i < section.points.size(); ++i)
   {
     t.push_back(t.back() + (section.points[i] - section.points[i - 1]).norm());
@@ -131,6 +184,7 @@ void WriteSection(const Section& section, const std::vector<double>& beside, vtk
 void WriteProfile(const FlatProfile& profile, vtkPolyData* planes, vtkPolyData* output)
 {
   std::vector<Vector3> line;
+  line.reserve(profile.points.size());
   for (const Vector2& point : profile.points)
   {
     line.emplace_back(point[0], point[1], 0.0);
@@ -210,10 +264,7 @@ int vtkOversketchCrossSection::RequestData(vtkInformation*,
         {
           ++this->SectionCount;
           cache.Section->Initialize();
-          cache.Data = SharedMesh(mesh);
-          const Mesh& surface = cache.Data->Surface();
-          const std::vector<int> chain =
-            VerticesOnce(ReadChain(boundary, surface.vertexCount(), "boundary curve"));
+          const Sectioner& cutter = cache.CutterOf(mesh, boundary);
           const Matrix4 frame = ReadMatrix(planes->GetFieldData(), "Frame", "planes input", planesRemedy);
           if (!planes->GetFieldData()->GetArray("PlaneT"))
           {
@@ -226,12 +277,8 @@ int vtkOversketchCrossSection::RequestData(vtkInformation*,
           rules.right = Vector3(this->Right);
           rules.halfSize = mesh->GetLength();
           mesh->GetCenter(rules.centre.data());
-          const Section section = crossSection(surface,
-            cache.Data->Neighbours(),
-            chain,
-            FrameOf(frame),
-            PlaceOf(planes, surface.vertexCount()),
-            rules);
+          const Section section =
+            cutter.at(FrameOf(frame), PlaceOf(planes, cache.Data->Surface().vertexCount()), rules);
           if (section.points.empty())
           {
             vtkWarningMacro(
@@ -241,7 +288,7 @@ int vtkOversketchCrossSection::RequestData(vtkInformation*,
           }
           const std::vector<double> beside = SidesOf(mesh, section.places);
           const FlatProfile profile =
-            flatProfile(section.points, beside, section.normal, FrameOf(frame).outward);
+            cache.Fit.flat(section.points, beside, section.normal, FrameOf(frame).outward);
           WriteProfile(profile, planes, result);
           WriteSection(section, beside, cache.Section);
         });

@@ -4,6 +4,7 @@
 #include "vtkOversketchChains.h"
 #include "vtkOversketchFilterTools.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -44,6 +45,16 @@ std::vector<Vector3> chosen(const std::vector<Vector3>& values, const std::vecto
   return result;
 }
 
+std::vector<double> lengthsOf(const std::vector<Vector3>& points)
+{
+  std::vector<double> lengths{ 0.0 };
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    lengths.push_back(lengths.back() + (points[i] - points[i - 1]).norm());
+  }
+  return lengths;
+}
+
 [[noreturn]] void refuse(Failure failure, const std::ostringstream& message)
 {
   throw Error(failure, message.str());
@@ -54,17 +65,14 @@ std::vector<Vector3> chosen(const std::vector<Vector3>& values, const std::vecto
 CurveOnMesh::CurveOnMesh(vtkPolyData* curve, const MeshData& mesh)
   : Vertices(VerticesOnce(ReadChain(curve, mesh.Surface().vertexCount(), "reference curve")))
   , Points(chosen(mesh.Surface().points, this->Vertices))
+  , Lengths(lengthsOf(this->Points))
   , Frames(this->Points, chosen(mesh.Normals(), this->Vertices))
 {
 }
 
 Binding CurveOnMesh::PlaceAt(double t) const
 {
-  std::vector<double> lengths{ 0.0 };
-  for (std::size_t i = 1; i < this->Points.size(); ++i)
-  {
-    lengths.push_back(lengths.back() + (this->Points[i] - this->Points[i - 1]).norm());
-  }
+  const std::vector<double>& lengths = this->Lengths;
   const double length = t * lengths.back();
   const auto after = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, length);
   const auto i = static_cast<std::size_t>(after - lengths.begin());
@@ -82,11 +90,13 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
   vtkDataArray* array =
     RequireArray(mesh->GetPointData(), name, 1, mesh->GetNumberOfPoints(), "mesh", regionRemedy);
   constexpr double rounding = 1e-6;
+  auto* doubles = vtkAOSDataArrayTemplate<double>::FastDownCast(array);
+  const double* own = doubles ? doubles->GetPointer(0) : nullptr; // quicker than to ask for each
   std::vector<double> values;
   values.reserve(vertices.size());
   for (const int v : vertices)
   {
-    const double value = array->GetComponent(v, 0);
+    const double value = own ? own[v] : array->GetComponent(v, 0);
     if (!(value >= low - rounding && value <= high + rounding))
     {
       std::ostringstream message;

@@ -28,6 +28,7 @@ struct CurveOnMesh
 {
   std::vector<int> Vertices;
   std::vector<Vector3> Points;
+  std::vector<double> Lengths; // from the first point to each
   CurveFrames Frames;
 
   CurveOnMesh(vtkPolyData* curve, const MeshData& mesh);

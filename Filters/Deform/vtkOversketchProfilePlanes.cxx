@@ -19,12 +19,29 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <optional>
+
 using namespace oversketch;
 
 struct vtkOversketchProfilePlanes::Cache
 {
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
+  std::optional<CurveOnMesh> Reference; // as the plane slides it stays
+  StepKey ReferenceKey;
   KeptOutput Kept;
+
+  const CurveOnMesh& CurveOf(vtkPolyData* mesh, vtkPolyData* curve)
+  {
+    const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(curve) }, {});
+    if (!this->Reference || this->ReferenceKey != key)
+    {
+      this->Reference.reset(); // so that nothing stale is left when making it fails
+      this->Data = SharedMesh(mesh);
+      this->Reference.emplace(curve, *this->Data);
+      this->ReferenceKey = key;
+    }
+    return *this->Reference;
+  }
 };
 
 vtkStandardNewMacro(vtkOversketchProfilePlanes);
@@ -103,8 +120,7 @@ int vtkOversketchProfilePlanes::RequestData(vtkInformation*,
         vtkPolyData::GetData(outputs),
         [&](vtkPolyData* result)
         {
-          cache.Data = SharedMesh(mesh);
-          const CurveOnMesh reference(curve, *cache.Data);
+          const CurveOnMesh& reference = cache.CurveOf(mesh, curve);
           const CurveFrame frame =
             this->Frame == Fitted ? reference.Frames.planesAt(this->T) : reference.Frames.at(this->T);
           WriteSquares(frame, mesh->GetLength(), result);

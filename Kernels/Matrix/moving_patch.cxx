@@ -136,7 +136,10 @@ MovingPatch::MovingPatch(const Mesh& mesh, const Adjacency& adjacency, const std
   , Faces(facesAround(adjacency, moving))
   , Touched(cornersOf(mesh, this->Faces))
 {
-  const std::vector<int> near = facesAround(adjacency, this->Touched), corners = cornersOf(mesh, near);
+  const std::vector<int> near = facesAround(adjacency, this->Touched);
+  std::vector<int> corners = cornersOf(mesh, near);
+  corners.insert(corners.end(), moving.begin(), moving.end()); // those without faces
+  tidy(corners);
   this->Near.points = chosen(mesh.points, corners);
   for (const int t : near)
   {

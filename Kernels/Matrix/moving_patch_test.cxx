@@ -156,3 +156,24 @@ TEST(MovingPatch, AnglesOfNeedlesAreExact)
     }
   }
 }
+
+// A mesh may have points without faces, first or last, and they may move.
+TEST(MovingPatch, PointsWithoutFacesMoveToo)
+{
+  CapScene scene;
+  scene.mesh.points.emplace_back(0.0, 0.0, 3.0);
+  scene.links = buildAdjacency(scene.mesh);
+  const auto moved = [](const Vector3& p) { return Vector3(p + Vector3(0.0, 0.1, 0.0)); };
+  MovingPatch without(scene.mesh, scene.links, scene.moving);
+  const MovingPatch::Shape expected = without.shapeAt(scene.places(moved), both, Context());
+  scene.moving.push_back(scene.mesh.vertexCount() - 1);
+  MovingPatch patch(scene.mesh, scene.links, scene.moving);
+  EXPECT_EQ(patch.rest().back(), Vector3(0.0, 0.0, 3.0));
+  const MovingPatch::Shape shape = patch.shapeAt(scene.places(moved), both, Context());
+  EXPECT_EQ(shape.vertexNormals, expected.vertexNormals);
+  EXPECT_EQ(shape.faceNormals, expected.faceNormals);
+  EXPECT_EQ(shape.foldedEdges, expected.foldedEdges);
+  // Nothing but such a point.
+  MovingPatch alone(scene.mesh, scene.links, { scene.mesh.vertexCount() - 1 });
+  EXPECT_TRUE(alone.shapeAt({ Vector3(1.0, 0.0, 0.0) }, both, Context()).vertexNormals.empty());
+}

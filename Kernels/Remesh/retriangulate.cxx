@@ -8,7 +8,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace oversketch
 {
@@ -20,6 +22,7 @@ constexpr double longestEdge = 4.0 / 3.0;
 constexpr double shortestEdge = 0.35;
 constexpr double largestSag = 0.03; // of an edge's length
 constexpr double smallestChange = 1.01;
+constexpr double coincidence = 1e-6; // of an edge's length
 constexpr int splitRounds = 6;
 constexpr int remeshRounds = 3;
 // As published, in mean edges.
@@ -127,6 +130,10 @@ public:
     , Fresh(cutout.active)
   {
     this->Area.moveTo(Cutout::taken(input.moved, cutout.vertices));
+    for (int v = 0; v < this->Area.vertexCount(); ++v)
+    {
+      this->Taken.insert(keyOf(this->Area.point(v)));
+    }
     for (int t = 0; t < this->Area.triangleCount(); ++t)
     {
       for (int h = 3 * t; this->Area.aliveTriangle(t) && h < 3 * t + 3; ++h)
@@ -252,6 +259,17 @@ private:
     return chosen;
   }
 
+  // The middle of an edge that was swapped, brought back to the surface, may be a place that has a vertex, at
+  // the faces or elsewhere: two at one place would be taken for one by whoever welds the mesh.
+  static std::array<double, 3> keyOf(const Vector3& p) { return { p[0], p[1], p[2] }; }
+  bool meetsCorner(const Wish& wish, int h) const
+  {
+    const Triangle corners = this->Area.triangle(h / 3);
+    return std::any_of(corners.begin(),
+      corners.end(),
+      [&](int v) { return (this->Area.point(v) - wish.position).norm() <= coincidence * wish.length; });
+  }
+
   // Longest first.
   int split(std::vector<Wish>& wishes)
   {
@@ -264,6 +282,11 @@ private:
       if (g < 0 || this->Area.origin(previousHalfEdge(h)) == this->Area.origin(previousHalfEdge(g)))
       {
         continue; // two faces upon each other
+      }
+      if (this->meetsCorner(wish, h) || this->meetsCorner(wish, g) ||
+          !this->Taken.insert(keyOf(wish.position)).second)
+      {
+        continue;
       }
       std::array<int, 4> neighbours;
       this->Area.halve(h, wish.place, wish.position, neighbours);
@@ -316,8 +339,9 @@ private:
   const int Channels;
   const std::vector<double> Sizes;
   Patch Area;
-  std::vector<Vector3> AtRest;      // of the patch's vertices
-  std::vector<char> Touched, Fresh; // of its triangles: moved or split; new since edges were looked at
+  std::vector<Vector3> AtRest;           // of the patch's vertices
+  std::set<std::array<double, 3>> Taken; // where they are
+  std::vector<char> Touched, Fresh;      // of its triangles: moved or split; new since edges were looked at
 };
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "Section/profile.h"
 
 #include "Mesh/context.h"
-#include "Stroke/nurbs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,7 @@ constexpr double leastTurn = 0.02;
 std::vector<double> lengthsOf(const std::vector<Vector3>& points)
 {
   std::vector<double> lengths;
+  lengths.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     lengths.push_back(i == 0 ? 0.0 : lengths.back() + (points[i] - points[i - 1]).norm());
@@ -91,7 +91,7 @@ void checkDrawn(const Polyline& drawn, const std::vector<double>& source)
 
 } // namespace
 
-FlatProfile flatProfile(const std::vector<Vector3>& section,
+FlatProfile ProfileFit::flat(const std::vector<Vector3>& section,
   const std::vector<double>& beside,
   const Vector3& normal,
   const Vector3& outward)
@@ -107,18 +107,26 @@ FlatProfile flatProfile(const std::vector<Vector3>& section,
   const int count = std::clamp(2 * static_cast<int>(section.size()), 32, 1024) + 1;
   std::vector<Vector3> control;
   std::vector<double> controlBeside;
-  for (int i = 0; i < count; ++i)
+  control.reserve(count);
+  controlBeside.reserve(count);
+  for (const Blend& place : evenPlaces(along, static_cast<int>(section.size()), count - 1))
   {
-    const Blend place = placeAt(along, static_cast<int>(section.size()), length * i / (count - 1));
     control.push_back(place.of(section));
     controlBeside.push_back(place.of(beside));
   }
-  const Nurbs spline(count);
+  if (static_cast<int>(this->Places.size()) != count)
+  {
+    const Nurbs spline(count);
+    this->Places.clear();
+    for (int i = 0; i < count; ++i)
+    {
+      this->Places.push_back(spline.at(spline.parameterOf(i)));
+    }
+  }
   std::vector<Vector3> fitted;
   FlatProfile profile;
-  for (int i = 0; i < count; ++i)
+  for (const SplinePlace& place : this->Places)
   {
-    const SplinePlace place = spline.at(spline.parameterOf(i));
     const Vector3 point = place.of(control);
     if (fitted.empty() || point != fitted.back())
     {

@@ -4,6 +4,7 @@
 
 #include "Matrix/frames.h"
 #include "Matrix/logarithm.h"
+#include "Stroke/nurbs.h"
 #include "Stroke/polyline.h"
 
 #include <vector>
@@ -24,12 +25,21 @@ struct FlatProfile
 // triangles cut it into steps of any length; then they are the spline's control points (Nurbs). x runs from
 // its first point to its last, y towards the surface's outside, both scaled alike.
 //
-// beside: one value of each point. Throws Error(Failure::BadStroke) for a section whose ends meet, or of no
-// length.
-FlatProfile flatProfile(const std::vector<Vector3>& section,
-  const std::vector<double>& beside,
-  const Vector3& normal,
-  const Vector3& outward);
+// What the spline takes of its control points depends on their number alone, which sections by a plane that
+// slides mostly share: it is kept from one to the next.
+class ProfileFit
+{
+public:
+  // beside: one value of each point. Throws Error(Failure::BadStroke) for a section whose ends meet, or of no
+  // length.
+  FlatProfile flat(const std::vector<Vector3>& section,
+    const std::vector<double>& beside,
+    const Vector3& normal,
+    const Vector3& outward);
+
+private:
+  std::vector<SplinePlace> Places; // of as many points
+};
 
 // The thesis says nothing of how a new profile deforms the mesh but that it will match. Here each sample p of
 // the old one has a partner q, the place of the new one that came from the same share of the length; beside

@@ -220,6 +220,42 @@ TEST(Profile, OnlyWhatIsMetBeforeAnotherArmCounts)
   EXPECT_NEAR(change.at(-0.5)[1], 0.1, 1e-12);
 }
 
+// As the plane slides, what is kept of boundary and spline changes no bit; and control points are where a
+// search for each would have them.
+TEST(ProfileFit, WhatIsKeptChangesNoBit)
+{
+  const Profiled first(sphereScene(24, 96, 0.3), 0.5);
+  const Sectioner sectioner(first.scene.mesh, first.links, first.scene.boundary);
+  ProfileFit fit;
+  for (const double t : { 0.5, 0.3, 0.7, 0.31 })
+  {
+    const Profiled p(first.scene, t);
+    const Section kept = sectioner.at(p.frame, p.start), anew = p.section();
+    ASSERT_GT(kept.points.size(), 10u);
+    EXPECT_EQ(kept.points, anew.points);
+    EXPECT_EQ(kept.places, anew.places);
+    const std::vector<double> beside(kept.points.size(), 0.5);
+    const FlatProfile flat = fit.flat(kept.points, beside, kept.normal, p.frame.outward);
+    const FlatProfile again = ProfileFit().flat(anew.points, beside, anew.normal, p.frame.outward);
+    EXPECT_EQ(flat.points, again.points);
+    EXPECT_EQ(flat.t, again.t);
+    EXPECT_EQ(flat.toWorld, again.toWorld);
+    std::vector<double> lengths{ 0.0 };
+    for (std::size_t i = 1; i < kept.points.size(); ++i)
+    {
+      lengths.push_back(lengths.back() + (kept.points[i] - kept.points[i - 1]).norm());
+    }
+    const int count = static_cast<int>(lengths.size()), steps = 2 * count;
+    const std::vector<Blend> places = evenPlaces(lengths, count, steps);
+    ASSERT_EQ(places.size(), static_cast<std::size_t>(steps) + 1);
+    for (int i = 0; i <= steps; ++i)
+    {
+      const Blend place = placeAt(lengths, count, lengths.back() * i / steps);
+      EXPECT_TRUE(places[i].from == place.from && places[i].to == place.to && places[i].t == place.t) << i;
+    }
+  }
+}
+
 TEST(Profile, WhatIsNoneIsRefused)
 {
   const Profiled p(sphereScene(12, 48));
@@ -246,9 +282,9 @@ TEST(Profile, WhatIsNoneIsRefused)
   refused({ { 0, 0 }, { 1, 0 }, { 2, 0 } },
     { 0.0, 1.0, 0.5 },
     "Point 2 of the new profile comes from a place before");
-  EXPECT_THROW(flatProfile({}, {}, Vector3::UnitX(), Vector3::UnitZ()), Error);
-  EXPECT_THROW(
-    flatProfile({ { 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 } }, { 0, 0, 0 }, Vector3::UnitX(), Vector3::UnitZ()),
+  EXPECT_THROW(ProfileFit().flat({}, {}, Vector3::UnitX(), Vector3::UnitZ()), Error);
+  EXPECT_THROW(ProfileFit().flat(
+                 { { 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0 } }, { 0, 0, 0 }, Vector3::UnitX(), Vector3::UnitZ()),
     Error);
   // One that turns back in the plane is fine.
   Polyline loop{ { 0, 0 }, { 0.9, 0.2 }, { 0.1, 0.3 }, { 1.0, 0.0 } };

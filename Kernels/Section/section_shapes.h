@@ -59,7 +59,7 @@ struct Profiled
   Section section(const SectionRules& rules = {}) const { return this->section(this->scene.mesh, rules); }
   Section section(const Mesh& mesh, const SectionRules& rules = {}) const
   {
-    return crossSection(mesh, this->links, this->scene.boundary, this->frame, this->start, rules);
+    return Sectioner(mesh, this->links, this->scene.boundary).at(this->frame, this->start, rules);
   }
 
   // Negative on the side of -1.
@@ -76,7 +76,7 @@ struct Profiled
       }
       beside.push_back(value);
     }
-    return flatProfile(section.points, beside, section.normal, this->frame.outward);
+    return ProfileFit().flat(section.points, beside, section.normal, this->frame.outward);
   }
 
   RegionPlaces region() const

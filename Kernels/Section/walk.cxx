@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <unordered_set>
 
 namespace oversketch
 {
@@ -21,52 +20,64 @@ enum class Ended
   Branch  // three faces or more at an edge
 };
 
+// An edge that the plane crosses, its ends and their heights.
+struct Crossing
+{
+  int v0 = -1, v1 = -1; // v0 < v1; -1: none
+  double h0 = 0.0, h1 = 0.0;
+
+  bool found() const { return this->v0 >= 0; }
+  bool sameEdge(const Crossing& other) const { return this->v0 == other.v0 && this->v1 == other.v1; }
+  bool edgeBefore(const Crossing& other) const
+  {
+    return this->v0 < other.v0 || (this->v0 == other.v0 && this->v1 < other.v1);
+  }
+  Binding place() const
+  {
+    if (this->h0 == 0.0 || this->h1 == 0.0)
+    {
+      return Binding::vertex(this->h0 == 0.0 ? this->v0 : this->v1);
+    }
+    return Binding::edge(this->v0, this->v1, this->h1 / (this->h1 - this->h0));
+  }
+};
+
 // Edges that are crossed one after the other, without the one where it began.
 struct Way
 {
-  std::vector<int> edges;
+  std::vector<Crossing> edges;
   Ended ended = Ended::Met;
 };
 
 class Walker
 {
 public:
-  Walker(const Mesh& mesh, const Adjacency& adjacency, const Vector3& origin, const Vector3& normal)
+  Walker(const Mesh& mesh,
+    const Adjacency& adjacency,
+    const std::vector<Sectioner::Face>& faces,
+    const Vector3& origin,
+    const Vector3& normal)
     : Surface(mesh)
     , Links(adjacency)
+    , Faces(faces)
     , Origin(origin)
     , Normal(normal)
   {
   }
 
-  // Above the plane; what rounding alone keeps off it is on it.
-  double height(int vertex) const
-  {
-    const Vector3 way = this->Surface.points[vertex] - this->Origin;
-    const double above = this->Normal.dot(way);
-    return above * above <= 1e-24 * way.squaredNorm() ? 0.0 : above;
-  }
-  bool crosses(int edge) const
-  {
-    const MeshEdge& e = this->Links.edges[edge];
-    return (this->height(e.v0) >= 0.0) != (this->height(e.v1) >= 0.0);
-  }
-  Binding placeOn(int edge) const
+  // None where the plane does not cross the edge.
+  Crossing crossing(int edge) const
   {
     const MeshEdge& e = this->Links.edges[edge];
     const double h0 = this->height(e.v0), h1 = this->height(e.v1);
-    if (h0 == 0.0 || h1 == 0.0)
-    {
-      return Binding::vertex(h0 == 0.0 ? e.v0 : e.v1);
-    }
-    return Binding::edge(e.v0, e.v1, h1 / (h1 - h0));
+    return (h0 >= 0.0) != (h1 >= 0.0) ? Crossing{ e.v0, e.v1, h0, h1 } : Crossing();
   }
-  Vector3 pointOn(int edge) const { return this->placeOn(edge).of(this->Surface.points); }
+  Vector3 pointOf(const Crossing& crossing) const { return crossing.place().of(this->Surface.points); }
 
-  // Of the edges round some vertices that are crossed, the one whose crossing is nearest; -1 for none.
-  int crossedNear(const std::vector<int>& vertices, const Vector3& to) const
+  // Of the edges round some vertices that are crossed, the one whose crossing is nearest.
+  Crossing crossedNear(const std::vector<int>& vertices, const Vector3& to) const
   {
-    int nearest = -1;
+    Crossing nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const int v : vertices)
     {
@@ -74,15 +85,16 @@ public:
       {
         for (const int e : this->Links.triangleEdges[*t])
         {
-          if (e < 0 || !this->crosses(e))
+          const Crossing crossed = e < 0 ? Crossing() : this->crossing(e);
+          if (!crossed.found())
           {
             continue;
           }
-          const double distance = (this->pointOn(e) - to).squaredNorm();
-          if (distance < least || (distance == least && e < nearest))
+          const double distance = (this->pointOf(crossed) - to).squaredNorm();
+          if (distance < least || (distance == least && crossed.edgeBefore(nearest)))
           {
             least = distance;
-            nearest = e;
+            nearest = crossed;
           }
         }
       }
@@ -90,52 +102,83 @@ public:
     return nearest;
   }
 
-  // A face that is entered is left across one other edge.
-  int exitOf(int triangle, int entry) const
+  // A face that is entered is left across one other edge: that between its third corner and the corner of the
+  // entry on the other side of the plane.
+  struct Exit
   {
-    for (const int e : this->Links.triangleEdges[triangle])
+    Crossing crossing;
+    int beyond;
+    bool isBoundary;
+  };
+  Exit exitOf(int triangle, const Crossing& entry) const
+  {
+    const Sectioner::Face& face = this->Faces[triangle];
+    const Triangle& t = face.corners;
+    int k = 0;
+    while (t[k] == entry.v0 || t[k] == entry.v1)
     {
-      if (e != entry && this->crosses(e))
-      {
-        return e;
-      }
+      ++k;
     }
-    return entry; // not reached: a plane crosses two edges of a face or none
+    const int third = t[k], before = k == 0 ? 2 : k - 1;
+    for (const int next : { k, before }) // the next face is one of them; its memory is slow to come
+    {
+      __builtin_prefetch(this->Faces.data() + std::max(face.beyond[next], 0));
+    }
+    const double height = this->height(third);
+    const bool fromFirst = (height >= 0.0) != (entry.h0 >= 0.0);
+    const int other = fromFirst ? entry.v0 : entry.v1;
+    const double otherHeight = fromFirst ? entry.h0 : entry.h1;
+    const int side = t[before] == other ? before : k;
+    return { other < third ? Crossing{ other, third, otherHeight, height }
+                           : Crossing{ third, other, height, otherHeight },
+      face.beyond[side],
+      face.isBoundary[side] };
   }
 
+  // Until the exit is what it was to meet.
   template <typename Meets>
-  Way follow(int edge, int triangle, const Meets& meets) const
+  Way follow(const Crossing& from, int triangle, const Meets& meets) const
   {
     Way way;
-    int at = edge;
+    Crossing at = from;
     for (;;)
     {
-      at = this->exitOf(triangle, at);
+      const Exit exit = this->exitOf(triangle, at);
+      at = exit.crossing;
       way.edges.push_back(at);
-      const MeshEdge& e = this->Links.edges[at];
-      if (meets(at))
+      if (meets(exit))
       {
         return way;
       }
-      if (at == edge || e.triangleCount != 2)
+      if (at.sameEdge(from) || exit.beyond < 0)
       {
-        way.ended = at == edge ? Ended::Round : e.triangleCount == 1 ? Ended::Border : Ended::Branch;
+        way.ended = at.sameEdge(from)                  ? Ended::Round
+                    : exit.beyond == Sectioner::border ? Ended::Border
+                                                       : Ended::Branch;
         return way;
       }
-      const int* sides = this->Links.trianglesBegin(at);
-      triangle = sides[sides[0] == triangle ? 1 : 0];
+      triangle = exit.beyond;
     }
   }
 
 private:
+  // Above the plane; what rounding alone keeps off it is on it.
+  double height(int vertex) const
+  {
+    const Vector3 way = this->Surface.points[vertex] - this->Origin;
+    const double above = this->Normal.dot(way);
+    return above * above <= 1e-24 * way.squaredNorm() ? 0.0 : above;
+  }
+
   const Mesh& Surface;
   const Adjacency& Links;
+  const std::vector<Sectioner::Face>& Faces;
   Vector3 Origin, Normal;
 };
 
-[[noreturn]] void refuseWay(const Adjacency& adjacency, const Way& way, const char* goal)
+[[noreturn]] void refuseWay(const Way& way, const char* goal)
 {
-  const MeshEdge& e = adjacency.edges[way.edges.back()];
+  const Crossing& e = way.edges.back();
   const std::string edge = std::to_string(e.v0) + " and " + std::to_string(e.v1);
   throw Error(Failure::BadMesh,
     way.ended == Ended::Round
@@ -167,12 +210,15 @@ std::vector<int> boundaryEdges(const Adjacency& adjacency, const std::vector<int
 }
 
 // Edge by edge, as points; where the plane runs through a vertex several edges meet in one point.
-Section sectionOf(const Walker& walker, const Mesh& mesh, const std::vector<int>& edges)
+Section sectionOf(const Mesh& mesh, const std::vector<Crossing>& edges, const Vector3& normal)
 {
   Section section;
-  for (const int e : edges)
+  section.normal = normal;
+  section.points.reserve(edges.size());
+  section.places.reserve(edges.size());
+  for (const Crossing& e : edges)
   {
-    const Binding place = walker.placeOn(e);
+    const Binding place = e.place();
     const Vector3 point = place.of(mesh.points);
     if (section.points.empty() || point != section.points.back())
     {
@@ -183,29 +229,61 @@ Section sectionOf(const Walker& walker, const Mesh& mesh, const std::vector<int>
   return section;
 }
 
-class Sectioner
+// First across the edge that is nearer to the end; then, where that leads nowhere, the other way. triangles:
+// of the edge where it begins.
+std::vector<Crossing> between(const Walker& walker,
+  const Crossing& from,
+  const Crossing& to,
+  std::vector<int> triangles)
+{
+  if (from.sameEdge(to))
+  {
+    return {};
+  }
+  const Vector3 end = walker.pointOf(to);
+  const auto gap = [&](int triangle)
+  { return (walker.pointOf(walker.exitOf(triangle, from).crossing) - end).squaredNorm(); };
+  std::stable_sort(triangles.begin(), triangles.end(), [&](int a, int b) { return gap(a) < gap(b); });
+  Way first;
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+  {
+    Way way = walker.follow(
+      from, triangles[k], [&to](const Walker::Exit& exit) { return exit.crossing.sameEdge(to); });
+    if (way.ended == Ended::Met)
+    {
+      way.edges.insert(way.edges.begin(), from);
+      return way.edges;
+    }
+    first = k == 0 ? way : first;
+  }
+  refuseWay(first, "its other end");
+}
+
+// By one plane.
+class Cut
 {
 public:
-  Sectioner(const Mesh& mesh,
+  Cut(const Mesh& mesh,
     const Adjacency& adjacency,
     const std::vector<int>& boundary,
+    const std::vector<Sectioner::Face>& faces,
     const CurveFrame& frame,
     const SectionRules& rules)
     : Surface(mesh)
     , Links(adjacency)
+    , Boundary(boundary)
+    , Faces(faces)
     , Frame(frame)
     , Rules(rules)
     , Right(rules.right.dot(frame.side) < 0.0 ? Vector3(-frame.side) : frame.side)
-    , Boundary(boundaryEdges(adjacency, boundary))
-    , OnBoundary(this->Boundary.begin(), this->Boundary.end())
-    , Across(mesh, adjacency, frame.origin, frame.along)
+    , Across(mesh, adjacency, faces, frame.origin, frame.along)
   {
   }
 
   Section run(const Binding& start) const
   {
     const bool outermost = this->Rules.ends == SectionRules::Ends::Outermost;
-    std::vector<int> edges = outermost ? this->outermost() : this->nearest(start);
+    std::vector<Crossing> edges = outermost ? this->outermost() : this->nearest(start);
     if (edges.empty())
     {
       return {};
@@ -216,34 +294,35 @@ public:
     }
     if (outermost)
     {
-      edges = this->between(this->Across, edges.front(), edges.back());
+      edges = between(this->Across, edges.front(), edges.back(), this->trianglesOf(edges.front()));
     }
-    Section section = sectionOf(this->Across, this->Surface, edges);
-    section.normal = this->Frame.along;
-    return section;
+    return sectionOf(this->Surface, edges, this->Frame.along);
   }
 
 private:
+  std::vector<int> trianglesOf(const Crossing& crossing) const
+  {
+    const int edge = this->Links.findEdge(crossing.v0, crossing.v1);
+    return { this->Links.trianglesBegin(edge), this->Links.trianglesEnd(edge) };
+  }
+
   // From the start to either side as far as the boundary; nothing where there is none.
-  std::vector<int> nearest(const Binding& start) const
+  std::vector<Crossing> nearest(const Binding& start) const
   {
     const std::vector<int> about(start.vertices.begin(), start.vertices.end());
-    const int middle = this->Across.crossedNear(about, this->Frame.origin);
-    if (middle < 0)
+    const Crossing middle = this->Across.crossedNear(about, this->Frame.origin);
+    if (!middle.found())
     {
       throw Error(Failure::BadStroke,
         "The plane does not cut the surface beside the reference curve; slide it along the curve, or draw "
         "the curve smoother.");
     }
-    const MeshEdge& e = this->Links.edges[middle];
-    if (e.triangleCount != 2)
+    const std::vector<int> sides = this->trianglesOf(middle);
+    if (sides.size() != 2)
     {
-      refuseWay(this->Links,
-        { { middle }, e.triangleCount == 1 ? Ended::Border : Ended::Branch },
-        "the boundary curve");
+      refuseWay({ { middle }, sides.size() == 1 ? Ended::Border : Ended::Branch }, "the boundary curve");
     }
-    const auto meets = [this](int edge) { return this->OnBoundary.count(edge) > 0; };
-    const int* sides = this->Links.trianglesBegin(middle);
+    const auto meets = [](const Walker::Exit& exit) { return exit.isBoundary; };
     Way ways[2];
     for (int k = 0; k < 2; ++k)
     {
@@ -254,13 +333,13 @@ private:
       }
       if (ways[k].ended != Ended::Met)
       {
-        refuseWay(this->Links, ways[k], "the boundary curve");
+        refuseWay(ways[k], "the boundary curve");
       }
     }
     const Vector3 step =
-      this->Across.pointOn(ways[1].edges.front()) - this->Across.pointOn(ways[0].edges.front());
+      this->Across.pointOf(ways[1].edges.front()) - this->Across.pointOf(ways[0].edges.front());
     const int left = step.dot(this->Right) > 0.0 ? 0 : 1;
-    std::vector<int> edges(ways[left].edges.rbegin(), ways[left].edges.rend());
+    std::vector<Crossing> edges(ways[left].edges.rbegin(), ways[left].edges.rend());
     edges.push_back(middle);
     edges.insert(edges.end(), ways[1 - left].edges.begin(), ways[1 - left].edges.end());
     return edges;
@@ -268,65 +347,38 @@ private:
 
   // The boundary's edges that are crossed nearest to the middle of the drawn plane's left side, and farthest
   // from it.
-  std::vector<int> outermost() const
+  std::vector<Crossing> outermost() const
   {
     const Vector3 left = this->Frame.origin - this->Rules.halfSize * this->Right;
-    std::vector<int> ends;
+    std::vector<Crossing> ends;
     double least = 0.0, most = 0.0;
     int count = 0;
     for (const int e : this->Boundary)
     {
-      if (this->Across.crosses(e))
+      const Crossing crossed = this->Across.crossing(e);
+      if (crossed.found())
       {
-        const double distance = (this->Across.pointOn(e) - left).norm();
-        ends.resize(2, e);
+        const double distance = (this->Across.pointOf(crossed) - left).norm();
+        ends.resize(2, crossed);
         if (count == 0 || distance < least)
         {
           least = distance;
-          ends[0] = e;
+          ends[0] = crossed;
         }
         if (count == 0 || distance > most)
         {
           most = distance;
-          ends[1] = e;
+          ends[1] = crossed;
         }
         ++count;
       }
     }
-    return count < 2 ? std::vector<int>() : ends;
+    return count < 2 ? std::vector<Crossing>() : ends;
   }
 
-  // First across the edge that is nearer to the end; then, where that leads nowhere, the other way.
-  std::vector<int> between(const Walker& walker, int from, int to) const
+  Section throughCentre(const Crossing& from, const Crossing& to) const
   {
-    if (from == to)
-    {
-      return {};
-    }
-    const Vector3 end = walker.pointOn(to);
-    const MeshEdge& e = this->Links.edges[from];
-    std::vector<int> triangles(
-      this->Links.trianglesBegin(from), this->Links.trianglesBegin(from) + e.triangleCount);
-    const auto gap = [&](int triangle)
-    { return (walker.pointOn(walker.exitOf(triangle, from)) - end).squaredNorm(); };
-    std::stable_sort(triangles.begin(), triangles.end(), [&](int a, int b) { return gap(a) < gap(b); });
-    Way first;
-    for (std::size_t k = 0; k < triangles.size(); ++k)
-    {
-      Way way = walker.follow(from, triangles[k], [to](int edge) { return edge == to; });
-      if (way.ended == Ended::Met)
-      {
-        way.edges.insert(way.edges.begin(), from);
-        return way.edges;
-      }
-      first = k == 0 ? way : first;
-    }
-    refuseWay(this->Links, first, "its other end");
-  }
-
-  Section throughCentre(int from, int to) const
-  {
-    const Vector3 begin = this->Across.pointOn(from), end = this->Across.pointOn(to);
+    const Vector3 begin = this->Across.pointOf(from), end = this->Across.pointOf(to);
     const Vector3 normal = (end - begin).cross(this->Rules.centre - begin);
     if (!(normal.norm() > 1e-9 * (end - begin).squaredNorm()))
     {
@@ -334,44 +386,61 @@ private:
         "The cross-section's ends and the mesh's centre lie on one line, which no plane goes through alone; "
         "walk in the plane across the curve.");
     }
-    const Walker walker(this->Surface, this->Links, begin, normal.normalized());
-    const auto crossed = [&](int edge)
-    {
-      const MeshEdge& e = this->Links.edges[edge];
-      return walker.crossedNear({ e.v0, e.v1 }, this->Across.pointOn(edge));
+    const Walker walker(this->Surface, this->Links, this->Faces, begin, normal.normalized());
+    const auto crossed = [&](const Crossing& met) {
+      return walker.crossedNear({ met.v0, met.v1 }, this->Across.pointOf(met));
     };
-    const int first = crossed(from), last = crossed(to);
-    if (first < 0 || last < 0)
+    const Crossing first = crossed(from), last = crossed(to);
+    if (!first.found() || !last.found())
     {
       throw Error(Failure::BadStroke,
         "The plane through the cross-section's ends and the mesh's centre does not cut the surface there; "
         "walk in the plane across the curve.");
     }
-    Section section = sectionOf(walker, this->Surface, this->between(walker, first, last));
-    section.normal = normal.normalized();
-    return section;
+    return sectionOf(
+      this->Surface, between(walker, first, last, this->trianglesOf(first)), normal.normalized());
   }
 
   const Mesh& Surface;
   const Adjacency& Links;
+  const std::vector<int>& Boundary;
+  const std::vector<Sectioner::Face>& Faces;
   const CurveFrame& Frame;
   const SectionRules& Rules;
   Vector3 Right;
-  std::vector<int> Boundary;
-  std::unordered_set<int> OnBoundary;
   Walker Across;
 };
 
 } // namespace
 
-Section crossSection(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<int>& boundary,
-  const CurveFrame& frame,
-  const Binding& start,
-  const SectionRules& rules)
+Sectioner::Sectioner(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& boundary)
+  : Surface(mesh)
+  , Links(adjacency)
+  , Boundary(boundaryEdges(adjacency, boundary))
+  , Faces(mesh.triangles.size())
 {
-  return Sectioner(mesh, adjacency, boundary, frame, rules).run(start);
+  std::vector<char> onBoundary(adjacency.edges.size(), 0);
+  for (const int e : this->Boundary)
+  {
+    onBoundary[e] = 1;
+  }
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    this->Faces[t].corners = mesh.triangles[t];
+    for (int k = 0; k < 3; ++k)
+    {
+      const int e = adjacency.triangleEdges[t][k];
+      const int count = e < 0 ? 0 : adjacency.edges[e].triangleCount;
+      const int* sides = count == 2 ? adjacency.trianglesBegin(e) : nullptr;
+      this->Faces[t].beyond[k] = sides ? sides[sides[0] == t ? 1 : 0] : count > 2 ? branch : border;
+      this->Faces[t].isBoundary[k] = e >= 0 && onBoundary[e] != 0;
+    }
+  }
+}
+
+Section Sectioner::at(const CurveFrame& frame, const Binding& start, const SectionRules& rules) const
+{
+  return Cut(this->Surface, this->Links, this->Boundary, this->Faces, frame, rules).run(start);
 }
 
 } // namespace oversketch

@@ -5,6 +5,7 @@
 #include "Matrix/frames.h"
 #include "Mesh/place.h"
 
+#include <array>
 #include <vector>
 
 namespace oversketch
@@ -47,16 +48,37 @@ struct Section
 // mesh's border or an edge of three faces is at its end: then the other direction is tried where there is
 // one.
 //
-// boundary: closed chain of vertices joined by edges, its first not repeated. start: the curve's place in the
-// frame's origin. Empty where the plane meets the boundary fewer than twice. Throws
-// Error(Failure::BadStroke) for a boundary that is no chain of edges, a plane that does not cut the faces at
-// the start, ends and centre in one line; Error(Failure::BadMesh) naming the edge where the way ends.
-Section crossSection(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<int>& boundary,
-  const CurveFrame& frame,
-  const Binding& start,
-  const SectionRules& rules = {});
+// As the plane slides, mesh and boundary stay: what a way asks of them at each face is laid out once, linear
+// in the mesh, in one place for each face, since ways of a large mesh wait for memory. Mesh and adjacency
+// must live as long.
+class Sectioner
+{
+public:
+  // boundary: closed chain of vertices joined by edges, its first not repeated. Throws
+  // Error(Failure::BadStroke) for one that is no chain of edges.
+  Sectioner(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& boundary);
+
+  // start: the curve's place in the frame's origin. Empty where the plane meets the boundary fewer than
+  // twice. Throws Error(Failure::BadStroke) for a plane that does not cut the faces at the start, ends and
+  // centre in one line; Error(Failure::BadMesh) naming the edge where the way ends.
+  Section at(const CurveFrame& frame, const Binding& start, const SectionRules& rules = {}) const;
+
+  // Of edge k, which joins corners k and (k + 1) % 3, what lies beyond it: a face, or one of the two below;
+  // and whether it is the boundary's.
+  static constexpr int border = -1, branch = -2; // no face; several
+  struct alignas(32) Face
+  {
+    Triangle corners;
+    std::array<int, 3> beyond;
+    std::array<bool, 3> isBoundary;
+  };
+
+private:
+  const Mesh& Surface;
+  const Adjacency& Links;
+  std::vector<int> Boundary; // edges
+  std::vector<Face> Faces;
+};
 
 } // namespace oversketch
 #endif

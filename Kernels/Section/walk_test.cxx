@@ -165,7 +165,7 @@ TEST(Walk, APlaneAlongFacesFollowsTheirEdges)
   for (int i = 8; i > 0; --i)
     ring.push_back(9 * i);
   const CurveFrame frame{ { 4, 4, 1 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, 0, 1 } };
-  const Section section = crossSection(grid, links, ring, frame, Binding::vertex(4 * 9 + 4));
+  const Section section = Sectioner(grid, links, ring).at(frame, Binding::vertex(4 * 9 + 4));
   ASSERT_EQ(section.points.size(), 9u); // the row's vertices, one after the other
   for (int i = 0; i < 9; ++i)
   {
@@ -180,7 +180,7 @@ TEST(Walk, WhatHasNoSectionIsSaid)
   std::vector<int> torn = p.scene.boundary;
   std::swap(torn[3], torn[20]);
   const auto with = [&](const std::vector<int>& boundary, const CurveFrame& frame, const SectionRules& rules)
-  { return crossSection(p.scene.mesh, p.links, boundary, frame, p.start, rules); };
+  { return Sectioner(p.scene.mesh, p.links, boundary).at(frame, p.start, rules); };
   expectRefused(
     [&] { with(torn, p.frame, {}); }, Failure::BadStroke, "are not joined by an edge of the mesh");
   // A boundary that the plane does not meet: nothing, both ways.
@@ -216,11 +216,11 @@ TEST(Walk, WhatHasNoSectionIsSaid)
                          }),
     open.triangles.end());
   const Adjacency links = buildAdjacency(open);
-  expectRefused([&] { crossSection(open, links, p.scene.boundary, p.frame, p.start); },
+  expectRefused([&] { Sectioner(open, links, p.scene.boundary).at(p.frame, p.start); },
     Failure::BadMesh,
     "meets the mesh's border");
   // As published it is tried the other way round, over the far side of the sphere.
-  const Section round = crossSection(open, links, p.scene.boundary, p.frame, p.start, outermost);
+  const Section round = Sectioner(open, links, p.scene.boundary).at(p.frame, p.start, outermost);
   EXPECT_GT(lengthOf(round.points), 4.0 * pi / 3.0 * 0.98);
   // A fin along an edge of the way: three faces there.
   Mesh finned = p.scene.mesh;
@@ -228,7 +228,8 @@ TEST(Walk, WhatHasNoSectionIsSaid)
   const Binding& third = way.places[3];
   finned.points.emplace_back(0.0, 0.0, 3.0);
   finned.triangles.push_back({ third.vertices[0], third.vertices[1], finned.vertexCount() - 1 });
-  expectRefused([&] { crossSection(finned, buildAdjacency(finned), p.scene.boundary, p.frame, p.start); },
+  const Adjacency finnedLinks = buildAdjacency(finned);
+  expectRefused([&] { Sectioner(finned, finnedLinks, p.scene.boundary).at(p.frame, p.start); },
     Failure::BadMesh,
     "of more than two faces");
 }

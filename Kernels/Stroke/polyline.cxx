@@ -23,9 +23,15 @@ std::vector<double> arcLengths(const Polyline& points, bool closed)
   return lengths;
 }
 
-Blend placeAt(const std::vector<double>& lengths, int pointCount, double length)
+namespace
 {
-  const auto next = std::upper_bound(lengths.begin(), lengths.end(), length);
+
+// `next` is the first entry of lengths that is greater.
+Blend placeBefore(std::vector<double>::const_iterator next,
+  const std::vector<double>& lengths,
+  int pointCount,
+  double length)
+{
   if (next == lengths.begin())
   {
     return Blend::point(0);
@@ -35,9 +41,33 @@ Blend placeAt(const std::vector<double>& lengths, int pointCount, double length)
     return Blend::point(static_cast<int>(lengths.size() - 1) % pointCount);
   }
   const int segment = static_cast<int>(next - lengths.begin()) - 1;
-  // upper_bound makes the segment's length positive: coincident points are passed over.
+  // The segment's length is positive: coincident points are passed over.
   const double t = (length - lengths[segment]) / (lengths[segment + 1] - lengths[segment]);
   return { segment, (segment + 1) % pointCount, t };
+}
+
+} // namespace
+
+Blend placeAt(const std::vector<double>& lengths, int pointCount, double length)
+{
+  return placeBefore(std::upper_bound(lengths.begin(), lengths.end(), length), lengths, pointCount, length);
+}
+
+std::vector<Blend> evenPlaces(const std::vector<double>& lengths, int pointCount, int steps)
+{
+  std::vector<Blend> places;
+  places.reserve(steps + 1);
+  auto next = lengths.begin();
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double length = lengths.back() * i / steps;
+    while (next != lengths.end() && *next <= length)
+    {
+      ++next;
+    }
+    places.push_back(placeBefore(next, lengths, pointCount, length));
+  }
+  return places;
 }
 
 std::vector<Blend> uniformPlaces(const Polyline& points, double spacing)
@@ -45,12 +75,9 @@ std::vector<Blend> uniformPlaces(const Polyline& points, double spacing)
   const std::vector<double> lengths = arcLengths(points);
   const int count = static_cast<int>(points.size());
   const int steps = std::max(1, static_cast<int>(std::lround(lengths.back() / spacing)));
-  std::vector<Blend> places{ Blend::point(0) };
-  for (int i = 1; i < steps; ++i)
-  {
-    places.push_back(placeAt(lengths, count, lengths.back() * i / steps));
-  }
-  places.push_back(Blend::point(count - 1));
+  std::vector<Blend> places = evenPlaces(lengths, count, steps);
+  places.front() = Blend::point(0);
+  places.back() = Blend::point(count - 1);
   return places;
 }
 

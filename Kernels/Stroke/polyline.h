@@ -31,6 +31,8 @@ std::vector<double> arcLengths(const Polyline& points, bool closed = false);
 
 // The place at a length along the polyline, clamped to its ends. lengths comes from arcLengths.
 Blend placeAt(const std::vector<double>& lengths, int pointCount, double length);
+// Those at i / steps of the whole length, i from 0 to steps.
+std::vector<Blend> evenPlaces(const std::vector<double>& lengths, int pointCount, int steps);
 
 // Places at equal lengths, as near to spacing as an integer number of steps allows; both ends are among them.
 std::vector<Blend> uniformPlaces(const Polyline& points, double spacing);

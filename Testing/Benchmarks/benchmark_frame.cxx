@@ -16,8 +16,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <sstream>
 #include <vector>
 
@@ -29,6 +31,60 @@ namespace
 
 std::string dataFolder;
 std::vector<std::string> chosenSizes = { "5k", "30k", "180k", "1M" };
+
+// What the runs of a side took [ms]; of sides in the order in which they were added.
+struct Taken
+{
+  std::string job, size, who;
+  std::vector<double> wall, processor;
+  double limit = 0.0;
+};
+std::vector<Taken>& taken()
+{
+  static std::vector<Taken> all;
+  return all;
+}
+
+double median(std::vector<double> values)
+{
+  std::nth_element(
+    values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+// Ours beside each other side of a job, by time and by time of the processor, which another load of the
+// machine hardly moves.
+void printRatios()
+{
+  std::printf("\nMedians of all runs [ms], in brackets of the processor; ours over theirs, alike.\n");
+  for (const Taken& ours : taken())
+  {
+    if (ours.who != "ours" || ours.wall.empty())
+    {
+      continue;
+    }
+    const double wall = median(ours.wall), processor = median(ours.processor);
+    std::printf("%s, %s: %.4g (%.4g)", ours.job.c_str(), ours.size.c_str(), wall, processor);
+    if (ours.limit > 0.0)
+    {
+      std::printf("; limit %.4g: %.3g (%.3g)", ours.limit, wall / ours.limit, processor / ours.limit);
+    }
+    for (const Taken& theirs : taken())
+    {
+      if (theirs.job == ours.job && theirs.size == ours.size && theirs.who != "ours" && !theirs.wall.empty())
+      {
+        const double other = median(theirs.wall), otherProcessor = median(theirs.processor);
+        std::printf("; %s %.4g (%.4g): %.3g (%.3g)",
+          theirs.who.c_str(),
+          other,
+          otherProcessor,
+          wall / other,
+          processor / otherProcessor);
+      }
+    }
+    std::printf("\n");
+  }
+}
 
 vtkSmartPointer<vtkPolyData> readModel(const std::string& size)
 {
@@ -110,8 +166,10 @@ std::vector<std::string> sizes(const std::vector<std::string>& wanted)
 void add(Job job)
 {
   const std::string name = job.job + "/" + job.size + "/" + job.who;
+  const std::size_t number = taken().size();
+  taken().push_back({ job.job, job.size, job.who, {}, {}, 0.0 });
   benchmark::RegisterBenchmark(name.c_str(),
-    [job = std::move(job)](benchmark::State& state)
+    [job = std::move(job), number](benchmark::State& state)
     {
       using Clock = std::chrono::steady_clock;
       for (auto _ : state)
@@ -120,14 +178,20 @@ void add(Job job)
         {
           job.prepare();
         }
+        const std::clock_t begin = std::clock();
         const Clock::time_point start = Clock::now();
         job.run();
-        state.SetIterationTime(std::chrono::duration<double>(Clock::now() - start).count());
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        state.SetIterationTime(seconds);
+        taken()[number].wall.push_back(1000.0 * seconds);
+        taken()[number].processor.push_back(
+          1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
       }
       state.counters["threads"] = job.threads;
       for (const auto& [figure, value] : job.figures ? job.figures() : std::map<std::string, double>())
       {
         state.counters[figure] = value;
+        taken()[number].limit = figure == "limit_ms" ? value : taken()[number].limit;
       }
     })
     ->UseManualTime()
@@ -192,6 +256,7 @@ int main(int argc, char** argv)
     return 2;
   }
   benchmark::RunSpecifiedBenchmarks();
+  printRatios();
   benchmark::Shutdown();
   return 0;
 }

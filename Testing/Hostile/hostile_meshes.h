@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -85,6 +86,25 @@ inline View wholeView(const Mesh& mesh, bool perspective)
   shift.topRightCorner<3, 1>() = -middle;
   return View(at.viewTransform() * shift, at.projectionTransform(), at.width(), at.height());
 }
+
+// Where the triangle lies that is in front of all others, in the picture.
+inline Vector2 frontOf(const Mesh& mesh, const View& view)
+{
+  Vector2 found(400.0, 300.0);
+  double nearest = -HUGE_VAL;
+  for (const Triangle& t : mesh.triangles)
+  {
+    const Vector3 middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0;
+    if (const double depth = view.depth(middle); depth > nearest)
+    {
+      nearest = depth;
+      found = view.toDisplay(middle).head<2>();
+    }
+  }
+  return found;
+}
+
+constexpr double longestRun = 60.0; // [s of the processor] that a run may take, whatever else runs
 
 } // namespace oversketch_test
 #endif

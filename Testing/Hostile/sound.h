@@ -8,8 +8,9 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchStellarBase.h"
 
+#include <algorithm>
 #include <map>
-#include <set>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -31,29 +32,41 @@ struct Topology
 inline Topology topologyOf(vtkPolyData* polyData)
 {
   const Mesh mesh = MeshOf(polyData);
-  std::map<std::vector<double>, int> places;
-  std::vector<int> number;
-  for (const Vector3& p : mesh.points)
+  const auto before = [&mesh](int a, int b)
   {
-    const std::vector<double> place{ p[0] + 0.0, p[1] + 0.0, p[2] + 0.0 };
-    number.push_back(places.emplace(place, static_cast<int>(places.size())).first->second);
+    const Vector3 &p = mesh.points[a], &q = mesh.points[b];
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  };
+  std::vector<int> order(mesh.points.size()), number(mesh.points.size(), 0);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), before);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    number[order[i]] = number[order[i - 1]] + (before(order[i - 1], order[i]) ? 1 : 0);
   }
-  std::set<int> used;
-  std::set<std::pair<int, int>> edges;
+  std::vector<int> used;
+  std::vector<std::pair<int, int>> edges;
   for (const Triangle& t : mesh.triangles)
   {
     for (int k = 0; k < 3; ++k)
     {
-      used.insert(number[t[k]]);
-      edges.emplace(number[t[k]], number[t[(k + 1) % 3]]);
+      used.push_back(number[t[k]]);
+      edges.emplace_back(number[t[k]], number[t[(k + 1) % 3]]);
     }
   }
+  const auto onlyOnce = [](auto& values)
+  {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  };
+  onlyOnce(used);
+  onlyOnce(edges);
   Topology topology;
   std::map<int, int> following;
   long count = 0;
   for (const auto& [a, b] : edges)
   {
-    const bool twice = edges.count({ b, a }) > 0;
+    const bool twice = std::binary_search(edges.begin(), edges.end(), std::make_pair(b, a));
     count += !twice || a < b;
     if (!twice)
     {

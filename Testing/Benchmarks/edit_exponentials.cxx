@@ -1,6 +1,6 @@
 // The exponentials of a region's vertices: sums of three handles' logarithms by each vertex's own weights.
 // Beside it Eigen's exponential of each sum, times the vertex.
-#include "benchmark_frame.h"
+#include "edit_jobs.h"
 
 #include "Matrix/moved.h"
 #include "Mesh/context.h"
@@ -80,7 +80,7 @@ Job side(const std::string& who, std::function<void()> run)
 
 } // namespace
 
-void jobs()
+void addExponentials()
 {
   Job ours = side("ours", [] { moved(region().points, region().logs, region().weights, Context()); });
   ours.figures = []
