@@ -5,13 +5,13 @@
 # OVERSKETCH_FIRST_SEQUENCE=NUMBER see one again.
 #
 # usage: Testing/random.sh [SEQUENCES [PART...]]   1000 on each part; parts: camera style stroke drawing one_stroke
-#        augment edit window
+#        augment edit window canvas (the window with a drawing of two parts)
 set -euo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 cd "$oversketch_root"
 sequences=${1:-1000}
 shift || true
-parts=${*:-camera style stroke drawing one_stroke augment edit window}
+parts=${*:-camera style stroke drawing one_stroke augment edit window canvas}
 oversketch_install
 oversketch_build asan --target widgets_camera_test widgets_style_test widgets_stroke_test widgets_drawing_test widgets_one_stroke_test widgets_augment_test widgets_edit_test studio_window_test
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0 UBSAN_OPTIONS=print_stacktrace=1
@@ -28,6 +28,8 @@ shard() {
   local part=$1 number=$2 first=$3 count=$4 program=widgets_$1_test filter='Random.*' rc=0
   if [ "$part" = window ]; then
     program=studio_window_test filter=Window.LivesThroughRandomHands
+  elif [ "$part" = canvas ]; then
+    program=studio_window_test filter=Window.LivesThroughRandomHandsOnADrawing
   fi
   OVERSKETCH_FIRST_SEQUENCE=$first OVERSKETCH_SEQUENCES=$count \
     xvfb-run -a -n $((200 + 50 * number)) -s '-screen 0 1280x1024x24 -noreset' \

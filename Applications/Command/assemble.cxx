@@ -55,6 +55,7 @@ void requireApart(const Options& options, const std::vector<Part>& parts)
   {
     for (const auto& [what, path] : { std::pair("the drawing of ", part.source.drawing),
            std::pair("the picture of ", part.source.picture),
+           std::pair("the picture of the back of ", part.source.back),
            std::pair("the mesh of ", part.source.mesh) })
     {
       if (!path.empty())
@@ -84,9 +85,13 @@ std::shared_ptr<const Step> stepOf(const PartSource& source)
   step->system = "InflateDrawing";
   step->values = source.values;
   step->inputs["Strokes"] = Lines(readStroke(source.drawing));
-  if (!source.picture.empty())
+  for (const auto& [input, path] :
+    { std::pair("Picture", source.picture), std::pair("BackPicture", source.back) })
   {
-    step->inputs["Picture"] = readImage(source.picture, SystemInput::Kind::Picture);
+    if (!path.empty())
+    {
+      step->inputs[input] = readImage(path, SystemInput::Kind::Picture);
+    }
   }
   return step;
 }
@@ -230,6 +235,7 @@ Json::Value jsonOf(const Part& part, const Made& made)
   Json::Value json = made.figures.isNull() ? Json::Value(Json::objectValue) : made.figures;
   for (const auto& [name, path] : { std::pair("drawing", part.source.drawing),
          std::pair("image", part.source.picture),
+         std::pair("back_image", part.source.back),
          std::pair("mesh", part.source.mesh) })
   {
     if (!path.empty())

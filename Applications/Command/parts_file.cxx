@@ -60,7 +60,7 @@ PartSource sourceOf(const JsonReader& json, const std::filesystem::path& folder)
   }
   if (json.has("mesh"))
   {
-    for (const char* name : { "picture", "parameters" })
+    for (const char* name : { "picture", "back_picture", "parameters" })
     {
       if (json.has(name))
       {
@@ -77,6 +77,7 @@ PartSource sourceOf(const JsonReader& json, const std::filesystem::path& folder)
   }
   source.drawing = fileOf(json, "strokes", folder);
   source.picture = json.has("picture") ? fileOf(json, "picture", folder) : "";
+  source.back = json.has("back_picture") ? fileOf(json, "back_picture", folder) : "";
   source.values = json.has("parameters") ? valuesOf(json.object("parameters"), *row) : Values();
   return source;
 }
@@ -153,7 +154,8 @@ Box boxOf(const JsonReader& json)
 
 Part partOf(const JsonReader& json, const std::filesystem::path& folder)
 {
-  requireKnown(json, { "strokes", "picture", "parameters", "mesh", "placement", "box", "depth" });
+  requireKnown(
+    json, { "strokes", "picture", "back_picture", "parameters", "mesh", "placement", "box", "depth" });
   Part part;
   part.where = json.where();
   if (json.has("placement") && (json.has("box") || json.has("depth")))

@@ -16,17 +16,17 @@
 namespace oversketch_command
 {
 
-// What a part is made of: a drawing, its picture if any, and the values of its parameters; or a mesh. Files
-// by their paths.
+// What a part is made of: a drawing, its picture and that of its back, if any, and the values of its
+// parameters; or a mesh. Files by their paths.
 struct PartSource
 {
-  std::string drawing, picture, mesh;
+  std::string drawing, picture, back, mesh;
   oversketch_session::Values values;
 
   bool operator<(const PartSource& other) const
   {
-    return std::tie(this->drawing, this->picture, this->mesh, this->values) <
-           std::tie(other.drawing, other.picture, other.mesh, other.values);
+    return std::tie(this->drawing, this->picture, this->back, this->mesh, this->values) <
+           std::tie(other.drawing, other.picture, other.back, other.mesh, other.values);
   }
 };
 

@@ -42,22 +42,25 @@ Json::Value pictureNamed(const GltfDocument& document, const Json::Value& materi
 
 } // namespace
 
+Json::Value materialOf(const GltfDocument& document, const Json::Value& primitive)
+{
+  return document.find("materials", primitive["material"]).isObject() ? primitive["material"] : Json::Value();
+}
+
 GltfSkin skinOf(const GltfDocument& document)
 {
   GltfSkin skin;
-  std::set<Json::Value> materials;
   for (const Json::Value& mesh : document.json()["meshes"])
   {
     for (const Json::Value& primitive : mesh["primitives"])
     {
-      materials.insert(
-        document.find("materials", primitive["material"]).isObject() ? primitive["material"] : Json::Value());
+      skin.pictures[materialOf(document, primitive)];
     }
   }
-  for (const Json::Value& index : materials)
+  for (auto& [index, picture] : skin.pictures)
   {
     const Json::Value& material = document.find("materials", index);
-    skin.pictures.insert(material.isObject() ? pictureNamed(document, material, skin) : Json::Value());
+    picture = material.isObject() ? pictureNamed(document, material, skin) : Json::Value();
   }
   return skin;
 }

@@ -1,21 +1,24 @@
-// What a glTF document's materials leave of themselves in a mesh: the picture of the base colour.
+// What a glTF document's materials leave of themselves in a mesh: the pictures of their base colours.
 #ifndef oversketch_files_gltf_materials_h
 #define oversketch_files_gltf_materials_h
 
 #include "gltf_document.h"
 
+#include <map>
 #include <set>
 #include <string>
 
 namespace oversketch_files
 {
 
-// What the base colours of all primitives have in common.
 struct GltfSkin
 {
-  std::set<Json::Value> pictures; // of the primitives; null for one without
-  std::set<std::string> dropped;  // properties of materials that are not kept
+  std::map<Json::Value, Json::Value> pictures; // of the primitives' materials; null for none of either
+  std::set<std::string> dropped;               // properties of materials that are not kept
 };
+
+// What stands for a primitive's material in them.
+Json::Value materialOf(const GltfDocument& document, const Json::Value& primitive);
 
 GltfSkin skinOf(const GltfDocument& document);
 

@@ -3,6 +3,7 @@
 #include "gltf_document.h"
 #include "gltf_materials.h"
 #include "mesh_file.h"
+#include "pieces.h"
 #include "texture.h"
 
 #include "vtkCellArray.h"
@@ -187,6 +188,7 @@ struct Part
 {
   std::map<std::string, GltfNumbers> attributes; // POSITION among them
   std::vector<vtkIdType> corners;                // three a triangle
+  Json::Value material;                          // materialOf
 };
 
 // Triangles of a list, a strip or a fan of vertices; none of points and lines.
@@ -386,6 +388,7 @@ std::vector<Part> partsOf(GltfDocument& document)
                              part.attributes.count("WEIGHTS_0") == 1;
       transform(part,
         isSkinned ? skinned(document, scene, node["skin"], part) : std::vector<Matrix>{ scene.toWorld(at) });
+      part.material = materialOf(document, primitive);
       if (!part.corners.empty())
       {
         parts.push_back(std::move(part));
@@ -474,14 +477,33 @@ void turnCoordinates(vtkPointData* data)
   }
 }
 
+// The pictures of the parts' materials, each read once.
+void dress(GltfDocument& document, const std::vector<Part>& parts, GltfSkin& skin, vtkPolyData* mesh)
+{
+  std::vector<int> worn; // per triangle
+  std::vector<std::string> pictures;
+  std::map<Json::Value, int> known;
+  for (const Part& part : parts)
+  {
+    const Json::Value& picture = skin.pictures[part.material];
+    if (!picture.isNull() && !mesh->GetPointData()->GetTCoords())
+    {
+      skin.dropped.insert("baseColorTexture (it has no coordinates)");
+      return;
+    }
+    const auto [number, isNew] = known.try_emplace(picture, static_cast<int>(pictures.size()));
+    if (isNew)
+    {
+      pictures.push_back(picture.isNull() ? "" : soundPicture(document, picture));
+    }
+    worn.insert(worn.end(), part.corners.size() / 3, number->second);
+  }
+  wearPictures(mesh, worn, pictures);
+}
+
 vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& path, Notes& notes)
 {
   GltfSkin skin = skinOf(document);
-  std::string picture;
-  if (skin.pictures.size() == 1 && !skin.pictures.begin()->isNull())
-  {
-    picture = soundPicture(document, *skin.pictures.begin());
-  }
   const std::vector<Part> parts = partsOf(document);
   if (parts.empty())
   {
@@ -499,18 +521,7 @@ vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& pat
   }
   makeColoursBytes(mesh->GetPointData(), path, notes);
   turnCoordinates(mesh->GetPointData());
-  if (!picture.empty() && mesh->GetPointData()->GetTCoords())
-  {
-    setTexture(mesh, picture);
-  }
-  else if (skin.pictures.size() > 1)
-  {
-    skin.dropped.insert("baseColorTexture (one mesh has one picture, and its parts have several or none)");
-  }
-  else if (!skin.pictures.empty() && !skin.pictures.begin()->isNull())
-  {
-    skin.dropped.insert("baseColorTexture (it has no coordinates)");
-  }
+  dress(document, parts, skin, mesh);
   for (const char* what : { "animations", "skins", "cameras", "extensionsUsed" })
   {
     if (document.json()[what].size() > 0)

@@ -220,9 +220,10 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
         mesh->GetCellData()->GetArray("MaterialIds") },
       true,
       notes);
-    const std::vector<Piece> pieces = piecesOf(mesh);
+    const bool isNamed = mesh->GetFieldData()->GetAbstractArray("MaterialLibraries") != nullptr;
+    const std::vector<Piece> pieces = isNamed ? std::vector<Piece>{ { "", "", mesh } } : piecesOf(mesh);
     std::string library;
-    if (mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"))
+    if (isNamed)
     {
       notes.push_back("OBJ names the material library that was read; it and its pictures are not copied");
     }

@@ -101,30 +101,31 @@ void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes)
       notes.push_back(note + " cannot be read");
     }
   }
-  std::set<fs::path> used;
-  const std::set<int> worn(materials->GetPointer(0), materials->GetPointer(materials->GetNumberOfValues()));
-  for (const int material : worn)
+  std::vector<std::string> worn;
+  std::map<fs::path, int> known;
+  std::vector<int> numbers(static_cast<std::size_t>(names->GetNumberOfValues()), -1); // of materials
+  std::vector<int> faces;
+  for (vtkIdType i = 0; i < materials->GetNumberOfValues(); ++i)
   {
-    used.insert(pictures[names->GetValue(material)]);
+    int& number = numbers[static_cast<std::size_t>(materials->GetValue(i))];
+    if (number < 0)
+    {
+      const fs::path& file = pictures[names->GetValue(materials->GetValue(i))];
+      const auto [place, isNew] = known.try_emplace(file, static_cast<int>(worn.size()));
+      number = place->second;
+      if (isNew)
+      {
+        worn.push_back(file.empty() ? "" : wholeFile(file.string()));
+        if (!file.empty() && !pictureOf(worn.back()))
+        {
+          worn.back().clear();
+          notes.push_back(path + ": the picture " + file.filename().string() + " is " + notAPicture);
+        }
+      }
+    }
+    faces.push_back(number);
   }
-  if (used.size() > 1)
-  {
-    notes.push_back(
-      path + ": one mesh has one picture, and its materials have several or none: map_Kd is not shown");
-  }
-  if (used.size() != 1 || used.begin()->empty())
-  {
-    return;
-  }
-  const std::string bytes = wholeFile(used.begin()->string());
-  if (pictureOf(bytes))
-  {
-    setTexture(mesh, bytes);
-  }
-  else
-  {
-    notes.push_back(path + ": the picture " + used.begin()->filename().string() + " is " + notAPicture);
-  }
+  wearPictures(mesh, faces, worn);
 }
 
 std::string writeObjMaterials(const std::vector<Piece>& pieces, const std::string& path, NewFiles& files)

@@ -106,6 +106,35 @@ std::vector<Piece> piecesOf(vtkPolyData* mesh)
   return pieces;
 }
 
+void wearPictures(vtkPolyData* mesh, const std::vector<int>& worn, const std::vector<std::string>& pictures)
+{
+  std::map<std::string, int> parts;
+  std::vector<int> partOf(pictures.size(), -1);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("PartId");
+  for (const int picture : worn)
+  {
+    int& part = partOf[static_cast<std::size_t>(picture)];
+    if (part < 0)
+    {
+      part = parts.try_emplace(pictures[static_cast<std::size_t>(picture)], static_cast<int>(parts.size()))
+               .first->second;
+    }
+    ids->InsertNextValue(part);
+  }
+  for (const auto& [bytes, part] : parts)
+  {
+    if (!bytes.empty())
+    {
+      setTexture(mesh, bytes, parts.size() > 1 ? prefixOf(part) : "");
+    }
+  }
+  if (parts.size() > 1)
+  {
+    mesh->GetCellData()->AddArray(ids);
+  }
+}
+
 std::vector<vtkAbstractArray*> pictureArrays(vtkPolyData* mesh)
 {
   std::vector<vtkAbstractArray*> arrays;

@@ -25,6 +25,11 @@ struct Piece
 // with its own picture.
 std::vector<Piece> piecesOf(vtkPolyData* mesh);
 
+// Dresses a mesh: `worn` is, of each polygon, a number in `pictures`, the bytes of one or "" for none. Where
+// all wear the same it is the mesh's own; else those that wear the same become a part, numbered in the order
+// of their first polygons.
+void wearPictures(vtkPolyData* mesh, const std::vector<int>& worn, const std::vector<std::string>& pictures);
+
 // The arrays that say so: the mesh's picture, or PartId and the parts' pictures; none where no piece has one.
 std::vector<vtkAbstractArray*> pictureArrays(vtkPolyData* mesh);
 

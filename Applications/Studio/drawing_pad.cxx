@@ -142,6 +142,11 @@ void DrawingPad::setMagnetic(bool magnetic)
   this->Widget->SetMagnetic(magnetic);
 }
 
+void DrawingPad::setArranged(bool arranged)
+{
+  this->Widget->SetArrange(arranged);
+}
+
 void DrawingPad::setSteadiness(double pixels)
 {
   this->Steadiness = pixels;

@@ -40,6 +40,8 @@ public:
 
   // New strokes move to the picture's edges.
   void setMagnetic(bool magnetic);
+  // Strokes may cross, span and bound together, as the drawing's step has it.
+  void setArranged(bool arranged);
   // How far the line trails behind the pen [px as Qt counts them]; the pen's pressure.
   void setSteadiness(double pixels);
   void setDark(bool dark);

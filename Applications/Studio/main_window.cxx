@@ -447,6 +447,8 @@ void MainWindow::refresh()
   this->Undo->setEnabled(this->OpenDocument->canUndo());
   this->Redo->setEnabled(this->OpenDocument->canRedo());
   this->Save->setEnabled(open);
+  // A drawing without lines has no mesh.
+  this->Export->setEnabled(open && (this->OpenDocument->result().mesh || this->OpenDocument->session().mesh));
   this->setWindowModified(this->OpenDocument->isModified());
   this->setWindowTitle(open ? tr("%1[*] - Oversketch").arg(this->OpenDocument->name()) : tr("Oversketch"));
   if (!this->OpenDocument->isBusy())

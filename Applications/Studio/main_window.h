@@ -126,7 +126,8 @@ private:
   QPushButton* Cancel;
   QTimer* Patience; // progress is shown for what takes longer than a moment
   QMenu* Recent = nullptr;
-  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Dark = nullptr, *Region = nullptr;
+  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Dark = nullptr,
+          *Region = nullptr;
   QVector<QAction*> DockActions;
   Preferences Settings;
   int Redrawn = -1; // the step that the next one replaces

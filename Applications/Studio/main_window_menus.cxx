@@ -68,7 +68,8 @@ void MainWindow::makeMenus()
   connect(this->Recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   this->Save = this->add(file, tr("&Save session"), QKeySequence::Save, [this] { this->save(); });
   this->add(file, tr("Save session &as…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { this->saveAs(); });
-  this->add(file, tr("&Export mesh…"), QKeySequence(tr("Ctrl+E")), [this] { this->exportAsked(); });
+  this->Export =
+    this->add(file, tr("&Export mesh…"), QKeySequence(tr("Ctrl+E")), [this] { this->exportAsked(); });
   this->add(file, tr("Save a &picture…"), QKeySequence(tr("F12")), [this] { this->screenshot(); });
   file->addSeparator();
   this->add(file, tr("Add a p&icture…"), {}, [this] { this->addPictureAsked(); });

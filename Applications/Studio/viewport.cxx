@@ -15,7 +15,6 @@
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkLightKit.h"
 #include "vtkPNGWriter.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -108,15 +107,7 @@ void Viewport::makeScene()
 
   this->makeRegion();
 
-  this->MirrorMapper->SetInputConnection(this->MirrorSheet->GetOutputPort());
-  this->Mirror->SetMapper(this->MirrorMapper);
-  this->Mirror->GetProperty()->SetOpacity(0.15);
-  this->Mirror->GetProperty()->SetEdgeVisibility(true);
-  this->Mirror->GetProperty()->LightingOff();
-  this->Mirror->PickableOff();
-  this->Mirror->VisibilityOff();
-  this->Renderer->AddActor(this->Mirror);
-
+  this->Mirror.addTo(this->Renderer);
   this->HintBox.addTo(this->Renderer);
 }
 
@@ -454,27 +445,7 @@ void Viewport::showSection(vtkPolyData* section)
 
 void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
 {
-  vtkPolyData* mesh = this->mesh();
-  this->Mirror->SetVisibility(plane && mesh);
-  if (plane && mesh)
-  {
-    // A little larger than the model, in the plane.
-    double box[6];
-    mesh->GetBounds(box);
-    const int a = (plane->axis + 1) % 3, b = (plane->axis + 2) % 3;
-    const double margin = 0.1 * mesh->GetLength();
-    double origin[3], first[3], second[3];
-    origin[plane->axis] = plane->offset;
-    origin[a] = box[2 * a] - margin;
-    origin[b] = box[2 * b] - margin;
-    std::copy(origin, origin + 3, first);
-    std::copy(origin, origin + 3, second);
-    first[a] = box[2 * a + 1] + margin;
-    second[b] = box[2 * b + 1] + margin;
-    this->MirrorSheet->SetOrigin(origin);
-    this->MirrorSheet->SetPoint1(first);
-    this->MirrorSheet->SetPoint2(second);
-  }
+  this->Mirror.show(plane, this->mesh());
   this->renderSoon();
 }
 
@@ -505,18 +476,16 @@ void Viewport::setDark(bool dark)
     this->Renderer->SetBackground(0.13, 0.14, 0.16);
     this->Renderer->SetBackground2(0.22, 0.24, 0.27);
     this->Model.setPlain(0.78, 0.76, 0.73);
-    this->Mirror->GetProperty()->SetColor(0.6, 0.8, 1.0);
-    this->HintBox.setDark(true);
   }
   else
   {
     this->Renderer->SetBackground(0.80, 0.82, 0.84);
     this->Renderer->SetBackground2(0.95, 0.96, 0.97);
     this->Model.setPlain(0.90, 0.88, 0.85);
-    this->Mirror->GetProperty()->SetColor(0.2, 0.4, 0.7);
-    this->HintBox.setDark(false);
   }
   this->Renderer->GradientBackgroundOn();
+  this->Mirror.setDark(dark);
+  this->HintBox.setDark(dark);
   this->renderSoon();
 }
 
@@ -552,9 +521,9 @@ bool Viewport::showsKeys() const
 
 void Viewport::screenshot(const QString& path, bool overlays)
 {
-  const int section = this->Section->GetVisibility(), region = this->Region->GetVisibility(),
-            mirror = this->Mirror->GetVisibility(), hint = this->HintBox.isVisible();
-  const bool keys = this->Style->GetShowKeys();
+  const int section = this->Section->GetVisibility(), region = this->Region->GetVisibility();
+  const bool mirror = this->Mirror.isVisible(), hint = this->HintBox.isVisible(),
+             keys = this->Style->GetShowKeys();
   if (!overlays)
   {
     for (Tool* tool : this->findChildren<Tool*>())
@@ -563,7 +532,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
     }
     this->Section->VisibilityOff();
     this->Region->VisibilityOff();
-    this->Mirror->VisibilityOff();
+    this->Mirror.setVisible(false);
     this->HintBox.setVisible(false);
     this->Style->SetShowKeys(false);
   }
@@ -575,7 +544,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
   picture->Update();
   this->Section->SetVisibility(section);
   this->Region->SetVisibility(region);
-  this->Mirror->SetVisibility(mirror);
+  this->Mirror.setVisible(mirror);
   this->HintBox.setVisible(hint);
   this->Style->SetShowKeys(keys);
   for (Tool* tool : this->findChildren<Tool*>())

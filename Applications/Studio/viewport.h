@@ -4,6 +4,7 @@
 
 #include "backdrop.h"
 #include "hint.h"
+#include "mirror_sheet.h"
 #include "model_view.h"
 #include "session.h"
 
@@ -19,7 +20,6 @@ class vtkCallbackCommand;
 class vtkGenericOpenGLRenderWindow;
 class vtkLightKit;
 class vtkOversketchInteractorStyle;
-class vtkPlaneSource;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkPolyDataNormals;
@@ -110,10 +110,10 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLightKit> Lights;
   ModelView Model{ this->Renderer };
-  vtkNew<vtkPolyDataMapper> SectionMapper, RegionMapper, MirrorMapper;
-  vtkNew<vtkActor> Section, Region, Mirror;
+  vtkNew<vtkPolyDataMapper> SectionMapper, RegionMapper;
+  vtkNew<vtkActor> Section, Region;
   vtkNew<vtkPolyDataNormals> RegionNormals;
-  vtkNew<vtkPlaneSource> MirrorSheet;
+  MirrorSheet Mirror;
   Backdrop Behind;
   Hint HintBox;
   vtkNew<vtkOversketchInteractorStyle> Style;

@@ -6,7 +6,7 @@
  * z = 0, so that panning and zooming change no stroke. Each is seen in the view that its stroke carries,
  * which may be zoomed, tilted or in perspective; a sample whose view only grazes the plane is dropped. The
  * paper does not say when a stroke is closed: here, when its ends are at most 0.02 of the canvas's longest
- * side apart.
+ * side and a fifth of its own length apart.
  *
  * Input 0 (Strokes): stroke polydata: polylines in display coordinates with cell arrays ViewTransform,
  * ProjectionTransform and ViewportSize. Any number of strokes, each with its own view. One that repeats its

@@ -7,9 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -119,7 +117,30 @@ private:
   std::map<std::pair<int, int>, SurfacePoint> Known; // by vertex and chart, so that all its cells agree
 };
 
+// The array itself where it is of that type.
+template <typename Array>
+vtkSmartPointer<Array> As(vtkDataArray* array)
+{
+  vtkSmartPointer<Array> typed = Array::SafeDownCast(array);
+  if (!typed)
+  {
+    typed = vtkSmartPointer<Array>::New();
+    typed->DeepCopy(array);
+  }
+  return typed;
+}
+
 } // namespace
+
+Sources::Sources(vtkPolyData* changed)
+{
+  const char* const remedy = "vtkOversketchRemesh writes it";
+  const vtkIdType cells = changed->GetNumberOfPolys();
+  this->Cells =
+    As<vtkIdTypeArray>(RequireArray(changed->GetCellData(), "SourceCell", 3, cells, "remeshed mesh", remedy));
+  this->Weights = As<vtkDoubleArray>(
+    RequireArray(changed->GetCellData(), "SourceWeights", 9, cells, "remeshed mesh", remedy));
+}
 
 void AddPlaces(vtkPolyData* welded)
 {

@@ -6,6 +6,10 @@
 
 #include "Mesh/context.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkSmartPointer.h"
+
 class vtkPolyData;
 
 namespace oversketch
@@ -20,6 +24,26 @@ OVERSKETCHFILTERSSYSTEMS_EXPORT void AddPlaces(vtkPolyData* welded);
 OVERSKETCHFILTERSSYSTEMS_EXPORT void AddSources(vtkPolyData* welded,
   vtkPolyData* changed,
   const Context& context);
+
+// The two arrays of a changed mesh, read. Throws Error(MissingArray) where one is not there.
+class OVERSKETCHFILTERSSYSTEMS_EXPORT Sources
+{
+public:
+  explicit Sources(vtkPolyData* changed);
+  // Of a triangle's corner: the triangle it lies on, and the weights of that one's corners.
+  vtkIdType Cell(vtkIdType triangle, int corner) const
+  {
+    return this->Cells->GetPointer(0)[3 * triangle + corner];
+  }
+  const double* WeightsAt(vtkIdType triangle, int corner) const
+  {
+    return this->Weights->GetPointer(0) + 9 * triangle + 3 * corner;
+  }
+
+private:
+  vtkSmartPointer<vtkIdTypeArray> Cells;
+  vtkSmartPointer<vtkDoubleArray> Weights;
+};
 
 } // namespace oversketch
 #endif

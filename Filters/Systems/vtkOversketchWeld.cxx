@@ -5,11 +5,11 @@
 #include "Mesh/weld.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchRuns.h"
+#include "vtkOversketchSources.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -102,46 +102,6 @@ std::shared_ptr<const MeshData> SharedGeometry(vtkPolyData* mesh)
   bare->SetPolys(mesh->GetPolys());
   return SharedMesh(bare);
 }
-
-// SourceCell and SourceWeights of a remeshed mesh.
-class Sources
-{
-public:
-  explicit Sources(vtkPolyData* remeshed)
-  {
-    const vtkIdType cells = remeshed->GetNumberOfPolys();
-    this->Cells = As<vtkIdTypeArray>(
-      RequireArray(remeshed->GetCellData(), "SourceCell", 3, cells, "remeshed mesh", remedy));
-    this->Weights = As<vtkDoubleArray>(
-      RequireArray(remeshed->GetCellData(), "SourceWeights", 9, cells, "remeshed mesh", remedy));
-  }
-  // Of a triangle's corner: the triangle it lies on, and the weights of that one's corners.
-  vtkIdType Cell(vtkIdType triangle, int corner) const
-  {
-    return this->Cells->GetPointer(0)[3 * triangle + corner];
-  }
-  const double* WeightsAt(vtkIdType triangle, int corner) const
-  {
-    return this->Weights->GetPointer(0) + 9 * triangle + 3 * corner;
-  }
-
-private:
-  // The array itself where it is of that type.
-  template <typename Array>
-  static vtkSmartPointer<Array> As(vtkDataArray* array)
-  {
-    vtkSmartPointer<Array> typed = Array::SafeDownCast(array);
-    if (!typed)
-    {
-      typed = vtkSmartPointer<Array>::New();
-      typed->DeepCopy(array);
-    }
-    return typed;
-  }
-
-  vtkSmartPointer<vtkIdTypeArray> Cells;
-  vtkSmartPointer<vtkDoubleArray> Weights;
-};
 
 } // namespace
 

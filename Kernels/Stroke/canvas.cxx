@@ -10,8 +10,9 @@ namespace oversketch
 namespace
 {
 
-constexpr double grazing = 1e-6;    // rad
-constexpr double closingGap = 0.02; // of the longest side
+constexpr double grazing = 1e-6;     // rad
+constexpr double closingGap = 0.02;  // of the longest side
+constexpr double closingShare = 0.2; // of the stroke's length
 
 } // namespace
 
@@ -67,8 +68,12 @@ Polyline ontoCanvas(const View& view, const Polyline& display)
 
 bool closesOnCanvas(const Polyline& points, const Canvas& canvas)
 {
-  const double gap = closingGap * canvas.longest();
-  return points.size() > 2 && (points.front() - points.back()).norm() <= gap &&
+  if (points.size() < 3)
+  {
+    return false;
+  }
+  const double gap = std::min(closingGap * canvas.longest(), closingShare * arcLengths(points).back());
+  return (points.front() - points.back()).norm() <= gap &&
          std::any_of(
            points.begin(), points.end(), [&](const Vector2& p) { return (p - points.front()).norm() > gap; });
 }

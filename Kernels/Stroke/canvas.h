@@ -34,8 +34,9 @@ std::optional<Vector2> ontoCanvas(const View& view, const Vector2& display);
 // The projected samples of a stroke; those that do not meet the plane are left out.
 Polyline ontoCanvas(const View& view, const Polyline& display);
 
-// A drawn stroke is closed when its ends are at most 0.02 longest sides apart and it has been farther from
-// its first sample than that in between.
+// A drawn stroke is closed when its ends are at most 0.02 longest sides and a fifth of its length apart and
+// it has been farther from its first sample than that in between. The length is ours: an eye, smaller than
+// 0.02 longest sides, closes, and a short arc stays open.
 bool closesOnCanvas(const Polyline& points, const Canvas& canvas);
 
 } // namespace oversketch

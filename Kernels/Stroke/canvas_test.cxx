@@ -106,6 +106,30 @@ TEST(C1_2, APicturesRectangleHasItsSamplesInTheMiddleOfSquares)
   EXPECT_FALSE(closesOnCanvas(arc(0.0, 0.1, 100.0, 60), canvas)); // a dab
 }
 
+TEST(Canvas, ATinyCircleClosesAndAShortArcDoesNot)
+{
+  const Canvas canvas{ { 0.0, 0.0 }, { 1024.0, 768.0 } };
+  const double twoTurns = 2.0 * halfTurn;
+  for (const double diameter : { 6.0, 8.0, 12.0, 40.0, 400.0 })
+  {
+    SCOPED_TRACE(diameter);
+    for (const int samples : { 8, 20 }) // a hand that is quick leaves few
+    {
+      EXPECT_TRUE(closesOnCanvas(arc(0.0, twoTurns, 0.5 * diameter, samples), canvas));
+      // It goes on beyond its begin, and stops short of it, by a twentieth of a turn: of a large one that is
+      // over 0.02 longest sides.
+      for (const double off : { 0.3, -0.3 })
+      {
+        EXPECT_EQ(
+          closesOnCanvas(arc(0.0, twoTurns + off, 0.5 * diameter, samples), canvas), diameter < 100.0);
+      }
+      EXPECT_FALSE(closesOnCanvas(arc(0.0, 0.7 * twoTurns, 0.5 * diameter, samples), canvas)) << "a C";
+      EXPECT_FALSE(closesOnCanvas(arc(0.0, 0.5 * twoTurns, 0.5 * diameter, samples), canvas)) << "a bow";
+    }
+    EXPECT_FALSE(closesOnCanvas({ { 0.0, 0.0 }, { 0.5 * diameter, 1.0 }, { diameter, 0.0 } }, canvas));
+  }
+}
+
 TEST(C1_3, ThirtyDegreesOfACircleAreCorrected)
 {
   const double h = 0.005, radius = 0.3;

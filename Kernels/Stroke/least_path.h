@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace oversketch
@@ -37,6 +38,24 @@ PathField wholeField(const EdgeFeatures& features);
 // acos dq) / pi, dp and dq the unit step times the edge's tangents at p and q, both turned about where dp is
 // negative. (Weights are OpenCV's, the paper gives none.) Of equally cheap ways to a pixel the one found
 // first stays; of places equally far the lower is left first.
+class PathSearch
+{
+public:
+  PathSearch();
+  ~PathSearch();
+  // Keeps its memory from one path to the next.
+  std::vector<Pixel> operator()(const EdgeFeatures& features,
+    const PathField& field,
+    const Pixel& from,
+    const Pixel& to,
+    const Context& context);
+
+private:
+  class Work;
+  std::unique_ptr<Work> Inner;
+};
+
+// One path.
 std::vector<Pixel> leastPath(const EdgeFeatures& features,
   const PathField& field,
   const Pixel& from,

@@ -89,12 +89,15 @@ Pixel Drawn::seedPixel(int sample) const
   {
     for (int x = std::max(0, static_cast<int>(std::ceil(seed[0] - this->radius))); x <= x1; ++x)
     {
+      const std::size_t pixel = static_cast<std::size_t>(y) * this->features.width + x;
+      if (!this->features.edges[pixel])
+      {
+        continue;
+      }
       const Vector2 place(x, y);
       const double distance = (place - seed).norm();
-      const std::size_t pixel = static_cast<std::size_t>(y) * this->features.width + x;
       const double g = this->features.magnitude[pixel];
-      if (distance > this->radius || !this->features.edges[pixel] || g < strongest ||
-          (g == strongest && distance >= nearest))
+      if (distance > this->radius || g < strongest || (g == strongest && distance >= nearest))
       {
         continue;
       }
@@ -141,41 +144,54 @@ PathField Drawn::corridor(int from, int to) const
   // Of each pixel: the nearest sample and its distance's square.
   std::vector<float> nearest(size, std::numeric_limits<float>::max());
   std::vector<int> samples(size, -1);
+  const Eigen::ArrayXd columns = Eigen::ArrayXd::LinSpaced(field.width, x0, x1);
+  Eigen::ArrayXd along(field.width), squares(field.width); // of a row, and a segment
   const double limit = this->radius * this->radius;
   for (int i = from; i < to; ++i)
   {
     const Vector2 a = this->points[i], way = this->points[i + 1] - a;
-    const double square = way.squaredNorm();
-    const auto range = [&](int axis, int first, int count)
-    {
-      const double l = std::ceil(std::min(a[axis], a[axis] + way[axis]) - this->radius) - first;
-      const double h = std::floor(std::max(a[axis], a[axis] + way[axis]) + this->radius) - first;
-      return std::array<int, 2>{ static_cast<int>(std::clamp(l, 0.0, static_cast<double>(count))),
-        static_cast<int>(std::clamp(h, -1.0, count - 1.0)) };
-    };
-    const auto [ya, yb] = range(1, field.y0, field.height);
-    const double length = std::sqrt(square);
+    const double length = way.norm();
+    const double divisor =
+      length > 0.0 ? way.squaredNorm() : 1.0; // a segment without length is its first point
+    const Vector2 lower = a.cwiseMin(a + way), upper = a.cwiseMax(a + way);
+    const auto row = [&](double y) { return std::min(y1 + 1.0, std::max(y0 - 1.0, y)); };
+    const auto column = [&](double x) { return std::min(field.width + 0.0, std::max(-1.0, x - field.x0)); };
+    const int ya = std::max(field.y0, static_cast<int>(std::ceil(row(lower[1] - this->radius))));
+    const int yb =
+      std::min(field.y0 + field.height - 1, static_cast<int>(std::floor(row(upper[1] + this->radius))));
     for (int y = ya; y <= yb; ++y)
     {
-      // Of a long segment's box only the strip beside it is looked at: where the line's distance allows.
-      auto [xa, xb] = range(0, field.x0, field.width);
+      // Of the segment's box only what is near its ends' rows, and of a long one the strip beside it, is
+      // looked at.
+      const double off = std::max({ 0.0, lower[1] - y, y - upper[1] });
+      const double beside = std::sqrt(std::max(0.0, limit - off * off)) + 1.0;
+      double left = lower[0] - beside, right = upper[0] + beside;
       if (std::abs(way[1]) > 1e-9 * length)
       {
-        const double middle = a[0] + way[0] * (field.y0 + y - a[1]) / way[1] - field.x0;
+        const double middle = a[0] + way[0] * (y - a[1]) / way[1];
         const double half = this->radius * length / std::abs(way[1]) + 1.0;
-        xa = static_cast<int>(std::clamp(middle - half, static_cast<double>(xa), xb + 1.0));
-        xb = static_cast<int>(std::clamp(middle + half, xa - 1.0, static_cast<double>(xb)));
+        left = std::max(left, middle - half);
+        right = std::min(right, middle + half);
       }
-      for (int x = xa; x <= xb; ++x)
+      const int xa = std::max(0, static_cast<int>(column(left)));
+      const int xb = std::min(field.width - 1, static_cast<int>(column(right)));
+      const int count = xb - xa + 1;
+      if (count < 1)
       {
-        const Vector2 p(field.x0 + x, field.y0 + y);
-        const double t = square > 0.0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
-        const double distance = (a + t * way - p).squaredNorm();
-        const std::size_t at = static_cast<std::size_t>(y) * field.width + x;
-        if (distance <= limit && static_cast<float>(distance) < nearest[at])
+        continue;
+      }
+      auto t = along.head(count), square = squares.head(count); // several pixels at a time
+      const auto x = columns.segment(xa, count);
+      t = (((x - a[0]) * way[0] + (y - a[1]) * way[1]) / divisor).max(0.0).min(1.0);
+      square = (t * way[0] + a[0] - x).square() + (t * way[1] + a[1] - y).square();
+      const std::size_t first = static_cast<std::size_t>(y - field.y0) * field.width + xa;
+      for (int k = 0; k < count; ++k)
+      {
+        const auto distance = static_cast<float>(square[k]);
+        if (square[k] <= limit && distance < nearest[first + k])
         {
-          nearest[at] = static_cast<float>(distance);
-          samples[at] = t < 0.5 ? i : i + 1;
+          nearest[first + k] = distance;
+          samples[first + k] = t[k] < 0.5 ? i : i + 1;
         }
       }
     }
@@ -190,11 +206,11 @@ PathField Drawn::corridor(int from, int to) const
     for (int x = 0; x < field.width; ++x)
     {
       const std::size_t at = static_cast<std::size_t>(y) * field.width + x;
-      if (samples[at] >= 0)
+      if (samples[at] >= 0.0)
       {
-        field.states[at] = this->counts(field.x0 + x, field.y0 + y, chords[samples[at] - from])
-                             ? PathField::Edge
-                             : PathField::Plain;
+        const double chord = chords[static_cast<std::size_t>(samples[at]) - from];
+        field.states[at] =
+          this->counts(field.x0 + x, field.y0 + y, chord) ? PathField::Edge : PathField::Plain;
       }
     }
   }
@@ -257,6 +273,11 @@ Polyline smoothed(const Polyline& run, double sigma, const NearestPlace& stroke,
   }
   Polyline result = run;
   const int count = static_cast<int>(run.size()), window = static_cast<int>(std::ceil(3.0 * sigma));
+  std::vector<double> bell;
+  for (int k = 0; k <= window; ++k)
+  {
+    bell.push_back(std::exp(-0.5 * k * k / (sigma * sigma)));
+  }
   for (int i = 1; i + 1 < count; ++i)
   {
     const int reach = std::min({ window, i, count - 1 - i });
@@ -264,7 +285,7 @@ Polyline smoothed(const Polyline& run, double sigma, const NearestPlace& stroke,
     double weights = 1.0;
     for (int k = 1; k <= reach; ++k)
     {
-      const double weight = std::exp(-0.5 * k * k / (sigma * sigma));
+      const double weight = bell[static_cast<std::size_t>(k)];
       sum += weight * (run[i - k] + run[i + k]);
       weights += 2.0 * weight;
     }
@@ -329,12 +350,13 @@ SnappedStroke snapped(const EdgeFeatures& features,
   const std::size_t partCount = ends.size() - 1;
   std::vector<std::vector<Pixel>> paths(partCount);
   std::vector<std::vector<std::uint8_t>> strong(partCount);
+  PathSearch search;
   for (std::size_t part = 0; part < partCount; ++part)
   {
     context.checkpoint(static_cast<double>(part) / static_cast<double>(ends.size()));
     const PathField field = drawn.corridor(ends[part], ends[part + 1]);
     // A seed of a stroke that leaves the picture may have no pixel in the corridor: no path then.
-    paths[part] = leastPath(features, field, places[part], places[part + 1], context);
+    paths[part] = search(features, field, places[part], places[part + 1], context);
     for (const Pixel& pixel : paths[part])
     {
       strong[part].push_back(besideEdge(field, pixel));

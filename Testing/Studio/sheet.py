@@ -8,7 +8,8 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from sitting import mesh
+from desk import until
+from sitting import DOG, mesh
 
 DRAWINGS = pathlib.Path(os.environ["OVERSKETCH_SOURCE"]) / "Data" / "Drawings"
 MARGIN = 1.1  # about a picture, in its view
@@ -35,6 +36,18 @@ class Sheet:
         middle = numpy.array([pad.left + 0.5 * pad.width, pad.top + 0.5 * pad.height])
         return [tuple(place) for place in middle + away * [1, -1]]
 
+    def open(self):
+        """Starts the program and drops the picture on it, the tool Image to model in the hand."""
+        sitting = self.sitting
+        sitting.start(DOG)
+        sitting.shows(0)
+        sitting.fit()
+        sitting.alone()
+        sitting.desk.key("g")
+        sitting.desk.drop(self.picture, sitting.view.left + 300, sitting.view.top + 300)
+        until(lambda: (sitting.session() or sitting.autosave()) and sitting.place("filler", "Picture"), "the picture")
+        sitting.alone()
+
     def draw(self, places, **more):
         self.sitting.desk.drag(self.on_screen(places), **more)
 
@@ -42,6 +55,48 @@ class Sheet:
 def ring(x, y, radius, count=40):
     angles = numpy.linspace(0.0, 2.0 * numpy.pi, count + 1)
     return numpy.column_stack([x + radius * numpy.cos(angles), y + radius * numpy.sin(angles)])
+
+
+def pixels(sitting, name):
+    """What a view shows, "Model" or "Picture": its place and its colours, row by row from above."""
+    view = sitting.place("filler", name)
+    picture = sitting.desk.picture(view.left, view.top, view.width, view.height)
+    return view, vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(view.height, view.width, 3)[::-1].astype(int)
+
+
+def places_of(sitting, name, colour):
+    """The places of a view that have a colour, as (x, y) on the screen."""
+    view, seen = pixels(sitting, name)
+    rows, columns = numpy.nonzero(abs(seen - colour).max(axis=2) <= 3)
+    return numpy.column_stack([columns + view.left, rows + view.top])
+
+
+def undone_and_redone(sitting, steps, digests):
+    """Ctrl+Z back to the first of them and Ctrl+Y to the last."""
+    for now, earlier in zip(digests[:0:-1], digests[-2::-1]):
+        sitting.desk.key("ctrl+z")
+        assert sitting.shows(steps, other_than=now) == earlier
+    for now, later in zip(digests, digests[1:]):
+        sitting.desk.key("ctrl+y")
+        assert sitting.shows(steps, other_than=now) == later
+
+
+def save(sitting, path):
+    sitting.desk.key("ctrl+s")
+    sitting.dialogue()
+    sitting.desk.key("ctrl+a")
+    sitting.desk.type(str(path))
+    sitting.desk.key("Return")
+    until(path.exists, "the file")
+
+
+def recover(sitting):
+    """Kills the program, starts it again and takes what it offers."""
+    sitting.studio.kill()
+    sitting.desk.release()
+    sitting.start()
+    sitting.dialogue()
+    sitting.desk.key("Return")
 
 
 def euler(mesh):

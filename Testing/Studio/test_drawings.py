@@ -11,29 +11,23 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path[:0] = [str(SOURCE / "Testing" / "Studio"), str(SOURCE / "Testing" / "Pictures")]
 from desk import until  # noqa: E402
-from sheet import Sheet, euler, replayed, ring  # noqa: E402
-from sitting import DOG, digest, mesh, sitting  # noqa: E402, F401
+from sheet import Sheet, euler, pixels, places_of, recover, replayed, ring, save, undone_and_redone  # noqa: E402
+from sitting import digest, mesh, sitting  # noqa: E402, F401
+
+# What lines are on the pad, by their colours (vtkOversketchDrawingRepresentation).
+BOUNDARY, OPEN_FEATURE, UNJUDGED = (217, 26, 26), (20, 145, 60), (20, 20, 20)
+
 
 def lowest_fin(sitting):
     """Where the shown model is lowest on the screen: its colours are stronger than those behind it."""
-    view = sitting.place("filler", "Model")
-    picture = sitting.desk.picture(view.left, view.top, view.width, view.height)
-    pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(view.height, view.width, 3)[::-1].astype(int)
-    rows, columns = numpy.nonzero(pixels.max(axis=2) - pixels.min(axis=2) > 60)
+    view, seen = pixels(sitting, "Model")
+    rows, columns = numpy.nonzero(seen.max(axis=2) - seen.min(axis=2) > 60)
     return view.left + int(numpy.median(columns[rows == rows.max()])), view.top + int(rows.max())
 
 
 def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
     desk, fish = sitting.desk, Sheet(sitting, "fish")
-    sitting.start(DOG)
-    sitting.shows(0)
-    sitting.fit()
-    sitting.alone()
-    desk.key("g")
-    desk.drop(fish.picture, sitting.view.left + 300, sitting.view.top + 300)
-    until(lambda: (sitting.session() or sitting.autosave()) and sitting.place("filler", "Picture"), "the picture")
-    sitting.alone()
-
+    fish.open()
     fish.draw(fish.outline())
     whole = sitting.shows(1)
     sitting.shot("drawn_fish")
@@ -70,12 +64,7 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
     assert sitting.shows(1) == anew
 
     # Undone to the first line and redone.
-    for digest_before, now in ((anew, tunnel), (tunnel, hole), (hole, filled), (filled, whole)):
-        desk.key("ctrl+z")
-        assert sitting.shows(1, other_than=digest_before) == now
-    for digest_before, now in ((whole, filled), (filled, hole), (hole, tunnel), (tunnel, anew)):
-        desk.key("ctrl+y")
-        assert sitting.shows(1, other_than=digest_before) == now
+    undone_and_redone(sitting, 1, [whole, filled, hole, tunnel, anew])
 
     # A stroke over the outline pulls a fin of the model; a part of the drawing drawn anew then, and the fin follows.
     desk.key("d")
@@ -101,22 +90,60 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
     assert digest(replayed(sitting.autosave(), tmp_path / "both.vtp")) == both
 
     saved = tmp_path / "fish.oversketch"
-    desk.key("ctrl+s")
-    sitting.dialogue()
-    desk.key("ctrl+a")
-    desk.type(str(saved))
-    desk.key("Return")
-    until(saved.exists, "the file")
+    save(sitting, saved)
     assert digest(replayed(saved, tmp_path / "saved.vtp")) == both
 
     # Killed amid a line: what was drawn before comes back.
     sitting.alone()
     desk.drag(fish.on_screen(ring(*(middle + [150, 0]), 20))[:20], release=False)
-    sitting.studio.kill()
-    desk.release()
-    sitting.start()
-    sitting.dialogue()
-    desk.key("Return")
+    recover(sitting)
     assert sitting.shows(2) == both
     sitting.shot("fish_after_a_crash")
     assert digest(replayed(sitting.autosave(), tmp_path / "recovered.vtp")) == both
+
+
+def test_lines_bound_together_cross_and_span(sitting, tmp_path):
+    """An outline of two lines, each past the other's ends, and lines across all of it: nothing, until they may cross."""
+    desk, fish = sitting.desk, Sheet(sitting, "fish")
+    fish.open()
+    desk.key("F4")  # lines stay where they are drawn
+    x, y = 0.5 * fish.size
+    along = lambda begin, end: numpy.array([(x + 300 * numpy.cos(a), y + 160 * numpy.sin(a)) for a in numpy.linspace(begin, end, 40)])
+    fish.draw(along(-0.02, numpy.pi + 0.03))
+    fish.draw(along(numpy.pi - 0.02, 2 * numpy.pi + 0.03))
+    roles = lambda: {name: len(places_of(sitting, "Picture", colour)) for name, colour in
+                     (("boundary", BOUNDARY), ("open feature", OPEN_FEATURE), ("unjudged", UNJUDGED))}
+    until(lambda: roles()["unjudged"] > 300 and roles()["boundary"] == 0, "both are of no use")
+    sitting.click("check box", "Strokes may cross")
+    outline = sitting.shows(1)
+    until(lambda: roles()["boundary"] > 300, "they are one outline")
+    made = replayed(sitting.autosave(), tmp_path / "outline.vtp")
+    assert digest(made) == outline and euler(made) == 2
+    assert numpy.allclose(made.GetBounds()[:4], (x - 300, x + 300, y - 160, y + 160), atol=6.0)
+
+    # One line from rim to rim and beyond, another one over it: four regions of one closed body.
+    fish.draw([(x - 30 + 3 * t, y + 166 - 16.6 * t) for t in range(21)])
+    halves = sitting.shows(1, other_than=outline)
+    fish.draw([(x - 306 + 30.6 * t, y - 20 + 2 * t) for t in range(21)])
+    quarters = sitting.shows(1, other_than=halves)
+    until(lambda: roles()["open feature"] > 300 and roles()["boundary"] > 300, "lines inside are features")
+    sitting.shot("lines_that_cross")
+    made = replayed(sitting.autosave(), tmp_path / "quarters.vtp")
+    assert digest(made) == quarters and euler(made) == 2
+    assert len(numpy.unique(vtk_to_numpy(made.GetCellData().GetArray("RegionId")))) == 4
+    assert len(numpy.unique(vtk_to_numpy(made.GetCellData().GetArray("ObjectId")))) == 1
+    # What the pad shows is what the model has: all that is red lies on its rim, nothing green beyond it.
+    on_pad = lambda colour: places_of(sitting, "Picture", colour)
+    middle = numpy.array(fish.on_screen([(x, y)])[0])
+    scale = numpy.array(fish.on_screen([(x + 1, y + 1)])[0]) - middle
+    round_it = lambda colour: numpy.hypot(*((on_pad(colour) - middle) / scale / (300, 160)).T)
+    assert abs(round_it(BOUNDARY) - 1.0).max() < 0.05
+    assert round_it(OPEN_FEATURE).max() < 1.03
+
+    # No longer allowed, the last good model stays and every line that meets another one is of no use.
+    undone_and_redone(sitting, 1, [outline, halves, quarters])
+    sitting.click("check box", "Strokes may cross")
+    until(lambda: roles()["boundary"] == 0 and roles()["unjudged"] > 300, "they are of no use again")
+    desk.key("ctrl+z")
+    assert sitting.shows(1) == quarters
+    until(lambda: roles()["boundary"] > 300, "they may cross again")

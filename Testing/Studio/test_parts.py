@@ -11,19 +11,14 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path[:0] = [str(SOURCE / "Testing" / "Studio"), str(SOURCE / "Testing" / "Pictures")]
 from desk import until  # noqa: E402
-from sheet import Sheet, euler, replayed  # noqa: E402
-from sitting import DOG, digest, sitting  # noqa: E402, F401
+from sheet import Sheet, euler, places_of, recover, replayed, save, undone_and_redone  # noqa: E402
+from sitting import digest, sitting  # noqa: E402, F401
 
 BLUE, ORANGE = (77, 153, 255), (250, 158, 51)  # of the handles
 
 
 def seen(sitting, colour):
-    """The places of the model's view that have a colour, as (x, y) on the screen."""
-    view = sitting.place("filler", "Model")
-    picture = sitting.desk.picture(view.left, view.top, view.width, view.height)
-    pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(view.height, view.width, 3)[::-1].astype(int)
-    rows, columns = numpy.nonzero(abs(pixels - colour).max(axis=2) <= 3)
-    return numpy.column_stack([columns + view.left, rows + view.top])
+    return places_of(sitting, "Model", colour)
 
 
 def handles(sitting):
@@ -49,14 +44,7 @@ def pictures(mesh):
 
 def test_two_pictures_are_one_model(sitting, tmp_path):
     desk, body, head = sitting.desk, Sheet(sitting, "figure_body"), Sheet(sitting, "figure_head")
-    sitting.start(DOG)
-    sitting.shows(0)
-    sitting.fit()
-    sitting.alone()
-    desk.key("g")
-    desk.drop(body.picture, sitting.view.left + 300, sitting.view.top + 300)
-    until(lambda: (sitting.session() or sitting.autosave()) and sitting.place("filler", "Picture"), "the picture")
-    sitting.alone()
+    body.open()
     body.draw(body.outline())
     alone = sitting.shows(1)
 
@@ -115,25 +103,12 @@ def test_two_pictures_are_one_model(sitting, tmp_path):
     assert digest(made) == digests[-1] and euler(made) == 4
 
     # Undone to the first place and redone.
-    for now, earlier in zip(digests[:0:-1], digests[-2::-1]):
-        desk.key("ctrl+z")
-        assert sitting.shows(2, other_than=now) == earlier
-    for now, later in zip(digests, digests[1:]):
-        desk.key("ctrl+y")
-        assert sitting.shows(2, other_than=now) == later
+    undone_and_redone(sitting, 2, digests)
 
     saved = tmp_path / "two.oversketch"
-    desk.key("ctrl+s")
-    sitting.dialogue()
-    desk.key("ctrl+a")
-    desk.type(str(saved))
-    desk.key("Return")
-    until(saved.exists, "the file")
+    save(sitting, saved)
     made = replayed(saved, tmp_path / "saved.vtp")
     assert digest(made) == digests[-1]
     assert pictures(made) == [body.picture.read_bytes(), head.picture.read_bytes()]
-    sitting.studio.kill()
-    sitting.start()
-    sitting.dialogue()
-    desk.key("Return")
+    recover(sitting)
     assert sitting.shows(2) == digests[-1]

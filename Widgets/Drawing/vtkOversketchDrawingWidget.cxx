@@ -3,6 +3,7 @@
 #include "drawing_strokes.h"
 #include "pen_view.h"
 #include "plane_camera.h"
+#include "vtkOversketchArrange.h"
 #include "vtkOversketchCanvas.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchClassify.h"
@@ -50,6 +51,7 @@ struct vtkOversketchDrawingWidget::Internals
   vtkNew<vtkOversketchCanvas> canvas;
   vtkNew<vtkOversketchMagneticSnap> snap;
   vtkNew<vtkOversketchResample> resample;
+  vtkNew<vtkOversketchArrange> arrange;
   vtkNew<vtkOversketchClassify> classify;
   vtkNew<vtkOversketchTreatment> treatment;
   vtkNew<vtkPolyData> curves;
@@ -136,6 +138,7 @@ vtkOversketchDrawingWidget::vtkOversketchDrawingWidget()
   inner.canvas->SetInputData(0, this->Drawing);
   inner.snap->SetInputConnection(0, inner.canvas->GetOutputPort());
   inner.resample->SetInputConnection(0, inner.snap->GetOutputPort());
+  inner.arrange->SetInputConnection(0, inner.resample->GetOutputPort());
   inner.classify->SetInputConnection(0, inner.resample->GetOutputPort());
   inner.treatment->SetInputConnection(0, inner.classify->GetOutputPort());
   vtkProperty2D* corridor = this->Pen->GetStrokeRepresentation()->GetSectionProperty();
@@ -214,6 +217,20 @@ void vtkOversketchDrawingWidget::SetCanvas(double x, double y, double width, dou
   this->SetPicture(nullptr);
 }
 
+void vtkOversketchDrawingWidget::SetArrange(bool arrange)
+{
+  if (arrange != this->Arrange)
+  {
+    Internals& inner = *this->Inner;
+    this->Arrange = arrange;
+    inner.classify->SetInputConnection(
+      0, arrange ? inner.arrange->GetOutputPort() : inner.resample->GetOutputPort());
+    this->Classify();
+    this->Render();
+    this->Modified();
+  }
+}
+
 void vtkOversketchDrawingWidget::ResetView()
 {
   if (this->CurrentRenderer)
@@ -247,6 +264,7 @@ bool vtkOversketchDrawingWidget::CycleTreatment(double x, double y)
 {
   Internals& inner = *this->Inner;
   vtkDataArray* roles = inner.curves->GetCellData()->GetArray("Role");
+  vtkDataArray* strokes = inner.curves->GetCellData()->GetArray("StrokeId");
   int found = -1;
   double least = std::numeric_limits<double>::infinity();
   for (vtkIdType cell = 0; roles && cell < inner.curves->GetNumberOfLines(); ++cell)
@@ -255,7 +273,7 @@ bool vtkOversketchDrawingWidget::CycleTreatment(double x, double y)
     if (area >= 0.0 && area < least)
     {
       least = area;
-      found = static_cast<int>(cell);
+      found = static_cast<int>(strokes->GetComponent(cell, 0));
     }
   }
   if (found < 0)
@@ -290,11 +308,13 @@ void vtkOversketchDrawingWidget::Classify()
   {
     try
     {
-      for (vtkPolyDataAlgorithm* step : { static_cast<vtkPolyDataAlgorithm*>(inner.canvas),
-             static_cast<vtkPolyDataAlgorithm*>(inner.snap),
-             static_cast<vtkPolyDataAlgorithm*>(inner.resample),
-             static_cast<vtkPolyDataAlgorithm*>(inner.classify),
-             static_cast<vtkPolyDataAlgorithm*>(inner.treatment) })
+      std::vector<vtkPolyDataAlgorithm*> steps{ inner.canvas, inner.snap, inner.resample };
+      if (this->Arrange)
+      {
+        steps.push_back(inner.arrange);
+      }
+      steps.insert(steps.end(), { inner.classify, inner.treatment });
+      for (vtkPolyDataAlgorithm* step : steps)
       {
         StepRunner(step, listener).Run();
         inner.curves->ShallowCopy(step->GetOutput());
@@ -526,6 +546,7 @@ void vtkOversketchDrawingWidget::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Magnetic: " << (this->Magnetic ? "on" : "off") << "\n";
+  os << indent << "Arrange: " << (this->Arrange ? "on" : "off") << "\n";
   os << indent << "SnapRadius: " << this->SnapRadius << "\n";
   os << indent << "Drawing: " << this->Inner->strokes.count() << " strokes\n";
   os << indent << "Text: " << this->Inner->text << "\n";

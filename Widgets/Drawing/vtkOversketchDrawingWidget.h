@@ -75,7 +75,8 @@ public:
   ///@}
 
   /**
-   * The strokes on the canvas, snapped and classified; empty where that failed (GetText).
+   * The strokes on the canvas, snapped and classified; where that failed (GetText), as far as it came. Their
+   * cell array StrokeId says which strokes they are.
    */
   vtkPolyData* GetCurves();
 
@@ -105,6 +106,16 @@ public:
    */
   vtkSetClampMacro(SnapRadius, double, 1.0, 100.0);
   vtkGetMacro(SnapRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether strokes may cross, span what they lie in, and bound an object together, as Arrange of
+   * vtkOversketchInflateDrawing lets them: curves are then parts of strokes [default off].
+   */
+  void SetArrange(bool arrange);
+  vtkGetMacro(Arrange, bool);
+  vtkBooleanMacro(Arrange, bool);
   ///@}
 
   /**
@@ -153,7 +164,7 @@ private:
   void Tell(const std::string& message);
   void Zoom(double factor);
 
-  bool Magnetic = true;
+  bool Magnetic = true, Arrange = false;
   double SnapRadius = 10.0;
   bool Panning = false, PressedOver = false, Correcting = false;
   int At[2] = { 0, 0 };           // window px, where the cursor was

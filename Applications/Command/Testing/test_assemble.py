@@ -188,6 +188,68 @@ def test_vtk_reads_the_figure_from_obj(figure):
         assert numpy.array_equal(pixels, pixels_in(DRAWINGS / (picture + ".png")))
 
 
+def test_fronts_and_backs_keep_pictures_of_their_own(tmp_path):
+    """A part drawn over two pictures, one that was made before and read, a plain one: each format read back, and assembled once more."""
+    leaf_picture = (DRAWINGS / "leaf.png").read_bytes()
+    pictures = [leaf_picture, png(9, 8, 7), leaf_picture + b"once more", png(200, 10, 30), png(4, 5, 6)]
+    for name, picture in zip(("front", "back", "second_front", "second_back", "plain"), pictures):
+        (tmp_path / (name + ".png")).write_bytes(picture)
+    leaf = DRAWINGS / "leaf.vtp"
+    done = run("inflate", leaf, "--image", tmp_path / "second_front.png", "--back-image", tmp_path / "second_back.png",
+               "--levels", "1", "-o", tmp_path / "made.vtp")
+    assert done.returncode == 0, done.stderr
+    write(tetrahedron(pictures[4]), tmp_path / "t.vtp")
+    drawing = {"strokes": str(leaf), "picture": "front.png", "back_picture": "back.png", "parameters": {"levels": 1}}
+    parts = parts_file(tmp_path / "parts.json", drawing, {"mesh": "made.vtp", "depth": 500}, {"mesh": "t.vtp"})
+    assembled(parts, tmp_path / "o.vtp", "--report", tmp_path / "o.json")
+    assert json.loads((tmp_path / "o.json").read_text())["parts"][0]["back_image"].endswith("back.png")
+    mesh = read(tmp_path / "o.vtp")
+    worn = parts_of(mesh)
+    assert len(worn) == 5
+    texture = lambda mesh, part: vtk_to_numpy(mesh.GetFieldData().GetAbstractArray(f"Part{part}.Texture")).tobytes()
+    assert [texture(mesh, part) for part in range(5)] == pictures
+    sides = [corners[:, :, 2] for corners, _ in worn]
+    assert sides[0].min() >= 0.0 >= sides[1].max() and sides[2].min() >= 500.0 >= sides[3].max()
+    # A back is seen from behind: its picture is the other way round.
+    rim = {tuple(place): at for place, at in zip(worn[0][0].reshape(-1, 3), worn[0][1].reshape(-1, 2))}
+    shared = [(rim[tuple(place)], at) for place, at in zip(worn[1][0].reshape(-1, 3), worn[1][1].reshape(-1, 2)) if tuple(place) in rim]
+    assert len(shared) > 50 and all(numpy.allclose(front, (1.0 - back[0], back[1])) for front, back in shared)
+
+    for name in ("glb", "obj"):
+        assembled(parts, tmp_path / ("o." + name))
+    document = document_of(tmp_path / "o.glb")
+    assert [len(document[name]) for name in ("materials", "images")] == [5, 5] and len(document["meshes"][0]["primitives"]) == 5
+    reader = vtkGLTFReader()
+    reader.SetFileName(str(tmp_path / "o.glb"))
+    reader.Update()
+    iterator = reader.GetOutput().NewIterator()
+    for corners, coordinates in worn:
+        block = iterator.GetCurrentDataObject()
+        triangles = triangles_of(block)
+        assert numpy.array_equal(points_of(block)[triangles], corners.astype(numpy.float32))
+        assert numpy.abs(vtk_to_numpy(block.GetPointData().GetTCoords())[triangles] * (1, -1) + (0, 1) - coordinates).max() < 1e-6
+        iterator.GoToNextItem()
+    importer = vtkOBJImporter()
+    importer.SetFileNameMTL(str(tmp_path / "o.mtl"))
+    importer.SetTexturePath(str(tmp_path))
+    for kind, path in ((importer, tmp_path / "o.obj"), (vtkGLTFImporter(), tmp_path / "o.glb")):
+        found = textures_of(kind, path)
+        assert len(found) == 5
+        for pixels, picture in zip(found, pictures):
+            (tmp_path / "seen.png").write_bytes(picture)
+            assert numpy.array_equal(pixels, pixels_in(tmp_path / "seen.png"))
+    assert [(tmp_path / f"o_part{part}.png").read_bytes() for part in range(5)] == pictures
+
+    # What was read back from each is a part with the same pictures.
+    for name in ("vtp", "glb", "obj"):
+        again = parts_file(tmp_path / "again.json", {"mesh": "o." + name}, {"mesh": "t.vtp", "depth": 9})
+        assembled(again, tmp_path / "again.vtp")
+        whole = read(tmp_path / "again.vtp")
+        assert [texture(whole, part) for part in range(6)] == pictures + pictures[4:], name
+        for (corners, coordinates), (made, its) in zip(worn, parts_of(whole)):
+            assert numpy.allclose(made, corners, atol=1e-3) and numpy.allclose(its, coordinates, atol=1e-5), name
+
+
 def test_a_box_and_a_depth_place_a_part(tmp_path):
     write(tetrahedron(png(9, 9, 9), at=3.0), tmp_path / "t.vtp")
     parts = parts_file(tmp_path / "parts.json", {"mesh": "t.vtp"}, {"mesh": "t.vtp", "depth": 7},
@@ -314,6 +376,9 @@ HOSTILE = {  # what the file holds, and what the message says beside the file's 
     "a part is a text": ({"parts": [{"mesh": "t.vtp"}, "t.vtp"]}, "part 1 is no object"),
     "an empty part": ({"parts": [{}]}, "part 0 needs either 'strokes', a drawing, or 'mesh'"),
     "both": ({"parts": [{"mesh": "t.vtp", "strokes": "t.vtp"}]}, "part 0 needs either"),
+    "a mesh with a picture of its back": ({"parts": [{"mesh": "t.vtp", "back_picture": "t.png"}]},
+                                          "part 0: 'back_picture' belongs to 'strokes'"),
+    "an absent picture of a back": ({"parts": [{"strokes": "fish.vtp", "back_picture": "t.jpg"}]}, "part 0: 'back_picture' names 't.jpg'"),
     "a mesh with a picture": ({"parts": [{"mesh": "t.vtp", "picture": "t.png"}]}, "part 0: 'picture' belongs to 'strokes'"),
     "a member that leans on another part": ({"parts": [{"mesh": "t.vtp", "on": 1}, {"mesh": "t.vtp", "on": 0}]},
                                             "part 0: 'on' is no member"),

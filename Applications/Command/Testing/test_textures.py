@@ -145,12 +145,15 @@ def test_what_gltf_holds_besides_is_named(tmp_path, longer):
     assert f"{source}: not kept: doubleSided, normalTexture\n" in drawn(source, longer, tmp_path / "out.glb")
 
 
-def test_two_pictures_are_more_than_a_mesh_holds(tmp_path, longer):
+def test_primitives_with_pictures_of_their_own_become_parts(tmp_path, longer):
     image = picture(tmp_path / "skin.png")
-    two = [{"uri": "data:image/png;base64," + base64.b64encode(picture(tmp_path / f"{i}.png", i)).decode()} for i in range(2)]
+    pictures = [picture(tmp_path / f"{i}.png", i) for i in range(2)]
+    two = [{"uri": "data:image/png;base64," + base64.b64encode(one).decode()} for one in pictures]
     source = gltf(tmp_path / "in.glb", image, parts=2, images=two)
     notes = run("one-stroke", source, longer, "-o", tmp_path / "out.glb", *QUICK).stderr
-    assert "2 parts" in notes and "not kept: baseColorTexture" in notes
+    assert "2 parts" in notes and "baseColorTexture" not in notes
+    document, data = taken_apart(tmp_path / "out.glb")
+    assert [part(document, data, one["bufferView"]) for one in document["images"]] == pictures
 
 
 @pytest.mark.parametrize("kind, damage", [(kind, damage) for kind in (".png", ".jpg")
@@ -223,8 +226,23 @@ def test_obj_brings_its_picture(tmp_path, longer):
     assert part(document, data, document["images"][0]["bufferView"]) == image
 
 
+def test_materials_with_pictures_of_their_own_become_parts(tmp_path, longer):
+    image, other = picture(tmp_path / "skin.png"), picture(tmp_path / "nose.png", seed=2)
+    library = "newmtl fur\nmap_Kd skin.png\nnewmtl nose\nmap_Kd nose.png\nnewmtl claw\n"
+    source = obj(tmp_path / "in.obj", ["fur", "nose", "claw"], library)
+    assert "map_Kd" not in drawn(source, longer, tmp_path / "out.glb")
+    document, data = taken_apart(tmp_path / "out.glb")
+    assert [part(document, data, view["bufferView"]) for view in document["images"]] == [image, other]
+    assert len(document["materials"]) == len(document["meshes"][0]["primitives"]) == 3
+    # The same from the glTF file; of the library's names an OBJ keeps those.
+    drawn(tmp_path / "out.glb", longer, tmp_path / "again.glb")
+    again, data = taken_apart(tmp_path / "again.glb")
+    assert [part(again, data, view["bufferView"]) for view in again["images"]] == [image, other]
+    drawn(source, longer, tmp_path / "out.obj")
+    assert {name for name, *_ in worn_in(tmp_path / "out.obj")} == {"fur", "nose", "claw"}
+
+
 @pytest.mark.parametrize("library, note", [
-    ("newmtl fur\nmap_Kd skin.png\nnewmtl nose\n", "several or none"),
     ("newmtl fur\nmap_Kd absent.png\nnewmtl nose\nmap_Kd absent.png\n", "absent.png is no PNG or JPEG"),
     ("", "skin.mtl cannot be read")])
 def test_obj_says_what_it_cannot_bring(tmp_path, longer, library, note):

@@ -3,9 +3,13 @@
 #include "document.h"
 #include "main_window.h"
 #include "mesh_file.h"
+#include "mouse.h"
+#include "part_drag.h"
 #include "systems.h"
 #include "tool.h"
 #include "viewport.h"
+
+#include "pen_view.h"
 
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
@@ -29,6 +33,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -58,6 +63,8 @@ void Hand::Deeds::add(const Deeds& other)
   this->meshes += other.meshes;
   this->questions += other.questions;
   this->opened += other.opened;
+  this->lines += other.lines;
+  this->placed += other.placed;
 }
 
 Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
@@ -71,6 +78,11 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
   {
     connect(tool, &Tool::drawn, this, [this] { ++this->Doing.strokes; });
     connect(tool, &Tool::changed, this, [this] { ++this->Doing.moved; });
+    connect(tool, &Tool::edited, this, [this] { ++this->Doing.lines; });
+    connect(tool,
+      &Tool::placed,
+      this,
+      [this](int, const oversketch_session::PartPlace&, bool goesOn) { this->Doing.placed += !goesOn; });
   }
   connect(this->OpenDocument, &Document::opened, this, [this] { ++this->Doing.opened; });
   connect(this->OpenDocument,
@@ -142,11 +154,11 @@ int Hand::act()
   {
     case 0:
     case 1:
-      events = this->oneIn(3) ? this->lineOnThePad() : this->strokeBesideTheModel();
+      events = this->Draws || this->oneIn(3) ? this->lineOnThePad() : this->strokeBesideTheModel();
       break;
     case 2:
     case 3:
-      events = this->dragOfTheStroke();
+      events = this->Draws ? this->dragOfAPart() : this->dragOfTheStroke();
       break;
     case 4:
     case 5:
@@ -323,6 +335,39 @@ int Hand::lineOnThePad()
   }
   QTest::mouseRelease(pad, Qt::LeftButton, held, at(steps));
   return steps + 2;
+}
+
+// Of one of its handles, where the last frame shows them.
+int Hand::dragOfAPart()
+{
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const int node = this->View->tool()->node();
+  const auto& part = node < 0 ? std::nullopt : nodes[indexOf(node)].step->part;
+  vtkRenderer* renderer = this->View->renderWindow()->GetRenderers()->GetFirstRenderer();
+  std::array<oversketch::Vector2, 6> seen;
+  const double ratio = this->View->devicePixelRatioF();
+  if (!part || !seeHandles(oversketch::PenView::of(renderer).kernelView(), *part, 56.0 * ratio, seen))
+  {
+    return this->lineOnThePad();
+  }
+  const oversketch::Vector2 at = seen[static_cast<std::size_t>(this->upTo(5))] / ratio;
+  QPoint place(static_cast<int>(at[0]), this->View->height() - 1 - static_cast<int>(at[1]));
+  const Qt::KeyboardModifiers held = this->oneIn(4) ? Qt::ShiftModifier : Qt::NoModifier;
+  QTest::mouseMove(this->View, place);
+  QTest::mousePress(this->View, Qt::LeftButton, held, place);
+  constexpr int steps = 4;
+  for (int i = 0; i < steps; ++i)
+  {
+    place = this->near(place, 25);
+    moveMouse(this->View, place);
+    QApplication::processEvents();
+  }
+  if (this->oneIn(5))
+  {
+    QTest::keyClick(this->View, Qt::Key_Escape);
+  }
+  QTest::mouseRelease(this->View, Qt::LeftButton, held, place);
+  return steps + 3;
 }
 
 int Hand::press()

@@ -32,12 +32,17 @@ public:
     int meshes = 0; // shown, other than the one before
     int questions = 0;
     int opened = 0;
+    int lines = 0;  // drawn over a picture, or taken off it
+    int placed = 0; // times that a drag has moved a part
 
     void add(const Deeds& other);
   };
 
   // All that it does is made of the seed; files are of the folder.
   Hand(unsigned seed, MainWindow& window, const QString& folder);
+
+  // From here on it draws over the picture and moves its part more than it draws on the model.
+  void keepToDrawing() { this->Draws = true; }
 
   // Does one thing of a few events, and returns how many.
   int act();
@@ -60,6 +65,7 @@ private:
   int strokeBesideTheModel();
   int dragOfTheStroke();
   int lineOnThePad();
+  int dragOfAPart();
   int press();
   int key();
   int undoAndRedo();
@@ -79,7 +85,7 @@ private:
   QStringList Complaints;
   Deeds Doing;
   std::string Shown; // digest
-  bool Answering = false;
+  bool Answering = false, Draws = false;
 };
 
 } // namespace oversketch_studio

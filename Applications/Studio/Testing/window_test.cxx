@@ -1,8 +1,10 @@
 // The window under random hands: it never fails, says no error, and takes no more and more memory.
+#include "Harness/drawings.h"
 #include "Harness/sequences.h"
 #include "Harness/shapes.h"
 #include "autosave.h"
 #include "document.h"
+#include "drawing_lines.h"
 #include "files.h"
 #include "hand.h"
 #include "main_window.h"
@@ -13,6 +15,8 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QImage>
+#include <QPainter>
 #include <QPixmapCache>
 #include <QSettings>
 #include <QStandardPaths>
@@ -69,6 +73,33 @@ void writeModel(const std::string& path)
   }
 }
 
+// A picture of a disc.
+void writeDisc(const QString& path, const QSize& size, int radius)
+{
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(QColor(230, 230, 210));
+  QPainter painter(&image);
+  painter.setBrush(QColor(60, 90, 190));
+  painter.drawEllipse(QPoint(size.width() / 2, size.height() / 2), radius, radius);
+  painter.end();
+  ASSERT_TRUE(image.save(path));
+}
+
+// A ring as a line of a drawing, in px of its picture.
+void drawRound(Document& document, int node, const oversketch::Vector2& middle, double radius)
+{
+  using namespace oversketch_session;
+  const Step& step = *document.session().nodes[indexOf(node)].step;
+  const auto canvas = canvasOf(step);
+  const oversketch::View view = oversketch_test::viewOver({ canvas[0], canvas[1] },
+    { canvas[2] - canvas[0], canvas[3] - canvas[1] },
+    static_cast<int>(canvas[2] - canvas[0]),
+    static_cast<int>(canvas[3] - canvas[1]));
+  std::vector<oversketch::Vector2> places = oversketch_test::ring(middle, radius, 60);
+  places.push_back(places[0]);
+  document.redraw(node, withDrawing(step, oversketch_test::toStroke(places, view)));
+}
+
 // The mesh of a session that is run without a window.
 std::string replayed(const oversketch_session::Session& session)
 {
@@ -103,7 +134,8 @@ void expectTheHistoryHolds(Document& document)
 void play(unsigned number,
   const QSize& size,
   const std::function<void(MainWindow&, const QString& folder)>& open,
-  Hand::Deeds& deeds)
+  Hand::Deeds& deeds,
+  bool drawing = false)
 {
   QSettings().clear();
   const QTemporaryDir folder;
@@ -116,6 +148,10 @@ void play(unsigned number,
   auto* view = window.findChild<Viewport*>();
   auto* document = window.findChild<Document*>();
   Hand hand(number, window, folder.path());
+  if (drawing)
+  {
+    hand.keepToDrawing();
+  }
   open(window, folder.path());
   ASSERT_TRUE(document->isOpen());
   ASSERT_TRUE(settles(*document));
@@ -142,7 +178,8 @@ void print(const Hand::Deeds& deeds)
 {
   std::cout << deeds.strokes << " strokes, " << deeds.moved << " moved or drawn over, " << deeds.undone
             << " times undone, " << deeds.redone << " redone, " << deeds.meshes << " meshes shown, "
-            << deeds.questions << " questions answered, " << deeds.opened << " files opened, ";
+            << deeds.questions << " questions answered, " << deeds.opened << " files opened, " << deeds.lines
+            << " lines over pictures, " << deeds.placed << " drags of parts, ";
 }
 
 } // namespace
@@ -172,8 +209,6 @@ TEST(Window, LivesThroughRandomHands)
     {
       return;
     }
-    std::cout << "sequence " << number << ": " << oversketch_test::memoryInUse() << " MiB in use"
-              << std::endl;
   }
   print(deeds);
   memory.print();
@@ -186,6 +221,50 @@ TEST(Window, LivesThroughRandomHands)
     EXPECT_GT(deeds.undone + deeds.redone, least / 2);
     EXPECT_GT(deeds.questions, least);
     EXPECT_GT(deeds.opened, least / 4);
+  }
+  EXPECT_LT(memory.growth(), 1.0);
+}
+
+TEST(Window, LivesThroughRandomHandsOnADrawing)
+{
+  const oversketch_test::Sequences sequences = oversketch_test::sequencesAsked(6);
+  oversketch_test::MemoryLevel memory(sequences);
+  QPixmapCache::setCacheLimit(0);
+  Hand::Deeds deeds;
+  for (unsigned number = sequences.first; number < sequences.end(); ++number)
+  {
+    memory.before(number);
+    SCOPED_TRACE(number);
+    play(
+      number,
+      { 900, 600 },
+      [](MainWindow& window, const QString& folder)
+      {
+        const QString body = QDir(folder).filePath("body.png"), head = QDir(folder).filePath("head.png");
+        writeDisc(body, { 300, 200 }, 80);
+        writeDisc(head, { 200, 200 }, 60);
+        window.findChild<Viewport*>()->renderWindow()->SetMultiSamples(0);
+        window.openPicture(body);
+        auto* document = window.findChild<Document*>();
+        drawRound(*document, 0, { 150.0, 100.0 }, 82.0);
+        document->addPart(head);
+        drawRound(*document, 1, { 100.0, 100.0 }, 62.0);
+      },
+      deeds,
+      true);
+    if (HasFatalFailure())
+    {
+      return;
+    }
+  }
+  print(deeds);
+  memory.print();
+  if (sequences.areMany())
+  {
+    const int least = static_cast<int>(sequences.count);
+    EXPECT_GT(deeds.lines, 4 * least);
+    EXPECT_GT(deeds.placed, least);
+    EXPECT_GT(deeds.meshes, 4 * least);
   }
   EXPECT_LT(memory.growth(), 1.0);
 }

@@ -3,6 +3,7 @@
 #include "document.h"
 #include "drawing_pad.h"
 #include "focus_frame.h"
+#include "systems.h"
 #include "texture.h"
 #include "viewport.h"
 
@@ -150,8 +151,10 @@ QString DrawingTool::need() const
   vtkDataArray* closed = this->Pad->curves()->GetCellData()->GetArray("Closed");
   if (closed && closed->GetRange(0)[1] == 0.0)
   {
-    return tr("Close the outline: end it where it began, or draw what is missing with Shift from one end to "
-              "the other.");
+    return this->Arranged
+             ? tr("Close the outline: end it where it began, or draw what is missing.")
+             : tr("Close the outline: end it where it began, or draw what is missing with Shift "
+                  "from one end to the other. Outlines of several lines: tick Strokes may cross.");
   }
   return {};
 }
@@ -201,7 +204,9 @@ QString DrawingTool::advice(const Situation&) const
   const QString wrong = first == all ? all : first + '.';
   if (!wrong.isEmpty())
   {
-    return tr("%1 Ctrl+Z takes the last line back.").arg(wrong);
+    return !this->Arranged && first.contains(QRegularExpression("\\bcrosses\\b"))
+             ? tr("%1 Ctrl+Z takes the last line back; or tick Strokes may cross.").arg(wrong)
+             : tr("%1 Ctrl+Z takes the last line back.").arg(wrong);
   }
   if (indexOf(at) < states.size() && !states[indexOf(at)].failure.empty() && !this->OpenDocument->isBusy())
   {
@@ -383,6 +388,10 @@ void DrawingTool::follow()
       this->Pad->setCanvas(value(0), value(1), value(2), value(3));
     }
   }
+  const Parameter* crossing = findParameter(*findSystem(drawingSystem), "Arrange");
+  const bool arranged = std::get<bool>(valueOf(step, *crossing));
+  const bool judgedAnew = std::exchange(this->Arranged, arranged) != arranged;
+  this->Pad->setArranged(arranged);
   const auto identity = drawn ? drawn->identity() : nullptr;
   if (identity != this->Shown)
   {
@@ -390,6 +399,10 @@ void DrawingTool::follow()
     this->Redrawn = -1;
     this->Strokes = strokesOf(drawing);
     this->Pad->setDrawing(drawing ? strokesThatAreOn(drawing) : nullptr);
+    this->Pad->showText(this->inLines(this->Pad->text()));
+  }
+  else if (judgedAnew)
+  {
     this->Pad->showText(this->inLines(this->Pad->text()));
   }
 }

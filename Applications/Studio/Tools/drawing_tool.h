@@ -75,6 +75,7 @@ private:
   std::shared_ptr<const std::string> Picture;           // the bytes of what it is drawn over
   int Drawing = 0, OnPad = 0;                           // ids: of its step, of the one that is seen
   bool Started = false;                                 // something is drawn on
+  bool Arranged = false;                                // its strokes may cross
   int Redrawn = -1;                                     // the stroke that the next one replaces
 };
 

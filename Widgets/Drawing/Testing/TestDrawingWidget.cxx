@@ -85,6 +85,75 @@ TEST(DrawingWidget, StrokesAreWhatTheyBound)
   EXPECT_STREQ(desk.sheet->GetText(), "");
 }
 
+TEST(DrawingWidget, StrokesCrossSpanAndBoundTogetherWhereTheyMay)
+{
+  Desk desk;
+  // An outline of two halves, each past the other one's ends, and a line from rim to rim and beyond.
+  const auto half = [](double from)
+  {
+    std::vector<Vector2> places;
+    for (int i = -1; i <= 31; ++i)
+    {
+      const double angle = from + pi * i / 30.0;
+      places.emplace_back(200.0 + 100.0 * std::cos(angle), 150.0 + 100.0 * std::sin(angle));
+    }
+    return places;
+  };
+  desk.draw(half(0.0));
+  desk.draw(half(pi));
+  desk.draw({ { 190, 46 }, { 200, 150 }, { 210, 254 } });
+  desk.drawRing({ 240, 150 }, 20);
+  for (const int role : desk.labels("Role"))
+  {
+    EXPECT_NE(role, 1) << "nothing is closed round the others";
+  }
+  EXPECT_STRNE(desk.sheet->GetText(), "");
+  desk.sheet->ArrangeOn();
+  EXPECT_STREQ(desk.sheet->GetText(), "");
+  const auto roles = desk.labels("Role"), strokes = desk.labels("StrokeId");
+  ASSERT_EQ(roles.size(), strokes.size());
+  EXPECT_EQ(std::count(roles.begin(), roles.end(), 1), 1) << "one outline";
+  EXPECT_EQ(std::count(roles.begin(), roles.end(), -1), 0);
+  for (std::size_t i = 0; i < roles.size(); ++i)
+  {
+    EXPECT_EQ(roles[i], strokes[i] < 2 ? 1 : strokes[i] == 2 ? 3 : 2) << "stroke " << strokes[i];
+  }
+  // A click is the stroke's whose curve it is in, wherever that stands among the curves.
+  desk.click(240, 150);
+  EXPECT_EQ(desk.drawing()->GetCellData()->GetArray("Treatment")->GetComponent(3, 0), 1.0);
+  const auto treatments = desk.labels("Treatment");
+  EXPECT_EQ(std::count(treatments.begin(), treatments.end(), 1), 1);
+  EXPECT_EQ(desk.drawing()->GetNumberOfCells(), 4);
+  desk.sheet->ArrangeOff();
+  EXPECT_EQ(std::count(roles.begin(), roles.end(), 1), 1);
+  EXPECT_STRNE(desk.sheet->GetText(), "");
+}
+
+TEST(DrawingWidget, ATinyRingIsClosed)
+{
+  Desk desk;
+  desk.sheet->SetCanvas(
+    0.0, 0.0, 1024.0, 768.0); // 2.8 of it a pixel of the window, and 0.36 when it is nearer
+  desk.drawRing({ 200, 150 }, 100);
+  while (desk.camera()->GetParallelScale() > 110.0)
+  {
+    desk.wheel(true, 200, 150);
+  }
+  const double pixel = 2.0 * desk.camera()->GetParallelScale() / 300.0;
+  std::vector<int> roles{ 1 };
+  for (const double across : { 6.0, 8.0, 12.0 }) // of the canvas
+  {
+    const double x = 120.0 + 20.0 * across;
+    const auto eye = Desk::closedRing({ x, 150.0 }, 0.5 * across / pixel);
+    desk.draw({ eye.begin(), eye.end() - 3 }); // three sixtieths of a turn are left open
+    roles.push_back(2);
+    EXPECT_EQ(desk.labels("Role"), roles) << across << ": " << desk.sheet->GetText();
+    EXPECT_STREQ(desk.sheet->GetText(), "") << across;
+    desk.click(int(x), 150);
+    EXPECT_EQ(desk.labels("Treatment").back(), 1) << across;
+  }
+}
+
 TEST(DrawingWidget, AClickInAClosedFeatureCyclesWhatBecomesOfIt)
 {
   Desk desk;
