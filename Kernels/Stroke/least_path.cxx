@@ -60,9 +60,11 @@ public:
       aq = straightAngle - aq;
     }
     const bool diagonal = steps[k][0] != 0 && steps[k][1] != 0;
-    return (this->Field.states[q] == PathField::Edge ? 0.0 : edgeWeight) +
-           turnWeight * (ap + aq) / straightAngle +
-           (diagonal ? this->Flat[q] : this->Flat[q] * std::sqrt(0.5));
+    const double usual = (this->Field.states[q] == PathField::Edge ? 0.0 : edgeWeight) +
+                         turnWeight * (ap + aq) / straightAngle +
+                         (diagonal ? this->Flat[q] : this->Flat[q] * std::sqrt(0.5));
+    return this->Field.extra.empty() ? usual
+                                     : usual + (diagonal ? std::sqrt(2.0) : 1.0) * this->Field.extra[q];
   }
 
 private:
@@ -96,7 +98,7 @@ int indexOf(const PathField& field, const Pixel& pixel)
 
 PathField wholeField(const EdgeFeatures& features)
 {
-  PathField field{ 0, 0, features.width, features.height, {} };
+  PathField field{ 0, 0, features.width, features.height, {}, {} };
   field.states.resize(features.edges.size());
   std::transform(features.edges.begin(),
     features.edges.end(),
@@ -105,26 +107,46 @@ PathField wholeField(const EdgeFeatures& features)
   return field;
 }
 
-std::vector<Pixel> leastPath(const EdgeFeatures& features,
+PathTree::PathTree(const EdgeFeatures& features,
   const PathField& field,
-  const Pixel& from,
-  const Pixel& to,
+  const std::vector<Start>& starts,
+  const std::vector<Pixel>& targets,
   const Context& context)
+  : X0(field.x0)
+  , Y0(field.y0)
+  , Width(field.width)
+  , Height(field.height)
+  , Reached(field.states.size(), std::numeric_limits<double>::infinity())
+  , Back(field.states.size(), static_cast<std::uint8_t>(steps.size()))
 {
-  const int source = indexOf(field, from), target = indexOf(field, to);
-  if (source < 0 || target < 0 || field.states[source] == PathField::Outside ||
-      field.states[target] == PathField::Outside)
-  {
-    return {};
-  }
-  const Costs costs(features, field);
-  constexpr double far = std::numeric_limits<double>::infinity();
-  std::vector<double> reached(field.states.size(), far);
-  std::vector<std::uint8_t> back(field.states.size(), 0);
+  const auto inside = [&](int i) { return i >= 0 && field.states[i] != PathField::Outside; };
   using Place = std::pair<double, int>;
   std::priority_queue<Place, std::vector<Place>, std::greater<>> queue;
-  reached[source] = 0.0;
-  queue.emplace(0.0, source);
+  for (const Start& start : starts)
+  {
+    const int i = indexOf(field, start.pixel);
+    if (inside(i) && start.cost < this->Reached[i])
+    {
+      this->Reached[i] = start.cost;
+      queue.emplace(start.cost, i);
+    }
+  }
+  std::vector<std::uint8_t> wanted(field.states.size(), 0);
+  int left = 0;
+  for (const Pixel& target : targets)
+  {
+    const int i = indexOf(field, target);
+    if (inside(i) && !wanted[i])
+    {
+      wanted[i] = 1;
+      ++left;
+    }
+  }
+  if (queue.empty() || left == 0)
+  {
+    return;
+  }
+  const Costs costs(features, field);
   for (int popped = 1; !queue.empty(); ++popped)
   {
     if (popped % 16384 == 0)
@@ -133,16 +155,20 @@ std::vector<Pixel> leastPath(const EdgeFeatures& features,
     }
     const auto [cost, p] = queue.top();
     queue.pop();
-    if (cost > reached[p])
+    if (cost > this->Reached[p])
     {
       continue;
     }
-    if (p == target)
+    if (wanted[p])
     {
-      break;
+      wanted[p] = 0;
+      if (--left == 0)
+      {
+        break;
+      }
     }
     const int x = p % field.width, y = p / field.width;
-    for (int k = 0; k < 8; ++k)
+    for (int k = 0; k < static_cast<int>(steps.size()); ++k)
     {
       const int qx = x + steps[k][0], qy = y + steps[k][1];
       if (qx < 0 || qy < 0 || qx >= field.width || qy >= field.height)
@@ -150,34 +176,59 @@ std::vector<Pixel> leastPath(const EdgeFeatures& features,
         continue;
       }
       const int q = qy * field.width + qx;
-      if (field.states[q] == PathField::Outside || reached[q] <= cost)
+      if (field.states[q] == PathField::Outside || this->Reached[q] <= cost)
       {
         continue;
       }
       const double next = cost + costs.step(p, q, k);
-      if (next < reached[q])
+      if (next < this->Reached[q])
       {
-        reached[q] = next;
-        back[q] = static_cast<std::uint8_t>(k);
+        this->Reached[q] = next;
+        this->Back[q] = static_cast<std::uint8_t>(k);
         queue.emplace(next, q);
       }
     }
   }
+}
+
+int PathTree::index(const Pixel& pixel) const
+{
+  const int x = pixel[0] - this->X0, y = pixel[1] - this->Y0;
+  return x < 0 || y < 0 || x >= this->Width || y >= this->Height ? -1 : y * this->Width + x;
+}
+
+double PathTree::cost(const Pixel& pixel) const
+{
+  const int i = this->index(pixel);
+  return i < 0 ? std::numeric_limits<double>::infinity() : this->Reached[i];
+}
+
+std::vector<Pixel> PathTree::pathTo(const Pixel& pixel) const
+{
   std::vector<Pixel> path;
-  if (reached[target] == far)
+  if (std::isinf(this->cost(pixel)))
   {
     return path;
   }
-  int at = target;
-  while (at != source)
+  int at = this->index(pixel);
+  path.push_back(pixel);
+  while (this->Back[at] < steps.size())
   {
-    path.emplace_back(field.x0 + at % field.width, field.y0 + at / field.width);
-    const auto& step = steps[static_cast<std::size_t>(back[at])];
-    at -= step[1] * field.width + step[0];
+    const auto& step = steps[this->Back[at]];
+    at -= step[1] * this->Width + step[0];
+    path.emplace_back(this->X0 + at % this->Width, this->Y0 + at / this->Width);
   }
-  path.push_back(from);
   std::reverse(path.begin(), path.end());
   return path;
+}
+
+std::vector<Pixel> leastPath(const EdgeFeatures& features,
+  const PathField& field,
+  const Pixel& from,
+  const Pixel& to,
+  const Context& context)
+{
+  return PathTree(features, field, { { from, 0.0 } }, { to }, context).pathTo(to);
 }
 
 double pathCost(const EdgeFeatures& features, const PathField& field, const std::vector<Pixel>& path)
