@@ -28,7 +28,7 @@
  * silently.
  *
  * Deterministic: same result bit for bit for any number of threads. Cost: the edges of a picture, once, some
- * 20 ms for a million pixels, of colours some 40; then the corridor's pixels. Edges stay while the picture's
+ * 20 ms for a million pixels, of colours some 50; then the corridor's pixels. Edges stay while the picture's
  * scalars do, a stroke's result while stroke, picture and parameters do.
  *
  * @sa vtkOversketchCanvas vtkOversketchResample
