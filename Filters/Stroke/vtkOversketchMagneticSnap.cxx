@@ -45,8 +45,9 @@ struct Question
   }
 };
 
+// Edges of the colours or of the brightness.
 template <typename Array, typename Value>
-std::vector<std::uint8_t> brightnessOf(vtkDataArray* scalars, const PicturePlace& place)
+EdgeFeatures edgesOf(vtkDataArray* scalars, const PicturePlace& place, bool colours)
 {
   vtkNew<Array> copy;
   auto* values = Array::SafeDownCast(scalars);
@@ -55,33 +56,31 @@ std::vector<std::uint8_t> brightnessOf(vtkDataArray* scalars, const PicturePlace
     copy->DeepCopy(scalars);
     values = copy;
   }
-  return luminance(
-    PictureView<Value>{ values->GetPointer(0), place.Columns, place.Rows, scalars->GetNumberOfComponents() });
+  const PictureView<Value> view{
+    values->GetPointer(0), place.Columns, place.Rows, scalars->GetNumberOfComponents()
+  };
+  return colours ? edgeFeatures(shades(view), place.Columns, place.Rows)
+                 : edgeFeatures(luminance(view), place.Columns, place.Rows);
 }
 
-EdgeFeatures edgesOf(vtkImageData* picture, const PicturePlace& place)
+EdgeFeatures edgesOf(vtkImageData* picture, const PicturePlace& place, bool colours)
 {
   vtkDataArray* scalars = picture->GetPointData()->GetScalars();
   if (!scalars)
   {
     throw Error(Failure::MissingArray, "The picture has no scalars: read it from a file, or name them.");
   }
-  std::vector<std::uint8_t> grey;
   if (scalars->GetDataType() == VTK_UNSIGNED_CHAR)
   {
-    grey = brightnessOf<vtkUnsignedCharArray, std::uint8_t>(scalars, place);
+    return edgesOf<vtkUnsignedCharArray, std::uint8_t>(scalars, place, colours);
   }
-  else if (scalars->GetDataType() == VTK_UNSIGNED_SHORT)
+  if (scalars->GetDataType() == VTK_UNSIGNED_SHORT)
   {
-    grey = brightnessOf<vtkUnsignedShortArray, std::uint16_t>(scalars, place);
+    return edgesOf<vtkUnsignedShortArray, std::uint16_t>(scalars, place, colours);
   }
-  else
-  {
-    throw Error(Failure::BadStroke,
-      std::string("The picture's scalars are of type ") + scalars->GetDataTypeAsString() +
-        "; give unsigned numbers of 8 or 16 bits.");
-  }
-  return edgeFeatures(grey, place.Columns, place.Rows);
+  throw Error(Failure::BadStroke,
+    std::string("The picture's scalars are of type ") + scalars->GetDataTypeAsString() +
+      "; give unsigned numbers of 8 or 16 bits.");
 }
 
 // The seeds of a stroke, numbers of its samples: the approximation is made on even samples, of which each
@@ -214,12 +213,15 @@ struct vtkOversketchMagneticSnap::Cache
   const EdgeFeatures& Edges(const Search& search, vtkIdType& count)
   {
     const StepKey key({ search.ScalarsKey() },
-      { static_cast<double>(search.Place.Columns), static_cast<double>(search.Place.Rows) });
+      { static_cast<double>(search.Place.Columns),
+        static_cast<double>(search.Place.Rows),
+        search.Rules.together ? 1.0 : 0.0 });
     if (!this->Features || this->FeaturesKey != key)
     {
       this->Features = nullptr;
       this->Known.clear();
-      this->Features = std::make_unique<const EdgeFeatures>(edgesOf(search.Picture, search.Place));
+      this->Features =
+        std::make_unique<const EdgeFeatures>(edgesOf(search.Picture, search.Place, search.Rules.together));
       this->FeaturesKey = key;
       ++count;
     }
@@ -269,7 +271,9 @@ int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
       LivewireRules& rules = search.Rules;
       rules.edgeAngle = vtkMath::RadiansFromDegrees(this->AsPublished ? 180.0 : this->EdgeAngle);
       rules.sigma = this->AsPublished ? 0.0 : this->SnapSigma;
-      const StepKey rulesKey({}, { rules.edgeAngle, rules.sigma });
+      rules.together = this->Together && !this->AsPublished;
+      const double together = rules.together ? 1.0 : 0.0;
+      const StepKey rulesKey({}, { rules.edgeAngle, rules.sigma, together });
       Cache& cache = *this->Internals;
       if (cache.RulesKey != rulesKey)
       {
@@ -298,6 +302,7 @@ int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
       cache.Kept.Provide(StepKey({ CurvesKey(curves, { "Magnetic", "SnapRadius" }), search.ScalarsKey() },
                            { rules.edgeAngle,
                              rules.sigma,
+                             together,
                              place.Origin[0],
                              place.Origin[1],
                              place.Spacing[0],
@@ -349,6 +354,7 @@ void vtkOversketchMagneticSnap::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "EdgeAngle: " << this->EdgeAngle << "\n";
   os << indent << "SnapSigma: " << this->SnapSigma << "\n";
+  os << indent << "Together: " << this->Together << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "EdgeCount: " << this->EdgeCount << "\n";
   os << indent << "SnapCount: " << this->SnapCount << "\n";

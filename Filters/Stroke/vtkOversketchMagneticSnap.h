@@ -6,8 +6,9 @@
  * a fixed distance of the stroke, between seeds of its polyline approximation (tolerance 0.05 of the canvas's
  * longest side), and replace it only where edges are strong; elsewhere what was drawn stays. Corridor,
  * weights and thresholds are open there; Kernels/Stroke/livewire.h says what they are here. Departures: an
- * edge counts only where it runs along the stroke (EdgeAngle), and what was replaced is smoothed (SnapSigma),
- * since stairs of pixels breed false corners.
+ * edge counts only where it runs along the stroke (EdgeAngle); what was replaced is smoothed (SnapSigma),
+ * since stairs of pixels breed false corners; and paths are looked for together, near the stroke, along edges
+ * of colours (Together), since the strongest edge of the brightness within reach is often another one.
  *
  * Input 0 (Curves): curves of vtkOversketchCanvas. Cell arrays Magnetic, without which no stroke is, and
  * SnapRadius, half the corridor's width [px of the picture; without it 10, less than 3 counts as 3]. Field
@@ -27,8 +28,8 @@
  * silently.
  *
  * Deterministic: same result bit for bit for any number of threads. Cost: the edges of a picture, once, some
- * 20 ms for a million pixels; then the corridor's pixels. Edges stay while the picture's scalars do, a
- * stroke's result while stroke, picture and parameters do.
+ * 20 ms for a million pixels, of colours some 50; then the corridor's pixels. Edges stay while the picture's
+ * scalars do, a stroke's result while stroke, picture and parameters do.
  *
  * @sa vtkOversketchCanvas vtkOversketchResample
  */
@@ -75,7 +76,18 @@ public:
 
   ///@{
   /**
-   * As the paper prints it: EdgeAngle counts as 180, SnapSigma as 0. Default off.
+   * The paths of all parts of a stroke are the cheapest together, dearer the farther they are from it, along
+   * edges that are strong among those near, of the colour channel that changes most; else each runs between
+   * the strongest edges beside two seeds, along edges of the brightness, as published. Default on.
+   */
+  vtkSetMacro(Together, bool);
+  vtkGetMacro(Together, bool);
+  vtkBooleanMacro(Together, bool);
+  ///@}
+
+  ///@{
+  /**
+   * As the paper prints it: EdgeAngle counts as 180, SnapSigma as 0, Together as off. Default off.
    */
   vtkSetMacro(AsPublished, bool);
   vtkGetMacro(AsPublished, bool);
@@ -104,6 +116,7 @@ private:
 
   double EdgeAngle = 45.0;
   double SnapSigma = 1.0;
+  bool Together = true;
   bool AsPublished = false;
   vtkIdType EdgeCount = 0;
   vtkIdType SnapCount = 0;

@@ -26,6 +26,31 @@ void requirePicture(bool sound)
 }
 
 template <typename Value>
+Shades shadesOf(const PictureView<Value>& picture)
+{
+  requirePicture(picture.values && picture.width > 0 && picture.height > 0 && picture.channels >= 1 &&
+                 picture.channels <= 4);
+  const std::size_t count = static_cast<std::size_t>(picture.width) * picture.height;
+  const int channels = picture.channels;
+  constexpr int shift = sizeof(Value) == 2 ? 8 : 0;
+  Shades result;
+  result.channels = channels < 3 ? 1 : 3;
+  result.values.reserve(count * result.channels);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Value* pixel = picture.values + i * channels;
+    const int alpha = channels % 2 == 0 ? static_cast<int>(pixel[channels - 1] >> shift) : 255;
+    for (int c = 0; c < result.channels; ++c)
+    {
+      const int value = static_cast<int>(pixel[c] >> shift);
+      result.values.push_back(
+        static_cast<std::uint8_t>(alpha == 255 ? value : (value * alpha + 255 * (255 - alpha) + 127) / 255));
+    }
+  }
+  return result;
+}
+
+template <typename Value>
 std::vector<std::uint8_t> brightness(const PictureView<Value>& picture)
 {
   requirePicture(picture.values && picture.width > 0 && picture.height > 0 && picture.channels >= 1 &&
@@ -63,33 +88,62 @@ std::vector<std::uint8_t> luminance(const PictureView<std::uint16_t>& picture)
   return brightness(picture);
 }
 
+Shades shades(const PictureView<std::uint8_t>& picture)
+{
+  return shadesOf(picture);
+}
+
+Shades shades(const PictureView<std::uint16_t>& picture)
+{
+  return shadesOf(picture);
+}
+
 EdgeFeatures edgeFeatures(const std::vector<std::uint8_t>& luminance, int width, int height)
 {
-  requirePicture(width > 0 && height > 0 && luminance.size() == static_cast<std::size_t>(width) * height);
+  return edgeFeatures(Shades{ luminance, 1 }, width, height);
+}
+
+EdgeFeatures edgeFeatures(const Shades& shades, int width, int height)
+{
+  const int channels = shades.channels;
+  requirePicture(width > 0 && height > 0 && (channels == 1 || channels == 3) &&
+                 shades.values.size() == static_cast<std::size_t>(width) * height * channels);
   EdgeFeatures features;
   features.width = width;
   features.height = height;
-  const std::size_t count = luminance.size();
+  const std::size_t count = static_cast<std::size_t>(width) * height;
   features.gx.resize(count);
   features.gy.resize(count);
   features.magnitude.resize(count);
   features.edges.resize(count);
+  cv::Mat gx, gy;
   withOpenCV("find the picture's edges",
     [&]
     {
       // It only reads the picture.
-      const cv::Mat grey(height, width, CV_8UC1, const_cast<std::uint8_t*>(luminance.data()));
-      cv::Mat gx(height, width, CV_32FC1, features.gx.data());
-      cv::Mat gy(height, width, CV_32FC1, features.gy.data());
+      const cv::Mat values(height, width, CV_8UC(channels), const_cast<std::uint8_t*>(shades.values.data()));
       cv::Mat edges(height, width, CV_8UC1, features.edges.data());
-      cv::Sobel(grey, gx, CV_32F, 1, 0, 3);
-      cv::Sobel(grey, gy, CV_32F, 0, 1, 3);
-      cv::Canny(grey, edges, weakEdge, strongEdge);
+      cv::Sobel(values, gx, CV_16S, 1, 0, 3);
+      cv::Sobel(values, gy, CV_16S, 0, 1, 3);
+      cv::Canny(values, edges, weakEdge, strongEdge);
     });
-  for (std::size_t i = 0; i < count; ++i)
+  const auto* x = gx.ptr<std::int16_t>();
+  const auto* y = gy.ptr<std::int16_t>();
+  for (std::size_t i = 0; i < count; ++i, x += channels, y += channels)
   {
-    const float x = features.gx[i], y = features.gy[i];
-    features.magnitude[i] = std::sqrt(x * x + y * y);
+    float greatest = -1.0f;
+    for (int c = 0; c < channels; ++c)
+    {
+      const float dx = x[c], dy = y[c];
+      const float square = dx * dx + dy * dy;
+      if (square > greatest)
+      {
+        greatest = square;
+        features.gx[i] = dx;
+        features.gy[i] = dy;
+      }
+    }
+    features.magnitude[i] = std::sqrt(greatest);
     features.greatest = std::max(features.greatest, features.magnitude[i]);
     features.edges[i] = features.edges[i] ? 1 : 0;
   }

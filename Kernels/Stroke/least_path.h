@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace oversketch
@@ -27,6 +26,7 @@ struct PathField
   };
   int x0 = 0, y0 = 0, width = 0, height = 0;
   std::vector<std::uint8_t> states; // of its pixels, row by row
+  std::vector<float> extra;         // what a px of way to each costs besides; empty: nothing
 };
 
 // The whole picture, every edge counting.
@@ -38,29 +38,41 @@ PathField wholeField(const EdgeFeatures& features);
 // acos dq) / pi, dp and dq the unit step times the edge's tangents at p and q, both turned about where dp is
 // negative. (Weights are OpenCV's, the paper gives none.) Of equally cheap ways to a pixel the one found
 // first stays; of places equally far the lower is left first.
-class PathSearch
-{
-public:
-  PathSearch();
-  ~PathSearch();
-  // Keeps its memory from one path to the next.
-  std::vector<Pixel> operator()(const EdgeFeatures& features,
-    const PathField& field,
-    const Pixel& from,
-    const Pixel& to,
-    const Context& context);
-
-private:
-  class Work;
-  std::unique_ptr<Work> Inner;
-};
-
-// One path.
 std::vector<Pixel> leastPath(const EdgeFeatures& features,
   const PathField& field,
   const Pixel& from,
   const Pixel& to,
   const Context& context);
+
+// The cheapest ways from some pixels of a field, at each of which a way has cost something already, to
+// others; costs as above, and those of the field besides.
+class PathTree
+{
+public:
+  struct Start
+  {
+    Pixel pixel;
+    double cost;
+  };
+  // Looks until all of the targets that can be reached are. Pixels that are not the field's are left out.
+  PathTree(const EdgeFeatures& features,
+    const PathField& field,
+    const std::vector<Start>& starts,
+    const std::vector<Pixel>& targets,
+    const Context& context);
+
+  // Of a target: infinite where no way leads.
+  double cost(const Pixel& target) const;
+  // From a start to a target; empty where no way leads.
+  std::vector<Pixel> pathTo(const Pixel& target) const;
+
+private:
+  int index(const Pixel& pixel) const;
+
+  int X0, Y0, Width, Height;
+  std::vector<double> Reached;
+  std::vector<std::uint8_t> Back; // the number of the last step to a pixel; that of steps where a way begins
+};
 
 // The same cost of a given path, by its formula.
 double pathCost(const EdgeFeatures& features, const PathField& field, const std::vector<Pixel>& path);

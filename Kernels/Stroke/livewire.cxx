@@ -1,5 +1,7 @@
 #include "Stroke/livewire.h"
 
+#include "Stroke/corridor.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,213 +11,6 @@ namespace oversketch
 {
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double least = 3.0; // px: the narrowest corridor
-constexpr int chordReach = 4; // samples to either side that the stroke's direction is taken from
-// The angle between two lines without direction, in [0, pi / 2].
-double between(double a, double b)
-{
-  const double difference = std::abs(std::remainder(a - b, pi));
-  return std::min(difference, pi - difference);
-}
-
-// A stroke as the livewire walks it: opened at its start where it is closed.
-struct Drawn
-{
-  const EdgeFeatures& features;
-  const LivewireRules& rules;
-  Polyline points;
-  bool closed;
-  double radius;
-
-  int count() const { return static_cast<int>(this->points.size()); }
-  // Angle of the stroke at a sample.
-  double chord(int sample) const
-  {
-    int from = sample - chordReach, to = sample + chordReach;
-    if (this->closed) // the last point is the first one
-    {
-      const int period = this->count() - 1;
-      from = (from % period + period) % period;
-      to = to % period;
-    }
-    else
-    {
-      from = std::max(from, 0);
-      to = std::min(to, this->count() - 1);
-    }
-    const Vector2 way = this->points[to] - this->points[from];
-    return way == Vector2::Zero() ? std::numeric_limits<double>::quiet_NaN() : std::atan2(way[1], way[0]);
-  }
-  // Whether the edge pixel at (x, y) runs along the stroke, whose angle is given.
-  bool counts(int x, int y, double angle) const
-  {
-    const std::size_t pixel = static_cast<std::size_t>(y) * this->features.width + x;
-    // A stroke without a direction has no wrong one.
-    return this->features.edges[pixel] != 0 &&
-           !(between(tangentOf(this->features, pixel), angle) > this->rules.edgeAngle + 1e-9);
-  }
-  Pixel nearestPixel(const Vector2& p) const
-  {
-    return { std::clamp(static_cast<int>(std::lround(p[0])), 0, this->features.width - 1),
-      std::clamp(static_cast<int>(std::lround(p[1])), 0, this->features.height - 1) };
-  }
-  Pixel seedPixel(int sample) const;
-  PathField corridor(int from, int to) const;
-};
-
-// The strongest edge that counts within the radius of a seed, of equally strong ones the nearest; else the
-// pixel it lies on.
-Pixel Drawn::seedPixel(int sample) const
-{
-  const Vector2 seed = this->points[sample];
-  // The stroke passes here once: samples in a row that stay near.
-  const double reach = 2.0 * this->radius;
-  int begin = sample, end = sample;
-  while (begin > 0 && (this->points[begin - 1] - seed).norm() <= reach)
-  {
-    --begin;
-  }
-  while (end + 1 < this->count() && (this->points[end + 1] - seed).norm() <= reach)
-  {
-    ++end;
-  }
-  Pixel best = this->nearestPixel(seed);
-  double strongest = 0.0, nearest = 0.0;
-  const int y1 = std::min(this->features.height - 1, static_cast<int>(std::floor(seed[1] + this->radius)));
-  const int x1 = std::min(this->features.width - 1, static_cast<int>(std::floor(seed[0] + this->radius)));
-  for (int y = std::max(0, static_cast<int>(std::ceil(seed[1] - this->radius))); y <= y1; ++y)
-  {
-    for (int x = std::max(0, static_cast<int>(std::ceil(seed[0] - this->radius))); x <= x1; ++x)
-    {
-      const std::size_t pixel = static_cast<std::size_t>(y) * this->features.width + x;
-      if (!this->features.edges[pixel])
-      {
-        continue;
-      }
-      const Vector2 place(x, y);
-      const double distance = (place - seed).norm();
-      const double g = this->features.magnitude[pixel];
-      if (distance > this->radius || g < strongest || (g == strongest && distance >= nearest))
-      {
-        continue;
-      }
-      int at = sample;
-      for (int i = begin; i <= end; ++i)
-      {
-        at = (this->points[i] - place).squaredNorm() < (this->points[at] - place).squaredNorm() ? i : at;
-      }
-      if (this->counts(x, y, this->chord(at)))
-      {
-        strongest = g;
-        nearest = distance;
-        best = { x, y };
-      }
-    }
-  }
-  return best;
-}
-
-// The pixels within the radius of a part of the stroke.
-PathField Drawn::corridor(int from, int to) const
-{
-  Eigen::AlignedBox2d box;
-  for (int i = from; i <= to; ++i)
-  {
-    box.extend(this->points[i]);
-  }
-  PathField field;
-  const auto low = [&](int axis) { return std::max(0.0, std::ceil(box.min()[axis] - this->radius)); };
-  const auto high = [&](int axis, int size)
-  { return std::min(size - 1.0, std::floor(box.max()[axis] + this->radius)); };
-  const double x0 = low(0), y0 = low(1);
-  const double x1 = high(0, this->features.width), y1 = high(1, this->features.height);
-  if (x0 > x1 || y0 > y1)
-  {
-    return field; // beside the picture
-  }
-  field.x0 = static_cast<int>(x0);
-  field.y0 = static_cast<int>(y0);
-  field.width = static_cast<int>(x1 - x0) + 1;
-  field.height = static_cast<int>(y1 - y0) + 1;
-  const std::size_t size = static_cast<std::size_t>(field.width) * field.height;
-  field.states.assign(size, PathField::Outside);
-  // Of each pixel: the nearest sample and its distance's square.
-  std::vector<float> nearest(size, std::numeric_limits<float>::max());
-  std::vector<int> samples(size, -1);
-  const Eigen::ArrayXd columns = Eigen::ArrayXd::LinSpaced(field.width, x0, x1);
-  Eigen::ArrayXd along(field.width), squares(field.width); // of a row, and a segment
-  const double limit = this->radius * this->radius;
-  for (int i = from; i < to; ++i)
-  {
-    const Vector2 a = this->points[i], way = this->points[i + 1] - a;
-    const double length = way.norm();
-    const double divisor =
-      length > 0.0 ? way.squaredNorm() : 1.0; // a segment without length is its first point
-    const Vector2 lower = a.cwiseMin(a + way), upper = a.cwiseMax(a + way);
-    const auto row = [&](double y) { return std::min(y1 + 1.0, std::max(y0 - 1.0, y)); };
-    const auto column = [&](double x) { return std::min(field.width + 0.0, std::max(-1.0, x - field.x0)); };
-    const int ya = std::max(field.y0, static_cast<int>(std::ceil(row(lower[1] - this->radius))));
-    const int yb =
-      std::min(field.y0 + field.height - 1, static_cast<int>(std::floor(row(upper[1] + this->radius))));
-    for (int y = ya; y <= yb; ++y)
-    {
-      // Of the segment's box only what is near its ends' rows, and of a long one the strip beside it, is
-      // looked at.
-      const double off = std::max({ 0.0, lower[1] - y, y - upper[1] });
-      const double beside = std::sqrt(std::max(0.0, limit - off * off)) + 1.0;
-      double left = lower[0] - beside, right = upper[0] + beside;
-      if (std::abs(way[1]) > 1e-9 * length)
-      {
-        const double middle = a[0] + way[0] * (y - a[1]) / way[1];
-        const double half = this->radius * length / std::abs(way[1]) + 1.0;
-        left = std::max(left, middle - half);
-        right = std::min(right, middle + half);
-      }
-      const int xa = std::max(0, static_cast<int>(column(left)));
-      const int xb = std::min(field.width - 1, static_cast<int>(column(right)));
-      const int count = xb - xa + 1;
-      if (count < 1)
-      {
-        continue;
-      }
-      auto t = along.head(count), square = squares.head(count); // several pixels at a time
-      const auto x = columns.segment(xa, count);
-      t = (((x - a[0]) * way[0] + (y - a[1]) * way[1]) / divisor).max(0.0).min(1.0);
-      square = (t * way[0] + a[0] - x).square() + (t * way[1] + a[1] - y).square();
-      const std::size_t first = static_cast<std::size_t>(y - field.y0) * field.width + xa;
-      for (int k = 0; k < count; ++k)
-      {
-        const auto distance = static_cast<float>(square[k]);
-        if (square[k] <= limit && distance < nearest[first + k])
-        {
-          nearest[first + k] = distance;
-          samples[first + k] = t[k] < 0.5 ? i : i + 1;
-        }
-      }
-    }
-  }
-  std::vector<double> chords;
-  for (int i = from; i <= to; ++i)
-  {
-    chords.push_back(this->chord(i));
-  }
-  for (int y = 0; y < field.height; ++y)
-  {
-    for (int x = 0; x < field.width; ++x)
-    {
-      const std::size_t at = static_cast<std::size_t>(y) * field.width + x;
-      if (samples[at] >= 0.0)
-      {
-        const double chord = chords[static_cast<std::size_t>(samples[at]) - from];
-        field.states[at] =
-          this->counts(field.x0 + x, field.y0 + y, chord) ? PathField::Edge : PathField::Plain;
-      }
-    }
-  }
-  return field;
-}
 
 // A path with, of each pixel, whether it is strong and the part of the stroke it belongs to.
 struct Wire
@@ -248,22 +43,6 @@ std::array<int, 2> spur(const std::vector<Pixel>& first, const std::vector<Pixel
   return most;
 }
 
-bool besideEdge(const PathField& field, const Pixel& pixel)
-{
-  for (int y = -1; y <= 1; ++y)
-  {
-    for (int x = -1; x <= 1; ++x)
-    {
-      const int i = indexOf(field, pixel + Pixel(x, y));
-      if (i >= 0 && field.states[i] == PathField::Edge)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 // Gaussian along the run with its ends fixed; near them the window shrinks.
 Polyline smoothed(const Polyline& run, double sigma, const NearestPlace& stroke, double radius)
 {
@@ -273,11 +52,6 @@ Polyline smoothed(const Polyline& run, double sigma, const NearestPlace& stroke,
   }
   Polyline result = run;
   const int count = static_cast<int>(run.size()), window = static_cast<int>(std::ceil(3.0 * sigma));
-  std::vector<double> bell;
-  for (int k = 0; k <= window; ++k)
-  {
-    bell.push_back(std::exp(-0.5 * k * k / (sigma * sigma)));
-  }
   for (int i = 1; i + 1 < count; ++i)
   {
     const int reach = std::min({ window, i, count - 1 - i });
@@ -285,7 +59,7 @@ Polyline smoothed(const Polyline& run, double sigma, const NearestPlace& stroke,
     double weights = 1.0;
     for (int k = 1; k <= reach; ++k)
     {
-      const double weight = bell[static_cast<std::size_t>(k)];
+      const double weight = std::exp(-0.5 * k * k / (sigma * sigma));
       sum += weight * (run[i - k] + run[i + k]);
       weights += 2.0 * weight;
     }
@@ -321,7 +95,7 @@ SnappedStroke snapped(const EdgeFeatures& features,
     }
     return result;
   }
-  Drawn drawn{ features, rules, stroke, closed, std::max(rules.radius, least) };
+  DrawnOver drawn{ features, rules, stroke, closed, std::max(rules.radius, DrawnOver::leastRadius) };
   if (closed)
   {
     drawn.points.push_back(stroke.front());
@@ -342,30 +116,13 @@ SnappedStroke snapped(const EdgeFeatures& features,
   ends.push_back(last);
 
   Wire wire;
-  std::vector<Pixel> places;
-  for (const int end : ends)
-  {
-    places.push_back(closed && end == last ? places.front() : drawn.seedPixel(end));
-  }
   const std::size_t partCount = ends.size() - 1;
-  std::vector<std::vector<Pixel>> paths(partCount);
-  std::vector<std::vector<std::uint8_t>> strong(partCount);
-  PathSearch search;
-  for (std::size_t part = 0; part < partCount; ++part)
-  {
-    context.checkpoint(static_cast<double>(part) / static_cast<double>(ends.size()));
-    const PathField field = drawn.corridor(ends[part], ends[part + 1]);
-    // A seed of a stroke that leaves the picture may have no pixel in the corridor: no path then.
-    paths[part] = search(features, field, places[part], places[part + 1], context);
-    for (const Pixel& pixel : paths[part])
-    {
-      strong[part].push_back(besideEdge(field, pixel));
-    }
-  }
+  const auto [paths, strong] =
+    rules.together ? pathsTogether(drawn, ends, context) : pathsBetweenSeeds(drawn, ends, context);
   // What to leave out of each path's begin and end.
   const int reach = static_cast<int>(std::ceil(3.0 * drawn.radius));
   std::vector<int> fromBegin(partCount, 0), fromEnd(partCount, 0);
-  for (std::size_t part = closed ? 0 : 1; part < partCount; ++part)
+  for (std::size_t part = closed ? 0 : 1; !rules.together && part < partCount; ++part)
   {
     const std::size_t before = part > 0 ? part - 1 : partCount - 1;
     if (before != part && !paths[before].empty() && !paths[part].empty())

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -98,6 +99,7 @@ TEST(C3_1, ACircleBesideADiscComesToItsEdge)
       LivewireRules rules;
       rules.sigma = sigma;
       rules.edgeAngle = angle;
+      rules.together = sigma > 0.0 || angle < pi; // the last one as published
       const SnappedStroke result = snapped(picture, stroke, true, every(19, 150), rules, Context());
       ASSERT_GT(result.points.size(), 500u);
       ASSERT_EQ(result.snapped.size(), result.points.size());
@@ -131,6 +133,9 @@ TEST(C3_2, AConstantPictureChangesNothing)
   for (const bool closed : { false, true })
   {
     const Polyline stroke = ring(Vector2(150.2, 99.7), 80.1, 90);
+    LivewireRules published;
+    published.together = false;
+    EXPECT_EQ(snapped(picture, stroke, closed, every(10, 90), published, Context()).points, stroke);
     const SnappedStroke result = snapped(picture, stroke, closed, every(10, 90), {}, Context());
     EXPECT_EQ(result.points, stroke);
     EXPECT_EQ(std::count(result.snapped.begin(), result.snapped.end(), 1), 0);
@@ -209,6 +214,7 @@ TEST(C3_4, AStrongerEdgeOutOfReachNeverAttracts)
     }
     LivewireRules rules;
     rules.edgeAngle = seed % 2 ? pi : pi / 4.0;
+    rules.together = seed < 6;
     const SnappedStroke result = snapped(picture, stroke, false, every(11, 121), rules, Context());
     worst = std::max(worst, farthest(result, stroke, false));
     for (std::size_t i = 0; i < result.points.size(); ++i)
@@ -312,6 +318,7 @@ TEST(C3_6, AStrokeAcrossAnEdgeIsLeftAlone)
   EXPECT_EQ(snapped(picture, ending, false, { 0, 12 }, {}, Context()).points, ending);
   LivewireRules any;
   any.edgeAngle = pi;
+  any.together = false;
   const SnappedStroke along = snapped(picture, ending, false, { 0, 12 }, any, Context());
   EXPECT_NE(along.points, ending);
   EXPECT_GE(std::count(along.snapped.begin(), along.snapped.end(), 1), 5);
@@ -328,7 +335,7 @@ TEST(Livewire, RefusesAndIsCancelled)
   EXPECT_THROW(snapped(picture, stroke, false, { 5, 4 }, {}, Context()), Error);
   EXPECT_THROW(snapped(picture, stroke, false, { 26 }, {}, Context()), Error);
   EXPECT_THROW(snapped(picture, { { 0.0, std::nan("") }, { 1.0, 1.0 } }, false, {}, {}, Context()), Error);
-  EXPECT_THROW(edgeFeatures({}, 0, 0), Error);
+  EXPECT_THROW(edgeFeatures(Shades(), 0, 0), Error);
   Context cancelled;
   cancelled.cancelled = [] { return true; };
   EXPECT_THROW(snapped(picture, stroke, false, {}, {}, cancelled), Error);
@@ -366,6 +373,7 @@ TEST(Livewire, SeedsLeaveNoSpurs)
     }
     LivewireRules rules;
     rules.sigma = 0.0;
+    rules.together = seed % 2 == 0;
     const SnappedStroke result = snapped(picture, stroke, true, every(9, 110), rules, Context());
     const int count = static_cast<int>(result.points.size());
     int touching = 0, snappedCount = 0;
@@ -380,4 +388,68 @@ TEST(Livewire, SeedsLeaveNoSpurs)
     EXPECT_EQ(touching, 0) << seed;
     EXPECT_GT(snappedCount, 300);
   }
+}
+
+// Beside the edge that is drawn along is a stronger one, 6 px farther, in pieces where the seeds are: as
+// published seeds on it draw the path there. With all parts together the path stays.
+TEST(Livewire, StaysOnTheEdgeThatIsNearBesideAStrongerOne)
+{
+  const EdgeFeatures picture = pictureOf(500,
+    200,
+    [](double x, double y)
+    {
+      const bool piece = std::fmod(x, 120.0) < 40.0;
+      return y < 100.0 ? 60.0 : (y > 107.0 && piece ? 255.0 : 110.0);
+    });
+  const Polyline stroke = straight(Vector2(10.0, 98.5), Vector2(490.0, 98.5), 120);
+  const auto farthestOff = [&](bool together)
+  {
+    LivewireRules rules;
+    rules.together = together;
+    double worst = 0.0;
+    for (const Vector2& p : snapped(picture, stroke, false, every(30, 121), rules, Context()).points)
+    {
+      worst = std::max(worst, std::abs(p[1] - 99.5));
+    }
+    return worst;
+  };
+  EXPECT_GT(farthestOff(false), 5.0);
+  EXPECT_LE(farthestOff(true), 1.5);
+}
+
+// Red beside a green as bright has an edge by its colours alone.
+TEST(Livewire, ColoursHaveEdgesWhereBrightnessHasNone)
+{
+  const int width = 200, height = 120;
+  std::vector<std::uint8_t> colours, flat;
+  for (int i = 0; i < width * height; ++i)
+  {
+    const bool above = i / width >= 60;
+    const std::array<std::uint8_t, 4> pixel{
+      static_cast<std::uint8_t>(above ? 196 : 0), static_cast<std::uint8_t>(above ? 0 : 100), 30, 255
+    };
+    colours.insert(colours.end(), pixel.begin(), pixel.begin() + 3);
+    flat.insert(flat.end(), pixel.begin(), pixel.end());
+  }
+  const PictureView<std::uint8_t> view{ colours.data(), width, height, 3 };
+  const Polyline stroke = straight(Vector2(10.0, 64.0), Vector2(190.0, 64.0), 45);
+  const auto moved = [&](const EdgeFeatures& features)
+  {
+    const SnappedStroke result = snapped(features, stroke, false, every(15, 46), {}, Context());
+    EXPECT_LE(farthest(result, stroke, false), 10.0);
+    return std::count(result.snapped.begin(), result.snapped.end(), 1);
+  };
+  EXPECT_EQ(moved(edgeFeatures(luminance(view), width, height)), 0);
+  const EdgeFeatures edges = edgeFeatures(shades(view), width, height);
+  EXPECT_GT(moved(edges), 150);
+  EXPECT_FLOAT_EQ(edges.greatest, 4.0f * 196.0f);
+  // Opaque, the same; through alpha, as on white; grey, one value a pixel.
+  const PictureView<std::uint8_t> opaque{ flat.data(), width, height, 4 };
+  EXPECT_EQ(shades(opaque).values, colours);
+  const std::vector<std::uint8_t> faint{ 10, 20, 30, 0, 10, 20, 30, 255 }, grey{ 7, 255, 90, 255 };
+  EXPECT_EQ(shades(PictureView<std::uint8_t>{ faint.data(), 2, 1, 4 }).values,
+    (std::vector<std::uint8_t>{ 255, 255, 255, 10, 20, 30 }));
+  const Shades one = shades(PictureView<std::uint8_t>{ grey.data(), 2, 1, 2 });
+  EXPECT_EQ(one.channels, 1);
+  EXPECT_EQ(one.values, (std::vector<std::uint8_t>{ 7, 90 }));
 }

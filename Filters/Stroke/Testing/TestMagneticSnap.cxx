@@ -146,13 +146,14 @@ TEST(MagneticSnapFilter, TheSameDrawingTinyFarAndOnOblongPixels)
   }
 }
 
-TEST(MagneticSnapFilter, AsPublishedIsAnyAngleAndNoSmoothing)
+TEST(MagneticSnapFilter, AsPublishedIsAnyAngleNoSmoothingAndPartByPart)
 {
   const auto image = discPicture(200, discRadius, middle);
   Snapping amended(image), published(image), set(image);
   published.snap->AsPublishedOn();
   set.snap->SetEdgeAngle(180.0);
   set.snap->SetSnapSigma(0.0);
+  set.snap->TogetherOff();
   for (Snapping* chain : { &amended, &published, &set })
     chain->snap->Update();
   expectSameCurves(published.snap->GetOutput(), set.snap->GetOutput());
