@@ -93,7 +93,6 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
           this->Refused = report.refused;
           this->FacesAdded = report.facesAdded;
           this->FootMoved = 0;
-          bool split = report.split;
           if (this->SnapFoot)
           {
             FootOptions foot;
@@ -102,11 +101,9 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
             foot.connectedOnly = this->ConnectedOnly;
             foot.minimumAngle = this->MinimumAngle;
             foot.parts = options.parts;
-            const FootReport made = snapFoot(forest, curves, foot, rule, step.context);
-            this->FootMoved = made.moved;
-            split = split || made.facesAdded > 0;
+            this->FootMoved = snapFoot(forest, curves, foot, step.context).moved;
           }
-          if (split)
+          if (report.split)
           {
             forest = canonical(forest, step.context).forest;
           }

@@ -96,7 +96,8 @@ public:
   ///@{
   /**
    * Put vertices also on the foot of features whose sharpness is below 1, and on a rim just inside of it,
-   * which else show saw-teeth there: their slope has no bound at the foot [default on; as published: off].
+   * which else show saw-teeth there: their slope has no bound at the foot. Vertices only move [default on; as
+   * published: off].
    */
   vtkSetMacro(SnapFoot, bool);
   vtkGetMacro(SnapFoot, bool);
@@ -145,7 +146,7 @@ public:
 
   ///@{
   /**
-   * Of the last snapping: vertices put on feet and their rims.
+   * Of the last snapping: vertices that went to feet and their rims, or towards them.
    */
   vtkGetMacro(FootMoved, int);
   ///@}

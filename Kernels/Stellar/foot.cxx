@@ -18,9 +18,10 @@ namespace
 {
 
 constexpr double rim = 1.0 - 0.0175;  // shares of the radius: a row of the vertices that refinement makes
-constexpr double rimEdge = 0.0625;    // and the longest edge that is cut there
+constexpr double rimEdge = 0.0625;    // and the longest edge that is looked at there
 constexpr double closeEnough = 1e-13; // and how near to its place a vertex is put
-constexpr double farOff = 2.0;        // and from where on nothing needs to be known
+constexpr double partWays[] = { 0.8, 0.6, 0.4, 0.2 }; // of a way that is not open to its end
+constexpr double farOff = 2.0;                        // and from where on nothing needs to be known
 
 // Of a place: distance / radius of the curve where that is least.
 struct Share
@@ -47,14 +48,12 @@ public:
     }
   }
 
-  FootReport run(const MidpointRule& rule)
+  FootReport run()
   {
-    const int faces = this->Mesh.faceCount();
     this->measure();
-    this->move(1.0, this->crossings(1.0));
-    this->move(rim, this->crossings(rim));
-    this->split(this->crossings(rim), rule);
-    this->Report.facesAdded = this->Mesh.faceCount() - faces;
+    this->settle(1.0);
+    this->settle(rim);
+    this->Caller.checkpoint(1.0);
     return this->Report;
   }
 
@@ -69,7 +68,6 @@ private:
   {
     double length;
     int vertex, other;
-    Vector3 to;
     double u; // of the way to the other
     bool operator<(const Move& o) const
     {
@@ -183,8 +181,14 @@ private:
            keepsToLines(this->Mesh, v, towards, this->Options.parts);
   }
 
-  void put(int v, int other, double u, const Vector3& to, double level)
+  // Moves a vertex so much of the way along an edge, if A2 lets it.
+  bool go(int v, int other, double u, double share)
   {
+    const Vector3 to = this->at(v) + u * (this->at(other) - this->at(v));
+    if (!mayMove(this->Mesh, v, to, this->Options.minimumAngle, &this->First))
+    {
+      return false;
+    }
     Forest::Vertex& moved = this->Mesh.vertices[v];
     const Vector3 normal = (1.0 - u) * moved.baseNormal + u * this->Mesh.vertices[other].baseNormal;
     if (normal.squaredNorm() > 0.0)
@@ -193,80 +197,77 @@ private:
     }
     moved.position = to;
     moved.moved |= Forest::Placed;
-    this->Shares[v].value = level;
+    this->Shares[v].value = share;
     this->Placed[v] = 1;
     ++this->Report.moved;
+    return true;
   }
 
-  void move(double level, const std::vector<Crossing>& crossings)
+  // The nearest first.
+  std::vector<Move> movesFor(const std::vector<Crossing>& crossings) const
   {
-    this->Report.crossings += static_cast<int>(crossings.size());
     std::vector<Move> moves;
+    const auto add = [&](int v, int other, double u)
+    {
+      if (this->mayGo(v, other))
+      {
+        moves.push_back({ u * (this->at(other) - this->at(v)).norm(), v, other, u });
+      }
+    };
     for (const Crossing& c : crossings)
     {
-      const Vector3 along = this->at(c.beyond) - this->at(c.within), to = this->at(c.within) + c.u * along;
-      const double length = along.norm();
-      if (this->mayGo(c.within, c.beyond))
-      {
-        moves.push_back({ c.u * length, c.within, c.beyond, to, c.u });
-      }
-      if (this->mayGo(c.beyond, c.within))
-      {
-        moves.push_back({ (1.0 - c.u) * length, c.beyond, c.within, to, 1.0 - c.u });
-      }
+      add(c.within, c.beyond, c.u);
+      add(c.beyond, c.within, 1.0 - c.u);
     }
     std::sort(moves.begin(), moves.end());
-    for (std::size_t i = 0; i < moves.size(); ++i)
+    return moves;
+  }
+
+  void settle(double level)
+  {
+    const std::vector<Crossing> crossings = this->crossings(level);
+    this->Report.crossings += static_cast<int>(crossings.size());
+    // An edge with an end on the level is crossed no more.
+    const auto on = [&](int v) { return this->Shares[v].value == level; };
+    int count = 0;
+    for (const Move& m : this->movesFor(crossings))
     {
-      if (i % movesPerCheck == 0)
+      if (++count % movesPerCheck == 0)
       {
         this->Caller.checkpoint(0.9);
       }
-      const Move& m = moves[i];
-      // An edge with an end on the level is crossed no more.
-      if (this->Placed[m.vertex] || this->Shares[m.other].value == level)
-      {
-        continue;
-      }
-      if (!mayMove(this->Mesh, m.vertex, m.to, this->Options.minimumAngle, &this->First))
+      if (!this->Placed[m.vertex] && !on(m.other) && !this->go(m.vertex, m.other, m.u, level))
       {
         ++this->Report.refused;
-        continue;
       }
-      this->put(m.vertex, m.other, m.u, m.to, level);
+    }
+    // A face that still crosses the foot rises beyond it as far as its outer end is off, one that crosses the
+    // rim is too low as far as its inner end is: those ends come nearer.
+    for (const Crossing& c : crossings)
+    {
+      if (!on(c.within) && !on(c.beyond))
+      {
+        level == 1.0 ? this->approach(c.beyond, c.within, 1.0 - c.u)
+                     : this->approach(c.within, c.beyond, c.u);
+      }
     }
   }
 
-  // What splits made and what the first of them changed is left as it is.
-  void split(const std::vector<Crossing>& crossings, const MidpointRule& rule)
+  // As much of the way to a crossing as A2 lets it go.
+  void approach(int v, int other, double u)
   {
-    for (const Crossing& c : crossings)
+    if (!this->mayGo(v, other))
     {
-      const int f = this->Mesh.faceWithEdge(c.within, c.beyond);
-      if (f < 0 || this->Mesh.faces[f].gen >= residualGeneration)
+      return;
+    }
+    for (const double part : partWays)
+    {
+      const Vector3 to = this->at(v) + part * u * (this->at(other) - this->at(v));
+      if (this->go(v, other, part * u, this->shareAt(to).value))
       {
-        continue;
-      }
-      const Vector3 to = this->at(c.within) + c.u * (this->at(c.beyond) - this->at(c.within));
-      std::vector<Forest::Birth> births;
-      const int made = this->Mesh.refineEdge(c.within, c.beyond, rule, &births);
-      this->First.resize(this->Mesh.vertices.size());
-      for (const Forest::Birth& birth : births)
-      {
-        const int* ends = this->Mesh.vertices[birth.vertex].parents;
-        this->First[birth.vertex] = 0.5 * (this->First[ends[0]] + this->First[ends[1]]);
-      }
-      if (mayMove(this->Mesh, made, to, this->Options.minimumAngle, &this->First))
-      {
-        this->Mesh.vertices[made].position = to;
-        this->Mesh.vertices[made].moved |= Forest::Placed;
-      }
-      else if (narrowestOf(this->Mesh, births) < squaredSine(this->Options.minimumAngle))
-      {
-        weldBack(this->Mesh, births);
+        return;
       }
     }
-    this->Caller.checkpoint(1.0);
   }
 
   FootReport Report;
@@ -275,9 +276,9 @@ private:
   const FootOptions& Options;
   const Context& Caller;
   CurveSearch Search;
-  std::vector<Share> Shares;  // per vertex, before any split
+  std::vector<Share> Shares;  // per vertex
   std::vector<char> Placed;   // per vertex: on foot or rim
-  std::vector<Vector3> First; // where vertices were before they moved, by slot
+  std::vector<Vector3> First; // where vertices were before they moved
   std::vector<int> Inside;    // reached vertices, ascending
 };
 
@@ -286,7 +287,6 @@ private:
 FootReport snapFoot(Forest& forest,
   const FeatureCurves& curves,
   const FootOptions& options,
-  const MidpointRule& source,
   const Context& context)
 {
   checkCurves(curves);
@@ -312,7 +312,7 @@ FootReport snapFoot(Forest& forest,
       Failure::BadStroke, "The foot of a feature needs a part for each triangle of the base mesh, or none.");
   }
   needBaseNormals(forest, context);
-  return FootSnapper(forest, curves, options, context).run(source);
+  return FootSnapper(forest, curves, options, context).run();
 }
 
 } // namespace oversketch

@@ -25,23 +25,21 @@ struct FootOptions
 
 struct FootReport
 {
-  int crossings = 0;  // edges that cross a foot or a rim
-  int moved = 0;      // vertices that went there
-  int refused = 0;    // moves that would have spoilt a triangle
-  int facesAdded = 0; // by splits; a canonical forest stays one without
+  int crossings = 0; // edges that cross a foot or a rim
+  int moved = 0;     // vertices that went there or towards it
+  int refused = 0;   // moves all the way that would have spoilt a triangle
 };
 
 // Where the nearest curve, by share of its radius, has a sharpness below 1: along the foot, at the radius,
 // and along the rim, a little inside, vertices go to where their edges cross it, the least moves first. A
-// move that A2 refuses is left to the edge's other end; at the rim an edge that is crossed in the end is
-// split there, down to generation 24. Vertices on curves and crests of earlier strokes stay, those on the
-// boundary and on seams keep to them. There is no rim where edges are longer than a sixteenth of the radius.
-// Distances are those through space. `source` places what splits make. Throws Error(BadStroke) for curves
-// that checkCurves refuses, options out of their range, Error(Cancelled) with the forest half done.
+// move that A2 refuses is left to the edge's other end; where that may not go either, the end that is beyond
+// the foot, or within the rim, goes as far as it may. Nothing is split. Vertices on curves and crests of
+// earlier strokes stay, those on the boundary and on seams keep to them. There is no rim where edges are
+// longer than a sixteenth of the radius. Distances are those through space. Throws Error(BadStroke) for
+// curves that checkCurves refuses, options out of their range, Error(Cancelled) with the forest half done.
 FootReport snapFoot(Forest& forest,
   const FeatureCurves& curves,
   const FootOptions& options,
-  const MidpointRule& source,
   const Context& context);
 
 } // namespace oversketch
