@@ -10,6 +10,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 
@@ -22,7 +23,7 @@ import remesh
 
 
 def sphere():
-    """1,280 triangles: those of an icosahedron, each in 64."""
+    """1,280 triangles: those of an icosahedron, each in 64; facing out, which VTK 9.1's do not."""
     solid, finer = vtkPlatonicSolidSource(), vtkLinearSubdivisionFilter()
     solid.SetSolidTypeToIcosahedron()
     finer.SetInputConnection(solid.GetOutputPort())
@@ -33,6 +34,12 @@ def sphere():
     places.SetData(numpy_to_vtk(points / np.linalg.norm(points, axis=1, keepdims=True), deep=True))
     mesh.SetPoints(places)
     mesh.SetPolys(finer.GetOutput().GetPolys())
+    outward = vtkPolyDataNormals()
+    outward.SetInputData(mesh)
+    outward.SplittingOff()
+    outward.AutoOrientNormalsOn()
+    outward.Update()
+    mesh.SetPolys(outward.GetOutput().GetPolys())
     return mesh
 
 

@@ -10,8 +10,10 @@ import oversketch
 from inflated import inked, netted, ring, view_of
 from sheet import Sheet
 
+line = ring(400, 300, 300, 230, 5, 0.12)
+line[:, 0] += 0.1 * (line[:, 1] - 300)  # leans: both sides alike, rounding would choose between them
 system, sheet = oversketch.vtkOversketchInflateDrawing(), Sheet(columns=2, size=(560, 420))
-system.SetInputData(0, oversketch.drawing([ring(400, 300, 300, 230, 5, 0.12)], (800, 600), True))
+system.SetInputData(0, oversketch.drawing([line], (800, 600), True))
 system.SetLevels(2)
 darts = system.GetStep("Darts")
 for mode in (darts.OFF, darts.LOCAL):

@@ -32,7 +32,7 @@ def test_lengths_are_the_models_or_shares_of_its_diagonal(folder, tmp_path):
     before = read(folder / "body.vtp")
     share = augment(folder, tmp_path / "share.vtp", "--radius", "4%", "--height", "2%")
     size = diagonal(before)
-    length = augment(folder, tmp_path / "length.vtp", "--radius", repr(0.04 * size), "--height", repr(0.02 * size))
+    length = augment(folder, tmp_path / "length.vtp", "--radius", str(0.04 * size), "--height", str(0.02 * size))
     assert numpy.abs(points_of(share) - points_of(length)).max() < 1e-12
     assert share.GetNumberOfPolys() > before.GetNumberOfPolys() + 100
     raised = volume(share) - volume(before)
