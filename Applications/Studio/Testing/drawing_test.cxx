@@ -230,7 +230,7 @@ TEST(Drawing, ALineOnTheSurfaceStaysWhenTheDrawingChangesUnderIt)
     vtkPolyData* bare = outcomes[1].mesh;
     const double height = 0.5 * 0.03 * bare->GetLength(); // of the defaults
     const double risen = sheet.mesh()->GetBounds()[5] - bare->GetBounds()[5];
-    EXPECT_GT(risen, 0.7 * height);
+    EXPECT_GT(risen, 0.6 * height); // the line passes beside the highest place
     EXPECT_LT(risen, 1.1 * height);
     EXPECT_NEAR(sheet.mesh()->GetBounds()[4], bare->GetBounds()[4], 1e-6) << "its back";
   };
