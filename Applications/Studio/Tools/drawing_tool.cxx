@@ -388,7 +388,8 @@ void DrawingTool::follow()
       this->Pad->setCanvas(value(0), value(1), value(2), value(3));
     }
   }
-  const Parameter* crossing = findParameter(*findSystem(drawingSystem), "Arrange");
+  const SystemRow* row = findSystem(drawingSystem);
+  const Parameter* crossing = findParameter(*row, "Arrange");
   const bool arranged = std::get<bool>(valueOf(step, *crossing));
   const bool judgedAnew = std::exchange(this->Arranged, arranged) != arranged;
   this->Pad->setArranged(arranged);
