@@ -21,7 +21,7 @@ using namespace oversketch_session;
 namespace
 {
 
-constexpr const char* verdict = "see oversketch edit --help";
+constexpr const char* adviceOfEdit = "see oversketch edit --help";
 constexpr int mostLevels = 256;       // vtkOversketchShadingLevels
 constexpr Json::ArrayIndex most = 64; // areas, vtkOversketchScanFill
 constexpr Json::ArrayIndex handles = 1000;
@@ -39,7 +39,7 @@ std::string handlesOf(const JsonReader& json)
   const Json::Value& list = json.get("handles");
   if (!list.isArray() || list.size() > handles)
   {
-    json.refuse("handles", std::string("is no list of at most 1000 pairs [from, to]; ") + verdict);
+    json.refuse("handles", std::string("is no list of at most 1000 pairs [from, to]; ") + adviceOfEdit);
   }
   for (const Json::Value& pair : list)
   {
@@ -47,7 +47,7 @@ std::string handlesOf(const JsonReader& json)
         !std::isfinite(pair[0].asDouble()) || !std::isfinite(pair[1].asDouble()))
     {
       json.refuse(
-        "handles", std::string("holds something that is no pair [from, to] of numbers; ") + verdict);
+        "handles", std::string("holds something that is no pair [from, to] of numbers; ") + adviceOfEdit);
     }
     text << "handle " << pair[0].asDouble() << ' ' << pair[1].asDouble() << "; ";
   }
@@ -60,7 +60,7 @@ void readLayers(const std::string& path, Step& step)
 {
   requireReadable(path);
   const Json::Value root = JsonReader::parse(wholeFile(path), path);
-  const JsonReader json(root, path, verdict);
+  const JsonReader json(root, path, adviceOfEdit);
   requireKnown(json, { "levels", "handles", "areas" });
   if (json.has("levels"))
   {
@@ -72,7 +72,7 @@ void readLayers(const std::string& path, Step& step)
     const Json::Value& list = json.get("areas");
     if (!list.isArray() || list.size() > most)
     {
-      json.refuse("areas", std::string("is no list of at most 64 areas; ") + verdict);
+      json.refuse("areas", std::string("is no list of at most 64 areas; ") + adviceOfEdit);
     }
     if (step.inputs.count("Areas") > 0)
     {
@@ -82,7 +82,7 @@ void readLayers(const std::string& path, Step& step)
     all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     for (Json::ArrayIndex i = 0; i < list.size(); ++i)
     {
-      const JsonReader area(list[i], path + ", area " + std::to_string(i), verdict);
+      const JsonReader area(list[i], path + ", area " + std::to_string(i), adviceOfEdit);
       requireKnown(area, { "stroke", "levels", "handles" });
       const std::string folder = std::filesystem::path(path).parent_path().string();
       const vtkSmartPointer<vtkPolyData> stroke =
