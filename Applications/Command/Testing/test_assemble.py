@@ -172,14 +172,18 @@ def test_vtk_reads_the_figure_from_obj(figure):
     mesh = read(folder / "figure.obj")
     array = mesh.GetFieldData().GetAbstractArray("MaterialNames")
     names = [array.GetValue(i) for i in range(array.GetNumberOfValues())]
-    assert [name for name in names if name != "NO_MATERIAL"] == ["part0", "part1", "part2"]  # which VTK 9.3 adds, and no face wears
-    worn = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialIds"))
+    assert [name for name in names if name != "NO_MATERIAL"] == ["part0", "part1", "part2"]
+    if "NO_MATERIAL" not in names:  # VTK 9.3's reader gives a material to the first of its faces alone
+        worn = numpy.repeat(range(3), [len(corners) for corners, _ in parts])
+        assert numpy.array_equal(vtk_to_numpy(mesh.GetCellData().GetArray("MaterialIds")), worn)
     triangles, points = triangles_of(mesh), points_of(mesh)
     for number, (corners, coordinates) in enumerate(parts):
-        assert numpy.array_equal(points[triangles[worn == names.index(f"part{number}")]], corners.astype(numpy.float32))
+        its, triangles = triangles[:len(corners)], triangles[len(corners):]
+        assert numpy.array_equal(points[its].astype(numpy.float32), corners.astype(numpy.float32))
         made = vtk_to_numpy(mesh.GetPointData().GetArray(f"part{number}"))  # VTK's reader makes an array for each material
-        assert numpy.array_equal(made[triangles[worn == names.index(f"part{number}")]], coordinates.astype(numpy.float32))
+        assert numpy.array_equal(made[its], coordinates.astype(numpy.float32))
         assert (folder / f"figure_part{number}.png").read_bytes() == (DRAWINGS / (FIGURE[number] + ".png")).read_bytes()
+    assert len(triangles) == 0
     importer = vtkOBJImporter()
     importer.SetFileNameMTL(str(folder / "figure.mtl"))
     importer.SetTexturePath(str(folder))
