@@ -328,7 +328,7 @@ public:
       {
         lines->InsertCellPoint(run.front());
       }
-      laid->GetCellData()->CopyData(views->GetCellData(), 0, cell);
+      laid->GetCellData()->CopyData(views->GetCellData(), vtkIdType{ 0 }, cell);
     }
     const vtkIdType last = this->Points->GetNumberOfPoints() - 1;
     const double closing =
