@@ -1,5 +1,6 @@
 #include "OpenCL/program_cache.h"
 
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -8,7 +9,9 @@
 #include <iterator>
 #include <system_error>
 
+#include <fcntl.h>
 #include <stdlib.h> // mkstemp
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace oversketch
@@ -19,7 +22,8 @@ namespace
 
 // First bytes of a file; the number changes with the layout: this line, the sizes of key and binary, their
 // checksum, the key, the binary.
-constexpr char layout[16] = "oversketch-cl 1";
+// Files of layout 1 may hold what PoCL wrote while another process built the same program (see OneAtATime).
+constexpr char layout[16] = "oversketch-cl 2";
 
 // FNV-1a over 64 bits: it tells damage, not malice; the folder is the user's own.
 class Checksum
@@ -73,6 +77,41 @@ std::filesystem::path folder()
   const auto home = absolute("HOME");
   return home.empty() ? home : home / ".cache" / "oversketch";
 }
+
+// Held while a program is built and its binary taken or read: by one thread of one process at a time. PoCL measures
+// its own cache folder, then copies it into the binary; a process that adds files to that folder in between makes a
+// binary on which PoCL's reader aborts, in this process and in each later one. The lock is the folder's own, so it
+// leaves no file, and it ends with the process that holds it. Where there is no folder to lock, nothing is kept either.
+class OneAtATime
+{
+public:
+  OneAtATime()
+  {
+    const std::filesystem::path path = folder();
+    if (path.empty())
+    {
+      return;
+    }
+    std::error_code failed;
+    std::filesystem::create_directories(path, failed);
+    this->Folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    while (this->Folder >= 0 && flock(this->Folder, LOCK_EX) != 0 && errno == EINTR)
+    {
+    }
+  }
+  ~OneAtATime()
+  {
+    if (this->Folder >= 0)
+    {
+      close(this->Folder);
+    }
+  }
+  OneAtATime(const OneAtATime&) = delete;
+  OneAtATime& operator=(const OneAtATime&) = delete;
+
+private:
+  int Folder = -1;
+};
 
 } // namespace
 
@@ -172,6 +211,7 @@ cl::Program buildProgram(const cl::Context& context,
   const std::string& options,
   bool& compiled)
 {
+  const OneAtATime alone;
   const std::string key = programKey(device, source, options);
   const std::vector<unsigned char> known = loadProgram(key);
   if (!known.empty())

@@ -3,7 +3,7 @@
 // without either there is no cache. The folder may be deleted at any time. Nothing that is wrong with it is
 // an error: a file that is missing, damaged, of another program or refused by the driver only means that the
 // program is compiled, and written again. A folder that cannot be written to means that it is compiled each
-// time.
+// time. While one process builds a program the others wait for it, and then find its file.
 #ifndef oversketch_program_cache_h
 #define oversketch_program_cache_h
 

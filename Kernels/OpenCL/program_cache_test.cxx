@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <set>
 
 #include <stdlib.h> // mkdtemp
 
@@ -246,17 +247,23 @@ TEST_F(ProgramCache, ServesOtherProcesses)
   EXPECT_EQ(Probe().answer(), "1: 12 24 36 48\n");
 }
 
-TEST_F(ProgramCache, TwoProcessesAtOnceLeaveOneWholeFile)
+// The driver's own cache goes too: processes that fill it at once once made a binary on which PoCL aborted.
+TEST_F(ProgramCache, ProcessesAtOnceCompileOnceAndLeaveOneWholeFile)
 {
-  for (int round = 0; round < 5; ++round)
+  for (int round = 0; round < 3; ++round)
   {
-    fs::remove_all(this->Folder / "oversketch");
-    Probe first, second, third;
-    for (Probe* probe : { &first, &second, &third })
+    for (const auto& entry : fs::directory_iterator(this->Folder))
     {
-      const std::string answer = probe->answer();
-      EXPECT_TRUE(answer == "0: 12 24 36 48\n" || answer == "1: 12 24 36 48\n") << answer;
+      fs::remove_all(entry);
     }
+    std::array<Probe, 4> probes;
+    std::multiset<std::string> answers;
+    for (Probe& probe : probes)
+    {
+      answers.insert(probe.answer());
+    }
+    EXPECT_EQ(answers.count("1: 12 24 36 48\n"), 1u) << testing::PrintToString(answers);
+    EXPECT_EQ(answers.count("0: 12 24 36 48\n"), probes.size() - 1) << testing::PrintToString(answers);
     EXPECT_EQ(this->files(), 1);
     EXPECT_EQ(Probe().answer(), "0: 12 24 36 48\n");
   }
