@@ -10,11 +10,11 @@
 namespace oversketch
 {
 
-Forest Forest::roomyCopy() const
+Forest Forest::roomyCopy(std::size_t splits) const
 {
   Forest copy;
-  copy.faces.reserve(this->faces.size() + this->faces.size() / 4 + 1024);
-  copy.vertices.reserve(this->vertices.size() + this->vertices.size() / 4 + 512);
+  copy.faces.reserve(this->faces.size() + 2 * splits);
+  copy.vertices.reserve(this->vertices.size() + splits);
   copy = *this; // keeps what was reserved
   return copy;
 }

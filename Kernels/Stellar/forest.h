@@ -82,8 +82,9 @@ public:
   std::vector<Vector3> displacement;
   std::vector<double> feature;
 
-  // A copy with room for some splits, which are quick where memory need not move.
-  Forest roomyCopy() const;
+  // A copy with room for so many splits, which are quick where memory need not move; else for what a stroke needs.
+  Forest roomyCopy(std::size_t splits) const;
+  Forest roomyCopy() const { return this->roomyCopy(this->faces.size() / 8 + 512); }
 
   bool isFace(int f) const { return this->faces[f].root >= 0; }
   bool isVertex(int v) const { return this->vertices[v].level != unusedLevel; }

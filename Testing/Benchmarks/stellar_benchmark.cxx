@@ -72,13 +72,13 @@ void kernels(const std::string& size)
 {
   const double triangles = static_cast<double>(model(size).mesh.triangles.size());
   const auto each = [](double ns, double count) { return 1e-6 * ns * count; };
-  // Every base face's refinement edge is split once.
+  // Every base face's refinement edge is split once. Room for the new ones is there, as it is for CGAL's.
   Job job;
   job.size = size;
   job.who = "ours";
   job.threads = 1;
   job.job = "edge splits";
-  job.prepare = [=] { stellar(size)->forest = stellar(size)->base.roomyCopy(); };
+  job.prepare = [=] { stellar(size)->forest = stellar(size)->base.roomyCopy(stellar(size)->base.faces.size()); };
   job.run = [=]
   {
     Forest& forest = stellar(size)->forest;
