@@ -259,7 +259,7 @@ TEST_P(Chain, WhatDependsRunsAndNothingTears)
   EXPECT_FALSE(ran["OneStroke"].empty());
   // The profile alone: no curve is laid, no region grown, no field solved.
   change(
-    session.nodes[2], [&](Step& step) { step.inputs["Profile"] = Lines(profileLine(chain.profile, 1.2)); });
+    session.nodes[2], [&](Step& step) { step.inputs["Profile"] = Lines(profileLine(1.2 * chain.rise)); });
   ran = rerun(2);
   EXPECT_TRUE(ran["InflateDrawing"].empty());
   EXPECT_TRUE(ran["OneStroke"].empty());

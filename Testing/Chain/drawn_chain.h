@@ -31,7 +31,7 @@ struct DrawnChain
   // The edit: a line through that middle, in that direction as long as it; half axes of the ring, the first
   // along it.
   Vector2 middle, along, ring;
-  std::vector<Vector2> profile;
+  double rise; // of the cross-section, as a share of its width
   std::vector<Vector2> vein;
   double radius, height;
   // Where the drawing's first stroke changes, by how much, and how far to both sides.
@@ -46,10 +46,10 @@ inline const std::vector<DrawnChain>& drawnChains()
       { 965, 520 },
       { 16, 40 },
       120,
-      { 520, 330 },
-      { 110, 0 },
-      { 105, 80 },
-      { { 0, 0 }, { 0.25, 0.3 }, { 0.5, 0.22 }, { 0.75, 0.3 }, { 1, 0 } },
+      { 292, 262 },
+      { 50, -30 },
+      { 66, 58 },
+      0.42,
       { { 380, 392 }, { 450, 398 }, { 560, 380 }, { 680, 344 }, { 760, 334 } },
       14,
       9,
@@ -63,7 +63,7 @@ inline const std::vector<DrawnChain>& drawnChains()
       { 480, 312 },
       { 96, 28 },
       { 80, 50 },
-      { { 0, 0 }, { 0.3, 0.3 }, { 0.5, 0.36 }, { 0.7, 0.3 }, { 1, 0 } },
+      0.3,
       { { 220, 240 }, { 340, 275 }, { 460, 312 }, { 570, 346 }, { 720, 388 } },
       10,
       7,
@@ -77,7 +77,7 @@ inline const std::vector<DrawnChain>& drawnChains()
       { 470, 545 },
       { 70, -40 },
       { 70, 55 },
-      { { 0, 0 }, { 0.3, 0.34 }, { 0.5, 0.4 }, { 0.7, 0.34 }, { 1, 0 } },
+      0.3,
       { { 400, 560 }, { 440, 600 }, { 490, 560 }, { 560, 520 } },
       9,
       6,
@@ -198,17 +198,19 @@ inline std::vector<Vector2> editedRing(const DrawnChain& chain)
   return samples;
 }
 
-// A cross-section in its plane: from one end of the ring to the other, outward up.
-inline vtkSmartPointer<vtkPolyData> profileLine(const std::vector<Vector2>& places, double times = 1.0)
+// A cross-section in its plane: an arch from one end of the ring to the other, outward up.
+inline vtkSmartPointer<vtkPolyData> profileLine(double rise)
 {
   auto line = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(static_cast<int>(places.size()));
-  for (const Vector2& p : places)
+  const int count = 41;
+  cells->InsertNextCell(count);
+  for (int i = 0; i < count; ++i)
   {
-    cells->InsertCellPoint(points->InsertNextPoint(p[0], times * p[1], 0.0));
+    const double t = i / (count - 1.0);
+    cells->InsertCellPoint(points->InsertNextPoint(t, rise * std::sin(pi * t), 0.0));
   }
   line->SetPoints(points);
   line->SetLines(cells);
@@ -278,7 +280,7 @@ inline oversketch_session::Session chainSession(const DrawnChain& chain, vtkPoly
     {},
     { { "Reference", drawn(editedLine(chain)) },
       { "Boundary", drawn(editedRing(chain)) },
-      { "Profile", Lines(profileLine(chain.profile)) } }));
+      { "Profile", Lines(profileLine(chain.rise)) } }));
   session.nodes.push_back(chainNode(4,
     "Augment",
     { { "Radius", chain.radius }, { "Height", chain.height } },
