@@ -1,7 +1,7 @@
 // Random hands: chains of one to six steps of all four systems in one session, on a model or on a drawing
 // that begins it. After each step the mesh is finite, has no more triangles without area than before, has the
 // topology that it had (a drawing adds closed surfaces) and, where it is a 4-8 mesh, arrays that can be read;
-// what is refused is told; the saved session makes the same bits. 12 chains; OVERSKETCH_CHAINS=300 and
+// what is refused is told; the saved session makes the same bits. 16 chains; OVERSKETCH_CHAINS=300 and
 // OVERSKETCH_FIRST_CHAIN=NUMBER ask for others, a chain is made of its number.
 #include "Harness/data.h"
 #include "Harness/drawings.h"
@@ -372,10 +372,19 @@ bool isFinite(vtkPolyData* mesh)
 TEST(RandomChains, MeshesStaySoundAndSavedSessionsMakeTheSameBits)
 {
   oversketch_files::catchMessages();
-  const int first = asked("OVERSKETCH_FIRST_CHAIN", 0), chains = asked("OVERSKETCH_CHAINS", 12);
+  const int first = asked("OVERSKETCH_FIRST_CHAIN", 0), count = asked("OVERSKETCH_CHAINS", 0);
+  std::vector<int> chains{ 47, 89, 185, 188 }; // had triangles without area
+  if (count > 0)
+  {
+    chains.clear();
+  }
+  for (int i = 0; i < (count > 0 ? count : 12); ++i)
+  {
+    chains.push_back(first + i);
+  }
   std::map<std::string, int> drawn, acted;
   int forests = 0;
-  for (int chain = first; chain < first + chains; ++chain)
+  for (const int chain : chains)
   {
     SCOPED_TRACE("chain " + std::to_string(chain));
     Hand hand(chain);
@@ -464,5 +473,5 @@ TEST(RandomChains, MeshesStaySoundAndSavedSessionsMakeTheSameBits)
   }
   std::cout << forests << " meshes read as 4-8 meshes\n";
   EXPECT_GT(did, all / 3);
-  EXPECT_TRUE(drawn.size() == 4 || chains < 12);
+  EXPECT_TRUE(drawn.size() == 4 || chains.size() < 12);
 }
