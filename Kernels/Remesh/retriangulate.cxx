@@ -23,6 +23,8 @@ constexpr double shortestEdge = 0.35;
 constexpr double largestSag = 0.03; // of an edge's length
 constexpr double smallestChange = 1.01;
 constexpr double coincidence = 1e-6; // of an edge's length
+// Twice the area of a triangle over the sum of two squared sides: one that is not greater than this has none.
+constexpr double flattest = 1e-6;
 constexpr int splitRounds = 6;
 constexpr int remeshRounds = 3;
 // As published, in mean edges.
@@ -270,6 +272,18 @@ private:
       [&](int v) { return (this->Area.point(v) - wish.position).norm() <= coincidence * wish.length; });
   }
 
+  // It may lie on the line of another edge, too: a half of the face would have no area.
+  bool hasFlatHalf(const Wish& wish, int h) const
+  {
+    const Vector3& apex = this->Area.point(this->Area.origin(previousHalfEdge(h)));
+    const auto isFlat = [&](int v)
+    {
+      const Vector3 a = this->Area.point(v) - wish.position, b = apex - wish.position;
+      return !(a.cross(b).norm() > flattest * (a.squaredNorm() + b.squaredNorm()));
+    };
+    return isFlat(this->Area.origin(h)) || isFlat(this->Area.target(h));
+  }
+
   // Longest first.
   int split(std::vector<Wish>& wishes)
   {
@@ -283,8 +297,8 @@ private:
       {
         continue; // two faces upon each other
       }
-      if (this->meetsCorner(wish, h) || this->meetsCorner(wish, g) ||
-          !this->Taken.insert(keyOf(wish.position)).second)
+      if (this->meetsCorner(wish, h) || this->meetsCorner(wish, g) || this->hasFlatHalf(wish, h) ||
+          this->hasFlatHalf(wish, g) || !this->Taken.insert(keyOf(wish.position)).second)
       {
         continue;
       }

@@ -15,10 +15,15 @@ namespace oversketch
 namespace
 {
 
-// How far a weldable vertex is from the triangles that come back without it.
+// Twice the area of a triangle over the sum of two squared sides: one that is not greater than this has none.
+constexpr double flattest = 1e-6;
+
+// How far a weldable vertex is from the triangles that come back without it; infinite where one of them has
+// no area.
 double errorOf(const Forest& forest, int w)
 {
   double error = std::numeric_limits<double>::infinity();
+  bool isFlat = false;
   const auto at = [&](int v) -> const Vector3& { return forest.vertices[v].position; };
   forest.star(w,
     [&](int f, int)
@@ -27,10 +32,12 @@ double errorOf(const Forest& forest, int w)
       if (face.path % 2 == 0)
       {
         const int c = forest.faces[face.n[2]].v[1];
-        error = std::min(error, distanceToTriangle(at(w), at(face.v[1]), at(face.v[2]), at(c)));
+        const Vector3 &p = at(face.v[1]), &q = at(face.v[2]), &r = at(c);
+        isFlat |= !((q - p).cross(r - p).norm() > flattest * ((q - p).squaredNorm() + (r - p).squaredNorm()));
+        error = std::min(error, distanceToTriangle(at(w), p, q, r));
       }
     });
-  return error;
+  return isFlat ? std::numeric_limits<double>::infinity() : error;
 }
 
 // Of the surface before the last displacement.

@@ -2,24 +2,21 @@
 #ifndef EditSystem_h
 #define EditSystem_h
 
+#include "Harness/bits.h"
 #include "Harness/edits.h"
+#include "Harness/executions.h"
 #include "Harness/shipped.h"
 #include "Harness/strokes.h"
 #include "vtkOversketchEdit.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <map>
 #include <set>
 #include <string>
@@ -68,40 +65,6 @@ inline Vector3 placeOf(vtkPolyData* mesh, vtkIdType i)
   return Vector3(mesh->GetPoint(i));
 }
 
-inline bool sameValues(vtkDataArray* a, vtkDataArray* b)
-{
-  return a && b && a->GetNumberOfValues() == b->GetNumberOfValues() && a->GetDataType() == b->GetDataType() &&
-         std::memcmp(a->GetVoidPointer(0),
-           b->GetVoidPointer(0),
-           static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0;
-}
-
-// Points, polygons and arrays of points and cells, to the bit.
-inline void expectSameBits(vtkPolyData* a, vtkPolyData* b)
-{
-  ASSERT_GT(a->GetNumberOfPolys(), 0);
-  ASSERT_TRUE(sameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()));
-  ASSERT_TRUE(identical(a, b));
-  for (const bool ofPoints : { true, false })
-  {
-    vtkFieldData* left = ofPoints ? static_cast<vtkFieldData*>(a->GetPointData()) : a->GetCellData();
-    vtkFieldData* right = ofPoints ? static_cast<vtkFieldData*>(b->GetPointData()) : b->GetCellData();
-    ASSERT_EQ(left->GetNumberOfArrays(), right->GetNumberOfArrays());
-    for (int i = 0; i < left->GetNumberOfArrays(); ++i)
-    {
-      EXPECT_TRUE(sameValues(left->GetArray(i), right->GetArray(left->GetArrayName(i))))
-        << left->GetArrayName(i);
-    }
-  }
-}
-
-inline vtkSmartPointer<vtkPolyData> deepCopy(vtkPolyData* data)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->DeepCopy(data);
-  return copy;
-}
-
 // V - E + F, and no edge of more than two triangles.
 inline int eulerNumber(vtkPolyData* mesh)
 {
@@ -131,40 +94,6 @@ inline double distanceTo(vtkPolyData* curve, const Vector3& p)
   }
   return least;
 }
-
-// Executions of each step.
-class Count
-{
-public:
-  explicit Count(vtkOversketchEdit* system)
-  {
-    this->Told->SetClientData(this);
-    this->Told->SetCallback([](vtkObject* caller, unsigned long, void* self, void*)
-      { ++static_cast<Count*>(self)->Of[static_cast<vtkAlgorithm*>(caller)]; });
-    for (int i = 0; i < system->GetNumberOfStages(); ++i)
-    {
-      const char* name = system->GetStage(i);
-      this->Names[system->GetStep(name)] = name;
-      system->GetStep(name)->AddObserver(vtkCommand::StartEvent, this->Told);
-    }
-  }
-  // The steps that ran since the last call.
-  std::set<std::string> Ran()
-  {
-    std::set<std::string> names;
-    for (const auto& [step, count] : this->Of)
-    {
-      names.insert(this->Names[step]);
-    }
-    this->Of.clear();
-    return names;
-  }
-
-private:
-  vtkNew<vtkCallbackCommand> Told;
-  std::map<vtkAlgorithm*, int> Of;
-  std::map<vtkAlgorithm*, std::string> Names;
-};
 
 using Steps = std::set<std::string>;
 

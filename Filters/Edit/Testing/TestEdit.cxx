@@ -116,7 +116,7 @@ TEST(EditSystem, RunsWhatDependsAndNothingElse)
   EditSystem s(shippedModel("bear"));
   s.operate("move 0.5 n %.9g", 0.02);
   s.run();
-  Count count(s.filter);
+  Executions count(s.filter);
   s.run();
   EXPECT_EQ(count.Ran(), Steps{});
   s.operate("move 0.5 n %.9g", 0.03);
@@ -339,7 +339,7 @@ TEST(EditSystem, AProfileIsFollowed)
   vtkPolyData* output = s.run();
   EXPECT_GT(s.filter->GetMovedPoints(), 0);
   EXPECT_GT(output->GetNumberOfPolys(), 0);
-  Count count(s.filter);
+  Executions count(s.filter);
   s.filter->SetProfileAt(0.6);
   s.run();
   EXPECT_EQ(count.Ran(), (Steps{ "Planes", "Section", "Redraw", "Bend" }));

@@ -176,7 +176,7 @@ TEST(EditPreview, ADragRunsNoSolveAndGrowsNoRegion)
 {
   EditSystem s(shippedModel("bear"));
   ASSERT_TRUE(s.filter->Prepare());
-  Count count(s.filter);
+  Executions count(s.filter);
   vtkNew<vtkPolyData> shown;
   const auto start = deepCopy(s.mesh);
   vtkPoints* points = nullptr;
@@ -259,7 +259,7 @@ TEST(EditRedrawn, ARingIsRedrawnInPart)
     vtkPolyData* first =
       vtkPolyData::SafeDownCast(s.filter->GetStep("BoundaryInsert")->GetOutputDataObject(1));
     const auto old = deepCopy(first);
-    Count count(s.filter);
+    Executions count(s.filter);
     const View view = turnedView(s.mesh, s.view, turned);
     const std::vector<Vector2> fresh = arc(52.0, -35.0, 35.0);
     s.filter->SetBoundaryData(toStrokes({ { ringOver(45.0), s.view }, { fresh, view } }));
@@ -336,7 +336,7 @@ TEST(EditRedrawn, ALineIsDrawnOnAndStrokesActInTheirOrder)
   s.run();
   EXPECT_NEAR(s.view.toDisplay(placeOf(s.filter->GetReferenceOutput(), last))[0] - seen(last)[0], 10.0, 1e-3);
   // What is the second now was the third, and the second is not drawn.
-  Count count(s.filter);
+  Executions count(s.filter);
   s.filter->SetReferenceData(
     toStrokes({ { straight({ 370, 300 }, { 410, 300 }, 30), s.view }, { bump, s.view } }));
   s.run();
