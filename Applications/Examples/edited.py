@@ -1,4 +1,4 @@
-"""What the examples of edits share: the system's run over shipped lines and rings, the region in its greys, the disc, curves on the mesh."""
+"""What the examples of edits share: the system's run over shipped lines and rings, the region in its greys, the disc, curves."""
 import json
 import sys
 
