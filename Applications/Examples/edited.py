@@ -172,13 +172,10 @@ def at_rest(system):
     return vtk_to_numpy(line.GetPoints().GetData()), points[np.append(ring, ring[0])]
 
 
-def ridden(system, radius, moved=False):
-    """The line, red, and the ring, blue, on the mesh."""
-    curves = at_rest(system)
-    if moved:
-        curves = [lines_of(data)[0] for data in (system.GetReferenceOutput(), system.GetBoundaryOutput())]
-        curves[1] = np.vstack([curves[1], curves[1][:1]])
-    return [*rope([curves[0]], RED, radius), *rope([curves[1]], BLUE, radius)]
+def ridden(system, radius):
+    """The line, red, and the ring, blue, on the mesh before the edit."""
+    line, ring = at_rest(system)
+    return [*rope([line], RED, radius), *rope([ring], BLUE, radius)]
 
 
 def turned(towards, focus, height, up=(0, 1, 0)):
