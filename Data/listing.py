@@ -7,7 +7,9 @@ DRAWINGS = STROKES.parent / "Drawings"
 ONE_STROKE = ("dinosaur_longer_tail", "dinosaur_raised_neck", "dog_curled_tail", "dog_longer_leg", "hand_bent_thumb", "hand_longer_finger",
               "octopus_bent_arm", "octopus_longer_arm", "person_longer_arm", "person_thicker_leg")
 AUGMENT = ("dinosaur_spines", "dog_collar", "hand_palm_lines", "octopus_veins", "person_crest", "valley_river_ridge_road")
-EDIT = ("dinosaur_crest",)
+# What is done to the line of each edit [model length]; the dog's cross-section is drawn anew.
+EDIT = {"dinosaur_crest": "move 0.5 n 0.18", "dog_back": "", "hand_palm": "move 0.5 n -0.1", "octopus_mantle": "move 0.5 n 0.07",
+        "person_belly": "move 0.5 n 0.11"}
 INFLATE = ("figure_body", "figure_hat", "figure_head", "fish", "heron", "leaf", "mug", "padlock")
 
 
@@ -22,7 +24,8 @@ def augment():
 
 
 def edits():
-    """The files of the lines that edits are made with, by name; the ring round each is beside it, NAME_ring."""
+    """The files of the lines that edits are made with, by name; the ring round each is beside it, NAME_ring, and in Data/Edits what goes with
+    it: layers NAME.json, painted weights NAME.png, a cross-section NAME_profile.vtp."""
     return [STROKES / f"{name}.vtp" for name in EDIT]
 
 

@@ -20,6 +20,23 @@ DEFORMATION = (
     "region_border",
     "remeshing",
 )
+EDITING = (
+    "line_and_ring",
+    "control_points",
+    "resketching",
+    "transitions",
+    "shadings",
+    "flattened",
+    "layer_handles",
+    "area_selection",
+    "profile_planes",
+    "profile",
+    "axis_handle",
+    "influence",
+    "rotated_and_resketched",
+    "rotated_and_extruded",
+    "sunk_and_extruded",
+)
 AUGMENTATION = (
     "augmentation",
     "displacements",
@@ -50,7 +67,7 @@ DRAWING = (
     "features",
     "models",
 )
-EXAMPLES = DEFORMATION + AUGMENTATION + DRAWING
+EXAMPLES = DEFORMATION + EDITING + AUGMENTATION + DRAWING
 HEAD = """# Gallery
 
 One short script for each figure of the papers that shows a result. Each runs alone, with the package on `PYTHONPATH` and a display or
@@ -61,13 +78,17 @@ xvfb-run -a /usr/bin/python3 Applications/Examples/matching.py matching.png
 ```
 
 `gallery.py` makes all pictures and this page again; the tests compare each picture with the one here. `sheet.py` is what they draw with,
-`grown.py` what those of augmentation share, `inflated.py` those of drawings.
+`edited.py` what those of editing share, `grown.py` those of augmentation, `inflated.py` those of drawings.
 """
 CHAPTERS = (
     ("""# Deformation by one stroke
 
 Bao and Howard, "SEED: Sketch-Based 3D Model Deformation"; figures 4 and 5 are drawings of formulas.
 """, DEFORMATION),
+    ("""# A line, a ring, and what lies between
+
+Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", chapters 4 to 9, on models of our own; what figure 5.1 lays out is figures 5.2 and 5.3.
+""", EDITING),
     ("""# Augmentation
 
 "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", on models of our own; figure 3 is a drawing of operators.

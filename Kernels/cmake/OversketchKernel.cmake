@@ -69,10 +69,30 @@ function (oversketch_test_program target)
   endif ()
 endfunction ()
 
+# oversketch_facts_of(<facts> <others> <file>...): the tests of facts in sources, such as A3_2.WhatHolds, and whether there are
+# others; no facts under a sanitizer. A program that draws cannot be asked for its tests without a display.
+function (oversketch_facts_of facts others)
+  set(found)
+  set(rest FALSE)
+  foreach (file IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+    file(STRINGS "${file}" lines REGEX "^TEST(_F|_P)?\\(")
+    foreach (line IN LISTS lines)
+      if (NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND line MATCHES "^TEST\\(([A-Z][0-9]+_[0-9]+), ([A-Za-z0-9_]+)\\)")
+        list(APPEND found ${CMAKE_MATCH_1}.${CMAKE_MATCH_2})
+      else ()
+        set(rest TRUE)
+      endif ()
+    endforeach ()
+  endforeach ()
+  set(${facts} ${found} PARENT_SCOPE)
+  set(${others} ${rest} PARENT_SCOPE)
+endfunction ()
+
 # oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [SHARDS <number>]): one GoogleTest program, its tests
 # under ctest. Tests of the specification's facts are named after stage and place: TEST(A3_2, ...). With DISPLAY, for tests that
-# draw, it is one test of ctest on a virtual display; under a sanitizer, where a process takes long to begin, it is one test as
-# well, or so many SHARDS of a long one, which begin first.
+# draw, it is one test of ctest on a virtual display, but for facts, each of which is one, so that its page names it; under a
+# sanitizer, where a process takes long to begin, it is one test as well, or so many SHARDS of a long one, which begin first.
 function (oversketch_gtest name)
   if (NOT OVERSKETCH_BUILD_TESTING)
     return()
@@ -87,7 +107,17 @@ function (oversketch_gtest name)
     target_compile_definitions(${name} PRIVATE "OVERSKETCH_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
     vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType)
     # Without -noreset the server starts anew whenever the last window is gone, and the next one meets it half up.
-    add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:${name}>)
+    set(run xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:${name}>)
+    oversketch_facts_of(facts others ${arg_SOURCES})
+    foreach (fact IN LISTS facts)
+      add_test(NAME ${fact} COMMAND ${run} --gtest_filter=${fact})
+      set_tests_properties(${fact} PROPERTIES TIMEOUT 600 ENVIRONMENT "${oversketch_test_caches}")
+    endforeach ()
+    if (NOT others)
+      return()
+    endif ()
+    list(JOIN facts ":" facts)
+    add_test(NAME ${name} COMMAND ${run} --gtest_filter=-${facts})
   elseif (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
     if (arg_SHARDS)
       foreach (shard RANGE 1 ${arg_SHARDS})

@@ -5,9 +5,9 @@
 
 #include "Harness/interaction.h"
 #include "Harness/sequences.h"
+#include "Harness/windows.h"
 
 #include "vtkPolyData.h"
-#include "vtkRendererCollection.h"
 
 #include <cmath>
 #include <iostream>
@@ -23,76 +23,27 @@ namespace oversketch_test
 template <class Scene, class Draw>
 void expectItMayGoInMidDrag(vtkPolyData* mesh, vtkPolyData* other, const Draw& draw)
 {
-  Quiet quiet;
-  for (int what = 0; what < 8; ++what)
-  {
-    SCOPED_TRACE(what);
-    Scene scene(mesh);
-    draw(scene);
-    ASSERT_STREQ(scene.widget->GetMessage(), "");
-    const double* p = scene.widget->GetStroke()->GetPoint(7);
-    const int x = int(p[0]), y = int(p[1]);
-    scene.move(x, y);
-    scene.press(x, y);
-    scene.move(x + 5, y + 5);
-    ASSERT_TRUE(scene.widget->IsMoving());
-    switch (what)
+  expectItMayGo<Scene>(
+    &Scene::widget,
+    [&](Scene& scene)
     {
-      case 0:
-        scene.widget->Off();
-        break;
-      case 1:
-        scene.widget = nullptr;
-        break;
-      case 2:
-        scene.widget->SetInteractor(nullptr);
-        break;
-      case 3:
-        scene.widget->SetRepresentation(nullptr);
-        break;
-      case 4:
-        scene.widget->SetInputData(other);
-        break;
-      case 5:
-        scene.widget->Drop();
-        break;
-      case 6:
-        scene.interactor->SetRenderWindow(nullptr);
-        scene.widget->Off();
-        break;
-      default:
-        break; // the window first
-    }
-    if (what < 6)
-    {
-      scene.move(x + 9, y);
-      scene.window->Render();
-      scene.release(x + 9, y);
-      EXPECT_TRUE(scene.renderer->GetDraw());
-    }
-  }
-  EXPECT_EQ(quiet.errors(), 0);
+      draw(scene);
+      ASSERT_STREQ(scene.widget->GetMessage(), "");
+      const double* p = scene.widget->GetStroke()->GetPoint(7);
+      const int x = int(p[0]), y = int(p[1]);
+      scene.move(x, y);
+      scene.press(x, y);
+      scene.move(x + 5, y + 5);
+      ASSERT_TRUE(scene.widget->IsMoving());
+    },
+    { [&](Scene& scene) { scene.widget->SetInputData(other); }, [](Scene& scene) { scene.widget->Drop(); } },
+    mesh);
 }
 
 template <class Scene, class Draw>
 void expectAnObserverMayLetGoOfIt(vtkPolyData* mesh, const Draw& draw)
 {
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
-  {
-    Scene scene(mesh);
-    vtkNew<vtkCallbackCommand> drop;
-    drop->SetClientData(&scene);
-    drop->SetCallback(
-      [](vtkObject*, unsigned long, void* held, void*) { static_cast<Scene*>(held)->widget = nullptr; });
-    scene.widget->AddObserver(event, drop);
-    draw(scene);
-    EXPECT_EQ(scene.widget, nullptr);
-    scene.window->Render();
-    EXPECT_TRUE(scene.renderer->GetDraw());
-  }
+  expectAnObserverMayLetGo<Scene>(&Scene::widget, draw, mesh);
 }
 
 // One event of a random hand; `change(scene, below)` sets a parameter of the system at random.
@@ -169,16 +120,10 @@ void randomEvent(Scene& scene,
 template <class Scene>
 void expectItRests(Scene& scene)
 {
-  for (const unsigned long up : { vtkCommand::LeftButtonReleaseEvent,
-         vtkCommand::MiddleButtonReleaseEvent,
-         vtkCommand::RightButtonReleaseEvent })
-  {
-    scene.event(up, 0, 0);
-  }
+  letGoOfAllButtons(scene);
   scene.widget->GetPen()->CancelStroke();
   ASSERT_FALSE(scene.widget->IsMoving());
-  ASSERT_TRUE(scene.renderer->GetDraw());
-  ASSERT_EQ(scene.window->GetRenderers()->GetNumberOfItems(), 1);
+  expectItDraws(scene);
   vtkPolyData* mesh = scene.widget->GetOutput();
   ASSERT_GT(mesh->GetNumberOfPolys(), 0); // strokes across the ball, remeshed, may leave few
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
@@ -201,17 +146,7 @@ void expectItWithstandsEvents(vtkPolyData* start,
   Quiet quiet;
   const Sequences sequences = sequencesAsked(20);
   MemoryLevel memory(sequences);
-  std::vector<unsigned long> mouse{ vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::MiddleButtonPressEvent,
-    vtkCommand::MiddleButtonReleaseEvent,
-    vtkCommand::RightButtonPressEvent,
-    vtkCommand::RightButtonReleaseEvent };
-  mouse.insert(mouse.end(), wheel.begin(), wheel.end());
-  mouse.insert(mouse.end(), { vtkCommand::LeaveEvent, vtkCommand::ConfigureEvent });
+  const std::vector<unsigned long> mouse = mouseEvents(wheel);
   int strokes = 0, grabs = 0;
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
   {

@@ -1,5 +1,5 @@
-"""In pvpython and in the Python of the VTK build: VTK's version, then the meshes that the shipped strokes make, remeshed and not, as
-digests.
+"""In pvpython and in the Python of the VTK build: VTK's version, then the meshes that the shipped strokes make, remeshed and not, and
+the shipped edits, as digests.
 
 usage: shipped.py DATA"""
 import pathlib
@@ -26,3 +26,16 @@ for path in listing.one_stroke():
         system.SetRemesh(remesh)
         mesh = oversketch.update(system)
         print(path.stem, "remeshed" if remesh == system.RemeshOn else "as it is", mesh.GetNumberOfPoints(), digest(mesh))
+
+line, ring, profile, edit = vtkXMLPolyDataReader(), vtkXMLPolyDataReader(), vtkXMLPolyDataReader(), oversketch.vtkOversketchEdit()
+for port, source in enumerate((model, line, ring)):
+    edit.SetInputConnection(port, source.GetOutputPort())
+for path in listing.edits():
+    model.SetFileName(str(data / "Models" / path.stem.split("_")[0]) + ".ply")
+    line.SetFileName(str(path))
+    ring.SetFileName(str(path.with_name(path.stem + "_ring.vtp")))
+    profile.SetFileName(str(data / "Edits" / (path.stem + "_profile.vtp")))
+    edit.SetInputConnection(3, profile.GetOutputPort() if pathlib.Path(profile.GetFileName()).exists() else None)
+    edit.SetOperations(listing.EDIT[path.stem])
+    mesh = oversketch.update(edit)
+    print(path.stem, "edited", mesh.GetNumberOfPoints(), digest(mesh))

@@ -48,11 +48,11 @@ def test_one_stroke_in_pvpython_and_pvbatch_is_the_class():
 
 @pytest.mark.skipif("OVERSKETCH_VTK_PACKAGE" not in os.environ, reason="ParaView is installed: VTK's Python cannot be beside it")
 def test_meshes_are_those_of_the_vtk_build():
-    """Each shipped stroke, bit for bit: ParaView brings another VTK, and the filters are compiled anew against it."""
+    """Each shipped stroke and edit, bit for bit: ParaView brings another VTK, and the filters are compiled anew against it."""
     outside = {name: value for name, value in WITHOUT_DISPLAY.items() if name != "LD_LIBRARY_PATH"}
     outside["PYTHONPATH"] = os.environ["OVERSKETCH_VTK_PACKAGE"]
     vtk = clean("/usr/bin/python3", HERE / "shipped.py", DATA, env=outside).splitlines()
-    assert len(vtk) == 1 + 2 * len(listing.ONE_STROKE) > 20
+    assert len(vtk) == 1 + 2 * len(listing.ONE_STROKE) + len(listing.EDIT) > 25
     paraview = clean("pvpython", HERE / "shipped.py", DATA).splitlines()
     assert paraview[0] != vtk[0], "the same VTK"
     assert paraview[1:] == vtk[1:]
@@ -86,7 +86,8 @@ def test_one_stroke_on_a_server_is_the_class():
 def test_a_state_file_gives_the_same_meshes(tmp_path):
     state = tmp_path / "both.pvsm"
     saved = clean("pvpython", HERE / "state.py", state, "save")
-    assert len(saved.splitlines()) == 2
+    assert len(saved.splitlines()) == 5
+    assert len({line.split()[-1] for line in saved.splitlines()}) == 5
     assert clean("pvpython", HERE / "state.py", state, "load") == saved
 
 

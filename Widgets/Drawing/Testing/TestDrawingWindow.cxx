@@ -1,4 +1,5 @@
 // What is seen of a drawing, and hands that do anything.
+#include "Harness/windows.h"
 #include "desk.h"
 
 #include "vtkUnsignedCharArray.h"
@@ -66,18 +67,8 @@ TEST(DrawingWindow, ThePictureIsSeenWholeUnderTheCurves)
 TEST(Random, EventsOnADrawing)
 {
   Quiet quiet;
-  const std::vector<unsigned long> mouse{ vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::MiddleButtonPressEvent,
-    vtkCommand::MiddleButtonReleaseEvent,
-    vtkCommand::RightButtonPressEvent,
-    vtkCommand::RightButtonReleaseEvent,
-    vtkCommand::MouseWheelForwardEvent,
-    vtkCommand::MouseWheelBackwardEvent,
-    vtkCommand::LeaveEvent,
-    vtkCommand::ConfigureEvent };
+  const std::vector<unsigned long> mouse =
+    mouseEvents({ vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent });
   const std::vector<const char*> keys{ "Escape", "BackSpace", "Return", "x", "w", "q" };
   const auto disc = discPicture(200, 60.0, { 100.0, 80.0 });
   Desk desk;

@@ -1,9 +1,8 @@
 // The widgets of the edit in windows that change and go, and under events in any order.
+#include "Harness/windows.h"
 #include "Shading/layer_list.h"
 #include "edit_widget_scene.h"
 #include "widget_scenes.h"
-
-#include "vtkRendererCollection.h"
 
 #include <functional>
 #include <iostream>
@@ -15,80 +14,22 @@ namespace
 {
 
 template <class Scene>
-void letGo(Scene& scene)
+void expectItMayGoAfter(const std::string& log)
 {
-  for (const unsigned long up : { vtkCommand::LeftButtonReleaseEvent,
-         vtkCommand::MiddleButtonReleaseEvent,
-         vtkCommand::RightButtonReleaseEvent })
-  {
-    scene.event(up, 0, 0);
-  }
-}
-
-// The widget goes, or what it needs does, while a log has left its grip or pen in the hand.
-template <class Scene>
-void expectItMayGo(const std::string& log)
-{
-  Quiet quiet;
-  for (int what = 0; what < 6; ++what)
-  {
-    SCOPED_TRACE(what);
-    Scene scene;
-    scene.play(log);
-    switch (what)
-    {
-      case 0:
-        scene.widget->Off();
-        break;
-      case 1:
-        scene.widget = nullptr;
-        break;
-      case 2:
-        scene.widget->SetInteractor(nullptr);
-        break;
-      case 3:
-        scene.widget->SetRepresentation(nullptr);
-        break;
-      case 4:
-        scene.interactor->SetRenderWindow(nullptr);
-        scene.widget->Off();
-        break;
-      default:
-        break; // the window first
-    }
-    if (what < 4)
-    {
-      scene.move(210, 160);
-      scene.window->Render();
-      scene.release(210, 160);
-      EXPECT_TRUE(scene.renderer->GetDraw());
-    }
-  }
-  EXPECT_EQ(quiet.errors(), 0);
+  expectItMayGo<Scene>(&Scene::widget, [&](Scene& scene) { scene.play(log); }, {});
 }
 
 template <class Scene>
-void expectAnObserverMayLetGo(const std::vector<std::string>& logs)
+void expectAnObserverMayLetGoIn(const std::vector<std::string>& logs)
 {
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
-  {
-    Scene scene;
-    vtkNew<vtkCallbackCommand> drop;
-    drop->SetClientData(&scene);
-    drop->SetCallback(
-      [](vtkObject*, unsigned long, void* held, void*) { static_cast<Scene*>(held)->widget = nullptr; });
-    scene.widget->AddObserver(event, drop);
-    for (const std::string& log : logs)
+  expectAnObserverMayLetGo<Scene>(&Scene::widget,
+    [&](Scene& scene)
     {
-      scene.play(log);
-    }
-    EXPECT_EQ(scene.widget, nullptr) << event;
-    scene.window->Render();
-    EXPECT_TRUE(scene.renderer->GetDraw());
-  }
+      for (const std::string& log : logs)
+      {
+        scene.play(log);
+      }
+    });
 }
 
 using Below = std::function<int(std::size_t)>;
@@ -100,19 +41,8 @@ void expectItWithstandsHands(const std::vector<std::string>& logs,
   const std::function<void(Scene&)>& judge)
 {
   Quiet quiet;
-  const std::vector<unsigned long> mouse{ vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::MiddleButtonPressEvent,
-    vtkCommand::MiddleButtonReleaseEvent,
-    vtkCommand::RightButtonPressEvent,
-    vtkCommand::RightButtonReleaseEvent,
-    vtkCommand::MouseWheelForwardEvent,
-    vtkCommand::MouseWheelBackwardEvent,
-    vtkCommand::LeaveEvent,
-    vtkCommand::ConfigureEvent };
+  const std::vector<unsigned long> mouse =
+    mouseEvents({ vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent });
   const std::vector<const char*> keys{
     "Escape", "BackSpace", "Delete", "Return", "6", "7", "0", "x", "w", "r", "question", "q"
   };
@@ -168,11 +98,10 @@ void expectItWithstandsHands(const std::vector<std::string>& logs,
           scene.move(x, y, modifiers);
       }
     }
-    letGo(scene);
+    letGoOfAllButtons(scene);
     judge(scene);
-    ASSERT_TRUE(scene.renderer->GetDraw());
-    ASSERT_EQ(scene.window->GetRenderers()->GetNumberOfItems(), 1);
-    if (testing::Test::HasFatalFailure())
+    expectItDraws(scene);
+    if (testing::Test::HasFailure())
     {
       return;
     }
@@ -195,20 +124,20 @@ void expectItWithstandsHands(const std::vector<std::string>& logs,
 
 TEST(EditWindows, EachGoesAwayInMidDragInAnyOrder)
 {
-  expectItMayGo<RegionScene>("region_pen_down.log");
-  expectItMayGo<AxisScene>("axis_line_drag.log");
-  expectItMayGo<LayerScene>("layer_drag.log");
-  expectItMayGo<AreaScene>("region_pen_down.log");
-  expectItMayGo<ProfileScene>("profile_slide.log");
+  expectItMayGoAfter<RegionScene>("region_pen_down.log");
+  expectItMayGoAfter<AxisScene>("axis_line_drag.log");
+  expectItMayGoAfter<LayerScene>("layer_drag.log");
+  expectItMayGoAfter<AreaScene>("region_pen_down.log");
+  expectItMayGoAfter<ProfileScene>("profile_slide.log");
 }
 
 TEST(EditWindows, AnObserverMayLetGoOfEach)
 {
-  expectAnObserverMayLetGo<RegionScene>({ "region_line.log" });
-  expectAnObserverMayLetGo<AxisScene>({ "axis_line_drag.log", "axis_drop.log" });
-  expectAnObserverMayLetGo<LayerScene>({ "layer_drag.log", "layer_drop.log" });
-  expectAnObserverMayLetGo<AreaScene>({ "area_star.log" });
-  expectAnObserverMayLetGo<ProfileScene>({ "profile_slide.log", "profile_let_go.log" });
+  expectAnObserverMayLetGoIn<RegionScene>({ "region_line.log" });
+  expectAnObserverMayLetGoIn<AxisScene>({ "axis_line_drag.log", "axis_drop.log" });
+  expectAnObserverMayLetGoIn<LayerScene>({ "layer_drag.log", "layer_drop.log" });
+  expectAnObserverMayLetGoIn<AreaScene>({ "area_star.log" });
+  expectAnObserverMayLetGoIn<ProfileScene>({ "profile_slide.log", "profile_let_go.log" });
 }
 
 TEST(EditWindows, TheProfilesWindowMayGoFirst)
@@ -354,72 +283,56 @@ TEST(Random, EventsOnTheProfilePlaneWidget)
     });
 }
 
+namespace
+{
+
+// A region is drawn, and a handle placed on its line.
+struct HandleScene : EditScene
+{
+  HandleScene()
+  {
+    this->drawBoth();
+    this->placeHandle();
+  }
+};
+
+} // namespace
+
 TEST(EditWindows, TheEditGoesAwayInMidDragInAnyOrder)
 {
-  Quiet quiet;
-  for (int what = 0; what < 7; ++what)
+  expectItMayGo<HandleScene>(&EditScene::widget,
+    [](HandleScene& scene)
+    {
+      scene.play("axis_drag.log");
+      ASSERT_TRUE(scene.widget->IsPreviewing());
+    },
+    { [](HandleScene& scene) { scene.widget->SetInputData(editBall()); },
+      [](HandleScene& scene) { scene.widget->SetModeToShade(); },
+      [](HandleScene& scene) { scene.widget->Drop(); } });
+}
+
+TEST(EditWindows, AfterADragThatWasBrokenOffNothingIsPreviewed)
+{
+  for (const bool off : { true, false })
   {
-    SCOPED_TRACE(what);
-    EditScene scene;
-    scene.drawBoth();
-    scene.placeHandle();
+    HandleScene scene;
     scene.play("axis_drag.log");
     ASSERT_TRUE(scene.widget->IsPreviewing());
-    switch (what)
-    {
-      case 0:
-        scene.widget->Off();
-        break;
-      case 1:
-        scene.widget = nullptr;
-        break;
-      case 2:
-        scene.widget->SetInteractor(nullptr);
-        break;
-      case 3:
-        scene.widget->SetInputData(editBall());
-        break;
-      case 4:
-        scene.widget->SetModeToShade();
-        break;
-      case 5:
-        scene.widget->Drop();
-        break;
-      default:
-        break; // the window first
-    }
-    if (what < 6)
-    {
-      scene.move(210, 160);
-      scene.window->Render();
-      scene.release(210, 160);
-      EXPECT_TRUE(scene.renderer->GetDraw());
-      EXPECT_TRUE(!scene.widget || !scene.widget->IsPreviewing());
-    }
+    off ? scene.widget->Off() : scene.widget->SetModeToShade();
+    scene.move(210, 160);
+    scene.release(210, 160);
+    EXPECT_FALSE(scene.widget->IsPreviewing());
   }
-  EXPECT_EQ(quiet.errors(), 0);
 }
 
 TEST(EditWindows, AnObserverMayLetGoOfTheEdit)
 {
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
-  {
-    EditScene scene;
-    scene.drawBoth();
-    scene.placeHandle();
-    vtkNew<vtkCallbackCommand> drop;
-    drop->SetClientData(&scene);
-    drop->SetCallback(
-      [](vtkObject*, unsigned long, void* held, void*) { static_cast<EditScene*>(held)->widget = nullptr; });
-    scene.widget->AddObserver(event, drop);
-    scene.play("axis_drag.log");
-    scene.release(200, 185);
-    EXPECT_EQ(scene.widget, nullptr) << event;
-    scene.window->Render();
-  }
+  expectAnObserverMayLetGo<HandleScene>(&EditScene::widget,
+    [](HandleScene& scene)
+    {
+      scene.play("axis_drag.log");
+      scene.release(200, 185);
+    });
 }
 
 TEST(Random, EventsOnTheEditWidget)

@@ -94,14 +94,14 @@ struct AxisScene : EditWindow
   }
 };
 
-struct LayerScene : EditWindow
+// A widget on the disc, which fills most of the window's height, or on the model.
+template <class Widget, class Representation>
+struct SideScene : EditWindow
 {
   BallRegion region{ *this };
-  vtkSmartPointer<vtkOversketchLayerHandleWidget> widget =
-    vtkSmartPointer<vtkOversketchLayerHandleWidget>::New();
+  vtkSmartPointer<Widget> widget = vtkSmartPointer<Widget>::New();
 
-  // The disc fills most of the window's height.
-  explicit LayerScene(bool onDisc = true)
+  explicit SideScene(bool onDisc)
     : EditWindow(!onDisc)
   {
     EXPECT_TRUE(this->widget->SetRegion(this->region.mesh()));
@@ -112,7 +112,19 @@ struct LayerScene : EditWindow
     this->renderer->ResetCameraClippingRange();
     this->window->Render();
   }
-  vtkOversketchLayerHandleRepresentation* shown() { return this->widget->GetLayerHandleRepresentation(); }
+  Representation* shown()
+  {
+    this->widget->CreateDefaultRepresentation();
+    return Representation::SafeDownCast(this->widget->GetRepresentation());
+  }
+};
+
+struct LayerScene : SideScene<vtkOversketchLayerHandleWidget, vtkOversketchLayerHandleRepresentation>
+{
+  explicit LayerScene(bool onDisc = true)
+    : SideScene(onDisc)
+  {
+  }
   std::string layers() { return this->widget->GetLayers(); }
   // From the disc's middle to its rim at the top, where a share is.
   int heightOf(double share)
@@ -147,24 +159,12 @@ struct LayerScene : EditWindow
   }
 };
 
-struct AreaScene : EditWindow
+struct AreaScene : SideScene<vtkOversketchAreaSelectWidget, vtkOversketchAreaSelectRepresentation>
 {
-  BallRegion region{ *this };
-  vtkSmartPointer<vtkOversketchAreaSelectWidget> widget =
-    vtkSmartPointer<vtkOversketchAreaSelectWidget>::New();
-
   explicit AreaScene(bool onDisc = true)
-    : EditWindow(!onDisc)
+    : SideScene(onDisc)
   {
-    EXPECT_TRUE(this->widget->SetRegion(this->region.mesh()));
-    onDisc ? this->shown()->SetSideToDisc() : this->shown()->SetSideToModel();
-    this->camera()->SetParallelScale(onDisc ? 1.1 : 1.5);
-    this->widget->SetInteractor(this->interactor);
-    this->widget->On();
-    this->renderer->ResetCameraClippingRange();
-    this->window->Render();
   }
-  vtkOversketchAreaSelectRepresentation* shown() { return this->widget->GetAreaSelectRepresentation(); }
   vtkPolyData* areas() { return this->widget->GetAreas(); }
   std::vector<double> weights()
   {

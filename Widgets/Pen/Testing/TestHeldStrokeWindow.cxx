@@ -1,5 +1,6 @@
 // A stroke that stays, in windows that change and go, and under events in any order.
 #include "Harness/sequences.h"
+#include "Harness/windows.h"
 #include "held_scene.h"
 #include "vtkOversketchFilterTools.h"
 
@@ -11,67 +12,19 @@ using namespace oversketch_test;
 
 TEST(HeldStrokeWindow, GoesAwayInMidDragInAnyOrder)
 {
-  Quiet quiet;
-  for (int what = 0; what < 7; ++what)
-  {
-    SCOPED_TRACE(what);
-    Held scene;
-    scene.drawLine(60, 220, 150);
-    scene.drag(100, 150, 110, 155);
-    ASSERT_TRUE(scene.held->IsMoving());
-    switch (what)
+  expectItMayGo<Held>(&Held::held,
+    [](Held& scene)
     {
-      case 0:
-        scene.held->Off();
-        break;
-      case 1:
-        scene.held = nullptr;
-        break;
-      case 2:
-        scene.held->SetInteractor(nullptr);
-        break;
-      case 3:
-        scene.held->SetRepresentation(nullptr);
-        break;
-      case 4:
-        scene.held->HoldStroke(nullptr, nullptr);
-        break;
-      case 5:
-        scene.interactor->SetRenderWindow(nullptr);
-        scene.held->Off();
-        break;
-      default:
-        break; // the window first
-    }
-    if (what < 5)
-    {
-      scene.move(120, 160);
-      scene.window->Render();
-      scene.release(120, 160);
-      EXPECT_TRUE(scene.renderer->GetDraw());
-    }
-  }
-  EXPECT_EQ(quiet.errors(), 0);
+      scene.drawLine(60, 220, 150);
+      scene.drag(100, 150, 110, 155);
+      ASSERT_TRUE(scene.held->IsMoving());
+    },
+    { [](Held& scene) { scene.held->HoldStroke(nullptr, nullptr); } });
 }
 
 TEST(HeldStrokeWindow, AnObserverMayLetGoOfIt)
 {
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
-  {
-    Held scene;
-    vtkNew<vtkCallbackCommand> drop;
-    drop->SetClientData(&scene);
-    drop->SetCallback(
-      [](vtkObject*, unsigned long, void* held, void*) { static_cast<Held*>(held)->held = nullptr; });
-    scene.held->AddObserver(event, drop);
-    scene.drawLine(60, 220, 150);
-    EXPECT_EQ(scene.held, nullptr);
-    scene.window->Render();
-    EXPECT_TRUE(scene.renderer->GetDraw());
-  }
+  expectAnObserverMayLetGo<Held>(&Held::held, [](Held& scene) { scene.drawLine(60, 220, 150); });
 }
 
 TEST(HeldStrokeWindow, AResizedWindowMovesAStrokeButDrawsNotOverIt)
@@ -98,18 +51,7 @@ TEST(HeldStrokeWindow, AResizedWindowMovesAStrokeButDrawsNotOverIt)
 TEST(Random, EventsOnAHeldStroke)
 {
   Quiet quiet;
-  const std::vector<unsigned long> mouse{ vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::MiddleButtonPressEvent,
-    vtkCommand::MiddleButtonReleaseEvent,
-    vtkCommand::RightButtonPressEvent,
-    vtkCommand::RightButtonReleaseEvent,
-    vtkCommand::MouseWheelForwardEvent,
-    vtkCommand::LeaveEvent,
-    vtkCommand::ConfigureEvent };
+  const std::vector<unsigned long> mouse = mouseEvents({ vtkCommand::MouseWheelForwardEvent });
   const std::vector<const char*> keys{ "Escape", "BackSpace", "Return", "x", "w", "r", "question", "q" };
   Held scene;
   const Sequences sequences = sequencesAsked(100);
@@ -179,16 +121,10 @@ TEST(Random, EventsOnAHeldStroke)
       }
       grabs += scene.held->IsMoving();
     }
-    for (const unsigned long up : { vtkCommand::LeftButtonReleaseEvent,
-           vtkCommand::MiddleButtonReleaseEvent,
-           vtkCommand::RightButtonReleaseEvent })
-    {
-      scene.event(up, 0, 0);
-    }
+    letGoOfAllButtons(scene);
     scene.held->GetPen()->CancelStroke();
     ASSERT_FALSE(scene.held->IsMoving());
-    ASSERT_TRUE(scene.renderer->GetDraw());
-    ASSERT_EQ(scene.window->GetRenderers()->GetNumberOfItems(), 1);
+    expectItDraws(scene);
     if (scene.held->GetStroke()->GetNumberOfPoints() > 0)
     {
       ASSERT_NO_THROW(oversketch::ViewOf(scene.held->GetStroke()));

@@ -1,5 +1,6 @@
 // The pen in windows that change, and under events in any order.
 #include "Harness/sequences.h"
+#include "Harness/windows.h"
 #include "pen_scene.h"
 #include "vtkOversketchFilterTools.h"
 
@@ -52,37 +53,13 @@ TEST(Window, OneViewportOfTwo)
 
 TEST(Window, GoesAwayInMidStrokeInAnyOrder)
 {
-  Quiet quiet;
-  for (int what = 0; what < 5; ++what)
-  {
-    Pen scene;
-    scene.press(60, 150);
-    scene.move(100, 150);
-    switch (what)
+  expectItMayGo<Pen>(&Pen::pen,
+    [](Pen& scene)
     {
-      case 0:
-        scene.pen->Off();
-        break;
-      case 1:
-        scene.pen = nullptr;
-        break;
-      case 2:
-        scene.pen->SetInteractor(nullptr);
-        break;
-      case 3:
-        scene.pen->SetRepresentation(nullptr);
-        break;
-      default:
-        break; // the window first
-    }
-    if (what < 4)
-    {
-      EXPECT_TRUE(scene.renderer->GetDraw());
-      scene.move(120, 150);
-      scene.window->Render();
-    }
-  }
-  EXPECT_EQ(quiet.errors(), 0);
+      scene.press(60, 150);
+      scene.move(100, 150);
+    },
+    {});
 }
 
 TEST(Window, StrokesLeaveNoMemoryBehind)
@@ -207,16 +184,10 @@ TEST(Random, EventsNeitherFailNorLoseTheFrame)
           scene.move(x, y, modifiers);
       }
     }
-    for (const unsigned long up : { vtkCommand::LeftButtonReleaseEvent,
-           vtkCommand::MiddleButtonReleaseEvent,
-           vtkCommand::RightButtonReleaseEvent })
-    {
-      scene.event(up, 0, 0);
-    }
+    letGoOfAllButtons(scene);
     scene.pen->CancelStroke();
     scene.pen->On();
-    ASSERT_TRUE(scene.renderer->GetDraw());
-    ASSERT_EQ(scene.window->GetRenderers()->GetNumberOfItems(), 1);
+    expectItDraws(scene);
     ASSERT_TRUE(std::isfinite(scene.camera()->GetPosition()[0]));
     vtkPolyData* stroke = scene.pen->GetStroke();
     if (commits.count > strokes)
