@@ -159,7 +159,21 @@ TEST(HostileEditCancelled, InEachStepAndThenWhole)
         system->SetWeightsData(imageOf(8, 8, VTK_UNSIGNED_CHAR, 1, 128.0));
       } },
     { { "Planes", "Section", "Redraw", "Bend" },
-      [](vtkOversketchEdit* system) { system->SetProfileData(flatCurve(archOver())); } }
+      [](vtkOversketchEdit* system) { system->SetProfileData(flatCurve(archOver())); } },
+    { { "Refit", "Resketch", "Reproject", "Reinsert" },
+      [&](vtkOversketchEdit* system)
+      {
+        const View view = wholeView(mesh, false);
+        const Vector2 at = frontOf(mesh, view);
+        std::vector<Vector2> bulge;
+        for (int i = 0; i <= 30; ++i)
+        {
+          const double a = 0.6 * (i / 15.0 - 1.0);
+          bulge.emplace_back(at + 56.0 * Vector2(1.2 * std::cos(a), std::sin(a)));
+        }
+        system->SetOperations(move.c_str());
+        system->SetBoundaryData(toStrokes({ { ringAbout(at), view }, { bulge, view } }));
+      } }
   };
   for (const auto& [steps, set] : ways)
   {
