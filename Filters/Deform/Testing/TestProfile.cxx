@@ -281,18 +281,18 @@ TEST(B8_2, AsVtkCutterCutsIt)
         {
           least[i] = std::min(least[i], distance(mine[i], a, b));
         }
-        length += toMine(0.5 * (a + b)) < 1e-6 ? (b - a).norm() : 0.0;
+        length += toMine(0.5 * (a + b)) < 1e-9 ? (b - a).norm() : 0.0;
       }
       off = std::max(off, *std::max_element(least.begin(), least.end()));
       longer = std::max(longer, std::abs(length / lengthOf(chain.section->GetSectionOutput()) - 1.0));
       ++sections;
     }
   }
-  EXPECT_LT(off, 1e-6); // vtkCutter's points are floats
-  EXPECT_LT(longer, 1e-5);
+  EXPECT_LT(off, 1e-9);
+  EXPECT_LT(longer, 1e-9);
   fact("B8_2",
-    std::to_string(sections) + " sections lie within " + std::to_string(1e6 * off) +
-      "e-6 of vtkCutter's and are as long within " + std::to_string(1e6 * longer) + "e-6");
+    std::to_string(sections) + " sections lie within " + std::to_string(1e12 * off) +
+      "e-12 of vtkCutter's and are as long within " + std::to_string(1e12 * longer) + "e-12");
 }
 
 TEST(B8_3, OnAModelToo)
