@@ -37,7 +37,8 @@
  * Output 2 (Boundary): the ring, alike.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
- * BadStroke where there is no line or ring, and for operations together with a profile. An empty
+ * BadStroke where there is no line or ring, and for operations together with a profile; Torn where the edit
+ * brings two vertices to one place. An empty
  * mesh gives empty outputs silently. A run that AbortExecute stopped needs Modified() before the next.
  *
  * Demand-driven: an operation runs {Handles} and on, a layer {Shading} and on, a profile {Redraw} and on,

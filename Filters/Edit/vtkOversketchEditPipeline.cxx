@@ -1,12 +1,15 @@
 #include "vtkOversketchEditPipeline.h"
 
+#include "Mesh/weld.h"
 #include "Shading/layer_list.h"
 #include "vtkOversketchEditCurves.h"
+#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchHierarchy.h"
 #include "vtkOversketchSources.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -444,6 +447,55 @@ void PutCurve(vtkPolyData* curve,
 
 } // namespace
 
+namespace
+{
+
+// Who reads the mesh welds what lies at one place.
+void RequireApart(vtkPolyData* mesh)
+{
+  vtkDataArray* region = mesh->GetPointData()->GetArray("EditRegion");
+  vtkBoundingBox box;
+  const auto eachPlace = [mesh](const auto& visit)
+  {
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      Vector3 place;
+      mesh->GetPoint(i, place.data());
+      visit(i, place);
+    }
+  };
+  eachPlace(
+    [&](vtkIdType i, Vector3& place)
+    {
+      if (region->GetComponent(i, 0) == EditLabel::Inside)
+      {
+        box.AddPoint(place.data());
+      }
+    });
+  std::vector<Vector3> places;
+  eachPlace(
+    [&](vtkIdType, const Vector3& place)
+    {
+      if (box.ContainsPoint(place.data()))
+      {
+        places.push_back(place);
+      }
+    });
+  const std::vector<int> vertices = weldPoints(places);
+  if (!vertices.empty())
+  {
+    const std::size_t left =
+      static_cast<std::size_t>(*std::max_element(vertices.begin(), vertices.end())) + 1;
+    throw Error(Failure::Torn,
+      "The edit brings " + std::to_string(places.size() - left) +
+        " vertices to places where others are already, which would be one when the mesh is read again: make "
+        "a "
+        "smaller edit, or nearer to the origin.");
+  }
+}
+
+} // namespace
+
 void vtkOversketchEdit::Pipeline::PutOutput(vtkPolyData* mesh,
   vtkPolyData* output,
   vtkPolyData* reference,
@@ -472,6 +524,7 @@ void vtkOversketchEdit::Pipeline::PutOutput(vtkPolyData* mesh,
     if (this->Retriangulates())
     {
       last = this->Self->StageOutput("Retriangulate");
+      RequireApart(last);
       line = this->Retriangulate->GetReferenceOutput();
       ring = this->Retriangulate->GetBoundaryOutput();
       vtkNew<vtkPolyData> sourced;
@@ -482,6 +535,7 @@ void vtkOversketchEdit::Pipeline::PutOutput(vtkPolyData* mesh,
     }
     else
     {
+      RequireApart(last);
       vtkNew<vtkPolyData> edited;
       this->PutPreview(edited);
       output->ShallowCopy(edited);

@@ -13,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -78,11 +79,12 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
       vertices.push_back(chain.Vertices);
     }
   }
+  const bool asFloats = mesh->GetPoints()->GetDataType() != VTK_DOUBLE;
   Retriangulated result;
   if (self->Rule == Curvature)
   {
     result = retriangulateByCurvature(
-      { moved->Surface(), moved->Surface().points, region, vertices, meanEdge }, ContextOf(self));
+      { moved->Surface(), moved->Surface().points, region, vertices, meanEdge, asFloats }, ContextOf(self));
   }
   else
   {
@@ -91,7 +93,7 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
     const Motion motion =
       self->Known ? *self->Known
                   : motionBetween(before, this->Rest->Neighbours(), moved->Surface().points, ContextOf(self));
-    result = retriangulateEdit({ before, moved->Surface().points, region, vertices, meanEdge },
+    result = retriangulateEdit({ before, moved->Surface().points, region, vertices, meanEdge, asFloats },
       motion.movement,
       motion.values,
       motion.channels,

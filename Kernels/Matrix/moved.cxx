@@ -296,7 +296,7 @@ std::vector<Vector3> moved(const std::vector<Vector3>& points,
   {
     throw Error(Failure::SolveFailed,
       "The transformations of point " + std::to_string(firstTooLarge(entries, weights)) +
-        " are too large or not finite; look at their weights.");
+        " are too large or not finite; make a smaller edit, or look at their weights.");
   }
   return result;
 }

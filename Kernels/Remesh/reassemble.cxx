@@ -1,5 +1,7 @@
 #include "Remesh/reassemble.h"
 
+#include "Remesh/keep_apart.h"
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -297,6 +299,50 @@ std::vector<std::vector<HeldVertex>> heldCurves(const Cutout& cutout,
   return curves;
 }
 
+namespace
+{
+
+// Vertices that have met go apart, but those that the curves had; one that was of the input is none of it any
+// more.
+void part(Retriangulated& result, const RetriangulateInput& input)
+{
+  std::vector<char> free(input.region.size(), 0);
+  std::transform(
+    input.region.begin(), input.region.end(), free.begin(), [](char label) { return label == 2 ? 1 : 0; });
+  for (const std::vector<int>& curve : input.curves)
+  {
+    for (const int v : curve)
+    {
+      free[v] = 0;
+    }
+  }
+  std::vector<char> movable;
+  for (const int source : result.pointSource)
+  {
+    movable.push_back(source < 0 ? char(2) : free[source]);
+  }
+  const std::vector<Vector3> before = result.mesh.points;
+  keepApart(result.mesh, movable, input.asFloats);
+  std::vector<Mix> mixes;
+  auto mix = result.mixes.begin();
+  for (std::size_t v = 0; v < before.size(); ++v)
+  {
+    int& source = result.pointSource[v];
+    if (source < 0)
+    {
+      mixes.push_back(std::move(*mix++));
+    }
+    else if (result.mesh.points[v] != before[v])
+    {
+      mixes.push_back({ { source, 1.0 } });
+      source = -1;
+    }
+  }
+  result.mixes = std::move(mixes);
+}
+
+} // namespace
+
 Retriangulated reassembled(const RetriangulateInput& input,
   const Cutout& cutout,
   const Surface& rest,
@@ -304,7 +350,9 @@ Retriangulated reassembled(const RetriangulateInput& input,
   const Patch& patch,
   const std::vector<std::vector<HeldVertex>>& curves)
 {
-  return Reassembly(input, cutout, rest, stage, patch).run(curves);
+  Retriangulated result = Reassembly(input, cutout, rest, stage, patch).run(curves);
+  part(result, input);
+  return result;
 }
 
 Retriangulated untouched(const RetriangulateInput& input)

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 namespace oversketch
 {
@@ -27,6 +28,8 @@ constexpr double coincidence = 1e-6; // of an edge's length
 constexpr double flattest = 1e-6;
 constexpr int splitRounds = 6;
 constexpr int remeshRounds = 3;
+// Triangles that an edit may ask for: more than any model needs, and made within a minute.
+constexpr double mostTriangles = 250000.0, mostPerTriangle = 16.0;
 // As published, in mean edges.
 constexpr double roundEdge = 0.35; // times the radius of curvature
 constexpr double finest = 0.25, coarsest = 1.5;
@@ -54,6 +57,31 @@ void requireMeanEdge(const RetriangulateInput& input)
   {
     throw Error(Failure::BadRegion,
       "The mean edge length is not above 0: take it from vtkOversketchMeanEdge when the mesh is loaded.");
+  }
+}
+
+// What a stretched region would take to be covered, before it is tried: there would be no end of it.
+void requireBounded(const Mesh& moved, const std::vector<char>& active, const std::vector<double>& sizes)
+{
+  double before = 0.0, wanted = 0.0;
+  for (int t = 0; t < moved.triangleCount(); ++t)
+  {
+    if (active[t])
+    {
+      const Triangle& c = moved.triangles[t];
+      const Vector3 &p = moved.points[c[0]], &q = moved.points[c[1]], &r = moved.points[c[2]];
+      const double size = (sizes[c[0]] + sizes[c[1]] + sizes[c[2]]) / 3.0;
+      const double longest = std::max({ (q - p).norm(), (r - q).norm(), (p - r).norm() });
+      before += 1.0;
+      wanted += 0.5 * (q - p).cross(r - p).norm() / (0.4330127 * size * size) + longest / size; // even ones
+    }
+  }
+  if (!(wanted <= std::max(mostTriangles, mostPerTriangle * before)))
+  {
+    std::ostringstream message;
+    message << "The edit stretches " << before << " triangles to what takes " << wanted
+            << " as large as the model's: make a smaller edit, or none of them anew (Rule Off, --rule off).";
+    throw Error(Failure::Torn, message.str());
   }
 }
 
@@ -368,6 +396,7 @@ Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const C
   const Surface surface(cutout.mesh, cutout.active, oneChart);
   const Held held = heldIn(cutout, input);
   const std::vector<double> sizes = curvatureSizes(cutout.mesh, input.meanEdge, context);
+  requireBounded(cutout.mesh, cutout.active, sizes);
   Patch patch(surface, cutout.active, sizes, held.vertices, held.edges, false);
   Steps steps{ context };
   steps.each = 1.0 / (3.0 * curvatureRounds);
@@ -403,6 +432,9 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
 {
   requireMeanEdge(input);
   const Cutout cutout(input.rest, facesInside(input));
+  requireBounded({ Cutout::taken(input.moved, cutout.vertices), cutout.mesh.triangles },
+    cutout.active,
+    std::vector<double>(cutout.vertices.size(), input.meanEdge));
   const std::vector<int> oneChart;
   const Surface rest(cutout.mesh, cutout.active, oneChart);
   Held held = heldIn(cutout, input);

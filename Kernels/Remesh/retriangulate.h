@@ -24,6 +24,7 @@ struct RetriangulateInput
   std::vector<char> region;             // per vertex: 2 strictly inside, others keep their place
   std::vector<std::vector<int>> curves; // vertices joined by edges; they stay, and so do the edges
   double meanEdge = 0.0;                // of the mesh as it was loaded [model length]
+  bool asFloats = false;                // what comes out is stored in them: places differ there, too
 };
 
 // A vertex of a curve: the curve's point `from`, or t of the way to the one after it.
@@ -53,7 +54,9 @@ struct Retriangulated
 // most. Only faces with a vertex strictly inside change. Moves are those of Patch, whose tests are stricter:
 // an edge beside one that cannot be split is not halved for ever, and normals turn by 60 degrees at most.
 // Of `rest` only the faces are looked at.
-// Throws Error(Failure::BadRegion) for a mean edge that is not positive, Error(Failure::Cancelled).
+// Throws Error(Failure::BadRegion) for a mean edge that is not positive, Error(Failure::Torn) where the edit
+// stretches the region to what would take over 250,000 triangles and 16 times those that it has,
+// Error(Failure::Cancelled).
 Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const Context& context);
 
 // What replaces it: a rule of curvature finds it in the noise of an unchanged region too, and puts new
@@ -64,7 +67,8 @@ Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const C
 // Faces that were split, or of which an edge's length changes by over 1 %, are then remeshed as the edit
 // leaves them: in three rounds edges under 0.35 mean edges are collapsed, others swapped, and vertices
 // relaxed in the tangent plane and back to the surface; edges that this leaves over 4/3 mean edges are split.
-// Without a motion nothing changes.
+// Without a motion nothing changes. No two vertices come out at one place, by either rule, unless the edit
+// has put both there and they cannot leave.
 //
 // values: `channels` of each vertex of the mesh, mixed where a new one is made.
 Retriangulated retriangulateEdit(const RetriangulateInput& input,

@@ -3,6 +3,7 @@
 
 #include "Harness/enclosures.h"
 #include "Harness/threads.h"
+#include "Remesh/keep_apart.h"
 #include "Remesh/motion.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,7 @@ struct Edited
   double meanEdge = 0.0;
   Movement movement;
   std::vector<Vector3> moved;
+  bool asFloats = false;
 
   Edited(Enclosure of, const Movement& motion)
     : scene(std::move(of))
@@ -68,7 +70,8 @@ struct Edited
       this->moved,
       this->region,
       { this->scene.reference, this->scene.boundary },
-      this->meanEdge };
+      this->meanEdge,
+      this->asFloats };
   }
   Retriangulated run(const Context& context = {}) const
   {
@@ -437,6 +440,52 @@ TEST(Retriangulate, WildDragsLeaveSoundMeshes)
       const Edited edited(scene, motion);
       expectSound(edited, edited.run());
       expectSound(edited, retriangulateByCurvature(edited.input(), {}));
+    }
+  }
+}
+
+// Places that are different numbers, but as floats the same.
+TEST(Retriangulate, VerticesAtOnePlaceAreMovedApart)
+{
+  const Mesh square{
+    { { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { 0.5, 0.5, 1 }, { 0.5, 0.5 + 1e-9, 1 } },
+    { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 5 }, { 3, 0, 5 }, { 4, 2, 5 }, { 0, 4, 5 } }
+  };
+  const std::vector<char> movable{ 0, 0, 0, 0, 0, 1 };
+  Mesh apart = square;
+  EXPECT_EQ(keepApart(apart, movable, false), 0);
+  EXPECT_EQ(apart.points, square.points);
+  EXPECT_EQ(keepApart(apart, movable, true), 0);
+  EXPECT_EQ(std::vector<Vector3>(apart.points.begin(), apart.points.end() - 1),
+    std::vector<Vector3>(square.points.begin(), square.points.end() - 1));
+  EXPECT_NE(apart.points[5].cast<float>(), apart.points[4].cast<float>());
+  EXPECT_LT((apart.points[5] - square.points[5]).norm(), 1e-4);
+  EXPECT_EQ(apart.points[5].cast<float>().cast<double>(), apart.points[5]);
+  // Where none may move they stay, and it is said.
+  Mesh fixed = square;
+  EXPECT_EQ(keepApart(fixed, std::vector<char>(6, 0), true), 0); // nothing that moved, nothing to look for
+  fixed.points[5] = fixed.points[4];
+  const Mesh before = fixed;
+  EXPECT_EQ(keepApart(fixed, { 1, 0, 0, 0, 0, 0 }, true), 0);
+  EXPECT_EQ(fixed.points, before.points);
+  Mesh heap{ std::vector<Vector3>(3, Vector3(1, 2, 3)), { { 0, 1, 2 } } };
+  EXPECT_EQ(keepApart(heap, { 1, 1, 1 }, true), 2);
+}
+
+TEST(Retriangulate, WhatWouldTakeTooManyTrianglesIsRefused)
+{
+  const Edited edited(sheet(10), drag(Vector3(0, 0, 1e7)));
+  for (const bool byEdit : { true, false })
+  {
+    try
+    {
+      byEdit ? edited.run() : retriangulateByCurvature(edited.input(), {});
+      ADD_FAILURE();
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.failure(), Failure::Torn);
+      EXPECT_NE(std::string(error.what()).find("smaller edit"), std::string::npos);
     }
   }
 }

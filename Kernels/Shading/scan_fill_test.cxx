@@ -141,7 +141,7 @@ TEST(B7_8, OrderAndStartOfVerticesDoNotMatter)
   fact("B7_8", "300 polygons reversed and begun elsewhere: the same pixels");
 }
 
-TEST(ScanFill, AsExactEvenOddOnTwoThousandPolygons)
+TEST(B7_6, AsExactEvenOddOnTwoThousandPolygons)
 {
   std::mt19937 random(1);
   for (int round = 0; round < 2000; ++round)
@@ -163,6 +163,7 @@ TEST(ScanFill, AsExactEvenOddOnTwoThousandPolygons)
       }
     }
   }
+  fact("B7_6", "2,000 random polygons: as exact even-odd says, pixel by pixel");
 }
 
 TEST(ScanFill, LongThinAndFarPolygons)

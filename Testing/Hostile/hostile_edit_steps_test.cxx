@@ -3,6 +3,8 @@
 // or one message. Skipped, saying so, where the folder is absent.
 #include "hostile_edit.h"
 
+#include "Harness/shipped.h"
+
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchDistanceField.h"
 #include "vtkOversketchEnclose.h"
@@ -19,6 +21,10 @@
 #include "vtkOversketchResketch.h"
 #include "vtkOversketchRetriangulate.h"
 #include "vtkOversketchShadingLevels.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <utility>
 
@@ -205,6 +211,20 @@ vtkSmartPointer<vtkPolyData> halfOf(vtkPolyData* mesh)
   return half;
 }
 
+vtkSmartPointer<vtkPolyData> throughFile(vtkPolyData* data)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(writer->GetOutputString());
+  reader->Update();
+  vtkSmartPointer<vtkPolyData> read = reader->GetOutput();
+  return read;
+}
+
 } // namespace
 
 TEST_P(HostileEditSteps, EachAloneIsOfUseOrGivesOneMessage)
@@ -249,6 +269,67 @@ TEST_P(HostileEditSteps, EachAloneIsOfUseOrGivesOneMessage)
         step->SetInputData(0, halfOf(input));
         usableOrRefused(name, step);
       }
+    }
+  }
+}
+
+// What a step puts out is written, read and handed on: whichever two steps are parted so, the same comes out.
+TEST(EditSteps, ThroughAFileBetweenAnyTwoStepsTheBitsAreTheSame)
+{
+  const auto model = shippedModel("bear");
+  const Mesh mesh = MeshOf(model);
+  const LineAndRing curves = hostileCurves(mesh, false).front();
+  const std::string move =
+    "move 0.5 n " + std::to_string(0.05 * boundingDiagonal(mesh)) + "; rotate 0.3 t 20";
+  const Steps whole(model, curves, move);
+  for (vtkPolyDataAlgorithm* last : { whole.triangles.Get(), whole.trianglesOfBend.Get() })
+  {
+    last->Update();
+    ASSERT_GT(last->GetOutput()->GetNumberOfPoints(), 0);
+    ASSERT_GT(vtkOversketchRetriangulate::SafeDownCast(last)->GetOperationCount(), 0);
+  }
+  for (const auto& [name, step] : Steps(model, curves, move).all())
+  {
+    SCOPED_TRACE(name);
+    // Cold, but that this step's outputs come from files.
+    const Steps parted(model, curves, move);
+    vtkPolyDataAlgorithm* made = nullptr;
+    for (const auto& [other, itself] : parted.all())
+    {
+      made = std::string(other) == name ? itself : made;
+    }
+    made->Update();
+    std::vector<vtkSmartPointer<vtkPolyData>> files;
+    for (int port = 0; port < made->GetNumberOfOutputPorts(); ++port)
+    {
+      auto* output = vtkPolyData::SafeDownCast(made->GetOutputDataObject(port));
+      files.push_back(output ? throughFile(output) : nullptr);
+    }
+    int handed = 0;
+    for (const auto& [other, consumer] : parted.all())
+    {
+      for (int port = 0; port < consumer->GetNumberOfInputPorts(); ++port)
+      {
+        vtkAlgorithmOutput* from =
+          consumer->GetNumberOfInputConnections(port) > 0 ? consumer->GetInputConnection(port, 0) : nullptr;
+        if (from && from->GetProducer() == made && files[static_cast<std::size_t>(from->GetIndex())])
+        {
+          consumer->SetInputDataObject(port, files[static_cast<std::size_t>(from->GetIndex())]);
+          ++handed;
+        }
+      }
+    }
+    EXPECT_TRUE(handed > 0 || made == parted.triangles.Get() || made == parted.trianglesOfBend.Get());
+    for (const auto& [one, other] : { std::make_pair(parted.triangles.Get(), whole.triangles.Get()),
+           std::make_pair(parted.trianglesOfBend.Get(), whole.trianglesOfBend.Get()) })
+    {
+      one->Update();
+      for (int port = 0; port < 3; ++port)
+      {
+        EXPECT_TRUE(identical(one->GetOutput(port), other->GetOutput(port))) << port;
+      }
+      EXPECT_EQ(one->GetOutput()->GetPointData()->GetNumberOfArrays(),
+        other->GetOutput()->GetPointData()->GetNumberOfArrays());
     }
   }
 }

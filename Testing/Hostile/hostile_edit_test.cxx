@@ -123,6 +123,52 @@ TEST_P(HostileEdit, ModelsOfAnySizeAnywhereGiveASoundMeshOrOneMessage)
 
 INSTANTIATE_TEST_SUITE_P(SharedData, HostileEdit, testing::ValuesIn(meshNames()), meshTestName);
 
+// Rings over meshes with handles and holes, from six sides, so large that they go round these.
+TEST(HostileEditRings, RoundHandlesAndHolesGiveASoundMeshOrOneMessage)
+{
+  int stand = 0, discs = 0;
+  for (const char* name :
+    { "torus.obj", "knot_trefoil.ply", "plate_genus3.off", "plane_many_holes.off", "capsule_holes.off" })
+  {
+    if (!std::filesystem::exists(meshFolder() / name))
+    {
+      GTEST_SKIP() << "there is no " << meshFolder() / name << "; set OVERSKETCH_DATA";
+    }
+    oversketch_files::Notes notes;
+    const vtkSmartPointer<vtkPolyData> polyData = readHostile(name, notes);
+    ASSERT_TRUE(polyData);
+    const Mesh mesh = MeshOf(polyData);
+    const Topology topology = topologyOf(polyData);
+    const double size = boundingDiagonal(mesh);
+    Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
+    shift.topRightCorner<3, 1>() = -Vector3(polyData->GetCenter());
+    for (int side = 0; side < 6; ++side)
+    {
+      Vector3 from = 0.1 * Vector3::Ones();
+      from[side % 3] = side < 3 ? 1.0 : -1.0;
+      const View at =
+        orthographicView(from, side % 3 == 1 ? Vector3::UnitZ() : Vector3::UnitY(), 500.0 / size);
+      const View view(at.viewTransform() * shift, at.projectionTransform(), at.width(), at.height());
+      for (const double radius : { 30.0, 90.0, 170.0 })
+      {
+        SCOPED_TRACE(std::string(name) + ", side " + std::to_string(side) + ", " + std::to_string(radius));
+        const Vector2 middle = frontOf(mesh, view);
+        vtkNew<vtkOversketchEdit> system;
+        system->SetInputData(0, polyData);
+        draw(system,
+          { "", toStroke(lineAbout(middle, 0.6 * radius), view), toStroke(ringAbout(middle, radius), view) });
+        system->SetOperations(operation("move 0.5 n %.9g", 0.02 * size).c_str());
+        Ear ear(system->GetStep("Enclose"));
+        stand += soundOrRefused(system, polyData, topology);
+        discs += ear.errors.empty() ? 0 : 1;
+      }
+    }
+  }
+  std::cout << stand << " regions stand, " << discs << " are no discs\n";
+  EXPECT_GT(stand, 5);
+  EXPECT_GT(discs, 5);
+}
+
 // Cancelled when a step begins, the edit ends silently and empty; asked again, it is what it would have been.
 TEST(HostileEditCancelled, InEachStepAndThenWhole)
 {
@@ -159,7 +205,21 @@ TEST(HostileEditCancelled, InEachStepAndThenWhole)
         system->SetWeightsData(imageOf(8, 8, VTK_UNSIGNED_CHAR, 1, 128.0));
       } },
     { { "Planes", "Section", "Redraw", "Bend" },
-      [](vtkOversketchEdit* system) { system->SetProfileData(flatCurve(archOver())); } }
+      [](vtkOversketchEdit* system) { system->SetProfileData(flatCurve(archOver())); } },
+    { { "Refit", "Resketch", "Reproject", "Reinsert" },
+      [&](vtkOversketchEdit* system)
+      {
+        const View view = wholeView(mesh, false);
+        const Vector2 at = frontOf(mesh, view);
+        std::vector<Vector2> bulge;
+        for (int i = 0; i <= 30; ++i)
+        {
+          const double a = 0.6 * (i / 15.0 - 1.0);
+          bulge.emplace_back(at + 56.0 * Vector2(1.2 * std::cos(a), std::sin(a)));
+        }
+        system->SetOperations(move.c_str());
+        system->SetBoundaryData(toStrokes({ { ringAbout(at), view }, { bulge, view } }));
+      } }
   };
   for (const auto& [steps, set] : ways)
   {

@@ -201,7 +201,7 @@ def test_the_picture_shows_line_and_ring(folder, tmp_path):
     ["--move", "0.5,n"], ["--move", "0.5,x,1"], ["--move", "0.5,n,wide"], ["--move", "0.5,n,1,2"], ["--rotate", "0.5,t,3%"], ["--move"],
     ["--pin", "0.5,n"], ["--pin", ""], ["--drag", "1"], ["--drag", "nan,1"], ["--falloff", "steep"], ["--rule", "none"], ["--at", "x"],
     ["--levels", "2.5"], ["--layers", "layers.txt"], ["--profile", "0 0"], ["--profile", "0 0, 1"], ["--profile", "0 0 0, 1 0"],
-    ["--profile", "0 0, x 1"], ["--operations", "move 0.5 n 1"], ["--use-texture=on"], ["extra.vtp"], ["--weights", ""],
+    ["--profile", "0 0, x 1"], ["--profile", "0 0, nan 1, 1 0"], ["--operations", "move 0.5 n 1"], ["--use-texture=on"], ["extra.vtp"], ["--weights", ""],
 ])
 def test_bad_use(folder, tmp_path, more):
     assert "--help" in refuse(2, *command(folder, tmp_path / "o.vtp", *more))
@@ -218,7 +218,8 @@ def test_line_and_ring_must_be_given(folder, tmp_path):
     (["--move", "1.5,n,1"], "its place is not on the curve"), (["--scale", "0.5,n,0"], "Operation 1"), (["--rotate", "0.5,t,180"], "180"),
     (["--move", "0.5,n,1", "--profile", "0 0, 0.4 0.3, 1 0"], "A profile and operations cannot be in one edit"),
     (["--profile", "0.5 0.5, 0.5 0.5"], "profile"), (["--weights", "none.png"], "there is no such file"),
-    (["--layers", "none.json"], "there is no such file"),
+    (["--layers", "none.json"], "there is no such file"), (["--scale", "0.5,t,1e5"], "make a smaller edit"), (["--move", "0.5,n,1e300"], "smaller edit"),
+    (["--scale", "0.5,n,-1"], "give a factor above 0"), (["--rotate", "0.5,t,1e6"], "less than 180 degrees"), (["--pin", "-1"], "not on the curve"),
 ])
 def test_what_cannot_be_made_is_said_and_nothing_written(folder, tmp_path, more, words):
     said = refuse(1, *command(folder, tmp_path / "o.vtp", *more))
@@ -229,7 +230,9 @@ def test_what_cannot_be_made_is_said_and_nothing_written(folder, tmp_path, more,
 @pytest.mark.parametrize("text, words", [
     ("", "JSON"), ("[]", "is no object"), ('{"layers": 5}', "'layers' is no member of it; these are: levels, handles, areas"),
     ('{"levels": 1}', "'levels'"), ('{"levels": 5.5}', "'levels'"), ('{"handles": [0.5]}', "no pair [from, to]"),
-    ('{"handles": [[0.5, 1e999]]}', ""), ('{"handles": [[0.5, "x"]]}', "no pair [from, to]"), ('{"handles": 3}', "no list"),
+    ('{"handles": [[0.5, 1e999]]}', ""), ('{"handles": [[0.5, NaN]]}', "JSON"), ('{"levels": 1e18}', "'levels'"), ('{"levels": -1}', "'levels'"),
+    ('{"levels": "7"}', "'levels'"), ('{"handles": [[0.5, 0.4], [0.5, 0.3]]}', "Layer handle 1"), ('{"handles": [[]]}', "no pair [from, to]"),
+    ('{"areas": [{"levels": 3}]}', "area 0"), ('{"levels": 5', "JSON"), ('{"handles": [[0.5, "x"]]}', "no pair [from, to]"), ('{"handles": 3}', "no list"),
     ('{"areas": {}}', "no list of at most 64"), ('{"areas": [{}]}', "area 0"), ('{"areas": [7]}', "area 0"),
     ('{"areas": [{"stroke": "gone.vtp"}]}', "names 'gone.vtp': there is no such file"),
     ('{"areas": [{"stroke": "a\\u0000b"}]}', "is no path"),
@@ -241,6 +244,33 @@ def test_layers_that_are_none(folder, tmp_path, text, words):
     said = refuse(1, *command(folder, tmp_path / "o.vtp", "--move", "0.5,n,1%", "--layers", layers))
     assert words.lower() in said.lower(), said
     assert os.listdir(tmp_path) == ["layers.json"]
+
+
+@pytest.mark.parametrize("files", [
+    {"mesh": "gone.vtp"}, {"line": "gone.vtp"}, {"ring": "gone.vtp"}, {"mesh": "line.vtp"}, {"line": "body.vtp"}, {"ring": "body.vtp"},
+    {"mesh": "half.vtp"}, {"line": "half.vtp"}, {"ring": "text.vtp"}, {"mesh": "text.vtp"},
+])
+def test_files_that_are_none_leave_nothing(folder, tmp_path, files):
+    whole = (folder / "line.vtp").read_bytes()
+    (folder / "half.vtp").write_bytes(whole[:len(whole) // 2])
+    (folder / "text.vtp").write_text("no mesh")
+    said = refuse(1, *command(folder, tmp_path / "o.vtp", "--move", "0.5,n,1%", "--report", tmp_path / "r.json", **files))
+    assert next(iter(files.values())) in said or "curve" in said or "no triangles" in said, said
+    assert os.listdir(tmp_path) == []
+
+
+def test_what_was_there_stays_where_a_run_fails(folder, tmp_path):
+    """Neither a result of a failed run nor a part of one takes the place of a file."""
+    before = {name: f"{name} of earlier".encode() for name in ("o.vtp", "r.json")}
+    for name, content in before.items():
+        (tmp_path / name).write_bytes(content)
+    options = ("--report", tmp_path / "r.json")
+    refuse(1, *command(folder, tmp_path / "o.vtp", "--scale", "0.5,t,1e5", *options))
+    refuse(1, *command(folder, tmp_path / "o.vtp", "--move", "0.5,n,1%", "--inner", tmp_path / "r.json"))
+    refuse(1, *command(folder, tmp_path / "gone" / "o.vtp", "--move", "0.5,n,1%", *options))
+    refuse(1, *command(folder, tmp_path / "o.vtp", "--move", "0.5,n,1%", "--report", tmp_path / "gone" / "r.json"))
+    refuse(2, *command(folder, tmp_path / "o.vtp", "--move", "0.5,n", *options))
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
 @pytest.mark.parametrize("line, ring, words", [

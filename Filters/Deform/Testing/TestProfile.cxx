@@ -6,8 +6,11 @@
 
 #include "vtkOversketchFilterTools.h"
 
+#include "vtkCutter.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkPLYReader.h"
+#include "vtkPlane.h"
 
 #include <gtest/gtest.h>
 
@@ -221,6 +224,75 @@ TEST(B8_3, ADrawnProfileIsMatched)
   EXPECT_GT(moved, 3000);
   fact("B8_3",
     "as filters: the recut section within " + std::to_string(worst) + " mean edges of the drawn profile");
+}
+
+// VTK cuts the whole mesh; what it finds between the section's ends is the section.
+TEST(B8_2, AsVtkCutterCutsIt)
+{
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(OVERSKETCH_DATA_FOLDER "/Models/dog.ply");
+  reader->Update();
+  double off = 0.0, longer = 0.0;
+  int sections = 0;
+  for (const EditScene& scene : { sphereScene(30, 96, 0.3),
+         pathScene(MeshOf(reader->GetOutput()), { -0.4, 1.1, 0.0 }, { 0.3, 1.1, 0.0 }, 0.28) })
+  {
+    Chain chain(scene);
+    for (const double t : { 0.3, 0.5, 0.61 })
+    {
+      chain.planes->SetT(t);
+      chain.section->Update();
+      Vector3 normal;
+      chain.planes->GetOutput()->GetCellData()->GetNormals()->GetTuple(2, normal.data());
+      const Vector3 origin = fieldMatrix(chain.planes->GetOutput(), "Frame").topRightCorner<3, 1>();
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(normal.data());
+      plane->SetOrigin(origin.data());
+      vtkNew<vtkCutter> cutter;
+      cutter->SetCutFunction(plane);
+      cutter->SetInputData(chain.data.mesh);
+      cutter->Update();
+      const std::vector<Vector3> mine = pointsOf(chain.section->GetSectionOutput());
+      const auto distance = [](const Vector3& p, const Vector3& a, const Vector3& b)
+      {
+        const Vector3 step = b - a;
+        const double square = step.squaredNorm();
+        const double share = square > 0.0 ? std::clamp((p - a).dot(step) / square, 0.0, 1.0) : 0.0;
+        return (p - a - share * step).norm();
+      };
+      const auto toMine = [&](const Vector3& p)
+      {
+        double least = HUGE_VAL;
+        for (std::size_t i = 1; i < mine.size(); ++i)
+        {
+          least = std::min(least, distance(p, mine[i - 1], mine[i]));
+        }
+        return least;
+      };
+      vtkPolyData* cut = cutter->GetOutput();
+      std::vector<double> least(mine.size(), HUGE_VAL);
+      double length = 0.0;
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType cell = 0; cell < cut->GetNumberOfLines(); ++cell)
+      {
+        cut->GetLines()->GetCellAtId(cell, ids);
+        const Vector3 a(cut->GetPoint(ids->GetId(0))), b(cut->GetPoint(ids->GetId(1)));
+        for (std::size_t i = 0; i < mine.size(); ++i)
+        {
+          least[i] = std::min(least[i], distance(mine[i], a, b));
+        }
+        length += toMine(0.5 * (a + b)) < 1e-9 ? (b - a).norm() : 0.0;
+      }
+      off = std::max(off, *std::max_element(least.begin(), least.end()));
+      longer = std::max(longer, std::abs(length / lengthOf(chain.section->GetSectionOutput()) - 1.0));
+      ++sections;
+    }
+  }
+  EXPECT_LT(off, 1e-9);
+  EXPECT_LT(longer, 1e-9);
+  fact("B8_2",
+    std::to_string(sections) + " sections lie within " + std::to_string(1e12 * off) +
+      "e-12 of vtkCutter's and are as long within " + std::to_string(1e12 * longer) + "e-12");
 }
 
 TEST(B8_3, OnAModelToo)

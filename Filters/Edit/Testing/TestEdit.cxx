@@ -4,6 +4,7 @@
 #include "vtkOversketchDistanceField.h"
 #include "vtkOversketchFlatten.h"
 #include "vtkOversketchMatrixDeform.h"
+#include "vtkOversketchResketch.h"
 #include "vtkOversketchScanFill.h"
 #include "vtkOversketchShadingLevels.h"
 
@@ -26,6 +27,23 @@ namespace
 {
 
 const char* const models[] = { "bear", "dog", "hand", "octopus" };
+
+// A profile over the whole section.
+vtkSmartPointer<vtkPolyData> archOfSection()
+{
+  auto drawn = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(101);
+  for (int i = 0; i <= 100; ++i)
+  {
+    const double t = i / 100.0;
+    lines->InsertCellPoint(points->InsertNextPoint(t, 0.5 * std::sin(pi * t), 0.0));
+  }
+  drawn->SetPoints(points);
+  drawn->SetLines(lines);
+  return drawn;
+}
 
 } // namespace
 
@@ -111,7 +129,7 @@ TEST(EditSystem, AnEditThatMovesNothingPutsOutItsInput)
   expectSameBits(s.run(), before);
 }
 
-TEST(EditSystem, RunsWhatDependsAndNothingElse)
+TEST(B13_2, RunsWhatDependsAndNothingElse)
 {
   EditSystem s(shippedModel("bear"));
   s.operate("move 0.5 n %.9g", 0.02);
@@ -137,6 +155,21 @@ TEST(EditSystem, RunsWhatDependsAndNothingElse)
   const Steps ring = count.Ran();
   EXPECT_EQ(ring.count("ReferenceProject") + ring.count("ReferenceInsert"), 0u);
   EXPECT_EQ(ring.count("BoundaryInsert") + ring.count("Distance") + ring.count("Deform"), 3u);
+  // K of the re-sketch: that and what comes after it; of a slid plane nothing is flattened.
+  s.filter->SetOperations("");
+  s.filter->SetProfileData(archOfSection());
+  s.run();
+  count.Ran();
+  vtkOversketchResketch::SafeDownCast(s.filter->GetStep("Redraw"))->SetK(3.0);
+  s.filter->Modified();
+  s.run();
+  EXPECT_EQ(count.Ran(), (Steps{ "Redraw", "Bend", "Retriangulate" }));
+  s.filter->SetProfileAt(0.4);
+  s.run();
+  EXPECT_EQ(count.Ran(), (Steps{ "Planes", "Section", "Redraw", "Bend", "Retriangulate" }));
+  fact("B13_2",
+    "an operation runs handles and deformation, a layer shading and on, K the re-sketch and on, a slid plane "
+    "planes and on: no region is grown, no disc or field solved; a second update runs nothing");
 }
 
 TEST(EditSystem, SameBitsForAnyNumberOfThreadsAndColdAsCached)
@@ -282,7 +315,7 @@ TEST(EditSystem, KeepsSeamsAndArrays)
 }
 
 // White where the image is painted, still elsewhere.
-TEST(EditSystem, AnImageSaysWhatFollows)
+TEST(B7_9, AWhiteBlobMovesTheVerticesInItAndNoOther)
 {
   EditSystem s(shippedModel("bear"));
   s.filter->SetRule(vtkOversketchEdit::Off);
@@ -304,7 +337,7 @@ TEST(EditSystem, AnImageSaysWhatFollows)
   vtkPolyData* moved = s.filter->GetInnerOutput("Deform");
   vtkDataArray* disc = rest->GetPointData()->GetArray("DiscCoords");
   ASSERT_TRUE(disc);
-  int blob = 0;
+  int blob = 0, others = 0;
   for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
   {
     const double u = 64.0 * disc->GetComponent(i, 0), v = 64.0 * disc->GetComponent(i, 1);
@@ -314,8 +347,12 @@ TEST(EditSystem, AnImageSaysWhatFollows)
     blob += inside;
     EXPECT_TRUE(!inside || !still) << i;
     EXPECT_TRUE(!outside || still) << i;
+    others += outside;
   }
   EXPECT_GT(blob, 0);
+  fact("B7_9",
+    std::to_string(blob) + " vertices under a white blob of the image move, " + std::to_string(others) +
+      " beside it stay to the bit");
 }
 
 // A profile drawn anew is met by the surface; with operations it is refused; one that is the section moves
@@ -324,18 +361,7 @@ TEST(EditSystem, AProfileIsFollowed)
 {
   EditSystem s(shippedModel("bear"));
   s.filter->SetRule(vtkOversketchEdit::Off);
-  vtkNew<vtkPolyData> drawn;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(101);
-  for (int i = 0; i <= 100; ++i)
-  {
-    const double t = i / 100.0;
-    lines->InsertCellPoint(points->InsertNextPoint(t, 0.5 * std::sin(pi * t), 0.0));
-  }
-  drawn->SetPoints(points);
-  drawn->SetLines(lines);
-  s.filter->SetProfileData(drawn);
+  s.filter->SetProfileData(archOfSection());
   vtkPolyData* output = s.run();
   EXPECT_GT(s.filter->GetMovedPoints(), 0);
   EXPECT_GT(output->GetNumberOfPolys(), 0);
