@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace oversketch
 {
@@ -48,31 +47,6 @@ std::vector<Vector2> wanted(const PlanarMesh& mesh, const HeightMaps& maps, cons
   return moves;
 }
 
-// The faces at each point, ascending.
-Lists facesAtPoints(const PlanarMesh& mesh)
-{
-  Lists lists;
-  lists.offsets.assign(mesh.points.size() + 1, 0);
-  for (const PlanarFace& face : mesh.faces)
-  {
-    for (int k = 0; k < face.count(); ++k)
-    {
-      ++lists.offsets[face.corners[k] + 1];
-    }
-  }
-  std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
-  lists.values.resize(lists.offsets.back());
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-  {
-    for (int k = 0; k < mesh.faces[f].count(); ++k)
-    {
-      lists.values[next[mesh.faces[f].corners[k]]++] = static_cast<int>(f);
-    }
-  }
-  return lists;
-}
-
 } // namespace
 
 PlanarMesh unstretch(const PlanarMesh& mesh,
@@ -85,7 +59,6 @@ PlanarMesh unstretch(const PlanarMesh& mesh,
   const double least = flat * longest * longest;
   SubdividedMesh level;
   level.mesh = mesh;
-  level.links.facesAtPoint = facesAtPoints(mesh);
   for (std::size_t i = 0; i < moves.size(); ++i)
   {
     level.smooth.push_back(mesh.points[i].place + moves[i]);

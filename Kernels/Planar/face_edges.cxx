@@ -125,7 +125,7 @@ void tieToStrokes(const PlanarMesh& mesh, std::vector<FaceEdge>& edges)
 
 } // namespace
 
-FaceEdges faceEdges(const PlanarMesh& mesh)
+void requireFinite(const PlanarMesh& mesh)
 {
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
@@ -134,6 +134,19 @@ FaceEdges faceEdges(const PlanarMesh& mesh)
       refuse("point " + std::to_string(p) + " is not finite");
     }
   }
+}
+
+Lists facesAtPoints(const PlanarMesh& mesh)
+{
+  return listsAt(mesh.points.size(),
+    mesh.faces,
+    [](const PlanarFace& face, const auto& take)
+    { std::for_each(face.corners.begin(), face.corners.begin() + face.count(), take); });
+}
+
+FaceEdges faceEdges(const PlanarMesh& mesh)
+{
+  requireFinite(mesh);
   FaceEdges made;
   made.ofFace.assign(mesh.faces.size(), { -1, -1, -1, -1 });
   const std::vector<FaceSide> sides = faceSidesOf(mesh);
@@ -168,10 +181,7 @@ FaceEdges faceEdges(const PlanarMesh& mesh)
       take(edge.from);
       take(edge.to);
     });
-  made.facesAtPoint = listsAt(mesh.points.size(),
-    mesh.faces,
-    [](const PlanarFace& face, const auto& take)
-    { std::for_each(face.corners.begin(), face.corners.begin() + face.count(), take); });
+  made.facesAtPoint = facesAtPoints(mesh);
   return made;
 }
 

@@ -22,13 +22,19 @@ struct FaceEdges
   std::vector<FaceEdge> edges;            // ascending by (from, to)
   std::vector<std::array<int, 4>> ofFace; // from each corner to the next; the fourth of a triangle is -1
   Lists atPoint;                          // edges, ascending
-  Lists facesAtPoint;                     // ascending
+  Lists facesAtPoint;                     // ascending; empty where nobody asks for them (divided_edges.h)
 };
 
 // Throws Error(Failure::BadMesh), naming the place, where the mesh is not sound: a corner out of range or
 // there twice, a point that is not finite, an edge with more than two faces or with two that turn different
 // ways, an edge of a stroke that no face has or that is there twice, a border edge that lies on no stroke.
 FaceEdges faceEdges(const PlanarMesh& mesh);
+
+// Of each point the faces there, ascending.
+Lists facesAtPoints(const PlanarMesh& mesh);
+
+// Throws as faceEdges does where a point is not finite.
+void requireFinite(const PlanarMesh& mesh);
 
 // What the counter-clockwise triangle a, b, c covers; negative for a clockwise one.
 inline double signedArea(const Vector2& a, const Vector2& b, const Vector2& c)

@@ -12,15 +12,14 @@ constexpr int passesWithoutRing = 6;
 constexpr double leastWeight = 0.1;
 
 // The faces that share a point with one of these, ascending.
-std::vector<int> withTheirRing(const SubdividedMesh& level, const std::vector<int>& faces)
+std::vector<int> withTheirRing(const PlanarMesh& mesh, const Lists& at, const std::vector<int>& faces)
 {
   std::vector<int> ring;
   for (const int f : faces)
   {
-    const PlanarFace& face = level.mesh.faces[f];
+    const PlanarFace& face = mesh.faces[f];
     for (int i = 0; i < face.count(); ++i)
     {
-      const Lists& at = level.links.facesAtPoint;
       ring.insert(ring.end(), at.begin(face.corners[i]), at.end(face.corners[i]));
     }
   }
@@ -50,11 +49,21 @@ std::vector<int> movable(const PlanarMesh& mesh,
 
 } // namespace
 
-bool isInverted(const PlanarMesh& mesh, const PlanarFace& face, double least)
+namespace
+{
+
+// Where a point is, `placeOf` says.
+template <typename PlaceOf>
+bool isInvertedAt(const PlaceOf& placeOf, const PlanarFace& face, double least)
 {
   const int count = face.count();
-  const auto place = [&](int i) -> const Vector2& { return mesh.points[face.corners[i % count]].place; };
-  for (int i = 0; i < (count == 4 ? 4 : 1); ++i)
+  if (count == 3)
+  {
+    return !(
+      signedArea(placeOf(face.corners[0]), placeOf(face.corners[1]), placeOf(face.corners[2])) > least);
+  }
+  const auto place = [&](int i) -> const Vector2& { return placeOf(face.corners[i % count]); };
+  for (int i = 0; i < count; ++i)
   {
     if (!(signedArea(place(i), place(i + 1), place(i + 2)) > least))
     {
@@ -64,16 +73,20 @@ bool isInverted(const PlanarMesh& mesh, const PlanarFace& face, double least)
   return false;
 }
 
-std::vector<int> invertedFaces(const PlanarMesh& mesh, double least, const Context& context)
+template <typename PlaceOf>
+std::vector<int> invertedAt(const PlaceOf& placeOf,
+  const std::vector<PlanarFace>& all,
+  double least,
+  const Context& context)
 {
-  const int count = static_cast<int>(mesh.faces.size());
-  std::vector<char> inverted(mesh.faces.size());
+  const int count = static_cast<int>(all.size());
+  std::vector<char> inverted(all.size());
   context.parallelFor(count,
     [&](int begin, int end)
     {
       for (int f = begin; f < end; ++f)
       {
-        inverted[f] = isInverted(mesh, mesh.faces[f], least);
+        inverted[f] = isInvertedAt(placeOf, all[f], least);
       }
     });
   std::vector<int> faces;
@@ -87,12 +100,37 @@ std::vector<int> invertedFaces(const PlanarMesh& mesh, double least, const Conte
   return faces;
 }
 
+} // namespace
+
+bool isInverted(const PlanarMesh& mesh, const PlanarFace& face, double least)
+{
+  return isInvertedAt([&](int p) -> const Vector2& { return mesh.points[p].place; }, face, least);
+}
+
+std::vector<int> invertedFaces(const PlanarMesh& mesh, double least, const Context& context)
+{
+  return invertedAt(
+    [&](int p) -> const Vector2& { return mesh.points[p].place; }, mesh.faces, least, context);
+}
+
 std::vector<int> keepUpright(SubdividedMesh& level,
   double least,
   const std::set<int>& given,
   const Context& context)
 {
   std::vector<PlanarPoint>& points = level.mesh.points;
+  const auto isGiven = [&](int f) { return given.count(level.mesh.faces[f].base) > 0; };
+  std::vector<int> bad =
+    invertedAt([&](int p) -> const Vector2& { return level.smooth[p]; }, level.mesh.faces, least, context);
+  if (std::all_of(bad.begin(), bad.end(), isGiven))
+  {
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      points[p].place = level.smooth[p];
+    }
+    return {};
+  }
+  Lists facesAtPoint; // once it is asked for
   Polyline linear(points.size());
   std::vector<double> weights(points.size());
   for (std::size_t p = 0; p < points.size(); ++p)
@@ -103,14 +141,21 @@ std::vector<int> keepUpright(SubdividedMesh& level,
   }
   for (int pass = 1;; ++pass)
   {
-    std::vector<int> bad = invertedFaces(level.mesh, least, context);
-    const auto isGiven = [&](int f) { return given.count(level.mesh.faces[f].base) > 0; };
+    if (pass > 1)
+    {
+      bad = invertedFaces(level.mesh, least, context);
+    }
     bad.erase(std::remove_if(bad.begin(), bad.end(), isGiven), bad.end());
     if (movable(level.mesh, bad, weights).empty())
     {
       return bad;
     }
-    const std::vector<int> around = pass > passesWithoutRing ? withTheirRing(level, bad) : bad;
+    if (pass == passesWithoutRing + 1)
+    {
+      facesAtPoint = facesAtPoints(level.mesh);
+    }
+    const std::vector<int> around =
+      pass > passesWithoutRing ? withTheirRing(level.mesh, facesAtPoint, bad) : bad;
     for (const int p : movable(level.mesh, around, weights))
     {
       const double w = 0.5 * weights[p];

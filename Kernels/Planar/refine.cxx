@@ -273,7 +273,7 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
   for (int k = 0; k < options.levels; ++k)
   {
     context.checkpoint(static_cast<double>(k) / options.levels);
-    level = subdivide(level.mesh, level.links, curves, rule, context);
+    level = subdivide(level.mesh, level.links, curves, rule, k + 1 < options.levels, context);
     if (options.guard)
     {
       give(level.mesh, keepUpright(level, leastAt(k + 1), given, context));
@@ -299,7 +299,10 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
     }
   }
   result.mesh = std::move(level.mesh);
-  result.inverted = static_cast<int>(invertedFaces(result.mesh, leastAt(options.levels), context).size());
+  if (!options.guard) // else there is none
+  {
+    result.inverted = static_cast<int>(invertedFaces(result.mesh, leastAt(options.levels), context).size());
+  }
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "Planar/subdivide.h"
 
+#include "Planar/divided_edges.h"
 #include "Planar/pieces.h"
 
 #include <algorithm>
@@ -62,8 +63,10 @@ std::vector<PlanarPoint> linearPoints(const Level& level,
   const std::vector<StrokeByLength>& curves,
   const SubdivisionRule& rule)
 {
-  std::vector<PlanarPoint> points = level.mesh.points;
-  points.resize(level.pointCount() + level.edgeCount() + (rule.quads ? level.faceCount() : 0));
+  std::vector<PlanarPoint> points;
+  points.reserve(level.pointCount() + level.edgeCount() + (rule.quads ? level.faceCount() : 0));
+  points = level.mesh.points;
+  points.resize(points.capacity());
   level.forEach(level.edgeCount(),
     [&](int e)
     {
@@ -141,13 +144,19 @@ PlanarMesh linearMesh(const Level& level,
   return made;
 }
 
-// Where the masks have a point of the mesh that is not on its border.
-Vector2 loopPlace(const Level& level, int point)
+double betaOf(int n)
+{
+  const double inner = 0.375 + 0.25 * std::cos(fullTurn / n);
+  return (0.625 - inner * inner) / n;
+}
+
+// Where the masks have a point of the mesh that is not on its border; `usual` is the weight where six meet,
+// as at all points that a level makes.
+Vector2 loopPlace(const Level& level, double usual, int point)
 {
   const Lists& at = level.links.atPoint;
   const int n = at.size(point);
-  const double inner = 0.375 + 0.25 * std::cos(fullTurn / n);
-  const double beta = (0.625 - inner * inner) / n;
+  const double beta = n == 6 ? usual : betaOf(n);
   Vector2 sum = Vector2::Zero();
   for (const int* e = at.begin(point); e != at.end(point); ++e)
   {
@@ -203,28 +212,47 @@ bool onBorder(const FaceEdges& links, int point)
   return links.atPoint.size(point) == 0;
 }
 
+// Whether a point of the next level lies on the border.
+bool isOnBorder(const Level& level, int point)
+{
+  const int e = point - level.pointCount();
+  return e < 0 ? onBorder(level.links, point) : e < level.edgeCount() && level.links.edges[e].faces[1] < 0;
+}
+
 // Where the masks alone have the points; those of the mesh's border, which have none, and of rims where
 // `linear` has them.
 Polyline maskPlaces(const Level& level, const PlanarMesh& linear, bool quads)
 {
   Polyline smooth(linear.points.size());
-  level.forEach(static_cast<int>(smooth.size()), [&](int p) { smooth[p] = linear.points[p].place; });
+  const double usual = betaOf(6);
+  for (int f = 0; quads && f < level.faceCount(); ++f)
+  {
+    smooth[level.facePoint(f)] = linear.points[level.facePoint(f)].place;
+  }
   level.forEach(level.edgeCount(),
     [&](int e)
     {
       const FaceEdge& edge = level.links.edges[e];
-      if (edge.faces[1] >= 0 && !isRim(linear.points[level.edgePoint(e)].kind))
+      const int p = level.edgePoint(e);
+      if (edge.faces[1] < 0 || isRim(linear.points[p].kind))
       {
-        smooth[level.edgePoint(e)] =
-          quads ? catmullClarkMiddle(level, smooth, edge) : loopMiddle(level, edge);
+        smooth[p] = linear.points[p].place;
+      }
+      else
+      {
+        smooth[p] = quads ? catmullClarkMiddle(level, smooth, edge) : loopMiddle(level, edge);
       }
     });
   level.forEach(level.pointCount(),
     [&](int p)
     {
-      if (!isRim(level.mesh.points[p].kind) && !onBorder(level.links, p))
+      if (isRim(level.mesh.points[p].kind) || onBorder(level.links, p))
       {
-        smooth[p] = quads ? catmullClarkPlace(level, smooth, p) : loopPlace(level, p);
+        smooth[p] = linear.points[p].place;
+      }
+      else
+      {
+        smooth[p] = quads ? catmullClarkPlace(level, smooth, p) : loopPlace(level, usual, p);
       }
     });
   return smooth;
@@ -273,41 +301,83 @@ SubdividedMesh subdivide(const PlanarMesh& mesh,
   const FaceEdges& links,
   const std::vector<StrokeByLength>& curves,
   const SubdivisionRule& rule,
+  bool goesOn,
   const Context& context)
 {
   const Level level{ mesh, links, context };
   SubdividedMesh made;
   made.mesh = linearMesh(level, curves, rule);
-  made.links = faceEdges(made.mesh);
+  if (rule.quads)
+  {
+    made.links = faceEdges(made.mesh);
+  }
+  else
+  {
+    requireFinite(made.mesh);
+    made.links = goesOn ? dividedEdges(mesh, links, made.mesh) : FaceEdges();
+  }
+  made.smooth = maskPlaces(level, made.mesh, rule.quads);
   const std::vector<PlanarPoint>& points = made.mesh.points;
   const int count = static_cast<int>(points.size());
   made.free.resize(points.size());
   level.forEach(count, [&](int p) { made.free[p] = points[p].stroke < 0; });
-
-  const Polyline masks = maskPlaces(level, made.mesh, rule.quads);
-  made.smooth.resize(points.size());
+  if (std::all_of(rule.kinds.begin(), rule.kinds.end(), isRim))
+  {
+    return made; // of rims no mask has moved a point
+  }
+  // Of features' points, how far the strokes have them from where the masks would.
+  Polyline snaps;
+  std::vector<char> snapped;
+  for (int p = 0; p < count; ++p)
+  {
+    if (made.free[p])
+    {
+      continue;
+    }
+    if (rule.share != 0.0 && !isRim(points[p].kind) && !isOnBorder(level, p))
+    {
+      snaps.resize(points.size(), Vector2::Zero());
+      snapped.resize(points.size(), 0);
+      snaps[p] = points[p].place - made.smooth[p];
+      snapped[p] = 1;
+    }
+    made.smooth[p] = points[p].place;
+  }
+  if (snapped.empty())
+  {
+    return made;
+  }
   level.forEach(count,
     [&](int p)
     {
-      made.smooth[p] = made.free[p] ? masks[p] : points[p].place;
-      if (!made.free[p] || rule.share == 0.0)
+      if (!made.free[p])
       {
         return;
       }
       Vector2 sum = Vector2::Zero();
-      int snapped = 0;
-      for (const int* e = made.links.atPoint.begin(p); e != made.links.atPoint.end(p); ++e)
+      int number = 0;
+      const auto take = [&](int q)
       {
-        const int q = made.links.edges[*e].other(p);
-        if (!made.free[q] && !isRim(points[q].kind) && !onBorder(made.links, q))
+        if (snapped[q])
         {
-          sum += points[q].place - masks[q];
-          ++snapped;
+          sum += snaps[q];
+          ++number;
+        }
+      };
+      if (rule.quads)
+      {
+        for (const int* e = made.links.atPoint.begin(p); e != made.links.atPoint.end(p); ++e)
+        {
+          take(made.links.edges[*e].other(p));
         }
       }
-      if (snapped > 0)
+      else
       {
-        made.smooth[p] += rule.share / snapped * sum;
+        forDividedNeighbours(links, level.pointCount(), p, take);
+      }
+      if (number > 0)
+      {
+        made.smooth[p] += rule.share / number * sum;
       }
     });
   return made;

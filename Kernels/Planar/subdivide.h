@@ -40,7 +40,7 @@ struct SubdivisionRule
 struct SubdividedMesh
 {
   PlanarMesh mesh; // points of strokes on these; others in the middle of edges and faces, old ones unmoved
-  FaceEdges links;
+  FaceEdges links; // where the subdivision goes on
   Polyline smooth; // where the subdivision's masks and the snap have each point; those of strokes on these
   std::vector<char> free; // on no stroke
 };
@@ -57,11 +57,12 @@ struct SubdividedMesh
 // Points of the mesh keep their numbers; then one for each edge, in order, then, with quads, one for each
 // face. Faces of a face follow each other, each starts at a corner of it, with triangles the inner one is the
 // last. An edge on a stroke becomes two. Regions, objects and bases are inherited. The same for any number of
-// threads.
+// threads. `goesOn`: another level follows, which needs the links.
 SubdividedMesh subdivide(const PlanarMesh& mesh,
   const FaceEdges& links,
   const std::vector<StrokeByLength>& curves,
   const SubdivisionRule& rule,
+  bool goesOn,
   const Context& context);
 
 } // namespace oversketch

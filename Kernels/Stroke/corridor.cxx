@@ -1,5 +1,7 @@
 #include "Stroke/corridor.h"
 
+#include "Stroke/path_search.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -271,16 +273,19 @@ PathField DrawnOver::corridor(int from, int to) const
         xa = static_cast<int>(std::clamp(middle - half, static_cast<double>(xa), xb + 1.0));
         xb = static_cast<int>(std::clamp(middle + half, xa - 1.0, static_cast<double>(xb)));
       }
+      const double py = field.y0 + y, across = (py - a[1]) * way[1];
+      const std::size_t row = static_cast<std::size_t>(y) * field.width;
       for (int x = xa; x <= xb; ++x)
       {
-        const Vector2 p(field.x0 + x, field.y0 + y);
-        const double t = square > 0.0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
-        const double distance = (a + t * way - p).squaredNorm();
-        const std::size_t at = static_cast<std::size_t>(y) * field.width + x;
-        if (distance <= limit && static_cast<float>(distance) < nearest[at])
+        const double px = field.x0 + x, place = (px - a[0]) * way[0] + across;
+        // A segment is short beside the radius: of most pixels an end is nearest, and nothing is divided.
+        const double t = place <= 0.0 ? 0.0 : place >= square ? 1.0 : place / square;
+        const double dx = a[0] + t * way[0] - px, dy = a[1] + t * way[1] - py;
+        const double distance = dx * dx + dy * dy;
+        if (distance <= limit && static_cast<float>(distance) < nearest[row + x])
         {
-          nearest[at] = static_cast<float>(distance);
-          samples[at] = t < 0.5 ? i : i + 1;
+          nearest[row + x] = static_cast<float>(distance);
+          samples[row + x] = t < 0.5 ? i : i + 1;
         }
       }
     }
@@ -323,11 +328,14 @@ PartPaths pathsBetweenSeeds(const DrawnOver& drawn, const std::vector<int>& ends
   }
   PartPaths paths;
   const std::vector<PathField> fields = corridors(drawn, ends, context);
+  PathSearch search;
   for (std::size_t part = 0; part < fields.size(); ++part)
   {
     context.checkpoint(static_cast<double>(part) / static_cast<double>(ends.size()));
     // A seed of a stroke that leaves the picture may have no pixel in the corridor: no path then.
-    paths.pixels.push_back(leastPath(drawn.features, fields[part], places[part], places[part + 1], context));
+    paths.pixels.push_back(
+      search(drawn.features, fields[part], { { places[part], 0.0 } }, { places[part + 1] }, context)
+        .pathTo(places[part + 1]));
   }
   tellStrong(fields, paths);
   return paths;
@@ -342,8 +350,9 @@ PartPaths pathsTogether(const DrawnOver& drawn, const std::vector<int>& ends, co
   {
     sections.push_back(drawn.section(end));
   }
+  PathSearch search;
   const auto treeOf = [&](std::size_t part, const std::vector<PathTree::Start>& starts)
-  { return PathTree(drawn.features, fields[part], starts, sections[part + 1], context); };
+  { return search(drawn.features, fields[part], starts, sections[part + 1], context); };
   if (drawn.closed && count > 1)
   {
     // A closed one passes its start where the cheapest way along the two parts there does.

@@ -44,36 +44,6 @@ std::vector<Pixel> leastPath(const EdgeFeatures& features,
   const Pixel& to,
   const Context& context);
 
-// The cheapest ways from some pixels of a field, at each of which a way has cost something already, to
-// others; costs as above, and those of the field besides.
-class PathTree
-{
-public:
-  struct Start
-  {
-    Pixel pixel;
-    double cost;
-  };
-  // Looks until all of the targets that can be reached are. Pixels that are not the field's are left out.
-  PathTree(const EdgeFeatures& features,
-    const PathField& field,
-    const std::vector<Start>& starts,
-    const std::vector<Pixel>& targets,
-    const Context& context);
-
-  // Of a target: infinite where no way leads.
-  double cost(const Pixel& target) const;
-  // From a start to a target; empty where no way leads.
-  std::vector<Pixel> pathTo(const Pixel& target) const;
-
-private:
-  int index(const Pixel& pixel) const;
-
-  int X0, Y0, Width, Height;
-  std::vector<double> Reached;
-  std::vector<std::uint8_t> Back; // the number of the last step to a pixel; that of steps where a way begins
-};
-
 // The same cost of a given path, by its formula.
 double pathCost(const EdgeFeatures& features, const PathField& field, const std::vector<Pixel>& path);
 

@@ -1,6 +1,7 @@
-// Refinement of a planar mesh by Loop's scheme, three levels: ours, which puts what lies on strokes on them
-// and turns no face over, beside CGAL's and VTK's, which do neither, at equal counts. Free points are
-// compared with CGAL's.
+// Refinement of a planar mesh by Loop's scheme, three levels, at equal counts, beside CGAL's and VTK's: ours
+// whole, which shares the snap of features, lets no face turn over and hands back what it cannot keep from
+// it, and ours without these three, which only puts the rim on its stroke. Free points are compared with
+// CGAL's.
 #include "benchmark_frame.h"
 
 #include "Planar/refine.h"
@@ -78,20 +79,26 @@ Sheet& sheet()
   return made;
 }
 
-void refineOurs()
+void refineOurs(bool whole)
 {
   PlanarRefineOptions options;
   options.levels = levels;
+  if (!whole)
+  {
+    options.guard = false;
+    options.snapShare = 0.0;
+  }
   sheet().made = refinePlanar(sheet().drawing.mesh, sheet().drawing.strokes, options, Context()).mesh;
 }
 
-void side(const std::string& who,
+void side(const std::string& name,
+  const std::string& who,
   const std::function<void()>& prepare,
   const std::function<void()>& run,
   const std::function<std::map<std::string, double>()>& figures)
 {
   Job job;
-  job.job = "refinement";
+  job.job = name;
   job.size = std::to_string(2 * cells * cells);
   job.who = who;
   job.threads = 1;
@@ -102,10 +109,18 @@ void side(const std::string& who,
 }
 
 #ifdef OVERSKETCH_CGAL
+void refineTheirs()
+{
+  sheet().theirs = sheet().coarse;
+  CGAL::Subdivision_method_3::Loop_subdivision(
+    sheet().theirs, CGAL::parameters::number_of_iterations(levels));
+}
+
 // Of points well inside, where no border rule reaches, how far ours are from the nearest of theirs, at most.
 double apartFromTheirs()
 {
   std::vector<Vector2> places;
+  refineTheirs(); // whoever's turn was first
   for (const auto vertex : sheet().theirs.vertices())
   {
     const auto& p = sheet().theirs.point(vertex);
@@ -145,44 +160,46 @@ double apartFromTheirs()
 
 void jobs()
 {
-  const auto ready = [] { sheet(); };
-  side(
-    "ours",
-    ready,
-    [] { refineOurs(); },
-    []
-    {
-      std::map<std::string, double> figures{ { "triangles",
-        static_cast<double>(sheet().made.faces.size()) } };
+  for (const bool whole : { true, false })
+  {
+    const std::string name = whole ? "refinement" : "refinement, Loop alone";
+    side(
+      name,
+      "ours",
+      [] { sheet(); },
+      [whole] { refineOurs(whole); },
+      []
+      {
+        std::map<std::string, double> figures{ { "triangles",
+          static_cast<double>(sheet().made.faces.size()) } };
 #ifdef OVERSKETCH_CGAL
-      figures["apart_from_cgal"] = apartFromTheirs();
+        figures["apart_from_cgal"] = apartFromTheirs();
 #endif
-      return figures;
-    });
-  side(
-    "VTK",
-    [] { sheet().forVtk->Modified(); },
-    [] { sheet().loop->Update(); },
-    []
-    {
-      return std::map<std::string, double>{ { "triangles",
-        static_cast<double>(sheet().loop->GetOutput()->GetNumberOfPolys()) } };
-    });
+        return figures;
+      });
+    side(
+      name,
+      "VTK",
+      [] { sheet().forVtk->Modified(); },
+      [] { sheet().loop->Update(); },
+      []
+      {
+        return std::map<std::string, double>{ { "triangles",
+          static_cast<double>(sheet().loop->GetOutput()->GetNumberOfPolys()) } };
+      });
 #ifdef OVERSKETCH_CGAL
-  side(
-    "CGAL",
-    [] { sheet().theirs = sheet().coarse; },
-    []
-    {
-      CGAL::Subdivision_method_3::Loop_subdivision(
-        sheet().theirs, CGAL::parameters::number_of_iterations(levels));
-    },
-    []
-    {
-      return std::map<std::string, double>{ { "triangles",
-        static_cast<double>(sheet().theirs.number_of_faces()) } };
-    });
+    side(
+      name,
+      "CGAL",
+      [] { sheet(); },
+      [] { refineTheirs(); },
+      []
+      {
+        return std::map<std::string, double>{ { "triangles",
+          static_cast<double>(sheet().theirs.number_of_faces()) } };
+      });
 #endif
+  }
 }
 
 } // namespace oversketch_bench
