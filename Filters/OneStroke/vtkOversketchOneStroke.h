@@ -18,7 +18,8 @@
  * outline has not left the stroke by 0.5 px more, in the mean and at worst, and no more edges are folded, or
  * if it is nearer to the stroke by 0.5 px at worst and no more than five edges were folded; and never where
  * what moved is rougher (mean angle between triangles over 1.25 times plus 1 degree of the plain one's, or
- * over 0.01 more of the edges' length beyond 40 degrees), since a limb is seen by its shading.
+ * over 0.01 more of the edges' length beyond 40 degrees), since a limb is seen by its shading. Of a remeshed
+ * result with more than five edges folded, as of fur that is pressed flat, folds are taken out.
  *
  * Every result is judged before it is handed over, as it is seen by who drew: the outline against the stroke
  * both ways, folded edges, stretch, roughness before and after, the share of the surface that moved and what

@@ -419,7 +419,15 @@ void vtkOversketchOneStroke::Pipeline::RunRemeshed()
   const char* remeshed =
     this->Corrected("Stretch", "DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
   this->Restore->SetInputConnection(0, this->Self->GetStep(remeshed)->GetOutputPort());
+  this->Restore->TakeOutFoldsOff();
   this->Self->RunStage("Restore");
+  if (!this->Self->AsPublished &&
+      this->Folds("Restore") - this->Folds("RegionBorder") > Judgement::tolerableFolds)
+  {
+    this->Restore->TakeOutFoldsOn();
+    this->MadeMeshes.erase("Restore");
+    this->Self->RunStage("Restore");
+  }
   this->Self->Remeshed = this->Self->Remesh == RemeshOn || this->RemeshingKept();
   if (this->Self->Remeshed)
   {

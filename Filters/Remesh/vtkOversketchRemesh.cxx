@@ -153,6 +153,7 @@ vtkOversketchRemesh::Cache::Question vtkOversketchRemesh::Cache::Read(vtkOverske
     question.Guide,
     self->ProtectSection ? 1.0 : 0.0,
     self->KeepSmooth ? 1.0 : 0.0,
+    self->TakeOutFolds ? 1.0 : 0.0,
     self->MinimumFactor };
   for (const Binding& binding : question.Handles)
   {
@@ -213,7 +214,8 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
                           question.Handles,
                           self->ProtectSection,
                           self->Iterations,
-                          self->KeepSmooth },
+                          self->KeepSmooth,
+                          self->TakeOutFolds },
     ContextOf(self));
   ++self->RemeshCount;
   self->GuideLength = guide;
@@ -429,6 +431,7 @@ void vtkOversketchRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LimitByDiameter: " << (this->LimitByDiameter ? "On" : "Off") << "\n";
   os << indent << "ProtectSection: " << (this->ProtectSection ? "On" : "Off") << "\n";
   os << indent << "KeepSmooth: " << (this->KeepSmooth ? "On" : "Off") << "\n";
+  os << indent << "TakeOutFolds: " << (this->TakeOutFolds ? "On" : "Off") << "\n";
   os << indent << "MinimumFactor: " << this->MinimumFactor << "\n";
   os << indent << "GuideLength: " << this->GuideLength << "\n";
   os << indent << "Factor: " << this->Factor << "\n";

@@ -27,6 +27,8 @@
  * drift;
  * - k is limited to [MinimumFactor, 1];
  * - folded edges (normals over 100 degrees apart) are not split: there shall never be more of them;
+ * - (TakeOutFolds) at last vertices at folded edges move towards the mean of their neighbours, off the
+ * surface where less is folded then, but none on the region's border, a seam or a border of the mesh;
  * - a move that folds a triangle, makes one narrower than 30 degrees (a collapse 25, a split 10) that was
  * not, or cuts off a tip is refused.
  *
@@ -148,6 +150,15 @@ public:
 
   ///@{
   /**
+   * At last take out folds that the input has (see the departures). Default off, as published.
+   */
+  vtkSetMacro(TakeOutFolds, bool);
+  vtkGetMacro(TakeOutFolds, bool);
+  vtkBooleanMacro(TakeOutFolds, bool);
+  ///@}
+
+  ///@{
+  /**
    * Least k, and least share of L k that the limit by diameter may ask for; dimensionless, 0.05 to 1. Default
    * 0.2.
    */
@@ -182,6 +193,7 @@ private:
   bool LimitByDiameter = true;
   bool ProtectSection = true;
   bool KeepSmooth = true;
+  bool TakeOutFolds = false;
   double MinimumFactor = 0.2;
   double GuideLength = 0.0;
   double Factor = 1.0;

@@ -4,6 +4,7 @@
 #include "Remesh/passes.h"
 #include "Remesh/relax.h"
 #include "Remesh/sizing.h"
+#include "Remesh/unfold.h"
 
 #include <algorithm>
 #include <cmath>
@@ -333,6 +334,10 @@ RemeshResult remesh(const RemeshInput& input, const Context& context)
     steps.next();
   }
   flipAll(patch, true, steps);
+  if (input.takeOutFolds)
+  {
+    unfold(patch, context);
+  }
   return Assembly(input, active, cutout, surface, patch).run(context);
 }
 

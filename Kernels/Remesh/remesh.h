@@ -24,6 +24,7 @@ struct RemeshInput
   // Edges over 50 degrees stay where they are, and are only split; no move makes the surface turn more
   // sharply.
   bool keepSmooth = true;
+  bool takeOutFolds = false; // see unfold()
 };
 
 struct RemeshResult

@@ -200,6 +200,15 @@ def test_about_a_tip_is_its_own_limb_alone():
     assert not found[len(points):].any() and (away[len(points):] < 0.3).sum() > 10
 
 
+def test_how_much_a_peak_sticks_out():
+    """Two rows of points along peaks of 5, 9 and 6 with passes of 3 and 4 between, the second row a little lower; a point without triangles."""
+    row = np.array([0, 5, 3, 9, 4, 6, 1.0])
+    height = np.r_[row, row - 0.5, 20.0]
+    triangles = np.array([t for k in range(6) for t in ((k, k + 1, 7 + k), (k + 1, 8 + k, 7 + k))])
+    out = strokes.prominences(height, triangles)
+    assert out[[1, 3, 5]].tolist() == [2.0, np.inf, 2.0] and not out[[0, 2, 4, 6, *range(7, 15)]].any()
+
+
 def test_capsule_limb_is_the_leg():
     t = np.linspace(0, 1, 30)[:, None]
     leg = (1 - t) * np.array([0.22, 0.16, -0.3]) + t * np.array([0.22, 0.16, -1.4])

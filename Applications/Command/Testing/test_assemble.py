@@ -416,7 +416,9 @@ HOSTILE = {  # what the file holds, and what the message says beside the file's 
     "words in a matrix": ({"parts": [{"mesh": "t.vtp", "placement": moved(1, 1, "NaN")}]},
                           "part 0: 'placement' holds something that is no number"),
     "1e300": ({"parts": [{"mesh": "t.vtp", "placement": moved(0, 3, 1e300)}]}, "part 0: 'placement' holds a number beyond 1e9"),
-    "1e999": ('{"parts": [{"mesh": "t.vtp", "depth": 1e999}]}', "part"),  # for jsoncpp no JSON, since 1.9.5 an infinite number
+    # Read as an infinite number or refused as no JSON, as jsoncpp's version has it; either names the value.
+    "1e999": ('{"parts": [{"mesh": "t.vtp", "depth": 1e999}]}',
+              ("part 0: 'depth' holds something that is no number", "it is no JSON: Line 1, Column 39")),
     "a flat one": ({"parts": [{"mesh": "t.vtp", "placement": moved(2, 2, 0)}]},
                    "part 0: 'placement': A part's placement flattens it; no scale"),
     "1e-300": ({"parts": [{"mesh": "t.vtp", "placement": moved(2, 2, 1e-300)}]}, "part 0: 'placement' scales the part by less than 1e-9"),
@@ -458,7 +460,8 @@ def test_what_is_not_right_is_one_message(folder, name):
     (folder / "parts.json").write_text(content if isinstance(content, str) else json.dumps(content))
     before = sorted(os.listdir(folder))
     message = refuse(1, "assemble", folder / "parts.json", "-o", folder / "o.vtp", "--report", folder / "o.json")
-    assert str(folder / "parts.json") in message and all(word in message for word in words), message
+    said = [any(way in message for way in (word if isinstance(word, tuple) else (word,))) for word in words]
+    assert str(folder / "parts.json") in message and all(said), message
     assert sorted(os.listdir(folder)) == before
 
 

@@ -230,7 +230,8 @@ def test_what_cannot_be_made_is_said_and_nothing_written(folder, tmp_path, more,
 @pytest.mark.parametrize("text, words", [
     ("", "JSON"), ("[]", "is no object"), ('{"layers": 5}', "'layers' is no member of it; these are: levels, handles, areas"),
     ('{"levels": 1}', "'levels'"), ('{"levels": 5.5}', "'levels'"), ('{"handles": [0.5]}', "no pair [from, to]"),
-    ('{"handles": [[0.5, 1e999]]}', ""), ('{"handles": [[0.5, NaN]]}', "JSON"), ('{"levels": 1e18}', "'levels'"), ('{"levels": -1}', "'levels'"),
+    ('{"handles": [[0.5, 1e999]]}', ("no pair [from, to]", "it is no JSON: Line 1, Column 20")),
+    ('{"handles": [[0.5, NaN]]}', "JSON"), ('{"levels": 1e18}', "'levels'"), ('{"levels": -1}', "'levels'"),
     ('{"levels": "7"}', "'levels'"), ('{"handles": [[0.5, 0.4], [0.5, 0.3]]}', "Layer handle 1"), ('{"handles": [[]]}', "no pair [from, to]"),
     ('{"areas": [{"levels": 3}]}', "area 0"), ('{"levels": 5', "JSON"), ('{"handles": [[0.5, "x"]]}', "no pair [from, to]"), ('{"handles": 3}', "no list"),
     ('{"areas": {}}', "no list of at most 64"), ('{"areas": [{}]}', "area 0"), ('{"areas": [7]}', "area 0"),
@@ -242,7 +243,8 @@ def test_layers_that_are_none(folder, tmp_path, text, words):
     layers = tmp_path / "layers.json"
     layers.write_text(text.replace("PATH", os.path.relpath(folder / "area.vtp", tmp_path)))
     said = refuse(1, *command(folder, tmp_path / "o.vtp", "--move", "0.5,n,1%", "--layers", layers))
-    assert words.lower() in said.lower(), said
+    ways = words if isinstance(words, tuple) else (words,)  # as jsoncpp's version has it
+    assert any(way.lower() in said.lower() for way in ways), said
     assert os.listdir(tmp_path) == ["layers.json"]
 
 

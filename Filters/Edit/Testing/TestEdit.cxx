@@ -12,6 +12,8 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkImplicitPolyDataDistance.h"
+#include "vtkMassProperties.h"
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
@@ -43,6 +45,20 @@ vtkSmartPointer<vtkPolyData> archOfSection()
   drawn->SetPoints(points);
   drawn->SetLines(lines);
   return drawn;
+}
+
+double distanceToSurface(vtkPolyData* mesh, const Vector3& p)
+{
+  vtkNew<vtkImplicitPolyDataDistance> distance;
+  distance->SetInput(mesh);
+  return std::abs(distance->EvaluateFunction(p[0], p[1], p[2]));
+}
+
+double volumeOf(vtkPolyData* mesh)
+{
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(mesh);
+  return mass->GetVolume();
 }
 
 } // namespace
@@ -364,7 +380,18 @@ TEST(EditSystem, AProfileIsFollowed)
   s.filter->SetProfileData(archOfSection());
   vtkPolyData* output = s.run();
   EXPECT_GT(s.filter->GetMovedPoints(), 0);
-  EXPECT_GT(output->GetNumberOfPolys(), 0);
+  // Its top, which stands far off the bear, is on the surface now, and the bear has grown by what lies below.
+  vtkPolyData* section = s.filter->GetInnerOutput("Section");
+  Eigen::Matrix4d toWorld;
+  for (int k = 0; k < 16; ++k)
+  {
+    toWorld(k / 4, k % 4) = section->GetFieldData()->GetArray("ProfileMatrix")->GetComponent(0, k);
+  }
+  const Vector3 top = (toWorld * Vector3(0.5, 0.5, 0.0).homogeneous()).head<3>();
+  const double edge = output->GetFieldData()->GetArray("MeanEdge")->GetComponent(0, 0);
+  EXPECT_LT(distanceToSurface(output, top), 0.3 * edge);
+  EXPECT_GT(distanceToSurface(s.mesh, top), 5.0 * edge);
+  EXPECT_GT(volumeOf(output), volumeOf(s.mesh));
   Executions count(s.filter);
   s.filter->SetProfileAt(0.6);
   s.run();

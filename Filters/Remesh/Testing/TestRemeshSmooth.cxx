@@ -3,6 +3,8 @@
 
 #include "Mesh/roughness.h"
 
+#include "vtkSMPTools.h"
+
 using namespace oversketch_test;
 
 namespace
@@ -186,4 +188,65 @@ TEST(Remesh, LengthsOfStageStretchAreThoseOfStageRestore)
     doubles("EdgeLength", std::vector<double>(3 * dense->GetNumberOfPoints(), 1.0), 3));
   Remeshed refused(bad, vtkOversketchRemesh::Restore);
   expectRefusal(refused.filter, Failure::MissingArray, "EdgeLength");
+}
+
+// Points of a cap that lie over each other, as where hairs are pressed flat: what the other passes leave
+// folded.
+TEST(Remesh, FoldsAreTakenOut)
+{
+  Mesh mesh = icosphere(4);
+  unsigned seed = 7;
+  const auto random = [&seed]
+  {
+    seed = seed * 1664525U + 1013904223U;
+    return static_cast<double>(seed) / 4294967296.0 - 0.5;
+  };
+  for (Vector3& p : mesh.points)
+  {
+    const Vector3 shift(random(), random(), random());
+    if (p[2] > 0.7)
+    {
+      p = (p + 0.22 * shift).normalized();
+    }
+  }
+  const auto input = withRegion(mesh, upperHalf);
+  const auto foldsOf = [](vtkPolyData* data)
+  {
+    const Mesh shape = MeshOf(data);
+    const Adjacency adjacency = buildAdjacency(shape);
+    int folds = 0;
+    for (std::size_t e = 0; e < adjacency.edges.size(); ++e)
+    {
+      const int* sides = adjacency.trianglesBegin(static_cast<int>(e));
+      folds += facetNormal(shape, sides[0]).dot(facetNormal(shape, sides[1])) < std::cos(100.0 * pi / 180.0);
+    }
+    return folds;
+  };
+  Remeshed usual(input, vtkOversketchRemesh::Restore), other(input, vtkOversketchRemesh::Restore);
+  other.filter->TakeOutFoldsOn();
+  const auto left = usual.run(), out = other.run();
+  EXPECT_GT(foldsOf(input), 100);
+  EXPECT_GT(foldsOf(left), 20);
+  EXPECT_LT(foldsOf(out), foldsOf(left) / 3);
+  expectOutsideUntouched(input, out);
+  // Points alone differ.
+  ASSERT_EQ(out->GetNumberOfPoints(), left->GetNumberOfPoints());
+  EXPECT_EQ(MeshOf(out).triangles, MeshOf(left).triangles);
+  for (const int threads : { 1, 2 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
+      [&]
+      {
+        Remeshed again(input, vtkOversketchRemesh::Restore);
+        again.filter->TakeOutFoldsOn();
+        EXPECT_EQ(contentOf(again.run()), contentOf(out)) << threads;
+      });
+  }
+  // Where nothing is folded nothing moves.
+  const auto smooth = withRegion(icosphere(4), upperHalf);
+  Remeshed plain(smooth, vtkOversketchRemesh::Restore), asked(smooth, vtkOversketchRemesh::Restore);
+  asked.filter->TakeOutFoldsOn();
+  EXPECT_EQ(contentOf(asked.run()), contentOf(plain.run()));
+  std::cout << foldsOf(input) << " folded edges, " << foldsOf(left) << " after remeshing, " << foldsOf(out)
+            << " are left\n";
 }

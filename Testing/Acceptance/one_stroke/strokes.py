@@ -29,6 +29,7 @@ KINDS = {  # amounts to try, the boldest first
 PER_MODEL = 4
 PER_KNOWN_MODEL = 8  # of capsule_figure, whose limbs are known exactly
 SPACING = 2.0  # px between the outline points that limbs are searched on
+LEAST_LIMB = 0.008  # of the model's size; what sticks out by less is a bump or a tuft of fur, and no limb (an ear of a dog is 0.009)
 
 
 # ------------------------------------------------------------------------------------------- tips of a model
@@ -50,7 +51,7 @@ def geodesic(mesh, start):
 
 def tips(points, triangles):
     """The limb tips of a welded mesh, vertices whose mean geodesic distance to the rest is largest about them, each with
-    its distances to all vertices."""
+    its distances to all vertices; and of each by how much it sticks out."""
     mesh = meshes.to_polydata(points, triangles)
     used = np.unique(triangles)
     chosen = [int(used[np.argmax(((points[used] - points[used].mean(0)) ** 2).sum(1))])]
@@ -77,7 +78,33 @@ def tips(points, triangles):
         field = geodesic(mesh, v)
         if np.all(mean[field < radius] <= mean[v]):
             found.append((int(v), field))
-    return dict(found)
+    out = prominences(mean, triangles)
+    return dict(found), {v: out[v] for v, _ in found}
+
+
+def prominences(height, triangles):
+    """Of each vertex how much higher it is than the pass to something higher, over edges: the persistence of peaks. Infinite where nothing is
+    higher, 0 of what is no peak."""
+    pairs, found = meshes.edges_of(triangles)[0], np.zeros(len(height))
+    both = np.concatenate([pairs, pairs[:, ::-1]])
+    both = both[np.argsort(both[:, 0], kind="stable")]
+    start = np.searchsorted(both[:, 0], np.arange(len(height) + 1))
+    peak = np.full(len(height), -1)  # towards the highest vertex of what is joined so far
+
+    def top(v):
+        while peak[v] != v:
+            peak[v] = v = peak[peak[v]]
+        return v
+    for v in np.argsort(-height, kind="stable"):
+        peak[v] = v
+        for other in both[start[v]:start[v + 1], 1]:
+            if peak[other] < 0:
+                continue
+            high, low = sorted((top(other), top(v)), key=lambda k: -height[k])
+            if high != low:
+                found[low], peak[low] = height[low] - height[v], high
+    found[[v for v in np.unique(triangles) if peak[v] == v]] = np.inf
+    return found
 
 
 # ------------------------------------------------------------------------------------------ limbs in a view
@@ -242,8 +269,8 @@ def views_of(points, up):
 def strokes_for(name, mesh, up, number=0, count=PER_MODEL, views=views_of):
     """A model's strokes: (stroke polydata with its note). Spread over its limbs, the kinds and both projections."""
     points, triangles, _ = meshes.weld(*meshes.arrays(mesh))
-    paths = tips(points, triangles)
-    all_tips = list(paths)
+    paths, sticks_out = tips(points, triangles)
+    all_tips, size = list(paths), np.linalg.norm(np.ptp(points, axis=0))
     candidates = []
     for view_number, perspective, view in views(points, up):
         if (view_number % 2 == 0) == perspective:  # each view with one projection
@@ -302,7 +329,8 @@ def strokes_for(name, mesh, up, number=0, count=PER_MODEL, views=views_of):
             note = {"name": f"{name}-{len(made) + 1}-{kind}", "model": name, "kind": kind, "amount": amount,
                     "projection": "perspective" if c["perspective"] else "orthographic",
                     "tip": points[c["tip"]].tolist(), "section": np.round(c["limb"]["section"], 2).tolist(),
-                    "other_tips": [points[t].tolist() for t in all_tips if t not in c["inner"] and t != c["tip"]]}
+                    "other_tips": [points[t].tolist() for t in all_tips
+                                   if t not in c["inner"] and t != c["tip"] and sticks_out[t] >= LEAST_LIMB * size]}
             made.append((stroke_files.polydata(pen(line, len(made)), c["view"], note), note))
             used_tips.append(c["tip"])
             used_views.append((c["view_number"], c["tip"]))
