@@ -117,7 +117,8 @@ def judge(folder):
         recut(case, result)
     result["far"] = sum(far(case, name) for name in ("dragged", "profiled", "part") if case.has(name))
     if case.has("zero"):
-        result["as it was"] = " ".join(name for name in ("zero", "same", "black") if not case.has(name) or not same(case, name))
+        result["as it was"] = " ".join(name for name in ("zero", "same", "black") if (name != "same" or case.has("profile"))
+                                       and not (case.has(name) and same(case, name)))
     asked = [(name, holds) for name, asks, holds in BOUNDS if result.get(name) is not None and asks(result)]
     result["asks"], result["fails"] = [name for name, _ in asked], [name for name, holds in asked if not holds(result)]
     result["holds"] = not result["fails"]
@@ -204,18 +205,19 @@ def drawn(case, result):
     beside[case.line] = beside[case.ring] = True
     near = case.rest.triangles[beside[case.rest.triangles].any(1)]
     result["curve angle"] = float(np.percentile(measure.angles(case.rest.points, near).min(1), 5))
-    px, worst = [], []
+    away = []
     for name, curve in (("reference", case.line), ("boundary", case.ring)):
         _, samples, view, _ = stroke_files.read(case.folder / f"{name}.vtp")
         depth, size = picture.depths(view, case.rest.points, case.rest.triangles)
         xy, z = view.display(case.rest.points[curve])
         seen = in_sight(depth, xy, z / size) & on_model(depth, xy, samples)
-        away = picture.distance_to(xy[seen], [samples], np.inf)[0] if seen.any() else np.zeros(1)
-        px.append(float(np.sqrt((away ** 2).mean())))
-        worst.append(float(away.max()))
+        parts = [picture.resample(xy[k:k + 2], 1.0) for k in np.flatnonzero(seen[:-1] & seen[1:])]
+        if parts:
+            away.append(picture.distance_to(np.vstack(parts), [samples], np.inf)[0])
         if name == "reference":
             result["covered"] = float((picture.distance_to(picture.resample(samples, 1.0), [xy], np.inf)[0] <= 6.0).mean())
-    result["px"], result["worst px"] = max(px), max(worst)
+    away = np.concatenate(away or [np.zeros(1)])
+    result["px"], result["worst px"] = float(np.sqrt((away ** 2).mean())), float(away.max())
 
 
 # ------------------------------------------------------------------------------------------------- the fields
