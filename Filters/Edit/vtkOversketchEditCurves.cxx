@@ -3,6 +3,7 @@
 #include "Ray/surface_rays.h"
 #include "Stroke/canvas.h"
 #include "Stroke/polyline.h"
+#include "Stroke/resample.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace oversketch
@@ -32,8 +34,10 @@ namespace oversketch
 namespace
 {
 
-// Steps of a drawn profile; a section has some tens of points.
+// Steps of a drawn profile; a section has some tens of points. Up to so many samples stay among them, so that a
+// section that is drawn as it is moves nothing.
 constexpr int profileSteps = 400;
+constexpr std::size_t profileSamples = 2048;
 
 bool SameValues(vtkDataArray* a, vtkDataArray* b)
 {
@@ -434,9 +438,23 @@ void LayInPlane(vtkPolyData* profile, vtkPolyData* drawn)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  const Polyline even = uniformPolyline(samples, length / profileSteps);
-  lines->InsertNextCell(static_cast<int>(even.size()));
-  for (const Vector2& p : even)
+  const double step = length / profileSteps;
+  Polyline laid;
+  if (samples.size() > profileSamples)
+  {
+    laid = uniformPolyline(samples, step);
+  }
+  else
+  {
+    std::vector<int> all(samples.size());
+    std::iota(all.begin(), all.end(), 0);
+    for (const Blend& place : evenPlaces(samples, all, step, false))
+    {
+      laid.push_back(place.of(samples));
+    }
+  }
+  lines->InsertNextCell(static_cast<int>(laid.size()));
+  for (const Vector2& p : laid)
   {
     lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
   }

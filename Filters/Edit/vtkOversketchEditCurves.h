@@ -54,7 +54,7 @@ RedrawnPart PartRedrawn(vtkPolyData* redrawn);
 // closed curve a run ends where the part does not reach what is kept, so that the gap is bridged.
 void LayRedrawn(const RedrawnPart& part, vtkPolyData* projected, vtkPolyData* mesh, vtkPolyData* laid);
 
-// A drawn profile, evenly sampled, in its plane: the samples as they are, or where the view onto the plane
+// A drawn profile, sampled finely, in its plane: the samples as they are, or where the view onto the plane
 // that they carry has them. Throws Error(BadStroke), Error(MissingArray).
 void LayInPlane(vtkPolyData* profile, vtkPolyData* drawn);
 

@@ -86,6 +86,7 @@ void vtkOversketchEdit::Pipeline::RunRedrawing(Drawn& drawn, std::size_t number)
       this->Reinsert->GetSnap() ? 1.0 : 0.0,
       this->Reinsert->GetEmbedSegments() ? 1.0 : 0.0,
       this->Reinsert->GetBridge() ? 1.0 : 0.0,
+      this->Reinsert->GetJoinRuns() ? 1.0 : 0.0,
       this->Reinsert->GetClean() ? 1.0 : 0.0 });
   std::unique_ptr<Drawn::Redrawing>& redrawing = drawn.Redrawings[number];
   if (redrawing && redrawing->Seen == key)

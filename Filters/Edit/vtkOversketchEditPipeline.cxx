@@ -129,6 +129,7 @@ void vtkOversketchEdit::Pipeline::SetAmendments(bool on)
   {
     step->SetSnap(on);
     step->SetBridge(on);
+    step->SetJoinRuns(!on);
     step->SetClean(on);
   }
   this->Flatten->SetAsPublished(!on);

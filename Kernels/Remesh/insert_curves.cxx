@@ -37,7 +37,7 @@ public:
 
   void insert(const NewCurve& curve)
   {
-    if (curve.closed && !(this->Rules.bridge && this->Rules.embed) &&
+    if (curve.closed && !((this->Rules.bridge || this->Rules.join) && this->Rules.embed) &&
         !(curve.runs.size() == 1 && curve.runs[0].closed))
     {
       refuseCurve(curve,
@@ -261,6 +261,7 @@ private:
       {
         return;
       }
+      gap = gap && this->Rules.bridge;
       std::optional<Way> way =
         gap ? this->bridgeWay(from, to, *curve.view) : this->segmentWay(from, to, *curve.view);
       if (!way)

@@ -34,6 +34,7 @@ struct InsertRules
   bool snap = true;   // to vertices and edges that are near; off as published
   bool embed = true;  // segments become edges
   bool bridge = true; // what misses or is hidden is walked over; off: a closed curve with gaps is refused
+  bool join = false;  // but as published its runs are joined by segments like all others
   bool clean = true;  // narrow triangles at the curves; off as published
 };
 

@@ -13,6 +13,7 @@ namespace
 
 constexpr double pinned = 0.1; // share of the length over which a new profile is drawn to the old one's ends
 constexpr double leastTurn = 0.02;
+constexpr double leastMove = 1e-12; // of the profile's longer side: less is rounding, and nothing moves
 
 std::vector<double> lengthsOf(const std::vector<Vector3>& points)
 {
@@ -168,7 +169,8 @@ ProfileChange::ProfileChange(const FlatProfile& profile,
   int nearest = 0;
   for (int i = 0; i <= last; ++i)
   {
-    moves.push_back(partnerOf(drawn, source, profile.t[i]) - profile.points[i]);
+    const Vector2 move = partnerOf(drawn, source, profile.t[i]) - profile.points[i];
+    moves.push_back(move.norm() > leastMove ? move : Vector2(Vector2::Zero()));
     if ((profile.points[i] - middle).squaredNorm() < (profile.points[nearest] - middle).squaredNorm())
     {
       nearest = i;

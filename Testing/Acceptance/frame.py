@@ -38,6 +38,14 @@ class Run(NamedTuple):
     halve: bool = True  # pictures are halved there
 
 
+def listener(messages):
+    """Appends what an event says."""
+    def hear(_object, _event, text):
+        messages.append(text.strip())
+    hear.CallDataType = "string0"
+    return hear
+
+
 def number(value, digits=2):
     if value is None:
         return "–"
@@ -54,7 +62,7 @@ def table(run, index, results, modes):
              "| | " + " | ".join(run.modes[m] for m in modes) + " |", "|---|" + "---|" * len(modes),
              "| **all bounds hold** | " + " | ".join(share([r["holds"] for r in every(m)]) for m in modes) + " |"]
     for name, text in run.bounds.items():
-        known = [[r for r in every(mode) if name.split(": ")[-1] in r] for mode in modes]
+        known = [[r for r in every(mode) if name.split(": ")[-1] in r.get("asks", r)] for mode in modes]
         lines.append(f"| {text} | " + " | ".join(share([name not in r["fails"] for r in rows]) for rows in known) + " |")
     lines.append("| no result | " + " | ".join(str(sum(run.columns[0] not in r for r in every(m))) for m in modes) + " |")
     for name in run.columns:
@@ -109,6 +117,7 @@ def arguments(run, documentation):
     parser.add_argument("--limit", type=float, default=180)
     parser.add_argument("--backend", choices=("auto", "opencl", "host"), default="auto")
     parser.add_argument("--no-pictures", action="store_true")
+    parser.add_argument("--continue", dest="goes_on", action="store_true", help="keep what FOLDER/results.json has, run the rest")
     parser.add_argument("--one", nargs=2, help=argparse.SUPPRESS)  # a worker: stroke file, mesh file
     parser.add_argument("--cases", nargs="*", default=[], help=argparse.SUPPRESS)  # and what else differs
     options = parser.parse_args()
@@ -134,11 +143,16 @@ def main(run, documentation):
     folder = options.strokes or options.folder / "strokes"
     index = json.loads((folder / "index.json").read_text()) if (folder / "index.json").is_file() else run.make(folder)
     index = [e for e in index if not options.only or any(part in e["name"] for part in options.only)]
+    kept = options.folder / "results.json"
+    results = json.loads(kept.read_text()) if options.goes_on and kept.is_file() else {}
+    known = lambda entry: all(mode in results.get(name, {}) for name in case_names(entry) for mode in modes)
     with ThreadPoolExecutor(options.workers) as pool:
-        results = {name: found for part in pool.map(lambda entry: in_a_process(run, options, modes, folder, entry), index)
-                   for name, found in part.items()}
+        left = [entry for entry in index if not known(entry)]
+        for part in pool.map(lambda entry: in_a_process(run, options, modes, folder, entry), left):
+            results.update({name: {**results.get(name, {}), **found} for name, found in part.items()})
+            kept.write_text(json.dumps(results, indent=1))
     index = [{**entry, "name": name} for entry in index for name in case_names(entry)]
-    (options.folder / "results.json").write_text(json.dumps(results, indent=1))
+    results = {entry["name"]: results[entry["name"]] for entry in index}
     text = table(run, index, results, modes)
     (options.folder / "table.md").write_text(text)
     print("\n" + text)

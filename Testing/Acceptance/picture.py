@@ -50,6 +50,15 @@ class View:
         return (clip[:, :2] / clip[:, 3:] + 1) * half, camera[:, 2]
 
 
+def magnified(view, middle, zoom, size=(WIDTH, HEIGHT)):
+    """The part of a view about a place [px], so many times as large, and what takes px of the view to px of that."""
+    window = np.eye(4)  # clip coordinates of the part: those of the view, moved and magnified
+    for k, whole in enumerate((view.width, view.height)):
+        window[k, k] = zoom * whole / size[k]
+        window[k, 3] = window[k, k] * (1 - 2 * middle[k] / whole)
+    return View(view.view, window @ view.projection, *size), lambda line: (line - middle) * zoom + np.array(size) / 2
+
+
 def _spans(xy, triangles, low, step, count):
     """Where the lines y = low + k * step (0 <= k < count) cross each triangle: (triangle, k, x from, x to)."""
     corners = xy[triangles]
@@ -226,8 +235,8 @@ def inside_polygon(polygon, width=WIDTH, height=HEIGHT):
 BLUE, RED, ORANGE, GREY = (0.10, 0.25, 0.95), (0.90, 0.05, 0.05), (1.0, 0.62, 0.15), (0.74, 0.76, 0.80)
 
 
-def shaded(view, points, triangles, colours=None, scale=2):
-    """A smooth-shaded picture (height, width, 3) in [0, 1], row 0 at the bottom; colours per point, or grey."""
+def front(view, points, triangles, scale=1):
+    """Of each covered pixel, what is seen of it: (pixel, triangle, weights of the triangle's corners)."""
     xy, z = view.display(points)
     pixel, t = fragments(xy, triangles, view.width, view.height, scale)
     centre = np.c_[pixel % (view.width * scale) + 0.5, pixel // (view.width * scale) + 0.5] / scale
@@ -239,8 +248,25 @@ def shaded(view, points, triangles, colours=None, scale=2):
     weights = np.clip(np.c_[wa, wb, 1 - wa - wb], 0, 1)
     depth = (weights * (-1 / z if view.perspective else z)[triangles[t]]).sum(1)
     order = np.lexsort((depth, pixel))
-    front = order[np.r_[np.flatnonzero(np.diff(pixel[order])), len(order) - 1]] if len(order) else order
-    pixel, t, weights = pixel[front], t[front], weights[front]
+    chosen = order[np.r_[np.flatnonzero(np.diff(pixel[order])), len(order) - 1]] if len(order) else order
+    return pixel[chosen], t[chosen], weights[chosen]
+
+
+def depths(view, points, triangles):
+    """Camera z of what is seen in each pixel [px, measured in the middle of the model], -inf beside the model; and world units a px."""
+    z = view.display(points)[1]
+    size = 2 * (-z.mean() if view.perspective else 1.0) / (view.projection[1, 1] * view.height)
+    pixel, t, weights = front(view, points, triangles)
+    image = np.full(view.width * view.height, -np.inf)
+    inverse = (weights * (-1 / z if view.perspective else z)[triangles[t]]).sum(1)
+    image[pixel] = (-1 / inverse if view.perspective else inverse) / size
+    return image.reshape(view.height, view.width), size
+
+
+def shaded(view, points, triangles, colours=None, scale=2, wire=0.0):
+    """A smooth-shaded picture (height, width, 3) in [0, 1], row 0 at the bottom; colours per point, or grey; wire: how dark the
+    edges of triangles are drawn."""
+    pixel, t, weights = front(view, points, triangles, scale)
 
     facet = np.cross(points[triangles[:, 1]] - points[triangles[:, 0]], points[triangles[:, 2]] - points[triangles[:, 0]])
     normals = np.zeros_like(points)
@@ -254,6 +280,12 @@ def shaded(view, points, triangles, colours=None, scale=2):
     colour = np.broadcast_to(GREY, points.shape) if colours is None else colours
     image = np.ones((view.height * scale * view.width * scale, 3))
     image[pixel] = shade[:, None] * (weights[:, :, None] * colour[triangles[t]]).sum(1)
+    if wire:
+        corner = view.display(points)[0][triangles[t]]
+        side = np.roll(corner, -1, axis=1) - np.roll(corner, 1, axis=1)  # across from each corner
+        twice = np.abs(side[:, 0, 0] * side[:, 1, 1] - side[:, 0, 1] * side[:, 1, 0])
+        away = (weights * twice[:, None] / np.maximum(np.linalg.norm(side, axis=2), 1e-9)).min(1) * scale
+        image[pixel] *= 1 - wire * np.clip(1.1 - away, 0, 1)[:, None]
     return image.reshape(view.height, scale, view.width, scale, 3).mean((1, 3))
 
 

@@ -9,6 +9,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import picture
 
+CORRELATED = 20.0  # px along a stroke over which a hand strays alike
 VIEW_ARRAYS = ("ViewTransform", "ProjectionTransform", "ViewportSize")
 
 
@@ -52,3 +53,12 @@ def read(path):
     view = picture.View(values[0].reshape(4, 4), values[1].reshape(4, 4), *values[2])
     points = vtk_to_numpy(stroke.GetPoints().GetData())
     return stroke, points[:, :2].astype(float), view, json.loads(note.GetValue(0)) if note else None
+
+
+def noise(count, random):
+    """How a hand strays round a closed curve of points 1 px apart: mean square 1, correlated over CORRELATED px."""
+    sigma = CORRELATED / 2  # Gaussian means of white noise correlate by exp(-(d / 2 sigma)^2)
+    weights = np.exp(-0.5 * (np.minimum(np.arange(count), count - np.arange(count)) / sigma) ** 2)
+    values = np.fft.irfft(np.fft.rfft(random.standard_normal(count)) * np.fft.rfft(weights), count)
+    values -= values.mean()
+    return values / np.sqrt((values ** 2).mean())

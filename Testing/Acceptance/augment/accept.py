@@ -24,6 +24,7 @@ import frame  # noqa: E402
 import lines  # noqa: E402
 import meshes  # noqa: E402
 import picture  # noqa: E402
+import saved  # noqa: E402
 import stroke_files  # noqa: E402
 
 REFUSED = 3  # outlines that may be
@@ -54,7 +55,7 @@ def run(stroke_file, mesh_file, modes, _backend, pictures, case):
         messages = []
         system = vtkOversketchAugment()
         for event in ("ErrorEvent", "WarningEvent"):
-            system.AddObserver(event, listener(messages))
+            system.AddObserver(event, frame.listener(messages))
         system.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
         system.SetInputData(0, mesh)
         system.SetStrokesData(stroke)
@@ -99,20 +100,13 @@ def read(path):
 
 def put_files(system, mesh, folder, facts):
     """Everything that the judge reads."""
-    lines.write(mesh, folder / "input.vtp")
+    saved.write(mesh, folder / "input.vtp")
     for file, step in STEPS.items():
-        lines.write(system.GetInnerOutput(step), folder / f"{file}.vtp")
-    lines.write(system.GetInnerOutput("Sketch" if facts["sketched"] else "Curves"), folder / "curves.vtp")
-    lines.write(system.GetOutput(), folder / "output.vtp")
+        saved.write(system.GetInnerOutput(step), folder / f"{file}.vtp")
+    saved.write(system.GetInnerOutput("Sketch" if facts["sketched"] else "Curves"), folder / "curves.vtp")
+    saved.write(system.GetOutput(), folder / "output.vtp")
     facts["seconds"] = {system.GetStage(k): system.GetStageTime(system.GetStage(k)) for k in range(system.GetNumberOfStages())}
     (folder / "run.json").write_text(json.dumps(facts))
-
-
-def listener(messages):
-    def hear(_object, _event, text):
-        messages.append(text.strip())
-    hear.CallDataType = "string0"
-    return hear
 
 
 def show(view, output, stroke):
@@ -120,17 +114,11 @@ def show(view, output, stroke):
     drawn = lines.polylines(stroke)
     low, high = np.min([d.min(0) for d in drawn], axis=0) - 25, np.max([d.max(0) for d in drawn], axis=0) + 25
     zoom = min(SIZE[0] / (high[0] - low[0]), SIZE[1] / (high[1] - low[1]))
-    middle = (low + high) / 2
-    # Clip coordinates of the picture: those of the view, moved and magnified.
-    window = np.eye(4)
-    for k, whole in enumerate((view.width, view.height)):
-        window[k, k] = zoom * whole / SIZE[k]
-        window[k, 3] = window[k, k] * (1 - 2 * middle[k] / whole)
-    near = picture.View(view.view, window @ view.projection, *SIZE)
+    near, placed = picture.magnified(view, (low + high) / 2, zoom, SIZE)
     if output.GetNumberOfCells() == 0:
         image = np.ones((SIZE[1], SIZE[0], 3))
         for line in drawn:
-            picture.draw(image, (line - middle) * zoom + np.array(SIZE) / 2, picture.RED)
+            picture.draw(image, placed(line), picture.RED)
         return image
     points, triangles = meshes.arrays(output)
     xy, _ = near.display(points)

@@ -9,6 +9,7 @@ import numpy as np
 
 import forest
 import measure
+import saved
 
 DEGENERATE = 0.05  # degrees
 FILES = ("input", "base", "curves", "refined", "snapped", "smoothed", "displaced", "output")
@@ -39,7 +40,7 @@ class Case:
     """The files of one run, and what several measures read of them."""
 
     def __init__(self, folder):
-        self.files = {name: forest.read(Path(folder) / f"{name}.vtp") for name in FILES}
+        self.files = {name: saved.read(Path(folder) / f"{name}.vtp") for name in FILES}
         self.run = json.loads((Path(folder) / "run.json").read_text())
         curves = self.files["curves"]
         self.radius = self.run["radius"]
@@ -191,7 +192,7 @@ def crossings(case, mesh):
                    case.radius, *case.pieces)
 
 
-@forest.by_content
+@saved.by_content
 def crossed(p, triangles, ident, where, radius, *values):
     curves = measure.Pieces(*values)
     edges, count, edge = forest.undirected(triangles)

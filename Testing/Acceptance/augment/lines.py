@@ -12,11 +12,11 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import meshes  # noqa: E402
 import picture  # noqa: E402
+import saved  # noqa: E402
 import sheets  # noqa: E402
 import stroke_files  # noqa: E402
 
@@ -67,17 +67,7 @@ def terrain(name, path):
     mesh = made.GetOutput()
     for array in ("TerrainGray", "TerrainRules"):
         mesh.GetFieldData().RemoveArray(array)
-    write(mesh, path)
-
-
-def write(mesh, path):
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(str(path))
-    writer.SetInputData(mesh)
-    writer.SetDataModeToAppended()
-    writer.EncodeAppendedDataOff()
-    writer.SetCompressorTypeToNone()
-    writer.Write()
+    saved.write(mesh, path)
 
 
 # ------------------------------------------------------------------------------------------------- the strokes
@@ -185,7 +175,7 @@ def _make_for_model(job):
     def add(kind, lines, view, cases):
         entry = {"name": f"{name}-{kind}", "model": name, "mesh": str(path), "kind": kind, "cases": cases,
                  "projection": "perspective" if view.perspective else "orthographic"}
-        write(joined(lines, view), folder / f"{entry['name']}.vtp")
+        saved.write(joined(lines, view), folder / f"{entry['name']}.vtp")
         entries.append(entry)
 
     if sketched:

@@ -15,6 +15,7 @@ import feature_judge  # noqa: E402
 import forest  # noqa: E402
 import lines  # noqa: E402
 import measure  # noqa: E402
+import saved  # noqa: E402
 
 N, RADIUS, HEIGHT = 8, 1.6, 0.8  # quads a side of length 1
 
@@ -83,7 +84,7 @@ def polydata(points, triangles=(), line=(), cell=None, point=None):
 def write(mesh, path):
     cell = {"StellarRoot": mesh.root.astype(np.int32), "StellarPath": mesh.path, "StellarGen": mesh.gen}
     point = {"CurveId": np.full(len(mesh.points), -1, np.int32), "CurveParam": np.zeros(len(mesh.points)), **mesh.arrays}
-    lines.write(polydata(mesh.points, mesh.triangles, cell=cell, point=point), path)
+    saved.write(polydata(mesh.points, mesh.triangles, cell=cell, point=point), path)
 
 
 class Run:
@@ -109,7 +110,7 @@ class Run:
         for name in feature_judge.FILES:
             if name != "curves":
                 write(getattr(self, name), folder / f"{name}.vtp")
-        lines.write(polydata(self.curve, line=range(len(self.curve))), folder / "curves.vtp")
+        saved.write(polydata(self.curve, line=range(len(self.curve))), folder / "curves.vtp")
         (folder / "run.json").write_text(json.dumps(self.facts))
         return feature_judge.judge(folder, about)
 

@@ -45,7 +45,7 @@ def made(drawing_file, out, mode, environment):
     from oversketch import vtkOversketchInflateDrawing
     reader, writer, system, messages = vtkXMLPolyDataReader(), vtkXMLPolyDataWriter(), vtkOversketchInflateDrawing(), []
     for event in ("ErrorEvent", "WarningEvent"):
-        system.AddObserver(event, listener(messages))
+        system.AddObserver(event, frame.listener(messages))
     system.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     system.GetStep("Darts").SetDartModeToOff()
     system.GetStep("Inflate").SetLocalMaxSmoothing(0.0)
@@ -58,14 +58,6 @@ def made(drawing_file, out, mode, environment):
         writer.SetInputData(system.GetOutput())
         writer.Write()
     return messages
-
-
-def listener(messages):
-    """Appends what an event says."""
-    def hear(_, __, text):
-        messages.append(text.strip())
-    hear.CallDataType = "string0"
-    return hear
 
 
 def run(drawing_file, outline, modes, backend, pictures):

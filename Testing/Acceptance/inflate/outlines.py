@@ -23,6 +23,7 @@ from vtkmodules.vtkImagingMorphological import vtkImageConnectivityFilter
 sys.path[:0] = [str(Path(__file__).resolve().parents[1])]
 import meshes  # noqa: E402  also puts Data into the path
 import make_drawings  # noqa: E402
+import stroke_files  # noqa: E402
 
 IMAGES = meshes.SHARED / "images"
 OUTLINES = {
@@ -34,7 +35,6 @@ HOLED = ("crane", "kettle", "mushroom")
 CLOSED = {"dinosaur": 4}  # px by which gaps in the line are closed first
 CANVAS, LONGEST = 1024, 1000  # px
 WOBBLES, SEEDS = (0, 1, 2), 5
-CORRELATED = 20.0  # px
 GAPS = (2.0, 12.0)  # px between samples
 HOLE = 1  # of the cell array Treatment
 
@@ -131,15 +131,6 @@ def even(loop):
     return np.column_stack([np.interp(at, along, path[:, k]) for k in (0, 1)])
 
 
-def noise(count, random):
-    """Round a closed curve of points 1 px apart: mean square 1, correlated over CORRELATED px."""
-    sigma = CORRELATED / 2  # Gaussian means of white noise correlate by exp(-(d / 2 sigma)^2)
-    weights = np.exp(-0.5 * (np.minimum(np.arange(count), count - np.arange(count)) / sigma) ** 2)
-    values = np.fft.irfft(np.fft.rfft(random.standard_normal(count)) * np.fft.rfft(weights), count)
-    values -= values.mean()
-    return values / np.sqrt((values ** 2).mean())
-
-
 def crossing(loops):
     """Of closed polylines, (curve, segment) of every segment that meets one which is not its neighbour."""
     a = np.vstack(loops)
@@ -171,7 +162,7 @@ def by_hand(loops, wobble, random):
     for course in courses:
         tangent = np.roll(course, -3, axis=0) - np.roll(course, 3, axis=0)
         normals.append(np.column_stack([-tangent[:, 1], tangent[:, 0]]) / np.maximum(np.linalg.norm(tangent, axis=1), 1e-9)[:, None])
-        displaced.append(wobble * noise(len(course), random))
+        displaced.append(wobble * stroke_files.noise(len(course), random))
         at = np.cumsum(random.uniform(*GAPS, len(course)))
         places.append(at[at < len(course) - GAPS[0]])
     for _ in range(60):

@@ -54,7 +54,7 @@ def run(stroke_file, mesh_file, modes, backend, pictures, also=lambda result, me
         messages = []
         one_stroke = system(mode, backend)
         for event in ("ErrorEvent", "WarningEvent"):
-            one_stroke.AddObserver(event, listener(messages))
+            one_stroke.AddObserver(event, frame.listener(messages))
         one_stroke.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
         one_stroke.SetInputData(mesh)
         one_stroke.SetStrokeData(stroke)
@@ -96,13 +96,6 @@ def region_of(border, points):
     inner = meshes.arrays(border)[0]
     chosen = vtk_to_numpy(border.GetPointData().GetArray("Region")) != 0
     return judge.surviving(points, inner[chosen])
-
-
-def listener(messages):
-    def hear(_object, _event, text):
-        messages.append(text.strip())
-    hear.CallDataType = "string0"
-    return hear
 
 
 def show(view, before, after, samples, match, region):

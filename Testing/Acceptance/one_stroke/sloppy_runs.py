@@ -71,7 +71,7 @@ class System:
         self.messages: List[str] = []
         self.filter = accept.system(mode, "auto")
         for event in ("ErrorEvent", "WarningEvent"):
-            self.filter.AddObserver(event, accept.listener(self.messages))
+            self.filter.AddObserver(event, frame.listener(self.messages))
         self.filter.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
         self.filter.SetInputData(mesh)
 

@@ -3,7 +3,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from forest import by_content
+from saved import by_content
 
 
 class Pieces(NamedTuple):
