@@ -267,12 +267,13 @@ SystemRow edit()
       6,
       true } };
   row.parameters = {
-    parameter<System>("Operations",
-      "operations",
-      "What is done",
-      "what is done to the line, such as \"move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2; drag 12 -5\"",
-      &System::SetOperations,
-      &System::GetOperations),
+    offering({ { "", "nothing" } },
+      parameter<System>("Operations",
+        "operations",
+        "What is done",
+        "what is done to the line, such as \"move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2; drag 12 -5\"",
+        &System::SetOperations,
+        &System::GetOperations)),
     between(0,
       1,
       parameter<System>("ProfileAt",
@@ -344,6 +345,7 @@ SystemRow edit()
   };
   row.runsTwice = true;
   row.followsHand = true;
+  row.changedOverInput = true;
   return row;
 }
 #endif

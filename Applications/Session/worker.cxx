@@ -173,7 +173,7 @@ void Worker::work()
   }
 }
 
-std::vector<Worker::NodeState> Worker::statesOf(const std::vector<Outcome>& outcomes)
+std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const std::vector<Outcome>& outcomes)
 {
   std::map<std::uint64_t, NodeState> copies;
   std::vector<NodeState> states;
@@ -201,7 +201,43 @@ std::vector<Worker::NodeState> Worker::statesOf(const std::vector<Outcome>& outc
     states.push_back(std::move(state));
   }
   this->Copied = std::move(copies);
+  this->addInputs(session, outcomes, states);
   return states;
+}
+
+void Worker::addInputs(const Session& session,
+  const std::vector<Outcome>& outcomes,
+  std::vector<NodeState>& states)
+{
+  const auto& nodes = session.nodes;
+  const auto last = std::find_if(nodes.rbegin(), nodes.rend(), [](const Node& node) { return node.on; });
+  const SystemRow* row = last == nodes.rend() ? nullptr : findSystem(last->step->system);
+  if (!row || !row->changedOverInput)
+  {
+    this->Came = nullptr;
+    this->CopyOfCame = {};
+    return;
+  }
+  const auto at = static_cast<std::size_t>(nodes.rend() - last) - 1;
+  const vtkSmartPointer<vtkPolyData> came = at > 0 ? outcomes[at - 1].mesh : nullptr;
+  if (came && came != this->Came)
+  {
+    this->CopyOfCame = copied(came);
+  }
+  this->Came = came;
+  states[at].before = at > 0 ? this->CopyOfCame : session.mesh;
+  for (const auto& [name, input] : last->step->inputs)
+  {
+    const auto* of = std::get_if<StepOutput>(&input);
+    for (std::size_t i = 0; of && i < at; ++i)
+    {
+      const auto output = outcomes[i].outputs.find(of->port);
+      if (nodes[i].id == of->step && output != outcomes[i].outputs.end())
+      {
+        states[at].given[name] = copied(vtkPolyData::SafeDownCast(output->second));
+      }
+    }
+  }
 }
 
 void Worker::runOne(std::uint64_t ticket, const Session& session)
@@ -230,7 +266,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   vtkPolyData* shown = resultOf(session, outcomes);
   Result result;
   result.ticket = ticket;
-  result.nodes = this->statesOf(outcomes);
+  result.nodes = this->statesOf(session, outcomes);
   result.backendUsed = backendUsedBy(outcomes);
   if (shown)
   {
@@ -255,7 +291,8 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   }
   if (this->Report.detailed)
   {
-    this->Report.detailed({ ticket, this->statesOf(outcomes), shown ? digestOf(shown) : std::string() });
+    this->Report.detailed(
+      { ticket, this->statesOf(session, outcomes), shown ? digestOf(shown) : std::string() });
   }
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
   std::unique_lock<std::mutex> lock(this->Mutex);

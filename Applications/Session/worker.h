@@ -34,6 +34,10 @@ public:
     // before the details have come.
     SharedData region;
     std::shared_ptr<const Following> following;
+    // Of the last step that is on, where its system says so (SystemRow::changedOverInput): the mesh that came
+    // to it, and what it takes of other steps, by its inputs' names.
+    SharedData before;
+    std::map<std::string, SharedData> given;
   };
   // What a session made. Meshes are copies that nobody else touches.
   struct Result
@@ -82,11 +86,17 @@ private:
   void work();
   void runOne(std::uint64_t ticket, const Session& session);
   // What the outcomes are, as copies; of those that were copied for the last session the same ones.
-  std::vector<NodeState> statesOf(const std::vector<Outcome>& outcomes);
+  std::vector<NodeState> statesOf(const Session& session, const std::vector<Outcome>& outcomes);
+  // Adds what the last step that is on acts on.
+  void addInputs(const Session& session,
+    const std::vector<Outcome>& outcomes,
+    std::vector<NodeState>& states);
 
   Listener Report;
   Evaluator Runner;
   std::map<std::uint64_t, NodeState> Copied; // by the outcomes' numbers
+  vtkSmartPointer<vtkPolyData> Came;         // the mesh that the last step acts on, and its copy
+  SharedData CopyOfCame;
   std::mutex Mutex;
   std::condition_variable Wake;
   std::optional<Session> Next, Running;

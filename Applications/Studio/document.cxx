@@ -271,10 +271,18 @@ void Document::add(const Step& step)
 
 void Document::redraw(int index, const Step& drawn)
 {
+  Step step = *this->session().nodes[indexOf(index)].step;
+  step.inputs = drawn.inputs;
+  this->remake(index, step);
+}
+
+void Document::remake(int index, const Step& made)
+{
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
   auto step = std::make_shared<Step>(*node.step);
-  step->inputs = drawn.inputs;
+  step->inputs = made.inputs;
+  step->values = made.values;
   node.step = step;
   node.committed.reset(); // it takes hold anew
   this->commit(std::move(next), Change::Drawn);

@@ -76,6 +76,8 @@ public:
   // that is there: the inputs of another.
   void add(const oversketch_session::Step& step);
   void redraw(int node, const oversketch_session::Step& step);
+  // The same with its values.
+  void remake(int node, const oversketch_session::Step& step);
   // The strokes of a step that was given several: one is another, off, gone.
   void setStrokes(int node, const std::vector<oversketch_session::DrawnStroke>& strokes);
   void setParameters(int node,

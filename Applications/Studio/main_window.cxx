@@ -32,11 +32,24 @@ using namespace oversketch_session;
 namespace
 {
 
-// The first stroke that a step was given, with its view.
-vtkSmartPointer<vtkPolyData> strokeOf(const Step& step)
+// The first stroke that a step was given, with its view, by itself or by the step that it takes it of.
+vtkSmartPointer<vtkPolyData> strokeOf(const Session& session, const Step& step)
 {
   const SystemRow* row = findSystem(step.system);
   const SystemInput* input = row ? findInput(*row, SystemInput::Kind::Stroke) : nullptr;
+  const auto given = input ? step.inputs.find(input->name) : step.inputs.end();
+  const auto* of = given == step.inputs.end() ? nullptr : std::get_if<StepOutput>(&given->second);
+  for (const Node& node : session.nodes)
+  {
+    if (!of || node.step.get() == &step) // it takes of those before it
+    {
+      break;
+    }
+    if (node.id == of->step)
+    {
+      return strokeOf(session, *node.step);
+    }
+  }
   return input ? linesOf(step, input->name) : nullptr;
 }
 
@@ -146,6 +159,7 @@ void MainWindow::listenToTool(Tool* tool)
 {
   connect(tool, &Tool::drawn, this, &MainWindow::stepDrawn);
   connect(tool, &Tool::changed, this, &MainWindow::stepChanged);
+  connect(tool, &Tool::remade, this, &MainWindow::stepRemade);
   connect(tool, &Tool::shaped, this, &MainWindow::stepShaped);
   connect(tool, &Tool::edited, this->OpenDocument, &Document::redraw);
   connect(tool, &Tool::placed, this->OpenDocument, &Document::place);
@@ -232,6 +246,14 @@ void MainWindow::stepChanged(const Step& step)
   }
 }
 
+void MainWindow::stepRemade(const Step& step)
+{
+  if (this->Offered >= 0 && indexOf(this->Offered) < this->OpenDocument->session().nodes.size())
+  {
+    this->OpenDocument->remake(this->Offered, step);
+  }
+}
+
 void MainWindow::stepShaped(const Values& values, bool goesOn)
 {
   if (this->Offered >= 0 && indexOf(this->Offered) < this->OpenDocument->session().nodes.size())
@@ -281,6 +303,10 @@ void MainWindow::selectDrawing(const Tool* tool)
 Tool* MainWindow::toolOf(int node) const
 {
   const std::string& system = this->OpenDocument->session().nodes[indexOf(node)].step->system;
+  if (Tool* held = this->View->tool(); held && held->system() == system)
+  {
+    return held;
+  }
   for (Tool* tool : this->Tools)
   {
     if (tool->system() == system)
@@ -293,7 +319,11 @@ Tool* MainWindow::toolOf(int node) const
 
 void MainWindow::lookFrom(int node)
 {
-  this->View->lookFrom(strokeOf(*this->OpenDocument->session().nodes[indexOf(node)].step));
+  const Session& session = this->OpenDocument->session();
+  if (const auto stroke = strokeOf(session, *session.nodes[indexOf(node)].step))
+  {
+    this->View->lookFrom(stroke);
+  }
 }
 
 void MainWindow::apply(const Preferences& preferences)
@@ -490,9 +520,9 @@ void MainWindow::advise()
   }
   if (isJustDrawn && !states.back().remark.empty())
   {
+    const Tool* tool = this->toolOf(static_cast<int>(nodes.size()) - 1);
     this->Advice->setText(
-      tr("%1 Ctrl+Z undoes, F3 takes the next outline that fits, [ and ] move less or more of the body.")
-        .arg(QString::fromStdString(states.back().remark)));
+      QString::fromStdString(states.back().remark) + (tool ? ' ' + tool->remedy() : QString()));
     return;
   }
   situation.empty = nodes.empty();

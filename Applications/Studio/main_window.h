@@ -89,11 +89,12 @@ private:
   void changed(Document::Change change);
   void stepDrawn(const oversketch_session::Step& step);
   void stepChanged(const oversketch_session::Step& step);
+  void stepRemade(const oversketch_session::Step& step);
   void opened();
   void stepShaped(const oversketch_session::Values& values, bool goesOn);
   void setTool(Tool* tool);
   void selectDrawing(const Tool* tool);
-  // The one that draws steps of a node's system; null where none does.
+  // The one that draws steps of a node's system, the one in the hand before others; null where none does.
   Tool* toolOf(int node) const;
   void lookFrom(int node);
   void askPreferences();

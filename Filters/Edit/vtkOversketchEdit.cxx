@@ -84,6 +84,7 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
 {
   Pipeline& inner = *this->Inner;
   inner.Made = nullptr;
+  this->Remark.clear();
   return this->RunSystem(
     [&]
     {
@@ -103,6 +104,11 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
         vtkPolyData::GetData(outputs, 0),
         vtkPolyData::GetData(outputs, 1),
         vtkPolyData::GetData(outputs, 2));
+      if (const int folds = this->GetFoldedEdges(); folds > 0)
+      {
+        this->Remark = "The edit folds the model along " + std::to_string(folds) +
+                       (folds == 1 ? " edge" : " edges") + ": drag less far, or draw the ring wider.";
+      }
     });
 }
 
@@ -159,6 +165,11 @@ int vtkOversketchEdit::GetBridges()
   return this->Inner->Made ? this->Inner->Made->Bridges : 0;
 }
 
+const char* vtkOversketchEdit::GetRemark()
+{
+  return this->Remark.c_str();
+}
+
 void vtkOversketchEdit::GetHold(vtkPolyData* hold)
 {
   hold->Initialize();
@@ -212,4 +223,5 @@ void vtkOversketchEdit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MovedPoints: " << this->GetMovedPoints() << "\n";
   os << indent << "FoldedEdges: " << this->GetFoldedEdges() << "\n";
   os << indent << "Bridges: " << this->GetBridges() << "\n";
+  os << indent << "Remark: " << this->Remark << "\n";
 }

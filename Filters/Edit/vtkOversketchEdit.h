@@ -185,11 +185,13 @@ public:
   ///@{
   /**
    * Of the last run, 0 after one that failed: vertices that the edit moved, before new triangles were made;
-   * edges that it folded by over 120 degrees and were not; gaps that curves were led over.
+   * edges that it folded by over 120 degrees and were not, which a remark says, too; gaps that curves were
+   * led over.
    */
   int GetMovedPoints();
   int GetFoldedEdges();
   int GetBridges();
+  const char* GetRemark() override;
   ///@}
 
   /**
@@ -239,6 +241,7 @@ private:
   double Feather = 0.05;
   int Rule = Edit;
   bool AsPublished = false;
+  std::string Remark;
 
   struct Pipeline;
   std::unique_ptr<Pipeline> Inner;

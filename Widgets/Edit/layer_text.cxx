@@ -34,6 +34,16 @@ std::string layerText(const LayerList& list)
   return text.str();
 }
 
+std::string layersOfAreas(const std::string& layers, int areas)
+{
+  LayerList list = layerList(layers);
+  list.areas.erase(
+    std::remove_if(
+      list.areas.begin(), list.areas.end(), [areas](const AreaLayers& area) { return area.area >= areas; }),
+    list.areas.end());
+  return layerText(list);
+}
+
 std::vector<LayerHandle>& handlesIn(LayerList& list, int area)
 {
   if (area < 0)

@@ -12,6 +12,9 @@ namespace oversketch
 
 std::string layerText(const LayerList& list);
 
+// The same layers without those of areas that are no more, of which there are so many.
+std::string layersOfAreas(const std::string& layers, int areas);
+
 // The handles of an area, which is added where the list does not have it; of the whole disc below 0.
 std::vector<LayerHandle>& handlesIn(LayerList& list, int area);
 

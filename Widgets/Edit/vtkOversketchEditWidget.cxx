@@ -1,5 +1,6 @@
 #include "vtkOversketchEditWidget.h"
 
+#include "edit_parts.h"
 #include "layer_text.h"
 #include "vtkOversketchAreaSelectRepresentation.h"
 #include "vtkOversketchAreaSelectWidget.h"
@@ -11,9 +12,9 @@
 #include "vtkOversketchLayerHandleRepresentation.h"
 #include "vtkOversketchLayerHandleWidget.h"
 #include "vtkOversketchProfilePlaneWidget.h"
+#include "vtkOversketchRegionRepresentation.h"
 #include "vtkOversketchRegionWidget.h"
 #include "vtkOversketchShadingLevels.h"
-#include "vtkOversketchStepRunner.h"
 #include "vtkOversketchStrokeWidget.h"
 #include "widget_events.h"
 
@@ -33,21 +34,17 @@
 #include "vtkTrivialProducer.h"
 #include "vtkWeakPointer.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
+#include <tuple>
+#include <utility>
 
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchEditWidget);
 
-struct vtkOversketchEditWidget::Internals
+struct vtkOversketchEditWidget::Internals : EditParts
 {
-  vtkNew<vtkOversketchRegionWidget> region;
-  vtkNew<vtkOversketchAxisHandleWidget> axes;
-  vtkNew<vtkOversketchLayerHandleWidget> layers;
-  vtkNew<vtkOversketchAreaSelectWidget> areas;
-  vtkNew<vtkOversketchProfilePlaneWidget> planes;
   vtkNew<vtkCallbackCommand> observer, rendererObserver;
 
   vtkSmartPointer<vtkAlgorithm> source;
@@ -62,10 +59,6 @@ struct vtkOversketchEditWidget::Internals
   std::string message;
   vtkWeakPointer<vtkRenderer> watched;
 
-  std::array<vtkAbstractWidget*, 5> byMode()
-  {
-    return { this->region, this->axes, this->layers, this->areas, this->planes };
-  }
   // The region after the edit, before new triangles.
   vtkPolyData* moved()
   {
@@ -89,7 +82,7 @@ vtkOversketchEditWidget::vtkOversketchEditWidget()
   inner.observer->SetClientData(this);
   inner.observer->SetCallback([](vtkObject* from, unsigned long event, void* self, void* text)
     { static_cast<vtkOversketchEditWidget*>(self)->Heard(from, event, static_cast<const char*>(text)); });
-  for (vtkAbstractWidget* widget : inner.byMode())
+  for (vtkAbstractWidget* widget : inner.all())
   {
     for (const unsigned long event : { vtkCommand::StartInteractionEvent,
            vtkCommand::InteractionEvent,
@@ -109,10 +102,11 @@ vtkOversketchEditWidget::vtkOversketchEditWidget()
 vtkOversketchEditWidget::~vtkOversketchEditWidget()
 {
   Internals& inner = *this->Inner;
-  for (vtkAbstractWidget* widget : inner.byMode())
+  for (vtkAbstractWidget* widget : inner.all())
   {
     widget->RemoveObserver(inner.observer);
   }
+  inner.disc.setRenderer(nullptr);
   this->vtkOversketchEditWidget::SetEnabled(0);
   this->StopWatching();
   for (vtkAbstractWidget* widget : inner.byMode())
@@ -239,20 +233,16 @@ void vtkOversketchEditWidget::ReadHand()
   Internals& inner = *this->Inner;
   vtkOversketchLayerHandleRepresentation* shading = inner.layers->GetLayerHandleRepresentation();
   const int areas = static_cast<int>(inner.areas->GetAreas()->GetNumberOfLines());
-  // Layers of areas that are no more go with them.
-  LayerList list = layerList(inner.layers->GetLayers());
-  list.areas.erase(
-    std::remove_if(
-      list.areas.begin(), list.areas.end(), [areas](const AreaLayers& area) { return area.area >= areas; }),
-    list.areas.end());
-  if (layerText(list) != inner.layers->GetLayers())
+  if (const std::string left = layersOfAreas(inner.layers->GetLayers(), areas);
+      left != inner.layers->GetLayers())
   {
-    inner.layers->SetLayers(layerText(list).c_str());
+    inner.layers->SetLayers(left.c_str());
   }
   shading->SetArea(areas - 1);
   inner.system->SetOperations(inner.axes->GetOperations());
   inner.system->SetLayers(inner.layers->GetLayers());
   inner.system->SetProfileAt(inner.planes->GetProfileAt());
+  inner.disc.follow(inner.layers, inner.areas);
   inner.stale = true;
 }
 
@@ -297,18 +287,14 @@ void vtkOversketchEditWidget::Run()
   {
     this->Connect();
     inner.system->Modified(); // what ran before may have had another mesh in the same data object
-    try
-    {
-      StepRunner::Listener listener;
-      listener.warning = [&](const std::string& warning) { message = warning; };
-      StepRunner(inner.system, listener).Run();
-      inner.acted = true;
-    }
-    catch (const Error& error)
-    {
-      message = error.what();
-    }
+    std::tie(inner.acted, message) = ranTold(inner.system);
     inner.systemTime = inner.system->GetMTime();
+  }
+  else if (inner.region->HasReference())
+  {
+    this->Connect();
+    message =
+      inner.system->Prepare() ? std::string() : ranTold(inner.system).second; // it may be none already
   }
   inner.output->ShallowCopy(inner.acted ? inner.system->GetOutput() : inner.base.Get());
   this->FeedWidgets();
@@ -342,6 +328,7 @@ void vtkOversketchEditWidget::FeedWidgets()
     };
     inner.axes->SetCurve(curve(1), mesh);
     inner.planes->SetRegion(mesh, curve(1), curve(2));
+    inner.disc.setRegion(mesh);
   }
   // What is seen on the model is where the edit has taken it, with its new triangles.
   inner.planes->ShowSectionOn(inner.acted ? inner.moved() : nullptr);
@@ -362,20 +349,33 @@ void vtkOversketchEditWidget::FeedWidgets()
   inner.layers->SetLayers(inner.system->GetLayers());
   shading->SetLevels(inner.system->GetLevels());
   inner.planes->SetProfileAt(inner.system->GetProfileAt());
+  inner.region->GetRegionRepresentation()->SetLineWas(
+    this->RegionInAllModes && inner.acted && inner.system->GetMovedPoints() > 0);
   if (inner.acted)
   {
-    inner.region->ShowCurves(inner.system->GetReferenceOutput(), inner.system->GetBoundaryOutput());
+    // What redraws the line is drawn over it where it was.
+    inner.region->ShowCurves(this->RegionInAllModes ? nullptr : inner.system->GetReferenceOutput(),
+      inner.system->GetBoundaryOutput());
   }
   const bool hasAreas = inner.acted && inner.areas->GetAreas()->GetNumberOfPoints() > 0;
   auto* step = vtkOversketchShadingLevels::SafeDownCast(inner.system->GetStep("Shading"));
   shading->SetDisplay(hasAreas ? step->GetDisplayOutput() : nullptr);
+  inner.disc.follow(inner.layers, inner.areas);
 }
 
 void vtkOversketchEditWidget::Heard(vtkObject* from, unsigned long event, const char* text)
 {
   const vtkSmartPointer<vtkOversketchEditWidget> alive(this); // an observer may let go of it
   Internals& inner = *this->Inner;
-  const bool isPen = from == inner.region || from == inner.areas;
+  const bool isPen = from == inner.region || from == inner.areas || from == inner.disc.areas();
+  if (from == inner.disc.layers())
+  {
+    inner.layers->SetLayers(inner.disc.layers()->GetLayers());
+  }
+  else if (from == inner.disc.areas() && event == vtkCommand::WidgetValueChangedEvent)
+  {
+    inner.areas->SetAreas(inner.disc.areas()->GetAreas());
+  }
   if (event == vtkCommand::MessageEvent)
   {
     this->InvokeEvent(event, const_cast<char*>(text));
@@ -407,23 +407,68 @@ void vtkOversketchEditWidget::SetMode(int mode)
   {
     return;
   }
-  Internals& inner = *this->Inner;
-  inner.byMode()[static_cast<std::size_t>(this->Mode)]->SetEnabled(0);
   this->Mode = mode;
-  if (this->Enabled)
-  {
-    this->TakeUp(inner.byMode()[static_cast<std::size_t>(mode)]);
-  }
+  this->TakeUp();
   this->Modified();
   this->Render();
 }
 
-void vtkOversketchEditWidget::TakeUp(vtkAbstractWidget* widget)
+void vtkOversketchEditWidget::SetRegionInAllModes(bool all)
 {
-  widget->SetInteractor(this->Interactor);
-  widget->SetDefaultRenderer(this->CurrentRenderer);
-  widget->SetCurrentRenderer(this->CurrentRenderer);
-  widget->SetEnabled(1);
+  if (all != this->RegionInAllModes)
+  {
+    this->RegionInAllModes = all;
+    this->TakeUp();
+    this->Modified();
+  }
+}
+
+// The widgets that the hand has now, and no other.
+void vtkOversketchEditWidget::TakeUp()
+{
+  Internals& inner = *this->Inner;
+  inner.region->SetRedrawOnly(this->RegionInAllModes && this->Mode != Region);
+  const auto isHeld = [this](int mode)
+  { return this->Enabled && (mode == this->Mode || (mode == Region && this->RegionInAllModes)); };
+  const auto widgets = inner.byMode();
+  for (const bool held : { false, true }) // what is put down lets go of the left button
+  {
+    for (std::size_t i = 0; i < widgets.size(); ++i)
+    {
+      if (isHeld(static_cast<int>(i)) == held && bool(widgets[i]->GetEnabled()) != held)
+      {
+        if (held)
+        {
+          widgets[i]->SetInteractor(this->Interactor);
+          widgets[i]->SetDefaultRenderer(this->CurrentRenderer);
+          widgets[i]->SetCurrentRenderer(this->CurrentRenderer);
+        }
+        widgets[i]->SetEnabled(held);
+      }
+    }
+  }
+  inner.disc.hold(isHeld(Shade), isHeld(Areas));
+}
+
+void vtkOversketchEditWidget::SetDiscRenderer(vtkRenderer* renderer)
+{
+  this->Inner->disc.setRenderer(renderer);
+  this->TakeUp();
+}
+
+vtkRenderer* vtkOversketchEditWidget::GetDiscRenderer()
+{
+  return this->Inner->disc.renderer();
+}
+
+vtkOversketchLayerHandleWidget* vtkOversketchEditWidget::GetDiscLayerWidget()
+{
+  return this->Inner->disc.layers();
+}
+
+vtkOversketchAreaSelectWidget* vtkOversketchEditWidget::GetDiscAreaWidget()
+{
+  return this->Inner->disc.areas();
 }
 
 void vtkOversketchEditWidget::Commit()
@@ -498,11 +543,14 @@ void vtkOversketchEditWidget::CreateDefaultRepresentation()
 void vtkOversketchEditWidget::SetEnabled(int enabling)
 {
   Internals& inner = *this->Inner;
-  vtkAbstractWidget* held = inner.byMode()[static_cast<std::size_t>(this->Mode)];
   const bool before = this->Enabled;
   if (!enabling && before)
   {
-    held->SetEnabled(0);
+    for (vtkAbstractWidget* widget : inner.byMode())
+    {
+      widget->SetEnabled(0);
+    }
+    inner.disc.hold(false, false);
   }
   this->Superclass::SetEnabled(enabling);
   if (before && !this->Enabled)
@@ -514,7 +562,7 @@ void vtkOversketchEditWidget::SetEnabled(int enabling)
     inner.watched = this->CurrentRenderer;
     inner.watched->AddObserver(vtkCommand::StartEvent, inner.rendererObserver);
     this->Update();
-    this->TakeUp(inner.byMode()[static_cast<std::size_t>(this->Mode)]);
+    this->TakeUp();
   }
 }
 
@@ -540,6 +588,7 @@ void vtkOversketchEditWidget::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "RegionInAllModes: " << this->RegionInAllModes << "\n";
   os << indent << "ShowRegion: " << this->ShowRegion << "\n";
   os << indent << "Previewing: " << this->Previewing << "\n";
   os << indent << "Message: " << this->GetMessage() << "\n";

@@ -18,8 +18,9 @@
  * While something is dragged the whole region follows, without new triangles; they come with the release.
  * A key: Return, KP_Enter are done with the edit (Commit), o shows what moved, orange, or not.
  *
- * An edit that the system refuses leaves the mesh as it was; why is shown in the window (GetMessage) and sent
- * as MessageEvent. A mesh that changes at its source, by pipeline, begins anew without an edit.
+ * An edit that the system refuses leaves the mesh as it was, and a line without a ring may be one already;
+ * why is shown in the window (GetMessage) and sent as MessageEvent. A mesh that changes at its source, by
+ * pipeline, begins anew without an edit.
  *
  * Fires StartInteractionEvent, InteractionEvent and EndInteractionEvent for what is drawn or dragged, and
  * WidgetValueChangedEvent when the edit and the output have changed.
@@ -44,6 +45,7 @@ class vtkOversketchLayerHandleWidget;
 class vtkOversketchProfilePlaneWidget;
 class vtkOversketchRegionWidget;
 class vtkPolyData;
+class vtkRenderer;
 
 class OVERSKETCHWIDGETSEDIT_EXPORT vtkOversketchEditWidget : public vtkAbstractWidget
 {
@@ -99,6 +101,16 @@ public:
 
   ///@{
   /**
+   * On: line and ring are seen, and redrawn with Shift, in every mode, where Escape takes none of them back;
+   * the line where it was drawn, while the ring is there. Default off: in the mode Region alone.
+   */
+  void SetRegionInAllModes(bool all);
+  vtkGetMacro(RegionInAllModes, bool);
+  vtkBooleanMacro(RegionInAllModes, bool);
+  ///@}
+
+  ///@{
+  /**
    * The widgets, to set what is theirs: the profile's window, for one.
    */
   vtkOversketchRegionWidget* GetRegionWidget();
@@ -109,6 +121,18 @@ public:
   ///@}
 
   ///@{
+  ///@{
+  /**
+   * A window for the disc, by its renderer, whose window has an interactor; null (default): none. Layers and
+   * areas are changed there, too, in the modes Shade and Areas. The host looks after its camera: the disc is
+   * x and y from -1 to 1, z = 0.
+   */
+  void SetDiscRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetDiscRenderer();
+  vtkOversketchLayerHandleWidget* GetDiscLayerWidget();
+  vtkOversketchAreaSelectWidget* GetDiscAreaWidget();
+  ///@}
+
   /**
    * Is done with the edit: the mesh stays, and is the one that the next line is drawn on. Drops it: the mesh
    * is as before it. Both begin anew in the mode Region.
@@ -158,7 +182,7 @@ private:
   static void Key(vtkAbstractWidget* widget);
 
   void Heard(vtkObject* from, unsigned long event, const char* text);
-  void TakeUp(vtkAbstractWidget* widget);
+  void TakeUp();
   void ReadHand();
   void Connect();
   void Preview();
@@ -170,7 +194,7 @@ private:
   void Say(const std::string& message);
 
   int Mode = Region;
-  bool ShowRegion = false, Previewing = false;
+  bool RegionInAllModes = false, ShowRegion = false, Previewing = false;
 
   struct Internals;
   std::unique_ptr<Internals> Inner;

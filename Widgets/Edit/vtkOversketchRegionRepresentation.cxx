@@ -81,7 +81,11 @@ void vtkOversketchRegionRepresentation::Paint(const View& view, Overlay& overlay
   {
     for (const int curve : { Boundary, Reference })
     {
-      const double width = (this->GetActiveGrip() == curve ? 5.0 : 3.0) + (isRim ? 2.0 : 0.0);
+      const bool isThin = this->LineWas && curve == Reference;
+      const double width = (this->GetActiveGrip() == curve ? 5.0
+                             : isThin                      ? 1.0
+                                                           : 3.0) +
+                           (isRim && !isThin ? 2.0 : 0.0);
       const Colour colour = isRim ? paperWhite : curve == Boundary ? sectionBlue : strokeRed;
       for (const WorldLine& line : this->Inner->curves[curve - Reference])
       {
@@ -97,6 +101,7 @@ void vtkOversketchRegionRepresentation::Paint(const View& view, Overlay& overlay
 void vtkOversketchRegionRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "LineWas: " << this->LineWas << "\n";
   os << indent << "Reference: " << this->Inner->curves[0].size() << " polylines\n";
   os << indent << "Boundary: " << this->Inner->curves[1].size() << " polylines\n";
 }

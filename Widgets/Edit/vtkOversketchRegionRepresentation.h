@@ -38,6 +38,14 @@ public:
   void SetBoundary(vtkPolyData* ring);
   ///@}
 
+  ///@{
+  /**
+   * Whether the line is shown where it was, as an edit has moved it: thin. Default off.
+   */
+  vtkSetMacro(LineWas, bool);
+  vtkGetMacro(LineWas, bool);
+  ///@}
+
   /**
    * How far a place of the window [px, y up] is from a curve as it is seen [px]; infinite where there is
    * none.
@@ -54,6 +62,8 @@ protected:
 private:
   vtkOversketchRegionRepresentation(const vtkOversketchRegionRepresentation&) = delete;
   void operator=(const vtkOversketchRegionRepresentation&) = delete;
+
+  bool LineWas = false;
 
   struct Internals;
   std::unique_ptr<Internals> Inner;

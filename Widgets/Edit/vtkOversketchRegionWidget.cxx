@@ -13,6 +13,7 @@
 #include "vtkCommand.h"
 #include "vtkIdList.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
@@ -40,6 +41,8 @@ struct vtkOversketchRegionWidget::Internals
   };
   Curve line, ring;
   std::vector<Curve*> order; // of what was drawn, since line and ring are there
+
+  static bool isOfEdit(vtkPolyData* stroke) { return stroke->GetPointData()->HasArray("VertexId"); }
   vtkSmartPointer<vtkPolyData> model;
   MeshKey seen;
   std::shared_ptr<const SurfaceRays> rays;
@@ -161,6 +164,16 @@ bool vtkOversketchRegionWidget::HasBoundary() const
   return !this->Inner->ring.strokes.empty();
 }
 
+void vtkOversketchRegionWidget::SetRedrawOnly(bool only)
+{
+  if (only != this->RedrawOnly)
+  {
+    this->RedrawOnly = only;
+    this->ReadyPen();
+    this->Modified();
+  }
+}
+
 void vtkOversketchRegionWidget::Publish()
 {
   Internals& inner = *this->Inner;
@@ -196,8 +209,13 @@ bool vtkOversketchRegionWidget::SetRegion(vtkPolyData* reference, vtkPolyData* b
       }
       for (vtkPolyData* stroke : curve->strokes)
       {
-        const View view = ViewOf(stroke);
         const bool isRing = curve == &ring;
+        if (Internals::isOfEdit(stroke))
+        {
+          curve->laid.push_back(linesOf(stroke).at(0).points);
+          continue;
+        }
+        const View view = ViewOf(stroke);
         if (isRing && stroke == curve->strokes[0])
         {
           closeLine(stroke);
@@ -232,7 +250,7 @@ bool vtkOversketchRegionWidget::SetRegion(vtkPolyData* reference, vtkPolyData* b
 
 bool vtkOversketchRegionWidget::Wants(bool over)
 {
-  return over ? this->HasReference() : !this->HasBoundary();
+  return over ? this->HasReference() : !this->RedrawOnly && !this->HasBoundary();
 }
 
 bool vtkOversketchRegionWidget::TakeStroke(vtkPolyData* stroke, bool over)
@@ -263,6 +281,12 @@ bool vtkOversketchRegionWidget::TakeStroke(vtkPolyData* stroke, bool over)
         this->Render();
         return false;
       }
+      if (Internals::isOfEdit(curve->strokes[0]))
+      {
+        this->Tell("This curve is an earlier edit's, which it follows: redraw it there.");
+        this->Render();
+        return false;
+      }
       laid = redrawn(curve->laid.back(), curve == &inner.ring, view, samples, laid);
     }
     else if (curve == &inner.ring)
@@ -285,7 +309,7 @@ bool vtkOversketchRegionWidget::TakeStroke(vtkPolyData* stroke, bool over)
 bool vtkOversketchRegionWidget::TakeBack()
 {
   Internals& inner = *this->Inner;
-  if (inner.order.empty())
+  if (inner.order.empty() || this->RedrawOnly)
   {
     return false;
   }
@@ -341,6 +365,7 @@ void vtkOversketchRegionWidget::CreateDefaultRepresentation()
 void vtkOversketchRegionWidget::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "RedrawOnly: " << this->RedrawOnly << "\n";
   os << indent << "Model: " << this->Inner->model.Get() << "\n";
   os << indent << "Reference: " << this->Inner->line.strokes.size() << " strokes\n";
   os << indent << "Boundary: " << this->Inner->ring.strokes.size() << " strokes\n";

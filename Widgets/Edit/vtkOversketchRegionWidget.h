@@ -7,6 +7,7 @@
  * closed from its last sample to its first; then the pen rests. With Shift a stroke over one of them replaces
  * a part of it, by the rules of vtkOversketchResketch; from any view, since both lie on the model. What they
  * are to vtkOversketchEdit: GetReference is its input 1, GetBoundary its input 2, further polylines redraw.
+ * One that an earlier edit has put out can be shown, but not redrawn.
  *
  * | event | idle |
  * |---|---|
@@ -62,8 +63,9 @@ public:
   ///@}
 
   /**
-   * Takes others in their place; null: none, and no ring without a line. False, and nothing changed, where
-   * they are no strokes with views. Fires no event.
+   * Takes others in their place; null: none, and no ring without a line. A polyline with point array VertexId
+   * is one that an earlier edit has put out. False, and nothing changed, where they are no strokes with
+   * views. Fires no event.
    */
   bool SetRegion(vtkPolyData* reference, vtkPolyData* boundary);
 
@@ -80,6 +82,15 @@ public:
    */
   bool HasReference() const;
   bool HasBoundary() const;
+  ///@}
+
+  ///@{
+  /**
+   * On: strokes with Shift alone, which redraw what is there, and Escape takes nothing back. Default off.
+   */
+  void SetRedrawOnly(bool only);
+  vtkGetMacro(RedrawOnly, bool);
+  vtkBooleanMacro(RedrawOnly, bool);
   ///@}
 
   void SetRepresentation(vtkOversketchRegionRepresentation* representation);
@@ -104,6 +115,7 @@ private:
 
   void Publish();
 
+  bool RedrawOnly = false;
   vtkNew<vtkPolyData> Reference, Boundary;
 
   struct Internals;

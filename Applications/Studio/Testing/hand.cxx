@@ -65,6 +65,7 @@ void Hand::Deeds::add(const Deeds& other)
   this->opened += other.opened;
   this->lines += other.lines;
   this->placed += other.placed;
+  this->edits += other.edits;
 }
 
 Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
@@ -79,6 +80,7 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
     connect(tool, &Tool::drawn, this, [this] { ++this->Doing.strokes; });
     connect(tool, &Tool::changed, this, [this] { ++this->Doing.moved; });
     connect(tool, &Tool::edited, this, [this] { ++this->Doing.lines; });
+    connect(tool, &Tool::remade, this, [this] { ++this->Doing.edits; });
     connect(tool,
       &Tool::placed,
       this,
@@ -158,7 +160,9 @@ int Hand::act()
       break;
     case 2:
     case 3:
-      events = this->Draws ? this->dragOfAPart() : this->dragOfTheStroke();
+      events = this->Draws      ? this->dragOfAPart()
+               : this->oneIn(2) ? this->dragOfTheStroke()
+                                : this->editOfARegion();
       break;
     case 4:
     case 5:
@@ -283,6 +287,10 @@ int Hand::dragOfTheStroke()
   const Step& step = *nodes.back().step;
   const SystemInput* drawn = findInput(*findSystem(step.system), SystemInput::Kind::Stroke);
   const auto stroke = linesOf(step, drawn->name);
+  if (!stroke) // of another step
+  {
+    return this->editOfARegion();
+  }
   if (stroke->GetNumberOfPoints() == 0) // a drawing without lines
   {
     return this->lineOnThePad();
@@ -306,6 +314,73 @@ int Hand::dragOfTheStroke()
   }
   QTest::mouseRelease(this->View, Qt::LeftButton, Qt::NoModifier, place);
   return steps + 3;
+}
+
+int Hand::line(QWidget* on, const std::vector<QPoint>& way, Qt::KeyboardModifiers held)
+{
+  QTest::mouseMove(on, way.front());
+  QTest::mousePress(on, Qt::LeftButton, held, way.front());
+  for (const QPoint& at : way)
+  {
+    moveMouse(on, at);
+    QApplication::processEvents();
+  }
+  if (this->oneIn(12))
+  {
+    QTest::keyClick(this->View, Qt::Key_Escape);
+  }
+  QTest::mouseRelease(on, Qt::LeftButton, held, way.back());
+  QApplication::processEvents();
+  return static_cast<int>(way.size()) + 3;
+}
+
+// A line and a ring round it, over the model's middle or beside it, and then whatever a tool of system B lets
+// be dragged there, on the model or in a dock; now and then with Shift over a part of the ring.
+int Hand::editOfARegion()
+{
+  static const Qt::Key tools[] = { Qt::Key_E, Qt::Key_A, Qt::Key_S };
+  QTest::keyClick(this->View, tools[this->upTo(2)]);
+  if (this->oneIn(4))
+  {
+    QTest::keyClick(this->View, Qt::Key_Return);
+  }
+  const QPoint middle = this->near(this->View->rect().center(), this->oneIn(3) ? 120 : 40);
+  const int length = 4 + this->upTo(50), around = length + 4 + this->upTo(40);
+  const auto ring = [&](int steps, double share)
+  {
+    std::vector<QPoint> way;
+    for (int i = 0; i <= steps; ++i)
+    {
+      const double angle = 2.0 * M_PI * share * i / steps;
+      way.push_back(middle + QPoint(static_cast<int>(1.2 * around * std::cos(angle)),
+                               static_cast<int>(around * std::sin(angle))));
+    }
+    return way;
+  };
+  int events = this->line(this->View, { middle - QPoint(length, 0), middle, middle + QPoint(length, 0) });
+  events += this->line(this->View, ring(14, 1.0));
+  if (this->oneIn(4))
+  {
+    events += this->line(this->View, ring(6, 0.3), Qt::ShiftModifier);
+  }
+  const auto drag = [&](QWidget* on, QPoint from)
+  {
+    std::vector<QPoint> way{ from };
+    for (int i = 0; i < 3; ++i)
+    {
+      way.push_back(this->near(way.back(), 20));
+    }
+    return this->line(on, way);
+  };
+  for (const char* name : { "disc_picture", "profile_picture" })
+  {
+    auto* picture = this->Window.findChild<QWidget*>(name);
+    if (picture && picture->isVisible() && this->oneIn(2))
+    {
+      events += drag(picture, this->near(picture->rect().center(), picture->height() / 3));
+    }
+  }
+  return events + drag(this->View, this->near(middle, length));
 }
 
 // A ring in the picture that is drawn over, or a part of one; of a size that a limb, a body or a dot has.
@@ -400,6 +475,12 @@ int Hand::key()
     Qt::Key_D,
     Qt::Key_B,
     Qt::Key_G,
+    Qt::Key_E,
+    Qt::Key_A,
+    Qt::Key_S,
+    Qt::Key_6,
+    Qt::Key_9,
+    Qt::Key_0,
     Qt::Key_V,
     Qt::Key_F4,
     Qt::Key_T,

@@ -9,6 +9,7 @@
 
 #include <random>
 #include <string>
+#include <vector>
 
 class QFileDialog;
 class QWidget;
@@ -34,6 +35,7 @@ public:
     int opened = 0;
     int lines = 0;  // drawn over a picture, or taken off it
     int placed = 0; // times that a drag has moved a part
+    int edits = 0;  // changes of an edit by hand
 
     void add(const Deeds& other);
   };
@@ -64,6 +66,8 @@ private:
 
   int strokeBesideTheModel();
   int dragOfTheStroke();
+  int editOfARegion();
+  int line(QWidget* on, const std::vector<QPoint>& way, Qt::KeyboardModifiers held = Qt::NoModifier);
   int lineOnThePad();
   int dragOfAPart();
   int press();

@@ -179,7 +179,8 @@ void print(const Hand::Deeds& deeds)
   std::cout << deeds.strokes << " strokes, " << deeds.moved << " moved or drawn over, " << deeds.undone
             << " times undone, " << deeds.redone << " redone, " << deeds.meshes << " meshes shown, "
             << deeds.questions << " questions answered, " << deeds.opened << " files opened, " << deeds.lines
-            << " lines over pictures, " << deeds.placed << " drags of parts, ";
+            << " lines over pictures, " << deeds.placed << " drags of parts, " << deeds.edits
+            << " edits changed by hand, ";
 }
 
 } // namespace
@@ -221,6 +222,7 @@ TEST(Window, LivesThroughRandomHands)
     EXPECT_GT(deeds.undone + deeds.redone, least / 2);
     EXPECT_GT(deeds.questions, least);
     EXPECT_GT(deeds.opened, least / 4);
+    EXPECT_GT(deeds.edits, least / 4);
   }
   EXPECT_LT(memory.growth(), 1.0);
 }

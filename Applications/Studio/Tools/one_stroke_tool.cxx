@@ -67,6 +67,11 @@ QString OneStrokeTool::advice(const Situation& situation) const
             "middle button turns the model.");
 }
 
+QString OneStrokeTool::remedy() const
+{
+  return tr("Ctrl+Z undoes, F3 takes the next outline that fits, [ and ] move less or more of the body.");
+}
+
 QString OneStrokeTool::stage(const QString& name) const
 {
   if (name == "ShapeDiameter")

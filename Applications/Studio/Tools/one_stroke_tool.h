@@ -21,6 +21,7 @@ public:
   QPainterPath icon() const override;
   QString hint() const override;
   QString advice(const Situation& situation) const override;
+  QString remedy() const override;
   QString stage(const QString& name) const override;
 };
 

@@ -49,6 +49,8 @@ public:
     bool redraws = false;  // what is drawn next replaces the selected step's
   };
   virtual QString advice(const Situation& situation) const = 0;
+  // What can be done about a step of its system of which something is to be said.
+  virtual QString remedy() const { return tr("Ctrl+Z undoes."); }
   // A stage of its system's, in words.
   virtual QString stage(const QString& name) const { return name; }
 
@@ -110,6 +112,8 @@ signals:
   // The hand has made a step; it has changed the one that was offered.
   void drawn(const oversketch_session::Step& step);
   void changed(const oversketch_session::Step& step);
+  // The same, inputs and values.
+  void remade(const oversketch_session::Step& step);
   // The hand gives the step that was offered other values; `goesOn`: of one movement with the last time.
   void shaped(const oversketch_session::Values& values, bool goesOn);
   // The hand has changed a step of the history, whatever is offered.

@@ -271,3 +271,75 @@ TEST(EditWidget, WhatTheHostSetsOfTheSystemIsFollowed)
   scene.key("o");
   EXPECT_FALSE(scene.widget->GetShowRegion());
 }
+
+TEST(EditWidget, InEveryModeShiftRedrawsAndEscapeTakesNothingBack)
+{
+  EditScene scene;
+  scene.widget->RegionInAllModesOn();
+  scene.drawBoth();
+  scene.placeHandle();
+  scene.key("Escape"); // no handle is selected
+  scene.play("region_redraw_ring.log");
+  vtkOversketchRegionWidget* region = scene.widget->GetRegionWidget();
+  EXPECT_EQ(region->GetBoundary()->GetNumberOfLines(), 2) << scene.widget->GetMessage();
+  EXPECT_EQ(scene.widget->GetMode(), vtkOversketchEditWidget::Direct);
+  scene.key("Escape");
+  EXPECT_EQ(region->GetBoundary()->GetNumberOfLines(), 2);
+  EXPECT_TRUE(scene.widget->HasRegion());
+  scene.widget->RegionInAllModesOff();
+  EXPECT_FALSE(region->GetEnabled());
+  scene.widget->SetModeToRegion();
+  scene.key("Escape");
+  EXPECT_EQ(region->GetBoundary()->GetNumberOfLines(), 1);
+}
+
+TEST(EditWidget, ALineThatCannotBeOneIsToldBeforeTheRing)
+{
+  EditScene scene;
+  scene.draw({ { 10.0, 10.0 }, { 25.0, 12.0 }, { 40.0, 10.0 } }); // beside the ball
+  EXPECT_NE(std::string(scene.widget->GetMessage()).find("lies on the mesh"), std::string::npos)
+    << scene.widget->GetMessage();
+  EXPECT_TRUE(identical(scene.output(), scene.mesh));
+  scene.key("Escape");
+  scene.play("region_line.log");
+  EXPECT_STREQ(scene.widget->GetMessage(), "");
+}
+
+TEST(EditWidget, TheDiscIsChangedInAWindowOfItsOwn)
+{
+  EditScene scene;
+  Window disc{ 200, 200 };
+  disc.camera()->ParallelProjectionOn();
+  disc.camera()->SetPosition(0.0, 0.0, 10.0);
+  disc.camera()->SetParallelScale(1.0);
+  disc.interactor->SetInteractorStyle(nullptr);
+  scene.widget->SetDiscRenderer(disc.renderer);
+  scene.drawBoth();
+  scene.system()->SetOperations("move 0.5 n 0.3");
+  scene.window->Render();
+  scene.widget->SetModeToShade();
+  const auto before = madeAlone(scene, vtkOversketchEdit::Off);
+  disc.move(100, 160);
+  disc.event(vtkCommand::LeftButtonPressEvent, 100, 160);
+  disc.move(100, 130);
+  EXPECT_TRUE(scene.widget->IsPreviewing());
+  EXPECT_FALSE(identical(scene.output(), before));
+  EXPECT_TRUE(identical(scene.output(), madeAlone(scene, vtkOversketchEdit::Off)));
+  disc.event(vtkCommand::LeftButtonReleaseEvent, 100, 130);
+  EXPECT_STREQ(
+    scene.widget->GetLayerHandleWidget()->GetLayers(), scene.widget->GetDiscLayerWidget()->GetLayers());
+  EXPECT_NE(std::string(scene.system()->GetLayers()), "");
+  // A lasso there is one on the model.
+  scene.widget->SetModeToAreas();
+  disc.event(vtkCommand::LeftButtonPressEvent, 130, 100);
+  for (int i = 1; i <= 20; ++i)
+  {
+    disc.move(130 + static_cast<int>(25.0 * std::sin(2.0 * pi * i / 20)),
+      100 + 25 - static_cast<int>(25.0 * std::cos(2.0 * pi * i / 20)));
+  }
+  disc.event(vtkCommand::LeftButtonReleaseEvent, 130, 100);
+  EXPECT_EQ(scene.widget->GetAreaSelectWidget()->GetAreas()->GetNumberOfLines(), 1);
+  EXPECT_EQ(scene.widget->GetDiscAreaWidget()->GetAreas()->GetNumberOfLines(), 1);
+  scene.widget->SetDiscRenderer(nullptr);
+  EXPECT_EQ(scene.widget->GetDiscRenderer(), nullptr);
+}

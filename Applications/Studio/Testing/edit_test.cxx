@@ -1,0 +1,427 @@
+// The tools Direct, Profile and Shade, as a person uses them.
+#include "Harness/polydata.h"
+#include "autosave.h"
+#include "edit_hand.h"
+#include "edit_tool.h"
+#include "evaluator.h"
+#include "scene.h"
+#include "session_file.h"
+
+#include "vtkOversketchAxisHandleRepresentation.h"
+#include "vtkOversketchAxisHandleWidget.h"
+#include "vtkOversketchEditWidget.h"
+#include "vtkOversketchStrokeWidget.h"
+
+#include "vtkCamera.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace oversketch_studio;
+using namespace oversketch_session;
+
+namespace
+{
+
+using Way = std::vector<QPoint>;
+
+struct Edits : Scene
+{
+  explicit Edits(Qt::Key tool = Qt::Key_E)
+    : advice(this->window.findChild<QLabel*>("advice"))
+  {
+    QApplication::setActiveWindow(&this->window);
+    this->press(tool);
+    this->middle = this->seen(this->document->result().mesh->GetCenter()) - QPoint(20, 20);
+  }
+
+  void press(Qt::Key key, Qt::KeyboardModifiers held = Qt::NoModifier)
+  {
+    QTest::keyClick(this->view, key, held);
+    this->settle();
+  }
+  void settle()
+  {
+    QApplication::processEvents();
+    this->wait();
+    QApplication::processEvents();
+  }
+  void send(QWidget* to, QEvent::Type type, const QPoint& at, Qt::KeyboardModifiers held)
+  {
+    const bool moves = type == QEvent::MouseMove;
+    QMouseEvent event(type,
+      at,
+      to->mapToGlobal(at),
+      moves ? Qt::NoButton : Qt::LeftButton,
+      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
+      held);
+    QApplication::sendEvent(to, &event);
+    QApplication::processEvents();
+  }
+  // The button stays down where it is not to be let go of.
+  void drag(QWidget* on, const Way& way, Qt::KeyboardModifiers held = Qt::NoModifier, bool letGo = true)
+  {
+    moveMouse(on, way.front(), Qt::NoButton);
+    this->send(on, QEvent::MouseButtonPress, way.front(), held);
+    for (const QPoint& at : way)
+    {
+      this->send(on, QEvent::MouseMove, at, held);
+    }
+    if (letGo)
+    {
+      this->letGo(on, way.back(), held);
+    }
+  }
+  void letGo(QWidget* on, const QPoint& at, Qt::KeyboardModifiers held = Qt::NoModifier)
+  {
+    this->send(on, QEvent::MouseButtonRelease, at, held);
+    this->settle();
+  }
+  void drag(const Way& way, Qt::KeyboardModifiers held = Qt::NoModifier)
+  {
+    this->drag(this->view, way, held);
+  }
+  static Way straight(const QPoint& from, const QPoint& to, int steps = 12)
+  {
+    Way way;
+    for (int i = 0; i <= steps; ++i)
+    {
+      way.push_back(from + (to - from) * i / steps);
+    }
+    return way;
+  }
+  static Way ring(const QPoint& middle, double wide, double high, double from = 0.0, double to = 2.0 * M_PI)
+  {
+    Way way;
+    for (int i = 0; i <= 60; ++i)
+    {
+      const double a = from + (to - from) * i / 60;
+      way.emplace_back(middle + QPoint(static_cast<int>(std::lround(wide * std::cos(a))),
+                                  static_cast<int>(std::lround(high * std::sin(a)))));
+    }
+    return way;
+  }
+  void drawLine() { this->drag(straight(this->middle - QPoint(35, 0), this->middle + QPoint(35, 0), 20)); }
+  void drawRing(double wide = 75.0, double high = 40.0) { this->drag(ring(this->middle, wide, high)); }
+  void drawBoth()
+  {
+    this->drawLine();
+    this->drawRing();
+    ASSERT_EQ(this->nodes().size(), 1u) << this->said();
+    ASSERT_EQ(this->failures(), "");
+  }
+
+  vtkOversketchAxisHandleRepresentation* axes()
+  {
+    auto* tool = static_cast<EditTool*>(this->window.findChild<Tool*>("direct"));
+    return tool->hand().widget()->GetAxisHandleWidget()->GetAxisHandleRepresentation();
+  }
+  // Where a part of an axis of the selected handle can be taken hold of; the middle of all places of it.
+  QPoint placeOn(int axis, int part)
+  {
+    QPoint sum;
+    int count = 0;
+    for (int x = this->middle.x() - 110; x < this->middle.x() + 110; x += 2)
+    {
+      for (int y = this->middle.y() - 140; y < this->middle.y() + 110; y += 2)
+      {
+        const int grip = this->axes()->GetGripAt(x, this->view->height() - 1 - y);
+        if (grip > 0 && this->axes()->GetAxis(grip) == axis && this->axes()->GetPart(grip) == part)
+        {
+          sum += QPoint(x, y);
+          ++count;
+        }
+      }
+    }
+    return count > 0 ? sum / count : QPoint();
+  }
+  // The first axis that is seen, or the last.
+  int axisSeen(bool last = false)
+  {
+    int seen = -1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if ((seen < 0 || last) && !this->placeOn(axis, vtkOversketchAxisHandleRepresentation::Scale).isNull())
+      {
+        seen = axis;
+      }
+    }
+    return seen;
+  }
+
+  const std::vector<Node>& nodes() { return this->document->session().nodes; }
+  const Step& step(int node) { return *this->nodes()[indexOf(node)].step; }
+  std::string text(int node, const char* property)
+  {
+    return std::get<std::string>(valueOf(this->step(node), *findParameter(*findSystem("Edit"), property)));
+  }
+  std::string failures()
+  {
+    std::string all;
+    for (const auto& node : this->document->result().nodes)
+    {
+      all += node.failure;
+    }
+    return all;
+  }
+  std::string said() { return this->advice->text().toStdString(); }
+  std::string digest() { return this->document->digest(); }
+  QWidget* dockPicture(const char* name) { return this->window.findChild<QVTKOpenGLNativeWidget*>(name); }
+  vtkPolyData* shown() { return this->view->mesh(); }
+  void shot(const char* name)
+  {
+    if (const QString folder = qEnvironmentVariable("OVERSKETCH_SHOTS"); !folder.isEmpty())
+    {
+      this->pictureAtRest();
+      this->window.grab().save(folder + '/' + name + ".png");
+    }
+  }
+
+  QLabel* advice;
+  QPoint middle;
+  int lastAxis = -1;
+};
+
+std::string replayed(Session session, int rule = 0)
+{
+  if (rule != 0)
+  {
+    auto step = std::make_shared<Step>(*session.nodes.back().step);
+    step->values["Rule"] = rule;
+    session.nodes.back().step = step;
+  }
+  std::vector<Outcome> outcomes;
+  Evaluator evaluator;
+  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  return digestOf(resultOf(session, outcomes));
+}
+
+constexpr int ruleOff = 2;
+
+} // namespace
+
+TEST(Edit, AllOfItIsUndoneRedoneAndOutlivesAKill)
+{
+  Edits scene;
+  const std::string bare = scene.digest();
+  scene.drawBoth();
+  EXPECT_EQ(scene.digest(), bare) << "a region alone moves something";
+  std::vector<std::string> made{ bare };
+  const auto isAnother = [&](const char* what)
+  {
+    EXPECT_EQ(scene.failures(), "") << what << ": " << scene.said();
+    EXPECT_NE(scene.digest(), made.back()) << what << ": " << scene.said();
+    made.push_back(scene.digest());
+  };
+  scene.shot("region");
+
+  // The line is dragged: the region follows, and the last preview is the result without new triangles.
+  const Way pull = Edits::straight(scene.middle, scene.middle - QPoint(0, 25));
+  scene.drag(scene.view, pull, Qt::NoModifier, false);
+  scene.shot("line_dragged");
+  vtkNew<vtkPolyData> preview;
+  preview->DeepCopy(scene.shown());
+  scene.letGo(scene.view, pull.back());
+  isAnother("the line dragged");
+  EXPECT_NE(scene.text(0, "Operations").find("move"), std::string::npos);
+  EXPECT_EQ(digestOf(preview), replayed(scene.document->session(), ruleOff));
+  EXPECT_EQ(scene.digest(), replayed(scene.document->session()));
+  EXPECT_EQ(scene.nodes().size(), 1u);
+
+  // An axis of its handle: the same one changes its row, another one makes one.
+  const auto rows = [&]
+  {
+    const std::string all = scene.text(0, "Operations");
+    return std::count(all.begin(), all.end(), ';') + 1;
+  };
+  scene.shot("axes");
+  using Axes = vtkOversketchAxisHandleRepresentation;
+  for (const int axis : { scene.axisSeen(), scene.axisSeen(), scene.axisSeen(true) })
+  {
+    ASSERT_GE(axis, 0);
+    const auto before = rows();
+    const bool isThere = scene.text(0, "Operations").find(std::string("scale ")) != std::string::npos;
+    const QPoint from = scene.placeOn(axis, Axes::Scale);
+    scene.drag(Edits::straight(from, from + (from - scene.placeOn(axis, Axes::Move)) / 2));
+    isAnother("an axis dragged");
+    const bool isOther = axis != scene.lastAxis;
+    EXPECT_EQ(rows(), before + (isOther || !isThere)) << scene.text(0, "Operations");
+    scene.lastAxis = axis;
+  }
+  const auto before = rows();
+  scene.press(Qt::Key_Escape); // no handle is selected
+
+  // The ring redrawn in part, with Shift: its upper right.
+  scene.drag(Edits::ring(scene.middle, 88.0, 48.0, -0.2 * M_PI, 0.2 * M_PI), Qt::ShiftModifier);
+  isAnother("the ring redrawn");
+  EXPECT_EQ(linesOf(scene.step(0), "Boundary")->GetNumberOfLines(), 2) << scene.said();
+  EXPECT_EQ(rows(), before);
+  scene.shot("ring_redrawn");
+
+  // A layer, on the disc: gone, and back.
+  scene.press(Qt::Key_S);
+  QWidget* disc = scene.dockPicture("disc_picture");
+  ASSERT_TRUE(disc && disc->isVisible());
+  scene.shot("shade");
+  const QPoint centre = disc->rect().center(), out = centre + QPoint(0, disc->height() * 3 / 10);
+  scene.drag(disc, Edits::straight(out, centre), Qt::NoModifier, false);
+  scene.shot("layer_dragged");
+  preview->DeepCopy(scene.shown());
+  scene.letGo(disc, centre);
+  isAnother("a layer gone");
+  EXPECT_EQ(digestOf(preview), replayed(scene.document->session(), ruleOff));
+  const std::string gone = scene.text(0, "Layers");
+  EXPECT_NE(gone, "");
+  scene.drag(disc, Edits::straight(centre, out));
+  EXPECT_NE(scene.text(0, "Layers"), gone);
+  isAnother("a layer back");
+
+  // A lasso on the model, and a layer of what it holds.
+  auto* lasso = scene.window.findChild<QToolButton*>("disc_lasso");
+  ASSERT_TRUE(lasso->isEnabled());
+  lasso->click();
+  scene.drag(Edits::ring(scene.middle + QPoint(30, 10), 20.0, 14.0));
+  ASSERT_EQ(linesOf(scene.step(0), "Areas")->GetNumberOfLines(), 1) << scene.said();
+  EXPECT_FALSE(lasso->isChecked());
+  scene.shot("lasso");
+  made.push_back(scene.digest());
+  scene.drag(Edits::straight(scene.middle + QPoint(30, 14), scene.middle + QPoint(30, 22)));
+  EXPECT_NE(scene.text(0, "Layers").find("area 0"), std::string::npos) << scene.text(0, "Layers");
+  isAnother("a layer of the lasso's area");
+  scene.shot("area_layers");
+
+  // A profile is a step of its own, of the same line and ring where the first has left them.
+  scene.press(Qt::Key_A);
+  QWidget* profile = scene.dockPicture("profile_picture");
+  ASSERT_TRUE(profile && profile->isVisible());
+  EXPECT_FALSE(disc->isVisible());
+  scene.shot("profile");
+  ASSERT_EQ(scene.nodes().size(), 1u) << "a tool alone makes a step";
+  const int w = profile->width(), h = profile->height();
+  scene.drag(profile, Edits::ring({ w / 2, h / 2 }, 0.28 * w, 0.3 * h, M_PI, 2.0 * M_PI));
+  ASSERT_EQ(scene.nodes().size(), 2u) << scene.said();
+  EXPECT_TRUE(std::holds_alternative<StepOutput>(scene.step(1).inputs.at("Reference")));
+  isAnother("a profile");
+  scene.shot("profile_drawn");
+  const vtkIdType strokes = linesOf(scene.step(1), "Profile")->GetNumberOfLines();
+  scene.drag(profile, Edits::straight({ w * 4 / 10, h * 3 / 10 }, { w * 6 / 10, h * 3 / 10 }));
+  EXPECT_EQ(linesOf(scene.step(1), "Profile")->GetNumberOfLines(), strokes + 1);
+  isAnother("the profile redrawn");
+
+  EXPECT_EQ(scene.digest(), replayed(scene.document->session()));
+
+  // Undone and redone, each with the same bits.
+  int steps = 0;
+  for (; scene.document->canUndo(); ++steps)
+  {
+    scene.press(Qt::Key_Z, Qt::ControlModifier);
+  }
+  EXPECT_EQ(scene.digest(), bare);
+  EXPECT_TRUE(scene.nodes().empty());
+  EXPECT_GE(steps, 9);
+  for (; steps > 0; --steps)
+  {
+    scene.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  }
+  EXPECT_EQ(scene.digest(), made.back());
+}
+
+TEST(Edit, ThePlaneSlidesAndAnAxisIsDragged)
+{
+  Edits scene(Qt::Key_A);
+  scene.drawBoth();
+  QWidget* profile = scene.dockPicture("profile_picture");
+  const int w = profile->width(), h = profile->height();
+  scene.drag(profile, Edits::ring({ w / 2, h / 2 }, 0.28 * w, 0.3 * h, M_PI, 2.0 * M_PI));
+  ASSERT_EQ(scene.nodes().size(), 1u);
+  ASSERT_TRUE(scene.step(0).inputs.count("Profile")) << scene.said();
+  const std::string first = scene.digest();
+  scene.shot("profile_first");
+  // The section is where the middle of the line is.
+  const Way slide = Edits::straight(scene.middle + QPoint(0, 15), scene.middle + QPoint(22, 15));
+  scene.drag(scene.view, slide, Qt::NoModifier, false);
+  scene.shot("plane_slid");
+  vtkNew<vtkPolyData> preview;
+  preview->DeepCopy(scene.shown());
+  scene.letGo(scene.view, slide.back());
+  ASSERT_TRUE(scene.step(0).values.count("ProfileAt")) << "the plane does not slide";
+  EXPECT_NE(scene.digest(), first);
+  EXPECT_EQ(digestOf(preview), replayed(scene.document->session(), ruleOff));
+  EXPECT_EQ(scene.digest(), replayed(scene.document->session()));
+
+  // E on the same region: operations are another step.
+  scene.press(Qt::Key_E);
+  scene.drag(Edits::straight(scene.middle, scene.middle + QPoint(0, 12)));
+  ASSERT_EQ(scene.nodes().size(), 2u) << scene.said();
+  EXPECT_EQ(scene.failures(), "");
+  EXPECT_EQ(scene.digest(), replayed(scene.document->session()));
+}
+
+TEST(Edit, ABadHandIsToldWhatAndHow)
+{
+  Edits scene;
+  const std::string bare = scene.digest();
+  // In the void.
+  scene.drag(Edits::straight({ 20, 20 }, { 90, 25 }));
+  EXPECT_EQ(scene.nodes().size(), 0u);
+  EXPECT_NE(scene.said().find("taken back"), std::string::npos) << scene.said();
+  scene.shot("void");
+  std::cout << scene.said() << '\n';
+  // Too short.
+  scene.drag(Edits::straight(scene.middle, scene.middle + QPoint(2, 0), 2));
+  EXPECT_NE(scene.said().find("taken back"), std::string::npos) << scene.said();
+  std::cout << scene.said() << '\n';
+  // A ring that does not hold the line.
+  scene.drawLine();
+  EXPECT_NE(scene.said().find("ring"), std::string::npos) << scene.said();
+  scene.drag(Edits::ring(scene.middle + QPoint(10, 0), 15.0, 15.0));
+  EXPECT_NE(scene.said().find("taken back"), std::string::npos) << scene.said();
+  std::cout << scene.said() << '\n';
+  scene.shot("bad_ring");
+  EXPECT_EQ(scene.nodes().size(), 0u);
+  EXPECT_EQ(scene.digest(), bare);
+  // The line is still there: a ring mends it.
+  scene.drawRing();
+  ASSERT_EQ(scene.nodes().size(), 1u) << scene.said();
+  EXPECT_EQ(scene.failures(), "");
+  // A stroke with Shift that is over neither.
+  scene.drag(
+    Edits::straight(scene.middle + QPoint(120, 80), scene.middle + QPoint(160, 90)), Qt::ShiftModifier);
+  EXPECT_NE(scene.said().find("Neither line nor ring"), std::string::npos) << scene.said();
+  // Return is done with it: the next line begins there.
+  scene.press(Qt::Key_Return);
+  scene.drawLine();
+  scene.drawRing(60.0, 35.0);
+  EXPECT_EQ(scene.nodes().size(), 2u) << scene.said();
+}
+
+TEST(Edit, KeysOfADockAreTheCanvass)
+{
+  Edits scene(Qt::Key_S);
+  scene.drawBoth();
+  auto* dock = scene.window.findChild<QDockWidget*>("shade_dock");
+  ASSERT_TRUE(dock && dock->isVisible());
+  dock->setFloating(true);
+  QApplication::processEvents();
+  vtkCamera* camera = scene.renderer()->GetActiveCamera();
+  const double before = camera->GetPosition()[0];
+  QTest::keyClick(dock, Qt::Key_J);
+  QApplication::processEvents();
+  EXPECT_NE(camera->GetPosition()[0], before) << "a key over a dock that floats is lost";
+  EXPECT_EQ(scene.dockPicture("disc_picture")->focusPolicy(), Qt::NoFocus);
+  auto* levels = scene.window.findChild<QSpinBox*>("disc_levels");
+  levels->setValue(9);
+  scene.settle();
+  EXPECT_EQ(std::get<int>(scene.step(0).values.at("Levels")), 9);
+  EXPECT_EQ(scene.failures(), "");
+  dock->setFloating(false);
+}

@@ -1,0 +1,593 @@
+#include "edit_hand.h"
+
+#include "document.h"
+#include "edit_step.h"
+#include "latency.h"
+#include "texture.h"
+#include "viewport.h"
+
+#include "vtkOversketchAreaSelectRepresentation.h"
+#include "vtkOversketchAreaSelectWidget.h"
+#include "vtkOversketchAxisHandleRepresentation.h"
+#include "vtkOversketchAxisHandleWidget.h"
+#include "vtkOversketchEdit.h"
+#include "vtkOversketchEditRepresentation.h"
+#include "vtkOversketchEditWidget.h"
+#include "vtkOversketchLayerHandleRepresentation.h"
+#include "vtkOversketchLayerHandleWidget.h"
+#include "vtkOversketchProfilePlaneRepresentation.h"
+#include "vtkOversketchProfilePlaneWidget.h"
+#include "vtkOversketchRegionRepresentation.h"
+#include "vtkOversketchRegionWidget.h"
+#include "vtkOversketchStrokeWidget.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindowInteractor.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <utility>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+namespace
+{
+
+constexpr double grabDistance = 8.0, shortestLine = 10.0; // px as Qt counts them
+
+} // namespace
+
+EditHand::EditHand(Viewport* viewport, const Document* document)
+  : View(viewport)
+  , OpenDocument(document)
+  , Soon(new QTimer(this))
+  , Mode(vtkOversketchEditWidget::Direct)
+{
+  this->Loaded.step.system = editSystem;
+  this->Widget->SetInteractor(viewport->interactor());
+  this->Widget->SetDefaultRenderer(viewport->renderer());
+  this->Widget->SetCurrentRenderer(viewport->renderer());
+  this->Widget->RegionInAllModesOn();
+  // Triangles are the document's, on a thread of its own.
+  this->Widget->GetEdit()->SetRuleToOff();
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void* text)
+    { static_cast<EditHand*>(self)->heard(event, static_cast<const char*>(text)); });
+  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
+         vtkCommand::InteractionEvent,
+         vtkCommand::EndInteractionEvent,
+         vtkCommand::WidgetValueChangedEvent,
+         vtkCommand::MessageEvent })
+  {
+    this->Widget->AddObserver(event, this->Observer);
+  }
+  this->Soon->setSingleShot(true);
+  connect(this->Soon, &QTimer::timeout, this, &EditHand::arrange);
+  // Return is done with the edit, so that the next line can be drawn there.
+  connect(viewport,
+    &Viewport::returned,
+    this,
+    [this]
+    {
+      if (this->Held && !this->draws() && !this->moves())
+      {
+        this->LeftId = this->Offered ? this->OfferedId : this->LeftId;
+        this->Offered.reset();
+        this->dropLine();
+      }
+    });
+  connect(document,
+    &Document::opened,
+    this,
+    [this]
+    {
+      this->Offered.reset();
+      this->select();
+    });
+}
+
+EditHand::~EditHand()
+{
+  this->Widget->RemoveObserver(this->Observer);
+  this->Widget->SetEnabled(0);
+  this->Widget->SetInteractor(nullptr);
+}
+
+void EditHand::takeUp(int mode)
+{
+  this->Held = true;
+  this->Mode = mode;
+  this->arrange();
+}
+
+void EditHand::putDown()
+{
+  this->Held = false;
+  this->Message.clear();
+  this->Widget->SetEnabled(0);
+  this->stopFollowing();
+}
+
+void EditHand::setMode(int mode)
+{
+  this->Mode = mode;
+  if (this->Held)
+  {
+    this->arrange();
+  }
+}
+
+void EditHand::offer(const Step& step, const Worker::NodeState& state)
+{
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto node =
+    std::find_if(nodes.begin(), nodes.end(), [&](const Node& one) { return one.step.get() == &step; });
+  const int id = node == nodes.end() ? 0 : node->id;
+  if (id != 0 && id == this->LeftId)
+  {
+    return; // the hand is done with it, until it is selected
+  }
+  this->OfferedId = id;
+  this->Offered = step;
+  this->State = state;
+  this->arrange();
+}
+
+void EditHand::offerNothing()
+{
+  this->Offered.reset();
+  this->arrangeSoon(); // another one may be at once
+}
+
+void EditHand::select()
+{
+  this->LeftId = 0;
+  this->dropLine();
+}
+
+void EditHand::dropLine()
+{
+  if (!this->Loaded.isInHistory)
+  {
+    this->Loaded.step.inputs.clear();
+  }
+  this->arrangeSoon();
+}
+
+void EditHand::setMesh(vtkPolyData* mesh)
+{
+  if (this->Rest)
+  {
+    this->Rest = mesh;
+    this->View->showPreview(this->live()); // the hand is at it
+  }
+  if (!this->Offered)
+  {
+    this->arrangeSoon();
+  }
+}
+
+bool EditHand::draws() const
+{
+  return this->Widget->GetRegionWidget()->GetPen()->IsDrawing() ||
+         this->Widget->GetAreaSelectWidget()->GetPen()->IsDrawing() ||
+         this->Widget->GetDiscAreaWidget()->GetPen()->IsDrawing() ||
+         this->Widget->GetProfilePlaneWidget()->GetPen()->IsDrawing();
+}
+
+bool EditHand::moves() const
+{
+  return this->Widget->IsPreviewing() || this->Widget->GetAxisHandleWidget()->IsDragging() ||
+         this->Widget->GetLayerHandleWidget()->IsDragging() ||
+         this->Widget->GetDiscLayerWidget()->IsDragging() ||
+         this->Widget->GetProfilePlaneWidget()->IsDragging();
+}
+
+bool EditHand::hasLine() const
+{
+  return this->Widget->GetRegionWidget()->HasReference();
+}
+
+bool EditHand::hasRegion() const
+{
+  return this->Widget->HasRegion();
+}
+
+void EditHand::setPixelRatio(double ratio)
+{
+  const double distance = grabDistance * ratio;
+  this->Widget->GetRegionWidget()->GetRegionRepresentation()->SetGrabDistance(distance);
+  this->Widget->GetAxisHandleWidget()->GetAxisHandleRepresentation()->SetGrabDistance(distance);
+  this->Widget->GetLayerHandleWidget()->GetLayerHandleRepresentation()->SetGrabDistance(distance);
+  this->Widget->GetProfilePlaneWidget()->GetProfilePlaneRepresentation()->SetGrabDistance(distance);
+}
+
+void EditHand::setSteadiness(double pixels)
+{
+  const double steady = pixels * this->View->devicePixelRatioF();
+  this->Widget->GetRegionWidget()->GetPen()->SetStabilizer(steady);
+  this->Widget->GetAreaSelectWidget()->GetPen()->SetStabilizer(steady);
+  this->Widget->GetProfilePlaneWidget()->GetPen()->SetStabilizer(steady);
+}
+
+void EditHand::showLines(bool show)
+{
+  this->Widget->GetEditRepresentation()->SetVisibility(show);
+  this->Widget->GetRegionWidget()->GetRegionRepresentation()->SetVisibility(show);
+  this->Widget->GetAxisHandleWidget()->GetAxisHandleRepresentation()->SetVisibility(show);
+  this->Widget->GetLayerHandleWidget()->GetLayerHandleRepresentation()->SetVisibility(show);
+  this->Widget->GetAreaSelectWidget()->GetAreaSelectRepresentation()->SetVisibility(show);
+  this->Widget->GetProfilePlaneWidget()->GetProfilePlaneRepresentation()->SetVisibility(show);
+}
+
+void EditHand::setLevels(int levels)
+{
+  if (this->hasRegion() && levels != this->Widget->GetEdit()->GetLevels())
+  {
+    this->Widget->GetEdit()->SetLevels(levels);
+    this->Widget->Update();
+    this->publish();
+  }
+}
+
+bool EditHand::isShading() const
+{
+  return this->Held && this->hasRegion() &&
+         (this->Mode == vtkOversketchEditWidget::Shade || this->Mode == vtkOversketchEditWidget::Areas);
+}
+
+void EditHand::arrangeSoon()
+{
+  this->Soon->start(0);
+}
+
+// What the hand has before it: the step that is offered, or one to come.
+void EditHand::arrange()
+{
+  this->Soon->stop();
+  if (!this->Held)
+  {
+    return;
+  }
+  if (this->draws() || this->moves())
+  {
+    this->Late = true; // until it lets go
+    return;
+  }
+  this->Late = false;
+  const bool isLineAlone =
+    !this->Loaded.isInHistory && !this->Loaded.step.inputs.empty() && !this->hasRegion();
+  this->Buried = this->Offered && !isLineAlone && !this->State.before;
+  if (this->Buried)
+  {
+    this->rest();
+  }
+  else if (!this->Offered || isLineAlone)
+  {
+    this->begin();
+  }
+  else
+  {
+    this->load({ *this->Offered, true, this->State.before, this->State.given });
+    if (this->wantsAnother(*this->Offered) && !this->goOn())
+    {
+      this->rest(); // until its mesh is there
+    }
+  }
+  this->applyMode();
+  if (this->isShading() && this->isMoved())
+  {
+    this->follow(); // greys lie on the surface that they are of, which has no new triangles
+  }
+  this->View->renderSoon();
+  emit this->arranged();
+}
+
+void EditHand::rest()
+{
+  this->load({ { editSystem, {}, {}, {}, {} }, false, {}, {} });
+  this->Widget->SetEnabled(0);
+}
+
+void EditHand::begin()
+{
+  const SharedData& mesh = this->OpenDocument->result().mesh;
+  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {} };
+  if (!this->Loaded.isInHistory)
+  {
+    work.step = this->Loaded.step; // with its line
+    work.given = this->Loaded.given;
+  }
+  if (!mesh)
+  {
+    this->rest();
+    return;
+  }
+  this->load(work);
+}
+
+// A step has operations or a profile, not both.
+bool EditHand::wantsAnother(const Step& step) const
+{
+  return this->Mode == vtkOversketchEditWidget::Profile
+           ? !editText(step, operationsValue).empty()
+           : this->Mode == vtkOversketchEditWidget::Direct && step.inputs.count(profileInput) > 0;
+}
+
+// The next step, on the mesh that this one makes, by its line and its ring where it has left them.
+bool EditHand::goOn()
+{
+  const SharedData& mesh = this->OpenDocument->result().mesh;
+  if (this->OpenDocument->isBusy() || !mesh || !this->hasRegion())
+  {
+    return false;
+  }
+  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {} };
+  const auto copyOf = [](vtkPolyData* curve)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->DeepCopy(curve);
+    return SharedData(copy);
+  };
+  work.step.inputs[lineInput] = StepOutput{ this->OfferedId, 1 };
+  work.step.inputs[ringInput] = StepOutput{ this->OfferedId, 2 };
+  work.given[lineInput] = copyOf(this->Widget->GetEdit()->GetReferenceOutput());
+  work.given[ringInput] = copyOf(this->Widget->GetEdit()->GetBoundaryOutput());
+  this->load(work);
+  return this->hasRegion();
+}
+
+void EditHand::load(const Work& work, bool again)
+{
+  const bool isSameMesh = isSameData(work.mesh, this->Loaded.mesh);
+  const auto isSameLines = [&](const char* name)
+  {
+    const auto& known = this->Loaded.given;
+    const auto one = work.given.find(name), other = known.find(name);
+    const bool has = one != work.given.end();
+    return isSameInput(work.step, this->Loaded.step, name) && has == (other != known.end()) &&
+           (!has || isSameData(one->second, other->second));
+  };
+  const bool isSameStep = work.step.values == this->Loaded.step.values &&
+                          std::all_of(editRow().inputs.begin(),
+                            editRow().inputs.end(),
+                            [&](const auto& one) { return isSameLines(one.name.c_str()); });
+  if (isSameMesh && isSameStep && !again)
+  {
+    this->Loaded.isInHistory = work.isInHistory;
+    this->Loaded.mesh = work.mesh;
+    return;
+  }
+  this->stopFollowing();
+  this->Loading = true;
+  if (!isSameMesh || work.step.inputs.count(ringInput) == 0) // else the last region would stay
+  {
+    this->Widget->SetInputData(work.mesh ? work.mesh.own() : vtkSmartPointer<vtkPolyData>::New());
+    this->Widget->Update();
+  }
+  this->Loaded = work;
+  this->loadCurves(work);
+  this->loadValues(work.step);
+  this->Widget->GetEdit()->Modified();
+  this->Widget->Update();
+  this->Loading = false;
+  this->Message.clear();
+  if (work.isInHistory && !this->hasRegion())
+  {
+    this->Message = QString::fromUtf8(this->Widget->GetMessage());
+  }
+}
+
+void EditHand::loadCurves(const Work& work)
+{
+  const auto data = [&](const char* name)
+  {
+    const auto given = work.given.find(name);
+    return given == work.given.end() ? linesOf(work.step, name) : given->second.own();
+  };
+  vtkOversketchRegionWidget* region = this->Widget->GetRegionWidget();
+  region->SetRegion(data(lineInput), data(ringInput));
+  const auto areas = data(areasInput);
+  this->Widget->GetAreaSelectWidget()->SetAreas(areas);
+  this->Widget->GetLayerHandleWidget()->GetLayerHandleRepresentation()->SetArea(
+    areas ? static_cast<int>(areas->GetNumberOfLines()) - 1 : -1);
+  this->Widget->GetProfilePlaneWidget()->SetProfile(data(profileInput));
+  vtkOversketchEdit* edit = this->Widget->GetEdit();
+  edit->SetInputDataObject(6, data(handlesInput));
+  const auto weights = work.step.inputs.find(weightsInput);
+  const Image* image = weights == work.step.inputs.end() ? nullptr : std::get_if<Image>(&weights->second);
+  edit->SetInputDataObject(5, image ? oversketch_files::pictureOf(*image->bytes) : nullptr);
+  this->Seen = { { lineInput, region->GetReference()->GetMTime() },
+    { ringInput, region->GetBoundary()->GetMTime() },
+    { areasInput, this->Widget->GetAreaSelectWidget()->GetAreas()->GetMTime() },
+    { profileInput, this->Widget->GetProfilePlaneWidget()->GetProfile()->GetMTime() } };
+}
+
+void EditHand::loadValues(const Step& step)
+{
+  for (const Parameter& one : editRow().parameters)
+  {
+    if (one.property != ruleValue)
+    {
+      one.set(this->Widget->GetEdit(), valueOf(step, one));
+    }
+  }
+}
+
+// The tool's, once there is a region.
+void EditHand::applyMode()
+{
+  if (this->Loaded.mesh && !this->Buried)
+  {
+    this->Widget->SetMode(this->hasRegion() ? this->Mode : int(vtkOversketchEditWidget::Region));
+    this->Widget->SetEnabled(1);
+  }
+  const bool pen = !this->hasRegion() || this->Mode == vtkOversketchEditWidget::Areas;
+  this->View->setHandCursor(pen ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void EditHand::heard(unsigned long event, const char* text)
+{
+  if (this->Loading)
+  {
+    return;
+  }
+  switch (event)
+  {
+    case vtkCommand::StartInteractionEvent:
+      this->View->hideHint();
+      this->Message.clear();
+      break;
+    case vtkCommand::InteractionEvent:
+      Latency::of().sample();
+      if (this->Widget->IsPreviewing())
+      {
+        this->follow();
+      }
+      break;
+    case vtkCommand::EndInteractionEvent:
+      this->stopFollowing();
+      if (this->Late)
+      {
+        this->arrangeSoon(); // a change that it has made comes first
+      }
+      emit this->left();
+      break;
+    case vtkCommand::WidgetValueChangedEvent:
+      this->publish();
+      break;
+    default:
+      this->Message = QString::fromUtf8(text);
+      emit this->left();
+  }
+}
+
+// The mesh under the hand.
+void EditHand::follow()
+{
+  if (!this->hasRegion())
+  {
+    return;
+  }
+  if (!this->Rest)
+  {
+    this->Rest = this->View->mesh();
+    this->View->showRegion(nullptr);
+  }
+  this->View->showPreview(this->live());
+}
+
+vtkPolyData* EditHand::live()
+{
+  const bool isShown = this->Widget->IsPreviewing() || !this->Widget->GetEdit()->PreviewEdit(this->Live);
+  return isShown ? this->Widget->GetOutput() : this->Live.Get();
+}
+
+void EditHand::stopFollowing()
+{
+  if (const auto rest = std::exchange(this->Rest, nullptr))
+  {
+    this->View->showPreview(rest);
+  }
+}
+
+// What the hand has made, once the widget has run it.
+void EditHand::publish()
+{
+  const vtkOversketchRegionWidget* region = this->Widget->GetRegionWidget();
+  const bool isWhole = region->HasReference() && region->HasBoundary();
+  QString said = QString::fromUtf8(this->Widget->GetMessage());
+  if (const double length =
+        pixelsOf(this->Widget->GetRegionWidget()->GetReference()) / this->View->devicePixelRatioF();
+      !isWhole && said.isEmpty() && length < shortestLine)
+  {
+    said = tr("The line is %1 px long.").arg(length, 0, 'f', 0);
+  }
+  if (isWhole ? !this->hasRegion() : !said.isEmpty())
+  {
+    this->refuse(said);
+    return;
+  }
+  this->Message = said;
+  this->Loaded.step = this->made();
+  if (isWhole)
+  {
+    const bool isNew = !std::exchange(this->Loaded.isInHistory, true);
+    this->Offered = this->Loaded.step;
+    this->State = {};
+    this->State.before = this->Loaded.mesh;
+    this->State.given = this->Loaded.given;
+    this->LeftId = 0;
+    if (this->isMoved())
+    {
+      this->View->showPreview(this->live()); // until the result comes
+    }
+    Latency::of().strokeEnd();
+    const Step step = this->Loaded.step;
+    isNew ? emit this->drawn(step) : emit this->remade(step);
+    this->OfferedId = idOf(this->OpenDocument->session(), step);
+  }
+  this->applyMode();
+  emit this->left();
+}
+
+bool EditHand::isMoved() const
+{
+  return !editText(this->Loaded.step, operationsValue).empty() ||
+         this->Loaded.step.inputs.count(profileInput) > 0;
+}
+
+Step EditHand::made()
+{
+  Step step = this->Loaded.step;
+  const std::map<std::string, vtkPolyData*> strokes{ { lineInput,
+                                                       this->Widget->GetRegionWidget()->GetReference() },
+    { ringInput, this->Widget->GetRegionWidget()->GetBoundary() },
+    { areasInput, this->Widget->GetAreaSelectWidget()->GetAreas() },
+    { profileInput, this->Widget->GetProfilePlaneWidget()->GetProfile() } };
+  for (const auto& [name, data] : strokes)
+  {
+    if (std::exchange(this->Seen[name], data->GetMTime()) == data->GetMTime())
+    {
+      continue;
+    }
+    step.inputs.erase(name);
+    if (data->GetNumberOfPoints() > 0)
+    {
+      step.inputs[name] = Lines(data);
+    }
+  }
+  for (const char* property : { operationsValue, layersValue, placeValue, levelsValue })
+  {
+    const Parameter& parameter = *findParameter(editRow(), property);
+    const Value now = parameter.get(this->Widget->GetEdit());
+    if (now != valueOf(step, parameter))
+    {
+      step.values[property] = now;
+    }
+  }
+  return step;
+}
+
+// What cannot be is taken back, and why is said.
+void EditHand::refuse(const QString& why)
+{
+  const bool isRing = this->Widget->GetRegionWidget()->HasBoundary(), isNew = !this->Loaded.isInHistory;
+  this->load(Work(this->Loaded), true);
+  const QString words = inWords(why.toStdString(), isRing);
+  this->Message = !isNew   ? tr("%1 It is taken back: do it another way.").arg(words)
+                  : isRing ? tr("%1 It is taken back: draw a ring round the whole line.").arg(words)
+                           : tr("%1 It is taken back: draw another of 10 px or more.").arg(words);
+  this->Widget->GetEditRepresentation()->SetText(this->Message.toUtf8().constData());
+  this->applyMode();
+  this->View->renderSoon();
+  emit this->left();
+}
+
+} // namespace oversketch_studio

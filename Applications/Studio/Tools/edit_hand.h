@@ -1,0 +1,128 @@
+// What the tools of system B share: a line on the model and a ring round it, kept from one tool to the next,
+// and the edit of what lies between, which the model follows while the hand changes it.
+#ifndef oversketch_studio_edit_hand_h
+#define oversketch_studio_edit_hand_h
+
+#include "step.h"
+#include "worker.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <QObject>
+#include <QString>
+
+#include <map>
+#include <optional>
+#include <string>
+
+class QTimer;
+class vtkCallbackCommand;
+class vtkOversketchEditWidget;
+class vtkPolyData;
+
+namespace oversketch_studio
+{
+
+class Document;
+class Viewport;
+
+class EditHand : public QObject
+{
+  Q_OBJECT
+
+public:
+  EditHand(Viewport* viewport, const Document* document);
+  ~EditHand() override;
+
+  // A tool takes it up for a mode of the widget (vtkOversketchEditWidget::ModeType), and puts it down.
+  void takeUp(int mode);
+  void putDown();
+  int mode() const { return this->Mode; }
+  // While there is a region: another mode of the same tool.
+  void setMode(int mode);
+
+  // A step that the hand can change, as the document has it; none any more.
+  void offer(const oversketch_session::Step& step, const oversketch_session::Worker::NodeState& state);
+  void offerNothing();
+  // Another step is selected: a line that has no ring yet is given up.
+  void select();
+  // The mesh that is on screen from here on.
+  void setMesh(vtkPolyData* mesh);
+
+  bool draws() const;
+  bool moves() const;
+  bool hasLine() const;
+  bool hasRegion() const;
+  // Whether later steps act on the one that is offered, so that the hand cannot change it.
+  bool isUnderOthers() const { return this->Buried; }
+  // What the hand is to be told; empty where there is nothing.
+  const QString& message() const { return this->Message; }
+  vtkOversketchEditWidget* widget() const { return this->Widget; }
+  // How many greys the layers are shown in.
+  void setLevels(int levels);
+
+  void setPixelRatio(double ratio);
+  void setSteadiness(double pixels);
+  void showLines(bool show);
+
+signals:
+  void drawn(const oversketch_session::Step& step);
+  void remade(const oversketch_session::Step& step);
+  // The hand has let go, or what it can do is another thing than before.
+  void left();
+  void arranged();
+
+private:
+  using Step = oversketch_session::Step;
+  // What the widget is given.
+  struct Work
+  {
+    Step step;                                                   // of the system
+    bool isInHistory = false;                                    // else it will be
+    oversketch_session::SharedData mesh;                         // that it acts on
+    std::map<std::string, oversketch_session::SharedData> given; // of other steps
+  };
+
+  void heard(unsigned long event, const char* text);
+  void arrange();
+  void arrangeSoon();
+  void rest();
+  void dropLine();
+  // An edit that begins on what is shown; one of the region that the offered one leaves.
+  void begin();
+  bool goOn();
+  bool wantsAnother(const Step& step) const;
+  void load(const Work& work, bool again = false);
+  void loadCurves(const Work& work);
+  void loadValues(const Step& step);
+  void publish();
+  bool isMoved() const;
+  Step made();
+  void refuse(const QString& why);
+  void applyMode();
+  bool isShading() const;
+  // The model as it is edited, without new triangles, smooth.
+  vtkPolyData* live();
+  void follow();
+  void stopFollowing();
+
+  Viewport* View;
+  const Document* OpenDocument;
+  vtkNew<vtkOversketchEditWidget> Widget;
+  vtkNew<vtkPolyData> Live;
+  vtkNew<vtkCallbackCommand> Observer;
+  QTimer* Soon;
+  int Mode;
+  bool Held = false, Loading = false, Late = false, Buried = false;
+  std::optional<Step> Offered;
+  oversketch_session::Worker::NodeState State; // of the offered step
+  int OfferedId = 0, LeftId = 0;               // of steps; the latter the hand is done with
+  Work Loaded;
+  std::map<std::string, vtkMTimeType> Seen; // of the widget's strokes, by the inputs' names
+  QString Message;
+  vtkSmartPointer<vtkPolyData> Rest; // what was on screen before the mesh followed
+};
+
+} // namespace oversketch_studio
+#endif

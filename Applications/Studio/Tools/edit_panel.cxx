@@ -1,0 +1,97 @@
+#include "edit_panel.h"
+
+#include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <QVTKOpenGLNativeWidget.h>
+
+namespace oversketch_studio
+{
+
+namespace
+{
+
+constexpr int leastSide = 190, samplesOfPixel = 4;
+
+} // namespace
+
+EditPanel::EditPanel(QWidget* canvas, const QString& title, const QString& name, QWidget* parent)
+  : QWidget(parent)
+  , Canvas(canvas)
+  , Picture(new QVTKOpenGLNativeWidget(this))
+  , Controls(new QHBoxLayout)
+{
+  this->setWindowTitle(title);
+  this->Picture->setObjectName(name);
+  this->Picture->setAccessibleName(title);
+  this->Picture->setRenderWindow(this->Window);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->SetMultiSamples(samplesOfPixel);
+  this->Picture->interactor()->SetInteractorStyle(nullptr); // there is no camera to turn
+  this->Picture->setMinimumSize(leastSide, leastSide);
+  this->Picture->setFocusPolicy(Qt::NoFocus);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(this->Picture, 1);
+  column->addLayout(this->Controls);
+  this->Picture->installEventFilter(this);
+  this->Canvas->installEventFilter(this);
+  this->setDark(true);
+}
+
+EditPanel::~EditPanel()
+{
+  if (this->Canvas)
+  {
+    this->Canvas->removeEventFilter(this);
+  }
+}
+
+void EditPanel::addControl(QWidget* control)
+{
+  this->Controls->addWidget(control);
+}
+
+// Paper: what is drawn on it has dark and light parts.
+void EditPanel::setDark(bool dark)
+{
+  dark ? this->Renderer->SetBackground(0.44, 0.45, 0.48) : this->Renderer->SetBackground(0.84, 0.85, 0.87);
+  this->Window->Render();
+}
+
+// A dock that floats is a window of its own, which has the keys while it is in front.
+bool EditPanel::event(QEvent* event)
+{
+  if (event->type() == QEvent::ParentChange && this->parentWidget())
+  {
+    this->parentWidget()->installEventFilter(this);
+  }
+  return QWidget::event(event);
+}
+
+bool EditPanel::eventFilter(QObject* watched, QEvent* event)
+{
+  const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+  if (watched == this->Picture)
+  {
+    if (event->type() == QEvent::Resize && this->fit)
+    {
+      this->fit();
+    }
+  }
+  else if (isKey && watched == this->Canvas && this->wantsKeys && this->wantsKeys())
+  {
+    return QCoreApplication::sendEvent(this->Picture, event);
+  }
+  else if (isKey && this->Canvas && watched == this->parentWidget())
+  {
+    return QCoreApplication::sendEvent(this->Canvas, event);
+  }
+  return false;
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,52 @@
+// Steps of system B: what they are given, compared.
+#ifndef oversketch_studio_edit_step_h
+#define oversketch_studio_edit_step_h
+
+#include "session.h"
+#include "systems.h"
+
+#include <QString>
+
+#include <string>
+
+namespace oversketch_studio
+{
+
+constexpr const char* editSystem = "Edit";
+constexpr const char* lineInput = "Reference";
+constexpr const char* ringInput = "Boundary";
+constexpr const char* profileInput = "Profile";
+constexpr const char* areasInput = "Areas";
+constexpr const char* weightsInput = "Weights";
+constexpr const char* handlesInput = "Handles";
+constexpr const char* operationsValue = "Operations";
+constexpr const char* layersValue = "Layers";
+constexpr const char* levelsValue = "Levels";
+constexpr const char* placeValue = "ProfileAt";
+constexpr const char* ruleValue = "Rule";
+
+// What the system calls the curves that it speaks of.
+constexpr const char* saidOfEither[] = { "Stroke 0", "Curve 0" };
+constexpr const char* saidOfLine[] = { "The reference curve", "the reference curve" };
+constexpr const char* saidOfRing[] = { "the boundary curve", "the boundary" };
+// What it says of them, in words of the hand's; "either" is the ring or the line.
+QString inWords(const std::string& said, bool isRing);
+
+const oversketch_session::SystemRow& editRow();
+
+// Whether an input is of the same lines, picture or step.
+bool isSameInput(const oversketch_session::Step& a,
+  const oversketch_session::Step& b,
+  const std::string& name);
+// By what is in them.
+bool isSameData(vtkPolyData* a, vtkPolyData* b);
+// The value of a parameter that is a text.
+std::string editText(const oversketch_session::Step& step, const char* property);
+// How long the first stroke of some is [px of its view]; of none, and of a curve of an earlier edit,
+// infinite.
+double pixelsOf(vtkPolyData* strokes);
+// The last step of a session that has the line and the ring of another; 0 where there is none.
+int idOf(const oversketch_session::Session& session, const oversketch_session::Step& step);
+
+} // namespace oversketch_studio
+#endif

@@ -1,0 +1,39 @@
+// System B's tool Profile: a plane slides along the line, and what it cuts is drawn anew in a dock.
+#ifndef oversketch_studio_profile_tool_h
+#define oversketch_studio_profile_tool_h
+
+#include "edit_tool.h"
+
+#include <QPointer>
+
+namespace oversketch_studio
+{
+
+class EditPanel;
+
+class ProfileTool : public EditTool
+{
+  Q_OBJECT
+
+public:
+  ProfileTool(const std::shared_ptr<EditHand>& hand, Viewport* viewport);
+  ~ProfileTool() override;
+
+  QString title() const override;
+  QKeySequence key() const override;
+  QString help() const override;
+  QString mode() const override;
+  QPainterPath icon() const override;
+  QWidget* makePanel(QWidget* parent) override;
+  void setDark(bool dark) override;
+
+protected:
+  QVector<QPair<QString, QString>> ways() const override;
+  QString way() const override;
+
+private:
+  QPointer<EditPanel> Panel;
+};
+
+} // namespace oversketch_studio
+#endif

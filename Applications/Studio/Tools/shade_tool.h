@@ -1,0 +1,50 @@
+// System B's tool Shade: grey layers say how far the model follows the line, on the model and on a disc in a
+// dock.
+#ifndef oversketch_studio_shade_tool_h
+#define oversketch_studio_shade_tool_h
+
+#include "edit_tool.h"
+
+#include <QPointer>
+
+class QSpinBox;
+class QToolButton;
+
+namespace oversketch_studio
+{
+
+class EditPanel;
+
+class ShadeTool : public EditTool
+{
+  Q_OBJECT
+
+public:
+  ShadeTool(const std::shared_ptr<EditHand>& hand, Viewport* viewport);
+  ~ShadeTool() override;
+
+  QString title() const override;
+  QKeySequence key() const override;
+  QString help() const override;
+  QString mode() const override;
+  QPainterPath icon() const override;
+  QWidget* makePanel(QWidget* parent) override;
+  void setDark(bool dark) override;
+  void start() override;
+
+protected:
+  QVector<QPair<QString, QString>> ways() const override;
+  QString way() const override;
+
+private:
+  // The dock shows what the hand has.
+  void follow();
+
+  QPointer<EditPanel> Panel;
+  QPointer<QToolButton> Lasso;
+  QPointer<QSpinBox> Levels;
+  int Areas = 0; // when the dock last followed
+};
+
+} // namespace oversketch_studio
+#endif
