@@ -293,7 +293,7 @@ void vtkOversketchEditWidget::Run()
   Internals& inner = *this->Inner;
   inner.stale = inner.acted = false;
   std::string message;
-  if (inner.isWhole())
+  if (inner.region->HasReference())
   {
     this->Connect();
     inner.system->Modified(); // what ran before may have had another mesh in the same data object
@@ -301,8 +301,18 @@ void vtkOversketchEditWidget::Run()
     {
       StepRunner::Listener listener;
       listener.warning = [&](const std::string& warning) { message = warning; };
-      StepRunner(inner.system, listener).Run();
-      inner.acted = true;
+      StepRunner runner(inner.system, listener);
+      if (inner.isWhole())
+      {
+        runner.Run();
+        inner.acted = true;
+      }
+      else
+      {
+        // The line is in the mesh before the ring's release asks for it; what keeps it out, that will tell.
+        runner.Run([&] { inner.system->Prepare(); });
+        message.clear();
+      }
     }
     catch (const Error& error)
     {
