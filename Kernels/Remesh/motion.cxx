@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace oversketch
 {
@@ -30,8 +31,10 @@ Matrix3 slopeAt(const Mesh& rest,
   }
   // Across the surface nothing is known, and nothing changes.
   squares += 0.5 * squares.trace() * normal * normal.transpose();
-  const Eigen::FullPivLU<Matrix3> solver(squares);
-  return solver.isInvertible() ? Matrix3(products * solver.inverse()) : Matrix3::Zero();
+  Matrix3 inverse;
+  bool isInvertible = false;
+  squares.computeInverseWithCheck(inverse, isInvertible, 1e-12 * std::pow(squares.trace(), 3));
+  return isInvertible ? Matrix3(products * inverse) : Matrix3::Zero();
 }
 
 } // namespace
@@ -44,16 +47,33 @@ Motion motionBetween(const Mesh& rest,
   constexpr std::size_t channels = 15;
   Motion motion;
   motion.channels = channels;
-  motion.values.resize(channels * rest.points.size());
-  const std::vector<Vector3> normals = vertexNormals(rest, adjacency.vertexTriangles, context);
+  motion.values.resize(channels * rest.points.size(), 0.0);
+  // Elsewhere there is no displacement, and no slope of it.
+  std::vector<char> concerned(rest.points.size(), 0);
+  for (int v = 0; v < rest.vertexCount(); ++v)
+  {
+    if (moved[v] != rest.points[v])
+    {
+      concerned[v] = 1;
+      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      {
+        concerned[*n] = 1;
+      }
+    }
+  }
   context.parallelFor(rest.vertexCount(),
     [&](int begin, int end)
     {
       for (int v = begin; v < end; ++v)
       {
+        if (!concerned[v])
+        {
+          continue;
+        }
         double* values = motion.values.data() + channels * static_cast<std::size_t>(v);
         const Vector3 own = moved[v] - rest.points[v];
-        const Matrix3 slope = slopeAt(rest, adjacency, moved, normals[v], v);
+        const Matrix3 slope =
+          slopeAt(rest, adjacency, moved, vertexNormal(rest, adjacency.vertexTriangles, v), v);
         const Vector3 atOrigin = own - slope * rest.points[v];
         std::copy_n(own.data(), 3, values);
         std::copy_n(atOrigin.data(), 3, values + 3);

@@ -147,4 +147,13 @@ int flipAll(Patch& patch, bool byAngle, Steps& steps)
   return made;
 }
 
+int flipByAngle(Patch& patch, Steps& steps)
+{
+  std::vector<int> queue = edgesWhere(patch, steps.context, [&](int h) { return patch.inner(h); });
+  const int made = flipByAngle(
+    patch, queue, [](int) { return true; }, [&](int) { steps.tick(); });
+  steps.next();
+  return made;
+}
+
 } // namespace oversketch

@@ -6,6 +6,7 @@
 #include "Remesh/patch.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace oversketch
 {
@@ -38,6 +39,53 @@ int splitAll(Patch& patch, double longest, Steps& steps);
 // Collapses the edges under `shortest`, the shortest first, where none over `longest` comes of it.
 int collapseAll(Patch& patch, double shortest, double longest, Steps& steps);
 int flipAll(Patch& patch, bool byAngle, Steps& steps);
+
+// Flips by angle until no edge is left that this helps, and only where an angle opposite the edge is over 90
+// degrees: in the plane no other flip makes the smallest angle larger. queue: the half-edges to begin with.
+// An edge is flipped only where allowed(h); then flipped(h) is called for the one that it became.
+template <typename Allowed, typename Flipped>
+int flipByAngle(Patch& patch, std::vector<int>& queue, const Allowed& allowed, const Flipped& flipped)
+{
+  const auto isWide = [&patch](int h, const Vector3& a, const Vector3& b)
+  {
+    const Vector3& apex = patch.point(patch.origin(previousHalfEdge(h)));
+    return (a - apex).dot(b - apex) < 0.0;
+  };
+  int made = 0;
+  for (std::size_t i = 0; i < queue.size(); ++i)
+  {
+    const int h = queue[i], g = patch.inner(h) && patch.aliveTriangle(h / 3) ? patch.twin(h) : -1;
+    if (g < 0)
+    {
+      continue;
+    }
+    const Vector3 &a = patch.point(patch.origin(h)), &b = patch.point(patch.target(h));
+    if ((isWide(h, a, b) || isWide(g, a, b)) && allowed(h) && patch.flip(h, true))
+    {
+      int now = -1;
+      for (const int t : { h / 3, g / 3 })
+      {
+        for (int rim = 3 * t; rim < 3 * t + 3; ++rim)
+        {
+          const int other = patch.twin(rim) / 3;
+          if (patch.inner(rim) && (other == h / 3 || other == g / 3))
+          {
+            now = rim;
+          }
+          else
+          {
+            queue.push_back(rim);
+          }
+        }
+      }
+      flipped(now);
+      ++made;
+    }
+  }
+  return made;
+}
+// Of all edges.
+int flipByAngle(Patch& patch, Steps& steps);
 
 } // namespace oversketch
 #endif

@@ -43,8 +43,13 @@ Patch::Patch(const Surface& surface,
   , Kept(Twin.size(), 0)
 {
   // Splitting may well double the patch.
-  const std::size_t room = 2 * this->Active.size();
+  const std::size_t room = 2 * this->Active.size(), places = 2 * this->Points.size();
   this->Origin.reserve(3 * room);
+  this->Twin.reserve(3 * room);
+  this->Kept.reserve(3 * room);
+  this->Active.reserve(room);
+  this->Points.reserve(places);
+  this->Places.reserve(places);
   for (const Triangle& t : surface.mesh().triangles)
   {
     this->Origin.insert(this->Origin.end(), t.begin(), t.end());

@@ -1,5 +1,6 @@
 #include "Remesh/reassemble.h"
 
+#include "Mesh/context.h"
 #include "Remesh/keep_apart.h"
 
 #include <algorithm>
@@ -42,12 +43,14 @@ public:
     const Cutout& cutout,
     const Surface& rest,
     const Stage& stage,
-    const Patch& patch)
+    const Patch& patch,
+    const Context& context)
     : Input(input)
     , Cut(cutout)
     , Rest(rest)
     , Base(stage)
     , Area(patch)
+    , Caller(context)
     , Output(patch.vertexCount(), -1)
   {
   }
@@ -70,9 +73,30 @@ public:
 private:
   int cutVertices() const { return this->Cut.mesh.vertexCount(); }
 
+  // One value of each, threaded.
+  template <typename Value, typename Make>
+  std::vector<Value> each(int count, const Make& make) const
+  {
+    std::vector<Value> values(static_cast<std::size_t>(count));
+    this->Caller.parallelFor(count,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          values[i] = make(i);
+        }
+      });
+    return values;
+  }
+
   void addPoints()
   {
     const int count = this->Input.rest.vertexCount();
+    const std::size_t most = this->Input.rest.points.size() + this->Area.vertexCount();
+    this->Result.mesh.points.reserve(most);
+    this->Result.pointSource.reserve(most);
+    std::vector<Mix> mixes = this->each<Mix>(
+      this->Area.vertexCount(), [this](int own) { return this->isStill(own) ? Mix() : this->mixOf(own); });
     this->OutputOfInput.assign(static_cast<std::size_t>(count), -1);
     for (int v = 0; v < count; ++v)
     {
@@ -83,9 +107,12 @@ private:
       }
       else if (this->Area.aliveVertex(own))
       {
-        const bool still = this->Area.point(own) == this->Base.mesh.points[own];
+        const bool still = this->isStill(own);
         this->OutputOfInput[v] = this->Output[own] = this->addPoint(this->Area.point(own), still ? v : -1);
-        this->addMix(own, still);
+        if (!still)
+        {
+          this->Result.mixes.push_back(std::move(mixes[own]));
+        }
       }
     }
     for (int own = this->cutVertices(); own < this->Area.vertexCount(); ++own)
@@ -93,7 +120,7 @@ private:
       if (this->Area.aliveVertex(own))
       {
         this->Output[own] = this->addPoint(this->Area.point(own), -1);
-        this->addMix(own, false);
+        this->Result.mixes.push_back(std::move(mixes[own]));
       }
     }
   }
@@ -105,12 +132,10 @@ private:
     return this->Result.mesh.vertexCount() - 1;
   }
 
-  void addMix(int own, bool isInput)
+  // Gone, or a vertex of the input where it was.
+  bool isStill(int own) const
   {
-    if (!isInput)
-    {
-      this->Result.mixes.push_back(this->mixOf(own));
-    }
+    return !this->Area.aliveVertex(own) || (own < this->cutVertices() && this->isOfBase(own));
   }
 
   // Of a vertex of the stage's mesh, `share` of it.
@@ -136,6 +161,7 @@ private:
   Mix mixOf(int own) const
   {
     Mix mix;
+    mix.reserve(9);
     if (this->isOfBase(own))
     {
       this->addOrigin(own, 1.0, mix);
@@ -158,17 +184,6 @@ private:
              ? this->Cut.mesh.points[base]
              : positionOf(this->Cut.mesh, this->Base.origins[base - this->cutVertices()]);
   }
-  Vector3 atRest(int own) const
-  {
-    if (this->isOfBase(own))
-    {
-      return this->baseAtRest(own);
-    }
-    const SurfacePoint& at = this->Area.place(own);
-    const Triangle& c = this->Base.mesh.triangles[at.triangle];
-    return at.weights[0] * this->baseAtRest(c[0]) + at.weights[1] * this->baseAtRest(c[1]) +
-           at.weights[2] * this->baseAtRest(c[2]);
-  }
 
   void addTriangles()
   {
@@ -178,11 +193,15 @@ private:
     {
       slots[this->Cut.triangles[slot]] = slot;
     }
+    const std::size_t most = this->Input.rest.triangles.size() + this->Area.triangleCount();
+    this->Result.mesh.triangles.reserve(most);
+    this->Result.triangleSource.reserve(most);
+    const std::vector<int> sources = this->sourcesOfSlots();
     for (int t = 0; t < count; ++t)
     {
       if (slots[t] >= 0)
       {
-        this->addSlot(slots[t]);
+        this->addSlot(slots[t], sources);
         continue;
       }
       const Triangle& c = this->Input.rest.triangles[t];
@@ -191,22 +210,23 @@ private:
     }
     for (int slot = this->Cut.mesh.triangleCount(); slot < this->Area.triangleCount(); ++slot)
     {
-      this->addSlot(slot);
+      this->addSlot(slot, sources);
     }
   }
 
-  void addSlot(int slot)
+  bool isThere(int slot) const
   {
     const bool changes = slot >= this->Base.mesh.triangleCount() || this->Base.active[slot];
-    if (changes && !this->Area.aliveTriangle(slot))
+    return !changes || this->Area.aliveTriangle(slot);
+  }
+
+  void addSlot(int slot, const std::vector<int>& sources)
+  {
+    if (this->isThere(slot))
     {
-      return;
+      const Triangle c = this->Area.triangle(slot);
+      this->addTriangle({ this->Output[c[0]], this->Output[c[1]], this->Output[c[2]] }, sources[slot]);
     }
-    const Triangle c = this->Area.triangle(slot);
-    const bool still = slot < this->Cut.mesh.triangleCount() && c == this->Cut.mesh.triangles[slot] &&
-                       this->isOfBase(c[0]) && this->isOfBase(c[1]) && this->isOfBase(c[2]);
-    this->addTriangle({ this->Output[c[0]], this->Output[c[1]], this->Output[c[2]] },
-      still ? this->Cut.triangles[slot] : this->sourceOf(c));
   }
 
   void addTriangle(const Triangle& triangle, int source)
@@ -215,10 +235,37 @@ private:
     this->Result.triangleSource.push_back(source);
   }
 
-  int sourceOf(const Triangle& c) const
+  std::vector<int> sourcesOfSlots() const
   {
-    const Vector3 middle = (this->atRest(c[0]) + this->atRest(c[1]) + this->atRest(c[2])) / 3.0;
-    return this->Cut.triangles[this->Rest.closest(middle, this->startNear(c[0])).triangle];
+    const std::vector<Vector3> base =
+      this->each<Vector3>(this->Base.mesh.vertexCount(), [this](int v) { return this->baseAtRest(v); });
+    const std::vector<Vector3> rests = this->each<Vector3>(this->Area.vertexCount(),
+      [&](int own)
+      {
+        if (!this->Area.aliveVertex(own) || this->isOfBase(own))
+        {
+          return own < this->Base.mesh.vertexCount() ? base[own] : Vector3(Vector3::Zero());
+        }
+        const SurfacePoint& at = this->Area.place(own);
+        const Triangle& c = this->Base.mesh.triangles[at.triangle];
+        return Vector3(at.weights[0] * base[c[0]] + at.weights[1] * base[c[1]] + at.weights[2] * base[c[2]]);
+      });
+    return this->each<int>(this->Area.triangleCount(),
+      [&](int slot)
+      {
+        const Triangle c = this->Area.triangle(slot);
+        if (!this->isThere(slot))
+        {
+          return -1;
+        }
+        if (slot < this->Cut.mesh.triangleCount() && c == this->Cut.mesh.triangles[slot] &&
+            this->isOfBase(c[0]) && this->isOfBase(c[1]) && this->isOfBase(c[2]))
+        {
+          return this->Cut.triangles[slot];
+        }
+        const Vector3 middle = (rests[c[0]] + rests[c[1]] + rests[c[2]]) / 3.0;
+        return this->Cut.triangles[this->Rest.towards(middle, this->startNear(c[0]))];
+      });
   }
 
   // A triangle of the cut-out at a vertex or near it.
@@ -236,6 +283,7 @@ private:
   const Surface& Rest;
   const Stage& Base;
   const Patch& Area;
+  const Context& Caller;
   std::vector<int> Output;        // of a patch vertex
   std::vector<int> OutputOfInput; // of an input vertex
   Retriangulated Result;
@@ -348,9 +396,10 @@ Retriangulated reassembled(const RetriangulateInput& input,
   const Surface& rest,
   const Stage& stage,
   const Patch& patch,
-  const std::vector<std::vector<HeldVertex>>& curves)
+  const std::vector<std::vector<HeldVertex>>& curves,
+  const Context& context)
 {
-  Retriangulated result = Reassembly(input, cutout, rest, stage, patch).run(curves);
+  Retriangulated result = Reassembly(input, cutout, rest, stage, patch, context).run(curves);
   part(result, input);
   return result;
 }

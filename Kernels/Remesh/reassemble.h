@@ -48,7 +48,8 @@ Retriangulated reassembled(const RetriangulateInput& input,
   const Surface& rest,
   const Stage& stage,
   const Patch& patch,
-  const std::vector<std::vector<HeldVertex>>& curves);
+  const std::vector<std::vector<HeldVertex>>& curves,
+  const Context& context);
 
 // The input as it was moved, when nothing is to be done.
 Retriangulated untouched(const RetriangulateInput& input);

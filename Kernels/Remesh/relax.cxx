@@ -78,9 +78,15 @@ void Relaxation::want(int v)
   }
   const Vector3 mean = sum / count;
   const Vector3 step = mean - normal * (normal.dot(mean) / squared);
-  this->Places[v] = patch.Original.closest(old + step, patch.Places[v].triangle);
-  const Vector3 wanted = positionOf(patch.Original.mesh(), this->Places[v]);
   const double least = smallestMove * patch.Sizes[v];
+  if (this->Quick && step.squaredNorm() < least * least)
+  {
+    return;
+  }
+  const Vector3 goal = old + step;
+  const int from = patch.Places[v].triangle;
+  this->Places[v] = patch.Original.closest(goal, this->Quick ? patch.Original.towards(goal, from) : from);
+  const Vector3 wanted = positionOf(patch.Original.mesh(), this->Places[v]);
   if ((wanted - old).squaredNorm() >= least * least)
   {
     this->Points[v] = wanted;

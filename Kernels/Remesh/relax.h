@@ -15,9 +15,12 @@ namespace oversketch
 class Relaxation
 {
 public:
-  Relaxation(Patch& patch, const Context& context)
+  // quick: small steps are not taken to the surface first, and the others walk over edges towards it, which
+  // at a fold may end on its other side: not what recorded results of remeshing were made with.
+  Relaxation(Patch& patch, const Context& context, bool quick = false)
     : Area(patch)
     , Caller(context)
+    , Quick(quick)
   {
   }
 
@@ -47,6 +50,7 @@ private:
 
   Patch& Area;
   const Context& Caller;
+  const bool Quick;
   std::vector<Vector3> Points; // the new ones
   std::vector<SurfacePoint> Places;
   std::vector<char> Moves, Unsafe;

@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
+#include <functional>
 #include <sstream>
+#include <unordered_set>
+#include <utility>
 
 namespace oversketch
 {
@@ -23,7 +25,7 @@ constexpr double longestEdge = 4.0 / 3.0;
 constexpr double shortestEdge = 0.35;
 constexpr double largestSag = 0.03; // of an edge's length
 constexpr double smallestChange = 1.01;
-constexpr double coincidence = 1e-6; // of an edge's length
+constexpr double coincidence = 1e-6; // of two vertices
 // Twice the area of a triangle over the sum of two squared sides: one that is not greater than this has none.
 constexpr double flattest = 1e-6;
 constexpr int splitRounds = 6;
@@ -136,6 +138,45 @@ std::vector<double> curvatureSizes(const Mesh& mesh, double meanEdge, const Cont
   return sizes;
 }
 
+// Places that have a vertex. The middle of an edge that was swapped, brought back to the surface, may be one:
+// two vertices at one place would be taken for one by whoever welds the mesh.
+class TakenPlaces
+{
+public:
+  explicit TakenPlaces(double apart)
+    : Cell(apart)
+  {
+  }
+  // False where the place, or one very near, is taken.
+  bool take(const Vector3& p)
+  {
+    return this->Cells
+      .insert({ std::floor(p[0] / this->Cell) + 0.0,
+        std::floor(p[1] / this->Cell) + 0.0,
+        std::floor(p[2] / this->Cell) + 0.0 }) // + 0.0: there is no -0.0
+      .second;
+  }
+  void reserve(std::size_t count) { this->Cells.reserve(count); }
+
+private:
+  using Key = std::array<double, 3>;
+  struct Hash
+  {
+    std::size_t operator()(const Key& key) const
+    {
+      std::size_t seed = 0;
+      for (const double part : key)
+      {
+        seed = (seed ^ std::hash<double>()(part)) * 0x9e3779b97f4a7c15u;
+        seed ^= seed >> 29;
+      }
+      return seed;
+    }
+  };
+  double Cell;
+  std::unordered_set<Key, Hash> Cells;
+};
+
 // The patch as the edit moves it, while its edges are split before the edit.
 class Splitting
 {
@@ -156,21 +197,32 @@ public:
     , Sizes(cutout.vertices.size(), input.meanEdge)
     , Area(rest, cutout.active, Sizes, held.vertices, held.edges, false)
     , AtRest(cutout.mesh.points)
+    , Taken(coincidence * input.meanEdge)
     , Touched(cutout.active.size(), 0)
-    , Fresh(cutout.active)
+    , IsSplit(cutout.active.size(), 0)
   {
     this->Area.moveTo(Cutout::taken(input.moved, cutout.vertices));
+    this->Taken.reserve(4 * cutout.vertices.size());
     for (int v = 0; v < this->Area.vertexCount(); ++v)
     {
-      this->Taken.insert(keyOf(this->Area.point(v)));
+      this->Taken.take(this->Area.point(v));
     }
     for (int t = 0; t < this->Area.triangleCount(); ++t)
     {
       for (int h = 3 * t; this->Area.aliveTriangle(t) && h < 3 * t + 3; ++h)
       {
-        const double now = this->lengthOf(h), before = this->restLength(h);
-        this->Touched[t] |= now > smallestChange * before || before > smallestChange * now ? 1 : 0;
+        const double now = this->squaredLength(h), before = this->squaredRestLength(h);
+        constexpr double change = smallestChange * smallestChange;
+        this->Touched[t] |= now > change * before || before > change * now ? 1 : 0;
       }
+      this->Area.eachEdge(t,
+        [this](int h)
+        {
+          if (this->Area.inner(h))
+          {
+            this->addEdge(h);
+          }
+        });
     }
   }
 
@@ -178,13 +230,13 @@ public:
   {
     for (int round = 0; round < splitRounds; ++round)
     {
-      std::vector<Wish> wishes = this->wishes();
-      std::fill(this->Fresh.begin(), this->Fresh.end(), 0);
-      counts.splits += this->split(wishes);
-      const int flips = this->flip();
+      this->lookAtEdges(steps.context);
+      const std::vector<int> split = this->split();
+      const int flips = this->flip(split, round == 0);
+      counts.splits += static_cast<int>(split.size()) / 4;
       counts.flips += flips;
       steps.next();
-      if (wishes.empty() && flips == 0)
+      if (this->Wishes.empty() && this->Fresh.empty())
       {
         break;
       }
@@ -195,112 +247,137 @@ public:
   const std::vector<char>& touched() const { return this->Touched; }
 
 private:
+  struct Edge
+  {
+    int a, b, h; // h: a half-edge of it, from a to b, at the time
+  };
   struct Wish // to split an edge
   {
-    int a, b, h;
+    Edge edge;
+    double squaredLength;
     SurfacePoint place;
-    double length;
     Vector3 position;
   };
 
-  double lengthOf(int h) const
+  double squaredLength(int h) const
   {
-    return (this->Area.point(this->Area.target(h)) - this->Area.point(this->Area.origin(h))).norm();
+    return (this->Area.point(this->Area.target(h)) - this->Area.point(this->Area.origin(h))).squaredNorm();
   }
-  double restLength(int h) const
+  double squaredRestLength(int h) const
   {
-    return (this->AtRest[this->Area.target(h)] - this->AtRest[this->Area.origin(h)]).norm();
+    return (this->AtRest[this->Area.target(h)] - this->AtRest[this->Area.origin(h)]).squaredNorm();
   }
+
+  void addEdge(int h) { this->Fresh.push_back({ this->Area.origin(h), this->Area.target(h), h }); }
 
   // The middle of an edge before the edit. An edge that was swapped need not lie on the surface there.
   SurfacePoint middleOf(int h) const
   {
-    const int a = this->Area.origin(h), b = this->Area.target(h);
-    SurfacePoint place;
-    if (this->Rest.middle(this->Area.place(a), this->Area.place(b), -1, place))
+    const int a = this->Area.origin(h), b = this->Area.target(h), t = h / 3;
+    SurfacePoint place{ t, { 0.0, 0.0, 0.0 } };
+    if (t < this->Cut.mesh.triangleCount() && this->Area.triangle(t) == this->Cut.mesh.triangles[t])
+    {
+      place.weights[h % 3] = place.weights[nextHalfEdge(h) % 3] = 0.5;
+      return place;
+    }
+    const SurfacePoint &from = this->Area.place(a), &to = this->Area.place(b);
+    if (this->Rest.middleIn(from.triangle, from, to, place) ||
+        this->Rest.middleIn(to.triangle, from, to, place) || this->Rest.middle(from, to, -1, place))
     {
       return place;
     }
     const Vector3 middle = 0.5 * (this->AtRest[a] + this->AtRest[b]);
-    const SurfacePoint first = this->Rest.closest(middle, this->Area.place(a).triangle);
-    const SurfacePoint second = this->Rest.closest(middle, this->Area.place(b).triangle);
+    const auto nearest = [&](const SurfacePoint& start)
+    { return this->Rest.closest(middle, this->Rest.towards(middle, start.triangle)); };
+    const SurfacePoint first = nearest(from), second = nearest(to);
     const auto distance = [&](const SurfacePoint& at)
     { return (positionOf(this->Rest.mesh(), at) - middle).squaredNorm(); };
     return distance(second) < distance(first) ? second : first;
   }
 
-  void addValues(const SurfacePoint& at, std::vector<double>& values) const
+  void mixValues(const SurfacePoint& at, double* values) const
   {
     const Triangle& c = this->Cut.mesh.triangles[at.triangle];
+    const auto valuesOf = [&](int corner)
+    {
+      return this->Values.data() + static_cast<std::size_t>(this->Cut.vertices[c[corner]]) *
+                                     static_cast<std::size_t>(this->Channels);
+    };
+    const double *first = valuesOf(0), *second = valuesOf(1), *third = valuesOf(2);
     for (int i = 0; i < this->Channels; ++i)
     {
-      double sum = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        sum += at.weights[k] * this->Values[static_cast<std::size_t>(this->Cut.vertices[c[k]]) *
-                                              static_cast<std::size_t>(this->Channels) +
-                                            static_cast<std::size_t>(i)];
-      }
-      values.push_back(sum);
+      values[i] = at.weights[0] * first[i] + at.weights[1] * second[i] + at.weights[2] * third[i];
     }
   }
 
-  // Of the edges at faces that are new.
-  std::vector<Wish> wishes() const
+  // Wishes of the edges that are new. Threaded, by blocks, so that the movement sees the same ones together.
+  void lookAtEdges(const Context& context)
   {
-    std::vector<Wish> all;
-    std::vector<Vector3> middles;
-    std::vector<double> values;
-    for (int t = 0; t < this->Area.triangleCount(); ++t)
+    const double shortest = shortestEdge * this->Input.meanEdge;
+    std::vector<int> edges;
+    edges.reserve(this->Fresh.size());
+    for (const Edge& edge : this->Fresh)
     {
-      this->Area.eachEdge(t,
-        [&](int h)
+      const int h = this->Area.find(edge.a, edge.b, edge.h);
+      if (h >= 0 && this->squaredLength(h) > shortest * shortest)
+      {
+        edges.push_back(h);
+      }
+    }
+    this->Fresh.clear();
+    constexpr std::size_t block = 1024;
+    std::vector<std::vector<Wish>> chosen((edges.size() + block - 1) / block);
+    context.parallelFor(static_cast<int>(chosen.size()),
+      [&](int begin, int end)
+      {
+        for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i)
         {
-          if (!this->Area.inner(h) || !(this->Fresh[t] || this->Fresh[this->Area.twin(h) / 3]) ||
-              this->lengthOf(h) <= shortestEdge * this->Input.meanEdge)
-          {
-            return;
-          }
-          all.push_back(
-            { this->Area.origin(h), this->Area.target(h), h, this->middleOf(h), 0.0, Vector3::Zero() });
-          middles.push_back(positionOf(this->Rest.mesh(), all.back().place));
-          this->addValues(all.back().place, values);
-        });
+          const int* first = edges.data() + i * block;
+          this->choose(first, first + std::min(block, edges.size() - i * block), chosen[i]);
+        }
+      });
+    for (const std::vector<Wish>& some : chosen)
+    {
+      this->Wishes.insert(this->Wishes.end(), some.begin(), some.end());
+    }
+  }
+
+  // Those of the edges that the edit stretches or bends.
+  void choose(const int* begin, const int* end, std::vector<Wish>& chosen) const
+  {
+    const auto count = static_cast<std::size_t>(end - begin);
+    std::vector<SurfacePoint> places;
+    std::vector<Vector3> middles;
+    std::vector<double> values(count * static_cast<std::size_t>(this->Channels));
+    places.reserve(count);
+    middles.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      places.push_back(this->middleOf(begin[i]));
+      middles.push_back(positionOf(this->Rest.mesh(), places.back()));
+      this->mixValues(places.back(), values.data() + i * static_cast<std::size_t>(this->Channels));
     }
     const std::vector<Vector3> moved = this->Moves(middles, values);
-    std::vector<Wish> chosen;
-    for (std::size_t i = 0; i < all.size(); ++i)
+    constexpr double change = smallestChange * smallestChange;
+    const double longest = longestEdge * this->Input.meanEdge;
+    const auto squaredSag = [](const Vector3& a, const Vector3& b, const Vector3& middle)
+    { return (middle - 0.5 * (a + b)).squaredNorm(); };
+    for (std::size_t i = 0; i < count; ++i)
     {
-      Wish& wish = all[i];
-      wish.position = moved[i];
-      wish.length = this->lengthOf(wish.h);
-      const auto sagOf = [](const Vector3& a, const Vector3& b, const Vector3& middle)
-      { return (middle - 0.5 * (a + b)).norm(); };
-      const double sag = sagOf(this->Area.point(wish.a), this->Area.point(wish.b), moved[i]);
-      const bool stretched = wish.length > longestEdge * this->Input.meanEdge &&
-                             wish.length > smallestChange * this->restLength(wish.h);
-      const bool bent = sag > largestSag * wish.length &&
-                        sag > smallestChange * sagOf(this->AtRest[wish.a], this->AtRest[wish.b], middles[i]);
+      const Edge edge{ this->Area.origin(begin[i]), this->Area.target(begin[i]), begin[i] };
+      const double length = this->squaredLength(edge.h);
+      const bool stretched = length > longest * longest && length > change * this->squaredRestLength(edge.h);
+      const double sag = squaredSag(this->Area.point(edge.a), this->Area.point(edge.b), moved[i]);
+      const bool bent = sag > largestSag * largestSag * length &&
+                        sag > change * squaredSag(this->AtRest[edge.a], this->AtRest[edge.b], middles[i]);
       if (stretched || bent)
       {
-        chosen.push_back(wish);
+        chosen.push_back({ edge, length, places[i], moved[i] });
       }
     }
-    return chosen;
   }
 
-  // The middle of an edge that was swapped, brought back to the surface, may be a place that has a vertex, at
-  // the faces or elsewhere: two at one place would be taken for one by whoever welds the mesh.
-  static std::array<double, 3> keyOf(const Vector3& p) { return { p[0], p[1], p[2] }; }
-  bool meetsCorner(const Wish& wish, int h) const
-  {
-    const Triangle corners = this->Area.triangle(h / 3);
-    return std::any_of(corners.begin(),
-      corners.end(),
-      [&](int v) { return (this->Area.point(v) - wish.position).norm() <= coincidence * wish.length; });
-  }
-
-  // It may lie on the line of another edge, too: a half of the face would have no area.
+  // The middle may lie on the line of another edge: a half of the face would have no area.
   bool hasFlatHalf(const Wish& wish, int h) const
   {
     const Vector3& apex = this->Area.point(this->Area.origin(previousHalfEdge(h)));
@@ -312,33 +389,59 @@ private:
     return isFlat(this->Area.origin(h)) || isFlat(this->Area.target(h));
   }
 
-  // Longest first.
-  int split(std::vector<Wish>& wishes)
+  // Longest first, one of a face: others of it may be swapped and so be well, or else wait for the next
+  // round. To halve two at once leaves rows of vertices twice as close as the rows are apart. Returns the
+  // faces that came of it, four of each.
+  std::vector<int> split()
   {
-    std::stable_sort(
-      wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.length > b.length; });
-    int made = 0;
-    for (const Wish& wish : wishes)
+    std::vector<std::pair<double, std::size_t>> order;
+    order.reserve(this->Wishes.size());
+    for (std::size_t i = 0; i < this->Wishes.size(); ++i)
     {
-      const int h = this->Area.find(wish.a, wish.b, wish.h), g = h >= 0 ? this->Area.twin(h) : -1;
+      order.emplace_back(-this->Wishes[i].squaredLength, i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<int> made;
+    std::vector<Wish> later;
+    for (const auto& [length, number] : order)
+    {
+      const Wish& wish = this->Wishes[number];
+      const Edge& edge = wish.edge;
+      const int h = this->Area.find(edge.a, edge.b, edge.h), g = h >= 0 ? this->Area.twin(h) : -1;
       if (g < 0 || this->Area.origin(previousHalfEdge(h)) == this->Area.origin(previousHalfEdge(g)))
       {
-        continue; // two faces upon each other
+        continue; // swapped, or two faces upon each other
       }
-      if (this->meetsCorner(wish, h) || this->meetsCorner(wish, g) || this->hasFlatHalf(wish, h) ||
-          this->hasFlatHalf(wish, g) || !this->Taken.insert(keyOf(wish.position)).second)
+      if (this->IsSplit[h / 3] || this->IsSplit[g / 3])
+      {
+        later.push_back(wish);
+        continue;
+      }
+      if (this->hasFlatHalf(wish, h) || this->hasFlatHalf(wish, g) || !this->Taken.take(wish.position))
       {
         continue;
       }
       std::array<int, 4> neighbours;
       this->Area.halve(h, wish.place, wish.position, neighbours);
       this->AtRest.push_back(positionOf(this->Rest.mesh(), wish.place));
-      const std::size_t count = static_cast<std::size_t>(this->Area.triangleCount());
-      this->Touched.resize(count, 1);
-      this->Fresh.resize(count, 1);
-      this->Touched[h / 3] = this->Touched[g / 3] = this->Fresh[h / 3] = this->Fresh[g / 3] = 1;
-      ++made;
+      const int count = this->Area.triangleCount();
+      this->Touched.resize(static_cast<std::size_t>(count), 1);
+      this->IsSplit.resize(static_cast<std::size_t>(count), 1);
+      for (const int t : { h / 3, g / 3, count - 2, count - 1 })
+      {
+        this->Touched[t] = this->IsSplit[t] = 1;
+        made.push_back(t);
+      }
+      for (const int spoke : { 3 * (h / 3), 3 * (h / 3) + 1, 3 * (g / 3), 3 * (g / 3) + 1 })
+      {
+        this->addEdge(spoke);
+      }
     }
+    for (const int t : made)
+    {
+      this->IsSplit[t] = 0;
+    }
+    this->Wishes = std::move(later);
     return made;
   }
 
@@ -353,24 +456,23 @@ private:
     return (d - a).cross(c - a).dot(whole) > 0.0 && (b - d).cross(c - d).dot(whole) > 0.0;
   }
 
-  int flip()
+  int flip(const std::vector<int>& split, bool all)
   {
-    int made = 0;
-    for (int t = 0; t < this->Area.triangleCount(); ++t)
+    std::vector<int> queue;
+    for (int t = 0; all && t < this->Area.triangleCount(); ++t)
     {
-      this->Area.eachEdge(t,
-        [&](int h)
-        {
-          const int other = this->Area.inner(h) ? this->Area.twin(h) / 3 : t;
-          if (other != t && this->Touched[t] && this->Touched[other] && this->liesWellAtRest(h) &&
-              this->Area.flip(h, true))
-          {
-            this->Fresh[t] = this->Fresh[other] = 1;
-            ++made;
-          }
-        });
+      this->Area.eachEdge(t, [&](int h) { queue.push_back(h); });
     }
-    return made;
+    for (const int t : split)
+    {
+      queue.insert(queue.end(), { 3 * t, 3 * t + 1, 3 * t + 2 });
+    }
+    return flipByAngle(
+      this->Area,
+      queue,
+      [this](int h)
+      { return this->Touched[h / 3] && this->Touched[this->Area.twin(h) / 3] && this->liesWellAtRest(h); },
+      [this](int h) { this->addEdge(h); });
   }
 
   const RetriangulateInput& Input;
@@ -381,9 +483,11 @@ private:
   const int Channels;
   const std::vector<double> Sizes;
   Patch Area;
-  std::vector<Vector3> AtRest;           // of the patch's vertices
-  std::set<std::array<double, 3>> Taken; // where they are
-  std::vector<char> Touched, Fresh;      // of its triangles: moved or split; new since edges were looked at
+  std::vector<Vector3> AtRest; // of the patch's vertices
+  TakenPlaces Taken;
+  std::vector<char> Touched, IsSplit; // of its triangles: moved or split; split in this round
+  std::vector<Edge> Fresh;            // that have not been looked at
+  std::vector<Wish> Wishes;
 };
 
 } // namespace
@@ -417,7 +521,8 @@ Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const C
     surface,
     { cutout.mesh, cutout.active, none },
     patch,
-    heldCurves(cutout, input, patch.keptSplits()));
+    heldCurves(cutout, input, patch.keptSplits()),
+    context);
   result.splits = counts.splits;
   result.collapses = counts.collapses;
   result.flips = counts.flips;
@@ -439,7 +544,7 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
   const Surface rest(cutout.mesh, cutout.active, oneChart);
   Held held = heldIn(cutout, input);
   Steps steps{ context };
-  steps.each = 1.0 / (splitRounds + 3.0 * remeshRounds + 2.0);
+  steps.each = 1.0 / (splitRounds + 4.0 * remeshRounds + 2.0);
   Retriangulated counts;
   Splitting splitting(input, cutout, rest, held, movement, values, channels);
   splitting.run(steps, counts);
@@ -479,19 +584,20 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
   const Surface surface(mesh, touched, oneChart);
   const std::vector<double> sizes(mesh.points.size(), input.meanEdge);
   Patch patch(surface, touched, sizes, held.vertices, held.edges, true);
-  Relaxation relaxation(patch, context);
+  Relaxation relaxation(patch, context, true);
   for (int round = 0; round < remeshRounds; ++round)
   {
+    counts.splits += splitAll(patch, longestEdge, steps);
     counts.collapses += collapseAll(patch, shortestEdge, longestEdge, steps);
-    counts.flips += flipAll(patch, true, steps);
+    counts.flips += flipAll(patch, false, steps);
     relaxation.run();
     steps.next();
   }
-  counts.flips += flipAll(patch, true, steps);
+  counts.flips += flipByAngle(patch, steps);
   counts.splits += splitAll(patch, longestEdge, steps);
   onCurves.insert(onCurves.end(), patch.keptSplits().begin(), patch.keptSplits().end());
-  Retriangulated result =
-    reassembled(input, cutout, rest, { mesh, touched, origins }, patch, heldCurves(cutout, input, onCurves));
+  Retriangulated result = reassembled(
+    input, cutout, rest, { mesh, touched, origins }, patch, heldCurves(cutout, input, onCurves), context);
   result.splits = counts.splits;
   result.collapses = counts.collapses;
   result.flips = counts.flips;

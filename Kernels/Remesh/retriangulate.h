@@ -13,7 +13,8 @@ namespace oversketch
 {
 
 // Where an edit moves places of the surface before it: point i with its values, as many of each as the input
-// says. What becomes of a place depends on it and its values alone; what has not moved keeps its bits.
+// says. What becomes of a place depends on it and its values alone; what has not moved keeps its bits. Called
+// from several threads.
 using Movement =
   std::function<std::vector<Vector3>(const std::vector<Vector3>& points, const std::vector<double>& values)>;
 
@@ -63,10 +64,12 @@ Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const C
 // vertices onto the facets of a surface that was stretched. Here edges are split before the edit, so that the
 // edit moves their halves to where they belong: in up to six rounds each edge that it makes longer than 4/3
 // mean edges and than it was, or that is over 0.35 mean edges long and whose middle it carries away from the
-// edge by over 0.03 of its length; then edges are swapped where the smallest angle of the moved faces grows.
+// edge by over 0.03 of its length, the longest first and one of a face in a round; after each, edges are
+// swapped where the smallest angle of the moved faces grows.
 // Faces that were split, or of which an edge's length changes by over 1 %, are then remeshed as the edit
-// leaves them: in three rounds edges under 0.35 mean edges are collapsed, others swapped, and vertices
-// relaxed in the tangent plane and back to the surface; edges that this leaves over 4/3 mean edges are split.
+// leaves them: in three rounds edges over 4/3 mean edges are split, those under 0.35 collapsed, others
+// swapped so that more vertices have six, and vertices relaxed in the tangent plane and back to the surface;
+// then edges are swapped by angles, and those that this leaves over 4/3 mean edges split.
 // Without a motion nothing changes. No two vertices come out at one place, by either rule, unless the edit
 // has put both there and they cannot leave.
 //

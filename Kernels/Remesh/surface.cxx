@@ -185,6 +185,29 @@ void Surface::linkHalfEdges(const std::vector<char>& active)
   }
 }
 
+int Surface::towards(const Vector3& p, int start) const
+{
+  int at = start, from = -1;
+  for (int step = 0; step < maximumSteps; ++step)
+  {
+    const Triangle& t = this->Model.triangles[at];
+    const Vector3 &a = this->Model.points[t[0]], &b = this->Model.points[t[1]], &c = this->Model.points[t[2]];
+    const Vector3 normal = (b - a).cross(c - a);
+    const double inside[3] = {
+      normal.dot((b - a).cross(p - a)), normal.dot((c - b).cross(p - b)), normal.dot((a - c).cross(p - c))
+    };
+    const auto least = static_cast<int>(std::min_element(inside, inside + 3) - inside);
+    const int twin = inside[least] < 0.0 ? this->twin(3 * at + least) : -1;
+    if (twin < 0 || twin / 3 == from || this->chart(twin / 3) != this->chart(at))
+    {
+      break;
+    }
+    from = at;
+    at = twin / 3;
+  }
+  return at;
+}
+
 SurfacePoint Surface::closest(const Vector3& p, int start) const
 {
   SurfacePoint best{ start };
@@ -268,19 +291,28 @@ bool Surface::middle(const SurfacePoint& a, const SurfacePoint& b, int chart, Su
     {
       continue;
     }
-    const SurfacePoint first = seenFrom(this->Model, a, *t);
-    const SurfacePoint second = seenFrom(this->Model, b, *t);
-    if (first.triangle >= 0 && second.triangle >= 0)
+    if (this->middleIn(*t, a, b, result))
     {
-      result.triangle = *t;
-      for (int k = 0; k < 3; ++k)
-      {
-        result.weights[k] = 0.5 * (first.weights[k] + second.weights[k]);
-      }
       return true;
     }
   }
   return false;
+}
+
+bool Surface::middleIn(int triangle, const SurfacePoint& a, const SurfacePoint& b, SurfacePoint& result) const
+{
+  const SurfacePoint first = seenFrom(this->Model, a, triangle);
+  const SurfacePoint second = first.triangle >= 0 ? seenFrom(this->Model, b, triangle) : first;
+  if (second.triangle < 0)
+  {
+    return false;
+  }
+  result.triangle = triangle;
+  for (int k = 0; k < 3; ++k)
+  {
+    result.weights[k] = 0.5 * (first.weights[k] + second.weights[k]);
+  }
+  return true;
 }
 
 SurfacePoint Surface::inChart(const SurfacePoint& at, int chart, const Vector3& towards) const

@@ -104,9 +104,14 @@ public:
   // Nearest place to p reached by descent over neighbouring triangles from `start`, within start's chart.
   SurfacePoint closest(const Vector3& p, int start) const;
 
+  // A triangle from which that begins nearer to its end: over edges that p lies beyond, within the chart.
+  int towards(const Vector3& p, int start) const;
+
   // The middle of two places that lie in one triangle, exactly on their common edge where they have one.
   // False when no triangle of that chart (any chart if chart < 0) holds both.
   bool middle(const SurfacePoint& a, const SurfacePoint& b, int chart, SurfacePoint& result) const;
+  // Of places that lie in this one.
+  bool middleIn(int triangle, const SurfacePoint& a, const SurfacePoint& b, SurfacePoint& result) const;
 
   // The same place as seen from a triangle of the given chart; of several, from the one whose middle is
   // nearest to `towards`. The place itself if no triangle around it is of that chart.

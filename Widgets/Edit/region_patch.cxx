@@ -6,15 +6,28 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 namespace oversketch
 {
 
+std::array<RegionPatch::Stamp, 4> RegionPatch::shapeOf(vtkPolyData* mesh)
+{
+  const auto stamp = [](vtkObject* object) { return Stamp(object, object ? object->GetMTime() : 0); };
+  return { stamp(mesh->GetPolys()),
+    stamp(mesh->GetPointData()->GetArray("DiscCoords")),
+    stamp(mesh->GetPointData()->GetArray("CurveDistance")),
+    stamp(mesh->GetCellData()->GetArray("EditRegion")) };
+}
+
 RegionPatch::RegionPatch(vtkPolyData* mesh)
+  : Shape(shapeOf(mesh))
+  , Places(mesh->GetPoints(), mesh->GetPoints()->GetMTime())
 {
   const auto data = SharedMesh(mesh);
   const Mesh& whole = data->Surface();
@@ -45,6 +58,7 @@ RegionPatch::RegionPatch(vtkPolyData* mesh)
       if (id < 0)
       {
         id = static_cast<int>(model->points.size());
+        this->Points.push_back(corners[k]);
         model->points.push_back(whole.points[static_cast<std::size_t>(corners[k])]);
         disc->points.emplace_back(2.0 * coords->GetComponent(corners[k], 0) - 1.0,
           2.0 * coords->GetComponent(corners[k], 1) - 1.0,
@@ -61,13 +75,41 @@ RegionPatch::RegionPatch(vtkPolyData* mesh)
   disc->triangles = model->triangles;
   this->Disc = disc;
   this->Model = model;
-  this->DiscRays = std::make_unique<const SurfaceRays>(this->Disc);
-  this->ModelRays = std::make_unique<const SurfaceRays>(this->Model);
+}
+
+bool RegionPatch::follow(vtkPolyData* mesh)
+{
+  if (shapeOf(mesh) != this->Shape)
+  {
+    return false;
+  }
+  vtkPoints* points = mesh->GetPoints();
+  const Stamp places(points, points->GetMTime());
+  if (places != this->Places)
+  {
+    this->ModelRays = nullptr;
+    for (std::size_t v = 0; v < this->Points.size(); ++v)
+    {
+      points->GetPoint(this->Points[v], this->Model->points[v].data());
+    }
+    this->Places = places;
+  }
+  return true;
+}
+
+const SurfaceRays& RegionPatch::rays(PatchSide side) const
+{
+  std::unique_ptr<const SurfaceRays>& rays = side == PatchSide::Disc ? this->DiscRays : this->ModelRays;
+  if (!rays)
+  {
+    rays = std::make_unique<const SurfaceRays>(side == PatchSide::Disc ? this->Disc : this->Model);
+  }
+  return *rays;
 }
 
 SurfaceHit RegionPatch::under(PatchSide side, const View& view, const Vector2& place) const
 {
-  const SurfaceRays& rays = side == PatchSide::Disc ? *this->DiscRays : *this->ModelRays;
+  const SurfaceRays& rays = this->rays(side);
   return rays.nearest(lineOfSight(view, place, rays));
 }
 
@@ -89,7 +131,8 @@ Vector2 RegionPatch::discAt(const SurfacePoint& at) const
 
 std::optional<Vector3> RegionPatch::placeOf(PatchSide side, const Vector2& disc) const
 {
-  const SurfaceHit hit = this->DiscRays->nearest({ Vector3(disc[0], disc[1], 1.0), Vector3(0.0, 0.0, -1.0) });
+  const SurfaceHit hit =
+    this->rays(PatchSide::Disc).nearest({ Vector3(disc[0], disc[1], 1.0), Vector3(0.0, 0.0, -1.0) });
   return hit.found() ? std::optional<Vector3>(positionOf(this->shape(side), hit.at)) : std::nullopt;
 }
 
@@ -117,6 +160,21 @@ std::vector<std::array<Vector3, 2>> RegionPatch::level(PatchSide side, double sh
     }
   }
   return pieces;
+}
+
+bool followRegion(std::unique_ptr<RegionPatch>& patch, vtkPolyData* mesh)
+{
+  const bool isThere = mesh && mesh->GetNumberOfPoints() > 0;
+  if (isThere && patch && patch->follow(mesh))
+  {
+    return false;
+  }
+  patch = nullptr; // so that none is left where making one fails
+  if (isThere)
+  {
+    patch = std::make_unique<RegionPatch>(mesh);
+  }
+  return true;
 }
 
 } // namespace oversketch

@@ -6,11 +6,15 @@
 #include "Ray/surface_rays.h"
 #include "Stroke/polyline.h"
 
+#include "vtkType.h"
+
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+class vtkObject;
 class vtkPolyData;
 
 namespace oversketch
@@ -36,6 +40,9 @@ public:
   // Throws Error(MissingArray), Error(BadRegion) where there is none.
   explicit RegionPatch(vtkPolyData* mesh);
 
+  // True for the mesh that it is of, and for one with other places alone, which it takes.
+  bool follow(vtkPolyData* mesh);
+
   const Mesh& shape(PatchSide side) const { return side == PatchSide::Disc ? *this->Disc : *this->Model; }
   // Share of the way from the line, 0, to the ring, 1, of each vertex.
   const std::vector<double>& shares() const { return this->Shares; }
@@ -51,10 +58,22 @@ public:
   std::vector<std::array<Vector3, 2>> level(PatchSide side, double share) const;
 
 private:
-  std::shared_ptr<const Mesh> Disc, Model;
+  const SurfaceRays& rays(PatchSide side) const;
+
+  using Stamp = std::pair<const vtkObject*, vtkMTimeType>;
+  static std::array<Stamp, 4> shapeOf(vtkPolyData* mesh); // of all that it is made of but the places
+
+  std::array<Stamp, 4> Shape;
+  Stamp Places;
+  std::vector<vtkIdType> Points; // of the mesh
+  std::shared_ptr<Mesh> Disc, Model;
   std::vector<double> Shares;
-  std::unique_ptr<const SurfaceRays> DiscRays, ModelRays;
+  mutable std::unique_ptr<const SurfaceRays> DiscRays, ModelRays; // once they are asked
 };
+
+// Makes the patch that of a mesh, null where there is none, by the one that it is where that can follow.
+// Returns false where it did. Throws as the constructor does, and leaves none.
+bool followRegion(std::unique_ptr<RegionPatch>& patch, vtkPolyData* mesh);
 
 } // namespace oversketch
 #endif

@@ -32,7 +32,7 @@ constexpr double longest = 0.015;  // of an outline's steps on the disc, to foll
 
 struct vtkOversketchAreaSelectRepresentation::Internals
 {
-  std::unique_ptr<const RegionPatch> patch;
+  std::unique_ptr<RegionPatch> patch;
   std::vector<WorldLine> areas;                         // on the disc
   std::vector<std::vector<std::vector<Vector3>>> lines; // of each area, pieces in the world
   std::vector<std::array<Vector3, 2>> border;
@@ -95,19 +95,15 @@ void vtkOversketchAreaSelectRepresentation::Follow()
 bool vtkOversketchAreaSelectRepresentation::SetRegion(vtkPolyData* mesh)
 {
   Internals& inner = *this->Inner;
-  inner.patch = nullptr;
   bool fits = true;
-  if (mesh && mesh->GetNumberOfPoints() > 0)
+  try
   {
-    try
-    {
-      inner.patch = std::make_unique<const RegionPatch>(mesh);
-    }
-    catch (const Error& error)
-    {
-      vtkErrorMacro(<< error.what());
-      fits = false;
-    }
+    followRegion(inner.patch, mesh);
+  }
+  catch (const Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+    fits = false;
   }
   this->Follow();
   return fits;

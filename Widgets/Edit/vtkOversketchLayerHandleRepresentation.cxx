@@ -43,7 +43,8 @@ constexpr double nearCurve = 0.003; // a handle's line on a curve is drawn besid
 
 struct vtkOversketchLayerHandleRepresentation::Internals
 {
-  std::unique_ptr<const RegionPatch> patch;
+  std::unique_ptr<RegionPatch> patch;
+  int patches = 0; // that were made
   LayerList list;
   std::vector<LayerHandle> shown;  // where they are held
   std::map<double, Vector2> knobs; // by rest, the place on the disc that each is to be near to
@@ -57,6 +58,7 @@ struct vtkOversketchLayerHandleRepresentation::Internals
   double box[6] = { -1.0, 1.0, -1.0, 1.0, 0.0, 0.0 };
 
   void layOut(PatchSide side);
+  void place(PatchSide side);
   void paintRamp(const oversketch::Layers& layers);
   Vector3 knobOf(PatchSide side, const LayerHandle& handle) const;
 };
@@ -77,9 +79,9 @@ void vtkOversketchLayerHandleRepresentation::Internals::layOut(PatchSide side)
     byDisc->SetNumberOfComponents(2);
     const Mesh& mesh = this->patch->shape(side);
     const Mesh& disc = this->patch->shape(PatchSide::Disc);
+    points->SetNumberOfPoints(mesh.vertexCount());
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
     {
-      points->InsertNextPoint(mesh.points[i].data());
       byShare->InsertNextTuple2(this->patch->shares()[i], 0.5);
       byDisc->InsertNextTuple2(0.5 * (disc.points[i][0] + 1.0), 0.5 * (disc.points[i][1] + 1.0));
     }
@@ -92,12 +94,24 @@ void vtkOversketchLayerHandleRepresentation::Internals::layOut(PatchSide side)
     this->greys->GetPointData()->AddArray(byShare);
     this->greys->GetPointData()->AddArray(byDisc);
     this->greys->GetPointData()->SetActiveTCoords(this->display ? "ByDisc" : "ByShare");
-    this->greys->GetBounds(this->box);
+    this->place(side);
   }
   this->actor->SetVisibility(this->patch != nullptr);
   const bool flat = side == PatchSide::Disc;
   this->actor->GetProperty()->SetLighting(!flat);
   this->texture->SetInputData(this->display ? this->display.Get() : this->ramp.Get());
+}
+
+// Where the patch's vertices are.
+void vtkOversketchLayerHandleRepresentation::Internals::place(PatchSide side)
+{
+  const Mesh& mesh = this->patch->shape(side);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    this->greys->GetPoints()->SetPoint(v, mesh.points[v].data());
+  }
+  this->greys->GetPoints()->Modified();
+  this->greys->GetBounds(this->box);
 }
 
 void vtkOversketchLayerHandleRepresentation::Internals::paintRamp(const oversketch::Layers& layers)
@@ -174,21 +188,25 @@ void vtkOversketchLayerHandleRepresentation::Follow()
 bool vtkOversketchLayerHandleRepresentation::SetRegion(vtkPolyData* mesh)
 {
   Internals& inner = *this->Inner;
-  inner.patch = nullptr;
-  bool fits = true;
-  if (mesh && mesh->GetNumberOfPoints() > 0)
+  bool fits = true, isNew = true;
+  try
   {
-    try
-    {
-      inner.patch = std::make_unique<const RegionPatch>(mesh);
-    }
-    catch (const Error& error)
-    {
-      vtkErrorMacro(<< error.what());
-      fits = false;
-    }
+    isNew = followRegion(inner.patch, mesh);
+    inner.patches += isNew && inner.patch ? 1 : 0;
   }
-  inner.layOut(patchSide(this->Side));
+  catch (const Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+    fits = false;
+  }
+  if (isNew)
+  {
+    inner.layOut(patchSide(this->Side));
+  }
+  else if (this->Side == Model)
+  {
+    inner.place(PatchSide::Model);
+  }
   this->Modified();
   return fits;
 }
@@ -324,6 +342,11 @@ void vtkOversketchLayerHandleRepresentation::PutKnob(int handle, double x, doubl
   }
 }
 
+int vtkOversketchLayerHandleRepresentation::GetPatchCount() const
+{
+  return this->Inner->patches;
+}
+
 int vtkOversketchLayerHandleRepresentation::GetNumberOfHandles() const
 {
   return static_cast<int>(this->Inner->shown.size());
@@ -408,4 +431,5 @@ void vtkOversketchLayerHandleRepresentation::PrintSelf(ostream& os, vtkIndent in
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "Area: " << this->Area << "\n";
   os << indent << "Handles: " << this->GetNumberOfHandles() << "\n";
+  os << indent << "PatchCount: " << this->GetPatchCount() << "\n";
 }

@@ -31,9 +31,11 @@ public:
 
   /**
    * The mesh with point arrays DiscCoords and CurveDistance (vtkOversketchEdit's inner output Distance);
-   * null: none. False, with an error, for another one.
+   * null: none. False, with an error, for another one. While its cells and those arrays stay, other places
+   * are followed without taking the region out of the mesh again; PatchCount is how often that was done.
    */
   bool SetRegion(vtkPolyData* mesh);
+  int GetPatchCount() const;
 
   enum SideType
   {

@@ -65,6 +65,59 @@ TEST(EditWidget, WhileAHandleIsDraggedTheRegionFollowsAndTrianglesComeWithTheRel
   EXPECT_EQ(triangles.count, 1);
 }
 
+TEST(EditWidget, TheLineIsInTheMeshBeforeTheRingIsReleased)
+{
+  EditScene scene;
+  Counter lines = runsOf(scene, "ReferenceInsert"), rings = runsOf(scene, "BoundaryInsert"),
+          regions = runsOf(scene, "Enclose"), discs = runsOf(scene, "Flatten"),
+          solves = runsOf(scene, "Distance"), layers = runsOf(scene, "Shading");
+  scene.play("region_line.log");
+  EXPECT_EQ(lines.count, 1);
+  EXPECT_EQ(rings.count + regions.count, 0);
+  EXPECT_FALSE(scene.widget->HasRegion());
+  EXPECT_STREQ(scene.widget->GetMessage(), "");
+  scene.play("region_ring.log");
+  scene.window->Render();
+  ASSERT_TRUE(scene.widget->HasRegion()) << scene.widget->GetMessage();
+  EXPECT_EQ(lines.count, 1) << "the ring's release lays the line again";
+  for (const Counter* step : { &rings, &regions, &discs, &solves, &layers })
+  {
+    EXPECT_EQ(step->count, 1);
+  }
+}
+
+TEST(EditWidget, ALayersDragTakesTheRegionOutOfTheMeshOnce)
+{
+  EditScene scene;
+  scene.drawBoth();
+  scene.system()->SetOperations("move 0.5 n 0.3");
+  scene.widget->SetModeToShade();
+  scene.window->Render();
+  vtkOversketchLayerHandleRepresentation* layers =
+    scene.widget->GetLayerHandleWidget()->GetLayerHandleRepresentation();
+  const int before = layers->GetPatchCount();
+  Counter previews = runsOf(scene, "Deform");
+  scene.drag(200, 175, 200, 182);
+  for (const int y : { 184, 186, 188, 190 })
+  {
+    scene.move(200, y);
+  }
+  ASSERT_TRUE(scene.widget->IsPreviewing());
+  ASSERT_GE(previews.count, 4);
+  // Of the mesh without new triangles once; then it follows.
+  EXPECT_EQ(layers->GetPatchCount(), before + 1);
+  EXPECT_NEAR(layers->GetBounds()[5], scene.output()->GetBounds()[5], 1e-9);
+  // Where the hand is, is asked of the surface as it has moved.
+  const double share = layers->GetShareAt(200, 190);
+  vtkNew<vtkOversketchLayerHandleRepresentation> fresh;
+  fresh->SetRenderer(scene.renderer);
+  fresh->SetSideToModel();
+  ASSERT_TRUE(fresh->SetRegion(scene.system()->GetInnerOutput("Deform")));
+  EXPECT_EQ(share, fresh->GetShareAt(200, 190));
+  EXPECT_LT(share, 1.0);
+  scene.release(200, 190);
+}
+
 TEST(EditWidget, ADraggedLineTakesAllOfItAlong)
 {
   EditScene scene;
