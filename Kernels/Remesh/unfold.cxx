@@ -13,8 +13,8 @@ namespace oversketch
 namespace
 {
 
-constexpr int mostRounds = 20;
-constexpr double leastNarrow = 0.0076; // sine squared of 5 degrees
+constexpr int unfoldingRounds = 20;
+constexpr double unfoldedNarrowest = 0.0076; // sine squared of 5 degrees
 
 class Unfolding
 {
@@ -31,7 +31,7 @@ public:
     {
       this->Points.push_back(this->Area.point(v));
     }
-    for (int round = 0; round < mostRounds; ++round)
+    for (int round = 0; round < unfoldingRounds; ++round)
     {
       const std::vector<int> vertices = this->atFolds();
       this->findFans(vertices);
@@ -164,7 +164,7 @@ private:
     {
       this->Points[v] = old + share * (sum / count - old);
       const Fan after = this->look(v);
-      if (after.folds < before.folds && after.narrowest >= std::min(before.narrowest, leastNarrow))
+      if (after.folds < before.folds && after.narrowest >= std::min(before.narrowest, unfoldedNarrowest))
       {
         return true;
       }
