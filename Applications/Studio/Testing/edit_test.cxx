@@ -424,4 +424,20 @@ TEST(Edit, KeysOfADockAreTheCanvass)
   EXPECT_EQ(std::get<int>(scene.step(0).values.at("Levels")), 9);
   EXPECT_EQ(scene.failures(), "");
   dock->setFloating(false);
+  // It is as dark as the rest of the window.
+  const auto paper = [&]
+  {
+    auto* picture = static_cast<QVTKOpenGLNativeWidget*>(scene.dockPicture("disc_picture"));
+    return picture->renderWindow()->GetRenderers()->GetFirstRenderer()->GetBackground()[0];
+  };
+  const double dark = paper();
+  for (QAction* action : scene.window.findChildren<QAction*>())
+  {
+    if (action->text() == "&Dark")
+    {
+      action->trigger();
+    }
+  }
+  EXPECT_GT(paper(), dark);
+  scene.shot("light");
 }
