@@ -5,6 +5,7 @@
 #include "Harness/edits.h"
 #include "Harness/strokes.h"
 #include "session_file.h"
+#include "worker.h"
 
 #include "vtkOversketchSystem.h"
 
@@ -12,7 +13,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
+#include <mutex>
 
 using namespace oversketch_session;
 using namespace oversketch_test;
@@ -228,4 +232,49 @@ TEST(EditSession, ItActsOnBothSides)
   const std::string once = digestOf(outcomesOf(session)[0].mesh);
   session.nodes = { changed(middle, [](Step& step) { step.mirror = MirrorPlane{ 0, 0.0 }; }) };
   EXPECT_EQ(digestOf(outcomesOf(session)[0].mesh), once);
+}
+
+TEST(EditSession, TheLastStepOfAnEditComesWithWhatItActsOn)
+{
+  const Session session = bearSession();
+  const std::vector<Outcome> outcomes = outcomesOf(session);
+  std::mutex mutex;
+  std::condition_variable told;
+  std::vector<Worker::Result> done;
+  Worker::Listener listener;
+  listener.done = [&](const Worker::Result& result)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    done.push_back(result);
+    told.notify_all();
+  };
+  Worker worker(listener);
+  const auto last = [&](std::size_t count)
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    EXPECT_TRUE(told.wait_for(lock, std::chrono::seconds(60), [&] { return done.size() >= count; }));
+    return done.empty() ? Worker::Result() : done.back();
+  };
+  worker.submit(session);
+  Worker::Result result = last(1);
+  ASSERT_EQ(result.nodes.size(), 2u);
+  EXPECT_EQ(result.nodes[0].before.Get(), nullptr);
+  ASSERT_NE(result.nodes[1].before.Get(), nullptr);
+  EXPECT_EQ(digestOf(result.nodes[1].before), digestOf(outcomes[0].mesh));
+  for (const int port : { 1, 2 })
+  {
+    const char* name = port == 1 ? "Reference" : "Boundary";
+    ASSERT_EQ(result.nodes[1].given.count(name), 1u) << name;
+    vtkPolyData* given = result.nodes[1].given.at(name);
+    EXPECT_EQ(given->GetNumberOfPoints(),
+      vtkPolyData::SafeDownCast(outcomes[0].outputs.at(port))->GetNumberOfPoints());
+  }
+  // The last one that is on, with the mesh that was opened.
+  Session first = session;
+  first.nodes[1].on = false;
+  worker.submit(first);
+  result = last(2);
+  EXPECT_EQ(result.nodes[0].before.identity(), session.mesh.identity());
+  EXPECT_TRUE(result.nodes[0].given.empty());
+  EXPECT_EQ(result.nodes[1].before.Get(), nullptr);
 }

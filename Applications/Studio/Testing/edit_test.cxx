@@ -375,17 +375,16 @@ TEST(Edit, ABadHandIsToldWhatAndHow)
   EXPECT_EQ(scene.nodes().size(), 0u);
   EXPECT_NE(scene.said().find("taken back"), std::string::npos) << scene.said();
   scene.shot("void");
-  std::cout << scene.said() << '\n';
   // Too short.
   scene.drag(Edits::straight(scene.middle, scene.middle + QPoint(2, 0), 2));
   EXPECT_NE(scene.said().find("taken back"), std::string::npos) << scene.said();
-  std::cout << scene.said() << '\n';
   // A ring that does not hold the line.
   scene.drawLine();
   EXPECT_NE(scene.said().find("ring"), std::string::npos) << scene.said();
   scene.drag(Edits::ring(scene.middle + QPoint(10, 0), 15.0, 15.0));
   EXPECT_NE(scene.said().find("taken back"), std::string::npos) << scene.said();
-  std::cout << scene.said() << '\n';
+  EXPECT_EQ(
+    scene.said(), "The line is not all inside the ring. It is taken back: draw a ring round the whole line.");
   scene.shot("bad_ring");
   EXPECT_EQ(scene.nodes().size(), 0u);
   EXPECT_EQ(scene.digest(), bare);
@@ -424,4 +423,20 @@ TEST(Edit, KeysOfADockAreTheCanvass)
   EXPECT_EQ(std::get<int>(scene.step(0).values.at("Levels")), 9);
   EXPECT_EQ(scene.failures(), "");
   dock->setFloating(false);
+  // It is as dark as the rest of the window.
+  const auto paper = [&]
+  {
+    auto* picture = static_cast<QVTKOpenGLNativeWidget*>(scene.dockPicture("disc_picture"));
+    return picture->renderWindow()->GetRenderers()->GetFirstRenderer()->GetBackground()[0];
+  };
+  const double dark = paper();
+  for (QAction* action : scene.window.findChildren<QAction*>())
+  {
+    if (action->text() == "&Dark")
+    {
+      action->trigger();
+    }
+  }
+  EXPECT_GT(paper(), dark);
+  scene.shot("light");
 }

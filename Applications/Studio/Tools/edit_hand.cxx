@@ -581,9 +581,9 @@ void EditHand::refuse(const QString& why)
   const bool isRing = this->Widget->GetRegionWidget()->HasBoundary(), isNew = !this->Loaded.isInHistory;
   this->load(Work(this->Loaded), true);
   const QString words = inWords(why.toStdString(), isRing);
-  this->Message = !isNew   ? tr("%1 It is taken back: do it another way.").arg(words)
-                  : isRing ? tr("%1 It is taken back: draw a ring round the whole line.").arg(words)
-                           : tr("%1 It is taken back: draw another of 10 px or more.").arg(words);
+  this->Message = !isNew   ? tr("%1. It is taken back: do it another way.").arg(words)
+                  : isRing ? tr("%1. It is taken back: draw a ring round the whole line.").arg(words)
+                           : tr("%1. It is taken back: draw another of 10 px or more.").arg(words);
   this->Widget->GetEditRepresentation()->SetText(this->Message.toUtf8().constData());
   this->applyMode();
   this->View->renderSoon();

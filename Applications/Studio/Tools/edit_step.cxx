@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -75,11 +76,13 @@ QString inWords(const std::string& said, bool isRing)
     text.replace(either, isRing ? beginsRing : beginsLine);
   }
   text.replace(saidOfLine[0], beginsLine).replace(saidOfLine[1], line);
+  text.replace(saidOfLine[2], QCoreApplication::translate("EditHand", "line"));
   for (const char* of : saidOfRing)
   {
     text.replace(of, ring);
   }
-  return text;
+  static const QRegularExpression rest(R"((: its [^;]*)?;.*$|\.$)");
+  return text.remove(rest);
 }
 
 double pixelsOf(vtkPolyData* strokes)

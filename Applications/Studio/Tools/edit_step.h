@@ -27,9 +27,10 @@ constexpr const char* ruleValue = "Rule";
 
 // What the system calls the curves that it speaks of.
 constexpr const char* saidOfEither[] = { "Stroke 0", "Curve 0" };
-constexpr const char* saidOfLine[] = { "The reference curve", "the reference curve" };
+constexpr const char* saidOfLine[] = { "The reference curve", "the reference curve", "reference curve" };
 constexpr const char* saidOfRing[] = { "the boundary curve", "the boundary" };
-// What it says of them, in words of the hand's; "either" is the ring or the line.
+// What it says of them, in words of the hand's, without a stop: numbers of vertices and its own remedy are
+// left out, as there is one line for it.
 QString inWords(const std::string& said, bool isRing);
 
 const oversketch_session::SystemRow& editRow();
