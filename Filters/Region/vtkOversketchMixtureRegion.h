@@ -4,10 +4,9 @@
  *
  * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 4.2 and 4.3, Eq. 8. Two Gaussian
  * mixtures are fitted by greedy EM to the shape diameter, scaled to [0, 1]: one to samples of the whole mesh,
- * one to the seeds, the vertices that the matched section's edges end at. From the seeds the region grows
- * over neighbours v with ln p_fg(v) - ln p_whole(v) > Lambda (b - f), b and f the unselected and selected
- * neighbours of v. The paper leaves the energies to its reference; these are ours. Departures, each with its
- * property:
+ * one to the seeds, the vertices that the matched section's edges end at. From these the region grows over
+ * neighbours v with ln p_fg(v) - ln p_whole(v) > Lambda (b - f), b and f the unselected and selected
+ * neighbours of v; the energies are ours, the paper names a reference. Departures, each with its property:
  * - seeds come from the section's middle only (SeedMargin): a stroke's ends rest on the body;
  * - the seeds' mixture is widened by nearby vertices only while there are fewer than three seeds per
  * component, nearest first, and these are samples, not seeds: on a thin limb a tolerance of a tenth of the
@@ -15,28 +14,25 @@
  * - the unselected pieces that the region cuts off are selected too, but for the largest (FillIslands);
  * - a region of more than half of the area is grown again, near the section (LimitRunaway);
  * - the border moves to the nearest good place to cut (CutAtJunction): a minimum cut of the triangles round
- * the border, cheap in concave valleys, as in mesh cutting from painted strokes. Thickness alone places a
- * limb's border where the rays begin to see the body, some 5 % short, and leaves patches where a limb is not
- * of one thickness. Before that, what the region reached over a bridge narrower than half the seeds'
- * thickness from either side is taken off: a finger's region spilled over the web to its neighbours, which
- * are as thick. So is what lies beyond a fork whose branches both lead back to the body, as on two legs that
- * touch: a stroke over the foot moved the other leg too;
+ * it, cheap in concave valleys, as in mesh cutting from painted strokes. Thickness alone places a limb's
+ * border some 5 % short, where the rays begin to see the body, and leaves patches where a limb is not of one
+ * thickness. Before that, what was reached over a bridge narrower than half the seeds' thickness is taken
+ * off: a finger's region spilled over the web to its neighbours. So is what lies beyond a fork whose branches
+ * both lead back to the body, as on two legs that touch: a stroke over the foot moved the other leg too;
  * - where the section goes on beyond the region and is to move there, the border moves up to it, on a limb
- * all round (ReachEnds): else the moved part ends in a step at a border that nothing moves, in the middle of
- * a thickened thigh;
- * - where the section is one of a body and not of a limb, only what is near it is moved (ConfineToSection):
- * thickness does not tell parts of a body apart, and a back that was raised took tail and legs with it;
- * - where the thickness is the same everywhere but for the rays' noise, as on a sphere, the region is what is
- * near the section (IgnoreNoise): it was a chance patch, which tore or held no vertex inside its border;
- * - samples are even over the surface, not drawn at random (EvenSamples): the same shape with its vertices in
- * another order, or more of them on one limb, has the same mixtures.
+ * all round (ReachEnds): else the moved part ends in a step, in the middle of a thickened thigh;
+ * - where the section is one of a body, only what is near it is moved (ConfineToSection): thickness does not
+ * tell parts of a body apart, and a back that was raised took tail and legs with it;
+ * - so where the thickness is the same but for the rays' noise, as on a sphere (IgnoreNoise): the region was
+ * a chance patch, which tore or held no vertex inside its border;
+ * - samples are even over the surface, not random (EvenSamples): neither the vertices' order nor their
+ * density changes the mixtures.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated.
  * Input 1 (Handles): handles (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3],
- * RelativePosition[1], UnmergedTarget[3] (read when ReachEnds or ConfineToSection is on), and field array
- * SectionLength[1], model length (read when one of these or LimitRunaway is on, with a Reach, and where
- * IgnoreNoise takes hold).
+ * RelativePosition[1], UnmergedTarget[3] (read with ReachEnds or ConfineToSection), and field array
+ * SectionLength[1], model length (read with these, LimitRunaway or Reach, and where IgnoreNoise takes hold).
  *
  * Output 0: the input with point arrays
  * - Region, unsigned char: 1 for vertices of the region,
@@ -44,16 +40,13 @@
  * - RegionProbability, double in [0, 1]: p_fg / (p_fg + p_whole).
  * Everything else is passed; nothing is interpolated or dropped.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray; BadRegion when there are no
- * seeds and when the region reaches everything, so that nothing would hold the mesh. A mesh without points
- * gives an empty output silently. Mixtures are fitted on the back end that is chosen, see SetBackend.
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray; BadRegion without seeds and
+ * where nothing would be left to hold the mesh. A mesh without points gives an empty output silently.
  *
- * Deterministic: where samples are drawn, a generator with the fixed Seed draws them. Device (double
- * precision) and host agree to 1e-5.
+ * Deterministic: samples are drawn by a generator with the fixed Seed. Device and host agree to 1e-5.
  *
  * Cost: milliseconds for the mixtures, then linear in the vertices. The whole mesh's mixture is kept while
- * points, polygons, ShapeDiameter and the mixture's parameters stand, so a new stroke does not fit it again;
- * the output arrays are kept, as the same objects, while besides the seeds stand.
+ * points, polygons, ShapeDiameter and its parameters stand; the output arrays while the seeds do, too.
  *
  * @sa vtkOversketchShapeDiameter vtkOversketchTargets vtkOversketchRegionBorder
  */
@@ -80,8 +73,7 @@ public:
 
   ///@{
   /**
-   * Weight of the border's smoothness against the thickness, dimensionless, at least 0; default 0.2, lambda
-   * of the paper.
+   * Weight of the border's smoothness against the thickness, at least 0; default 0.2, the paper's lambda.
    */
   vtkSetClampMacro(Lambda, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Lambda, double);
@@ -89,9 +81,8 @@ public:
 
   ///@{
   /**
-   * How far from a seed a sample for the seeds' mixture may lie when there are too few seeds, along edges, in
-   * units of half the bounding box's diagonal, at least 0; default 0.1, the paper's tolerance (its unit is
-   * not told).
+   * How far from a seed a sample for the mixture of too few seeds may lie, along edges [half the bounding
+   * box's diagonal], at least 0; default 0.1, the paper's tolerance (its unit is not told).
    */
   vtkSetClampMacro(SeedTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SeedTolerance, double);
@@ -99,8 +90,7 @@ public:
 
   ///@{
   /**
-   * Seeds come from handles with SeedMargin <= RelativePosition <= 1 - SeedMargin; 0 to 0.45, default 0.1. 0
-   * is as published.
+   * Seeds have a RelativePosition in [SeedMargin, 1 - SeedMargin]; 0, as published, to 0.45, default 0.1.
    */
   vtkSetClampMacro(SeedMargin, double, 0.0, 0.45);
   vtkGetMacro(SeedMargin, double);
@@ -109,7 +99,7 @@ public:
   ///@{
   /**
    * Select every piece that the region cuts off from the largest rest, by area, of its connected part;
-   * default on. Off is as published: toes that are not selected then stay where they are and tear the foot.
+   * default on. Off is as published: toes that are left out then stay behind and tear the foot.
    */
   vtkSetMacro(FillIslands, bool);
   vtkGetMacro(FillIslands, bool);
@@ -138,9 +128,8 @@ public:
 
   ///@{
   /**
-   * Extend the region towards the section's ends, within SeedMargin, as far as the stroke moves the section
-   * by more than a twentieth of what it moves it most and a thousandth of its length; default on. Off is as
-   * published.
+   * Extend the region towards the section's ends, within SeedMargin, as far as the stroke moves it by over a
+   * twentieth of what it moves it most and a thousandth of its length; default on. Off is as published.
    */
   vtkSetMacro(ReachEnds, bool);
   vtkGetMacro(ReachEnds, bool);
@@ -163,8 +152,8 @@ public:
 
   ///@{
   /**
-   * After all that, move the border along edges by this, outwards where positive [lengths of the section, -1
-   * to 1, default 0: stay where it was found]. Seeds stay in the region.
+   * Then move the border along edges by this, outwards where positive [lengths of the section, -1 to 1,
+   * default 0]. Seeds stay in the region.
    */
   vtkSetClampMacro(Reach, double, -1.0, 1.0);
   vtkGetMacro(Reach, double);
@@ -173,8 +162,7 @@ public:
   ///@{
   /**
    * Take the samples in the order of their values at equal steps of the area, of the seeds at equal steps of
-   * their number; default on. Off: at random, as published, which depends on the vertices' numbers and
-   * density.
+   * their number; default on. Off: at random, as published, by the vertices' numbers and density.
    */
   vtkSetMacro(EvenSamples, bool);
   vtkGetMacro(EvenSamples, bool);
@@ -184,8 +172,8 @@ public:
   ///@{
   /**
    * Where the thickness' standard deviation is less than a fiftieth of its mean, take what is near to a seed
-   * as ConfineToSection has it, and its neighbours at least, and look for no junction; default on. Off is as
-   * published: noise, scaled to [0, 1], then decides.
+   * as ConfineToSection has it, its neighbours at least, and look for no junction; default on. Off, as
+   * published, noise decides.
    */
   vtkSetMacro(IgnoreNoise, bool);
   vtkGetMacro(IgnoreNoise, bool);
@@ -194,8 +182,7 @@ public:
 
   ///@{
   /**
-   * Most components of a mixture, 1 to 8; default 4 (Table 2). The seeds' mixture has no more than a third of
-   * the samples.
+   * Most components of a mixture, 1 to 8; default 4 (Table 2); of the seeds' a third of the samples at most.
    */
   vtkSetClampMacro(Components, int, 1, 8);
   vtkGetMacro(Components, int);
@@ -217,20 +204,15 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  ///@{
   /**
-   * How many times the whole mesh's mixture has been fitted.
+   * How many times the whole mesh's mixture has been fitted, to how many samples; how many times a region has
+   * been grown.
    */
   vtkGetMacro(WholeFitCount, vtkIdType);
-
-  /**
-   * How many times a region has been grown: executions that the kept result did not answer.
-   */
-  vtkGetMacro(GrowthCount, vtkIdType);
-
-  /**
-   * How many samples the whole mesh's mixture was fitted to.
-   */
   vtkGetMacro(WholeSampleCount, vtkIdType);
+  vtkGetMacro(GrowthCount, vtkIdType);
+  ///@}
 
 protected:
   vtkOversketchMixtureRegion();
