@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Peers that come as Python packages: libigl, scikit-learn, pymeshlab. Run by run.sh in a virtual environment of its own.
+"""Peers that come as Python packages: libigl, potpourri3d, scikit-learn, pymeshlab. Run by run.sh in a virtual environment of its own.
 
 usage: peers.py MESHES OUT.json [SIZE...]
 MESHES holds bunny_5k.obj, bunny_30k.ply and bunny_180k.ply. Writes a list of {"name": "job/size/who", "real_time": median
@@ -16,21 +16,23 @@ import numpy as np
 import pymeshlab
 import igl
 import igl.embree
+import potpourri3d
 from sklearn.mixture import GaussianMixture
 
 RUNS = 5
 
 
 def measure(name, threads, prepare, run, figures=lambda result: {}):
-    times = []
+    times, processor = [], []
     for _ in range(RUNS):
         state = prepare()
-        start = time.perf_counter()
+        start, busy = time.perf_counter(), time.process_time()
         result = run(state)
         times.append(1000.0 * (time.perf_counter() - start))
+        processor.append(1000.0 * (time.process_time() - busy))
     row = {"name": name, "real_time": float(np.median(times)), "threads": threads}
     row.update(figures(result))
-    print(f"{name:50} {row['real_time']:10.3f} ms", flush=True)
+    print(f"{name:50} {row['real_time']:10.3f} ms, of the processor {np.median(processor):10.3f}", flush=True)
     return row
 
 
@@ -105,11 +107,55 @@ def laplacian(folder):
     return rows
 
 
+def icosphere(levels):
+    """That of the test harness, in another order."""
+    t = 0.5 * (1.0 + 5.0 ** 0.5)
+    points = np.array([[-1, t, 0], [1, t, 0], [-1, -t, 0], [1, -t, 0], [0, -1, t], [0, 1, t], [0, -1, -t], [0, 1, -t],
+                       [t, 0, -1], [t, 0, 1], [-t, 0, -1], [-t, 0, 1]], float)
+    faces = np.array([[0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6],
+                      [7, 1, 8], [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10],
+                      [8, 6, 7], [9, 8, 1]], np.int64)
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    for _ in range(levels):
+        sides = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        edges, number = np.unique(sides, axis=0, return_inverse=True)
+        middles = points[edges].sum(1)
+        a, b, c = (len(points) + number.reshape(-1, 3)).T
+        points = np.concatenate([points, middles / np.linalg.norm(middles, axis=1)[:, None]])
+        x, y, z = faces.T
+        faces = np.concatenate([np.stack(f, 1) for f in ((x, a, c), (a, y, b), (c, b, z), (a, b, c))])
+    return points, faces
+
+
+def regions():
+    """The region of edit_benchmark, the sphere above a height: its plain harmonic map, and distances from a line over its pole by the
+    heat method, from nothing."""
+    points, faces = icosphere(7)
+    rows = []
+    for size, height in (("10k", 0.878), ("50k", 0.39)):
+        inside = faces[(points[faces, 2] > height).all(1)]
+        used, numbers = np.unique(inside, return_inverse=True)
+        cap, triangles = points[used], numbers.reshape(-1, 3)
+        reach = 0.6 * (1.0 - height * height) ** 0.5
+        line = np.nonzero((np.abs(cap[:, 1]) < 0.005) & (np.abs(cap[:, 0]) <= reach))[0]
+
+        def harmonic(_):
+            border = igl.boundary_loop(triangles)
+            return igl.harmonic(cap, triangles, border, igl.map_vertices_to_circle(cap, border), 1)
+
+        def heat(_):
+            return potpourri3d.MeshHeatMethodDistanceSolver(cap, triangles).compute_distance_multisource(line)
+        figures = {"vertices": len(cap)}
+        rows.append(measure(f"disc/{size}/libigl", 1, lambda: None, harmonic, lambda _: figures))
+        rows.append(measure(f"distance/{size}/potpourri3d's heat method", 1, lambda: None, heat, lambda _: figures))
+    return rows
+
+
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     folder, out, sizes = sys.argv[1], sys.argv[2], sys.argv[3:] or ["5k", "30k", "180k"]
-    rows = [mixture()]
+    rows = [mixture()] + regions()
     for size in sizes:
         vertices, triangles = bunny(folder, size)
         rows += [shape_diameter(size, vertices, triangles), remeshing(size, vertices, triangles)]

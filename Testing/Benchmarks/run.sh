@@ -35,7 +35,7 @@ done
 echo "Measuring: Python peers"
 environment=$(mktemp -d)
 trap 'rm -rf "$environment"' EXIT
-if /usr/bin/python3 -m venv "$environment" && "$environment/bin/pip" install -q numpy scipy libigl scikit-learn pymeshlab; then
+if /usr/bin/python3 -m venv "$environment" && "$environment/bin/pip" install -q numpy scipy libigl potpourri3d scikit-learn pymeshlab; then
   "$environment/bin/python" Testing/Benchmarks/peers.py "$meshes" "$folder/peers.json" >"$folder/peers.log"
 else
   echo "run.sh: the Python peers could not be installed; their columns stay empty" >&2
