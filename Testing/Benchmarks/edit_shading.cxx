@@ -280,7 +280,7 @@ std::map<std::string, double> distanceFigures(const Region& r, const std::vector
     {
       const Vector3 a = r.patch.points[r.chain[i - 1]], b = r.patch.points[r.chain[i]];
       const Vector3 across = a.cross(b).normalized();
-      const bool beside = across.cross(a).dot(p) >= 0.0 && b.cross(across).dot(p) <= 0.0;
+      const bool beside = across.cross(a).dot(p) >= 0.0 && b.cross(across).dot(p) >= 0.0;
       const double away =
         beside ? std::abs(std::asin(std::clamp(across.dot(p), -1.0, 1.0)))
                : std::min(std::acos(std::min(1.0, a.dot(p))), std::acos(std::min(1.0, b.dot(p))));
