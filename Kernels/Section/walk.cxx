@@ -3,9 +3,7 @@
 #include "Mesh/context.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -114,32 +112,18 @@ public:
   };
   Exit exitOf(int triangle, const Crossing& entry) const
   {
-    return this->exitOf(triangle, entry, this->thirdOf(triangle, entry));
-  }
-
-  // The corner of a face that is not the entry's. Asks for the memory that its exit and what comes after
-  // that need, which is slow to come.
-  int thirdOf(int triangle, const Crossing& entry) const
-  {
     const Sectioner::Face& face = this->Faces[triangle];
+    const Triangle& t = face.corners;
     int k = 0;
-    while (face.corners[k] == entry.v0 || face.corners[k] == entry.v1)
+    while (t[k] == entry.v0 || t[k] == entry.v1)
     {
       ++k;
     }
-    __builtin_prefetch(this->Surface.points.data() + face.corners[k]);
-    for (const int next : { k, k == 0 ? 2 : k - 1 }) // the next face is one of them
+    const int third = t[k], before = k == 0 ? 2 : k - 1;
+    for (const int next : { k, before }) // the next face is one of them; its memory is slow to come
     {
       __builtin_prefetch(this->Faces.data() + std::max(face.beyond[next], 0));
     }
-    return k;
-  }
-
-  Exit exitOf(int triangle, const Crossing& entry, int k) const
-  {
-    const Sectioner::Face& face = this->Faces[triangle];
-    const Triangle& t = face.corners;
-    const int third = t[k], before = k == 0 ? 2 : k - 1;
     const double height = this->height(third);
     const bool fromFirst = (height >= 0.0) != (entry.h0 >= 0.0);
     const int other = fromFirst ? entry.v0 : entry.v1;
@@ -151,50 +135,30 @@ public:
       face.isBoundary[side] };
   }
 
-  // From an edge into each of some of its faces, until the exit is what it was to meet. All ways at once,
-  // face by face in turn, so that one waits for memory while another goes on.
-  template <std::size_t Count, typename Meets>
-  std::array<Way, Count> follow(const Crossing& from,
-    const std::array<int, Count>& triangles,
-    const Meets& meets) const
+  // Until the exit is what it was to meet.
+  template <typename Meets>
+  Way follow(const Crossing& from, int triangle, const Meets& meets) const
   {
-    std::array<Way, Count> ways;
-    std::array<Crossing, Count> at;
-    std::array<int, Count> triangle = triangles, third{};
-    at.fill(from);
-    for (bool goesOn = true; goesOn;)
+    Way way;
+    Crossing at = from;
+    for (;;)
     {
-      goesOn = false;
-      for (std::size_t i = 0; i < Count; ++i)
+      const Exit exit = this->exitOf(triangle, at);
+      at = exit.crossing;
+      way.edges.push_back(at);
+      if (meets(exit))
       {
-        third[i] = triangle[i] < 0 ? 0 : this->thirdOf(triangle[i], at[i]);
+        return way;
       }
-      for (std::size_t i = 0; i < Count; ++i)
+      if (at.sameEdge(from) || exit.beyond < 0)
       {
-        if (triangle[i] < 0)
-        {
-          continue;
-        }
-        const Exit exit = this->exitOf(triangle[i], at[i], third[i]);
-        at[i] = exit.crossing;
-        ways[i].edges.push_back(at[i]);
-        triangle[i] = -1;
-        if (meets(exit))
-        {
-          continue;
-        }
-        if (at[i].sameEdge(from) || exit.beyond < 0)
-        {
-          ways[i].ended = at[i].sameEdge(from)               ? Ended::Round
-                          : exit.beyond == Sectioner::border ? Ended::Border
-                                                             : Ended::Branch;
-          continue;
-        }
-        triangle[i] = exit.beyond;
-        goesOn = true;
+        way.ended = at.sameEdge(from)                  ? Ended::Round
+                    : exit.beyond == Sectioner::border ? Ended::Border
+                                                       : Ended::Branch;
+        return way;
       }
+      triangle = exit.beyond;
     }
-    return ways;
   }
 
 private:
@@ -283,9 +247,8 @@ std::vector<Crossing> between(const Walker& walker,
   Way first;
   for (std::size_t k = 0; k < triangles.size(); ++k)
   {
-    Way way = walker.follow(from,
-      std::array<int, 1>{ triangles[k] },
-      [&to](const Walker::Exit& exit) { return exit.crossing.sameEdge(to); })[0];
+    Way way = walker.follow(
+      from, triangles[k], [&to](const Walker::Exit& exit) { return exit.crossing.sameEdge(to); });
     if (way.ended == Ended::Met)
     {
       way.edges.insert(way.edges.begin(), from);
@@ -359,11 +322,11 @@ private:
     {
       refuseWay({ { middle }, sides.size() == 1 ? Ended::Border : Ended::Branch }, "the boundary curve");
     }
-    const std::array<Way, 2> ways = this->Across.follow(middle,
-      std::array<int, 2>{ sides[0], sides[1] },
-      [](const Walker::Exit& exit) { return exit.isBoundary; });
-    for (std::size_t k = 0; k < 2; ++k)
+    const auto meets = [](const Walker::Exit& exit) { return exit.isBoundary; };
+    Way ways[2];
+    for (int k = 0; k < 2; ++k)
     {
+      ways[k] = this->Across.follow(middle, sides[k], meets);
       if (ways[k].ended == Ended::Round)
       {
         return {};
@@ -375,7 +338,7 @@ private:
     }
     const Vector3 step =
       this->Across.pointOf(ways[1].edges.front()) - this->Across.pointOf(ways[0].edges.front());
-    const std::size_t left = step.dot(this->Right) > 0.0 ? 0 : 1;
+    const int left = step.dot(this->Right) > 0.0 ? 0 : 1;
     std::vector<Crossing> edges(ways[left].edges.rbegin(), ways[left].edges.rend());
     edges.push_back(middle);
     edges.insert(edges.end(), ways[1 - left].edges.begin(), ways[1 - left].edges.end());
