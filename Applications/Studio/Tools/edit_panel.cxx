@@ -28,7 +28,7 @@ EditPanel::EditPanel(QWidget* canvas, const QString& title, const QString& name,
 {
   this->setWindowTitle(title);
   this->Picture->setObjectName(name);
-  this->Picture->setAccessibleName(title);
+  this->Picture->setAccessibleName(QString(title).remove('&'));
   this->Picture->setRenderWindow(this->Window);
   this->Window->AddRenderer(this->Renderer);
   this->Window->SetMultiSamples(samplesOfPixel);

@@ -78,7 +78,7 @@ QString ProfileTool::way() const
 
 QWidget* ProfileTool::makePanel(QWidget* parent)
 {
-  this->Panel = new EditPanel(this->viewport(), tr("Profile"), "profile_picture", parent);
+  this->Panel = new EditPanel(this->viewport(), tr("Pro&file"), "profile_picture", parent);
   this->Panel->addControl(new QLabel(tr("Draw over the section: the model follows."), this->Panel));
   vtkOversketchProfilePlaneWidget* planes = this->hand().widget()->GetProfilePlaneWidget();
   planes->GetPen()->CommitOnReleaseOn(); // a stroke can be undone

@@ -62,7 +62,7 @@ ShadeTool::~ShadeTool()
 
 QString ShadeTool::title() const
 {
-  return tr("&Shade");
+  return tr("S&hade");
 }
 
 QKeySequence ShadeTool::key() const
@@ -113,7 +113,7 @@ QString ShadeTool::way() const
 
 QWidget* ShadeTool::makePanel(QWidget* parent)
 {
-  this->Panel = new EditPanel(this->viewport(), tr("Disc"), "disc_picture", parent);
+  this->Panel = new EditPanel(this->viewport(), tr("D&isc"), "disc_picture", parent);
   this->Lasso = new QToolButton(this->Panel);
   this->Lasso->setObjectName("disc_lasso");
   this->Lasso->setText(tr("Lasso"));
