@@ -57,6 +57,10 @@ REACH = [
     ("augment: crest under the pen", "limit", 1.0, None),
     ("path along edges", "OpenCV's map", 1 / 50, None),
     ("local maximum", "the distance", 1.0, None),
+    ("grid factor", "Eigen", 1 / 2, None),
+    ("refinement", "CGAL", 1.0, None),
+    ("triangulation", "CGAL", 1.0, None),
+    ("constrained triangulation", "CGAL", 1.0, None),
     ("drawing: new", "limit", 1.0, None),
     ("drawing: another feature", "limit", 1.0, None),
 ]

@@ -294,7 +294,15 @@ void vtkOversketchDrawingWidget::Publish()
     WriteCanvas(inner.rectangle, this->Drawing);
   }
   this->Classify();
-  this->Render();
+  this->Show();
+}
+
+void vtkOversketchDrawingWidget::Show()
+{
+  if (!this->PenDraws)
+  {
+    this->Render();
+  }
 }
 
 void vtkOversketchDrawingWidget::Classify()
@@ -402,13 +410,17 @@ void vtkOversketchDrawingWidget::Heard(unsigned long event)
     vtkNew<vtkPolyData> stroke;
     stroke->DeepCopy(this->Pen->GetStroke());
     line->Clear(); // from here on it is this widget's
+    this->PenDraws = true;
     extentOf(stroke) > clickLength ? this->Take(stroke) : this->Click();
+    this->PenDraws = false;
     return;
   }
   this->InvokeEvent(event);
   if (event == vtkCommand::EndInteractionEvent && !this->Pen->WasDropped() && line->GetNumberOfSamples() < 2)
   {
+    this->PenDraws = true;
     this->Click();
+    this->PenDraws = false;
   }
 }
 
@@ -450,7 +462,7 @@ void vtkOversketchDrawingWidget::Take(vtkPolyData* stroke)
   {
     this->Tell(
       "No stroke is under the ends of this one: begin and end on the stroke that is to be corrected.");
-    this->Render();
+    this->Show();
     return;
   }
   if (!this->Correcting)

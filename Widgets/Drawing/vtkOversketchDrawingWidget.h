@@ -160,6 +160,7 @@ private:
   void Click();
   void Take(vtkPolyData* stroke);
   void Publish();
+  void Show();
   void Classify();
   void Tell(const std::string& message);
   void Zoom(double factor);
@@ -167,7 +168,8 @@ private:
   bool Magnetic = true, Arrange = false;
   double SnapRadius = 10.0;
   bool Panning = false, PressedOver = false, Correcting = false;
-  int At[2] = { 0, 0 };           // window px, where the cursor was
+  bool PenDraws = false; // what has changed is drawn with the pen's own change, once all have heard of it
+  int At[2] = { 0, 0 };  // window px, where the cursor was
   double Begun[2] = { 0.0, 0.0 }; // px from the viewport's lower left corner, where the stroke began
   vtkNew<vtkOversketchStrokeWidget> Pen;
   vtkNew<vtkPolyData> Drawing;

@@ -2,6 +2,7 @@
 #include "Harness/windows.h"
 #include "desk.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <random>
@@ -52,6 +53,30 @@ TEST(DrawingWindow, ColoursSayWhatStrokesAre)
   const auto tunnel = pixel(desk, { 200, 150 });
   EXPECT_GT(tunnel[2], tunnel[1] + 40) << "a tunnel is violet";
   EXPECT_EQ(pixel(desk, { 150, 150 }), (std::array<int, 3>{ 255, 255, 255 }));
+}
+
+// Of what the hand waits for, drawing is the most.
+TEST(DrawingWindow, AReleaseDrawsTheWindowOnce)
+{
+  Desk desk;
+  int drawn = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&drawn);
+  count->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  const std::vector<Vector2> outline = Desk::closedRing({ 200, 150 }, 100.0);
+  const auto at = [&](const Vector2& p, unsigned long event) { desk.event(event, int(p[0]), int(p[1])); };
+  at(outline[0], vtkCommand::LeftButtonPressEvent);
+  for (const Vector2& p : outline)
+  {
+    at(p, vtkCommand::MouseMoveEvent);
+  }
+  desk.window->AddObserver(vtkCommand::StartEvent, count);
+  at(outline.back(), vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_EQ(desk.labels("Role"), std::vector<int>{ 1 });
+  EXPECT_EQ(drawn, 1);
+  drawn = 0;
+  desk.sheet->RemoveLastStroke();
+  EXPECT_EQ(drawn, 1); // and what no pen does draws itself
 }
 
 TEST(DrawingWindow, ThePictureIsSeenWholeUnderTheCurves)
