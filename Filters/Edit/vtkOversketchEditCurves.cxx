@@ -34,8 +34,8 @@ namespace oversketch
 namespace
 {
 
-// Steps of a drawn profile; a section has some tens of points. Up to so many samples stay among them, so that a
-// section that is drawn as it is moves nothing.
+// Steps of a drawn profile; a section has some tens of points. Up to so many samples stay among them, so that
+// a section that is drawn as it is moves nothing.
 constexpr int profileSteps = 400;
 constexpr std::size_t profileSamples = 2048;
 

@@ -8,7 +8,8 @@
  * Departures (see Kernels/Remesh/insert_curves.h): the thesis stops there. Here vertices and edges that are
  * near are used instead of new ones (Snap); segments become edges (EmbedSegments), so that a region can be
  * grown up to a curve; a closed curve that leaves the mesh, or is hidden in parts, is led on behind what
- * hides it (Bridge); and narrow triangles at the curves are cleaned (Clean). All four off is as published; with EmbedSegments, JoinRuns.
+ * hides it (Bridge); and narrow triangles at the curves are cleaned (Clean). All four off is as published;
+ * with EmbedSegments, JoinRuns.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Borders and non-manifold edges are tolerated.
  * Input 1 (Curves): curves of vtkOversketchProjectCurve on this mesh: point arrays CurveT, MeshCell,
@@ -93,8 +94,8 @@ public:
 
   ///@{
   /**
-   * With Bridge off: as published, samples that miss the mesh are left out, and those beside the gap joined as
-   * all others are, over what is seen of it [default off].
+   * With Bridge off: as published, samples that miss the mesh are left out, and those beside the gap joined
+   * as all others are, over what is seen of it [default off].
    */
   vtkSetMacro(JoinRuns, bool);
   vtkGetMacro(JoinRuns, bool);

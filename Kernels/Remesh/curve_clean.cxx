@@ -15,6 +15,7 @@ constexpr double narrow = 20.0;              // degrees: an angle to be raised
 constexpr double leastGain = 0.1;            // degrees: smaller ones may go back and forth
 constexpr double largestShift = 0.1;         // how far a curve may move, of its new segment
 constexpr int mostRounds = 12;
+constexpr double longestReach = 2.0; // mean edges from a curve, beyond which vertices and triangles stay
 
 const double turnCosine = std::cos(15.0 / radian), featureCosine = std::cos(25.0 / radian);
 
@@ -41,6 +42,7 @@ class Cleaner
 public:
   explicit Cleaner(CurveMesh& mesh)
     : Mesh(mesh)
+    , Reach(longestReach * meanEdge(mesh))
   {
   }
 
@@ -75,6 +77,34 @@ private:
     int from = -1, to = -1; // ends of the edge; `from` goes in a collapse
     double gain = leastGain;
   };
+
+  static double meanEdge(const CurveMesh& mesh)
+  {
+    double sum = 0.0;
+    int count = 0;
+    for (int t = 0; t < static_cast<int>(mesh.triangles().size()); ++t)
+    {
+      for (int k = 0; mesh.alive(t) && k < 3; ++k, ++count)
+      {
+        sum += (mesh.point(mesh.triangle(t)[(k + 1) % 3]) - mesh.point(mesh.triangle(t)[k])).norm();
+      }
+    }
+    return count > 0 ? sum / count : 0.0;
+  }
+
+  // Whether a vertex was inserted, or lies on a curve or near one of its neighbours that does.
+  bool inReach(int v) const
+  {
+    if (this->Mesh.inserted(v) || this->Mesh.onCurve(v))
+    {
+      return true;
+    }
+    const std::vector<int> neighbours = this->Mesh.neighbours(v);
+    return std::any_of(neighbours.begin(),
+      neighbours.end(),
+      [&](int w)
+      { return this->Mesh.onCurve(w) && (this->Mesh.point(w) - this->Mesh.point(v)).norm() <= this->Reach; });
+  }
 
   // Triangles with a vertex that was inserted or is on a curve, ascending.
   std::vector<int> near() const
@@ -174,7 +204,7 @@ private:
     }
     const double least = std::min(this->angleOf(both[0]), this->angleOf(both[1]));
     const double gain = std::min(smallestAngleOf(pa, pd, pc), smallestAngleOf(pb, pc, pd)) - least;
-    if (gain > best.gain)
+    if (gain > best.gain && (this->inReach(a) || this->inReach(b) || (this->inReach(c) && this->inReach(d))))
     {
       best = { true, a, b, gain };
     }
@@ -240,7 +270,7 @@ private:
 
   void tryCollapse(int from, int to, Move& best) const
   {
-    if (this->Mesh.onCurve(from) && !this->alongCurve(from, to))
+    if (!this->inReach(from) || (this->Mesh.onCurve(from) && !this->alongCurve(from, to)))
     {
       return;
     }
@@ -303,6 +333,7 @@ private:
   }
 
   CurveMesh& Mesh;
+  const double Reach;
 };
 
 } // namespace

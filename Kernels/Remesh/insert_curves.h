@@ -34,8 +34,8 @@ struct InsertRules
   bool snap = true;   // to vertices and edges that are near; off as published
   bool embed = true;  // segments become edges
   bool bridge = true; // what misses or is hidden is walked over; off: a closed curve with gaps is refused
-  bool join = false;  // but as published its runs are joined by segments like all others
   bool clean = true;  // narrow triangles at the curves; off as published
+  bool join = false;  // without bridges, as published: runs are joined by segments like all others
 };
 
 struct InsertedCurves
@@ -76,9 +76,9 @@ InsertedCurves insertCurves(const Mesh& mesh,
 
 // Raises the angles of triangles at the curves that are under 20 degrees, in at most twelve rounds: of the
 // flips and collapses that are possible, the one that raises the smallest angle that it touches most. Normals
-// turn by at most 15 degrees. Not touched are edges and ends of curves, border vertices, and vertices on
-// edges over 25 degrees; of a curve, vertices that were inserted go along it, if it moves by at most a tenth
-// of the new segment.
+// turn by at most 15 degrees. Not touched are what lies more than two mean edges from curves, edges and ends
+// of curves, border vertices, and vertices on edges over 25 degrees; of a curve, vertices that were inserted
+// go along it, if it moves by at most a tenth of the new segment.
 void cleanAlongCurves(CurveMesh& mesh, const Context& context = Context());
 
 } // namespace oversketch

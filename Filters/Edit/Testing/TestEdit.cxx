@@ -3,6 +3,7 @@
 
 #include "vtkOversketchDistanceField.h"
 #include "vtkOversketchFlatten.h"
+#include "vtkOversketchInsertCurve.h"
 #include "vtkOversketchMatrixDeform.h"
 #include "vtkOversketchResketch.h"
 #include "vtkOversketchScanFill.h"
@@ -401,6 +402,15 @@ TEST(EditSystem, AProfileIsFollowed)
   s.filter->SetOperations("");
   s.filter->SetRule(vtkOversketchEdit::Edit);
   EXPECT_EQ(eulerNumber(s.run()), eulerNumber(s.mesh));
+  for (const double place : { 0.6, 0.3 })
+  {
+    s.filter->SetProfileAt(place);
+    s.run();
+    s.filter->SetProfileData(deepCopy(s.filter->GetInnerOutput("Section")));
+    expectSameBits(s.run(), s.mesh);
+    EXPECT_EQ(s.filter->GetMovedPoints(), 0);
+    s.filter->SetProfileData(drawn);
+  }
 }
 
 TEST(EditSystem, RefusesWhatIsNone)
@@ -447,6 +457,7 @@ TEST(EditSystem, AsPublishedTurnsEveryStep)
   const auto amended = deepCopy(s.run());
   s.filter->AsPublishedOn();
   s.filter->SetRule(vtkOversketchEdit::Off);
+  EXPECT_TRUE(vtkOversketchInsertCurve::SafeDownCast(s.filter->GetStep("BoundaryInsert"))->GetJoinRuns());
   vtkPolyData* mesh = s.run();
   EXPECT_GT(mesh->GetNumberOfPolys(), 0);
   vtkPolyData* weighted = s.filter->GetInnerOutput("Shading");

@@ -4,7 +4,7 @@ from typing import List, NamedTuple
 
 import numpy as np
 
-from saved import by_content
+from saved import Saved, by_content
 
 
 class Rebuilt(NamedTuple):

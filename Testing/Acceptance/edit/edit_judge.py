@@ -27,6 +27,7 @@ import stroke_files
 
 TURN = 60.0  # degrees
 FEW, MANY, COARSE = 1000, 4000, 2000  # vertices of a patch, from which on bounds hold, or stricter ones; triangles of a coarse mesh
+ASTRAY = 12.0  # px off the stroke, beyond which a curve that was led over a gap is not looked at; what is missing there `covered` tells
 AHEAD, LEAP = 2.0, 15.0  # px of depth: by which something hides a point; in which edges of what is seen are told
 
 default = lambda r: not r["published"]
@@ -190,33 +191,37 @@ def in_sight(depth, xy, z):
         return (around.min(0) <= z + AHEAD) & (around.max(0) - around.min(0) <= LEAP)
 
 
-def on_model(depth, xy, samples):
-    """Which places are nearest to a part of the stroke that was drawn over the model, and not beside it."""
-    course = picture.resample(samples, 1.0)
-    at = np.clip(np.floor(course).astype(int), 0, (depth.shape[1] - 1, depth.shape[0] - 1))
-    covers = np.isfinite(depth[at[:, 1], at[:, 0]])
-    _, _, where = picture.distance_to(xy, [course], np.inf)
-    return covers[np.clip(np.round(where / picture.lengths(course)[-1] * (len(course) - 1)).astype(int), 0, len(course) - 1)]
-
-
 def drawn(case, result):
     """How far curves are off their strokes, and angles beside them."""
     beside = np.zeros(len(case.rest.points), bool)
     beside[case.line] = beside[case.ring] = True
     near = case.rest.triangles[beside[case.rest.triangles].any(1)]
     result["curve angle"] = float(np.percentile(measure.angles(case.rest.points, near).min(1), 5))
-    away = []
+    away, covered = [], []
     for name, curve in (("reference", case.line), ("boundary", case.ring)):
         _, samples, view, _ = stroke_files.read(case.folder / f"{name}.vtp")
         depth, size = picture.depths(view, case.rest.points, case.rest.triangles)
         xy, z = view.display(case.rest.points[curve])
-        seen = in_sight(depth, xy, z / size) & on_model(depth, xy, samples)
+        z = z / size
+        seen = in_sight(depth, xy, z)
+        course = picture.resample(samples, 1.0)
+        at = np.clip(np.floor(course).astype(int), 0, (view.width - 1, view.height - 1))
+        under = depth[at[:, 1], at[:, 0]]
+        # What leads over a gap behind something may come into sight too: it is not on what the stroke passes over there, or far off.
+        off, _, where = picture.distance_to(xy, [course], np.inf)
+        nearest = np.clip(np.round(where / picture.lengths(course)[-1] * (len(course) - 1)).astype(int), 0, len(course) - 1)
+        clear = in_sight(depth, course, under)
+        with np.errstate(invalid="ignore"):
+            gaps = not np.isfinite(under).all() or np.abs(np.diff(under)).max() > LEAP
+        if gaps:
+            seen &= clear[nearest] & (np.abs(under[nearest] - z) <= LEAP + off) & (off <= ASTRAY)
         parts = [picture.resample(xy[k:k + 2], 1.0) for k in np.flatnonzero(seen[:-1] & seen[1:])]
         if parts:
             away.append(picture.distance_to(np.vstack(parts), [samples], np.inf)[0])
-        if name == "reference":
-            result["covered"] = float((picture.distance_to(picture.resample(samples, 1.0), [xy], np.inf)[0] <= 6.0).mean())
+        if clear.any():
+            covered.append(float((picture.distance_to(course[clear], [xy], np.inf)[0] <= (9.0 if result["coarse"] else 6.0)).mean()))
     away = np.concatenate(away or [np.zeros(1)])
+    result["covered"] = min(covered, default=0.0)
     result["px"], result["worst px"] = float(np.sqrt((away ** 2).mean())), float(away.max())
 
 
@@ -312,7 +317,9 @@ def present(points, triangles, mesh):
 def far(case, name):
     """Points and triangles of the input beyond the ring's triangles and two mean edges that a result does not have to the bit."""
     near = np.zeros(len(case.input.points), bool)
-    region = case.rest.points[case.patch.vertices]
+    ring = case.rest.points[case.ring]
+    between = [ring[:-1] + share * np.diff(ring, axis=0) for share in (0.25, 0.5, 0.75)]
+    region = np.vstack([case.rest.points[case.patch.vertices], *between])
     i, _ = measure.near_pairs(case.input.points, region, 2 * case.edge)
     near[i] = True
     # Vertices of triangles that touch the region; those of the input keep their places.

@@ -26,6 +26,7 @@ SHARED_MODELS = {
     f"{SPHERE}.ply": "+y", "bunny_5k.obj": "+y", "bunny_30k.ply": "+y", "bunny_180k.ply": "+y", "spot_1k6.off": "+y", "spot_5k9.obj": "+y",
     "cat.off": "+y", "hand_closed.obj": "+y", "hand_open_wrist.off": "+y", "koala.stl": "+y", "wingnut.stl": "+y", "mountain_sheet.ply": "+y",
     "armadillo_29k.obj": "+y"}
+SHEET = "mountain_sheet"  # which is looked at from above
 CAMERAS, HANDS, TIPS, HALVES = 6, 3, 3, 12
 KINDS = ("line", "S", "arc")
 WOBBLE = 1.0  # px
@@ -88,12 +89,12 @@ def up_of(up):
     return vector
 
 
-def directions(up, hand):
-    """Where from the six cameras of a hand look: round the model, from above and below in turn."""
+def directions(up, hand, raised=0):
+    """Where from the six cameras of a hand look: round the model, from above and below in turn, so many degrees higher."""
     front = np.roll(up, 1)
     side = np.cross(up, front)
     for k in range(CAMERAS):
-        a, e = np.radians(60 * k + 20 * hand + 10), np.radians((15, -10, 35)[k % 3])
+        a, e = np.radians(60 * k + 20 * hand + 10), np.radians((15, -10, 35)[k % 3] + raised)
         yield np.cos(e) * (np.cos(a) * front + np.sin(a) * side) + np.sin(e) * up
 
 
@@ -142,10 +143,13 @@ def tip_pairs(points, triangles, up, random):
         across = np.cross(limb / np.linalg.norm(limb), beside)
         turn = random.uniform(0, 2 * np.pi)
         view = picture.View.looking(points, np.cos(turn) * beside + np.sin(turn) * across, limb, number % 2 == 1, 0.6)
-        ends = view.display(np.array([points[tip], base]))[0]
-        along = ends[1] - ends[0]
-        middle = ends[0] + 0.25 * along
-        line = ends[0] + np.linspace(0.25, 0.75, 60)[:, None] * along
+        # The limb's middle, from its tip on: the line follows it where it bends.
+        levels = np.linspace(0.2, 1.0, 9) * reach
+        middle = np.array([points[tip]] + [points[(away > level - 0.1 * reach) & (away < level + 0.1 * reach)].mean(0) for level in levels])
+        course = strokes.smooth(picture.resample(view.display(middle)[0], 2.0), 6.0)
+        along = course[-1] - course[0]
+        line = course[int(0.25 * len(course)):int(0.75 * len(course))]
+        middle = course[0] + 0.25 * along
         radius = np.linalg.norm(along)
         turns = 2 * np.pi * (random.uniform() + np.linspace(0, 1, 361))
         ring = middle + 1.05 * radius * np.c_[np.cos(turns), np.sin(turns)]
@@ -194,7 +198,7 @@ def _make(job):
 
     for hand, start in enumerate(wanted):
         random = lambda what: np.random.RandomState(zlib.crc32(f"{start} {what}".encode()))  # each by itself, whatever else is made
-        for k, towards in enumerate(directions(up_of(up), hand)):
+        for k, towards in enumerate(directions(up_of(up), hand, 35 if name == SHEET else 0)):
             entry = f"{start}-c{k + 1}"
             if only and not any(part in entry for part in only):
                 continue
