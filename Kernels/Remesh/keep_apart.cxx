@@ -57,6 +57,7 @@ int keepApart(Mesh& mesh, const std::vector<char>& movable, bool asFloats)
 {
   const std::vector<int> near = meeting(mesh, movable, asFloats);
   std::vector<Vector3> places;
+  places.reserve(near.size());
   for (const int v : near)
   {
     places.push_back(stored(mesh.points[v], asFloats));

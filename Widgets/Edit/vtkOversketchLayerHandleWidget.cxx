@@ -90,6 +90,7 @@ bool vtkOversketchLayerHandleWidget::Grasp(int grip, const int at[2])
     return false;
   }
   this->Held = layerText(list);
+  this->HeldArea = shown->GetArea();
   shown->SetLayers(this->Held.c_str());
   shown->SetActiveGrip(shown->GetNumberOfHandles());
   shown->PutKnob(shown->GetNumberOfHandles() - 1, at[0], at[1]);
@@ -100,7 +101,7 @@ void vtkOversketchLayerHandleWidget::Pull(const int at[2])
 {
   LayersShown* shown = this->GetLayerHandleRepresentation();
   LayerList list = layerList(this->Held);
-  LayerHandle& handle = handlesIn(list, shown->GetArea()).back();
+  LayerHandle& handle = handlesIn(list, this->HeldArea).back(); // whichever the host shows by now
   const double share = roundedShare(shown->GetShareAt(at[0], at[1]));
   this->Moved = this->Moved || at[0] != this->From[0] || at[1] != this->From[1];
   if (this->Moved) // a press beside the line's middle is no drag yet
@@ -108,7 +109,10 @@ void vtkOversketchLayerHandleWidget::Pull(const int at[2])
     handle.place = share;
   }
   shown->SetLayers(layerText(list).c_str());
-  shown->PutKnob(shown->GetNumberOfHandles() - 1, at[0], at[1]);
+  if (shown->GetArea() == this->HeldArea)
+  {
+    shown->PutKnob(shown->GetNumberOfHandles() - 1, at[0], at[1]);
+  }
   LayerList alone;
   alone.handles = { handle };
   shown->SetText(layerText(alone).c_str());

@@ -76,6 +76,7 @@ private:
   void operator=(const vtkOversketchLayerHandleWidget&) = delete;
 
   std::string Before, Held; // the layers at the press; the same with the handle in the hand as their last
+  int HeldArea = -1;        // whose layers the hand has
   double LastRest = -1.0;   // of the handle that was in the hand last
   bool Moved = false;
   int From[2] = { 0, 0 }; // px
