@@ -19,6 +19,7 @@ import meshes  # noqa: E402
 import make_drawings  # noqa: E402
 import outlines  # noqa: E402
 import picture  # noqa: E402
+import stroke_files  # noqa: E402
 
 SIZE, MIDDLE, LATTICE = 1024, 512.0, 6.0  # px
 HEAD, LIMB, END = (250.0, 150.0), 12.0, 960.0  # where the head is and its radius; the limb's radius, where it ends
@@ -397,7 +398,7 @@ def test_outline(name):
 
 def test_noise():
     """Mean square 1, and correlated by 1/e over 20 px."""
-    values = np.array([outlines.noise(4000, np.random.RandomState(seed)) for seed in range(60)])
+    values = np.array([stroke_files.noise(4000, np.random.RandomState(seed)) for seed in range(60)])
     assert np.allclose((values ** 2).mean(axis=1), 1.0) and abs(values.mean()) < 1e-12
     assert (values * np.roll(values, 20, axis=1)).mean() == pytest.approx(np.exp(-1), abs=0.02)
 
