@@ -409,7 +409,7 @@ TEST(EditSystem, AProfileIsFollowed)
     s.filter->SetProfileData(deepCopy(s.filter->GetInnerOutput("Section")));
     expectSameBits(s.run(), s.mesh);
     EXPECT_EQ(s.filter->GetMovedPoints(), 0);
-    s.filter->SetProfileData(drawn);
+    s.filter->SetProfileData(archOfSection());
   }
 }
 
