@@ -152,7 +152,7 @@ QString Hand::file()
 int Hand::act()
 {
   int events = 0;
-  switch (this->upTo(20))
+  switch (this->upTo(21))
   {
     case 0:
     case 1:
@@ -160,9 +160,7 @@ int Hand::act()
       break;
     case 2:
     case 3:
-      events = this->Draws      ? this->dragOfAPart()
-               : this->oneIn(2) ? this->dragOfTheStroke()
-                                : this->editOfARegion();
+      events = this->Draws ? this->dragOfAPart() : this->dragOfTheStroke();
       break;
     case 4:
     case 5:
@@ -197,6 +195,11 @@ int Hand::act()
     case 17:
     case 18:
       events = this->click();
+      break;
+    case 19:
+      events = this->Draws      ? this->lineOnThePad()
+               : this->oneIn(2) ? this->editOfARegion()
+                                : this->dragOfTheStroke();
       break;
     default:
       events = this->menuEntry();
