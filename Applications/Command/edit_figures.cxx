@@ -3,7 +3,6 @@
 #include "edit_figures.h"
 
 #include "report.h"
-
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchEdit.h"
 #include "vtkOversketchFilterTools.h"
