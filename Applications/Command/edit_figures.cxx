@@ -2,6 +2,7 @@
 // how its weights fall, what the edit did to its triangles.
 #include "edit_figures.h"
 
+#include "report.h"
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchEdit.h"
 #include "vtkOversketchFilterTools.h"
@@ -33,12 +34,6 @@ using oversketch::Adjacency;
 using oversketch::Mesh;
 using oversketch::Triangle;
 using oversketch::Vector3;
-
-// A figure that could not be had is null.
-Json::Value number(double value)
-{
-  return std::isfinite(value) ? Json::Value(value) : Json::Value();
-}
 
 // The value at a share of the sorted values; NaN of none.
 double ranked(std::vector<double> values, double share)

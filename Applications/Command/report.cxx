@@ -20,12 +20,6 @@ using namespace oversketch_session;
 namespace
 {
 
-// A figure that could not be had is null.
-Json::Value number(double value)
-{
-  return std::isfinite(value) ? Json::Value(value) : Json::Value();
-}
-
 // The field arrays of one value.
 void addFigures(vtkPolyData* data, const std::string& name, Json::Value& json)
 {
@@ -75,6 +69,11 @@ std::string written(const Json::Value& json)
 }
 
 } // namespace
+
+Json::Value number(double value)
+{
+  return std::isfinite(value) ? Json::Value(value) : Json::Value();
+}
 
 Json::Value countsOf(vtkPolyData* mesh)
 {

@@ -27,6 +27,8 @@ struct Report
   std::string assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const;
 };
 
+// A figure; null where it could not be had.
+Json::Value number(double value);
 // Points and triangles.
 Json::Value countsOf(vtkPolyData* mesh);
 // How long each stage of the last run took [ms].

@@ -82,7 +82,8 @@ public:
   std::vector<Vector3> displacement;
   std::vector<double> feature;
 
-  // A copy with room for so many splits, which are quick where memory need not move; else for what a stroke needs.
+  // A copy with room for so many splits, which are quick where memory need not move; else for what a stroke
+  // needs.
   Forest roomyCopy(std::size_t splits) const;
   Forest roomyCopy() const { return this->roomyCopy(this->faces.size() / 8 + 512); }
 

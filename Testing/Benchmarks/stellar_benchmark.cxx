@@ -78,7 +78,8 @@ void kernels(const std::string& size)
   job.who = "ours";
   job.threads = 1;
   job.job = "edge splits";
-  job.prepare = [=] { stellar(size)->forest = stellar(size)->base.roomyCopy(stellar(size)->base.faces.size()); };
+  job.prepare = [=]
+  { stellar(size)->forest = stellar(size)->base.roomyCopy(stellar(size)->base.faces.size()); };
   job.run = [=]
   {
     Forest& forest = stellar(size)->forest;
