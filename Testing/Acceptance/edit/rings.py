@@ -132,7 +132,7 @@ def pair(kind, seen, random):
 
 def tip_pairs(points, triangles, up, random):
     """Rings round the tips of limbs, each seen from beside its limb: (line, ring, view)."""
-    found = strokes.tips(points, triangles)
+    found, _ = strokes.tips(points, triangles)
     for number, (tip, away) in enumerate(list(found.items())[:TIPS]):
         reach = 0.16 * away[np.isfinite(away)].max()
         base = points[(away > 0.8 * reach) & (away < 1.2 * reach)].mean(0)

@@ -48,6 +48,19 @@ def ball(levels=5):
     return points / np.linalg.norm(points, axis=1, keepdims=True), triangles
 
 
+def test_rings_round_tips_hold_one_end_of_a_spindle_and_the_line():
+    points, triangles = ball(3)
+    points = points * (1, 1, 4)
+    made = list(rings.tip_pairs(points, triangles, np.array([0.0, 1.0, 0.0]), np.random.RandomState(1)))
+    assert len(made) >= 2
+    for line, ring, view in made[:2]:  # its two ends, which stick out most
+        middle = ring.mean(0)
+        reach = np.linalg.norm(ring - middle, axis=1)
+        ends = view.display(points[[points[:, 2].argmin(), points[:, 2].argmax()]])[0]
+        assert (np.linalg.norm(ends - middle, axis=1) < reach.min()).sum() == 1
+        assert np.linalg.norm(line - middle, axis=1).max() < reach.min()
+
+
 # ---------------------------------------------------------------------------------------------- measures
 
 def enclosed_sheet():
