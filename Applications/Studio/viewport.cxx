@@ -19,7 +19,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -105,27 +104,10 @@ void Viewport::makeScene()
   this->Section->VisibilityOff();
   this->Renderer->AddActor(this->Section);
 
-  this->makeRegion();
+  this->Renderer->AddActor(this->Region.actor());
 
   this->Mirror.addTo(this->Renderer);
   this->HintBox.addTo(this->Renderer);
-}
-
-void Viewport::makeRegion()
-{
-  this->RegionNormals->SplittingOff();
-  this->RegionMapper->SetInputConnection(this->RegionNormals->GetOutputPort());
-  this->RegionMapper->ScalarVisibilityOff();
-  // Over the surface that it is a part of.
-  this->RegionMapper->SetResolveCoincidentTopologyToPolygonOffset();
-  this->RegionMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -200.0);
-  this->Region->SetMapper(this->RegionMapper);
-  this->Region->GetProperty()->SetColor(0.98, 0.62, 0.20);
-  this->Region->GetProperty()->SetAmbient(0.12);
-  this->Region->GetProperty()->SetDiffuse(0.85);
-  this->Region->PickableOff();
-  this->Region->VisibilityOff();
-  this->Renderer->AddActor(this->Region);
 }
 
 void Viewport::listen()
@@ -491,14 +473,12 @@ void Viewport::setDark(bool dark)
 
 void Viewport::showRegion(vtkPolyData* region)
 {
-  const bool any = region && region->GetNumberOfPolys() > 0;
-  if (!any && !this->Region->GetVisibility())
+  const bool wasShown = this->Region.isShown();
+  this->Region.show(region);
+  if (wasShown || this->Region.isShown()) // no frame for nothing
   {
-    return; // no frame for nothing
+    this->renderSoon();
   }
-  this->RegionNormals->SetInputData(any ? region : nullptr);
-  this->Region->SetVisibility(any);
-  this->renderSoon();
 }
 
 void Viewport::lookFrom(vtkPolyData* stroke)
@@ -521,7 +501,7 @@ bool Viewport::showsKeys() const
 
 void Viewport::screenshot(const QString& path, bool overlays)
 {
-  const int section = this->Section->GetVisibility(), region = this->Region->GetVisibility();
+  const int section = this->Section->GetVisibility(), region = this->Region.isShown();
   const bool mirror = this->Mirror.isVisible(), hint = this->HintBox.isVisible(),
              keys = this->Style->GetShowKeys();
   if (!overlays)
@@ -531,7 +511,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
       tool->showLines(false);
     }
     this->Section->VisibilityOff();
-    this->Region->VisibilityOff();
+    this->Region.actor()->VisibilityOff();
     this->Mirror.setVisible(false);
     this->HintBox.setVisible(false);
     this->Style->SetShowKeys(false);
@@ -543,7 +523,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
   picture->ReadFrontBufferOff();
   picture->Update();
   this->Section->SetVisibility(section);
-  this->Region->SetVisibility(region);
+  this->Region.actor()->SetVisibility(region);
   this->Mirror.setVisible(mirror);
   this->HintBox.setVisible(hint);
   this->Style->SetShowKeys(keys);

@@ -6,6 +6,7 @@
 #include "hint.h"
 #include "mirror_sheet.h"
 #include "model_view.h"
+#include "moved_region.h"
 #include "session.h"
 
 #include "vtkNew.h"
@@ -22,7 +23,6 @@ class vtkLightKit;
 class vtkOversketchInteractorStyle;
 class vtkPolyData;
 class vtkPolyDataMapper;
-class vtkPolyDataNormals;
 class vtkRenderer;
 
 namespace oversketch_studio
@@ -95,7 +95,6 @@ protected:
 
 private:
   void makeScene();
-  void makeRegion();
   void listen();
   void heard(unsigned long event);
   void render();
@@ -110,9 +109,9 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLightKit> Lights;
   ModelView Model{ this->Renderer };
-  vtkNew<vtkPolyDataMapper> SectionMapper, RegionMapper;
-  vtkNew<vtkActor> Section, Region;
-  vtkNew<vtkPolyDataNormals> RegionNormals;
+  vtkNew<vtkPolyDataMapper> SectionMapper;
+  vtkNew<vtkActor> Section;
+  oversketch::MovedRegion Region;
   MirrorSheet Mirror;
   Backdrop Behind;
   Hint HintBox;
