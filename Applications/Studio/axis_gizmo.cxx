@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace oversketch_studio
@@ -36,6 +37,7 @@ const QColor colours[3] = { { 214, 72, 84 }, { 112, 164, 40 }, { 62, 126, 214 } 
 AxisGizmo::AxisGizmo(Viewport* view)
   : QWidget(view)
   , View(view)
+  , Renderer(view->renderer())
 {
   this->setObjectName("axis_gizmo");
   this->setFixedSize(side, side);
@@ -46,18 +48,24 @@ AxisGizmo::AxisGizmo(Viewport* view)
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
     [](vtkObject*, unsigned long, void* self, void*) { static_cast<AxisGizmo*>(self)->look(); });
-  view->renderer()->AddObserver(vtkCommand::EndEvent, this->Observer);
+  this->Renderer->AddObserver(vtkCommand::EndEvent, this->Observer);
   this->look();
 }
 
 AxisGizmo::~AxisGizmo()
 {
-  this->View->renderer()->RemoveObserver(this->Observer);
+  this->Renderer->RemoveObserver(this->Observer);
 }
 
 void AxisGizmo::look()
 {
-  const vtkMatrix4x4* view = this->View->renderer()->GetActiveCamera()->GetViewTransformMatrix();
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const bool parallel = camera->GetParallelProjection() != 0;
+  if (std::exchange(this->Parallel, parallel) != parallel)
+  {
+    emit this->projected(parallel);
+  }
+  const vtkMatrix4x4* view = camera->GetViewTransformMatrix();
   std::array<std::array<double, 3>, 3> axes;
   for (int axis = 0; axis < 3; ++axis)
   {

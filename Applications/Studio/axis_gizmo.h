@@ -5,6 +5,7 @@
 #define oversketch_studio_axis_gizmo_h
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <QPointF>
 #include <QWidget>
@@ -13,6 +14,7 @@
 #include <optional>
 
 class vtkCallbackCommand;
+class vtkRenderer;
 
 namespace oversketch_studio
 {
@@ -30,6 +32,10 @@ public:
   // Where an axis ends: its positive end or its negative one.
   QPointF end(int axis, bool negative) const;
   void setDark(bool dark);
+
+signals:
+  // The camera is orthographic, or no more.
+  void projected(bool parallel);
 
 protected:
   bool event(QEvent* event) override;
@@ -51,11 +57,12 @@ private:
   void setHovered(const std::optional<End>& end);
 
   Viewport* View;
+  vtkSmartPointer<vtkRenderer> Renderer; // it outlives the view that it is in
   vtkNew<vtkCallbackCommand> Observer;
   std::array<std::array<double, 3>, 3> Axes{}; // to the right, up, towards the eye
   std::optional<End> Hovered;
   QPoint Pressed, Last;
-  bool Turns = false, Dark = true;
+  bool Turns = false, Dark = true, Parallel = false;
 };
 
 } // namespace oversketch_studio

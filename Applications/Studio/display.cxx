@@ -22,16 +22,22 @@ Display::Display(vtkRenderer* renderer, ModelView& model)
   , Model(model)
   , Grid(renderer)
 {
-  // Over the model, also where that has grown beyond it.
-  this->OnionMapper->ScalarVisibilityOff();
-  this->OnionMapper->SetResolveCoincidentTopologyToPolygonOffset();
-  this->OnionMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -60000.0);
-  this->Onion->SetMapper(this->OnionMapper);
-  this->Onion->GetProperty()->SetOpacity(0.35);
-  this->Onion->GetProperty()->BackfaceCullingOn();
-  this->Onion->PickableOff();
-  this->Onion->VisibilityOff();
-  renderer->AddActor(this->Onion);
+  for (const int i : { 0, 1 })
+  {
+    vtkPolyDataMapper* mapper = this->OnionMappers[i];
+    mapper->ScalarVisibilityOff();
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    // Where it lies in the model's surface the model is seen; the faint one is over the model everywhere.
+    i == 0 ? mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 200.0)
+           : mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -60000.0);
+    vtkActor* onion = this->Onions[i];
+    onion->SetMapper(mapper);
+    onion->GetProperty()->SetOpacity(i == 0 ? 0.5 : 0.12);
+    onion->GetProperty()->BackfaceCullingOn();
+    onion->PickableOff();
+    onion->VisibilityOff();
+    renderer->AddActor(onion);
+  }
 }
 
 Display::~Display() = default;
@@ -66,13 +72,16 @@ void Display::setGround(bool shown)
 
 void Display::showOnion(vtkPolyData* mesh)
 {
-  this->OnionMapper->SetInputData(mesh);
-  this->Onion->SetVisibility(mesh != nullptr);
+  for (const int i : { 0, 1 })
+  {
+    this->OnionMappers[i]->SetInputData(mesh);
+    this->Onions[i]->SetVisibility(mesh != nullptr);
+  }
 }
 
 bool Display::onion() const
 {
-  return this->Onion->GetVisibility();
+  return this->Onions[0]->GetVisibility();
 }
 
 void Display::showInstead(vtkPolyData* mesh)
@@ -91,8 +100,11 @@ void Display::showInstead(vtkPolyData* mesh)
 void Display::setDark(bool dark)
 {
   this->Grid.setDark(dark);
-  dark ? this->Onion->GetProperty()->SetColor(0.45, 0.70, 1.0)
-       : this->Onion->GetProperty()->SetColor(0.20, 0.45, 0.85);
+  for (const int i : { 0, 1 })
+  {
+    dark ? this->Onions[i]->GetProperty()->SetColor(0.45, 0.70, 1.0)
+         : this->Onions[i]->GetProperty()->SetColor(0.20, 0.45, 0.85);
+  }
 }
 
 void Display::setPlain(double red, double green, double blue)
@@ -108,7 +120,10 @@ void Display::setPlain(double red, double green, double blue)
 void Display::setOverlays(bool shown)
 {
   this->Grid.setVisible(shown && this->Ground);
-  this->Onion->SetVisibility(shown && this->OnionMapper->GetInput());
+  for (const int i : { 0, 1 })
+  {
+    this->Onions[i]->SetVisibility(shown && this->OnionMappers[i]->GetInput());
+  }
 }
 
 } // namespace oversketch_studio

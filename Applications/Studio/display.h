@@ -49,8 +49,8 @@ private:
   vtkRenderer* Renderer; // outlives it
   ModelView& Model;
   GroundGrid Grid;
-  vtkNew<vtkPolyDataMapper> OnionMapper;
-  vtkNew<vtkActor> Onion;
+  vtkNew<vtkPolyDataMapper> OnionMappers[2];
+  vtkNew<vtkActor> Onions[2];       // what sticks out of the model; faintly, all of it
   std::unique_ptr<ModelView> Other; // while it is shown
   Shading Look = Shading::Smooth;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };

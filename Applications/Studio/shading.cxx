@@ -39,7 +39,7 @@ void shade(vtkActor* actor, Shading shading)
   vtkProperty* look = actor->GetProperty();
   shading == Shading::Flat ? look->SetInterpolationToFlat() : look->SetInterpolationToGouraud();
   look->SetEdgeVisibility(shading == Shading::Wire);
-  look->SetEdgeColor(0.10, 0.11, 0.13);
+  look->SetEdgeColor(0.33, 0.34, 0.36);
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   shaders->ClearFragmentShaderReplacement(place, false);
   if (shading == Shading::Matcap)

@@ -21,8 +21,6 @@ ViewBar::ViewBar(QMenu* projections, QMenu* shadings, QAction* onion, QWidget* v
   this->Shade = this->add(shadings);
   this->Onion = this->add(nullptr);
   this->Onion->setDefaultAction(onion);
-  this->Onion->setText(tr("Onion"));
-  connect(onion, &QAction::changed, this, [this] { this->Onion->setText(tr("Onion")); });
   this->Projection->setToolTip(projections->title().remove('&'));
   this->Shade->setToolTip(shadings->title().remove('&'));
 }

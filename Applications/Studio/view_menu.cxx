@@ -86,6 +86,15 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
   this->Bar = new ViewBar(this->Camera.get(), this->Model.get(), this->Onion, view);
   this->Triangles->setObjectName("triangles");
   view->installEventFilter(this);
+  // A stroke's view and a session's have projections of their own.
+  connect(this->Gizmo,
+    &AxisGizmo::projected,
+    this,
+    [this](bool parallel)
+    {
+      this->Parallel->setChecked(parallel);
+      this->setTexts();
+    });
   connect(view, &Viewport::meshShown, this, &ViewMenu::refresh);
   connect(view, &Viewport::keysShown, this, &ViewMenu::placeOverlays);
   connect(document, &Document::opened, this, &ViewMenu::showOnion);
@@ -216,9 +225,14 @@ void ViewMenu::apply()
   display.setGround(this->Settings.ground);
   this->View->camera()->SetOrbit(
     this->Settings.free ? vtkOversketchInteractorStyle::Trackball : vtkOversketchInteractorStyle::Turntable);
-  this->Bar->setTexts(this->Settings.parallel ? tr("Ortho") : tr("Persp"),
-    this->Shadings[static_cast<int>(this->Settings.shading)]->iconText());
+  this->setTexts();
   this->showOnion();
+}
+
+void ViewMenu::setTexts()
+{
+  this->Bar->setTexts(this->Parallel->isChecked() ? tr("Ortho") : tr("Persp"),
+    this->Shadings[static_cast<int>(this->Settings.shading)]->iconText());
   this->placeOverlays();
 }
 
@@ -260,6 +274,7 @@ void ViewMenu::showBefore(bool shown)
 void ViewMenu::placeOverlays()
 {
   this->Bar->setVisible(!this->View->showsKeys()); // the list is there
+  this->Gizmo->setVisible(!this->View->showsKeys());
   this->Bar->move(margin, margin);
   const int right = this->View->width() - this->Gizmo->width() - margin;
   const bool beside = right > this->Bar->geometry().right() + margin;

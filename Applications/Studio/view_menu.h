@@ -11,7 +11,6 @@
 #include <memory>
 
 class QAction;
-class QActionGroup;
 class QLabel;
 class QMenu;
 
@@ -52,6 +51,7 @@ private:
     const QString& key,
     const std::function<void(bool)>& run);
   void apply();
+  void setTexts();
   void refresh();
   void placeOverlays();
   void showOnion();
