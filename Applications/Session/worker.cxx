@@ -111,6 +111,7 @@ std::uint64_t Worker::submit(Session session)
       this->Wanted = ticket;
     }
     this->Next = std::move(session);
+    this->Glance.reset();
     this->Waiting = true;
   }
   this->Wake.notify_one();
@@ -137,6 +138,7 @@ void Worker::cancel()
     const std::lock_guard<std::mutex> lock(this->Mutex);
     waiting = this->Next ? this->Ticket : 0;
     this->Next.reset();
+    this->Glance.reset();
     this->Waiting = false;
     this->Wanted = 0;
   }
@@ -147,27 +149,47 @@ void Worker::cancel()
   }
 }
 
+void Worker::glance(Session session)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Next)
+    {
+      return;
+    }
+    this->Glance = std::move(session);
+    this->Waiting = true;
+  }
+  this->Wake.notify_one();
+}
+
 void Worker::work()
 {
   for (;;)
   {
     Session session;
     std::uint64_t ticket = 0;
+    bool glances = false;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Wake.wait(lock, [this] { return this->Stop || this->Next; });
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance; });
       if (this->Stop)
       {
         return;
       }
-      session = std::move(*this->Next);
-      this->Running = session;
-      this->Next.reset();
+      glances = !this->Next;
+      session = std::move(glances ? *this->Glance : *this->Next);
+      if (!glances)
+      {
+        this->Running = session;
+        this->Next.reset();
+      }
+      this->Glance.reset();
       this->Waiting = false;
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    this->runOne(ticket, session);
+    glances ? this->runGlance(ticket, session) : this->runOne(ticket, session);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
   }
@@ -237,6 +259,23 @@ void Worker::addInputs(const Session& session,
         states[at].given[name] = copied(vtkPolyData::SafeDownCast(output->second));
       }
     }
+  }
+}
+
+void Worker::runGlance(std::uint64_t ticket, const Session& session)
+{
+  Evaluator::Watch watch;
+  watch.cancelled = [&] { return this->Wanted != ticket; };
+  std::vector<Outcome> outcomes;
+  if (this->Report.glanced && this->Runner.run(session, watch, outcomes) && !watch.cancelled())
+  {
+    vtkPolyData* made = resultOf(session, outcomes);
+    SharedData display;
+    if (made)
+    {
+      display = withNormals(copied(made));
+    }
+    this->Report.glanced(std::move(display));
   }
 }
 

@@ -66,6 +66,8 @@ public:
     std::function<void(std::uint64_t ticket)> cancelled;
     std::function<void(std::uint64_t ticket, std::size_t node, const std::string& stage, double share)>
       progress;
+    // The mesh of a session that was only looked at, as Result::display; null where it makes none.
+    std::function<void(SharedData)> glanced;
   };
 
   explicit Worker(Listener listener);
@@ -81,10 +83,14 @@ public:
   void seen(std::uint64_t ticket);
   // Stops what runs or waits, if anything does.
   void cancel();
+  // Makes the mesh of another session, once nothing else is to be done, and nothing more: of the steps of the
+  // last one it is there. The newest such session wins, and a session that is submitted before it.
+  void glance(Session session);
 
 private:
   void work();
   void runOne(std::uint64_t ticket, const Session& session);
+  void runGlance(std::uint64_t ticket, const Session& session);
   // What the outcomes are, as copies; of those that were copied for the last session the same ones.
   std::vector<NodeState> statesOf(const Session& session, const std::vector<Outcome>& outcomes);
   // Adds what the last step that is on acts on.
@@ -99,7 +105,7 @@ private:
   SharedData CopyOfCame;
   std::mutex Mutex;
   std::condition_variable Wake;
-  std::optional<Session> Next, Running;
+  std::optional<Session> Next, Running, Glance;
   std::uint64_t Ticket = 0;               // of the newest session
   std::uint64_t Seen = 0;                 // of the newest result that was
   std::atomic<std::uint64_t> Wanted{ 0 }; // the ticket that may run; all others are to stop

@@ -72,6 +72,11 @@ Document::Document(QObject* parent)
       [this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); },
       Qt::QueuedConnection);
   };
+  listener.glanced = [this](const SharedData& mesh)
+  {
+    QMetaObject::invokeMethod(
+      this, [this, mesh] { emit this->glanced(mesh); }, Qt::QueuedConnection);
+  };
   this->Background = std::make_unique<Worker>(std::move(listener));
 }
 
@@ -193,6 +198,13 @@ void Document::start(Session session, bool modified)
   this->Result = {};
   this->Digest.clear();
   this->run(Change::Edited);
+}
+
+void Document::glanceBefore(int node)
+{
+  Session before = this->session();
+  before.nodes.resize(std::min(before.nodes.size(), indexOf(node)));
+  this->Background->glance(std::move(before));
 }
 
 QStringList Document::save(const QString& path)

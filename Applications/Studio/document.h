@@ -101,6 +101,9 @@ public:
   // Stops the computing and goes back to the history that is shown (Redo brings the change back).
   void cancel();
 
+  // Makes the mesh that comes to a node's step, for glanced().
+  void glanceBefore(int node);
+
   // Where models compute (vtkOversketchSystem::BackendType): the open one from here on, where this is
   // another choice than the last, as a change of its history; those that are opened later. A session that is
   // opened keeps its own until then.
@@ -126,6 +129,8 @@ signals:
   void changed(Change change);
   void shown();
   void detailed();
+  // The mesh that was asked for, with normals; null where there is none.
+  void glanced(const oversketch_session::SharedData& mesh);
   void progressed(int node, const QString& stage, double share);
   // Nothing is computed any more.
   void idle();

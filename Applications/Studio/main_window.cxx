@@ -7,6 +7,7 @@
 #include "looks.h"
 #include "scene_panel.h"
 #include "tools.h"
+#include "view_menu.h"
 #include "viewport.h"
 
 #include <QAction>
@@ -63,6 +64,11 @@ MainWindow::MainWindow(QWidget* parent)
   , Sides(new QSplitter(Qt::Horizontal, this))
   , Scene(new ScenePanel(this->OpenDocument, this))
   , History(new HistoryPanel(this->OpenDocument, this))
+  , Look(new ViewMenu(
+      this->View,
+      this->OpenDocument,
+      [this] { return this->nodeMeant(); },
+      this))
   , Advice(new QLabel(this))
   , Mode(new QLabel(this))
   , Progress(new QProgressBar(this))
@@ -333,6 +339,7 @@ void MainWindow::apply(const Preferences& preferences)
   QApplication::setPalette(preferences.dark ? darkPalette() : QApplication::style()->standardPalette());
   this->Dark->setChecked(preferences.dark);
   this->View->setDark(preferences.dark);
+  this->Look->setDark(preferences.dark);
   this->drawToolIcons();
   for (Tool* tool : this->Tools)
   {
@@ -381,12 +388,19 @@ void MainWindow::offerNothing()
   }
 }
 
+int MainWindow::nodeMeant() const
+{
+  const bool open = this->OpenDocument->isOpen();
+  const int last = open ? static_cast<int>(this->OpenDocument->session().nodes.size()) - 1 : -1;
+  return this->History->current() >= 0 ? std::min(this->History->current(), last) : last;
+}
+
 void MainWindow::offerStep()
 {
   const auto& nodes = this->OpenDocument->session().nodes;
   const auto& states = this->OpenDocument->result().nodes;
   const int last = static_cast<int>(nodes.size()) - 1;
-  const int node = this->History->current() >= 0 ? this->History->current() : last;
+  const int node = this->nodeMeant();
   this->View->showRegion(nullptr);
   // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
   const bool can = this->Redrawn < 0 && node >= 0 && node <= last && states.size() == nodes.size() &&

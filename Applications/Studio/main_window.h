@@ -27,6 +27,7 @@ namespace oversketch_studio
 class HistoryPanel;
 class ScenePanel;
 class Tool;
+class ViewMenu;
 class Viewport;
 
 class MainWindow : public QMainWindow
@@ -105,6 +106,7 @@ private:
   void showSection(int node); // where the step took hold
   // The step that can be taken hold of: the selected one, else the last.
   void offerStep();
+  int nodeMeant() const; // that one; -1: none
   void offerNothing();
   bool isNothingDrawn() const;
   void showResult();
@@ -119,6 +121,7 @@ private:
   QVector<QWidget*> Canvases;      // of the tools' order; null where a tool draws on the model
   ScenePanel* Scene;
   HistoryPanel* History;
+  ViewMenu* Look;
   QToolBar* Strip = nullptr;
   QStackedWidget* Options = nullptr; // of the tools, in their order
   QLabel* Advice;

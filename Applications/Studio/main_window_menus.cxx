@@ -4,6 +4,7 @@
 #include "history_panel.h"
 #include "systems.h"
 #include "tool.h"
+#include "view_menu.h"
 #include "viewport.h"
 
 #include "vtkVersion.h"
@@ -149,6 +150,8 @@ void MainWindow::makeViewMenu()
   this->Region =
     this->add(show, tr("&Region that moves"), QKeySequence(tr("O")), [this] { this->offerStep(); });
   this->Region->setCheckable(true);
+  this->Look->addTo(show);
+  show->addSeparator();
   show->addActions({ this->DockActions.begin(), this->DockActions.end() });
 }
 
@@ -226,7 +229,12 @@ void MainWindow::makeStatus()
   this->statusBar()->addWidget(this->Advice, 1);
   this->statusBar()->addPermanentWidget(this->Progress);
   this->statusBar()->addPermanentWidget(this->Cancel);
+  this->statusBar()->addPermanentWidget(this->Look->triangles());
   this->statusBar()->addPermanentWidget(this->Mode);
+  connect(this->Look,
+    &ViewMenu::told,
+    this->statusBar(),
+    [this](const QString& text) { this->statusBar()->showMessage(text); });
   this->Patience->setSingleShot(true);
   this->Patience->setInterval(patience);
   connect(this->Patience,

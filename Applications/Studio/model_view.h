@@ -2,6 +2,8 @@
 #ifndef oversketch_studio_model_view_h
 #define oversketch_studio_model_view_h
 
+#include "shading.h"
+
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -29,6 +31,8 @@ public:
   void preview(vtkPolyData* mesh);
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
 
+  void setShading(Shading shading);
+  void setVisible(bool visible);
   // The colour of what wears nothing.
   void setPlain(double red, double green, double blue);
 
@@ -39,6 +43,8 @@ private:
   vtkRenderer* Renderer; // outlives it
   std::vector<std::unique_ptr<Part>> Parts;
   vtkSmartPointer<vtkPolyData> Shown;
+  Shading Look = Shading::Smooth;
+  bool Visible = true;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
 };
 

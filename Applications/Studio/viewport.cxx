@@ -10,7 +10,6 @@
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkLightKit.h"
@@ -123,6 +122,7 @@ void Viewport::listen()
   // Key q, by the style.
   this->interactor()->AddObserver(vtkCommand::ExitEvent, this->Observer);
   this->Style->AddObserver(vtkCommand::StartInteractionEvent, this->Observer);
+  this->Style->AddObserver(vtkCommand::ModifiedEvent, this->Observer);
 }
 
 Viewport::~Viewport()
@@ -142,6 +142,10 @@ void Viewport::heard(unsigned long event)
   {
     this->hideHint();
     emit this->cameraMoves();
+  }
+  else if (event == vtkCommand::ModifiedEvent)
+  {
+    emit this->keysShown();
   }
   else if (event == vtkCommand::ExitEvent)
   {
@@ -310,6 +314,10 @@ bool Viewport::event(QEvent* event)
 {
   // VTK hears of the mouse before the functions for its events do.
   const auto type = event->type();
+  if (this->Gestures.holds(event))
+  {
+    return true;
+  }
   if (type == QEvent::Wheel && this->CurrentTool)
   {
     auto* wheel = static_cast<QWheelEvent*>(event);
@@ -322,6 +330,10 @@ bool Viewport::event(QEvent* event)
       wheel->accept();
       return true;
     }
+  }
+  if (this->Gestures.moves(event))
+  {
+    return true;
   }
   const bool press = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
   const bool release = type == QEvent::MouseButtonRelease && this->CurrentTool && this->CurrentTool->draws();
@@ -350,11 +362,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   this->Behind.setMesh(mesh);
   if (reset)
   {
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(0.0, 0.0, 1.0);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetViewUp(0.0, 1.0, 0.0);
-    this->Renderer->ResetCamera(mesh->GetBounds());
+    this->Looks.lookAtAll(mesh->GetBounds());
     this->Style->SaveFirstView();
     // Room for what is drawn beside the model.
     this->Renderer->SetSSAORadius(0.1 * mesh->GetLength());
@@ -368,6 +376,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
     this->Window->SetMultiSamples(*this->OnProcessor ? 0 : samples);
   }
   this->placeHint();
+  emit this->meshShown();
   this->awaitNoMore();
   this->renderSoon();
 }
@@ -378,12 +387,21 @@ void Viewport::clearMesh()
   this->HintBox.setText({});
   this->showSection(nullptr);
   this->showRegion(nullptr);
+  emit this->meshShown();
   this->renderSoon();
 }
 
 void Viewport::showPreview(vtkPolyData* mesh)
 {
   this->Model.preview(mesh);
+}
+
+void Viewport::showInstead(vtkPolyData* mesh)
+{
+  this->Looks.showInstead(mesh);
+  this->Section->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0); // they are of the model
+  this->Region->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0);
+  this->renderSoon();
 }
 
 vtkPolyData* Viewport::mesh() const
@@ -457,15 +475,16 @@ void Viewport::setDark(bool dark)
   {
     this->Renderer->SetBackground(0.13, 0.14, 0.16);
     this->Renderer->SetBackground2(0.22, 0.24, 0.27);
-    this->Model.setPlain(0.78, 0.76, 0.73);
+    this->Looks.setPlain(0.78, 0.76, 0.73);
   }
   else
   {
     this->Renderer->SetBackground(0.80, 0.82, 0.84);
     this->Renderer->SetBackground2(0.95, 0.96, 0.97);
-    this->Model.setPlain(0.90, 0.88, 0.85);
+    this->Looks.setPlain(0.90, 0.88, 0.85);
   }
   this->Renderer->GradientBackgroundOn();
+  this->Looks.setDark(dark);
   this->Mirror.setDark(dark);
   this->HintBox.setDark(dark);
   this->renderSoon();
@@ -515,6 +534,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
     this->Mirror.setVisible(false);
     this->HintBox.setVisible(false);
     this->Style->SetShowKeys(false);
+    this->Looks.setOverlays(false);
   }
   this->render();
   this->renderSmooth();
@@ -524,6 +544,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
   picture->Update();
   this->Section->SetVisibility(section);
   this->Region.actor()->SetVisibility(region);
+  this->Looks.setOverlays(true);
   this->Mirror.setVisible(mirror);
   this->HintBox.setVisible(hint);
   this->Style->SetShowKeys(keys);

@@ -3,6 +3,8 @@
 #define oversketch_studio_viewport_h
 
 #include "backdrop.h"
+#include "display.h"
+#include "hand_gestures.h"
 #include "hint.h"
 #include "mirror_sheet.h"
 #include "model_view.h"
@@ -52,6 +54,8 @@ public:
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
   // something.
   void awaitMesh();
+  // Another mesh instead of it, to compare; null shows it again.
+  void showInstead(vtkPolyData* mesh);
   // Where a step took hold (blue); null shows none.
   void showSection(vtkPolyData* section);
   // The part of the model that a step moved (orange); null shows none.
@@ -73,6 +77,7 @@ public:
   void screenshot(const QString& path, bool overlays);
 
   // For tools.
+  Display& display() { return this->Looks; }
   vtkOversketchInteractorStyle* camera() { return this->Style; }
   vtkRenderer* renderer() { return this->Renderer; }
   void setHandCursor(Qt::CursorShape shape);
@@ -85,6 +90,9 @@ signals:
   // Key Return; the camera is about to be moved.
   void returned();
   void cameraMoves();
+  // Another mesh is shown, or none; the list of keys is, or no more.
+  void meshShown();
+  void keysShown();
 
 protected:
   bool event(QEvent* event) override;
@@ -109,6 +117,8 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLightKit> Lights;
   ModelView Model{ this->Renderer };
+  Display Looks{ this->Renderer, this->Model };
+  HandGestures Gestures{ this };
   vtkNew<vtkPolyDataMapper> SectionMapper;
   vtkNew<vtkActor> Section;
   oversketch::MovedRegion Region;

@@ -484,6 +484,8 @@ int Hand::key()
     Qt::Key_6,
     Qt::Key_9,
     Qt::Key_0,
+    Qt::Key_5,
+    Qt::Key_U,
     Qt::Key_V,
     Qt::Key_F4,
     Qt::Key_T,

@@ -288,6 +288,7 @@ TEST(Reach, TheListOfKeysIsTrue)
     QTest::keyClick(scene.view, *key);
     moves += seen() != before ? QString(*key) : QString();
   }
+  QTest::keyClick(scene.view, Qt::Key_5); // as it was, for the next window
   for (const QChar key : moves)
   {
     EXPECT_TRUE(listed.contains(key)) << "not in the list: " << key.toLatin1();
@@ -295,7 +296,7 @@ TEST(Reach, TheListOfKeysIsTrue)
   EXPECT_GE(moves.size(), 16);
   for (const QChar key : listed)
   {
-    EXPECT_TRUE(moves.contains(key) || QString("abdegsto?q").contains(key))
+    EXPECT_TRUE(moves.contains(key) || QString("abdegstou?q").contains(key))
       << "does nothing: " << key.toLatin1();
   }
 }

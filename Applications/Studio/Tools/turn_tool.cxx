@@ -54,7 +54,7 @@ QVector<QPair<QString, QString>> TurnTool::keys() const
 
 QString TurnTool::advice(const Situation&) const
 {
-  return tr("Drag the model to turn it. D draws.");
+  return tr("Drag anywhere to turn the model. D draws.");
 }
 
 void TurnTool::start()
