@@ -26,6 +26,7 @@ namespace oversketch_studio
 
 class HistoryPanel;
 class ScenePanel;
+class StrokeLines;
 class Tool;
 class Viewport;
 
@@ -83,6 +84,12 @@ private:
   // Whether what is not saved may be left.
   bool mayLeave();
 
+  // Rows of the history and their lines on the model: main_window_rows.cxx.
+  void listenToRows();
+  void clicked(const QPoint& place);
+  void chooseLine();
+  void tooShort(double least);
+
   void listenToDocument();
   void listenToPanels();
   void listenToTool(Tool* tool);
@@ -119,6 +126,7 @@ private:
   QVector<QWidget*> Canvases;      // of the tools' order; null where a tool draws on the model
   ScenePanel* Scene;
   HistoryPanel* History;
+  StrokeLines* Lines;
   QToolBar* Strip = nullptr;
   QStackedWidget* Options = nullptr; // of the tools, in their order
   QLabel* Advice;

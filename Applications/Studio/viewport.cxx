@@ -530,6 +530,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
     {
       tool->showLines(false);
     }
+    emit this->linesShown(false);
     this->Section->VisibilityOff();
     this->Region->VisibilityOff();
     this->Mirror.setVisible(false);
@@ -551,6 +552,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
   {
     tool->showLines(true);
   }
+  emit this->linesShown(true);
   this->render();
   oversketch_files::writeWhole(path.toStdString(),
     [&](const std::string& file)

@@ -85,6 +85,8 @@ signals:
   // Key Return; the camera is about to be moved.
   void returned();
   void cameraMoves();
+  // Lines over the model are to be shown, or not, for a picture.
+  void linesShown(bool show);
 
 protected:
   bool event(QEvent* event) override;
