@@ -78,6 +78,7 @@ private:
   bool save();
   bool saveAs();
   void exportAsked();
+  void exportPart(int part, const QString& name);
   void screenshot();
   void addPicture(const QString& path);
   void addPictureAsked();

@@ -3,13 +3,20 @@
 
 #include "held_stroke_tool.h"
 #include "history_panel.h"
+#include "mesh_file.h"
+#include "pieces.h"
+#include "scene_panel.h"
 #include "step_lines.h"
 #include "stroke_lines.h"
 #include "view_keys.h"
 #include "viewport.h"
 
 #include <QApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
+#include <QSettings>
 
 namespace oversketch_studio
 {
@@ -30,6 +37,8 @@ void MainWindow::listenToRows()
   {
     connect(tool, &Tool::tooShort, this, &MainWindow::tooShort);
   }
+  connect(this->Scene, &ScenePanel::partsHidden, this->View, &Viewport::hideParts);
+  connect(this->Scene, &ScenePanel::exportAsked, this, &MainWindow::exportPart);
   auto* keys = new ViewKeys(this->View);
   connect(keys,
     &ViewKeys::escaped,
@@ -45,6 +54,32 @@ void MainWindow::listenToRows()
       }
     });
   this->View->addAction(this->History->removal());
+}
+
+void MainWindow::exportPart(int part, const QString& name)
+{
+  vtkPolyData* mesh = this->OpenDocument->result().mesh;
+  const QString path = QFileDialog::getSaveFileName(this,
+    tr("Export %1").arg(name),
+    QDir(QSettings().value("folder").toString()).filePath(QFileInfo(name).completeBaseName() + ".ply"),
+    tr("Meshes (%1)").arg(QString::fromLatin1(oversketch_files::meshExtensions).replace(".", "*.")));
+  if (!path.isEmpty())
+  {
+    this->tried(
+      [&]
+      {
+        oversketch_files::Notes notes;
+        const vtkSmartPointer<vtkPolyData> alone =
+          part < 0 ? vtkSmartPointer<vtkPolyData>(mesh) : oversketch_files::partAlone(mesh, part);
+        oversketch_files::writeMesh(alone, path.toStdString(), notes);
+        QStringList said;
+        for (const std::string& note : notes)
+        {
+          said << QString::fromStdString(note);
+        }
+        this->tell(said);
+      });
+  }
 }
 
 // A line that is seen is selected; else what is selected is left.

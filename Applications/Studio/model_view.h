@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <set>
 #include <vector>
 
 class vtkPolyData;
@@ -29,6 +30,9 @@ public:
   void preview(vtkPolyData* mesh);
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
 
+  // These parts of it (cell array PartId) are not drawn; of a mesh without parts, -1: all of it.
+  void hide(const std::set<int>& parts);
+
   // The colour of what wears nothing.
   void setPlain(double red, double green, double blue);
 
@@ -36,7 +40,10 @@ private:
   struct Part;
   void resize(std::size_t count);
 
+  vtkSmartPointer<vtkPolyData> seen(vtkPolyData* mesh) const;
+
   vtkRenderer* Renderer; // outlives it
+  std::set<int> Hidden;
   std::vector<std::unique_ptr<Part>> Parts;
   vtkSmartPointer<vtkPolyData> Shown;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };

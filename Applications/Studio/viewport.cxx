@@ -404,6 +404,12 @@ void Viewport::showPreview(vtkPolyData* mesh)
   this->Model.preview(mesh);
 }
 
+void Viewport::hideParts(const std::set<int>& parts)
+{
+  this->Model.hide(parts);
+  this->renderSoon();
+}
+
 vtkPolyData* Viewport::mesh() const
 {
   return this->Model.mesh();

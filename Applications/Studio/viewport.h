@@ -13,6 +13,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <optional>
+#include <set>
 
 class QTimer;
 class vtkActor;
@@ -49,6 +50,8 @@ public:
   // The mesh as a tool shows it meanwhile, with the same skin.
   void showPreview(vtkPolyData* mesh);
   vtkPolyData* mesh() const; // null where none is shown
+  // Parts of the mesh that are not drawn (ModelView::hide).
+  void hideParts(const std::set<int>& parts);
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
   // something.
   void awaitMesh();
