@@ -113,7 +113,9 @@ void MainWindow::chooseLine()
   const bool turns = tool->system().empty(), pens = qobject_cast<const HeldStrokeTool*>(tool);
   this->Lines->showAll(turns);
   int step = this->History->current();
-  if (step < 0 && this->Offered >= 0 && this->toolOf(this->Offered) == tool)
+  const bool isOffered = this->Offered >= 0 && this->OpenDocument->isOpen() &&
+                         indexOf(this->Offered) < this->OpenDocument->session().nodes.size();
+  if (step < 0 && isOffered && this->toolOf(this->Offered) == tool)
   {
     step = this->Offered;
   }
