@@ -135,7 +135,7 @@ vtkSmartPointer<vtkPolyData> strokeOn(vtkStaticCellLocator* surface,
       smooth(depths);
       for (std::size_t i = 0; i < samples.size(); ++i)
       {
-        const Vector3 beside = view.toWorld(samples[i], depths[i]);
+        Vector3 beside = view.toWorld(samples[i], depths[i]);
         double nearest[3], distance = 0.0;
         vtkIdType cell = 0;
         int part = 0;

@@ -97,6 +97,13 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   this->refresh();
 }
 
+// Some rows are seen, however long the form is; it scrolls.
+void HistoryPanel::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  this->List->setMinimumHeight(this->height() * 2 / 5);
+}
+
 void HistoryPanel::listenToList()
 {
   connect(this->List, &QListWidget::itemChanged, this, &HistoryPanel::itemChanged);
@@ -111,6 +118,7 @@ void HistoryPanel::listenToList()
         emit this->selected(this->current());
       }
     });
+  connect(this->OpenDocument, &Document::opened, this, [this] { this->Pictures.clear(); });
   this->List->setMayMove([this](int from, int to) { return this->mayMove(from, to); });
   connect(this->List, &StepList::moveAsked, this, &HistoryPanel::move);
   connect(this->List, &StepList::markerAsked, this->OpenDocument, &Document::showTo);
@@ -168,19 +176,30 @@ void HistoryPanel::showMenu(const QPoint& at)
 
 void HistoryPanel::showPicture(int node)
 {
-  const auto& states = this->OpenDocument->result().nodes;
-  const auto& nodes = this->OpenDocument->session().nodes;
   QListWidgetItem* item = this->List->itemOf(node);
-  if (!item || indexOf(node) >= states.size() || indexOf(node) >= nodes.size())
+  if (item && indexOf(node) < this->OpenDocument->session().nodes.size())
   {
-    return;
+    const bool before = std::exchange(this->Filling, true);
+    this->tell(item, node);
+    this->Filling = before;
   }
-  const bool before = std::exchange(this->Filling, true);
-  const QString words = wordsOf(nodes[indexOf(node)], &states[indexOf(node)]);
+}
+
+// What the step did, and its picture; the last one stays until another is there.
+void HistoryPanel::tell(QListWidgetItem* item, int at)
+{
+  const Node& node = this->OpenDocument->session().nodes[indexOf(at)];
+  const auto& states = this->OpenDocument->result().nodes;
+  const Worker::NodeState* state = indexOf(at) < states.size() ? &states[indexOf(at)] : nullptr;
+  const QString words = wordsOf(node, at < this->OpenDocument->shownTo() ? state : nullptr);
   item->setData(RowDelegate::WordsRole, words);
   item->setData(Qt::AccessibleDescriptionRole, words);
-  item->setData(RowDelegate::PictureRole, imageOf(states[indexOf(node)].picture));
-  this->Filling = before;
+  // A result that is not up to date may be of another order.
+  if (!this->OpenDocument->isBusy() && state && (state->picture || !state->failure.empty()))
+  {
+    this->Pictures[node.id] = state->picture;
+  }
+  item->setData(RowDelegate::PictureRole, imageOf(this->Pictures[node.id]));
 }
 
 void HistoryPanel::makeActions()
@@ -398,11 +417,7 @@ void HistoryPanel::addStep(int at)
     const SystemRow* system = findSystem(node.step->system);
     item->setToolTip(system ? rowSentence(system->brief) : QString());
   }
-  const QString words = wordsOf(node, indexOf(at) < states.size() ? &states[indexOf(at)] : nullptr);
-  item->setData(RowDelegate::WordsRole, words);
-  item->setData(Qt::AccessibleDescriptionRole, words);
-  item->setData(
-    RowDelegate::PictureRole, imageOf(indexOf(at) < states.size() ? states[indexOf(at)].picture : nullptr));
+  this->tell(item, at);
   this->List->addItem(item);
 }
 

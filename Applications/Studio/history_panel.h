@@ -3,10 +3,13 @@
 #define oversketch_studio_history_panel_h
 
 #include "step.h"
+#include "thumbnail.h"
 
 #include <QWidget>
 
 #include <functional>
+#include <map>
+#include <memory>
 
 class QAction;
 class QLabel;
@@ -55,6 +58,9 @@ signals:
   // Something cannot be done: why.
   void told(const QString& why);
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 private:
   void makeActions();
   QList<QAction*> buttonActions() const
@@ -71,6 +77,7 @@ private:
   void move(int from, int to);
   void showMenu(const QPoint& at);
   void showPicture(int node);
+  void tell(QListWidgetItem* item, int node);
   void addStep(int node);
   void addLines(int node);
   void select(int node, int line);
@@ -91,6 +98,7 @@ private:
   QAction *Redraw, *View, *Up, *Down, *Next, *Less, *More, *Remove, *Rename, *Toggle, *Again, *ShowTo,
     *ShowAll;
   bool Filling = false;
+  std::map<int, std::shared_ptr<const oversketch_session::Thumbnail>> Pictures; // by the steps' ids
 };
 
 } // namespace oversketch_studio

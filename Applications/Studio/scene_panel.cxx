@@ -90,12 +90,12 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
       if (!this->Filling)
       {
         // The change makes the list anew, which must wait until the list is done with the item.
-        const int row = this->List->row(item), models = static_cast<int>(this->Parts.size());
+        const int at = this->List->row(item), models = static_cast<int>(this->Parts.size());
         const bool shown = item->checkState() == Qt::Checked;
         QMetaObject::invokeMethod(
           this,
-          [this, row, models, shown]
-          { row < models ? this->setPartShown(row, shown) : this->setShown(row - models, shown); },
+          [this, at, models, shown]
+          { at < models ? this->setPartShown(at, shown) : this->setShown(at - models, shown); },
           Qt::QueuedConnection);
       }
     });

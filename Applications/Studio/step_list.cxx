@@ -19,8 +19,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int border = 16;       // px, where a drag scrolls the list
-constexpr int leastHeight = 136; // px: two rows and the marker
+constexpr int border = 16; // px, where a drag scrolls the list
 
 } // namespace
 
@@ -32,7 +31,6 @@ StepList::StepList(QWidget* parent)
   this->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   this->setResizeMode(QListView::Adjust);
   this->viewport()->setMouseTracking(true);
-  this->setMinimumHeight(leastHeight);
 }
 
 void StepList::arrange(int steps, int shown)
@@ -53,7 +51,8 @@ void StepList::arrange(int steps, int shown)
                                  : i == 0 && shown == 0 ? RowDelegate::GapAbove
                                                         : RowDelegate::NoGap;
     this->item(i)->setData(RowDelegate::GapRole, gap);
-    this->item(i)->setData(RowDelegate::HiddenRole, stepOf(i) >= shown);
+    this->item(i)->setData(
+      RowDelegate::HiddenRole, stepOf(i) >= shown || this->item(i)->checkState() == Qt::Unchecked);
   }
   this->viewport()->update();
 }
@@ -139,7 +138,8 @@ void StepList::mousePressEvent(QMouseEvent* event)
 void StepList::drag(const QPoint& at)
 {
   QScrollBar* bar = this->verticalScrollBar();
-  const bool up = at.y()<border, down = at.y()> this->viewport()->height() - border;
+  const int low = this->viewport()->height() - border;
+  const bool up = border > at.y(), down = low < at.y();
   bar->setValue(bar->value() + (int(down) - int(up)) * border / 2);
   const int slot = this->slotAt(at.y());
   if (this->Hand == Held::Marker)
