@@ -64,6 +64,34 @@ Document::Document(QObject* parent)
       },
       Qt::QueuedConnection);
   };
+  listener.traced = [this](std::uint64_t ticket, std::vector<SharedData> lines)
+  {
+    QMetaObject::invokeMethod(
+      this,
+      [this, ticket, made = std::move(lines)]
+      {
+        if (ticket == this->Result.ticket)
+        {
+          this->Traces = made;
+          emit this->traced();
+        }
+      },
+      Qt::QueuedConnection);
+  };
+  listener.pictured = [this](std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail> picture)
+  {
+    QMetaObject::invokeMethod(
+      this,
+      [this, ticket, node, made = std::move(picture)]
+      {
+        if (ticket == this->Result.ticket)
+        {
+          this->Result.nodes[node].picture = made;
+          emit this->pictured(static_cast<int>(node));
+        }
+      },
+      Qt::QueuedConnection);
+  };
   listener.progress = [this](std::uint64_t, std::size_t node, const std::string& stage, double share)
   {
     const QString name = QString::fromStdString(stage);
@@ -197,6 +225,8 @@ void Document::start(Session session, bool modified)
   this->Modified = modified;
   this->Result = {};
   this->Digest.clear();
+  this->Traces.clear();
+  this->Last.reset();
   this->run(Change::Edited);
 }
 
@@ -247,7 +277,8 @@ SessionFile Document::file() const
 {
   SessionFile file;
   file.session = this->session();
-  if (!this->isBusy() && !this->Digest.empty())
+  const bool isWhole = this->Result.nodes.size() == file.session.nodes.size();
+  if (!this->isBusy() && !this->Digest.empty() && isWhole)
   {
     file.origin = originHere(this->Result.backendUsed);
     file.digest = this->Digest;
@@ -277,7 +308,8 @@ void Document::add(const Step& step)
   node.id = freshId(next);
   node.step = std::make_shared<Step>(step);
   node.name = tr("%1 %2").arg(titleOf(step.system)).arg(next.nodes.size() + 1).toStdString();
-  next.nodes.push_back(node);
+  next.nodes.insert(next.nodes.begin() + this->shownTo(), node);
+  this->Last = this->Last ? std::optional<int>(node.id) : std::nullopt;
   this->commit(std::move(next), Change::Drawn);
 }
 
@@ -366,28 +398,6 @@ void Document::rename(int index, const QString& name)
   this->commit(std::move(next));
 }
 
-void Document::remove(int index)
-{
-  Session next = this->session();
-  next.nodes.erase(next.nodes.begin() + index);
-  this->commit(std::move(next));
-}
-
-void Document::move(int from, int to)
-{
-  Session next = this->session();
-  const auto begin = next.nodes.begin();
-  if (from < to)
-  {
-    std::rotate(begin + from, begin + from + 1, begin + to + 1);
-  }
-  else
-  {
-    std::rotate(begin + to, begin + from, begin + from + 1);
-  }
-  this->commit(std::move(next));
-}
-
 void Document::addPicture(const Picture& picture)
 {
   Pictures pictures = this->session().pictures;
@@ -467,10 +477,17 @@ void Document::commit(Session session, Change change)
 
 void Document::run(Change change)
 {
-  this->Shaped = 0;
-  this->Ticket = this->Background->submit(this->session());
+  this->submit();
   this->keep(); // before its result is there, so that no crash can take the stroke
   emit this->changed(change);
+}
+
+void Document::submit()
+{
+  this->Shaped = 0;
+  Session shown = this->session();
+  shown.nodes.resize(indexOf(this->shownTo()));
+  this->Ticket = this->Background->submit(std::move(shown));
 }
 
 void Document::keep()
@@ -506,6 +523,7 @@ void Document::take(const Worker::Result& result)
   }
   this->Result = result;
   this->Digest.clear();
+  this->Traces.clear();
   this->answered(result.ticket);
   emit this->shown();
   this->Background->seen(result.ticket);
@@ -524,7 +542,7 @@ void Document::takeDetails(const Worker::Details& details)
   {
     // Learn where new strokes took hold, so that later ones can be told from it.
     Session learned = this->session();
-    for (std::size_t i = 0; i < learned.nodes.size(); ++i)
+    for (std::size_t i = 0; i < details.nodes.size(); ++i)
     {
       if (!learned.nodes[i].committed)
       {

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,8 @@ public:
   const oversketch_session::Worker::Result& result() const { return this->Result; }
   // digestOf(result().mesh); empty before it is known.
   const std::string& digest() const { return this->Digest; }
+  // Of the mesh that is shown; none before they are known.
+  const std::vector<oversketch_session::SharedData>& traces() const { return this->Traces; }
   bool isBusy() const { return this->Ticket != this->Answered; }
   // Nothing is computed, and all is there that follows on the mesh.
   bool isSettled() const { return !this->isBusy() && this->Detailed == this->Ticket; }
@@ -91,7 +94,15 @@ public:
   void setOn(int node, bool on);
   void rename(int node, const QString& name);
   void remove(int node);
+  // No step may stand before one that it needs (faultOfMove): then nothing happens.
   void move(int from, int to);
+  // The same step once more, after it.
+  void duplicate(int node);
+
+  // The model is shown as of that many steps; the others are kept. How the history is looked at, no change of
+  // it: no step of undo, and not in the file. What is drawn meanwhile comes after those that are shown.
+  void showTo(int count);
+  int shownTo() const;
   // A picture in the scene: added, shown in another way, taken away.
   void addPicture(const oversketch_session::Picture& picture);
   void setPicture(int index, const oversketch_session::Picture& picture);
@@ -131,6 +142,9 @@ signals:
   void detailed();
   // The mesh that was asked for, with normals; null where there is none.
   void glanced(const oversketch_session::SharedData& mesh);
+  // Each step's stroke on the surface has come (Worker::Listener::traced); a step's picture has.
+  void traced();
+  void pictured(int node);
   void progressed(int node, const QString& stage, double share);
   // Nothing is computed any more.
   void idle();
@@ -145,6 +159,7 @@ private:
   void commitPictures(oversketch_session::Pictures pictures);
   void follow(int node, std::shared_ptr<const oversketch_session::Step> step, bool goesOn);
   void run(Change change);
+  void submit(); // what is shown
   void keep();
   void take(const oversketch_session::Worker::Result& result);
   void takeDetails(const oversketch_session::Worker::Details& details);
@@ -159,6 +174,8 @@ private:
   bool Discarded = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result Result;
   std::string Digest; // of its mesh
+  std::vector<oversketch_session::SharedData> Traces;
+  std::optional<int> Last; // the id of the last step that is shown, 0 none is; absent: all are
   std::uint64_t Ticket = 0, Answered = 0, Detailed = 0;
   oversketch_session::Autosave Saver;
   // Last, so that it ends first: it calls the rest.

@@ -6,6 +6,8 @@
 #include "latency.h"
 #include "looks.h"
 #include "scene_panel.h"
+#include "step_lines.h"
+#include "stroke_lines.h"
 #include "tools.h"
 #include "view_menu.h"
 #include "viewport.h"
@@ -30,32 +32,6 @@ namespace oversketch_studio
 
 using namespace oversketch_session;
 
-namespace
-{
-
-// The first stroke that a step was given, with its view, by itself or by the step that it takes it of.
-vtkSmartPointer<vtkPolyData> strokeOf(const Session& session, const Step& step)
-{
-  const SystemRow* row = findSystem(step.system);
-  const SystemInput* input = row ? findInput(*row, SystemInput::Kind::Stroke) : nullptr;
-  const auto given = input ? step.inputs.find(input->name) : step.inputs.end();
-  const auto* of = given == step.inputs.end() ? nullptr : std::get_if<StepOutput>(&given->second);
-  for (const Node& node : session.nodes)
-  {
-    if (!of || node.step.get() == &step) // it takes of those before it
-    {
-      break;
-    }
-    if (node.id == of->step)
-    {
-      return strokeOf(session, *node.step);
-    }
-  }
-  return input ? linesOf(step, input->name) : nullptr;
-}
-
-} // namespace
-
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
   , OpenDocument(new Document(this))
@@ -69,6 +45,7 @@ MainWindow::MainWindow(QWidget* parent)
       this->OpenDocument,
       [this] { return this->nodeMeant(); },
       this))
+  , Lines(new StrokeLines(this->View))
   , Advice(new QLabel(this))
   , Mode(new QLabel(this))
   , Progress(new QProgressBar(this))
@@ -95,6 +72,7 @@ MainWindow::MainWindow(QWidget* parent)
   this->makeMenus();
   this->makeTools();
   this->makeStatus();
+  this->listenToRows();
   this->listenToDocument();
   this->listenToPanels();
   for (Tool* tool : this->Tools)
@@ -132,6 +110,7 @@ void MainWindow::listenToPanels()
     {
       if (Tool* tool = this->toolOf(node))
       {
+        this->OpenDocument->showTo(std::max(this->OpenDocument->shownTo(), node + 1));
         this->setTool(tool);
         this->Redrawn = node;
         this->lookFrom(node);
@@ -232,7 +211,7 @@ void MainWindow::stepDrawn(const Step& step)
     return;
   }
   this->View->showHint({});
-  const int count = static_cast<int>(this->OpenDocument->session().nodes.size());
+  const int count = this->OpenDocument->shownTo();
   if (this->Redrawn >= 0 && this->Redrawn < count)
   {
     this->Offered = this->Redrawn;
@@ -286,6 +265,7 @@ void MainWindow::setTool(Tool* tool)
   const QString mode = tool->mode();
   this->Mode->setText(mode.left(1).toUpper() + mode.mid(1));
   this->Redrawn = tool->system().empty() ? -1 : this->Redrawn;
+  this->chooseLine();
   this->advise();
 }
 
@@ -369,6 +349,7 @@ void MainWindow::select(int node)
   }
   this->showSection(node);
   this->offerStep();
+  this->chooseLine();
   this->advise();
 }
 
@@ -391,7 +372,7 @@ void MainWindow::offerNothing()
 int MainWindow::nodeMeant() const
 {
   const bool open = this->OpenDocument->isOpen();
-  const int last = open ? static_cast<int>(this->OpenDocument->session().nodes.size()) - 1 : -1;
+  const int last = open ? this->OpenDocument->shownTo() - 1 : -1;
   return this->History->current() >= 0 ? std::min(this->History->current(), last) : last;
 }
 
@@ -399,11 +380,11 @@ void MainWindow::offerStep()
 {
   const auto& nodes = this->OpenDocument->session().nodes;
   const auto& states = this->OpenDocument->result().nodes;
-  const int last = static_cast<int>(nodes.size()) - 1;
+  const int last = this->OpenDocument->shownTo() - 1;
   const int node = this->nodeMeant();
   this->View->showRegion(nullptr);
   // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
-  const bool can = this->Redrawn < 0 && node >= 0 && node <= last && states.size() == nodes.size() &&
+  const bool can = this->Redrawn < 0 && node >= 0 && node <= last && indexOf(last + 1) == states.size() &&
                    nodes[indexOf(node)].on && !this->OpenDocument->isBusy();
   Tool* tool = can ? this->toolOf(node) : nullptr;
   this->offerNothing();
@@ -439,6 +420,7 @@ void MainWindow::showResult()
     if (!this->OpenDocument->isBusy())
     {
       this->offerStep();
+      this->chooseLine();
     }
     this->View->renderNow();
     for (Tool* tool : this->Tools)
@@ -524,8 +506,9 @@ void MainWindow::advise()
   }
   const auto& nodes = this->OpenDocument->session().nodes;
   const auto& states = this->OpenDocument->result().nodes;
+  const int last = this->OpenDocument->shownTo() - 1;
   const bool isJustDrawn =
-    this->Redrawn < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on;
+    this->Redrawn < 0 && last >= 0 && states.size() == indexOf(last + 1) && nodes[indexOf(last)].on;
   if (isJustDrawn && !states.back().failure.empty())
   {
     this->Advice->setText(
@@ -534,7 +517,7 @@ void MainWindow::advise()
   }
   if (isJustDrawn && !states.back().remark.empty())
   {
-    const Tool* tool = this->toolOf(static_cast<int>(nodes.size()) - 1);
+    const Tool* tool = this->toolOf(last);
     this->Advice->setText(
       QString::fromStdString(states.back().remark) + (tool ? ' ' + tool->remedy() : QString()));
     return;

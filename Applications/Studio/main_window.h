@@ -26,6 +26,7 @@ namespace oversketch_studio
 
 class HistoryPanel;
 class ScenePanel;
+class StrokeLines;
 class Tool;
 class ViewMenu;
 class Viewport;
@@ -78,11 +79,18 @@ private:
   bool save();
   bool saveAs();
   void exportAsked();
+  void exportPart(int part, const QString& name);
   void screenshot();
   void addPicture(const QString& path);
   void addPictureAsked();
   // Whether what is not saved may be left.
   bool mayLeave();
+
+  // Rows of the history and their lines on the model: main_window_rows.cxx.
+  void listenToRows();
+  void clicked(const QPoint& place);
+  void chooseLine();
+  void tooShort(double least);
 
   void listenToDocument();
   void listenToPanels();
@@ -122,6 +130,7 @@ private:
   ScenePanel* Scene;
   HistoryPanel* History;
   ViewMenu* Look;
+  StrokeLines* Lines;
   QToolBar* Strip = nullptr;
   QStackedWidget* Options = nullptr; // of the tools, in their order
   QLabel* Advice;

@@ -156,7 +156,7 @@ void MainWindow::addPartAsked()
     this->tell({ QString::fromStdString(failure.what()) });
     return;
   }
-  const int part = static_cast<int>(this->OpenDocument->session().nodes.size()) - 1;
+  const int part = this->OpenDocument->shownTo() - 1;
   this->History->selectStep(part);
   this->setTool(this->toolOf(part));
 }

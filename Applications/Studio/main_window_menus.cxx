@@ -2,6 +2,7 @@
 #include "main_window.h"
 
 #include "history_panel.h"
+#include "scene_panel.h"
 #include "systems.h"
 #include "tool.h"
 #include "view_menu.h"
@@ -71,6 +72,7 @@ void MainWindow::makeMenus()
   this->add(file, tr("Save session &as…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { this->saveAs(); });
   this->Export =
     this->add(file, tr("&Export mesh…"), QKeySequence(tr("Ctrl+E")), [this] { this->exportAsked(); });
+  file->addAction(this->Scene->exporting());
   this->add(file, tr("Save a &picture…"), QKeySequence(tr("F12")), [this] { this->screenshot(); });
   file->addSeparator();
   this->add(file, tr("Add a p&icture…"), {}, [this] { this->addPictureAsked(); });

@@ -61,7 +61,7 @@ void ModelView::resize(std::size_t count)
 void ModelView::show(vtkPolyData* mesh)
 {
   this->Shown = mesh;
-  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(mesh);
+  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(this->seen(mesh));
   this->resize(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
@@ -69,6 +69,30 @@ void ModelView::show(vtkPolyData* mesh)
     part.mapper->SetInputData(part.edges.look(pieces[i].mesh));
     part.actor->SetVisibility(this->Visible);
     part.skin.dress(part.actor, part.mapper, pieces[i].mesh, pieces[i].picture);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> ModelView::seen(vtkPolyData* mesh) const
+{
+  if (this->Hidden.empty())
+  {
+    return mesh;
+  }
+  if (this->Hidden.count(-1) == 0)
+  {
+    return oversketch_files::withoutParts(mesh, this->Hidden);
+  }
+  auto none = vtkSmartPointer<vtkPolyData>::New();
+  none->SetPoints(mesh->GetPoints());
+  return none;
+}
+
+void ModelView::hide(const std::set<int>& parts)
+{
+  this->Hidden = parts;
+  if (this->Shown)
+  {
+    this->show(this->Shown);
   }
 }
 
@@ -85,10 +109,10 @@ void ModelView::preview(vtkPolyData* mesh)
   this->Shown = mesh;
   if (this->Parts.size() == 1)
   {
-    this->Parts[0]->mapper->SetInputData(this->Parts[0]->edges.lookMoved(mesh));
+    this->Parts[0]->mapper->SetInputData(this->Parts[0]->edges.lookMoved(this->seen(mesh)));
     return;
   }
-  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(mesh);
+  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(this->seen(mesh));
   this->resize(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <set>
 #include <vector>
 
 class vtkPolyData;
@@ -33,6 +34,9 @@ public:
 
   void setShading(Shading shading);
   void setVisible(bool visible);
+  // These parts of it (cell array PartId) are not drawn; of a mesh without parts, -1: all of it.
+  void hide(const std::set<int>& parts);
+
   // The colour of what wears nothing.
   void setPlain(double red, double green, double blue);
 
@@ -40,7 +44,10 @@ private:
   struct Part;
   void resize(std::size_t count);
 
+  vtkSmartPointer<vtkPolyData> seen(vtkPolyData* mesh) const;
+
   vtkRenderer* Renderer; // outlives it
+  std::set<int> Hidden;
   std::vector<std::unique_ptr<Part>> Parts;
   vtkSmartPointer<vtkPolyData> Shown;
   Shading Look = Shading::Smooth;

@@ -400,7 +400,13 @@ void Viewport::showInstead(vtkPolyData* mesh)
 {
   this->Looks.showInstead(mesh);
   this->Section->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0); // they are of the model
-  this->Region->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0);
+  this->Region.actor()->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0);
+  this->renderSoon();
+}
+
+void Viewport::hideParts(const std::set<int>& parts)
+{
+  this->Model.hide(parts);
   this->renderSoon();
 }
 
@@ -529,6 +535,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
     {
       tool->showLines(false);
     }
+    emit this->linesShown(false);
     this->Section->VisibilityOff();
     this->Region.actor()->VisibilityOff();
     this->Mirror.setVisible(false);
@@ -552,6 +559,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
   {
     tool->showLines(true);
   }
+  emit this->linesShown(true);
   this->render();
   oversketch_files::writeWhole(path.toStdString(),
     [&](const std::string& file)

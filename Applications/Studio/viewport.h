@@ -16,6 +16,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <optional>
+#include <set>
 
 class QTimer;
 class vtkActor;
@@ -51,6 +52,8 @@ public:
   // The mesh as a tool shows it meanwhile, with the same skin.
   void showPreview(vtkPolyData* mesh);
   vtkPolyData* mesh() const; // null where none is shown
+  // Parts of the mesh that are not drawn (ModelView::hide).
+  void hideParts(const std::set<int>& parts);
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
   // something.
   void awaitMesh();
@@ -93,6 +96,8 @@ signals:
   // Another mesh is shown, or none; the list of keys is, or no more.
   void meshShown();
   void keysShown();
+  // Lines over the model are to be shown, or not, for a picture.
+  void linesShown(bool show);
 
 protected:
   bool event(QEvent* event) override;

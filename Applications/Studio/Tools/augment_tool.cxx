@@ -17,6 +17,7 @@
 #include <QBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 
 namespace oversketch_studio
 {
@@ -224,7 +225,8 @@ vtkSmartPointer<vtkPolyData> AugmentTool::meshBefore() const
 {
   vtkPolyData* shown = this->viewport()->mesh();
   const auto& nodes = this->document()->session().nodes;
-  const auto last = std::find_if(nodes.rbegin(), nodes.rend(), [](const Node& node) { return node.on; });
+  const auto end = std::make_reverse_iterator(nodes.begin() + this->document()->shownTo());
+  const auto last = std::find_if(end, nodes.rend(), [](const Node& node) { return node.on; });
   vtkDataArray* raised = shown ? shown->GetPointData()->GetArray("Displacement") : nullptr;
   if (!raised || last == nodes.rend() || last->step->system != this->system())
   {

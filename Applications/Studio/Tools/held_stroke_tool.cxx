@@ -6,6 +6,8 @@
 #include "systems.h"
 #include "viewport.h"
 
+#include "Stroke/stroke.h"
+
 #include "vtkOversketchHeldStrokeRepresentation.h"
 #include "vtkOversketchHeldStrokeWidget.h"
 #include "vtkOversketchInteractorStyle.h"
@@ -13,6 +15,7 @@
 #include "vtkOversketchStrokeWidget.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkMath.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindowInteractor.h"
 
@@ -20,6 +23,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include <cmath>
 #include <utility>
 
 namespace oversketch_studio
@@ -33,6 +37,18 @@ namespace
 // px as Qt counts them: the lines' width, and how near to one the cursor takes hold of it.
 constexpr float lineWidth = 3.0F;
 constexpr double grabDistance = 6.0;
+
+double lengthOf(vtkPolyData* stroke)
+{
+  double length = 0.0;
+  for (vtkIdType i = 1; i < stroke->GetNumberOfPoints(); ++i)
+  {
+    double from[3];
+    stroke->GetPoint(i - 1, from);
+    length += std::sqrt(vtkMath::Distance2BetweenPoints(from, stroke->GetPoint(i)));
+  }
+  return length;
+}
 
 } // namespace
 
@@ -49,6 +65,7 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
 {
   this->Widget->SetInteractor(viewport->interactor());
   this->Widget->SetDefaultRenderer(viewport->renderer());
+  this->Widget->GetHeldStrokeRepresentation()->ShowFromElsewhereOff(); // StrokeLines does
   this->Observer->SetClientData(this);
   this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
     { static_cast<HeldStrokeTool*>(self)->heard(event); });
@@ -202,6 +219,12 @@ void HeldStrokeTool::setValues(const Values& values)
   }
 }
 
+bool HeldStrokeTool::holds(double x, double y)
+{
+  const auto held = this->Widget->GetHeldStrokeRepresentation();
+  return held->GetShowStroke() && held->DistanceTo(x, y) <= this->Widget->GetGrabDistance();
+}
+
 void HeldStrokeTool::showLines(bool show)
 {
   this->Widget->GetHeldStrokeRepresentation()->SetVisibility(show);
@@ -246,6 +269,11 @@ void HeldStrokeTool::heard(unsigned long event)
 void HeldStrokeTool::strokeEnds()
 {
   Latency::of().strokeEnd();
+  if (this->Widget->IsNew() && lengthOf(this->Widget->GetStroke()) < oversketch::StrokeRules().minimumLength)
+  {
+    emit this->tooShort(oversketch::StrokeRules().minimumLength);
+    return;
+  }
   Step step;
   step.system = this->System;
   step.values = this->StrokeValues;

@@ -54,6 +54,7 @@ public:
   void setPressure(double pressure) override;
   void frameBegins() override { this->Section.frameBegins(); }
   void framePainted() override { this->Section.framePainted(); }
+  bool holds(double x, double y) override;
   void showLines(bool show) override;
 
 protected:

@@ -105,6 +105,8 @@ public:
   // A frame begins; it has been painted.
   virtual void frameBegins() {}
   virtual void framePainted() {}
+  // Whether its line is seen there [px of the screen from the lower left corner], and can be taken hold of.
+  virtual bool holds(double, double) { return false; }
   // Its lines, for a picture without them.
   virtual void showLines(bool) {}
 
@@ -114,6 +116,8 @@ signals:
   void changed(const oversketch_session::Step& step);
   // The same, inputs and values.
   void remade(const oversketch_session::Step& step);
+  // What was drawn is no stroke: one is that long at least [px of the screen].
+  void tooShort(double least);
   // The hand gives the step that was offered other values; `goesOn`: of one movement with the last time.
   void shaped(const oversketch_session::Values& values, bool goesOn);
   // The hand has changed a step of the history, whatever is offered.
