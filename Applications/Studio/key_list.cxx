@@ -31,6 +31,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
   }
   QVector<QPair<QString, QString>> rows = tool.keys();
   rows += {
+    { T::tr("Pen pressure"), tool.pressure() },
     { T::tr("Middle drag"), T::tr("turn (or Ctrl + left drag)") },
     { T::tr("Right drag"), T::tr("pan") },
     { T::tr("Wheel"), T::tr("zoom (or Ctrl + Shift + left drag)") },
@@ -46,7 +47,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
     { "w  c", T::tr("back to the first view; centre on the model") },
     { keys.join("  ") + "  o", T::tr("%1; show what moves").arg(modes.join("; ")) },
     { "?  F1", T::tr("show or hide this list") },
-    { "q", T::tr("quit") },
+    { "Ctrl+Q", T::tr("quit") },
   };
   int widest = 0;
   for (const auto& row : rows)
