@@ -25,16 +25,6 @@ namespace
 const char* const sessionExtension = ".oversketch";
 constexpr double canvasSize[2] = { 1024.0, 768.0 }; // of an empty one
 
-QStringList listOf(const Notes& notes)
-{
-  QStringList list;
-  for (const std::string& note : notes)
-  {
-    list << QString::fromStdString(note);
-  }
-  return list;
-}
-
 } // namespace
 
 Document::Document(QObject* parent)
@@ -106,45 +96,54 @@ Document::Document(QObject* parent)
       this, [this, mesh] { emit this->glanced(mesh); }, Qt::QueuedConnection);
   };
   this->Background = std::make_unique<Worker>(std::move(listener));
+  this->Saver.onKept(
+    [this]
+    {
+      QMetaObject::invokeMethod(
+        this, [this] { emit this->kept(); }, Qt::QueuedConnection);
+    });
 }
 
 Document::~Document() = default;
 
-bool Document::open(const QString& path, const std::function<bool()>& mayLeave, QStringList& notes)
+Document::Opened Document::read(const QString& path, int backend)
 {
   const std::string file = path.toStdString();
-  const bool saved = extensionOf(file) == sessionExtension || QFileInfo(path).isDir();
-  Notes said;
-  Session session;
-  if (saved)
+  Opened opened;
+  Session& session = opened.session;
+  if (extensionOf(file) == sessionExtension || QFileInfo(path).isDir())
   {
-    session = readSession(file).session;
+    SessionFile saved = readSession(file);
+    opened.path = path;
+    opened.look = saved.look;
+    session = std::move(saved.session);
+    return opened;
   }
-  else if (isHeightsExtension(extensionOf(file)) && findSystem("Terrain"))
+  Notes said;
+  if (isHeightsExtension(extensionOf(file)) && findSystem("Terrain"))
   {
     Node node;
     node.id = 1;
     node.step = terrainOf(file);
     node.name = titleOf(node.step->system).toStdString();
     session.nodes = { node };
-    session.meshName = QFileInfo(path).fileName().toStdString();
-    session.backend = this->Backend;
   }
   else
   {
     session.mesh = readMesh(file, said);
-    session.meshName = QFileInfo(path).fileName().toStdString();
-    session.backend = this->Backend;
   }
-  if (!mayLeave())
-  {
-    return false;
-  }
-  this->Path = saved ? path : QString();
-  this->start(std::move(session), false);
-  notes += listOf(said);
+  session.meshName = QFileInfo(path).fileName().toStdString();
+  session.backend = backend;
+  opened.notes = listOf(said);
+  return opened;
+}
+
+void Document::open(Opened opened)
+{
+  this->Path = opened.path;
+  this->Seen = opened.look;
+  this->start(std::move(opened.session), true);
   emit this->opened();
-  return true;
 }
 
 bool Document::beginDrawing(const QString& path, const std::function<bool()>& mayLeave)
@@ -202,15 +201,18 @@ bool Document::begin(std::shared_ptr<const Step> step,
   session.meshName = name.toStdString();
   session.backend = this->Backend;
   this->Path.clear();
-  this->start(std::move(session), false);
+  this->Seen.reset();
+  this->start(std::move(session), true);
   emit this->opened();
   return true;
 }
 
 void Document::recover(const LeftBehind& left)
 {
-  this->start(readSession(left.folder).session, true);
-  this->Path.clear();
+  SessionFile kept = readSession(left.folder);
+  this->Path = QString::fromStdString(left.path);
+  this->Seen = kept.look;
+  this->start(std::move(kept.session), false);
   // The old folder goes only when the new one is on the disk.
   if (this->Saver.wait().empty())
   {
@@ -219,10 +221,13 @@ void Document::recover(const LeftBehind& left)
   emit this->opened();
 }
 
-void Document::start(Session session, bool modified)
+void Document::start(Session session, bool saved)
 {
   this->Changes = std::make_unique<History>(std::move(session));
-  this->Modified = modified;
+  if (saved)
+  {
+    this->Changes->markSaved();
+  }
   this->Result = {};
   this->Digest.clear();
   this->Traces.clear();
@@ -237,30 +242,32 @@ void Document::glanceBefore(int node)
   this->Background->glance(std::move(before));
 }
 
-QStringList Document::save(const QString& path)
+void Document::save(const QString& path)
 {
-  const std::string file = path.toStdString();
-  if (extensionOf(file) == sessionExtension)
+  writeSession(path.toStdString(), this->toSave());
+  this->saved(path);
+}
+
+SessionFile Document::toSave()
+{
+  if (!this->isBusy() && this->Digest.empty() && this->Result.mesh)
   {
-    if (!this->isBusy() && this->Digest.empty() && this->Result.mesh)
-    {
-      this->Digest = digestOf(this->Result.mesh); // it is on its way
-    }
-    writeSession(file, this->file());
-    this->Path = path;
-    this->Modified = false;
-    emit this->changed(Change::Saved);
-    return {};
+    this->Digest = digestOf(this->Result.mesh); // it is on its way
   }
-  Notes notes;
-  const vtkSmartPointer<vtkPolyData> mesh =
-    (this->Result.mesh ? this->Result.mesh : this->session().mesh).own();
-  if (!mesh)
-  {
-    throw Failed(tr("There is no mesh yet.").toStdString());
-  }
-  writeMesh(mesh, file, notes);
-  return listOf(notes);
+  return this->file();
+}
+
+void Document::saved(const QString& path)
+{
+  this->Path = path;
+  this->Changes->markSaved();
+  this->keep();
+  emit this->changed(Change::Saved);
+}
+
+vtkSmartPointer<vtkPolyData> Document::shownMesh() const
+{
+  return (this->Result.mesh ? this->Result.mesh : this->session().mesh).own();
 }
 
 QString Document::name() const
@@ -283,6 +290,7 @@ SessionFile Document::file() const
     file.origin = originHere(this->Result.backendUsed);
     file.digest = this->Digest;
   }
+  file.look = this->LookNow && this->Result.mesh ? this->LookNow() : this->Seen;
   return file;
 }
 
@@ -373,8 +381,7 @@ void Document::follow(int index, std::shared_ptr<const Step> step, bool goesOn)
   const int id = node.id;
   if (goesOn && this->Shaped == id)
   {
-    this->Changes->amend(std::move(next));
-    this->Modified = true;
+    this->Changes->goOn(std::move(next));
     this->run(Change::Drawn);
   }
   else
@@ -425,7 +432,6 @@ void Document::commitPictures(Pictures pictures)
   Session next = this->session();
   next.pictures = std::move(pictures);
   this->Changes->commit(std::move(next));
-  this->Modified = true;
   this->keep();
   emit this->changed(Change::Pictures);
 }
@@ -445,14 +451,12 @@ void Document::setBackend(int backend)
 void Document::undo()
 {
   this->Changes->undo();
-  this->Modified = true;
   this->run(Change::Edited);
 }
 
 void Document::redo()
 {
   this->Changes->redo();
-  this->Modified = true;
   this->run(Change::Edited);
 }
 
@@ -471,7 +475,6 @@ void Document::cancel()
 void Document::commit(Session session, Change change)
 {
   this->Changes->commit(std::move(session));
-  this->Modified = true;
   this->run(change);
 }
 
@@ -494,7 +497,7 @@ void Document::keep()
 {
   if (!this->Discarded)
   {
-    this->Saver.keep(this->file());
+    this->Saver.keep(this->file(), { this->Path.toStdString(), this->isModified() });
   }
 }
 

@@ -35,9 +35,19 @@ public:
   explicit Document(QObject* parent = nullptr);
   ~Document() override;
 
-  // Opens a mesh or a session. Once it is read, mayLeave is asked whether what was there may be given up;
-  // where it says no, nothing changes and false is returned. Throws Failed. Adds what the reader notes.
-  bool open(const QString& path, const std::function<bool()>& mayLeave, QStringList& notes);
+  // A mesh or a session, read and not shown yet.
+  struct Opened
+  {
+    oversketch_session::Session session;
+    std::optional<oversketch_session::Look> look;
+    QString path; // of a session's file
+    QStringList notes;
+  };
+  // On any thread. Throws Failed.
+  static Opened read(const QString& path, int backend);
+  int backend() const { return this->Backend; }
+  // Shows it, instead of what was there.
+  void open(Opened opened);
   // Begins a session whose first step makes a mesh of what will be drawn: over a picture; on an empty canvas.
   // The same asking; throws Failed for what is no picture.
   bool beginDrawing(const QString& picture, const std::function<bool()>& mayLeave);
@@ -47,9 +57,13 @@ public:
   void addPart(const QString& picture);
   // Opens what a crash left behind, as a session that is not saved. Throws Failed.
   void recover(const oversketch_session::LeftBehind& left);
-  // Saves the session, or exports the shown mesh, by the path's extension. Throws Failed. Returns what the
-  // format drops.
-  QStringList save(const QString& path);
+  // Saves the session, as it is looked at. Throws Failed.
+  void save(const QString& path);
+  // In two halves, of which the first may run on any thread.
+  oversketch_session::SessionFile toSave();
+  void saved(const QString& path);
+  // What an export writes; null where there is no mesh yet.
+  vtkSmartPointer<vtkPolyData> shownMesh() const;
 
   const oversketch_session::Session& session() const { return this->Changes->now(); }
   bool isOpen() const { return this->Changes != nullptr; }
@@ -57,7 +71,15 @@ public:
   const QString& path() const { return this->Path; }
   // The name for titles: the session's file, or the mesh that was opened.
   QString name() const;
-  bool isModified() const { return this->Modified; }
+  // Whether anything is not in the session's file, or not as the model was opened.
+  bool isModified() const { return this->Changes && !this->Changes->isSaved(); }
+  // How the model was looked at when the session was saved.
+  const std::optional<oversketch_session::Look>& look() const { return this->Seen; }
+  // Tells how it is looked at now.
+  void setLook(std::function<std::optional<oversketch_session::Look>()> look)
+  {
+    this->LookNow = std::move(look);
+  }
   bool canUndo() const { return this->Changes && this->Changes->canUndo(); }
   bool canRedo() const { return this->Changes && this->Changes->canRedo(); }
   // The newest result; its mesh stays while the next is computed. What moved, how it follows a hand and the
@@ -149,9 +171,11 @@ signals:
   // Nothing is computed any more.
   void idle();
   void autosaveFailed(const QString& why);
+  // The session as it is now lies on the disk.
+  void kept();
 
 private:
-  void start(oversketch_session::Session session, bool modified);
+  void start(oversketch_session::Session session, bool saved);
   bool begin(std::shared_ptr<const oversketch_session::Step> step,
     const QString& name,
     const std::function<bool()>& mayLeave);
@@ -169,7 +193,8 @@ private:
   std::unique_ptr<oversketch_session::History> Changes;
   QString Path;
   int Backend = 0;
-  bool Modified = false;
+  std::optional<oversketch_session::Look> Seen;
+  std::function<std::optional<oversketch_session::Look>()> LookNow;
   int Shaped = 0;         // the id of the step that the last change was a shape() or place() of
   bool Discarded = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result Result;

@@ -1,5 +1,7 @@
 #include "drawing_pad.h"
 
+#include "touch_hand.h"
+
 #include "vtkOversketchDrawingRepresentation.h"
 #include "vtkOversketchDrawingWidget.h"
 #include "vtkOversketchStrokeRepresentation.h"
@@ -14,9 +16,11 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QRegularExpression>
 #include <QTabletEvent>
+#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -58,6 +62,9 @@ DrawingPad::DrawingPad(QWidget* parent)
   this->setAccessibleName(tr("Picture"));
   this->setDefaultCursor(Qt::CrossCursor);
   this->setCursor(Qt::CrossCursor);
+  new TouchHand(this,
+    { [this] { return this->isDrawing(); },
+      [this](double factor, const QPointF& about) { this->zoom(factor, about); } });
   this->setDark(true);
 }
 
@@ -66,6 +73,30 @@ DrawingPad::~DrawingPad()
   this->Widget->RemoveObserver(this->Observer);
   this->Widget->SetEnabled(0);
   this->Widget->SetInteractor(nullptr);
+}
+
+// As many notches of the wheel as it is.
+void DrawingPad::zoom(double factor, const QPointF& about)
+{
+  constexpr double notch = 1.15; // of the widget
+  this->Zoomed *= factor;
+  for (const bool isIn : { true, false })
+  {
+    for (; isIn ? this->Zoomed > notch : this->Zoomed < 1.0 / notch;
+         this->Zoomed *= isIn ? 1.0 / notch : notch)
+    {
+      const int turned = isIn ? QWheelEvent::DefaultDeltasPerStep : -QWheelEvent::DefaultDeltasPerStep;
+      QWheelEvent wheel(about,
+        this->mapToGlobal(about.toPoint()),
+        {},
+        { 0, turned },
+        Qt::NoButton,
+        Qt::NoModifier,
+        Qt::NoScrollPhase,
+        false);
+      QApplication::sendEvent(this, &wheel);
+    }
+  }
 }
 
 void DrawingPad::heard(unsigned long event)

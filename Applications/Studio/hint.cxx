@@ -1,7 +1,5 @@
 #include "hint.h"
 
-#include "hint_line.h"
-
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
@@ -48,8 +46,10 @@ void Hint::addTo(vtkRenderer* renderer)
   renderer->AddActor2D(this->Text);
 }
 
-void Hint::setText(const std::string& text)
+void Hint::setText(const std::string& text, HintShape shape)
 {
+  this->Words = text;
+  this->Shape = shape;
   this->Text->SetInput(text.c_str());
   this->setVisible(!text.empty());
 }
@@ -87,13 +87,16 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
     renderer->WorldToDisplay();
     picture.emplace_back(renderer->GetDisplayPoint()[0], renderer->GetDisplayPoint()[1]);
   }
-  const oversketch::Polyline line = hintLine(picture, ratio);
+  const oversketch::Polyline line = hintLine(this->Shape, picture, ratio);
   if (line.empty())
   {
     return;
   }
   const auto higher = [](const oversketch::Vector2& a, const oversketch::Vector2& b) { return a[1] < b[1]; };
+  // Not on the model, where it would not be read.
   const oversketch::Vector2 top = *std::max_element(line.begin(), line.end(), higher);
+  const double above =
+    this->Shape == HintShape::Limb ? top[1] : (*std::max_element(picture.begin(), picture.end(), higher))[1];
   const std::vector<double> lengths = oversketch::arcLengths(line);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
@@ -118,7 +121,7 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
   const double half = 0.5 * extent[0] + gap * ratio;
   const int* size = renderer->GetSize();
   this->Text->SetPosition(std::max(half, std::min(top[0], size[0] - half)),
-    std::min(top[1] + gap * ratio, size[1] - extent[1] - gap * ratio));
+    std::min(above + gap * ratio, size[1] - extent[1] - gap * ratio));
 }
 
 } // namespace oversketch_studio

@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "drawing_lines.h"
+#include "message_words.h"
 #include "row_delegate.h"
 #include "row_texts.h"
 #include "row_words.h"
@@ -58,10 +59,10 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   : QWidget(parent)
   , OpenDocument(document)
   , List(new StepList(this))
-  , Empty(new QLabel(
-      tr("The strokes that you draw are listed here. Tick one off, draw it anew, change how it acts: "
-         "the model follows."),
-      this->List->viewport()))
+  , Empty(
+      new QLabel(tr("The strokes that you draw are listed here. Untick one, redraw it, change how it acts: "
+                    "the model follows."),
+        this->List->viewport()))
   , Form(new StepPanel(this))
 {
   this->List->setObjectName("history");
@@ -212,8 +213,9 @@ void HistoryPanel::makeActions()
     return made;
   };
   this->Redraw =
-    action(tr("&Redraw"), QKeySequence(tr("Ctrl+R")), tr("Draw this stroke anew; the later ones follow"));
-  this->View = action(tr("&View"), QKeySequence(tr("Ctrl+L")), tr("Look from where this stroke was drawn"));
+    action(tr("&Redraw"), QKeySequence(tr("Ctrl+R")), tr("Draw this stroke again; the later ones follow"));
+  this->View =
+    action(tr("Its &view"), QKeySequence(tr("Ctrl+L")), tr("Look from where this stroke was drawn"));
   this->Up = action(tr("&Up"), QKeySequence(tr("Ctrl+Up")), tr("Let it act earlier"));
   this->Down = action(tr("&Down"), QKeySequence(tr("Ctrl+Down")), tr("Let it act later"));
   this->Next = action(tr("Ne&xt place"),
@@ -399,12 +401,12 @@ void HistoryPanel::addStep(int at)
     if (!state.failure.empty())
     {
       item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
-      item->setToolTip(tr("Did nothing: %1").arg(QString::fromStdString(state.failure)));
+      item->setToolTip(tr("Did nothing: %1").arg(plainWords(state.failure)));
     }
     else if (!state.remark.empty())
     {
       item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
-      item->setToolTip(QString::fromStdString(state.remark));
+      item->setToolTip(plainWords(state.remark));
     }
     else if (state.elsewhere)
     {

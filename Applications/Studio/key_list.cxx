@@ -31,6 +31,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
   }
   QVector<QPair<QString, QString>> rows = tool.keys();
   rows += {
+    { T::tr("Pen pressure"), tool.pressure() },
     { T::tr("Middle drag"), T::tr("turn (or Alt, Ctrl or Space + left drag, or two fingers)") },
     { T::tr("Right drag"), T::tr("pan (or Alt or Shift + middle drag)") },
     { T::tr("Wheel"), T::tr("zoom at the cursor (or pinch, or Ctrl + Shift + left drag)") },
@@ -49,7 +50,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
     { "u", T::tr("while held: the model before the selected step") },
     { keys.join("  ") + "  o", T::tr("%1; show what moves").arg(modes.join("; ")) },
     { "?  F1", T::tr("show or hide this list") },
-    { "q", T::tr("quit") },
+    { "Ctrl+Q", T::tr("quit") },
   };
   int widest = 0;
   for (const auto& row : rows)

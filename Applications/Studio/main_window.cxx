@@ -1,10 +1,14 @@
 #include "main_window.h"
 
+#include "advice_label.h"
+#include "camera_look.h"
 #include "files.h"
 #include "focus_frame.h"
 #include "history_panel.h"
 #include "latency.h"
 #include "looks.h"
+#include "message_words.h"
+#include "option_presets.h"
 #include "scene_panel.h"
 #include "step_lines.h"
 #include "stroke_lines.h"
@@ -26,6 +30,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -46,7 +51,7 @@ MainWindow::MainWindow(QWidget* parent)
       [this] { return this->nodeMeant(); },
       this))
   , Lines(new StrokeLines(this->View))
-  , Advice(new QLabel(this))
+  , Advice(new AdviceLabel(this))
   , Mode(new QLabel(this))
   , Progress(new QProgressBar(this))
   , Cancel(new QPushButton(tr("&Cancel"), this))
@@ -79,12 +84,12 @@ MainWindow::MainWindow(QWidget* parent)
   {
     this->listenToTool(tool);
   }
-  connect(this->View, &Viewport::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
   QSettings settings;
   this->resize(1200, 800);
   this->restoreGeometry(settings.value("geometry").toByteArray());
   this->restoreState(settings.value("state").toByteArray());
   this->apply(Preferences::read());
+  connect(this->View, &Viewport::cameraMoves, this, [this] { this->Teaches = false; });
   this->setTool(this->Tools.first());
   this->View->setFocus();
   this->refresh();
@@ -99,6 +104,7 @@ void MainWindow::listenToDocument()
   connect(this->OpenDocument, &Document::shown, this, &MainWindow::showResult);
   connect(this->OpenDocument, &Document::detailed, this, &MainWindow::showDetails);
   connect(this->OpenDocument, &Document::idle, this, &MainWindow::refresh);
+  this->OpenDocument->setLook([this] { return lookOf(*this->View); });
 }
 
 void MainWindow::listenToPanels()
@@ -210,7 +216,7 @@ void MainWindow::stepDrawn(const Step& step)
   {
     return;
   }
-  this->View->showHint({});
+  this->stopTeaching();
   const int count = this->OpenDocument->shownTo();
   if (this->Redrawn >= 0 && this->Redrawn < count)
   {
@@ -262,6 +268,7 @@ void MainWindow::setTool(Tool* tool)
   this->selectDrawing(tool);
   this->ToolActions[at]->setChecked(true);
   this->Options->setCurrentIndex(at);
+  this->Presets->setTool(tool);
   const QString mode = tool->mode();
   this->Mode->setText(mode.left(1).toUpper() + mode.mid(1));
   this->Redrawn = tool->system().empty() ? -1 : this->Redrawn;
@@ -327,6 +334,7 @@ void MainWindow::apply(const Preferences& preferences)
     tool->setSteadiness(preferences.stabilizer);
   }
   this->OpenDocument->setBackend(preferences.backend);
+  this->placeForHand(preferences.leftHanded);
 }
 
 void MainWindow::askPreferences()
@@ -415,7 +423,10 @@ void MainWindow::showResult()
   {
     Latency::of().meshComes();
     this->View->showMesh(result.display, this->Reset);
-    this->Reset = false;
+    if (std::exchange(this->Reset, false) && this->OpenDocument->look())
+    {
+      lookAs(*this->OpenDocument->look(), *this->View);
+    }
     this->showSection(this->History->current());
     if (!this->OpenDocument->isBusy())
     {
@@ -490,9 +501,26 @@ void MainWindow::refresh()
   this->advise();
 }
 
+// Where to draw with the tool in the hand, for who is new to it.
+void MainWindow::teach()
+{
+  const Tool* tool = this->View->tool();
+  if (this->Teaches && !tool->draws() && !this->View->showsKeys() && this->View->hint() != tool->hint())
+  {
+    this->View->showHint(tool->hint(), tool->hintShape());
+  }
+}
+
+void MainWindow::stopTeaching()
+{
+  this->Teaches = false;
+  this->View->showHint({});
+}
+
 // What to do next.
 void MainWindow::advise()
 {
+  this->teach();
   Tool::Situation situation;
   if (this->View->tool()->judges())
   {
@@ -511,15 +539,13 @@ void MainWindow::advise()
     this->Redrawn < 0 && last >= 0 && states.size() == indexOf(last + 1) && nodes[indexOf(last)].on;
   if (isJustDrawn && !states.back().failure.empty())
   {
-    this->Advice->setText(
-      tr("The last stroke did nothing: %1").arg(QString::fromStdString(states.back().failure)));
+    this->Advice->setText(tr("That did nothing: %1").arg(plainWords(states.back().failure)));
     return;
   }
   if (isJustDrawn && !states.back().remark.empty())
   {
     const Tool* tool = this->toolOf(last);
-    this->Advice->setText(
-      QString::fromStdString(states.back().remark) + (tool ? ' ' + tool->remedy() : QString()));
+    this->Advice->setText(plainWords(states.back().remark) + (tool ? ' ' + tool->remedy() : QString()));
     return;
   }
   situation.empty = nodes.empty();

@@ -24,7 +24,10 @@ class QToolBar;
 namespace oversketch_studio
 {
 
+class AdviceLabel;
+struct Example;
 class HistoryPanel;
+class OptionPresets;
 class ScenePanel;
 class StrokeLines;
 class Tool;
@@ -67,11 +70,17 @@ private:
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* panel);
   void remember(const QString& path);
   void fillRecent();
+  void fillExamples();
+  void placeForHand(bool left);
 
   // Files: main_window_files.cxx. tried runs what may throw Failed and says why in a box; returns whether it
   // went well.
   bool tried(const std::function<void()>& run);
   void tell(const QStringList& notes);
+  // What is read on a thread of its own is shown, instead of what is there.
+  bool openRead(const QString& name, const std::function<Document::Opened()>& read);
+  bool openExample(const Example& example);
+  bool saveTo(const QString& path);
   void openAsked();
   QString pictureAsked(const QString& title); // a path; empty for none
   void newFromPictureAsked();
@@ -80,7 +89,8 @@ private:
   bool saveAs();
   void exportAsked();
   void exportPart(int part, const QString& name);
-  void screenshot();
+  void exportMesh(vtkPolyData* mesh, const QString& name);
+  void screenshot(bool lines);
   void addPicture(const QString& path);
   void addPictureAsked();
   // Whether what is not saved may be left.
@@ -110,6 +120,8 @@ private:
   void apply(const Preferences& preferences);
   void refresh();
   void advise();
+  void teach();
+  void stopTeaching();
   void select(int node);
   void showSection(int node); // where the step took hold
   // The step that can be taken hold of: the selected one, else the last.
@@ -133,12 +145,13 @@ private:
   StrokeLines* Lines;
   QToolBar* Strip = nullptr;
   QStackedWidget* Options = nullptr; // of the tools, in their order
-  QLabel* Advice;
+  AdviceLabel* Advice;
   QLabel* Mode;
   QProgressBar* Progress;
   QPushButton* Cancel;
   QTimer* Patience; // progress is shown for what takes longer than a moment
-  QMenu* Recent = nullptr;
+  QMenu *Recent = nullptr, *Examples = nullptr;
+  OptionPresets* Presets = nullptr;
   QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Dark = nullptr,
           *Region = nullptr;
   QVector<QAction*> DockActions;
@@ -146,6 +159,7 @@ private:
   int Redrawn = -1; // the step that the next one replaces
   int Offered = -1; // the one that can be taken hold of in the view
   bool Reset = false;
+  bool Teaches = false; // hints, until a step has been drawn or the model turned
 };
 
 } // namespace oversketch_studio

@@ -1,9 +1,10 @@
 // The window's rows of the history, and their lines on the model.
 #include "main_window.h"
 
+#include "advice_label.h"
 #include "held_stroke_tool.h"
 #include "history_panel.h"
-#include "mesh_file.h"
+#include "long_work.h"
 #include "pieces.h"
 #include "scene_panel.h"
 #include "step_lines.h"
@@ -12,11 +13,6 @@
 #include "viewport.h"
 
 #include <QApplication>
-#include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QLabel>
-#include <QSettings>
 
 namespace oversketch_studio
 {
@@ -32,7 +28,7 @@ void MainWindow::listenToRows()
   connect(this->OpenDocument, &Document::opened, this, follow);
   connect(this->Lines, &StrokeLines::clicked, this, &MainWindow::clicked);
   connect(this->View, &Viewport::linesShown, this->Lines, &StrokeLines::setVisible);
-  connect(this->History, &HistoryPanel::told, this->Advice, &QLabel::setText);
+  connect(this->History, &HistoryPanel::told, this->Advice, &AdviceLabel::setText);
   for (Tool* tool : this->Tools)
   {
     connect(tool, &Tool::tooShort, this, &MainWindow::tooShort);
@@ -58,27 +54,11 @@ void MainWindow::listenToRows()
 
 void MainWindow::exportPart(int part, const QString& name)
 {
-  vtkPolyData* mesh = this->OpenDocument->result().mesh;
-  const QString path = QFileDialog::getSaveFileName(this,
-    tr("Export %1").arg(name),
-    QDir(QSettings().value("folder").toString()).filePath(QFileInfo(name).completeBaseName() + ".ply"),
-    tr("Meshes (%1)").arg(QString::fromLatin1(oversketch_files::meshExtensions).replace(".", "*.")));
-  if (!path.isEmpty())
+  const vtkSmartPointer<vtkPolyData> mesh =
+    this->OpenDocument->isOpen() ? this->OpenDocument->shownMesh() : nullptr;
+  if (mesh && !isLongWorkGoing())
   {
-    this->tried(
-      [&]
-      {
-        oversketch_files::Notes notes;
-        const vtkSmartPointer<vtkPolyData> alone =
-          part < 0 ? vtkSmartPointer<vtkPolyData>(mesh) : oversketch_files::partAlone(mesh, part);
-        oversketch_files::writeMesh(alone, path.toStdString(), notes);
-        QStringList said;
-        for (const std::string& note : notes)
-        {
-          said << QString::fromStdString(note);
-        }
-        this->tell(said);
-      });
+    this->exportMesh(part < 0 ? mesh : oversketch_files::partAlone(mesh, part), name);
   }
 }
 

@@ -50,7 +50,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   this->Opacity->setToolTip(tr("How strongly the selected picture is seen"));
   this->Add->setText(tr("Add…"));
   this->Add->setToolTip(tr("Put a picture behind the model, in the present view"));
-  this->View->setText(tr("View"));
+  this->View->setText(tr("Its view"));
   this->View->setToolTip(tr("Look from where the selected picture is seen"));
   this->Remove->setText(tr("Remove"));
   this->Remove->setToolTip(tr("Take the selected picture out of the scene"));

@@ -4,6 +4,7 @@
 #include "key_list.h"
 #include "latency.h"
 #include "tool.h"
+#include "touch_hand.h"
 
 #include "vtkOversketchInteractorStyle.h"
 #include "vtkOversketchStrokeRepresentation.h"
@@ -80,6 +81,14 @@ Viewport::Viewport(QWidget* parent)
     });
   this->Rest->setSingleShot(true);
   connect(this->Rest, &QTimer::timeout, this, &Viewport::smoothEdges);
+  new TouchHand(this,
+    { [this] { return this->CurrentTool && (this->CurrentTool->draws() || this->CurrentTool->moves()); },
+      [this](double factor, const QPointF&)
+      {
+        this->hideHint();
+        emit this->cameraMoves();
+        this->Style->SetZoom(factor * this->Style->GetZoom());
+      } });
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Model"));
   this->fitScreen();
@@ -119,8 +128,6 @@ void Viewport::listen()
   // One frame for all events that have come, so that a quick hand does not wait for each of its samples.
   this->interactor()->EnableRenderOff();
   this->interactor()->AddObserver(vtkCommand::RenderEvent, this->Observer);
-  // Key q, by the style.
-  this->interactor()->AddObserver(vtkCommand::ExitEvent, this->Observer);
   this->Style->AddObserver(vtkCommand::StartInteractionEvent, this->Observer);
   this->Style->AddObserver(vtkCommand::ModifiedEvent, this->Observer);
 }
@@ -146,10 +153,6 @@ void Viewport::heard(unsigned long event)
   else if (event == vtkCommand::ModifiedEvent)
   {
     emit this->keysShown();
-  }
-  else if (event == vtkCommand::ExitEvent)
-  {
-    emit this->quitAsked();
   }
   else if (!this->interactor()->GetEnableRender())
   {
@@ -455,9 +458,14 @@ void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
   this->renderSoon();
 }
 
-void Viewport::showHint(const QString& text)
+QString Viewport::hint() const
 {
-  this->HintBox.setText(text.toStdString());
+  return this->HintBox.isVisible() ? QString::fromStdString(this->HintBox.text()) : QString();
+}
+
+void Viewport::showHint(const QString& text, HintShape shape)
+{
+  this->HintBox.setText(text.toStdString(), shape);
   this->placeHint();
   this->renderSoon();
 }

@@ -69,7 +69,8 @@ public:
   // Where a picture of that size [px] fills the present view.
   oversketch_session::Lines frameFor(int width, int height);
   // Where to draw, with a line of text; empty shows none.
-  void showHint(const QString& text);
+  void showHint(const QString& text, HintShape shape = HintShape::Limb);
+  QString hint() const; // that is seen; empty where none is
   void hideHint();
   void setDark(bool dark);
   // The camera that a stroke was drawn in, or a picture was put into the scene in.
@@ -89,7 +90,6 @@ public:
   void renderNow();
 
 signals:
-  void quitAsked();
   // Key Return; the camera is about to be moved.
   void returned();
   void cameraMoves();

@@ -108,12 +108,11 @@ class Sitting:
 
     def picture(self, path, overlays=False):
         """What the program saves of the model; without overlays, which belong to the fonts. A quarter of the pixels of scale 1."""
-        self.desk.key("F12")
+        self.desk.key("shift+F12" if overlays else "F12")
         self.dialogue()
         self.desk.key("ctrl+a")
         self.desk.type(str(path))
         self.desk.key("Return")
-        self.click("button", "Yes" if overlays else "No")
         until(path.exists, "the picture")
         self.alone()
         image = vtkPNGReader()

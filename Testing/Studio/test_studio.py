@@ -103,7 +103,7 @@ def test_a_sitting_with_a_crash_in_it(sitting, tmp_path):
     turning = sitting.shows(3, other_than=three)
     assert turning not in (first, tail, head, three, without)
     assert [stroke["adjust_normals"] for stroke in sitting.session()["strokes"]] == [True, False, False]
-    sitting.click("combo box", "where it is needed")
+    sitting.click("combo box", "where needed")
     until(lambda: len(desk.windows()) > 1, "the choices")
     time.sleep(0.3)  # a click as quick as a double click would be the first one's
     choices = desk.windows()[-1][1]

@@ -116,11 +116,16 @@ QVector<QPair<QString, QString>> AugmentTool::keys() const
   };
 }
 
+QString AugmentTool::hint() const
+{
+  return tr("Draw a line on the body like this, and it rises");
+}
+
 QString AugmentTool::advice(const Situation& situation) const
 {
   if (situation.redraws)
   {
-    return tr("Draw the selected line anew. T leaves it as it is.");
+    return tr("Redraw the selected line. T leaves it as it is.");
   }
   if (situation.selected)
   {
@@ -166,6 +171,41 @@ QWidget* AugmentTool::makeOptions(QWidget* parent)
   static_cast<QBoxLayout*>(options->layout())->insertWidget(0, this->Options);
   this->Options->show();
   return options;
+}
+
+// Lengths as shares of the model's size.
+Values AugmentTool::options() const
+{
+  Values options = HeldStrokeTool::options();
+  for (const auto& [name, value] : this->values())
+  {
+    options[name] = value;
+  }
+  options.erase("TargetEdgeLength"); // follows from the others
+  for (const char* length : { "Radius", "Height" })
+  {
+    options[length] = std::get<double>(options[length]) / this->Options->diagonal();
+  }
+  return options;
+}
+
+void AugmentTool::setOptions(const Values& options)
+{
+  HeldStrokeTool::setOptions(options);
+  Values values = options;
+  for (const char* length : { "Radius", "Height" })
+  {
+    values[length] = std::get<double>(options.at(length)) * this->Options->diagonal();
+  }
+  this->Options->setValues(values);
+  this->Profile->setShape(
+    std::get<std::string>(options.at("Profile")), std::get<double>(options.at("Sharpness")));
+  this->shape(false);
+}
+
+QString AugmentTool::pressure() const
+{
+  return tr("is the line's height, where Pressure is height is ticked");
 }
 
 QWidget* AugmentTool::makePanel(QWidget* parent)

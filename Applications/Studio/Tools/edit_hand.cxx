@@ -3,6 +3,7 @@
 #include "document.h"
 #include "edit_step.h"
 #include "latency.h"
+#include "message_words.h"
 #include "texture.h"
 #include "viewport.h"
 
@@ -214,6 +215,13 @@ void EditHand::setSteadiness(double pixels)
   this->Widget->GetRegionWidget()->GetPen()->SetStabilizer(steady);
   this->Widget->GetAreaSelectWidget()->GetPen()->SetStabilizer(steady);
   this->Widget->GetProfilePlaneWidget()->GetPen()->SetStabilizer(steady);
+}
+
+void EditHand::setPressure(double pressure)
+{
+  this->Widget->GetRegionWidget()->GetPen()->SetPressure(pressure);
+  this->Widget->GetAreaSelectWidget()->GetPen()->SetPressure(pressure);
+  this->Widget->GetProfilePlaneWidget()->GetPen()->SetPressure(pressure);
 }
 
 void EditHand::showLines(bool show)
@@ -580,7 +588,7 @@ void EditHand::refuse(const QString& why)
 {
   const bool isRing = this->Widget->GetRegionWidget()->HasBoundary(), isNew = !this->Loaded.isInHistory;
   this->load(Work(this->Loaded), true);
-  const QString words = inWords(why.toStdString(), isRing);
+  const QString words = inWords(plainWords(why.toStdString()).toStdString(), isRing);
   this->Message = !isNew   ? tr("%1. It is taken back: do it another way.").arg(words)
                   : isRing ? tr("%1. It is taken back: draw a ring round the whole line.").arg(words)
                            : tr("%1. It is taken back: draw another of 10 px or more.").arg(words);

@@ -64,6 +64,7 @@ public:
 
   void setPixelRatio(double ratio);
   void setSteadiness(double pixels);
+  void setPressure(double pressure);
   void showLines(bool show);
 
 signals:

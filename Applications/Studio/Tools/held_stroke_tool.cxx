@@ -23,6 +23,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -106,7 +107,7 @@ vtkOversketchStrokeWidget* HeldStrokeTool::pen() const
 QVector<QPair<QString, QString>> HeldStrokeTool::keys() const
 {
   return { { tr("Left drag"), tr("draw; on the red line: move it") },
-    { tr("Shift + left drag"), tr("on the red line: draw a part anew; else: pan") } };
+    { tr("Shift + left drag"), tr("on the red line: redraw a part; else: pan") } };
 }
 
 QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
@@ -116,14 +117,14 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
     return nullptr;
   }
   auto* options = new QWidget(parent);
-  auto* label = new QLabel(tr("New strokes act on"), options);
+  auto* label = new QLabel(tr("Mirror"), options);
   this->Mirror = mirrorChoice(options);
   label->setBuddy(this->Mirror);
   this->Mirror->setObjectName("mirror");
-  this->Mirror->setAccessibleName(tr("New strokes act on"));
-  this->Mirror->setToolTip(
-    tr("Strokes act on one side of the model, or on both sides of this plane, whether the two "
-       "are the same or not; a stroke over the plane itself acts once"));
+  this->Mirror->setAccessibleName(tr("Mirror"));
+  this->Mirror->setToolTip(tr(
+    "What you draw next also acts on the other side of this plane, whether the two sides are alike or not. "
+    "Off: on one side only."));
   auto* row = new QHBoxLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
   row->addWidget(label);
@@ -134,6 +135,21 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
     this,
     [this] { this->View->showMirror(this->OpenDocument->mirrorPlane(this->Mirror->currentIndex())); });
   return options;
+}
+
+Values HeldStrokeTool::options() const
+{
+  return this->Mirror ? Values{ { "Mirror", this->Mirror->currentIndex() } } : Values();
+}
+
+void HeldStrokeTool::setOptions(const Values& options)
+{
+  const auto mirror = options.find("Mirror");
+  if (this->Mirror && mirror != options.end())
+  {
+    this->Mirror->setCurrentIndex(std::clamp(std::get<int>(mirror->second), 0, this->Mirror->count() - 1));
+    this->View->showMirror(this->OpenDocument->mirrorPlane(this->Mirror->currentIndex()));
+  }
 }
 
 void HeldStrokeTool::start()

@@ -39,6 +39,8 @@ public:
   std::string system() const override { return this->System; }
   // Mirror, where the system's steps can have one.
   QWidget* makeOptions(QWidget* parent) override;
+  oversketch_session::Values options() const override;
+  void setOptions(const oversketch_session::Values& options) override;
   void start() override;
   void stop() override;
   bool draws() const override;

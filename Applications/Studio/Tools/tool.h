@@ -3,6 +3,7 @@
 #ifndef oversketch_studio_tool_h
 #define oversketch_studio_tool_h
 
+#include "hint_line.h"
 #include "session.h"
 #include "worker.h"
 
@@ -39,8 +40,11 @@ public:
   virtual QPainterPath icon() const = 0;
   // What mouse and keys do with it: pairs of keys and words, for the list of keys.
   virtual QVector<QPair<QString, QString>> keys() const = 0;
+  // What the pressure of a pen does with it.
+  virtual QString pressure() const { return tr("makes no difference to this tool"); }
   // What a person new to it reads on the shipped model.
   virtual QString hint() const { return {}; }
+  virtual HintShape hintShape() const { return HintShape::Limb; }
   // What to do next.
   struct Situation
   {
@@ -61,6 +65,10 @@ public:
   virtual void select(int) {}
   // What new steps are made with, for the bar above the viewport; null where there is nothing to choose.
   virtual QWidget* makeOptions(QWidget*) { return nullptr; }
+  // The same as values by names, to be kept as a set; none where there is nothing to choose. Lengths do not
+  // depend on the model that is open.
+  virtual oversketch_session::Values options() const { return {}; }
+  virtual void setOptions(const oversketch_session::Values&) {}
   // What else can be done with it while it is in the hand, for a menu.
   virtual QList<QAction*> actions() const { return {}; }
   // A second view of what it makes, for a panel beside the viewport, whose title is the widget's; null: none.
