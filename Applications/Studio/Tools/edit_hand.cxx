@@ -370,6 +370,7 @@ void EditHand::load(const Work& work, bool again)
   {
     this->Loaded.isInHistory = work.isInHistory;
     this->Loaded.mesh = work.mesh;
+    this->Loaded.step.mirror = work.step.mirror;
     return;
   }
   this->stopFollowing();
@@ -494,7 +495,9 @@ void EditHand::follow()
 vtkPolyData* EditHand::live()
 {
   const bool isShown = this->Widget->IsPreviewing() || !this->Widget->GetEdit()->PreviewEdit(this->Live);
-  return isShown ? this->Widget->GetOutput() : this->Live.Get();
+  vtkPolyData* live = isShown ? this->Widget->GetOutput() : this->Live.Get();
+  const auto& plane = this->Loaded.step.mirror;
+  return plane ? this->Mirrored.show(live, this->Widget->GetEdit(), *plane) : live;
 }
 
 void EditHand::stopFollowing()
