@@ -38,7 +38,7 @@ struct SessionFile
   // Of the mesh that the session showed: see digestOf. Empty when it was saved before the first result.
   std::string digest;
   // As it was saved; absent where nobody looked, and of programs that did not keep it.
-  std::optional<Look> look;
+  std::optional<Look> look = {};
 };
 
 // Hexadecimal MD5 of points (their type and bits) and polygons of a mesh: equal digests, equal meshes.
