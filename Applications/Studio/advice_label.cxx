@@ -1,16 +1,25 @@
 #include "advice_label.h"
 
+#include <QPainter>
+#include <QStyle>
+
 #include <algorithm>
 
 namespace oversketch_studio
 {
+
+namespace
+{
+
+constexpr int narrowest = 100; // px; before it has its place
+
+} // namespace
 
 AdviceLabel::AdviceLabel(QWidget* parent)
   : QLabel(parent)
 {
   this->setObjectName("advice");
   this->setIndent(6);
-  this->setWordWrap(true);
   this->setTextFormat(Qt::PlainText);                                // names of files may look like markup
   this->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // no text widens the window
 }
@@ -30,10 +39,29 @@ void AdviceLabel::resizeEvent(QResizeEvent* event)
   this->fit();
 }
 
+// A label that wraps asks its window for more height than it needs.
+void AdviceLabel::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  this->style()->drawItemText(&painter,
+    this->room(this->height()),
+    Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+    this->palette(),
+    this->isEnabled(),
+    this->text(),
+    this->foregroundRole());
+}
+
+QRect AdviceLabel::room(int height) const
+{
+  return { this->indent(), 0, std::max(0, this->width() - this->indent()), height };
+}
+
 void AdviceLabel::fit()
 {
-  const int two = 2 * this->fontMetrics().lineSpacing();
-  this->setMinimumHeight(std::max(two, this->heightForWidth(this->width())));
+  const QFontMetrics font = this->fontMetrics();
+  const int needed = font.boundingRect(this->room(QWIDGETSIZE_MAX), Qt::TextWordWrap, this->text()).height();
+  this->setMinimumHeight(std::max(2 * font.lineSpacing(), this->width() < narrowest ? 0 : needed));
 }
 
 } // namespace oversketch_studio

@@ -17,9 +17,11 @@ public:
   void setText(const QString& text);
 
 protected:
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  QRect room(int height) const;
   void fit();
 };
 

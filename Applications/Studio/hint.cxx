@@ -101,7 +101,7 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   constexpr double painted = 0.6; // of a dash and the gap after it
-  const int dashes = std::max(2, static_cast<int>(lengths.back() / (dash * ratio)));
+  const int dashes = std::max(7, static_cast<int>(lengths.back() / (dash * ratio)));
   for (int i = 0; i < dashes; ++i)
   {
     lines->InsertNextCell(2);

@@ -20,8 +20,8 @@ constexpr double beside = 3.0;   // the line lies so far outside the limb
 constexpr double widening = 8.0; // more than that at one level is no longer the limb
 constexpr double narrowest = 8.0;
 // Of a line on the body and a ring round it, in widths of the picture.
-constexpr double lineHalf = 0.06;
-constexpr double ringHalf[2] = { 0.13, 0.07 };
+constexpr double lineHalf = 0.08;
+constexpr double ringHalf[2] = { 0.15, 0.075 };
 constexpr int samples = 48;
 
 // The limb's two sides at a level.

@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "drawing_lines.h"
+#include "flow_layout.h"
 #include "message_words.h"
 #include "row_delegate.h"
 #include "row_texts.h"
@@ -11,7 +12,6 @@
 #include "step_panel.h"
 
 #include <QAction>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollBar>
@@ -73,14 +73,14 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   this->Empty->setAttribute(Qt::WA_TransparentForMouseEvents);
   this->makeActions();
 
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new FlowLayout;
+  buttons->setSpacing(4); // in one line in English
   for (QAction* one : this->buttonActions())
   {
     auto* button = new QToolButton(this);
     button->setDefaultAction(one);
     buttons->addWidget(button);
   }
-  buttons->addStretch();
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(this->List);
   auto* inList = new QVBoxLayout(this->List->viewport());

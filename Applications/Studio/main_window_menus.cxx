@@ -6,6 +6,7 @@
 #include "history_panel.h"
 #include "kept_note.h"
 #include "option_presets.h"
+#include "options_stack.h"
 #include "scene_panel.h"
 #include "systems.h"
 #include "tool.h"
@@ -194,7 +195,7 @@ void MainWindow::makeTools()
     return bar;
   };
   QToolBar* bar = fixed(Qt::TopToolBarArea, tr("Options"), "options_bar");
-  this->Options = new QStackedWidget(bar);
+  this->Options = new OptionsStack(bar);
   for (Tool* tool : this->Tools)
   {
     QWidget* options = tool->makeOptions(this->Options);
@@ -212,8 +213,8 @@ void MainWindow::makeTools()
   presets->setFocusPolicy(Qt::NoFocus); // keys have the menu
   const QAction* of = this->Presets->menuAction();
   connect(of, &QAction::changed, presets, [presets, of] { presets->setEnabled(of->isEnabled()); });
-  bar->addWidget(presets);
   bar->addWidget(space);
+  bar->addWidget(presets);
   bar->addActions({ this->Undo, this->Redo });
   this->Strip = fixed(Qt::LeftToolBarArea, tr("Tools"), "tools_strip");
   this->Strip->setIconSize(QSize(toolIcon, toolIcon));

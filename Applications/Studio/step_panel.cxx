@@ -62,6 +62,7 @@ void StepPanel::addPage(const SystemRow& row)
   auto* rows = new QWidget(scroll);
   auto* form = new QFormLayout(rows);
   form->setContentsMargins(0, 0, 0, 0);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (const Parameter& parameter : row.parameters)
   {
     const Field field = this->addField(parameter, rows, form);

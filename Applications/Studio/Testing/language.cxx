@@ -101,10 +101,10 @@ void writeTranslation(const QString& path, const Texts& texts)
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   QDataStream out(&file);
-  for (const quint8 magic :
+  for (const int magic :
     { 0x3c, 0xb8, 0x64, 0x18, 0xca, 0xef, 0x9c, 0x95, 0xcd, 0x21, 0x1c, 0xbf, 0x60, 0xa1, 0xbd, 0xdd })
   {
-    out << magic;
+    out << static_cast<quint8>(magic);
   }
   out << quint8(Hashes) << hashes << quint8(Messages) << messages;
 }

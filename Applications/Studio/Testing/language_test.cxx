@@ -1,4 +1,5 @@
 // The window in a language that nobody speaks: whatever is seen is in it, and nothing is cut off.
+#include "advice_label.h"
 #include "language.h"
 
 #include "document.h"
@@ -44,6 +45,13 @@ struct Shown
 Shown shownBy(const QWidget* widget)
 {
   const QFontMetrics font = widget->fontMetrics();
+  if (const auto* advice = qobject_cast<const AdviceLabel*>(widget))
+  {
+    const QRect room(0, 0, advice->width() - advice->indent(), QWIDGETSIZE_MAX);
+    return {
+      advice->text(), advice->height(), font.boundingRect(room, Qt::TextWordWrap, advice->text()).height()
+    };
+  }
   if (const auto* label = qobject_cast<const QLabel*>(widget))
   {
     if (label->wordWrap())

@@ -2,6 +2,7 @@
 
 #include "augment_options.h"
 #include "document.h"
+#include "flow_layout.h"
 #include "latency.h"
 #include "profile_editor.h"
 #include "viewport.h"
@@ -13,8 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-
-#include <QBoxLayout>
 
 #include <algorithm>
 #include <iterator>
@@ -168,7 +167,7 @@ QString AugmentTool::stage(const QString& name) const
 QWidget* AugmentTool::makeOptions(QWidget* parent)
 {
   QWidget* options = HeldStrokeTool::makeOptions(parent);
-  static_cast<QBoxLayout*>(options->layout())->insertWidget(0, this->Options);
+  static_cast<FlowLayout*>(options->layout())->insertWidget(0, this->Options);
   this->Options->show();
   return options;
 }

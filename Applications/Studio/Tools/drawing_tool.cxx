@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "drawing_pad.h"
+#include "flow_layout.h"
 #include "focus_frame.h"
 #include "message_words.h"
 #include "systems.h"
@@ -18,7 +19,6 @@
 
 #include <QAction>
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QRegularExpression>
 #include <QToolButton>
 
@@ -253,7 +253,7 @@ QString DrawingTool::stage(const QString& name) const
 QWidget* DrawingTool::makeOptions(QWidget* parent)
 {
   auto* options = new QWidget(parent);
-  auto* row = new QHBoxLayout(options);
+  auto* row = new FlowLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
   auto* magnetic = new QCheckBox(tr("Magnetic pen (F4)"), options);
   magnetic->setToolTip(this->Magnetic->toolTip());
@@ -268,7 +268,6 @@ QWidget* DrawingTool::makeOptions(QWidget* parent)
   auto* swap = new QToolButton(options);
   swap->setDefaultAction(this->Swap);
   row->addWidget(swap);
-  row->addStretch();
   return options;
 }
 
