@@ -148,7 +148,7 @@ void ViewMenu::makeCamera()
 {
   QMenu* menu = this->Camera.get();
   this->Parallel = this->addToggle(menu,
-    tr("O&rthographic"),
+    tr("Ort&hographic"),
     tr("5"),
     [this](bool on)
     {
