@@ -42,6 +42,7 @@ constexpr double tolerance = 0.02; // of the model's size: what lies so much beh
 StrokeLines::StrokeLines(Viewport* viewport)
   : QObject(viewport)
   , View(viewport)
+  , Renderer(viewport->renderer())
 {
   for (Drawn* drawn : { &this->Others, &this->Marked })
   {
@@ -60,14 +61,14 @@ StrokeLines::StrokeLines(Viewport* viewport)
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
     [](vtkObject*, unsigned long, void* self, void*) { static_cast<StrokeLines*>(self)->frameBegins(); });
-  viewport->renderer()->AddObserver(vtkCommand::StartEvent, this->Observer);
+  this->Renderer->AddObserver(vtkCommand::StartEvent, this->Observer);
   viewport->setMouseTracking(true);
   viewport->installEventFilter(this);
 }
 
 StrokeLines::~StrokeLines()
 {
-  this->View->renderer()->RemoveObserver(this->Observer);
+  this->Renderer->RemoveObserver(this->Observer);
 }
 
 void StrokeLines::set(const std::vector<oversketch_session::SharedData>& lines)

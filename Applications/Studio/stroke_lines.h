@@ -19,6 +19,7 @@ class vtkAppendPolyData;
 class vtkCallbackCommand;
 class vtkPolyData;
 class vtkPolyDataMapper;
+class vtkRenderer;
 
 namespace oversketch_studio
 {
@@ -67,6 +68,7 @@ private:
   void look(Drawn& drawn, float width, double opacity) const;
 
   Viewport* View;
+  vtkSmartPointer<vtkRenderer> Renderer; // which the view may let go of first
   std::vector<oversketch_session::SharedData> Lines;
   int Chosen = -1, Hovered = -1;
   vtkSmartPointer<vtkPolyData> Stroke;
