@@ -1,7 +1,5 @@
 #include "flow_layout.h"
 
-#include <QWidget>
-
 #include <algorithm>
 
 namespace oversketch_studio
@@ -27,13 +25,6 @@ int gapOf(const QLayout& layout)
 FlowLayout::~FlowLayout()
 {
   qDeleteAll(this->Items);
-}
-
-void FlowLayout::insertWidget(int at, QWidget* widget)
-{
-  this->addWidget(widget); // at the end
-  this->Items.move(this->Items.size() - 1, at);
-  this->invalidate();
 }
 
 void FlowLayout::addItem(QLayoutItem* item)

@@ -14,8 +14,6 @@ public:
   using QLayout::QLayout;
   ~FlowLayout() override;
 
-  void insertWidget(int at, QWidget* widget);
-
   void addItem(QLayoutItem* item) override;
   int count() const override { return this->Items.size(); }
   QLayoutItem* itemAt(int index) const override { return this->Items.value(index); }

@@ -22,6 +22,7 @@ namespace
 // px as Qt counts them.
 constexpr double gap = 12.0;
 constexpr double dash = 14.0; // with the gap after it
+constexpr int letters = 18, least = 7;
 
 } // namespace
 
@@ -30,7 +31,6 @@ Hint::Hint()
   vtkTextProperty* look = this->Text->GetTextProperty();
   look->SetJustificationToCentered();
   look->SetVerticalJustificationToBottom();
-  look->SetFontSize(18);
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(this->Dashes);
   this->Line->SetMapper(mapper);
@@ -117,7 +117,15 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
   this->Dashes->SetLines(lines);
   this->Line->GetProperty()->SetLineWidth(static_cast<float>(3.0 * ratio));
   double extent[2];
+  vtkTextProperty* look = this->Text->GetTextProperty();
+  look->SetFontSize(letters);
   this->Text->GetSize(renderer, extent);
+  // Smaller where the view is narrower than it.
+  if (const double room = renderer->GetSize()[0] - 2.0 * gap * ratio; extent[0] > room && room > 0.0)
+  {
+    look->SetFontSize(std::max(least, static_cast<int>(letters * room / extent[0])));
+    this->Text->GetSize(renderer, extent);
+  }
   const double half = 0.5 * extent[0] + gap * ratio;
   const int* size = renderer->GetSize();
   this->Text->SetPosition(std::max(half, std::min(top[0], size[0] - half)),

@@ -20,8 +20,8 @@ constexpr double beside = 3.0;   // the line lies so far outside the limb
 constexpr double widening = 8.0; // more than that at one level is no longer the limb
 constexpr double narrowest = 8.0;
 // Of a line on the body and a ring round it, in widths of the picture.
-constexpr double lineHalf = 0.08;
-constexpr double ringHalf[2] = { 0.15, 0.075 };
+constexpr double lineHalf = 0.055;
+constexpr double ringHalf[2] = { 0.118, 0.063 };
 constexpr int samples = 48;
 
 // The limb's two sides at a level.
@@ -118,14 +118,14 @@ Polyline hintLine(HintShape shape, const Polyline& picture, double ratio)
     most = most.cwiseMax(p);
   }
   const double wide = most[0] - least[0];
-  const Vector2 middle = 0.5 * (least + most) + wide * Vector2(-0.035, 0.035); // of a body over legs
+  const Vector2 middle = 0.5 * (least + most) + wide * Vector2(-0.0315, 0.0315); // of a body over legs
   Polyline line;
   if (shape == HintShape::Line)
   {
     for (int i = 0; i <= samples; ++i)
     {
       const double t = 2.0 * i / samples - 1.0;
-      line.emplace_back(middle + wide * Vector2(lineHalf * t, -0.01 * t * t));
+      line.emplace_back(middle + wide * Vector2(lineHalf * t, 0.0));
     }
     return line;
   }

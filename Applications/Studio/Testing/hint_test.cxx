@@ -63,7 +63,7 @@ struct Pupil : Scene
   void expectGood()
   {
     const auto& nodes = this->document->result().nodes;
-    ASSERT_EQ(nodes.size(), 1u);
+    ASSERT_EQ(nodes.size(), 1u) << qPrintable(this->window.findChild<QLabel*>("advice")->text());
     EXPECT_EQ(nodes[0].failure, "");
     EXPECT_EQ(nodes[0].remark, "");
     EXPECT_TRUE(this->view->hint().isEmpty()) << "it has been learned";
@@ -94,6 +94,9 @@ TEST(Hint, FollowedExactlyEachGivesAGoodResult)
     pupil.wait();
     QTest::keyClick(pupil.view, static_cast<Qt::Key>(tool->key()[0]));
     ASSERT_EQ(pupil.view->tool(), tool);
+    QApplication::processEvents();
+    pupil.wait();
+    QApplication::processEvents();
     if (tool->hint().isEmpty())
     {
       EXPECT_TRUE(pupil.view->hint().isEmpty()) << "another tool's hint";
@@ -103,6 +106,8 @@ TEST(Hint, FollowedExactlyEachGivesAGoodResult)
     pupil.followHint();
     if (pupil.document->session().nodes.empty()) // a line comes before its ring
     {
+      ASSERT_EQ(tool->hintShape(), HintShape::Ring)
+        << qPrintable(pupil.window.findChild<QLabel*>("advice")->text());
       pupil.followHint();
     }
     pupil.expectGood();

@@ -9,6 +9,7 @@
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -99,7 +100,7 @@ void expectPressure(vtkPolyData* stroke, const std::string& what)
   EXPECT_LT(range[1], 0.9) << what;
 }
 
-vtkPolyData* lastLines(Scene& scene, const char* input)
+vtkSmartPointer<vtkPolyData> lastLines(Scene& scene, const char* input)
 {
   return linesOf(*scene.document->session().nodes.back().step, input);
 }

@@ -2,7 +2,6 @@
 
 #include "augment_options.h"
 #include "document.h"
-#include "flow_layout.h"
 #include "latency.h"
 #include "profile_editor.h"
 #include "viewport.h"
@@ -14,6 +13,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+
+#include <QLayout>
 
 #include <algorithm>
 #include <iterator>
@@ -166,10 +167,19 @@ QString AugmentTool::stage(const QString& name) const
 
 QWidget* AugmentTool::makeOptions(QWidget* parent)
 {
-  QWidget* options = HeldStrokeTool::makeOptions(parent);
-  static_cast<FlowLayout*>(options->layout())->insertWidget(0, this->Options);
+  this->Options->setParent(parent);
   this->Options->show();
-  return options;
+  // In the same lines.
+  if (QWidget* mirror = HeldStrokeTool::makeOptions(this->Options))
+  {
+    while (QLayoutItem* item = mirror->layout()->takeAt(0))
+    {
+      this->Options->layout()->addWidget(item->widget());
+      delete item;
+    }
+    delete mirror;
+  }
+  return this->Options;
 }
 
 // Lengths as shares of the model's size.
