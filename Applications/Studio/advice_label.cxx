@@ -59,9 +59,10 @@ QRect AdviceLabel::room(int height) const
 
 void AdviceLabel::fit()
 {
-  const QFontMetrics font = this->fontMetrics();
-  const int needed = font.boundingRect(this->room(QWIDGETSIZE_MAX), Qt::TextWordWrap, this->text()).height();
-  this->setMinimumHeight(std::max(2 * font.lineSpacing(), this->width() < narrowest ? 0 : needed));
+  const auto high = [this](const QString& text)
+  { return this->fontMetrics().boundingRect(this->room(QWIDGETSIZE_MAX), Qt::TextWordWrap, text).height(); };
+  const int usual = high("x\nx"); // two lines are less than twice as high as one
+  this->setMinimumHeight(this->width() < narrowest ? usual : std::max(usual, high(this->text())));
 }
 
 } // namespace oversketch_studio
