@@ -49,9 +49,7 @@ bool HandGestures::scroll(const QWheelEvent& event)
   vtkOversketchInteractorStyle* camera = this->View->camera();
   if (event.modifiers() & Qt::ControlModifier)
   {
-    const QPointF at = ratio * event.position();
-    camera->ZoomAt(
-      std::exp(by.y() / ratio / fingersOfZoom), at.x(), ratio * this->View->height() - 1.0 - at.y());
+    this->View->zoomAt(std::exp(by.y() / ratio / fingersOfZoom), event.position());
   }
   else if (event.modifiers() & Qt::ShiftModifier)
   {
@@ -70,9 +68,7 @@ bool HandGestures::pinch(const QNativeGestureEvent& event)
   {
     return false;
   }
-  const double ratio = this->View->devicePixelRatioF();
-  const QPointF at = ratio * event.localPos();
-  this->View->camera()->ZoomAt(1.0 + event.value(), at.x(), ratio * this->View->height() - 1.0 - at.y());
+  this->View->zoomAt(1.0 + event.value(), event.localPos());
   return true;
 }
 

@@ -83,12 +83,7 @@ Viewport::Viewport(QWidget* parent)
   connect(this->Rest, &QTimer::timeout, this, &Viewport::smoothEdges);
   new TouchHand(this,
     { [this] { return this->CurrentTool && (this->CurrentTool->draws() || this->CurrentTool->moves()); },
-      [this](double factor, const QPointF&)
-      {
-        this->hideHint();
-        emit this->cameraMoves();
-        this->Style->SetZoom(factor * this->Style->GetZoom());
-      } });
+      [this](double factor, const QPointF& at) { this->zoomAt(factor, at); } });
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Model"));
   this->fitScreen();
@@ -222,6 +217,12 @@ void Viewport::renderNow()
 {
   this->render();
   this->repaint();
+}
+
+void Viewport::zoomAt(double factor, const QPointF& at)
+{
+  const double ratio = this->devicePixelRatioF();
+  this->Style->ZoomAt(factor, ratio * at.x(), ratio * (this->height() - at.y()) - 1.0);
 }
 
 // Qt puts a repaint off that follows closely on the last.

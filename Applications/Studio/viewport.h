@@ -84,6 +84,7 @@ public:
   Display& display() { return this->Looks; }
   vtkOversketchInteractorStyle* camera() { return this->Style; }
   vtkRenderer* renderer() { return this->Renderer; }
+  void zoomAt(double factor, const QPointF& at); // a place of the widget
   void setHandCursor(Qt::CursorShape shape);
   // A frame with the next turn of the event loop, and at once.
   void renderSoon();
