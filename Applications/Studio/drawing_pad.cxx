@@ -20,6 +20,7 @@
 #include <QMouseEvent>
 #include <QRegularExpression>
 #include <QTabletEvent>
+#include <QTimer>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -223,7 +224,15 @@ void DrawingPad::resizeGL(int width, int height)
 void DrawingPad::tabletEvent(QTabletEvent* event)
 {
   // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  this->Widget->GetPen()->SetPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+  if (event->type() == QEvent::TabletRelease)
+  {
+    // The mouse's release is the line's last sample.
+    QTimer::singleShot(0, this, [this] { this->Widget->GetPen()->SetPressure(1.0); });
+  }
+  else
+  {
+    this->Widget->GetPen()->SetPressure(event->pressure());
+  }
   event->ignore();
 }
 

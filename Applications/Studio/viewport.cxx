@@ -588,9 +588,20 @@ void Viewport::screenshot(const QString& path, bool overlays)
 void Viewport::tabletEvent(QTabletEvent* event)
 {
   // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  if (this->CurrentTool)
+  const auto press = [this](double pressure)
   {
-    this->CurrentTool->setPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+    if (this->CurrentTool)
+    {
+      this->CurrentTool->setPressure(pressure);
+    }
+  };
+  if (event->type() == QEvent::TabletRelease)
+  {
+    QTimer::singleShot(0, this, [press] { press(1.0); }); // the mouse's release is the line's last sample
+  }
+  else
+  {
+    press(event->pressure());
   }
   event->ignore();
 }

@@ -102,7 +102,8 @@ void expectPressure(vtkPolyData* stroke, const std::string& what)
 
 vtkSmartPointer<vtkPolyData> lastLines(Scene& scene, const char* input)
 {
-  return linesOf(*scene.document->session().nodes.back().step, input);
+  const auto& nodes = scene.document->session().nodes;
+  return nodes.empty() ? nullptr : linesOf(*nodes.back().step, input);
 }
 
 } // namespace
@@ -110,6 +111,7 @@ vtkSmartPointer<vtkPolyData> lastLines(Scene& scene, const char* input)
 TEST(Pen, PressureReachesTheStrokesOfEveryTool)
 {
   Scene scene;
+  QApplication::setActiveWindow(&scene.window);
   for (Tool* tool : scene.view->findChildren<Tool*>())
   {
     scene.view->setTool(tool);
@@ -118,7 +120,13 @@ TEST(Pen, PressureReachesTheStrokesOfEveryTool)
     EXPECT_FALSE(tool->pressure().isEmpty());
   }
   const QPoint middle = scene.seen(scene.document->result().mesh->GetCenter()) - QPoint(20, 20);
-  const auto take = [&](Qt::Key key) { QTest::keyClick(scene.view, key); };
+  const auto take = [&](Qt::Key key)
+  {
+    QTest::keyClick(scene.view, key);
+    QApplication::processEvents();
+    scene.wait();
+    QApplication::processEvents();
+  };
   take(Qt::Key_B);
   drawWithPen(scene.view, straight(middle - QPoint(60, 0), middle + QPoint(60, 0)));
   scene.wait();
@@ -262,6 +270,7 @@ TEST(Pen, OptionsAreKeptUnderANameAndTakenUpAgain)
 {
   QSettings().remove("presets");
   Scene scene;
+  QApplication::setActiveWindow(&scene.window);
   auto* presets = scene.window.findChild<OptionPresets*>();
   ASSERT_TRUE(presets);
   QTest::keyClick(scene.view, Qt::Key_B);
