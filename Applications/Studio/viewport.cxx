@@ -349,10 +349,6 @@ bool Viewport::event(QEvent* event)
       return true;
     }
   }
-  if (this->Gestures.moves(event))
-  {
-    return true;
-  }
   const bool press = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
   const bool release = type == QEvent::MouseButtonRelease && this->CurrentTool && this->CurrentTool->draws();
   if (press || type == QEvent::Wheel || type == QEvent::KeyPress)
@@ -371,7 +367,7 @@ bool Viewport::event(QEvent* event)
       this->paintNow();
     }
   }
-  return QVTKOpenGLNativeWidget::event(event);
+  return this->Gestures.moves(event) || QVTKOpenGLNativeWidget::event(event);
 }
 
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)

@@ -347,6 +347,10 @@ int Hand::editOfARegion()
   {
     QTest::keyClick(this->View, Qt::Key_Return);
   }
+  if (!this->oneIn(4))
+  {
+    QTest::keyClick(this->View, Qt::Key_W); // wheel and drags have led the model away from the middle
+  }
   const QPoint middle = this->near(this->View->rect().center(), this->oneIn(3) ? 120 : 40);
   const int length = 4 + this->upTo(50), around = length + 4 + this->upTo(40);
   const auto ring = [&](int steps, double share)
@@ -481,11 +485,9 @@ int Hand::key()
     Qt::Key_E,
     Qt::Key_A,
     Qt::Key_S,
-    Qt::Key_6,
-    Qt::Key_9,
-    Qt::Key_0,
     Qt::Key_5,
     Qt::Key_U,
+    Qt::Key_0,
     Qt::Key_V,
     Qt::Key_F4,
     Qt::Key_T,
