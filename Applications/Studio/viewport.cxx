@@ -335,10 +335,6 @@ bool Viewport::event(QEvent* event)
       return true;
     }
   }
-  if (this->Gestures.moves(event))
-  {
-    return true;
-  }
   const bool press = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
   const bool release = type == QEvent::MouseButtonRelease && this->CurrentTool && this->CurrentTool->draws();
   if (press || type == QEvent::Wheel || type == QEvent::KeyPress)
@@ -357,7 +353,7 @@ bool Viewport::event(QEvent* event)
       this->paintNow();
     }
   }
-  return QVTKOpenGLNativeWidget::event(event);
+  return this->Gestures.moves(event) || QVTKOpenGLNativeWidget::event(event);
 }
 
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)

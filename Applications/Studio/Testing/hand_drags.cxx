@@ -154,6 +154,10 @@ int Hand::editOfARegion()
   {
     QTest::keyClick(this->View, Qt::Key_Return);
   }
+  if (!this->oneIn(4))
+  {
+    QTest::keyClick(this->View, Qt::Key_W); // wheel and drags have led the model away from the middle
+  }
   const QPoint middle = this->near(this->View->rect().center(), this->oneIn(3) ? 120 : 40);
   const int length = 4 + this->upTo(50), around = length + 4 + this->upTo(40);
   const auto ring = [&](int steps, double share)
