@@ -42,6 +42,7 @@ constexpr double tolerance = 0.02; // of the model's size: what lies so much beh
 StrokeLines::StrokeLines(Viewport* viewport)
   : QObject(viewport)
   , View(viewport)
+  , Renderer(viewport->renderer())
 {
   for (Drawn* drawn : { &this->Others, &this->Marked })
   {
@@ -67,7 +68,10 @@ StrokeLines::StrokeLines(Viewport* viewport)
 
 StrokeLines::~StrokeLines()
 {
-  this->View->renderer()->RemoveObserver(this->Observer);
+  if (this->Renderer) // it may go first, with the view
+  {
+    this->Renderer->RemoveObserver(this->Observer);
+  }
 }
 
 void StrokeLines::set(const std::vector<oversketch_session::SharedData>& lines)

@@ -8,6 +8,7 @@
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <QObject>
 #include <QPoint>
@@ -15,10 +16,10 @@
 #include <vector>
 
 class vtkActor;
-class vtkAppendPolyData;
 class vtkCallbackCommand;
 class vtkPolyData;
 class vtkPolyDataMapper;
+class vtkRenderer;
 
 namespace oversketch_studio
 {
@@ -67,6 +68,7 @@ private:
   void look(Drawn& drawn, float width, double opacity) const;
 
   Viewport* View;
+  vtkWeakPointer<vtkRenderer> Renderer; // of the view
   std::vector<oversketch_session::SharedData> Lines;
   int Chosen = -1, Hovered = -1;
   vtkSmartPointer<vtkPolyData> Stroke;
