@@ -67,7 +67,7 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
 {
   this->List->setObjectName("history");
   this->List->setToolTip(tr("The strokes, in the order in which they act. Unticked strokes do nothing."));
-  this->List->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  this->List->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   this->List->setAccessibleName(tr("Strokes"));
   this->Empty->setWordWrap(true);
   this->Empty->setAttribute(Qt::WA_TransparentForMouseEvents);

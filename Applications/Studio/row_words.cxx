@@ -68,10 +68,10 @@ QString wordsOf(const Node& node, const Worker::NodeState* state)
     return Texts::tr("did nothing");
   }
   const QString deed = deedOf(*node.step, *state);
-  const QString verdict = !state->remark.empty() ? Texts::tr("look at it")
-                          : state->elsewhere     ? Texts::tr("in another place")
-                                                 : QString();
-  return deed.isEmpty() || verdict.isEmpty() ? deed + verdict : Texts::tr("%1; %2").arg(deed, verdict);
+  // Of a remark there is a mark.
+  return !state->elsewhere ? deed
+         : deed.isEmpty()  ? Texts::tr("elsewhere")
+                           : Texts::tr("elsewhere; %1").arg(deed);
 }
 
 QString whyNotBefore(const Node& step, const Node& needed)

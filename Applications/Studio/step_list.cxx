@@ -250,7 +250,7 @@ void StepList::paintEvent(QPaintEvent* event)
   }
   if (this->Hand == Held::Row && this->Slot >= 0)
   {
-    painter.setPen(QPen(accent, 3.0));
+    painter.setPen(QPen(this->palette().color(QPalette::Text), 3.0)); // also beside the selected row
     const int y = std::clamp(this->edgeOf(this->Slot), 2, this->viewport()->height() - 2);
     painter.drawLine(4, y, this->viewport()->width() - 4, y);
   }

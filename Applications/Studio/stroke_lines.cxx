@@ -61,14 +61,17 @@ StrokeLines::StrokeLines(Viewport* viewport)
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
     [](vtkObject*, unsigned long, void* self, void*) { static_cast<StrokeLines*>(self)->frameBegins(); });
-  this->Renderer->AddObserver(vtkCommand::StartEvent, this->Observer);
+  viewport->renderer()->AddObserver(vtkCommand::StartEvent, this->Observer);
   viewport->setMouseTracking(true);
   viewport->installEventFilter(this);
 }
 
 StrokeLines::~StrokeLines()
 {
-  this->Renderer->RemoveObserver(this->Observer);
+  if (this->Renderer) // it may go first, with the view
+  {
+    this->Renderer->RemoveObserver(this->Observer);
+  }
 }
 
 void StrokeLines::set(const std::vector<oversketch_session::SharedData>& lines)

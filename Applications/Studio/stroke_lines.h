@@ -8,6 +8,7 @@
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <QObject>
 #include <QPoint>
@@ -15,7 +16,6 @@
 #include <vector>
 
 class vtkActor;
-class vtkAppendPolyData;
 class vtkCallbackCommand;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -68,7 +68,7 @@ private:
   void look(Drawn& drawn, float width, double opacity) const;
 
   Viewport* View;
-  vtkSmartPointer<vtkRenderer> Renderer; // which the view may let go of first
+  vtkWeakPointer<vtkRenderer> Renderer; // of the view
   std::vector<oversketch_session::SharedData> Lines;
   int Chosen = -1, Hovered = -1;
   vtkSmartPointer<vtkPolyData> Stroke;

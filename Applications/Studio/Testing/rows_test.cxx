@@ -188,7 +188,6 @@ TEST(Rows, ShowWhatEachStepDidAndAreDragged)
   const auto drawn = scene.document->result().nodes[0].picture;
 
   // Off says so; on again, the picture is the one that was made.
-  scene.action("&On or off")->trigger(); // nothing is selected: nothing happens
   scene.list->setCurrentRow(0);
   scene.action("&On or off")->trigger();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.nodes()[0].on; }, 60000));
@@ -282,6 +281,7 @@ TEST(Rows, ShowWhatEachStepDidAndAreDragged)
   scene.wait();
   EXPECT_EQ(scene.document->shownTo(), 3);
   scene.list->setCurrentRow(1);
+  QApplication::setActiveWindow(&scene.window); // the menu was it
   scene.view->setFocus();
   QTest::keyClick(scene.view, Qt::Key_Delete); // whatever has the focus
   scene.wait();
