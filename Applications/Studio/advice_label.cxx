@@ -11,7 +11,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int narrowest = 100; // px; before it has its place
+constexpr double smallest = 0.6; // of the window's letters
 
 } // namespace
 
@@ -22,27 +22,31 @@ AdviceLabel::AdviceLabel(QWidget* parent)
   this->setIndent(6);
   this->setTextFormat(Qt::PlainText);                                // names of files may look like markup
   this->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // no text widens the window
+  this->setFixedHeight(2 * this->fontMetrics().lineSpacing());
 }
 
-void AdviceLabel::setText(const QString& text)
+QFont AdviceLabel::fitting() const
 {
-  if (text != this->text())
+  QFont font = this->font();
+  const double whole = font.pointSizeF();
+  const auto isWhole = [&]
   {
-    QLabel::setText(text);
-    this->fit();
+    return QFontMetrics(font)
+             .boundingRect(this->room(QWIDGETSIZE_MAX), Qt::TextWordWrap, this->text())
+             .height() <= this->height();
+  };
+  for (double size = whole; size > smallest * whole && !isWhole(); size -= 0.5)
+  {
+    font.setPointSizeF(size);
   }
+  return font;
 }
 
-void AdviceLabel::resizeEvent(QResizeEvent* event)
-{
-  QLabel::resizeEvent(event);
-  this->fit();
-}
-
-// A label that wraps asks its window for more height than it needs.
+// A label that wraps by itself asks its window for more height than it needs.
 void AdviceLabel::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
+  painter.setFont(this->fitting());
   this->style()->drawItemText(&painter,
     this->room(this->height()),
     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
@@ -55,14 +59,6 @@ void AdviceLabel::paintEvent(QPaintEvent*)
 QRect AdviceLabel::room(int height) const
 {
   return { this->indent(), 0, std::max(0, this->width() - this->indent()), height };
-}
-
-void AdviceLabel::fit()
-{
-  const auto high = [this](const QString& text)
-  { return this->fontMetrics().boundingRect(this->room(QWIDGETSIZE_MAX), Qt::TextWordWrap, text).height(); };
-  const int usual = high("x\nx"); // two lines are less than twice as high as one
-  this->setMinimumHeight(this->width() < narrowest ? usual : std::max(usual, high(this->text())));
 }
 
 } // namespace oversketch_studio

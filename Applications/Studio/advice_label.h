@@ -1,5 +1,5 @@
-// What to do next, at the foot of the window: in as many lines as it needs, at least two, so that the view
-// seldom changes its size with it.
+// What to do next, at the foot of the window: two lines high, so that the view keeps its size, in smaller
+// letters where it needs more.
 #ifndef oversketch_studio_advice_label_h
 #define oversketch_studio_advice_label_h
 
@@ -14,15 +14,14 @@ class AdviceLabel : public QLabel
 
 public:
   explicit AdviceLabel(QWidget* parent = nullptr);
-  void setText(const QString& text);
+  // The letters in which all of it is seen.
+  QFont fitting() const;
 
 protected:
   void paintEvent(QPaintEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
 private:
   QRect room(int height) const;
-  void fit();
 };
 
 } // namespace oversketch_studio

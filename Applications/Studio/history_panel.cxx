@@ -74,7 +74,7 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   this->makeActions();
 
   auto* buttons = new FlowLayout;
-  buttons->setSpacing(4); // in one line in English
+  buttons->setSpacing(2); // in one line in English
   for (QAction* one : this->buttonActions())
   {
     auto* button = new QToolButton(this);

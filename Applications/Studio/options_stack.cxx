@@ -18,7 +18,9 @@ QSize OptionsStack::sizeHint() const
 
 QSize OptionsStack::minimumSizeHint() const
 {
-  return this->currentWidget() ? this->currentWidget()->minimumSizeHint() : QSize(0, 0);
+  // One line high: how many there are is known with the width.
+  const QWidget* shown = this->currentWidget();
+  return shown ? QSize(shown->minimumSizeHint().width(), shown->sizeHint().height()) : QSize(0, 0);
 }
 
 void OptionsStack::resizeEvent(QResizeEvent* event)

@@ -118,7 +118,8 @@ class Sitting:
         image = vtkPNGReader()
         image.SetFileName(str(path))
         image.Update()
-        assert image.GetOutput().GetDimensions()[:2] == tuple(self.scale * value for value in VIEW)
+        size = image.GetOutput().GetDimensions()[:2]
+        assert size == tuple(self.scale * value for value in VIEW), size
         half = vtkImageShrink3D()
         half.SetInputConnection(image.GetOutputPort())
         half.SetShrinkFactors(2 * self.scale, 2 * self.scale, 1)

@@ -48,9 +48,9 @@ Shown shownBy(const QWidget* widget)
   if (const auto* advice = qobject_cast<const AdviceLabel*>(widget))
   {
     const QRect room(0, 0, advice->width() - advice->indent(), QWIDGETSIZE_MAX);
-    return {
-      advice->text(), advice->height(), font.boundingRect(room, Qt::TextWordWrap, advice->text()).height()
-    };
+    return { advice->text(),
+      advice->height(),
+      QFontMetrics(advice->fitting()).boundingRect(room, Qt::TextWordWrap, advice->text()).height() };
   }
   if (const auto* label = qobject_cast<const QLabel*>(widget))
   {

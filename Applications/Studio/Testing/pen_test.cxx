@@ -154,6 +154,8 @@ TEST(Pen, PressureReachesTheStrokesOfEveryTool)
   drawWithPen(scene.view, arch);
   scene.wait();
   expectPressure(lastLines(scene, "Stroke"), "outline");
+  scene.document->undo();
+  scene.wait();
   // And the picture's.
   scene.window.openPicture({});
   scene.document->discardAutosave();

@@ -172,12 +172,7 @@ QWidget* AugmentTool::makeOptions(QWidget* parent)
   // In the same lines.
   if (QWidget* mirror = HeldStrokeTool::makeOptions(this->Options))
   {
-    while (QLayoutItem* item = mirror->layout()->takeAt(0))
-    {
-      this->Options->layout()->addWidget(item->widget());
-      delete item;
-    }
-    delete mirror;
+    this->Options->layout()->addWidget(mirror);
   }
   return this->Options;
 }

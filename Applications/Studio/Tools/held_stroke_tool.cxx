@@ -1,7 +1,6 @@
 #include "held_stroke_tool.h"
 
 #include "document.h"
-#include "flow_layout.h"
 #include "latency.h"
 #include "mirror_choice.h"
 #include "systems.h"
@@ -21,6 +20,7 @@
 #include "vtkRenderWindowInteractor.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 
 #include <algorithm>
@@ -125,10 +125,11 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
   this->Mirror->setToolTip(tr(
     "What you draw next also acts on the other side of this plane, whether the two sides are alike or not. "
     "Off: on one side only."));
-  auto* row = new FlowLayout(options);
+  auto* row = new QHBoxLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
   row->addWidget(label);
   row->addWidget(this->Mirror);
+  row->addStretch();
   connect(this->Mirror,
     QOverload<int>::of(&QComboBox::activated),
     this,
