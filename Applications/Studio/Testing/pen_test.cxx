@@ -186,7 +186,7 @@ TEST(Pen, OneFingerDrawsTwoTurnAndZoom)
   const auto two = [&](const QPoint& a, const QPoint& b, const QPoint& toA, const QPoint& toB)
   {
     QTest::touchEvent(scene.view, screen).press(0, a, scene.view);
-    QTest::touchEvent(scene.view, screen).stationary(0).press(1, b, scene.view);
+    QTest::touchEvent(scene.view, screen).move(0, a, scene.view).press(1, b, scene.view);
     for (int i = 1; i <= 10; ++i)
     {
       QTest::touchEvent(scene.view, screen)
@@ -194,7 +194,7 @@ TEST(Pen, OneFingerDrawsTwoTurnAndZoom)
         .move(1, b + (toB - b) * i / 10, scene.view);
       QApplication::processEvents();
     }
-    QTest::touchEvent(scene.view, screen).stationary(0).release(1, toB, scene.view);
+    QTest::touchEvent(scene.view, screen).move(0, toA, scene.view).release(1, toB, scene.view);
     QTest::touchEvent(scene.view, screen).release(0, toA, scene.view);
   };
   two(middle - QPoint(50, 0), middle + QPoint(50, 0), middle - QPoint(75, 0), middle + QPoint(75, 0));
@@ -233,7 +233,7 @@ TEST(Pen, OneFingerDrawsTwoTurnAndZoom)
   // A second finger takes back what the first had begun.
   draw(0);
   EXPECT_TRUE(scene.view->tool()->draws());
-  QTest::touchEvent(scene.view, screen).stationary(0).press(1, middle, scene.view);
+  QTest::touchEvent(scene.view, screen).move(0, at(0), scene.view).press(1, middle, scene.view);
   EXPECT_FALSE(scene.view->tool()->draws());
   QTest::touchEvent(scene.view, screen).release(0, at(0), scene.view).release(1, middle, scene.view);
   scene.wait();
