@@ -16,17 +16,25 @@ Json::Value jsonOf(const Look& look)
   json["angle"] = look.angle;
   json["height"] = look.height;
   json["parallel"] = look.parallel;
+  json["shift"].append(look.shift[0]);
+  json["shift"].append(look.shift[1]);
   return json;
 }
 
 Look lookOf(const JsonReader& json)
 {
+  const std::vector<double> shift = json.numbers("shift");
+  if (shift.size() != 2)
+  {
+    json.refuse("shift", "is not two numbers");
+  }
   const Look look{ json.point("position"),
     json.point("focus"),
     json.point("up"),
     json.number("angle"),
     json.number("height"),
-    json.yes("parallel") };
+    json.yes("parallel"),
+    { shift[0], shift[1] } };
   double along[3], across[3];
   vtkMath::Subtract(look.focus.data(), look.position.data(), along);
   vtkMath::Cross(along, look.up.data(), across);

@@ -4,6 +4,8 @@
 
 #include "json_reader.h"
 
+#include <array>
+
 namespace oversketch_session
 {
 
@@ -11,14 +13,16 @@ namespace oversketch_session
 struct Look
 {
   Point position{}, focus{}, up{};
-  double angle = 30.0;   // that is seen from top to bottom [degrees]
-  double height = 1.0;   // half of what is seen where lines of sight are parallel
-  bool parallel = false; // lines of sight are
+  double angle = 30.0;           // that is seen from top to bottom [degrees]
+  double height = 1.0;           // half of what is seen where lines of sight are parallel
+  bool parallel = false;         // lines of sight are
+  std::array<double, 2> shift{}; // of the picture's middle [halves of its width and height]
 
   bool operator==(const Look& other) const
   {
     return this->position == other.position && this->focus == other.focus && this->up == other.up &&
-           this->angle == other.angle && this->height == other.height && this->parallel == other.parallel;
+           this->angle == other.angle && this->height == other.height && this->parallel == other.parallel &&
+           this->shift == other.shift;
   }
 };
 

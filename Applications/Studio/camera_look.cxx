@@ -20,6 +20,7 @@ Look lookOf(Viewport& view)
   look.angle = camera->GetViewAngle();
   look.height = camera->GetParallelScale();
   look.parallel = camera->GetParallelProjection() != 0;
+  camera->GetWindowCenter(look.shift.data());
   return look;
 }
 
@@ -32,6 +33,7 @@ void lookAs(const Look& look, Viewport& view)
   camera->SetViewAngle(look.angle);
   camera->SetParallelScale(look.height);
   camera->SetParallelProjection(look.parallel);
+  camera->SetWindowCenter(look.shift[0], look.shift[1]);
   view.renderer()->ResetCameraClippingRange();
   view.renderSoon();
 }

@@ -17,7 +17,9 @@ namespace
 
 Look fromTheSide()
 {
-  return { { 1.0 / 3.0, 2.0, -5.0 }, { 0.0, 0.1, 0.0 }, { 0.0, 1.0, 1e-3 }, 42.5, 0.7, true };
+  return {
+    { 1.0 / 3.0, 2.0, -5.0 }, { 0.0, 0.1, 0.0 }, { 0.0, 1.0, 1e-3 }, 42.5, 0.7, true, { 0.3, -1.0 / 7.0 }
+  };
 }
 
 // session.json with one text in place of another.
@@ -80,6 +82,11 @@ TEST(Look, FromWhichNothingIsSeenIsRefused)
   EXPECT_TRUE(change([](Look& look) { look.up = { 0.0, 0.0, 0.0 }; }));
   EXPECT_TRUE(change([](Look& look) { look.angle = 180.0; }));
   EXPECT_TRUE(change([](Look& look) { look.height = 0.0; }));
+  file.look = fromTheSide();
+  EXPECT_THROW(
+    decode(withText(Encoder().encode(file), "\"shift\" : \n", "\"shift\" : [], \"other\" :\n"), "a"),
+    oversketch_files::Failed)
+    << "a look without a shift";
 }
 
 TEST(History, KnowsWhatIsSaved)
