@@ -265,7 +265,8 @@ TEST(Rows, ShowWhatEachStepDidAndAreDragged)
       menu->close();
     });
   emit scene.list->customContextMenuRequested(scene.middleOf(0));
-  for (const char* entry : { "Rename", "On or off", "Redraw", "View", "Delete", "Show to here", "Duplicate" })
+  for (const char* entry :
+    { "Rename", "On or off", "Redraw", "Its view", "Delete", "Show to here", "Duplicate" })
   {
     EXPECT_TRUE(entries.contains(entry)) << entry;
   }
