@@ -5,6 +5,7 @@
 #include "vtkOversketchFlatten.h"
 #include "vtkOversketchInsertCurve.h"
 #include "vtkOversketchMatrixDeform.h"
+#include "vtkOversketchNurbsFit.h"
 #include "vtkOversketchResketch.h"
 #include "vtkOversketchScanFill.h"
 #include "vtkOversketchShadingLevels.h"
