@@ -242,8 +242,10 @@ void HistoryPanel::makeActions()
     this,
     [this]
     {
-      QListWidgetItem* item = this->List->currentItem();
-      item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
+      if (QListWidgetItem* item = this->List->currentItem())
+      {
+        item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
+      }
     });
   connect(this->Again, &QAction::triggered, this, [this] { this->OpenDocument->duplicate(this->current()); });
   connect(
