@@ -131,8 +131,10 @@ bool AxisGizmo::event(QEvent* event)
     const QString sides[3][2] = {
       { tr("Right"), tr("Left") }, { tr("Top"), tr("Bottom") }, { tr("Front"), tr("Back") }
     };
-    QToolTip::showText(
-      help->globalPos(), end ? sides[end->axis][end->negative] : tr("Drag to turn the model"), this);
+    if (end)
+    {
+      QToolTip::showText(help->globalPos(), sides[end->axis][end->negative], this);
+    }
     return true;
   }
   return QWidget::event(event);
@@ -188,13 +190,21 @@ void AxisGizmo::mousePressEvent(QMouseEvent* event)
 {
   this->Pressed = this->Last = event->pos();
   this->Turns = false;
+  this->Passes = !this->endAt(event->pos());
+  event->setAccepted(!this->Passes); // else it is the view's: handles may lie between the ends
 }
 
 void AxisGizmo::mouseMoveEvent(QMouseEvent* event)
 {
+  if (this->Passes)
+  {
+    event->ignore();
+    return;
+  }
   if (!(event->buttons() & Qt::LeftButton))
   {
     this->setHovered(this->endAt(event->pos()));
+    event->setAccepted(this->Hovered.has_value());
     return;
   }
   this->Turns =
@@ -212,6 +222,11 @@ void AxisGizmo::mouseMoveEvent(QMouseEvent* event)
 
 void AxisGizmo::mouseReleaseEvent(QMouseEvent* event)
 {
+  if (std::exchange(this->Passes, false))
+  {
+    event->ignore();
+    return;
+  }
   const auto end = this->endAt(this->Pressed);
   if (event->button() == Qt::LeftButton && !this->Turns && end && end == this->endAt(event->pos()))
   {

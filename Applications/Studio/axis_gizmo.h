@@ -63,6 +63,7 @@ private:
   std::optional<End> Hovered;
   QPoint Pressed, Last;
   bool Turns = false, Dark = true, Parallel = false;
+  bool Passes = false; // what goes on from a press beside the ends is the view's
 };
 
 } // namespace oversketch_studio

@@ -19,6 +19,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path[:0] = [str(SOURCE / "Testing" / "Studio"), str(SOURCE / "Testing" / "Pictures")]
 import compare  # noqa: E402
+import reader  # noqa: E402
 from desk import until  # noqa: E402
 from sitting import DOG, TAIL, VIEW, Sitting, digest, mesh, sitting  # noqa: E402, F401
 
@@ -241,6 +242,8 @@ def test_a_bad_file_is_told_and_nothing_is_lost(sitting, tmp_path):
     sitting.draw(TAIL)
     tail = sitting.shows(1)
     desk.drop(bad, 400, 400)
+    sitting.click("button", "Discard")  # before anything is read
+    until(lambda: not reader.shown(sitting.studio.process.pid, "button", "Discard"), "the question is answered")
     sitting.dialogue()
     sitting.shot("bad_file")
     desk.key("Return")
@@ -258,12 +261,17 @@ def test_bad_use(sitting, arguments):
     assert not (sitting.home / "state").exists()
 
 
+AXES = 120  # px; of the corner that shows them, in colours
+
+
 def pixels_like(sitting, colour):
     """How many pixels of the view, on the screen, are about of a colour."""
     view = sitting.view
     image = sitting.desk.picture(view.left, view.top, view.width, view.height)
-    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
-    return int((abs(pixels - colour).max(axis=1) < 40).sum())
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int).reshape(view.height, view.width, -1)
+    like = abs(pixels - colour).max(axis=2) < 40
+    like[:AXES, -AXES:] = like[-AXES:, -AXES:] = False  # wherever pictures begin
+    return int(like.sum())
 
 
 def orange_pixels(sitting):

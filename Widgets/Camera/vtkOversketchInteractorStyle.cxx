@@ -344,7 +344,16 @@ void vtkOversketchInteractorStyle::ZoomAt(double factor, double x, double y)
 
 void vtkOversketchInteractorStyle::SetParallelProjection(bool parallel)
 {
-  this->Inner->step([&](FirstView& first) { first.setParallel(parallel); });
+  if (parallel != this->GetParallelProjection())
+  {
+    this->Inner->step([&](FirstView& first) { first.setParallel(parallel); });
+  }
+}
+
+bool vtkOversketchInteractorStyle::GetParallelProjection()
+{
+  const FirstView* first = this->Inner->firstView(false);
+  return first && first->camera->GetParallelProjection() != 0;
 }
 
 void vtkOversketchInteractorStyle::SetShowKeys(bool show)
@@ -570,6 +579,7 @@ void vtkOversketchInteractorStyle::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "Orbit: " << this->Orbit << "\n";
+  os << indent << "ParallelProjection: " << this->GetParallelProjection() << "\n";
   os << indent << "Zoom: " << this->GetZoom() << "\n";
   os << indent << "Spin: " << this->GetSpin() << "\n";
   os << indent << "ShowKeys: " << this->ShowKeys << "\n";

@@ -109,10 +109,14 @@ public:
   void ZoomAt(double factor, double x, double y);
   ///@}
 
+  ///@{
   /**
    * Orthographic or perspective, of the same size where the camera looks at, from the same place.
+   * Perspective, and without effect, while there is no camera.
    */
   void SetParallelProjection(bool parallel);
+  bool GetParallelProjection();
+  ///@}
 
   ///@{
   /**

@@ -294,13 +294,20 @@ TEST(View, TheAxesInTheCornerAreClickedAndDragged)
   QTest::mouseClick(gizmo, Qt::LeftButton, Qt::NoModifier, gizmo->end(0, true).toPoint());
   EXPECT_LT(turned(scene, right), 1e-6);
   QTest::keyClick(scene.view, Qt::Key_W);
-  const QPoint middle = gizmo->rect().center() + QPoint(14, 14);
+  const QPoint middle = gizmo->end(2, false).toPoint();
   QTest::mousePress(gizmo, Qt::LeftButton, Qt::NoModifier, middle);
   moveMouse(gizmo, middle + QPoint(12, 0));
   moveMouse(gizmo, middle + QPoint(21, 0));
   QTest::mouseRelease(gizmo, Qt::LeftButton, Qt::NoModifier, middle + QPoint(21, 0));
   const double ahead[3] = { 0.0, 0.0, -1.0 };
   EXPECT_NEAR(turned(scene, ahead), 45.0, 1.0);
+  EXPECT_TRUE(scene.document->session().nodes.empty());
+  QTest::keyClick(scene.view, Qt::Key_W);
+  const QPoint between = gizmo->rect().center() + QPoint(14, 14);
+  QTest::mousePress(gizmo, Qt::LeftButton, Qt::NoModifier, between);
+  EXPECT_TRUE(scene.view->tool()->draws()) << "what lies between its ends is the view's";
+  QTest::keyClick(scene.view, Qt::Key_Escape);
+  QTest::mouseRelease(gizmo, Qt::LeftButton, Qt::NoModifier, between);
   EXPECT_TRUE(scene.document->session().nodes.empty());
   // It takes no keys, and no line that begins beside it; while a line is drawn it is not painted.
   EXPECT_EQ(gizmo->focusPolicy(), Qt::NoFocus);

@@ -126,8 +126,8 @@ vtkPolyData* BothSides::show(vtkPolyData* live, vtkOversketchEdit* edit, const M
   const bool hasImage = edit->GetNumberOfInputConnections(5) > 0;
   const bool hasProfile = edit->GetNumberOfInputConnections(3) > 0 &&
                           vtkPolyData::SafeDownCast(edit->GetInputDataObject(3, 0))->GetNumberOfPoints() > 0;
-  vtkPolyData* rest = edit->GetInnerOutput(hasImage ? "Texture" : "Shading");
-  vtkPolyData* moved = edit->GetInnerOutput(hasProfile ? "Bend" : "Deform");
+  vtkPolyData* rest = hasImage ? edit->GetInnerOutput("Texture") : edit->GetInnerOutput("Shading");
+  vtkPolyData* moved = hasProfile ? edit->GetInnerOutput("Bend") : edit->GetInnerOutput("Deform");
   if (!rest || !moved || rest->GetNumberOfPoints() == 0 ||
       moved->GetNumberOfPoints() != rest->GetNumberOfPoints() ||
       !rest->GetPointData()->HasArray("EditRegion"))
