@@ -1,5 +1,6 @@
 // A small picture of a model after a step: as it was seen when the step was drawn, what moved in orange, the
-// stroke in red. Made by the processor alone, on any thread.
+// stroke in red. Painted here, as the worker's thread has no window, and VTK draws into no picture without
+// one.
 #ifndef oversketch_thumbnail_h
 #define oversketch_thumbnail_h
 
