@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace oversketch_session
 {
@@ -57,6 +58,27 @@ const SystemRow* nextOf(const Session& session)
     return systems().empty() ? nullptr : &systems().front();
   }
   return findSystem(session.nodes.back().step->system);
+}
+
+// What a step takes of other steps, as copies.
+std::map<std::string, SharedData> givenTo(const Session& session,
+  const std::vector<Outcome>& outcomes,
+  std::size_t at)
+{
+  std::map<std::string, SharedData> given;
+  for (const auto& [name, input] : session.nodes[at].step->inputs)
+  {
+    const auto* of = std::get_if<StepOutput>(&input);
+    for (std::size_t i = 0; of && i < at; ++i)
+    {
+      const auto output = outcomes[i].outputs.find(of->port);
+      if (session.nodes[i].id == of->step && output != outcomes[i].outputs.end())
+      {
+        given[name] = copied(vtkPolyData::SafeDownCast(output->second));
+      }
+    }
+  }
+  return given;
 }
 
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
@@ -116,6 +138,7 @@ std::uint64_t Worker::submit(Session session)
     }
     this->Next = std::move(session);
     this->Glance.reset();
+    this->Grounded.reset();
     this->Waiting = true;
   }
   this->Wake.notify_one();
@@ -143,6 +166,7 @@ void Worker::cancel()
     waiting = this->Next ? this->Ticket : 0;
     this->Next.reset();
     this->Glance.reset();
+    this->Grounded.reset();
     this->Waiting = false;
     this->Wanted = 0;
   }
@@ -167,35 +191,69 @@ void Worker::glance(Session session)
   this->Wake.notify_one();
 }
 
+std::uint64_t Worker::ground(Session session)
+{
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    number = ++this->Number;
+    if (this->Next)
+    {
+      return number;
+    }
+    this->Grounded = std::move(session);
+    this->Waiting = true;
+  }
+  this->Wake.notify_one();
+  return number;
+}
+
 void Worker::work()
 {
   for (;;)
   {
-    Session session;
+    std::optional<Session> session;
     std::uint64_t ticket = 0;
-    bool glances = false;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance; });
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance || this->Grounded; });
       if (this->Stop)
       {
         return;
       }
-      glances = !this->Next;
-      session = std::move(glances ? *this->Glance : *this->Next);
-      if (!glances)
+      session = std::exchange(this->Next, std::nullopt);
+      if (session)
       {
         this->Running = session;
-        this->Next.reset();
+        this->Waiting = false;
       }
-      this->Glance.reset();
-      this->Waiting = false;
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    glances ? this->runGlance(ticket, session) : this->runOne(ticket, session);
+    session ? this->runOne(ticket, *session) : this->runAside(ticket);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
+  }
+}
+
+void Worker::runAside(std::uint64_t ticket)
+{
+  std::optional<Session> grounded, glance;
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    grounded = std::exchange(this->Grounded, std::nullopt);
+    glance = std::exchange(this->Glance, std::nullopt);
+    number = this->Number;
+    this->Waiting = this->Next.has_value();
+  }
+  if (grounded)
+  {
+    this->runGround(ticket, *grounded, number);
+  }
+  if (glance)
+  {
+    this->runGlance(ticket, *glance);
   }
 }
 
@@ -256,17 +314,19 @@ void Worker::addInputs(const Session& session,
   }
   this->Came = came;
   states[at].before = at > 0 ? this->CopyOfCame : session.mesh;
-  for (const auto& [name, input] : last->step->inputs)
+  states[at].given = givenTo(session, outcomes, at);
+}
+
+void Worker::runGround(std::uint64_t ticket, const Session& session, std::uint64_t number)
+{
+  Evaluator::Watch watch;
+  watch.cancelled = [&] { return this->Wanted != ticket; };
+  std::vector<Outcome> outcomes;
+  if (this->Report.grounded && this->Runner.run(session, watch, outcomes) && !watch.cancelled())
   {
-    const auto* of = std::get_if<StepOutput>(&input);
-    for (std::size_t i = 0; of && i < at; ++i)
-    {
-      const auto output = outcomes[i].outputs.find(of->port);
-      if (nodes[i].id == of->step && output != outcomes[i].outputs.end())
-      {
-        states[at].given[name] = copied(vtkPolyData::SafeDownCast(output->second));
-      }
-    }
+    const std::size_t at = session.nodes.size() - 1;
+    this->Report.grounded(number,
+      { at > 0 ? SharedData(copied(outcomes[at - 1].mesh)) : session.mesh, givenTo(session, outcomes, at) });
   }
 }
 
@@ -341,21 +401,34 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     this->Report.detailed(
       { ticket, this->statesOf(session, outcomes), shown ? digestOf(shown) : std::string() });
   }
+  // The rest, between what is asked for aside.
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
-  std::unique_lock<std::mutex> lock(this->Mutex);
-  if (this->Wake.wait_for(lock, prepareAfter, [&] { return this->Stop || watch.cancelled(); }))
+  const SystemRow* next = shown ? nextOf(session) : nullptr;
+  bool isTraced = false;
+  for (bool goesOn = true; goesOn; goesOn = watch.cancelled())
   {
-    return;
-  }
-  lock.unlock();
-  if (const SystemRow* next = shown ? nextOf(session) : nullptr)
-  {
-    this->Runner.prepare(*next, shown, session.backend, watch);
-  }
-  if (shown && !watch.cancelled())
-  {
-    this->trace(ticket, session, outcomes, shown);
-    this->picture(ticket, session, outcomes, watch.cancelled);
+    {
+      std::unique_lock<std::mutex> lock(this->Mutex);
+      this->Wake.wait_for(lock, prepareAfter, [&] { return this->Stop || watch.cancelled(); });
+      if (this->Stop || this->Next || this->Wanted != ticket)
+      {
+        return;
+      }
+    }
+    this->runAside(ticket);
+    if (next)
+    {
+      this->Runner.prepare(*next, shown, session.backend, watch);
+      next = watch.cancelled() ? next : nullptr;
+    }
+    if (shown && !watch.cancelled())
+    {
+      if (!std::exchange(isTraced, true))
+      {
+        this->trace(ticket, session, outcomes, shown);
+      }
+      this->picture(ticket, session, outcomes, watch.cancelled);
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "edit_hand.h"
 
 #include "document.h"
+#include "edit_ground.h"
 #include "edit_step.h"
 #include "latency.h"
 #include "message_words.h"
@@ -47,6 +48,7 @@ constexpr double grabDistance = 8.0, shortestLine = 10.0; // px as Qt counts the
 EditHand::EditHand(Viewport* viewport, const Document* document)
   : View(viewport)
   , OpenDocument(document)
+  , Ground(new EditGround(document, this))
   , Soon(new QTimer(this))
   , Mode(vtkOversketchEditWidget::Direct)
 {
@@ -70,6 +72,7 @@ EditHand::EditHand(Viewport* viewport, const Document* document)
   }
   this->Soon->setSingleShot(true);
   connect(this->Soon, &QTimer::timeout, this, &EditHand::arrange);
+  connect(this->Ground, &EditGround::came, this, &EditHand::arrange);
   // Return is done with the edit, so that the next line can be drawn there.
   connect(viewport,
     &Viewport::returned,
@@ -137,7 +140,24 @@ void EditHand::offer(const Step& step, const Worker::NodeState& state)
   this->OfferedId = id;
   this->Offered = step;
   this->State = state;
+  this->Buried = !state.before;
   this->arrange();
+}
+
+QStringList EditHand::lost() const
+{
+  return this->Buried ? this->Ground->lost(this->OfferedId) : QStringList();
+}
+
+// Whether what the offered step acts on is there: of one that others act on it has to be asked for.
+bool EditHand::isKnown()
+{
+  if (this->Buried)
+  {
+    const Worker::Ground* ground = this->Ground->of(this->OfferedId);
+    static_cast<Worker::Ground&>(this->State) = ground ? *ground : Worker::Ground();
+  }
+  return bool(this->State.before);
 }
 
 void EditHand::offerNothing()
@@ -271,14 +291,14 @@ void EditHand::arrange()
   this->Late = false;
   const bool isLineAlone =
     !this->Loaded.isInHistory && !this->Loaded.step.inputs.empty() && !this->hasRegion();
-  this->Buried = this->Offered && !isLineAlone && !this->State.before;
-  if (this->Buried)
-  {
-    this->rest();
-  }
-  else if (!this->Offered || isLineAlone)
+  this->Buried = this->Buried && this->Offered && !isLineAlone;
+  if (!this->Offered || isLineAlone)
   {
     this->begin();
+  }
+  else if (!this->isKnown())
+  {
+    this->rest();
   }
   else
   {
@@ -432,7 +452,7 @@ void EditHand::loadValues(const Step& step)
 // The tool's, once there is a region.
 void EditHand::applyMode()
 {
-  if (this->Loaded.mesh && !this->Buried)
+  if (this->Loaded.mesh)
   {
     this->Widget->SetMode(this->hasRegion() ? this->Mode : int(vtkOversketchEditWidget::Region));
     this->Widget->SetEnabled(1);
@@ -535,6 +555,7 @@ void EditHand::publish()
     this->State.before = this->Loaded.mesh;
     this->State.given = this->Loaded.given;
     this->LeftId = 0;
+    this->Buried = this->Buried && !isNew;
     if (this->isMoved())
     {
       this->View->showPreview(this->live()); // until the result comes
@@ -542,7 +563,7 @@ void EditHand::publish()
     Latency::of().strokeEnd();
     const Step step = this->Loaded.step;
     isNew ? emit this->drawn(step) : emit this->remade(step);
-    this->OfferedId = idOf(this->OpenDocument->session(), step);
+    this->OfferedId = isNew ? idOf(this->OpenDocument->session(), step) : this->OfferedId;
   }
   this->applyMode();
   emit this->left();
