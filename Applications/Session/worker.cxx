@@ -176,10 +176,16 @@ void Worker::work()
     bool glances = false;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance; });
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance || this->After; });
       if (this->Stop)
       {
         return;
+      }
+      if (!this->Next && !this->Glance)
+      {
+        lock.unlock();
+        this->comeAfter();
+        continue;
       }
       glances = !this->Next;
       session = std::move(glances ? *this->Glance : *this->Next);
@@ -187,6 +193,7 @@ void Worker::work()
       {
         this->Running = session;
         this->Next.reset();
+        this->After.reset();
       }
       this->Glance.reset();
       this->Waiting = false;
@@ -341,21 +348,33 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     this->Report.detailed(
       { ticket, this->statesOf(session, outcomes), shown ? digestOf(shown) : std::string() });
   }
-  watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
+  this->After = { ticket, session, std::move(outcomes) };
+}
+
+void Worker::comeAfter()
+{
+  const auto& [ticket, session, outcomes] = *this->After;
+  Evaluator::Watch watch;
+  watch.cancelled = [this, ticket = ticket] { return this->Wanted != ticket || this->Waiting; };
   std::unique_lock<std::mutex> lock(this->Mutex);
-  if (this->Wake.wait_for(lock, prepareAfter, [&] { return this->Stop || watch.cancelled(); }))
+  if (!this->Wake.wait_for(lock, prepareAfter, [&] { return this->Stop || watch.cancelled(); }))
   {
-    return;
+    lock.unlock();
+    vtkPolyData* shown = resultOf(session, outcomes);
+    if (const SystemRow* next = shown ? nextOf(session) : nullptr)
+    {
+      this->Runner.prepare(*next, shown, session.backend, watch);
+    }
+    if (shown && !watch.cancelled())
+    {
+      this->trace(ticket, session, outcomes, shown);
+      this->picture(ticket, session, outcomes, watch.cancelled);
+    }
+    lock.lock();
   }
-  lock.unlock();
-  if (const SystemRow* next = shown ? nextOf(session) : nullptr)
+  if (!this->Glance) // that is done between, and no more
   {
-    this->Runner.prepare(*next, shown, session.backend, watch);
-  }
-  if (shown && !watch.cancelled())
-  {
-    this->trace(ticket, session, outcomes, shown);
-    this->picture(ticket, session, outcomes, watch.cancelled);
+    this->After.reset();
   }
 }
 

@@ -98,10 +98,12 @@ public:
 private:
   void work();
   void runOne(std::uint64_t ticket, const Session& session);
+  // What comes after the details of the session that ran last, until something else is to be done.
+  void comeAfter();
   void runGlance(std::uint64_t ticket, const Session& session);
   // What the outcomes are, as copies; of those that were copied for the last session the same ones.
   std::vector<NodeState> statesOf(const Session& session, const std::vector<Outcome>& outcomes);
-  // What is shown of the steps beside the mesh, until something else is to be done.
+  // What is shown of the steps beside the mesh.
   void trace(std::uint64_t ticket,
     const Session& session,
     const std::vector<Outcome>& outcomes,
@@ -115,8 +117,17 @@ private:
     const std::vector<Outcome>& outcomes,
     std::vector<NodeState>& states);
 
+  // A session that has been answered.
+  struct Answered
+  {
+    std::uint64_t ticket;
+    Session session;
+    std::vector<Outcome> outcomes;
+  };
+
   Listener Report;
   Evaluator Runner;
+  std::optional<Answered> After; // whose next step is to be prepared, and whose steps are to be shown
   std::map<std::uint64_t, NodeState> Copied; // by the outcomes' numbers
   // Likewise, also of steps that are off or undone for now.
   std::map<std::uint64_t, std::shared_ptr<const Thumbnail>> Pictures;
