@@ -175,6 +175,43 @@ TEST(Worker, TellsWhatAnEarlierStepActsOnWhileTheRestGoesOn)
   EXPECT_EQ(desk.done.size(), 1u);
 }
 
+TEST(Worker, WhatAGlanceInterruptsGoesOn)
+{
+  Session session = dogSession();
+  Session none = session;
+  none.nodes.clear();
+  Desk desk;
+  std::vector<std::uint64_t> traced;
+  std::vector<std::size_t> pictured;
+  Worker* worker = nullptr;
+  Worker::Listener listener = desk.listener();
+  // Before anything of what comes after the details could begin.
+  listener.detailed = [&, inner = listener.detailed](const Worker::Details& details)
+  {
+    worker->glance(none);
+    inner(details);
+  };
+  listener.traced = [&](std::uint64_t ticket, const std::vector<SharedData>&)
+  {
+    const std::lock_guard<std::mutex> lock(desk.mutex);
+    EXPECT_EQ(desk.glances.size(), 1u) << "not interrupted";
+    traced.push_back(ticket);
+  };
+  listener.pictured = [&](std::uint64_t, std::size_t node, const std::shared_ptr<const Thumbnail>&)
+  {
+    const std::lock_guard<std::mutex> lock(desk.mutex);
+    pictured.push_back(node);
+    desk.told.notify_all();
+  };
+  Worker busy(listener);
+  worker = &busy;
+  const std::uint64_t ticket = busy.submit(session);
+  ASSERT_TRUE(desk.wait([&] { return pictured.size() == 2; })) << "nothing more was prepared";
+  EXPECT_EQ(traced, std::vector<std::uint64_t>{ ticket });
+  EXPECT_EQ(pictured, (std::vector<std::size_t>{ 1, 0 }));
+  EXPECT_EQ(desk.done.size(), 1u);
+}
+
 TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)
 {
   Session session = dogSession();
