@@ -43,7 +43,7 @@ Place reflectedNormal(vtkDataArray* normals, vtkIdType i, const MirrorPlane& pla
 {
   Place normal;
   normals->GetTuple(i, normal.data());
-  return reflected(normal, { plane.axis, 0.0 });
+  return oversketch_session::reflected(normal, { plane.axis, 0.0 });
 }
 
 // Whether a triangle looks to the side of a normal.
@@ -214,7 +214,7 @@ void BothSides::bind(vtkPolyData* live, vtkPolyData* rest, vtkPolyData* moved, c
   vtkNew<vtkGenericCell> cell;
   for (vtkIdType i = 0; i < live->GetNumberOfPoints(); ++i)
   {
-    const Place place = placeOf(live, i), seen = reflected(place, plane);
+    const Place place = placeOf(live, i), seen = oversketch_session::reflected(place, plane);
     if (!box.ContainsPoint(seen.data()) || own.count(place) > 0)
     {
       continue;
