@@ -16,16 +16,6 @@ using namespace oversketch_test;
 namespace
 {
 
-std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Session& session, bool details = false)
-{
-  std::vector<Outcome> outcomes;
-  Evaluator::Watch watch;
-  watch.details = details;
-  EXPECT_TRUE(evaluator.run(session, watch, outcomes));
-  EXPECT_EQ(outcomes.size(), session.nodes.size());
-  return outcomes;
-}
-
 Session with(Session session, std::size_t node, const std::string& property, const Value& value)
 {
   session.nodes[node] = changed(session.nodes[node], [&](Step& step) { step.values[property] = value; });
