@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <malloc.h>
 
 namespace oversketch_session
 {
@@ -22,6 +23,9 @@ namespace
 // Whoever shows a mesh first needs the processors: what comes after it waits so long, or until it is seen.
 constexpr std::chrono::milliseconds detailsAfter{ 150 };
 constexpr std::chrono::milliseconds prepareAfter{ 150 };
+// Of so many triangles a step's work is not kept for a stroke over the same place, which then makes it anew:
+// it takes some 400 bytes each.
+constexpr vtkIdType largeMesh = 500000;
 
 vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
 {
@@ -32,6 +36,15 @@ vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(data);
   return copy;
+}
+
+// The mesh with the same points, cells and arrays. Filters make new ones and change none that they have put
+// out.
+vtkSmartPointer<vtkPolyData> shared(vtkPolyData* mesh)
+{
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(mesh);
+  return own;
 }
 
 // True where `next` is `session` with steps added at its end.
@@ -222,7 +235,7 @@ void Worker::addInputs(const Session& session,
   const vtkSmartPointer<vtkPolyData> came = at > 0 ? outcomes[at - 1].mesh : nullptr;
   if (came && came != this->Came)
   {
-    this->CopyOfCame = copied(came);
+    this->CopyOfCame = shared(came);
   }
   this->Came = came;
   states[at].before = at > 0 ? this->CopyOfCame : session.mesh;
@@ -270,7 +283,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   result.backendUsed = backendUsedBy(outcomes);
   if (shown)
   {
-    result.mesh = copied(shown);
+    result.mesh = shared(shown);
     result.display = withNormals(result.mesh);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -293,6 +306,11 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   {
     this->Report.detailed(
       { ticket, this->statesOf(session, outcomes), shown ? digestOf(shown) : std::string() });
+  }
+  if (shown && shown->GetNumberOfPolys() > largeMesh)
+  {
+    this->Runner.releaseWork();
+    malloc_trim(0); // what was freed in pieces goes back as well
   }
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
   std::unique_lock<std::mutex> lock(this->Mutex);

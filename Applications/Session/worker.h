@@ -39,7 +39,7 @@ public:
     SharedData before;
     std::map<std::string, SharedData> given;
   };
-  // What a session made. Meshes are copies that nobody else touches.
+  // What a session made. The worker goes on with the meshes' points and cells, and changes none.
   struct Result
   {
     std::uint64_t ticket = 0;

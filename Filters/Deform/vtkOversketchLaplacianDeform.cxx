@@ -224,6 +224,19 @@ void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input)
   }
 }
 
+void vtkOversketchLaplacianDeform::ReleaseFactor()
+{
+  this->Internals->System.reset();
+  this->Internals->Memory = std::make_shared<FactorMemory>();
+}
+
+void vtkOversketchLaplacianDeform::ReleaseWork()
+{
+  *this->Internals = Cache();
+  this->GetOutputDataObject(0)->ReleaseData();
+  this->Modified();
+}
+
 bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* points)
 {
   Cache& cache = *this->Internals;
@@ -242,6 +255,12 @@ bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* 
   const Context context = ContextOf(this);
   if (cache.Dragged.vertices.empty())
   {
+    if (!cache.System)
+    {
+      cache.System = std::make_unique<LaplacianSystem>(
+        cache.Shape, cache.Bindings, cache.HandleWeight, Context(), cache.Memory);
+      ++this->FactorizationCount;
+    }
     oversketch::Drag drag{ cache.Shape->vertices, {}, cache.System->response(cache.Shares, Context()) };
     for (const int v : drag.vertices)
     {

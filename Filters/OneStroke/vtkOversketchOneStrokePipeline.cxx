@@ -22,6 +22,19 @@ constexpr int widestViewport = 4092;
 // A stroke without any outline so near was drawn in the void [px].
 constexpr double farthestOutline = 60.0;
 
+// The factor of a region with so many vertices takes some hundred MiB: it is kept no longer than a run needs
+// it.
+constexpr vtkIdType manyVertices = 100000;
+
+void releaseLargeFactor(vtkAlgorithm* step)
+{
+  auto* deform = vtkOversketchLaplacianDeform::SafeDownCast(step);
+  if (deform->GetMovableCount() > manyVertices)
+  {
+    deform->ReleaseFactor();
+  }
+}
+
 // One byte per point of a mesh that a step made.
 std::vector<char> RegionOf(vtkPolyData* mesh)
 {
@@ -228,6 +241,10 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* before,
   const double weight =
     vtkOversketchLaplacianDeform::SafeDownCast(this->Self->GetStep(deform))->GetHandleWeight();
   Judgement judged = plain;
+  if (handlesAdded > 0 || judged.folds > Judgement::tolerableFolds)
+  {
+    releaseLargeFactor(this->Self->GetStep(deform));
+  }
   if (handlesAdded > 0)
   {
     other->SetHandleWeight(weight);
@@ -414,6 +431,8 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
 
 void vtkOversketchOneStroke::Pipeline::RunRemeshed()
 {
+  releaseLargeFactor(this->Deform);
+  releaseLargeFactor(this->DeformCorrected);
   this->Self->RunStage("Stretch");
   this->Self->RunStage("DeformRemeshed");
   const char* remeshed =

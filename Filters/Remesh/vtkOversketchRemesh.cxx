@@ -387,6 +387,16 @@ void vtkOversketchRemesh::SetHandlesData(vtkPolyData* handles)
   this->SetInputData(1, handles);
 }
 
+void vtkOversketchRemesh::ReleaseWork()
+{
+  *this->Internals = Cache();
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    this->GetOutputDataObject(port)->ReleaseData();
+  }
+  this->Modified();
+}
+
 int vtkOversketchRemesh::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 1)

@@ -101,6 +101,11 @@ public:
   void SetHandlesData(vtkPolyData* handles);
   vtkPolyData* GetHandlesOutput() { return this->GetOutput(1); }
 
+  /**
+   * Gives back the kept result and the outputs; the next Update makes them anew.
+   */
+  void ReleaseWork();
+
   ///@{
   /**
    * Stretch: before deforming, to length L k; Restore: after it, to length L. Default Stretch.
