@@ -31,6 +31,8 @@ namespace oversketch_files
 namespace
 {
 
+thread_local const std::atomic<bool>* givenUpHere = nullptr;
+
 std::mutex messageMutex;
 std::string firstError;
 
@@ -405,8 +407,22 @@ void NewFiles::writeText(const std::string& path, const std::string& text)
     });
 }
 
+GiveUp::GiveUp(const std::atomic<bool>& givenUp)
+{
+  givenUpHere = &givenUp;
+}
+
+GiveUp::~GiveUp()
+{
+  givenUpHere = nullptr;
+}
+
 void NewFiles::commit()
 {
+  if (givenUpHere && *givenUpHere)
+  {
+    throw Failed("given up");
+  }
   const Committing wait;
   std::vector<std::string> made;
   try

@@ -2,6 +2,7 @@
 #ifndef oversketch_files_files_h
 #define oversketch_files_files_h
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
@@ -44,6 +45,16 @@ bool isSameFile(const std::string& a, const std::string& b);
 // Throws Failed unless a file of this name can be made or replaced. A file without permission to write is not
 // replaced, not even by root.
 void requireWritable(const std::string& path);
+
+// While it lives, what this thread writes comes to its place only if nobody has given the work up.
+class GiveUp
+{
+public:
+  explicit GiveUp(const std::atomic<bool>& givenUp);
+  ~GiveUp();
+  GiveUp(const GiveUp&) = delete;
+  GiveUp& operator=(const GiveUp&) = delete;
+};
 
 // Files that appear together, each whole, or not at all. A file that is replaced keeps its mode and, where
 // that may be had, its owner; a symbolic link is followed.

@@ -33,8 +33,8 @@ vtkAbstractArray* pictureOf(vtkPolyData* mesh, int part)
                                                  : mesh->GetFieldData()->GetAbstractArray(name.c_str());
 }
 
-// The polygons of each part; empty where no part has a picture.
-std::map<int, std::vector<vtkIdType>> facesOfParts(vtkPolyData* mesh)
+// The polygons of each part.
+std::map<int, std::vector<vtkIdType>> facesOfAll(vtkPolyData* mesh)
 {
   std::map<int, std::vector<vtkIdType>> faces;
   auto* parts = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray("PartId"));
@@ -48,6 +48,13 @@ std::map<int, std::vector<vtkIdType>> facesOfParts(vtkPolyData* mesh)
   {
     faces[parts->GetValue(face)].push_back(face);
   }
+  return faces;
+}
+
+// The same; empty where no part has a picture.
+std::map<int, std::vector<vtkIdType>> facesOfParts(vtkPolyData* mesh)
+{
+  std::map<int, std::vector<vtkIdType>> faces = facesOfAll(mesh);
   const bool worn =
     std::any_of(faces.begin(), faces.end(), [mesh](const auto& part) { return pictureOf(mesh, part.first); });
   return worn ? faces : std::map<int, std::vector<vtkIdType>>();
@@ -104,6 +111,48 @@ std::vector<Piece> piecesOf(vtkPolyData* mesh)
     pieces.push_back({ "", textureOf(mesh), mesh });
   }
   return pieces;
+}
+
+std::vector<int> partsOf(vtkPolyData* mesh)
+{
+  std::vector<int> parts;
+  for (const auto& part : facesOfAll(mesh))
+  {
+    parts.push_back(part.first);
+  }
+  return parts;
+}
+
+vtkSmartPointer<vtkPolyData> partAlone(vtkPolyData* mesh, int part)
+{
+  const vtkSmartPointer<vtkPolyData> alone = extracted(mesh, facesOfAll(mesh)[part]);
+  if (const std::string picture = textureOf(mesh, prefixOf(part)); !picture.empty())
+  {
+    setTexture(alone, picture);
+  }
+  return alone;
+}
+
+vtkSmartPointer<vtkPolyData> withoutParts(vtkPolyData* mesh, const std::set<int>& parts)
+{
+  auto rest = vtkSmartPointer<vtkPolyData>::New();
+  rest->ShallowCopy(mesh);
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIdList> ids;
+  vtkCellData* data = rest->GetCellData();
+  data->Initialize();
+  data->CopyAllOn();
+  data->CopyAllocate(mesh->GetCellData(), mesh->GetNumberOfPolys());
+  for (const auto& [part, faces] : facesOfAll(mesh))
+  {
+    for (const vtkIdType face : parts.count(part) > 0 ? std::vector<vtkIdType>() : faces)
+    {
+      mesh->GetPolys()->GetCellAtId(face, ids);
+      data->CopyData(mesh->GetCellData(), face, polys->InsertNextCell(ids));
+    }
+  }
+  rest->SetPolys(polys);
+  return rest;
 }
 
 void wearPictures(vtkPolyData* mesh, const std::vector<int>& worn, const std::vector<std::string>& pictures)

@@ -5,6 +5,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct Piece
 // Part1.Texture, … holds a picture for one of them and there are texture coordinates; any other mesh whole,
 // with its own picture.
 std::vector<Piece> piecesOf(vtkPolyData* mesh);
+
+// The numbers of a mesh's parts (cell array PartId), ascending; none where it does not say.
+std::vector<int> partsOf(vtkPolyData* mesh);
+// One of them as a mesh of its own, with its picture; all but some, with all points, each at its place.
+vtkSmartPointer<vtkPolyData> partAlone(vtkPolyData* mesh, int part);
+vtkSmartPointer<vtkPolyData> withoutParts(vtkPolyData* mesh, const std::set<int>& parts);
 
 // Dresses a mesh: `worn` is, of each polygon, a number in `pictures`, the bytes of one or "" for none. Where
 // all wear the same it is the mesh's own; else those that wear the same become a part, numbered in the order

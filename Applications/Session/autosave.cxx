@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 
 namespace fs = std::filesystem;
 
@@ -39,6 +41,41 @@ int takeLock(const std::string& folder)
     return -1;
   }
   return file;
+}
+
+constexpr const char* aboutFolder = "autosave"; // beside what the session names
+
+std::string textOf(const KeptOf& of)
+{
+  Json::Value json;
+  json["path"] = of.path;
+  json["modified"] = of.modified;
+  return Json::writeString(Json::StreamWriterBuilder(), json);
+}
+
+// Of what an older program left it is not known, and after a crash meanwhile there may be two.
+KeptOf aboutIn(const std::string& folder)
+{
+  KeptOf found;
+  std::error_code absent;
+  for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(folder) / aboutFolder, absent))
+  {
+    const std::string path = entry.path().string();
+    const Json::Value root = JsonReader::parse(oversketch_files::wholeFile(path), path);
+    const JsonReader json(root, path);
+    found = { json.text("path"), json.yes("modified") };
+    if (found.modified)
+    {
+      break;
+    }
+  }
+  return found;
+}
+
+std::time_t timeOf(const std::string& folder)
+{
+  struct stat about = {};
+  return ::stat((fs::path(folder) / sessionEntry).c_str(), &about) == 0 ? about.st_mtime : 0;
 }
 
 void removeAll(const std::string& folder)
@@ -89,13 +126,20 @@ Autosave::~Autosave()
   ::close(this->Lock);
 }
 
-void Autosave::keep(SessionFile file)
+void Autosave::keep(SessionFile file, const KeptOf& of)
 {
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Next = std::move(file);
+    this->NextOf = of;
   }
   this->Wake.notify_one();
+}
+
+void Autosave::onKept(std::function<void()> kept)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Kept = std::move(kept);
 }
 
 std::string Autosave::wait()
@@ -133,13 +177,18 @@ void Autosave::work()
       return;
     }
     const SessionFile file = std::move(*this->Next);
+    const std::string about = textOf(this->NextOf);
     this->Next.reset();
     this->Writing = true;
     lock.unlock();
     std::string failure;
     try
     {
-      writeFolder(this->Folder, this->Encode.encode(file), sessionEntry);
+      Package package = this->Encode.encode(file);
+      // Named by its content, as the others.
+      package[std::string(aboutFolder) + "/" + std::to_string(std::hash<std::string>()(about)) + ".json"] =
+        std::make_shared<std::string>(about);
+      writeFolder(this->Folder, package, sessionEntry);
     }
     catch (const std::exception& error)
     {
@@ -149,6 +198,10 @@ void Autosave::work()
     this->Failure = failure;
     this->Writing = false;
     this->Idle.notify_all();
+    if (this->Kept && failure.empty())
+    {
+      this->Kept();
+    }
   }
 }
 
@@ -175,8 +228,17 @@ std::vector<LeftBehind> leftBehind(const std::string& root)
     }
     try
     {
-      const SessionFile file = readSession(folder);
-      found.push_back({ folder, file.session.meshName, file.session.nodes.size() });
+      const KeptOf of = aboutIn(folder);
+      if (!of.modified)
+      {
+        removeAll(folder);
+      }
+      else
+      {
+        const SessionFile file = readSession(folder);
+        found.push_back(
+          { folder, of.path, file.session.meshName, file.session.nodes.size(), timeOf(folder) });
+      }
     }
     catch (const Failed&)
     {

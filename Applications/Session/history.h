@@ -5,6 +5,7 @@
 #include "session.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,14 +23,30 @@ public:
   const Session& now() const { return this->Now; }
   bool canUndo() const { return this->At > 0; }
   bool canRedo() const { return this->At < this->Edits.size(); }
+  // What is now is on the disk. Undo and redo lead away from it and back to it.
+  void markSaved() { this->SavedAt = this->At; }
+  bool isSaved() const { return this->SavedAt == this->At; }
 
   // What was undone before is given up, as everywhere.
   void commit(Session next)
   {
+    if (this->SavedAt && *this->SavedAt > this->At)
+    {
+      this->SavedAt.reset();
+    }
     this->Edits.resize(this->At);
     this->Edits.push_back(between(this->Now, next));
     this->Now = std::move(next);
     ++this->At;
+  }
+  // The last change goes on.
+  void goOn(Session next)
+  {
+    if (this->isSaved())
+    {
+      this->SavedAt.reset();
+    }
+    this->amend(std::move(next));
   }
   // Learned after the commit, such as where a stroke took hold: no step of its own.
   void amend(Session next)
@@ -111,6 +128,7 @@ private:
   Session Now;
   std::vector<Edit> Edits; // the first At of them lead here
   std::size_t At = 0;
+  std::optional<std::size_t> SavedAt; // of At
 };
 
 } // namespace oversketch_session

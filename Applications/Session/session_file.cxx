@@ -225,6 +225,10 @@ Package Encoder::encode(const SessionFile& file)
   json["made_by"]["device"] = file.origin.device;
   json["made_by"]["processor"] = file.origin.processor;
   json["result_md5"] = file.digest;
+  if (file.look)
+  {
+    json["look"] = jsonOf(*file.look);
+  }
   Json::StreamWriterBuilder builder;
   builder["indentation"] = "  ";
   package[sessionEntry] = std::make_shared<std::string>(Json::writeString(builder, json) + "\n");
@@ -350,6 +354,10 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
     origin.text("version"), origin.text("backend"), origin.text("device"), origin.text("processor")
   };
   file.digest = json.text("result_md5");
+  if (json.has("look"))
+  {
+    file.look = lookOf(json.object("look"));
+  }
   return file;
 }
 

@@ -2,12 +2,14 @@
 #ifndef oversketch_session_file_h
 #define oversketch_session_file_h
 
+#include "look.h"
 #include "package.h"
 #include "session.h"
 #include "systems.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,8 @@ struct SessionFile
   Origin origin;
   // Of the mesh that the session showed: see digestOf. Empty when it was saved before the first result.
   std::string digest;
+  // As it was saved; absent where nobody looked, and of programs that did not keep it.
+  std::optional<Look> look = {};
 };
 
 // Hexadecimal MD5 of points (their type and bits) and polygons of a mesh: equal digests, equal meshes.

@@ -270,10 +270,9 @@ bool SystemRunner::runReflected(const Task& task, Outcome& outcome)
   {
     this->feed(task.step.values, task.inputs);
     vtkPolyData* under = vtkPolyData::SafeDownCast(mesh->second);
-    const double tolerance = vtkNew<vtkOversketchMirror>()->GetTolerance() * under->GetLength();
     vtkNew<vtkPolyData> hold;
     this->System->Preview(under, strokes, hold);
-    if (!liesAcross(hold, plane, tolerance))
+    if (!liesAcross(hold, plane, under))
     {
       inputs[drawn->first] = withReflections(strokes, plane);
     }
@@ -316,8 +315,7 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
   {
     return false;
   }
-  const double tolerance = vtkNew<vtkOversketchMirror>()->GetTolerance() * before->GetLength();
-  if (!one.failure.empty() || liesAcross(one.hold, plane, tolerance))
+  if (!one.failure.empty() || liesAcross(one.hold, plane, before))
   {
     outcome = one;
     return true;

@@ -1,5 +1,7 @@
 #include "two_sides.h"
 
+#include "vtkOversketchMirror.h"
+
 #include "mirror_image.h"
 
 #include "vtkCellArray.h"
@@ -91,6 +93,11 @@ bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, double tolerance)
     below = below || (!rests && heights[i] < -tolerance);
   }
   return !along.empty() && above == below;
+}
+
+bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, vtkPolyData* mesh)
+{
+  return liesAcross(hold, plane, vtkNew<vtkOversketchMirror>()->GetTolerance() * mesh->GetLength());
 }
 
 bool isSamePlace(const std::optional<Section>& drawn,

@@ -1,6 +1,7 @@
 #include "worker.h"
 
 #include "session_file.h"
+#include "step_lines.h"
 
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
@@ -8,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStaticCellLocator.h"
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
@@ -23,6 +25,8 @@ namespace
 // Whoever shows a mesh first needs the processors: what comes after it waits so long, or until it is seen.
 constexpr std::chrono::milliseconds detailsAfter{ 150 };
 constexpr std::chrono::milliseconds prepareAfter{ 150 };
+constexpr std::size_t mostPictures = 1000; // some 50 MB
+constexpr double traceReach = 0.1;         // of the model's diagonal, from a stroke to the surface
 // Of so many triangles a step's work is not kept for a stroke over the same place, which then makes it anew:
 // it takes some 400 bytes each.
 constexpr vtkIdType largeMesh = 500000;
@@ -124,6 +128,7 @@ std::uint64_t Worker::submit(Session session)
       this->Wanted = ticket;
     }
     this->Next = std::move(session);
+    this->Glance.reset();
     this->Waiting = true;
   }
   this->Wake.notify_one();
@@ -150,6 +155,7 @@ void Worker::cancel()
     const std::lock_guard<std::mutex> lock(this->Mutex);
     waiting = this->Next ? this->Ticket : 0;
     this->Next.reset();
+    this->Glance.reset();
     this->Waiting = false;
     this->Wanted = 0;
   }
@@ -160,27 +166,47 @@ void Worker::cancel()
   }
 }
 
+void Worker::glance(Session session)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Next)
+    {
+      return;
+    }
+    this->Glance = std::move(session);
+    this->Waiting = true;
+  }
+  this->Wake.notify_one();
+}
+
 void Worker::work()
 {
   for (;;)
   {
     Session session;
     std::uint64_t ticket = 0;
+    bool glances = false;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Wake.wait(lock, [this] { return this->Stop || this->Next; });
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance; });
       if (this->Stop)
       {
         return;
       }
-      session = std::move(*this->Next);
-      this->Running = session;
-      this->Next.reset();
+      glances = !this->Next;
+      session = std::move(glances ? *this->Glance : *this->Next);
+      if (!glances)
+      {
+        this->Running = session;
+        this->Next.reset();
+      }
+      this->Glance.reset();
       this->Waiting = false;
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    this->runOne(ticket, session);
+    glances ? this->runGlance(ticket, session) : this->runOne(ticket, session);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
   }
@@ -202,11 +228,15 @@ std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const st
     {
       state.region = copied(outcome.details->region);
       state.following = outcome.details->following;
+      const vtkIdType count = outcome.mesh->GetNumberOfPoints();
+      state.share = count > 0 ? double(state.region->GetNumberOfPoints()) / double(count) : 0.0;
     }
     state.failure = outcome.failure;
     state.remark = outcome.remark;
     state.section = outcome.section;
     state.elsewhere = outcome.elsewhere;
+    const auto drawn = this->Pictures.find(outcome.number);
+    state.picture = drawn == this->Pictures.end() ? nullptr : drawn->second;
     if (outcome.number != 0)
     {
       copies[outcome.number] = state;
@@ -250,6 +280,23 @@ void Worker::addInputs(const Session& session,
         states[at].given[name] = copied(vtkPolyData::SafeDownCast(output->second));
       }
     }
+  }
+}
+
+void Worker::runGlance(std::uint64_t ticket, const Session& session)
+{
+  Evaluator::Watch watch;
+  watch.cancelled = [&] { return this->Wanted != ticket; };
+  std::vector<Outcome> outcomes;
+  if (this->Report.glanced && this->Runner.run(session, watch, outcomes) && !watch.cancelled())
+  {
+    vtkPolyData* made = resultOf(session, outcomes);
+    SharedData display;
+    if (made)
+    {
+      display = withNormals(copied(made));
+    }
+    this->Report.glanced(std::move(display));
   }
 }
 
@@ -322,6 +369,67 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   if (const SystemRow* next = shown ? nextOf(session) : nullptr)
   {
     this->Runner.prepare(*next, shown, session.backend, watch);
+  }
+  if (shown && !watch.cancelled())
+  {
+    this->trace(ticket, session, outcomes, shown);
+    this->picture(ticket, session, outcomes, watch.cancelled);
+  }
+}
+
+void Worker::trace(std::uint64_t ticket,
+  const Session& session,
+  const std::vector<Outcome>& outcomes,
+  vtkPolyData* shown)
+{
+  const auto isSeen = [](const Outcome& outcome)
+  { return outcome.number != 0 && outcome.hold && outcome.hold->GetNumberOfPoints() > 0; };
+  if (!this->Report.traced || std::none_of(outcomes.begin(), outcomes.end(), isSeen))
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> surface; // a locator keeps what it makes in the data
+  surface->SetPoints(shown->GetPoints());
+  surface->SetPolys(shown->GetPolys());
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(surface);
+  locator->BuildLocator();
+  std::vector<SharedData> lines;
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+  {
+    const auto stroke = isSeen(outcomes[i]) ? strokeOf(session, *session.nodes[i].step) : nullptr;
+    lines.emplace_back(
+      stroke ? strokeOn(locator, stroke, outcomes[i].hold, traceReach * shown->GetLength()) : nullptr);
+  }
+  this->Report.traced(ticket, std::move(lines));
+}
+
+void Worker::picture(std::uint64_t ticket,
+  const Session& session,
+  const std::vector<Outcome>& outcomes,
+  const std::function<bool()>& cancelled)
+{
+  for (std::size_t i = outcomes.size(); i-- > 0 && this->Report.pictured;) // what was drawn last is looked at
+  {
+    const Outcome& outcome = outcomes[i];
+    if (outcome.number == 0 || !outcome.mesh || this->Pictures.count(outcome.number) > 0)
+    {
+      continue;
+    }
+    const auto made = thumbnailOf(outcome.mesh,
+      outcome.details ? outcome.details->region.Get() : nullptr,
+      strokeOf(session, *session.nodes[i].step),
+      cancelled);
+    if (!made)
+    {
+      return;
+    }
+    if (this->Pictures.size() >= mostPictures)
+    {
+      this->Pictures.erase(this->Pictures.begin()); // the oldest
+    }
+    this->Pictures[outcome.number] = made;
+    this->Report.pictured(ticket, i, made);
   }
 }
 

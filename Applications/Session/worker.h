@@ -4,6 +4,7 @@
 
 #include "evaluator.h"
 #include "session.h"
+#include "thumbnail.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -34,6 +35,9 @@ public:
     // before the details have come.
     SharedData region;
     std::shared_ptr<const Following> following;
+    double share = 0.0; // of the points of its mesh that it moved
+    // The model after it; null where it did nothing, and before it was drawn (Listener::pictured).
+    std::shared_ptr<const Thumbnail> picture;
     // Of the last step that is on, where its system says so (SystemRow::changedOverInput): the mesh that came
     // to it, and what it takes of other steps, by its inputs' names.
     SharedData before;
@@ -66,6 +70,12 @@ public:
     std::function<void(std::uint64_t ticket)> cancelled;
     std::function<void(std::uint64_t ticket, std::size_t node, const std::string& stage, double share)>
       progress;
+    // The mesh of a session that was only looked at, as Result::display; null where it makes none.
+    std::function<void(SharedData)> glanced;
+    // While nothing else is to be run, after all that: each step's stroke on the mesh that the session shows
+    // (strokeOn; null where there is none), and, one by one, the pictures that are missing.
+    std::function<void(std::uint64_t ticket, std::vector<SharedData> lines)> traced;
+    std::function<void(std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail>)> pictured;
   };
 
   explicit Worker(Listener listener);
@@ -81,12 +91,25 @@ public:
   void seen(std::uint64_t ticket);
   // Stops what runs or waits, if anything does.
   void cancel();
+  // Makes the mesh of another session, once nothing else is to be done, and nothing more: of the steps of the
+  // last one it is there. The newest such session wins, and a session that is submitted before it.
+  void glance(Session session);
 
 private:
   void work();
   void runOne(std::uint64_t ticket, const Session& session);
+  void runGlance(std::uint64_t ticket, const Session& session);
   // What the outcomes are, as copies; of those that were copied for the last session the same ones.
   std::vector<NodeState> statesOf(const Session& session, const std::vector<Outcome>& outcomes);
+  // What is shown of the steps beside the mesh, until something else is to be done.
+  void trace(std::uint64_t ticket,
+    const Session& session,
+    const std::vector<Outcome>& outcomes,
+    vtkPolyData* shown);
+  void picture(std::uint64_t ticket,
+    const Session& session,
+    const std::vector<Outcome>& outcomes,
+    const std::function<bool()>& cancelled);
   // Adds what the last step that is on acts on.
   void addInputs(const Session& session,
     const std::vector<Outcome>& outcomes,
@@ -95,11 +118,13 @@ private:
   Listener Report;
   Evaluator Runner;
   std::map<std::uint64_t, NodeState> Copied; // by the outcomes' numbers
-  vtkSmartPointer<vtkPolyData> Came;         // the mesh that the last step acts on, and its copy
+  // Likewise, also of steps that are off or undone for now.
+  std::map<std::uint64_t, std::shared_ptr<const Thumbnail>> Pictures;
+  vtkSmartPointer<vtkPolyData> Came; // the mesh that the last step acts on, and its copy
   SharedData CopyOfCame;
   std::mutex Mutex;
   std::condition_variable Wake;
-  std::optional<Session> Next, Running;
+  std::optional<Session> Next, Running, Glance;
   std::uint64_t Ticket = 0;               // of the newest session
   std::uint64_t Seen = 0;                 // of the newest result that was
   std::atomic<std::uint64_t> Wanted{ 0 }; // the ticket that may run; all others are to stop

@@ -25,16 +25,6 @@ namespace
 const char* const sessionExtension = ".oversketch";
 constexpr double canvasSize[2] = { 1024.0, 768.0 }; // of an empty one
 
-QStringList listOf(const Notes& notes)
-{
-  QStringList list;
-  for (const std::string& note : notes)
-  {
-    list << QString::fromStdString(note);
-  }
-  return list;
-}
-
 } // namespace
 
 Document::Document(QObject* parent)
@@ -64,6 +54,34 @@ Document::Document(QObject* parent)
       },
       Qt::QueuedConnection);
   };
+  listener.traced = [this](std::uint64_t ticket, std::vector<SharedData> lines)
+  {
+    QMetaObject::invokeMethod(
+      this,
+      [this, ticket, made = std::move(lines)]
+      {
+        if (ticket == this->Result.ticket)
+        {
+          this->Traces = made;
+          emit this->traced();
+        }
+      },
+      Qt::QueuedConnection);
+  };
+  listener.pictured = [this](std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail> picture)
+  {
+    QMetaObject::invokeMethod(
+      this,
+      [this, ticket, node, made = std::move(picture)]
+      {
+        if (ticket == this->Result.ticket)
+        {
+          this->Result.nodes[node].picture = made;
+          emit this->pictured(static_cast<int>(node));
+        }
+      },
+      Qt::QueuedConnection);
+  };
   listener.progress = [this](std::uint64_t, std::size_t node, const std::string& stage, double share)
   {
     const QString name = QString::fromStdString(stage);
@@ -72,46 +90,60 @@ Document::Document(QObject* parent)
       [this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); },
       Qt::QueuedConnection);
   };
+  listener.glanced = [this](const SharedData& mesh)
+  {
+    QMetaObject::invokeMethod(
+      this, [this, mesh] { emit this->glanced(mesh); }, Qt::QueuedConnection);
+  };
   this->Background = std::make_unique<Worker>(std::move(listener));
+  this->Saver.onKept(
+    [this]
+    {
+      QMetaObject::invokeMethod(
+        this, [this] { emit this->kept(); }, Qt::QueuedConnection);
+    });
 }
 
 Document::~Document() = default;
 
-bool Document::open(const QString& path, const std::function<bool()>& mayLeave, QStringList& notes)
+Document::Opened Document::read(const QString& path, int backend)
 {
   const std::string file = path.toStdString();
-  const bool saved = extensionOf(file) == sessionExtension || QFileInfo(path).isDir();
-  Notes said;
-  Session session;
-  if (saved)
+  Opened opened;
+  Session& session = opened.session;
+  if (extensionOf(file) == sessionExtension || QFileInfo(path).isDir())
   {
-    session = readSession(file).session;
+    SessionFile saved = readSession(file);
+    opened.path = path;
+    opened.look = saved.look;
+    session = std::move(saved.session);
+    return opened;
   }
-  else if (isHeightsExtension(extensionOf(file)) && findSystem("Terrain"))
+  Notes said;
+  if (isHeightsExtension(extensionOf(file)) && findSystem("Terrain"))
   {
     Node node;
     node.id = 1;
     node.step = terrainOf(file);
     node.name = titleOf(node.step->system).toStdString();
     session.nodes = { node };
-    session.meshName = QFileInfo(path).fileName().toStdString();
-    session.backend = this->Backend;
   }
   else
   {
     session.mesh = readMesh(file, said);
-    session.meshName = QFileInfo(path).fileName().toStdString();
-    session.backend = this->Backend;
   }
-  if (!mayLeave())
-  {
-    return false;
-  }
-  this->Path = saved ? path : QString();
-  this->start(std::move(session), false);
-  notes += listOf(said);
+  session.meshName = QFileInfo(path).fileName().toStdString();
+  session.backend = backend;
+  opened.notes = listOf(said);
+  return opened;
+}
+
+void Document::open(Opened opened)
+{
+  this->Path = opened.path;
+  this->Seen = opened.look;
+  this->start(std::move(opened.session), true);
   emit this->opened();
-  return true;
 }
 
 bool Document::beginDrawing(const QString& path, const std::function<bool()>& mayLeave)
@@ -169,15 +201,18 @@ bool Document::begin(std::shared_ptr<const Step> step,
   session.meshName = name.toStdString();
   session.backend = this->Backend;
   this->Path.clear();
-  this->start(std::move(session), false);
+  this->Seen.reset();
+  this->start(std::move(session), true);
   emit this->opened();
   return true;
 }
 
 void Document::recover(const LeftBehind& left)
 {
-  this->start(readSession(left.folder).session, true);
-  this->Path.clear();
+  SessionFile kept = readSession(left.folder);
+  this->Path = QString::fromStdString(left.path);
+  this->Seen = kept.look;
+  this->start(std::move(kept.session), false);
   // The old folder goes only when the new one is on the disk.
   if (this->Saver.wait().empty())
   {
@@ -186,39 +221,53 @@ void Document::recover(const LeftBehind& left)
   emit this->opened();
 }
 
-void Document::start(Session session, bool modified)
+void Document::start(Session session, bool saved)
 {
   this->Changes = std::make_unique<History>(std::move(session));
-  this->Modified = modified;
+  if (saved)
+  {
+    this->Changes->markSaved();
+  }
   this->Result = {};
   this->Digest.clear();
+  this->Traces.clear();
+  this->Last.reset();
   this->run(Change::Edited);
 }
 
-QStringList Document::save(const QString& path)
+void Document::glanceBefore(int node)
 {
-  const std::string file = path.toStdString();
-  if (extensionOf(file) == sessionExtension)
+  Session before = this->session();
+  before.nodes.resize(std::min(before.nodes.size(), indexOf(node)));
+  this->Background->glance(std::move(before));
+}
+
+void Document::save(const QString& path)
+{
+  writeSession(path.toStdString(), this->toSave());
+  this->saved(path);
+}
+
+SessionFile Document::toSave()
+{
+  if (!this->isBusy() && this->Digest.empty() && this->Result.mesh)
   {
-    if (!this->isBusy() && this->Digest.empty() && this->Result.mesh)
-    {
-      this->Digest = digestOf(this->Result.mesh); // it is on its way
-    }
-    writeSession(file, this->file());
-    this->Path = path;
-    this->Modified = false;
-    emit this->changed(Change::Saved);
-    return {};
+    this->Digest = digestOf(this->Result.mesh); // it is on its way
   }
-  Notes notes;
-  const vtkSmartPointer<vtkPolyData> mesh =
-    (this->Result.mesh ? this->Result.mesh : this->session().mesh).own();
-  if (!mesh)
-  {
-    throw Failed(tr("There is no mesh yet.").toStdString());
-  }
-  writeMesh(mesh, file, notes);
-  return listOf(notes);
+  return this->file();
+}
+
+void Document::saved(const QString& path)
+{
+  this->Path = path;
+  this->Changes->markSaved();
+  this->keep();
+  emit this->changed(Change::Saved);
+}
+
+vtkSmartPointer<vtkPolyData> Document::shownMesh() const
+{
+  return (this->Result.mesh ? this->Result.mesh : this->session().mesh).own();
 }
 
 QString Document::name() const
@@ -235,11 +284,13 @@ SessionFile Document::file() const
 {
   SessionFile file;
   file.session = this->session();
-  if (!this->isBusy() && !this->Digest.empty())
+  const bool isWhole = this->Result.nodes.size() == file.session.nodes.size();
+  if (!this->isBusy() && !this->Digest.empty() && isWhole)
   {
     file.origin = originHere(this->Result.backendUsed);
     file.digest = this->Digest;
   }
+  file.look = this->LookNow && this->Result.mesh ? this->LookNow() : this->Seen;
   return file;
 }
 
@@ -265,7 +316,8 @@ void Document::add(const Step& step)
   node.id = freshId(next);
   node.step = std::make_shared<Step>(step);
   node.name = tr("%1 %2").arg(titleOf(step.system)).arg(next.nodes.size() + 1).toStdString();
-  next.nodes.push_back(node);
+  next.nodes.insert(next.nodes.begin() + this->shownTo(), node);
+  this->Last = this->Last ? std::optional<int>(node.id) : std::nullopt;
   this->commit(std::move(next), Change::Drawn);
 }
 
@@ -329,8 +381,7 @@ void Document::follow(int index, std::shared_ptr<const Step> step, bool goesOn)
   const int id = node.id;
   if (goesOn && this->Shaped == id)
   {
-    this->Changes->amend(std::move(next));
-    this->Modified = true;
+    this->Changes->goOn(std::move(next));
     this->run(Change::Drawn);
   }
   else
@@ -351,28 +402,6 @@ void Document::rename(int index, const QString& name)
 {
   Session next = this->session();
   next.nodes[indexOf(index)].name = name.toStdString();
-  this->commit(std::move(next));
-}
-
-void Document::remove(int index)
-{
-  Session next = this->session();
-  next.nodes.erase(next.nodes.begin() + index);
-  this->commit(std::move(next));
-}
-
-void Document::move(int from, int to)
-{
-  Session next = this->session();
-  const auto begin = next.nodes.begin();
-  if (from < to)
-  {
-    std::rotate(begin + from, begin + from + 1, begin + to + 1);
-  }
-  else
-  {
-    std::rotate(begin + to, begin + from, begin + from + 1);
-  }
   this->commit(std::move(next));
 }
 
@@ -403,7 +432,6 @@ void Document::commitPictures(Pictures pictures)
   Session next = this->session();
   next.pictures = std::move(pictures);
   this->Changes->commit(std::move(next));
-  this->Modified = true;
   this->keep();
   emit this->changed(Change::Pictures);
 }
@@ -423,14 +451,12 @@ void Document::setBackend(int backend)
 void Document::undo()
 {
   this->Changes->undo();
-  this->Modified = true;
   this->run(Change::Edited);
 }
 
 void Document::redo()
 {
   this->Changes->redo();
-  this->Modified = true;
   this->run(Change::Edited);
 }
 
@@ -449,23 +475,29 @@ void Document::cancel()
 void Document::commit(Session session, Change change)
 {
   this->Changes->commit(std::move(session));
-  this->Modified = true;
   this->run(change);
 }
 
 void Document::run(Change change)
 {
-  this->Shaped = 0;
-  this->Ticket = this->Background->submit(this->session());
+  this->submit();
   this->keep(); // before its result is there, so that no crash can take the stroke
   emit this->changed(change);
+}
+
+void Document::submit()
+{
+  this->Shaped = 0;
+  Session shown = this->session();
+  shown.nodes.resize(indexOf(this->shownTo()));
+  this->Ticket = this->Background->submit(std::move(shown));
 }
 
 void Document::keep()
 {
   if (!this->Discarded)
   {
-    this->Saver.keep(this->file());
+    this->Saver.keep(this->file(), { this->Path.toStdString(), this->isModified() });
   }
 }
 
@@ -494,6 +526,7 @@ void Document::take(const Worker::Result& result)
   }
   this->Result = result;
   this->Digest.clear();
+  this->Traces.clear();
   this->answered(result.ticket);
   emit this->shown();
   this->Background->seen(result.ticket);
@@ -512,7 +545,7 @@ void Document::takeDetails(const Worker::Details& details)
   {
     // Learn where new strokes took hold, so that later ones can be told from it.
     Session learned = this->session();
-    for (std::size_t i = 0; i < learned.nodes.size(); ++i)
+    for (std::size_t i = 0; i < details.nodes.size(); ++i)
     {
       if (!learned.nodes[i].committed)
       {

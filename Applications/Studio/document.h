@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,19 @@ public:
   explicit Document(QObject* parent = nullptr);
   ~Document() override;
 
-  // Opens a mesh or a session. Once it is read, mayLeave is asked whether what was there may be given up;
-  // where it says no, nothing changes and false is returned. Throws Failed. Adds what the reader notes.
-  bool open(const QString& path, const std::function<bool()>& mayLeave, QStringList& notes);
+  // A mesh or a session, read and not shown yet.
+  struct Opened
+  {
+    oversketch_session::Session session;
+    std::optional<oversketch_session::Look> look;
+    QString path; // of a session's file
+    QStringList notes;
+  };
+  // On any thread. Throws Failed.
+  static Opened read(const QString& path, int backend);
+  int backend() const { return this->Backend; }
+  // Shows it, instead of what was there.
+  void open(Opened opened);
   // Begins a session whose first step makes a mesh of what will be drawn: over a picture; on an empty canvas.
   // The same asking; throws Failed for what is no picture.
   bool beginDrawing(const QString& picture, const std::function<bool()>& mayLeave);
@@ -46,9 +57,13 @@ public:
   void addPart(const QString& picture);
   // Opens what a crash left behind, as a session that is not saved. Throws Failed.
   void recover(const oversketch_session::LeftBehind& left);
-  // Saves the session, or exports the shown mesh, by the path's extension. Throws Failed. Returns what the
-  // format drops.
-  QStringList save(const QString& path);
+  // Saves the session, as it is looked at. Throws Failed.
+  void save(const QString& path);
+  // In two halves, of which the first may run on any thread.
+  oversketch_session::SessionFile toSave();
+  void saved(const QString& path);
+  // What an export writes; null where there is no mesh yet.
+  vtkSmartPointer<vtkPolyData> shownMesh() const;
 
   const oversketch_session::Session& session() const { return this->Changes->now(); }
   bool isOpen() const { return this->Changes != nullptr; }
@@ -56,7 +71,15 @@ public:
   const QString& path() const { return this->Path; }
   // The name for titles: the session's file, or the mesh that was opened.
   QString name() const;
-  bool isModified() const { return this->Modified; }
+  // Whether anything is not in the session's file, or not as the model was opened.
+  bool isModified() const { return this->Changes && !this->Changes->isSaved(); }
+  // How the model was looked at when the session was saved.
+  const std::optional<oversketch_session::Look>& look() const { return this->Seen; }
+  // Tells how it is looked at now.
+  void setLook(std::function<std::optional<oversketch_session::Look>()> look)
+  {
+    this->LookNow = std::move(look);
+  }
   bool canUndo() const { return this->Changes && this->Changes->canUndo(); }
   bool canRedo() const { return this->Changes && this->Changes->canRedo(); }
   // The newest result; its mesh stays while the next is computed. What moved, how it follows a hand and the
@@ -64,6 +87,8 @@ public:
   const oversketch_session::Worker::Result& result() const { return this->Result; }
   // digestOf(result().mesh); empty before it is known.
   const std::string& digest() const { return this->Digest; }
+  // Of the mesh that is shown; none before they are known.
+  const std::vector<oversketch_session::SharedData>& traces() const { return this->Traces; }
   bool isBusy() const { return this->Ticket != this->Answered; }
   // Nothing is computed, and all is there that follows on the mesh.
   bool isSettled() const { return !this->isBusy() && this->Detailed == this->Ticket; }
@@ -91,7 +116,15 @@ public:
   void setOn(int node, bool on);
   void rename(int node, const QString& name);
   void remove(int node);
+  // No step may stand before one that it needs (faultOfMove): then nothing happens.
   void move(int from, int to);
+  // The same step once more, after it.
+  void duplicate(int node);
+
+  // The model is shown as of that many steps; the others are kept. How the history is looked at, no change of
+  // it: no step of undo, and not in the file. What is drawn meanwhile comes after those that are shown.
+  void showTo(int count);
+  int shownTo() const;
   // A picture in the scene: added, shown in another way, taken away.
   void addPicture(const oversketch_session::Picture& picture);
   void setPicture(int index, const oversketch_session::Picture& picture);
@@ -100,6 +133,9 @@ public:
   void redo();
   // Stops the computing and goes back to the history that is shown (Redo brings the change back).
   void cancel();
+
+  // Makes the mesh that comes to a node's step, for glanced().
+  void glanceBefore(int node);
 
   // Where models compute (vtkOversketchSystem::BackendType): the open one from here on, where this is
   // another choice than the last, as a change of its history; those that are opened later. A session that is
@@ -126,13 +162,20 @@ signals:
   void changed(Change change);
   void shown();
   void detailed();
+  // The mesh that was asked for, with normals; null where there is none.
+  void glanced(const oversketch_session::SharedData& mesh);
+  // Each step's stroke on the surface has come (Worker::Listener::traced); a step's picture has.
+  void traced();
+  void pictured(int node);
   void progressed(int node, const QString& stage, double share);
   // Nothing is computed any more.
   void idle();
   void autosaveFailed(const QString& why);
+  // The session as it is now lies on the disk.
+  void kept();
 
 private:
-  void start(oversketch_session::Session session, bool modified);
+  void start(oversketch_session::Session session, bool saved);
   bool begin(std::shared_ptr<const oversketch_session::Step> step,
     const QString& name,
     const std::function<bool()>& mayLeave);
@@ -140,6 +183,7 @@ private:
   void commitPictures(oversketch_session::Pictures pictures);
   void follow(int node, std::shared_ptr<const oversketch_session::Step> step, bool goesOn);
   void run(Change change);
+  void submit(); // what is shown
   void keep();
   void take(const oversketch_session::Worker::Result& result);
   void takeDetails(const oversketch_session::Worker::Details& details);
@@ -149,11 +193,14 @@ private:
   std::unique_ptr<oversketch_session::History> Changes;
   QString Path;
   int Backend = 0;
-  bool Modified = false;
+  std::optional<oversketch_session::Look> Seen;
+  std::function<std::optional<oversketch_session::Look>()> LookNow;
   int Shaped = 0;         // the id of the step that the last change was a shape() or place() of
   bool Discarded = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result Result;
   std::string Digest; // of its mesh
+  std::vector<oversketch_session::SharedData> Traces;
+  std::optional<int> Last; // the id of the last step that is shown, 0 none is; absent: all are
   std::uint64_t Ticket = 0, Answered = 0, Detailed = 0;
   oversketch_session::Autosave Saver;
   // Last, so that it ends first: it calls the rest.

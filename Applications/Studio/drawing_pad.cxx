@@ -1,5 +1,7 @@
 #include "drawing_pad.h"
 
+#include "touch_hand.h"
+
 #include "vtkOversketchDrawingRepresentation.h"
 #include "vtkOversketchDrawingWidget.h"
 #include "vtkOversketchStrokeRepresentation.h"
@@ -14,9 +16,12 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QRegularExpression>
 #include <QTabletEvent>
+#include <QTimer>
+#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -58,6 +63,9 @@ DrawingPad::DrawingPad(QWidget* parent)
   this->setAccessibleName(tr("Picture"));
   this->setDefaultCursor(Qt::CrossCursor);
   this->setCursor(Qt::CrossCursor);
+  new TouchHand(this,
+    { [this] { return this->isDrawing(); },
+      [this](double factor, const QPointF& about) { this->zoom(factor, about); } });
   this->setDark(true);
 }
 
@@ -66,6 +74,30 @@ DrawingPad::~DrawingPad()
   this->Widget->RemoveObserver(this->Observer);
   this->Widget->SetEnabled(0);
   this->Widget->SetInteractor(nullptr);
+}
+
+// As many notches of the wheel as it is.
+void DrawingPad::zoom(double factor, const QPointF& about)
+{
+  constexpr double notch = 1.15; // of the widget
+  this->Zoomed *= factor;
+  for (const bool isIn : { true, false })
+  {
+    for (; isIn ? this->Zoomed > notch : this->Zoomed < 1.0 / notch;
+         this->Zoomed *= isIn ? 1.0 / notch : notch)
+    {
+      const int turned = isIn ? QWheelEvent::DefaultDeltasPerStep : -QWheelEvent::DefaultDeltasPerStep;
+      QWheelEvent wheel(about,
+        this->mapToGlobal(about.toPoint()),
+        {},
+        { 0, turned },
+        Qt::NoButton,
+        Qt::NoModifier,
+        Qt::NoScrollPhase,
+        false);
+      QApplication::sendEvent(this, &wheel);
+    }
+  }
 }
 
 void DrawingPad::heard(unsigned long event)
@@ -192,7 +224,15 @@ void DrawingPad::resizeGL(int width, int height)
 void DrawingPad::tabletEvent(QTabletEvent* event)
 {
   // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  this->Widget->GetPen()->SetPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+  if (event->type() == QEvent::TabletRelease)
+  {
+    // The mouse's release is the line's last sample.
+    QTimer::singleShot(0, this, [this] { this->Widget->GetPen()->SetPressure(1.0); });
+  }
+  else
+  {
+    this->Widget->GetPen()->SetPressure(event->pressure());
+  }
   event->ignore();
 }
 

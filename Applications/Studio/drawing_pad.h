@@ -60,13 +60,15 @@ protected:
 private:
   void heard(unsigned long event);
   void fit();
+  void zoom(double factor, const QPointF& about);
 
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkOversketchDrawingWidget> Widget;
   vtkNew<vtkCallbackCommand> Observer;
   double Steadiness = 6.0;
-  bool Fits = true; // all of the canvas is seen, until the hand zooms or pans
+  double Zoomed = 1.0; // by fingers, less than a notch of the wheel
+  bool Fits = true;    // all of the canvas is seen, until the hand zooms or pans
 };
 
 } // namespace oversketch_studio

@@ -1,7 +1,5 @@
 #include "hint.h"
 
-#include "hint_line.h"
-
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
@@ -24,6 +22,7 @@ namespace
 // px as Qt counts them.
 constexpr double gap = 12.0;
 constexpr double dash = 14.0; // with the gap after it
+constexpr int letters = 18, least = 7;
 
 } // namespace
 
@@ -32,7 +31,6 @@ Hint::Hint()
   vtkTextProperty* look = this->Text->GetTextProperty();
   look->SetJustificationToCentered();
   look->SetVerticalJustificationToBottom();
-  look->SetFontSize(18);
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(this->Dashes);
   this->Line->SetMapper(mapper);
@@ -48,8 +46,10 @@ void Hint::addTo(vtkRenderer* renderer)
   renderer->AddActor2D(this->Text);
 }
 
-void Hint::setText(const std::string& text)
+void Hint::setText(const std::string& text, HintShape shape)
 {
+  this->Words = text;
+  this->Shape = shape;
   this->Text->SetInput(text.c_str());
   this->setVisible(!text.empty());
 }
@@ -87,18 +87,21 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
     renderer->WorldToDisplay();
     picture.emplace_back(renderer->GetDisplayPoint()[0], renderer->GetDisplayPoint()[1]);
   }
-  const oversketch::Polyline line = hintLine(picture, ratio);
+  const oversketch::Polyline line = hintLine(this->Shape, picture, ratio);
   if (line.empty())
   {
     return;
   }
   const auto higher = [](const oversketch::Vector2& a, const oversketch::Vector2& b) { return a[1] < b[1]; };
+  // Not on the model, where it would not be read.
   const oversketch::Vector2 top = *std::max_element(line.begin(), line.end(), higher);
+  const double above =
+    this->Shape == HintShape::Limb ? top[1] : (*std::max_element(picture.begin(), picture.end(), higher))[1];
   const std::vector<double> lengths = oversketch::arcLengths(line);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   constexpr double painted = 0.6; // of a dash and the gap after it
-  const int dashes = std::max(2, static_cast<int>(lengths.back() / (dash * ratio)));
+  const int dashes = std::max(7, static_cast<int>(lengths.back() / (dash * ratio)));
   for (int i = 0; i < dashes; ++i)
   {
     lines->InsertNextCell(2);
@@ -114,11 +117,19 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
   this->Dashes->SetLines(lines);
   this->Line->GetProperty()->SetLineWidth(static_cast<float>(3.0 * ratio));
   double extent[2];
+  vtkTextProperty* look = this->Text->GetTextProperty();
+  look->SetFontSize(letters);
   this->Text->GetSize(renderer, extent);
+  // Smaller where the view is narrower than it.
+  if (const double room = renderer->GetSize()[0] - 2.0 * gap * ratio; extent[0] > room && room > 0.0)
+  {
+    look->SetFontSize(std::max(least, static_cast<int>(letters * room / extent[0])));
+    this->Text->GetSize(renderer, extent);
+  }
   const double half = 0.5 * extent[0] + gap * ratio;
   const int* size = renderer->GetSize();
   this->Text->SetPosition(std::max(half, std::min(top[0], size[0] - half)),
-    std::min(top[1] + gap * ratio, size[1] - extent[1] - gap * ratio));
+    std::min(above + gap * ratio, size[1] - extent[1] - gap * ratio));
 }
 
 } // namespace oversketch_studio

@@ -1,7 +1,9 @@
-// What a person new to it sees on the shipped model: a line round the limb that ends highest and beyond its
-// tip, dashed in the pen's colour, and a line of text above.
+// What a person new to it sees on the shipped model: where to draw, dashed in the pen's colour, and a line of
+// text above.
 #ifndef oversketch_studio_hint_h
 #define oversketch_studio_hint_h
+
+#include "hint_line.h"
 
 #include "vtkNew.h"
 
@@ -25,15 +27,18 @@ public:
 
   void addTo(vtkRenderer* renderer);
   // Empty hides it.
-  void setText(const std::string& text);
+  void setText(const std::string& text, HintShape shape = HintShape::Limb);
+  const std::string& text() const { return this->Words; }
   void setVisible(bool visible);
   bool isVisible() const;
   void setDark(bool dark);
-  // Round the limb that ends highest in the picture of the mesh, the text within the picture; ratio: the
-  // screen's pixels a pixel as Qt counts them.
+  // Where it is in the picture of the mesh, the text within the picture; ratio: the screen's pixels a pixel
+  // as Qt counts them.
   void place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio);
 
 private:
+  std::string Words;
+  HintShape Shape = HintShape::Limb;
   vtkNew<vtkTextActor> Text;
   vtkNew<vtkActor2D> Line;
   vtkNew<vtkPolyData> Dashes;

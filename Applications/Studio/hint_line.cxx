@@ -19,6 +19,10 @@ constexpr double further = 34.0; // that the tip goes out
 constexpr double beside = 3.0;   // the line lies so far outside the limb
 constexpr double widening = 8.0; // more than that at one level is no longer the limb
 constexpr double narrowest = 8.0;
+// Of a line on the body and a ring round it, in widths of the picture.
+constexpr double lineHalf = 0.055;
+constexpr double ringHalf[2] = { 0.118, 0.063 };
+constexpr int samples = 48;
 
 // The limb's two sides at a level.
 struct Level
@@ -97,6 +101,38 @@ Polyline hintLine(const Polyline& picture, double ratio)
       smooth[i] = 0.25 * line[i - 1] + 0.5 * line[i] + 0.25 * line[i + 1];
     }
     line = smooth;
+  }
+  return line;
+}
+
+Polyline hintLine(HintShape shape, const Polyline& picture, double ratio)
+{
+  if (shape == HintShape::Limb || picture.empty())
+  {
+    return hintLine(picture, ratio);
+  }
+  Vector2 least = picture[0], most = picture[0];
+  for (const Vector2& p : picture)
+  {
+    least = least.cwiseMin(p);
+    most = most.cwiseMax(p);
+  }
+  const double wide = most[0] - least[0];
+  const Vector2 middle = 0.5 * (least + most) + wide * Vector2(-0.0315, 0.0315); // of a body over legs
+  Polyline line;
+  if (shape == HintShape::Line)
+  {
+    for (int i = 0; i <= samples; ++i)
+    {
+      const double t = 2.0 * i / samples - 1.0;
+      line.emplace_back(middle + wide * Vector2(lineHalf * t, 0.0));
+    }
+    return line;
+  }
+  for (int i = 0; i <= samples; ++i)
+  {
+    const double angle = 2.0 * static_cast<double>(EIGEN_PI) * i / samples;
+    line.emplace_back(middle + wide * Vector2(ringHalf[0] * std::cos(angle), ringHalf[1] * std::sin(angle)));
   }
   return line;
 }

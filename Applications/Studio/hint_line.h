@@ -1,4 +1,4 @@
-// The line that a person new to it is shown: one that makes the limb at the top of the picture longer.
+// The lines that a person new to it is shown, each to be followed exactly.
 #ifndef oversketch_studio_hint_line_h
 #define oversketch_studio_hint_line_h
 
@@ -10,6 +10,15 @@ namespace oversketch_studio
 // Up one side of the limb that ends at the highest of the points, over a tip that stands further out, and
 // down the other side; lengths in pixels of `ratio` each. Empty where there are no points.
 oversketch::Polyline hintLine(const oversketch::Polyline& picture, double ratio);
+
+// What a tool's hint is of: that limb; a line on the body; a ring round that line.
+enum class HintShape
+{
+  Limb,
+  Line,
+  Ring
+};
+oversketch::Polyline hintLine(HintShape shape, const oversketch::Polyline& picture, double ratio);
 
 } // namespace oversketch_studio
 #endif

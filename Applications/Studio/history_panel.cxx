@@ -2,19 +2,26 @@
 
 #include "document.h"
 #include "drawing_lines.h"
+#include "flow_layout.h"
+#include "message_words.h"
+#include "row_delegate.h"
 #include "row_texts.h"
+#include "row_words.h"
+#include "step_list.h"
+#include "step_order.h"
 #include "step_panel.h"
 
 #include <QAction>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
+#include <QMenu>
+#include <QScrollBar>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -24,8 +31,7 @@ using namespace oversketch_session;
 namespace
 {
 
-// Of an item: its step, and the line of a drawing that it is, or -1.
-constexpr int nodeRole = Qt::UserRole, lineRole = Qt::UserRole + 1;
+constexpr int nodeRole = RowDelegate::NodeRole, lineRole = RowDelegate::LineRole;
 
 // The strokes of a step that is a drawing; none of another.
 std::vector<DrawnStroke> linesIn(const Step& step)
@@ -33,34 +39,48 @@ std::vector<DrawnStroke> linesIn(const Step& step)
   return step.system == drawingSystem ? strokesOf(linesOf(step, strokesInput)) : std::vector<DrawnStroke>();
 }
 
+// Shares the thumbnail's pixels.
+QImage imageOf(const std::shared_ptr<const Thumbnail>& picture)
+{
+  using Held = std::shared_ptr<const Thumbnail>;
+  return picture ? QImage(
+                     picture->pixels.data(),
+                     Thumbnail::width,
+                     Thumbnail::height,
+                     QImage::Format_RGBA8888,
+                     [](void* held) { delete static_cast<Held*>(held); },
+                     new Held(picture))
+                 : QImage();
+}
+
 } // namespace
 
 HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   : QWidget(parent)
   , OpenDocument(document)
-  , List(new QListWidget(this))
-  , Empty(new QLabel(
-      tr("The strokes that you draw are listed here. Tick one off, draw it anew, change how it acts: "
-         "the model follows."),
-      this->List->viewport()))
+  , List(new StepList(this))
+  , Empty(
+      new QLabel(tr("The strokes that you draw are listed here. Untick one, redraw it, change how it acts: "
+                    "the model follows."),
+        this->List->viewport()))
   , Form(new StepPanel(this))
 {
   this->List->setObjectName("history");
   this->List->setToolTip(tr("The strokes, in the order in which they act. Unticked strokes do nothing."));
-  this->List->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  this->List->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   this->List->setAccessibleName(tr("Strokes"));
   this->Empty->setWordWrap(true);
   this->Empty->setAttribute(Qt::WA_TransparentForMouseEvents);
   this->makeActions();
 
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new FlowLayout;
+  buttons->setSpacing(2); // in one line in English
   for (QAction* one : this->buttonActions())
   {
     auto* button = new QToolButton(this);
     button->setDefaultAction(one);
     buttons->addWidget(button);
   }
-  buttons->addStretch();
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(this->List);
   auto* inList = new QVBoxLayout(this->List->viewport());
@@ -69,6 +89,24 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   layout->addWidget(this->Form);
   this->Form->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 
+  this->listenToList();
+  connect(this->Form,
+    &StepPanel::edited,
+    this,
+    [this](const Values& values, int mirror)
+    { this->OpenDocument->setParameters(this->current(), values, this->OpenDocument->mirrorPlane(mirror)); });
+  this->refresh();
+}
+
+// Some rows are seen, however long the form is; it scrolls.
+void HistoryPanel::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  this->List->setMinimumHeight(this->height() * 2 / 5);
+}
+
+void HistoryPanel::listenToList()
+{
   connect(this->List, &QListWidget::itemChanged, this, &HistoryPanel::itemChanged);
   connect(this->List,
     &QListWidget::currentRowChanged,
@@ -81,12 +119,88 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
         emit this->selected(this->current());
       }
     });
-  connect(this->Form,
-    &StepPanel::edited,
+  connect(this->OpenDocument, &Document::opened, this, [this] { this->Pictures.clear(); });
+  this->List->setMayMove([this](int from, int to) { return this->mayMove(from, to); });
+  connect(this->List, &StepList::moveAsked, this, &HistoryPanel::move);
+  connect(this->List, &StepList::markerAsked, this->OpenDocument, &Document::showTo);
+  this->List->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(this->List, &QWidget::customContextMenuRequested, this, &HistoryPanel::showMenu);
+  connect(this->OpenDocument, &Document::pictured, this, &HistoryPanel::showPicture);
+  // What a step moved is known after its mesh.
+  connect(this->OpenDocument,
+    &Document::detailed,
     this,
-    [this](const Values& values, int mirror)
-    { this->OpenDocument->setParameters(this->current(), values, this->OpenDocument->mirrorPlane(mirror)); });
-  this->refresh();
+    [this]
+    {
+      const auto& states = this->OpenDocument->result().nodes;
+      for (int i = 0; i < static_cast<int>(states.size()); ++i)
+      {
+        this->showPicture(i);
+      }
+    });
+}
+
+bool HistoryPanel::mayMove(int from, int to)
+{
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const OrderFault fault = faultOfMove(this->OpenDocument->session(), indexOf(from), indexOf(to));
+  if (fault)
+  {
+    emit this->told(whyNotBefore(nodes[indexOf(fault.step)], nodes[indexOf(fault.needed)]));
+  }
+  return !fault;
+}
+
+void HistoryPanel::move(int from, int to)
+{
+  if (this->mayMove(from, to))
+  {
+    this->OpenDocument->move(from, to);
+    this->select(to, -1);
+  }
+}
+
+void HistoryPanel::showMenu(const QPoint& at)
+{
+  if (this->current() < 0 || !this->List->itemAt(at))
+  {
+    return;
+  }
+  QMenu menu;
+  menu.addActions({ this->Rename, this->Toggle, this->Redraw, this->View });
+  menu.addSeparator();
+  menu.addActions({ this->Up, this->Down, this->Again, this->ShowTo, this->ShowAll });
+  menu.addSeparator();
+  menu.addAction(this->Remove);
+  menu.exec(this->List->viewport()->mapToGlobal(at));
+}
+
+void HistoryPanel::showPicture(int node)
+{
+  QListWidgetItem* item = this->List->itemOf(node);
+  if (item && indexOf(node) < this->OpenDocument->session().nodes.size())
+  {
+    const bool before = std::exchange(this->Filling, true);
+    this->tell(item, node);
+    this->Filling = before;
+  }
+}
+
+// What the step did, and its picture; the last one stays until another is there.
+void HistoryPanel::tell(QListWidgetItem* item, int at)
+{
+  const Node& node = this->OpenDocument->session().nodes[indexOf(at)];
+  const auto& states = this->OpenDocument->result().nodes;
+  const Worker::NodeState* state = indexOf(at) < states.size() ? &states[indexOf(at)] : nullptr;
+  const QString words = wordsOf(node, at < this->OpenDocument->shownTo() ? state : nullptr);
+  item->setData(RowDelegate::WordsRole, words);
+  item->setData(Qt::AccessibleDescriptionRole, words);
+  // A result that is not up to date may be of another order.
+  if (!this->OpenDocument->isBusy() && state && (state->picture || !state->failure.empty()))
+  {
+    this->Pictures[node.id] = state->picture;
+  }
+  item->setData(RowDelegate::PictureRole, imageOf(this->Pictures[node.id]));
 }
 
 void HistoryPanel::makeActions()
@@ -99,8 +213,9 @@ void HistoryPanel::makeActions()
     return made;
   };
   this->Redraw =
-    action(tr("&Redraw"), QKeySequence(tr("Ctrl+R")), tr("Draw this stroke anew; the later ones follow"));
-  this->View = action(tr("&View"), QKeySequence(tr("Ctrl+L")), tr("Look from where this stroke was drawn"));
+    action(tr("&Redraw"), QKeySequence(tr("Ctrl+R")), tr("Draw this stroke again; the later ones follow"));
+  this->View =
+    action(tr("Its &view"), QKeySequence(tr("Ctrl+L")), tr("Look from where this stroke was drawn"));
   this->Up = action(tr("&Up"), QKeySequence(tr("Ctrl+Up")), tr("Let it act earlier"));
   this->Down = action(tr("&Down"), QKeySequence(tr("Ctrl+Down")), tr("Let it act later"));
   this->Next = action(tr("Ne&xt place"),
@@ -112,6 +227,33 @@ void HistoryPanel::makeActions()
   // In the view this key is nobody's, in a name that is edited it is the editor's.
   this->Remove->setShortcutContext(Qt::WidgetShortcut);
   this->List->addAction(this->Remove);
+  this->Rename = action(tr("Re&name"), QKeySequence(tr("F2")), tr("Give this stroke another name"));
+  this->Toggle = action(tr("&On or off"), {}, tr("Let the model pass by this stroke, or not"));
+  this->Again = action(tr("Dupl&icate"), QKeySequence(tr("Ctrl+D")), tr("Let this stroke act once more"));
+  this->ShowTo = action(tr("Show &to here"),
+    QKeySequence(tr("Ctrl+H")),
+    tr("Show the model as of this stroke; the later ones are kept"));
+  this->ShowAll =
+    action(tr("Show &all"), QKeySequence(tr("Ctrl+Shift+H")), tr("Show the model as of the last stroke"));
+  connect(
+    this->Rename, &QAction::triggered, this, [this] { this->List->editItem(this->List->currentItem()); });
+  connect(this->Toggle,
+    &QAction::triggered,
+    this,
+    [this]
+    {
+      if (QListWidgetItem* item = this->List->currentItem())
+      {
+        item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
+      }
+    });
+  connect(this->Again, &QAction::triggered, this, [this] { this->OpenDocument->duplicate(this->current()); });
+  connect(
+    this->ShowTo, &QAction::triggered, this, [this] { this->OpenDocument->showTo(this->current() + 1); });
+  connect(this->ShowAll,
+    &QAction::triggered,
+    this,
+    [this] { this->OpenDocument->showTo(static_cast<int>(this->OpenDocument->session().nodes.size())); });
   connect(this->Redraw,
     &QAction::triggered,
     this,
@@ -121,12 +263,7 @@ void HistoryPanel::makeActions()
       line < 0 ? emit this->redrawAsked(this->current()) : emit this->lineAsked(this->current(), line);
     });
   connect(this->View, &QAction::triggered, this, [this] { emit this->viewAsked(this->current()); });
-  const auto shift = [this](int by)
-  {
-    const int row = this->current();
-    this->OpenDocument->move(row, row + by);
-    this->select(row + by, -1);
-  };
+  const auto shift = [this](int by) { this->move(this->current(), this->current() + by); };
   connect(this->Up, &QAction::triggered, this, [shift] { shift(-1); });
   connect(this->Down, &QAction::triggered, this, [shift] { shift(1); });
   connect(this->Next,
@@ -192,7 +329,7 @@ int HistoryPanel::changed() const
   {
     return -1;
   }
-  const int last = static_cast<int>(this->OpenDocument->session().nodes.size()) - 1;
+  const int last = this->OpenDocument->shownTo() - 1;
   return this->current() >= 0 ? this->current() : last;
 }
 
@@ -266,12 +403,12 @@ void HistoryPanel::addStep(int at)
     if (!state.failure.empty())
     {
       item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
-      item->setToolTip(tr("Did nothing: %1").arg(QString::fromStdString(state.failure)));
+      item->setToolTip(tr("Did nothing: %1").arg(plainWords(state.failure)));
     }
     else if (!state.remark.empty())
     {
       item->setIcon(this->style()->standardIcon(QStyle::SP_MessageBoxWarning));
-      item->setToolTip(QString::fromStdString(state.remark));
+      item->setToolTip(plainWords(state.remark));
     }
     else if (state.elsewhere)
     {
@@ -284,6 +421,7 @@ void HistoryPanel::addStep(int at)
     const SystemRow* system = findSystem(node.step->system);
     item->setToolTip(system ? rowSentence(system->brief) : QString());
   }
+  this->tell(item, at);
   this->List->addItem(item);
 }
 
@@ -311,7 +449,9 @@ void HistoryPanel::refresh()
 {
   this->Filling = true;
   const int node = this->current(), line = this->currentLine();
+  const int scrolled = this->List->verticalScrollBar()->value(), before = this->List->steps();
   this->List->clear();
+  this->List->arrange(0, 0);
   if (this->OpenDocument->isOpen())
   {
     const int count = static_cast<int>(this->OpenDocument->session().nodes.size());
@@ -320,6 +460,8 @@ void HistoryPanel::refresh()
       this->addStep(i);
       this->addLines(i);
     }
+    this->List->arrange(count, this->OpenDocument->shownTo());
+    this->List->scrollBack(scrolled, count == before + 1 ? this->OpenDocument->shownTo() - 1 : -1);
     if (node >= 0)
     {
       this->select(std::min(node, count - 1), line);
@@ -348,6 +490,12 @@ void HistoryPanel::showStep()
   this->More->setEnabled(this->Less->isEnabled());
   this->Up->setEnabled(row > 0 && !isLine);
   this->Down->setEnabled(step && !isLine && indexOf(row) + 1 < this->OpenDocument->session().nodes.size());
+  this->Rename->setEnabled(step && !isLine);
+  this->Toggle->setEnabled(step);
+  this->Again->setEnabled(step && !isLine && (row > 0 || this->OpenDocument->session().mesh));
+  this->ShowTo->setEnabled(step);
+  this->ShowAll->setEnabled(this->OpenDocument->isOpen() && indexOf(this->OpenDocument->shownTo()) <
+                                                              this->OpenDocument->session().nodes.size());
   this->Form->show(step);
 }
 

@@ -3,20 +3,23 @@
 #define oversketch_studio_history_panel_h
 
 #include "step.h"
+#include "thumbnail.h"
 
 #include <QWidget>
 
 #include <functional>
+#include <map>
+#include <memory>
 
 class QAction;
 class QLabel;
-class QListWidget;
 class QListWidgetItem;
 
 namespace oversketch_studio
 {
 
 class Document;
+class StepList;
 class StepPanel;
 
 class HistoryPanel : public QWidget
@@ -36,8 +39,10 @@ public:
   // What can be done with it, for a menu; the first ones have buttons under the list, too.
   QList<QAction*> strokeActions() const
   {
-    return this->buttonActions() + QList<QAction*>{ this->Next, this->Less, this->More };
+    return this->buttonActions() + QList<QAction*>{ this->Next, this->Less, this->More } + this->rowActions();
   }
+  // Takes the selected step away, where the focus is on a widget that has it.
+  QAction* removal() const { return this->Remove; }
 
   // Brings it up to what the document is.
   void refresh();
@@ -50,6 +55,11 @@ signals:
   void lineAsked(int node, int line);
   // The camera is to go where the step was drawn.
   void viewAsked(int node);
+  // Something cannot be done: why.
+  void told(const QString& why);
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   void makeActions();
@@ -57,6 +67,17 @@ private:
   {
     return { this->Redraw, this->View, this->Up, this->Down, this->Remove };
   }
+  QList<QAction*> rowActions() const
+  {
+    return { this->Rename, this->Toggle, this->Again, this->ShowTo, this->ShowAll };
+  }
+  void listenToList();
+  // Whether a step may be put at another place; says why not.
+  bool mayMove(int from, int to);
+  void move(int from, int to);
+  void showMenu(const QPoint& at);
+  void showPicture(int node);
+  void tell(QListWidgetItem* item, int node);
   void addStep(int node);
   void addLines(int node);
   void select(int node, int line);
@@ -71,11 +92,13 @@ private:
   void itemChanged(QListWidgetItem* item);
 
   Document* OpenDocument;
-  QListWidget* List;
+  StepList* List;
   QLabel* Empty; // says what will be listed
   StepPanel* Form;
-  QAction *Redraw, *View, *Up, *Down, *Next, *Less, *More, *Remove;
+  QAction *Redraw, *View, *Up, *Down, *Next, *Less, *More, *Remove, *Rename, *Toggle, *Again, *ShowTo,
+    *ShowAll;
   bool Filling = false;
+  std::map<int, std::shared_ptr<const oversketch_session::Thumbnail>> Pictures; // by the steps' ids
 };
 
 } // namespace oversketch_studio

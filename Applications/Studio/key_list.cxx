@@ -31,10 +31,11 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
   }
   QVector<QPair<QString, QString>> rows = tool.keys();
   rows += {
-    { T::tr("Middle drag"), T::tr("turn (or Ctrl + left drag)") },
-    { T::tr("Right drag"), T::tr("pan") },
-    { T::tr("Wheel"), T::tr("zoom (or Ctrl + Shift + left drag)") },
-    { T::tr("Escape"), T::tr("drop the line being drawn; take a drag back") },
+    { T::tr("Pen pressure"), tool.pressure() },
+    { T::tr("Middle drag"), T::tr("turn (or Alt, Ctrl or Space + left drag, or two fingers)") },
+    { T::tr("Right drag"), T::tr("pan (or Alt or Shift + middle drag)") },
+    { T::tr("Wheel"), T::tr("zoom at the cursor (or pinch, or Ctrl + Shift + left drag)") },
+    { T::tr("Escape"), T::tr("drop the line being drawn; take a drag back; leave the row") },
     { T::tr("Backspace"), T::tr("take the end of the line being drawn back") },
     { T::tr("Return"), T::tr("leave the red line, to draw where it is") },
     { {}, {} },
@@ -44,9 +45,12 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
     { "r  l  h", T::tr("spin counter-clockwise (r, l), clockwise (h)") },
     { "p  n", T::tr("zoom out, in (Shift: pan in, out)") },
     { "w  c", T::tr("back to the first view; centre on the model") },
+    { "Ctrl+1-6", T::tr("from the front, right, top, back, left, bottom") },
+    { "5", T::tr("orthographic or perspective") },
+    { "u", T::tr("while held: the model before the selected step") },
     { keys.join("  ") + "  o", T::tr("%1; show what moves").arg(modes.join("; ")) },
     { "?  F1", T::tr("show or hide this list") },
-    { "q", T::tr("quit") },
+    { "Ctrl+Q", T::tr("quit") },
   };
   int widest = 0;
   for (const auto& row : rows)

@@ -2,6 +2,8 @@
 #include "files.h"
 #include "latency.h"
 #include "main_window.h"
+#include "resources.h"
+#include "translations.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -26,6 +28,7 @@ int main(int count, char** values)
   // Every sample of the pen counts. (Qt's X11 part turns the first one on when the application is made.)
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
   QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
+  oversketch_studio::installTranslation(QLocale(), oversketch_studio::shippedFile("Translations"));
   QCommandLineParser parser;
   parser.setApplicationDescription(
     QCoreApplication::translate("main", "Draw a line beside a model's outline, and the model follows."));

@@ -1,12 +1,19 @@
 #include "main_window.h"
 
+#include "advice_label.h"
+#include "camera_look.h"
 #include "files.h"
 #include "focus_frame.h"
 #include "history_panel.h"
 #include "latency.h"
 #include "looks.h"
+#include "message_words.h"
+#include "option_presets.h"
 #include "scene_panel.h"
+#include "step_lines.h"
+#include "stroke_lines.h"
 #include "tools.h"
+#include "view_menu.h"
 #include "viewport.h"
 
 #include <QAction>
@@ -23,37 +30,12 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace oversketch_studio
 {
 
 using namespace oversketch_session;
-
-namespace
-{
-
-// The first stroke that a step was given, with its view, by itself or by the step that it takes it of.
-vtkSmartPointer<vtkPolyData> strokeOf(const Session& session, const Step& step)
-{
-  const SystemRow* row = findSystem(step.system);
-  const SystemInput* input = row ? findInput(*row, SystemInput::Kind::Stroke) : nullptr;
-  const auto given = input ? step.inputs.find(input->name) : step.inputs.end();
-  const auto* of = given == step.inputs.end() ? nullptr : std::get_if<StepOutput>(&given->second);
-  for (const Node& node : session.nodes)
-  {
-    if (!of || node.step.get() == &step) // it takes of those before it
-    {
-      break;
-    }
-    if (node.id == of->step)
-    {
-      return strokeOf(session, *node.step);
-    }
-  }
-  return input ? linesOf(step, input->name) : nullptr;
-}
-
-} // namespace
 
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
@@ -63,7 +45,13 @@ MainWindow::MainWindow(QWidget* parent)
   , Sides(new QSplitter(Qt::Horizontal, this))
   , Scene(new ScenePanel(this->OpenDocument, this))
   , History(new HistoryPanel(this->OpenDocument, this))
-  , Advice(new QLabel(this))
+  , Look(new ViewMenu(
+      this->View,
+      this->OpenDocument,
+      [this] { return this->nodeMeant(); },
+      this))
+  , Lines(new StrokeLines(this->View))
+  , Advice(new AdviceLabel(this))
   , Mode(new QLabel(this))
   , Progress(new QProgressBar(this))
   , Cancel(new QPushButton(tr("&Cancel"), this))
@@ -89,18 +77,19 @@ MainWindow::MainWindow(QWidget* parent)
   this->makeMenus();
   this->makeTools();
   this->makeStatus();
+  this->listenToRows();
   this->listenToDocument();
   this->listenToPanels();
   for (Tool* tool : this->Tools)
   {
     this->listenToTool(tool);
   }
-  connect(this->View, &Viewport::quitAsked, this, &MainWindow::close, Qt::QueuedConnection);
   QSettings settings;
   this->resize(1200, 800);
   this->restoreGeometry(settings.value("geometry").toByteArray());
   this->restoreState(settings.value("state").toByteArray());
   this->apply(Preferences::read());
+  connect(this->View, &Viewport::cameraMoves, this, [this] { this->Teaches = false; });
   this->setTool(this->Tools.first());
   this->View->setFocus();
   this->refresh();
@@ -115,6 +104,7 @@ void MainWindow::listenToDocument()
   connect(this->OpenDocument, &Document::shown, this, &MainWindow::showResult);
   connect(this->OpenDocument, &Document::detailed, this, &MainWindow::showDetails);
   connect(this->OpenDocument, &Document::idle, this, &MainWindow::refresh);
+  this->OpenDocument->setLook([this] { return lookOf(*this->View); });
 }
 
 void MainWindow::listenToPanels()
@@ -126,6 +116,7 @@ void MainWindow::listenToPanels()
     {
       if (Tool* tool = this->toolOf(node))
       {
+        this->OpenDocument->showTo(std::max(this->OpenDocument->shownTo(), node + 1));
         this->setTool(tool);
         this->Redrawn = node;
         this->lookFrom(node);
@@ -225,8 +216,8 @@ void MainWindow::stepDrawn(const Step& step)
   {
     return;
   }
-  this->View->showHint({});
-  const int count = static_cast<int>(this->OpenDocument->session().nodes.size());
+  this->stopTeaching();
+  const int count = this->OpenDocument->shownTo();
   if (this->Redrawn >= 0 && this->Redrawn < count)
   {
     this->Offered = this->Redrawn;
@@ -277,9 +268,11 @@ void MainWindow::setTool(Tool* tool)
   this->selectDrawing(tool);
   this->ToolActions[at]->setChecked(true);
   this->Options->setCurrentIndex(at);
+  this->Presets->setTool(tool);
   const QString mode = tool->mode();
   this->Mode->setText(mode.left(1).toUpper() + mode.mid(1));
   this->Redrawn = tool->system().empty() ? -1 : this->Redrawn;
+  this->chooseLine();
   this->advise();
 }
 
@@ -333,6 +326,7 @@ void MainWindow::apply(const Preferences& preferences)
   QApplication::setPalette(preferences.dark ? darkPalette() : QApplication::style()->standardPalette());
   this->Dark->setChecked(preferences.dark);
   this->View->setDark(preferences.dark);
+  this->Look->setDark(preferences.dark);
   this->drawToolIcons();
   for (Tool* tool : this->Tools)
   {
@@ -340,6 +334,7 @@ void MainWindow::apply(const Preferences& preferences)
     tool->setSteadiness(preferences.stabilizer);
   }
   this->OpenDocument->setBackend(preferences.backend);
+  this->placeForHand(preferences.leftHanded);
 }
 
 void MainWindow::askPreferences()
@@ -362,6 +357,7 @@ void MainWindow::select(int node)
   }
   this->showSection(node);
   this->offerStep();
+  this->chooseLine();
   this->advise();
 }
 
@@ -381,15 +377,22 @@ void MainWindow::offerNothing()
   }
 }
 
+int MainWindow::nodeMeant() const
+{
+  const bool open = this->OpenDocument->isOpen();
+  const int last = open ? this->OpenDocument->shownTo() - 1 : -1;
+  return this->History->current() >= 0 ? std::min(this->History->current(), last) : last;
+}
+
 void MainWindow::offerStep()
 {
   const auto& nodes = this->OpenDocument->session().nodes;
   const auto& states = this->OpenDocument->result().nodes;
-  const int last = static_cast<int>(nodes.size()) - 1;
-  const int node = this->History->current() >= 0 ? this->History->current() : last;
+  const int last = this->OpenDocument->shownTo() - 1;
+  const int node = this->nodeMeant();
   this->View->showRegion(nullptr);
   // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
-  const bool can = this->Redrawn < 0 && node >= 0 && node <= last && states.size() == nodes.size() &&
+  const bool can = this->Redrawn < 0 && node >= 0 && node <= last && indexOf(last + 1) == states.size() &&
                    nodes[indexOf(node)].on && !this->OpenDocument->isBusy();
   Tool* tool = can ? this->toolOf(node) : nullptr;
   this->offerNothing();
@@ -420,11 +423,15 @@ void MainWindow::showResult()
   {
     Latency::of().meshComes();
     this->View->showMesh(result.display, this->Reset);
-    this->Reset = false;
+    if (std::exchange(this->Reset, false) && this->OpenDocument->look())
+    {
+      lookAs(*this->OpenDocument->look(), *this->View);
+    }
     this->showSection(this->History->current());
     if (!this->OpenDocument->isBusy())
     {
       this->offerStep();
+      this->chooseLine();
     }
     this->View->renderNow();
     for (Tool* tool : this->Tools)
@@ -494,9 +501,26 @@ void MainWindow::refresh()
   this->advise();
 }
 
+// Where to draw with the tool in the hand, for who is new to it.
+void MainWindow::teach()
+{
+  const Tool* tool = this->View->tool();
+  if (this->Teaches && !tool->draws() && !this->View->showsKeys() && this->View->hint() != tool->hint())
+  {
+    this->View->showHint(tool->hint(), tool->hintShape());
+  }
+}
+
+void MainWindow::stopTeaching()
+{
+  this->Teaches = false;
+  this->View->showHint({});
+}
+
 // What to do next.
 void MainWindow::advise()
 {
+  this->teach();
   Tool::Situation situation;
   if (this->View->tool()->judges())
   {
@@ -510,19 +534,18 @@ void MainWindow::advise()
   }
   const auto& nodes = this->OpenDocument->session().nodes;
   const auto& states = this->OpenDocument->result().nodes;
+  const int last = this->OpenDocument->shownTo() - 1;
   const bool isJustDrawn =
-    this->Redrawn < 0 && !nodes.empty() && states.size() == nodes.size() && nodes.back().on;
+    this->Redrawn < 0 && last >= 0 && states.size() == indexOf(last + 1) && nodes[indexOf(last)].on;
   if (isJustDrawn && !states.back().failure.empty())
   {
-    this->Advice->setText(
-      tr("The last stroke did nothing: %1").arg(QString::fromStdString(states.back().failure)));
+    this->Advice->setText(tr("That did nothing: %1").arg(plainWords(states.back().failure)));
     return;
   }
   if (isJustDrawn && !states.back().remark.empty())
   {
-    const Tool* tool = this->toolOf(static_cast<int>(nodes.size()) - 1);
-    this->Advice->setText(
-      QString::fromStdString(states.back().remark) + (tool ? ' ' + tool->remedy() : QString()));
+    const Tool* tool = this->toolOf(last);
+    this->Advice->setText(plainWords(states.back().remark) + (tool ? ' ' + tool->remedy() : QString()));
     return;
   }
   situation.empty = nodes.empty();

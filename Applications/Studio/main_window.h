@@ -24,9 +24,14 @@ class QToolBar;
 namespace oversketch_studio
 {
 
+class AdviceLabel;
+struct Example;
 class HistoryPanel;
+class OptionPresets;
 class ScenePanel;
+class StrokeLines;
 class Tool;
+class ViewMenu;
 class Viewport;
 
 class MainWindow : public QMainWindow
@@ -65,11 +70,17 @@ private:
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* panel);
   void remember(const QString& path);
   void fillRecent();
+  void fillExamples();
+  void placeForHand(bool left);
 
   // Files: main_window_files.cxx. tried runs what may throw Failed and says why in a box; returns whether it
   // went well.
   bool tried(const std::function<void()>& run);
   void tell(const QStringList& notes);
+  // What is read on a thread of its own is shown, instead of what is there.
+  bool openRead(const QString& name, const std::function<Document::Opened()>& read);
+  bool openExample(const Example& example);
+  bool saveTo(const QString& path);
   void openAsked();
   QString pictureAsked(const QString& title); // a path; empty for none
   void newFromPictureAsked();
@@ -77,11 +88,19 @@ private:
   bool save();
   bool saveAs();
   void exportAsked();
-  void screenshot();
+  void exportPart(int part, const QString& name);
+  void exportMesh(vtkPolyData* mesh, const QString& name);
+  void screenshot(bool lines);
   void addPicture(const QString& path);
   void addPictureAsked();
   // Whether what is not saved may be left.
   bool mayLeave();
+
+  // Rows of the history and their lines on the model: main_window_rows.cxx.
+  void listenToRows();
+  void clicked(const QPoint& place);
+  void chooseLine();
+  void tooShort(double least);
 
   void listenToDocument();
   void listenToPanels();
@@ -101,10 +120,13 @@ private:
   void apply(const Preferences& preferences);
   void refresh();
   void advise();
+  void teach();
+  void stopTeaching();
   void select(int node);
   void showSection(int node); // where the step took hold
   // The step that can be taken hold of: the selected one, else the last.
   void offerStep();
+  int nodeMeant() const; // that one; -1: none
   void offerNothing();
   bool isNothingDrawn() const;
   void showResult();
@@ -119,14 +141,17 @@ private:
   QVector<QWidget*> Canvases;      // of the tools' order; null where a tool draws on the model
   ScenePanel* Scene;
   HistoryPanel* History;
+  ViewMenu* Look;
+  StrokeLines* Lines;
   QToolBar* Strip = nullptr;
   QStackedWidget* Options = nullptr; // of the tools, in their order
-  QLabel* Advice;
+  AdviceLabel* Advice;
   QLabel* Mode;
   QProgressBar* Progress;
   QPushButton* Cancel;
   QTimer* Patience; // progress is shown for what takes longer than a moment
-  QMenu* Recent = nullptr;
+  QMenu *Recent = nullptr, *Examples = nullptr;
+  OptionPresets* Presets = nullptr;
   QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Dark = nullptr,
           *Region = nullptr;
   QVector<QAction*> DockActions;
@@ -134,6 +159,7 @@ private:
   int Redrawn = -1; // the step that the next one replaces
   int Offered = -1; // the one that can be taken hold of in the view
   bool Reset = false;
+  bool Teaches = false; // hints, until a step has been drawn or the model turned
 };
 
 } // namespace oversketch_studio

@@ -1,10 +1,15 @@
 #include "main_window.h"
 
+#include "advice_label.h"
+#include "examples.h"
+#include "exporting.h"
 #include "files.h"
 #include "heights.h"
 #include "history_panel.h"
+#include "long_work.h"
 #include "mesh_file.h"
 #include "resources.h"
+#include "row_texts.h"
 #include "texture.h"
 #include "tool.h"
 #include "viewport.h"
@@ -15,12 +20,16 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
+
+#include <memory>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -74,22 +83,42 @@ void MainWindow::tell(const QStringList& notes)
 
 bool MainWindow::open(const QString& path)
 {
-  QStringList notes;
-  bool opened = false;
-  this->tried(
-    [&]
-    {
-      opened = this->OpenDocument->open(
-        path, [this] { return this->mayLeave(); }, notes);
-    });
+  const int backend = this->OpenDocument->backend();
+  const bool opened =
+    this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); });
   if (opened)
   {
     this->remember(path);
-    this->View->showHint({});
-    this->Redrawn = -1;
-    this->tell(notes);
   }
   return opened;
+}
+
+bool MainWindow::openExample(const Example& example)
+{
+  const int backend = this->OpenDocument->backend();
+  return this->openRead(example.title, [example, backend] { return readExample(example, backend); });
+}
+
+bool MainWindow::openRead(const QString& name, const std::function<Document::Opened()>& read)
+{
+  if (isLongWorkGoing() || !this->mayLeave())
+  {
+    return false;
+  }
+  const auto opened = std::make_shared<Document::Opened>();
+  bool done = false;
+  this->tried(
+    [&] { done = doLongWork(this, tr("Reading %1…").arg(name), [opened, read] { *opened = read(); }); });
+  if (!done)
+  {
+    return false;
+  }
+  this->Redrawn = -1;
+  this->stopTeaching();
+  const QStringList notes = opened->notes;
+  this->OpenDocument->open(std::move(*opened));
+  this->tell(notes);
+  return true;
 }
 
 bool MainWindow::openPicture(const QString& path)
@@ -107,7 +136,7 @@ bool MainWindow::openPicture(const QString& path)
   }
   if (opened)
   {
-    this->View->showHint({});
+    this->stopTeaching();
     this->Redrawn = -1;
   }
   return opened;
@@ -156,7 +185,7 @@ void MainWindow::addPartAsked()
     this->tell({ QString::fromStdString(failure.what()) });
     return;
   }
-  const int part = static_cast<int>(this->OpenDocument->session().nodes.size()) - 1;
+  const int part = this->OpenDocument->shownTo() - 1;
   this->History->selectStep(part);
   this->setTool(this->toolOf(part));
 }
@@ -165,18 +194,21 @@ bool MainWindow::offerRecovery()
 {
   for (const LeftBehind& left : leftBehind(autosaveRoot()))
   {
+    const QString name = left.path.empty() ? QString::fromStdString(left.meshName)
+                                           : QFileInfo(QString::fromStdString(left.path)).fileName();
     QMessageBox box(QMessageBox::Question,
       tr("Oversketch"),
-      tr("Oversketch ended before your work on %1 was saved. Open it again?")
-        .arg(QString::fromStdString(left.meshName)),
+      tr("Oversketch ended before your work on %1 was saved. Open it again?").arg(name),
       QMessageBox::NoButton,
       this);
-    box.setInformativeText(left.strokes == 1
-                             ? tr("It holds one stroke.")
-                             : tr("It holds %n strokes.", nullptr, static_cast<int>(left.strokes)));
-    QPushButton* again = box.addButton(tr("Open it"), QMessageBox::AcceptRole);
-    QPushButton* away = box.addButton(tr("Throw it away"), QMessageBox::DestructiveRole);
-    box.addButton(tr("Ask next time"), QMessageBox::RejectRole);
+    const QString time = QLocale().toString(QDateTime::fromSecsSinceEpoch(left.time), QLocale::ShortFormat);
+    box.setInformativeText(
+      left.strokes == 1
+        ? tr("Last changed %1. It has one step.").arg(time)
+        : tr("Last changed %1. It has %n steps.", nullptr, static_cast<int>(left.strokes)).arg(time));
+    QPushButton* again = box.addButton(tr("&Open it"), QMessageBox::AcceptRole);
+    QPushButton* away = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    box.addButton(tr("&Ask next time"), QMessageBox::RejectRole);
     box.setDefaultButton(again);
     box.exec();
     if (box.clickedButton() == again)
@@ -194,15 +226,12 @@ bool MainWindow::offerRecovery()
 void MainWindow::openShippedModel()
 {
   const QString path = shippedModel();
-  QStringList none;
-  if (!path.isEmpty() && this->tried(
-                           [&]
-                           {
-                             this->OpenDocument->open(
-                               path, [] { return true; }, none);
-                           }))
+  const int backend = this->OpenDocument->backend();
+  if (!path.isEmpty() &&
+      this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); }))
   {
-    this->View->showHint(this->View->tool()->hint());
+    this->Teaches = true;
+    this->teach();
   }
 }
 
@@ -222,7 +251,31 @@ void MainWindow::openAsked()
 bool MainWindow::save()
 {
   const QString path = this->OpenDocument->path();
-  return path.isEmpty() ? this->saveAs() : this->tried([&] { this->OpenDocument->save(path); });
+  return path.isEmpty() ? this->saveAs() : this->saveTo(path);
+}
+
+bool MainWindow::saveTo(const QString& path)
+{
+  if (isLongWorkGoing())
+  {
+    return false;
+  }
+  bool done = false;
+  const auto file = std::make_shared<const SessionFile>(this->OpenDocument->toSave());
+  this->tried(
+    [&]
+    {
+      done = doLongWork(this,
+        tr("Saving %1…").arg(QFileInfo(path).fileName()),
+        [path, file] { writeSession(path.toStdString(), *file); });
+    });
+  if (done)
+  {
+    this->OpenDocument->saved(path);
+    this->remember(path);
+    this->Advice->setText(tr("Saved as %1.").arg(path));
+  }
+  return done;
 }
 
 bool MainWindow::saveAs()
@@ -244,38 +297,54 @@ bool MainWindow::saveAs()
   {
     path += ".oversketch";
   }
-  return this->tried(
-    [&]
-    {
-      this->OpenDocument->save(path);
-      this->remember(path);
-    });
+  return this->saveTo(path);
 }
 
 void MainWindow::exportAsked()
 {
-  if (!this->OpenDocument->isOpen())
+  const vtkSmartPointer<vtkPolyData> shown =
+    this->OpenDocument->isOpen() ? this->OpenDocument->shownMesh() : nullptr;
+  if (!shown || isLongWorkGoing())
   {
     return;
   }
-  const QString path = QFileDialog::getSaveFileName(this,
-    tr("Export the mesh"),
-    QDir(QSettings().value("folder").toString())
-      .filePath(QFileInfo(this->OpenDocument->name()).completeBaseName() + ".ply"),
-    tr("Meshes (%1)").arg(patternsOf(oversketch_files::meshExtensions)));
-  if (!path.isEmpty())
-  {
-    this->tried([&] { this->tell(this->OpenDocument->save(path)); });
-  }
+  this->exportMesh(shown, this->OpenDocument->name());
 }
 
-void MainWindow::screenshot()
+void MainWindow::exportMesh(vtkPolyData* shown, const QString& name)
+{
+  const QString path = exportPathAsked(this, QFileInfo(name).completeBaseName());
+  if (path.isEmpty())
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> copy; // the window looks at it meanwhile, and a writer keeps ranges in the arrays
+  copy->DeepCopy(shown);
+  const vtkSmartPointer<vtkPolyData> mesh = copy;
+  const auto notes = std::make_shared<oversketch_files::Notes>();
+  this->tried(
+    [&]
+    {
+      const bool done = doLongWork(this,
+        tr("Exporting %1…").arg(QFileInfo(path).fileName()),
+        [mesh, path, notes] { oversketch_files::writeMesh(mesh, path.toStdString(), *notes); });
+      if (done)
+      {
+        this->Advice->setText(tr("Exported as %1.").arg(path));
+        this->tell(listOf(*notes));
+      }
+    });
+}
+
+void MainWindow::screenshot(bool lines)
 {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   const QString name =
     tr("Oversketch %1.png").arg(QDateTime::currentDateTime().toString("yyyy-MM-dd hh.mm.ss"));
-  QString path = QFileDialog::getSaveFileName(
-    this, tr("Save a picture of the model"), QDir(folder).filePath(name), tr("Pictures (*.png)"));
+  QString path = QFileDialog::getSaveFileName(this,
+    lines ? tr("Save a picture of the model with lines and texts") : tr("Save a picture of the model"),
+    QDir(folder).filePath(name),
+    tr("Pictures (*.png)"));
   if (path.isEmpty())
   {
     return;
@@ -284,10 +353,10 @@ void MainWindow::screenshot()
   {
     path += ".png";
   }
-  const bool overlays =
-    QMessageBox::question(this, tr("Oversketch"), tr("With the lines and texts over the model?")) ==
-    QMessageBox::Yes;
-  this->tried([&] { this->View->screenshot(path, overlays); });
+  if (this->tried([&] { this->View->screenshot(path, lines); }))
+  {
+    this->Advice->setText(tr("Saved as %1.").arg(path));
+  }
 }
 
 bool MainWindow::mayLeave()
@@ -306,7 +375,7 @@ bool MainWindow::mayLeave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-  if (!this->mayLeave())
+  if (isLongWorkGoing() || !this->mayLeave())
   {
     event->ignore();
     return;
@@ -382,7 +451,7 @@ void MainWindow::addPicture(const QString& path)
         return;
       }
       picture.frame = this->View->frameFor(pixels->GetDimensions()[0], pixels->GetDimensions()[1]);
-      this->View->showHint({}); // it might not be legible before it
+      this->stopTeaching(); // it might not be legible before it
       this->OpenDocument->addPicture(picture);
     });
 }

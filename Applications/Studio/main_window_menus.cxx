@@ -1,9 +1,16 @@
 // The window's menus, tool bar and status bar.
 #include "main_window.h"
 
+#include "advice_label.h"
+#include "examples.h"
 #include "history_panel.h"
+#include "kept_note.h"
+#include "option_presets.h"
+#include "options_stack.h"
+#include "scene_panel.h"
 #include "systems.h"
 #include "tool.h"
+#include "view_menu.h"
 #include "viewport.h"
 
 #include "vtkVersion.h"
@@ -24,6 +31,7 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace oversketch_studio
 {
@@ -66,11 +74,18 @@ void MainWindow::makeMenus()
   }
   this->Recent = file->addMenu(tr("Open &recent"));
   connect(this->Recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  this->Examples = file->addMenu(tr("E&xamples"));
+  connect(this->Examples, &QMenu::aboutToShow, this, &MainWindow::fillExamples);
   this->Save = this->add(file, tr("&Save session"), QKeySequence::Save, [this] { this->save(); });
   this->add(file, tr("Save session &as…"), QKeySequence(tr("Ctrl+Shift+S")), [this] { this->saveAs(); });
   this->Export =
     this->add(file, tr("&Export mesh…"), QKeySequence(tr("Ctrl+E")), [this] { this->exportAsked(); });
-  this->add(file, tr("Save a &picture…"), QKeySequence(tr("F12")), [this] { this->screenshot(); });
+  file->addAction(this->Scene->exporting());
+  this->add(file, tr("Save a &picture…"), QKeySequence(tr("F12")), [this] { this->screenshot(false); });
+  this->add(file,
+    tr("Save a picture with &lines…"),
+    QKeySequence(tr("Shift+F12")),
+    [this] { this->screenshot(true); });
   file->addSeparator();
   this->add(file, tr("Add a p&icture…"), {}, [this] { this->addPictureAsked(); });
   file->addSeparator();
@@ -131,6 +146,8 @@ void MainWindow::makeToolMenu()
   {
     menu->addActions(tool->actions());
   }
+  this->Presets = new OptionPresets(this);
+  menu->addMenu(this->Presets);
 }
 
 void MainWindow::makeViewMenu()
@@ -149,6 +166,8 @@ void MainWindow::makeViewMenu()
   this->Region =
     this->add(show, tr("&Region that moves"), QKeySequence(tr("O")), [this] { this->offerStep(); });
   this->Region->setCheckable(true);
+  this->Look->addTo(show);
+  show->addSeparator();
   show->addActions({ this->DockActions.begin(), this->DockActions.end() });
 }
 
@@ -176,7 +195,7 @@ void MainWindow::makeTools()
     return bar;
   };
   QToolBar* bar = fixed(Qt::TopToolBarArea, tr("Options"), "options_bar");
-  this->Options = new QStackedWidget(bar);
+  this->Options = new OptionsStack(bar);
   for (Tool* tool : this->Tools)
   {
     QWidget* options = tool->makeOptions(this->Options);
@@ -185,7 +204,17 @@ void MainWindow::makeTools()
   bar->addWidget(this->Options);
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  auto* presets = new QToolButton(bar);
+  presets->setObjectName("presets");
+  presets->setText(tr("Presets"));
+  presets->setToolTip(tr("Options that you have kept under a name"));
+  presets->setMenu(this->Presets);
+  presets->setPopupMode(QToolButton::InstantPopup);
+  presets->setFocusPolicy(Qt::NoFocus); // keys have the menu
+  const QAction* of = this->Presets->menuAction();
+  connect(of, &QAction::changed, presets, [presets, of] { presets->setEnabled(of->isEnabled()); });
   bar->addWidget(space);
+  bar->addWidget(presets);
   bar->addActions({ this->Undo, this->Redo });
   this->Strip = fixed(Qt::LeftToolBarArea, tr("Tools"), "tools_strip");
   this->Strip->setIconSize(QSize(toolIcon, toolIcon));
@@ -214,9 +243,6 @@ void MainWindow::drawToolIcons()
 
 void MainWindow::makeStatus()
 {
-  this->Advice->setObjectName("advice");
-  this->Advice->setIndent(6);
-  this->Advice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // no text widens the window
   this->Mode->setObjectName("mode");
   this->Progress->setAccessibleName(tr("Progress"));
   this->Progress->setRange(0, 100);
@@ -226,7 +252,13 @@ void MainWindow::makeStatus()
   this->statusBar()->addWidget(this->Advice, 1);
   this->statusBar()->addPermanentWidget(this->Progress);
   this->statusBar()->addPermanentWidget(this->Cancel);
+  this->statusBar()->addPermanentWidget(this->Look->triangles());
+  this->statusBar()->addPermanentWidget(new KeptNote(this->OpenDocument, this));
   this->statusBar()->addPermanentWidget(this->Mode);
+  connect(this->Look,
+    &ViewMenu::told,
+    this->statusBar(),
+    [this](const QString& text) { this->statusBar()->showMessage(text); });
   this->Patience->setSingleShot(true);
   this->Patience->setInterval(patience);
   connect(this->Patience,
@@ -265,6 +297,41 @@ void MainWindow::remember(const QString& path)
   recent.prepend(whole);
   settings.setValue("recent", QStringList(recent.mid(0, recentFiles)));
   settings.setValue("folder", QFileInfo(path).absolutePath());
+}
+
+// Tools at the hand that draws, panels at the other.
+void MainWindow::placeForHand(bool left)
+{
+  const auto tools = left ? Qt::RightToolBarArea : Qt::LeftToolBarArea;
+  const auto panels = left ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
+  if (this->toolBarArea(this->Strip) == tools)
+  {
+    return;
+  }
+  this->addToolBar(tools, this->Strip);
+  for (auto* dock : this->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
+  {
+    if (!dock->isFloating())
+    {
+      const bool shown = !dock->isHidden();
+      this->addDockWidget(panels, dock);
+      dock->setVisible(shown);
+    }
+  }
+}
+
+void MainWindow::fillExamples()
+{
+  this->Examples->clear();
+  const QVector<Example> all = examples();
+  for (const Example& one : all)
+  {
+    this->add(this->Examples, one.title, {}, [this, one] { this->openExample(one); });
+  }
+  if (all.isEmpty())
+  {
+    this->Examples->addAction(tr("None are installed"))->setEnabled(false);
+  }
 }
 
 void MainWindow::fillRecent()

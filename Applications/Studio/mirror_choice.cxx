@@ -19,10 +19,8 @@ struct Texts
 QComboBox* mirrorChoice(QWidget* parent)
 {
   auto* choice = new QComboBox(parent);
-  choice->addItems({ Texts::tr("One side"),
-    Texts::tr("Both sides of x"),
-    Texts::tr("Both sides of y"),
-    Texts::tr("Both sides of z") });
+  choice->addItems(
+    { Texts::tr("Off"), Texts::tr("Left–right (x)"), Texts::tr("Up–down (y)"), Texts::tr("Front–back (z)") });
   return choice;
 }
 

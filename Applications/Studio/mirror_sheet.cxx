@@ -1,6 +1,7 @@
 #include "mirror_sheet.h"
 
 #include "vtkActor.h"
+#include "vtkFeatureEdges.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -18,10 +19,20 @@ MirrorSheet::MirrorSheet()
   mapper->SetInputConnection(this->Plane->GetOutputPort());
   this->Actor->SetMapper(mapper);
   this->Actor->GetProperty()->SetOpacity(0.15);
-  this->Actor->GetProperty()->SetEdgeVisibility(true);
-  this->Actor->GetProperty()->LightingOff();
-  this->Actor->PickableOff();
-  this->Actor->VisibilityOff();
+  vtkNew<vtkFeatureEdges> rim;
+  rim->SetInputConnection(this->Plane->GetOutputPort());
+  rim->ColoringOff();
+  vtkNew<vtkPolyDataMapper> line;
+  line->SetInputConnection(rim->GetOutputPort());
+  line->ScalarVisibilityOff();
+  this->Border->SetMapper(line);
+  this->Border->GetProperty()->SetOpacity(0.8);
+  for (vtkActor* actor : { this->Actor.Get(), this->Border.Get() })
+  {
+    actor->GetProperty()->LightingOff();
+    actor->PickableOff();
+    actor->VisibilityOff();
+  }
 }
 
 MirrorSheet::~MirrorSheet() = default;
@@ -29,11 +40,12 @@ MirrorSheet::~MirrorSheet() = default;
 void MirrorSheet::addTo(vtkRenderer* renderer)
 {
   renderer->AddActor(this->Actor);
+  renderer->AddActor(this->Border);
 }
 
 void MirrorSheet::show(const std::optional<oversketch_session::MirrorPlane>& plane, vtkPolyData* mesh)
 {
-  this->Actor->SetVisibility(plane && mesh);
+  this->setVisible(plane && mesh);
   if (plane && mesh)
   {
     double box[6];
@@ -57,6 +69,7 @@ void MirrorSheet::show(const std::optional<oversketch_session::MirrorPlane>& pla
 void MirrorSheet::setVisible(bool visible)
 {
   this->Actor->SetVisibility(visible);
+  this->Border->SetVisibility(visible);
 }
 
 bool MirrorSheet::isVisible() const
@@ -66,8 +79,10 @@ bool MirrorSheet::isVisible() const
 
 void MirrorSheet::setDark(bool dark)
 {
-  dark ? this->Actor->GetProperty()->SetColor(0.6, 0.8, 1.0)
-       : this->Actor->GetProperty()->SetColor(0.2, 0.4, 0.7);
+  for (vtkActor* actor : { this->Actor.Get(), this->Border.Get() })
+  {
+    dark ? actor->GetProperty()->SetColor(0.6, 0.8, 1.0) : actor->GetProperty()->SetColor(0.2, 0.4, 0.7);
+  }
 }
 
 } // namespace oversketch_studio

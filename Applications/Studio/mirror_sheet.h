@@ -33,7 +33,7 @@ public:
 
 private:
   vtkNew<vtkPlaneSource> Plane;
-  vtkNew<vtkActor> Actor;
+  vtkNew<vtkActor> Actor, Border; // the border is a line, which is seen edge-on too
 };
 
 } // namespace oversketch_studio

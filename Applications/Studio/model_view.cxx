@@ -1,6 +1,7 @@
 #include "model_view.h"
 
 #include "pieces.h"
+#include "sharp_edges.h"
 #include "skin.h"
 
 #include "vtkActor.h"
@@ -18,11 +19,11 @@ struct ModelView::Part
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
   Skin skin;
+  SharpEdges edges;
 
   Part()
   {
     this->actor->SetMapper(this->mapper);
-    this->actor->GetProperty()->SetInterpolationToGouraud();
     this->actor->GetProperty()->SetSpecular(0.15);
     this->actor->GetProperty()->SetSpecularPower(20.0);
   }
@@ -34,7 +35,10 @@ ModelView::ModelView(vtkRenderer* renderer)
   this->resize(1);
 }
 
-ModelView::~ModelView() = default;
+ModelView::~ModelView()
+{
+  this->resize(0);
+}
 
 void ModelView::resize(std::size_t count)
 {
@@ -48,6 +52,8 @@ void ModelView::resize(std::size_t count)
     this->Parts.push_back(std::make_unique<Part>());
     Part& part = *this->Parts.back();
     part.skin.setPlain(part.actor, this->Plain[0], this->Plain[1], this->Plain[2]);
+    shade(part.actor, this->Look);
+    part.actor->SetVisibility(this->Visible);
     this->Renderer->AddActor(part.actor);
   }
 }
@@ -55,14 +61,38 @@ void ModelView::resize(std::size_t count)
 void ModelView::show(vtkPolyData* mesh)
 {
   this->Shown = mesh;
-  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(mesh);
+  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(this->seen(mesh));
   this->resize(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     Part& part = *this->Parts[i];
-    part.mapper->SetInputData(pieces[i].mesh);
-    part.actor->VisibilityOn();
+    part.mapper->SetInputData(part.edges.look(pieces[i].mesh));
+    part.actor->SetVisibility(this->Visible);
     part.skin.dress(part.actor, part.mapper, pieces[i].mesh, pieces[i].picture);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> ModelView::seen(vtkPolyData* mesh) const
+{
+  if (this->Hidden.empty())
+  {
+    return mesh;
+  }
+  if (this->Hidden.count(-1) == 0)
+  {
+    return oversketch_files::withoutParts(mesh, this->Hidden);
+  }
+  auto none = vtkSmartPointer<vtkPolyData>::New();
+  none->SetPoints(mesh->GetPoints());
+  return none;
+}
+
+void ModelView::hide(const std::set<int>& parts)
+{
+  this->Hidden = parts;
+  if (this->Shown)
+  {
+    this->show(this->Shown);
   }
 }
 
@@ -79,14 +109,32 @@ void ModelView::preview(vtkPolyData* mesh)
   this->Shown = mesh;
   if (this->Parts.size() == 1)
   {
-    this->Parts[0]->mapper->SetInputData(mesh);
+    this->Parts[0]->mapper->SetInputData(this->Parts[0]->edges.lookMoved(this->seen(mesh)));
     return;
   }
-  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(mesh);
+  const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(this->seen(mesh));
   this->resize(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
-    this->Parts[i]->mapper->SetInputData(pieces[i].mesh);
+    this->Parts[i]->mapper->SetInputData(this->Parts[i]->edges.lookMoved(pieces[i].mesh));
+  }
+}
+
+void ModelView::setShading(Shading shading)
+{
+  this->Look = shading;
+  for (const auto& part : this->Parts)
+  {
+    shade(part->actor, shading);
+  }
+}
+
+void ModelView::setVisible(bool visible)
+{
+  this->Visible = visible;
+  for (const auto& part : this->Parts)
+  {
+    part->actor->SetVisibility(visible && this->Shown);
   }
 }
 

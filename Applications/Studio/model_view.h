@@ -2,10 +2,13 @@
 #ifndef oversketch_studio_model_view_h
 #define oversketch_studio_model_view_h
 
+#include "shading.h"
+
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <memory>
+#include <set>
 #include <vector>
 
 class vtkPolyData;
@@ -29,6 +32,11 @@ public:
   void preview(vtkPolyData* mesh);
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
 
+  void setShading(Shading shading);
+  void setVisible(bool visible);
+  // These parts of it (cell array PartId) are not drawn; of a mesh without parts, -1: all of it.
+  void hide(const std::set<int>& parts);
+
   // The colour of what wears nothing.
   void setPlain(double red, double green, double blue);
 
@@ -36,9 +44,14 @@ private:
   struct Part;
   void resize(std::size_t count);
 
+  vtkSmartPointer<vtkPolyData> seen(vtkPolyData* mesh) const;
+
   vtkRenderer* Renderer; // outlives it
+  std::set<int> Hidden;
   std::vector<std::unique_ptr<Part>> Parts;
   vtkSmartPointer<vtkPolyData> Shown;
+  Shading Look = Shading::Smooth;
+  bool Visible = true;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
 };
 

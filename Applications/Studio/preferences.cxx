@@ -27,6 +27,7 @@ Preferences Preferences::read()
   Preferences kept;
   kept.stabilizer = std::clamp(settings.value("stabilizer", usual.stabilizer).toDouble(), 0.0, longestString);
   kept.dark = settings.value("dark", usual.dark).toBool();
+  kept.leftHanded = settings.value("leftHanded", usual.leftHanded).toBool();
   kept.backend = std::clamp(settings.value("backend", usual.backend).toInt(), 0, 2);
   return kept;
 }
@@ -36,6 +37,7 @@ void Preferences::write() const
   QSettings settings;
   settings.setValue("stabilizer", this->stabilizer);
   settings.setValue("dark", this->dark);
+  settings.setValue("leftHanded", this->leftHanded);
   settings.setValue("backend", this->backend);
 }
 
@@ -43,6 +45,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
   : QDialog(parent)
   , Stabilizer(new QDoubleSpinBox(this))
   , Dark(new QCheckBox(tr("&Dark window"), this))
+  , LeftHanded(new QCheckBox(tr("&Left-handed"), this))
   , Backend(new QComboBox(this))
 {
   this->setWindowTitle(tr("Preferences"));
@@ -54,6 +57,9 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
   this->Stabilizer->setToolTip(
     tr("The line trails behind the pen by this much, so that a trembling hand leaves no trace"));
   this->Dark->setChecked(preferences.dark);
+  this->LeftHanded->setChecked(preferences.leftHanded);
+  this->LeftHanded->setToolTip(
+    tr("Tools at the right and panels at the left, so that the hand does not lie over them"));
   this->Backend->addItems(
     { tr("OpenCL where there is a device"), tr("OpenCL"), tr("the processor (Embree)") });
   this->Backend->setCurrentIndex(preferences.backend);
@@ -68,6 +74,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
   form->addRow(tr("&Steady hand"), this->Stabilizer);
   form->addRow(tr("&Compute on"), this->Backend);
   form->addRow(this->Dark);
+  form->addRow(this->LeftHanded);
   form->addRow(buttons);
 }
 
@@ -76,6 +83,7 @@ Preferences PreferencesDialog::preferences() const
   Preferences chosen;
   chosen.stabilizer = this->Stabilizer->value();
   chosen.dark = this->Dark->isChecked();
+  chosen.leftHanded = this->LeftHanded->isChecked();
   chosen.backend = this->Backend->currentIndex();
   return chosen;
 }

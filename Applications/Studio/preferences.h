@@ -15,6 +15,7 @@ struct Preferences
 {
   double stabilizer = 6.0; // how far the line trails behind the pen [px of the screen, 0 to 100]
   bool dark = true;
+  bool leftHanded = false; // tools at the right, panels at the left
   // For models that are opened from now on; a session keeps its own.
   int backend = 0; // vtkOversketchSystem::BackendType
 
@@ -33,7 +34,7 @@ public:
 
 private:
   QDoubleSpinBox* Stabilizer;
-  QCheckBox* Dark;
+  QCheckBox *Dark, *LeftHanded;
   QComboBox* Backend;
 };
 

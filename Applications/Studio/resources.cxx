@@ -7,12 +7,17 @@
 namespace oversketch_studio
 {
 
-QString shippedModel()
+QString shippedFile(const QString& path)
 {
   // The data lie beside the program's folder, in a build tree by a link.
-  const QString path =
-    QDir(QCoreApplication::applicationDirPath()).filePath("../" OVERSKETCH_SHARE "/Models/dog.ply");
-  return QFileInfo::exists(path) ? path : QString();
+  const QString whole =
+    QDir(QCoreApplication::applicationDirPath()).filePath("../" OVERSKETCH_SHARE "/" + path);
+  return QFileInfo::exists(whole) ? whole : QString();
+}
+
+QString shippedModel()
+{
+  return shippedFile("Models/dog.ply");
 }
 
 } // namespace oversketch_studio

@@ -7,6 +7,8 @@
 namespace oversketch_studio
 {
 
+// A file by its path among them; empty where it is not installed.
+QString shippedFile(const QString& path);
 // The model that the window opens on; empty where it is not installed.
 QString shippedModel();
 

@@ -24,4 +24,14 @@ QString titleOf(const std::string& system)
   return row ? rowText(row->title) : QString::fromStdString(system);
 }
 
+QStringList listOf(const std::vector<std::string>& texts)
+{
+  QStringList list;
+  for (const std::string& text : texts)
+  {
+    list << QString::fromStdString(text);
+  }
+  return list;
+}
+
 } // namespace oversketch_studio

@@ -3,8 +3,10 @@
 #define oversketch_studio_row_texts_h
 
 #include <QString>
+#include <QStringList>
 
 #include <string>
+#include <vector>
 
 namespace oversketch_studio
 {
@@ -15,6 +17,8 @@ QString rowText(const std::string& text);
 QString rowSentence(const std::string& text);
 // What a step of a system is called.
 QString titleOf(const std::string& system);
+// Texts of files that were read or written.
+QStringList listOf(const std::vector<std::string>& texts);
 
 } // namespace oversketch_studio
 #endif

@@ -62,6 +62,7 @@ void StepPanel::addPage(const SystemRow& row)
   auto* rows = new QWidget(scroll);
   auto* form = new QFormLayout(rows);
   form->setContentsMargins(0, 0, 0, 0);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (const Parameter& parameter : row.parameters)
   {
     const Field field = this->addField(parameter, rows, form);
@@ -73,10 +74,10 @@ void StepPanel::addPage(const SystemRow& row)
   if (actsOnBothSides(row))
   {
     page.mirror = mirrorChoice(rows);
-    page.mirror->setAccessibleName(tr("Acts on"));
+    page.mirror->setAccessibleName(tr("Mirror"));
     page.mirror->setToolTip(tr("One side of the model, or both sides of this plane. Where the two are the "
                                "same, there are no new triangles."));
-    form->addRow(tr("Acts on"), page.mirror);
+    form->addRow(tr("Mirror"), page.mirror);
     connect(page.mirror, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
   }
   scroll->setWidget(rows);

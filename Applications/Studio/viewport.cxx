@@ -4,13 +4,13 @@
 #include "key_list.h"
 #include "latency.h"
 #include "tool.h"
+#include "touch_hand.h"
 
 #include "vtkOversketchInteractorStyle.h"
 #include "vtkOversketchStrokeRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkLightKit.h"
@@ -19,7 +19,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -82,6 +81,9 @@ Viewport::Viewport(QWidget* parent)
     });
   this->Rest->setSingleShot(true);
   connect(this->Rest, &QTimer::timeout, this, &Viewport::smoothEdges);
+  new TouchHand(this,
+    { [this] { return this->CurrentTool && (this->CurrentTool->draws() || this->CurrentTool->moves()); },
+      [this](double factor, const QPointF& at) { this->zoomAt(factor, at); } });
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Model"));
   this->fitScreen();
@@ -105,27 +107,10 @@ void Viewport::makeScene()
   this->Section->VisibilityOff();
   this->Renderer->AddActor(this->Section);
 
-  this->makeRegion();
+  this->Renderer->AddActor(this->Region.actor());
 
   this->Mirror.addTo(this->Renderer);
   this->HintBox.addTo(this->Renderer);
-}
-
-void Viewport::makeRegion()
-{
-  this->RegionNormals->SplittingOff();
-  this->RegionMapper->SetInputConnection(this->RegionNormals->GetOutputPort());
-  this->RegionMapper->ScalarVisibilityOff();
-  // Over the surface that it is a part of.
-  this->RegionMapper->SetResolveCoincidentTopologyToPolygonOffset();
-  this->RegionMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -200.0);
-  this->Region->SetMapper(this->RegionMapper);
-  this->Region->GetProperty()->SetColor(0.98, 0.62, 0.20);
-  this->Region->GetProperty()->SetAmbient(0.12);
-  this->Region->GetProperty()->SetDiffuse(0.85);
-  this->Region->PickableOff();
-  this->Region->VisibilityOff();
-  this->Renderer->AddActor(this->Region);
 }
 
 void Viewport::listen()
@@ -138,9 +123,8 @@ void Viewport::listen()
   // One frame for all events that have come, so that a quick hand does not wait for each of its samples.
   this->interactor()->EnableRenderOff();
   this->interactor()->AddObserver(vtkCommand::RenderEvent, this->Observer);
-  // Key q, by the style.
-  this->interactor()->AddObserver(vtkCommand::ExitEvent, this->Observer);
   this->Style->AddObserver(vtkCommand::StartInteractionEvent, this->Observer);
+  this->Style->AddObserver(vtkCommand::ModifiedEvent, this->Observer);
 }
 
 Viewport::~Viewport()
@@ -161,9 +145,9 @@ void Viewport::heard(unsigned long event)
     this->hideHint();
     emit this->cameraMoves();
   }
-  else if (event == vtkCommand::ExitEvent)
+  else if (event == vtkCommand::ModifiedEvent)
   {
-    emit this->quitAsked();
+    emit this->keysShown();
   }
   else if (!this->interactor()->GetEnableRender())
   {
@@ -233,6 +217,12 @@ void Viewport::renderNow()
 {
   this->render();
   this->repaint();
+}
+
+void Viewport::zoomAt(double factor, const QPointF& at)
+{
+  const double ratio = this->devicePixelRatioF();
+  this->Style->ZoomAt(factor, ratio * at.x(), ratio * (this->height() - at.y()) - 1.0);
 }
 
 // Qt puts a repaint off that follows closely on the last.
@@ -328,6 +318,10 @@ bool Viewport::event(QEvent* event)
 {
   // VTK hears of the mouse before the functions for its events do.
   const auto type = event->type();
+  if (this->Gestures.holds(event))
+  {
+    return true;
+  }
   if (type == QEvent::Wheel && this->CurrentTool)
   {
     auto* wheel = static_cast<QWheelEvent*>(event);
@@ -359,7 +353,7 @@ bool Viewport::event(QEvent* event)
       this->paintNow();
     }
   }
-  return QVTKOpenGLNativeWidget::event(event);
+  return this->Gestures.moves(event) || QVTKOpenGLNativeWidget::event(event);
 }
 
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)
@@ -368,11 +362,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   this->Behind.setMesh(mesh);
   if (reset)
   {
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(0.0, 0.0, 1.0);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetViewUp(0.0, 1.0, 0.0);
-    this->Renderer->ResetCamera(mesh->GetBounds());
+    this->Looks.lookAtAll(mesh->GetBounds());
     this->Style->SaveFirstView();
     // Room for what is drawn beside the model.
     this->Renderer->SetSSAORadius(0.1 * mesh->GetLength());
@@ -386,6 +376,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
     this->Window->SetMultiSamples(*this->OnProcessor ? 0 : samples);
   }
   this->placeHint();
+  emit this->meshShown();
   this->awaitNoMore();
   this->renderSoon();
 }
@@ -396,12 +387,27 @@ void Viewport::clearMesh()
   this->HintBox.setText({});
   this->showSection(nullptr);
   this->showRegion(nullptr);
+  emit this->meshShown();
   this->renderSoon();
 }
 
 void Viewport::showPreview(vtkPolyData* mesh)
 {
   this->Model.preview(mesh);
+}
+
+void Viewport::showInstead(vtkPolyData* mesh)
+{
+  this->Looks.showInstead(mesh);
+  this->Section->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0); // they are of the model
+  this->Region.actor()->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0);
+  this->renderSoon();
+}
+
+void Viewport::hideParts(const std::set<int>& parts)
+{
+  this->Model.hide(parts);
+  this->renderSoon();
 }
 
 vtkPolyData* Viewport::mesh() const
@@ -449,9 +455,14 @@ void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
   this->renderSoon();
 }
 
-void Viewport::showHint(const QString& text)
+QString Viewport::hint() const
 {
-  this->HintBox.setText(text.toStdString());
+  return this->HintBox.isVisible() ? QString::fromStdString(this->HintBox.text()) : QString();
+}
+
+void Viewport::showHint(const QString& text, HintShape shape)
+{
+  this->HintBox.setText(text.toStdString(), shape);
   this->placeHint();
   this->renderSoon();
 }
@@ -475,15 +486,16 @@ void Viewport::setDark(bool dark)
   {
     this->Renderer->SetBackground(0.13, 0.14, 0.16);
     this->Renderer->SetBackground2(0.22, 0.24, 0.27);
-    this->Model.setPlain(0.78, 0.76, 0.73);
+    this->Looks.setPlain(0.78, 0.76, 0.73);
   }
   else
   {
     this->Renderer->SetBackground(0.80, 0.82, 0.84);
     this->Renderer->SetBackground2(0.95, 0.96, 0.97);
-    this->Model.setPlain(0.90, 0.88, 0.85);
+    this->Looks.setPlain(0.90, 0.88, 0.85);
   }
   this->Renderer->GradientBackgroundOn();
+  this->Looks.setDark(dark);
   this->Mirror.setDark(dark);
   this->HintBox.setDark(dark);
   this->renderSoon();
@@ -491,14 +503,12 @@ void Viewport::setDark(bool dark)
 
 void Viewport::showRegion(vtkPolyData* region)
 {
-  const bool any = region && region->GetNumberOfPolys() > 0;
-  if (!any && !this->Region->GetVisibility())
+  const bool wasShown = this->Region.isShown();
+  this->Region.show(region);
+  if (wasShown || this->Region.isShown()) // no frame for nothing
   {
-    return; // no frame for nothing
+    this->renderSoon();
   }
-  this->RegionNormals->SetInputData(any ? region : nullptr);
-  this->Region->SetVisibility(any);
-  this->renderSoon();
 }
 
 void Viewport::lookFrom(vtkPolyData* stroke)
@@ -521,7 +531,7 @@ bool Viewport::showsKeys() const
 
 void Viewport::screenshot(const QString& path, bool overlays)
 {
-  const int section = this->Section->GetVisibility(), region = this->Region->GetVisibility();
+  const int section = this->Section->GetVisibility(), region = this->Region.isShown();
   const bool mirror = this->Mirror.isVisible(), hint = this->HintBox.isVisible(),
              keys = this->Style->GetShowKeys();
   if (!overlays)
@@ -530,11 +540,13 @@ void Viewport::screenshot(const QString& path, bool overlays)
     {
       tool->showLines(false);
     }
+    emit this->linesShown(false);
     this->Section->VisibilityOff();
-    this->Region->VisibilityOff();
+    this->Region.actor()->VisibilityOff();
     this->Mirror.setVisible(false);
     this->HintBox.setVisible(false);
     this->Style->SetShowKeys(false);
+    this->Looks.setOverlays(false);
   }
   this->render();
   this->renderSmooth();
@@ -543,7 +555,8 @@ void Viewport::screenshot(const QString& path, bool overlays)
   picture->ReadFrontBufferOff();
   picture->Update();
   this->Section->SetVisibility(section);
-  this->Region->SetVisibility(region);
+  this->Region.actor()->SetVisibility(region);
+  this->Looks.setOverlays(true);
   this->Mirror.setVisible(mirror);
   this->HintBox.setVisible(hint);
   this->Style->SetShowKeys(keys);
@@ -551,6 +564,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
   {
     tool->showLines(true);
   }
+  emit this->linesShown(true);
   this->render();
   oversketch_files::writeWhole(path.toStdString(),
     [&](const std::string& file)
@@ -570,9 +584,20 @@ void Viewport::screenshot(const QString& path, bool overlays)
 void Viewport::tabletEvent(QTabletEvent* event)
 {
   // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  if (this->CurrentTool)
+  const auto press = [this](double pressure)
   {
-    this->CurrentTool->setPressure(event->type() == QEvent::TabletRelease ? 1.0 : event->pressure());
+    if (this->CurrentTool)
+    {
+      this->CurrentTool->setPressure(pressure);
+    }
+  };
+  if (event->type() == QEvent::TabletRelease)
+  {
+    QTimer::singleShot(0, this, [press] { press(1.0); }); // the mouse's release is the line's last sample
+  }
+  else
+  {
+    press(event->pressure());
   }
   event->ignore();
 }

@@ -3,9 +3,12 @@
 #define oversketch_studio_viewport_h
 
 #include "backdrop.h"
+#include "display.h"
+#include "hand_gestures.h"
 #include "hint.h"
 #include "mirror_sheet.h"
 #include "model_view.h"
+#include "moved_region.h"
 #include "session.h"
 
 #include "vtkNew.h"
@@ -13,6 +16,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <optional>
+#include <set>
 
 class QTimer;
 class vtkActor;
@@ -22,7 +26,6 @@ class vtkLightKit;
 class vtkOversketchInteractorStyle;
 class vtkPolyData;
 class vtkPolyDataMapper;
-class vtkPolyDataNormals;
 class vtkRenderer;
 
 namespace oversketch_studio
@@ -49,9 +52,13 @@ public:
   // The mesh as a tool shows it meanwhile, with the same skin.
   void showPreview(vtkPolyData* mesh);
   vtkPolyData* mesh() const; // null where none is shown
+  // Parts of the mesh that are not drawn (ModelView::hide).
+  void hideParts(const std::set<int>& parts);
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
   // something.
   void awaitMesh();
+  // Another mesh instead of it, to compare; null shows it again.
+  void showInstead(vtkPolyData* mesh);
   // Where a step took hold (blue); null shows none.
   void showSection(vtkPolyData* section);
   // The part of the model that a step moved (orange); null shows none.
@@ -62,7 +69,8 @@ public:
   // Where a picture of that size [px] fills the present view.
   oversketch_session::Lines frameFor(int width, int height);
   // Where to draw, with a line of text; empty shows none.
-  void showHint(const QString& text);
+  void showHint(const QString& text, HintShape shape = HintShape::Limb);
+  QString hint() const; // that is seen; empty where none is
   void hideHint();
   void setDark(bool dark);
   // The camera that a stroke was drawn in, or a picture was put into the scene in.
@@ -73,18 +81,24 @@ public:
   void screenshot(const QString& path, bool overlays);
 
   // For tools.
+  Display& display() { return this->Looks; }
   vtkOversketchInteractorStyle* camera() { return this->Style; }
   vtkRenderer* renderer() { return this->Renderer; }
+  void zoomAt(double factor, const QPointF& at); // a place of the widget
   void setHandCursor(Qt::CursorShape shape);
   // A frame with the next turn of the event loop, and at once.
   void renderSoon();
   void renderNow();
 
 signals:
-  void quitAsked();
   // Key Return; the camera is about to be moved.
   void returned();
   void cameraMoves();
+  // Another mesh is shown, or none; the list of keys is, or no more.
+  void meshShown();
+  void keysShown();
+  // Lines over the model are to be shown, or not, for a picture.
+  void linesShown(bool show);
 
 protected:
   bool event(QEvent* event) override;
@@ -95,7 +109,6 @@ protected:
 
 private:
   void makeScene();
-  void makeRegion();
   void listen();
   void heard(unsigned long event);
   void render();
@@ -110,9 +123,11 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLightKit> Lights;
   ModelView Model{ this->Renderer };
-  vtkNew<vtkPolyDataMapper> SectionMapper, RegionMapper;
-  vtkNew<vtkActor> Section, Region;
-  vtkNew<vtkPolyDataNormals> RegionNormals;
+  Display Looks{ this->Renderer, this->Model };
+  HandGestures Gestures{ this };
+  vtkNew<vtkPolyDataMapper> SectionMapper;
+  vtkNew<vtkActor> Section;
+  oversketch::MovedRegion Region;
   MirrorSheet Mirror;
   Backdrop Behind;
   Hint HintBox;

@@ -36,6 +36,17 @@ void vtkOversketchEdit::Pipeline::Keep(const OnMesh& from, OnMesh& kept)
   kept.Bridges = from.Bridges;
 }
 
+namespace
+{
+
+// A fit in space alone reads the mesh; else another one does not run it again.
+void FitOnMesh(vtkOversketchNurbsFit* fit, vtkPolyData* mesh)
+{
+  fit->SetMeshData(fit->GetFitSpace() == vtkOversketchNurbsFit::World ? mesh : nullptr);
+}
+
+} // namespace
+
 void vtkOversketchEdit::Pipeline::RunCurve(Drawn& drawn, vtkPolyData* curve, vtkPolyData* mesh)
 {
   const bool isRing = &drawn == &this->Boundary;
@@ -55,6 +66,7 @@ void vtkOversketchEdit::Pipeline::RunCurve(Drawn& drawn, vtkPolyData* curve, vtk
   else
   {
     this->Feed(first, drawn.Input);
+    FitOnMesh(drawn.Fit, mesh);
     this->Self->RunStage((drawn.Name + "Fit").c_str());
     this->Self->RunStage((drawn.Name + "Project").c_str());
     drawn.Insert->SetCurvesConnection(drawn.Project->GetOutputPort());
@@ -77,7 +89,8 @@ void vtkOversketchEdit::Pipeline::RunRedrawing(Drawn& drawn, std::size_t number)
   vtkPolyData* stroke = drawn.Lines.All()[number + 1];
   const StepKey key(
     { WholeKey(before.Mesh), WholeKey(before.Curve), WholeKey(before.Stored), WholeKey(stroke) },
-    { this->Refit->GetSpacing(),
+    { static_cast<double>(this->Refit->GetFitSpace()),
+      this->Refit->GetSpacing(),
       this->Refit->GetInterpolate() ? 1.0 : 0.0,
       this->Resketch->GetK(),
       static_cast<double>(this->Resketch->GetMiddle()),
@@ -96,6 +109,7 @@ void vtkOversketchEdit::Pipeline::RunRedrawing(Drawn& drawn, std::size_t number)
   redrawing = nullptr;
   auto made = std::make_unique<Drawn::Redrawing>();
   this->Refit->SetInputData(0, stroke);
+  FitOnMesh(this->Refit, before.Mesh);
   this->Resketch->SetInputData(0, before.Curve);
   this->Self->RunStage("Refit");
   this->Self->RunStage("Resketch");

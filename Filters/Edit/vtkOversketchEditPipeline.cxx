@@ -117,6 +117,11 @@ vtkOversketchEdit::Pipeline::Pipeline(vtkOversketchEdit* self)
 
 void vtkOversketchEdit::Pipeline::SetAmendments(bool on)
 {
+  for (vtkOversketchNurbsFit* step :
+    { this->Reference.Fit.Get(), this->Boundary.Fit.Get(), this->Refit.Get() })
+  {
+    step->SetFitSpace(on ? vtkOversketchNurbsFit::Picture : vtkOversketchNurbsFit::World);
+  }
   this->Boundary.Fit->SetPeriodic(on);
   this->Boundary.Fit->SetCutLoops(on);
   for (vtkOversketchProjectCurve* step :

@@ -17,20 +17,74 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <string>
 
 using namespace oversketch;
+
+// The ray scene of the mesh, held for the next stroke.
+struct vtkOversketchNurbsFit::Cache
+{
+  KeptSurface Surface;
+};
 
 vtkStandardNewMacro(vtkOversketchNurbsFit);
 
 namespace
 {
 
-FittedStroke fittedLine(const DrawnLine& line, bool closed, std::size_t number, const FitRules& rules)
+// Where the samples' lines of sight meet the surface. One that misses it is as far away as the nearest one
+// along the stroke that does not.
+SpaceSamples onSurface(const SurfaceRays& surface, const View& view, const Polyline& samples)
+{
+  std::vector<double> depths;
+  std::vector<int> met;
+  SpaceSamples space{ view, std::vector<Vector3>(samples.size()) };
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const SurfaceHit hit = surface.nearest(lineOfSight(view, samples[i], surface));
+    if (hit.found())
+    {
+      met.push_back(static_cast<int>(i));
+      depths.push_back(view.depth(hit.position));
+      space.points[i] = hit.position;
+    }
+  }
+  if (met.empty())
+  {
+    throw Error(Failure::BadStroke, "nothing of it lies on the mesh; draw it over the model.");
+  }
+  std::size_t k = 0;
+  for (int i = 0; i < static_cast<int>(samples.size()); ++i)
+  {
+    while (k + 1 < met.size() && std::abs(met[k + 1] - i) < std::abs(met[k] - i))
+    {
+      ++k;
+    }
+    if (met[k] != i)
+    {
+      space.points[i] = view.toWorld(samples[i], depths[k]);
+    }
+  }
+  return space;
+}
+
+FittedStroke fittedLine(const DrawnLine& line,
+  bool closed,
+  std::size_t number,
+  const FitRules& rules,
+  const SurfaceRays* surface,
+  vtkPolyData* strokes)
 {
   try
   {
-    return fitStroke(line.Samples, closed, rules);
+    if (!surface)
+    {
+      return fitStroke(line.Samples, closed, rules);
+    }
+    const SpaceSamples space =
+      onSurface(*surface, ViewOfStroke(strokes, static_cast<vtkIdType>(number)), line.Samples);
+    return fitStroke(line.Samples, closed, rules, &space);
   }
   catch (const Error& error)
   {
@@ -42,12 +96,12 @@ FittedStroke fittedLine(const DrawnLine& line, bool closed, std::size_t number, 
 class SplineArrays
 {
 public:
-  SplineArrays()
+  explicit SplineArrays(bool inSpace)
   {
     this->Degrees->SetName("NurbsDegree");
     this->Counts->SetName("NurbsPointCount");
     this->Controls->SetName("NurbsPoints");
-    this->Controls->SetNumberOfComponents(2);
+    this->Controls->SetNumberOfComponents(inSpace ? 3 : 2);
     this->Knots->SetName("NurbsKnots");
   }
 
@@ -57,7 +111,8 @@ public:
     this->Counts->InsertNextValue(static_cast<int>(fitted.order.size()));
     for (const int control : fitted.order)
     {
-      this->Controls->InsertNextTuple(fitted.controls[control].data());
+      this->Controls->InsertNextTuple(fitted.spaceControls.empty() ? fitted.controls[control].data()
+                                                                   : fitted.spaceControls[control].data());
     }
     for (const double knot : fitted.knots)
     {
@@ -81,6 +136,28 @@ private:
 
 } // namespace
 
+vtkOversketchNurbsFit::vtkOversketchNurbsFit()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkOversketchNurbsFit::~vtkOversketchNurbsFit() = default;
+
+void vtkOversketchNurbsFit::SetMeshData(vtkPolyData* mesh)
+{
+  this->SetInputData(1, mesh);
+}
+
+int vtkOversketchNurbsFit::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, information);
+}
+
 int vtkOversketchNurbsFit::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
@@ -89,6 +166,7 @@ int vtkOversketchNurbsFit::RequestData(vtkInformation*,
     [&]
     {
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
       vtkPolyData* output = vtkPolyData::GetData(outputs);
       if (input->GetNumberOfPoints() == 0)
       {
@@ -101,27 +179,38 @@ int vtkOversketchNurbsFit::RequestData(vtkInformation*,
       rules.interpolate = this->Interpolate;
       rules.periodic = this->Periodic;
       rules.cutLoops = this->CutLoops;
-      const Context context = ContextOf(this);
+      const SurfaceRays* surface = nullptr;
+      if (this->FitSpace == World)
+      {
+        if (!mesh || mesh->GetNumberOfPoints() == 0)
+        {
+          throw Error(Failure::BadMesh,
+            "There is no mesh to fit splines in space on; give it on port 1, or set FitSpace to Picture.");
+        }
+        RequirePolygonsOnly(mesh);
+        surface = &this->Internals->Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+      }
+      const Context context = ContextOf(this, surface ? 0.5 : 0.0, 1.0);
       vtkNew<vtkPoints> points;
       points->SetDataTypeToDouble();
       vtkNew<vtkCellArray> lines;
       vtkNew<vtkDoubleArray> parameters;
       parameters->SetName("CurveT");
-      SplineArrays splines;
+      SplineArrays splines(surface != nullptr);
       vtkPointData* from = input->GetPointData();
       vtkPointData* to = output->GetPointData();
       to->InterpolateAllocate(from);
       vtkNew<vtkIdList> ids;
       for (std::size_t i = 0; i < strokes.size(); ++i)
       {
-        const FittedStroke fitted = fittedLine(strokes[i], this->Closed || strokes[i].Closed, i, rules);
+        const FittedStroke fitted =
+          fittedLine(strokes[i], this->Closed || strokes[i].Closed, i, rules, surface, input);
         lines->InsertNextCell(static_cast<int>(fitted.places.size()) + fitted.closed);
         const vtkIdType first = points->GetNumberOfPoints();
         for (std::size_t k = 0; k < fitted.places.size(); ++k)
         {
           SplinePlace place = fitted.places[k];
-          const Vector2 p = place.of(fitted.controls);
-          const vtkIdType id = points->InsertNextPoint(p[0], p[1], 0.0);
+          const vtkIdType id = points->InsertNextPoint(fitted.seen[k][0], fitted.seen[k][1], 0.0);
           lines->InsertCellPoint(id);
           parameters->InsertNextValue(fitted.parameters[k]);
           ids->SetNumberOfIds(place.count);
@@ -150,6 +239,7 @@ int vtkOversketchNurbsFit::RequestData(vtkInformation*,
 void vtkOversketchNurbsFit::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FitSpace: " << this->FitSpace << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Closed: " << (this->Closed ? "On" : "Off") << "\n";
   os << indent << "Interpolate: " << (this->Interpolate ? "On" : "Off") << "\n";

@@ -7,28 +7,32 @@
  * begins and ends at the first and the last sample. The degree and the knots are not told there.
  *
  * Departures: the thesis builds the spline in space; here it is one in the picture, since in space it leaps
- * through the air wherever a part of the model hides another. A closed spline is periodic (Periodic) and does
- * not cross itself (CutLoops).
+ * through the air wherever a part of the model hides another (FitSpace). A closed spline is periodic
+ * (Periodic) and does not cross itself (CutLoops).
  *
  * Input 0 (Strokes): stroke polydata: polylines in display coordinates [px from the viewport's lower left
  * corner, y up]; z is ignored. Any number of strokes, from any views, open or closed; a closed one repeats
- * its first point id at the end.
+ * its first point id at the end. With FitSpace World they carry the view that they were drawn in.
+ * Input 1 (Mesh, optional): triangle mesh, vtkPolyData, that FitSpace World lays the samples on.
  *
  * Output 0 (Curves): one polyline per stroke, a place of the spline each half pixel, z = 0, double; a closed
  * one repeats its first point id. Point arrays: CurveT, double: the spline's parameter, 0 to 1, of a closed
  * one below 1; those of the strokes, mixed as the control points are. Cell and field data, the view arrays
  * among them, are passed. Field arrays, curve after curve:
  * - NurbsDegree, int, and NurbsPointCount, int: the number of control points, one of each per curve,
- * - NurbsPoints, double[2]: control points [px], of a periodic curve its last ones are its first ones again,
+ * - NurbsPoints, double[2]: control points [px], of a periodic curve its last ones are its first ones again;
+ *   with FitSpace World double[3], in space,
  * - NurbsKnots, double: clamped to 0 and 1, of a periodic curve evenly running on, NurbsPointCount +
  *   NurbsDegree + 1 of them per curve.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadStroke, naming the stroke, when there is no
  * polyline or there are other cells, for a stroke with fewer than two samples that differ, one that is not
- * finite or over 1e5 px long, and for a closed one of fewer than three control points. A polydata without
- * points gives an empty output silently.
+ * finite or over 1e5 px long, and for a closed one of fewer than three control points; with FitSpace World
+ * also for one without a view or of which nothing lies on the mesh, and BadMesh, where there is none. A
+ * polydata without points gives an empty output silently.
  *
- * Deterministic. Cost: linear in the strokes' length; of closed ones the square of the control points.
+ * Deterministic. Cost: linear in the strokes' length; of closed ones the square of the control points. With
+ * FitSpace World the first stroke on a mesh builds its ray scene, as for vtkOversketchProjectCurve.
  *
  * @sa vtkOversketchProjectCurve vtkOversketchResample
  */
@@ -38,12 +42,39 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory>
+
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchNurbsFit : public vtkPolyDataAlgorithm
 {
 public:
   static vtkOversketchNurbsFit* New();
   vtkTypeMacro(vtkOversketchNurbsFit, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum FitSpaceType
+  {
+    Picture = 0,
+    World = 1
+  };
+
+  /**
+   * The mesh that is drawn on, on port 1.
+   */
+  void SetMeshConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(1, mesh); }
+  void SetMeshData(vtkPolyData* mesh);
+
+  ///@{
+  /**
+   * Where control points lie: in the picture (Picture, default), or, as published, where the samples' lines
+   * of sight meet the mesh (World). There a sample beside the mesh, of which the thesis does not speak, is as
+   * far away as the sample of its stroke nearest to it that meets it; places of the output are where the
+   * spline in space is seen.
+   */
+  vtkSetClampMacro(FitSpace, int, Picture, World);
+  vtkGetMacro(FitSpace, int);
+  void SetFitSpaceToPicture() { this->SetFitSpace(Picture); }
+  void SetFitSpaceToWorld() { this->SetFitSpace(World); }
+  ///@}
 
   ///@{
   /**
@@ -95,20 +126,25 @@ public:
   ///@}
 
 protected:
-  vtkOversketchNurbsFit() = default;
-  ~vtkOversketchNurbsFit() override = default;
+  vtkOversketchNurbsFit();
+  ~vtkOversketchNurbsFit() override;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkOversketchNurbsFit(const vtkOversketchNurbsFit&) = delete;
   void operator=(const vtkOversketchNurbsFit&) = delete;
 
+  int FitSpace = Picture;
   double Spacing = 10.0;
   bool Closed = false;
   bool Interpolate = false;
   bool Periodic = true;
   bool CutLoops = true;
+
+  struct Cache;
+  std::unique_ptr<Cache> Internals;
 };
 
 #endif

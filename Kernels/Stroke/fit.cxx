@@ -53,15 +53,50 @@ std::size_t firstCrossed(const Polyline& points,
   return end;
 }
 
+// Where a place of the spline is seen [px].
+Vector2 seenAt(const SplinePlace& place, const FittedStroke& fitted, const SpaceSamples* space)
+{
+  if (!space)
+  {
+    return place.of(fitted.controls);
+  }
+  const Vector3 world = place.of(fitted.spaceControls);
+  if (!space->view.inFront(world))
+  {
+    throw Error(Failure::BadStroke, "its spline in space leads behind the eye; fit it in the picture.");
+  }
+  return space->view.toDisplay(world).head<2>();
+}
+
+// Control points of the spline through these.
+template <typename Value>
+void interpolate(const Nurbs& curve, std::vector<Value>& controls)
+{
+  const int count = static_cast<int>(controls.size());
+  Eigen::MatrixXd values(count, Value::RowsAtCompileTime);
+  for (int i = 0; i < count; ++i)
+  {
+    values.row(i) = controls[i].transpose();
+  }
+  values = curve.interpolating(values);
+  for (int i = 0; i < count; ++i)
+  {
+    controls[i] = values.row(i).transpose();
+  }
+}
+
 // Parameters at equal lengths along the curve, from a table that is finer than its pieces.
-std::vector<double> evenParameters(const Nurbs& curve, const FittedStroke& fitted, double step)
+std::vector<double> evenParameters(const Nurbs& curve,
+  const FittedStroke& fitted,
+  const SpaceSamples* space,
+  double step)
 {
   constexpr int perPiece = 32;
   const int count = perPiece * static_cast<int>(fitted.controls.size());
   Polyline table;
   for (int i = 0; i <= count; ++i)
   {
-    table.push_back(curve.at(static_cast<double>(i) / count).of(fitted.controls));
+    table.push_back(seenAt(curve.at(static_cast<double>(i) / count), fitted, space));
   }
   const std::vector<double> lengths = arcLengths(table);
   const int steps = std::max(fitted.closed ? 3 : 1, static_cast<int>(std::ceil(lengths.back() / step)));
@@ -145,7 +180,7 @@ std::vector<int> withoutLoops(const Polyline& polygon)
   return path;
 }
 
-FittedStroke fitStroke(const Polyline& samples, bool closed, const FitRules& rules)
+FittedStroke fitStroke(const Polyline& samples, bool closed, const FitRules& rules, const SpaceSamples* space)
 {
   for (const Vector2& sample : samples)
   {
@@ -196,23 +231,26 @@ FittedStroke fitStroke(const Polyline& samples, bool closed, const FitRules& rul
   const Nurbs curve(count, periodic);
   fitted.degree = curve.degree();
   writeKnots(curve, count, periodic, fitted);
-  if (rules.interpolate)
+  if (space)
   {
-    Eigen::MatrixXd values(count, 2);
-    for (int i = 0; i < count; ++i)
+    for (const int kept : fitted.kept)
     {
-      values.row(i) = fitted.controls[i].transpose();
-    }
-    values = curve.interpolating(values);
-    for (int i = 0; i < count; ++i)
-    {
-      fitted.controls[i] = values.row(i).transpose();
+      fitted.spaceControls.push_back(space->points[kept]);
     }
   }
-  fitted.parameters = evenParameters(curve, fitted, rules.step);
+  if (rules.interpolate)
+  {
+    interpolate(curve, fitted.controls);
+    if (space)
+    {
+      interpolate(curve, fitted.spaceControls);
+    }
+  }
+  fitted.parameters = evenParameters(curve, fitted, space, rules.step);
   for (const double t : fitted.parameters)
   {
     fitted.places.push_back(curve.at(t));
+    fitted.seen.push_back(seenAt(fitted.places.back(), fitted, space));
   }
   return fitted;
 }

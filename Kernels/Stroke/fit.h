@@ -2,6 +2,7 @@
 #ifndef oversketch_fit_h
 #define oversketch_fit_h
 
+#include "Mesh/view.h"
 #include "Stroke/nurbs.h"
 #include "Stroke/polyline.h"
 
@@ -17,17 +18,26 @@ struct FitRules
   double step = 0.5;        // px between places of the curve
 };
 
+// Samples in space, one for each of a stroke's, and the view that they are seen in.
+struct SpaceSamples
+{
+  View view;
+  std::vector<Vector3> points;
+};
+
 struct FittedStroke
 {
   bool closed = false;
   int degree = 0;
-  std::vector<int> kept; // the sample of each control point
-  Polyline controls;     // px
+  std::vector<int> kept;              // the sample of each control point
+  Polyline controls;                  // px
+  std::vector<Vector3> spaceControls; // of a spline in space
   std::vector<double> knots;
   std::vector<int> order; // control points in the order of the knots; those of a periodic curve come again
   // Along the curve at equal lengths, both ends included; of a closed one the first is not repeated.
   std::vector<double> parameters;  // 0 to 1
   std::vector<SplinePlace> places; // of the control points
+  Polyline seen;                   // px
 };
 
 // Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", Sec. 3.2 and 4.1: samples
@@ -38,9 +48,16 @@ struct FittedStroke
 // wherever one part of the model hides another; and the shorter part of a closed polygon of control points
 // that crosses itself is cut out, since a curve that shall have an inside must not.
 //
+// With `space`, as published, the control points are the samples in space, and the places of that spline are
+// where it is seen.
+//
 // Throws Error(Failure::BadStroke) for fewer than two samples that differ, of a closed stroke fewer than
-// three control points, and for one that is not finite or longer than 1e5 px.
-FittedStroke fitStroke(const Polyline& samples, bool closed, const FitRules& rules = {});
+// three control points, for one that is not finite or longer than 1e5 px, and for a spline in space that
+// leads behind the eye.
+FittedStroke fitStroke(const Polyline& samples,
+  bool closed,
+  const FitRules& rules = {},
+  const SpaceSamples* space = nullptr);
 
 // The points of a closed polygon (its first point not repeated) that stay when of each two parts between
 // which it crosses itself the shorter one is cut out; ascending.

@@ -10,6 +10,7 @@ void jobs()
   addMoves();
   addExponentials();
   addShading();
+  addDistances();
   addTriangles();
 }
 

@@ -16,6 +16,7 @@ namespace oversketch_bench
 void addMoves();        // a handle's drag, a plane that slides
 void addExponentials(); // of a region's vertices
 void addShading();      // disc, distances, grey model, layers
+void addDistances();    // beside the exact ones
 void addTriangles();    // new triangles after an edit
 
 // Of a sphere of 163,842 vertices the region above a height, of 10,000 vertices or 50,000.

@@ -108,18 +108,18 @@ class Sitting:
 
     def picture(self, path, overlays=False):
         """What the program saves of the model; without overlays, which belong to the fonts. A quarter of the pixels of scale 1."""
-        self.desk.key("F12")
+        self.desk.key("shift+F12" if overlays else "F12")
         self.dialogue()
         self.desk.key("ctrl+a")
         self.desk.type(str(path))
         self.desk.key("Return")
-        self.click("button", "Yes" if overlays else "No")
         until(path.exists, "the picture")
         self.alone()
         image = vtkPNGReader()
         image.SetFileName(str(path))
         image.Update()
-        assert image.GetOutput().GetDimensions()[:2] == tuple(self.scale * value for value in VIEW)
+        size = image.GetOutput().GetDimensions()[:2]
+        assert size == tuple(self.scale * value for value in VIEW), size
         half = vtkImageShrink3D()
         half.SetInputConnection(image.GetOutputPort())
         half.SetShrinkFactors(2 * self.scale, 2 * self.scale, 1)

@@ -123,7 +123,8 @@ def test_both_kinds_of_strokes_in_one_history(sitting, tmp_path):
 
     # The first one is changed; what was drawn on it follows, with its lengths.
     lengths = [step["values"].get("Radius") for step in sitting.session()["steps"]]
-    sitting.click("list item", sitting.session()["steps"][0]["name"])
+    sitting.click("list", "Strokes")
+    desk.key("Home")  # it may be scrolled away
     sitting.click("check box", "Details turn with the limb")
     after = sitting.shows(4, other_than=before)
     assert [step["values"].get("Radius") for step in sitting.session()["steps"]] == lengths

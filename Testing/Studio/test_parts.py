@@ -105,10 +105,12 @@ def test_two_pictures_are_one_model(sitting, tmp_path):
     # Undone to the first place and redone.
     undone_and_redone(sitting, 2, digests)
 
+    recover(sitting)
+    assert sitting.shows(2) == digests[-1]
+
+    sitting.alone()
     saved = tmp_path / "two.oversketch"
     save(sitting, saved)
     made = replayed(saved, tmp_path / "saved.vtp")
     assert digest(made) == digests[-1]
     assert pictures(made) == [body.picture.read_bytes(), head.picture.read_bytes()]
-    recover(sitting)
-    assert sitting.shows(2) == digests[-1]

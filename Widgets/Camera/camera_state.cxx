@@ -20,6 +20,11 @@ double halfTangent(double degrees)
   return std::tan(0.5 * vtkMath::RadiansFromDegrees(degrees));
 }
 
+double angleOf(double halfTangent)
+{
+  return 2.0 * vtkMath::DegreesFromRadians(std::atan(halfTangent));
+}
+
 } // namespace
 
 CameraState::CameraState(vtkCamera* camera)
@@ -28,6 +33,7 @@ CameraState::CameraState(vtkCamera* camera)
   , up(camera->GetViewUp())
   , angle(camera->GetViewAngle())
   , scale(camera->GetParallelScale())
+  , centre(camera->GetWindowCenter())
 {
 }
 
@@ -38,11 +44,13 @@ void CameraState::putInto(vtkCamera* camera) const
   camera->SetViewUp(this->up.data());
   camera->SetViewAngle(this->angle);
   camera->SetParallelScale(this->scale);
+  camera->SetWindowCenter(this->centre[0], this->centre[1]);
 }
 
-void CameraState::turn(const Eigen::Quaterniond& rotation)
+void CameraState::turn(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& about)
 {
-  this->position = this->focal + rotation * (this->position - this->focal);
+  this->position = about + rotation * (this->position - about);
+  this->focal = about + rotation * (this->focal - about);
   this->up = rotation * this->up;
 }
 
@@ -74,9 +82,12 @@ double FirstView::zoom() const
            : halfTangent(this->state.angle) / halfTangent(this->camera->GetViewAngle());
 }
 
-void FirstView::setZoom(double zoom) const
+void FirstView::setZoom(double zoom, const Eigen::Vector2d& at) const
 {
   const double z = std::clamp(zoom, 0.1, 10.0);
+  const Eigen::Vector2d centre =
+    z / this->zoom() * (at + Eigen::Vector2d(this->camera->GetWindowCenter())) - at;
+  this->camera->SetWindowCenter(centre[0], centre[1]);
   if (this->camera->GetParallelProjection())
   {
     this->camera->SetParallelScale(this->state.scale / z);
@@ -84,9 +95,28 @@ void FirstView::setZoom(double zoom) const
   else
   {
     // vtkCamera::Zoom divides the angle, which is not the apparent size.
-    this->camera->SetViewAngle(
-      2.0 * vtkMath::DegreesFromRadians(std::atan(halfTangent(this->state.angle) / z)));
+    this->camera->SetViewAngle(angleOf(halfTangent(this->state.angle) / z));
   }
+}
+
+void FirstView::setParallel(bool parallel)
+{
+  if (parallel == (this->camera->GetParallelProjection() != 0))
+  {
+    return;
+  }
+  const double distance = (this->state.focal - this->state.position).norm();
+  if (parallel)
+  {
+    this->state.scale = distance * halfTangent(this->state.angle);
+    this->camera->SetParallelScale(0.5 * viewHeight(this->camera));
+  }
+  else
+  {
+    this->state.angle = angleOf(this->state.scale / distance);
+    this->camera->SetViewAngle(angleOf(this->camera->GetParallelScale() / this->camera->GetDistance()));
+  }
+  this->camera->SetParallelProjection(parallel);
 }
 
 void FirstView::roll(double degrees)

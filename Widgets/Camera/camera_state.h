@@ -18,12 +18,16 @@ struct CameraState
 {
   Eigen::Vector3d position, focal, up;
   double angle = 30.0, scale = 1.0;
+  // Of the picture in what the eye sees, as vtkCamera::WindowCenter: a zoom at the cursor moves it, not the
+  // eye, so that what is seen in its own view alone (pictures, strokes) stays.
+  Eigen::Vector2d centre;
 
   explicit CameraState(vtkCamera* camera);
   void putInto(vtkCamera* camera) const;
   Eigen::Vector3d direction() const { return (this->focal - this->position).normalized(); }
-  // Turns the camera about its focal point.
-  void turn(const Eigen::Quaterniond& rotation);
+  // Turns the camera about its focal point, or another.
+  void turn(const Eigen::Quaterniond& rotation) { this->turn(rotation, this->focal); }
+  void turn(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& about);
   void move(const Eigen::Vector3d& by);
 };
 
@@ -42,7 +46,10 @@ struct FirstView
   double spin; // degrees in [0, 360)
 
   double zoom() const;
-  void setZoom(double zoom) const; // clamped to [0.1, 10]
+  // Clamped to [0.1, 10]; what is seen there stays there [-1 to 1 across the view].
+  void setZoom(double zoom, const Eigen::Vector2d& at = Eigen::Vector2d::Zero()) const;
+  // Perspective or not, of the same size where the camera looks at.
+  void setParallel(bool parallel);
   void roll(double degrees);
 };
 

@@ -87,10 +87,12 @@ void PenView::putInto(vtkRenderer* renderer) const
   if (perspective)
   {
     camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(1.0 / this->projection[5])));
+    camera->SetWindowCenter(this->projection[2], this->projection[6]);
   }
   else
   {
     camera->SetParallelScale(1.0 / this->projection[5]);
+    camera->SetWindowCenter(-this->projection[3], -this->projection[7]);
   }
   renderer->ResetCameraClippingRange();
 }

@@ -1,7 +1,9 @@
 #include "vtkOversketchInteractorStyle.h"
 
 #include "Mesh/context.h"
+#include "camera_drag.h"
 #include "camera_keys.h"
+#include "camera_moves.h"
 #include "camera_state.h"
 #include "key_list.h"
 #include "mesh_picker.h"
@@ -10,7 +12,6 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -27,28 +28,17 @@ namespace
 {
 
 using oversketch::CameraAction;
+using oversketch::CameraDrag;
 using oversketch::CameraState;
 using oversketch::FirstView;
-using oversketch::Line;
-using oversketch::SightLines;
 
-constexpr double stepDegrees = 5.0, stepOfHeight = 0.05, stepOfZoom = 1.1;
+constexpr double stepOfZoom = 1.1;
 
-enum class Button
+enum Button
 {
   Left,
   Middle,
   Right
-};
-
-struct Drag
-{
-  Button button;
-  CameraState atPress;
-  SightLines sight;
-  Line pressed;
-  Eigen::Vector3d anchor; // the point that stays under the cursor
-  double y, zoom;
 };
 
 } // namespace
@@ -57,7 +47,7 @@ struct vtkOversketchInteractorStyle::Internals
 {
   vtkOversketchInteractorStyle* style;
   std::vector<FirstView> firstViews;
-  std::unique_ptr<Drag> drag;
+  std::unique_ptr<CameraDrag> drag;
   oversketch::MeshPicker picker;
   oversketch::KeyList keyList;
   std::string keyText; // the host's
@@ -144,8 +134,23 @@ struct vtkOversketchInteractorStyle::Internals
   void wheel(double steps)
   {
     this->poke();
-    this->step([&](FirstView& first) { first.setZoom(first.zoom() * std::pow(stepOfZoom, steps)); });
+    const int* at = this->interactor()->GetEventPosition();
+    this->style->ZoomAt(std::pow(stepOfZoom, steps), at[0], at[1]);
   }
+  // Where a display position is across the view [-1 to 1].
+  Eigen::Vector2d across(double x, double y) const
+  {
+    vtkRenderer* in = this->renderer();
+    const int *origin = in->GetOrigin(), *size = in->GetSize();
+    return { 2.0 * (x - origin[0]) / std::max(1, size[0]) - 1.0,
+      2.0 * (y - origin[1]) / std::max(1, size[1]) - 1.0 };
+  }
+  Eigen::Vector3d middle(const CameraState& camera) const
+  {
+    const auto models = oversketch::modelsIn(this->renderer());
+    return models ? models->centre : camera.focal;
+  }
+  double height() const { return std::max(1, this->renderer()->GetSize()[1]); } // px
   void press(Button button, int state);
   void move();
   void release(Button button);
@@ -175,26 +180,13 @@ void vtkOversketchInteractorStyle::Internals::press(Button button, int state)
     return;
   }
   const int* at = this->interactor()->GetEventPosition();
-  vtkRenderer* in = this->style->CurrentRenderer;
-  const SightLines sight(in);
-  Drag begun{
-    button, CameraState(first->camera), sight, sight.at(at[0], at[1]), {}, double(at[1]), first->zoom()
-  };
-  const double* picked = state == VTKIS_ZOOM ? nullptr : this->picker.pick(at[0], at[1], in);
-  if (picked)
-  {
-    begun.anchor = begun.pressed.projection(Eigen::Vector3d(picked));
-  }
-  else if (state == VTKIS_ROTATE)
-  {
-    return;
-  }
-  else
-  {
-    const Eigen::Hyperplane<double, 3> focalPlane(begun.atPress.direction(), begun.atPress.focal);
-    begun.anchor = begun.pressed.intersectionPoint(focalPlane);
-  }
-  this->drag = std::make_unique<Drag>(begun);
+  const auto kind = state == VTKIS_PAN    ? CameraDrag::Kind::Pan
+                    : state == VTKIS_ZOOM ? CameraDrag::Kind::Zoom
+                    : this->style->Orbit == vtkOversketchInteractorStyle::Trackball
+                      ? CameraDrag::Kind::Trackball
+                      : CameraDrag::Kind::Turntable;
+  this->drag = std::make_unique<CameraDrag>(
+    kind, button, at[0], at[1], this->style->CurrentRenderer, this->picker, *first);
   this->style->GrabFocus(this->style->EventCallbackCommand);
   this->style->StartState(state);
 }
@@ -202,38 +194,23 @@ void vtkOversketchInteractorStyle::Internals::press(Button button, int state)
 void vtkOversketchInteractorStyle::Internals::move()
 {
   FirstView* first = this->drag ? this->firstView() : nullptr;
-  if (!first)
+  if (first)
   {
-    return;
+    const int* at = this->interactor()->GetEventPosition();
+    this->drag->move(at[0], at[1], *first);
+    this->show();
   }
-  const int* at = this->interactor()->GetEventPosition();
-  // Always from the press, so that a way there and back again ends where it began.
-  CameraState camera = this->drag->atPress;
-  const Line now = this->drag->sight.at(at[0], at[1]);
-  switch (this->style->State)
-  {
-    case VTKIS_ROTATE:
-      camera.turn(
-        oversketch::trackballTurn(camera.focal, this->drag->anchor, this->drag->pressed, now).conjugate());
-      camera.putInto(first->camera);
-      break;
-    case VTKIS_PAN:
-      camera.move(this->drag->anchor - now.intersectionPoint(Eigen::Hyperplane<double, 3>(
-                                         camera.direction(), this->drag->anchor)));
-      camera.putInto(first->camera);
-      break;
-    default: // the height of the view is one decade of zoom
-      first->setZoom(
-        this->drag->zoom *
-        std::pow(10.0, (at[1] - this->drag->y) / std::max(1, this->style->CurrentRenderer->GetSize()[1])));
-  }
-  this->show();
 }
 
 void vtkOversketchInteractorStyle::Internals::release(Button button)
 {
-  if (this->drag && this->drag->button == button)
+  if (this->drag && this->drag->button() == button)
   {
+    FirstView* first = this->drag->hasMoved() ? nullptr : this->firstView();
+    if (first)
+    {
+      this->drag->takeBack(first->camera);
+    }
     this->endDrag();
   }
 }
@@ -247,43 +224,10 @@ void vtkOversketchInteractorStyle::Internals::endDrag()
 
 void vtkOversketchInteractorStyle::Internals::act(const CameraAction& action)
 {
-  using Eigen::Vector3d;
-  const double degrees = stepDegrees * action.sign;
   switch (action.kind)
   {
-    case CameraAction::Spin:
-      return this->step([&](FirstView& first) { first.roll(degrees); });
     case CameraAction::Look:
       return this->style->LookAlong(action.axis, action.sign < 0);
-    case CameraAction::Turn:
-      return this->step(
-        [&](FirstView& first)
-        {
-          CameraState camera(first.camera);
-          camera.turn(Eigen::Quaterniond(
-            Eigen::AngleAxisd(-vtkMath::RadiansFromDegrees(degrees), Vector3d::Unit(action.axis))));
-          camera.putInto(first.camera);
-        });
-    case CameraAction::Orbit:
-      return this->step(
-        [&](FirstView& first)
-        {
-          action.axis == 0 ? first.camera->Azimuth(degrees) : first.camera->Elevation(degrees);
-          first.camera->OrthogonalizeViewUp();
-        });
-    case CameraAction::Pan:
-      return this->step(
-        [&](FirstView& first)
-        {
-          first.camera->OrthogonalizeViewUp();
-          CameraState camera(first.camera);
-          const Vector3d axes[] = { camera.direction().cross(camera.up), camera.up, camera.direction() };
-          camera.move(action.sign * stepOfHeight * oversketch::viewHeight(first.camera) * axes[action.axis]);
-          camera.putInto(first.camera);
-        });
-    case CameraAction::Zoom:
-      return this->step(
-        [&](FirstView& first) { first.setZoom(first.zoom() * std::pow(stepOfZoom, action.sign)); });
     case CameraAction::Reset:
       return this->style->ResetToFirstView();
     case CameraAction::Center:
@@ -294,6 +238,8 @@ void vtkOversketchInteractorStyle::Internals::act(const CameraAction& action)
       return this->interactor()->ExitCallback();
     case CameraAction::None:
       return;
+    default:
+      return this->step([&](FirstView& first) { oversketch::moveByKey(action, first); });
   }
 }
 
@@ -350,6 +296,64 @@ void vtkOversketchInteractorStyle::SetMode(int mode)
     this->Inner->updateKeyList();
     this->Modified();
   }
+}
+
+void vtkOversketchInteractorStyle::SetOrbit(int orbit)
+{
+  const int clamped = std::clamp<int>(orbit, Trackball, Turntable);
+  if (clamped != this->Orbit)
+  {
+    this->Orbit = clamped;
+    this->Modified();
+  }
+}
+
+void vtkOversketchInteractorStyle::TurnBy(double x, double y)
+{
+  this->Inner->step(
+    [&](FirstView& first)
+    {
+      const Eigen::Vector3d about = this->Inner->middle(CameraState(first.camera));
+      CameraState camera = oversketch::straightened(CameraState(first.camera), about, this->CurrentRenderer);
+      camera.turn(oversketch::turntableTurn(camera, Eigen::Vector2d(x, y) / this->Inner->height()), about);
+      camera.putInto(first.camera);
+    });
+}
+
+void vtkOversketchInteractorStyle::PanBy(double x, double y)
+{
+  this->Inner->step(
+    [&](FirstView& first)
+    {
+      CameraState camera(first.camera);
+      const Eigen::Vector3d right = camera.direction().cross(camera.up).normalized();
+      camera.move(-oversketch::viewHeight(first.camera) / this->Inner->height() *
+                  (x * right + y * right.cross(camera.direction())));
+      camera.putInto(first.camera);
+    });
+}
+
+void vtkOversketchInteractorStyle::ZoomAt(double factor, double x, double y)
+{
+  if (std::isfinite(factor) && factor > 0.0)
+  {
+    this->Inner->step(
+      [&](FirstView& first) { first.setZoom(first.zoom() * factor, this->Inner->across(x, y)); });
+  }
+}
+
+void vtkOversketchInteractorStyle::SetParallelProjection(bool parallel)
+{
+  if (parallel != this->GetParallelProjection())
+  {
+    this->Inner->step([&](FirstView& first) { first.setParallel(parallel); });
+  }
+}
+
+bool vtkOversketchInteractorStyle::GetParallelProjection()
+{
+  const FirstView* first = this->Inner->firstView(false);
+  return first && first->camera->GetParallelProjection() != 0;
 }
 
 void vtkOversketchInteractorStyle::SetShowKeys(bool show)
@@ -437,16 +441,10 @@ void vtkOversketchInteractorStyle::CenterOnMesh()
   this->Inner->step(
     [this](FirstView& first)
     {
-      double bounds[6];
-      this->CurrentRenderer->ComputeVisiblePropBounds(bounds);
-      if (vtkMath::AreBoundsInitialized(bounds))
-      {
-        CameraState camera(first.camera);
-        camera.move(
-          0.5 * Eigen::Vector3d(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]) -
-          camera.focal);
-        camera.putInto(first.camera);
-      }
+      CameraState camera(first.camera);
+      camera.move(this->Inner->middle(camera) - camera.focal);
+      camera.centre.setZero();
+      camera.putInto(first.camera);
     });
 }
 
@@ -460,6 +458,19 @@ void vtkOversketchInteractorStyle::LookAlong(int axis, bool against)
       camera.position =
         camera.focal - (against ? -1.0 : 1.0) * first.camera->GetDistance() * Eigen::Vector3d::Unit(a);
       camera.up = Eigen::Vector3d::Unit(a == 1 ? 2 : 1);
+      camera.centre.setZero();
+      camera.putInto(first.camera);
+      first.spin = 0.0;
+    });
+}
+
+void vtkOversketchInteractorStyle::LookFromSide(int axis, bool negative)
+{
+  this->Inner->step(
+    [&](FirstView& first)
+    {
+      CameraState camera(first.camera);
+      oversketch::lookFromSide(camera, this->Inner->middle(camera), std::clamp(axis, 0, 2), negative);
       camera.putInto(first.camera);
       first.spin = 0.0;
     });
@@ -492,40 +503,40 @@ void vtkOversketchInteractorStyle::OnMouseMove()
 
 void vtkOversketchInteractorStyle::OnLeftButtonDown()
 {
-  const bool control = this->Interactor->GetControlKey() || this->Interactor->GetAltKey();
+  const bool control = this->Interactor->GetControlKey(), alt = this->Interactor->GetAltKey();
   const bool shift = this->Interactor->GetShiftKey();
-  if (control || shift || this->Mode == Navigate)
+  if (control || alt || shift || this->Mode == Navigate)
   {
-    this->Inner->press(Button::Left, !shift ? VTKIS_ROTATE : control ? VTKIS_ZOOM : VTKIS_PAN);
+    this->Inner->press(Left, !shift ? VTKIS_ROTATE : control ? VTKIS_ZOOM : VTKIS_PAN);
   }
 }
 
 void vtkOversketchInteractorStyle::OnLeftButtonUp()
 {
-  this->Inner->release(Button::Left);
+  this->Inner->release(Left);
 }
 
 void vtkOversketchInteractorStyle::OnMiddleButtonDown()
 {
-  this->Inner->press(Button::Middle,
-    this->Interactor->GetShiftKey()     ? VTKIS_PAN
-    : this->Interactor->GetControlKey() ? VTKIS_ZOOM
-                                        : VTKIS_ROTATE);
+  this->Inner->press(Middle,
+    this->Interactor->GetShiftKey() || this->Interactor->GetAltKey() ? VTKIS_PAN
+    : this->Interactor->GetControlKey()                              ? VTKIS_ZOOM
+                                                                     : VTKIS_ROTATE);
 }
 
 void vtkOversketchInteractorStyle::OnMiddleButtonUp()
 {
-  this->Inner->release(Button::Middle);
+  this->Inner->release(Middle);
 }
 
 void vtkOversketchInteractorStyle::OnRightButtonDown()
 {
-  this->Inner->press(Button::Right, VTKIS_PAN);
+  this->Inner->press(Right, VTKIS_PAN);
 }
 
 void vtkOversketchInteractorStyle::OnRightButtonUp()
 {
-  this->Inner->release(Button::Right);
+  this->Inner->release(Right);
 }
 
 void vtkOversketchInteractorStyle::OnMouseWheelForward()
@@ -548,7 +559,7 @@ void vtkOversketchInteractorStyle::OnKeyPress()
     {
       if (FirstView* first = inner.firstView())
       {
-        inner.drag->atPress.putInto(first->camera);
+        inner.drag->takeBack(first->camera);
         inner.show();
       }
       inner.endDrag();
@@ -567,6 +578,8 @@ void vtkOversketchInteractorStyle::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "Orbit: " << this->Orbit << "\n";
+  os << indent << "ParallelProjection: " << this->GetParallelProjection() << "\n";
   os << indent << "Zoom: " << this->GetZoom() << "\n";
   os << indent << "Spin: " << this->GetSpin() << "\n";
   os << indent << "ShowKeys: " << this->ShowKeys << "\n";

@@ -1,19 +1,23 @@
 /**
  * @class vtkOversketchInteractorStyle
- * @brief the camera for drawing on models: trackball, pan, zoom, spin and a key for each view
+ * @brief the camera for drawing on models: turn, pan, zoom, spin and a key for each view
  *
  * Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", Ch. 4, App. A, Table 1.
  *
  * | mouse | what it does | without a middle button |
  * |---|---|---|
- * | middle drag | turn: the picked point of the mesh stays under the cursor | Alt or Ctrl + left drag |
- * | right drag, Shift + middle drag | pan: the point under the cursor stays there | Shift + left drag |
- * | wheel, Ctrl + middle drag up or down | zoom | two fingers up or down, Ctrl + Shift + left drag |
+ * | middle drag | turn (see Orbit) | Alt or Ctrl + left drag |
+ * | right drag, Shift or Alt + middle drag | pan: the point under the cursor stays there | Shift, also with
+ * Alt, + left drag | | wheel, Ctrl + middle drag up or down | zoom; of the wheel what is under the cursor
+ * stays there | Ctrl + Shift + left drag |
+ *
+ * A zoom magnifies the picture: the eye stays where it is (vtkCamera::WindowCenter moves), so that what is
+ * drawn in a view can be seen enlarged. A turn begins where the picture is.
  *
  * Plain left drag turns too in the mode Navigate; in the mode Draw it belongs to the tool that draws, and the
  * style leaves it alone. Middle drag turns in both. (Alt + left is what modelling programs use; Ctrl + left
  * is there because many window managers keep Alt + left for themselves.) Escape during a drag takes the
- * camera back to where it was pressed. A turn that starts beside the mesh does nothing.
+ * camera back to where it was pressed. A turn that starts beside the models is about their middle.
  *
  * | key | alone | with Shift |
  * |---|---|---|
@@ -76,6 +80,44 @@ public:
   void SetModeToDraw() { this->SetMode(Draw); }
   ///@}
 
+  enum OrbitType
+  {
+    Trackball = 0,
+    Turntable = 1
+  };
+
+  ///@{
+  /**
+   * How a drag turns: freely, so that the picked point of the mesh stays under the cursor (Trackball, the
+   * thesis's and the default), or upright, about the world's y and the picture's horizontal, half a turn for
+   * the view's height, about the picked point (Turntable).
+   */
+  void SetOrbit(int orbit);
+  vtkGetMacro(Orbit, int);
+  void SetOrbitToTrackball() { this->SetOrbit(Trackball); }
+  void SetOrbitToTurntable() { this->SetOrbit(Turntable); }
+  ///@}
+
+  ///@{
+  /**
+   * One movement of a gesture, by so many pixels to the right and up: an upright turn about the models'
+   * middle; a pan; a zoom by a factor with what is seen at a display position staying there. Nothing during a
+   * drag.
+   */
+  void TurnBy(double x, double y);
+  void PanBy(double x, double y);
+  void ZoomAt(double factor, double x, double y);
+  ///@}
+
+  ///@{
+  /**
+   * Orthographic or perspective, of the same size where the camera looks at, from the same place.
+   * Perspective, and without effect, while there is no camera.
+   */
+  void SetParallelProjection(bool parallel);
+  bool GetParallelProjection();
+  ///@}
+
   ///@{
   /**
    * Apparent size, in multiples of that in the first view [0.1 to 10, default 1]: the parallel scale is
@@ -130,6 +172,12 @@ public:
   ///@}
 
   /**
+   * Looks at the models' middle from the positive or the negative side of an axis, upright: with axis 2 front
+   * and back, 0 right and left, 1 top and bottom.
+   */
+  void LookFromSide(int axis, bool negative);
+
+  /**
    * Puts the camera where a stroke was drawn that carries its view (vtkOversketchStrokeWidget::GetStroke);
    * the window keeps its size. False, and nothing changed, without a renderer, during a drag, or for another
    * polydata.
@@ -164,6 +212,7 @@ private:
   void operator=(const vtkOversketchInteractorStyle&) = delete;
 
   int Mode = Navigate;
+  int Orbit = Trackball;
   bool ShowKeys = false;
 
   struct Internals;

@@ -10,13 +10,17 @@
 #define vtkOversketchEditRepresentation_h
 
 #include "OversketchWidgetsEditModule.h" // For export macro
-#include "vtkNew.h"                      // For RegionNormals, RegionActor
 #include "vtkOversketchGripRepresentation.h"
 
-class vtkActor;
+#include <memory> // For Region
+
 class vtkPolyData;
-class vtkPolyDataNormals;
 class vtkProperty;
+
+namespace oversketch
+{
+class MovedRegion;
+}
 
 class OVERSKETCHWIDGETSEDIT_EXPORT vtkOversketchEditRepresentation : public vtkOversketchGripRepresentation
 {
@@ -54,8 +58,7 @@ private:
   vtkOversketchEditRepresentation(const vtkOversketchEditRepresentation&) = delete;
   void operator=(const vtkOversketchEditRepresentation&) = delete;
 
-  vtkNew<vtkPolyDataNormals> RegionNormals;
-  vtkNew<vtkActor> RegionActor;
+  std::unique_ptr<oversketch::MovedRegion> Region;
 };
 
 #endif

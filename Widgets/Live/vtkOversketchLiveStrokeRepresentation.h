@@ -12,12 +12,16 @@
 #define vtkOversketchLiveStrokeRepresentation_h
 
 #include "OversketchWidgetsLiveModule.h" // For export macro
-#include "vtkNew.h"                      // For RegionNormals, RegionActor
 #include "vtkOversketchHeldStrokeRepresentation.h"
 
-class vtkActor;
-class vtkPolyDataNormals;
+#include <memory> // For Region
+
 class vtkProperty;
+
+namespace oversketch
+{
+class MovedRegion;
+}
 
 class OVERSKETCHWIDGETSLIVE_EXPORT vtkOversketchLiveStrokeRepresentation
   : public vtkOversketchHeldStrokeRepresentation
@@ -54,8 +58,7 @@ private:
   vtkOversketchLiveStrokeRepresentation(const vtkOversketchLiveStrokeRepresentation&) = delete;
   void operator=(const vtkOversketchLiveStrokeRepresentation&) = delete;
 
-  vtkNew<vtkPolyDataNormals> RegionNormals;
-  vtkNew<vtkActor> RegionActor;
+  std::unique_ptr<oversketch::MovedRegion> Region;
 };
 
 #endif

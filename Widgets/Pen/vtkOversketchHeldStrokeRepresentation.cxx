@@ -133,7 +133,7 @@ bool vtkOversketchHeldStrokeRepresentation::IsInItsView()
 double vtkOversketchHeldStrokeRepresentation::DistanceTo(double x, double y)
 {
   double least = std::numeric_limits<double>::infinity();
-  if (!this->HasStroke() || !this->Renderer)
+  if (!this->HasStroke() || !this->Renderer || (!this->ShowFromElsewhere && !this->IsInReach()))
   {
     return least;
   }
@@ -242,6 +242,11 @@ int vtkOversketchHeldStrokeRepresentation::RenderOverlay(vtkViewport* viewport)
   {
     return drawn;
   }
+  const bool inReach = this->IsInReach();
+  if (!inReach && !this->ShowFromElsewhere)
+  {
+    return drawn;
+  }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
@@ -260,7 +265,6 @@ int vtkOversketchHeldStrokeRepresentation::RenderOverlay(vtkViewport* viewport)
   }
   inner.picture->SetPoints(points);
   inner.picture->SetLines(lines);
-  const bool inReach = this->IsInReach();
   const float width = inner.property->GetLineWidth();
   inner.seen->DeepCopy(inner.property);
   inner.seen->SetOpacity(inner.property->GetOpacity() * (inReach || this->Highlighted ? 1.0 : 0.5));
@@ -272,6 +276,7 @@ void vtkOversketchHeldStrokeRepresentation::PrintSelf(ostream& os, vtkIndent ind
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ShowStroke: " << this->ShowStroke << "\n";
+  os << indent << "ShowFromElsewhere: " << this->ShowFromElsewhere << "\n";
   os << indent << "Highlighted: " << this->Highlighted << "\n";
   os << indent << "Translation: " << this->Translation[0] << " " << this->Translation[1] << " "
      << this->Translation[2] << "\n";

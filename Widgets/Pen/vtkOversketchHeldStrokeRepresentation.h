@@ -80,6 +80,16 @@ public:
 
   ///@{
   /**
+   * Whether the line is seen, and can be met, also where the camera is not where it was drawn: in its plane,
+   * it floats before or behind what it changed [default on]. Off for hosts that show it there in another way.
+   */
+  vtkSetMacro(ShowFromElsewhere, bool);
+  vtkGetMacro(ShowFromElsewhere, bool);
+  vtkBooleanMacro(ShowFromElsewhere, bool);
+  ///@}
+
+  ///@{
+  /**
    * The line of text; empty (default) none.
    */
   void SetText(const char* text);
@@ -113,6 +123,7 @@ private:
   void operator=(const vtkOversketchHeldStrokeRepresentation&) = delete;
 
   bool ShowStroke = true;
+  bool ShowFromElsewhere = true;
   bool Highlighted = false;
   double Translation[3] = { 0.0, 0.0, 0.0 };
 

@@ -9,7 +9,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -66,6 +68,26 @@ TEST(Autosave, IsFoundAfterItsProgramOnly)
   EXPECT_EQ(digestOf(read.session.mesh), digestOf(dogSession().mesh));
   removeLeftBehind(left[0]);
   EXPECT_TRUE(leftBehind(root.path).empty());
+  EXPECT_TRUE(fs::is_empty(root.path));
+}
+
+TEST(Autosave, NamesTheFileThatItIsOf)
+{
+  const Root root;
+  {
+    Autosave saved(root.path), changed(root.path);
+    saved.keep(fileWith(2), { "/home/a/saved.oversketch", true });
+    saved.keep(fileWith(2), { "/home/a/saved.oversketch", false });
+    EXPECT_EQ(saved.wait(), "");
+    changed.keep(fileWith(2), { "/home/a/my dog.oversketch", false });
+    changed.keep(fileWith(2), { "/home/a/my dog.oversketch", true });
+    EXPECT_EQ(changed.wait(), "");
+  }
+  const auto left = leftBehind(root.path);
+  ASSERT_EQ(left.size(), 1u) << "what is saved is lost by no crash";
+  EXPECT_EQ(left[0].path, "/home/a/my dog.oversketch");
+  EXPECT_LT(std::abs(std::difftime(left[0].time, std::time(nullptr))), 600.0);
+  removeLeftBehind(left[0]);
   EXPECT_TRUE(fs::is_empty(root.path));
 }
 

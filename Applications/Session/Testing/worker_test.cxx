@@ -6,6 +6,8 @@
 
 #include "Harness/polydata.h"
 
+#include "vtkPointData.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -27,6 +29,7 @@ struct Desk
   std::vector<Worker::Details> details;
   std::vector<std::uint64_t> cancelled;
   std::vector<std::string> stages;
+  std::vector<SharedData> glances;
 
   Worker::Listener listener()
   {
@@ -47,6 +50,12 @@ struct Desk
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
       this->cancelled.push_back(ticket);
+      this->told.notify_all();
+    };
+    listener.glanced = [this](const SharedData& mesh)
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->glances.push_back(mesh);
       this->told.notify_all();
     };
     listener.progress = [this](std::uint64_t, std::size_t, const std::string& stage, double)
@@ -93,6 +102,39 @@ TEST(Worker, GivesWhatTheEvaluatorGives)
   EXPECT_EQ(result.nodes[1].section->middle, outcomes[1].section->middle);
   EXPECT_GT(result.nodes[1].hold->GetNumberOfPoints(), 1);
   EXPECT_EQ(result.backendUsed, int(vtkOversketchOneStroke::Host));
+}
+
+TEST(Worker, AGlanceGivesAnEarlierMeshAndChangesNothing)
+{
+  const Session session = dogSession();
+  Session before = session, none = session;
+  before.nodes.resize(1);
+  none.nodes.clear();
+  const std::string expected = expectedOf(before);
+  Desk desk;
+  Worker worker(desk.listener());
+  worker.submit(session);
+  ASSERT_TRUE(desk.wait([&] { return !desk.details.empty(); }));
+  const std::size_t stages = desk.stages.size();
+  const auto glance = [&](const Session& at)
+  {
+    worker.glance(at);
+    EXPECT_TRUE(desk.wait([&] { return !desk.glances.empty(); }));
+    const vtkSmartPointer<vtkPolyData> mesh = desk.glances.at(0).own();
+    desk.glances.clear();
+    EXPECT_TRUE(mesh->GetPointData()->GetNormals());
+    mesh->GetPointData()->SetNormals(nullptr);
+    return digestOf(mesh);
+  };
+  EXPECT_EQ(glance(before), expected);
+  EXPECT_EQ(glance(none), digestOf(session.mesh));
+  EXPECT_EQ(desk.stages.size(), stages) << "a step was run for it";
+  EXPECT_EQ(desk.done.size(), 1u);
+  // What is submitted goes before it.
+  worker.glance(before);
+  worker.submit(session);
+  ASSERT_TRUE(desk.wait([&] { return desk.done.size() == 2; }));
+  EXPECT_TRUE(identical(desk.done[0].mesh, desk.done[1].mesh));
 }
 
 TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)

@@ -52,9 +52,7 @@ TEST(ChainDocument, IsTheEvaluatorsMesh)
   writeSession(opened.toStdString(), { session, originHere(session.backend), first });
 
   Document document;
-  QStringList notes;
-  ASSERT_TRUE(document.open(
-    opened, [] { return true; }, notes));
+  document.open(Document::read(opened, 0));
   EXPECT_EQ(shownBy(document), first);
 
   const auto redraw = [&](int node, const auto& how)

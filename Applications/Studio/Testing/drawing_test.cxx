@@ -420,9 +420,7 @@ TEST(Drawing, AnEmptyCanvasIsDrawnOn)
   EXPECT_EQ(sheet.document->digest(), replayed(sheet.session()));
   // A model that is opened then is drawn on itself.
   sheet.document->discardAutosave();
-  QStringList notes;
-  ASSERT_TRUE(sheet.document->open(
-    OVERSKETCH_DATA_FOLDER "/Models/dog.ply", [] { return true; }, notes));
+  sheet.document->open(Document::read(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", 0));
   sheet.settle();
   EXPECT_FALSE(sheet.pad->isVisible());
   EXPECT_TRUE(sheet.view->mesh());

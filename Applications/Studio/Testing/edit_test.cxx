@@ -13,6 +13,9 @@
 #include "vtkOversketchStrokeWidget.h"
 
 #include "vtkCamera.h"
+#include "vtkGenericCell.h"
+#include "vtkMath.h"
+#include "vtkStaticCellLocator.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -400,7 +403,58 @@ TEST(Edit, ABadHandIsToldWhatAndHow)
   scene.press(Qt::Key_Return);
   scene.drawLine();
   scene.drawRing(60.0, 35.0);
-  EXPECT_EQ(scene.nodes().size(), 2u) << scene.said();
+  ASSERT_EQ(scene.nodes().size(), 2u) << scene.said();
+
+  // On both sides of a plane: both follow the hand, and the result is where they were.
+  const MirrorPlane plane = *scene.document->mirrorPlane(3); // which the model's two sides are alike about
+  scene.document->setParameters(1, scene.step(1).values, plane);
+  scene.settle();
+  ASSERT_EQ(scene.failures(), "");
+  const Way pull = Edits::straight(scene.middle, scene.middle - QPoint(0, 20));
+  scene.drag(scene.view, { pull.front(), pull[1] }, Qt::NoModifier, false);
+  vtkNew<vtkPolyData> begun;
+  begun->DeepCopy(scene.shown());
+  for (const QPoint& at : pull)
+  {
+    scene.send(scene.view, QEvent::MouseMove, at, Qt::NoModifier);
+  }
+  scene.shot("both_sides");
+  vtkNew<vtkPolyData> preview;
+  preview->DeepCopy(scene.shown());
+  ASSERT_EQ(preview->GetNumberOfPoints(), begun->GetNumberOfPoints());
+  scene.letGo(scene.view, pull.back());
+  EXPECT_EQ(scene.failures(), "");
+  ASSERT_TRUE(scene.step(1).mirror) << "the hand has forgotten the plane";
+  EXPECT_EQ(scene.digest(), replayed(scene.document->session()));
+  vtkNew<vtkStaticCellLocator> result;
+  result->SetDataSet(scene.document->result().mesh);
+  result->BuildLocator();
+  vtkNew<vtkGenericCell> cell;
+  double way[2] = { 0.0, 0.0 }, off[2] = { 0.0, 0.0 };
+  int moved[2] = { 0, 0 };
+  for (vtkIdType i = 0; i < preview->GetNumberOfPoints(); ++i)
+  {
+    double from[3], to[3], nearest[3], squared = 0.0;
+    begun->GetPoint(i, from);
+    preview->GetPoint(i, to);
+    const double length = std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+    if (length > 0.0)
+    {
+      vtkIdType id = -1;
+      int part = 0;
+      result->FindClosestPoint(to, nearest, cell, id, part, squared);
+      const int side = from[plane.axis] > plane.offset ? 1 : 0;
+      ++moved[side];
+      way[side] = std::max(way[side], length);
+      off[side] += std::sqrt(squared);
+    }
+  }
+  for (const int side : { 0, 1 })
+  {
+    EXPECT_GT(moved[side], 20) << side;
+    EXPECT_LT(off[side] / moved[side], 0.1 * way[side]) << side;
+  }
+  EXPECT_NEAR(way[0], way[1], 0.2 * std::max(way[0], way[1]));
 }
 
 TEST(Edit, KeysOfADockAreTheCanvass)

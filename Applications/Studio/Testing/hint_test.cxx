@@ -1,6 +1,9 @@
 // Who follows the hint exactly gets what it says.
 #include "hint_line.h"
 #include "scene.h"
+#include "tool.h"
+
+#include <QLabel>
 
 #include <algorithm>
 
@@ -8,41 +11,129 @@ using namespace oversketch_studio;
 using oversketch::Polyline;
 using oversketch::Vector2;
 
-TEST(Hint, FollowedExactlyItMakesTheTailLonger)
+namespace
 {
-  Scene scene;
-  vtkPolyData* mesh = scene.document->result().mesh;
-  vtkRenderer* renderer = scene.renderer();
-  Polyline picture;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+
+// A person new to it on the shipped model, who does what the hints say.
+struct Pupil : Scene
+{
+  Pupil()
   {
-    double p[3];
-    mesh->GetPoint(i, p);
-    renderer->SetWorldPoint(p[0], p[1], p[2], 1.0);
-    renderer->WorldToDisplay();
-    picture.emplace_back(renderer->GetDisplayPoint()[0], renderer->GetDisplayPoint()[1]);
+    QApplication::setActiveWindow(&this->window);
+    this->view->setFocus();
   }
-  const int tip = scene.top().y();
-  const Polyline line = oversketch::uniformPolyline(hintLine(picture, 1.0), 3.0);
-  ASSERT_GT(line.size(), 20u);
-  const auto at = [&](const Vector2& p)
+  Polyline hinted(HintShape shape)
   {
-    return QPoint(
-      static_cast<int>(std::lround(p[0])), scene.view->height() - 1 - static_cast<int>(std::lround(p[1])));
-  };
-  QTest::mousePress(scene.view, Qt::LeftButton, Qt::NoModifier, at(line.front()));
-  for (const Vector2& p : line)
+    vtkPolyData* mesh = this->document->result().mesh;
+    Polyline picture;
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      mesh->GetPoint(i, p);
+      this->renderer()->SetWorldPoint(p[0], p[1], p[2], 1.0);
+      this->renderer()->WorldToDisplay();
+      picture.emplace_back(this->renderer()->GetDisplayPoint()[0], this->renderer()->GetDisplayPoint()[1]);
+    }
+    const Polyline line = hintLine(shape, picture, 1.0);
+    EXPECT_GT(line.size(), 20u);
+    return oversketch::uniformPolyline(line, 3.0);
+  }
+  void followHint()
   {
-    moveMouse(scene.view, at(p));
+    ASSERT_FALSE(this->view->hint().isEmpty()) << qPrintable(this->view->tool()->title());
+    const Polyline line = this->hinted(this->view->tool()->hintShape());
+    const auto at = [&](const Vector2& p)
+    {
+      return QPoint(
+        static_cast<int>(std::lround(p[0])), this->view->height() - 1 - static_cast<int>(std::lround(p[1])));
+    };
+    moveMouse(this->view, at(line.front()), Qt::NoButton);
+    QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(line.front()));
+    EXPECT_TRUE(this->view->hint().isEmpty()) << "it lies under the line being drawn";
+    for (const Vector2& p : line)
+    {
+      moveMouse(this->view, at(p));
+      QApplication::processEvents();
+    }
+    QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, at(line.back()));
+    QApplication::processEvents();
+    this->wait();
     QApplication::processEvents();
   }
-  QTest::mouseRelease(scene.view, Qt::LeftButton, Qt::NoModifier, at(line.back()));
-  scene.wait();
-  const auto& nodes = scene.document->result().nodes;
-  ASSERT_EQ(nodes.size(), 1u);
-  EXPECT_EQ(nodes[0].failure, "");
-  EXPECT_EQ(nodes[0].remark, "");
-  EXPECT_LT(scene.top().y(), tip - 20);
+  void expectGood()
+  {
+    const auto& nodes = this->document->result().nodes;
+    ASSERT_EQ(nodes.size(), 1u) << qPrintable(this->window.findChild<QLabel*>("advice")->text());
+    EXPECT_EQ(nodes[0].failure, "");
+    EXPECT_EQ(nodes[0].remark, "");
+    EXPECT_TRUE(this->view->hint().isEmpty()) << "it has been learned";
+    EXPECT_FALSE(this->window.findChild<QLabel*>("advice")->text().contains("did nothing"));
+  }
+};
+
+} // namespace
+
+TEST(Hint, FollowedExactlyItMakesTheTailLonger)
+{
+  Pupil pupil;
+  const int tip = pupil.top().y();
+  pupil.followHint();
+  pupil.expectGood();
+  EXPECT_LT(pupil.top().y(), tip - 20);
+}
+
+// Of each tool that draws on the model.
+TEST(Hint, FollowedExactlyEachGivesAGoodResult)
+{
+  int tools = 0;
+  Pupil pupil;
+  for (Tool* tool : pupil.view->findChildren<Tool*>())
+  {
+    SCOPED_TRACE(qPrintable(tool->title()));
+    pupil.window.openShippedModel();
+    pupil.wait();
+    QTest::keyClick(pupil.view, static_cast<Qt::Key>(tool->key()[0]));
+    ASSERT_EQ(pupil.view->tool(), tool);
+    QApplication::processEvents();
+    pupil.wait();
+    QApplication::processEvents();
+    if (tool->hint().isEmpty())
+    {
+      EXPECT_TRUE(pupil.view->hint().isEmpty()) << "another tool's hint";
+      continue;
+    }
+    ++tools;
+    pupil.followHint();
+    if (pupil.document->session().nodes.empty()) // a line comes before its ring
+    {
+      ASSERT_EQ(tool->hintShape(), HintShape::Ring)
+        << qPrintable(pupil.window.findChild<QLabel*>("advice")->text());
+      pupil.followHint();
+    }
+    pupil.expectGood();
+    pupil.document->undo();
+    pupil.wait();
+  }
+#if defined(OVERSKETCH_WITH_EDIT) && defined(OVERSKETCH_WITH_AUGMENT)
+  EXPECT_EQ(tools, 5);
+#endif
+  EXPECT_GE(tools, 1);
+}
+
+TEST(Hint, IsGoneOnceTheModelIsTurnedOrAnotherIsOpened)
+{
+  Pupil pupil;
+  EXPECT_FALSE(pupil.view->hint().isEmpty());
+  QTest::keyClick(pupil.view, Qt::Key_X);
+  EXPECT_TRUE(pupil.view->hint().isEmpty());
+  QTest::keyClick(pupil.view, Qt::Key_B);
+  EXPECT_TRUE(pupil.view->hint().isEmpty());
+  pupil.window.openShippedModel();
+  pupil.wait();
+  EXPECT_FALSE(pupil.view->hint().isEmpty());
+  ASSERT_TRUE(pupil.window.open(OVERSKETCH_DATA_FOLDER "/Models/bear.ply"));
+  EXPECT_TRUE(pupil.view->hint().isEmpty());
+  pupil.wait();
 }
 
 TEST(Hint, IsThereForAnyPicture)

@@ -71,8 +71,8 @@ struct Lines : Scene
         Qt::NoScrollPhase,
         false);
       QApplication::sendEvent(this->view, &turn);
-      QApplication::processEvents();
     }
+    QApplication::processEvents(); // a hand does not rest for a second between two, however busy the machine
   }
   const Step& step(int node) { return *this->document->session().nodes[indexOf(node)].step; }
   double number(int node, const char* name) { return std::get<double>(this->step(node).values.at(name)); }

@@ -79,9 +79,7 @@ TEST(Pictures, AreSeenInTheirViewAndKept)
   EXPECT_EQ(list->count(), 1);
   EXPECT_EQ(magenta(scene.view), 0);
   scene.document->discardAutosave();
-  QStringList notes;
-  ASSERT_TRUE(scene.document->open(
-    file, [] { return true; }, notes));
+  scene.document->open(Document::read(file, 0));
   scene.wait();
   ASSERT_EQ(scene.document->session().pictures.size(), 1u);
   EXPECT_EQ(list->count(), 2);

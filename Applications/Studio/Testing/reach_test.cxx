@@ -2,6 +2,7 @@
 #include "document.h"
 #include "history_panel.h"
 #include "main_window.h"
+#include "message_words.h"
 #include "mouse.h"
 #include "preferences.h"
 #include "tool.h"
@@ -171,7 +172,7 @@ int unmarked(const QWidget* root)
   int marked = 0;
   for (const QString& text : texts)
   {
-    if (!text.isEmpty() && !text.startsWith("The result is not as drawn")) // a filter's own words
+    if (!text.isEmpty())
     {
       EXPECT_TRUE(text.contains(QString::fromUtf8("¡"))) << "not translated: " << qPrintable(text);
       ++marked;
@@ -288,6 +289,7 @@ TEST(Reach, TheListOfKeysIsTrue)
     QTest::keyClick(scene.view, *key);
     moves += seen() != before ? QString(*key) : QString();
   }
+  QTest::keyClick(scene.view, Qt::Key_5); // as it was, for the next window
   for (const QChar key : moves)
   {
     EXPECT_TRUE(listed.contains(key)) << "not in the list: " << key.toLatin1();
@@ -295,7 +297,7 @@ TEST(Reach, TheListOfKeysIsTrue)
   EXPECT_GE(moves.size(), 16);
   for (const QChar key : listed)
   {
-    EXPECT_TRUE(moves.contains(key) || QString("abdegsto?q").contains(key))
+    EXPECT_TRUE(moves.contains(key) || QString("abdegstou?").contains(key))
       << "does nothing: " << key.toLatin1();
   }
 }
@@ -341,8 +343,8 @@ TEST(Reach, TheNextPlaceAndTheReachAreAKeyAway)
     const auto& state = scene.document->result().nodes[0];
     const bool isMarked = !state.failure.empty() || !state.remark.empty();
     EXPECT_EQ(list->item(0)->icon().isNull(), !isMarked && !state.elsewhere);
-    EXPECT_TRUE(list->item(0)->toolTip().contains(
-      QString::fromStdString(state.failure.empty() ? state.remark : state.failure)));
+    EXPECT_TRUE(
+      list->item(0)->toolTip().contains(plainWords(state.failure.empty() ? state.remark : state.failure)));
   };
   list->setCurrentRow(-1); // the last stroke is meant
   scene.view->setFocus();

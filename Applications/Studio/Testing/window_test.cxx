@@ -113,6 +113,8 @@ std::string replayed(const oversketch_session::Session& session)
 // What is shown is what the history makes of the mesh, all of it undone and all of it redone.
 void expectTheHistoryHolds(Document& document)
 {
+  document.showTo(static_cast<int>(document.session().nodes.size()));
+  ASSERT_TRUE(settles(document));
   const std::string drawn = document.digest();
   int steps = 0;
   for (; document.canUndo(); ++steps)

@@ -1,10 +1,11 @@
 #include "augment_options.h"
 
+#include "flow_layout.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDateTime>
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 
@@ -41,7 +42,7 @@ AugmentOptions::AugmentOptions(QWidget* parent)
   , HeightBox(new QDoubleSpinBox(this))
   , Pressure(new QCheckBox(tr("Pressure is height"), this))
 {
-  auto* row = new QHBoxLayout(this);
+  auto* row = new FlowLayout(this);
   row->setContentsMargins(6, 0, 0, 0);
   const auto add = [&](QWidget* widget, const char* name, const QString& spoken, const QString& help)
   {

@@ -20,6 +20,7 @@ class AugmentOptions : public QWidget
 public:
   explicit AugmentOptions(QWidget* parent = nullptr);
 
+  double diagonal() const { return this->Diagonal; }
   // For a model whose box has that diagonal: radius and height begin as the system's own are there.
   void begin(double diagonal);
   // Lengths are those of the model, whatever becomes of it: SketchMode, Radius, Height, UsePressure.

@@ -14,9 +14,10 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <QBoxLayout>
+#include <QLayout>
 
 #include <algorithm>
+#include <iterator>
 
 namespace oversketch_studio
 {
@@ -115,11 +116,16 @@ QVector<QPair<QString, QString>> AugmentTool::keys() const
   };
 }
 
+QString AugmentTool::hint() const
+{
+  return tr("Draw a line on the body like this, and it rises");
+}
+
 QString AugmentTool::advice(const Situation& situation) const
 {
   if (situation.redraws)
   {
-    return tr("Draw the selected line anew. T leaves it as it is.");
+    return tr("Redraw the selected line. T leaves it as it is.");
   }
   if (situation.selected)
   {
@@ -161,10 +167,49 @@ QString AugmentTool::stage(const QString& name) const
 
 QWidget* AugmentTool::makeOptions(QWidget* parent)
 {
-  QWidget* options = HeldStrokeTool::makeOptions(parent);
-  static_cast<QBoxLayout*>(options->layout())->insertWidget(0, this->Options);
+  this->Options->setParent(parent);
   this->Options->show();
+  // In the same lines.
+  if (QWidget* mirror = HeldStrokeTool::makeOptions(this->Options))
+  {
+    this->Options->layout()->addWidget(mirror);
+  }
+  return this->Options;
+}
+
+// Lengths as shares of the model's size.
+Values AugmentTool::options() const
+{
+  Values options = HeldStrokeTool::options();
+  for (const auto& [name, value] : this->values())
+  {
+    options[name] = value;
+  }
+  options.erase("TargetEdgeLength"); // follows from the others
+  for (const char* length : { "Radius", "Height" })
+  {
+    options[length] = std::get<double>(options[length]) / this->Options->diagonal();
+  }
   return options;
+}
+
+void AugmentTool::setOptions(const Values& options)
+{
+  HeldStrokeTool::setOptions(options);
+  Values values = options;
+  for (const char* length : { "Radius", "Height" })
+  {
+    values[length] = std::get<double>(options.at(length)) * this->Options->diagonal();
+  }
+  this->Options->setValues(values);
+  this->Profile->setShape(
+    std::get<std::string>(options.at("Profile")), std::get<double>(options.at("Sharpness")));
+  this->shape(false);
+}
+
+QString AugmentTool::pressure() const
+{
+  return tr("is the line's height, where Pressure is height is ticked");
 }
 
 QWidget* AugmentTool::makePanel(QWidget* parent)
@@ -224,7 +269,8 @@ vtkSmartPointer<vtkPolyData> AugmentTool::meshBefore() const
 {
   vtkPolyData* shown = this->viewport()->mesh();
   const auto& nodes = this->document()->session().nodes;
-  const auto last = std::find_if(nodes.rbegin(), nodes.rend(), [](const Node& node) { return node.on; });
+  const auto end = std::make_reverse_iterator(nodes.begin() + this->document()->shownTo());
+  const auto last = std::find_if(end, nodes.rend(), [](const Node& node) { return node.on; });
   vtkDataArray* raised = shown ? shown->GetPointData()->GetArray("Displacement") : nullptr;
   if (!raised || last == nodes.rend() || last->step->system != this->system())
   {

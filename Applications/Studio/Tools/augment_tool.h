@@ -23,10 +23,15 @@ public:
   QString mode() const override;
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
+  QString hint() const override;
+  HintShape hintShape() const override { return HintShape::Line; }
   QString advice(const Situation& situation) const override;
   QString stage(const QString& name) const override;
   // The options are those of the red line, which follows them, and of the lines that come.
   QWidget* makeOptions(QWidget* parent) override;
+  oversketch_session::Values options() const override;
+  void setOptions(const oversketch_session::Values& options) override;
+  QString pressure() const override;
   QWidget* makePanel(QWidget* parent) override;
   void offer(const oversketch_session::Step& step,
     const oversketch_session::Worker::NodeState& state,

@@ -2,7 +2,9 @@
 
 #include "document.h"
 #include "drawing_pad.h"
+#include "flow_layout.h"
 #include "focus_frame.h"
+#include "message_words.h"
 #include "systems.h"
 #include "texture.h"
 #include "viewport.h"
@@ -17,7 +19,6 @@
 
 #include <QAction>
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QRegularExpression>
 #include <QToolButton>
 
@@ -121,7 +122,7 @@ QVector<QPair<QString, QString>> DrawingTool::keys() const
   return {
     { tr("In the picture:"), {} },
     { tr("  Left drag"), tr("draw a line; an outline ends where it began") },
-    { tr("  Shift + left drag"), tr("over a line: draw a part of it anew") },
+    { tr("  Shift + left drag"), tr("over a line: redraw a part of it") },
     { tr("  Left click"), tr("in a closed inner line: fill, hole, tunnel") },
     { tr("  Wheel, middle drag"), tr("zoom, pan") },
     { tr("F4"), tr("magnetic pen on or off") },
@@ -179,7 +180,12 @@ QString DrawingTool::inLines(const QString& text) const
     words += text.mid(from, match.capturedStart() - from) + line.arg(lines.value(match.captured(2).toInt()));
     from = match.capturedEnd();
   }
-  return words + text.mid(from);
+  QStringList translated;
+  for (const QString& one : (words + text.mid(from)).split('\n'))
+  {
+    translated << plainWords(one.toStdString());
+  }
+  return translated.join('\n');
 }
 
 QString DrawingTool::advice(const Situation&) const
@@ -191,7 +197,7 @@ QString DrawingTool::advice(const Situation&) const
   }
   if (this->Redrawn >= 0)
   {
-    return tr("Draw line %1 anew, whole. G leaves it as it is.").arg(this->Redrawn + 1);
+    return tr("Redraw line %1, whole. G leaves it as it is.").arg(this->Redrawn + 1);
   }
   const QString lacks = this->need();
   if (!lacks.isEmpty())
@@ -204,7 +210,8 @@ QString DrawingTool::advice(const Situation&) const
   const QString wrong = first == all ? all : first + '.';
   if (!wrong.isEmpty())
   {
-    return !this->Arranged && first.contains(QRegularExpression("\\bcrosses\\b"))
+    static const QRegularExpression crosses("^(?:(?!\\. ).)*\\bcrosses\\b");
+    return !this->Arranged && crosses.match(this->Pad->text()).hasMatch()
              ? tr("%1 Ctrl+Z takes the last line back; or tick Strokes may cross.").arg(wrong)
              : tr("%1 Ctrl+Z takes the last line back.").arg(wrong);
   }
@@ -222,12 +229,11 @@ QString DrawingTool::advice(const Situation&) const
   if (countOf(this->Pad->curves(), closedFeature) > 0)
   {
     return tr(
-      "Click in the inner line: hole, tunnel, filled again. Shift + drag over a line draws a part of it "
-      "anew. D pulls a limb of the model.");
+      "Click in the inner line: hole, tunnel, filled again. Shift + drag over a line redraws a part of "
+      "it. D pulls a limb of the model.");
   }
-  return tr(
-    "Draw a feature inside, or a closed line that a click makes a hole. Shift + drag over a line draws "
-    "a part of it anew. D pulls a limb of the model.");
+  return tr("Draw a feature inside, or a closed line that a click makes a hole. Shift + drag over a line "
+            "redraws a part of it. D pulls a limb of the model.");
 }
 
 QString DrawingTool::stage(const QString& name) const
@@ -247,7 +253,7 @@ QString DrawingTool::stage(const QString& name) const
 QWidget* DrawingTool::makeOptions(QWidget* parent)
 {
   auto* options = new QWidget(parent);
-  auto* row = new QHBoxLayout(options);
+  auto* row = new FlowLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
   auto* magnetic = new QCheckBox(tr("Magnetic pen (F4)"), options);
   magnetic->setToolTip(this->Magnetic->toolTip());
@@ -262,7 +268,6 @@ QWidget* DrawingTool::makeOptions(QWidget* parent)
   auto* swap = new QToolButton(options);
   swap->setDefaultAction(this->Swap);
   row->addWidget(swap);
-  row->addStretch();
   return options;
 }
 

@@ -6,12 +6,11 @@
 #include "part_handles.h"
 #include "tool.h"
 
+#include <QAction>
 #include <QPointer>
 
 #include <memory>
 #include <vector>
-
-class QAction;
 
 namespace oversketch_studio
 {
@@ -42,6 +41,14 @@ public:
   void select(int node) override;
   // Magnetic, and the two views' sides.
   QWidget* makeOptions(QWidget* parent) override;
+  oversketch_session::Values options() const override
+  {
+    return { { "Magnetic", this->Magnetic->isChecked() } };
+  }
+  void setOptions(const oversketch_session::Values& options) override
+  {
+    this->Magnetic->setChecked(std::get<bool>(options.at("Magnetic")));
+  }
   QWidget* makeCanvas(QWidget* parent) override;
   QList<QAction*> actions() const override { return { this->Magnetic, this->Swap }; }
   void start() override;

@@ -3,6 +3,7 @@
 #include "document.h"
 #include "edit_step.h"
 #include "latency.h"
+#include "message_words.h"
 #include "texture.h"
 #include "viewport.h"
 
@@ -216,6 +217,13 @@ void EditHand::setSteadiness(double pixels)
   this->Widget->GetProfilePlaneWidget()->GetPen()->SetStabilizer(steady);
 }
 
+void EditHand::setPressure(double pressure)
+{
+  this->Widget->GetRegionWidget()->GetPen()->SetPressure(pressure);
+  this->Widget->GetAreaSelectWidget()->GetPen()->SetPressure(pressure);
+  this->Widget->GetProfilePlaneWidget()->GetPen()->SetPressure(pressure);
+}
+
 void EditHand::showLines(bool show)
 {
   this->Widget->GetEditRepresentation()->SetVisibility(show);
@@ -362,6 +370,7 @@ void EditHand::load(const Work& work, bool again)
   {
     this->Loaded.isInHistory = work.isInHistory;
     this->Loaded.mesh = work.mesh;
+    this->Loaded.step.mirror = work.step.mirror;
     return;
   }
   this->stopFollowing();
@@ -486,7 +495,9 @@ void EditHand::follow()
 vtkPolyData* EditHand::live()
 {
   const bool isShown = this->Widget->IsPreviewing() || !this->Widget->GetEdit()->PreviewEdit(this->Live);
-  return isShown ? this->Widget->GetOutput() : this->Live.Get();
+  vtkPolyData* live = isShown ? this->Widget->GetOutput() : this->Live.Get();
+  const auto& plane = this->Loaded.step.mirror;
+  return plane ? this->Mirrored.show(live, this->Widget->GetEdit(), *plane) : live;
 }
 
 void EditHand::stopFollowing()
@@ -580,7 +591,7 @@ void EditHand::refuse(const QString& why)
 {
   const bool isRing = this->Widget->GetRegionWidget()->HasBoundary(), isNew = !this->Loaded.isInHistory;
   this->load(Work(this->Loaded), true);
-  const QString words = inWords(why.toStdString(), isRing);
+  const QString words = inWords(plainWords(why.toStdString()).toStdString(), isRing);
   this->Message = !isNew   ? tr("%1. It is taken back: do it another way.").arg(words)
                   : isRing ? tr("%1. It is taken back: draw a ring round the whole line.").arg(words)
                            : tr("%1. It is taken back: draw another of 10 px or more.").arg(words);

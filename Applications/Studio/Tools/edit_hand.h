@@ -3,6 +3,7 @@
 #ifndef oversketch_studio_edit_hand_h
 #define oversketch_studio_edit_hand_h
 
+#include "both_sides.h"
 #include "step.h"
 #include "worker.h"
 
@@ -64,6 +65,7 @@ public:
 
   void setPixelRatio(double ratio);
   void setSteadiness(double pixels);
+  void setPressure(double pressure);
   void showLines(bool show);
 
 signals:
@@ -102,7 +104,8 @@ private:
   void refuse(const QString& why);
   void applyMode();
   bool isShading() const;
-  // The model as it is edited, without new triangles, smooth.
+  // The model as it is edited, without new triangles, smooth, on both sides of a plane where the step has
+  // one.
   vtkPolyData* live();
   void follow();
   void stopFollowing();
@@ -111,6 +114,7 @@ private:
   const Document* OpenDocument;
   vtkNew<vtkOversketchEditWidget> Widget;
   vtkNew<vtkPolyData> Live;
+  BothSides Mirrored;
   vtkNew<vtkCallbackCommand> Observer;
   QTimer* Soon;
   int Mode;

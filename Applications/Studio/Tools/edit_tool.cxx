@@ -57,8 +57,20 @@ QVector<QPair<QString, QString>> EditTool::keys() const
   return QVector<QPair<QString, QString>>{ { tr("Left drag"), tr("draw a line, then a ring round it") } } +
          this->ways() +
          QVector<QPair<QString, QString>>{
-           { tr("Shift + left drag"), tr("over line or ring: draw a part of it anew; else: pan") },
+           { tr("Shift + left drag"), tr("over line or ring: redraw a part of it; else: pan") },
          };
+}
+
+QString EditTool::hint() const
+{
+  return !this->Hand->hasLine()     ? tr("Draw a line on the body like this")
+         : !this->Hand->hasRegion() ? tr("Now a ring round it, like this")
+                                    : QString();
+}
+
+HintShape EditTool::hintShape() const
+{
+  return this->Hand->hasLine() ? HintShape::Ring : HintShape::Line;
 }
 
 QString EditTool::advice(const Situation& situation) const
@@ -75,7 +87,7 @@ QString EditTool::advice(const Situation& situation) const
   }
   if (situation.redraws)
   {
-    return tr("Draw the selected edit's line anew, then its ring. T leaves them as they are.");
+    return tr("Redraw the selected edit's line, then its ring. T leaves them as they are.");
   }
   if (!this->Hand->hasLine())
   {
@@ -164,6 +176,11 @@ void EditTool::setPixelRatio(double ratio)
 void EditTool::setSteadiness(double pixels)
 {
   this->Hand->setSteadiness(pixels);
+}
+
+void EditTool::setPressure(double pressure)
+{
+  this->Hand->setPressure(pressure);
 }
 
 void EditTool::showLines(bool show)

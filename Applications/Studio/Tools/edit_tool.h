@@ -22,6 +22,8 @@ public:
   ~EditTool() override;
 
   QVector<QPair<QString, QString>> keys() const override;
+  QString hint() const override;
+  HintShape hintShape() const override;
   QString advice(const Situation& situation) const override;
   bool judges() const override;
   QString stage(const QString& name) const override;
@@ -38,6 +40,7 @@ public:
   void setMesh(vtkPolyData* mesh) override;
   void setPixelRatio(double ratio) override;
   void setSteadiness(double pixels) override;
+  void setPressure(double pressure) override;
   void showLines(bool show) override;
 
   EditHand& hand() const { return *this->Hand; }

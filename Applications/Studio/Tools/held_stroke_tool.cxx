@@ -6,6 +6,8 @@
 #include "systems.h"
 #include "viewport.h"
 
+#include "Stroke/stroke.h"
+
 #include "vtkOversketchHeldStrokeRepresentation.h"
 #include "vtkOversketchHeldStrokeWidget.h"
 #include "vtkOversketchInteractorStyle.h"
@@ -13,6 +15,7 @@
 #include "vtkOversketchStrokeWidget.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkMath.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindowInteractor.h"
 
@@ -20,6 +23,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace oversketch_studio
@@ -33,6 +38,18 @@ namespace
 // px as Qt counts them: the lines' width, and how near to one the cursor takes hold of it.
 constexpr float lineWidth = 3.0F;
 constexpr double grabDistance = 6.0;
+
+double lengthOf(vtkPolyData* stroke)
+{
+  double length = 0.0;
+  for (vtkIdType i = 1; i < stroke->GetNumberOfPoints(); ++i)
+  {
+    double from[3];
+    stroke->GetPoint(i - 1, from);
+    length += std::sqrt(vtkMath::Distance2BetweenPoints(from, stroke->GetPoint(i)));
+  }
+  return length;
+}
 
 } // namespace
 
@@ -49,6 +66,7 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
 {
   this->Widget->SetInteractor(viewport->interactor());
   this->Widget->SetDefaultRenderer(viewport->renderer());
+  this->Widget->GetHeldStrokeRepresentation()->ShowFromElsewhereOff(); // StrokeLines does
   this->Observer->SetClientData(this);
   this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
     { static_cast<HeldStrokeTool*>(self)->heard(event); });
@@ -89,7 +107,7 @@ vtkOversketchStrokeWidget* HeldStrokeTool::pen() const
 QVector<QPair<QString, QString>> HeldStrokeTool::keys() const
 {
   return { { tr("Left drag"), tr("draw; on the red line: move it") },
-    { tr("Shift + left drag"), tr("on the red line: draw a part anew; else: pan") } };
+    { tr("Shift + left drag"), tr("on the red line: redraw a part; else: pan") } };
 }
 
 QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
@@ -99,14 +117,14 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
     return nullptr;
   }
   auto* options = new QWidget(parent);
-  auto* label = new QLabel(tr("New strokes act on"), options);
+  auto* label = new QLabel(tr("Mirror"), options);
   this->Mirror = mirrorChoice(options);
   label->setBuddy(this->Mirror);
   this->Mirror->setObjectName("mirror");
-  this->Mirror->setAccessibleName(tr("New strokes act on"));
-  this->Mirror->setToolTip(
-    tr("Strokes act on one side of the model, or on both sides of this plane, whether the two "
-       "are the same or not; a stroke over the plane itself acts once"));
+  this->Mirror->setAccessibleName(tr("Mirror"));
+  this->Mirror->setToolTip(tr(
+    "What you draw next also acts on the other side of this plane, whether the two sides are alike or not. "
+    "Off: on one side only."));
   auto* row = new QHBoxLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
   row->addWidget(label);
@@ -117,6 +135,21 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
     this,
     [this] { this->View->showMirror(this->OpenDocument->mirrorPlane(this->Mirror->currentIndex())); });
   return options;
+}
+
+Values HeldStrokeTool::options() const
+{
+  return this->Mirror ? Values{ { "Mirror", this->Mirror->currentIndex() } } : Values();
+}
+
+void HeldStrokeTool::setOptions(const Values& options)
+{
+  const auto mirror = options.find("Mirror");
+  if (this->Mirror && mirror != options.end())
+  {
+    this->Mirror->setCurrentIndex(std::clamp(std::get<int>(mirror->second), 0, this->Mirror->count() - 1));
+    this->View->showMirror(this->OpenDocument->mirrorPlane(this->Mirror->currentIndex()));
+  }
 }
 
 void HeldStrokeTool::start()
@@ -202,6 +235,12 @@ void HeldStrokeTool::setValues(const Values& values)
   }
 }
 
+bool HeldStrokeTool::holds(double x, double y)
+{
+  const auto held = this->Widget->GetHeldStrokeRepresentation();
+  return held->GetShowStroke() && held->DistanceTo(x, y) <= this->Widget->GetGrabDistance();
+}
+
 void HeldStrokeTool::showLines(bool show)
 {
   this->Widget->GetHeldStrokeRepresentation()->SetVisibility(show);
@@ -246,6 +285,11 @@ void HeldStrokeTool::heard(unsigned long event)
 void HeldStrokeTool::strokeEnds()
 {
   Latency::of().strokeEnd();
+  if (this->Widget->IsNew() && lengthOf(this->Widget->GetStroke()) < oversketch::StrokeRules().minimumLength)
+  {
+    emit this->tooShort(oversketch::StrokeRules().minimumLength);
+    return;
+  }
   Step step;
   step.system = this->System;
   step.values = this->StrokeValues;

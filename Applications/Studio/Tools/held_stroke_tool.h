@@ -39,6 +39,8 @@ public:
   std::string system() const override { return this->System; }
   // Mirror, where the system's steps can have one.
   QWidget* makeOptions(QWidget* parent) override;
+  oversketch_session::Values options() const override;
+  void setOptions(const oversketch_session::Values& options) override;
   void start() override;
   void stop() override;
   bool draws() const override;
@@ -54,6 +56,7 @@ public:
   void setPressure(double pressure) override;
   void frameBegins() override { this->Section.frameBegins(); }
   void framePainted() override { this->Section.framePainted(); }
+  bool holds(double x, double y) override;
   void showLines(bool show) override;
 
 protected:

@@ -6,6 +6,7 @@ namespace oversketch_studio
 OneStrokeTool::OneStrokeTool(Viewport* viewport, const Document* document)
   : HeldStrokeTool("OneStroke", viewport, document)
 {
+  this->setObjectName("outline");
 }
 
 QString OneStrokeTool::title() const
@@ -50,19 +51,19 @@ QString OneStrokeTool::advice(const Situation& situation) const
 {
   if (situation.redraws)
   {
-    return tr("Draw the selected stroke anew. T leaves it as it is.");
+    return tr("Redraw the selected stroke. T leaves it as it is.");
   }
   if (situation.selected)
   {
     return tr("Blue is where the selected stroke took hold. Change how it acts on the right, or "
-              "draw it anew (Ctrl+R).");
+              "redraw it (Ctrl+R).");
   }
   if (situation.empty)
   {
     return tr("Draw a line beside a limb's outline: the limb follows. The middle button "
               "turns the model, F1 lists the keys.");
   }
-  return tr("Draw on, or drag the red line to move the stroke (Shift: draw a part anew; Return: "
+  return tr("Draw on, or drag the red line to move the stroke (Shift: redraw a part; Return: "
             "leave it and draw there). Ctrl+Z undoes. The "
             "middle button turns the model.");
 }

@@ -38,7 +38,7 @@ QKeySequence ProfileTool::key() const
 
 QString ProfileTool::help() const
 {
-  return tr("Draw a line on the model and a ring round it, and its cross-section anew (A)");
+  return tr("Draw a line on the model and a ring round it, and redraw its cross-section (A)");
 }
 
 QString ProfileTool::mode() const
@@ -63,7 +63,7 @@ QVector<QPair<QString, QString>> ProfileTool::ways() const
 {
   return {
     { tr("  On the plane"), tr("its knob, border or section: slide it along the line") },
-    { tr("  In the dock"), tr("draw the section anew, wholly or in part") },
+    { tr("  In the dock"), tr("redraw the section, wholly or in part") },
     { "6  0", tr("show all planes or none") },
     { "7  8  9", tr("show one of the planes alone") },
   };

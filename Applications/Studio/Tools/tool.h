@@ -3,6 +3,7 @@
 #ifndef oversketch_studio_tool_h
 #define oversketch_studio_tool_h
 
+#include "hint_line.h"
 #include "session.h"
 #include "worker.h"
 
@@ -39,8 +40,11 @@ public:
   virtual QPainterPath icon() const = 0;
   // What mouse and keys do with it: pairs of keys and words, for the list of keys.
   virtual QVector<QPair<QString, QString>> keys() const = 0;
+  // What the pressure of a pen does with it.
+  virtual QString pressure() const { return tr("makes no difference to this tool"); }
   // What a person new to it reads on the shipped model.
   virtual QString hint() const { return {}; }
+  virtual HintShape hintShape() const { return HintShape::Limb; }
   // What to do next.
   struct Situation
   {
@@ -61,6 +65,10 @@ public:
   virtual void select(int) {}
   // What new steps are made with, for the bar above the viewport; null where there is nothing to choose.
   virtual QWidget* makeOptions(QWidget*) { return nullptr; }
+  // The same as values by names, to be kept as a set; none where there is nothing to choose. Lengths do not
+  // depend on the model that is open.
+  virtual oversketch_session::Values options() const { return {}; }
+  virtual void setOptions(const oversketch_session::Values&) {}
   // What else can be done with it while it is in the hand, for a menu.
   virtual QList<QAction*> actions() const { return {}; }
   // A second view of what it makes, for a panel beside the viewport, whose title is the widget's; null: none.
@@ -105,6 +113,8 @@ public:
   // A frame begins; it has been painted.
   virtual void frameBegins() {}
   virtual void framePainted() {}
+  // Whether its line is seen there [px of the screen from the lower left corner], and can be taken hold of.
+  virtual bool holds(double, double) { return false; }
   // Its lines, for a picture without them.
   virtual void showLines(bool) {}
 
@@ -114,6 +124,8 @@ signals:
   void changed(const oversketch_session::Step& step);
   // The same, inputs and values.
   void remade(const oversketch_session::Step& step);
+  // What was drawn is no stroke: one is that long at least [px of the screen].
+  void tooShort(double least);
   // The hand gives the step that was offered other values; `goesOn`: of one movement with the last time.
   void shaped(const oversketch_session::Values& values, bool goesOn);
   // The hand has changed a step of the history, whatever is offered.

@@ -15,7 +15,7 @@ TurnTool::TurnTool(Viewport* viewport)
 
 QString TurnTool::title() const
 {
-  return tr("&Turn");
+  return tr("Ro&tate");
 }
 
 QKeySequence TurnTool::key() const
@@ -25,12 +25,12 @@ QKeySequence TurnTool::key() const
 
 QString TurnTool::help() const
 {
-  return tr("The left button turns the model (T)");
+  return tr("The left button rotates the model (T)");
 }
 
 QString TurnTool::mode() const
 {
-  return tr("turn");
+  return tr("rotate");
 }
 
 // An arrow round an upright axis.
@@ -49,12 +49,12 @@ QPainterPath TurnTool::icon() const
 
 QVector<QPair<QString, QString>> TurnTool::keys() const
 {
-  return { { tr("Left drag"), tr("turn the model") }, { tr("Shift + left drag"), tr("pan") } };
+  return { { tr("Left drag"), tr("rotate the model") }, { tr("Shift + left drag"), tr("pan") } };
 }
 
 QString TurnTool::advice(const Situation&) const
 {
-  return tr("Drag the model to turn it. D draws.");
+  return tr("Drag anywhere to rotate the model. D draws.");
 }
 
 void TurnTool::start()

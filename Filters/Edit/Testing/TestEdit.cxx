@@ -5,6 +5,7 @@
 #include "vtkOversketchFlatten.h"
 #include "vtkOversketchInsertCurve.h"
 #include "vtkOversketchMatrixDeform.h"
+#include "vtkOversketchNurbsFit.h"
 #include "vtkOversketchResketch.h"
 #include "vtkOversketchScanFill.h"
 #include "vtkOversketchShadingLevels.h"
@@ -458,8 +459,11 @@ TEST(EditSystem, AsPublishedTurnsEveryStep)
   s.filter->AsPublishedOn();
   s.filter->SetRule(vtkOversketchEdit::Off);
   EXPECT_TRUE(vtkOversketchInsertCurve::SafeDownCast(s.filter->GetStep("BoundaryInsert"))->GetJoinRuns());
+  auto* fit = vtkOversketchNurbsFit::SafeDownCast(s.filter->GetStep("ReferenceFit"));
+  EXPECT_EQ(fit->GetFitSpace(), vtkOversketchNurbsFit::World);
   vtkPolyData* mesh = s.run();
   EXPECT_GT(mesh->GetNumberOfPolys(), 0);
+  EXPECT_EQ(fit->GetOutput()->GetFieldData()->GetArray("NurbsPoints")->GetNumberOfComponents(), 3);
   vtkPolyData* weighted = s.filter->GetInnerOutput("Shading");
   vtkDataArray* weight = weighted->GetPointData()->GetArray("EditWeight");
   vtkDataArray* share = weighted->GetPointData()->GetArray("CurveDistance");
@@ -473,4 +477,5 @@ TEST(EditSystem, AsPublishedTurnsEveryStep)
   s.filter->AsPublishedOff();
   s.filter->SetRule(vtkOversketchEdit::Edit);
   expectSameBits(s.run(), amended);
+  EXPECT_EQ(fit->GetNumberOfInputConnections(1), 0); // another mesh does not run it again
 }

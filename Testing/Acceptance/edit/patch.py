@@ -220,7 +220,9 @@ def cut(points, triangles, origin, normal):
 
 
 def to_segments(points, segments):
-    """Distance of each point to the nearest segment."""
+    """Distance of each point to the nearest segment, infinite where there is none."""
+    if not len(segments):
+        return np.full(len(points), np.inf)
     a, d = segments[:, 0], segments[:, 1] - segments[:, 0]
     gap = points[:, None] - a
     t = np.clip((gap * d).sum(2) / np.maximum((d ** 2).sum(1), 1e-300), 0, 1)

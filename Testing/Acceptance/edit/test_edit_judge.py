@@ -114,6 +114,7 @@ def test_a_plane_cuts_a_ball_in_a_circle():
     assert np.abs(np.linalg.norm(segments, axis=2) - 1).max() < 0.01
     assert np.linalg.norm(segments[:, 1] - segments[:, 0], axis=1).sum() == pytest.approx(2 * np.pi, rel=0.01)
     assert patches.to_segments(np.array([[3.0, 0, 0], [0, 4, -3.0]]), segments) == pytest.approx([2.0, 4.0], abs=0.01)
+    assert np.isinf(patches.to_segments(np.zeros((2, 3)), segments[:0])).all()  # a result that the plane does not cut any more
 
 
 # ------------------------------------------------------------------------------------------- files and defects

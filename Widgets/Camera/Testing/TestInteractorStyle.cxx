@@ -162,6 +162,10 @@ TEST(Camera, LargeMeshesArePickedAlike)
     scene.event(vtkCommand::MiddleButtonPressEvent, 300, 300);
     scene.move(200, 200);
     scene.event(vtkCommand::MiddleButtonReleaseEvent, 200, 200);
+    // So the ball about its box turns, of the radius 0.5 times the root of 3.
+    const double third = 10.0 / std::sqrt(3.0);
+    expectNear(three(scene.camera()->GetPosition()), { third, third, third }, 1e-6);
+    scene.style->ResetToFirstView();
     expectNear(scene.state(), before, 0.0);
   }
 }
@@ -191,16 +195,158 @@ TEST(Camera, PanKeepsThePickedPointUnderTheCursor)
   }
 }
 
-TEST(Camera, ATurnBesideTheMeshDoesNothing)
+TEST(Camera, ATurnBesideTheMeshIsAboutItsMiddle)
+{
+  for (const bool parallel : { true, false })
+  {
+    for (const int orbit :
+      { vtkOversketchInteractorStyle::Trackball, vtkOversketchInteractorStyle::Turntable })
+    {
+      Scene scene(parallel);
+      scene.style->SetOrbit(orbit);
+      scene.actor->SetPosition(0.2, -0.1, 0.3);
+      scene.camera()->SetFocalPoint(0.0, 0.0, 1.0);
+      const auto before = scene.state();
+      const auto middle = scene.display({ 0.2, -0.1, 0.3 });
+      Counter started(scene.style, vtkCommand::StartInteractionEvent);
+      scene.event(vtkCommand::MiddleButtonPressEvent, 2, 2);
+      scene.move(90, 40);
+      EXPECT_NE(scene.state(), before);
+      const auto after = scene.display({ 0.2, -0.1, 0.3 });
+      EXPECT_NEAR(after[0], middle[0], 1e-6);
+      EXPECT_NEAR(after[1], middle[1], 1e-6);
+      scene.move(2, 2);
+      expectNear(scene.state(), before, 1e-12);
+      scene.event(vtkCommand::MiddleButtonReleaseEvent, 2, 2);
+      EXPECT_EQ(started.count, 1);
+    }
+  }
+}
+
+TEST(Camera, ATurntableKeepsTheHorizonAndStopsAtThePoles)
 {
   Scene scene;
+  scene.style->SetOrbitToTurntable();
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> place(0, 399);
+  for (int drag = 0; drag < 20; ++drag)
+  {
+    scene.event(vtkCommand::MiddleButtonPressEvent, place(random), place(random));
+    scene.move(place(random), place(random));
+    scene.event(vtkCommand::MiddleButtonReleaseEvent, 0, 0);
+    double right[3];
+    vtkMath::Cross(scene.camera()->GetDirectionOfProjection(), scene.camera()->GetViewUp(), right);
+    EXPECT_NEAR(right[1], 0.0, 1e-9);
+    EXPECT_GE(scene.camera()->GetViewUp()[1], -1e-9);
+  }
+  scene.style->ResetToFirstView();
+  // The whole height from the front is half a turn, and there is a quarter to the pole.
+  scene.event(vtkCommand::MiddleButtonPressEvent, 5, 395);
+  scene.move(5, 5);
+  scene.event(vtkCommand::MiddleButtonReleaseEvent, 5, 5);
+  expectNear(three(scene.camera()->GetPosition()), { 0.0, 10.0, 0.0 }, 1e-9);
+  // 60 px on the model are 27 degrees in a view of 400, whatever is under the cursor.
+  scene.style->ResetToFirstView();
+  scene.event(vtkCommand::MiddleButtonPressEvent, 200, 200);
+  scene.move(260, 200);
+  const double* direction = scene.camera()->GetDirectionOfProjection();
+  EXPECT_NEAR(vtkMath::DegreesFromRadians(std::atan2(direction[0], -direction[2])), 27.0, 1e-9);
+  scene.event(vtkCommand::MiddleButtonReleaseEvent, 260, 200);
+}
+
+TEST(Camera, TheWheelKeepsWhatIsUnderTheCursorAndTheEye)
+{
+  for (const bool parallel : { true, false })
+  {
+    Scene scene(parallel);
+    const auto eye = three(scene.camera()->GetPosition());
+    const std::array<double, 3> place{ 0.4, 0.3, 0.5 };
+    const auto before = scene.display(place);
+    const int x = int(std::lround(before[0])), y = int(std::lround(before[1]));
+    for (int notch = 0; notch < 5; ++notch)
+    {
+      scene.event(vtkCommand::MouseWheelForwardEvent, x, y);
+    }
+    const auto after = scene.display(place);
+    const double grown = std::pow(1.1, 5);
+    EXPECT_NEAR(after[0] - x, grown * (before[0] - x), 1e-6);
+    EXPECT_NEAR(after[1] - y, grown * (before[1] - y), 1e-6);
+    expectNear(three(scene.camera()->GetPosition()), eye, 0.0);
+    // A press changes nothing; a turn then takes the picked point along, and Escape is the way back.
+    const auto zoomed = scene.state();
+    scene.event(vtkCommand::MiddleButtonPressEvent, x, y);
+    scene.event(vtkCommand::MiddleButtonReleaseEvent, x, y);
+    expectNear(scene.state(), zoomed, 0.0);
+    scene.event(vtkCommand::MiddleButtonPressEvent, x, y);
+    scene.move(x + 20, y);
+    EXPECT_EQ(scene.camera()->GetWindowCenter()[0], 0.0);
+    scene.key("Escape");
+    expectNear(scene.state(), zoomed, 0.0);
+    scene.style->ResetToFirstView();
+    EXPECT_EQ(scene.camera()->GetWindowCenter()[0], 0.0);
+    EXPECT_EQ(scene.display(place), before);
+  }
+}
+
+TEST(Camera, ASideIsLookedFromUpright)
+{
+  Scene scene;
+  scene.actor->SetPosition(1.0, 2.0, 3.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const bool negative : { false, true })
+    {
+      scene.style->LookFromSide(axis, negative);
+      std::vector<double> eye{ 1.0, 2.0, 3.0 };
+      eye[axis] += negative ? -10.0 : 10.0;
+      expectNear(three(scene.camera()->GetPosition()), eye, 1e-9);
+      expectNear(three(scene.camera()->GetFocalPoint()), { 1.0, 2.0, 3.0 }, 1e-9);
+      expectNear(three(scene.camera()->GetViewUp()),
+        axis == 1 ? std::vector<double>{ 0.0, 0.0, negative ? 1.0 : -1.0 }
+                  : std::vector<double>{ 0.0, 1.0, 0.0 },
+        1e-9);
+    }
+  }
+}
+
+TEST(Camera, TheProjectionChangesAndTheSizeStays)
+{
+  Scene scene(false);
+  scene.style->SetZoom(2.0);
   const auto before = scene.state();
-  Counter started(scene.style, vtkCommand::StartInteractionEvent);
-  scene.event(vtkCommand::MiddleButtonPressEvent, 2, 2);
-  scene.move(200, 200);
-  scene.event(vtkCommand::MiddleButtonReleaseEvent, 200, 200);
-  expectNear(scene.state(), before, 0.0);
-  EXPECT_EQ(started.count, 0);
+  const auto size = [&] { return scene.display({ 0.1, 0.0, 0.0 })[0] - scene.display({ 0.0, 0.0, 0.0 })[0]; };
+  const double wide = size();
+  scene.style->SetParallelProjection(true);
+  EXPECT_TRUE(scene.camera()->GetParallelProjection());
+  EXPECT_NEAR(size(), wide, 1e-9);
+  EXPECT_NEAR(scene.style->GetZoom(), 2.0, 1e-12);
+  scene.style->SetZoom(1.0);
+  EXPECT_NEAR(size(), 0.5 * wide, 1e-9);
+  scene.style->SetZoom(2.0);
+  scene.style->SetParallelProjection(false);
+  EXPECT_FALSE(scene.camera()->GetParallelProjection());
+  EXPECT_NEAR(scene.camera()->GetViewAngle(), before[0], 1e-9);
+  EXPECT_NEAR(size(), wide, 1e-9);
+}
+
+TEST(Camera, GesturesTurnPanAndZoom)
+{
+  Scene scene;
+  const std::array<double, 3> place{ 0.0, 0.0, 1.0 };
+  const auto before = scene.display(place);
+  scene.style->PanBy(30.0, -20.0);
+  EXPECT_NEAR(scene.display(place)[0] - before[0], 30.0, 1e-9);
+  EXPECT_NEAR(scene.display(place)[1] - before[1], -20.0, 1e-9);
+  scene.style->ResetToFirstView();
+  scene.style->TurnBy(100.0, 0.0); // an eighth of a turn
+  EXPECT_NEAR(scene.display(place)[0] - before[0], 200.0 * std::sqrt(0.5), 1e-9);
+  scene.style->ResetToFirstView();
+  const auto state = scene.state();
+  for (const double factor : { 0.0, -1.0, std::nan("") })
+  {
+    scene.style->ZoomAt(factor, 100.0, 100.0);
+    expectNear(scene.state(), state, 0.0);
+  }
 }
 
 TEST(Camera, EscapeTakesADragBack)
@@ -451,7 +597,9 @@ TEST(Mode, DrawingNeverOrbits)
   const auto turned = leftDrag(Control);
   EXPECT_NE(turned, before);
   EXPECT_EQ(leftDrag(Alt), turned);
-  EXPECT_NE(leftDrag(Shift), before);
+  const auto panned = leftDrag(Shift);
+  EXPECT_NE(panned, before);
+  EXPECT_EQ(leftDrag(Shift | Alt), panned);
   scene.style->SetModeToNavigate();
   EXPECT_EQ(leftDrag(NoModifier), turned);
 }

@@ -1,0 +1,34 @@
+// How a model was looked at, kept with its session. No result depends on it.
+#ifndef oversketch_look_h
+#define oversketch_look_h
+
+#include "json_reader.h"
+
+#include <array>
+
+namespace oversketch_session
+{
+
+// A camera, in the world.
+struct Look
+{
+  Point position{}, focus{}, up{};
+  double angle = 30.0;           // that is seen from top to bottom [degrees]
+  double height = 1.0;           // half of what is seen where lines of sight are parallel
+  bool parallel = false;         // lines of sight are
+  std::array<double, 2> shift{}; // of the picture's middle [halves of its width and height]
+
+  bool operator==(const Look& other) const
+  {
+    return this->position == other.position && this->focus == other.focus && this->up == other.up &&
+           this->angle == other.angle && this->height == other.height && this->parallel == other.parallel &&
+           this->shift == other.shift;
+  }
+};
+
+Json::Value jsonOf(const Look& look);
+// Throws oversketch_files::Failed where nothing could be seen so.
+Look lookOf(const JsonReader& json);
+
+} // namespace oversketch_session
+#endif

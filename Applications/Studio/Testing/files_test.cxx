@@ -1,0 +1,358 @@
+// Files as a person has them: opened, saved, exported, left, found again after a crash.
+#include "autosave.h"
+#include "camera_look.h"
+#include "examples.h"
+#include "files.h"
+#include "long_work.h"
+#include "scene.h"
+#include "session_file.h"
+#include "tool.h"
+
+#include "vtkCamera.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QThreadPool>
+
+#include <atomic>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+using namespace oversketch_studio;
+using namespace oversketch_session;
+
+namespace
+{
+
+// Answers what a window asks, once it is there.
+class Answer
+{
+public:
+  explicit Answer(std::function<bool(QWidget*)> act)
+  {
+    QObject::connect(&this->Look,
+      &QTimer::timeout,
+      [this, act = std::move(act)]
+      {
+        QWidget* asked = QApplication::activeModalWidget();
+        if (asked && asked->isVisible() && act(asked))
+        {
+          ++this->Given;
+        }
+      });
+    this->Look.start(20);
+  }
+  int given() const { return this->Given; }
+
+private:
+  QTimer Look;
+  int Given = 0;
+};
+
+QAction* actionOf(QWidget& window, const QString& text)
+{
+  for (QAction* action : window.findChildren<QAction*>())
+  {
+    if (action->text() == text)
+    {
+      return action;
+    }
+  }
+  ADD_FAILURE() << "no action " << qPrintable(text);
+  return nullptr;
+}
+
+bool answerName(QWidget* asked, const QString& path)
+{
+  auto* dialog = qobject_cast<QFileDialog*>(asked);
+  if (!dialog)
+  {
+    return false;
+  }
+  dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
+  static_cast<QDialog*>(dialog)->accept();
+  return true;
+}
+
+void drawStroke(Scene& scene)
+{
+  scene.draw();
+  scene.release();
+  scene.wait();
+  ASSERT_EQ(scene.document->session().nodes.size(), 1u);
+}
+
+} // namespace
+
+TEST(Files, WhatIsNotChangedIsNotAskedAbout)
+{
+  const QTemporaryDir folder;
+  Scene scene;
+  auto* kept = scene.window.findChild<QLabel*>("kept");
+  ASSERT_TRUE(kept);
+  EXPECT_FALSE(scene.window.isWindowModified());
+  EXPECT_EQ(kept->text(), "");
+  drawStroke(scene);
+  EXPECT_TRUE(scene.window.isWindowModified());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return kept->text().startsWith("kept "); }, 60000));
+  scene.document->undo();
+  scene.wait();
+  EXPECT_FALSE(scene.window.isWindowModified()) << "undone to the start";
+  scene.document->redo();
+  scene.wait();
+  EXPECT_TRUE(scene.window.isWindowModified());
+  {
+    const Answer name([&](QWidget* asked) { return answerName(asked, folder.filePath("my dog")); });
+    actionOf(scene.window, "&Save session")->trigger();
+    EXPECT_EQ(name.given(), 1);
+  }
+  EXPECT_TRUE(QFile::exists(folder.filePath("my dog.oversketch")));
+  EXPECT_FALSE(scene.window.isWindowModified());
+  EXPECT_TRUE(scene.window.findChild<QLabel*>("advice")->text().startsWith("Saved as "));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return kept->text().startsWith("saved "); }, 60000));
+  scene.document->undo();
+  scene.wait();
+  EXPECT_TRUE(scene.window.isWindowModified()) << "not as it was saved";
+  scene.document->redo();
+  scene.wait();
+  EXPECT_FALSE(scene.window.isWindowModified());
+}
+
+TEST(Files, AnExportHasASuffixAndRemembersItsFormat)
+{
+  QSettings().remove("exportFormat");
+  const QTemporaryDir folder;
+  Scene scene;
+  QString offered;
+  const auto exports = [&](const QString& name, const QString& format)
+  {
+    offered.clear();
+    const Answer answer(
+      [&](QWidget* asked)
+      {
+        auto* dialog = qobject_cast<QFileDialog*>(asked);
+        if (!dialog)
+        {
+          return false;
+        }
+        EXPECT_GE(dialog->nameFilters().size(), 7);
+        offered = dialog->selectedNameFilter();
+        for (const QString& filter : dialog->nameFilters())
+        {
+          if (filter.contains(format))
+          {
+            dialog->selectNameFilter(filter);
+            emit dialog->filterSelected(filter);
+            const QString typed = dialog->findChild<QLineEdit*>("fileNameEdit")->text();
+            EXPECT_TRUE(typed.endsWith(format.mid(1, format.size() - 2))) << qPrintable(typed);
+          }
+        }
+        return answerName(asked, name);
+      });
+    actionOf(scene.window, "&Export mesh…")->trigger();
+    EXPECT_EQ(answer.given(), 1);
+    EXPECT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, 60000));
+  };
+  exports(folder.filePath("dog"), "*.glb)");
+  EXPECT_TRUE(QFileInfo(folder.filePath("dog.glb")).size() > 1000);
+  EXPECT_TRUE(scene.window.findChild<QLabel*>("advice")->text().contains("dog.glb"))
+    << "nothing says that it is done";
+  // A point in the name is no suffix.
+  exports(folder.filePath("dog.v2"), "*.stl)");
+  EXPECT_TRUE(offered.contains("*.glb")) << qPrintable(offered);
+  EXPECT_TRUE(QFile::exists(folder.filePath("dog.v2.stl")));
+  exports(folder.filePath("dog.obj"), "*.stl)");
+  EXPECT_TRUE(QFile::exists(folder.filePath("dog.obj"))) << "the suffix that was typed counts";
+  EXPECT_EQ(QSettings().value("exportFormat").toString(), "obj");
+}
+
+TEST(Files, WhatTakesLongShowsThatAndCanBeGivenUp)
+{
+  const QTemporaryDir folder;
+  const std::string late = folder.filePath("late.txt").toStdString(),
+                    soon = folder.filePath("soon.txt").toStdString();
+  QWidget window;
+  window.show();
+  // What is quick shows nothing; what it throws comes here.
+  {
+    const Answer none([](QWidget*) { return true; });
+    EXPECT_TRUE(doLongWork(&window, "quick", [soon] { oversketch_files::writeText(soon, "there"); }));
+    EXPECT_THROW(doLongWork(&window, "bad", [] { throw std::runtime_error("bad"); }), std::runtime_error);
+  }
+  EXPECT_TRUE(QFile::exists(QString::fromStdString(soon)));
+  const auto go = std::make_shared<std::atomic<bool>>(false);
+  const Answer cancel(
+    [](QWidget* asked)
+    {
+      auto* dialog = qobject_cast<QProgressDialog*>(asked);
+      if (!dialog)
+      {
+        return false;
+      }
+      EXPECT_EQ(dialog->labelText(), "slow");
+      EXPECT_TRUE(isLongWorkGoing());
+      dialog->findChild<QPushButton*>()->click();
+      return true;
+    });
+  EXPECT_FALSE(doLongWork(&window,
+    "slow",
+    [go, late]
+    {
+      while (!*go)
+      {
+        std::this_thread::yield();
+      }
+      oversketch_files::writeText(late, "too late");
+    }));
+  EXPECT_EQ(cancel.given(), 1);
+  EXPECT_FALSE(isLongWorkGoing());
+  *go = true;
+  QThreadPool::globalInstance()->waitForDone();
+  EXPECT_FALSE(QFile::exists(QString::fromStdString(late))) << "what was given up appeared";
+}
+
+TEST(Files, EveryExampleOpens)
+{
+  const QVector<Example> all = examples();
+  EXPECT_EQ(all.size(), 11);
+  for (const Example& one : all)
+  {
+    const Document::Opened opened = readExample(one, 0);
+    EXPECT_TRUE(one.picture.isEmpty() ? opened.session.mesh && opened.session.nodes.empty()
+                                      : !opened.session.mesh && opened.session.nodes.size() == 1)
+      << qPrintable(one.title);
+  }
+  Scene scene;
+  auto* menu = actionOf(scene.window, "E&xamples")->menu();
+  emit menu->aboutToShow();
+  ASSERT_EQ(menu->actions().size(), all.size());
+  actionOf(*menu, "Leaf (drawing)")->trigger();
+  scene.wait();
+  EXPECT_EQ(scene.view->tool()->objectName(), "drawing");
+  ASSERT_EQ(scene.document->result().nodes.size(), 1u);
+  EXPECT_EQ(scene.document->result().nodes[0].failure, "");
+  EXPECT_TRUE(scene.view->mesh());
+  EXPECT_FALSE(scene.document->isModified());
+}
+
+TEST(Files, ASessionIsSeenAsItWasSaved)
+{
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("turned.oversketch");
+  Scene scene;
+  const Look first = lookOf(*scene.view);
+  vtkCamera* camera = scene.renderer()->GetActiveCamera();
+  camera->Azimuth(40.0);
+  camera->Zoom(1.5);
+  camera->SetParallelProjection(true);
+  const Look turned = lookOf(*scene.view);
+  ASSERT_FALSE(turned == first);
+  scene.document->save(file);
+  EXPECT_TRUE(readSession(file.toStdString()).look == turned);
+  scene.window.openShippedModel();
+  scene.wait();
+  camera->SetParallelProjection(false);
+  EXPECT_FALSE(lookOf(*scene.view) == turned);
+  ASSERT_TRUE(scene.window.open(file));
+  scene.wait();
+  EXPECT_TRUE(lookOf(*scene.view) == turned);
+  EXPECT_FALSE(scene.window.isWindowModified());
+}
+
+TEST(Files, RecoveryNamesTheFileAndTheTimeAndAsksAboutNothingElse)
+{
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("my dog.oversketch");
+  for (const auto& left : leftBehind(autosaveRoot()))
+  {
+    removeLeftBehind(left);
+  }
+  const auto crash = [&](bool changed)
+  {
+    auto document = std::make_unique<Document>();
+    document->open(Document::read(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", 0));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return document->isSettled(); }, 600000));
+    document->save(file);
+    if (changed)
+    {
+      document->setBackend(2);
+      EXPECT_TRUE(QTest::qWaitFor([&] { return document->isSettled(); }, 600000));
+    }
+  };
+  crash(false);
+  crash(true);
+  QString text, more;
+  MainWindow window;
+  const Answer answer(
+    [&](QWidget* asked)
+    {
+      auto* box = qobject_cast<QMessageBox*>(asked);
+      if (!box)
+      {
+        return false;
+      }
+      text = box->text();
+      more = box->informativeText();
+      box->defaultButton()->click();
+      return true;
+    });
+  EXPECT_TRUE(window.offerRecovery());
+  EXPECT_EQ(answer.given(), 1) << "of the session that was all saved nothing is asked";
+  EXPECT_TRUE(text.contains("my dog.oversketch")) << qPrintable(text);
+  EXPECT_TRUE(more.contains(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat)))
+    << qPrintable(more);
+  auto* document = window.findChild<Document*>();
+  EXPECT_EQ(document->path(), file);
+  EXPECT_TRUE(document->isModified());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return document->isSettled(); }, 600000));
+  document->discardAutosave();
+  EXPECT_TRUE(leftBehind(autosaveRoot()).empty());
+}
+
+TEST(Files, PicturesAreSavedWithAndWithoutLines)
+{
+  const QTemporaryDir folder;
+  Scene scene;
+  drawStroke(scene);
+  const auto red = [&](const QString& action, const QString& name)
+  {
+    const Answer answer([&](QWidget* asked) { return answerName(asked, folder.filePath(name)); });
+    actionOf(scene.window, action)->trigger();
+    EXPECT_EQ(answer.given(), 1);
+    const QImage image(folder.filePath(name + ".png"));
+    EXPECT_FALSE(image.isNull());
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+    {
+      for (int x = 0; x < image.width(); ++x)
+      {
+        const QColor pixel = image.pixelColor(x, y);
+        count += pixel.red() > 60 + std::max(pixel.green(), pixel.blue());
+      }
+    }
+    return count;
+  };
+  EXPECT_GT(red("Save a picture with &lines…", "with"), 100);
+  EXPECT_EQ(red("Save a &picture…", "without"), 0);
+}
+
+TEST(Files, QDoesNotQuit)
+{
+  Scene scene;
+  scene.view->setFocus();
+  QTest::keyClick(scene.view, Qt::Key_Q);
+  QApplication::processEvents();
+  EXPECT_TRUE(scene.window.isVisible());
+}

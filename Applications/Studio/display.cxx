@@ -1,0 +1,129 @@
+#include "display.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+namespace oversketch_studio
+{
+
+namespace
+{
+
+constexpr double usualAngle = 30.0; // degrees, VTK's
+
+} // namespace
+
+Display::Display(vtkRenderer* renderer, ModelView& model)
+  : Renderer(renderer)
+  , Model(model)
+  , Grid(renderer)
+{
+  for (const int i : { 0, 1 })
+  {
+    vtkPolyDataMapper* mapper = this->OnionMappers[i];
+    mapper->ScalarVisibilityOff();
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    // Where it lies in the model's surface the model is seen; the faint one is over the model everywhere.
+    i == 0 ? mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 200.0)
+           : mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -60000.0);
+    vtkActor* onion = this->Onions[i];
+    onion->SetMapper(mapper);
+    onion->GetProperty()->SetOpacity(i == 0 ? 0.5 : 0.12);
+    onion->GetProperty()->BackfaceCullingOn();
+    onion->PickableOff();
+    onion->VisibilityOff();
+    renderer->AddActor(onion);
+  }
+}
+
+Display::~Display() = default;
+
+void Display::lookAtAll(const double box[6])
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 1.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetViewAngle(usualAngle);
+  camera->SetWindowCenter(0.0, 0.0);
+  this->Renderer->ResetCamera(box);
+  this->Grid.place(box);
+}
+
+void Display::setShading(Shading shading)
+{
+  this->Look = shading;
+  this->Model.setShading(shading);
+  if (this->Other)
+  {
+    this->Other->setShading(shading);
+  }
+}
+
+void Display::setGround(bool shown)
+{
+  this->Ground = shown;
+  this->Grid.setVisible(shown);
+}
+
+void Display::showOnion(vtkPolyData* mesh)
+{
+  for (const int i : { 0, 1 })
+  {
+    this->OnionMappers[i]->SetInputData(mesh);
+    this->Onions[i]->SetVisibility(mesh != nullptr);
+  }
+}
+
+bool Display::onion() const
+{
+  return this->Onions[0]->GetVisibility();
+}
+
+void Display::showInstead(vtkPolyData* mesh)
+{
+  this->Other.reset();
+  if (mesh)
+  {
+    this->Other = std::make_unique<ModelView>(this->Renderer);
+    this->Other->setPlain(this->Plain[0], this->Plain[1], this->Plain[2]);
+    this->Other->setShading(this->Look);
+    this->Other->show(mesh);
+  }
+  this->Model.setVisible(!mesh);
+}
+
+void Display::setDark(bool dark)
+{
+  this->Grid.setDark(dark);
+  for (const int i : { 0, 1 })
+  {
+    dark ? this->Onions[i]->GetProperty()->SetColor(0.45, 0.70, 1.0)
+         : this->Onions[i]->GetProperty()->SetColor(0.20, 0.45, 0.85);
+  }
+}
+
+void Display::setPlain(double red, double green, double blue)
+{
+  this->Plain = { red, green, blue };
+  this->Model.setPlain(red, green, blue);
+  if (this->Other)
+  {
+    this->Other->setPlain(red, green, blue);
+  }
+}
+
+void Display::setOverlays(bool shown)
+{
+  this->Grid.setVisible(shown && this->Ground);
+  for (const int i : { 0, 1 })
+  {
+    this->Onions[i]->SetVisibility(shown && this->OnionMappers[i]->GetInput());
+  }
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,61 @@
+// How the model is looked at: its shading, the ground, what it was over it or instead of it.
+#ifndef oversketch_studio_display_h
+#define oversketch_studio_display_h
+
+#include "ground_grid.h"
+#include "model_view.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+
+class vtkActor;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+
+namespace oversketch_studio
+{
+
+class Display
+{
+public:
+  Display(vtkRenderer* renderer, ModelView& model);
+  ~Display();
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+  // The camera looks at all of a box from the front, and the ground lies under it.
+  void lookAtAll(const double box[6]);
+
+  void setShading(Shading shading);
+  void setGround(bool shown);
+  bool ground() const { return this->Ground; }
+  // Another mesh, translucent over the model; null: none.
+  void showOnion(vtkPolyData* mesh);
+  bool onion() const;
+  // Another mesh instead of the model; null: the model again.
+  void showInstead(vtkPolyData* mesh);
+  bool instead() const { return this->Other != nullptr; }
+
+  void setDark(bool dark);
+  void setPlain(double red, double green, double blue);
+  // The ground and the onion, for a picture without them.
+  void setOverlays(bool shown);
+
+private:
+  vtkRenderer* Renderer; // outlives it
+  ModelView& Model;
+  GroundGrid Grid;
+  vtkNew<vtkPolyDataMapper> OnionMappers[2];
+  vtkNew<vtkActor> Onions[2];       // what sticks out of the model; faintly, all of it
+  std::unique_ptr<ModelView> Other; // while it is shown
+  Shading Look = Shading::Smooth;
+  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
+  bool Ground = false;
+};
+
+} // namespace oversketch_studio
+#endif

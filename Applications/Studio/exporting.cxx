@@ -1,0 +1,106 @@
+#include "exporting.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStringList>
+#include <QVector>
+
+#include <algorithm>
+
+namespace oversketch_studio
+{
+
+namespace
+{
+
+struct Texts
+{
+  Q_DECLARE_TR_FUNCTIONS(Exporting)
+};
+
+struct Format
+{
+  QString suffix, filter;
+};
+
+// Every one that the library writes.
+QVector<Format> formats()
+{
+  const auto row = [](const char* suffix, const QString& what) {
+    return Format{ suffix, QString("%1 (*.%2)").arg(what, suffix) };
+  };
+  return { row("ply", Texts::tr("PLY")),
+    row("obj", Texts::tr("Wavefront OBJ, with its picture")),
+    row("glb", Texts::tr("glTF in one file, with its picture")),
+    row("gltf", Texts::tr("glTF, with its picture")),
+    row("stl", Texts::tr("STL")),
+    row("off", Texts::tr("OFF")),
+    row("vtp", Texts::tr("VTK")) };
+}
+
+bool mayReplace(QWidget* parent, const QString& path)
+{
+  return !QFileInfo::exists(path) ||
+         QMessageBox::question(parent,
+           Texts::tr("Oversketch"),
+           Texts::tr("%1 is there already. Replace it?").arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
+}
+
+} // namespace
+
+QString exportPathAsked(QWidget* parent, const QString& name)
+{
+  QSettings settings;
+  const QVector<Format> all = formats();
+  QStringList filters;
+  int chosen = 0;
+  for (int i = 0; i < all.size(); ++i)
+  {
+    filters << all[i].filter;
+    chosen = all[i].suffix == settings.value("exportFormat").toString() ? i : chosen;
+  }
+  const QString folder = settings.value("exportFolder", settings.value("folder")).toString();
+  QFileDialog dialog(parent, Texts::tr("Export the mesh"), folder);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setNameFilters(filters);
+  const auto follow = [&](const QString& stem, const QString& filter)
+  {
+    const QString& suffix = all[std::max(0, filters.indexOf(filter))].suffix;
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(stem + '.' + suffix);
+  };
+  dialog.selectNameFilter(filters[chosen]);
+  follow(name, filters[chosen]);
+  // Another format is another suffix.
+  QObject::connect(&dialog,
+    &QFileDialog::filterSelected,
+    &dialog,
+    [&](const QString& filter)
+    { follow(QFileInfo(dialog.selectedFiles().value(0, name)).completeBaseName(), filter); });
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
+  {
+    return {};
+  }
+  QString path = dialog.selectedFiles().first();
+  const int at = std::max(0, filters.indexOf(dialog.selectedNameFilter()));
+  QString suffix = QFileInfo(path).suffix().toLower();
+  const auto isOf = [&suffix](const Format& format) { return format.suffix == suffix; };
+  if (std::none_of(all.begin(), all.end(), isOf))
+  {
+    suffix = all[at].suffix;
+    path += '.' + suffix;
+    if (!mayReplace(parent, path)) // the dialogue has asked about another name
+    {
+      return {};
+    }
+  }
+  settings.setValue("exportFormat", suffix);
+  settings.setValue("exportFolder", QFileInfo(path).absolutePath());
+  return path;
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,17 @@
+// Where an export goes: a name and a format, which are remembered.
+#ifndef oversketch_studio_exporting_h
+#define oversketch_studio_exporting_h
+
+#include <QString>
+
+class QWidget;
+
+namespace oversketch_studio
+{
+
+// Asks for it, offering every format that is written; `name` without its suffix to begin with. Empty where
+// nobody wants it. The path has the suffix of a format.
+QString exportPathAsked(QWidget* parent, const QString& name);
+
+} // namespace oversketch_studio
+#endif

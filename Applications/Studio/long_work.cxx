@@ -1,0 +1,119 @@
+#include "long_work.h"
+
+#include "files.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QProgressDialog>
+#include <QThreadPool>
+#include <QTimer>
+
+#include <atomic>
+#include <exception>
+#include <memory>
+
+namespace oversketch_studio
+{
+
+namespace
+{
+
+constexpr int moment = 300; // ms
+
+int going = 0; // on the window's thread
+
+struct Going
+{
+  Going() { ++going; }
+  ~Going() { --going; }
+};
+
+struct Texts
+{
+  Q_DECLARE_TR_FUNCTIONS(LongWork)
+};
+
+// The thread that works and the window that waits, which may have left.
+struct Shared
+{
+  std::function<void()> work;
+  std::exception_ptr failure;
+  std::atomic<bool> done{ false }, givenUp{ false };
+};
+
+} // namespace
+
+bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work)
+{
+  const Going goes;
+  const auto shared = std::make_shared<Shared>();
+  shared->work = std::move(work);
+  QThreadPool::globalInstance()->start(
+    [shared]
+    {
+      try
+      {
+        const oversketch_files::GiveUp asked(shared->givenUp);
+        shared->work();
+      }
+      catch (...)
+      {
+        shared->failure = std::current_exception();
+      }
+      shared->work = nullptr; // with what it holds
+      shared->done = true;
+    });
+  QProgressDialog dialog(what, Texts::tr("&Cancel"), 0, 0, parent);
+  dialog.setWindowTitle(Texts::tr("Oversketch"));
+  dialog.setWindowModality(Qt::WindowModal);
+  dialog.setMinimumDuration(2 * 60 * 60 * 1000); // it is shown here
+  dialog.setAutoReset(false);
+  dialog.reset();
+  QEventLoop loop;
+  QTimer look;
+  QObject::connect(&look,
+    &QTimer::timeout,
+    &loop,
+    [&]
+    {
+      if (shared->done)
+      {
+        loop.quit();
+      }
+    });
+  QObject::connect(&dialog,
+    &QProgressDialog::canceled,
+    &loop,
+    [&]
+    {
+      shared->givenUp = true;
+      loop.quit();
+    });
+  look.start(5);
+  // Before the dialogue is there no hand can do anything, and sees nothing of it.
+  QTimer::singleShot(moment, &loop, [&loop] { loop.quit(); });
+  loop.exec(QEventLoop::ExcludeUserInputEvents);
+  if (!shared->done)
+  {
+    dialog.show();
+    loop.exec();
+    dialog.hide();
+  }
+  if (shared->givenUp)
+  {
+    return false;
+  }
+  if (shared->failure)
+  {
+    std::rethrow_exception(shared->failure);
+  }
+  return true;
+}
+
+bool isLongWorkGoing()
+{
+  return going > 0;
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,113 @@
+// The window's rows of the history, and their lines on the model.
+#include "main_window.h"
+
+#include "advice_label.h"
+#include "held_stroke_tool.h"
+#include "history_panel.h"
+#include "long_work.h"
+#include "pieces.h"
+#include "scene_panel.h"
+#include "step_lines.h"
+#include "stroke_lines.h"
+#include "view_keys.h"
+#include "viewport.h"
+
+#include <QApplication>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+// Before the window hears of the document, so that a new mesh is not drawn with the lines of the last.
+void MainWindow::listenToRows()
+{
+  const auto follow = [this] { this->Lines->set(this->OpenDocument->traces()); };
+  connect(this->OpenDocument, &Document::shown, this, follow);
+  connect(this->OpenDocument, &Document::traced, this, follow);
+  connect(this->OpenDocument, &Document::opened, this, follow);
+  connect(this->Lines, &StrokeLines::clicked, this, &MainWindow::clicked);
+  connect(this->View, &Viewport::linesShown, this->Lines, &StrokeLines::setVisible);
+  connect(this->History, &HistoryPanel::told, this->Advice, &AdviceLabel::setText);
+  for (Tool* tool : this->Tools)
+  {
+    connect(tool, &Tool::tooShort, this, &MainWindow::tooShort);
+  }
+  connect(this->Scene, &ScenePanel::partsHidden, this->View, &Viewport::hideParts);
+  connect(this->Scene, &ScenePanel::exportAsked, this, &MainWindow::exportPart);
+  auto* keys = new ViewKeys(this->View);
+  connect(keys,
+    &ViewKeys::escaped,
+    this,
+    [this]
+    {
+      // What a tool does with the key comes first.
+      const Tool* tool = this->View->tool();
+      const bool isFree = !tool->draws() && !tool->moves() && QApplication::mouseButtons() == Qt::NoButton;
+      if (isFree && (tool->system().empty() || qobject_cast<const HeldStrokeTool*>(tool)))
+      {
+        this->History->selectStep(-1);
+      }
+    });
+  this->View->addAction(this->History->removal());
+}
+
+void MainWindow::exportPart(int part, const QString& name)
+{
+  const vtkSmartPointer<vtkPolyData> mesh =
+    this->OpenDocument->isOpen() ? this->OpenDocument->shownMesh() : nullptr;
+  if (mesh && !isLongWorkGoing())
+  {
+    this->exportMesh(part < 0 ? mesh : oversketch_files::partAlone(mesh, part), name);
+  }
+}
+
+// A line that is seen is selected; else what is selected is left.
+void MainWindow::clicked(const QPoint& place)
+{
+  Tool* tool = this->View->tool();
+  const bool turns = tool->system().empty();
+  if (!this->OpenDocument->isOpen() || (!turns && !qobject_cast<HeldStrokeTool*>(tool)))
+  {
+    return;
+  }
+  const double ratio = this->View->devicePixelRatioF();
+  const bool isHeld = tool->holds(ratio * place.x(), ratio * (this->View->height() - 1 - place.y()));
+  const int step = isHeld ? this->Offered : this->Lines->at(place);
+  if (step != this->History->current())
+  {
+    this->History->selectStep(step);
+  }
+}
+
+void MainWindow::tooShort(double least)
+{
+  this->offerStep(); // which the pen has let go of
+  this->Advice->setText(tr("Too short: draw at least %1 px.").arg(least));
+}
+
+// The selected step's; else that of the step that the tool in the hand lets be taken hold of.
+void MainWindow::chooseLine()
+{
+  const Tool* tool = this->View->tool();
+  const bool turns = tool->system().empty(), pens = qobject_cast<const HeldStrokeTool*>(tool);
+  this->Lines->showAll(turns);
+  int step = this->History->current();
+  const bool isOffered = this->Offered >= 0 && this->OpenDocument->isOpen() &&
+                         indexOf(this->Offered) < this->OpenDocument->session().nodes.size();
+  if (step < 0 && isOffered && this->toolOf(this->Offered) == tool)
+  {
+    step = this->Offered;
+  }
+  const bool isOpen = this->OpenDocument->isOpen() && (turns || pens);
+  if (!isOpen || step < 0 || indexOf(step) >= this->OpenDocument->session().nodes.size())
+  {
+    this->Lines->choose(-1, nullptr);
+    return;
+  }
+  const Step& chosen = *this->OpenDocument->session().nodes[indexOf(step)].step;
+  const bool isHeld = step == this->Offered && tool->system() == chosen.system;
+  this->Lines->choose(step, isHeld ? strokeOf(this->OpenDocument->session(), chosen).Get() : nullptr);
+}
+
+} // namespace oversketch_studio

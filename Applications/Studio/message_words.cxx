@@ -1,0 +1,76 @@
+#include "message_words.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QStringList>
+
+namespace oversketch_studio
+{
+
+namespace
+{
+
+// What is said at length for whoever has no window to look at.
+struct Plain
+{
+  const char* pattern;
+  const char* words;
+};
+const Plain plain[] = {
+  { "^Stroke \\d+ cannot be used: it is \\S+ px long; at least (\\S+) px are needed",
+    QT_TRANSLATE_NOOP("Messages", "Too short: draw at least %1 px.") },
+  { "^Stroke \\d+ cannot be used: it is \\S+ px long, \\S+ times the diagonal",
+    QT_TRANSLATE_NOOP("Messages", "Too long: draw one line along the outline, no scribble.") },
+  { "^Stroke \\d+ cannot be used: it is closed",
+    QT_TRANSLATE_NOOP("Messages", "The line is closed: let its ends be apart.") },
+  { "^Point \\d+ moved, but the mesh has no point where the plane ([xyz]) = ",
+    QT_TRANSLATE_NOOP("Messages", "The model is not symmetric about %1 here.") },
+  { "^The region is empty; draw a stroke on a part",
+    QT_TRANSLATE_NOOP("Messages", "The model has too few triangles here.") },
+  { "^The region reaches the whole model",
+    QT_TRANSLATE_NOOP("Messages",
+      "The line would move the whole model: draw a shorter one, or take a model with more triangles.") },
+};
+
+QString inserted(QString words, const QStringList& values)
+{
+  for (int i = 0; i < values.size(); ++i)
+  {
+    words.replace('%' + QString::number(i + 1), values[i]);
+  }
+  return words;
+}
+
+} // namespace
+
+QString plainWords(const std::string& message)
+{
+  const QString text = QString::fromStdString(message);
+  for (const Plain& one : plain)
+  {
+    const auto match = QRegularExpression(one.pattern).match(text);
+    if (match.hasMatch())
+    {
+      return inserted(QCoreApplication::translate("Messages", one.words), match.capturedTexts().mid(1));
+    }
+  }
+  // Numbers that stand alone; those in names of files are the names'.
+  static const QRegularExpression number("(?<![\\w.%/-])-?\\d+(?:\\.\\d+)?(?:e[+-]?\\d+)?(?![\\w/]|\\.\\w)");
+  QString pattern;
+  QStringList values;
+  int end = 0;
+  for (auto found = number.globalMatch(text); found.hasNext() && values.size() < 9;)
+  {
+    const auto one = found.next();
+    pattern += text.mid(end, one.capturedStart() - end) + '%' + QString::number(values.size() + 1);
+    const QString value = one.captured();
+    values << (value.contains('.') ? QString::number(value.toDouble(), 'g', 3) : value);
+    end = one.capturedEnd();
+  }
+  pattern += text.mid(end);
+  return text.isEmpty()
+           ? text
+           : inserted(QCoreApplication::translate("Messages", pattern.toUtf8().constData()), values);
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,43 @@
+#include "options_stack.h"
+
+#include <QLayout>
+
+namespace oversketch_studio
+{
+
+OptionsStack::OptionsStack(QWidget* parent)
+  : QStackedWidget(parent)
+{
+  connect(this, &QStackedWidget::currentChanged, this, &OptionsStack::fit);
+}
+
+QSize OptionsStack::sizeHint() const
+{
+  return this->currentWidget() ? this->currentWidget()->sizeHint() : QSize(0, 0);
+}
+
+QSize OptionsStack::minimumSizeHint() const
+{
+  // One line high: how many there are is known with the width.
+  const QWidget* shown = this->currentWidget();
+  return shown ? QSize(shown->minimumSizeHint().width(), shown->sizeHint().height()) : QSize(0, 0);
+}
+
+void OptionsStack::resizeEvent(QResizeEvent* event)
+{
+  QStackedWidget::resizeEvent(event);
+  this->fit();
+}
+
+// A tool bar does not ask how high things are in the width that they have.
+void OptionsStack::fit()
+{
+  constexpr int narrowest = 200; // px; before it has its place
+  const QLayout* layout =
+    this->currentWidget() && this->width() >= narrowest ? this->currentWidget()->layout() : nullptr;
+  this->setMinimumHeight(
+    layout && layout->hasHeightForWidth() ? layout->totalHeightForWidth(this->width()) : 0);
+  this->updateGeometry();
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,28 @@
+// The tools' options, of which one tool's are seen, in as many lines as the window's width asks for.
+#ifndef oversketch_studio_options_stack_h
+#define oversketch_studio_options_stack_h
+
+#include <QStackedWidget>
+
+namespace oversketch_studio
+{
+
+class OptionsStack : public QStackedWidget
+{
+  Q_OBJECT
+
+public:
+  explicit OptionsStack(QWidget* parent = nullptr);
+  // Of what is seen alone.
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  void fit();
+};
+
+} // namespace oversketch_studio
+#endif

@@ -1,0 +1,23 @@
+// How the model's surface is drawn.
+#ifndef oversketch_studio_shading_h
+#define oversketch_studio_shading_h
+
+class vtkActor;
+
+namespace oversketch_studio
+{
+
+enum class Shading
+{
+  Smooth,
+  Flat,  // each face by itself
+  Wire,  // smooth, and its edges
+  Matcap // as a ball of clay is lit, whatever the model wears; shows dents and creases
+};
+constexpr int shadings = 4;
+
+// Draws an actor's surface so.
+void shade(vtkActor* actor, Shading shading);
+
+} // namespace oversketch_studio
+#endif

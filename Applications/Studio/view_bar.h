@@ -1,0 +1,34 @@
+// The strip at the view's upper left corner: perspective, shading, onion. All of it is in the View menu as
+// well.
+#ifndef oversketch_studio_view_bar_h
+#define oversketch_studio_view_bar_h
+
+#include <QWidget>
+
+class QAction;
+class QMenu;
+class QToolButton;
+
+namespace oversketch_studio
+{
+
+class ViewBar : public QWidget
+{
+  Q_OBJECT
+
+public:
+  ViewBar(QMenu* projections, QMenu* shadings, QAction* onion, QWidget* view);
+  // What the buttons of the two menus say.
+  void setTexts(const QString& projection, const QString& shading);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  QToolButton* add(QMenu* menu);
+
+  QToolButton *Projection, *Shade, *Onion;
+};
+
+} // namespace oversketch_studio
+#endif

@@ -1,0 +1,37 @@
+// Keys are the view's wherever the focus is: after a choice in a box, x, y, z still turn the model.
+#ifndef oversketch_studio_view_keys_h
+#define oversketch_studio_view_keys_h
+
+#include <QObject>
+
+class QKeyEvent;
+class QWidget;
+
+namespace oversketch_studio
+{
+
+// Letters, digits and signs that no text is written with go on to the view; so does Escape, but from lists.
+// What else a widget does with keys stays its own. Return and Escape in a number give the keys back.
+class ViewKeys : public QObject
+{
+  Q_OBJECT
+
+public:
+  // Of the widgets of the view's window.
+  explicit ViewKeys(QWidget* view);
+
+signals:
+  // Escape, before the view has it.
+  void escaped();
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  bool isForView(const QWidget* focus, const QKeyEvent& event) const;
+
+  QWidget* View;
+};
+
+} // namespace oversketch_studio
+#endif

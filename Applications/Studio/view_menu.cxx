@@ -1,0 +1,314 @@
+#include "view_menu.h"
+
+#include "axis_gizmo.h"
+#include "document.h"
+#include "view_bar.h"
+#include "viewport.h"
+
+#include "vtkOversketchInteractorStyle.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkRenderer.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+
+#include <algorithm>
+
+namespace oversketch_studio
+{
+
+namespace
+{
+
+constexpr int margin = 6;               // px as Qt counts them, about what lies over the view
+constexpr vtkIdType fineMesh = 200'000; // whose faces are too small to be seen by themselves
+
+// As 12,345 is written short.
+QString shortNumber(vtkIdType count)
+{
+  const QLocale here;
+  if (count < 10'000)
+  {
+    return here.toString(static_cast<qlonglong>(count));
+  }
+  return count < 1'000'000 ? ViewMenu::tr("%1k").arg(count / 1000)
+                           : ViewMenu::tr("%1M").arg(here.toString(static_cast<double>(count) / 1e6, 'f', 1));
+}
+
+vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
+{
+  if (!mesh || mesh->GetPointData()->GetNormals() || mesh->GetNumberOfPolys() > fineMesh)
+  {
+    return mesh;
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(mesh);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+} // namespace
+
+ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node, QWidget* parent)
+  : QObject(parent)
+  , View(view)
+  , Shown(document)
+  , Node(std::move(node))
+  , Settings(ViewSettings::read())
+  , Camera(std::make_unique<QMenu>(tr("&Camera")))
+  , Model(std::make_unique<QMenu>(tr("&Model as")))
+  , Gizmo(new AxisGizmo(view))
+  , Triangles(new QLabel(parent))
+{
+  this->makeCamera();
+  this->makeShadings();
+  const auto toggle = [this](const QString& text, const std::function<void(bool)>& run)
+  { return this->addToggle(nullptr, text, {}, run); };
+  this->Ground = toggle(tr("&Ground grid"), [this](bool on) { this->Settings.ground = on; });
+  this->Onion = toggle(tr("&Onion of the original"), [](bool) {});
+  this->Onion->setIconText(tr("Onion"));
+  this->Onion->setToolTip(tr("The model as it was opened, through the present one"));
+  this->Before = new QAction(tr("&Before the selected step (hold U)"), this);
+  this->Before->setCheckable(true);
+  connect(this->Before, &QAction::toggled, this, &ViewMenu::showBefore);
+  this->Bar = new ViewBar(this->Camera.get(), this->Model.get(), this->Onion, view);
+  this->Triangles->setObjectName("triangles");
+  view->installEventFilter(this);
+  // A stroke's view and a session's have projections of their own.
+  connect(this->Gizmo,
+    &AxisGizmo::projected,
+    this,
+    [this](bool parallel)
+    {
+      this->Parallel->setChecked(parallel);
+      this->setTexts();
+    });
+  connect(view, &Viewport::meshShown, this, &ViewMenu::refresh);
+  connect(view, &Viewport::keysShown, this, &ViewMenu::placeOverlays);
+  connect(document, &Document::opened, this, &ViewMenu::showOnion);
+  connect(document, &Document::changed, this, [this] { this->Before->setChecked(false); });
+  connect(document,
+    &Document::glanced,
+    this,
+    [this](const oversketch_session::SharedData& mesh)
+    {
+      if (this->Before->isChecked())
+      {
+        this->View->showInstead(mesh);
+      }
+    });
+  view->renderer()->GetActiveCamera()->SetParallelProjection(this->Settings.parallel);
+  this->Parallel->setChecked(this->Settings.parallel);
+  this->Free->setChecked(this->Settings.free);
+  this->Ground->setChecked(this->Settings.ground);
+  this->Shadings[static_cast<int>(this->Settings.shading)]->setChecked(true);
+  this->apply();
+  this->refresh();
+}
+
+ViewMenu::~ViewMenu() = default;
+
+QAction* ViewMenu::addToggle(QMenu* menu,
+  const QString& text,
+  const QString& key,
+  const std::function<void(bool)>& run)
+{
+  auto* action = new QAction(text, this);
+  action->setCheckable(true);
+  action->setShortcut(QKeySequence(key));
+  connect(action,
+    &QAction::triggered,
+    this,
+    [this, run](bool on)
+    {
+      run(on);
+      this->Settings.write();
+      this->apply();
+    });
+  if (menu)
+  {
+    menu->addAction(action);
+  }
+  return action;
+}
+
+void ViewMenu::makeCamera()
+{
+  QMenu* menu = this->Camera.get();
+  this->Parallel = this->addToggle(menu,
+    tr("Ort&hographic"),
+    tr("5"),
+    [this](bool on)
+    {
+      this->Settings.parallel = on;
+      this->View->camera()->SetParallelProjection(on);
+    });
+  this->Free =
+    this->addToggle(menu, tr("Turn fr&eely, as a ball"), {}, [this](bool on) { this->Settings.free = on; });
+  menu->addSeparator();
+  const struct
+  {
+    QString text, key;
+    int axis;
+    bool negative;
+  } sides[] = { { tr("&Front"), tr("Ctrl+1"), 2, false },
+    { tr("&Right"), tr("Ctrl+2"), 0, false },
+    { tr("&Top"), tr("Ctrl+3"), 1, false },
+    { tr("&Back"), tr("Ctrl+4"), 2, true },
+    { tr("&Left"), tr("Ctrl+5"), 0, true },
+    { tr("B&ottom"), tr("Ctrl+6"), 1, true } };
+  for (const auto& side : sides)
+  {
+    QAction* action = menu->addAction(side.text);
+    action->setShortcut(QKeySequence(side.key));
+    connect(action,
+      &QAction::triggered,
+      this,
+      [this, axis = side.axis, negative = side.negative]
+      { this->View->camera()->LookFromSide(axis, negative); });
+  }
+}
+
+void ViewMenu::makeShadings()
+{
+  const struct
+  {
+    QString text, inBar, help;
+  } all[shadings] = {
+    { tr("&Smooth"), tr("Smooth"), tr("Edges of 60 degrees and more of a model that has many stay sharp") },
+    { tr("&Flat"), tr("Flat"), tr("Each face by itself") },
+    { tr("&Wireframe over shade"), tr("Wire"), tr("The edges of the triangles as well") },
+    { tr("&Clay (matcap)"), tr("Clay"), tr("As a ball of clay is lit: shows dents and creases") }
+  };
+  auto* group = new QActionGroup(this);
+  for (int i = 0; i < shadings; ++i)
+  {
+    QAction* action = this->addToggle(this->Model.get(),
+      all[i].text,
+      {},
+      [this, i](bool) { this->Settings.shading = static_cast<Shading>(i); });
+    action->setIconText(all[i].inBar);
+    action->setToolTip(all[i].help);
+    group->addAction(action);
+    this->Shadings << action;
+  }
+}
+
+void ViewMenu::addTo(QMenu* menu)
+{
+  menu->addMenu(this->Camera.get());
+  menu->addMenu(this->Model.get());
+  menu->addActions({ this->Ground, this->Onion, this->Before });
+}
+
+void ViewMenu::setDark(bool dark)
+{
+  this->Gizmo->setDark(dark);
+}
+
+void ViewMenu::apply()
+{
+  Display& display = this->View->display();
+  display.setShading(this->Settings.shading);
+  display.setGround(this->Settings.ground);
+  this->View->camera()->SetOrbit(
+    this->Settings.free ? vtkOversketchInteractorStyle::Trackball : vtkOversketchInteractorStyle::Turntable);
+  this->setTexts();
+  this->showOnion();
+}
+
+void ViewMenu::setTexts()
+{
+  this->Bar->setTexts(this->Parallel->isChecked() ? tr("Ortho") : tr("Persp"),
+    this->Shadings[static_cast<int>(this->Settings.shading)]->iconText());
+  this->placeOverlays();
+}
+
+void ViewMenu::showOnion()
+{
+  const vtkSmartPointer<vtkPolyData> original =
+    this->Shown->isOpen() ? this->Shown->session().mesh.own() : nullptr;
+  this->Onion->setEnabled(original != nullptr);
+  this->View->display().showOnion(this->Onion->isChecked() ? withNormals(original).Get() : nullptr);
+  this->View->renderSoon();
+}
+
+void ViewMenu::refresh()
+{
+  vtkPolyData* mesh = this->View->mesh();
+  // Of quads two each.
+  const vtkIdType count =
+    mesh ? mesh->GetPolys()->GetNumberOfConnectivityIds() - 2 * mesh->GetNumberOfPolys() : 0;
+  this->Triangles->setText(mesh ? tr("%1 tri").arg(shortNumber(count)) : QString());
+  this->Triangles->setToolTip(
+    mesh ? tr("%1 triangles").arg(QLocale().toString(static_cast<qlonglong>(count))) : QString());
+}
+
+void ViewMenu::showBefore(bool shown)
+{
+  const int node = shown ? this->Node() : -1;
+  if (node >= 0)
+  {
+    this->Shown->glanceBefore(node);
+    emit this->told(
+      tr("Before: %1").arg(QString::fromStdString(this->Shown->session().nodes[indexOf(node)].name)));
+    return;
+  }
+  this->View->showInstead(nullptr);
+  emit this->told({});
+}
+
+// The strip at the left, the axes at the right, below the strip where there is no room beside it.
+void ViewMenu::placeOverlays()
+{
+  this->Bar->setVisible(!this->View->showsKeys()); // the list is there
+  this->Gizmo->setVisible(!this->View->showsKeys());
+  this->Bar->move(margin, margin);
+  const int right = this->View->width() - this->Gizmo->width() - margin;
+  const bool beside = right > this->Bar->geometry().right() + margin;
+  this->Gizmo->move(std::max(margin, right), beside ? margin : this->Bar->geometry().bottom() + margin);
+}
+
+bool ViewMenu::eventFilter(QObject* watched, QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::Resize:
+      this->placeOverlays();
+      break;
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+    {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      if (key->key() == Qt::Key_U && key->modifiers() == Qt::NoModifier)
+      {
+        if (!key->isAutoRepeat())
+        {
+          this->Before->setChecked(event->type() == QEvent::KeyPress);
+        }
+        return true;
+      }
+      break;
+    }
+    case QEvent::FocusOut:
+      this->Before->setChecked(false);
+      break;
+    default:
+      break;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+} // namespace oversketch_studio

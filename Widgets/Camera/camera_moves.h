@@ -1,0 +1,39 @@
+// What drags, gestures and keys do to a camera.
+#ifndef oversketch_camera_moves_h
+#define oversketch_camera_moves_h
+
+#include "camera_keys.h"
+#include "camera_state.h"
+
+#include <optional>
+
+class vtkRenderer;
+
+namespace oversketch
+{
+
+// How an upright camera turns when the hand moves by so much [heights of the view, up and to the right]:
+// about the world's y and its own right, half a turn for a height, and not beyond the poles.
+Eigen::Quaterniond turntableTurn(const CameraState& camera, const Eigen::Vector2d& moved);
+
+// The camera that looks straight ahead and sees a point where this one sees it, which looks past the middle
+// of its picture (CameraState::centre).
+CameraState straightened(const CameraState& camera, const Eigen::Vector3d& point, vtkRenderer* in);
+
+// The camera looks at a point from the positive or negative side of an axis, upright; from above and below it
+// sees the front, which is that of +z, at the bottom and the top of the picture.
+void lookFromSide(CameraState& camera, const Eigen::Vector3d& point, int axis, bool negative);
+
+// The box of what can be picked in a renderer: the models, without what is drawn about them.
+struct Box
+{
+  Eigen::Vector3d centre;
+  double radius; // of the ball about it
+};
+std::optional<Box> modelsIn(vtkRenderer* renderer);
+
+// A step of the camera by a key. False for keys that are no such steps.
+bool moveByKey(const CameraAction& action, FirstView& first);
+
+} // namespace oversketch
+#endif
