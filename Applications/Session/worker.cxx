@@ -6,6 +6,7 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
 
+#include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -72,14 +73,24 @@ const SystemRow* nextOf(const Session& session)
   return findSystem(session.nodes.back().step->system);
 }
 
+// The same with polygons of its own: filters of VTK leave in them how far they are, and so do those of
+// whoever shows the mesh meanwhile.
+vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh)
+{
+  auto own = shared(mesh);
+  vtkNew<vtkCellArray> polys;
+  polys->ShallowCopy(mesh->GetPolys());
+  own->SetPolys(polys);
+  return own;
+}
+
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
 {
-  auto shown = vtkSmartPointer<vtkPolyData>::New();
-  shown->ShallowCopy(mesh);
+  auto shown = shared(mesh);
   if (!mesh->GetPointData()->GetNormals())
   {
     vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
-    triangles->SetInputData(mesh);
+    triangles->SetInputData(withOwnPolys(mesh));
     triangles->Update();
     const oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
     const std::vector<oversketch::Vector3> normals =
@@ -294,7 +305,7 @@ void Worker::runGlance(std::uint64_t ticket, const Session& session)
     SharedData display;
     if (made)
     {
-      display = withNormals(copied(made));
+      display = withNormals(shared(made));
     }
     this->Report.glanced(std::move(display));
   }
@@ -349,15 +360,15 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   {
     return;
   }
-  if (this->Report.detailed)
-  {
-    this->Report.detailed(
-      { ticket, this->statesOf(session, outcomes), shown ? digestOf(shown) : std::string() });
-  }
   if (shown && shown->GetNumberOfPolys() > largeMesh)
   {
     this->Runner.releaseWork();
     malloc_trim(0); // what was freed in pieces goes back as well
+  }
+  if (this->Report.detailed)
+  {
+    this->Report.detailed(
+      { ticket, this->statesOf(session, outcomes), shown ? digestOf(shown) : std::string() });
   }
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
   std::unique_lock<std::mutex> lock(this->Mutex);
@@ -388,9 +399,7 @@ void Worker::trace(std::uint64_t ticket,
   {
     return;
   }
-  vtkNew<vtkPolyData> surface; // a locator keeps what it makes in the data
-  surface->SetPoints(shown->GetPoints());
-  surface->SetPolys(shown->GetPolys());
+  const auto surface = withOwnPolys(shown); // a locator keeps what it makes in the data
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(surface);
   locator->BuildLocator();

@@ -102,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Gives back the factor alone, which Drag makes anew; or all that was kept, and the output, which the next
-   * Update makes anew.
+   * Gives back the factor alone, once what Drag takes of it is computed; or all that was kept, and the
+   * output, which the next Update makes anew.
    */
   void ReleaseFactor();
   void ReleaseWork();

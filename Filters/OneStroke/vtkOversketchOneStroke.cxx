@@ -201,6 +201,7 @@ void vtkOversketchOneStroke::ReleaseWork()
   }
   inner.Stretch->ReleaseWork();
   inner.Restore->ReleaseWork();
+  this->Modified();
 }
 
 void vtkOversketchOneStroke::BackendChanged()

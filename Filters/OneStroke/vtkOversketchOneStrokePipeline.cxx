@@ -23,8 +23,8 @@ constexpr int widestViewport = 4092;
 constexpr double farthestOutline = 60.0;
 
 // The factor of a region with so many vertices takes some hundred MiB: it is kept no longer than a run needs
-// it.
-constexpr vtkIdType manyVertices = 100000;
+// it. What following a hand takes of it is a number for each vertex.
+constexpr vtkIdType manyVertices = 30000;
 
 void releaseLargeFactor(vtkAlgorithm* step)
 {
@@ -70,6 +70,8 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
   this->Deform->SetInputConnection(0, this->RegionBorder->GetOutputPort());
   this->Deform->SetInputConnection(1, this->Targets->GetOutputPort());
   this->Stretch->SetStageToStretch();
+  this->Stretch->SourcesOfAllOff();
+  this->Restore->SourcesOfAllOff();
   this->Stretch->SetInputConnection(0, this->RegionBorder->GetOutputPort());
   this->Stretch->SetInputConnection(1, this->Targets->GetOutputPort());
   this->DeformRemeshed->SetInputConnection(0, this->Stretch->GetOutputPort(0));
@@ -437,6 +439,8 @@ void vtkOversketchOneStroke::Pipeline::RunRemeshed()
   this->Self->RunStage("DeformRemeshed");
   const char* remeshed =
     this->Corrected("Stretch", "DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
+  releaseLargeFactor(this->DeformRemeshed);
+  releaseLargeFactor(this->DeformRemeshedCorrected);
   this->Restore->SetInputConnection(0, this->Self->GetStep(remeshed)->GetOutputPort());
   this->Restore->TakeOutFoldsOff();
   this->Self->RunStage("Restore");
