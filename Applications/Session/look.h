@@ -2,7 +2,7 @@
 #ifndef oversketch_look_h
 #define oversketch_look_h
 
-#include "json_reader.h"
+#include "session.h"
 
 #include <array>
 
@@ -25,10 +25,6 @@ struct Look
            this->shift == other.shift;
   }
 };
-
-Json::Value jsonOf(const Look& look);
-// Throws oversketch_files::Failed where nothing could be seen so.
-Look lookOf(const JsonReader& json);
 
 } // namespace oversketch_session
 #endif

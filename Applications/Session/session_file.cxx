@@ -2,7 +2,7 @@
 
 #include "files.h"
 #include "heights.h"
-#include "json_reader.h"
+#include "look_json.h"
 #include "mesh_file.h"
 #include "node_json.h"
 #include "texture.h"

@@ -1,4 +1,4 @@
-#include "look.h"
+#include "look_json.h"
 
 #include "vtkMath.h"
 
