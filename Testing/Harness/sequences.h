@@ -54,18 +54,20 @@ inline double residentMemory()
   return 0.0;
 }
 
-// MiB that were asked for and not given back.
+// MiB that were asked for and not given back, large blocks as well: which of them lie outside of the heap
+// changes as the program goes, so that the heap alone would seem to grow.
 inline double memoryInUse()
 {
 #if defined(__SANITIZE_ADDRESS__)
   return static_cast<double>(__sanitizer_get_current_allocated_bytes()) / 1048576.0;
 #else
-  return static_cast<double>(mallinfo2().uordblks) / 1048576.0;
+  const auto now = mallinfo2();
+  return static_cast<double>(now.uordblks + now.hblkhd) / 1048576.0;
 #endif
 }
 
-// Memory in use as each sequence begins, when nothing of those before it should be left: the mean over the first
-// half, of which a fifth is left out while things are made once, and over the second half.
+// Memory in use as each sequence begins, when nothing of those before it should be left: the mean over the
+// first half, of which a fifth is left out while things are made once, and over the second half.
 class MemoryLevel
 {
 public:

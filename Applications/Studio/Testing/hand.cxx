@@ -52,8 +52,17 @@ void Hand::Deeds::add(const Deeds& other)
   this->questions += other.questions;
   this->opened += other.opened;
   this->lines += other.lines;
+  this->partDrags += other.partDrags;
   this->placed += other.placed;
   this->edits += other.edits;
+  this->looks += other.looks;
+  this->looked += other.looked;
+  this->rows += other.rows;
+  this->ordered += other.ordered;
+  this->glances += other.glances;
+  this->pressed += other.pressed;
+  this->touched += other.touched;
+  this->menus += other.menus;
 }
 
 Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
@@ -75,6 +84,7 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
       [this](int, const oversketch_session::PartPlace&, bool goesOn) { this->Doing.placed += !goesOn; });
   }
   connect(this->OpenDocument, &Document::opened, this, [this] { ++this->Doing.opened; });
+  connect(this->OpenDocument, &Document::glanced, this, [this] { ++this->Doing.glances; });
   connect(this->OpenDocument,
     &Document::detailed,
     this,
@@ -140,7 +150,7 @@ QString Hand::file()
 int Hand::act()
 {
   int events = 0;
-  switch (this->upTo(21))
+  switch (this->upTo(25))
   {
     case 0:
     case 1:
@@ -157,8 +167,6 @@ int Hand::act()
       break;
     case 7:
     case 8:
-    case 9:
-    case 10:
       QTest::mouseMove(this->View, this->place(this->View));
       events = 1;
       break;
@@ -169,6 +177,10 @@ int Hand::act()
         Qt::NoModifier,
         this->place(this->View));
       events = 1;
+      break;
+    case 9:
+    case 10:
+      events = this->look();
       break;
     case 13:
     case 14:
@@ -188,6 +200,21 @@ int Hand::act()
       events = this->Draws      ? this->lineOnThePad()
                : this->oneIn(2) ? this->editOfARegion()
                                 : this->dragOfTheStroke();
+      break;
+    case 20:
+      events = this->oneIn(2) ? this->lineWithAPen() : this->fingers();
+      break;
+    case 21:
+      events = this->dragInTheHistory();
+      break;
+    case 22:
+      events = this->oneIn(2) ? this->keyInTheHistory() : this->glance();
+      break;
+    case 23:
+      events = this->menu();
+      break;
+    case 24:
+      events = this->option();
       break;
     default:
       events = this->menuEntry();
@@ -290,12 +317,11 @@ int Hand::wheel()
 
 int Hand::click()
 {
-  const auto widgets = this->Window.findChildren<QWidget*>();
+  auto widgets = this->Window.findChildren<QWidget*>();
+  const auto isUnseen = [](const QWidget* one) { return !one->isVisible() || one->size().isEmpty(); };
+  widgets.erase(std::remove_if(widgets.begin(), widgets.end(), isUnseen), widgets.end());
   QWidget* one = widgets[this->upTo(widgets.size() - 1)];
-  if (one->isVisible() && one->width() > 0 && one->height() > 0)
-  {
-    QTest::mouseClick(one, Qt::LeftButton, Qt::NoModifier, this->place(one));
-  }
+  QTest::mouseClick(one, Qt::LeftButton, Qt::NoModifier, this->place(one));
   return 1;
 }
 

@@ -1,4 +1,5 @@
-// A hand on the window, at random: strokes, mouse, keys, menus, files, and answers to what is asked.
+// A hand on the window, at random: strokes, mouse, pen, fingers, keys, rows, menus, files, and answers to
+// what is asked.
 #ifndef oversketch_studio_hand_h
 #define oversketch_studio_hand_h
 
@@ -12,6 +13,7 @@
 #include <vector>
 
 class QFileDialog;
+class QTouchDevice;
 class QWidget;
 
 namespace oversketch_studio
@@ -33,9 +35,14 @@ public:
     int meshes = 0; // shown, other than the one before
     int questions = 0;
     int opened = 0;
-    int lines = 0;  // drawn over a picture, or taken off it
-    int placed = 0; // times that a drag has moved a part
-    int edits = 0;  // changes of an edit by hand
+    int lines = 0;                 // drawn over a picture, or taken off it
+    int partDrags = 0, placed = 0; // drags of a part's handle, and those that have moved it
+    int edits = 0;                 // changes of an edit by hand
+    int looks = 0, looked = 0;     // gestures of the camera, and those that have moved it
+    int rows = 0, ordered = 0;     // drags in the history, and those that have changed it
+    int glances = 0;               // at the model before a step
+    int pressed = 0, touched = 0;  // lines with a pen's pressure, gestures of fingers
+    int menus = 0;                 // opened
 
     void add(const Deeds& other);
   };
@@ -70,6 +77,14 @@ private:
   int line(QWidget* on, const std::vector<QPoint>& way, Qt::KeyboardModifiers held = Qt::NoModifier);
   int lineOnThePad();
   int dragOfAPart();
+  int lineWithAPen();
+  int fingers();
+  int look();
+  int glance();
+  int dragInTheHistory();
+  int keyInTheHistory();
+  int menu();
+  int option();
   int press();
   int key();
   int undoAndRedo();

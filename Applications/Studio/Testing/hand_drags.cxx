@@ -5,6 +5,7 @@
 #include "main_window.h"
 #include "mouse.h"
 #include "part_drag.h"
+#include "step_list.h"
 #include "systems.h"
 #include "tool.h"
 #include "viewport.h"
@@ -12,9 +13,7 @@
 #include "pen_view.h"
 
 #include "vtkPolyData.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
 
 #include <QApplication>
 #include <QTest>
@@ -37,7 +36,7 @@ int Hand::strokeBesideTheModel()
   {
     QTest::keyClick(this->View, Qt::Key_Return); // whatever stroke could be taken hold of
   }
-  vtkRenderer* renderer = this->View->renderWindow()->GetRenderers()->GetFirstRenderer();
+  vtkRenderer* renderer = this->View->renderer();
   vtkPolyData* mesh = this->OpenDocument->result().mesh;
   const double angle = 2.0 * M_PI * this->upTo(359) / 360.0;
   const double x = std::cos(angle), y = std::sin(angle);
@@ -226,37 +225,78 @@ int Hand::lineOnThePad()
   return steps + 2;
 }
 
-// Of one of its handles, where the last frame shows them.
+// Of one of its handles, where the last frame shows them. A part is drawn on and placed whose row is
+// selected; of several it is any.
 int Hand::dragOfAPart()
 {
   const auto& nodes = this->OpenDocument->session().nodes;
-  const int node = this->View->tool()->node();
-  const auto& part = node < 0 ? std::nullopt : nodes[indexOf(node)].step->part;
-  vtkRenderer* renderer = this->View->renderWindow()->GetRenderers()->GetFirstRenderer();
-  std::array<oversketch::Vector2, 6> seen;
-  const double ratio = this->View->devicePixelRatioF();
-  if (!part || !seeHandles(oversketch::PenView::of(renderer).kernelView(), *part, 56.0 * ratio, seen))
+  std::vector<int> parts;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    if (nodes[i].step->part)
+    {
+      parts.push_back(static_cast<int>(i));
+    }
+  }
+  if (parts.empty()) // undone, or deleted
   {
     return this->lineOnThePad();
   }
-  const oversketch::Vector2 at = seen[static_cast<std::size_t>(this->upTo(5))] / ratio;
-  QPoint place(static_cast<int>(at[0]), this->View->height() - 1 - static_cast<int>(at[1]));
+  int events = 0;
+  const int part = parts[static_cast<std::size_t>(this->upTo(static_cast<int>(parts.size()) - 1))];
+  auto* list = this->Window.findChild<StepList*>("history");
+  if (this->View->tool()->system() != oversketch_session::drawingSystem)
+  {
+    QTest::keyClick(this->View, Qt::Key_G);
+    ++events;
+  }
+  if (this->View->tool()->node() != part)
+  {
+    QListWidgetItem* row = list->itemOf(part);
+    list->scrollToItem(row);
+    QTest::mouseClick(
+      list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(row).center() - QPoint(0, 4));
+    ++events;
+  }
+  QApplication::processEvents();
+  std::array<oversketch::Vector2, 6> seen;
+  const double ratio = this->View->devicePixelRatioF();
+  const auto isThere = [&]
+  {
+    return seeHandles(oversketch::PenView::of(this->View->renderer()).kernelView(),
+      *nodes[indexOf(part)].step->part,
+      56.0 * ratio,
+      seen);
+  };
+  const auto place = [&](std::size_t handle)
+  {
+    const oversketch::Vector2 at = seen[handle] / ratio;
+    return QPoint(static_cast<int>(at[0]), this->View->height() - 1 - static_cast<int>(at[1]));
+  };
+  const auto handle = static_cast<std::size_t>(this->upTo(5));
+  if (this->View->tool()->node() != part || !isThere() || !this->View->rect().contains(place(handle)))
+  {
+    QTest::keyClick(this->View, Qt::Key_W); // back to where it is seen
+    return events + 1;
+  }
+  ++this->Doing.partDrags;
+  QPoint at = place(handle);
   const Qt::KeyboardModifiers held = this->oneIn(4) ? Qt::ShiftModifier : Qt::NoModifier;
-  QTest::mouseMove(this->View, place);
-  QTest::mousePress(this->View, Qt::LeftButton, held, place);
+  QTest::mouseMove(this->View, at);
+  QTest::mousePress(this->View, Qt::LeftButton, held, at);
   constexpr int steps = 4;
   for (int i = 0; i < steps; ++i)
   {
-    place = this->near(place, 25);
-    moveMouse(this->View, place);
+    at = this->near(at, 25);
+    moveMouse(this->View, at);
     QApplication::processEvents();
   }
   if (this->oneIn(5))
   {
     QTest::keyClick(this->View, Qt::Key_Escape);
   }
-  QTest::mouseRelease(this->View, Qt::LeftButton, held, place);
-  return steps + 3;
+  QTest::mouseRelease(this->View, Qt::LeftButton, held, at);
+  return events + steps + 3;
 }
 
 } // namespace oversketch_studio

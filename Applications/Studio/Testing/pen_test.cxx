@@ -1,5 +1,6 @@
 // What the hand holds: a pen with pressure, fingers, its side; and the options that it likes.
 #include "option_presets.h"
+#include "pen.h"
 #include "preferences.h"
 #include "scene.h"
 #include "tool.h"
@@ -16,7 +17,6 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QSettings>
-#include <QTabletEvent>
 #include <QToolBar>
 
 #include <cmath>
@@ -28,44 +28,6 @@ using namespace oversketch_session;
 
 namespace
 {
-
-// As a tablet's driver and Qt do it: the pen's event, and the mouse's of what is left to it.
-void penAt(QWidget* on, QEvent::Type tablet, QEvent::Type mouse, const QPoint& at, double pressure)
-{
-  const bool ends = mouse == QEvent::MouseButtonRelease, moves = mouse == QEvent::MouseMove;
-  const Qt::MouseButtons held = ends ? Qt::NoButton : Qt::MouseButtons(Qt::LeftButton);
-  QTabletEvent pen(tablet,
-    at,
-    on->mapToGlobal(at),
-    QTabletEvent::Stylus,
-    QTabletEvent::Pen,
-    pressure,
-    0,
-    0,
-    0.0,
-    0.0,
-    0,
-    Qt::NoModifier,
-    1,
-    Qt::LeftButton,
-    held);
-  QApplication::sendEvent(on, &pen);
-  EXPECT_FALSE(pen.isAccepted()) << "Qt would make no mouse event of it";
-  QMouseEvent event(
-    mouse, at, on->mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton, held, Qt::NoModifier);
-  QApplication::sendEvent(on, &event);
-}
-
-void drawWithPen(QWidget* on, const std::vector<QPoint>& way)
-{
-  penAt(on, QEvent::TabletPress, QEvent::MouseButtonPress, way.front(), 0.2);
-  for (std::size_t i = 0; i < way.size(); ++i)
-  {
-    penAt(on, QEvent::TabletMove, QEvent::MouseMove, way[i], 0.2 + 0.6 * double(i) / double(way.size()));
-    QApplication::processEvents();
-  }
-  penAt(on, QEvent::TabletRelease, QEvent::MouseButtonRelease, way.back(), 0.0);
-}
 
 std::vector<QPoint> straight(const QPoint& from, const QPoint& to)
 {

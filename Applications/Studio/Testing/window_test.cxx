@@ -181,8 +181,12 @@ void print(const Hand::Deeds& deeds)
   std::cout << deeds.strokes << " strokes, " << deeds.moved << " moved or drawn over, " << deeds.undone
             << " times undone, " << deeds.redone << " redone, " << deeds.meshes << " meshes shown, "
             << deeds.questions << " questions answered, " << deeds.opened << " files opened, " << deeds.lines
-            << " lines over pictures, " << deeds.placed << " drags of parts, " << deeds.edits
-            << " edits changed by hand, ";
+            << " lines over pictures, " << deeds.placed << " of " << deeds.partDrags
+            << " drags of parts moved them, " << deeds.edits << " edits changed by hand, " << deeds.looked
+            << " of " << deeds.looks << " gestures of the camera moved it, " << deeds.ordered << " of "
+            << deeds.rows << " drags in the history changed it, " << deeds.glances
+            << " glances before a step, " << deeds.pressed << " lines with a pen, " << deeds.touched
+            << " gestures of fingers, " << deeds.menus << " menus, ";
 }
 
 } // namespace
