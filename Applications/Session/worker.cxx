@@ -6,6 +6,7 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
 
+#include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <malloc.h>
 #include <utility>
 
 namespace oversketch_session
@@ -27,6 +29,9 @@ constexpr std::chrono::milliseconds detailsAfter{ 150 };
 constexpr std::chrono::milliseconds prepareAfter{ 150 };
 constexpr std::size_t mostPictures = 1000; // some 50 MB
 constexpr double traceReach = 0.1;         // of the model's diagonal, from a stroke to the surface
+// Of so many triangles a step's work is not kept for a stroke over the same place, which then makes it anew:
+// it takes some 400 bytes each.
+constexpr vtkIdType largeMesh = 500000;
 
 vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
 {
@@ -37,6 +42,15 @@ vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(data);
   return copy;
+}
+
+// The mesh with the same points, cells and arrays. Filters make new ones and change none that they have put
+// out.
+vtkSmartPointer<vtkPolyData> shared(vtkPolyData* mesh)
+{
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(mesh);
+  return own;
 }
 
 // True where `next` is `session` with steps added at its end.
@@ -81,14 +95,24 @@ std::map<std::string, SharedData> givenTo(const Session& session,
   return given;
 }
 
+// The same with polygons of its own: filters of VTK leave in them how far they are, and so do those of
+// whoever shows the mesh meanwhile.
+vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh)
+{
+  auto own = shared(mesh);
+  vtkNew<vtkCellArray> polys;
+  polys->ShallowCopy(mesh->GetPolys());
+  own->SetPolys(polys);
+  return own;
+}
+
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
 {
-  auto shown = vtkSmartPointer<vtkPolyData>::New();
-  shown->ShallowCopy(mesh);
+  auto shown = shared(mesh);
   if (!mesh->GetPointData()->GetNormals())
   {
     vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
-    triangles->SetInputData(mesh);
+    triangles->SetInputData(withOwnPolys(mesh));
     triangles->Update();
     const oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
     const std::vector<oversketch::Vector3> normals =
@@ -310,7 +334,7 @@ void Worker::addInputs(const Session& session,
   const vtkSmartPointer<vtkPolyData> came = at > 0 ? outcomes[at - 1].mesh : nullptr;
   if (came && came != this->Came)
   {
-    this->CopyOfCame = copied(came);
+    this->CopyOfCame = shared(came);
   }
   this->Came = came;
   states[at].before = at > 0 ? this->CopyOfCame : session.mesh;
@@ -326,7 +350,7 @@ void Worker::runGround(std::uint64_t ticket, const Session& session, std::uint64
   {
     const std::size_t at = session.nodes.size() - 1;
     this->Report.grounded(number,
-      { at > 0 ? SharedData(copied(outcomes[at - 1].mesh)) : session.mesh, givenTo(session, outcomes, at) });
+      { at > 0 ? SharedData(shared(outcomes[at - 1].mesh)) : session.mesh, givenTo(session, outcomes, at) });
   }
 }
 
@@ -341,7 +365,7 @@ void Worker::runGlance(std::uint64_t ticket, const Session& session)
     SharedData display;
     if (made)
     {
-      display = withNormals(copied(made));
+      display = withNormals(shared(made));
     }
     this->Report.glanced(std::move(display));
   }
@@ -377,7 +401,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   result.backendUsed = backendUsedBy(outcomes);
   if (shown)
   {
-    result.mesh = copied(shown);
+    result.mesh = shared(shown);
     result.display = withNormals(result.mesh);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -395,6 +419,11 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   if (!this->Runner.details(outcomes, watch) || watch.cancelled())
   {
     return;
+  }
+  if (shown && shown->GetNumberOfPolys() > largeMesh)
+  {
+    this->Runner.releaseWork();
+    malloc_trim(0); // what was freed in pieces goes back as well
   }
   if (this->Report.detailed)
   {
@@ -443,9 +472,7 @@ void Worker::trace(std::uint64_t ticket,
   {
     return;
   }
-  vtkNew<vtkPolyData> surface; // a locator keeps what it makes in the data
-  surface->SetPoints(shown->GetPoints());
-  surface->SetPolys(shown->GetPolys());
+  const auto surface = withOwnPolys(shown); // a locator keeps what it makes in the data
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(surface);
   locator->BuildLocator();

@@ -46,7 +46,7 @@ public:
     // The model after it; null where it did nothing, and before it was drawn (Listener::pictured).
     std::shared_ptr<const Thumbnail> picture;
   };
-  // What a session made. Meshes are copies that nobody else touches.
+  // What a session made. The worker goes on with the meshes' points and cells, and changes none.
   struct Result
   {
     std::uint64_t ticket = 0;
