@@ -7,9 +7,13 @@ import pytest
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[1]), str(Path(__file__).resolve().parent)]
 import hands  # noqa: E402
+import meshes  # noqa: E402  (finds what follows)
+import listing  # noqa: E402
 import picture  # noqa: E402
 import sloppy  # noqa: E402
 import sloppy_judge  # noqa: E402
+import sloppy_runs  # noqa: E402
+import stroke_files  # noqa: E402
 import torso  # noqa: E402
 
 FLAT = picture.View(np.eye(4), np.diag([2 / 800, 2 / 600, -1, 1.0]))  # world units are px, (0, 0) the picture's middle
@@ -248,3 +252,21 @@ def test_bounds_and_table():
     text = sloppy.table(good + [row(n, "wreck", mode="published") for n in range(20)], ["default", "published"])
     assert "| **all** | 17 of 20 (85 %) | 3 | 0 | 0 | 0 of 20 (0 %) | 0 | 20 | 0 |" in text
     assert "no / match here" in text
+
+
+# ----------------------------------------------------------------------------------------------------- the runs
+
+def test_a_shipped_stroke_runs_and_one_in_the_void_is_refused():
+    system = sloppy_runs.System("default", meshes.read(meshes.DATA / "Models" / "dog.ply"))
+    stroke, _, view, _ = stroke_files.read(next(path for path in listing.one_stroke() if path.stem == "dog_longer_leg"))
+    said, _ = system.run(stroke)
+    assert said == ""
+    was, now, seen = system.pairs(view)
+    assert len(was) == len(now) == len(seen) and not np.array_equal(was, now)
+    points = stroke.GetPoints()
+    for i in range(points.GetNumberOfPoints()):
+        points.SetPoint(i, 1.0 + 0.1 * i, 1.0, 0.0)
+    points.Modified()
+    stroke.Modified()
+    said, _ = system.run(stroke)
+    assert said != "" and system.filter.GetOutput().GetNumberOfCells() == 0
