@@ -330,8 +330,7 @@ void MainWindow::exportMesh(vtkPolyData* shown, const QString& name)
         [mesh, path, notes] { oversketch_files::writeMesh(mesh, path.toStdString(), *notes); });
       if (done)
       {
-        this->Advice->setText(tr("Exported as %1.").arg(path));
-        this->tell(listOf(*notes));
+        this->Advice->setText((QStringList{ tr("Exported as %1.").arg(path) } + listOf(*notes)).join(' '));
       }
     });
 }
