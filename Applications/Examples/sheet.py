@@ -89,6 +89,7 @@ def clay(mesh, colours=None, edges=False, crease=180.0):
     shown = vtkPolyData()
     shown.SetPoints(mesh.GetPoints())
     shown.SetPolys(mesh.GetPolys())
+    shown.GetPointData().SetTCoords(mesh.GetPointData().GetTCoords())
     if colours is not None:
         array = numpy_to_vtk((255 * np.asarray(colours)).round().astype(np.uint8), deep=True)
         data = shown.GetPointData() if len(colours) == mesh.GetNumberOfPoints() else shown.GetCellData()
@@ -121,7 +122,6 @@ def textured(mesh, picture):
     actor, texture = clay(mesh, crease=60), vtkTexture()
     texture.SetInputData(picture)
     texture.InterpolateOn()
-    actor.GetMapper().GetInput().GetPointData().SetTCoords(mesh.GetPointData().GetTCoords())
     actor.GetProperty().SetColor(1.0, 1.0, 1.0)
     actor.SetTexture(texture)
     return actor

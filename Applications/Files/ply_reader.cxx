@@ -538,6 +538,8 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& path)
     spreadCoordinates(faces, mesh);
   }
   vtkNew<vtkCellArray> polys;
+  polys->AllocateExact(
+    static_cast<vtkIdType>(faces.sizes.size()), static_cast<vtkIdType>(faces.corners.size()));
   const vtkIdType* corner = faces.corners.data();
   for (const vtkIdType size : faces.sizes)
   {

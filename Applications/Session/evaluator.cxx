@@ -533,6 +533,15 @@ bool Evaluator::details(std::vector<Outcome>& outcomes, const Watch& watch)
   return done;
 }
 
+void Evaluator::releaseWork()
+{
+  for (const auto& named : this->Runners)
+  {
+    named.second->steps->releaseWork();
+    named.second->last = 0;
+  }
+}
+
 void Evaluator::prepare(const SystemRow& row, vtkPolyData* mesh, int backend, const Watch& watch)
 {
   Listener listener;

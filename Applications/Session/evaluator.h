@@ -55,6 +55,10 @@ public:
   // some are missing, and come with the next call for this session.
   bool details(std::vector<Outcome>& outcomes, const Watch& watch);
 
+  // Gives back the work of the last steps, which their outcomes and another mesh do not need. To be called
+  // once their details are there.
+  void releaseWork();
+
   // Computes what the next step of a system on this mesh will need whatever it is, until cancelled. Nothing
   // depends on it but time.
   void prepare(const SystemRow& row, vtkPolyData* mesh, int backend, const Watch& watch);

@@ -31,14 +31,6 @@ Place placeOf(vtkPoints* points, vtkIdType i)
   return place;
 }
 
-// Exact where the offset is 0.
-Place reflected(Place place, const MirrorPlane& plane)
-{
-  double& height = place[static_cast<std::size_t>(plane.axis)];
-  height = 2.0 * plane.offset - height;
-  return place;
-}
-
 Numbers inOrder(vtkIdType count)
 {
   Numbers numbers(static_cast<std::size_t>(count));
@@ -207,6 +199,13 @@ void passArrays(vtkDataSetAttributes* from, vtkDataSetAttributes* to, const Numb
 }
 
 } // namespace
+
+Point reflected(Point place, const MirrorPlane& plane)
+{
+  double& height = place[static_cast<std::size_t>(plane.axis)];
+  height = 2.0 * plane.offset - height;
+  return place;
+}
 
 bool sameCells(vtkPolyData* a, vtkPolyData* b)
 {

@@ -15,6 +15,9 @@
 namespace oversketch_session
 {
 
+// Where a mirror shows a place. Exact where the offset is 0.
+Point reflected(Point place, const MirrorPlane& plane);
+
 // Whether they have equally many points and the same polygons of them.
 bool sameCells(vtkPolyData* a, vtkPolyData* b);
 

@@ -39,13 +39,8 @@ void SectionFinder::setMesh(vtkPolyData* mesh)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   if (mesh->GetPoints())
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataType(mesh->GetPoints()->GetDataType());
-    points->DeepCopy(mesh->GetPoints());
-    copy->SetPoints(points);
-    vtkNew<vtkCellArray> triangles;
-    triangles->DeepCopy(mesh->GetPolys());
-    copy->SetPolys(triangles);
+    copy->SetPoints(mesh->GetPoints());
+    copy->SetPolys(mesh->GetPolys());
   }
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Mesh.emplace(std::move(copy));

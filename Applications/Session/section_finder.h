@@ -49,8 +49,8 @@ public:
   // The newest answer, once. A stroke that a newer one replaced before it was looked at has none.
   std::optional<Found> take();
 
-  // The mesh that strokes are drawn over from here on; points and triangles are copied. What runs on the last
-  // one is cancelled and not answered.
+  // The mesh that strokes are drawn over from here on; its points and triangles are shared and must not be
+  // changed. What runs on the last one is cancelled and not answered.
   void setMesh(vtkPolyData* mesh);
   // Looks for a stroke with its view, which is copied. One sample makes the curves of its view ready, for all
   // that come after. What runs for a stroke in another view is cancelled; in the same view it is finished and

@@ -141,7 +141,13 @@ std::string digestOf(vtkPolyData* mesh)
     digest.add(points->GetVoidPointer(0),
       static_cast<std::size_t>(points->GetNumberOfValues() * points->GetDataTypeSize()));
   }
+  constexpr std::size_t atOnce = std::size_t(1) << 16;
   std::vector<long long> polygons;
+  const auto addPolygons = [&]
+  {
+    digest.add(polygons.data(), polygons.size() * sizeof(long long));
+    polygons.clear();
+  };
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
@@ -150,8 +156,12 @@ std::string digestOf(vtkPolyData* mesh)
     it->GetCurrentCell(size, ids);
     polygons.push_back(size);
     polygons.insert(polygons.end(), ids, ids + size);
+    if (polygons.size() >= atOnce)
+    {
+      addPolygons();
+    }
   }
-  digest.add(polygons.data(), polygons.size() * sizeof(long long));
+  addPolygons();
   return digest.text();
 }
 

@@ -1,9 +1,12 @@
-// A polydata that several threads hold and none changes. VTK looks for garbage whenever a count falls,
+// A polydata that several threads hold and none changes; its points and cells may be those of a pipeline,
+// which makes new ones and leaves these alone. VTK looks for garbage whenever a polydata's count falls,
 // without a lock: copies of this are counted by themselves, and a pipeline is given a shallow copy of its
 // own.
 #ifndef oversketch_shared_data_h
 #define oversketch_shared_data_h
 
+#include "vtkDataArray.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -22,7 +25,13 @@ public:
   {
     if (data)
     {
-      data->GetBounds(); // kept by the data, for all who ask later
+      // Kept by the data and its points, for all who ask later.
+      data->GetBounds();
+      if (vtkPoints* points = data->GetPoints())
+      {
+        points->GetBounds();
+        points->GetData()->GetRange(0);
+      }
       this->Held = std::make_shared<const vtkSmartPointer<vtkPolyData>>(std::move(data));
     }
   }

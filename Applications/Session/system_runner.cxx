@@ -483,6 +483,17 @@ std::shared_ptr<const Following> SystemRunner::following(vtkPolyData* made,
   return following;
 }
 
+void SystemRunner::releaseWork()
+{
+  this->System->ReleaseWork();
+  this->Mirror = nullptr;
+  this->Sides.reset();
+  if (this->Image)
+  {
+    this->Image->releaseWork();
+  }
+}
+
 void SystemRunner::prepare(vtkPolyData* mesh, int backend, const Listener& listener)
 {
   const SystemInput* input = findInput(this->Row, SystemInput::Kind::Mesh);

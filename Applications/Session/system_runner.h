@@ -71,6 +71,9 @@ public:
   // but time.
   void prepare(vtkPolyData* mesh, int backend, const Listener& listener);
 
+  // Gives back what no other mesh can use of the last step's work; there are no details of it any more.
+  void releaseWork();
+
   vtkOversketchSystem* system() { return this->System; }
 
   // Off: steps with a mirror plane run on both sides also where points have partners. For tests; on by

@@ -6,6 +6,7 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
 
+#include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <malloc.h>
+#include <utility>
 
 namespace oversketch_session
 {
@@ -26,6 +29,9 @@ constexpr std::chrono::milliseconds detailsAfter{ 150 };
 constexpr std::chrono::milliseconds prepareAfter{ 150 };
 constexpr std::size_t mostPictures = 1000; // some 50 MB
 constexpr double traceReach = 0.1;         // of the model's diagonal, from a stroke to the surface
+// Of so many triangles a step's work is not kept for a stroke over the same place, which then makes it anew:
+// it takes some 400 bytes each.
+constexpr vtkIdType largeMesh = 500000;
 
 vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
 {
@@ -36,6 +42,15 @@ vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(data);
   return copy;
+}
+
+// The mesh with the same points, cells and arrays. Filters make new ones and change none that they have put
+// out.
+vtkSmartPointer<vtkPolyData> shared(vtkPolyData* mesh)
+{
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(mesh);
+  return own;
 }
 
 // True where `next` is `session` with steps added at its end.
@@ -59,14 +74,45 @@ const SystemRow* nextOf(const Session& session)
   return findSystem(session.nodes.back().step->system);
 }
 
+// What a step takes of other steps, as copies.
+std::map<std::string, SharedData> givenTo(const Session& session,
+  const std::vector<Outcome>& outcomes,
+  std::size_t at)
+{
+  std::map<std::string, SharedData> given;
+  for (const auto& [name, input] : session.nodes[at].step->inputs)
+  {
+    const auto* of = std::get_if<StepOutput>(&input);
+    for (std::size_t i = 0; of && i < at; ++i)
+    {
+      const auto output = outcomes[i].outputs.find(of->port);
+      if (session.nodes[i].id == of->step && output != outcomes[i].outputs.end())
+      {
+        given[name] = copied(vtkPolyData::SafeDownCast(output->second));
+      }
+    }
+  }
+  return given;
+}
+
+// The same with polygons of its own: filters of VTK leave in them how far they are, and so do those of
+// whoever shows the mesh meanwhile.
+vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh)
+{
+  auto own = shared(mesh);
+  vtkNew<vtkCellArray> polys;
+  polys->ShallowCopy(mesh->GetPolys());
+  own->SetPolys(polys);
+  return own;
+}
+
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
 {
-  auto shown = vtkSmartPointer<vtkPolyData>::New();
-  shown->ShallowCopy(mesh);
+  auto shown = shared(mesh);
   if (!mesh->GetPointData()->GetNormals())
   {
     vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
-    triangles->SetInputData(mesh);
+    triangles->SetInputData(withOwnPolys(mesh));
     triangles->Update();
     const oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
     const std::vector<oversketch::Vector3> normals =
@@ -116,6 +162,7 @@ std::uint64_t Worker::submit(Session session)
     }
     this->Next = std::move(session);
     this->Glance.reset();
+    this->Grounded.reset();
     this->Waiting = true;
   }
   this->Wake.notify_one();
@@ -143,6 +190,7 @@ void Worker::cancel()
     waiting = this->Next ? this->Ticket : 0;
     this->Next.reset();
     this->Glance.reset();
+    this->Grounded.reset();
     this->Waiting = false;
     this->Wanted = 0;
   }
@@ -167,35 +215,69 @@ void Worker::glance(Session session)
   this->Wake.notify_one();
 }
 
+std::uint64_t Worker::ground(Session session)
+{
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    number = ++this->Number;
+    if (this->Next)
+    {
+      return number;
+    }
+    this->Grounded = std::move(session);
+    this->Waiting = true;
+  }
+  this->Wake.notify_one();
+  return number;
+}
+
 void Worker::work()
 {
   for (;;)
   {
-    Session session;
+    std::optional<Session> session;
     std::uint64_t ticket = 0;
-    bool glances = false;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance; });
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance || this->Grounded; });
       if (this->Stop)
       {
         return;
       }
-      glances = !this->Next;
-      session = std::move(glances ? *this->Glance : *this->Next);
-      if (!glances)
+      session = std::exchange(this->Next, std::nullopt);
+      if (session)
       {
         this->Running = session;
-        this->Next.reset();
+        this->Waiting = false;
       }
-      this->Glance.reset();
-      this->Waiting = false;
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    glances ? this->runGlance(ticket, session) : this->runOne(ticket, session);
+    session ? this->runOne(ticket, *session) : this->runAside(ticket);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
+  }
+}
+
+void Worker::runAside(std::uint64_t ticket)
+{
+  std::optional<Session> grounded, glance;
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    grounded = std::exchange(this->Grounded, std::nullopt);
+    glance = std::exchange(this->Glance, std::nullopt);
+    number = this->Number;
+    this->Waiting = this->Next.has_value();
+  }
+  if (grounded)
+  {
+    this->runGround(ticket, *grounded, number);
+  }
+  if (glance)
+  {
+    this->runGlance(ticket, *glance);
   }
 }
 
@@ -252,21 +334,23 @@ void Worker::addInputs(const Session& session,
   const vtkSmartPointer<vtkPolyData> came = at > 0 ? outcomes[at - 1].mesh : nullptr;
   if (came && came != this->Came)
   {
-    this->CopyOfCame = copied(came);
+    this->CopyOfCame = shared(came);
   }
   this->Came = came;
   states[at].before = at > 0 ? this->CopyOfCame : session.mesh;
-  for (const auto& [name, input] : last->step->inputs)
+  states[at].given = givenTo(session, outcomes, at);
+}
+
+void Worker::runGround(std::uint64_t ticket, const Session& session, std::uint64_t number)
+{
+  Evaluator::Watch watch;
+  watch.cancelled = [&] { return this->Wanted != ticket; };
+  std::vector<Outcome> outcomes;
+  if (this->Report.grounded && this->Runner.run(session, watch, outcomes) && !watch.cancelled())
   {
-    const auto* of = std::get_if<StepOutput>(&input);
-    for (std::size_t i = 0; of && i < at; ++i)
-    {
-      const auto output = outcomes[i].outputs.find(of->port);
-      if (nodes[i].id == of->step && output != outcomes[i].outputs.end())
-      {
-        states[at].given[name] = copied(vtkPolyData::SafeDownCast(output->second));
-      }
-    }
+    const std::size_t at = session.nodes.size() - 1;
+    this->Report.grounded(number,
+      { at > 0 ? SharedData(shared(outcomes[at - 1].mesh)) : session.mesh, givenTo(session, outcomes, at) });
   }
 }
 
@@ -281,7 +365,7 @@ void Worker::runGlance(std::uint64_t ticket, const Session& session)
     SharedData display;
     if (made)
     {
-      display = withNormals(copied(made));
+      display = withNormals(shared(made));
     }
     this->Report.glanced(std::move(display));
   }
@@ -317,7 +401,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   result.backendUsed = backendUsedBy(outcomes);
   if (shown)
   {
-    result.mesh = copied(shown);
+    result.mesh = shared(shown);
     result.display = withNormals(result.mesh);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -336,26 +420,44 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   {
     return;
   }
+  if (shown && shown->GetNumberOfPolys() > largeMesh)
+  {
+    this->Runner.releaseWork();
+    malloc_trim(0); // what was freed in pieces goes back as well
+  }
   if (this->Report.detailed)
   {
     this->Report.detailed(
       { ticket, this->statesOf(session, outcomes), shown ? digestOf(shown) : std::string() });
   }
+  // The rest, between what is asked for aside.
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
-  std::unique_lock<std::mutex> lock(this->Mutex);
-  if (this->Wake.wait_for(lock, prepareAfter, [&] { return this->Stop || watch.cancelled(); }))
+  const SystemRow* next = shown ? nextOf(session) : nullptr;
+  bool isTraced = false;
+  for (bool goesOn = true; goesOn; goesOn = watch.cancelled())
   {
-    return;
-  }
-  lock.unlock();
-  if (const SystemRow* next = shown ? nextOf(session) : nullptr)
-  {
-    this->Runner.prepare(*next, shown, session.backend, watch);
-  }
-  if (shown && !watch.cancelled())
-  {
-    this->trace(ticket, session, outcomes, shown);
-    this->picture(ticket, session, outcomes, watch.cancelled);
+    {
+      std::unique_lock<std::mutex> lock(this->Mutex);
+      this->Wake.wait_for(lock, prepareAfter, [&] { return this->Stop || watch.cancelled(); });
+      if (this->Stop || this->Next || this->Wanted != ticket)
+      {
+        return;
+      }
+    }
+    this->runAside(ticket);
+    if (next)
+    {
+      this->Runner.prepare(*next, shown, session.backend, watch);
+      next = watch.cancelled() ? next : nullptr;
+    }
+    if (shown && !watch.cancelled())
+    {
+      if (!std::exchange(isTraced, true))
+      {
+        this->trace(ticket, session, outcomes, shown);
+      }
+      this->picture(ticket, session, outcomes, watch.cancelled);
+    }
   }
 }
 
@@ -370,9 +472,7 @@ void Worker::trace(std::uint64_t ticket,
   {
     return;
   }
-  vtkNew<vtkPolyData> surface; // a locator keeps what it makes in the data
-  surface->SetPoints(shown->GetPoints());
-  surface->SetPolys(shown->GetPolys());
+  const auto surface = withOwnPolys(shown); // a locator keeps what it makes in the data
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(surface);
   locator->BuildLocator();

@@ -24,8 +24,15 @@ namespace oversketch_session
 class Worker
 {
 public:
-  // What one node did, for the history.
-  struct NodeState
+  // What a step acts on: the mesh that comes to it, and what it takes of other steps, by its inputs' names.
+  struct Ground
+  {
+    SharedData before;
+    std::map<std::string, SharedData> given;
+  };
+  // What one node did, for the history. What it acts on, of the last step that is on, where its system says
+  // so (SystemRow::changedOverInput).
+  struct NodeState : Ground
   {
     std::string failure, remark; // see Outcome
     std::optional<Section> section;
@@ -38,12 +45,8 @@ public:
     double share = 0.0; // of the points of its mesh that it moved
     // The model after it; null where it did nothing, and before it was drawn (Listener::pictured).
     std::shared_ptr<const Thumbnail> picture;
-    // Of the last step that is on, where its system says so (SystemRow::changedOverInput): the mesh that came
-    // to it, and what it takes of other steps, by its inputs' names.
-    SharedData before;
-    std::map<std::string, SharedData> given;
   };
-  // What a session made. Meshes are copies that nobody else touches.
+  // What a session made. The worker goes on with the meshes' points and cells, and changes none.
   struct Result
   {
     std::uint64_t ticket = 0;
@@ -72,6 +75,8 @@ public:
       progress;
     // The mesh of a session that was only looked at, as Result::display; null where it makes none.
     std::function<void(SharedData)> glanced;
+    // What was asked for by that number.
+    std::function<void(std::uint64_t number, Ground)> grounded;
     // While nothing else is to be run, after all that: each step's stroke on the mesh that the session shows
     // (strokeOn; null where there is none), and, one by one, the pictures that are missing.
     std::function<void(std::uint64_t ticket, std::vector<SharedData> lines)> traced;
@@ -94,11 +99,16 @@ public:
   // Makes the mesh of another session, once nothing else is to be done, and nothing more: of the steps of the
   // last one it is there. The newest such session wins, and a session that is submitted before it.
   void glance(Session session);
+  // Likewise, what the last step of a session acts on. Returns the number of the asking.
+  std::uint64_t ground(Session session);
 
 private:
   void work();
   void runOne(std::uint64_t ticket, const Session& session);
+  // What is asked for beside the session that runs.
+  void runAside(std::uint64_t ticket);
   void runGlance(std::uint64_t ticket, const Session& session);
+  void runGround(std::uint64_t ticket, const Session& session, std::uint64_t number);
   // What the outcomes are, as copies; of those that were copied for the last session the same ones.
   std::vector<NodeState> statesOf(const Session& session, const std::vector<Outcome>& outcomes);
   // What is shown of the steps beside the mesh, until something else is to be done.
@@ -124,7 +134,8 @@ private:
   SharedData CopyOfCame;
   std::mutex Mutex;
   std::condition_variable Wake;
-  std::optional<Session> Next, Running, Glance;
+  std::optional<Session> Next, Running, Glance, Grounded;
+  std::uint64_t Number = 0;               // of the last such asking
   std::uint64_t Ticket = 0;               // of the newest session
   std::uint64_t Seen = 0;                 // of the newest result that was
   std::atomic<std::uint64_t> Wanted{ 0 }; // the ticket that may run; all others are to stop

@@ -19,8 +19,6 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QRegularExpression>
-#include <QTabletEvent>
-#include <QTimer>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -65,7 +63,8 @@ DrawingPad::DrawingPad(QWidget* parent)
   this->setCursor(Qt::CrossCursor);
   new TouchHand(this,
     { [this] { return this->isDrawing(); },
-      [this](double factor, const QPointF& about) { this->zoom(factor, about); } });
+      [this](double factor, const QPointF& about) { this->zoom(factor, about); },
+      [this](double pressure) { this->Widget->GetPen()->SetPressure(pressure); } });
   this->setDark(true);
 }
 
@@ -219,21 +218,6 @@ void DrawingPad::resizeGL(int width, int height)
   {
     this->Widget->ResetView();
   }
-}
-
-void DrawingPad::tabletEvent(QTabletEvent* event)
-{
-  // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  if (event->type() == QEvent::TabletRelease)
-  {
-    // The mouse's release is the line's last sample.
-    QTimer::singleShot(0, this, [this] { this->Widget->GetPen()->SetPressure(1.0); });
-  }
-  else
-  {
-    this->Widget->GetPen()->SetPressure(event->pressure());
-  }
-  event->ignore();
 }
 
 } // namespace oversketch_studio

@@ -55,7 +55,6 @@ signals:
 protected:
   bool event(QEvent* event) override;
   void resizeGL(int width, int height) override;
-  void tabletEvent(QTabletEvent* event) override;
 
 private:
   void heard(unsigned long event);

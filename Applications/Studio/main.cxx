@@ -11,9 +11,12 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <cstdio>
+#include <malloc.h>
 
 int main(int count, char** values)
 {
+  // The arrays of a large mesh go back to the system when they are freed; else they leave holes.
+  mallopt(M_MMAP_THRESHOLD, 8 << 20);
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

@@ -227,6 +227,10 @@ void MainWindow::stepDrawn(const Step& step)
   }
   this->Offered = count;
   this->OpenDocument->add(step);
+  if (this->History->current() >= 0)
+  {
+    this->History->selectStep(count); // the hand has what it made, no longer another
+  }
 }
 
 void MainWindow::stepChanged(const Step& step)

@@ -1,7 +1,6 @@
 #include "sharp_edges.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -10,6 +9,7 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkPolygon.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace oversketch_studio
@@ -22,6 +22,7 @@ constexpr double edge = 60.0;         // degrees between faces
 constexpr double off = 40.0;          // between a face and the normal at a point of it, which an edge bends
 constexpr double share = 0.08;        // of such faces: CAD models have over a half, animals up to 0.04
 constexpr vtkIdType largest = 200000; // faces
+constexpr vtkIdType looked = 10000;   // faces that are looked at, evenly among all
 constexpr vtkIdType largestInHand = 20000; // that follow a hand
 
 bool isSharp(vtkPolyData* mesh)
@@ -33,13 +34,13 @@ bool isSharp(vtkPolyData* mesh)
     return false;
   }
   const double least = std::cos(vtkMath::RadiansFromDegrees(off));
-  vtkIdType bent = 0;
-  const auto each = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-  for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell())
+  const vtkIdType step = std::max(vtkIdType{ 1 }, faces / looked);
+  vtkIdType bent = 0, seen = 0;
+  for (vtkIdType cell = 0; cell < faces; cell += step, ++seen)
   {
     vtkIdType count = 0;
     const vtkIdType* points = nullptr;
-    each->GetCurrentCell(count, points);
+    mesh->GetPolys()->GetCellAtId(cell, count, points);
     double face[3];
     vtkPolygon::ComputeNormal(mesh->GetPoints(), static_cast<int>(count), points, face);
     for (vtkIdType i = 0; i < count; ++i)
@@ -53,7 +54,7 @@ bool isSharp(vtkPolyData* mesh)
       }
     }
   }
-  return static_cast<double>(bent) > share * static_cast<double>(faces);
+  return static_cast<double>(bent) > share * static_cast<double>(seen);
 }
 
 vtkSmartPointer<vtkPolyData> split(vtkPolyData* mesh)

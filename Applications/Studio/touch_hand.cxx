@@ -4,6 +4,8 @@
 #include <QKeyEvent>
 #include <QLineF>
 #include <QMouseEvent>
+#include <QTabletEvent>
+#include <QTimer>
 #include <QTouchDevice>
 #include <QTouchEvent>
 #include <QWidget>
@@ -40,6 +42,11 @@ bool TouchHand::eventFilter(QObject*, QEvent* event)
     case QEvent::TouchEnd:
     case QEvent::TouchCancel:
       break;
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+      this->pressed(*static_cast<QTabletEvent*>(event));
+      return false; // Qt makes a mouse event of what is left to it
     default:
       return false;
   }
@@ -51,6 +58,19 @@ bool TouchHand::eventFilter(QObject*, QEvent* event)
   touch->accept();
   this->touched(*touch);
   return true;
+}
+
+void TouchHand::pressed(const QTabletEvent& event)
+{
+  if (event.type() == QEvent::TabletRelease)
+  {
+    QTimer::singleShot(
+      0, this, [this] { this->Act.press(1.0); }); // the mouse's release is the line's last sample
+  }
+  else
+  {
+    this->Act.press(event.pressure());
+  }
 }
 
 void TouchHand::touched(const QTouchEvent& event)

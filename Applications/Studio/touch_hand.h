@@ -1,4 +1,5 @@
-// A screen that is touched: one finger draws as the left button does, two turn the model and zoom.
+// A screen that is touched: one finger draws as the left button does, two turn the model and zoom; and how a
+// pen is pressed.
 #ifndef oversketch_studio_touch_hand_h
 #define oversketch_studio_touch_hand_h
 
@@ -8,6 +9,7 @@
 
 #include <functional>
 
+class QTabletEvent;
 class QTouchEvent;
 class QWidget;
 
@@ -19,14 +21,15 @@ class TouchHand : public QObject
   Q_OBJECT
 
 public:
-  // What a view has to do with it: whether the finger draws or holds something, which Escape gives up; and
-  // zoom by a factor about a place.
+  // What a view has to do with it: whether the finger draws or holds something, which Escape gives up; zoom
+  // by a factor about a place; take the pressure [0 to 1].
   struct Acts
   {
     std::function<bool()> holds;
     std::function<void(double factor, const QPointF& about)> zoom;
+    std::function<void(double pressure)> press;
   };
-  // Takes a view's touches from here on.
+  // Takes a view's touches, and the pressure of its pen, from here on.
   TouchHand(QWidget* view, Acts acts);
 
 protected:
@@ -42,6 +45,7 @@ private:
     Turning,
     Zooming
   };
+  void pressed(const QTabletEvent& event);
   void touched(const QTouchEvent& event);
   void oneFinger(const QPointF& at);
   void twoFingers(const QPointF& middle, double apart);

@@ -26,7 +26,6 @@
 
 #include <QCoreApplication>
 #include <QKeyEvent>
-#include <QTabletEvent>
 #include <QTimer>
 #include <QWheelEvent>
 
@@ -83,7 +82,14 @@ Viewport::Viewport(QWidget* parent)
   connect(this->Rest, &QTimer::timeout, this, &Viewport::smoothEdges);
   new TouchHand(this,
     { [this] { return this->CurrentTool && (this->CurrentTool->draws() || this->CurrentTool->moves()); },
-      [this](double factor, const QPointF& at) { this->zoomAt(factor, at); } });
+      [this](double factor, const QPointF& at) { this->zoomAt(factor, at); },
+      [this](double pressure)
+      {
+        if (this->CurrentTool)
+        {
+          this->CurrentTool->setPressure(pressure);
+        }
+      } });
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Model"));
   this->fitScreen();
@@ -329,7 +335,7 @@ bool Viewport::event(QEvent* event)
     const QPoint turned = wheel->angleDelta();
     const double notches =
       (turned.y() != 0 ? turned.y() : turned.x()) / double(QWheelEvent::DefaultDeltasPerStep);
-    if (notches != 0.0 && this->CurrentTool->wheel(notches, wheel->modifiers()))
+    if (notches != 0.0 && this->CurrentTool->wheel(notches, wheel->modifiers(), wheel->timestamp()))
     {
       wheel->accept();
       return true;
@@ -579,27 +585,6 @@ void Viewport::screenshot(const QString& path, bool overlays)
           tr("%1 could not be written. Is the disk full?").arg(path).toStdString());
       }
     });
-}
-
-void Viewport::tabletEvent(QTabletEvent* event)
-{
-  // Qt makes a mouse event of what is left to it; the pen takes the pressure from here.
-  const auto press = [this](double pressure)
-  {
-    if (this->CurrentTool)
-    {
-      this->CurrentTool->setPressure(pressure);
-    }
-  };
-  if (event->type() == QEvent::TabletRelease)
-  {
-    QTimer::singleShot(0, this, [press] { press(1.0); }); // the mouse's release is the line's last sample
-  }
-  else
-  {
-    press(event->pressure());
-  }
-  event->ignore();
 }
 
 } // namespace oversketch_studio

@@ -105,7 +105,6 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
   void paintGL() override;
   void resizeGL(int width, int height) override;
-  void tabletEvent(QTabletEvent* event) override;
 
 private:
   void makeScene();

@@ -5,10 +5,10 @@
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators". Each step is a filter of its own
  * (see GetInnerOutput): strokes {Thinning, Chaikin}, 4-8 mesh {Base}, curves on it {Curves}, or in silhouette
  * mode {Silhouette, Visibility, Sketch}; finer triangles near curves {Refine}, and of a Simplified base or a
- * terrain, whose new points lie where the mesh or the image is, both once more {CurvesOnSource,
- * RefineOnSource}; edges onto them {Snap}, even triangles {Smooth}, the feature {Displace}, and what is not
- * needed taken away {Simplify}, which the paper schedules without a rule. Departures are those of each step;
- * AsPublished turns all off.
+ * terrain, whose new points lie where mesh or image is, both again {CurvesOnSource, RefineOnSource}; edges
+ * onto them {Snap}, even triangles {Smooth}, the feature {Displace}, what is not needed taken away
+ * {Simplify}, which the paper schedules without a rule. Departures are those of each step; AsPublished turns
+ * all off.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; a manifold with one orientation, with borders or without. One
  * that is a 4-8 mesh, as an output of this is, goes on from where it is. Points that a reader split for
@@ -21,8 +21,8 @@
  * Output 0: the mesh with its features, points in double, and the arrays of a 4-8 mesh
  * (Filters/Stellar/README.md), so that the next stroke can go on. Other arrays as vtkOversketchStellarBase
  * has them; along texture seams once per side, and points that repeat a place then come after all others, so
- * that welding the output gives the 4-8 mesh with its numbers. A seam's points move along it
- * only. Points that no feature reaches and that were there are bit-identical.
+ * that welding the output gives the 4-8 mesh with its numbers. A seam's points move along it only. Points
+ * that no feature reaches and that were there are bit-identical.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
  * BadStroke where there is no stroke. An empty mesh gives an empty output silently. A run that AbortExecute
@@ -51,7 +51,6 @@ public:
 
   void SetStrokesConnection(vtkAlgorithmOutput* strokes) { this->SetInputConnection(1, strokes); }
   void SetStrokesData(vtkPolyData* strokes);
-
   int GetBackendUsed() override; // by the rays of {Visibility}, in silhouette mode
 
   enum BaseType
@@ -76,8 +75,8 @@ public:
   };
   ///@{
   /**
-   * Strokes are drawn on the Surface (default), or each is the new shape of a stretch of the Silhouette, one
-   * after the other; then heights are not read.
+   * Strokes lie on the Surface (default), or each is a stretch of the Silhouette drawn anew; then heights are
+   * not read.
    */
   void SetSketchMode(int mode);
   vtkGetMacro(SketchMode, int);
@@ -87,8 +86,7 @@ public:
 
   ///@{
   /**
-   * How far from the stroke the feature ends [model length, default -1: 0.03 of the mesh's diagonal]. A
-   * stroke's own Radius goes before it.
+   * How far from the stroke the feature ends [model length, default -1: 0.03 of the mesh's diagonal].
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
@@ -96,8 +94,7 @@ public:
 
   ///@{
   /**
-   * Height of the feature under the stroke, below 0 inward [model length, default 0: half the radius]. A
-   * stroke's own Height goes before it.
+   * Height of the feature under the stroke, below 0 inward [model length, default 0: half the radius].
    */
   vtkSetMacro(Height, double);
   vtkGetMacro(Height, double);
@@ -105,21 +102,17 @@ public:
 
   ///@{
   /**
-   * Exponent s of the feature's profile (1 - distance / radius)^s, not negative [default 1.5]. A stroke's own
-   * Sharpness goes before it.
+   * Exponent s of the feature's profile (1 - distance / radius)^s, not negative [default 1.5].
    */
   vtkSetMacro(Sharpness, double);
   vtkGetMacro(Sharpness, double);
   ///@}
 
-  ///@{
   /**
-   * A polyline "x y, x y, ..." with x rising from 0 to 1 in the profile's place; an empty text (default):
-   * none.
+   * A polyline "x y, x y, ..." with x rising from 0 to 1 in the profile's place; empty (default): none.
    */
   void SetProfile(const char* text);
   const char* GetProfile() const { return this->Profile.c_str(); }
-  ///@}
 
   ///@{
   /**
@@ -163,8 +156,8 @@ public:
 
   ///@{
   /**
-   * Edges near strokes that are longer than this are split [model length, default 0: a quarter of the radius,
-   * an eighth with a sharpness below 1 or above 2].
+   * Longer edges near strokes are split [model length, default 0: a quarter of the radius, an eighth with a
+   * sharpness below 1 or above 2].
    */
   vtkSetMacro(TargetEdgeLength, double);
   vtkGetMacro(TargetEdgeLength, double);
@@ -172,8 +165,8 @@ public:
 
   ///@{
   /**
-   * Each stroke is drawn on what the one before has made, as by one filter a stroke; off (default), all act
-   * at once. Inner outputs are then those of the last stroke.
+   * Each stroke is drawn on what the last one has made; off (default), all act at once. Inner outputs are
+   * then the last one's.
    */
   vtkSetMacro(OneByOne, bool);
   vtkGetMacro(OneByOne, bool);
@@ -182,7 +175,7 @@ public:
 
   ///@{
   /**
-   * Take away what of the refinement the mesh does not need, away from the strokes [default on].
+   * Take away what of the refinement the mesh does not need, off the strokes [default on].
    */
   vtkSetMacro(Simplify, bool);
   vtkGetMacro(Simplify, bool);
@@ -191,15 +184,14 @@ public:
 
   ///@{
   /**
-   * Turn every departure of every step off (true) or on (false, default): sets the properties of the inner
-   * steps at once, so single ones can be changed afterwards by GetStep. While true, strokes sum (Combine).
+   * Turn every departure of every step off, so that strokes sum (Combine), or on (default), all at once;
+   * single ones can be changed afterwards by GetStep.
    */
   void SetAsPublished(bool published);
   vtkGetMacro(AsPublished, bool);
   vtkBooleanMacro(AsPublished, bool);
   ///@}
 
-  ///@{
   /**
    * Faces that the last run turned by over 90 degrees; 0 after one that failed. And what was counted over all
    * strokes, by name: Crossings, Residual, RefusedMoves ({Smooth}'s too), FacesAdded of {Snap}, FlippedFaces,
@@ -208,16 +200,14 @@ public:
    */
   int GetFlippedFaces();
   double GetFigure(const char* name);
-  ///@}
 
   bool Prepare() override; // the 4-8 mesh and, in surface mode, what rays need
   bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override; // curves
   void GetHold(vtkPolyData* hold) override;
   void GetRegion(vtkPolyData* region) override;
   /**
-   * What strokes would make, while the pen is down: three polylines a curve, cell array Part 0 for the crest
-   * (or the sketch), 1 and 2 for the feet, and CurveId. As Preview else; without a stroke of two samples it
-   * makes what Prepare makes and returns false.
+   * What strokes would make, while the pen is down: three polylines a curve, cell arrays CurveId and Part (0
+   * crest or sketch, 1 and 2 feet). As Preview else; false without a stroke of two samples, after Prepare.
    */
   bool PreviewCrest(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* crest);
 
@@ -257,5 +247,4 @@ private:
   struct Pipeline;
   std::unique_ptr<Pipeline> Inner;
 };
-
 #endif

@@ -142,13 +142,14 @@ struct vtkOversketchLaplacianDeform::Cache
   MeshKey OutputKey;
   std::vector<Vector3> Displacements;
   std::vector<double> Shares;
-  std::vector<Vector3> Moves;
-  oversketch::Drag Dragged; // empty until it is asked for
+  std::vector<Vector3> Moves; // of the vertices that may move, Shape->vertices
+  oversketch::Drag Dragged;   // empty until it is asked for
   vtkSmartPointer<vtkPoints> Points;
   vtkSmartPointer<vtkDataArray> PointNormals;
   vtkSmartPointer<vtkDataArray> CellNormals;
 
-  void Write(vtkPolyData* input);
+  void Write(vtkPolyData* input, const std::vector<Vector3>& moves);
+  void PrepareDrag();
 };
 
 vtkStandardNewMacro(vtkOversketchLaplacianDeform);
@@ -167,15 +168,15 @@ void vtkOversketchLaplacianDeform::SetHandlesData(vtkPolyData* handles)
 }
 
 // Makes Points, PointNormals and CellNormals from the input and the displacement of each vertex.
-void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input)
+void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input, const std::vector<Vector3>& moves)
 {
   const Mesh& before = this->Data->Surface();
   std::vector<std::pair<int, Vector3>> places;
   for (int v = 0; v < before.vertexCount(); ++v)
   {
-    if (this->Moves[v] != Vector3::Zero())
+    if (moves[v] != Vector3::Zero())
     {
-      places.emplace_back(v, before.points[v] + this->Moves[v]);
+      places.emplace_back(v, before.points[v] + moves[v]);
     }
   }
   this->Points = WithPlaces(input->GetPoints(), places);
@@ -190,7 +191,7 @@ void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input)
     return;
   }
   Mesh after = before;
-  std::vector<char> isMoved(this->Moves.size(), 0), touched(this->Moves.size(), 0);
+  std::vector<char> isMoved(moves.size(), 0), touched(moves.size(), 0);
   for (const auto& [v, place] : places)
   {
     isMoved[v] = 1;
@@ -224,6 +225,37 @@ void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input)
   }
 }
 
+// From the factor.
+void vtkOversketchLaplacianDeform::Cache::PrepareDrag()
+{
+  oversketch::Drag drag{ this->Shape->vertices, {}, this->System->response(this->Shares, Context()) };
+  drag.rest.reserve(drag.vertices.size());
+  for (std::size_t i = 0; i < drag.vertices.size(); ++i)
+  {
+    drag.rest.push_back(this->Data->Surface().points[drag.vertices[i]] + this->Moves[i]);
+  }
+  this->Dragged = std::move(drag);
+}
+
+void vtkOversketchLaplacianDeform::ReleaseFactor()
+{
+  Cache& cache = *this->Internals;
+  if (cache.System && cache.Points && cache.Dragged.vertices.empty())
+  {
+    cache.PrepareDrag();
+    ++this->SolveCount;
+  }
+  cache.System.reset();
+  cache.Memory = std::make_shared<FactorMemory>();
+}
+
+void vtkOversketchLaplacianDeform::ReleaseWork()
+{
+  *this->Internals = Cache();
+  this->GetOutputDataObject(0)->ReleaseData();
+  this->Modified();
+}
+
 bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* points)
 {
   Cache& cache = *this->Internals;
@@ -242,12 +274,13 @@ bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* 
   const Context context = ContextOf(this);
   if (cache.Dragged.vertices.empty())
   {
-    oversketch::Drag drag{ cache.Shape->vertices, {}, cache.System->response(cache.Shares, Context()) };
-    for (const int v : drag.vertices)
+    if (!cache.System)
     {
-      drag.rest.push_back(cache.Data->Surface().points[v] + cache.Moves[v]);
+      cache.System = std::make_unique<LaplacianSystem>(
+        cache.Shape, cache.Bindings, cache.HandleWeight, Context(), cache.Memory);
+      ++this->FactorizationCount;
     }
-    cache.Dragged = std::move(drag);
+    cache.PrepareDrag();
     ++this->SolveCount;
   }
   const Vector3 d(translation);
@@ -293,9 +326,12 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
   const Handles handles = HandlesOf(handlesInput, static_cast<int>(input->GetNumberOfPoints()));
   const Context context = ContextOf(this);
 
-  if (!cache.System || cache.SystemKey != systemKey || cache.Region != region ||
-      cache.Bindings != handles.Bindings || cache.HandleWeight != this->HandleWeight ||
-      cache.AdjustNormals != this->AdjustNormals || cache.BorderRows != this->BorderRows)
+  const bool sameSystem = cache.Shape && cache.SystemKey == systemKey && cache.Region == region &&
+                          cache.Bindings == handles.Bindings && cache.HandleWeight == this->HandleWeight &&
+                          cache.AdjustNormals == this->AdjustNormals && cache.BorderRows == this->BorderRows;
+  const bool isWritten = sameSystem && cache.Points && cache.OutputKey == outputKey &&
+                         cache.Displacements == handles.Displacements;
+  if (!sameSystem || (!cache.System && !isWritten))
   {
     cache.System.reset();
     cache.Points = nullptr;
@@ -329,11 +365,11 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     cache.AdjustNormals = this->AdjustNormals;
     cache.BorderRows = this->BorderRows;
   }
-  if (!cache.Points || cache.OutputKey != outputKey || cache.Displacements != handles.Displacements)
+  if (!isWritten)
   {
     cache.Points = nullptr;
     cache.Dragged = oversketch::Drag();
-    cache.Moves = cache.System->solve(handles.Displacements, PartOf(context, 0.9, 1.0));
+    const std::vector<Vector3> moves = cache.System->solve(handles.Displacements, PartOf(context, 0.9, 1.0));
     ++this->SolveCount;
     this->MovableCount = cache.System->movableCount();
     this->ActiveHandleCount = 0;
@@ -342,14 +378,19 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     {
       if (cache.System->handleActive(h))
       {
-        const double residual = (handles.Bindings[h].of(cache.Moves) - handles.Displacements[h]).norm();
+        const double residual = (handles.Bindings[h].of(moves) - handles.Displacements[h]).norm();
         this->MeanHandleResidual += residual;
         this->MaximumHandleResidual = std::max(this->MaximumHandleResidual, residual);
         ++this->ActiveHandleCount;
       }
     }
     this->MeanHandleResidual /= static_cast<double>(this->ActiveHandleCount);
-    cache.Write(input);
+    cache.Moves.clear();
+    for (const int v : cache.Shape->vertices)
+    {
+      cache.Moves.push_back(moves[v]);
+    }
+    cache.Write(input, moves);
     cache.OutputKey = outputKey;
     cache.Displacements = handles.Displacements;
   }

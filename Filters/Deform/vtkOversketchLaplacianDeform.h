@@ -102,6 +102,15 @@ public:
 
   ///@{
   /**
+   * Gives back the factor alone, once what Drag takes of it is computed; or all that was kept, and the
+   * output, which the next Update makes anew.
+   */
+  void ReleaseFactor();
+  void ReleaseWork();
+  ///@}
+
+  ///@{
+  /**
    * Orders of elimination found (one that another filter holds for the same mesh and the same vertices to
    * move is shared, not found again), factors made, and targets solved for (x, y and z count as one; so does
    * what Drag solves for), since the filter was made.

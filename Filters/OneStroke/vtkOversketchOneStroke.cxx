@@ -188,6 +188,22 @@ void vtkOversketchOneStroke::GetRegion(vtkPolyData* region)
   region->SetPolys(triangles);
 }
 
+void vtkOversketchOneStroke::ReleaseWork()
+{
+  Pipeline& inner = *this->Inner;
+  inner.Following.reset();
+  for (vtkOversketchLaplacianDeform* step : { inner.Deform.Get(),
+         inner.DeformCorrected.Get(),
+         inner.DeformRemeshed.Get(),
+         inner.DeformRemeshedCorrected.Get() })
+  {
+    step->ReleaseWork();
+  }
+  inner.Stretch->ReleaseWork();
+  inner.Restore->ReleaseWork();
+  this->Modified();
+}
+
 void vtkOversketchOneStroke::BackendChanged()
 {
   this->Inner->ShapeDiameter->SetBackend(this->GetBackend());

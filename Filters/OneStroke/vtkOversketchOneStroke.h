@@ -193,6 +193,7 @@ public:
   void GetRegion(vtkPolyData* region) override;
   const char* GetRemark() override;
   bool Drag(const double translation[3], vtkPoints* points) override;
+  void ReleaseWork() override;
   ///@}
 
   /**

@@ -22,6 +22,19 @@ constexpr int widestViewport = 4092;
 // A stroke without any outline so near was drawn in the void [px].
 constexpr double farthestOutline = 60.0;
 
+// The factor of a region with so many vertices takes some hundred MiB: it is kept no longer than a run needs
+// it. What following a hand takes of it is a number for each vertex.
+constexpr vtkIdType manyVertices = 30000;
+
+void releaseLargeFactor(vtkAlgorithm* step)
+{
+  auto* deform = vtkOversketchLaplacianDeform::SafeDownCast(step);
+  if (deform->GetMovableCount() > manyVertices)
+  {
+    deform->ReleaseFactor();
+  }
+}
+
 // One byte per point of a mesh that a step made.
 std::vector<char> RegionOf(vtkPolyData* mesh)
 {
@@ -57,6 +70,8 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
   this->Deform->SetInputConnection(0, this->RegionBorder->GetOutputPort());
   this->Deform->SetInputConnection(1, this->Targets->GetOutputPort());
   this->Stretch->SetStageToStretch();
+  this->Stretch->SourcesOfAllOff();
+  this->Restore->SourcesOfAllOff();
   this->Stretch->SetInputConnection(0, this->RegionBorder->GetOutputPort());
   this->Stretch->SetInputConnection(1, this->Targets->GetOutputPort());
   this->DeformRemeshed->SetInputConnection(0, this->Stretch->GetOutputPort(0));
@@ -228,6 +243,10 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* before,
   const double weight =
     vtkOversketchLaplacianDeform::SafeDownCast(this->Self->GetStep(deform))->GetHandleWeight();
   Judgement judged = plain;
+  if (handlesAdded > 0 || judged.folds > Judgement::tolerableFolds)
+  {
+    releaseLargeFactor(this->Self->GetStep(deform));
+  }
   if (handlesAdded > 0)
   {
     other->SetHandleWeight(weight);
@@ -414,10 +433,14 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
 
 void vtkOversketchOneStroke::Pipeline::RunRemeshed()
 {
+  releaseLargeFactor(this->Deform);
+  releaseLargeFactor(this->DeformCorrected);
   this->Self->RunStage("Stretch");
   this->Self->RunStage("DeformRemeshed");
   const char* remeshed =
     this->Corrected("Stretch", "DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
+  releaseLargeFactor(this->DeformRemeshed);
+  releaseLargeFactor(this->DeformRemeshedCorrected);
   this->Restore->SetInputConnection(0, this->Self->GetStep(remeshed)->GetOutputPort());
   this->Restore->TakeOutFoldsOff();
   this->Self->RunStage("Restore");

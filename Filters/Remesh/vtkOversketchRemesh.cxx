@@ -18,6 +18,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -57,7 +58,7 @@ struct vtkOversketchRemesh::Cache
 
   static Question Read(vtkOversketchRemesh* self, vtkPolyData* input, vtkPolyData* handles);
   void Remesh(vtkOversketchRemesh* self, vtkPolyData* input, const Question& question);
-  void KeepMesh(vtkPolyData* input);
+  void KeepMesh(vtkPolyData* input, bool sourcesOfAll);
   void Write(vtkPolyData* input, vtkPolyData* output);
   void WriteHandles(vtkPolyData* handles, vtkPolyData* output) const;
 
@@ -67,6 +68,7 @@ struct vtkOversketchRemesh::Cache
   vtkSmartPointer<vtkCellArray> Polys;
   vtkSmartPointer<vtkIdTypeArray> SourceCell;
   vtkSmartPointer<vtkDoubleArray> SourceWeights;
+  vtkSmartPointer<vtkIntArray> UnchangedCell; // null where there are sources of all
   vtkSmartPointer<vtkDoubleArray> GuideLength;
   vtkSmartPointer<vtkAbstractArray> EdgeLength; // null but for stage Stretch
   std::vector<Carried> Arrays;
@@ -154,6 +156,7 @@ vtkOversketchRemesh::Cache::Question vtkOversketchRemesh::Cache::Read(vtkOverske
     self->ProtectSection ? 1.0 : 0.0,
     self->KeepSmooth ? 1.0 : 0.0,
     self->TakeOutFolds ? 1.0 : 0.0,
+    self->SourcesOfAll ? 1.0 : 0.0,
     self->MinimumFactor };
   for (const Binding& binding : question.Handles)
   {
@@ -220,7 +223,7 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   ++self->RemeshCount;
   self->GuideLength = guide;
   self->Factor = question.Factor;
-  this->KeepMesh(input);
+  this->KeepMesh(input, self->SourcesOfAll);
   if (self->Stage == Stretch && guide > 0.0)
   {
     this->GuideLength = NewArray<vtkDoubleArray>("GuideLength", 1, 1);
@@ -236,15 +239,21 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
 }
 
 // The result's mesh and what its corners were made from, as arrays.
-void vtkOversketchRemesh::Cache::KeepMesh(vtkPolyData* input)
+void vtkOversketchRemesh::Cache::KeepMesh(vtkPolyData* input, bool sourcesOfAll)
 {
   const Mesh& mesh = this->Result.mesh;
   this->Points = vtkSmartPointer<vtkPoints>::New();
   this->Points->SetDataType(input->GetPoints()->GetDataType());
   this->Points->SetNumberOfPoints(mesh.vertexCount());
   const int cells = mesh.triangleCount();
-  this->SourceCell = NewArray<vtkIdTypeArray>("SourceCell", 3, cells);
-  this->SourceWeights = NewArray<vtkDoubleArray>("SourceWeights", 9, cells);
+  const vtkIdType withoutSources = sourcesOfAll ? 0 : this->Result.outsideTriangles;
+  this->SourceCell = NewArray<vtkIdTypeArray>("SourceCell", 3, cells - withoutSources);
+  this->SourceWeights = NewArray<vtkDoubleArray>("SourceWeights", 9, cells - withoutSources);
+  if (!sourcesOfAll)
+  {
+    this->UnchangedCell = NewArray<vtkIntArray>("UnchangedCell", 1, withoutSources);
+    std::copy_n(this->Result.triangleSource.begin(), withoutSources, this->UnchangedCell->GetPointer(0));
+  }
   auto connectivity = NewArray<vtkIdTypeArray>(nullptr, 1, 3 * static_cast<vtkIdType>(cells));
   auto offsets = NewArray<vtkIdTypeArray>(nullptr, 1, static_cast<vtkIdType>(cells) + 1);
   vtkSMPTools::For(0,
@@ -260,13 +269,18 @@ void vtkOversketchRemesh::Cache::KeepMesh(vtkPolyData* input)
     cells,
     [&](vtkIdType begin, vtkIdType end)
     {
+      const vtkIdType first = std::max(begin, withoutSources) - withoutSources; // that has sources
       vtkIdType* id = connectivity->GetPointer(3 * begin);
-      vtkIdType* source = this->SourceCell->GetPointer(3 * begin);
-      double* weight = this->SourceWeights->GetPointer(9 * begin);
+      vtkIdType* source = this->SourceCell->GetPointer(3 * first);
+      double* weight = this->SourceWeights->GetPointer(9 * first);
       for (vtkIdType t = begin; t < end; ++t)
       {
         offsets->SetValue(t, 3 * t);
         id = std::copy(mesh.triangles[t].begin(), mesh.triangles[t].end(), id);
+        if (t < withoutSources)
+        {
+          continue;
+        }
         for (const SurfacePoint& at : this->Result.corners(static_cast<int>(t)))
         {
           *source++ = at.triangle;
@@ -337,13 +351,23 @@ void vtkOversketchRemesh::Cache::Write(vtkPolyData* input, vtkPolyData* output)
   const std::vector<Carried> ofCells = this->Carry(input, output, false);
   carried.insert(carried.end(), ofCells.begin(), ofCells.end());
   this->Arrays = std::move(carried);
-  output->GetCellData()->AddArray(this->SourceCell);
-  output->GetCellData()->AddArray(this->SourceWeights);
-  output->GetFieldData()->PassData(input->GetFieldData());
+  vtkFieldData* fields = output->GetFieldData();
+  fields->PassData(input->GetFieldData());
+  for (const char* name : { "SourceCell", "SourceWeights", "UnchangedCell" }) // an earlier remeshing's
+  {
+    fields->RemoveArray(name);
+  }
+  vtkFieldData* sources = this->UnchangedCell ? fields : output->GetCellData();
+  sources->AddArray(this->SourceCell);
+  sources->AddArray(this->SourceWeights);
+  if (this->UnchangedCell)
+  {
+    sources->AddArray(this->UnchangedCell);
+  }
   DropHierarchy(output);
   if (this->GuideLength)
   {
-    output->GetFieldData()->AddArray(this->GuideLength);
+    fields->AddArray(this->GuideLength);
   }
   if (this->EdgeLength)
   {
@@ -385,6 +409,16 @@ vtkOversketchRemesh::~vtkOversketchRemesh() = default;
 void vtkOversketchRemesh::SetHandlesData(vtkPolyData* handles)
 {
   this->SetInputData(1, handles);
+}
+
+void vtkOversketchRemesh::ReleaseWork()
+{
+  *this->Internals = Cache();
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    this->GetOutputDataObject(port)->ReleaseData();
+  }
+  this->Modified();
 }
 
 int vtkOversketchRemesh::FillInputPortInformation(int port, vtkInformation* info)
@@ -432,6 +466,7 @@ void vtkOversketchRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProtectSection: " << (this->ProtectSection ? "On" : "Off") << "\n";
   os << indent << "KeepSmooth: " << (this->KeepSmooth ? "On" : "Off") << "\n";
   os << indent << "TakeOutFolds: " << (this->TakeOutFolds ? "On" : "Off") << "\n";
+  os << indent << "SourcesOfAll: " << (this->SourcesOfAll ? "On" : "Off") << "\n";
   os << indent << "MinimumFactor: " << this->MinimumFactor << "\n";
   os << indent << "GuideLength: " << this->GuideLength << "\n";
   os << indent << "Factor: " << this->Factor << "\n";

@@ -54,7 +54,9 @@
  * - cell array SourceCell, vtkIdType[3]: per corner the input triangle it lies on, of the triangle's own
  * chart,
  * - cell array SourceWeights, double[9]: per corner the weights of that triangle's corners (sum 1),
- *   so that an attribute that lives on corners (texture coordinates across seams) can be interpolated,
+ *   so that an attribute that lives on corners (texture coordinates across seams) can be interpolated;
+ *   (SourcesOfAll off) both as field arrays, of the triangles that could change alone, which come last, and
+ *   field array UnchangedCell, int: the input triangle that each of the others is,
  * - field array GuideLength, double (stage Stretch): L,
  * - point array EdgeLength, double (stage Stretch, with KeepSmooth): the lengths that fit the input's
  * triangles, interpolated; 0 away from the region.
@@ -100,6 +102,11 @@ public:
   void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(1, handles); }
   void SetHandlesData(vtkPolyData* handles);
   vtkPolyData* GetHandlesOutput() { return this->GetOutput(1); }
+
+  /**
+   * Gives back the kept result and the outputs; the next Update makes them anew.
+   */
+  void ReleaseWork();
 
   ///@{
   /**
@@ -166,6 +173,15 @@ public:
   vtkGetMacro(MinimumFactor, double);
   ///@}
 
+  ///@{
+  /**
+   * Write the sources of all triangles, 96 bytes each, or of those alone that could change. Default on.
+   */
+  vtkSetMacro(SourcesOfAll, bool);
+  vtkGetMacro(SourcesOfAll, bool);
+  vtkBooleanMacro(SourcesOfAll, bool);
+  ///@}
+
   /**
    * L [model length] and k of the last update.
    */
@@ -194,6 +210,7 @@ private:
   bool ProtectSection = true;
   bool KeepSmooth = true;
   bool TakeOutFolds = false;
+  bool SourcesOfAll = true;
   double MinimumFactor = 0.2;
   double GuideLength = 0.0;
   double Factor = 1.0;

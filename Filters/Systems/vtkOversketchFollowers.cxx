@@ -1,11 +1,10 @@
 #include "vtkOversketchFollowers.h"
 
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSources.h"
 #include "vtkOversketchWeld.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
 
@@ -46,8 +45,7 @@ bool Followers::Fits(vtkPoints* points) const
 
 void Followers::Bind()
 {
-  vtkDataArray* cells = this->Restored->GetCellData()->GetArray("SourceCell");
-  vtkDataArray* weights = this->Restored->GetCellData()->GetArray("SourceWeights");
+  const Sources sources(this->Restored);
   this->Bindings.resize(static_cast<std::size_t>(this->Restored->GetNumberOfPoints()));
   vtkNew<vtkIdList> corners, source;
   for (vtkIdType t = 0; t < this->Restored->GetNumberOfPolys(); ++t)
@@ -55,12 +53,13 @@ void Followers::Bind()
     this->Restored->GetPolys()->GetCellAtId(t, corners);
     for (int corner = 0; corner < 3; ++corner)
     {
-      this->Deformed->GetPolys()->GetCellAtId(static_cast<vtkIdType>(cells->GetComponent(t, corner)), source);
+      this->Deformed->GetPolys()->GetCellAtId(sources.Cell(t, corner), source);
+      const double* weights = sources.WeightsAt(t, corner);
       Binding& binding = this->Bindings[static_cast<std::size_t>(corners->GetId(corner))];
       for (int k = 0; k < 3; ++k)
       {
         binding.vertices[k] = static_cast<int>(source->GetId(k));
-        binding.weights[k] = weights->GetComponent(t, 3 * corner + k);
+        binding.weights[k] = weights[k];
       }
     }
   }

@@ -7,6 +7,8 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -135,11 +137,22 @@ vtkSmartPointer<Array> As(vtkDataArray* array)
 Sources::Sources(vtkPolyData* changed)
 {
   const char* const remedy = "vtkOversketchRemesh writes it";
-  const vtkIdType cells = changed->GetNumberOfPolys();
-  this->Cells =
-    As<vtkIdTypeArray>(RequireArray(changed->GetCellData(), "SourceCell", 3, cells, "remeshed mesh", remedy));
-  this->Weights = As<vtkDoubleArray>(
-    RequireArray(changed->GetCellData(), "SourceWeights", 9, cells, "remeshed mesh", remedy));
+  vtkIdType cells = changed->GetNumberOfPolys();
+  vtkSmartPointer<vtkDataSetAttributes> from = changed->GetCellData();
+  if (!from->HasArray("SourceCell"))
+  {
+    this->Unchanged = vtkIntArray::SafeDownCast(changed->GetFieldData()->GetArray("UnchangedCell"));
+  }
+  if (this->Unchanged)
+  {
+    from = vtkSmartPointer<vtkDataSetAttributes>::New();
+    from->AddArray(changed->GetFieldData()->GetAbstractArray("SourceCell"));
+    from->AddArray(changed->GetFieldData()->GetAbstractArray("SourceWeights"));
+    this->UnchangedCount = this->Unchanged->GetNumberOfTuples();
+    cells -= this->UnchangedCount;
+  }
+  this->Cells = As<vtkIdTypeArray>(RequireArray(from, "SourceCell", 3, cells, "remeshed mesh", remedy));
+  this->Weights = As<vtkDoubleArray>(RequireArray(from, "SourceWeights", 9, cells, "remeshed mesh", remedy));
 }
 
 void AddPlaces(vtkPolyData* welded)

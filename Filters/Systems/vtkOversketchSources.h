@@ -8,6 +8,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkSmartPointer.h"
 
 class vtkPolyData;
@@ -25,7 +26,8 @@ OVERSKETCHFILTERSSYSTEMS_EXPORT void AddSources(vtkPolyData* welded,
   vtkPolyData* changed,
   const Context& context);
 
-// The two arrays of a changed mesh, read. Throws Error(MissingArray) where one is not there.
+// The two arrays of a changed mesh, read, of all its triangles or (vtkOversketchRemesh::SourcesOfAll) of
+// those that could change. Throws Error(MissingArray) where one is not there.
 class OVERSKETCHFILTERSSYSTEMS_EXPORT Sources
 {
 public:
@@ -33,14 +35,22 @@ public:
   // Of a triangle's corner: the triangle it lies on, and the weights of that one's corners.
   vtkIdType Cell(vtkIdType triangle, int corner) const
   {
-    return this->Cells->GetPointer(0)[3 * triangle + corner];
+    return triangle < this->UnchangedCount
+             ? this->Unchanged->GetValue(triangle)
+             : this->Cells->GetPointer(0)[3 * (triangle - this->UnchangedCount) + corner];
   }
   const double* WeightsAt(vtkIdType triangle, int corner) const
   {
-    return this->Weights->GetPointer(0) + 9 * triangle + 3 * corner;
+    return triangle < this->UnchangedCount
+             ? ofCorner[corner]
+             : this->Weights->GetPointer(0) + 9 * (triangle - this->UnchangedCount) + 3 * corner;
   }
 
 private:
+  static constexpr double ofCorner[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+
+  vtkSmartPointer<vtkIntArray> Unchanged; // null where the others have sources of all triangles
+  vtkIdType UnchangedCount = 0;
   vtkSmartPointer<vtkIdTypeArray> Cells;
   vtkSmartPointer<vtkDoubleArray> Weights;
 };

@@ -79,6 +79,13 @@ public:
    */
   virtual bool Drag(const double translation[3], vtkPoints* points);
 
+  /**
+   * Gives back what the last run computed and no other mesh can use, where that is much: factors, meshes
+   * between the steps. The output stays; GetHold, GetRegion and Drag answer again after the next Update,
+   * which makes the same anew. What Prepare and Preview made of mesh and view is kept.
+   */
+  virtual void ReleaseWork() {}
+
   ///@{
   /**
    * The names of all steps in their order, and a step by its name, to set parameters that the system does not

@@ -239,6 +239,27 @@ TEST(Approximate, AdaptivePiecesAreAFourthAsFarAsTheBodyIsThick)
   }
 }
 
+TEST(Approximate, StraightOpenFeaturesHaveAVertexWhereverTheBodyIsAsThick)
+{
+  for (const double half : { 0.015, 0.05, 0.1, 0.2 })
+  {
+    const UnitDrawing drawing(
+      { evenStroke(
+          { { 0.05, 0.5 - half }, { 0.95, 0.5 - half }, { 0.95, 0.5 + half }, { 0.05, 0.5 + half } }, true),
+        evenStroke({ { 0.25, 0.5 }, { 0.75, 0.5 } }, false) });
+    const DrawnStroke& line = drawing.strokes[1];
+    const auto arcs = segmentsOf(drawing.polylines()[1], line);
+    const double longest = std::max(half, 0.04) + 0.005; // a sample, as the map's pixels are places too
+    for (const auto& [from, to] : arcs)
+    {
+      const double arc = (line.points[to] - line.points[from]).norm();
+      EXPECT_LE(arc, longest) << half;
+      EXPECT_GE(arc, 0.45 * longest) << half;
+    }
+    EXPECT_EQ(segmentsOf(drawing.polylines(fixedRules())[1], line).size(), 1u) << "as published";
+  }
+}
+
 TEST(Approximate, WhatIsHandedBackBecomesFiner)
 {
   // The stroke's first sample is no vertex's neighbour in particular: intervals go over it too.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace oversketch
 {
@@ -11,6 +12,7 @@ namespace
 {
 
 constexpr double sampleSpacing = 0.005; // h, of L
+constexpr double leastArc = 8.0;        // h
 
 int farthestFrom(const Vector2& place, const Polyline& samples)
 {
@@ -147,6 +149,30 @@ double PieceList::delta(const Piece& piece) const
   return std::ldexp(result, -this->halvingsOf(piece));
 }
 
+// How long it may be, see approximate.h.
+double PieceList::longestArc(const Piece& piece) const
+{
+  if (this->Closed || this->Thickness.empty())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto begin = this->Thickness.begin();
+  const double least = *std::min_element(begin + piece.from, begin + piece.to + 1);
+  return std::max(least, leastArc * sampleSpacing * this->Longest);
+}
+
+// The sample at the middle of its arc.
+int PieceList::middle(const Piece& piece) const
+{
+  const double half = 0.5 * (this->lengthTo(piece.from) + this->lengthTo(piece.to));
+  int best = piece.from + 1;
+  for (int i = best; i < piece.to; ++i)
+  {
+    best = std::abs(this->lengthTo(i) - half) < std::abs(this->lengthTo(best) - half) ? i : best;
+  }
+  return best;
+}
+
 // Of the samples between its ends the one farthest from the segment; the first of several.
 PieceList::Farthest PieceList::farthest(const Piece& piece) const
 {
@@ -177,12 +203,18 @@ void PieceList::settle(int begin, int end)
   {
     const Piece& piece = this->Pieces[i];
     const double limit = this->delta(piece);
-    const bool shortArc = this->lengthTo(piece.to) - this->lengthTo(piece.from) < 2.0 * h;
+    const double arc = this->lengthTo(piece.to) - this->lengthTo(piece.from);
+    const bool shortArc = arc < 2.0 * h;
     const bool mayBeShort = this->halvingsOf(piece) > 0 && limit <= 0.3 * h;
     const Farthest most = this->farthest(piece);
     if (most.distance > limit && (!shortArc || mayBeShort))
     {
       this->split(i, most.sample);
+      ++end;
+    }
+    else if (piece.to - piece.from > 1 && arc > this->longestArc(piece))
+    {
+      this->split(i, this->middle(piece));
       ++end;
     }
     else

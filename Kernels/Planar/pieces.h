@@ -59,6 +59,8 @@ private:
   double lengthTo(int sample) const;
   int halvingsOf(const Piece& piece) const;
   double delta(const Piece& piece) const;
+  double longestArc(const Piece& piece) const;
+  int middle(const Piece& piece) const;
   std::vector<int> anchors(const std::vector<int>& forced) const;
   void split(int piece, int sample);
   void settle(int begin, int end);

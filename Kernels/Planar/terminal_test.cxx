@@ -178,9 +178,9 @@ TEST(Terminal, ATriangleAloneAndOneAtAFeature)
   UnitDrawing square(
     { squareStroke(0.1, 0.9), evenStroke({ { 0.1008, 0.1008 }, { 0.8992, 0.8992 } }, false) });
   std::vector<StrokeLine> lines = square.lines();
-  ASSERT_EQ(lines[1].places.size(), 3u) << "a line from rim to rim has a point between them";
-  lines[1].places.erase(lines[1].places.begin() + 1);
-  lines[1].params.erase(lines[1].params.begin() + 1);
+  ASSERT_GE(lines[1].places.size(), 3u) << "a line from rim to rim has a point between them";
+  lines[1].places.erase(lines[1].places.begin() + 1, lines[1].places.end() - 1);
+  lines[1].params.erase(lines[1].params.begin() + 1, lines[1].params.end() - 1);
   const PlanarMesh bare = triangulate(lines, {}, Context());
   ASSERT_EQ(bare.faces.size(), 2u);
   const PlanarMesh mesh = repairTerminals(bare, TerminalRule::TwoBoundaryEdges);

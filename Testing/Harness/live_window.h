@@ -7,8 +7,12 @@
 #include "Harness/sequences.h"
 #include "Harness/windows.h"
 
+#include "Stroke/polyline.h"
+#include "vtkOversketchFilterTools.h"
+
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -38,6 +42,27 @@ void expectItMayGoInMidDrag(vtkPolyData* mesh, vtkPolyData* other, const Draw& d
     },
     { [&](Scene& scene) { scene.widget->SetInputData(other); }, [](Scene& scene) { scene.widget->Drop(); } },
     mesh);
+}
+
+// The log draws a part of the live stroke `first` anew: its ends stay, and the new part is off it by so many
+// pixels at most.
+template <class Scene>
+void expectAPartIsDrawnAnew(Scene& scene, vtkPolyData* first, const char* log, double least, double most)
+{
+  scene.play(log);
+  EXPECT_FALSE(scene.widget->IsNew());
+  const oversketch::Polyline old = oversketch::StrokeOf(first);
+  const oversketch::Polyline now = oversketch::StrokeOf(scene.widget->GetStroke());
+  EXPECT_EQ(now.front(), old.front());
+  EXPECT_EQ(now.back(), old.back());
+  const oversketch::NearestPlace nearest(old);
+  double off = 0.0;
+  for (const oversketch::Vector2& place : now)
+  {
+    off = std::max(off, nearest(place).distance);
+  }
+  EXPECT_GT(off, least);
+  EXPECT_LT(off, most);
 }
 
 template <class Scene, class Draw>

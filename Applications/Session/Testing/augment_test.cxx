@@ -97,14 +97,6 @@ Session dogChain()
   return session;
 }
 
-std::vector<Outcome> outcomesOf(const Session& session)
-{
-  Evaluator evaluator;
-  std::vector<Outcome> outcomes;
-  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
-  return outcomes;
-}
-
 } // namespace
 
 TEST(AugmentSession, BothKindsStandInOneHistoryAndInItsFile)

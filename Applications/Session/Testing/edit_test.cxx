@@ -79,14 +79,6 @@ Session bearSession()
   return session;
 }
 
-std::vector<Outcome> outcomesOf(const Session& session)
-{
-  Evaluator evaluator;
-  std::vector<Outcome> outcomes;
-  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
-  return outcomes;
-}
-
 } // namespace
 
 TEST(EditSession, AStepTakesTheCurvesOfAnEarlierOne)

@@ -60,10 +60,9 @@ Session gnome()
   return session;
 }
 
-std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Session& session)
+std::vector<Outcome> madeBy(Evaluator& evaluator, const Session& session)
 {
-  std::vector<Outcome> outcomes;
-  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  std::vector<Outcome> outcomes = outcomesOf(evaluator, session);
   for (const Outcome& outcome : outcomes)
   {
     EXPECT_EQ(outcome.failure, "");
@@ -74,7 +73,7 @@ std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Session& session)
 std::string bitsOf(const Session& session)
 {
   Evaluator evaluator;
-  return digestOf(outcomesOf(evaluator, session).back().mesh);
+  return digestOf(madeBy(evaluator, session).back().mesh);
 }
 
 std::set<int> partsOf(vtkPolyData* mesh)
@@ -101,11 +100,11 @@ TEST(Parts, ADrawingStandsWhereItsBoxIs)
 {
   Evaluator evaluator;
   const Session session = gnome();
-  const auto outcomes = outcomesOf(evaluator, session);
+  const auto outcomes = madeBy(evaluator, session);
   Session alone = session;
   alone.nodes = { drawing("head", 2) };
   Evaluator other;
-  const auto head = outcomesOf(other, alone)[0].mesh;
+  const auto head = madeBy(other, alone)[0].mesh;
   vtkPolyData* body = outcomes[0].mesh;
   vtkPolyData* both = outcomes[1].mesh;
   ASSERT_EQ(both->GetNumberOfPoints(), body->GetNumberOfPoints() + head->GetNumberOfPoints());
@@ -139,7 +138,7 @@ TEST(Parts, MovingOneDrawsNothingAnewAndGivesTheSameBits)
 {
   Evaluator evaluator;
   Session session = gnome();
-  outcomesOf(evaluator, session);
+  madeBy(evaluator, session);
   const std::size_t drawn = evaluator.runs();
   EXPECT_EQ(drawn, 2u);
   PartPlace place = beside;
@@ -148,17 +147,17 @@ TEST(Parts, MovingOneDrawsNothingAnewAndGivesTheSameBits)
     place.depth += 3.0;
     place.box[2] += 7.0;
     session.nodes[1] = at(session.nodes[1], place);
-    const auto outcomes = outcomesOf(evaluator, session);
+    const auto outcomes = madeBy(evaluator, session);
     EXPECT_EQ(digestOf(outcomes[1].mesh), bitsOf(session));
   }
   EXPECT_EQ(evaluator.runs(), drawn);
   // A changed first drawing runs itself alone.
   session.nodes[0] = changed(session.nodes[0], [](Step& step) { step.values["Height"] = 0.5; });
-  EXPECT_EQ(digestOf(outcomesOf(evaluator, session)[1].mesh), bitsOf(session));
+  EXPECT_EQ(digestOf(madeBy(evaluator, session)[1].mesh), bitsOf(session));
   EXPECT_EQ(evaluator.runs(), drawn + 1);
   // And a changed second one.
   session.nodes[1] = changed(session.nodes[1], [](Step& step) { step.values["Height"] = 0.5; });
-  EXPECT_EQ(digestOf(outcomesOf(evaluator, session)[1].mesh), bitsOf(session));
+  EXPECT_EQ(digestOf(madeBy(evaluator, session)[1].mesh), bitsOf(session));
   EXPECT_EQ(evaluator.runs(), drawn + 2);
 }
 
@@ -167,9 +166,9 @@ TEST(Parts, ThreeAreCountedOnAndOneThatIsOffIsPassedBy)
   Session session = gnome();
   session.nodes.push_back(drawing("hat", 3, PartPlace{ { 0.0, 700.0, 400.0, 900.0 }, 0.0 }));
   Evaluator evaluator;
-  EXPECT_EQ(partsOf(outcomesOf(evaluator, session)[2].mesh), (std::set<int>{ 0, 1, 2 }));
+  EXPECT_EQ(partsOf(madeBy(evaluator, session)[2].mesh), (std::set<int>{ 0, 1, 2 }));
   session.nodes[1].on = false;
-  const auto outcomes = outcomesOf(evaluator, session);
+  const auto outcomes = madeBy(evaluator, session);
   EXPECT_EQ(partsOf(outcomes[2].mesh), (std::set<int>{ 0, 1 }));
   EXPECT_EQ(oversketch_files::piecesOf(outcomes[2].mesh)[1].picture,
     *std::get<Image>(session.nodes[2].step->inputs.at("Picture")).bytes);
@@ -188,7 +187,7 @@ TEST(Parts, ThreeAreCountedOnAndOneThatIsOffIsPassedBy)
   // The first one off: the others stay at their places.
   session.nodes[1] = drawing("head", 2, beside);
   session.nodes[0].on = false;
-  const auto without = outcomesOf(evaluator, session);
+  const auto without = madeBy(evaluator, session);
   EXPECT_EQ(partsOf(without[2].mesh), (std::set<int>{ 0, 1 }));
   EXPECT_GT(without[1].mesh->GetBounds()[0], 600.0);
 }
@@ -237,7 +236,7 @@ TEST(Parts, OnlyWhatTakesNoMeshMakesOne)
   EXPECT_EQ(outcomes[0].failure, "OneStroke changes the mesh that comes to it, and makes no part of its own");
   // Beside a model that was opened.
   session.nodes = { drawing("head", 3, beside) };
-  const auto both = outcomesOf(evaluator, session)[0].mesh;
+  const auto both = madeBy(evaluator, session)[0].mesh;
   EXPECT_EQ(partsOf(both), (std::set<int>{ 0, 1 }));
   EXPECT_EQ(oversketch_files::piecesOf(both).size(), 2u);
 }

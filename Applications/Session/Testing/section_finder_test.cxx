@@ -237,11 +237,14 @@ TEST(SectionFinder, AnotherMeshIsFollowedAndTheLastOnesAnswersEnd)
   EXPECT_TRUE(same(desk.wait(ticket), expected(octopus, arm)));
   EXPECT_TRUE(same(desk.wait(desk.finder.find(arm)), expected(octopus, arm))) << "the next stroke too";
   {
-    // The mesh may be changed by its owner at once.
+    // Its owner may let it go, and give the polydata other points, at once.
     vtkNew<vtkPolyData> gone;
     gone->DeepCopy(dog);
     desk.finder.setMesh(gone);
-    gone->GetPoints()->SetPoint(0, 1e6, 1e6, 1e6);
+    vtkNew<vtkPoints> other;
+    other->DeepCopy(gone->GetPoints());
+    other->SetPoint(0, 1e6, 1e6, 1e6);
+    gone->SetPoints(other);
   }
   EXPECT_TRUE(same(desk.wait(desk.finder.find(leg)), expected(dog, leg)));
   vtkNew<vtkPolyData> empty;

@@ -16,16 +16,6 @@ using namespace oversketch_test;
 namespace
 {
 
-std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Session& session, bool details = false)
-{
-  std::vector<Outcome> outcomes;
-  Evaluator::Watch watch;
-  watch.details = details;
-  EXPECT_TRUE(evaluator.run(session, watch, outcomes));
-  EXPECT_EQ(outcomes.size(), session.nodes.size());
-  return outcomes;
-}
-
 Session with(Session session, std::size_t node, const std::string& property, const Value& value)
 {
   session.nodes[node] = changed(session.nodes[node], [&](Step& step) { step.values[property] = value; });
@@ -50,6 +40,34 @@ vtkSmartPointer<vtkPolyData> elsewhereStroke(vtkPolyData* stroke)
 }
 
 } // namespace
+
+TEST(Session, ReleasedWorkChangesNothingThatComesAfter)
+{
+  const Session session = with(dogSession(), 0, "Remesh", vtkOversketchOneStroke::RemeshOn);
+  Session first = session;
+  first.nodes.pop_back();
+  Evaluator evaluator, other;
+  auto outcomes = outcomesOf(evaluator, first, true);
+  ASSERT_TRUE(evaluator.details(outcomes, {}));
+  const auto details = outcomes[0].details;
+  ASSERT_TRUE(details);
+  evaluator.releaseWork();
+  // What was made is kept, also its details.
+  outcomes = outcomesOf(evaluator, first, true);
+  ASSERT_TRUE(evaluator.details(outcomes, {}));
+  EXPECT_EQ(outcomes[0].details, details);
+  EXPECT_EQ(evaluator.runs(), 1u);
+  // A step after it, and that one with something else about it.
+  for (const Session& next : { session, with(session, 1, "Remesh", vtkOversketchOneStroke::RemeshOn) })
+  {
+    outcomes = outcomesOf(evaluator, next, true);
+    const auto expected = outcomesOf(other, next, true);
+    EXPECT_TRUE(identical(outcomes[1].mesh, expected[1].mesh));
+    ASSERT_TRUE(evaluator.details(outcomes, {}));
+    EXPECT_TRUE(outcomes[1].details && outcomes[1].details->following);
+    evaluator.releaseWork();
+  }
+}
 
 TEST(Session, AStrokeInHandIsFollowedAsTheSystemDragsIt)
 {

@@ -8,6 +8,12 @@
 
 #include "Harness/shipped.h"
 
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace oversketch_test
 {
 
@@ -49,6 +55,24 @@ inline oversketch_session::Session dogSession()
   session.nodes = { nodeOf(shippedStroke("dog_longer_leg"), "leg", 1),
     nodeOf(shippedStroke("dog_curled_tail"), "tail", 2) };
   return session;
+}
+
+inline std::vector<oversketch_session::Outcome> outcomesOf(oversketch_session::Evaluator& evaluator,
+  const oversketch_session::Session& session,
+  bool details = false)
+{
+  std::vector<oversketch_session::Outcome> outcomes;
+  oversketch_session::Evaluator::Watch watch;
+  watch.details = details;
+  EXPECT_TRUE(evaluator.run(session, watch, outcomes));
+  EXPECT_EQ(outcomes.size(), session.nodes.size());
+  return outcomes;
+}
+
+inline std::vector<oversketch_session::Outcome> outcomesOf(const oversketch_session::Session& session)
+{
+  oversketch_session::Evaluator evaluator;
+  return outcomesOf(evaluator, session);
 }
 
 } // namespace oversketch_test

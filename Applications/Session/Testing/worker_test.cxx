@@ -30,6 +30,8 @@ struct Desk
   std::vector<std::uint64_t> cancelled;
   std::vector<std::string> stages;
   std::vector<SharedData> glances;
+  std::map<std::uint64_t, Worker::Ground> grounds;
+  std::size_t pictures = 0;
 
   Worker::Listener listener()
   {
@@ -56,6 +58,18 @@ struct Desk
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
       this->glances.push_back(mesh);
+      this->told.notify_all();
+    };
+    listener.grounded = [this](std::uint64_t number, const Worker::Ground& ground)
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      this->grounds[number] = ground;
+      this->told.notify_all();
+    };
+    listener.pictured = [this](std::uint64_t, std::size_t, const std::shared_ptr<const Thumbnail>&)
+    {
+      const std::lock_guard<std::mutex> lock(this->mutex);
+      ++this->pictures;
       this->told.notify_all();
     };
     listener.progress = [this](std::uint64_t, std::size_t, const std::string& stage, double)
@@ -135,6 +149,67 @@ TEST(Worker, AGlanceGivesAnEarlierMeshAndChangesNothing)
   worker.submit(session);
   ASSERT_TRUE(desk.wait([&] { return desk.done.size() == 2; }));
   EXPECT_TRUE(identical(desk.done[0].mesh, desk.done[1].mesh));
+}
+
+TEST(Worker, TellsWhatAnEarlierStepActsOnWhileTheRestGoesOn)
+{
+  const Session session = dogSession();
+  Session before = session, first = session;
+  before.nodes.resize(1);
+  first.nodes.resize(1);
+  const std::string expected = expectedOf(before);
+  Desk desk;
+  Worker worker(desk.listener());
+  worker.submit(session);
+  ASSERT_TRUE(desk.wait([&] { return !desk.details.empty(); }));
+  const std::size_t stages = desk.stages.size();
+  // Asked for before pictures are made: they come all the same.
+  const std::uint64_t ofLast = worker.ground(session);
+  ASSERT_TRUE(desk.wait([&] { return desk.grounds.count(ofLast) > 0; }));
+  EXPECT_EQ(digestOf(desk.grounds.at(ofLast).before), expected);
+  const std::uint64_t ofFirst = worker.ground(first);
+  ASSERT_TRUE(desk.wait([&] { return desk.grounds.count(ofFirst) > 0; }));
+  EXPECT_EQ(digestOf(desk.grounds.at(ofFirst).before), digestOf(session.mesh));
+  EXPECT_TRUE(desk.wait([&] { return desk.pictures == session.nodes.size(); }));
+  EXPECT_EQ(desk.stages.size(), stages) << "a step was run for it";
+  EXPECT_EQ(desk.done.size(), 1u);
+}
+
+TEST(Worker, WhatAGlanceInterruptsGoesOn)
+{
+  Session session = dogSession();
+  Session none = session;
+  none.nodes.clear();
+  Desk desk;
+  std::vector<std::uint64_t> traced;
+  std::vector<std::size_t> pictured;
+  Worker* worker = nullptr;
+  Worker::Listener listener = desk.listener();
+  // Before anything of what comes after the details could begin.
+  listener.detailed = [&, inner = listener.detailed](const Worker::Details& details)
+  {
+    worker->glance(none);
+    inner(details);
+  };
+  listener.traced = [&](std::uint64_t ticket, const std::vector<SharedData>&)
+  {
+    const std::lock_guard<std::mutex> lock(desk.mutex);
+    EXPECT_EQ(desk.glances.size(), 1u) << "not interrupted";
+    traced.push_back(ticket);
+  };
+  listener.pictured = [&](std::uint64_t, std::size_t node, const std::shared_ptr<const Thumbnail>&)
+  {
+    const std::lock_guard<std::mutex> lock(desk.mutex);
+    pictured.push_back(node);
+    desk.told.notify_all();
+  };
+  Worker busy(listener);
+  worker = &busy;
+  const std::uint64_t ticket = busy.submit(session);
+  ASSERT_TRUE(desk.wait([&] { return pictured.size() == 2; })) << "nothing more was prepared";
+  EXPECT_EQ(traced, std::vector<std::uint64_t>{ ticket });
+  EXPECT_EQ(pictured, (std::vector<std::size_t>{ 1, 0 }));
+  EXPECT_EQ(desk.done.size(), 1u);
 }
 
 TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)

@@ -1,7 +1,13 @@
 #include "language.h"
 
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
 #include <QDataStream>
 #include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
 #include <QXmlStreamWriter>
 
 #include <gtest/gtest.h>
@@ -43,7 +49,53 @@ enum Section : quint8
   Messages = 0x69
 };
 
+void addTexts(const QWidget* widget, QStringList& texts)
+{
+  texts << widget->toolTip() << widget->windowTitle() << widget->accessibleName();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+  {
+    texts << button->text();
+  }
+  if (const auto* label = qobject_cast<const QLabel*>(widget))
+  {
+    texts << label->text();
+  }
+  if (const auto* choice = qobject_cast<const QComboBox*>(widget))
+  {
+    for (int i = 0; i < choice->count(); ++i)
+    {
+      texts << choice->itemText(i);
+    }
+  }
+  if (const auto* list = qobject_cast<const QListWidget*>(widget))
+  {
+    for (int i = 0; i < list->count(); ++i)
+    {
+      texts << list->item(i)->text() << list->item(i)->toolTip();
+    }
+  }
+  if (const auto* menu = qobject_cast<const QMenu*>(widget))
+  {
+    texts << menu->title();
+  }
+}
+
 } // namespace
+
+QStringList textsOf(const QWidget& root)
+{
+  QStringList texts;
+  addTexts(&root, texts);
+  for (const QWidget* widget : root.findChildren<QWidget*>())
+  {
+    addTexts(widget, texts);
+  }
+  for (const QAction* action : root.findChildren<QAction*>())
+  {
+    texts << action->text() << action->toolTip();
+  }
+  return texts;
+}
 
 void writeForLinguist(const QString& path, const Texts& texts)
 {

@@ -4,10 +4,13 @@
 #define oversketch_studio_testing_language_h
 
 #include <QRegularExpression>
+#include <QStringList>
 #include <QTranslator>
 
 #include <map>
 #include <utility>
+
+class QWidget;
 
 namespace oversketch_studio
 {
@@ -48,6 +51,9 @@ public:
   }
   mutable Texts heard;
 };
+
+// All texts of a widget and those in it, also what a screen reader says and what is not seen now.
+QStringList textsOf(const QWidget& root);
 
 // Those that lupdate cannot find, for Linguist.
 void writeForLinguist(const QString& path, const Texts& texts);

@@ -8,7 +8,6 @@
 #include "translations.h"
 
 #include <QAbstractButton>
-#include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -112,36 +111,6 @@ std::set<std::string> cutOff(const QWidget& window, int& looked)
     }
   }
   return found;
-}
-
-// All texts of the window, also those that are not seen now.
-QStringList textsOf(const QWidget& window)
-{
-  QStringList texts;
-  for (const QWidget* widget : window.findChildren<QWidget*>())
-  {
-    texts << widget->toolTip() << widget->accessibleName() << widget->windowTitle();
-    texts << shownBy(widget).text;
-    if (const auto* choice = qobject_cast<const QComboBox*>(widget))
-    {
-      for (int i = 0; i < choice->count(); ++i)
-      {
-        texts << choice->itemText(i);
-      }
-    }
-    if (const auto* list = qobject_cast<const QListWidget*>(widget))
-    {
-      for (int i = 0; i < list->count(); ++i)
-      {
-        texts << list->item(i)->text() << list->item(i)->toolTip();
-      }
-    }
-  }
-  for (const QAction* action : window.findChildren<QAction*>())
-  {
-    texts << action->text() << action->toolTip();
-  }
-  return texts;
 }
 
 // A person who looks at everything: each tool with its options, a step that is selected, one that failed.

@@ -57,7 +57,8 @@ struct Lines : Scene
     this->release();
     this->wait();
   }
-  void wheel(int notches, Qt::KeyboardModifiers modifiers)
+  // A notch each 20 ms, the first so long after the last one before.
+  void wheel(int notches, Qt::KeyboardModifiers modifiers, ulong rest = 20)
   {
     for (int i = 0; i < std::abs(notches); ++i)
     {
@@ -70,9 +71,11 @@ struct Lines : Scene
         modifiers,
         Qt::NoScrollPhase,
         false);
+      this->time += i == 0 ? rest : 20;
+      turn.setTimestamp(this->time);
       QApplication::sendEvent(this->view, &turn);
     }
-    QApplication::processEvents(); // a hand does not rest for a second between two, however busy the machine
+    QApplication::processEvents();
   }
   const Step& step(int node) { return *this->document->session().nodes[indexOf(node)].step; }
   double number(int node, const char* name) { return std::get<double>(this->step(node).values.at(name)); }
@@ -104,6 +107,8 @@ struct Lines : Scene
     return found;
   }
   vtkIdType triangles() { return this->document->result().mesh->GetNumberOfPolys(); }
+
+  ulong time = 5000; // of the wheel's last event [ms]
 };
 
 // The mesh of a session that is run without a window.
@@ -171,6 +176,46 @@ TEST(Line, TheWheelTurnsItsWidthAndHeightInOneStepOfUndo)
     scene.wait();
     EXPECT_EQ(scene.document->digest(), wanted);
   }
+  // A hand that rests for a second begins another step: by the events' own times, whenever they come.
+  const double wide = scene.number(0, "Radius");
+  const auto isUndoneTo = [&](double notches)
+  {
+    QTest::keyClick(scene.view, Qt::Key_Z, Qt::ControlModifier);
+    scene.wait();
+    EXPECT_NEAR(scene.number(0, "Radius"), std::pow(1.1, notches) * wide, 1e-9 * radius);
+  };
+  scene.wheel(1, Qt::ControlModifier, 5000);
+  scene.wheel(1, Qt::ControlModifier, 999);
+  QTest::qWait(1100);
+  scene.wheel(1, Qt::ControlModifier, 20);
+  scene.wheel(1, Qt::ControlModifier, 1000);
+  EXPECT_NEAR(scene.number(0, "Radius"), std::pow(1.1, 4) * wide, 1e-9 * radius);
+  isUndoneTo(3);
+  isUndoneTo(0);
+  // So it is over the box of the length.
+  auto* box = scene.window.findChild<QDoubleSpinBox*>("augment_radius");
+  const auto turnOver = [&](ulong rest)
+  {
+    const QPointF at = box->rect().center();
+    QWheelEvent turn(at,
+      box->mapToGlobal(at.toPoint()),
+      {},
+      { 0, 120 },
+      Qt::NoButton,
+      Qt::NoModifier,
+      Qt::NoScrollPhase,
+      false);
+    turn.setTimestamp(scene.time += rest);
+    QApplication::sendEvent(box, &turn);
+    return box->value();
+  };
+  turnOver(5000);
+  const double two = turnOver(999);
+  EXPECT_GT(turnOver(1000), two);
+  QTest::keyClick(scene.view, Qt::Key_Z, Qt::ControlModifier);
+  scene.wait();
+  EXPECT_NEAR(scene.number(0, "Radius"), two, 1e-9 * radius);
+  isUndoneTo(0);
   // Through to carving; the options say so.
   scene.wheel(-20, Qt::ShiftModifier);
   scene.wait();

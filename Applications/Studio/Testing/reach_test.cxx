@@ -1,6 +1,7 @@
 // The window without a mouse, in another language, and as its user likes it.
 #include "document.h"
 #include "history_panel.h"
+#include "language.h"
 #include "main_window.h"
 #include "message_words.h"
 #include "mouse.h"
@@ -16,19 +17,15 @@
 #include "vtkRendererCollection.h"
 #include "vtkVersion.h"
 
-#include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
-#include <QComboBox>
 #include <QDockWidget>
-#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QTest>
 #include <QTimer>
@@ -125,52 +122,10 @@ public:
   }
 };
 
-// What a widget shows or says to a screen reader.
-QStringList textsOf(const QWidget* widget)
-{
-  QStringList texts{ widget->toolTip(), widget->windowTitle(), widget->accessibleName() };
-  if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
-  {
-    texts << button->text();
-  }
-  if (const auto* label = qobject_cast<const QLabel*>(widget))
-  {
-    texts << label->text();
-  }
-  if (const auto* choice = qobject_cast<const QComboBox*>(widget))
-  {
-    for (int i = 0; i < choice->count(); ++i)
-    {
-      texts << choice->itemText(i);
-    }
-  }
-  if (const auto* list = qobject_cast<const QListWidget*>(widget))
-  {
-    for (int i = 0; i < list->count(); ++i)
-    {
-      texts << list->item(i)->text() << list->item(i)->toolTip();
-    }
-  }
-  if (const auto* menu = qobject_cast<const QMenu*>(widget))
-  {
-    texts << menu->title();
-  }
-  return texts;
-}
-
 int unmarked(const QWidget* root)
 {
-  QStringList texts = textsOf(root);
-  for (const QWidget* widget : root->findChildren<QWidget*>())
-  {
-    texts << textsOf(widget);
-  }
-  for (const QAction* action : root->findChildren<QAction*>())
-  {
-    texts << action->text() << action->toolTip();
-  }
   int marked = 0;
-  for (const QString& text : texts)
+  for (const QString& text : textsOf(*root))
   {
     if (!text.isEmpty())
     {

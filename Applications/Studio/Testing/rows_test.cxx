@@ -10,7 +10,6 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
@@ -118,18 +117,6 @@ struct Rows : Scene
     this->wait();
   }
   QPoint below() { return { 60, this->list->viewport()->height() - 6 }; }
-  QAction* action(const QString& text)
-  {
-    for (QAction* one : this->window.findChildren<QAction*>())
-    {
-      if (one->text() == text)
-      {
-        return one;
-      }
-    }
-    ADD_FAILURE() << "no action " << text.toStdString();
-    return nullptr;
-  }
   void look(Qt::Key axis)
   {
     QTest::keyClick(this->view, axis);

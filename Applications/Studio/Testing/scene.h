@@ -12,6 +12,7 @@
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QImage>
@@ -71,6 +72,18 @@ struct Scene
       }
     }
     return false;
+  }
+  QAction* action(const QString& text)
+  {
+    for (QAction* one : this->window.findChildren<QAction*>())
+    {
+      if (one->text() == text)
+      {
+        return one;
+      }
+    }
+    ADD_FAILURE() << "no action " << text.toStdString();
+    return nullptr;
   }
   vtkRenderer* renderer() { return this->view->renderWindow()->GetRenderers()->GetFirstRenderer(); }
   // Where a place of the world is in the view, in pixels from its upper left corner.

@@ -11,7 +11,6 @@
 #include "vtkFeatureEdges.h"
 #include "vtkNew.h"
 
-#include <QAction>
 #include <QLabel>
 #include <QListWidget>
 #include <QMouseEvent>
@@ -144,18 +143,6 @@ struct Sheet : Scene
   std::vector<DrawnStroke> strokes() { return strokesOf(linesOf(this->step(0), "Strokes")); }
   std::string failure(int node = 0) { return this->document->result().nodes[indexOf(node)].failure; }
   QString row(int at) { return this->list->item(at)->text().trimmed(); }
-  QAction* action(const QString& text)
-  {
-    for (QAction* one : this->window.findChildren<QAction*>())
-    {
-      if (one->text() == text)
-      {
-        return one;
-      }
-    }
-    ADD_FAILURE() << "no action " << text.toStdString();
-    return nullptr;
-  }
   // A line beside the end of the leg, further down, drawn on the model by system A's tool.
   void pullTheLeg()
   {

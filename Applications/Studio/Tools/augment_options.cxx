@@ -4,8 +4,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDateTime>
 #include <QDoubleSpinBox>
+#include <QInputEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 
@@ -23,7 +23,7 @@ namespace
 constexpr double ownRadius = 0.03; // of the diagonal: the system's
 constexpr double leastRadius = 1e-3;
 constexpr double notch = 0.1;
-constexpr qint64 pause = 1000; // ms; a hand that rests so long begins anew
+constexpr ulong pause = 1000; // ms; a hand that rests so long begins anew
 
 template <typename T>
 T valueOr(const Values& values, const char* name, T otherwise)
@@ -75,8 +75,9 @@ AugmentOptions::AugmentOptions(QWidget* parent)
   {
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setKeyboardTracking(false);
+    box->installEventFilter(this);
   }
-  connect(this->Mode, QOverload<int>::of(&QComboBox::activated), this, [this] { this->changed(this->Mode); });
+  connect(this->Mode, QOverload<int>::of(&QComboBox::activated), this, [this] { this->chosen(); });
   connect(this->Direction,
     QOverload<int>::of(&QComboBox::activated),
     this,
@@ -84,7 +85,7 @@ AugmentOptions::AugmentOptions(QWidget* parent)
     {
       const double size = this->Height == 0.0 ? 0.5 * this->Radius : std::abs(this->Height);
       this->Height = choice == 1 ? -size : this->Height == 0.0 ? 0.0 : size;
-      this->changed(this->Direction);
+      this->chosen();
     });
   connect(this->RadiusBox,
     QOverload<double>::of(&QDoubleSpinBox::valueChanged),
@@ -92,7 +93,7 @@ AugmentOptions::AugmentOptions(QWidget* parent)
     [this](double radius)
     {
       this->Radius = radius;
-      this->changed(this->RadiusBox);
+      this->changed(this->RadiusBox, this->BoxTime);
     });
   connect(this->HeightBox,
     QOverload<double>::of(&QDoubleSpinBox::valueChanged),
@@ -100,9 +101,9 @@ AugmentOptions::AugmentOptions(QWidget* parent)
     [this](double height)
     {
       this->Height = std::copysign(height, this->Height);
-      this->changed(this->HeightBox);
+      this->changed(this->HeightBox, this->BoxTime);
     });
-  connect(this->Pressure, &QCheckBox::clicked, this, [this] { this->changed(this->Pressure); });
+  connect(this->Pressure, &QCheckBox::clicked, this, [this] { this->chosen(); });
   this->begin(1.0);
 }
 
@@ -162,29 +163,52 @@ bool AugmentOptions::isOnSurface() const
   return this->Mode->currentIndex() == 0;
 }
 
-void AugmentOptions::widen(double notches)
+void AugmentOptions::widen(double notches, ulong time)
 {
   this->Radius =
     std::clamp(this->Radius * std::pow(1.0 + notch, notches), leastRadius * this->Diagonal, this->Diagonal);
-  this->changed(this->RadiusBox);
+  this->changed(this->RadiusBox, time);
 }
 
-void AugmentOptions::heighten(double notches)
+void AugmentOptions::heighten(double notches, ulong time)
 {
   const double step = notch * this->Radius, least = 0.5 * step;
   double height = (this->Height == 0.0 ? 0.5 * this->Radius : this->Height) + notches * step;
   // There is no height of 0, which is the system's word for its own.
   height = std::abs(height) < least ? std::copysign(step, notches) : height;
   this->Height = std::clamp(height, -this->Diagonal, this->Diagonal);
-  this->changed(this->HeightBox);
+  this->changed(this->HeightBox, time);
 }
 
-void AugmentOptions::changed(const QObject* by)
+bool AugmentOptions::eventFilter(QObject*, QEvent* event)
 {
-  const qint64 now = QDateTime::currentMSecsSinceEpoch();
-  const bool goesOn = by == this->LastChanged && now - this->LastTime < pause;
-  this->LastChanged = by;
-  this->LastTime = now;
+  switch (event->type())
+  {
+    case QEvent::Wheel:
+    case QEvent::KeyPress:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+      this->BoxTime = static_cast<QInputEvent*>(event)->timestamp();
+      break;
+    default:
+      break;
+  }
+  return false;
+}
+
+void AugmentOptions::chosen()
+{
+  this->LastChanged = nullptr;
+  this->refresh();
+  emit this->shaped(false);
+}
+
+// By the events' own times: a busy machine may be late with them.
+void AugmentOptions::changed(const QDoubleSpinBox* length, ulong time)
+{
+  const bool goesOn = length == this->LastChanged && time >= this->LastTime && time - this->LastTime < pause;
+  this->LastChanged = length;
+  this->LastTime = time;
   this->refresh();
   emit this->shaped(goesOn);
 }

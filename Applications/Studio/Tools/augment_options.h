@@ -28,26 +28,31 @@ public:
   // Shows those of a step; of lengths that it leaves to the system, what they are on that model.
   void setValues(const oversketch_session::Values& values);
 
-  // A notch is a tenth, of the radius more and of the radius in height, through to carving and back.
-  void widen(double notches);
-  void heighten(double notches);
+  // A notch is a tenth, of the radius more and of the radius in height, through to carving and back. Times
+  // are those of the events [ms].
+  void widen(double notches, ulong time);
+  void heighten(double notches, ulong time);
   bool isOnSurface() const;
 
 signals:
-  // By the hand; `goesOn`: so soon after the last change of the same thing that it is one with it.
+  // By the hand; `goesOn`: so soon after the last change of the same length that it is one with it.
   void shaped(bool goesOn);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   void refresh();
-  void changed(const QObject* by);
+  void chosen();
+  void changed(const QDoubleSpinBox* length, ulong time);
 
   double Diagonal = 1.0, Radius = 0.03;
   double Height = 0.0; // 0: half the radius; below 0 inward
   QComboBox *Mode, *Direction;
   QDoubleSpinBox *RadiusBox, *HeightBox;
   QCheckBox* Pressure;
-  const QObject* LastChanged = nullptr;
-  qint64 LastTime = 0; // ms
+  const QDoubleSpinBox* LastChanged = nullptr;
+  ulong LastTime = 0, BoxTime = 0; // of that change; of the last event that came to a box
 };
 
 } // namespace oversketch_studio

@@ -293,7 +293,7 @@ vtkSmartPointer<vtkPolyData> AugmentTool::meshBefore() const
   return before;
 }
 
-bool AugmentTool::wheel(double notches, Qt::KeyboardModifiers modifiers)
+bool AugmentTool::wheel(double notches, Qt::KeyboardModifiers modifiers, ulong time)
 {
   const bool wide = modifiers == Qt::ControlModifier, high = modifiers == Qt::ShiftModifier;
   if (!wide && !(high && this->Options->isOnSurface()))
@@ -304,7 +304,7 @@ bool AugmentTool::wheel(double notches, Qt::KeyboardModifiers modifiers)
   {
     wide ? Latency::of().radius() : Latency::of().height();
   }
-  wide ? this->Options->widen(notches) : this->Options->heighten(notches);
+  wide ? this->Options->widen(notches, time) : this->Options->heighten(notches, time);
   return true;
 }
 

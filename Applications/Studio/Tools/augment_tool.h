@@ -37,7 +37,7 @@ public:
     const oversketch_session::Worker::NodeState& state,
     const oversketch_session::Point& place) override;
   void offerNothing() override;
-  bool wheel(double notches, Qt::KeyboardModifiers modifiers) override;
+  bool wheel(double notches, Qt::KeyboardModifiers modifiers, ulong time) override;
 
 protected:
   vtkSmartPointer<vtkPolyData> meshBefore() const override;

@@ -1,5 +1,6 @@
 #include "both_sides.h"
 
+#include "mirror_image.h"
 #include "two_sides.h"
 
 #include "vtkOversketchEdit.h"
@@ -38,19 +39,11 @@ Place placeOf(vtkPolyData* mesh, vtkIdType i)
   return place;
 }
 
-Place inMirror(Place place, const MirrorPlane& plane)
-{
-  double& height = place[static_cast<std::size_t>(plane.axis)];
-  height = 2.0 * plane.offset - height;
-  return place;
-}
-
-Place inMirror(vtkDataArray* normals, vtkIdType i, const MirrorPlane& plane)
+Place reflectedNormal(vtkDataArray* normals, vtkIdType i, const MirrorPlane& plane)
 {
   Place normal;
   normals->GetTuple(i, normal.data());
-  normal[static_cast<std::size_t>(plane.axis)] *= -1.0;
-  return normal;
+  return oversketch_session::reflected(normal, { plane.axis, 0.0 });
 }
 
 // Whether a triangle looks to the side of a normal.
@@ -221,7 +214,7 @@ void BothSides::bind(vtkPolyData* live, vtkPolyData* rest, vtkPolyData* moved, c
   vtkNew<vtkGenericCell> cell;
   for (vtkIdType i = 0; i < live->GetNumberOfPoints(); ++i)
   {
-    const Place place = placeOf(live, i), seen = inMirror(place, plane);
+    const Place place = placeOf(live, i), seen = oversketch_session::reflected(place, plane);
     if (!box.ContainsPoint(seen.data()) || own.count(place) > 0)
     {
       continue;
@@ -235,7 +228,7 @@ void BothSides::bind(vtkPolyData* live, vtkPolyData* rest, vtkPolyData* moved, c
       continue;
     }
     inside->GetCell(id, cell);
-    if (normals && !isAlike(inMirror(normals, i, plane), cell))
+    if (normals && !isAlike(reflectedNormal(normals, i, plane), cell))
     {
       continue; // the back of something thin
     }

@@ -1,10 +1,10 @@
 #include "edit_hand.h"
 
 #include "document.h"
+#include "edit_ground.h"
 #include "edit_step.h"
 #include "latency.h"
 #include "message_words.h"
-#include "texture.h"
 #include "viewport.h"
 
 #include "vtkOversketchAreaSelectRepresentation.h"
@@ -23,7 +23,6 @@
 #include "vtkOversketchStrokeWidget.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkImageData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
 
@@ -47,6 +46,7 @@ constexpr double grabDistance = 8.0, shortestLine = 10.0; // px as Qt counts the
 EditHand::EditHand(Viewport* viewport, const Document* document)
   : View(viewport)
   , OpenDocument(document)
+  , Ground(new EditGround(document, this))
   , Soon(new QTimer(this))
   , Mode(vtkOversketchEditWidget::Direct)
 {
@@ -70,6 +70,7 @@ EditHand::EditHand(Viewport* viewport, const Document* document)
   }
   this->Soon->setSingleShot(true);
   connect(this->Soon, &QTimer::timeout, this, &EditHand::arrange);
+  connect(this->Ground, &EditGround::came, this, &EditHand::arrange);
   // Return is done with the edit, so that the next line can be drawn there.
   connect(viewport,
     &Viewport::returned,
@@ -137,7 +138,24 @@ void EditHand::offer(const Step& step, const Worker::NodeState& state)
   this->OfferedId = id;
   this->Offered = step;
   this->State = state;
+  this->Buried = !state.before;
   this->arrange();
+}
+
+QStringList EditHand::lost() const
+{
+  return this->Buried ? this->Ground->lost(this->OfferedId) : QStringList();
+}
+
+// Whether what the offered step acts on is there: of one that others act on it has to be asked for.
+bool EditHand::isKnown()
+{
+  if (this->Buried)
+  {
+    const Worker::Ground* ground = this->Ground->of(this->OfferedId);
+    static_cast<Worker::Ground&>(this->State) = ground ? *ground : Worker::Ground();
+  }
+  return bool(this->State.before);
 }
 
 void EditHand::offerNothing()
@@ -271,14 +289,14 @@ void EditHand::arrange()
   this->Late = false;
   const bool isLineAlone =
     !this->Loaded.isInHistory && !this->Loaded.step.inputs.empty() && !this->hasRegion();
-  this->Buried = this->Offered && !isLineAlone && !this->State.before;
-  if (this->Buried)
-  {
-    this->rest();
-  }
-  else if (!this->Offered || isLineAlone)
+  this->Buried = this->Buried && this->Offered && !isLineAlone;
+  if (!this->Offered || isLineAlone)
   {
     this->begin();
+  }
+  else if (!this->isKnown())
+  {
+    this->rest();
   }
   else
   {
@@ -351,88 +369,10 @@ bool EditHand::goOn()
   return this->hasRegion();
 }
 
-void EditHand::load(const Work& work, bool again)
-{
-  const bool isSameMesh = isSameData(work.mesh, this->Loaded.mesh);
-  const auto isSameLines = [&](const char* name)
-  {
-    const auto& known = this->Loaded.given;
-    const auto one = work.given.find(name), other = known.find(name);
-    const bool has = one != work.given.end();
-    return isSameInput(work.step, this->Loaded.step, name) && has == (other != known.end()) &&
-           (!has || isSameData(one->second, other->second));
-  };
-  const bool isSameStep = work.step.values == this->Loaded.step.values &&
-                          std::all_of(editRow().inputs.begin(),
-                            editRow().inputs.end(),
-                            [&](const auto& one) { return isSameLines(one.name.c_str()); });
-  if (isSameMesh && isSameStep && !again)
-  {
-    this->Loaded.isInHistory = work.isInHistory;
-    this->Loaded.mesh = work.mesh;
-    this->Loaded.step.mirror = work.step.mirror;
-    return;
-  }
-  this->stopFollowing();
-  this->Loading = true;
-  if (!isSameMesh || work.step.inputs.count(ringInput) == 0) // else the last region would stay
-  {
-    this->Widget->SetInputData(work.mesh ? work.mesh.own() : vtkSmartPointer<vtkPolyData>::New());
-    this->Widget->Update();
-  }
-  this->Loaded = work;
-  this->loadCurves(work);
-  this->loadValues(work.step);
-  this->Widget->GetEdit()->Modified();
-  this->Widget->Update();
-  this->Loading = false;
-  this->Message.clear();
-  if (work.isInHistory && !this->hasRegion())
-  {
-    this->Message = QString::fromUtf8(this->Widget->GetMessage());
-  }
-}
-
-void EditHand::loadCurves(const Work& work)
-{
-  const auto data = [&](const char* name)
-  {
-    const auto given = work.given.find(name);
-    return given == work.given.end() ? linesOf(work.step, name) : given->second.own();
-  };
-  vtkOversketchRegionWidget* region = this->Widget->GetRegionWidget();
-  region->SetRegion(data(lineInput), data(ringInput));
-  const auto areas = data(areasInput);
-  this->Widget->GetAreaSelectWidget()->SetAreas(areas);
-  this->Widget->GetLayerHandleWidget()->GetLayerHandleRepresentation()->SetArea(
-    areas ? static_cast<int>(areas->GetNumberOfLines()) - 1 : -1);
-  this->Widget->GetProfilePlaneWidget()->SetProfile(data(profileInput));
-  vtkOversketchEdit* edit = this->Widget->GetEdit();
-  edit->SetInputDataObject(6, data(handlesInput));
-  const auto weights = work.step.inputs.find(weightsInput);
-  const Image* image = weights == work.step.inputs.end() ? nullptr : std::get_if<Image>(&weights->second);
-  edit->SetInputDataObject(5, image ? oversketch_files::pictureOf(*image->bytes) : nullptr);
-  this->Seen = { { lineInput, region->GetReference()->GetMTime() },
-    { ringInput, region->GetBoundary()->GetMTime() },
-    { areasInput, this->Widget->GetAreaSelectWidget()->GetAreas()->GetMTime() },
-    { profileInput, this->Widget->GetProfilePlaneWidget()->GetProfile()->GetMTime() } };
-}
-
-void EditHand::loadValues(const Step& step)
-{
-  for (const Parameter& one : editRow().parameters)
-  {
-    if (one.property != ruleValue)
-    {
-      one.set(this->Widget->GetEdit(), valueOf(step, one));
-    }
-  }
-}
-
 // The tool's, once there is a region.
 void EditHand::applyMode()
 {
-  if (this->Loaded.mesh && !this->Buried)
+  if (this->Loaded.mesh)
   {
     this->Widget->SetMode(this->hasRegion() ? this->Mode : int(vtkOversketchEditWidget::Region));
     this->Widget->SetEnabled(1);
@@ -535,6 +475,7 @@ void EditHand::publish()
     this->State.before = this->Loaded.mesh;
     this->State.given = this->Loaded.given;
     this->LeftId = 0;
+    this->Buried = this->Buried && !isNew;
     if (this->isMoved())
     {
       this->View->showPreview(this->live()); // until the result comes
@@ -542,7 +483,7 @@ void EditHand::publish()
     Latency::of().strokeEnd();
     const Step step = this->Loaded.step;
     isNew ? emit this->drawn(step) : emit this->remade(step);
-    this->OfferedId = idOf(this->OpenDocument->session(), step);
+    this->OfferedId = isNew ? idOf(this->OpenDocument->session(), step) : this->OfferedId;
   }
   this->applyMode();
   emit this->left();
@@ -552,38 +493,6 @@ bool EditHand::isMoved() const
 {
   return !editText(this->Loaded.step, operationsValue).empty() ||
          this->Loaded.step.inputs.count(profileInput) > 0;
-}
-
-Step EditHand::made()
-{
-  Step step = this->Loaded.step;
-  const std::map<std::string, vtkPolyData*> strokes{ { lineInput,
-                                                       this->Widget->GetRegionWidget()->GetReference() },
-    { ringInput, this->Widget->GetRegionWidget()->GetBoundary() },
-    { areasInput, this->Widget->GetAreaSelectWidget()->GetAreas() },
-    { profileInput, this->Widget->GetProfilePlaneWidget()->GetProfile() } };
-  for (const auto& [name, data] : strokes)
-  {
-    if (std::exchange(this->Seen[name], data->GetMTime()) == data->GetMTime())
-    {
-      continue;
-    }
-    step.inputs.erase(name);
-    if (data->GetNumberOfPoints() > 0)
-    {
-      step.inputs[name] = Lines(data);
-    }
-  }
-  for (const char* property : { operationsValue, layersValue, placeValue, levelsValue })
-  {
-    const Parameter& parameter = *findParameter(editRow(), property);
-    const Value now = parameter.get(this->Widget->GetEdit());
-    if (now != valueOf(step, parameter))
-    {
-      step.values[property] = now;
-    }
-  }
-  return step;
 }
 
 // What cannot be is taken back, and why is said.

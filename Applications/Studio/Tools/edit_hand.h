@@ -12,6 +12,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <map>
 #include <optional>
@@ -26,6 +27,7 @@ namespace oversketch_studio
 {
 
 class Document;
+class EditGround;
 class Viewport;
 
 class EditHand : public QObject
@@ -55,8 +57,9 @@ public:
   bool moves() const;
   bool hasLine() const;
   bool hasRegion() const;
-  // Whether later steps act on the one that is offered, so that the hand cannot change it.
+  // Whether later steps act on the one that is offered; names of those that do nothing, or act elsewhere.
   bool isUnderOthers() const { return this->Buried; }
+  QStringList lost() const;
   // What the hand is to be told; empty where there is nothing.
   const QString& message() const { return this->Message; }
   vtkOversketchEditWidget* widget() const { return this->Widget; }
@@ -90,6 +93,7 @@ private:
   void arrange();
   void arrangeSoon();
   void rest();
+  bool isKnown();
   void dropLine();
   // An edit that begins on what is shown; one of the region that the offered one leaves.
   void begin();
@@ -116,6 +120,7 @@ private:
   vtkNew<vtkPolyData> Live;
   BothSides Mirrored;
   vtkNew<vtkCallbackCommand> Observer;
+  EditGround* Ground; // of a step that later ones act on
   QTimer* Soon;
   int Mode;
   bool Held = false, Loading = false, Late = false, Buried = false;

@@ -79,11 +79,11 @@ QString EditTool::advice(const Situation& situation) const
   {
     return this->Hand->message();
   }
-  if (this->Hand->isUnderOthers())
+  if (const QStringList lost = this->Hand->lost(); !lost.isEmpty())
   {
-    return tr(
-      "Later steps act on this edit. Untick them to change it by hand; its form on the right changes it "
-      "as it is.");
+    return tr("Later steps do nothing now, or act elsewhere: %1. Their rows say more; Ctrl+Z takes the "
+              "change back.")
+      .arg(lost.join(", "));
   }
   if (situation.redraws)
   {
@@ -99,12 +99,13 @@ QString EditTool::advice(const Situation& situation) const
   {
     return tr("Now draw a ring round the line; it closes by itself. Escape takes the line back.");
   }
-  return this->way();
+  return this->Hand->isUnderOthers() ? this->way() + ' ' + tr("Later steps follow when you let go.")
+                                     : this->way();
 }
 
 bool EditTool::judges() const
 {
-  return !this->Hand->message().isEmpty() || this->Hand->isUnderOthers();
+  return !this->Hand->message().isEmpty() || !this->Hand->lost().isEmpty();
 }
 
 QString EditTool::stage(const QString& name) const

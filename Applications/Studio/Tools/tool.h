@@ -106,9 +106,9 @@ public:
   virtual void setPixelRatio(double) {}
   virtual void setSteadiness(double) {}
   virtual void setPressure(double) {}
-  // The wheel has been turned away from the hand, by so many notches. Returns whether it was of use; then it
-  // is not the camera's.
-  virtual bool wheel(double, Qt::KeyboardModifiers) { return false; }
+  // The wheel has been turned away from the hand, by so many notches, at a time [ms, the event's]. Returns
+  // whether it was of use; then it is not the camera's.
+  virtual bool wheel(double, Qt::KeyboardModifiers, ulong) { return false; }
   virtual void setDark(bool) {}
   // A frame begins; it has been painted.
   virtual void frameBegins() {}

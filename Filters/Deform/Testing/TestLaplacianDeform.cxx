@@ -359,6 +359,58 @@ TEST(LaplacianDeform, DraggingIsWhatAnUpdateWithMovedTargetsGives)
   }
 }
 
+TEST(LaplacianDeform, AReleasedFactorLeavesTheDragAndReleasedWorkIsMadeAnew)
+{
+  const Vector3 by(0.1, -0.2, 0.05);
+  Scene scene, kept;
+  const auto before = scene.run();
+  EXPECT_EQ(kept.run(), before);
+  const auto dragged = [&by](Scene& of)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->DeepCopy(of.filter->GetOutput()->GetPoints());
+    EXPECT_TRUE(of.filter->Drag(by.data(), points));
+    std::vector<Vector3> places(static_cast<std::size_t>(points->GetNumberOfPoints()));
+    for (std::size_t v = 0; v < places.size(); ++v)
+    {
+      points->GetPoint(static_cast<vtkIdType>(v), places[v].data());
+    }
+    return places;
+  };
+  const auto places = dragged(kept);
+  EXPECT_NE(places, before);
+
+  // Neither the drag nor a run with nothing new needs the factor.
+  auto* filter = scene.filter.Get();
+  filter->ReleaseFactor();
+  EXPECT_EQ(dragged(scene), places);
+  filter->Modified();
+  EXPECT_EQ(scene.run(), before);
+  EXPECT_EQ(dragged(scene), places);
+  EXPECT_EQ(filter->GetFactorizationCount(), 1);
+  // Other targets do, and get the same one.
+  const auto further = [](const Vector3& q) { return Vector3(1.2 * q); };
+  scene.setHandles(further);
+  kept.setHandles(further);
+  EXPECT_EQ(scene.run(), kept.run());
+  EXPECT_EQ(filter->GetFactorizationCount(), 2);
+  EXPECT_EQ(kept.filter->GetFactorizationCount(), 1);
+  EXPECT_EQ(dragged(scene), dragged(kept));
+
+  filter->ReleaseWork();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(kept.filter->GetOutput()->GetPoints());
+  {
+    const Ear ear(scene.filter);
+    EXPECT_FALSE(filter->Drag(by.data(), points));
+    EXPECT_EQ(ear.errors.size(), 1u);
+  }
+  EXPECT_EQ(scene.run(), kept.run());
+  EXPECT_EQ(dragged(scene), dragged(kept));
+}
+
 TEST(LaplacianDeform, KeepsTheKindOfPointsAndRecomputesNormals)
 {
   Scene scene;

@@ -216,6 +216,47 @@ TEST_F(Preview, RemeshedPointsFollowTheTrianglesTheyLieOn)
   EXPECT_EQ(ear.errors.size(), 1u);
 }
 
+TEST_F(Preview, ReleasedWorkIsMadeAnewByTheNextRunAlone)
+{
+  const double translation[3] = { 0.05, -0.1, 0.0 };
+  for (const int remesh : { vtkOversketchOneStroke::RemeshOff, vtkOversketchOneStroke::RemeshOn })
+  {
+    this->filter->SetRemesh(remesh);
+    this->filter->Update();
+    vtkNew<vtkPolyData> made, hold, region;
+    made->DeepCopy(this->filter->GetOutput());
+    const auto dragged = [&]
+    {
+      auto points = copyOf(made->GetPoints(), VTK_DOUBLE);
+      EXPECT_TRUE(this->filter->Drag(translation, points));
+      return points;
+    };
+    const auto before = dragged();
+    this->filter->ReleaseWork();
+    EXPECT_TRUE(identical(made, this->filter->GetOutput())) << "the output stays";
+    this->filter->GetHold(hold);
+    this->filter->GetRegion(region);
+    EXPECT_EQ(hold->GetNumberOfPoints(), 0);
+    EXPECT_EQ(region->GetNumberOfPoints(), 0);
+    {
+      Ear ear(this->filter);
+      EXPECT_FALSE(this->filter->Drag(translation, copyOf(made->GetPoints(), VTK_DOUBLE)));
+      EXPECT_EQ(ear.errors.size(), 1u);
+    }
+    this->filter->Update();
+    EXPECT_TRUE(identical(made, this->filter->GetOutput()));
+    this->filter->GetHold(hold);
+    this->filter->GetRegion(region);
+    EXPECT_GT(hold->GetNumberOfPoints(), 0);
+    EXPECT_GT(region->GetNumberOfPoints(), 0);
+    const auto after = dragged();
+    for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
+    {
+      ASSERT_EQ(at(before, i), at(after, i)) << i;
+    }
+  }
+}
+
 TEST_F(Preview, PointsOfOnePlaceStayTogether)
 {
   // Every corner a point of its own.

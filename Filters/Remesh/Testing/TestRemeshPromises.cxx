@@ -103,6 +103,67 @@ TEST(Remesh, SameBitsForAnyNumberOfThreadsColdOrKept)
   EXPECT_EQ(stretch.filter->GetRemeshCount(), 2);
 }
 
+TEST(Remesh, SourcesOfWhatCouldChangeAreThoseOfAll)
+{
+  const auto input = withRegion(icosphere(4), upperHalf, 0.1);
+  const auto handles = handlesOn(input, 0.5, 1.0);
+  Remeshed all(input, vtkOversketchRemesh::Stretch, handles),
+    some(input, vtkOversketchRemesh::Stretch, handles);
+  some.filter->SourcesOfAllOff();
+  const auto whole = all.run(), part = some.run();
+  EXPECT_EQ(MeshOf(whole).points, MeshOf(part).points);
+  EXPECT_EQ(MeshOf(whole).triangles, MeshOf(part).triangles);
+  EXPECT_EQ(part->GetCellData()->GetArray("SourceCell"), nullptr);
+  EXPECT_EQ(part->GetCellData()->GetArray("SourceWeights"), nullptr);
+  EXPECT_EQ(whole->GetFieldData()->GetArray("SourceCell"), nullptr);
+  EXPECT_EQ(whole->GetFieldData()->GetArray("UnchangedCell"), nullptr);
+  vtkDataArray* const cells = whole->GetCellData()->GetArray("SourceCell");
+  vtkDataArray* const weights = whole->GetCellData()->GetArray("SourceWeights");
+  vtkFieldData* const fields = part->GetFieldData();
+  for (const char* name : { "SourceCell", "SourceWeights", "UnchangedCell" })
+  {
+    ASSERT_NE(fields->GetArray(name), nullptr) << name;
+  }
+  const vtkIdType unchanged = fields->GetArray("UnchangedCell")->GetNumberOfTuples();
+  const vtkIdType count = whole->GetNumberOfPolys();
+  EXPECT_GT(unchanged, 100);
+  EXPECT_EQ(fields->GetArray("SourceCell")->GetNumberOfTuples(), count - unchanged);
+  for (vtkIdType t = 0; t < count; ++t)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_EQ(cells->GetComponent(t, c),
+        t < unchanged ? fields->GetArray("UnchangedCell")->GetComponent(t, 0)
+                      : fields->GetArray("SourceCell")->GetComponent(t - unchanged, c));
+      for (int k = 0; k < 3; ++k)
+      {
+        EXPECT_EQ(weights->GetComponent(t, 3 * c + k),
+          t < unchanged ? double(k == c)
+                        : fields->GetArray("SourceWeights")->GetComponent(t - unchanged, 3 * c + k));
+      }
+    }
+  }
+  // Another remeshing does not pass on an earlier one's.
+  Remeshed next(part, vtkOversketchRemesh::Restore);
+  const auto restored = next.run();
+  EXPECT_EQ(restored->GetFieldData()->GetArray("UnchangedCell"), nullptr);
+  EXPECT_EQ(restored->GetFieldData()->GetArray("SourceCell"), nullptr);
+  EXPECT_NE(restored->GetCellData()->GetArray("SourceCell"), nullptr);
+}
+
+TEST(Remesh, ReleasedWorkIsMadeAnew)
+{
+  const auto input = withRegion(icosphere(4), upperHalf, 0.1);
+  Remeshed stretch(input, vtkOversketchRemesh::Stretch, handlesOn(input, 0.5, 1.0));
+  const auto content = contentOf(stretch.run());
+  stretch.filter->ReleaseWork();
+  EXPECT_EQ(stretch.filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(stretch.filter->GetHandlesOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(contentOf(stretch.run()), content);
+  EXPECT_GT(stretch.filter->GetHandlesOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(stretch.filter->GetRemeshCount(), 2);
+}
+
 TEST(Remesh, RefusesWhatItCannotRead)
 {
   struct Case

@@ -268,7 +268,8 @@ ACCEPTANCE = frame.Run(
     units="Lengths are mean edges of the input, but px; angles degrees. published bounds in brackets; coarse: up to 2,000 triangles; patch: "
           "vertices that the ring encloses. px: root mean square off the strokes, where curves are seen; share: mean of the weight less that of "
           "d / (d + e); spread: p95 / p5 of the shares of surface and disc, plain: of a plain map; recut: what was drawn to where its plane "
-          "cuts the result, worst of a straight line, mean of an S or arc; angle: of the dragged region, p5, off: without new triangles.",
+          "cuts the result, worst of a straight line, mean of an S or arc; angle: of the dragged region, p5, off: without new triangles. As "
+          "published each sample of a ring becomes a vertex: one that lands on another limb cuts triangles beyond the ring, where no point moves.",
     modes={"default": "default", "published": "as published"},
     usual=("default", "published"),
     counting=("default", "published"),

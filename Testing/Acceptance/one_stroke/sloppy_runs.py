@@ -12,6 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import accept  # noqa: E402
+import frame  # noqa: E402
 import hands  # noqa: E402
 import meshes  # noqa: E402
 import picture  # noqa: E402

@@ -1,5 +1,5 @@
 // The pen that draws lines on a mesh: a ball in a window of 400 x 300 px, the line and the wheel by logs.
-#include "Stroke/polyline.h"
+#include "Harness/live_window.h"
 #include "ball_scene.h"
 #include "vtkOversketchFilterTools.h"
 
@@ -341,25 +341,8 @@ TEST(AugmentWidget, APartIsDrawnAnew)
 {
   Ball scene;
   scene.drawLine();
-  const auto first = copyOf(scene.widget->GetStroke());
-  scene.play("augment_over.log");
-  EXPECT_FALSE(scene.widget->IsNew());
-  vtkPolyData* stroke = scene.widget->GetStroke();
-  const auto at = [](vtkPolyData* line, vtkIdType i) {
-    return std::array<double, 2>{ line->GetPoint(i)[0], line->GetPoint(i)[1] };
-  };
-  EXPECT_EQ(at(stroke, 0), at(first, 0));
-  EXPECT_EQ(at(stroke, stroke->GetNumberOfPoints() - 1), at(first, first->GetNumberOfPoints() - 1));
-  double off = 0.0; // the farthest that the new line is from the old one
-  oversketch::Polyline old = oversketch::StrokeOf(first);
-  const oversketch::NearestPlace nearest(old);
-  for (const auto& p : oversketch::StrokeOf(stroke))
-  {
-    off = std::max(off, nearest(p).distance);
-  }
-  EXPECT_GT(off, 4.0);
-  EXPECT_LT(off, 12.0);
-  EXPECT_TRUE(identical(made(scene.mesh, stroke), scene.widget->GetOutput()));
+  expectAPartIsDrawnAnew(scene, copyOf(scene.widget->GetStroke()), "augment_over.log", 4.0, 12.0);
+  EXPECT_TRUE(identical(made(scene.mesh, scene.widget->GetStroke()), scene.widget->GetOutput()));
 }
 
 TEST(AugmentWidget, TheNextStrokeIsDrawnOnWhatTheLastOneMade)

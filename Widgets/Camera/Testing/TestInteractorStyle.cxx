@@ -1,20 +1,11 @@
-// Numbers of editors.md, section 13 (camera): a 400 x 400 window, parallel scale 1, unit sphere, camera at
-// (0, 0, 10).
-#include "Harness/interaction.h"
-#include "Harness/sequences.h"
+// How the hand turns, pans and zooms: numbers of editors.md, section 13 (camera).
+#include "style_scene.h"
 
-#include "vtkOversketchInteractorStyle.h"
-
-#include "vtkActor.h"
 #include "vtkCellPicker.h"
 #include "vtkMath.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
-#include "vtkSliderRepresentation2D.h"
-#include "vtkSliderWidget.h"
-#include "vtkSphereSource.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -22,64 +13,9 @@
 
 using namespace oversketch_test;
 
-namespace
-{
-
-struct Scene : Window
-{
-  vtkNew<vtkSphereSource> sphere;
-  vtkNew<vtkActor> actor;
-  vtkNew<vtkOversketchInteractorStyle> style;
-
-  explicit Scene(bool parallel = true)
-  {
-    this->sphere->SetThetaResolution(64);
-    this->sphere->SetPhiResolution(65);
-    this->sphere->SetRadius(1.0);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(this->sphere->GetOutputPort());
-    this->actor->SetMapper(mapper);
-    this->renderer->AddActor(this->actor);
-    this->camera()->SetParallelProjection(parallel);
-    this->camera()->SetParallelScale(1.0);
-    this->camera()->SetPosition(0.0, 0.0, 10.0);
-    this->renderer->ResetCameraClippingRange();
-    this->interactor->SetInteractorStyle(this->style);
-    this->window->Render();
-    this->interactor->EnableRenderOff(); // the camera is what is tested
-  }
-
-  std::vector<double> state()
-  {
-    vtkCamera* c = this->camera();
-    std::vector<double> all{ c->GetViewAngle(), c->GetParallelScale() };
-    for (const double* v : { c->GetPosition(), c->GetFocalPoint(), c->GetViewUp() })
-    {
-      all.insert(all.end(), v, v + 3);
-    }
-    return all;
-  }
-};
-
-void expectNear(const std::vector<double>& a, const std::vector<double>& b, double tolerance)
-{
-  ASSERT_EQ(a.size(), b.size());
-  for (size_t i = 0; i < a.size(); ++i)
-  {
-    EXPECT_NEAR(a[i], b[i], tolerance) << i;
-  }
-}
-
-std::vector<double> three(const double* v)
-{
-  return { v[0], v[1], v[2] };
-}
-
-} // namespace
-
 TEST(Camera, TheTrackballLogPutsItThere)
 {
-  Scene scene;
+  StyleScene scene;
   scene.play("camera_turn.log");
   expectNear(three(scene.camera()->GetPosition()), { -5.0, 0.0, 10.0 * std::sqrt(0.75) }, 1e-12);
   expectNear(three(scene.camera()->GetFocalPoint()), { 0.0, 0.0, 0.0 }, 0.0);
@@ -92,7 +28,7 @@ TEST(Camera, ThereAndBackRestoresIt)
 {
   for (const bool parallel : { true, false })
   {
-    Scene scene(parallel);
+    StyleScene scene(parallel);
     const auto before = scene.state();
     scene.play("camera_turn_back.log");
     expectNear(scene.state(), before, 1e-12);
@@ -103,7 +39,7 @@ TEST(Camera, ThePickedPointStaysUnderTheCursor)
 {
   for (const bool parallel : { true, false })
   {
-    Scene scene(parallel);
+    StyleScene scene(parallel);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> part(0.0, 1.0);
     double worst = 0.0;
@@ -147,7 +83,7 @@ TEST(Camera, LargeMeshesArePickedAlike)
   // 80 x 80 makes the mesh small enough to be walked through, 200 x 200 large enough for a locator.
   for (const int resolution : { 80, 200 })
   {
-    Scene scene;
+    StyleScene scene;
     scene.sphere->SetThetaResolution(resolution);
     scene.sphere->SetPhiResolution(resolution + 1);
     scene.interactor->EnableRenderOn();
@@ -174,7 +110,7 @@ TEST(Camera, PanKeepsThePickedPointUnderTheCursor)
 {
   for (const bool parallel : { true, false })
   {
-    Scene scene(parallel);
+    StyleScene scene(parallel);
     const auto direction = three(scene.camera()->GetDirectionOfProjection());
     scene.event(vtkCommand::RightButtonPressEvent, 200, 200);
     scene.move(251, 137);
@@ -184,7 +120,7 @@ TEST(Camera, PanKeepsThePickedPointUnderTheCursor)
     EXPECT_NEAR(at[1], 137.0, 1e-9);
     expectNear(three(scene.camera()->GetDirectionOfProjection()), direction, 0.0);
     // Beside the mesh the plane of the focal point follows.
-    Scene beside(parallel);
+    StyleScene beside(parallel);
     beside.camera()->SetParallelScale(2.0);
     const auto before = beside.display({ 0.0, 0.0, 0.0 });
     beside.event(vtkCommand::LeftButtonPressEvent, 2, 2, Shift);
@@ -202,7 +138,7 @@ TEST(Camera, ATurnBesideTheMeshIsAboutItsMiddle)
     for (const int orbit :
       { vtkOversketchInteractorStyle::Trackball, vtkOversketchInteractorStyle::Turntable })
     {
-      Scene scene(parallel);
+      StyleScene scene(parallel);
       scene.style->SetOrbit(orbit);
       scene.actor->SetPosition(0.2, -0.1, 0.3);
       scene.camera()->SetFocalPoint(0.0, 0.0, 1.0);
@@ -225,7 +161,7 @@ TEST(Camera, ATurnBesideTheMeshIsAboutItsMiddle)
 
 TEST(Camera, ATurntableKeepsTheHorizonAndStopsAtThePoles)
 {
-  Scene scene;
+  StyleScene scene;
   scene.style->SetOrbitToTurntable();
   std::mt19937 random(5);
   std::uniform_int_distribution<int> place(0, 399);
@@ -258,7 +194,7 @@ TEST(Camera, TheWheelKeepsWhatIsUnderTheCursorAndTheEye)
 {
   for (const bool parallel : { true, false })
   {
-    Scene scene(parallel);
+    StyleScene scene(parallel);
     const auto eye = three(scene.camera()->GetPosition());
     const std::array<double, 3> place{ 0.4, 0.3, 0.5 };
     const auto before = scene.display(place);
@@ -290,7 +226,7 @@ TEST(Camera, TheWheelKeepsWhatIsUnderTheCursorAndTheEye)
 
 TEST(Camera, ASideIsLookedFromUpright)
 {
-  Scene scene;
+  StyleScene scene;
   scene.actor->SetPosition(1.0, 2.0, 3.0);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -311,7 +247,7 @@ TEST(Camera, ASideIsLookedFromUpright)
 
 TEST(Camera, TheProjectionChangesAndTheSizeStays)
 {
-  Scene scene(false);
+  StyleScene scene(false);
   scene.style->SetZoom(2.0);
   const auto before = scene.state();
   const auto size = [&] { return scene.display({ 0.1, 0.0, 0.0 })[0] - scene.display({ 0.0, 0.0, 0.0 })[0]; };
@@ -331,7 +267,7 @@ TEST(Camera, TheProjectionChangesAndTheSizeStays)
 
 TEST(Camera, GesturesTurnPanAndZoom)
 {
-  Scene scene;
+  StyleScene scene;
   const std::array<double, 3> place{ 0.0, 0.0, 1.0 };
   const auto before = scene.display(place);
   scene.style->PanBy(30.0, -20.0);
@@ -351,7 +287,7 @@ TEST(Camera, GesturesTurnPanAndZoom)
 
 TEST(Camera, EscapeTakesADragBack)
 {
-  Scene scene;
+  StyleScene scene;
   const auto before = scene.state();
   for (const int modifiers : { int(NoModifier), int(Shift), int(Control) })
   {
@@ -370,7 +306,7 @@ TEST(Camera, ZoomMultipliesTheApparentSize)
 {
   for (const bool parallel : { true, false })
   {
-    Scene scene(parallel);
+    StyleScene scene(parallel);
     const auto length = [&] {
       return scene.display({ 0.1, 0.0, 0.5 })[0] - scene.display({ 0.0, 0.0, 0.5 })[0];
     };
@@ -402,7 +338,7 @@ TEST(Camera, ZoomMultipliesTheApparentSize)
 
 TEST(Camera, AskingForTheZoomDoesNotFixTheFirstView)
 {
-  Scene scene;
+  StyleScene scene;
   EXPECT_EQ(scene.style->GetZoom(), 1.0);
   scene.camera()->SetParallelScale(3.0); // the host's own
   EXPECT_EQ(scene.style->GetZoom(), 1.0);
@@ -414,7 +350,7 @@ TEST(Camera, AskingForTheZoomDoesNotFixTheFirstView)
 
 TEST(Camera, TheDialSpins)
 {
-  Scene scene;
+  StyleScene scene;
   scene.style->SetSpin(90.0);
   // Counter-clockwise: what was up points left.
   EXPECT_LT(scene.display({ 0.0, 0.5, 0.0 })[0], 150.0);
@@ -426,295 +362,4 @@ TEST(Camera, TheDialSpins)
   EXPECT_EQ(scene.style->GetSpin(), 0.0);
   scene.style->SetSpin(-5.0);
   EXPECT_EQ(scene.style->GetSpin(), 355.0);
-}
-
-TEST(Keys, LookAlongTheAxes)
-{
-  Scene scene;
-  const char* keys[] = { "x", "y", "z" };
-  const char* capitals[] = { "X", "Y", "Z" };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::vector<double> along(3, 0.0), against(3, 0.0), up(3, 0.0);
-    along[axis] = 1.0;
-    against[axis] = -1.0;
-    up[axis == 1 ? 2 : 1] = 1.0;
-    for (const char* key : { keys[axis], capitals[axis] }) // Caps Lock is not Shift
-    {
-      scene.key(key);
-      expectNear(three(scene.camera()->GetDirectionOfProjection()), along, 1e-15);
-      scene.key(key, Shift);
-      expectNear(three(scene.camera()->GetDirectionOfProjection()), against, 1e-15);
-    }
-    expectNear(three(scene.camera()->GetViewUp()), up, 0.0);
-    EXPECT_NEAR(scene.camera()->GetDistance(), 10.0, 1e-14);
-  }
-}
-
-TEST(Keys, EachGoesWhereTheTableSays)
-{
-  const double s = std::sin(vtkMath::RadiansFromDegrees(5.0)), c = std::cos(vtkMath::RadiansFromDegrees(5.0));
-  struct Case
-  {
-    const char* key;
-    int modifiers;
-    std::vector<double> position, up;
-  };
-  // Camera at (0, 0, 10), y up; a step of panning is 5 % of the height 2.
-  const std::vector<Case> cases{
-    { "r", 0, { 0, 0, 10 }, { s, c, 0 } }, // the picture turns counter-clockwise, the camera clockwise
-    { "l", 0, { 0, 0, 10 }, { s, c, 0 } },
-    { "r", Shift, { 0, 0, 10 }, { -s, c, 0 } },
-    { "h", 0, { 0, 0, 10 }, { -s, c, 0 } },
-    { "1", 0, { 0, 10 * s, 10 * c }, { 0, c, -s } },
-    { "exclam", Shift, { 0, -10 * s, 10 * c }, { 0, c, s } },
-    { "2", 0, { -10 * s, 0, 10 * c }, { 0, 1, 0 } },
-    { "at", Shift, { 10 * s, 0, 10 * c }, { 0, 1, 0 } },
-    { "3", 0, { 0, 0, 10 }, { s, c, 0 } },
-    { "numbersign", Shift, { 0, 0, 10 }, { -s, c, 0 } },
-    { "i", 0, { 0, 10 * s, 10 * c }, { 0, c, -s } },
-    { "m", 0, { 0, -10 * s, 10 * c }, { 0, c, s } },
-    { "j", 0, { -10 * s, 0, 10 * c }, { 0, 1, 0 } },
-    { "k", 0, { 10 * s, 0, 10 * c }, { 0, 1, 0 } },
-    { "I", Shift, { 0, 0.1, 10 }, { 0, 1, 0 } },
-    { "M", Shift, { 0, -0.1, 10 }, { 0, 1, 0 } },
-    { "J", Shift, { -0.1, 0, 10 }, { 0, 1, 0 } },
-    { "K", Shift, { 0.1, 0, 10 }, { 0, 1, 0 } },
-    { "H", Shift, { 0, 0, 9.9 }, { 0, 1, 0 } },
-    { "L", Shift, { 0, 0, 10.1 }, { 0, 1, 0 } },
-    { "P", Shift, { 0, 0, 9.9 }, { 0, 1, 0 } },
-    { "N", Shift, { 0, 0, 10.1 }, { 0, 1, 0 } },
-  };
-  for (const Case& one : cases)
-  {
-    SCOPED_TRACE(std::string(one.key) + (one.modifiers ? " with Shift" : ""));
-    Scene scene;
-    Counter moved(scene.style, vtkCommand::InteractionEvent);
-    scene.key(one.key, one.modifiers);
-    expectNear(three(scene.camera()->GetPosition()), one.position, 1e-12);
-    expectNear(three(scene.camera()->GetViewUp()), one.up, 1e-12);
-    EXPECT_NEAR(scene.camera()->GetDistance(), 10.0, 1e-12);
-    EXPECT_EQ(scene.camera()->GetParallelScale(), 1.0);
-    EXPECT_EQ(moved.count, 1);
-  }
-  Scene scene;
-  scene.key("n");
-  EXPECT_NEAR(scene.camera()->GetParallelScale(), 1.0 / 1.1, 1e-15);
-  scene.key("p");
-  EXPECT_NEAR(scene.camera()->GetParallelScale(), 1.0, 1e-15);
-}
-
-TEST(Keys, EachIsUndoneByItsReverse)
-{
-  for (const bool parallel : { true, false })
-  {
-    Scene scene(parallel);
-    scene.camera()->Azimuth(20.0);
-    scene.camera()->Elevation(10.0);
-    scene.camera()->OrthogonalizeViewUp();
-    const auto before = scene.state();
-    scene.play("camera_keys_there_and_back.log");
-    expectNear(scene.state(), before, 1e-12);
-  }
-}
-
-TEST(Keys, ResetAndCentre)
-{
-  Scene scene;
-  const auto first = scene.state();
-  scene.play("camera_turn.log");
-  scene.key("n");
-  scene.key("r");
-  scene.key("W", Shift); // has no Shift of its own
-  expectNear(scene.state(), first, 0.0);
-  EXPECT_EQ(scene.style->GetSpin(), 0.0);
-  scene.actor->SetPosition(3.0, 4.0, 5.0);
-  scene.key("c");
-  expectNear(three(scene.camera()->GetFocalPoint()), { 3.0, 4.0, 5.0 }, 1e-6); // float points
-  expectNear(three(scene.camera()->GetDirectionOfProjection()), { 0.0, 0.0, -1.0 }, 1e-12);
-  EXPECT_NEAR(scene.camera()->GetDistance(), 10.0, 1e-12);
-  scene.style->SaveFirstView();
-  const auto second = scene.state();
-  scene.key("x");
-  scene.key("w");
-  expectNear(scene.state(), second, 0.0);
-}
-
-TEST(Keys, VTKsOwnAreSwallowed)
-{
-  Scene scene;
-  vtkNew<vtkSliderWidget> slider;
-  vtkNew<vtkSliderRepresentation2D> look;
-  slider->SetInteractor(scene.interactor);
-  slider->SetRepresentation(look);
-  slider->On();
-  const auto before = scene.state();
-  for (const char* key : { "i", "m" }) // i would switch the slider off
-  {
-    scene.key(key);
-    EXPECT_TRUE(slider->GetEnabled());
-  }
-  expectNear(scene.state(), before, 1e-12);
-  Counter exits(scene.interactor, vtkCommand::ExitEvent);
-  for (const char* key : { "e", "f", "u", "s", "t", "a", "6", "0" })
-  {
-    scene.key(key);
-    scene.key(key, Shift);
-  }
-  scene.key("Escape");
-  expectNear(scene.state(), before, 1e-12);
-  EXPECT_EQ(exits.count, 0);
-  scene.key("w");
-  scene.key("3");
-  EXPECT_EQ(scene.window->GetStereoRender(), 0);
-  EXPECT_EQ(scene.actor->GetProperty()->GetRepresentation(), VTK_SURFACE);
-  // With Ctrl or Alt a key is the host's.
-  const auto here = scene.state();
-  scene.key("z", Control);
-  scene.key("x", Alt);
-  scene.key("q", Control);
-  expectNear(scene.state(), here, 0.0);
-  EXPECT_EQ(exits.count, 0);
-  scene.key("q");
-  EXPECT_EQ(exits.count, 1);
-}
-
-TEST(Mode, DrawingNeverOrbits)
-{
-  Scene scene;
-  const auto before = scene.state();
-  const auto leftDrag = [&](int modifiers)
-  {
-    scene.event(vtkCommand::LeftButtonPressEvent, 200, 200, modifiers);
-    scene.move(250, 230, modifiers);
-    scene.event(vtkCommand::LeftButtonReleaseEvent, 250, 230, modifiers);
-    auto after = scene.state();
-    scene.style->ResetToFirstView();
-    return after;
-  };
-  scene.style->SetModeToDraw();
-  EXPECT_EQ(leftDrag(NoModifier), before);
-  const auto turned = leftDrag(Control);
-  EXPECT_NE(turned, before);
-  EXPECT_EQ(leftDrag(Alt), turned);
-  const auto panned = leftDrag(Shift);
-  EXPECT_NE(panned, before);
-  EXPECT_EQ(leftDrag(Shift | Alt), panned);
-  scene.style->SetModeToNavigate();
-  EXPECT_EQ(leftDrag(NoModifier), turned);
-}
-
-TEST(Mode, OneDragAtATime)
-{
-  Scene scene;
-  scene.event(vtkCommand::MiddleButtonPressEvent, 200, 200);
-  scene.move(260, 200);
-  const auto turned = scene.state();
-  scene.event(vtkCommand::RightButtonPressEvent, 260, 200);
-  scene.event(vtkCommand::LeftButtonPressEvent, 260, 200);
-  scene.event(vtkCommand::MouseWheelForwardEvent, 260, 200);
-  scene.key("x");
-  scene.event(vtkCommand::RightButtonReleaseEvent, 260, 200);
-  scene.event(vtkCommand::LeftButtonReleaseEvent, 260, 200);
-  expectNear(scene.state(), turned, 0.0);
-  scene.event(vtkCommand::MiddleButtonReleaseEvent, 260, 200);
-  scene.move(100, 100);
-  expectNear(scene.state(), turned, 0.0);
-}
-
-TEST(Random, EventsNeitherFailNorBreakTheCamera)
-{
-  Quiet quiet;
-  const std::vector<unsigned long> mouse{ vtkCommand::LeftButtonPressEvent,
-    vtkCommand::LeftButtonReleaseEvent,
-    vtkCommand::MiddleButtonPressEvent,
-    vtkCommand::MiddleButtonReleaseEvent,
-    vtkCommand::RightButtonPressEvent,
-    vtkCommand::RightButtonReleaseEvent,
-    vtkCommand::MouseWheelForwardEvent,
-    vtkCommand::MouseWheelBackwardEvent,
-    vtkCommand::EnterEvent,
-    vtkCommand::LeaveEvent,
-    vtkCommand::ExposeEvent,
-    vtkCommand::ConfigureEvent };
-  const std::vector<const char*> keys{ "r",
-    "x",
-    "y",
-    "z",
-    "1",
-    "exclam",
-    "2",
-    "3",
-    "w",
-    "c",
-    "h",
-    "l",
-    "i",
-    "m",
-    "j",
-    "k",
-    "p",
-    "n",
-    "question",
-    "F1",
-    "Escape",
-    "BackSpace",
-    "Q",
-    "e",
-    "f",
-    "s",
-    "u",
-    "t",
-    "0",
-    "Shift_L",
-    "" };
-  const Sequences sequences = sequencesAsked(100);
-  MemoryLevel memory(sequences);
-  int moves = 0;
-  for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)
-  {
-    memory.before(seed);
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
-    Scene scene(seed % 2 == 0);
-    auto before = scene.state();
-    for (int i = 0; i < 200; ++i)
-    {
-      const int x = below(480) - 40, y = below(480) - 40, modifiers = below(3) ? 0 : below(8);
-      switch (below(10))
-      {
-        case 0:
-        case 1:
-        case 2:
-        case 3:
-          scene.move(x, y, modifiers);
-          break;
-        case 4:
-        case 5:
-        case 6:
-          scene.event(mouse[below(mouse.size())], x, y, modifiers);
-          break;
-        case 7:
-          scene.style->SetMode(below(2));
-          break;
-        default:
-          scene.key(keys[below(keys.size())], modifiers, x, y);
-      }
-      const auto state = scene.state();
-      ASSERT_TRUE(std::all_of(state.begin(), state.end(), [](double v) { return std::isfinite(v); })) << i;
-      ASSERT_GT(scene.camera()->GetDistance(), 1.0) << i;
-      moves += state != before;
-      before = state;
-    }
-    if (seed % 3 == 0)
-    {
-      scene.interactor->SetInteractorStyle(nullptr); // perhaps in a drag
-    }
-  }
-  EXPECT_EQ(quiet.errors(), 0);
-  EXPECT_TRUE(!sequences.areMany() || moves > static_cast<int>(20 * sequences.count)) << moves;
-  std::cout << moves << " moves of the camera, ";
-  memory.print();
-  EXPECT_LT(memory.growth(memoryKeptOfAWindow()), 4.0);
 }

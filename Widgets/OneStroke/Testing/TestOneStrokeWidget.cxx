@@ -1,7 +1,7 @@
 // The pen that deforms a mesh: the shipped dog in a window of 400 x 300 px, the leg drawn longer by a log.
 #include "Harness/interaction.h"
+#include "Harness/live_window.h"
 #include "Harness/shipped.h"
-#include "Stroke/polyline.h"
 #include "dog_scene.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchLaplacianDeform.h"
@@ -217,25 +217,8 @@ TEST(OneStrokeWidget, APartIsDrawnAnew)
 {
   Dog scene;
   scene.drawLeg();
-  const auto first = copyOf(scene.widget->GetStroke());
-  scene.play("one_stroke_over.log");
-  EXPECT_FALSE(scene.widget->IsNew());
-  vtkPolyData* stroke = scene.widget->GetStroke();
-  const auto at = [](vtkPolyData* line, vtkIdType i) {
-    return std::array<double, 2>{ line->GetPoint(i)[0], line->GetPoint(i)[1] };
-  };
-  EXPECT_EQ(at(stroke, 0), at(first, 0));
-  EXPECT_EQ(at(stroke, stroke->GetNumberOfPoints() - 1), at(first, first->GetNumberOfPoints() - 1));
-  double off = 0.0; // the farthest that the new line is from the old one
-  oversketch::Polyline old = oversketch::StrokeOf(first);
-  const oversketch::NearestPlace nearest(old);
-  for (const auto& p : oversketch::StrokeOf(stroke))
-  {
-    off = std::max(off, nearest(p).distance);
-  }
-  EXPECT_GT(off, 2.5);
-  EXPECT_LT(off, 7.0);
-  EXPECT_TRUE(identical(made(scene.mesh, stroke), scene.widget->GetOutput()));
+  expectAPartIsDrawnAnew(scene, copyOf(scene.widget->GetStroke()), "one_stroke_over.log", 2.5, 7.0);
+  EXPECT_TRUE(identical(made(scene.mesh, scene.widget->GetStroke()), scene.widget->GetOutput()));
 }
 
 TEST(OneStrokeWidget, AParameterRunsTheStrokeAnew)
