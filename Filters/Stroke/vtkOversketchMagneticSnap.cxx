@@ -142,6 +142,12 @@ auto OfStroke(int stroke, const Work& work)
   }
 }
 
+MeshKey KeyOfScalars(vtkImageData* picture)
+{
+  vtkNew<vtkPolyData> none; // of which arrays are read
+  return MeshKey(none, { picture ? picture->GetPointData()->GetScalars() : nullptr });
+}
+
 // What one execution reads.
 struct Search
 {
@@ -165,11 +171,7 @@ struct Search
       this->Place = PlaceOf(picture);
     }
   }
-  MeshKey ScalarsKey() const
-  {
-    vtkNew<vtkPolyData> none; // of which arrays are read
-    return MeshKey(none, { this->Picture ? this->Picture->GetPointData()->GetScalars() : nullptr });
-  }
+  MeshKey ScalarsKey() const { return KeyOfScalars(this->Picture); }
   bool IsMagnetic(int stroke) const
   {
     return this->Magnetic && this->Magnetic->GetComponent(stroke, 0) != 0.0 &&
@@ -210,18 +212,15 @@ struct vtkOversketchMagneticSnap::Cache
   Answers Known; // of this and the last run's magnetic strokes
 
   // The edges of the picture; found anew for another one, which answers have to be, too.
-  const EdgeFeatures& Edges(const Search& search, vtkIdType& count)
+  const EdgeFeatures& Edges(vtkImageData* picture, const PicturePlace& place, bool colours, vtkIdType& count)
   {
-    const StepKey key({ search.ScalarsKey() },
-      { static_cast<double>(search.Place.Columns),
-        static_cast<double>(search.Place.Rows),
-        search.Rules.together ? 1.0 : 0.0 });
+    const StepKey key({ KeyOfScalars(picture) },
+      { static_cast<double>(place.Columns), static_cast<double>(place.Rows), colours ? 1.0 : 0.0 });
     if (!this->Features || this->FeaturesKey != key)
     {
       this->Features = nullptr;
       this->Known.clear();
-      this->Features =
-        std::make_unique<const EdgeFeatures>(edgesOf(search.Picture, search.Place, search.Rules.together));
+      this->Features = std::make_unique<const EdgeFeatures>(edgesOf(picture, place, colours));
       this->FeaturesKey = key;
       ++count;
     }
@@ -248,6 +247,27 @@ vtkOversketchMagneticSnap::~vtkOversketchMagneticSnap() = default;
 void vtkOversketchMagneticSnap::SetPictureData(vtkImageData* picture)
 {
   this->SetInputData(1, picture);
+}
+
+void vtkOversketchMagneticSnap::Prepare()
+{
+  if (this->GetNumberOfInputConnections(1) == 0)
+  {
+    return;
+  }
+  this->GetInputAlgorithm(1, 0)->Update();
+  auto* picture = vtkImageData::SafeDownCast(this->GetInputDataObject(1, 0));
+  if (!picture || !picture->GetPointData()->GetScalars())
+  {
+    return;
+  }
+  try
+  {
+    this->Internals->Edges(picture, PlaceOf(picture), this->Together && !this->AsPublished, this->EdgeCount);
+  }
+  catch (const Error&) // whose message the stroke has
+  {
+  }
 }
 
 int vtkOversketchMagneticSnap::FillInputPortInformation(int port, vtkInformation* information)
@@ -283,7 +303,8 @@ int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
       const auto snap = [&](int stroke, const Context& context)
       {
         Question question = OfStroke(stroke, [&] { return search.Ask(stroke); });
-        const EdgeFeatures& edges = cache.Edges(search, this->EdgeCount);
+        const EdgeFeatures& edges =
+          cache.Edges(search.Picture, search.Place, rules.together, this->EdgeCount);
         const SnappedStroke* known = cache.Find(question);
         if (!known)
         {

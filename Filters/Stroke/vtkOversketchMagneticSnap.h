@@ -94,6 +94,12 @@ public:
   vtkBooleanMacro(AsPublished, bool);
   ///@}
 
+  /**
+   * Finds the edges of the picture on port 1 now, so that the first stroke need not wait for them. What is
+   * wrong with the picture is said when a stroke needs it.
+   */
+  void Prepare();
+
   ///@{
   /**
    * How many times edges of a picture have been found, and how many strokes have been searched for:

@@ -4,7 +4,6 @@
 #include "Shading/flatten.h"
 #include "Sparse/cholesky.h"
 #include "Stellar/curves.h"
-#include "Stellar/distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +16,6 @@ namespace oversketch
 namespace
 {
 
-constexpr double unreached = std::numeric_limits<double>::infinity();
-
 FeatureCurve curveOf(const Mesh& mesh, const std::vector<int>& chain, bool closed)
 {
   FeatureCurve curve;
@@ -29,86 +26,6 @@ FeatureCurve curveOf(const Mesh& mesh, const std::vector<int>& chain, bool close
   }
   curve.measure();
   return curve;
-}
-
-// The front over the surface; `straight` holds each vertex's distance through space and place, and is
-// replaced.
-void march(const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<int>& chain,
-  const FeatureCurve& curve,
-  ChainDistances& straight,
-  const Context& context)
-{
-  const std::vector<double> least = straight.distance;
-  std::vector<double>&distance = straight.distance, &place = straight.place;
-  std::fill(distance.begin(), distance.end(), unreached);
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  std::vector<char> done(mesh.points.size(), 0);
-  const auto meet = [&](int v, double reached, double at)
-  {
-    const double known = std::max(reached, least[v]);
-    if (!done[v] && known < distance[v])
-    {
-      distance[v] = known;
-      place[v] = at;
-      queue.emplace(known, v);
-    }
-  };
-  // Beside the curve the straight way runs over the triangle.
-  for (std::size_t i = 0; i < chain.size(); ++i)
-  {
-    meet(chain[i], 0.0, curve.arc[i]);
-  }
-  for (std::size_t i = 0; i < chain.size(); ++i)
-  {
-    const int v = chain[i];
-    for (const int* t = adjacency.vertexTriangles.begin(v); t != adjacency.vertexTriangles.end(v); ++t)
-    {
-      for (const int w : mesh.triangles[*t])
-      {
-        meet(w, least[w], place[w]);
-      }
-    }
-  }
-  for (int steps = 0; !queue.empty(); ++steps)
-  {
-    if (steps % 4096 == 0)
-    {
-      context.checkpoint(0.0);
-    }
-    const int a = queue.top().second;
-    queue.pop();
-    if (done[a])
-    {
-      continue;
-    }
-    done[a] = 1;
-    for (const int* t = adjacency.vertexTriangles.begin(a); t != adjacency.vertexTriangles.end(a); ++t)
-    {
-      const Triangle& corners = mesh.triangles[*t];
-      const int i = static_cast<int>(std::find(corners.begin(), corners.end(), a) - corners.begin());
-      for (int side = 1; side < 3; ++side)
-      {
-        // From a and b, if the front has passed that, to v.
-        const int b = corners[(i + side) % 3], v = corners[(i + 3 - side) % 3];
-        const FrontStep step = frontStep(distance[a],
-          done[b] ? distance[b] : unreached,
-          mesh.points[b] - mesh.points[a],
-          mesh.points[v] - mesh.points[a]);
-        // Ways to a bent curve spread by no more than their length; farther apart are two fronts that meet,
-        // and between their places is nothing.
-        const bool together = done[b] && curve.apart(place[a], place[b]) <=
-                                           2.0 * (mesh.points[b] - mesh.points[a]).norm() + distance[a];
-        const double at = !together && step.share < 0.5 ? place[a]
-                          : !together                   ? place[b]
-                          : curve.closed                ? place[step.share < 0.5 ? a : b]
-                                                        : place[a] + step.share * (place[b] - place[a]);
-        meet(v, step.distance, at);
-      }
-    }
-  }
 }
 
 // f' - div(room^2 grad f') = f at the vertices that are not held; the others keep theirs.
@@ -259,7 +176,7 @@ ChainDistances chainDistances(const Mesh& mesh,
   }
   if (!straight)
   {
-    march(mesh, adjacency, chain, curves[0], result, context);
+    marchFront(mesh, adjacency, chain, curves[0], result, context);
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #define oversketch_fields_h
 
 #include "Mesh/mesh.h"
+#include "Shading/front.h"
 
 #include <vector>
 
@@ -35,12 +36,7 @@ std::vector<signed char> chainSides(const Mesh& mesh,
   const std::vector<int>& chain);
 
 // The distance of each vertex from a chain of vertices whose segments are edges: the length of a front's way
-// over the surface, as CurveReach has it, never less than the straight one. And the place on the chain that
-// the way leads to, as a length along it.
-struct ChainDistances
-{
-  std::vector<double> distance, place;
-};
+// over the surface, never less than the straight one; or that.
 ChainDistances chainDistances(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<int>& chain,

@@ -151,7 +151,7 @@ TEST(Fields, DistancesOnASphere)
     const double exact = std::abs(down - 50.0 * pi / 180.0);
     worst = std::max(worst, std::abs(found.distance[v] - exact));
   }
-  EXPECT_LT(worst, 0.01);
+  EXPECT_LT(worst, 0.001);
   // Through space it is shorter.
   const ChainDistances chords = chainDistances(drawn.patch, adjacency, parallel, true, true, {});
   for (int v = 0; v < drawn.patch.vertexCount(); ++v)

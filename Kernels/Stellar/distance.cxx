@@ -17,50 +17,38 @@ constexpr double unreached = std::numeric_limits<double>::infinity();
 
 }
 
-namespace
-{
-
-// unfoldedDistance, and where the way crosses the edge.
-FrontStep unfolded(double da, double db, double c, double vx, double vy)
+double unfoldedDistance(double da, double db, double c, double vx, double vy)
 {
   if (!(c > 0.0))
   {
-    return { unreached, 0.0 };
+    return unreached;
   }
   const double x = (da * da - db * db + c * c) / (2.0 * c), square = da * da - x * x;
   if (!(square >= 0.0))
   {
-    return { unreached, 0.0 };
+    return unreached;
   }
   const double y = std::sqrt(square), across = y + vy > 0.0 ? x + (vx - x) * y / (y + vy) : vx;
-  return { across >= 0.0 && across <= c ? std::hypot(vx - x, vy + y) : unreached, across / c };
+  return across >= 0.0 && across <= c ? std::hypot(vx - x, vy + y) : unreached;
 }
 
-}
-
-double unfoldedDistance(double da, double db, double c, double vx, double vy)
-{
-  return unfolded(da, db, c, vx, vy).distance;
-}
-
-FrontStep frontStep(double da, double db, const Vector3& toB, const Vector3& toV)
+double frontStep(double da, double db, const Vector3& toB, const Vector3& toV)
 {
   const double direct = da + toV.norm();
   if (!std::isfinite(db))
   {
-    return { direct, 0.0 };
+    return direct;
   }
   const double c = toB.norm();
   if (c > 0.0)
   {
-    const FrontStep across = unfolded(da, db, c, toV.dot(toB) / c, toV.cross(toB).norm() / c);
-    if (std::isfinite(across.distance))
+    const double across = unfoldedDistance(da, db, c, toV.dot(toB) / c, toV.cross(toB).norm() / c);
+    if (std::isfinite(across))
     {
       return across;
     }
   }
-  const double other = db + (toV - toB).norm();
-  return other < direct ? FrontStep{ other, 1.0 } : FrontStep{ direct, 0.0 };
+  return std::min(direct, db + (toV - toB).norm());
 }
 
 Vector3 nearestWeights(const Vector3& at, const Vector3& a, const Vector3& b, const Vector3& c)
@@ -525,7 +513,7 @@ void CurveReach::front(const std::vector<int>& faces, const Context& context)
                         toB = this->Mesh.vertices[b].position - pa;
           const bool passed = this->Place[b] >= 0 && done[this->Place[b]];
           const double db = passed ? this->Found[this->Place[b]].distance : unreached;
-          const double reached = frontStep(da, db, toB, toV).distance;
+          const double reached = frontStep(da, db, toB, toV);
           meet(v, reached);
         }
       });

@@ -102,14 +102,9 @@ private:
 // source is so far from both.
 double unfoldedDistance(double da, double db, double c, double vx, double vy);
 
-// A front's step over a triangle from two of its corners, at distances da and db (infinite where it has not
-// passed b), to the third: unfolded, else along the shorter edge. to: the others seen from a.
-struct FrontStep
-{
-  double distance;
-  double share; // where its way leaves the edge, from a, 0, to b, 1
-};
-FrontStep frontStep(double da, double db, const Vector3& toB, const Vector3& toV);
+// A front's distance at a triangle's third corner, from two at distances da and db (infinite where it has not
+// passed b): unfolded, else along the shorter edge. to: the others seen from a.
+double frontStep(double da, double db, const Vector3& toB, const Vector3& toV);
 
 // Weights of a triangle's corners at its point nearest to a place.
 Vector3 nearestWeights(const Vector3& at, const Vector3& a, const Vector3& b, const Vector3& c);

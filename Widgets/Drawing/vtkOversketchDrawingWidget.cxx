@@ -197,6 +197,10 @@ void vtkOversketchDrawingWidget::SetPicture(vtkImageData* picture)
   inner.picture = picture;
   inner.canvas->SetPictureData(picture);
   inner.snap->SetPictureData(picture);
+  if (this->Magnetic)
+  {
+    inner.snap->Prepare(); // no stroke's release waits for it
+  }
   picture ? this->GetDrawingRepresentation()->SetPicture(picture)
           : this->GetDrawingRepresentation()->SetCanvas(inner.rectangle.corner[0],
               inner.rectangle.corner[1],

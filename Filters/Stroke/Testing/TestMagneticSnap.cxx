@@ -199,6 +199,20 @@ TEST(MagneticSnapFilter, ANewStrokeIsSearchedForAlone)
   EXPECT_EQ(chain.snap->GetEdgeCount(), 2);
 }
 
+TEST(MagneticSnapFilter, EdgesFoundAheadAreTheStrokes)
+{
+  const auto image = discPicture(200, discRadius, middle);
+  const auto drawing = circleAndLine(image);
+  Snapping ahead(image, drawing), alone(image, drawing);
+  ahead.snap->Prepare();
+  EXPECT_EQ(ahead.snap->GetEdgeCount(), 1);
+  EXPECT_EQ(ahead.snap->GetSnapCount(), 0);
+  ahead.snap->Update();
+  alone.snap->Update();
+  EXPECT_EQ(ahead.snap->GetEdgeCount(), 1);
+  expectSameCurves(ahead.snap->GetOutput(), alone.snap->GetOutput());
+}
+
 TEST(MagneticSnapFilter, OneAndTwoThreadsGiveTheSameBits)
 {
   const auto image = discPicture(200, discRadius, middle);
@@ -238,6 +252,7 @@ TEST(MagneticSnapFilter, RefusesAndCancels)
   const auto real = discPicture(200, discRadius, middle);
   real->GetPointData()->SetScalars(vtkNew<vtkFloatArray>());
   snap->SetPictureData(real);
+  snap->Prepare(); // says nothing
   expectRefusal(snap, Failure::BadStroke, "scalars are of type float");
   real->GetPointData()->SetScalars(nullptr);
   real->Modified();
