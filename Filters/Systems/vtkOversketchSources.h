@@ -42,12 +42,12 @@ public:
   const double* WeightsAt(vtkIdType triangle, int corner) const
   {
     return triangle < this->UnchangedCount
-             ? ofCorner[corner]
+             ? OfCorner[corner]
              : this->Weights->GetPointer(0) + 9 * (triangle - this->UnchangedCount) + 3 * corner;
   }
 
 private:
-  static constexpr double ofCorner[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  static constexpr double OfCorner[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
 
   vtkSmartPointer<vtkIntArray> Unchanged; // null where the others have sources of all triangles
   vtkIdType UnchangedCount = 0;
