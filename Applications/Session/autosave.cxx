@@ -1,6 +1,7 @@
 #include "autosave.h"
 
 #include "files.h"
+#include "json_reader.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
