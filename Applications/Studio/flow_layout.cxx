@@ -46,7 +46,7 @@ int FlowLayout::heightForWidth(int width) const
 QSize FlowLayout::sizeHint() const
 {
   const QMargins margins = this->contentsMargins();
-  QSize size;
+  QSize size(0, 0);
   for (const QLayoutItem* item : this->Items)
   {
     if (isThere(item))

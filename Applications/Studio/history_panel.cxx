@@ -31,6 +31,7 @@ using namespace oversketch_session;
 namespace
 {
 
+constexpr int leastList = 72; // px: a row and the marker below it
 constexpr int nodeRole = RowDelegate::NodeRole, lineRole = RowDelegate::LineRole;
 
 // The strokes of a step that is a drawing; none of another.
@@ -82,11 +83,13 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
     buttons->addWidget(button);
   }
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(this->List);
+  // Some rows are seen, however long the form is; it scrolls.
+  this->List->setMinimumHeight(leastList);
+  layout->addWidget(this->List, 2);
   auto* inList = new QVBoxLayout(this->List->viewport());
   inList->addWidget(this->Empty, 0, Qt::AlignTop);
   layout->addLayout(buttons);
-  layout->addWidget(this->Form);
+  layout->addWidget(this->Form, 3);
   this->Form->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 
   this->listenToList();
@@ -96,13 +99,6 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
     [this](const Values& values, int mirror)
     { this->OpenDocument->setParameters(this->current(), values, this->OpenDocument->mirrorPlane(mirror)); });
   this->refresh();
-}
-
-// Some rows are seen, however long the form is; it scrolls.
-void HistoryPanel::resizeEvent(QResizeEvent* event)
-{
-  QWidget::resizeEvent(event);
-  this->List->setMinimumHeight(this->height() * 2 / 5);
 }
 
 void HistoryPanel::listenToList()

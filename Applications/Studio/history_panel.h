@@ -58,9 +58,6 @@ signals:
   // Something cannot be done: why.
   void told(const QString& why);
 
-protected:
-  void resizeEvent(QResizeEvent* event) override;
-
 private:
   void makeActions();
   QList<QAction*> buttonActions() const

@@ -202,8 +202,6 @@ void MainWindow::makeTools()
     this->Options->addWidget(options ? options : new QWidget(this->Options));
   }
   bar->addWidget(this->Options);
-  auto* space = new QWidget(bar);
-  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   auto* presets = new QToolButton(bar);
   presets->setObjectName("presets");
   presets->setText(tr("Presets"));
@@ -213,7 +211,6 @@ void MainWindow::makeTools()
   presets->setFocusPolicy(Qt::NoFocus); // keys have the menu
   const QAction* of = this->Presets->menuAction();
   connect(of, &QAction::changed, presets, [presets, of] { presets->setEnabled(of->isEnabled()); });
-  bar->addWidget(space);
   bar->addWidget(presets);
   bar->addActions({ this->Undo, this->Redo });
   this->Strip = fixed(Qt::LeftToolBarArea, tr("Tools"), "tools_strip");

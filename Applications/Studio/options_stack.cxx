@@ -8,6 +8,9 @@ namespace oversketch_studio
 OptionsStack::OptionsStack(QWidget* parent)
   : QStackedWidget(parent)
 {
+  // All of the bar that is left, whichever page is shown: the height of the next one is known before it is
+  // laid out.
+  this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   connect(this, &QStackedWidget::currentChanged, this, &OptionsStack::fit);
 }
 

@@ -43,8 +43,9 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   this->List->setAccessibleName(tr("Scene"));
   this->List->setToolTip(tr("The model, and pictures behind it to draw after. Unticked ones are hidden. The "
                             "right button opens a menu."));
-  this->List->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  this->List->setFixedHeight(lines * (this->List->fontMetrics().height() + 8) + 2 * this->List->frameWidth());
+  const int line = this->List->fontMetrics().height() + 8, frame = 2 * this->List->frameWidth();
+  this->List->setMinimumHeight(line + frame); // on a small screen
+  this->List->setMaximumHeight(lines * line + frame);
   this->Opacity->setRange(0, 100);
   this->Opacity->setAccessibleName(tr("Opacity"));
   this->Opacity->setToolTip(tr("How strongly the selected picture is seen"));
@@ -64,7 +65,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(this->List);
   layout->addLayout(row);
-  this->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // the history takes the rest
+  this->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // the history takes the rest
 
   connect(this->Add, &QToolButton::clicked, this, &ScenePanel::addAsked);
   connect(this->View, &QToolButton::clicked, this, [this] { emit this->viewAsked(this->current()); });

@@ -16,7 +16,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int leastSide = 190, samplesOfPixel = 4;
+constexpr int leastWidth = 190, leastHeight = 90, samplesOfPixel = 4;
 
 } // namespace
 
@@ -33,7 +33,7 @@ EditPanel::EditPanel(QWidget* canvas, const QString& title, const QString& name,
   this->Window->AddRenderer(this->Renderer);
   this->Window->SetMultiSamples(samplesOfPixel);
   this->Picture->interactor()->SetInteractorStyle(nullptr); // there is no camera to turn
-  this->Picture->setMinimumSize(leastSide, leastSide);
+  this->Picture->setMinimumSize(leastWidth, leastHeight);
   this->Picture->setFocusPolicy(Qt::NoFocus);
   auto* column = new QVBoxLayout(this);
   column->addWidget(this->Picture, 1);

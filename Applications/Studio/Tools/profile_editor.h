@@ -53,7 +53,7 @@ public:
   explicit ProfileCurve(ProfileEditor* editor);
 
   QSize sizeHint() const override { return { 240, 150 }; }
-  QSize minimumSizeHint() const override { return { 160, 100 }; }
+  QSize minimumSizeHint() const override { return { 160, 80 }; }
   // Where a point is in the widget [px], for the hand.
   QPoint placeOf(int point) const;
   void forget(); // which point is chosen
