@@ -150,7 +150,7 @@ QString Hand::file()
 int Hand::act()
 {
   int events = 0;
-  switch (this->upTo(25))
+  switch (this->upTo(23))
   {
     case 0:
     case 1:
@@ -158,6 +158,7 @@ int Hand::act()
       break;
     case 2:
     case 3:
+    case 9:
       events = this->Draws ? this->dragOfAPart() : this->dragOfTheStroke();
       break;
     case 4:
@@ -178,7 +179,6 @@ int Hand::act()
         this->place(this->View));
       events = 1;
       break;
-    case 9:
     case 10:
       events = this->look();
       break;
@@ -197,24 +197,18 @@ int Hand::act()
       events = this->click();
       break;
     case 19:
-      events = this->Draws      ? this->lineOnThePad()
-               : this->oneIn(2) ? this->editOfARegion()
-                                : this->dragOfTheStroke();
+      events = this->Draws ? this->lineOnThePad() : this->editOfARegion();
       break;
     case 20:
       events = this->oneIn(2) ? this->lineWithAPen() : this->fingers();
       break;
     case 21:
-      events = this->dragInTheHistory();
+      events = this->oneIn(2)   ? this->dragInTheHistory()
+               : this->oneIn(2) ? this->keyInTheHistory()
+                                : this->glance();
       break;
     case 22:
-      events = this->oneIn(2) ? this->keyInTheHistory() : this->glance();
-      break;
-    case 23:
-      events = this->menu();
-      break;
-    case 24:
-      events = this->option();
+      events = this->oneIn(2) ? this->menu() : this->option();
       break;
     default:
       events = this->menuEntry();

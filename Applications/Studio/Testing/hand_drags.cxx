@@ -104,7 +104,11 @@ int Hand::dragOfTheStroke()
   {
     return this->lineOnThePad();
   }
-  if (this->oneIn(2))
+  if (this->View->tool()->system() != step.system && !this->oneIn(4)) // whose line is taken hold of
+  {
+    QTest::keyClick(this->View, step.system == "Augment" ? Qt::Key_B : Qt::Key_D);
+  }
+  if (!this->oneIn(4))
   {
     this->View->lookFrom(stroke);
     QApplication::processEvents();
