@@ -1,16 +1,13 @@
 #include "worker.h"
 
+#include "models.h"
 #include "session_file.h"
 #include "step_lines.h"
 
-#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
 
-#include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkStaticCellLocator.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <chrono>
@@ -57,31 +54,6 @@ const SystemRow* nextOf(const Session& session)
     return systems().empty() ? nullptr : &systems().front();
   }
   return findSystem(session.nodes.back().step->system);
-}
-
-vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
-{
-  auto shown = vtkSmartPointer<vtkPolyData>::New();
-  shown->ShallowCopy(mesh);
-  if (!mesh->GetPointData()->GetNormals())
-  {
-    vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
-    triangles->SetInputData(mesh);
-    triangles->Update();
-    const oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
-    const std::vector<oversketch::Vector3> normals =
-      oversketch::vertexNormals(surface, oversketch::trianglesAround(surface), oversketch::ThreadsOnly());
-    vtkNew<vtkFloatArray> array;
-    array->SetName("Normals");
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(mesh->GetNumberOfPoints());
-    for (std::size_t i = 0; i < normals.size(); ++i)
-    {
-      array->SetTuple(static_cast<vtkIdType>(i), normals[i].data());
-    }
-    shown->GetPointData()->SetNormals(array);
-  }
-  return shown;
 }
 
 } // namespace
@@ -281,7 +253,7 @@ void Worker::runGlance(std::uint64_t ticket, const Session& session)
     SharedData display;
     if (made)
     {
-      display = withNormals(copied(made));
+      display = withPointNormals(copied(made));
     }
     this->Report.glanced(std::move(display));
   }
@@ -318,7 +290,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   if (shown)
   {
     result.mesh = copied(shown);
-    result.display = withNormals(result.mesh);
+    result.display = withPointNormals(result.mesh);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (this->Report.done)
