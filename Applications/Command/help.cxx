@@ -112,14 +112,17 @@ std::string helpText(const SystemRow& system)
 
 std::string replayHelpText()
 {
-  return "oversketch replay SESSION -o OUT\n"
+  return "oversketch replay SESSION -o OUT [options]\n"
          "\n"
          "Takes the steps of a session again: bit for bit the mesh that was saved, where version, back end,\n"
          "device and processor are those that saved it. Says so where they are not, and where the mesh "
          "differs.\n"
          "\n"
          "  SESSION              .oversketch file, or a folder of the same content\n"
-         "  -o, --output OUT     the mesh to write: .obj .ply .stl .off .vtp .gltf .glb\n";
+         "  -o, --output OUT     the mesh to write: .obj .ply .stl .off .vtp .gltf .glb\n"
+         "  --model N            only that model of a scene of several, counted from 1; without it all of "
+         "them, as\n"
+         "                       parts of one mesh\n";
 }
 
 std::string assembleHelpText()

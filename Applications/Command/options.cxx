@@ -2,6 +2,7 @@
 
 #include "heights.h"
 #include "mesh_file.h"
+#include "models.h"
 
 #include <algorithm>
 #include <cctype>
@@ -289,6 +290,21 @@ OptionTable tableOf(Options& options)
   OptionTable table = { { "-o", fileOption(options.output) }, { "--output", fileOption(options.output) } };
   if (options.verb == Action::Replay)
   {
+    table["--model"] = { true,
+      [&options](const std::string& name, const std::string& value)
+      {
+        if (options.model != 0)
+        {
+          throw BadUse(name + " is given twice");
+        }
+        const std::vector<double> numbers = numbersOf(name, value);
+        if (numbers.size() != 1 || !(numbers[0] >= 1.0 && numbers[0] <= double(mostModels)) ||
+            numbers[0] != std::floor(numbers[0]))
+        {
+          throw BadUse(name + " takes the number of a model, from 1, not '" + value + "'");
+        }
+        options.model = static_cast<int>(numbers[0]);
+      } };
     return table;
   }
   table["--report"] = fileOption(options.report, ".json");

@@ -2,10 +2,15 @@
 
 #include "evaluator.h"
 #include "mesh_file.h"
+#include "models.h"
 #include "session_file.h"
 #include "terminal.h"
 
 #include "vtkOversketchSystem.h"
+
+#include <set>
+#include <string>
+#include <vector>
 
 namespace oversketch_command
 {
@@ -13,22 +18,51 @@ namespace oversketch_command
 using namespace oversketch_files;
 using namespace oversketch_session;
 
-void replay(const Options& options)
+namespace
 {
-  catchSignals();
-  catchMessages();
-  if (isSameFile(options.output, options.session))
+
+struct Recorded
+{
+  Session session;
+  Record record;
+};
+struct Replayed
+{
+  vtkSmartPointer<vtkPolyData> mesh; // null where no step makes one
+  int backendUsed = 0;
+};
+
+// Those that are asked for.
+std::vector<Recorded> modelsIn(const SessionFile& file, const Options& options)
+{
+  const std::size_t count = modelCount(file.session);
+  if (static_cast<std::size_t>(options.model) > count)
   {
-    throw BadUse("-o " + options.output + " would replace the session");
+    throw Failed(options.session + ": has " + std::to_string(count) + (count == 1 ? " model" : " models") +
+                 ", so there is no model " + std::to_string(options.model));
   }
-  requireWritable(options.output);
-  SessionFile file = readSession(options.session);
-  Session& session = file.session;
+  std::vector<Recorded> models;
+  for (std::size_t place = 0, other = 0; place < count; ++place)
+  {
+    const bool isChosen = place == file.session.scene.place;
+    if (options.model == 0 || place + 1 == static_cast<std::size_t>(options.model))
+    {
+      models.push_back({ modelAt(file.session, place),
+        isChosen ? Record{ file.origin, file.digest } : file.others.at(other) });
+    }
+    other += isChosen ? 0 : 1;
+  }
+  return models;
+}
+
+Replayed replay(Recorded model)
+{
+  Session& session = model.session;
   // On the same back end as then: what "auto" chose there may not be what it chooses here.
-  if (!file.digest.empty())
+  if (!model.record.digest.empty())
   {
     session.backend =
-      file.origin.backend == "opencl" ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
+      model.record.origin.backend == "opencl" ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
   }
   const double count = static_cast<double>(session.nodes.size());
   Evaluator evaluator;
@@ -39,7 +73,6 @@ void replay(const Options& options)
   { showProgress((static_cast<double>(node) + share) / count, stage); };
   std::vector<Outcome> outcomes;
   evaluator.run(session, watch, outcomes);
-  clearProgress();
   throwIfInterrupted();
   for (std::size_t i = 0; i < outcomes.size(); ++i)
   {
@@ -48,28 +81,64 @@ void replay(const Options& options)
       warn("'" + session.nodes[i].name + "' did nothing: " + outcomes[i].failure);
     }
   }
-  vtkPolyData* result = resultOf(session, outcomes);
-  if (!result)
+  return { resultOf(session, outcomes), backendUsedBy(outcomes) };
+}
+
+} // namespace
+
+void replay(const Options& options)
+{
+  catchSignals();
+  catchMessages();
+  if (isSameFile(options.output, options.session))
+  {
+    throw BadUse("-o " + options.output + " would replace the session");
+  }
+  requireWritable(options.output);
+  const SessionFile file = readSession(options.session);
+  const std::vector<Recorded> models = modelsIn(file, options);
+  std::vector<Replayed> replayed;
+  std::vector<vtkPolyData*> meshes;
+  for (const Recorded& model : models)
+  {
+    replayed.push_back(replay(model));
+    if (replayed.back().mesh)
+    {
+      meshes.push_back(replayed.back().mesh);
+    }
+  }
+  clearProgress();
+  if (meshes.empty())
   {
     throw Failed(options.session + ": none of its steps makes a mesh");
   }
   Notes notes;
   NewFiles files;
-  writeMesh(result, options.output, notes, files);
+  writeMesh(joined(meshes), options.output, notes, files);
   throwIfInterrupted();
   files.commit();
   say(notes);
-  if (file.digest.empty())
+  std::set<std::string> told;
+  for (std::size_t i = 0; i < models.size(); ++i)
   {
-    return; // saved before its first result: there is nothing to compare with
-  }
-  for (const std::string& difference : differences(file.origin, originHere(backendUsedBy(outcomes))))
-  {
-    say("note: " + difference);
-  }
-  if (digestOf(result) != file.digest)
-  {
-    warn("the mesh is not bit for bit the one that was saved");
+    if (models[i].record.digest.empty() || !replayed[i].mesh)
+    {
+      continue; // saved before its first result: there is nothing to compare with
+    }
+    for (const std::string& difference :
+      differences(models[i].record.origin, originHere(replayed[i].backendUsed)))
+    {
+      if (told.insert(difference).second)
+      {
+        say("note: " + difference);
+      }
+    }
+    if (digestOf(replayed[i].mesh) != models[i].record.digest)
+    {
+      const std::string what =
+        models.size() == 1 ? "the mesh" : "the mesh of '" + models[i].session.meshName + "'";
+      warn(what + " is not bit for bit the one that was saved");
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "files.h"
 #include "json_reader.h"
+#include "models.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -237,8 +238,12 @@ std::vector<LeftBehind> leftBehind(const std::string& root)
       else
       {
         const SessionFile file = readSession(folder);
-        found.push_back(
-          { folder, of.path, file.session.meshName, file.session.nodes.size(), timeOf(folder) });
+        std::size_t steps = 0; // of all models
+        for (std::size_t place = 0; place < modelCount(file.session); ++place)
+        {
+          steps += modelAt(file.session, place).nodes.size();
+        }
+        found.push_back({ folder, of.path, file.session.meshName, steps, timeOf(folder) });
       }
     }
     catch (const Failed&)

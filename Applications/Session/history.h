@@ -108,7 +108,8 @@ private:
         { of.nodes.begin() + static_cast<std::ptrdiff_t>(first),
           of.nodes.end() - static_cast<std::ptrdiff_t>(last) },
         of.backend,
-        of.pictures };
+        of.pictures,
+        of.scene };
     };
     return { first, part(before), part(after) };
   }
@@ -122,6 +123,7 @@ private:
     to.mesh = come.mesh;
     to.backend = come.backend;
     to.pictures = come.pictures;
+    to.scene = come.scene;
     return to;
   }
 

@@ -244,7 +244,8 @@ bool isVersion1(const Session& session, const std::vector<SystemRow>& rows)
            std::holds_alternative<Lines>(step.inputs.at(stroke1)) &&
            std::all_of(step.values.begin(), step.values.end(), isKnown);
   };
-  return session.mesh && session.pictures.empty() &&
+  const SceneModels& scene = session.scene;
+  return session.mesh && session.pictures.empty() && scene.others.empty() && scene.shown && !scene.locked &&
          std::all_of(session.nodes.begin(), session.nodes.end(), isStroke);
 }
 

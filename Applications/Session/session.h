@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +58,20 @@ struct Picture
 };
 using Pictures = std::vector<std::shared_ptr<const Picture>>;
 
+// A model of the scene while another one is worked on, see models.h.
+struct RestingModel;
+
+// The models of the scene: the one that is worked on and those beside it, no step of which sees another.
+struct SceneModels
+{
+  // Of the model that is worked on.
+  int id = 1; // from 1, unique in the scene; not in the file
+  bool shown = true, locked = false;
+  std::size_t place = 0; // in the list of all models
+  // The others, in the order of that list.
+  std::vector<std::shared_ptr<const RestingModel>> others;
+};
+
 struct Session
 {
   std::string meshName; // of the file that was opened, without its folder
@@ -64,6 +79,7 @@ struct Session
   std::vector<Node> nodes;
   int backend = 0;   // vtkOversketchSystem::BackendType
   Pictures pictures; // no step depends on them
+  SceneModels scene; // nor on this
 };
 
 // The next id: greater than all that the session names, so that nothing refers to a new step by chance.

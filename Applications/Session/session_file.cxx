@@ -4,6 +4,7 @@
 #include "heights.h"
 #include "look_json.h"
 #include "mesh_file.h"
+#include "models.h"
 #include "node_json.h"
 #include "texture.h"
 
@@ -36,7 +37,7 @@ namespace
 
 constexpr const char* formatName = "oversketch-session";
 constexpr int newestVersion = 2;
-constexpr std::size_t mostSteps = 10000;
+constexpr std::size_t mostSteps = 10000;                   // of a model
 constexpr std::size_t longestText = std::size_t(64) << 20; // of session.json [bytes]
 
 // MD5, in hexadecimal.
@@ -168,10 +169,19 @@ std::string digestOf(vtkPolyData* mesh)
 Package Encoder::encode(const SessionFile& file)
 {
   const Session& session = file.session;
-  if (session.nodes.size() > mostSteps)
+  for (std::size_t place = 0; place < modelCount(session); ++place)
   {
-    throw Failed("a session has at most " + std::to_string(mostSteps) + " steps; this one has " +
-                 std::to_string(session.nodes.size()));
+    const std::size_t count = modelAt(session, place).nodes.size();
+    if (count > mostSteps)
+    {
+      throw Failed("a session has at most " + std::to_string(mostSteps) + " steps; this one has " +
+                   std::to_string(count));
+    }
+  }
+  if (modelCount(session) > mostModels)
+  {
+    throw Failed("a session has at most " + std::to_string(mostModels) + " models; this one has " +
+                 std::to_string(modelCount(session)));
   }
   Package package;
   Entries entries;
@@ -204,37 +214,60 @@ Package Encoder::encode(const SessionFile& file)
         return Entry{ "images/" + digestOf(*image.bytes) + "." + format, image.bytes };
       });
   };
-  Json::Value json;
   const bool isFirst = isVersion1(session, systems());
-  const char* const list = isFirst ? "strokes" : "steps";
+  // What every model has.
+  const auto jsonOfModel = [&](const Session& model, const Record& record)
+  {
+    Json::Value json;
+    if (model.mesh)
+    {
+      json["mesh"] = put(model.mesh.identity(),
+        [&]
+        {
+          vtkNew<vtkPolyData> copy; // a writer keeps ranges in the arrays
+          copy->DeepCopy(model.mesh);
+          return polydata("mesh", copy);
+        });
+    }
+    json["mesh_name"] = model.meshName;
+    json["backend"] = backendWords()[static_cast<std::size_t>(model.backend)];
+    const char* const list = isFirst ? "strokes" : "steps";
+    json[list] = Json::arrayValue;
+    for (const Node& node : model.nodes)
+    {
+      json[list].append(isFirst ? jsonOf1(node, this->Rows, writer) : jsonOf2(node, this->Rows, writer));
+    }
+    json["made_by"]["version"] = record.origin.version;
+    json["made_by"]["backend"] = record.origin.backend;
+    json["made_by"]["device"] = record.origin.device;
+    json["made_by"]["processor"] = record.origin.processor;
+    json["result_md5"] = record.digest;
+    if (!model.scene.shown)
+    {
+      json["shown"] = false;
+    }
+    if (model.scene.locked)
+    {
+      json["locked"] = true;
+    }
+    return json;
+  };
+  Json::Value json = jsonOfModel(session, { file.origin, file.digest });
   json["format"] = formatName;
   json["format_version"] = isFirst ? 1 : 2;
-  if (session.mesh)
-  {
-    json["mesh"] = put(session.mesh.identity(),
-      [&]
-      {
-        vtkNew<vtkPolyData> copy; // a writer keeps ranges in the arrays
-        copy->DeepCopy(session.mesh);
-        return polydata("mesh", copy);
-      });
-  }
-  json["mesh_name"] = session.meshName;
-  json["backend"] = backendWords()[static_cast<std::size_t>(session.backend)];
-  json[list] = Json::arrayValue;
-  for (const Node& node : session.nodes)
-  {
-    json[list].append(isFirst ? jsonOf1(node, this->Rows, writer) : jsonOf2(node, this->Rows, writer));
-  }
   for (const auto& picture : session.pictures)
   {
     json["pictures"].append(jsonOf(*picture, writer));
   }
-  json["made_by"]["version"] = file.origin.version;
-  json["made_by"]["backend"] = file.origin.backend;
-  json["made_by"]["device"] = file.origin.device;
-  json["made_by"]["processor"] = file.origin.processor;
-  json["result_md5"] = file.digest;
+  const RestingModels& others = session.scene.others;
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    json["models"].append(jsonOfModel(others[i]->own, i < file.others.size() ? file.others[i] : Record()));
+  }
+  if (!others.empty())
+  {
+    json["place"] = static_cast<int>(session.scene.place);
+  }
   if (file.look)
   {
     json["look"] = jsonOf(*file.look);
@@ -344,14 +377,28 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
   SessionFile file;
   Session& session = file.session;
   EntryReader entries(package, path);
-  if (version == 1 || json.has("mesh"))
+  // What every model has.
+  const auto modelOf = [&](const JsonReader& from, Session& model)
   {
-    const std::string mesh = json.text("mesh");
-    session.mesh = oversketch_files::parseMesh(path + ": " + mesh, *entries.bytes(mesh));
-  }
-  session.meshName = json.text("mesh_name");
-  session.backend = json.choice("backend", backendWords());
-  session.nodes = nodesOf(json, version == 1, rows, entries);
+    if (version == 1 || from.has("mesh"))
+    {
+      const std::string mesh = from.text("mesh");
+      model.mesh = oversketch_files::parseMesh(path + ": " + mesh, *entries.bytes(mesh));
+    }
+    model.meshName = from.text("mesh_name");
+    model.backend = from.choice("backend", backendWords());
+    model.nodes = nodesOf(from, version == 1, rows, entries);
+    model.scene.shown = version == 1 || !from.has("shown") || from.yes("shown");
+    model.scene.locked = version > 1 && from.has("locked") && from.yes("locked");
+    const JsonReader origin = from.object("made_by");
+    return Record{
+      { origin.text("version"), origin.text("backend"), origin.text("device"), origin.text("processor") },
+      from.text("result_md5")
+    };
+  };
+  const Record record = modelOf(json, session);
+  file.origin = record.origin;
+  file.digest = record.digest;
   if (version > 1 && json.has("pictures"))
   {
     for (const JsonReader& one : json.list("pictures", "picture"))
@@ -359,11 +406,24 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
       session.pictures.push_back(std::make_shared<Picture>(pictureOf(one, entries)));
     }
   }
-  const JsonReader origin = json.object("made_by");
-  file.origin = {
-    origin.text("version"), origin.text("backend"), origin.text("device"), origin.text("processor")
-  };
-  file.digest = json.text("result_md5");
+  if (version > 1 && json.has("models"))
+  {
+    const std::vector<JsonReader> models = json.list("models", "model");
+    if (models.size() >= mostModels)
+    {
+      json.refuse("models",
+        "has " + std::to_string(models.size()) + " entries; a session has at most " +
+          std::to_string(mostModels) + " models");
+    }
+    for (const JsonReader& one : models)
+    {
+      auto other = std::make_shared<RestingModel>();
+      file.others.push_back(modelOf(one, other->own));
+      other->own.scene.id = static_cast<int>(file.others.size()) + 1; // that of the first is 1
+      session.scene.others.push_back(std::move(other));
+    }
+    session.scene.place = static_cast<std::size_t>(json.integer("place", 0, static_cast<int>(models.size())));
+  }
   if (json.has("look"))
   {
     file.look = lookOf(json.object("look"));

@@ -31,14 +31,23 @@ Origin originHere(int backendUsed);
 // What differs between two, in words for the user; empty when nothing does.
 std::vector<std::string> differences(const Origin& recorded, const Origin& here);
 
+// What a model's steps made, as it was saved.
+struct Record
+{
+  Origin origin;
+  // Of the mesh: see digestOf. Empty when it was saved before the first result.
+  std::string digest;
+};
+
 struct SessionFile
 {
   Session session;
   Origin origin;
-  // Of the mesh that the session showed: see digestOf. Empty when it was saved before the first result.
   std::string digest;
   // As it was saved; absent where nobody looked, and of programs that did not keep it.
   std::optional<Look> look = {};
+  // Of the other models of the scene, in their order; absent where nothing is known.
+  std::vector<Record> others = {};
 };
 
 // Hexadecimal MD5 of points (their type and bits) and polygons of a mesh: equal digests, equal meshes.

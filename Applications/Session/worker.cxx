@@ -1,17 +1,13 @@
 #include "worker.h"
 
+#include "models.h"
 #include "session_file.h"
 #include "step_lines.h"
 
-#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
 
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkStaticCellLocator.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <chrono>
@@ -93,41 +89,6 @@ std::map<std::string, SharedData> givenTo(const Session& session,
     }
   }
   return given;
-}
-
-// The same with polygons of its own: filters of VTK leave in them how far they are, and so do those of
-// whoever shows the mesh meanwhile.
-vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh)
-{
-  auto own = shared(mesh);
-  vtkNew<vtkCellArray> polys;
-  polys->ShallowCopy(mesh->GetPolys());
-  own->SetPolys(polys);
-  return own;
-}
-
-vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
-{
-  auto shown = shared(mesh);
-  if (!mesh->GetPointData()->GetNormals())
-  {
-    vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
-    triangles->SetInputData(withOwnPolys(mesh));
-    triangles->Update();
-    const oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
-    const std::vector<oversketch::Vector3> normals =
-      oversketch::vertexNormals(surface, oversketch::trianglesAround(surface), oversketch::ThreadsOnly());
-    vtkNew<vtkFloatArray> array;
-    array->SetName("Normals");
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(mesh->GetNumberOfPoints());
-    for (std::size_t i = 0; i < normals.size(); ++i)
-    {
-      array->SetTuple(static_cast<vtkIdType>(i), normals[i].data());
-    }
-    shown->GetPointData()->SetNormals(array);
-  }
-  return shown;
 }
 
 } // namespace
@@ -365,7 +326,7 @@ void Worker::runGlance(std::uint64_t ticket, const Session& session)
     SharedData display;
     if (made)
     {
-      display = withNormals(shared(made));
+      display = withPointNormals(shared(made));
     }
     this->Report.glanced(std::move(display));
   }
@@ -402,7 +363,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   if (shown)
   {
     result.mesh = shared(shown);
-    result.display = withNormals(result.mesh);
+    result.display = withPointNormals(result.mesh);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (this->Report.done)

@@ -1,11 +1,14 @@
 #include "display.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+
+#include <cmath>
 
 namespace oversketch_studio
 {
@@ -50,14 +53,41 @@ void Display::lookAtAll(const double box[6])
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetViewAngle(usualAngle);
   camera->SetWindowCenter(0.0, 0.0);
-  this->Renderer->ResetCamera(box);
-  this->Grid.place(box);
+  const vtkBoundingBox all = this->Others.box(box);
+  double whole[6];
+  all.GetBounds(whole);
+  this->Renderer->ResetCamera(whole);
+  this->Grid.place(whole);
+}
+
+void Display::showWhole()
+{
+  const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  const vtkBoundingBox box = this->Others.box(this->Model.mesh() ? this->Model.mesh()->GetBounds() : none);
+  bool isWhole = true;
+  for (int i = 0; box.IsValid() && i < 8; ++i)
+  {
+    double corner[3];
+    box.GetCorner(i, corner);
+    this->Renderer->SetWorldPoint(corner[0], corner[1], corner[2], 1.0);
+    this->Renderer->WorldToView();
+    const double* seen = this->Renderer->GetViewPoint();
+    isWhole = isWhole && std::abs(seen[0]) < 1.0 && std::abs(seen[1]) < 1.0;
+  }
+  if (!isWhole)
+  {
+    double whole[6];
+    box.GetBounds(whole);
+    this->Renderer->ResetCamera(whole);
+  }
+  this->Renderer->ResetCameraClippingRange();
 }
 
 void Display::setShading(Shading shading)
 {
   this->Look = shading;
   this->Model.setShading(shading);
+  this->Others.setShading(shading);
   if (this->Other)
   {
     this->Other->setShading(shading);
@@ -111,6 +141,7 @@ void Display::setPlain(double red, double green, double blue)
 {
   this->Plain = { red, green, blue };
   this->Model.setPlain(red, green, blue);
+  this->Others.setPlain(red, green, blue);
   if (this->Other)
   {
     this->Other->setPlain(red, green, blue);

@@ -4,6 +4,7 @@
 
 #include "ground_grid.h"
 #include "model_view.h"
+#include "resting_views.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
@@ -29,6 +30,8 @@ public:
 
   // The camera looks at all of a box from the front, and the ground lies under it.
   void lookAtAll(const double box[6]);
+  // The camera steps back where not all of the models is in the picture.
+  void showWhole();
 
   void setShading(Shading shading);
   void setGround(bool shown);
@@ -40,6 +43,9 @@ public:
   void showInstead(vtkPolyData* mesh);
   bool instead() const { return this->Other != nullptr; }
 
+  // The models beside it.
+  RestingViews& others() { return this->Others; }
+
   void setDark(bool dark);
   void setPlain(double red, double green, double blue);
   // The ground and the onion, for a picture without them.
@@ -48,6 +54,7 @@ public:
 private:
   vtkRenderer* Renderer; // outlives it
   ModelView& Model;
+  RestingViews Others{ this->Renderer };
   GroundGrid Grid;
   vtkNew<vtkPolyDataMapper> OnionMappers[2];
   vtkNew<vtkActor> Onions[2];       // what sticks out of the model; faintly, all of it

@@ -3,6 +3,7 @@
 #include "files.h"
 #include "heights.h"
 #include "mesh_file.h"
+#include "models.h"
 #include "row_texts.h"
 #include "systems.h"
 #include "terrain_start.h"
@@ -122,6 +123,7 @@ Document::Opened Document::read(const QString& path, int backend)
     opened.path = path;
     opened.look = saved.look;
     session = std::move(saved.session);
+    makeResting(session);
     return opened;
   }
   Notes said;
@@ -212,12 +214,11 @@ bool Document::begin(std::shared_ptr<const Step> step,
   return true;
 }
 
-void Document::recover(const LeftBehind& left)
+void Document::recover(const LeftBehind& left, Opened read)
 {
-  SessionFile kept = readSession(left.folder);
   this->Path = QString::fromStdString(left.path);
-  this->Seen = kept.look;
-  this->start(std::move(kept.session), false);
+  this->Seen = read.look;
+  this->start(std::move(read.session), false);
   // The old folder goes only when the new one is on the disk.
   if (this->Saver.wait().empty())
   {
@@ -237,7 +238,10 @@ void Document::start(Session session, bool saved)
   this->Digest.clear();
   this->Traces.clear();
   this->Last.reset();
+  this->Wanted = 0;
+  this->First = this->Ticket + 1;
   this->run(Change::Edited);
+  emit this->begun();
 }
 
 void Document::glanceBefore(int node)
@@ -294,6 +298,10 @@ SessionFile Document::file() const
   {
     file.origin = originHere(this->Result.backendUsed);
     file.digest = this->Digest;
+  }
+  for (const auto& other : file.session.scene.others)
+  {
+    file.others.push_back({ originHere(other->made.backendUsed), other->made.digest });
   }
   file.look = this->LookNow && this->Result.mesh ? this->LookNow() : this->Seen;
   return file;
@@ -384,7 +392,7 @@ void Document::follow(int index, std::shared_ptr<const Step> step, bool goesOn)
   Node& node = next.nodes[indexOf(index)];
   node.step = std::move(step);
   const int id = node.id;
-  if (goesOn && this->Shaped == id)
+  if (goesOn && this->Shaped == id && this->takes(next))
   {
     this->Changes->goOn(std::move(next));
     this->run(Change::Drawn);
@@ -436,7 +444,12 @@ void Document::commitPictures(Pictures pictures)
 {
   Session next = this->session();
   next.pictures = std::move(pictures);
-  this->Changes->commit(std::move(next));
+  this->commitScene(std::move(next));
+}
+
+void Document::commitScene(Session session)
+{
+  this->Changes->commit(std::move(session));
   this->keep();
   emit this->changed(Change::Pictures);
 }
@@ -455,20 +468,23 @@ void Document::setBackend(int backend)
 
 void Document::undo()
 {
+  const Session before = this->session();
   this->Changes->undo();
-  this->run(Change::Edited);
+  this->turnFrom(before);
 }
 
 void Document::redo()
 {
+  const Session before = this->session();
   this->Changes->redo();
-  this->run(Change::Edited);
+  this->turnFrom(before);
 }
 
 void Document::cancel()
 {
   if (this->isBusy())
   {
+    this->Wanted = 0;
     this->Background->cancel();
     if (this->canUndo())
     {
@@ -479,8 +495,11 @@ void Document::cancel()
 
 void Document::commit(Session session, Change change)
 {
-  this->Changes->commit(std::move(session));
-  this->run(change);
+  if (this->takes(session))
+  {
+    this->Changes->commit(std::move(session));
+    this->run(change);
+  }
 }
 
 void Document::run(Change change)
@@ -519,12 +538,14 @@ void Document::answered(std::uint64_t ticket)
   if (before && !this->isBusy())
   {
     emit this->idle();
+    this->choose(); // where nothing follows
   }
 }
 
 void Document::take(const Worker::Result& result)
 {
-  if (result.ticket < this->Ticket && result.nodes.size() > this->session().nodes.size())
+  if (result.ticket < this->First ||
+      (result.ticket < this->Ticket && result.nodes.size() > this->session().nodes.size()))
   {
     this->answered(result.ticket); // of a history that was left
     return;
@@ -561,6 +582,7 @@ void Document::takeDetails(const Worker::Details& details)
     this->keep();
   }
   emit this->detailed();
+  this->choose();
   if (!this->Saver.failure().empty())
   {
     emit this->autosaveFailed(QString::fromStdString(this->Saver.failure()));

@@ -48,6 +48,18 @@ public:
   int backend() const { return this->Backend; }
   // Shows it, instead of what was there.
   void open(Opened opened);
+  // The same with its models beside those that are there (readModels); the first of them is chosen.
+  static Opened readModels(const QString& path, int backend);
+  void addModels(Opened opened);
+  // The models of the scene, by their places in its list: document_models.cxx. The chosen one is worked on;
+  // another is once nothing is computed any more. The only one cannot be removed.
+  void chooseModel(int place);
+  void removeModel(int place);
+  void setModel(int place, bool shown, bool locked);
+  // Why the chosen one takes no steps, in words; empty where it does.
+  QString whyNoSteps() const;
+  // All of them, as an export writes them.
+  vtkSmartPointer<vtkPolyData> shownMeshes() const;
   // Begins a session whose first step makes a mesh of what will be drawn: over a picture; on an empty canvas.
   // The same asking; throws Failed for what is no picture.
   bool beginDrawing(const QString& picture, const std::function<bool()>& mayLeave);
@@ -55,8 +67,8 @@ public:
   // A further part of the model: a drawing over a picture, before the model's middle. Throws Failed for what
   // is no picture.
   void addPart(const QString& picture);
-  // Opens what a crash left behind, as a session that is not saved. Throws Failed.
-  void recover(const oversketch_session::LeftBehind& left);
+  // What a crash left behind, read from its folder, as a session that is not saved.
+  void recover(const oversketch_session::LeftBehind& left, Opened read);
   // Saves the session, as it is looked at. Throws Failed.
   void save(const QString& path);
   // In two halves, of which the first may run on any thread.
@@ -159,7 +171,11 @@ public:
   };
 
 signals:
+  // Another model is worked on: of another session (begun), or of the same.
+  void begun();
   void opened();
+  // A step that the chosen model does not take (whyNoSteps) has been left aside.
+  void refused();
   // The document changed. The result of what was drawn or edited follows with shown(), and what comes after
   // the mesh with detailed().
   void changed(Change change);
@@ -185,6 +201,11 @@ private:
     const std::function<bool()>& mayLeave);
   void commit(oversketch_session::Session session, Change change = Change::Edited);
   void commitPictures(oversketch_session::Pictures pictures);
+  void commitScene(oversketch_session::Session session);
+  bool takes(const oversketch_session::Session& next);
+  void choose(); // the wanted one, as soon as it can be
+  void turnFrom(const oversketch_session::Session& before);
+  oversketch_session::Session chosen(int place) const;
   void follow(int node, std::shared_ptr<const oversketch_session::Step> step, bool goesOn);
   void run(Change change);
   void submit(); // what is shown
@@ -206,6 +227,8 @@ private:
   std::vector<oversketch_session::SharedData> Traces;
   std::optional<int> Last; // the id of the last step that is shown, 0 none is; absent: all are
   std::uint64_t Ticket = 0, Answered = 0, Detailed = 0;
+  std::uint64_t First = 0; // of the chosen model; what comes before is of another
+  int Wanted = 0;          // the id of the model to be chosen; 0: none
   oversketch_session::Autosave Saver;
   // Last, so that it ends first: it calls the rest.
   std::unique_ptr<oversketch_session::Worker> Background;

@@ -35,6 +35,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
     { T::tr("Middle drag"), T::tr("turn (or Alt, Ctrl or Space + left drag, or two fingers)") },
     { T::tr("Right drag"), T::tr("pan (or Alt or Shift + middle drag)") },
     { T::tr("Wheel"), T::tr("zoom at the cursor (or pinch, or Ctrl + Shift + left drag)") },
+    { T::tr("Click"), T::tr("on another model of the scene: draw on that one") },
     { T::tr("Escape"), T::tr("drop the line being drawn; take a drag back; leave the row") },
     { T::tr("Backspace"), T::tr("take the end of the line being drawn back") },
     { T::tr("Return"), T::tr("leave the red line, to draw where it is") },

@@ -77,6 +77,7 @@ MainWindow::MainWindow(QWidget* parent)
   this->makeMenus();
   this->makeTools();
   this->makeStatus();
+  this->listenToModels();
   this->listenToRows();
   this->listenToDocument();
   this->listenToPanels();
@@ -192,7 +193,6 @@ void MainWindow::changed(Document::Change change)
 // The tool that draws on what the session begins with; a model that was opened is drawn on itself.
 void MainWindow::opened()
 {
-  this->Reset = true;
   const Session& session = this->OpenDocument->session();
   if (!session.mesh)
   {
@@ -368,8 +368,8 @@ void MainWindow::select(int node)
 void MainWindow::showSection(int node)
 {
   const auto& states = this->OpenDocument->result().nodes;
-  this->View->showSection(
-    node >= 0 && indexOf(node) < states.size() ? states[indexOf(node)].hold.Get() : nullptr);
+  const bool isSeen = node >= 0 && indexOf(node) < states.size() && this->OpenDocument->session().scene.shown;
+  this->View->showSection(isSeen ? states[indexOf(node)].hold.Get() : nullptr);
 }
 
 void MainWindow::offerNothing()
@@ -397,7 +397,7 @@ void MainWindow::offerStep()
   this->View->showRegion(nullptr);
   // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
   const bool can = this->Redrawn < 0 && node >= 0 && node <= last && indexOf(last + 1) == states.size() &&
-                   nodes[indexOf(node)].on && !this->OpenDocument->isBusy();
+                   nodes[indexOf(node)].on && !this->OpenDocument->isBusy() && this->Takes;
   Tool* tool = can ? this->toolOf(node) : nullptr;
   this->offerNothing();
   if (!tool)
@@ -534,6 +534,11 @@ void MainWindow::advise()
   if (!this->OpenDocument->isOpen())
   {
     this->Advice->setText(tr("Open a model with Ctrl+O, or drop one here."));
+    return;
+  }
+  if (const QString why = this->OpenDocument->whyNoSteps(); !why.isEmpty())
+  {
+    this->Advice->setText(why);
     return;
   }
   const auto& nodes = this->OpenDocument->session().nodes;

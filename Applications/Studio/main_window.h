@@ -80,21 +80,30 @@ private:
   // What is read on a thread of its own is shown, instead of what is there.
   bool openRead(const QString& name, const std::function<Document::Opened()>& read);
   bool openExample(const Example& example);
+  bool recover(const oversketch_session::LeftBehind& left, const QString& name);
   bool saveTo(const QString& path);
   void openAsked();
-  QString pictureAsked(const QString& title); // a path; empty for none
+  QString modelAsked(const QString& title); // a path; empty for none
+  QString pictureAsked(const QString& title);
   void newFromPictureAsked();
   void addPartAsked();
   bool save();
   bool saveAs();
   void exportAsked();
-  void exportPart(int part, const QString& name);
+  void exportModel(int model, int part, const QString& name);
   void exportMesh(vtkPolyData* mesh, const QString& name);
   void screenshot(bool lines);
   void addPicture(const QString& path);
   void addPictureAsked();
   // Whether what is not saved may be left.
   bool mayLeave();
+
+  // Models of the scene: main_window_models.cxx.
+  void listenToModels();
+  void addModelAsked();
+  void addModel(const QString& path);
+  // Chooses the one beside that is seen there [px of the view]; false where none is.
+  bool chooseModelAt(const QPoint& place);
 
   // Rows of the history and their lines on the model: main_window_rows.cxx.
   void listenToRows();
@@ -159,6 +168,7 @@ private:
   int Redrawn = -1; // the step that the next one replaces
   int Offered = -1; // the one that can be taken hold of in the view
   bool Reset = false;
+  bool Takes = true;    // the chosen model, steps
   bool Teaches = false; // hints, until a step has been drawn or the model turned
 };
 

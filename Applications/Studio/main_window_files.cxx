@@ -10,6 +10,7 @@
 #include "mesh_file.h"
 #include "resources.h"
 #include "row_texts.h"
+#include "scene_panel.h"
 #include "texture.h"
 #include "tool.h"
 #include "viewport.h"
@@ -171,6 +172,11 @@ void MainWindow::addPartAsked()
     this->newFromPictureAsked();
     return;
   }
+  if (!this->OpenDocument->whyNoSteps().isEmpty())
+  {
+    this->advise(); // says why
+    return;
+  }
   const QString path = this->pictureAsked(tr("Draw a further part over a picture"));
   if (path.isEmpty())
   {
@@ -188,6 +194,26 @@ void MainWindow::addPartAsked()
   const int part = this->OpenDocument->shownTo() - 1;
   this->History->selectStep(part);
   this->setTool(this->toolOf(part));
+}
+
+bool MainWindow::recover(const LeftBehind& left, const QString& name)
+{
+  const int backend = this->OpenDocument->backend();
+  bool done = false;
+  this->tried(
+    [&]
+    {
+      const auto read = std::make_shared<Document::Opened>();
+      const QString folder = QString::fromStdString(left.folder);
+      done = doLongWork(this,
+        tr("Reading %1…").arg(name),
+        [read, folder, backend] { *read = Document::read(folder, backend); });
+      if (done)
+      {
+        this->OpenDocument->recover(left, std::move(*read));
+      }
+    });
+  return done;
 }
 
 bool MainWindow::offerRecovery()
@@ -213,7 +239,7 @@ bool MainWindow::offerRecovery()
     box.exec();
     if (box.clickedButton() == again)
     {
-      return this->tried([&] { this->OpenDocument->recover(left); });
+      return this->recover(left, name);
     }
     if (box.clickedButton() == away)
     {
@@ -235,13 +261,18 @@ void MainWindow::openShippedModel()
   }
 }
 
-void MainWindow::openAsked()
+QString MainWindow::modelAsked(const QString& title)
 {
-  const QString path = QFileDialog::getOpenFileName(this,
-    tr("Open a model or a session"),
+  return QFileDialog::getOpenFileName(this,
+    title,
     QSettings().value("folder").toString(),
     tr("Models and sessions (%1 *.oversketch);;Heights of a terrain (%2);;All files (*)")
       .arg(patternsOf(oversketch_files::meshExtensions), patternsOf(oversketch_files::heightsExtensions)));
+}
+
+void MainWindow::openAsked()
+{
+  const QString path = this->modelAsked(tr("Open a model or a session"));
   if (!path.isEmpty())
   {
     this->open(path);
@@ -302,13 +333,12 @@ bool MainWindow::saveAs()
 
 void MainWindow::exportAsked()
 {
-  const vtkSmartPointer<vtkPolyData> shown =
-    this->OpenDocument->isOpen() ? this->OpenDocument->shownMesh() : nullptr;
-  if (!shown || isLongWorkGoing())
+  vtkSmartPointer<vtkPolyData> shown;
+  this->tried([&] { shown = this->OpenDocument->isOpen() ? this->OpenDocument->shownMeshes() : nullptr; });
+  if (shown && !isLongWorkGoing())
   {
-    return;
+    this->exportMesh(shown, this->OpenDocument->name());
   }
-  this->exportMesh(shown, this->OpenDocument->name());
 }
 
 void MainWindow::exportMesh(vtkPolyData* shown, const QString& name)
@@ -404,15 +434,18 @@ void MainWindow::dropEvent(QDropEvent* event)
   }
   // Who dragged it need not wait for an answer to our questions.
   const QString path = urls.first().toLocalFile();
+  const bool onScene = this->Scene->rect().contains(this->Scene->mapFrom(this, event->pos()));
   QTimer::singleShot(0,
     this,
-    [this, path]
+    [this, path, onScene]
     {
-      // Behind an open model, or to be drawn over.
+      // A picture behind an open model, or to be drawn over; a model beside the open one, or instead of it.
       const bool isPicture = pictureExtensions.contains(QFileInfo(path).suffix().toLower());
+      const bool isModel = !isPicture && this->OpenDocument->isOpen() && onScene;
       const bool isBehind =
         this->OpenDocument->isOpen() && !this->Canvases[this->Tools.indexOf(this->View->tool())];
       isPicture ? (isBehind ? this->addPicture(path) : void(this->openPicture(path)))
+      : isModel ? this->addModel(path)
                 : void(this->open(path));
     });
 }

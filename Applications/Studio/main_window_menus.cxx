@@ -87,7 +87,7 @@ void MainWindow::makeMenus()
     QKeySequence(tr("Shift+F12")),
     [this] { this->screenshot(true); });
   file->addSeparator();
-  this->add(file, tr("Add a p&icture…"), {}, [this] { this->addPictureAsked(); });
+  file->addActions({ this->Scene->modelAdding(), this->Scene->pictureAdding() });
   file->addSeparator();
   this->add(file, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), [this] { this->close(); });
 

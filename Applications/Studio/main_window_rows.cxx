@@ -4,9 +4,6 @@
 #include "advice_label.h"
 #include "held_stroke_tool.h"
 #include "history_panel.h"
-#include "long_work.h"
-#include "pieces.h"
-#include "scene_panel.h"
 #include "step_lines.h"
 #include "stroke_lines.h"
 #include "view_keys.h"
@@ -33,8 +30,6 @@ void MainWindow::listenToRows()
   {
     connect(tool, &Tool::tooShort, this, &MainWindow::tooShort);
   }
-  connect(this->Scene, &ScenePanel::partsHidden, this->View, &Viewport::hideParts);
-  connect(this->Scene, &ScenePanel::exportAsked, this, &MainWindow::exportPart);
   auto* keys = new ViewKeys(this->View);
   connect(keys,
     &ViewKeys::escaped,
@@ -52,21 +47,15 @@ void MainWindow::listenToRows()
   this->View->addAction(this->History->removal());
 }
 
-void MainWindow::exportPart(int part, const QString& name)
-{
-  const vtkSmartPointer<vtkPolyData> mesh =
-    this->OpenDocument->isOpen() ? this->OpenDocument->shownMesh() : nullptr;
-  if (mesh && !isLongWorkGoing())
-  {
-    this->exportMesh(part < 0 ? mesh : oversketch_files::partAlone(mesh, part), name);
-  }
-}
-
 // A line that is seen is selected; else what is selected is left.
 void MainWindow::clicked(const QPoint& place)
 {
   Tool* tool = this->View->tool();
   const bool turns = tool->system().empty();
+  if (this->chooseModelAt(place))
+  {
+    return;
+  }
   if (!this->OpenDocument->isOpen() || (!turns && !qobject_cast<HeldStrokeTool*>(tool)))
   {
     return;

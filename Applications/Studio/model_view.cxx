@@ -11,6 +11,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+
 namespace oversketch_studio
 {
 
@@ -118,6 +120,12 @@ void ModelView::preview(vtkPolyData* mesh)
   {
     this->Parts[i]->mapper->SetInputData(this->Parts[i]->edges.lookMoved(pieces[i].mesh));
   }
+}
+
+bool ModelView::owns(const vtkActor* actor) const
+{
+  return std::any_of(
+    this->Parts.begin(), this->Parts.end(), [actor](const auto& part) { return part->actor == actor; });
 }
 
 void ModelView::setShading(Shading shading)

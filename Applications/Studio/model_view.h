@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+class vtkActor;
 class vtkPolyData;
 class vtkRenderer;
 
@@ -31,6 +32,7 @@ public:
   // The same mesh moved, in the same skins.
   void preview(vtkPolyData* mesh);
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
+  bool owns(const vtkActor* actor) const;
 
   void setShading(Shading shading);
   void setVisible(bool visible);

@@ -1,31 +1,31 @@
 #include "scene_panel.h"
 
 #include "document.h"
+#include "models.h"
 #include "pieces.h"
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QSlider>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace oversketch_studio
 {
 
-using oversketch_session::Picture;
+using namespace oversketch_session;
 
 namespace
 {
 
-constexpr int lines = 3; // that the list shows before it scrolls
+constexpr int lines = 4; // that the list shows before it scrolls
 
 } // namespace
 
@@ -36,28 +36,28 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   , Opacity(new QSlider(Qt::Horizontal, this))
   , Add(new QToolButton(this))
   , View(new QToolButton(this))
+  , Lock(new QToolButton(this))
   , Remove(new QToolButton(this))
-  , Export(new QAction(tr("Export this par&t…"), this))
+  , Export(new QAction(tr("Export the &selected model or part…"), this))
+  , AddModel(new QAction(tr("Add a &model…"), this))
+  , AddPicture(new QAction(tr("Add a p&icture…"), this))
 {
   this->List->setObjectName("scene");
   this->List->setAccessibleName(tr("Scene"));
-  this->List->setToolTip(tr("The model, and pictures behind it to draw after. Unticked ones are hidden. The "
-                            "right button opens a menu."));
+  this->List->setToolTip(
+    tr("Models, and pictures behind them to draw after. A click on a model chooses it: "
+       "strokes act on the chosen one. Unticked ones are hidden. Drop a model here to add "
+       "it. The right button opens a menu."));
   const int line = this->List->fontMetrics().height() + 8, frame = 2 * this->List->frameWidth();
   this->List->setMinimumHeight(line + frame); // on a small screen
   this->List->setMaximumHeight(lines * line + frame);
   this->Opacity->setRange(0, 100);
   this->Opacity->setAccessibleName(tr("Opacity"));
   this->Opacity->setToolTip(tr("How strongly the selected picture is seen"));
-  this->Add->setText(tr("Add…"));
-  this->Add->setToolTip(tr("Put a picture behind the model, in the present view"));
-  this->View->setText(tr("Its view"));
-  this->View->setToolTip(tr("Look from where the selected picture is seen"));
-  this->Remove->setText(tr("Remove"));
-  this->Remove->setToolTip(tr("Take the selected picture out of the scene"));
+  this->makeActions();
 
   auto* row = new QHBoxLayout;
-  for (QWidget* one : std::initializer_list<QWidget*>{ this->Add, this->View, this->Remove })
+  for (QWidget* one : std::initializer_list<QWidget*>{ this->Add, this->Lock, this->Remove, this->View })
   {
     row->addWidget(one);
   }
@@ -67,39 +67,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   layout->addLayout(row);
   this->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // the history takes the rest
 
-  connect(this->Add, &QToolButton::clicked, this, &ScenePanel::addAsked);
-  connect(this->View, &QToolButton::clicked, this, [this] { emit this->viewAsked(this->current()); });
-  connect(this->Remove,
-    &QToolButton::clicked,
-    this,
-    [this] { this->OpenDocument->removePicture(this->current()); });
-  connect(this->List,
-    &QListWidget::currentRowChanged,
-    this,
-    [this]
-    {
-      if (!this->Filling)
-      {
-        this->showPicture();
-      }
-    });
-  connect(this->List,
-    &QListWidget::itemChanged,
-    this,
-    [this](QListWidgetItem* item)
-    {
-      if (!this->Filling)
-      {
-        // The change makes the list anew, which must wait until the list is done with the item.
-        const int at = this->List->row(item), models = static_cast<int>(this->Parts.size());
-        const bool shown = item->checkState() == Qt::Checked;
-        QMetaObject::invokeMethod(
-          this,
-          [this, at, models, shown]
-          { at < models ? this->setPartShown(at, shown) : this->setShown(at - models, shown); },
-          Qt::QueuedConnection);
-      }
-    });
+  this->listenToList();
   // One step of undo for a slide, however long it takes.
   connect(this->Opacity,
     &QSlider::valueChanged,
@@ -118,103 +86,239 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
     &QSlider::sliderReleased,
     this,
     [this] { emit this->Opacity->valueChanged(this->Opacity->value()); });
-  connect(this->Export, &QAction::triggered, this, &ScenePanel::exportPart);
-  this->List->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(this->List, &QWidget::customContextMenuRequested, this, &ScenePanel::showMenu);
   connect(this->OpenDocument, &Document::shown, this, &ScenePanel::refresh); // its parts are known
   this->refresh();
 }
 
+void ScenePanel::makeActions()
+{
+  this->Add->setText(tr("Add…"));
+  this->Add->setToolTip(tr("Put a model beside the open one, or a picture behind it, in the present view"));
+  this->Add->setPopupMode(QToolButton::InstantPopup);
+  this->Add->addActions({ this->AddModel, this->AddPicture });
+  this->View->setText(tr("Its view"));
+  this->View->setToolTip(tr("Look from where the selected picture is seen"));
+  this->Lock->setText(tr("Lock"));
+  this->Lock->setCheckable(true);
+  this->Lock->setToolTip(tr("A locked model takes no strokes"));
+  this->Remove->setText(tr("Remove"));
+  this->Remove->setToolTip(tr("Take the selected model or picture out of the scene"));
+  connect(this->AddModel, &QAction::triggered, this, &ScenePanel::modelAsked);
+  connect(this->AddPicture, &QAction::triggered, this, &ScenePanel::addAsked);
+  connect(this->View, &QToolButton::clicked, this, [this] { emit this->viewAsked(this->current()); });
+  connect(this->Lock, &QToolButton::clicked, this, &ScenePanel::lock);
+  connect(this->Remove, &QToolButton::clicked, this, &ScenePanel::remove);
+  connect(this->Export, &QAction::triggered, this, &ScenePanel::exportRow);
+}
+
+void ScenePanel::listenToList()
+{
+  connect(this->List,
+    &QListWidget::currentRowChanged,
+    this,
+    [this]
+    {
+      if (!this->Filling)
+      {
+        this->showSelected();
+      }
+    });
+  // A change makes the list anew, which must wait until the list is done with the item.
+  const auto later = [this](const std::function<void()>& change)
+  { QMetaObject::invokeMethod(this, change, Qt::QueuedConnection); };
+  connect(this->List,
+    &QListWidget::itemChanged,
+    this,
+    [this, later](QListWidgetItem* item)
+    {
+      if (!this->Filling)
+      {
+        const int at = this->List->row(item);
+        const bool shown = item->checkState() == Qt::Checked;
+        this->Ticked = at;
+        later([this, at, shown] { this->setShown(at, shown); });
+      }
+    });
+  // The click that ticks a row does not choose its model.
+  connect(this->List,
+    &QListWidget::itemClicked,
+    this,
+    [this, later](QListWidgetItem* item)
+    {
+      const int at = this->List->row(item);
+      if (std::exchange(this->Ticked, -1) != at)
+      {
+        later([this, at] { this->choose(at); });
+      }
+    });
+  connect(this->List,
+    &QListWidget::itemActivated,
+    this,
+    [this, later](QListWidgetItem* item)
+    { later([this, at = this->List->row(item)] { this->choose(at); }); });
+  this->List->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(this->List, &QWidget::customContextMenuRequested, this, &ScenePanel::showMenu);
+}
+
+ScenePanel::Row ScenePanel::rowAt(int at) const
+{
+  return at >= 0 && at < static_cast<int>(this->Rows.size()) ? this->Rows[static_cast<std::size_t>(at)]
+                                                             : Row();
+}
+
 int ScenePanel::current() const
 {
-  const int at = this->List->currentRow() - static_cast<int>(this->Parts.size()); // the model is the first
-  return at < 0 ? -1 : at;
+  return this->rowAt(this->List->currentRow()).picture;
 }
 
 void ScenePanel::refresh()
 {
   this->Filling = true;
+  this->Ticked = -1;
   const int before = this->List->count();
+  const Row last = this->rowAt(before - 1);
+  const int modelBefore = this->PartsOf;
   int row = this->List->currentRow();
   this->List->clear();
+  this->Rows.clear();
   if (this->OpenDocument->isOpen())
   {
-    const auto& session = this->OpenDocument->session();
-    this->listModel();
-    for (const auto& picture : session.pictures)
-    {
-      auto* item = new QListWidgetItem(QString::fromStdString(picture->image.name));
-      item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-      item->setCheckState(picture->shown ? Qt::Checked : Qt::Unchecked);
-      item->setToolTip(tr("A picture behind the model, seen in the view that it was put there in"));
-      this->List->addItem(item);
-    }
+    this->findParts();
+    this->list();
+    this->hideParts();
+    // What is new is the hand's next.
     const int now = this->List->count();
-    row = before > 0 && now == before + 1 ? before : std::min(row, now - 1); // what is new is the hand's next
-    this->List->setCurrentRow(row);
+    const auto isChosen = [place = static_cast<int>(this->OpenDocument->session().scene.place)](
+                            const Row& one) { return one.model == place; };
+    if (before > 0 && now == before + 1 && this->rowAt(now - 1).picture > last.picture)
+    {
+      row = now - 1;
+    }
+    else if (modelBefore != 0 && modelBefore != this->PartsOf)
+    {
+      row =
+        static_cast<int>(std::find_if(this->Rows.begin(), this->Rows.end(), isChosen) - this->Rows.begin());
+    }
+    this->List->setCurrentRow(std::min(row, now - 1));
   }
   this->Filling = false;
-  this->showPicture();
+  this->showSelected();
 }
 
-void ScenePanel::showPicture()
-{
-  const int at = this->current();
-  const bool any = at >= 0;
-  this->Export->setEnabled(this->List->currentRow() >= 0 && !any && this->OpenDocument->result().mesh);
-  this->Add->setEnabled(this->OpenDocument->isOpen());
-  this->View->setEnabled(any);
-  this->Remove->setEnabled(any);
-  this->Opacity->setEnabled(any);
-  this->Filling = true;
-  const double opacity =
-    any ? this->OpenDocument->session().pictures[static_cast<std::size_t>(at)]->opacity : 1.0;
-  this->Opacity->setValue(static_cast<int>(std::lround(100.0 * opacity)));
-  this->Filling = false;
-}
-
-// One row, or one for each part.
-void ScenePanel::listModel()
+// The parts of the chosen model; what is hidden of another one's is seen again.
+void ScenePanel::findParts()
 {
   vtkPolyData* mesh = this->OpenDocument->result().mesh;
   std::vector<int> parts = mesh ? oversketch_files::partsOf(mesh) : std::vector<int>();
   if (parts.size() < 2)
   {
-    parts = { -1 };
+    parts.clear();
   }
-  if (parts != this->Parts) // of another model
+  const int id = this->OpenDocument->session().scene.id;
+  if (parts != this->Parts || id != this->PartsOf)
   {
-    this->Parts = parts;
-    if (!std::exchange(this->Hidden, {}).empty())
+    this->Hidden.clear();
+  }
+  this->Parts = std::move(parts);
+  this->PartsOf = id;
+}
+
+void ScenePanel::hideParts()
+{
+  const std::set<int> hidden = this->OpenDocument->session().scene.shown ? this->Hidden : std::set<int>{ -1 };
+  if (hidden != std::exchange(this->Told, hidden))
+  {
+    emit this->partsHidden(hidden);
+  }
+}
+
+void ScenePanel::addRow(const Row& row, const QString& text, const QString& help, bool shown)
+{
+  auto* item = new QListWidgetItem(text);
+  item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+  item->setCheckState(shown ? Qt::Checked : Qt::Unchecked);
+  item->setToolTip(help);
+  this->List->addItem(item);
+  this->Rows.push_back(row);
+}
+
+void ScenePanel::list()
+{
+  const Session& session = this->OpenDocument->session();
+  const std::size_t count = modelCount(session);
+  const QStringList parts = this->partNames();
+  for (std::size_t place = 0; place < count; ++place)
+  {
+    const Session& model = modelAt(session, place);
+    const bool isChosen = place == session.scene.place;
+    const QString name = QString::fromStdString(model.meshName);
+    const QString text = count > 1 ? name : tr("Model: %1").arg(name);
+    const auto at = static_cast<int>(place);
+    if (count > 1 || this->Parts.empty())
     {
-      emit this->partsHidden({});
+      this->addRow({ at },
+        model.scene.locked ? tr("%1 (locked)").arg(text) : text,
+        count == 1 ? tr("The model")
+        : isChosen ? tr("The chosen model, which strokes act on")
+                   : tr("A click chooses this model: strokes then act on it"),
+        model.scene.shown);
+      QFont font = this->List->font();
+      font.setBold(count > 1 && isChosen);
+      this->List->item(this->List->count() - 1)->setFont(font);
+    }
+    for (int i = 0; isChosen && i < parts.size(); ++i)
+    {
+      const int part = this->Parts[static_cast<std::size_t>(i)];
+      this->addRow({ at, part },
+        count > 1 ? QString(3, ' ') + parts[i] : parts[i],
+        tr("A part of the model"),
+        this->Hidden.count(part) == 0);
     }
   }
-  const QStringList names = this->partNames();
-  for (int i = 0; i < names.size(); ++i)
+  for (std::size_t i = 0; i < session.pictures.size(); ++i)
   {
-    auto* item = new QListWidgetItem(names[i]);
-    item->setToolTip(parts.size() < 2 ? tr("The model") : tr("A part of the model"));
-    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-    item->setCheckState(
-      this->Hidden.count(parts[static_cast<std::size_t>(i)]) > 0 ? Qt::Unchecked : Qt::Checked);
-    this->List->addItem(item);
+    this->addRow({ -1, -1, static_cast<int>(i) },
+      QString::fromStdString(session.pictures[i]->image.name),
+      tr("A picture behind the model, seen in the view that it was put there in"),
+      session.pictures[i]->shown);
   }
+}
+
+void ScenePanel::showSelected()
+{
+  const Row row = this->rowAt(this->List->currentRow());
+  const bool open = this->OpenDocument->isOpen(), isPicture = row.picture >= 0;
+  const bool isModel = open && row.model >= 0;
+  const bool several = open && modelCount(this->OpenDocument->session()) > 1;
+  this->Export->setEnabled(isModel && this->OpenDocument->result().mesh);
+  this->AddModel->setEnabled(open);
+  this->AddPicture->setEnabled(open);
+  this->Add->setEnabled(open);
+  this->View->setEnabled(isPicture);
+  this->Lock->setEnabled(isModel);
+  this->Lock->setChecked(
+    isModel && modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model)).scene.locked);
+  this->Remove->setEnabled(isPicture || (isModel && several && row.part < 0));
+  this->Opacity->setEnabled(isPicture);
+  this->Filling = true;
+  const double opacity =
+    isPicture ? this->OpenDocument->session().pictures[static_cast<std::size_t>(row.picture)]->opacity : 1.0;
+  this->Opacity->setValue(static_cast<int>(std::lround(100.0 * opacity)));
+  this->Filling = false;
 }
 
 // Those of the steps that made them, where these can be told.
 QStringList ScenePanel::partNames() const
 {
-  const auto& session = this->OpenDocument->session();
-  const QString opened = QString::fromStdString(session.meshName);
-  if (this->Parts.size() < 2)
-  {
-    return { tr("Model: %1").arg(opened) };
-  }
   QStringList names;
+  if (this->Parts.empty())
+  {
+    return names;
+  }
+  const Session& session = this->OpenDocument->session();
   if (session.mesh)
   {
-    names << opened;
+    names << QString::fromStdString(session.meshName);
   }
   const auto& states = this->OpenDocument->result().nodes;
   for (std::size_t i = 0; i < std::min(states.size(), session.nodes.size()); ++i)
@@ -237,41 +341,97 @@ QStringList ScenePanel::partNames() const
   return names;
 }
 
-void ScenePanel::setPartShown(int row, bool shown)
+void ScenePanel::choose(int at)
 {
-  const int part = this->Parts[static_cast<std::size_t>(row)];
-  shown ? void(this->Hidden.erase(part)) : void(this->Hidden.insert(part));
-  emit this->partsHidden(this->Hidden);
-}
-
-void ScenePanel::exportPart()
-{
-  const int row = this->List->currentRow();
-  if (row >= 0 && row < static_cast<int>(this->Parts.size()))
+  const Row row = this->rowAt(at);
+  if (row.model >= 0)
   {
-    emit this->exportAsked(this->Parts[static_cast<std::size_t>(row)], this->partNames()[row]);
-  }
-}
-
-void ScenePanel::showMenu(const QPoint& at)
-{
-  if (this->List->itemAt(at) && this->Export->isEnabled())
-  {
-    QMenu menu;
-    menu.addAction(this->Export);
-    menu.exec(this->List->viewport()->mapToGlobal(at));
+    this->OpenDocument->chooseModel(row.model);
   }
 }
 
 void ScenePanel::setShown(int at, bool shown)
 {
-  const auto& pictures = this->OpenDocument->session().pictures;
-  if (at >= 0 && static_cast<std::size_t>(at) < pictures.size() &&
-      pictures[static_cast<std::size_t>(at)]->shown != shown)
+  const Row row = this->rowAt(at);
+  const Session& session = this->OpenDocument->session();
+  if (row.picture >= 0)
   {
-    Picture picture = *pictures[static_cast<std::size_t>(at)];
+    Picture picture = *session.pictures[static_cast<std::size_t>(row.picture)];
     picture.shown = shown;
-    this->OpenDocument->setPicture(at, picture);
+    this->OpenDocument->setPicture(row.picture, picture);
+  }
+  else if (row.part >= 0)
+  {
+    shown ? void(this->Hidden.erase(row.part)) : void(this->Hidden.insert(row.part));
+    this->hideParts();
+  }
+  else if (row.model >= 0)
+  {
+    const bool locked = modelAt(session, static_cast<std::size_t>(row.model)).scene.locked;
+    this->OpenDocument->setModel(row.model, shown, locked);
+  }
+}
+
+void ScenePanel::lock(bool locked)
+{
+  const int model = this->rowAt(this->List->currentRow()).model;
+  if (model >= 0)
+  {
+    const Session& of = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(model));
+    this->OpenDocument->setModel(model, of.scene.shown, locked);
+  }
+}
+
+void ScenePanel::remove()
+{
+  const Row row = this->rowAt(this->List->currentRow());
+  if (row.picture >= 0)
+  {
+    this->OpenDocument->removePicture(row.picture);
+  }
+  else if (row.model >= 0)
+  {
+    this->OpenDocument->removeModel(row.model);
+  }
+}
+
+void ScenePanel::exportRow()
+{
+  const int at = this->List->currentRow();
+  const Row row = this->rowAt(at);
+  if (row.model >= 0)
+  {
+    const Session& model = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model));
+    emit this->exportAsked(row.model,
+      row.part,
+      row.part < 0 ? QString::fromStdString(model.meshName) : this->List->item(at)->text().trimmed());
+  }
+}
+
+void ScenePanel::showMenu(const QPoint& at)
+{
+  if (!this->List->itemAt(at))
+  {
+    return;
+  }
+  QMenu menu;
+  if (this->Export->isEnabled())
+  {
+    menu.addAction(this->Export);
+  }
+  for (QToolButton* button : { this->Lock, this->Remove, this->View })
+  {
+    if (button->isEnabled())
+    {
+      QAction* action = menu.addAction(button->text());
+      action->setCheckable(button->isCheckable());
+      action->setChecked(button->isChecked());
+      connect(action, &QAction::triggered, button, [button] { button->click(); });
+    }
+  }
+  if (!menu.isEmpty())
+  {
+    menu.exec(this->List->viewport()->mapToGlobal(at));
   }
 }
 

@@ -49,4 +49,9 @@ const double* MeshPicker::pick(int x, int y, vtkRenderer* renderer)
   return this->Picker->Pick(x, y, 0.0, renderer) ? this->Picker->GetPickPosition() : nullptr;
 }
 
+vtkActor* MeshPicker::actorAt(int x, int y, vtkRenderer* renderer)
+{
+  return this->pick(x, y, renderer) ? this->Picker->GetActor() : nullptr;
+}
+
 } // namespace oversketch

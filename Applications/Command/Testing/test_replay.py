@@ -172,3 +172,50 @@ def test_help():
     assert "replay" in run("--help").stdout
     text = run("replay", "--help")
     assert text.returncode == 0 and "bit for bit" in text.stdout
+
+
+def scene(path, mesh, drawn, **changes):
+    """Two models of the same mesh: the first rests with one stroke, the second is chosen and has another."""
+    model = {"mesh": "mesh/a.vtp", "mesh_name": "body.vtp", "backend": "embree", "result_md5": "",
+             "made_by": {"version": "", "backend": "embree", "device": "", "processor": ""}}
+    steps = [{"id": 1, "name": f"stroke {i}", "on": True, "system": "OneStroke", "values": {"Remesh": "off", "AdjustNormals": False},
+              "inputs": {"Stroke": {"lines": f"strokes/{i}.vtp"}}} for i in range(2)]
+    document = dict(model, format="oversketch-session", format_version=2, steps=steps[1:], place=1, locked=True,
+                    models=[dict(model, steps=steps[:1], shown=False)])
+    document.update(changes)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+        file.writestr("session.json", json.dumps(document))
+        file.writestr("mesh/a.vtp", vtp(mesh))
+        for i, data in enumerate(drawn):
+            file.writestr(f"strokes/{i}.vtp", vtp(data))
+    return path
+
+
+def test_all_models_of_a_scene_or_the_one_asked_for(made):
+    folder, mesh, longer, shorter = made
+    path = scene(folder / "scene.oversketch", mesh, [longer, shorter])
+    for number, drawn in ((1, longer), (2, shorter)):
+        alone = session(folder / f"alone{number}.oversketch", mesh, [drawn])
+        assert run("replay", alone, "-o", folder / f"alone{number}.vtp").returncode == 0
+        done = run("replay", path, "-o", folder / f"model{number}.vtp", "--model", str(number))
+        assert done.returncode == 0, done.stderr
+        assert same(read(folder / f"model{number}.vtp"), read(folder / f"alone{number}.vtp"))
+    done = run("replay", path, "-o", folder / "all.vtp")
+    assert done.returncode == 0, done.stderr
+    both = read(folder / "all.vtp")
+    parts = [read(folder / f"model{number}.vtp") for number in (1, 2)]
+    points = [vtk_to_numpy(part.GetPoints().GetData()).astype(numpy.float64) for part in parts]
+    assert numpy.array_equal(vtk_to_numpy(both.GetPoints().GetData()), numpy.concatenate(points))
+    ids = vtk_to_numpy(both.GetCellData().GetArray("PartId"))
+    assert [int((ids == part).sum()) for part in (0, 1)] == [part.GetNumberOfPolys() for part in parts]
+    done = run("replay", path, "-o", folder / "none.vtp", "--model", "3")
+    assert done.returncode == 1 and "has 2 models, so there is no model 3" in done.stderr
+    for bad in ("0", "1.5", "first"):
+        assert run("replay", path, "-o", folder / "none.vtp", "--model", bad).returncode == 2
+
+
+@pytest.mark.parametrize("change, words", [({"place": 2}, "place"), ({"models": [{}]}, "mesh_name"), ({"models": 1}, "models")])
+def test_a_damaged_scene_is_refused(made, change, words):
+    folder, mesh, longer, shorter = made
+    done = run("replay", scene(folder / "bad.oversketch", mesh, [longer, shorter], **change), "-o", folder / "bad.vtp")
+    assert done.returncode == 1 and words in done.stderr, done.stderr

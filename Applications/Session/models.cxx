@@ -1,0 +1,219 @@
+#include "models.h"
+
+#include "evaluator.h"
+#include "parts.h"
+#include "session_file.h"
+
+#include "vtkOversketchAssemble.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchStepRunner.h"
+
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace oversketch_session
+{
+
+namespace
+{
+
+std::shared_ptr<const RestingModel> resting(Session own, MadeModel made)
+{
+  own.pictures.clear();
+  own.scene.place = 0;
+  own.scene.others.clear();
+  auto model = std::make_shared<RestingModel>();
+  model->own = std::move(own);
+  model->made = std::move(made);
+  return model;
+}
+
+MadeModel madeOf(const Session& session)
+{
+  Evaluator evaluator;
+  Evaluator::Watch watch;
+  watch.cancelled = [] { return false; };
+  std::vector<Outcome> outcomes;
+  evaluator.run(session, watch, outcomes);
+  MadeModel made;
+  made.backendUsed = backendUsedBy(outcomes);
+  if (vtkPolyData* mesh = resultOf(session, outcomes))
+  {
+    vtkNew<vtkPolyData> copy; // the evaluator's own goes with it
+    copy->DeepCopy(mesh);
+    made.mesh = SharedData(vtkSmartPointer<vtkPolyData>(copy));
+    made.display = withPointNormals(made.mesh);
+    made.digest = digestOf(made.mesh);
+  }
+  return made;
+}
+
+int freshModel(const Session& session)
+{
+  int last = session.scene.id;
+  for (const auto& other : session.scene.others)
+  {
+    last = std::max(last, other->own.scene.id);
+  }
+  return last + 1;
+}
+
+// Among the others.
+std::size_t otherOf(const Session& session, std::size_t place)
+{
+  return place < session.scene.place ? place : place - 1;
+}
+
+} // namespace
+
+std::size_t modelCount(const Session& session)
+{
+  return session.scene.others.size() + 1;
+}
+
+const RestingModel* restingAt(const Session& session, std::size_t place)
+{
+  return place == session.scene.place ? nullptr : session.scene.others.at(otherOf(session, place)).get();
+}
+
+const Session& modelAt(const Session& session, std::size_t place)
+{
+  const RestingModel* other = restingAt(session, place);
+  return other ? other->own : session;
+}
+
+void makeResting(Session& session)
+{
+  for (auto& other : session.scene.others)
+  {
+    if (!other->made.mesh)
+    {
+      other = resting(other->own, madeOf(other->own));
+    }
+  }
+}
+
+RestingModels modelsOf(const Session& session)
+{
+  RestingModels models;
+  for (std::size_t place = 0; place < modelCount(session); ++place)
+  {
+    const Session& own = modelAt(session, place);
+    const RestingModel* other = restingAt(session, place);
+    models.push_back(resting(own, other && other->made.mesh ? other->made : madeOf(own)));
+  }
+  return models;
+}
+
+Session withChosen(const Session& session, std::size_t place, const MadeModel& made)
+{
+  const RestingModel* chosen = restingAt(session, place);
+  if (!chosen)
+  {
+    return session;
+  }
+  Session next = chosen->own;
+  next.pictures = session.pictures;
+  RestingModels all = session.scene.others;
+  all.insert(all.begin() + static_cast<std::ptrdiff_t>(session.scene.place), resting(session, made));
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(place));
+  next.scene.others = std::move(all);
+  next.scene.place = place;
+  return next;
+}
+
+Session withModels(const Session& session, const RestingModels& models)
+{
+  Session next = session;
+  for (const auto& model : models)
+  {
+    auto more = std::make_shared<RestingModel>(*model);
+    more->own.scene.id = freshModel(next);
+    next.scene.others.push_back(std::move(more));
+  }
+  return next;
+}
+
+Session withoutModel(const Session& session, std::size_t place)
+{
+  Session next = session;
+  next.scene.others.erase(next.scene.others.begin() + static_cast<std::ptrdiff_t>(otherOf(session, place)));
+  next.scene.place -= place < session.scene.place ? 1 : 0;
+  return next;
+}
+
+Session withModelSeen(const Session& session, std::size_t place, bool shown, bool locked)
+{
+  Session next = session;
+  if (const RestingModel* other = restingAt(session, place))
+  {
+    auto changed = std::make_shared<RestingModel>(*other);
+    changed->own.scene.shown = shown;
+    changed->own.scene.locked = locked;
+    next.scene.others[otherOf(session, place)] = std::move(changed);
+  }
+  else
+  {
+    next.scene.shown = shown;
+    next.scene.locked = locked;
+  }
+  return next;
+}
+
+vtkSmartPointer<vtkPolyData> joined(const std::vector<vtkPolyData*>& meshes)
+{
+  if (meshes.size() < 2)
+  {
+    return meshes.empty() ? nullptr : meshes.front();
+  }
+  vtkNew<vtkOversketchAssemble> assemble;
+  for (vtkPolyData* mesh : meshes)
+  {
+    assemble->AddInputData(placedBy(Eigen::Matrix4d::Identity(), mesh));
+  }
+  oversketch::StepRunner(assemble, {}).Run();
+  return assemble->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh)
+{
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(mesh);
+  vtkNew<vtkCellArray> polys;
+  polys->ShallowCopy(mesh->GetPolys());
+  own->SetPolys(polys);
+  return own;
+}
+
+vtkSmartPointer<vtkPolyData> withPointNormals(vtkPolyData* mesh)
+{
+  auto shown = vtkSmartPointer<vtkPolyData>::New();
+  shown->ShallowCopy(mesh);
+  if (!mesh->GetPointData()->GetNormals())
+  {
+    vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
+    triangles->SetInputData(withOwnPolys(mesh));
+    triangles->Update();
+    const oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
+    const std::vector<oversketch::Vector3> normals =
+      oversketch::vertexNormals(surface, oversketch::trianglesAround(surface), oversketch::ThreadsOnly());
+    vtkNew<vtkFloatArray> array;
+    array->SetName("Normals");
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      array->SetTuple(static_cast<vtkIdType>(i), normals[i].data());
+    }
+    shown->GetPointData()->SetNormals(array);
+  }
+  return shown;
+}
+
+} // namespace oversketch_session

@@ -1,0 +1,168 @@
+// The models of a document's scene: one is worked on, the others rest beside it.
+#include "document.h"
+#include "models.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+Document::Opened Document::readModels(const QString& path, int backend)
+{
+  Opened opened = Document::read(path, backend);
+  Session scene;
+  scene.scene.others = modelsOf(opened.session);
+  scene.pictures = opened.session.pictures;
+  opened.session = std::move(scene);
+  return opened;
+}
+
+void Document::addModels(Opened opened)
+{
+  const Session& more = opened.session;
+  if (modelCount(this->session()) + more.scene.others.size() > mostModels)
+  {
+    return;
+  }
+  const std::size_t first = modelCount(this->session());
+  Session next = withModels(this->session(), more.scene.others);
+  next.pictures.insert(next.pictures.end(), more.pictures.begin(), more.pictures.end());
+  this->commitScene(std::move(next));
+  this->chooseModel(static_cast<int>(first));
+}
+
+void Document::chooseModel(int place)
+{
+  this->Wanted = modelAt(this->session(), indexOf(place)).scene.id;
+  this->choose();
+}
+
+void Document::choose()
+{
+  const Session before = this->session();
+  int place = -1;
+  for (std::size_t i = 0; this->Wanted != 0 && i < modelCount(before); ++i)
+  {
+    place = modelAt(before, i).scene.id == this->Wanted ? static_cast<int>(i) : place;
+  }
+  if (place < 0 || place == static_cast<int>(before.scene.place))
+  {
+    this->Wanted = 0;
+    return;
+  }
+  // It rests with what all of its steps make.
+  this->showTo(static_cast<int>(before.nodes.size()));
+  if (!this->isSettled())
+  {
+    return;
+  }
+  if (this->Result.ticket != this->Ticket) // its steps were cancelled
+  {
+    this->submit();
+    return;
+  }
+  this->Wanted = 0;
+  this->Changes->amend(this->chosen(place)); // what is looked at: no step of undo
+  this->turnFrom(before);
+}
+
+Session Document::chosen(int place) const
+{
+  return withChosen(this->session(),
+    indexOf(place),
+    { this->Result.mesh, this->Result.display, this->Digest, this->Result.backendUsed });
+}
+
+// Where that brings another model, it is shown as it rested until its steps have run.
+void Document::turnFrom(const Session& before)
+{
+  const int id = this->session().scene.id;
+  if (id == before.scene.id)
+  {
+    this->run(Change::Edited);
+    return;
+  }
+  this->Result = {};
+  this->Digest.clear();
+  this->Traces.clear();
+  this->Last.reset();
+  this->First = this->Ticket + 1;
+  const auto& others = before.scene.others;
+  const auto same =
+    std::find_if(others.begin(), others.end(), [id](const auto& other) { return other->own.scene.id == id; });
+  if (same != others.end())
+  {
+    this->Result.mesh = (*same)->made.mesh;
+    this->Result.display = (*same)->made.display;
+    this->Result.backendUsed = (*same)->made.backendUsed;
+  }
+  this->run(Change::Edited);
+  emit this->opened();
+  emit this->shown();
+}
+
+void Document::removeModel(int place)
+{
+  const Session before = this->session();
+  const auto count = static_cast<int>(modelCount(before));
+  if (count < 2 || place >= count)
+  {
+    return;
+  }
+  if (place != static_cast<int>(before.scene.place))
+  {
+    this->commitScene(withoutModel(before, indexOf(place)));
+    return;
+  }
+  this->Changes->commit(
+    withoutModel(this->chosen(place + 1 < count ? place + 1 : place - 1), indexOf(place)));
+  this->turnFrom(before);
+}
+
+void Document::setModel(int place, bool shown, bool locked)
+{
+  const SceneModels& now = modelAt(this->session(), indexOf(place)).scene;
+  if (now.shown != shown || now.locked != locked)
+  {
+    this->commitScene(withModelSeen(this->session(), indexOf(place), shown, locked));
+  }
+}
+
+QString Document::whyNoSteps() const
+{
+  const SceneModels& scene = this->session().scene;
+  const QString name = QString::fromStdString(this->session().meshName);
+  return scene.locked   ? tr("%1 is locked and takes no strokes. Unlock it in the list Scene.").arg(name)
+         : !scene.shown ? tr("%1 is hidden and takes no strokes. Tick it in the list Scene.").arg(name)
+                        : QString();
+}
+
+bool Document::takes(const Session& next)
+{
+  if (this->whyNoSteps().isEmpty() || next.nodes == this->session().nodes)
+  {
+    return true;
+  }
+  emit this->refused();
+  return false;
+}
+
+vtkSmartPointer<vtkPolyData> Document::shownMeshes() const
+{
+  std::vector<vtkPolyData*> meshes;
+  const vtkSmartPointer<vtkPolyData> own = this->shownMesh();
+  for (std::size_t place = 0; place < modelCount(this->session()); ++place)
+  {
+    const RestingModel* other = restingAt(this->session(), place);
+    if (vtkPolyData* mesh = other ? other->made.mesh.Get() : own.Get())
+    {
+      meshes.push_back(mesh);
+    }
+  }
+  return joined(meshes);
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,146 @@
+// The window's models: those of a scene, and which of them is worked on.
+#include "main_window.h"
+
+#include "advice_label.h"
+#include "long_work.h"
+#include "models.h"
+#include "pieces.h"
+#include "scene_panel.h"
+#include "stroke_lines.h"
+#include "tool.h"
+#include "viewport.h"
+
+#include "vtkRenderer.h"
+
+#include <QFileInfo>
+
+#include <memory>
+#include <utility>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+// Before the window hears of the document, so that a mesh is not drawn as chosen and as one beside.
+void MainWindow::listenToModels()
+{
+  const auto follow = [this]
+  {
+    const SceneModels& scene = this->OpenDocument->session().scene;
+    this->View->display().others().show(scene);
+    this->Lines->setVisible(scene.shown);
+    this->View->renderSoon();
+  };
+  connect(this->OpenDocument,
+    &Document::changed,
+    this,
+    [this, follow]
+    {
+      follow();
+      // No line of a model that takes no strokes can be taken hold of.
+      const bool takes = this->OpenDocument->whyNoSteps().isEmpty();
+      if (takes != std::exchange(this->Takes, takes))
+      {
+        this->offerStep();
+        this->chooseLine();
+      }
+    });
+  connect(this->OpenDocument, &Document::opened, this, follow);
+  connect(this->OpenDocument, &Document::begun, this, [this] { this->Reset = true; });
+  connect(this->OpenDocument,
+    &Document::refused,
+    this,
+    [this]
+    {
+      this->showResult(); // without what the hand has drawn, and with why
+      this->Redrawn = -1;
+    });
+  connect(this->Scene, &ScenePanel::partsHidden, this->View, &Viewport::hideParts);
+  connect(this->Scene, &ScenePanel::exportAsked, this, &MainWindow::exportModel);
+  connect(this->Scene, &ScenePanel::modelAsked, this, &MainWindow::addModelAsked);
+}
+
+void MainWindow::addModelAsked()
+{
+  const QString path = this->modelAsked(tr("Add a model beside the open one"));
+  if (!path.isEmpty())
+  {
+    this->addModel(path);
+  }
+}
+
+void MainWindow::addModel(const QString& path)
+{
+  if (!this->OpenDocument->isOpen())
+  {
+    this->open(path);
+    return;
+  }
+  if (isLongWorkGoing())
+  {
+    return;
+  }
+  const int backend = this->OpenDocument->backend();
+  const auto read = std::make_shared<Document::Opened>();
+  bool done = false;
+  this->tried(
+    [&]
+    {
+      done = doLongWork(this,
+        tr("Reading %1…").arg(QFileInfo(path).fileName()),
+        [read, path, backend] { *read = Document::readModels(path, backend); });
+    });
+  if (!done)
+  {
+    return;
+  }
+  this->stopTeaching();
+  this->remember(path);
+  const QStringList notes = read->notes;
+  this->OpenDocument->addModels(std::move(*read));
+  this->View->display().showWhole();
+  this->View->renderSoon();
+  this->tell(notes);
+}
+
+void MainWindow::exportModel(int model, int part, const QString& name)
+{
+  if (!this->OpenDocument->isOpen() || isLongWorkGoing())
+  {
+    return;
+  }
+  const RestingModel* other = restingAt(this->OpenDocument->session(), indexOf(model));
+  const vtkSmartPointer<vtkPolyData> mesh = other ? other->made.mesh.own() : this->OpenDocument->shownMesh();
+  if (mesh)
+  {
+    this->exportMesh(part < 0 ? mesh : oversketch_files::partAlone(mesh, part), name);
+  }
+}
+
+bool MainWindow::chooseModelAt(const QPoint& place)
+{
+  if (!this->OpenDocument->isOpen() || this->View->tool()->draws() || this->View->tool()->moves())
+  {
+    return false;
+  }
+  const double ratio = this->View->devicePixelRatioF();
+  const double x = ratio * place.x(), y = ratio * (this->View->height() - 1 - place.y());
+  if (this->View->tool()->holds(x, y))
+  {
+    return false;
+  }
+  const auto id = this->View->display().others().at(static_cast<int>(x), static_cast<int>(y));
+  const Session& session = this->OpenDocument->session();
+  for (std::size_t i = 0; id && i < modelCount(session); ++i)
+  {
+    if (modelAt(session, i).scene.id == *id)
+    {
+      this->OpenDocument->chooseModel(static_cast<int>(i));
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace oversketch_studio
