@@ -33,8 +33,8 @@ struct ApproximationRules
 // nine along the stroke. Where `splits` name a part of a stroke, delta is halved so many times (of several
 // the most), and arcs shorter than 2 h are split once delta is at most 0.3 h.
 //
-// A piece of an open feature is no longer than the least D along it, or 8 h where that is more (not in mode
-// Fixed): it is split at the middle of its arc. Darts lie 0.5 D to D apart beside it, and a long straight
+// A piece of an open feature is no longer than D at the middle of its arc, or 8 h where that is more (not in
+// mode Fixed): it is split there. Darts lie 0.5 D to D apart beside it, and a long straight
 // piece would be joined to all of them by needles. The paper has no such bound.
 //
 // Polylines that meet though their strokes do not, and a stroke that a polyline leaves on the wrong side,

@@ -156,9 +156,8 @@ double PieceList::longestArc(const Piece& piece) const
   {
     return std::numeric_limits<double>::infinity();
   }
-  const auto begin = this->Thickness.begin();
-  const double least = *std::min_element(begin + piece.from, begin + piece.to + 1);
-  return std::max(least, leastArc * sampleSpacing * this->Longest);
+  return std::max(
+    this->Thickness[static_cast<std::size_t>(this->middle(piece))], leastArc * sampleSpacing * this->Longest);
 }
 
 // The sample at the middle of its arc.

@@ -1,0 +1,98 @@
+// Several models in one scene: as values, in the file, in the history.
+#include "sessions.h"
+
+#include "history.h"
+#include "models.h"
+#include "session_file.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace oversketch_session;
+using namespace oversketch_test;
+
+namespace
+{
+
+Session pairOf()
+{
+  const Session dog = dogSession();
+  return withModels(dog, modelsOf(dog));
+}
+
+std::string textOf(const Package& package)
+{
+  return *package.at(sessionEntry);
+}
+
+} // namespace
+
+TEST(SceneModels, OneIsChosenAndTheOthersKeepTheirPlaces)
+{
+  const Session pair = pairOf();
+  ASSERT_EQ(modelCount(pair), 2u);
+  EXPECT_EQ(restingAt(pair, 0), nullptr);
+  const RestingModel* second = restingAt(pair, 1);
+  ASSERT_TRUE(second);
+  ASSERT_TRUE(second->made.mesh);
+  EXPECT_EQ(second->made.digest, digestOf(second->made.mesh));
+  EXPECT_NE(second->own.scene.id, pair.scene.id);
+  const Session other = withChosen(pair, 1, second->made);
+  EXPECT_EQ(other.scene.place, 1u);
+  EXPECT_EQ(modelAt(other, 0).scene.id, pair.scene.id);
+  EXPECT_EQ(modelAt(other, 1).scene.id, second->own.scene.id);
+  const Session alone = withoutModel(other, 0);
+  EXPECT_EQ(modelCount(alone), 1u);
+  EXPECT_EQ(alone.scene.place, 0u);
+  const Session seen = withModelSeen(withModelSeen(pair, 0, true, true), 1, false, false);
+  EXPECT_TRUE(seen.scene.locked);
+  EXPECT_FALSE(modelAt(seen, 1).scene.shown);
+  EXPECT_TRUE(modelAt(pair, 1).scene.shown) << "a value was changed";
+}
+
+TEST(SceneModels, AreInTheFileWhereThereAreAny)
+{
+  SessionFile file;
+  file.session = dogSession();
+  const std::string single = textOf(Encoder().encode(file));
+  EXPECT_NE(single.find("\"format_version\" : 1"), std::string::npos);
+  for (const char* member : { "\"models\"", "\"place\"", "\"shown\"", "\"locked\"" })
+  {
+    EXPECT_EQ(single.find(member), std::string::npos) << member;
+  }
+  const Session pair = withModelSeen(pairOf(), 0, false, true);
+  file.session = withChosen(pair, 1, restingAt(pair, 1)->made);
+  file.others = { { originHere(0), "0123" } };
+  const Package package = Encoder().encode(file);
+  EXPECT_NE(textOf(package).find("\"format_version\" : 2"), std::string::npos);
+  SessionFile read = decode(package, "a");
+  ASSERT_EQ(modelCount(read.session), 2u);
+  EXPECT_EQ(read.session.scene.place, 1u);
+  const Session& rests = modelAt(read.session, 0);
+  EXPECT_FALSE(rests.scene.shown);
+  EXPECT_TRUE(rests.scene.locked);
+  EXPECT_TRUE(read.session.scene.shown);
+  EXPECT_EQ(rests.nodes.size(), pair.nodes.size());
+  ASSERT_EQ(read.others.size(), 1u);
+  EXPECT_EQ(read.others[0].digest, "0123");
+  EXPECT_FALSE(restingAt(read.session, 0)->made.mesh) << "no result is kept";
+  EXPECT_EQ(textOf(Encoder().encode(read)), textOf(package));
+  makeResting(read.session);
+  EXPECT_EQ(restingAt(read.session, 0)->made.digest, restingAt(pair, 1)->made.digest) << "the same steps";
+}
+
+TEST(SceneModels, AreUndoneWithTheSteps)
+{
+  const Session pair = pairOf();
+  History history(dogSession());
+  history.commit(pair);
+  history.amend(withChosen(pair, 1, restingAt(pair, 1)->made));
+  EXPECT_EQ(history.now().scene.place, 1u);
+  history.undo();
+  EXPECT_EQ(modelCount(history.now()), 1u);
+  EXPECT_EQ(history.now().nodes.size(), pair.nodes.size());
+  history.redo();
+  EXPECT_EQ(modelCount(history.now()), 2u);
+  EXPECT_EQ(history.now().scene.place, 1u) << "as it was chosen last";
+}
