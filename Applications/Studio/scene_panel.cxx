@@ -38,7 +38,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   , View(new QToolButton(this))
   , Lock(new QToolButton(this))
   , Remove(new QToolButton(this))
-  , Export(new QAction(tr("Export the &selected model or part…"), this))
+  , Export(new QAction(tr("Export the selecte&d model or part…"), this))
   , AddModel(new QAction(tr("Add a &model…"), this))
   , AddPicture(new QAction(tr("Add a p&icture…"), this))
 {

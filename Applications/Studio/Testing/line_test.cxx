@@ -40,6 +40,7 @@ struct Lines : Scene
   // Along the middle of the model's body, the pen left down at its end.
   void drawOn(int up = 0)
   {
+    this->settle();
     const QPoint from = this->seen(this->document->result().mesh->GetCenter()) - QPoint(60, up);
     const auto at = [&](int i)
     { return from + QPoint(4 * i, static_cast<int>(std::lround(8.0 * std::sin(0.3 * i)))); };

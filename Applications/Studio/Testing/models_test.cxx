@@ -315,7 +315,7 @@ TEST(Models, LockedAndHiddenOnesTakeNoStrokesAndAreKept)
   {
     pair.list->setCurrentRow(row);
     const auto one =
-      pair.written(pair.action("Export the &selected model or part…"), QString("%1.vtp").arg(row));
+      pair.written(pair.action("Export the selecte&d model or part…"), QString("%1.vtp").arg(row));
     EXPECT_EQ(digestOf(one), row == 0 ? pair.first : drawn);
   }
 

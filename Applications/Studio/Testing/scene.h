@@ -47,6 +47,18 @@ struct Scene
   {
     EXPECT_TRUE(QTest::qWaitFor([this] { return this->document->isSettled(); }, 600000));
   }
+  // Until the view has the size that the options of the tool in the hand leave it: a line that is drawn
+  // meanwhile is given up.
+  void settle()
+  {
+    QSize size;
+    do
+    {
+      size = this->view->size();
+      QApplication::processEvents();
+      QApplication::processEvents();
+    } while (size != this->view->size());
+  }
   // Once the view's timers have run out: a frame's edges are smoothed some time after it is drawn.
   QImage pictureAtRest()
   {
@@ -111,6 +123,7 @@ struct Scene
   // An arch over the model's highest place, the pen left down at its end.
   void draw()
   {
+    this->settle();
     const QPoint over = this->top();
     const auto at = [&](int i)
     { return over + QPoint(3 * i, static_cast<int>(std::lround(20.0 - 45.0 * std::cos(0.08 * i)))); };
