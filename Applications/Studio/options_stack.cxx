@@ -2,6 +2,8 @@
 
 #include <QLayout>
 
+#include <algorithm>
+
 namespace oversketch_studio
 {
 
@@ -14,16 +16,27 @@ OptionsStack::OptionsStack(QWidget* parent)
   connect(this, &QStackedWidget::currentChanged, this, &OptionsStack::fit);
 }
 
+int OptionsStack::lineHeight() const
+{
+  int height = 0;
+  for (int i = 0; i < this->count(); ++i)
+  {
+    height = std::max(height, this->widget(i)->sizeHint().height());
+  }
+  return height;
+}
+
 QSize OptionsStack::sizeHint() const
 {
-  return this->currentWidget() ? this->currentWidget()->sizeHint() : QSize(0, 0);
+  return this->currentWidget() ? QSize(this->currentWidget()->sizeHint().width(), this->lineHeight())
+                               : QSize(0, 0);
 }
 
 QSize OptionsStack::minimumSizeHint() const
 {
   // One line high: how many there are is known with the width.
   const QWidget* shown = this->currentWidget();
-  return shown ? QSize(shown->minimumSizeHint().width(), shown->sizeHint().height()) : QSize(0, 0);
+  return shown ? QSize(shown->minimumSizeHint().width(), this->lineHeight()) : QSize(0, 0);
 }
 
 void OptionsStack::resizeEvent(QResizeEvent* event)
@@ -38,8 +51,9 @@ void OptionsStack::fit()
   constexpr int narrowest = 200; // px; before it has its place
   const QLayout* layout =
     this->currentWidget() && this->width() >= narrowest ? this->currentWidget()->layout() : nullptr;
-  this->setMinimumHeight(
-    layout && layout->hasHeightForWidth() ? layout->totalHeightForWidth(this->width()) : 0);
+  this->setMinimumHeight(layout && layout->hasHeightForWidth()
+                           ? std::max(this->lineHeight(), layout->totalHeightForWidth(this->width()))
+                           : this->lineHeight());
   this->updateGeometry();
 }
 

@@ -21,6 +21,9 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  // Of the highest page in one line: the view beside the bar, and what is drawn in it, stays as large when
+  // another tool is taken.
+  int lineHeight() const;
   void fit();
 };
 
