@@ -5,9 +5,10 @@
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.2, Fig. 7: corners by the change of direction,
  * then splits where the deviation is largest. Departures (Kernels/Planar/approximate.h): the tolerance is a
  * fourth of how thick the object is along the piece (DeltaMode Adaptive), since limbs thinner than the
- * published one, 0.05 of the canvas's longest side, turn over in refinement; there, a piece of an open feature
- * is no longer than the object is thick at its middle, since needles would join a long straight one to the points beside
- * it; polylines that meet though their strokes do not are made finer; open ends near the rim join it.
+ * published one, 0.05 of the canvas's longest side, turn over in refinement; there, a piece of an open
+ * feature is no longer than the object is thick at its middle, since needles would join a long straight one
+ * to the points beside it; polylines that meet though their strokes do not are made finer; open ends near the
+ * rim join it.
  *
  * Input 0 (Curves): curves of vtkOversketchClassify, resampled (vtkOversketchResample); cell array Treatment
  * (see vtkOversketchTreatment) may be absent: all filled.
