@@ -114,7 +114,7 @@ void replay(const Options& options)
   }
   Notes notes;
   NewFiles files;
-  writeMesh(joined(meshes), options.output, notes, files);
+  writeMesh(oversketch_session::joined(meshes), options.output, notes, files);
   throwIfInterrupted();
   files.commit();
   say(notes);
