@@ -1,0 +1,132 @@
+// What a bad hand is told in the window, and that it spoils nothing.
+#include "mouse.h"
+#include "scene.h"
+
+#include "vtkMath.h"
+
+#include <QLabel>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace oversketch_studio
+{
+namespace
+{
+
+struct BadHands : Scene
+{
+  void stroke(const std::vector<QPoint>& path)
+  {
+    this->settle();
+    QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, path.front());
+    for (const QPoint& at : path)
+    {
+      moveMouse(this->view, at);
+      QApplication::processEvents();
+    }
+    QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, path.back());
+    this->wait();
+    QApplication::processEvents();
+  }
+  // One row that did nothing and says why, and the model as it was.
+  void expectRefused(const std::string& words, const std::string& before)
+  {
+    const auto& nodes = this->document->result().nodes;
+    ASSERT_EQ(nodes.size(), 1u);
+    EXPECT_NE(nodes[0].failure.find(words), std::string::npos) << nodes[0].failure;
+    EXPECT_EQ(this->document->digest(), before);
+    const QString advice = this->window.findChild<QLabel*>("advice")->text();
+    EXPECT_TRUE(advice.contains("did nothing")) << qPrintable(advice);
+    this->document->undo();
+    this->wait();
+    EXPECT_TRUE(this->document->session().nodes.empty());
+  }
+};
+
+} // namespace
+
+TEST(BadHand, IsToldHowFarFromTheModelALineIsAndThatAResultTears)
+{
+  BadHands scene;
+  const std::string before = scene.document->digest();
+  std::vector<QPoint> line;
+  const QPoint corner(scene.view->width() - 20, scene.view->height() - 20);
+  for (int i = 40; i >= 0; --i)
+  {
+    line.push_back(corner - QPoint(3 * i, 0));
+  }
+  scene.stroke(line);
+  scene.expectRefused("px from any outline", before);
+  // A loop over the tail, several times as large as it.
+  const QPoint tip = scene.top();
+  std::vector<QPoint> loop;
+  for (int i = 0; i <= 100; ++i)
+  {
+    const double angle = 0.0628 * i;
+    loop.push_back(tip + QPoint(static_cast<int>(std::lround(160.0 * std::sin(angle))),
+                           static_cast<int>(std::lround(120.0 * (1.0 - std::cos(angle))))));
+  }
+  scene.stroke(loop);
+  scene.expectRefused("would tear the mesh", before);
+}
+
+TEST(BadHand, ALineAlongTheBackTakesNoLimbWithIt)
+{
+  BadHands scene;
+  const auto before = scene.document->result().mesh;
+  const vtkIdType count = before->GetNumberOfPoints();
+  std::vector<QPoint> places;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    places.push_back(scene.seen(before->GetPoint(i)));
+  }
+  const auto [left, right] = std::minmax_element(
+    places.begin(), places.end(), [](const QPoint& a, const QPoint& b) { return a.x() < b.x(); });
+  const int width = right->x() - left->x(), from = left->x() + 3 * width / 10, to = left->x() + width / 2;
+  std::map<int, int> back; // the highest place of each column
+  for (const QPoint& place : places)
+  {
+    if (place.x() >= from && place.x() <= to)
+    {
+      int& highest = back.emplace(place.x() / 6, place.y()).first->second;
+      highest = std::min(highest, place.y());
+    }
+  }
+  std::vector<QPoint> line;
+  for (const auto& [column, highest] : back)
+  {
+    const double along = (6.0 * column + 3.0 - from) / (to - from);
+    line.emplace_back(
+      6 * column + 3, highest - static_cast<int>(std::lround(16.0 * std::sin(3.14159265 * along))));
+  }
+  ASSERT_GT(line.size(), 10u);
+  scene.stroke(line);
+  const auto& result = scene.document->result();
+  ASSERT_EQ(result.nodes.size(), 1u);
+  EXPECT_EQ(result.nodes[0].failure, "");
+  ASSERT_EQ(result.mesh->GetNumberOfPoints(), count);
+  const int low = line.front().y() + width / 6;
+  int moved = 0, farOff = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double p[3], q[3];
+    before->GetPoint(i, p);
+    result.mesh->GetPoint(i, q);
+    if (vtkMath::Distance2BetweenPoints(p, q) > 0.0)
+    {
+      const QPoint& place = places[static_cast<std::size_t>(i)];
+      ++moved;
+      farOff += place.x() < from - width / 10 || place.x() > to + width / 10 || place.y() > low ? 1 : 0;
+    }
+  }
+  EXPECT_GT(moved, 50);
+  EXPECT_EQ(farOff, 0) << moved << " moved";
+}
+
+} // namespace oversketch_studio
