@@ -19,7 +19,7 @@ import numpy
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from desk import Desk, Studio, until  # noqa: E402
 
-LEFT, TOP, RIGHT, BOTTOM = 90, 150, 880, 760  # the model's part of the window, below the strip and the axes over the view
+LEFT, TOP, RIGHT, BOTTOM = 90, 150, 825, 760  # the model's part of the window, below the strip and the axes over the view
 
 
 def highest(desk):
