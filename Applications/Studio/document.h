@@ -48,7 +48,8 @@ public:
   int backend() const { return this->Backend; }
   // Shows it, instead of what was there.
   void open(Opened opened);
-  // The same with its models beside those that are there (readModels); the first of them is chosen.
+  // The same with its models beside those that are there (readModels); the first of them is chosen. Throws
+  // oversketch_files::Failed where they are too many.
   static Opened readModels(const QString& path, int backend);
   void addModels(Opened opened);
   // The models of the scene, by their places in its list: document_models.cxx. The chosen one is worked on;

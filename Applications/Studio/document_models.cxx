@@ -1,5 +1,7 @@
 // The models of a document's scene: one is worked on, the others rest beside it.
 #include "document.h"
+
+#include "files.h"
 #include "models.h"
 
 #include <algorithm>
@@ -25,7 +27,8 @@ void Document::addModels(Opened opened)
   const Session& more = opened.session;
   if (modelCount(this->session()) + more.scene.others.size() > mostModels)
   {
-    return;
+    throw oversketch_files::Failed(
+      tr("A scene has at most %1 models. Remove some first.").arg(mostModels).toStdString());
   }
   const std::size_t first = modelCount(this->session());
   Session next = withModels(this->session(), more.scene.others);

@@ -95,10 +95,13 @@ void MainWindow::addModel(const QString& path)
   {
     return;
   }
+  const QStringList notes = read->notes;
+  if (!this->tried([&] { this->OpenDocument->addModels(std::move(*read)); }))
+  {
+    return;
+  }
   this->stopTeaching();
   this->remember(path);
-  const QStringList notes = read->notes;
-  this->OpenDocument->addModels(std::move(*read));
   this->View->display().showWhole();
   this->View->renderSoon();
   this->tell(notes);

@@ -22,18 +22,21 @@ def vtp(data):
     return text if isinstance(text, bytes) else text.encode("latin-1")
 
 
-def session(path, mesh, drawn, **changes):
-    document = {"format": "oversketch-session", "format_version": 1, "mesh": "mesh/a.vtp", "mesh_name": "body.vtp",
-                "backend": "embree", "result_md5": "",
-                "made_by": {"version": "", "backend": "embree", "device": "", "processor": ""},
-                "strokes": [dict(NODE, name=f"stroke {i}", stroke=f"strokes/{i}.vtp") for i in range(len(drawn))]}
-    document.update(changes)
+def filed(path, document, mesh, drawn):
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
         file.writestr("session.json", json.dumps(document))
         file.writestr("mesh/a.vtp", vtp(mesh))
         for i, data in enumerate(drawn):
             file.writestr(f"strokes/{i}.vtp", vtp(data))
     return path
+
+
+def session(path, mesh, drawn, **changes):
+    document = {"format": "oversketch-session", "format_version": 1, "mesh": "mesh/a.vtp", "mesh_name": "body.vtp",
+                "backend": "embree", "result_md5": "",
+                "made_by": {"version": "", "backend": "embree", "device": "", "processor": ""},
+                "strokes": [dict(NODE, name=f"stroke {i}", stroke=f"strokes/{i}.vtp") for i in range(len(drawn))]}
+    return filed(path, dict(document, **changes), mesh, drawn)
 
 
 def digest(mesh):
@@ -182,13 +185,7 @@ def scene(path, mesh, drawn, **changes):
               "inputs": {"Stroke": {"lines": f"strokes/{i}.vtp"}}} for i in range(2)]
     document = dict(model, format="oversketch-session", format_version=2, steps=steps[1:], place=1, locked=True,
                     models=[dict(model, steps=steps[:1], shown=False)])
-    document.update(changes)
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
-        file.writestr("session.json", json.dumps(document))
-        file.writestr("mesh/a.vtp", vtp(mesh))
-        for i, data in enumerate(drawn):
-            file.writestr(f"strokes/{i}.vtp", vtp(data))
-    return path
+    return filed(path, dict(document, **changes), mesh, drawn)
 
 
 def test_all_models_of_a_scene_or_the_one_asked_for(made):

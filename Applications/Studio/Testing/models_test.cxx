@@ -26,21 +26,6 @@ using namespace oversketch_session;
 namespace
 {
 
-// Pixels of the view that differ.
-int differing(const QImage& a, const QImage& b)
-{
-  int found = 0;
-  for (int y = 0; y < a.height(); ++y)
-  {
-    for (int x = 0; x < a.width(); ++x)
-    {
-      const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
-      found += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) > 30;
-    }
-  }
-  return found;
-}
-
 // The window on the dog, and a second dog in a file, beside it.
 struct Dogs : Scene
 {

@@ -14,6 +14,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QColor>
 #include <QElapsedTimer>
 #include <QImage>
 #include <QTest>
@@ -23,10 +24,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 
 namespace oversketch_studio
 {
+
+// Pixels of the view that differ.
+inline int differing(const QImage& a, const QImage& b)
+{
+  int found = 0;
+  for (int y = 0; y < a.height(); ++y)
+  {
+    for (int x = 0; x < a.width(); ++x)
+    {
+      const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+      found += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) > 30;
+    }
+  }
+  return found;
+}
 
 struct Scene
 {

@@ -11,26 +11,6 @@
 
 using namespace oversketch_studio;
 
-namespace
-{
-
-// Pixels of the view that differ from an empty one's.
-int drawn(const QImage& image, const QImage& empty)
-{
-  int found = 0;
-  for (int y = 0; y < image.height(); ++y)
-  {
-    for (int x = 0; x < image.width(); ++x)
-    {
-      const QColor a = image.pixelColor(x, y), b = empty.pixelColor(x, y);
-      found += std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) > 30;
-    }
-  }
-  return found;
-}
-
-} // namespace
-
 TEST(Things, PartsAreHiddenAndWrittenByThemselves)
 {
   Sheet sheet;
@@ -45,9 +25,9 @@ TEST(Things, PartsAreHiddenAndWrittenByThemselves)
   // A model of one part.
   const QImage whole = sheet.pictureAtRest();
   const QImage empty = tick(0, false);
-  EXPECT_GT(drawn(whole, empty), 10000) << "the model is not hidden";
+  EXPECT_GT(differing(whole, empty), 10000) << "the model is not hidden";
   EXPECT_TRUE(sheet.document->isModified()) << "kept with the session";
-  EXPECT_EQ(drawn(tick(0, true), empty), drawn(whole, empty));
+  EXPECT_EQ(differing(tick(0, true), empty), differing(whole, empty));
   sheet.document->undo();
   sheet.document->undo();
   EXPECT_FALSE(sheet.document->isModified());
@@ -66,7 +46,7 @@ TEST(Things, PartsAreHiddenAndWrittenByThemselves)
   EXPECT_EQ(list->item(1)->text().toStdString(), sheet.session().nodes[1].name);
   const std::string digest = sheet.document->digest();
   const QImage none = (tick(0, false), tick(1, false));
-  const int second = drawn(tick(1, true), none), both = drawn(tick(0, true), none);
+  const int second = differing(tick(1, true), none), both = differing(tick(0, true), none);
   EXPECT_GT(second, 300);
   EXPECT_GT(both, second);
   EXPECT_EQ(sheet.document->digest(), digest) << "a look changes the model";
