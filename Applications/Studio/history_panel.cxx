@@ -97,7 +97,15 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
     &StepPanel::edited,
     this,
     [this](const Values& values, int mirror)
-    { this->OpenDocument->setParameters(this->current(), values, this->OpenDocument->mirrorPlane(mirror)); });
+    {
+      // A row that is left gives out what was typed in the midst of the change of rows: taken when it is
+      // over.
+      const int id = this->FormId;
+      QMetaObject::invokeMethod(
+        this,
+        [=] { this->setParameters(id, values, mirror); },
+        this->idOf(this->current()) == id && !this->Filling ? Qt::DirectConnection : Qt::QueuedConnection);
+    });
   this->refresh();
 }
 
@@ -493,6 +501,23 @@ void HistoryPanel::showStep()
   this->ShowAll->setEnabled(this->OpenDocument->isOpen() && indexOf(this->OpenDocument->shownTo()) <
                                                               this->OpenDocument->session().nodes.size());
   this->Form->show(step);
+  this->FormId = this->idOf(row);
+}
+
+int HistoryPanel::idOf(int node) const
+{
+  return node < 0 ? -1 : this->OpenDocument->session().nodes[indexOf(node)].id;
+}
+
+void HistoryPanel::setParameters(int id, const Values& values, int mirror)
+{
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto node = std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
+  if (node != nodes.end()) // else it has been undone or deleted
+  {
+    this->OpenDocument->setParameters(
+      static_cast<int>(node - nodes.begin()), values, this->OpenDocument->mirrorPlane(mirror));
+  }
 }
 
 void HistoryPanel::itemChanged(QListWidgetItem* item)

@@ -81,6 +81,9 @@ private:
   void remove();
   void setOn(int node, int line, bool on);
   void showStep();
+  // Of a step by its place; -1 of none.
+  int idOf(int node) const;
+  void setParameters(int id, const oversketch_session::Values& values, int mirror);
   // The step that keys change: the selected one, else the last; -1 where there is none.
   int changed() const;
   // Gives a parameter of it another value, made of the one that it has.
@@ -92,6 +95,7 @@ private:
   StepList* List;
   QLabel* Empty; // says what will be listed
   StepPanel* Form;
+  int FormId = -1; // of the step that the form shows
   QAction *Redraw, *View, *Up, *Down, *Next, *Less, *More, *Remove, *Rename, *Toggle, *Again, *ShowTo,
     *ShowAll;
   bool Filling = false;

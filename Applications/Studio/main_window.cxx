@@ -96,7 +96,10 @@ MainWindow::MainWindow(QWidget* parent)
   this->refresh();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+  this->hide(); // a field that loses the focus gives out what was typed, as long as there is who takes it
+}
 
 void MainWindow::listenToDocument()
 {

@@ -87,6 +87,7 @@ private:
   QString pictureAsked(const QString& title);
   void newFromPictureAsked();
   void addPartAsked();
+  void takeWhatIsTyped();
   bool save();
   bool saveAs();
   void exportAsked();

@@ -15,12 +15,14 @@
 #include "tool.h"
 #include "viewport.h"
 
+#include <QAbstractSpinBox>
 #include <QCloseEvent>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
@@ -279,8 +281,20 @@ void MainWindow::openAsked()
   }
 }
 
+// A number or a name that was not confirmed yet: else Ctrl+S would keep the session without it.
+void MainWindow::takeWhatIsTyped()
+{
+  QWidget* focused = this->focusWidget();
+  if (qobject_cast<QLineEdit*>(focused) || qobject_cast<QAbstractSpinBox*>(focused))
+  {
+    focused->clearFocus();
+    focused->setFocus();
+  }
+}
+
 bool MainWindow::save()
 {
+  this->takeWhatIsTyped();
   const QString path = this->OpenDocument->path();
   return path.isEmpty() ? this->saveAs() : this->saveTo(path);
 }
@@ -311,6 +325,7 @@ bool MainWindow::saveTo(const QString& path)
 
 bool MainWindow::saveAs()
 {
+  this->takeWhatIsTyped();
   if (!this->OpenDocument->isOpen())
   {
     return false;
@@ -390,6 +405,7 @@ void MainWindow::screenshot(bool lines)
 
 bool MainWindow::mayLeave()
 {
+  this->takeWhatIsTyped();
   if (!this->OpenDocument->isOpen() || !this->OpenDocument->isModified())
   {
     return true;

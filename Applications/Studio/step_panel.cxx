@@ -3,6 +3,7 @@
 #include "mirror_choice.h"
 #include "row_texts.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -213,6 +214,12 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
 void StepPanel::show(const Step* step)
 {
   const auto known = step ? this->Pages.find(step->system) : this->Pages.end();
+  QWidget* typedInto = QApplication::focusWidget();
+  const bool isLeft = known == this->Pages.end() || this->Shown != &known->second;
+  if (isLeft && typedInto && this->isAncestorOf(typedInto))
+  {
+    typedInto->clearFocus(); // what was typed is of the step that was shown, and is read as long as it is
+  }
   if (known != this->Pages.end())
   {
     this->Shown = &known->second;
@@ -236,6 +243,8 @@ void StepPanel::show(const Step* step)
     this->Shown->mirror->setCurrentIndex(step && step->mirror ? step->mirror->axis + 1 : 0);
   }
   this->StepValues = step ? step->values : Values();
+  this->StepMirror = step && step->mirror ? step->mirror->axis + 1 : 0;
+  this->IsOfAStep = step != nullptr;
 }
 
 void StepPanel::turnTo(const std::string& system)
@@ -257,7 +266,7 @@ void StepPanel::read()
     values[field.parameter->property] = field.read(field.widget);
   }
   const int mirror = this->Shown->mirror ? this->Shown->mirror->currentIndex() : 0;
-  if (values != this->StepValues || this->Shown->mirror)
+  if (this->IsOfAStep && (values != this->StepValues || mirror != this->StepMirror))
   {
     emit this->edited(values, mirror);
   }

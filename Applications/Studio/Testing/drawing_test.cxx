@@ -1,4 +1,7 @@
 // The tool Image to model, as a person uses it: a picture, lines drawn over it, and the model beside it.
+// First: it brings the headers of TBB, which name a function as Qt names its word emit.
+#include "vtkImplicitPolyDataDistance.h"
+
 #include "files.h"
 #include "mesh_file.h"
 #include "sheet.h"
@@ -9,7 +12,6 @@
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 

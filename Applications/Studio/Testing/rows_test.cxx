@@ -5,6 +5,7 @@
 #include "sheet.h"
 #include "step_lines.h"
 #include "step_list.h"
+#include "step_panel.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
@@ -16,6 +17,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QMenu>
+#include <QSpinBox>
 
 using namespace oversketch_studio;
 using namespace oversketch_session;
@@ -408,4 +410,50 @@ TEST(Rows, AStepStaysAfterWhatItNeeds)
   expectRefusal("drag");
   EXPECT_FALSE(list->item(1)->data(RowDelegate::HiddenRole).toBool()) << "a line of the drawing";
   EXPECT_TRUE(list->itemOf(0)->data(RowDelegate::WordsRole).toString().contains("one line"));
+}
+
+// A number typed for a row is that row's, whatever is chosen before it was confirmed: found by a random hand,
+// where the form's field lost the focus in the midst of the change of rows.
+TEST(Rows, ATypedNumberIsKeptAsTheRowIsLeft)
+{
+  Rows scene;
+  scene.twoStrokes();
+  auto* form = scene.window.findChild<StepPanel*>();
+  const auto type = [&](int row)
+  {
+    scene.list->setCurrentRow(row);
+    const auto boxes = form->findChildren<QSpinBox*>();
+    const auto found =
+      std::find_if(boxes.begin(), boxes.end(), [](const QSpinBox* one) { return one->isVisible(); });
+    EXPECT_NE(found, boxes.end());
+    (*found)->setFocus();
+    QTest::keyClick(*found, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(*found, "3");
+    return *found;
+  };
+  const auto candidate = [&](std::size_t node)
+  {
+    const Step& step = *scene.nodes().at(node).step;
+    return std::get<int>(valueOf(step, *findParameter(*findSystem(step.system), "Candidate")));
+  };
+  ASSERT_EQ(candidate(0), 1);
+
+  type(0);
+  scene.list->setCurrentRow(-1);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return candidate(0) == 3; }, 60000));
+  EXPECT_EQ(candidate(1), 1);
+  EXPECT_EQ(scene.list->currentRow(), -1);
+  scene.wait();
+
+  // The step has gone meanwhile: nothing to keep, and nothing else takes it.
+  type(1);
+  scene.document->undo(); // the number
+  scene.document->undo(); // the stroke
+  scene.wait();
+  ASSERT_EQ(scene.nodes().size(), 1u);
+  EXPECT_EQ(candidate(0), 1);
+  EXPECT_TRUE(scene.document->canRedo());
+
+  // The window goes, as the application does at its end.
+  type(0);
 }
