@@ -24,6 +24,45 @@ double between(double a, double b)
   return std::min(difference, pi - difference);
 }
 
+// A run of pixels in a row, which is cut at lines across a stroke; a pixel more is left at each cut, so that
+// rounding does not matter.
+struct RowRange
+{
+  double from, to;
+
+  // Of those before a place along a way, none; the row is at y.
+  void keepAhead(const Vector2& place, const Vector2& way, double y)
+  {
+    const double across = (y - place[1]) * way[1];
+    if (way[0] > 0.0)
+    {
+      this->from = std::max(this->from, place[0] - across / way[0] - 1.0);
+    }
+    else if (way[0] < 0.0)
+    {
+      this->to = std::min(this->to, place[0] - across / way[0] + 1.0);
+    }
+    else if (across < 0.0)
+    {
+      this->to = this->from - 1.0;
+    }
+  }
+  // None of those that are ahead of a place both along one way and along another.
+  void leaveOut(const Vector2& place, const Vector2& one, const Vector2& other, double y)
+  {
+    const double begin = place[0] - (y - place[1]) * one[1] / one[0];
+    const double end = place[0] - (y - place[1]) * other[1] / other[0];
+    if (one[0] > 0.0 && other[0] > 0.0)
+    {
+      this->to = std::min(this->to, std::max(begin, end) + 1.0);
+    }
+    else if (one[0] < 0.0 && other[0] < 0.0)
+    {
+      this->from = std::max(this->from, std::min(begin, end) - 1.0);
+    }
+  }
+};
+
 bool besideEdge(const PathField& field, const Pixel& pixel)
 {
   for (int y = -1; y <= 1; ++y)
@@ -44,7 +83,7 @@ bool besideEdge(const PathField& field, const Pixel& pixel)
 // distances from the stroke, of which `limit` is the greatest.
 void favour(const EdgeFeatures& features, double limit, PathField& field)
 {
-  const auto strength = [&](int x, int y)
+  const auto strength = [&](int x, int y) -> const float&
   { return features.magnitude[static_cast<std::size_t>(field.y0 + y) * features.width + field.x0 + x]; };
   std::vector<float> edges;
   for (int y = 0; y < field.height; ++y)
@@ -64,16 +103,15 @@ void favour(const EdgeFeatures& features, double limit, PathField& field)
     std::nth_element(edges.begin(), at, edges.end());
     strong = *at;
   }
-  for (int y = 0; y < field.height; ++y)
+  for (int y = 0; y < field.height; ++y) // what is outside too, which costs less than to ask
   {
+    float* extra = &field.extra[static_cast<std::size_t>(y) * field.width];
+    const float* strengths = &strength(0, y);
     for (int x = 0; x < field.width; ++x)
     {
-      const std::size_t at = static_cast<std::size_t>(y) * field.width + x;
-      if (field.states[at] != PathField::Outside)
-      {
-        field.extra[at] = static_cast<float>(nearWeight * field.extra[at] / limit +
-                                             strongWeight * (1.0 - std::min(1.0, strength(x, y) / strong)));
-      }
+      const double share = strengths[x] / strong;
+      extra[x] = static_cast<float>(
+        nearWeight * extra[x] / limit + strongWeight * (1.0 - (share < 1.0 ? share : 1.0)));
     }
   }
 }
@@ -143,7 +181,8 @@ double DrawnOver::chord(int sample) const
   const Vector2 way = this->points[to] - this->points[from];
   return way == Vector2::Zero() ? std::numeric_limits<double>::quiet_NaN() : std::atan2(way[1], way[0]);
 }
-bool DrawnOver::counts(int x, int y, double angle) const
+
+inline bool DrawnOver::counts(int x, int y, double angle) const
 {
   const std::size_t pixel = static_cast<std::size_t>(y) * this->features.width + x;
   // A stroke without a direction has no wrong one.
@@ -252,6 +291,10 @@ PathField DrawnOver::corridor(int from, int to) const
   for (int i = from; i < to; ++i)
   {
     const Vector2 a = this->points[i], way = this->points[i + 1] - a;
+    // Past the segment's begin the one before is as near, past its end the next one where that does not bend
+    // away.
+    const bool isFirst = i == from, isLast = i + 1 == to;
+    const Vector2 b = this->points[i + 1], after = isLast ? Vector2(0.0, 0.0) : this->points[i + 2] - b;
     const double square = way.squaredNorm();
     const auto range = [&](int axis, int first, int count)
     {
@@ -274,6 +317,17 @@ PathField DrawnOver::corridor(int from, int to) const
         xb = static_cast<int>(std::clamp(middle + half, xa - 1.0, static_cast<double>(xb)));
       }
       const double py = field.y0 + y, across = (py - a[1]) * way[1];
+      RowRange looked{ static_cast<double>(field.x0 + xa), static_cast<double>(field.x0 + xb) };
+      if (!isFirst)
+      {
+        looked.keepAhead(a, way, py);
+      }
+      if (!isLast)
+      {
+        looked.leaveOut(b, way, after, py);
+      }
+      xa = static_cast<int>(std::clamp(looked.from - field.x0, static_cast<double>(xa), xb + 1.0));
+      xb = static_cast<int>(std::clamp(looked.to - field.x0, xa - 1.0, static_cast<double>(xb)));
       const std::size_t row = static_cast<std::size_t>(y) * field.width;
       for (int x = xa; x <= xb; ++x)
       {
@@ -301,14 +355,14 @@ PathField DrawnOver::corridor(int from, int to) const
   }
   for (int y = 0; y < field.height; ++y)
   {
+    const std::size_t row = static_cast<std::size_t>(y) * field.width;
     for (int x = 0; x < field.width; ++x)
     {
-      const std::size_t at = static_cast<std::size_t>(y) * field.width + x;
-      if (samples[at] >= 0)
+      const int sample = samples[row + x];
+      if (sample >= 0)
       {
-        field.states[at] = this->counts(field.x0 + x, field.y0 + y, chords[samples[at] - from])
-                             ? PathField::Edge
-                             : PathField::Plain;
+        const bool isEdge = this->counts(field.x0 + x, field.y0 + y, chords[sample - from]);
+        field.states[row + x] = isEdge ? PathField::Edge : PathField::Plain;
       }
     }
   }

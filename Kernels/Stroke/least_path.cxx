@@ -10,13 +10,6 @@
 namespace oversketch
 {
 
-double tangentOf(const EdgeFeatures& features, std::size_t pixel)
-{
-  const float gx = features.gx[pixel], gy = features.gy[pixel];
-  return gx == 0.0f && gy == 0.0f ? std::numeric_limits<double>::quiet_NaN()
-                                  : std::atan2(-static_cast<double>(gx), static_cast<double>(gy));
-}
-
 int indexOf(const PathField& field, const Pixel& pixel)
 {
   const int x = pixel[0] - field.x0, y = pixel[1] - field.y0;

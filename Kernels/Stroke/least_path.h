@@ -7,7 +7,10 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace oversketch
@@ -48,7 +51,12 @@ std::vector<Pixel> leastPath(const EdgeFeatures& features,
 double pathCost(const EdgeFeatures& features, const PathField& field, const std::vector<Pixel>& path);
 
 // Direction of the edge through a pixel [rad], at right angles to the gradient; NaN where there is none.
-double tangentOf(const EdgeFeatures& features, std::size_t pixel);
+inline double tangentOf(const EdgeFeatures& features, std::size_t pixel)
+{
+  const float gx = features.gx[pixel], gy = features.gy[pixel];
+  return gx == 0.0f && gy == 0.0f ? std::numeric_limits<double>::quiet_NaN()
+                                  : std::atan2(-static_cast<double>(gx), static_cast<double>(gy));
+}
 
 // Where a pixel's state is in the field; -1 beside it.
 int indexOf(const PathField& field, const Pixel& pixel);

@@ -16,6 +16,13 @@ constexpr std::array<std::array<int, 2>, 8> steps{
 
 constexpr std::array<bool, 8> diagonal{ true, false, true, false, false, true, false, true };
 
+constexpr double rounding = 1.5e-7; // more than that of a float, relative
+
+float roundedDown(double cost)
+{
+  return static_cast<float>(cost - rounding * cost);
+}
+
 std::array<double, 8> stepAngles()
 {
   std::array<double, 8> angles{};
@@ -37,6 +44,32 @@ struct PathSearch::Cell
   float extra = 0.0f;
   std::uint8_t plain = 0, straight = 0, wanted = 0; // straight: there is no tangent
   std::uint8_t back = static_cast<std::uint8_t>(steps.size());
+
+  static constexpr std::array<double, 2> edgeCosts{ 0.0, PathWeights::edge };
+  static constexpr double root = 1.41421356237309504880;
+  double edgeCost() const { return edgeCosts[this->plain]; }
+  double flatCost(bool slant) const { return slant ? this->flat : this->flat * (0.5 * root); }
+  double extraCost(bool slant) const { return (slant ? root : 1.0) * this->extra; }
+  // Where there is no tangent, a step turns by a right angle.
+  double leastTurn() const { return this->straight ? 0.5 * PathWeights::turn : 0.0; }
+  // Of a step here but for turns.
+  double least(bool slant) const { return this->edgeCost() + this->flatCost(slant) + this->extraCost(slant); }
+};
+
+// What a place may cost at most for a step from it to be looked at, rounded up; a place without a tangent
+// costs what it turns any step by more. It rejects most steps, and is small: the eight around a place lie in
+// three rows of it.
+struct PathSearch::Slack
+{
+  float axis = -std::numeric_limits<float>::infinity(), slant = axis;
+
+  Slack() = default;
+  explicit Slack(const Cell& cell)
+  {
+    const double above = cell.reached + rounding * cell.reached - cell.leastTurn();
+    this->axis = static_cast<float>(above - cell.least(false));
+    this->slant = static_cast<float>(above - cell.least(true));
+  }
 };
 
 PathSearch::PathSearch()
@@ -50,13 +83,17 @@ double PathSearch::fill(const EdgeFeatures& features, const PathField& field)
 {
   const double scale = features.greatest > 0.0f ? 1.0 / features.greatest : 0.0;
   const int across = field.width + 2;
-  this->Cells.assign(static_cast<std::size_t>(across) * (field.height + 2), Cell());
+  const std::size_t size = static_cast<std::size_t>(across) * (field.height + 2);
+  this->Cells.assign(size, Cell());
+  this->Slacks.assign(size, Slack());
   float most = 0.0f;
   for (int y = 0; y < field.height; ++y)
   {
     const std::size_t row = static_cast<std::size_t>(y) * field.width;
     const std::size_t first = static_cast<std::size_t>(field.y0 + y) * features.width + field.x0;
-    Cell* cells = &this->Cells[static_cast<std::size_t>(y + 1) * across + 1];
+    const std::size_t begin = static_cast<std::size_t>(y + 1) * across + 1;
+    Cell* cells = &this->Cells[begin];
+    Slack* slacks = &this->Slacks[begin];
     for (int x = 0; x < field.width; ++x)
     {
       const std::uint8_t state = field.states[row + x];
@@ -66,6 +103,7 @@ double PathSearch::fill(const EdgeFeatures& features, const PathField& field)
       }
       Cell& cell = cells[x];
       cell.reached = std::numeric_limits<double>::infinity();
+      slacks[x].axis = slacks[x].slant = std::numeric_limits<float>::infinity();
       cell.flat = PathWeights::gradient * (1.0 - scale * features.magnitude[first + x]);
       cell.extra = field.extra.empty() ? 0.0f : field.extra[row + x];
       cell.plain = state != PathField::Edge;
@@ -83,21 +121,19 @@ double PathSearch::fill(const EdgeFeatures& features, const PathField& field)
 // turning the step, so no cosine is needed.
 void PathSearch::leave(const PlaceQueue::Place& place, int across)
 {
-  constexpr double rightAngle = 0.5 * straightAngle, root = 1.41421356237309504880;
-  constexpr std::array<double, 2> edgeCosts{ 0.0, PathWeights::edge };
+  constexpr double rightAngle = 0.5 * straightAngle;
   constexpr std::array<double, 2> least{ 0.0, rightAngle }, most{ straightAngle, rightAngle };
   Cell* from = &this->Cells[place.number];
   const std::array<int, 8> offsets{
     -across - 1, -across, -across + 1, -1, 1, across - 1, across, across + 1
   };
-  const auto flatCost = [](const Cell& to, int k) { return diagonal[k] ? to.flat : to.flat * (0.5 * root); };
-  const auto extraCost = [](const Cell& to, int k) { return (diagonal[k] ? root : 1.0) * to.extra; };
-  unsigned worth = 0; // a bit for each step that is cheaper than what there is, if turns cost nothing
+  unsigned worth = 0; // a bit for each step that may be cheaper than what there is
+  const Slack* around = &this->Slacks[place.number];
+  const float cost = roundedDown(place.cost + from->leastTurn());
   for (int k = 0; k < 8; ++k)
   {
-    const Cell& to = from[offsets[k]];
-    const double cost = place.cost + (edgeCosts[to.plain] + flatCost(to, k) + extraCost(to, k));
-    worth |= static_cast<unsigned>(cost < to.reached) << k;
+    const Slack& slack = around[offsets[k]];
+    worth |= static_cast<unsigned>(cost < (diagonal[k] ? slack.slant : slack.axis)) << k;
   }
   // In [0, straightAngle]; where there is no tangent, a right angle. No branches: none could be foretold.
   const auto turn = [&](const Cell& cell, int k)
@@ -113,11 +149,12 @@ void PathSearch::leave(const PlaceQueue::Place& place, int across)
     const double tp = turn(*from, k), tq = turn(to, k);
     const double sign = std::copysign(1.0, rightAngle - tp); // -1: both tangents turn about
     const double ap = std::min(tp, straightAngle - tp), aq = (rightAngle - rightAngle * sign) + sign * tq;
-    const double next = place.cost + (edgeCosts[to.plain] + PathWeights::turn * (ap + aq) / straightAngle +
-                                       flatCost(to, k) + extraCost(to, k));
+    const double next = place.cost + (to.edgeCost() + PathWeights::turn * (ap + aq) / straightAngle +
+                                       to.flatCost(diagonal[k]) + to.extraCost(diagonal[k]));
     if (next < to.reached)
     {
       to.reached = next;
+      this->Slacks[place.number + offsets[k]] = Slack(to);
       to.back = static_cast<std::uint8_t>(k);
       this->Queue.push({ next, place.number + offsets[k] });
     }
@@ -172,7 +209,9 @@ PathTree PathSearch::operator()(const EdgeFeatures& features,
   }
   for (const PlaceQueue::Place& place : begins)
   {
-    this->Cells[place.number].reached = std::min(this->Cells[place.number].reached, place.cost);
+    Cell& cell = this->Cells[place.number];
+    cell.reached = std::min(cell.reached, place.cost);
+    this->Slacks[place.number] = Slack(cell);
   }
   this->Queue.begin(begins, step);
   PlaceQueue::Place place{};

@@ -59,6 +59,7 @@ public:
 
 private:
   struct Cell;
+  struct Slack;
   // Makes the cells; how much a step costs at most.
   double fill(const EdgeFeatures& features, const PathField& field);
   // Goes a step on from a place, every way.
@@ -66,6 +67,7 @@ private:
 
   const std::array<double, 8> Angles; // of the steps
   std::vector<Cell> Cells;
+  std::vector<Slack> Slacks; // of the cells
   PlaceQueue Queue;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -14,7 +15,8 @@ namespace oversketch
 
 // Gives out places by what they cost, cheapest first, of equally cheap ones the lower number. Buckets of
 // equal ranges of costs (Dial's), of which the one in turn alone is kept in order, a heap of a few: so costs
-// need not be rounded. Emptied and filled again it takes no new memory.
+// need not be rounded. A bit for each bucket says whether it holds any. Emptied and filled again it takes no
+// new memory.
 class PlaceQueue
 {
 public:
@@ -40,7 +42,7 @@ public:
     this->Current.clear();
     this->Links.clear();
     this->Free = -1;
-    this->First.fill(-1);
+    this->Filled.fill(0);
     this->lookAhead();
   }
 
@@ -63,8 +65,10 @@ public:
     {
       this->Free = this->Links[link].next;
     }
-    const int slot = static_cast<int>(bucket % Count);
-    this->Links[link] = { place, this->First[slot] };
+    const std::size_t slot = static_cast<std::size_t>(bucket) % Count, word = slot / 64;
+    const std::uint64_t bit = std::uint64_t{ 1 } << slot % 64;
+    this->Links[link] = { place, (this->Filled[word] & bit) != 0 ? this->First[slot] : -1 };
+    this->Filled[word] |= bit;
     this->First[slot] = link;
   }
 
@@ -85,7 +89,7 @@ public:
   }
 
 private:
-  static constexpr int Count = 256;
+  static constexpr int Count = 1024, Words = Count / 64;
   static constexpr std::int64_t Never = std::numeric_limits<std::int64_t>::max() / 4;
 
   struct Link
@@ -105,23 +109,37 @@ private:
     this->Free = link;
   }
 
+  // The first bucket after the one in turn that was pushed to.
+  std::int64_t pushedNext() const
+  {
+    const std::size_t begin = static_cast<std::size_t>(this->Now + 1) % Count;
+    std::size_t word = begin / 64;
+    std::uint64_t bits = this->Filled[word] & (~std::uint64_t{ 0 } << begin % 64);
+    for (int looked = 0; bits == 0; ++looked)
+    {
+      if (looked == Words)
+      {
+        return Never;
+      }
+      word = (word + 1) % Words;
+      bits = this->Filled[word];
+    }
+    const std::size_t slot = 64 * word + static_cast<std::size_t>(__builtin_ctzll(bits));
+    return this->Now + 1 + static_cast<std::int64_t>((slot - begin) % Count);
+  }
+
   // Makes the next bucket with places the one in turn, and gives out its first.
   bool advance(Place& place)
   {
-    int further = 1;
-    while (further < Count && this->First[(this->Now + further) % Count] < 0)
-    {
-      ++further;
-    }
-    const std::int64_t pushed = this->Now + (further < Count ? further : Never);
-    this->Now = std::min(pushed, this->Next);
+    this->Now = std::min(this->pushedNext(), this->Next);
     if (this->Now >= Never)
     {
       return false;
     }
-    const int slot = static_cast<int>(this->Now % Count);
-    int link = this->First[slot];
-    this->First[slot] = -1;
+    const std::size_t slot = static_cast<std::size_t>(this->Now) % Count;
+    const std::uint64_t bit = std::uint64_t{ 1 } << slot % 64;
+    int link = (this->Filled[slot / 64] & bit) != 0 ? this->First[slot] : -1;
+    this->Filled[slot / 64] &= ~bit;
     if (this->Now != this->Next && this->Links[link].next < 0) // one alone, as most are
     {
       place = this->Links[link].place;
@@ -150,7 +168,8 @@ private:
   std::vector<Place> Waiting;     // what it began with, the last one first
   std::vector<Place> Current;     // a heap: the bucket in turn
   std::vector<Link> Links;        // of the other buckets' lists
-  std::array<int, Count> First{}; // of each bucket's list; -1: empty
+  std::array<int, Count> First{}; // of the lists of the buckets that are filled
+  std::array<std::uint64_t, Words> Filled{};
   double Base = 0.0, Scale = 1.0;
   std::int64_t Now = -1;     // the bucket in turn, counted from that of the first cost
   std::int64_t Next = Never; // that of the first one that waits
