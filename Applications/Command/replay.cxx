@@ -80,6 +80,10 @@ Replayed replay(Recorded model)
     {
       warn("'" + session.nodes[i].name + "' did nothing: " + outcomes[i].failure);
     }
+    if (!outcomes[i].remark.empty())
+    {
+      warn(outcomes[i].remark);
+    }
   }
   return { resultOf(session, outcomes), backendUsedBy(outcomes) };
 }

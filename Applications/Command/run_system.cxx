@@ -242,6 +242,54 @@ vtkSmartPointer<vtkPolyData> strokesOf(const Options& options, const Step& step)
                                                   : all->GetOutput();
 }
 
+// What strokes say themselves holds for them, whatever an option says.
+void tellUnused(const Options& options, const std::string& path, vtkPolyData* lines)
+{
+  for (const Parameter& parameter : options.system->parameters)
+  {
+    if (std::holds_alternative<double>(parameter.initial) && options.values.count(parameter.property) > 0 &&
+        lines->GetCellData()->HasArray(parameter.property.c_str()))
+    {
+      warn("--" + parameter.word + " is not used: each stroke of " + path +
+           " has its own, in the cell array " + parameter.property);
+    }
+  }
+}
+
+bool isSameMesh(vtkPolyData* mesh, vtkPolyData* other)
+{
+  if (mesh->GetNumberOfPolys() != other->GetNumberOfPolys() ||
+      mesh->GetNumberOfPoints() != other->GetNumberOfPoints())
+  {
+    return false;
+  }
+  std::array<double, 3> one, two;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    mesh->GetPoint(i, one.data());
+    other->GetPoint(i, two.data());
+    if (one != two)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// What is to be said of a result, so that nothing is spoilt, or left as it was, in silence.
+void tellOfResult(const Options& options, vtkPolyData* mesh, const Outcome& outcome)
+{
+  if (!outcome.remark.empty())
+  {
+    warn(outcome.remark);
+  }
+  if (mesh && isSameMesh(mesh, outcome.mesh))
+  {
+    warn("nothing has moved, the mesh is written as it was; oversketch " + options.system->verb +
+         " --help lists what moves it");
+  }
+}
+
 // One step on the mesh that is given, if the system takes one.
 Session sessionOf(const Options& options, Notes& notes)
 {
@@ -264,7 +312,9 @@ Session sessionOf(const Options& options, Notes& notes)
     }
     else if (!path.empty() && input.kind != SystemInput::Kind::Mesh)
     {
-      step->inputs[input.name] = Lines(readStroke(path));
+      const auto lines = readStroke(path);
+      tellUnused(options, path, lines);
+      step->inputs[input.name] = Lines(lines);
     }
   }
   for (const auto& [property, path] : options.textFiles)
@@ -342,6 +392,7 @@ void runSystem(const Options& options)
   {
     throw Failed(outcomes[0].failure);
   }
+  tellOfResult(options, session.mesh.Get(), outcomes[0]);
 
   begin = Clock::now();
   NewFiles files;

@@ -46,8 +46,10 @@ def test_lengths_are_the_models_or_shares_of_its_diagonal(folder, tmp_path):
         array.SetName(name)
         own.GetCellData().AddArray(array)
     write(own, tmp_path / "own.vtp")
-    same = augment(folder, tmp_path / "same.vtp", "--radius", "9%", "--height", "9%", line=tmp_path / "own.vtp")
-    assert volume(same) - volume(before) == pytest.approx(carved, rel=1e-9)
+    done = run("augment", folder / "body.vtp", tmp_path / "own.vtp", "-o", tmp_path / "same.vtp", "--radius", "9%", "--sharpness", "1.5")
+    assert volume(read(tmp_path / "same.vtp")) - volume(before) == pytest.approx(carved, rel=1e-9)
+    said = done.stderr.splitlines()  # of the option that is not used alone
+    assert len(said) == 1 and "warning: --radius is not used" in said[0] and "own.vtp" in said[0] and "cell array Radius" in said[0]
 
 
 def test_a_profile_and_its_exponent(folder, tmp_path):

@@ -73,7 +73,19 @@ def test_lengths_are_the_models_or_shares_of_its_diagonal(folder, tmp_path):
 def test_an_edit_that_moves_nothing_writes_its_input(folder, tmp_path):
     before = read(folder / "body.vtp")
     for more in ([], ["--move", "0.5,n,0"], ["--pin", "0.3", "--drag", "0,0"]):
-        assert digest(edit(folder, tmp_path / "same.vtp", *more)) == digest(before)
+        done = run(*command(folder, tmp_path / "same.vtp", *more))
+        assert done.returncode == 0 and "warning: nothing has moved" in done.stderr and "edit --help" in done.stderr
+        assert digest(read(tmp_path / "same.vtp")) == digest(before)
+    assert run(*command(folder, tmp_path / "o.vtp", "--move", "0.5,n,2%")).stderr == ""
+
+
+def test_folds_are_told(folder, tmp_path):
+    options = ["--rotate", "0.5,n,170", "--report", tmp_path / "r.json"]
+    done = run(*command(folder, tmp_path / "o.vtp", *options))
+    folds = json.loads((tmp_path / "r.json").read_text())["edit"]["folded_edges"]
+    assert done.returncode == 0 and folds > 1
+    assert done.stderr.splitlines() == [
+        f"oversketch: warning: The edit folds the model along {folds} edges: drag less far, or draw the ring wider."]
 
 
 def test_a_drag_is_in_pixels_of_the_lines_view(folder, tmp_path):
