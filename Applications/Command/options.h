@@ -4,7 +4,6 @@
 
 #include "systems.h"
 
-#include <array>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -51,11 +50,6 @@ struct Options
   std::string output, picture, report, inner;
   int backend = 0; // vtkOversketchSystem::BackendType
 };
-
-// Whether what was given for an input are the places of a line, and no file.
-bool isPlaces(const oversketch_session::SystemInput& input, const std::string& given);
-// "0 0, 0.4 0.3, 1 0". Throws BadUse, naming the option.
-std::vector<std::array<double, 2>> placesOf(const std::string& option, const std::string& text);
 
 // Throws BadUse, naming the argument.
 Options parseArguments(const std::vector<std::string>& arguments);

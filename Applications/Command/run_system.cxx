@@ -4,6 +4,7 @@
 #include "heights.h"
 #include "layers_file.h"
 #include "mesh_file.h"
+#include "option_values.h"
 #include "picture.h"
 #include "report.h"
 #include "terminal.h"

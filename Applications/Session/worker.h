@@ -83,7 +83,11 @@ public:
     std::function<void(std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail>)> pictured;
   };
 
-  explicit Worker(Listener listener);
+  // Of a model of so many triangles a step's work is not kept for a stroke over the same place, which then
+  // makes it anew: it takes some 400 bytes each.
+  static constexpr vtkIdType large = 500000;
+
+  explicit Worker(Listener listener, vtkIdType largeFrom = large);
   // Cancels what runs and waits for it.
   ~Worker();
   Worker(const Worker&) = delete;
@@ -126,6 +130,7 @@ private:
     std::vector<NodeState>& states);
 
   Listener Report;
+  const vtkIdType LargeFrom;
   Evaluator Runner;
   std::map<std::uint64_t, NodeState> Copied; // by the outcomes' numbers
   // Likewise, also of steps that are off or undone for now.

@@ -1,12 +1,15 @@
 #include "Shading/fields.h"
 
 #include "Mesh/context.h"
+#include "Shading/directions.h"
 #include "Shading/flatten.h"
+#include "Shading/front.h"
 #include "Sparse/cholesky.h"
 #include "Stellar/curves.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <string>
 #include <tuple>
@@ -144,13 +147,20 @@ void checkChain(const Mesh& patch,
   }
 }
 
-} // namespace
+std::optional<Directions> directionsUnless(bool straight,
+  const Mesh& mesh,
+  const Adjacency& adjacency,
+  const Context& context)
+{
+  return straight ? std::nullopt : std::make_optional<Directions>(mesh, adjacency, context);
+}
 
-ChainDistances chainDistances(const Mesh& mesh,
+// Over the surface where there are directions, else through space.
+ChainDistances distancesTo(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<int>& chain,
   bool closed,
-  bool straight,
+  const std::optional<Directions>& directions,
   const Context& context)
 {
   const FeatureCurves curves{ curveOf(mesh, chain, closed) };
@@ -174,11 +184,24 @@ ChainDistances chainDistances(const Mesh& mesh,
     result.distance[chain[i]] = 0.0;
     result.place[chain[i]] = curves[0].arc[i];
   }
-  if (!straight)
+  if (directions)
   {
-    marchFront(mesh, adjacency, chain, curves[0], result, context);
+    marchFront(mesh, adjacency, *directions, chain, curves[0], result, context);
   }
   return result;
+}
+
+} // namespace
+
+ChainDistances chainDistances(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<int>& chain,
+  bool closed,
+  bool straight,
+  const Context& context)
+{
+  return distancesTo(
+    mesh, adjacency, chain, closed, directionsUnless(straight, mesh, adjacency, context), context);
 }
 
 std::vector<signed char> chainSides(const Mesh& mesh,
@@ -261,8 +284,9 @@ CurveFields curveFields(const Mesh& patch,
   }
   checkChain(patch, adjacency, reference, fixed);
 
-  const ChainDistances inner = chainDistances(patch, adjacency, reference, false, rules.straight, context);
-  const ChainDistances outer = chainDistances(patch, adjacency, border, true, rules.straight, context);
+  const std::optional<Directions> directions = directionsUnless(rules.straight, patch, adjacency, context);
+  const ChainDistances inner = distancesTo(patch, adjacency, reference, false, directions, context);
+  const ChainDistances outer = distancesTo(patch, adjacency, border, true, directions, context);
   const double length = curveOf(patch, reference, false).length;
   CurveFields fields;
   std::vector<double> whole;

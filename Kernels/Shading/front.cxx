@@ -1,6 +1,7 @@
 #include "Shading/front.h"
 
 #include "Mesh/context.h"
+#include "Shading/directions.h"
 #include "Stellar/curves.h"
 
 #include <algorithm>
@@ -19,109 +20,6 @@ constexpr double unreached = std::numeric_limits<double>::infinity();
 constexpr double worthwhile = 1e-3; // of an edge: by less, what was passed is not passed again
 constexpr double bent = 0.1;        // slopes that fall by more along an edge are those of two fronts
 constexpr double veryRound = 0.7;   // edges over the radius: of such a front the centre says more than slopes
-
-// Directions at the vertices, as angles over their triangles.
-class Directions
-{
-public:
-  Directions(const Mesh& mesh, const Adjacency& adjacency, const Context& context)
-    : Surface(mesh)
-    , Links(adjacency)
-    , First(mesh.triangles.size())
-    , Corner(mesh.triangles.size())
-    , Round(mesh.points.size(), 0.0)
-  {
-    context.parallelFor(mesh.triangleCount(),
-      [&](int begin, int end)
-      {
-        for (int t = begin; t < end && !context.cancelled(); ++t)
-        {
-          const Triangle& c = mesh.triangles[t];
-          for (int k = 0; k < 3; ++k)
-          {
-            const Vector3 a = mesh.points[c[(k + 1) % 3]] - mesh.points[c[k]],
-                          b = mesh.points[c[(k + 2) % 3]] - mesh.points[c[k]];
-            this->Corner[t][k] = std::atan2(a.cross(b).norm(), a.dot(b));
-          }
-        }
-      });
-    context.parallelFor(mesh.vertexCount(),
-      [&](int begin, int end)
-      {
-        for (int v = begin; v < end && !context.cancelled(); ++v)
-        {
-          this->order(v);
-        }
-      });
-    context.checkpoint(0.0);
-  }
-
-  // Of the edge from corner k of a triangle to the next corner, and to the one before.
-  double next(int t, int k) const { return this->First[t][k]; }
-  double previous(int t, int k) const { return this->First[t][k] + this->Corner[t][k]; }
-  double toward(int vertex, int neighbour) const
-  {
-    for (const int* t = this->Links.vertexTriangles.begin(vertex);
-         t != this->Links.vertexTriangles.end(vertex);
-         ++t)
-    {
-      const int k = this->corner(*t, vertex);
-      const Triangle& c = this->Surface.triangles[*t];
-      if (c[(k + 1) % 3] == neighbour || c[(k + 2) % 3] == neighbour)
-      {
-        return c[(k + 1) % 3] == neighbour ? this->next(*t, k) : this->previous(*t, k);
-      }
-    }
-    return 0.0;
-  }
-  // The angle between two, the shorter way round.
-  double between(int vertex, double a, double b) const
-  {
-    const double direct = std::abs(a - b), round = this->Round[vertex];
-    return round > 0.0 ? std::min(direct, round - direct) : direct;
-  }
-  int corner(int t, int vertex) const
-  {
-    const Triangle& c = this->Surface.triangles[t];
-    return c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
-  }
-
-private:
-  // One triangle after the other round a vertex, from the border's where there is one.
-  void order(int vertex)
-  {
-    const int *begin = this->Links.vertexTriangles.begin(vertex),
-              *end = this->Links.vertexTriangles.end(vertex);
-    const auto with = [&](int step, int neighbour) // the triangle that has it next or before, or the end
-    {
-      return std::find_if(begin,
-        end,
-        [&](int t) { return this->Surface.triangles[t][(this->corner(t, vertex) + step) % 3] == neighbour; });
-    };
-    const auto far = [&](int t, int step)
-    { return this->Surface.triangles[t][(this->corner(t, vertex) + step) % 3]; };
-    const int* start = begin;
-    if (this->Links.borderVertex[vertex])
-    {
-      start = std::find_if(begin, end, [&](int t) { return with(2, far(t, 1)) == end; });
-    }
-    double sum = 0.0;
-    const int* at = start;
-    for (int met = 0, count = static_cast<int>(end - begin); at != end && met < count; ++met)
-    {
-      const int k = this->corner(*at, vertex);
-      this->First[*at][k] = sum;
-      sum += this->Corner[*at][k];
-      at = with(1, far(*at, 2));
-    }
-    this->Round[vertex] = this->Links.borderVertex[vertex] ? 0.0 : sum;
-  }
-
-  const Mesh& Surface;
-  const Adjacency& Links;
-  std::vector<std::array<double, 3>> First, Corner; // by triangle and corner
-  std::vector<double> Round;                        // all of it; 0 where it does not close
-};
 
 // A distance along an edge, by its values and slopes at the ends.
 struct EdgeDistance
@@ -184,13 +82,13 @@ class Front
 public:
   Front(const Mesh& mesh,
     const Adjacency& adjacency,
+    const Directions& directions,
     const FeatureCurve& curve,
-    ChainDistances& straight,
-    const Context& context)
+    ChainDistances& straight)
     : Surface(mesh)
     , Links(adjacency)
     , Curve(curve)
-    , Angles(mesh, adjacency, context)
+    , Angles(directions)
     , Least(straight.distance)
     , Distance(straight.distance)
     , Place(straight.place)
@@ -369,7 +267,7 @@ private:
   const Mesh& Surface;
   const Adjacency& Links;
   const FeatureCurve& Curve;
-  const Directions Angles;
+  const Directions& Angles;
   const std::vector<double> Least; // through space
   std::vector<double>&Distance, &Place;
   std::vector<double> Back;                 // the direction that the way comes from
@@ -385,12 +283,13 @@ private:
 
 void marchFront(const Mesh& mesh,
   const Adjacency& adjacency,
+  const Directions& directions,
   const std::vector<int>& chain,
   const FeatureCurve& curve,
   ChainDistances& straight,
   const Context& context)
 {
-  Front front(mesh, adjacency, curve, straight, context);
+  Front front(mesh, adjacency, directions, curve, straight);
   front.begin(chain);
   front.run(context);
 }

@@ -9,6 +9,7 @@
 namespace oversketch
 {
 
+class Directions;
 struct Context;
 struct FeatureCurve;
 
@@ -20,7 +21,7 @@ struct ChainDistances
 };
 
 // `straight` holds distances through space and the nearest places, and is replaced by those over the surface,
-// which are never less. `curve` is the chain's.
+// which are never less. `curve` is the chain's, `directions` are the mesh's.
 //
 // Each vertex has, beside its distance, the direction that its way comes from. By the first variation the
 // distance changes along an edge by minus the cosine of the angle between the two, measured over the
@@ -30,6 +31,7 @@ struct ChainDistances
 // vertex that a front passed, and a shorter way reaches later, passes that on.
 void marchFront(const Mesh& mesh,
   const Adjacency& adjacency,
+  const Directions& directions,
   const std::vector<int>& chain,
   const FeatureCurve& curve,
   ChainDistances& straight,

@@ -4,6 +4,7 @@ import pathlib
 import sys
 
 import pytest
+from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
@@ -19,6 +20,16 @@ def picture(path):
     return reader.GetOutput()
 
 
+def middle(image):
+    """A twentieth of its rows: pictures that differ everywhere take long to compare."""
+    width, height, _ = image.GetDimensions()
+    voi = vtkExtractVOI()
+    voi.SetInputData(image)
+    voi.SetVOI(0, width - 1, height // 2 - height // 40, height // 2 + height // 40, 0, 0)
+    voi.Update()
+    return voi.GetOutput()
+
+
 @pytest.mark.parametrize("name", gallery.EXAMPLES)
 def test_picture(name, tmp_path):
     gallery.draw(name, tmp_path / "drawn.png")
@@ -26,10 +37,11 @@ def test_picture(name, tmp_path):
     assert drawn.GetDimensions() == kept.GetDimensions()
     assert compare.difference(drawn, kept) < compare.LIMIT
     # The comparison can fail: without colours it does.
-    pixels = drawn.GetPointData().GetScalars()
+    grey = middle(drawn)
+    pixels = grey.GetPointData().GetScalars()
     for component in (0, 1, 2):
         pixels.FillComponent(component, 128)
-    assert compare.difference(drawn, kept) > 10 * compare.LIMIT
+    assert compare.difference(grey, middle(kept)) > 10 * compare.LIMIT
 
 
 def test_page():

@@ -241,6 +241,35 @@ TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)
   EXPECT_NE(before[1].region.identity(), after[1].region.identity());
 }
 
+// What is given back while the mesh is looked at elsewhere is made again with the same bits.
+TEST(Worker, OfALargeModelNoStepKeepsItsWork)
+{
+  const Session session = dogSession();
+  Session shorter = session, other = session;
+  shorter.nodes.pop_back();
+  other.nodes[1] = changed(
+    other.nodes[1], [](Step& step) { step.values["Remesh"] = int(vtkOversketchOneStroke::RemeshOn); });
+  const std::vector<Session> sessions{ shorter, session, other, session };
+  std::vector<std::string> expected;
+  for (const Session& each : sessions)
+  {
+    expected.push_back(expectedOf(each));
+  }
+  Desk desk;
+  Worker worker(desk.listener(), 0);
+  for (std::size_t i = 0; i < sessions.size(); ++i)
+  {
+    const std::uint64_t ticket = worker.submit(sessions[i]);
+    ASSERT_TRUE(desk.wait([&] { return desk.done.size() == i + 1; }));
+    worker.seen(ticket);
+    const SharedData& mesh = desk.done[i].mesh;
+    EXPECT_EQ(digestOf(mesh), expected[i]); // while the worker gives back
+    EXPECT_GT(mesh->GetLength(), 0.0);
+    ASSERT_TRUE(desk.wait([&] { return desk.details.size() == i + 1; }));
+    EXPECT_EQ(desk.details[i].digest, expected[i]);
+  }
+}
+
 TEST(Worker, WaitsWithWhatComesAfterTheMeshUntilThatIsSeen)
 {
   using Clock = std::chrono::steady_clock;

@@ -225,15 +225,17 @@ def heights(points, front, drawing, inner):
 def widest(values, radius):
     """The greatest value in a disc round each pixel, 0 beyond the border."""
     rows, columns = values.shape
-    shifted = lambda field, y, x: np.pad(field, radius)[radius + y:radius + y + rows, radius + x:radius + x + columns]
-    row, wide = [values], values
+    padded = np.pad(values, radius)
+    middle = slice(radius, radius + columns)
+    row, wide = [padded[:, middle]], padded[:, middle]  # of the row's 2 x + 1 pixels
     for x in range(1, radius + 1):
-        wide = np.maximum(wide, np.maximum(shifted(values, 0, x), shifted(values, 0, -x)))
+        wide = np.maximum(wide, np.maximum(padded[:, radius + x:radius + x + columns], padded[:, radius - x:radius - x + columns]))
         row.append(wide)
-    result = wide
+    result = wide[radius:radius + rows].copy()
     for y in range(1, radius + 1):
         wide = row[int(np.sqrt(radius * radius - y * y))]
-        result = np.maximum(result, np.maximum(shifted(wide, y, 0), shifted(wide, -y, 0)))
+        for start in (radius + y, radius - y):
+            np.maximum(result, wide[start:start + rows], out=result)
     return result
 
 

@@ -253,8 +253,9 @@ def test_narrow_triangles(tmp_path):
     assert "angle" in found["fails"] and found["angle"] < 34
     narrow = Result(torus)
     # One in ten points is pushed next to a neighbour: the median stays.
+    triangles = narrow.triangles.tolist()
     for at in narrow.front[::11]:
-        a = next(v for t in narrow.triangles.tolist() if at in t for v in t if v != at)
+        a = next(v for t in triangles if at in t for v in t if v != at)
         narrow.move([at], np.r_[0.93 * (narrow.points[a, :2] - narrow.points[at, :2]), 0])
     found = narrow.judged(tmp_path)
     assert "angle low" in found["fails"] and "angle" not in found["fails"]
