@@ -129,8 +129,9 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
 
 QPoint Hand::place(QWidget* on)
 {
-  const int x = this->upTo(on->width() - 1);
-  return { x, this->upTo(on->height() - 1) };
+  const int x =
+    this->upTo(std::max(on->width() - 1, 0)); // a view may have been closed by the splitter's handle
+  return { x, this->upTo(std::max(on->height() - 1, 0)) };
 }
 
 QPoint Hand::near(const QPoint& place, int distance)
