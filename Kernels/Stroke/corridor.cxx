@@ -24,43 +24,68 @@ double between(double a, double b)
   return std::min(difference, pi - difference);
 }
 
-// A run of pixels in a row, which is cut at lines across a stroke; a pixel more is left at each cut, so that
-// rounding does not matter.
-struct RowRange
+// The line across a way at a place, met row by row. Two such lines cut a row of pixels [from, to]: those go
+// that lie behind both, a px and more along either way, so that rounding does not matter.
+class LineAcross
 {
-  double from, to;
+public:
+  LineAcross(const Vector2& place, const Vector2& way)
+    : Place(place)
+  {
+    const double length = way.norm(), x = std::abs(way[0]), y = std::abs(way[1]);
+    if (!(length > 0.01)) // a px along it would be no way
+    {
+      return;
+    }
+    this->Faces = x > 1e-6 * y ? (way[0] > 0.0 ? Right : Left) : (way[1] > 0.0 ? Down : Up);
+    const bool isSteep = this->Faces == Right || this->Faces == Left;
+    this->Slope = isSteep ? -way[1] / way[0] : 0.0;
+    this->Margin = isSteep ? length / x : 2.0;
+  }
+  void leaveAfter(const LineAcross& other, double y, double& from, double& to) const
+  {
+    this->leave(other, this->Faces, y, from, to);
+  }
+  void leaveBefore(const LineAcross& other, double y, double& from, double& to) const
+  {
+    this->leave(other, -this->Faces, y, from, to);
+  }
 
-  // Of those before a place along a way, none; the row is at y.
-  void keepAhead(const Vector2& place, const Vector2& way, double y)
+private:
+  enum Direction
   {
-    const double across = (y - place[1]) * way[1];
-    if (way[0] > 0.0)
+    Nowhere = 0,
+    Right = 1,
+    Left = -1,
+    Down = 2,
+    Up = -2
+  };
+  double at(double y) const { return this->Place[0] + (y - this->Place[1]) * this->Slope; }
+  // Those in a direction from both.
+  void leave(const LineAcross& other, int direction, double y, double& from, double& to) const
+  {
+    if (this->Faces != other.Faces || this->Faces == Nowhere)
     {
-      this->from = std::max(this->from, place[0] - across / way[0] - 1.0);
+      return;
     }
-    else if (way[0] < 0.0)
+    const double margin = std::max(this->Margin, other.Margin);
+    if (direction == Right)
     {
-      this->to = std::min(this->to, place[0] - across / way[0] + 1.0);
+      to = std::min(to, std::max(this->at(y), other.at(y)) + margin);
     }
-    else if (across < 0.0)
+    else if (direction == Left)
     {
-      this->to = this->from - 1.0;
+      from = std::max(from, std::min(this->at(y), other.at(y)) - margin);
+    }
+    else if (0.5 * direction * (y - this->Place[1]) > margin) // one place is both lines'
+    {
+      to = from - 1.0;
     }
   }
-  // None of those that are ahead of a place both along one way and along another.
-  void leaveOut(const Vector2& place, const Vector2& one, const Vector2& other, double y)
-  {
-    const double begin = place[0] - (y - place[1]) * one[1] / one[0];
-    const double end = place[0] - (y - place[1]) * other[1] / other[0];
-    if (one[0] > 0.0 && other[0] > 0.0)
-    {
-      this->to = std::min(this->to, std::max(begin, end) + 1.0);
-    }
-    else if (one[0] < 0.0 && other[0] < 0.0)
-    {
-      this->from = std::max(this->from, std::min(begin, end) - 1.0);
-    }
-  }
+
+  Vector2 Place;
+  int Faces = Nowhere;
+  double Slope = 0.0, Margin = 0.0; // px along the row: a row down, and what stays
 };
 
 bool besideEdge(const PathField& field, const Pixel& pixel)
@@ -291,10 +316,12 @@ PathField DrawnOver::corridor(int from, int to) const
   for (int i = from; i < to; ++i)
   {
     const Vector2 a = this->points[i], way = this->points[i + 1] - a;
-    // Past the segment's begin the one before is as near, past its end the next one where that does not bend
-    // away.
+    // Of what lies before the segment the one before is nearer, where it does not bend away, after it the
+    // next.
     const bool isFirst = i == from, isLast = i + 1 == to;
-    const Vector2 b = this->points[i + 1], after = isLast ? Vector2(0.0, 0.0) : this->points[i + 2] - b;
+    const Vector2& b = this->points[i + 1];
+    const LineAcross before(a, isFirst ? way : Vector2(a - this->points[i - 1])), begin(a, way), end(b, way),
+      after(b, isLast ? way : Vector2(this->points[i + 2] - b));
     const double square = way.squaredNorm();
     const auto range = [&](int axis, int first, int count)
     {
@@ -305,29 +332,34 @@ PathField DrawnOver::corridor(int from, int to) const
     };
     const auto [ya, yb] = range(1, field.y0, field.height);
     const double length = std::sqrt(square);
+    // Of a long segment's box only the strip beside it is looked at: where the line's distance allows.
+    const bool isFlat = std::abs(way[1]) <= 1e-9 * length;
+    const double slope = isFlat ? 0.0 : way[0] / way[1];
+    const double half = isFlat ? 0.0 : this->radius * length / std::abs(way[1]) + 1.0;
+    const auto [left, right] = range(0, field.x0, field.width);
     for (int y = ya; y <= yb; ++y)
     {
-      // Of a long segment's box only the strip beside it is looked at: where the line's distance allows.
-      auto [xa, xb] = range(0, field.x0, field.width);
-      if (std::abs(way[1]) > 1e-9 * length)
-      {
-        const double middle = a[0] + way[0] * (field.y0 + y - a[1]) / way[1] - field.x0;
-        const double half = this->radius * length / std::abs(way[1]) + 1.0;
-        xa = static_cast<int>(std::clamp(middle - half, static_cast<double>(xa), xb + 1.0));
-        xb = static_cast<int>(std::clamp(middle + half, xa - 1.0, static_cast<double>(xb)));
-      }
       const double py = field.y0 + y, across = (py - a[1]) * way[1];
-      RowRange looked{ static_cast<double>(field.x0 + xa), static_cast<double>(field.x0 + xb) };
+      double first = field.x0 + left, last = field.x0 + right;
+      if (!isFlat)
+      {
+        const double middle = a[0] + (py - a[1]) * slope;
+        first = std::max(first, middle - half);
+        last = std::min(last, middle + half);
+      }
       if (!isFirst)
       {
-        looked.keepAhead(a, way, py);
+        begin.leaveBefore(before, py, first, last);
       }
       if (!isLast)
       {
-        looked.leaveOut(b, way, after, py);
+        end.leaveAfter(after, py, first, last);
       }
-      xa = static_cast<int>(std::clamp(looked.from - field.x0, static_cast<double>(xa), xb + 1.0));
-      xb = static_cast<int>(std::clamp(looked.to - field.x0, xa - 1.0, static_cast<double>(xb)));
+      if (first > last)
+      {
+        continue;
+      }
+      const int xa = static_cast<int>(first - field.x0), xb = static_cast<int>(last - field.x0);
       const std::size_t row = static_cast<std::size_t>(y) * field.width;
       for (int x = xa; x <= xb; ++x)
       {

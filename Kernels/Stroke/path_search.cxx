@@ -82,6 +82,7 @@ PathSearch::~PathSearch() = default;
 double PathSearch::fill(const EdgeFeatures& features, const PathField& field)
 {
   const double scale = features.greatest > 0.0f ? 1.0 / features.greatest : 0.0;
+  constexpr int ahead = 4; // rows: the picture's memory is slow to come
   const int across = field.width + 2;
   const std::size_t size = static_cast<std::size_t>(across) * (field.height + 2);
   this->Cells.assign(size, Cell());
@@ -92,6 +93,13 @@ double PathSearch::fill(const EdgeFeatures& features, const PathField& field)
     const std::size_t row = static_cast<std::size_t>(y) * field.width;
     const std::size_t first = static_cast<std::size_t>(field.y0 + y) * features.width + field.x0;
     const std::size_t begin = static_cast<std::size_t>(y + 1) * across + 1;
+    for (int x = 0; x < field.width && y + ahead < field.height; x += 16) // of floats, in 64 bytes
+    {
+      const std::size_t later = first + static_cast<std::size_t>(ahead) * features.width + x;
+      __builtin_prefetch(&features.gx[later]);
+      __builtin_prefetch(&features.gy[later]);
+      __builtin_prefetch(&features.magnitude[later]);
+    }
     Cell* cells = &this->Cells[begin];
     Slack* slacks = &this->Slacks[begin];
     for (int x = 0; x < field.width; ++x)
