@@ -1,5 +1,6 @@
 #include "model_view.h"
 
+#include "back_faces.h"
 #include "pieces.h"
 #include "sharp_edges.h"
 #include "skin.h"
@@ -22,6 +23,7 @@ struct ModelView::Part
   vtkNew<vtkActor> actor;
   Skin skin;
   SharpEdges edges;
+  BackFaces backs;
 
   Part()
   {
@@ -143,6 +145,16 @@ void ModelView::setVisible(bool visible)
   for (const auto& part : this->Parts)
   {
     part->actor->SetVisibility(visible && this->Shown);
+  }
+}
+
+void ModelView::hideBacks(bool hide)
+{
+  for (const auto& part : this->Parts)
+  {
+    vtkPolyData* mesh = hide && this->Shown ? part->mapper->GetInput() : nullptr;
+    part->actor->GetProperty()->SetBackfaceCulling(
+      mesh && part->backs.areHidden(mesh, this->Renderer) && !part->actor->HasTranslucentPolygonalGeometry());
   }
 }
 

@@ -36,6 +36,8 @@ public:
 
   void setShading(Shading shading);
   void setVisible(bool visible);
+  // Draws no faces that others hide, where that can be told, or all.
+  void hideBacks(bool hide);
   // These parts of it (cell array PartId) are not drawn; of a mesh without parts, -1: all of it.
   void hide(const std::set<int>& parts);
 
