@@ -2,8 +2,8 @@
 #include "Planar/guard.h"
 
 #include "Harness/shapes.h"
+#include "Planar/polygon_shapes.h"
 #include "Planar/refine_runs.h"
-#include "Planar/refine_shapes.h"
 
 #include <gtest/gtest.h>
 

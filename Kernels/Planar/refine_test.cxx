@@ -3,7 +3,7 @@
 
 #include "Harness/shapes.h"
 #include "Planar/guard.h"
-#include "Planar/refine_shapes.h"
+#include "Planar/polygon_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // The first stroke on a model, nothing known before: its time, and the memory that each stage takes for a
 // while (peak) and holds from then on (kept), in bytes a triangle of the model.
 #include "bunny_stroke.h"
+#include "process_status.h"
 
 #include "vtkOversketchOneStroke.h"
 
@@ -16,20 +17,6 @@ namespace oversketch_bench
 
 namespace
 {
-
-// A line of /proc/self/status [bytes].
-double status(const std::string& key)
-{
-  std::ifstream file("/proc/self/status");
-  for (std::string line; std::getline(file, line);)
-  {
-    if (line.rfind(key + ":", 0) == 0)
-    {
-      return 1024.0 * std::stod(line.substr(key.size() + 1));
-    }
-  }
-  return 0.0;
-}
 
 struct FirstStroke
 {

@@ -1,5 +1,6 @@
 // The first augmentation of a model, nothing known before: its time, and the memory of the process at its
 // peak. Each size wants a process of its own.
+#include "process_status.h"
 #include "surface_stroke.h"
 
 #include "vtkOversketchAugment.h"
@@ -12,20 +13,6 @@ namespace oversketch_bench
 
 namespace
 {
-
-// A line of /proc/self/status [bytes].
-double status(const std::string& key)
-{
-  std::ifstream file("/proc/self/status");
-  for (std::string line; std::getline(file, line);)
-  {
-    if (line.rfind(key + ":", 0) == 0)
-    {
-      return 1024.0 * std::stod(line.substr(key.size() + 1));
-    }
-  }
-  return 0.0;
-}
 
 struct First
 {

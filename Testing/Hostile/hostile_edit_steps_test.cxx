@@ -3,6 +3,7 @@
 // or one message. Skipped, saying so, where the folder is absent.
 #include "hostile_edit.h"
 
+#include "Harness/saved.h"
 #include "Harness/shipped.h"
 
 #include "vtkOversketchCrossSection.h"
@@ -23,8 +24,6 @@
 #include "vtkOversketchShadingLevels.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <utility>
 
@@ -211,20 +210,6 @@ vtkSmartPointer<vtkPolyData> halfOf(vtkPolyData* mesh)
   return half;
 }
 
-vtkSmartPointer<vtkPolyData> throughFile(vtkPolyData* data)
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
-  writer->WriteToOutputStringOn();
-  writer->Write();
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(writer->GetOutputString());
-  reader->Update();
-  vtkSmartPointer<vtkPolyData> read = reader->GetOutput();
-  return read;
-}
-
 } // namespace
 
 TEST_P(HostileEditSteps, EachAloneIsOfUseOrGivesOneMessage)
@@ -303,7 +288,7 @@ TEST(EditSteps, ThroughAFileBetweenAnyTwoStepsTheBitsAreTheSame)
     for (int port = 0; port < made->GetNumberOfOutputPorts(); ++port)
     {
       auto* output = vtkPolyData::SafeDownCast(made->GetOutputDataObject(port));
-      files.push_back(output ? throughFile(output) : nullptr);
+      files.push_back(output ? saved(output) : nullptr);
     }
     int handed = 0;
     for (const auto& [other, consumer] : parted.all())

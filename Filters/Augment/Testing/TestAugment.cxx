@@ -1,5 +1,6 @@
 // The augmentation system: what comes out, what it agrees with, what runs again.
 #include "AugmentTools.h"
+#include "Harness/saved.h"
 
 #include "vtkOversketchChaikin.h"
 #include "vtkOversketchForEach.h"
@@ -15,16 +16,11 @@
 #include "vtkCallbackCommand.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkSMPTools.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <map>
 #include <string>
-
-#include <unistd.h>
 
 using namespace oversketch_test;
 
@@ -52,22 +48,6 @@ double highest(vtkPolyData* mesh)
     most = std::max(most, Vector3(moves->GetTuple3(i)).norm());
   }
   return most;
-}
-
-vtkSmartPointer<vtkPolyData> saved(vtkPolyData* mesh)
-{
-  const std::string name =
-    (std::filesystem::temp_directory_path() / ("oversketch_augment_" + std::to_string(getpid()) + ".vtp"))
-      .string();
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(mesh);
-  writer->SetFileName(name.c_str());
-  EXPECT_EQ(writer->Write(), 1);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  std::filesystem::remove(name);
-  return reader->GetOutput();
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #define StellarChain_h
 
 #include "Harness/promises.h"
+#include "Harness/saved.h"
 #include "vtkOversketchStellarBase.h"
 #include "vtkOversketchStellarDisplace.h"
 #include "vtkOversketchStellarRefine.h"
@@ -15,13 +16,8 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <cstring>
-#include <filesystem>
-
-#include <unistd.h>
 
 namespace oversketch_test
 {
@@ -69,23 +65,6 @@ inline vtkSmartPointer<vtkPolyData> cold(vtkPolyData* mesh)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(mesh);
   return copy;
-}
-
-// Through a file.
-inline vtkSmartPointer<vtkPolyData> saved(vtkPolyData* mesh)
-{
-  const std::string name =
-    (std::filesystem::temp_directory_path() / ("oversketch_stellar_" + std::to_string(getpid()) + ".vtp"))
-      .string();
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(mesh);
-  writer->SetFileName(name.c_str());
-  EXPECT_EQ(writer->Write(), 1);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  std::filesystem::remove(name);
-  return reader->GetOutput();
 }
 
 const View frontView = perspectiveView(Vector3(0, 0, 4), Vector3(0, 1, 0), 40.0);
