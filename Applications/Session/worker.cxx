@@ -25,9 +25,6 @@ constexpr std::chrono::milliseconds detailsAfter{ 150 };
 constexpr std::chrono::milliseconds prepareAfter{ 150 };
 constexpr std::size_t mostPictures = 1000; // some 50 MB
 constexpr double traceReach = 0.1;         // of the model's diagonal, from a stroke to the surface
-// Of so many triangles a step's work is not kept for a stroke over the same place, which then makes it anew:
-// it takes some 400 bytes each.
-constexpr vtkIdType largeMesh = 500000;
 
 vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
 {
@@ -381,7 +378,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   {
     return;
   }
-  if (shown && shown->GetNumberOfPolys() > largeMesh)
+  if (shown && shown->GetNumberOfPolys() > this->MostKept)
   {
     this->Runner.releaseWork();
     malloc_trim(0); // what was freed in pieces goes back as well
