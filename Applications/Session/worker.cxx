@@ -90,9 +90,8 @@ std::map<std::string, SharedData> givenTo(const Session& session,
 
 } // namespace
 
-Worker::Worker(Listener listener, vtkIdType largeFrom)
+Worker::Worker(Listener listener)
   : Report(std::move(listener))
-  , LargeFrom(largeFrom)
   , Thread([this] { this->work(); })
 {
 }
@@ -379,7 +378,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   {
     return;
   }
-  if (shown && shown->GetNumberOfPolys() > this->LargeFrom)
+  if (shown && shown->GetNumberOfPolys() > this->MostKept)
   {
     this->Runner.releaseWork();
     malloc_trim(0); // what was freed in pieces goes back as well

@@ -83,11 +83,7 @@ public:
     std::function<void(std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail>)> pictured;
   };
 
-  // Of a model of so many triangles a step's work is not kept for a stroke over the same place, which then
-  // makes it anew: it takes some 400 bytes each.
-  static constexpr vtkIdType large = 500000;
-
-  explicit Worker(Listener listener, vtkIdType largeFrom = large);
+  explicit Worker(Listener listener);
   // Cancels what runs and waits for it.
   ~Worker();
   Worker(const Worker&) = delete;
@@ -100,6 +96,9 @@ public:
   void seen(std::uint64_t ticket);
   // Stops what runs or waits, if anything does.
   void cancel();
+  // Of more triangles than these a step's work is not kept for a stroke over the same place, which then makes
+  // it anew: it takes some 400 bytes each. For the next session; 500,000 by default.
+  void keepWorkUpTo(vtkIdType triangles) { this->MostKept = triangles; }
   // Makes the mesh of another session, once nothing else is to be done, and nothing more: of the steps of the
   // last one it is there. The newest such session wins, and a session that is submitted before it.
   void glance(Session session);
@@ -130,7 +129,6 @@ private:
     std::vector<NodeState>& states);
 
   Listener Report;
-  const vtkIdType LargeFrom;
   Evaluator Runner;
   std::map<std::uint64_t, NodeState> Copied; // by the outcomes' numbers
   // Likewise, also of steps that are off or undone for now.
@@ -140,11 +138,12 @@ private:
   std::mutex Mutex;
   std::condition_variable Wake;
   std::optional<Session> Next, Running, Glance, Grounded;
-  std::uint64_t Number = 0;               // of the last such asking
-  std::uint64_t Ticket = 0;               // of the newest session
-  std::uint64_t Seen = 0;                 // of the newest result that was
-  std::atomic<std::uint64_t> Wanted{ 0 }; // the ticket that may run; all others are to stop
-  std::atomic<bool> Waiting{ false };     // a session does, so nothing is to be prepared
+  std::uint64_t Number = 0;                  // of the last such asking
+  std::uint64_t Ticket = 0;                  // of the newest session
+  std::uint64_t Seen = 0;                    // of the newest result that was
+  std::atomic<std::uint64_t> Wanted{ 0 };    // the ticket that may run; all others are to stop
+  std::atomic<bool> Waiting{ false };        // a session does, so nothing is to be prepared
+  std::atomic<vtkIdType> MostKept{ 500000 }; // triangles
   bool Stop = false;
   std::thread Thread;
 };

@@ -276,7 +276,7 @@ void Document::saved(const QString& path)
 
 vtkSmartPointer<vtkPolyData> Document::shownMesh() const
 {
-  return (this->Result.mesh ? this->Result.mesh : this->session().mesh).own();
+  return this->shownData().own();
 }
 
 QString Document::name() const

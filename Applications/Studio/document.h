@@ -59,8 +59,8 @@ public:
   void setModel(int place, bool shown, bool locked);
   // Why the chosen one takes no steps, in words; empty where it does.
   QString whyNoSteps() const;
-  // All of them, as an export writes them.
-  vtkSmartPointer<vtkPolyData> shownMeshes() const;
+  // What all of them show, those that have a mesh.
+  std::vector<oversketch_session::SharedData> shownMeshes() const;
   // Begins a session whose first step makes a mesh of what will be drawn: over a picture; on an empty canvas.
   // The same asking; throws Failed for what is no picture.
   bool beginDrawing(const QString& picture, const std::function<bool()>& mayLeave);
@@ -153,6 +153,9 @@ public:
   // is run before, it does not come.
   std::uint64_t askGround(int node) const;
 
+  // Of larger models the steps' work is not kept (Worker::keepWorkUpTo).
+  void keepWorkUpTo(vtkIdType triangles) { this->Background->keepWorkUpTo(triangles); }
+
   // Where models compute (vtkOversketchSystem::BackendType): the open one from here on, where this is
   // another choice than the last, as a change of its history; those that are opened later. A session that is
   // opened keeps its own until then.
@@ -215,6 +218,10 @@ private:
   void takeDetails(const oversketch_session::Worker::Details& details);
   void answered(std::uint64_t ticket);
   oversketch_session::SessionFile file() const;
+  const oversketch_session::SharedData& shownData() const
+  {
+    return this->Result.mesh ? this->Result.mesh : this->session().mesh;
+  }
 
   std::unique_ptr<oversketch_session::History> Changes;
   QString Path;

@@ -153,19 +153,19 @@ bool Document::takes(const Session& next)
   return false;
 }
 
-vtkSmartPointer<vtkPolyData> Document::shownMeshes() const
+std::vector<SharedData> Document::shownMeshes() const
 {
-  std::vector<vtkPolyData*> meshes;
-  const vtkSmartPointer<vtkPolyData> own = this->shownMesh();
+  std::vector<SharedData> meshes;
   for (std::size_t place = 0; place < modelCount(this->session()); ++place)
   {
     const RestingModel* other = restingAt(this->session(), place);
-    if (vtkPolyData* mesh = other ? other->made.mesh.Get() : own.Get())
+    const SharedData mesh = other ? other->made.mesh : this->shownData();
+    if (mesh)
     {
       meshes.push_back(mesh);
     }
   }
-  return joined(meshes);
+  return meshes;
 }
 
 } // namespace oversketch_studio

@@ -11,6 +11,7 @@
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace oversketch_studio
@@ -22,7 +23,24 @@ namespace
 // px as Qt counts them.
 constexpr double gap = 12.0;
 constexpr double dash = 14.0; // with the gap after it
-constexpr int letters = 18, least = 7;
+constexpr int letters = 18, legible = 12, least = 7;
+
+// On two lines of about the same length, where it has a blank.
+std::string onTwoLines(std::string text)
+{
+  std::size_t best = std::string::npos;
+  const auto off = [&](std::size_t at)
+  { return std::abs(2.0 * static_cast<double>(at) - static_cast<double>(text.size())); };
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1))
+  {
+    best = best == std::string::npos || off(at) < off(best) ? at : best;
+  }
+  if (best != std::string::npos)
+  {
+    text[best] = '\n';
+  }
+  return text;
+}
 
 } // namespace
 
@@ -71,7 +89,7 @@ void Hint::setDark(bool dark)
   this->Text->GetTextProperty()->SetColor(grey, grey, grey);
 }
 
-void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
+void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio, const std::vector<Box>& taken)
 {
   if (!this->isVisible() || !mesh)
   {
@@ -116,20 +134,59 @@ void Hint::place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio)
   this->Dashes->SetPoints(points);
   this->Dashes->SetLines(lines);
   this->Line->GetProperty()->SetLineWidth(static_cast<float>(3.0 * ratio));
-  double extent[2];
+  this->placeText(renderer, { top[0], above + gap * ratio }, ratio, taken);
+}
+
+void Hint::placeText(vtkRenderer* renderer,
+  const oversketch::Vector2& over,
+  double ratio,
+  const std::vector<Box>& taken)
+{
   vtkTextProperty* look = this->Text->GetTextProperty();
-  look->SetFontSize(letters);
-  this->Text->GetSize(renderer, extent);
-  // Smaller where the view is narrower than it.
-  if (const double room = renderer->GetSize()[0] - 2.0 * gap * ratio; extent[0] > room && room > 0.0)
+  const int* size = renderer->GetSize();
+  const double space = gap * ratio;
+  double extent[2], low = 0.0, left = 0.0, right = 0.0;
+  const auto fit = [&]
+  { return static_cast<int>(letters * (right - left - 2.0 * space) / std::max(1.0, extent[0])); };
+  const auto write = [&](const std::string& text)
   {
-    look->SetFontSize(std::max(least, static_cast<int>(letters * room / extent[0])));
+    this->Text->SetInput(text.c_str());
+    look->SetFontSize(letters);
+    this->Text->GetSize(renderer, extent);
+    low = std::min(over[1], size[1] - extent[1] - space);
+    left = 0.0;
+    right = size[0];
+    for (const Box& box : taken)
+    {
+      if (box.top > low - space && box.bottom < low + extent[1] + space)
+      {
+        box.left + box.right > size[0] ? right = std::min(right, box.left) : left = std::max(left, box.right);
+      }
+    }
+  };
+  write(this->Words);
+  if (fit() < letters)
+  {
+    write(onTwoLines(this->Words));
+  }
+  if (fit() < legible)
+  {
+    for (const Box& box : taken)
+    {
+      low = std::min(low, box.bottom - space - extent[1]);
+    }
+    left = 0.0;
+    right = size[0];
+  }
+  if (fit() < letters)
+  {
+    look->SetFontSize(std::max(least, fit()));
     this->Text->GetSize(renderer, extent);
   }
-  const double half = 0.5 * extent[0] + gap * ratio;
-  const int* size = renderer->GetSize();
-  this->Text->SetPosition(std::max(half, std::min(top[0], size[0] - half)),
-    std::min(above + gap * ratio, size[1] - extent[1] - gap * ratio));
+  const double half = 0.5 * extent[0];
+  const double middle = std::max(left + half + space, std::min(over[0], right - half - space));
+  this->Text->SetPosition(middle, low);
+  this->Written = { middle - half, middle + half, low, low + extent[1] };
 }
 
 } // namespace oversketch_studio

@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 
 #include <string>
+#include <vector>
 
 class vtkActor2D;
 class vtkPolyData;
@@ -32,13 +33,25 @@ public:
   void setVisible(bool visible);
   bool isVisible() const;
   void setDark(bool dark);
-  // Where it is in the picture of the mesh, the text within the picture; ratio: the screen's pixels a pixel
-  // as Qt counts them.
-  void place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio);
+  // A place in the picture, in the screen's pixels from its lower left corner.
+  struct Box
+  {
+    double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
+  };
+  // Where it is in the picture of the mesh, the text within the picture and beside or under what else lies
+  // over it; ratio: the screen's pixels a pixel as Qt counts them.
+  void place(vtkRenderer* renderer, vtkPolyData* mesh, double ratio, const std::vector<Box>& taken);
+  const Box& textBox() const { return this->Written; } // as it was placed
 
 private:
+  void placeText(vtkRenderer* renderer,
+    const oversketch::Vector2& over,
+    double ratio,
+    const std::vector<Box>& taken);
+
   std::string Words;
   HintShape Shape = HintShape::Limb;
+  Box Written;
   vtkNew<vtkTextActor> Text;
   vtkNew<vtkActor2D> Line;
   vtkNew<vtkPolyData> Dashes;

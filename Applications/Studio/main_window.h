@@ -92,7 +92,8 @@ private:
   bool saveAs();
   void exportAsked();
   void exportModel(int model, int part, const QString& name);
-  void exportMesh(vtkPolyData* mesh, const QString& name);
+  // As one mesh; of it that part, or -1 all.
+  void exportMeshes(const std::vector<oversketch_session::SharedData>& shown, int part, const QString& name);
   void screenshot(bool lines);
   void addPicture(const QString& path);
   void addPictureAsked();

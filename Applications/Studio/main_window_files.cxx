@@ -8,6 +8,8 @@
 #include "history_panel.h"
 #include "long_work.h"
 #include "mesh_file.h"
+#include "models.h"
+#include "pieces.h"
 #include "resources.h"
 #include "row_texts.h"
 #include "scene_panel.h"
@@ -348,31 +350,44 @@ bool MainWindow::saveAs()
 
 void MainWindow::exportAsked()
 {
-  vtkSmartPointer<vtkPolyData> shown;
-  this->tried([&] { shown = this->OpenDocument->isOpen() ? this->OpenDocument->shownMeshes() : nullptr; });
-  if (shown && !isLongWorkGoing())
+  if (this->OpenDocument->isOpen() && !isLongWorkGoing())
   {
-    this->exportMesh(shown, this->OpenDocument->name());
+    this->exportMeshes(this->OpenDocument->shownMeshes(), -1, this->OpenDocument->name());
   }
 }
 
-void MainWindow::exportMesh(vtkPolyData* shown, const QString& name)
+void MainWindow::exportMeshes(const std::vector<SharedData>& shown, int part, const QString& name)
 {
+  if (shown.empty() || !shown.front())
+  {
+    return;
+  }
   const QString path = exportPathAsked(this, QFileInfo(name).completeBaseName());
   if (path.isEmpty())
   {
     return;
   }
-  vtkNew<vtkPolyData> copy; // the window looks at it meanwhile, and a writer keeps ranges in the arrays
-  copy->DeepCopy(shown);
-  const vtkSmartPointer<vtkPolyData> mesh = copy;
+  // The window looks at them meanwhile, and a writer keeps ranges in the arrays.
+  const auto meshes = std::make_shared<std::vector<SharedData>>();
+  for (vtkPolyData* mesh : shown)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->DeepCopy(mesh);
+    meshes->emplace_back(std::move(copy));
+  }
   const auto notes = std::make_shared<oversketch_files::Notes>();
   this->tried(
     [&]
     {
       const bool done = doLongWork(this,
         tr("Exporting %1…").arg(QFileInfo(path).fileName()),
-        [mesh, path, notes] { oversketch_files::writeMesh(mesh, path.toStdString(), *notes); });
+        [meshes, part, path, notes]
+        {
+          const auto whole = joined({ meshes->begin(), meshes->end() });
+          meshes->clear(); // a large scene lies there once less
+          const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);
+          oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
+        });
       if (done)
       {
         this->Advice->setText((QStringList{ tr("Exported as %1.").arg(path) } + listOf(*notes)).join(' '));

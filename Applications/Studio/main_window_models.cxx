@@ -4,7 +4,6 @@
 #include "advice_label.h"
 #include "long_work.h"
 #include "models.h"
-#include "pieces.h"
 #include "scene_panel.h"
 #include "stroke_lines.h"
 #include "tool.h"
@@ -114,11 +113,8 @@ void MainWindow::exportModel(int model, int part, const QString& name)
     return;
   }
   const RestingModel* other = restingAt(this->OpenDocument->session(), indexOf(model));
-  const vtkSmartPointer<vtkPolyData> mesh = other ? other->made.mesh.own() : this->OpenDocument->shownMesh();
-  if (mesh)
-  {
-    this->exportMesh(part < 0 ? mesh : oversketch_files::partAlone(mesh, part), name);
-  }
+  const SharedData mesh = other ? other->made.mesh : SharedData(this->OpenDocument->shownMesh());
+  this->exportMeshes({ mesh }, part, name);
 }
 
 bool MainWindow::chooseModelAt(const QPoint& place)

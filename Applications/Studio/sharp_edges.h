@@ -13,8 +13,8 @@ class SharpEdges
 {
 public:
   // The mesh as it is to be drawn: with points of its own for each side of an edge that its faces meet in at
-  // 60 degrees or more, where it has many such edges for its size; else the mesh itself, as any mesh that is
-  // too large to ask. Null gives null.
+  // 60 degrees or more, where it has many such edges for its size or they are long and unbroken; else the
+  // mesh itself, as any mesh that is too large to ask. Null gives null.
   vtkSmartPointer<vtkPolyData> look(vtkPolyData* mesh);
   // The same mesh moved, as often as the hand moves: as was decided for it.
   vtkSmartPointer<vtkPolyData> lookMoved(vtkPolyData* mesh) const;

@@ -3,6 +3,7 @@
 #include "files.h"
 #include "key_list.h"
 #include "latency.h"
+#include "overlays.h"
 #include "tool.h"
 #include "touch_hand.h"
 
@@ -482,7 +483,7 @@ void Viewport::placeHint()
 {
   if (vtkPolyData* mesh = this->mesh())
   {
-    this->HintBox.place(this->Renderer, mesh, this->devicePixelRatioF());
+    this->HintBox.place(this->Renderer, mesh, this->devicePixelRatioF(), overlaysOf(*this));
   }
 }
 

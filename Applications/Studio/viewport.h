@@ -71,6 +71,7 @@ public:
   // Where to draw, with a line of text; empty shows none.
   void showHint(const QString& text, HintShape shape = HintShape::Limb);
   QString hint() const; // that is seen; empty where none is
+  const Hint& hintBox() const { return this->HintBox; }
   void hideHint();
   void setDark(bool dark);
   // The camera that a stroke was drawn in, or a picture was put into the scene in.

@@ -256,7 +256,8 @@ TEST(Worker, OfALargeModelNoStepKeepsItsWork)
     expected.push_back(expectedOf(each));
   }
   Desk desk;
-  Worker worker(desk.listener(), 0);
+  Worker worker(desk.listener());
+  worker.keepWorkUpTo(0);
   for (std::size_t i = 0; i < sessions.size(); ++i)
   {
     const std::uint64_t ticket = worker.submit(sessions[i]);

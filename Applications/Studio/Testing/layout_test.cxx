@@ -1,6 +1,7 @@
 // The window as large or small as screens are, dark and light, each tool in the hand and its docks open:
 // nothing lies over another, nothing is cut off, no room is wasted.
 #include "options_stack.h"
+#include "overlays.h"
 #include "scene.h"
 #include "tool.h"
 
@@ -134,6 +135,28 @@ void expectInOrder(Scene& scene)
   EXPECT_GE(scene.view->height(), 300);
 }
 
+// The line of text on the shipped model: whole, beside what lies over the view, and legible.
+void expectHintBeside(Scene& scene)
+{
+  ASSERT_FALSE(scene.view->hint().isEmpty());
+  const Hint::Box text = scene.view->hintBox().textBox();
+  const double ratio = scene.view->devicePixelRatioF();
+  EXPECT_GE(text.left, 0.0);
+  EXPECT_LE(text.right, ratio * scene.view->width());
+  EXPECT_GE(text.bottom, 0.0);
+  EXPECT_LE(text.top, ratio * scene.view->height());
+  EXPECT_GE(text.top - text.bottom, 10.0 * ratio);
+  const auto taken = overlaysOf(*scene.view);
+  EXPECT_EQ(taken.size(), 2u);
+  for (const Hint::Box& box : taken)
+  {
+    EXPECT_TRUE(
+      text.right <= box.left || box.right <= text.left || text.top <= box.bottom || box.top <= text.bottom)
+      << "the hint, " << text.left << " to " << text.right << " and " << text.bottom << " to " << text.top
+      << ", meets " << box.left << " to " << box.right << " and " << box.bottom << " to " << box.top;
+  }
+}
+
 } // namespace
 
 // In pixels as Qt counts them; a run with QT_SCALE_FACTOR=2 has twice as many. OVERSKETCH_SHOTS=FOLDER keeps
@@ -142,11 +165,26 @@ TEST(Layout, NothingIsCutOffOnAnyScreen)
 {
   Scene scene;
   QApplication::setActiveWindow(&scene.window);
+  const QString shots = qEnvironmentVariable("OVERSKETCH_SHOTS");
+  const double scale = scene.window.devicePixelRatioF();
+  for (const QSize& size : { QSize(800, 600), QSize(1000, 700), QSize(1280, 800) })
+  {
+    scene.window.resize(size);
+    scene.settle();
+    const QString name = QString("%1x%2_%3_hint").arg(size.width()).arg(size.height()).arg(scale);
+    SCOPED_TRACE(qPrintable(name));
+    expectHintBeside(scene);
+    if (!shots.isEmpty())
+    {
+      scene.pictureAtRest();
+      EXPECT_TRUE(scene.window.grab().save(QDir(shots).filePath(name + ".png")));
+    }
+  }
   scene.draw();
   scene.release();
   scene.wait();
-  const QString shots = qEnvironmentVariable("OVERSKETCH_SHOTS");
-  const double scale = scene.window.devicePixelRatioF();
+  ASSERT_EQ(scene.document->session().nodes.size(), 1u) << "no step was drawn";
+  EXPECT_EQ(scene.document->result().nodes.at(0).failure, "");
   QAction* dark = nullptr;
   for (QAction* action : scene.window.findChildren<QAction*>())
   {

@@ -348,3 +348,27 @@ TEST(Models, LockedAndHiddenOnesTakeNoStrokesAndAreKept)
   EXPECT_EQ(document->digest(), drawn);
   document->discardAutosave();
 }
+
+// As many as a scene has, and one more.
+TEST(Models, TooManyAreRefused)
+{
+  const QString dog = OVERSKETCH_DATA_FOLDER "/Models/dog.ply";
+  Document document;
+  document.open(Document::read(dog, 0));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return document.isSettled(); }, 600000));
+  Document::Opened many = Document::readModels(dog, 0);
+  ASSERT_EQ(many.session.scene.others.size(), 1u);
+  many.session.scene.others.resize(mostModels, many.session.scene.others.front());
+  try
+  {
+    document.addModels(std::move(many));
+    ADD_FAILURE() << "a scene of more models than it may have";
+  }
+  catch (const oversketch_files::Failed& refused)
+  {
+    EXPECT_STREQ(refused.what(), "A scene has at most 1000 models. Remove some first.");
+  }
+  EXPECT_EQ(modelCount(document.session()), 1u);
+  EXPECT_FALSE(document.isModified());
+  document.discardAutosave();
+}

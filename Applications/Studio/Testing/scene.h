@@ -115,7 +115,7 @@ struct Scene
     return nullptr;
   }
   vtkRenderer* renderer() { return this->view->renderWindow()->GetRenderers()->GetFirstRenderer(); }
-  // Where a place of the world is in the view, in pixels from its upper left corner.
+  // Where a place of the world is in the view, in pixels as Qt counts them from its upper left corner.
   QPoint seen(const double place[3])
   {
     vtkRenderer* renderer = this->renderer();
@@ -123,8 +123,9 @@ struct Scene
     renderer->WorldToDisplay();
     double at[3];
     renderer->GetDisplayPoint(at);
-    return { static_cast<int>(std::lround(at[0])),
-      this->view->height() - 1 - static_cast<int>(std::lround(at[1])) };
+    const double ratio = this->view->devicePixelRatioF(); // VTK counts the screen's own
+    return { static_cast<int>(std::lround(at[0] / ratio)),
+      this->view->height() - 1 - static_cast<int>(std::lround(at[1] / ratio)) };
   }
   QPoint top()
   {

@@ -2,10 +2,14 @@
 // window.
 #include "axis_gizmo.h"
 #include "display.h"
+#include "mesh_file.h"
 #include "scene.h"
+#include "solids.h"
 #include "tool.h"
 #include "view_bar.h"
 #include "view_settings.h"
+
+#include "Harness/polydata.h"
 
 #include "vtkOversketchInteractorStyle.h"
 
@@ -20,9 +24,6 @@
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
-#include <array>
-#include <fstream>
-#include <map>
 #include <vector>
 
 using namespace oversketch_studio;
@@ -121,53 +122,6 @@ int count(const QImage& image, const std::function<bool(const QColor&)>& isSuch)
 bool isOrange(const QColor& c)
 {
   return c.red() > 150 && c.red() > 1.3 * c.green() && c.green() > 1.6 * c.blue();
-}
-
-// A box of 4 x 4 squares a side, whose sides share their points.
-void writeBox(const QString& path)
-{
-  constexpr int n = 4;
-  std::map<std::array<int, 3>, int> points;
-  std::vector<std::array<int, 3>> places;
-  std::vector<std::array<int, 3>> faces;
-  for (int side = 0; side < 6; ++side)
-  {
-    const auto point = [&](int i, int j)
-    {
-      std::array<int, 3> at;
-      at[side / 2] = side % 2 ? n : 0;
-      at[(side / 2 + 1) % 3] = i;
-      at[(side / 2 + 2) % 3] = j;
-      const auto [it, isNew] = points.insert({ at, static_cast<int>(places.size()) });
-      if (isNew)
-      {
-        places.push_back(at);
-      }
-      return it->second;
-    };
-    for (int i = 0; i < n; ++i)
-    {
-      for (int j = 0; j < n; ++j)
-      {
-        const int a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1), d = point(i, j + 1);
-        const bool out = side % 2;
-        faces.push_back(out ? std::array<int, 3>{ a, b, c } : std::array<int, 3>{ a, c, b });
-        faces.push_back(out ? std::array<int, 3>{ a, c, d } : std::array<int, 3>{ a, d, c });
-      }
-    }
-  }
-  std::ofstream file(path.toStdString());
-  file << "ply\nformat ascii 1.0\nelement vertex " << places.size()
-       << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << faces.size()
-       << "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const auto& at : places)
-  {
-    file << 2.0 * at[0] / n - 1.0 << ' ' << 2.0 * at[1] / n - 1.0 << ' ' << 2.0 * at[2] / n - 1.0 << '\n';
-  }
-  for (const auto& face : faces)
-  {
-    file << "3 " << face[0] << ' ' << face[1] << ' ' << face[2] << '\n';
-  }
 }
 
 } // namespace
@@ -416,18 +370,23 @@ TEST(View, ACubesEdgesAreSharp)
 {
   Scene scene;
   const QTemporaryDir folder;
-  const QString path = folder.filePath("box.ply");
-  writeBox(path);
-  scene.document->discardAutosave();
-  ASSERT_TRUE(scene.window.open(path));
-  scene.wait();
   QTest::keyClick(scene.view, Qt::Key_5);
-  const QImage front = scene.pictureAtRest();
-  // The front face is of one colour from edge to edge.
-  const double corner[3] = { 0.97, 0.97, 1.0 }, middle[3] = { 0.0, 0.0, 1.0 };
-  const QColor at = front.pixelColor(scene.seen(corner)), in = front.pixelColor(scene.seen(middle));
-  EXPECT_GT(in.red(), 60);
-  EXPECT_NEAR(at.red(), in.red(), 3);
-  EXPECT_NEAR(at.blue(), in.blue(), 3);
+  for (const int squares : { 4, 100 })
+  {
+    SCOPED_TRACE(squares);
+    const QString path = folder.filePath(QString("box%1.ply").arg(squares));
+    oversketch_files::Notes notes;
+    oversketch_files::writeMesh(oversketch_test::toPolyData(boxOf(squares)), path.toStdString(), notes);
+    scene.document->discardAutosave();
+    ASSERT_TRUE(scene.window.open(path));
+    scene.wait();
+    const QImage front = scene.pictureAtRest();
+    // The front face is of one colour from edge to edge.
+    const double corner[3] = { 0.985, 0.985, 1.0 }, middle[3] = { 0.0, 0.0, 1.0 };
+    const QColor at = front.pixelColor(scene.seen(corner)), in = front.pixelColor(scene.seen(middle));
+    EXPECT_GT(in.red(), 60);
+    EXPECT_NEAR(at.red(), in.red(), 3);
+    EXPECT_NEAR(at.blue(), in.blue(), 3);
+  }
   QTest::keyClick(scene.view, Qt::Key_5);
 }

@@ -1,0 +1,65 @@
+// What the window holds of a large model at rest: the meshes of its steps, and not what these worked with.
+#include "scene.h"
+
+#include <cstddef>
+#include <iostream>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#include <sanitizer/allocator_interface.h>
+#else
+#include <malloc.h>
+#endif
+
+using namespace oversketch_studio;
+
+namespace
+{
+
+// Bytes that the program holds now.
+double held()
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return static_cast<double>(__sanitizer_get_current_allocated_bytes());
+#else
+  const auto now = mallinfo2();
+  return static_cast<double>(now.uordblks + now.hblkhd);
+#endif
+}
+
+// Once nothing follows on the last step any more: its picture comes last.
+double heldAtRest(Scene& scene)
+{
+  scene.wait();
+  const auto& nodes = scene.document->result().nodes;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !nodes.empty() && nodes.back().picture; }, 600000));
+  scene.pictureAtRest();
+  return held();
+}
+
+} // namespace
+
+TEST(Memory, AStepsWorkIsGivenBackOverTheBound)
+{
+  Scene scene;
+  const auto triangles = static_cast<double>(scene.document->result().mesh->GetNumberOfPolys());
+  const double opened = held();
+  const auto step = [&]
+  {
+    scene.draw();
+    scene.release();
+    QApplication::processEvents();
+    return heldAtRest(scene);
+  };
+  step();
+  const double kept = step();
+  scene.document->undo();
+  heldAtRest(scene);
+  scene.document->keepWorkUpTo(10000);
+  scene.document->redo(); // to the same meshes
+  const double given = heldAtRest(scene);
+  ASSERT_EQ(scene.document->result().nodes.size(), 2u);
+  std::cout << "bytes a triangle beside the opened model after two strokes: " << (kept - opened) / triangles
+            << ", of which are left at rest " << (given - opened) / triangles << '\n';
+  EXPECT_GT(kept - given, 1500.0 * triangles) << "the work is not given back";
+  EXPECT_LT(given - opened, 1100.0 * triangles) << "more is held than the meshes of two steps";
+}
