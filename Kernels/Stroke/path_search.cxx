@@ -16,11 +16,11 @@ constexpr std::array<std::array<int, 2>, 8> steps{
 
 constexpr std::array<bool, 8> diagonal{ true, false, true, false, false, true, false, true };
 
-constexpr double rounding = 1.5e-7; // more than that of a float, relative
+constexpr double floatRounding = 1.5e-7; // more than that of a float, relative
 
 float roundedDown(double cost)
 {
-  return static_cast<float>(cost - rounding * cost);
+  return static_cast<float>(cost - floatRounding * cost);
 }
 
 std::array<double, 8> stepAngles()
@@ -66,7 +66,7 @@ struct PathSearch::Slack
   Slack() = default;
   explicit Slack(const Cell& cell)
   {
-    const double above = cell.reached + rounding * cell.reached - cell.leastTurn();
+    const double above = cell.reached + floatRounding * cell.reached - cell.leastTurn();
     this->axis = static_cast<float>(above - cell.least(false));
     this->slant = static_cast<float>(above - cell.least(true));
   }
