@@ -25,11 +25,28 @@ Latency::Times Latency::now()
   return { wall.count(), 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC };
 }
 
-void Latency::begin(const char* what)
+void Latency::begin(const char* what, const std::optional<Times>& since)
+{
+  if (this->Path && since)
+  {
+    this->Waiting[what].push_back(*since);
+  }
+}
+
+void Latency::hand()
 {
   if (this->Path)
   {
-    this->Waiting[what].push_back(now());
+    this->Hand = now();
+  }
+}
+
+void Latency::moved(const std::string& what)
+{
+  this->begin(what.c_str(), this->Hand);
+  if (this->Path && this->Hand)
+  {
+    this->Waited[what + " points"].push_back(now() - *this->Hand);
   }
 }
 
@@ -44,20 +61,27 @@ void Latency::framePainted()
   {
     return;
   }
-  const auto since = [end = now()](const Times& start) {
-    return Times{ end.wall - start.wall, end.processors - start.processors };
-  };
+  const Times end = now();
   bool plain = true;
   const auto answer = [&](const char* what)
   {
     for (const Times& start : this->Waiting[what])
     {
-      this->Waited[what].push_back(since(start));
+      this->Waited[what].push_back(end - start);
       plain = false;
     }
     this->Waiting[what].clear();
   };
   answer("sample");
+  answer("ring");
+  for (const char* dragged : { "drag", "layer" })
+  {
+    if (!this->Waiting[dragged].empty())
+    {
+      this->Waited[std::string(dragged) + " frame"].push_back(end - *this->Frame);
+    }
+    answer(dragged);
+  }
   if (this->MeshComes)
   {
     answer("stroke");
@@ -67,7 +91,7 @@ void Latency::framePainted()
   }
   if (plain)
   {
-    this->Waited["redraw"].push_back(since(*this->Frame));
+    this->Waited["redraw"].push_back(end - *this->Frame);
   }
   this->Frame.reset();
 }

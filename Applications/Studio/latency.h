@@ -1,7 +1,7 @@
 // How long a person waits, measured inside: from a sample of the pen to its drawn pixel, from the end of a
-// stroke or a notch of the wheel to the new mesh on screen, and for a plain redraw; and how long processors
-// were at work for the program meanwhile, which other programs change little. Written as JSON when the
-// program ends, where it was asked for.
+// stroke or a notch of the wheel to the new mesh on screen, from the hand's event at an edit to the moved
+// mesh on screen, and for a plain redraw; and how long processors were at work for the program meanwhile,
+// which other programs change little. Written as JSON when the program ends, where it was asked for.
 #ifndef oversketch_studio_latency_h
 #define oversketch_studio_latency_h
 
@@ -27,6 +27,12 @@ public:
   void strokeEnd() { this->begin("stroke"); }
   void radius() { this->begin("radius"); }
   void height() { this->begin("height"); }
+  // The hand's event has come, of which all of these come: a line or a layer was dragged, and points and
+  // normals are where it has taken them; a ring was closed, and greys are there.
+  void hand();
+  void dragged() { this->moved("drag"); }
+  void layerDragged() { this->moved("layer"); }
+  void ringClosed() { this->begin("ring", this->Hand); }
   // The deformed mesh is what the next frame shows.
   void meshComes() { this->MeshComes = true; }
   // A frame begins; it is painted. A frame that nothing waited for is a plain redraw.
@@ -35,21 +41,29 @@ public:
   bool isOn() const { return this->Path.has_value(); }
 
   // Writes {"sample": [[ms, ms of processors], ...], "stroke": [...], "radius": [...], "height": [...],
-  // "redraw": [...]}. Throws Failed.
+  // "redraw": [...], "ring": [...], "drag": [...], "drag points": [...], "drag frame": [...], the same of
+  // "layer"}: of a drag the whole, its part until points and normals, and that of drawing alone. Throws
+  // Failed.
   void write() const;
 
 private:
   struct Times // ms
   {
     double wall, processors;
+    Times operator-(const Times& start) const
+    {
+      return { this->wall - start.wall, this->processors - start.processors };
+    }
   };
   static Times now();
-  void begin(const char* what);
+  void begin(const char* what) { this->begin(what, now()); }
+  void begin(const char* what, const std::optional<Times>& since);
+  void moved(const std::string& what);
 
   std::optional<std::string> Path;
   std::map<std::string, std::vector<Times>> Waiting; // since when
   std::map<std::string, std::vector<Times>> Waited;
-  std::optional<Times> Frame;
+  std::optional<Times> Frame, Hand;
   bool MeshComes = false;
 };
 

@@ -191,6 +191,7 @@ void Viewport::render()
   if (this->OnProcessor.value_or(false))
   {
     this->Renderer->UseFXAAOff();
+    this->Model.hideBacks(true);
     this->Rest->start(restTime);
   }
   Latency::of().frameBegins();
@@ -198,7 +199,7 @@ void Viewport::render()
   this->PaintWaits = true;
 }
 
-// Where the processor draws, edges are smoothed once nothing moves any more.
+// Where the processor draws, edges are smoothed and all faces drawn once nothing moves any more.
 void Viewport::smoothEdges()
 {
   if (this->Await->isActive() || (this->CurrentTool && this->CurrentTool->draws()))
@@ -215,6 +216,7 @@ void Viewport::renderSmooth()
   if (this->OnProcessor.value_or(false))
   {
     this->Renderer->UseFXAAOn();
+    this->Model.hideBacks(false);
     this->Window->Render();
   }
 }
@@ -343,6 +345,10 @@ bool Viewport::event(QEvent* event)
     }
   }
   const bool press = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
+  if (type == QEvent::MouseMove || type == QEvent::MouseButtonRelease)
+  {
+    Latency::of().hand();
+  }
   const bool release = type == QEvent::MouseButtonRelease && this->CurrentTool && this->CurrentTool->draws();
   if (press || type == QEvent::Wheel || type == QEvent::KeyPress)
   {

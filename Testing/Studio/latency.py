@@ -116,4 +116,5 @@ def main():
             for what in columns) + " |")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -394,10 +394,14 @@ void EditHand::heard(unsigned long event, const char* text)
       this->Message.clear();
       break;
     case vtkCommand::InteractionEvent:
-      Latency::of().sample();
       if (this->Widget->IsPreviewing())
       {
         this->follow();
+        this->Mode == vtkOversketchEditWidget::Shade ? Latency::of().layerDragged() : Latency::of().dragged();
+      }
+      else
+      {
+        Latency::of().sample();
       }
       break;
     case vtkCommand::EndInteractionEvent:
@@ -481,6 +485,10 @@ void EditHand::publish()
       this->View->showPreview(this->live()); // until the result comes
     }
     Latency::of().strokeEnd();
+    if (isNew)
+    {
+      Latency::of().ringClosed();
+    }
     const Step step = this->Loaded.step;
     isNew ? emit this->drawn(step) : emit this->remade(step);
     this->OfferedId = isNew ? idOf(this->OpenDocument->session(), step) : this->OfferedId;
