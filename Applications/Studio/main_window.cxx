@@ -236,9 +236,20 @@ void MainWindow::stepDrawn(const Step& step)
   }
 }
 
+namespace
+{
+
+// Whether the row that a hand changes is there, and not a step of another kind that came under it meanwhile.
+bool isStill(const std::vector<Node>& nodes, int row, const Step& step)
+{
+  return row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system == step.system;
+}
+
+} // namespace
+
 void MainWindow::stepChanged(const Step& step)
 {
-  if (this->Offered >= 0 && indexOf(this->Offered) < this->OpenDocument->session().nodes.size())
+  if (isStill(this->OpenDocument->session().nodes, this->Offered, step))
   {
     this->OpenDocument->redraw(this->Offered, step);
   }
@@ -246,7 +257,7 @@ void MainWindow::stepChanged(const Step& step)
 
 void MainWindow::stepRemade(const Step& step)
 {
-  if (this->Offered >= 0 && indexOf(this->Offered) < this->OpenDocument->session().nodes.size())
+  if (isStill(this->OpenDocument->session().nodes, this->Offered, step))
   {
     this->OpenDocument->remake(this->Offered, step);
   }

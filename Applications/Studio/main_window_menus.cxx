@@ -92,9 +92,17 @@ void MainWindow::makeMenus()
   this->add(file, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), [this] { this->close(); });
 
   QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
-  this->Undo =
-    this->add(edit, tr("&Undo"), QKeySequence(tr("Ctrl+Z")), [this] { this->OpenDocument->undo(); });
-  this->Redo = this->add(edit, tr("&Redo"), {}, [this] { this->OpenDocument->redo(); });
+  // The history waits until the hand lets go: what it then makes would be written into another step.
+  const auto turn = [this](void (Document::*way)())
+  {
+    const Tool* tool = this->View->tool();
+    if (!tool->draws() && !tool->moves())
+    {
+      (this->OpenDocument->*way)();
+    }
+  };
+  this->Undo = this->add(edit, tr("&Undo"), QKeySequence(tr("Ctrl+Z")), [turn] { turn(&Document::undo); });
+  this->Redo = this->add(edit, tr("&Redo"), {}, [turn] { turn(&Document::redo); });
   this->Redo->setShortcuts({ QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y")) });
   edit->addSeparator();
   this->add(edit, tr("&Preferences…"), QKeySequence(tr("Ctrl+,")), [this] { this->askPreferences(); });

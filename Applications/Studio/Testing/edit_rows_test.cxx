@@ -39,6 +39,41 @@ struct Rows : Edits
 
 } // namespace
 
+TEST(EditRows, HistoryWaitsForTheHandAndNothingGoesIntoAnotherStep)
+{
+  Edits scene(Qt::Key_B);
+  scene.drawLine();
+  ASSERT_EQ(scene.nodes().size(), 1u) << scene.said();
+  const auto line = scene.nodes()[0].step;
+  scene.press(Qt::Key_E);
+  scene.drawLine();
+  scene.drawRing();
+  ASSERT_EQ(scene.nodes().size(), 2u) << scene.said();
+
+  const Way pull = Edits::straight(scene.middle, scene.middle - QPoint(0, 25));
+  scene.drag(scene.view, pull, Qt::NoModifier, false);
+  QTest::keyClick(scene.view, Qt::Key_Z, Qt::ControlModifier);
+  QApplication::processEvents();
+  EXPECT_EQ(scene.nodes().size(), 2u) << "undone under the hand";
+  scene.letGo(scene.view, pull.back());
+  ASSERT_EQ(scene.nodes().size(), 2u);
+  EXPECT_EQ(scene.nodes()[0].step, line);
+  EXPECT_NE(scene.text(1, "Operations"), "");
+  EXPECT_EQ(scene.failures(), "");
+
+  // The row goes in another way.
+  const Way back = Edits::straight(pull.back(), scene.middle);
+  scene.drag(scene.view, back, Qt::NoModifier, false);
+  scene.document->remove(1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.document->isBusy(); }, 60000));
+  scene.letGo(scene.view, back.back());
+  ASSERT_EQ(scene.nodes().size(), 1u);
+  EXPECT_EQ(scene.nodes()[0].step, line) << "the line's step has what the edit's hand made";
+  EXPECT_EQ(scene.failures(), "");
+  scene.press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene.nodes().size(), 2u) << "the hand is free";
+}
+
 TEST(EditRows, AnEarlierOneIsChangedAndTheLaterFollow)
 {
   Rows scene;
