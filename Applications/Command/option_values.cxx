@@ -2,6 +2,8 @@
 
 #include "mesh_file.h"
 
+#include "vtkOversketchSystem.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -97,6 +99,32 @@ Value valueOf(const Parameter& parameter, const std::string& option, const std::
   return static_cast<int>(numbers[0]);
 }
 
+std::string textOf(const Value& number)
+{
+  std::ostringstream text;
+  std::holds_alternative<int>(number) ? text << std::get<int>(number) : text << std::get<double>(number);
+  return text.str();
+}
+
+// A setter takes the nearest value that it can; a command line that asks for another one is wrong.
+void expectTaken(const SystemRow& row,
+  const Parameter& parameter,
+  const std::string& option,
+  const Value& value)
+{
+  if (!std::holds_alternative<int>(value) && !std::holds_alternative<double>(value))
+  {
+    return;
+  }
+  const auto system = row.make();
+  parameter.set(system, value);
+  const Value taken = parameter.get(system);
+  if (taken != value)
+  {
+    throw BadUse(option + " cannot be " + textOf(value) + "; the nearest that it takes is " + textOf(taken));
+  }
+}
+
 } // namespace
 
 void takeValue(Options& options,
@@ -112,6 +140,7 @@ void takeValue(Options& options,
     value = 0.01 * std::get<double>(value);
     options.shares.insert(parameter.property);
   }
+  expectTaken(*options.system, parameter, option, value);
   options.values[parameter.property] = value;
 }
 
@@ -123,6 +152,10 @@ void takePair(Options& options, const Pair& pair, const std::string& option, con
   options.values[pair.first] = valueOf(first, option, text.substr(0, cross));
   options.values[pair.second] =
     cross == std::string::npos ? second.initial : valueOf(second, option, text.substr(cross + 1));
+  for (const Parameter* side : { &first, &second })
+  {
+    expectTaken(*options.system, *side, option, options.values[side->property]);
+  }
 }
 
 void takePhrase(Options& options, const Phrase& phrase, const std::string& option, const std::string& text)

@@ -32,6 +32,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -364,6 +365,7 @@ int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
 
 void vtkOversketchInflateDrawing::SetExtrudeDepth(double depth)
 {
+  depth = std::max(depth, 0.0);
   if (depth != this->ExtrudeDepth)
   {
     const bool other = (depth > 0.0) != (this->ExtrudeDepth > 0.0);

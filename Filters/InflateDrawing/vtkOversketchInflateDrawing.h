@@ -54,7 +54,7 @@ public:
 
   ///@{
   /**
-   * Extrudes so far to either side in place of inflating [world, default 0: inflates].
+   * Extrudes so far to either side in place of inflating [world, from 0, default 0: inflates].
    */
   void SetExtrudeDepth(double depth);
   vtkGetMacro(ExtrudeDepth, double);

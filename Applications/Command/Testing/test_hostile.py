@@ -126,3 +126,13 @@ def test_a_library_or_picture_that_is_no_file_is_not_waited_for(tmp_path):
     done = run("one-stroke", tmp_path / "in.obj", drawn, "-o", tmp_path / "out.vtp", *QUICK, timeout=60)
     assert done.returncode == 0, done.stderr
     assert "the material library a.mtl cannot be read" in done.stderr and "the picture a.mtl is no PNG or JPEG" in done.stderr
+
+
+@pytest.mark.parametrize("arguments, says", [
+    (("one-stroke", "m.ply", "s.vtp", "--candidate", "0"), "--candidate cannot be 0; the nearest that it takes is 1"),
+    (("one-stroke", "m.ply", "s.vtp", "--reach", "3"), "--reach cannot be 3; the nearest that it takes is 1"),
+    (("edit", "m.ply", "--reference", "r.vtp", "--boundary", "b.vtp", "--at", "-0.5"), "the nearest that it takes is 0"),
+    (("edit", "m.ply", "--reference", "r.vtp", "--boundary", "b.vtp", "--levels", "1"), "the nearest that it takes is 2"),
+    (("inflate", "d.vtp", "--extrude", "-3"), "--extrude cannot be -3; the nearest that it takes is 0")])
+def test_numbers_that_no_step_can_take_are_refused(tmp_path, arguments, says):
+    assert says in refuse(2, *arguments, "-o", tmp_path / "out.ply")
