@@ -1,14 +1,9 @@
 // What the window holds of a large model at rest: the meshes of its steps, and not what these worked with.
 #include "scene.h"
 
-#include <cstddef>
-#include <iostream>
+#include "Harness/sequences.h"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#include <sanitizer/allocator_interface.h>
-#else
-#include <malloc.h>
-#endif
+#include <iostream>
 
 using namespace oversketch_studio;
 
@@ -18,12 +13,7 @@ namespace
 // Bytes that the program holds now.
 double held()
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return static_cast<double>(__sanitizer_get_current_allocated_bytes());
-#else
-  const auto now = mallinfo2();
-  return static_cast<double>(now.uordblks + now.hblkhd);
-#endif
+  return 1048576.0 * oversketch_test::memoryInUse();
 }
 
 // Once nothing follows on the last step any more: its picture comes last.
