@@ -93,16 +93,27 @@ void MainWindow::makeMenus()
 
   QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
   // The history waits until the hand lets go: what it then makes would be written into another step.
-  const auto turn = [this](void (Document::*way)())
-  {
-    const Tool* tool = this->View->tool();
-    if (!tool->draws() && !tool->moves())
+  const auto waits = [this] { return this->View->tool()->draws() || this->View->tool()->moves(); };
+  this->Undo = this->add(edit,
+    tr("&Undo"),
+    QKeySequence(tr("Ctrl+Z")),
+    [this, waits]
     {
-      (this->OpenDocument->*way)();
-    }
-  };
-  this->Undo = this->add(edit, tr("&Undo"), QKeySequence(tr("Ctrl+Z")), [turn] { turn(&Document::undo); });
-  this->Redo = this->add(edit, tr("&Redo"), {}, [turn] { turn(&Document::redo); });
+      if (!waits())
+      {
+        this->OpenDocument->undo();
+      }
+    });
+  this->Redo = this->add(edit,
+    tr("&Redo"),
+    {},
+    [this, waits]
+    {
+      if (!waits())
+      {
+        this->OpenDocument->redo();
+      }
+    });
   this->Redo->setShortcuts({ QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y")) });
   edit->addSeparator();
   this->add(edit, tr("&Preferences…"), QKeySequence(tr("Ctrl+,")), [this] { this->askPreferences(); });
