@@ -97,8 +97,11 @@ struct Steps
     this->bend->SetReferenceConnection(reference);
     this->bend->SetProfileConnection(this->section->GetOutputPort());
     this->bend->SetDrawnConnection(this->redraw->GetOutputPort());
-    for (const auto& [step, moved] : { std::make_pair(this->triangles.Get(), this->deform->GetOutputPort()),
-           std::make_pair(this->trianglesOfBend.Get(), this->bend->GetOutputPort()) })
+    const std::pair<vtkOversketchRetriangulate*, vtkAlgorithmOutput*> cut[] = {
+      { this->triangles, this->deform->GetOutputPort() },
+      { this->trianglesOfBend, this->bend->GetOutputPort() }
+    };
+    for (const auto& [step, moved] : cut)
     {
       step->SetInputConnection(0, moved);
       step->SetReferenceConnection(reference);
@@ -305,8 +308,10 @@ TEST(EditSteps, ThroughAFileBetweenAnyTwoStepsTheBitsAreTheSame)
       }
     }
     EXPECT_TRUE(handed > 0 || made == parted.triangles.Get() || made == parted.trianglesOfBend.Get());
-    for (const auto& [one, other] : { std::make_pair(parted.triangles.Get(), whole.triangles.Get()),
-           std::make_pair(parted.trianglesOfBend.Get(), whole.trianglesOfBend.Get()) })
+    const std::pair<vtkOversketchRetriangulate*, vtkOversketchRetriangulate*> pairs[] = {
+      { parted.triangles, whole.triangles }, { parted.trianglesOfBend, whole.trianglesOfBend }
+    };
+    for (const auto& [one, other] : pairs)
     {
       one->Update();
       for (int port = 0; port < 3; ++port)
