@@ -37,6 +37,17 @@ namespace oversketch_studio
 
 using namespace oversketch_session;
 
+namespace
+{
+
+// Whether the row that a hand changes is there, and not a step of another kind that came under it meanwhile.
+bool isStill(const std::vector<Node>& nodes, int row, const Step& step)
+{
+  return row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system == step.system;
+}
+
+} // namespace
+
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
   , OpenDocument(new Document(this))
@@ -235,17 +246,6 @@ void MainWindow::stepDrawn(const Step& step)
     this->History->selectStep(count); // the hand has what it made, no longer another
   }
 }
-
-namespace
-{
-
-// Whether the row that a hand changes is there, and not a step of another kind that came under it meanwhile.
-bool isStill(const std::vector<Node>& nodes, int row, const Step& step)
-{
-  return row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system == step.system;
-}
-
-} // namespace
 
 void MainWindow::stepChanged(const Step& step)
 {

@@ -93,13 +93,12 @@ void MainWindow::makeMenus()
 
   QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
   // The history waits until the hand lets go: what it then makes would be written into another step.
-  const auto waits = [this] { return this->View->tool()->draws() || this->View->tool()->moves(); };
   this->Undo = this->add(edit,
     tr("&Undo"),
     QKeySequence(tr("Ctrl+Z")),
-    [this, waits]
+    [this]
     {
-      if (!waits())
+      if (!this->View->tool()->isBusy())
       {
         this->OpenDocument->undo();
       }
@@ -107,9 +106,9 @@ void MainWindow::makeMenus()
   this->Redo = this->add(edit,
     tr("&Redo"),
     {},
-    [this, waits]
+    [this]
     {
-      if (!waits())
+      if (!this->View->tool()->isBusy())
       {
         this->OpenDocument->redo();
       }

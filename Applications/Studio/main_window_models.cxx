@@ -119,7 +119,7 @@ void MainWindow::exportModel(int model, int part, const QString& name)
 
 bool MainWindow::chooseModelAt(const QPoint& place)
 {
-  if (!this->OpenDocument->isOpen() || this->View->tool()->draws() || this->View->tool()->moves())
+  if (!this->OpenDocument->isOpen() || this->View->tool()->isBusy())
   {
     return false;
   }

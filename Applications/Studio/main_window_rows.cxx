@@ -38,7 +38,7 @@ void MainWindow::listenToRows()
     {
       // What a tool does with the key comes first.
       const Tool* tool = this->View->tool();
-      const bool isFree = !tool->draws() && !tool->moves() && QApplication::mouseButtons() == Qt::NoButton;
+      const bool isFree = !tool->isBusy() && QApplication::mouseButtons() == Qt::NoButton;
       if (isFree && (tool->system().empty() || qobject_cast<const HeldStrokeTool*>(tool)))
       {
         this->History->selectStep(-1);

@@ -30,8 +30,8 @@ constexpr vtkIdType largestInHand = 20000; // that follow a hand
 // However finely it is divided, a cube's edges are 4.9 times as long as the root of its area, a drum's 2.9.
 // Creases of animals are seldom longer than the root, and then most of them end at once.
 constexpr double longEnough = 1.0;
-constexpr double unbroken =
-  0.6; // of their length, what goes on at both ends: CAD models 0.75 and more, animals up to 0.5
+// Of their length, what goes on at both ends: CAD models 0.75 and more, animals up to 0.5.
+constexpr double unbroken = 0.6;
 constexpr double straightOn = 40.0; // degrees
 
 using Vector = std::array<double, 3>;

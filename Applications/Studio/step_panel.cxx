@@ -237,14 +237,13 @@ void StepPanel::show(const Step* step)
       field.write(field.widget, valueOf(*step, *field.parameter));
     }
   }
+  this->StepValues = step ? step->values : Values();
+  this->StepMirror = step && step->mirror ? step->mirror->axis + 1 : 0;
   if (this->Shown->mirror)
   {
     this->Shown->mirror->setEnabled(step != nullptr);
-    this->Shown->mirror->setCurrentIndex(step && step->mirror ? step->mirror->axis + 1 : 0);
+    this->Shown->mirror->setCurrentIndex(this->StepMirror);
   }
-  this->StepValues = step ? step->values : Values();
-  this->StepMirror = step && step->mirror ? step->mirror->axis + 1 : 0;
-  this->IsOfAStep = step != nullptr;
 }
 
 void StepPanel::turnTo(const std::string& system)
@@ -266,7 +265,7 @@ void StepPanel::read()
     values[field.parameter->property] = field.read(field.widget);
   }
   const int mirror = this->Shown->mirror ? this->Shown->mirror->currentIndex() : 0;
-  if (this->IsOfAStep && (values != this->StepValues || mirror != this->StepMirror))
+  if (values != this->StepValues || mirror != this->StepMirror)
   {
     emit this->edited(values, mirror);
   }

@@ -58,7 +58,6 @@ private:
   Page* Shown = nullptr;
   oversketch_session::Values StepValues; // of the step that is shown, also those that no field holds
   int StepMirror = 0;                    // of mirrorChoice
-  bool IsOfAStep = false;
 };
 
 } // namespace oversketch_studio

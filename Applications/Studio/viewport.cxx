@@ -82,7 +82,7 @@ Viewport::Viewport(QWidget* parent)
   this->Rest->setSingleShot(true);
   connect(this->Rest, &QTimer::timeout, this, &Viewport::smoothEdges);
   new TouchHand(this,
-    { [this] { return this->CurrentTool && (this->CurrentTool->draws() || this->CurrentTool->moves()); },
+    { [this] { return this->CurrentTool && this->CurrentTool->isBusy(); },
       [this](double factor, const QPointF& at) { this->zoomAt(factor, at); },
       [this](double pressure)
       {

@@ -242,7 +242,7 @@ TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)
 }
 
 // What is given back while the mesh is looked at elsewhere is made again with the same bits.
-TEST(Worker, OfALargeModelNoStepKeepsItsWork)
+TEST(Worker, WhatIsGivenBackIsMadeAgainWithTheSameBits)
 {
   const Session session = dogSession();
   Session shorter = session, other = session;

@@ -1,6 +1,8 @@
 // A line that is dragged: what is seen under the hand is what comes of it.
 #include "scene.h"
 
+#include "Harness/bits.h"
+
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkStaticCellLocator.h"
@@ -11,13 +13,6 @@ using namespace oversketch_studio;
 
 namespace
 {
-
-vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* mesh)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->DeepCopy(mesh);
-  return copy;
-}
 
 // How far the points of one mesh are from another's surface at most.
 double farthest(vtkPolyData* points, vtkPolyData* surface)
@@ -49,7 +44,8 @@ TEST(Drag, EndsAsItsPreview)
   const auto& nodes = scene.document->result().nodes;
   ASSERT_EQ(nodes.size(), 1u);
   ASSERT_TRUE(nodes[0].failure.empty() && nodes[0].hold) << nodes[0].failure;
-  const auto hold = copyOf(nodes[0].hold), before = copyOf(scene.document->result().mesh);
+  const auto hold = oversketch_test::deepCopy(nodes[0].hold),
+             before = oversketch_test::deepCopy(scene.document->result().mesh);
   // A pixel at the model's middle.
   const double middle[3] = { 0.0, 0.0, 0.0 }, aside[3] = { 1.0, 0.0, 0.0 };
   const double pixel = 1.0 / (scene.seen(aside) - scene.seen(middle)).x();
@@ -62,7 +58,7 @@ TEST(Drag, EndsAsItsPreview)
     moveMouse(scene.view, grip + i * by / 10);
     QApplication::processEvents();
   }
-  const auto preview = copyOf(scene.view->mesh());
+  const auto preview = oversketch_test::deepCopy(scene.view->mesh());
   ASSERT_GT(farthest(preview, before) / pixel, 10.0) << "nothing follows the hand";
   const auto ticket = scene.document->result().ticket;
   QTest::mouseRelease(scene.view, Qt::LeftButton, Qt::NoModifier, grip + by);

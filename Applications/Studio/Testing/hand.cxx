@@ -129,8 +129,7 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
 
 QPoint Hand::place(QWidget* on)
 {
-  const int x =
-    this->upTo(std::max(on->width() - 1, 0)); // a view may have been closed by the splitter's handle
+  const int x = this->upTo(std::max(on->width() - 1, 0)); // docks can leave a view no room
   return { x, this->upTo(std::max(on->height() - 1, 0)) };
 }
 

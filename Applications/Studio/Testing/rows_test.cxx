@@ -2,6 +2,7 @@
 // model.
 #include "history_panel.h"
 #include "row_delegate.h"
+#include "session_file.h"
 #include "sheet.h"
 #include "step_lines.h"
 #include "step_list.h"
@@ -18,6 +19,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QSpinBox>
+#include <QTemporaryDir>
 
 using namespace oversketch_studio;
 using namespace oversketch_session;
@@ -431,11 +433,9 @@ TEST(Rows, ATypedNumberIsKeptAsTheRowIsLeft)
     QTest::keyClicks(*found, "3");
     return *found;
   };
-  const auto candidate = [&](std::size_t node)
-  {
-    const Step& step = *scene.nodes().at(node).step;
-    return std::get<int>(valueOf(step, *findParameter(*findSystem(step.system), "Candidate")));
-  };
+  const auto candidateOf = [](const Step& step)
+  { return std::get<int>(valueOf(step, *findParameter(*findSystem(step.system), "Candidate"))); };
+  const auto candidate = [&](std::size_t node) { return candidateOf(*scene.nodes().at(node).step); };
   ASSERT_EQ(candidate(0), 1);
 
   type(0);
@@ -453,6 +453,15 @@ TEST(Rows, ATypedNumberIsKeptAsTheRowIsLeft)
   ASSERT_EQ(scene.nodes().size(), 1u);
   EXPECT_EQ(candidate(0), 1);
   EXPECT_TRUE(scene.document->canRedo());
+
+  // It is in the session that is saved before it is confirmed.
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("typed.oversketch");
+  scene.document->saved(path);
+  type(0);
+  scene.action("&Save session")->trigger();
+  scene.wait();
+  EXPECT_EQ(candidateOf(*readSession(path.toStdString()).session.nodes.at(0).step), 3);
 
   // The window goes, as the application does at its end.
   type(0);

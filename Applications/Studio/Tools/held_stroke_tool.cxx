@@ -83,7 +83,7 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
     this,
     [this]
     {
-      if (!this->draws() && !this->moves())
+      if (!this->isBusy())
       {
         this->offerNothing();
       }

@@ -80,6 +80,7 @@ public:
   // Whether the hand draws at this moment; whether it holds something that follows it.
   virtual bool draws() const { return false; }
   virtual bool moves() const { return false; }
+  bool isBusy() const { return this->draws() || this->moves(); }
 
   // A step of its system that can be taken hold of, with what is known of it, and a place on the model; no
   // step any more; how the mesh follows it, where that is known only later.
