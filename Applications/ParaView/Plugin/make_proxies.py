@@ -3,9 +3,9 @@
 usage: make_proxies.py HEADER... > oversketch.xml
 
 What a proxy says is what the header says: help is the comment, inputs and outputs are its lines "Input 1 (Handles, optional):",
-a default the member's initialiser (else what the comment calls the default), a range that of vtkSetClampMacro, the entries
-of a choice the named setters SetXToY(); a text is empty by default. Parameters that a class has from another one of ours are its own too. A setter that
-is not understood is an error.
+a default the member's initialiser (else what the comment calls the default), a range that of vtkSetClampMacro, or "[from 0, ...]" in
+the comment of a setter written out, the entries of a choice the named setters SetXToY(); a text is empty by default. Parameters that
+a class has from another one of ours are its own too. A setter that is not understood is an error.
 """
 import pathlib
 import re
@@ -112,6 +112,8 @@ class Header:
             name = found["name"] or found["vector"] or found["method"]
             kind = found["type"] or found["component"] or found["argument"]
             limits = [self.number(t) for t in found["range"].strip(", )").split(",")] if found["range"] else None
+            least = re.search(r"\[[^\]]*\bfrom (\d+)\b", found["help"]) if found["method"] else None
+            limits = [least[1], "VTK_DOUBLE_MAX"] if least else limits
             read.add(name)
             yield name, kind, int(found["size"] or 1), prose(found["help"]), limits
         # Data and other algorithms are no parameters; the rest must have been read.
