@@ -7,8 +7,9 @@
  * fourth of how thick the object is along the piece (DeltaMode Adaptive), since limbs thinner than the
  * published one, 0.05 of the canvas's longest side, turn over in refinement; there, a piece of an open
  * feature is no longer than the object is thick at its middle, since needles would join a long straight one
- * to the points beside it; polylines that meet though their strokes do not are made finer; open ends near the
- * rim join it.
+ * to the points beside it; one of a rim is halved where a feature's free end is very near to it for its
+ * length, since the triangle between them folds when inflated; polylines that meet though their strokes do
+ * not are made finer; open ends near the rim join it.
  *
  * Input 0 (Curves): curves of vtkOversketchClassify, resampled (vtkOversketchResample); cell array Treatment
  * (see vtkOversketchTreatment) may be absent: all filled.

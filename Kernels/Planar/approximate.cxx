@@ -17,6 +17,9 @@ namespace oversketch
 namespace
 {
 
+constexpr double endRoom = 0.03;  // of a rim's piece, that a free end is off it
+constexpr double endPiece = 0.02; // of L, of pieces that may be as short
+
 // Of each sample, D [world]: the greatest of the 3 x 3 round it, then the median of nine along the stroke.
 std::vector<double> thicknessAlong(const DrawnStroke& stroke, const DistanceMaps& maps)
 {
@@ -52,6 +55,13 @@ std::vector<double> thicknessAlong(const DrawnStroke& stroke, const DistanceMaps
   return result;
 }
 
+// Whether a stroke is a rim of a region: its object's boundary or that of a hole in it.
+bool isRimOf(int region, const StrokeClass& which, Treatment treatment)
+{
+  return which.region == region && (which.role == Role::Boundary ||
+                                     (which.role == Role::ClosedFeature && treatment == Treatment::Hole));
+}
+
 // The rim's sample that an end of an open feature joins.
 StrokeJoin joinOf(const Vector2& end,
   int region,
@@ -64,9 +74,7 @@ StrokeJoin joinOf(const Vector2& end,
   double least = reach > 0.0 ? reach : -1.0;
   for (std::size_t i = 0; i < strokes.size(); ++i)
   {
-    const bool rim = classes[i].role == Role::Boundary ||
-                     (classes[i].role == Role::ClosedFeature && treatments[i] == Treatment::Hole);
-    if (!rim || classes[i].region != region)
+    if (!isRimOf(region, classes[i], treatments[i]))
     {
       continue;
     }
@@ -89,14 +97,51 @@ StrokeJoin joinOf(const Vector2& end,
   return best;
 }
 
+// Polylines in the making; none of a stroke that has none.
+using Drafts = std::vector<std::optional<PieceList>>;
+
+// Whether an open stroke's end is joined to another stroke or a node.
+bool isHeld(const StrokePolyline& polyline, const DrawnStroke& stroke, int end)
+{
+  return polyline.joins[end].stroke >= 0 ||
+         stroke.isNode(end == 0 ? 0 : static_cast<int>(stroke.points.size()) - 1);
+}
+
+// Halves the pieces of rims that a free end comes too near to, see approximate.h. Whether one is halved
+// depends on ends alone, which stay, not on the order.
+void makeRoomForEnds(Drafts& drafts,
+  const std::vector<StrokePolyline>& polylines,
+  const std::vector<DrawnStroke>& strokes,
+  const std::vector<StrokeClass>& classes,
+  const std::vector<Treatment>& treatments,
+  double longest)
+{
+  for (const StrokePolyline& polyline : polylines)
+  {
+    const DrawnStroke& stroke = strokes[polyline.stroke];
+    for (const int end : { 0, 1 })
+    {
+      if (polyline.closed || isHeld(polyline, stroke, end))
+      {
+        continue;
+      }
+      const Vector2& place = end == 0 ? stroke.points.front() : stroke.points.back();
+      for (std::size_t i = 0; i < drafts.size(); ++i)
+      {
+        if (drafts[i] && isRimOf(classes[polyline.stroke].region, classes[i], treatments[i]))
+        {
+          drafts[i]->makeRoom(place, endRoom, endPiece * longest);
+        }
+      }
+    }
+  }
+}
+
 // A piece of one stroke's polyline and one of another's, or of its own, that are in each other's way.
 struct Fault
 {
   std::array<int, 2> first, second; // stroke, piece
 };
-
-// Polylines as the faults are looked for in them; none of a stroke that has no polyline.
-using Drafts = std::vector<std::optional<PieceList>>;
 
 std::vector<Fault> crossings(const Drafts& drafts)
 {
@@ -332,15 +377,14 @@ std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,
       longest,
       rules);
     // Where one segment divides a region from rim to rim, two copies of it joined at the rims would be one.
-    const auto isHeld = [&](int end)
-    {
-      return polyline.joins[end].stroke >= 0 ||
-             stroke.isNode(end == 0 ? 0 : static_cast<int>(stroke.points.size()) - 1);
-    };
-    if (!polyline.closed && isHeld(0) && isHeld(1))
+    if (!polyline.closed && isHeld(polyline, stroke, 0) && isHeld(polyline, stroke, 1))
     {
       drafts[polyline.stroke]->divide();
     }
+  }
+  if (rules.mode == DeltaMode::Adaptive)
+  {
+    makeRoomForEnds(drafts, result, strokes, classes, treatments, longest);
   }
   while (true)
   {

@@ -37,6 +37,10 @@ struct ApproximationRules
 // mode Fixed): it is split there. Darts lie 0.5 D to D apart beside it, and a long straight
 // piece would be joined to all of them by needles. The paper has no such bound.
 //
+// A piece of a rim that is longer than 0.02 L is halved while a free end of an open feature of its region is
+// nearer to it than 0.03 of its length (not in mode Fixed): the coarse mesh joins them by one triangle so
+// flat that its parts, inflated, fold over. Neither the paper nor the specification has such a bound.
+//
 // Polylines that meet though their strokes do not, and a stroke that a polyline leaves on the wrong side,
 // which the paper does not speak of, are made finer likewise, by half of delta at a time, in the pieces
 // concerned. Where that comes to its end Error(Failure::BadStroke) names both strokes.

@@ -260,6 +260,42 @@ TEST(Approximate, StraightOpenFeaturesHaveAVertexWhereverTheBodyIsAsThick)
   }
 }
 
+TEST(Approximate, ARimHasVerticesWhereAFreeEndIsNearIt)
+{
+  const DrawnStroke body = evenStroke({ { 0.05, 0.3 }, { 0.95, 0.3 }, { 0.95, 0.7 }, { 0.05, 0.7 } }, true);
+  const auto rim = [&](double top, const ApproximationRules& rules)
+  {
+    const UnitDrawing drawing({ body, evenStroke({ { 0.4, 0.45 }, { 0.4, top } }, false) });
+    const StrokePolyline polyline = drawing.polylines(rules)[0];
+    Polyline places;
+    for (const int sample : polyline.samples)
+    {
+      places.push_back(body.points[sample]);
+    }
+    return places;
+  };
+  ApproximationRules unjoined;
+  unjoined.joinDistance = 0.0;
+  const std::size_t corners = 4;
+  EXPECT_EQ(rim(0.67, {}).size(), corners) << "far enough";
+  EXPECT_EQ(rim(0.695, {}).size(), corners + 1) << "joined";
+  EXPECT_EQ(rim(0.688, fixedRules()).size(), corners) << "as published";
+  for (const double top : { 0.675, 0.688, 0.6995 })
+  {
+    const Polyline places = rim(top, unjoined);
+    EXPECT_GT(places.size(), corners) << top;
+    EXPECT_LT(places.size(), corners + 10) << top;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const Vector2 &a = places[i], &b = places[(i + 1) % places.size()];
+      const double length = (b - a).norm(), distance = NearestPlace({ a, b })({ 0.4, top }).distance;
+      EXPECT_TRUE(distance >= 0.0299 * length || length <= 0.0201) << top << ", a piece of " << length;
+    }
+    const auto isElsewhere = [](const Vector2& place) { return place[1] < 0.69; };
+    EXPECT_EQ(std::count_if(places.begin(), places.end(), isElsewhere), 2) << "the other sides stay";
+  }
+}
+
 TEST(Approximate, WhatIsHandedBackBecomesFiner)
 {
   // The stroke's first sample is no vertex's neighbour in particular: intervals go over it too.

@@ -235,6 +235,25 @@ PieceList::Halved PieceList::halve(int piece)
   return this->Pieces.size() > before ? Halved::Split : Halved::Same;
 }
 
+void PieceList::makeRoom(const Vector2& place, double share, double least)
+{
+  for (std::size_t i = 0; i < this->Pieces.size();)
+  {
+    const Piece& piece = this->Pieces[i];
+    const Vector2 &from = this->sample(piece.from), &to = this->sample(piece.to);
+    const double length = (to - from).norm();
+    if (length > least && piece.to - piece.from > 1 && toSegment(place, from, to) < share * length)
+    {
+      this->split(static_cast<int>(i), this->middle(piece));
+      this->settle(static_cast<int>(i), static_cast<int>(i) + 2);
+    }
+    else
+    {
+      ++i;
+    }
+  }
+}
+
 void PieceList::divide()
 {
   if (this->Pieces.size() == 1 && this->count() > 2)

@@ -44,6 +44,8 @@ public:
     Spent // no sample of it is off its segment
   };
   Halved halve(int piece);
+  // Halves pieces longer than `least` until none is so near to a place as `share` of its own length.
+  void makeRoom(const Vector2& place, double share, double least);
   // Splits a lone piece at its middle sample.
   void divide();
   // Whether a place lies between a piece and its samples (even-odd).
