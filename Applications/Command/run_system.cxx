@@ -5,6 +5,7 @@
 #include "layers_file.h"
 #include "mesh_file.h"
 #include "option_values.h"
+#include "option_words.h"
 #include "picture.h"
 #include "report.h"
 #include "terminal.h"
@@ -282,7 +283,7 @@ void tellOfResult(const Options& options, vtkPolyData* mesh, const Outcome& outc
 {
   if (!outcome.remark.empty())
   {
-    warn(outcome.remark);
+    warn(inOptions(outcome.remark, *options.system));
   }
   if (mesh && isSameMesh(mesh, outcome.mesh))
   {
@@ -382,7 +383,7 @@ void runSystem(const Options& options)
   Evaluator::Watch watch;
   watch.cancelled = interrupted;
   watch.progress = [](std::size_t, const std::string& stage, double share) { showProgress(share, stage); };
-  watch.warning = [](std::size_t, const std::string& message) { warn(message); };
+  watch.warning = [&](std::size_t, const std::string& message) { warn(inOptions(message, *options.system)); };
   std::vector<Outcome> outcomes;
   begin = Clock::now();
   evaluator.run(session, watch, outcomes);
@@ -391,7 +392,7 @@ void runSystem(const Options& options)
   throwIfInterrupted();
   if (!outcomes[0].failure.empty())
   {
-    throw Failed(outcomes[0].failure);
+    throw Failed(inOptions(outcomes[0].failure, *options.system));
   }
   tellOfResult(options, session.mesh.Get(), outcomes[0]);
 
