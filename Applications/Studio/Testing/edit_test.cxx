@@ -119,7 +119,7 @@ TEST(Edit, AllOfItIsUndoneRedoneAndOutlivesAKill)
   scene.shot("profile");
   ASSERT_EQ(scene.nodes().size(), 1u) << "a tool alone makes a step";
   const int w = profile->width(), h = profile->height();
-  scene.drag(profile, Edits::ring({ w / 2, h / 2 }, 0.28 * w, 0.3 * h, M_PI, 2.0 * M_PI));
+  scene.drawProfile();
   ASSERT_EQ(scene.nodes().size(), 2u) << scene.said();
   EXPECT_TRUE(std::holds_alternative<StepOutput>(scene.step(1).inputs.at("Reference")));
   isAnother("a profile");
@@ -166,9 +166,7 @@ TEST(Edit, ThePlaneSlidesAndAnAxisIsDragged)
 {
   Edits scene(Qt::Key_A);
   scene.drawBoth();
-  QWidget* profile = scene.dockPicture("profile_picture");
-  const int w = profile->width(), h = profile->height();
-  scene.drag(profile, Edits::ring({ w / 2, h / 2 }, 0.28 * w, 0.3 * h, M_PI, 2.0 * M_PI));
+  scene.drawProfile();
   ASSERT_EQ(scene.nodes().size(), 1u);
   ASSERT_TRUE(scene.step(0).inputs.count("Profile")) << scene.said();
   const std::string first = scene.digest();
