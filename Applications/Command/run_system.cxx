@@ -258,6 +258,20 @@ void tellUnused(const Options& options, const std::string& path, vtkPolyData* li
   }
 }
 
+// Options that have no effect, since what they act on is not given.
+void tellIdle(const Step& step, const SystemRow& system)
+{
+  for (const Parameter& parameter : system.parameters)
+  {
+    const auto value = step.values.find(parameter.property);
+    if (!parameter.actsWith.empty() && value != step.values.end() && value->second != parameter.initial &&
+        step.inputs.count(parameter.actsWith) == 0)
+    {
+      warn("--" + parameter.word + " does nothing without --" + findInput(system, parameter.actsWith)->word);
+    }
+  }
+}
+
 bool isSameMesh(vtkPolyData* mesh, vtkPolyData* other)
 {
   if (mesh->GetNumberOfPolys() != other->GetNumberOfPolys() ||
@@ -326,6 +340,7 @@ Session sessionOf(const Options& options, Notes& notes)
       readLayers(path, *step);
     }
   }
+  tellIdle(*step, *options.system);
   if (const SystemInput* input = findInput(*options.system, SystemInput::Kind::Mesh))
   {
     session.mesh = readMesh(options.inputs.at(input->name), notes);

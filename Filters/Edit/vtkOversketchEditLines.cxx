@@ -7,6 +7,8 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 
+#include <string>
+
 using namespace oversketch;
 
 void vtkOversketchEdit::Pipeline::Keep(vtkOversketchInsertCurve* insert, OnMesh& kept)
@@ -139,14 +141,39 @@ void vtkOversketchEdit::Pipeline::RunRedrawing(Drawn& drawn, std::size_t number)
   redrawing = std::move(made);
 }
 
+namespace
+{
+
+// The steps of a line and of a ring are the same; what they say of a stroke says whose it is.
+template <typename Run>
+void SayWhose(const char* whose, const Run& run)
+{
+  try
+  {
+    run();
+  }
+  catch (const Error& error)
+  {
+    std::string text = error.what();
+    const std::size_t end = text.find(" cannot be used: ");
+    if (end == std::string::npos || (text.rfind("Stroke ", 0) != 0 && text.rfind("Curve ", 0) != 0))
+    {
+      throw;
+    }
+    throw Error(error.failure(), text.insert(end, std::string(" of the ") + whose));
+  }
+}
+
+} // namespace
+
 void vtkOversketchEdit::Pipeline::RunReference(vtkPolyData* curve)
 {
-  this->RunCurve(this->Reference, curve, this->Self->StageOutput("MeanEdge"));
+  SayWhose("reference", [&] { this->RunCurve(this->Reference, curve, this->Self->StageOutput("MeanEdge")); });
 }
 
 void vtkOversketchEdit::Pipeline::RunBoundary(vtkPolyData* curve)
 {
-  this->RunCurve(this->Boundary, curve, this->Reference.Made.Mesh);
+  SayWhose("boundary", [&] { this->RunCurve(this->Boundary, curve, this->Reference.Made.Mesh); });
 }
 
 void vtkOversketchEdit::Pipeline::RequireOwnView(vtkPolyData* strokes,
