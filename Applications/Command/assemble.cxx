@@ -2,6 +2,7 @@
 
 #include "evaluator.h"
 #include "mesh_file.h"
+#include "option_words.h"
 #include "parts.h"
 #include "parts_file.h"
 #include "report.h"
@@ -143,10 +144,11 @@ void runDrawings(Sources& sources)
       watch.progress = [&, count = static_cast<double>(sources.size())](
                          std::size_t, const std::string& stage, double share)
       { showProgress((done + share) / count, stage); };
-      watch.warning = [&where = made.where](std::size_t, const std::string& message)
+      const SystemRow& system = *findSystem(made.step->system);
+      watch.warning = [&where = made.where, &system](std::size_t, const std::string& message)
       {
         std::ostringstream said;
-        said << where << ": " << message;
+        said << where << ": " << inMembers(message, system);
         warn(said.str());
       };
       Session session;
@@ -158,12 +160,12 @@ void runDrawings(Sources& sources)
       throwIfInterrupted();
       if (!outcomes[0].failure.empty())
       {
-        throw Failed(made.where + ": " + outcomes[0].failure);
+        throw Failed(made.where + ": " + inMembers(outcomes[0].failure, system));
       }
       made.mesh = outcomes[0].mesh;
-      vtkOversketchSystem* const system = evaluator.system(made.step->system);
-      made.figures["stage_milliseconds"] = stageTimes(system);
-      addFigures(system, made.figures);
+      vtkOversketchSystem* const ran = evaluator.system(made.step->system);
+      made.figures["stage_milliseconds"] = stageTimes(ran);
+      addFigures(ran, made.figures);
     }
     done += 1.0;
   }

@@ -289,6 +289,10 @@ void takeFiles(const std::vector<std::string>& files, const std::string& verb, O
   }
   for (std::size_t i = 0; i < files.size(); ++i)
   {
+    if (files[i].empty())
+    {
+      throw BadUse(verb + " needs " + wanted[i] + ", and '' names no file");
+    }
     *places[i] = files[i];
   }
   for (std::size_t i = 0; options.system && i < options.system->inputs.size(); ++i)

@@ -5,6 +5,7 @@
 #include "layers_file.h"
 #include "mesh_file.h"
 #include "option_values.h"
+#include "option_words.h"
 #include "picture.h"
 #include "report.h"
 #include "terminal.h"
@@ -257,6 +258,20 @@ void tellUnused(const Options& options, const std::string& path, vtkPolyData* li
   }
 }
 
+// Options that have no effect, since what they act on is not given.
+void tellIdle(const Step& step, const SystemRow& system)
+{
+  for (const Parameter& parameter : system.parameters)
+  {
+    const auto value = step.values.find(parameter.property);
+    if (!parameter.actsWith.empty() && value != step.values.end() && value->second != parameter.initial &&
+        step.inputs.count(parameter.actsWith) == 0)
+    {
+      warn("--" + parameter.word + " does nothing without --" + findInput(system, parameter.actsWith)->word);
+    }
+  }
+}
+
 bool isSameMesh(vtkPolyData* mesh, vtkPolyData* other)
 {
   if (mesh->GetNumberOfPolys() != other->GetNumberOfPolys() ||
@@ -282,7 +297,7 @@ void tellOfResult(const Options& options, vtkPolyData* mesh, const Outcome& outc
 {
   if (!outcome.remark.empty())
   {
-    warn(outcome.remark);
+    warn(inOptions(outcome.remark, *options.system));
   }
   if (mesh && isSameMesh(mesh, outcome.mesh))
   {
@@ -325,6 +340,7 @@ Session sessionOf(const Options& options, Notes& notes)
       readLayers(path, *step);
     }
   }
+  tellIdle(*step, *options.system);
   if (const SystemInput* input = findInput(*options.system, SystemInput::Kind::Mesh))
   {
     session.mesh = readMesh(options.inputs.at(input->name), notes);
@@ -382,7 +398,7 @@ void runSystem(const Options& options)
   Evaluator::Watch watch;
   watch.cancelled = interrupted;
   watch.progress = [](std::size_t, const std::string& stage, double share) { showProgress(share, stage); };
-  watch.warning = [](std::size_t, const std::string& message) { warn(message); };
+  watch.warning = [&](std::size_t, const std::string& message) { warn(inOptions(message, *options.system)); };
   std::vector<Outcome> outcomes;
   begin = Clock::now();
   evaluator.run(session, watch, outcomes);
@@ -391,7 +407,7 @@ void runSystem(const Options& options)
   throwIfInterrupted();
   if (!outcomes[0].failure.empty())
   {
-    throw Failed(outcomes[0].failure);
+    throw Failed(inOptions(outcomes[0].failure, *options.system));
   }
   tellOfResult(options, session.mesh.Get(), outcomes[0]);
 

@@ -38,6 +38,7 @@ struct Parameter
   double least = 0.0, most = 0.0; // of a number, that a form offers; equal: any
   bool isLength = false;          // [model length]; a command line may give it as a share of the mesh's size
   bool isFile = false;            // of a text: a command line names a JSON file that says it
+  std::string actsWith;           // the input without which it has no effect; empty for none
   std::function<void(vtkOversketchSystem*, const Value&)> set;
   std::function<Value(vtkOversketchSystem*)> get;
   Value initial; // of a fresh instance; its alternative is that of all values of the parameter
@@ -207,6 +208,13 @@ inline Parameter offering(std::vector<Choice> offers, Parameter made)
 inline Parameter fromFile(Parameter made)
 {
   made.isFile = true;
+  return made;
+}
+
+// The same of one that has no effect without an input.
+inline Parameter actingWith(const std::string& input, Parameter made)
+{
+  made.actsWith = input;
   return made;
 }
 

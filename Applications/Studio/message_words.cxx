@@ -1,5 +1,7 @@
 #include "message_words.h"
 
+#include "systems.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
@@ -41,6 +43,25 @@ QString inserted(QString words, const QStringList& values)
   return words;
 }
 
+// "turn AllowTorn on" as the window's form has it.
+QString withTitles(QString text)
+{
+  for (const oversketch_session::SystemRow& system : oversketch_session::systems())
+  {
+    for (const oversketch_session::Parameter& parameter : system.parameters)
+    {
+      const QString turned = "turn " + QString::fromStdString(parameter.property) + " on";
+      if (text.contains(turned))
+      {
+        text.replace(turned,
+          QCoreApplication::translate("Messages", "tick %1")
+            .arg(QCoreApplication::translate("Systems", parameter.title.c_str())));
+      }
+    }
+  }
+  return text;
+}
+
 } // namespace
 
 QString plainWords(const std::string& message)
@@ -68,9 +89,9 @@ QString plainWords(const std::string& message)
     end = one.capturedEnd();
   }
   pattern += text.mid(end);
-  return text.isEmpty()
-           ? text
-           : inserted(QCoreApplication::translate("Messages", pattern.toUtf8().constData()), values);
+  return text.isEmpty() ? text
+                        : withTitles(inserted(
+                            QCoreApplication::translate("Messages", pattern.toUtf8().constData()), values));
 }
 
 } // namespace oversketch_studio

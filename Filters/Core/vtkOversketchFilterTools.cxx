@@ -379,7 +379,8 @@ vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
   std::ostringstream message;
   if (!array)
   {
-    message << "The " << holder << " has no array " << name << ": " << remedy << ".";
+    message << "The " << holder << (holder.back() == 's' ? " have" : " has") << " no array " << name << ": "
+            << remedy << ".";
     throw Error(Failure::MissingArray, message.str());
   }
   if (array->GetNumberOfComponents() != components || (tuples >= 0 && array->GetNumberOfTuples() != tuples))

@@ -22,7 +22,7 @@
  * Input 2 (Boundary): the ring round it, alike; it is closed wherever the first polyline ends.
  * Input 3 (Profile, optional): the cross-section at ProfileAt drawn anew, wholly or in part: polylines in its
  * plane (vtkOversketchCrossSection), or in display coordinates with a view onto that plane; each redraws what
- * those before have made of the section. Without points there is none.
+ * those before have made of the section, and begins and ends within 0.75 of its width. No points: none.
  * Input 4 (Areas, optional): areas of the disc with layers of their own, see vtkOversketchScanFill.
  * Input 5 (Weights, vtkImageData, optional): an image on the disc, see vtkOversketchTextureToWeight; it takes
  * the place of layers and areas.
@@ -37,9 +37,9 @@
  * Output 2 (Boundary): the ring, alike.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
- * BadStroke where there is no line or ring, and for operations together with a profile; Torn where the edit
- * brings two vertices to one place. An empty
- * mesh gives empty outputs silently. A run that AbortExecute stopped needs Modified() before the next.
+ * BadStroke where there is no line or ring, for operations together with a profile, for a profile that
+ * crosses itself or is closed, for one or areas drawn in the line's or ring's view; Torn where two vertices
+ * are brought to one place. An empty mesh: empty outputs, silently. After AbortExecute: Modified().
  *
  * Demand-driven: an operation runs {Handles} and on, a layer {Shading} and on, a profile {Redraw} and on,
  * its place {Planes} and on: no region is grown, no field solved. Deterministic.

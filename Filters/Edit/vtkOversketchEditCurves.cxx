@@ -1,7 +1,6 @@
 #include "vtkOversketchEditCurves.h"
 
 #include "Ray/surface_rays.h"
-#include "Stroke/canvas.h"
 #include "Stroke/polyline.h"
 #include "Stroke/resample.h"
 #include "vtkOversketchBindings.h"
@@ -25,7 +24,6 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
-#include <numeric>
 #include <vector>
 
 namespace oversketch
@@ -33,11 +31,6 @@ namespace oversketch
 
 namespace
 {
-
-// Steps of a drawn profile; a section has some tens of points. Up to so many samples stay among them, so that
-// a section that is drawn as it is moves nothing.
-constexpr int profileSteps = 400;
-constexpr std::size_t profileSamples = 2048;
 
 bool SameValues(vtkDataArray* a, vtkDataArray* b)
 {
@@ -409,58 +402,6 @@ void LayRedrawn(const RedrawnPart& part, vtkPolyData* projected, vtkPolyData* me
     runs.InsertRun(projected, 0);
   }
   runs.Write(true, begins && ends, part.Stroke, laid);
-}
-
-void LayInPlane(vtkPolyData* profile, vtkPolyData* drawn)
-{
-  Polyline samples = StrokeOf(profile);
-  if (!ViewArraysOf(profile).empty())
-  {
-    const View view = ViewOf(profile);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-    {
-      const auto place = ontoCanvas(view, samples[i]);
-      if (!place)
-      {
-        throw Error(Failure::BadStroke,
-          "Sample " + std::to_string(i) +
-            " of the profile does not meet the section's plane in the view that it was drawn in; draw the "
-            "profile again.");
-      }
-      samples[i] = *place;
-    }
-  }
-  const double length = arcLengths(samples).back();
-  if (!(length > 0.0))
-  {
-    throw Error(Failure::BadStroke, "The profile has no length; draw it from side to side.");
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  const double step = length / profileSteps;
-  Polyline laid;
-  if (samples.size() > profileSamples)
-  {
-    laid = uniformPolyline(samples, step);
-  }
-  else
-  {
-    std::vector<int> all(samples.size());
-    std::iota(all.begin(), all.end(), 0);
-    for (const Blend& place : evenPlaces(samples, all, step, false))
-    {
-      laid.push_back(place.of(samples));
-    }
-  }
-  lines->InsertNextCell(static_cast<int>(laid.size()));
-  for (const Vector2& p : laid)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
-  drawn->Initialize();
-  drawn->SetPoints(points);
-  drawn->SetLines(lines);
 }
 
 void FollowSources(vtkPolyData* before, vtkPolyData* redrawn)

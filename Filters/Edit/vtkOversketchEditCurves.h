@@ -1,5 +1,5 @@
 // What the edit's inputs draw: curves and what redraws them, curves of an earlier edit on a mesh that has
-// changed, profiles in their plane. Not installed.
+// changed. Not installed.
 #ifndef vtkOversketchEditCurves_h
 #define vtkOversketchEditCurves_h
 
@@ -53,10 +53,6 @@ RedrawnPart PartRedrawn(vtkPolyData* redrawn);
 // The curve whole, as vtkOversketchProjectCurve would have it: projected is that part on the mesh. Of a
 // closed curve a run ends where the part does not reach what is kept, so that the gap is bridged.
 void LayRedrawn(const RedrawnPart& part, vtkPolyData* projected, vtkPolyData* mesh, vtkPolyData* laid);
-
-// A drawn profile, sampled finely, in its plane: the samples as they are, or where the view onto the plane
-// that they carry has them. Throws Error(BadStroke), Error(MissingArray).
-void LayInPlane(vtkPolyData* profile, vtkPolyData* drawn);
 
 // A profile drawn over one that was itself drawn over another: its SourceT becomes that of the first.
 void FollowSources(vtkPolyData* before, vtkPolyData* redrawn);

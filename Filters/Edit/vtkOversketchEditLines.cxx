@@ -1,10 +1,13 @@
 // The lines that the edit is drawn with: from strokes to curves in the mesh, and what redraws them.
 #include "vtkOversketchEditPipeline.h"
 
+#include "vtkOversketchDrawnProfile.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"
+
+#include <string>
 
 using namespace oversketch;
 
@@ -138,14 +141,49 @@ void vtkOversketchEdit::Pipeline::RunRedrawing(Drawn& drawn, std::size_t number)
   redrawing = std::move(made);
 }
 
+namespace
+{
+
+// The steps of a line and of a ring are the same; what they say of a stroke says whose it is.
+template <typename Run>
+void SayWhose(const char* whose, const Run& run)
+{
+  try
+  {
+    run();
+  }
+  catch (const Error& error)
+  {
+    std::string text = error.what();
+    const std::size_t end = text.find(" cannot be used: ");
+    if (end == std::string::npos || (text.rfind("Stroke ", 0) != 0 && text.rfind("Curve ", 0) != 0))
+    {
+      throw;
+    }
+    throw Error(error.failure(), text.insert(end, std::string(" of the ") + whose));
+  }
+}
+
+} // namespace
+
 void vtkOversketchEdit::Pipeline::RunReference(vtkPolyData* curve)
 {
-  this->RunCurve(this->Reference, curve, this->Self->StageOutput("MeanEdge"));
+  SayWhose("reference", [&] { this->RunCurve(this->Reference, curve, this->Self->StageOutput("MeanEdge")); });
 }
 
 void vtkOversketchEdit::Pipeline::RunBoundary(vtkPolyData* curve)
 {
-  this->RunCurve(this->Boundary, curve, this->Reference.Made.Mesh);
+  SayWhose("boundary", [&] { this->RunCurve(this->Boundary, curve, this->Reference.Made.Mesh); });
+}
+
+void vtkOversketchEdit::Pipeline::RequireOwnView(vtkPolyData* strokes,
+  const std::string& who,
+  const std::string& plane) const
+{
+  for (const Drawn* drawn : { &this->Reference, &this->Boundary })
+  {
+    RequireOtherView(strokes, drawn->Lines.All(), who, plane);
+  }
 }
 
 // The section, redrawn by each of the drawn ones in turn.
@@ -156,14 +194,18 @@ void vtkOversketchEdit::Pipeline::RunProfile()
   this->Flat.resize(drawn.size());
   this->ProfilesSeen.resize(drawn.size());
   vtkPolyData* section = this->Self->StageOutput("Section");
+  const auto nameOf = [&drawn](std::size_t i) {
+    return drawn.size() > 1 ? "Stroke " + std::to_string(i) + " of the profile" : std::string("The profile");
+  };
   std::vector<MeshKey> read{ WholeKey(section) };
   for (std::size_t i = 0; i < drawn.size(); ++i)
   {
+    this->RequireOwnView(drawn[i], nameOf(i), "the section");
     if (this->ProfilesSeen[i] != drawn[i])
     {
       this->ProfilesSeen[i] = nullptr;
       this->Flat[i] = vtkSmartPointer<vtkPolyData>::New();
-      LayInPlane(drawn[i], this->Flat[i]);
+      LayInPlane(drawn[i], nameOf(i), this->Flat[i]);
       this->ProfilesSeen[i] = drawn[i];
     }
     read.push_back(WholeKey(this->Flat[i]));
@@ -181,6 +223,7 @@ void vtkOversketchEdit::Pipeline::RunProfile()
   before->ShallowCopy(section);
   for (std::size_t i = 0; i < drawn.size() && section->GetNumberOfPoints() > 0; ++i)
   {
+    RequireEndsBeside(before, this->Flat[i], nameOf(i));
     this->Redraw->SetInputData(0, before);
     this->Redraw->SetStrokeData(this->Flat[i]);
     before->Modified();

@@ -281,6 +281,7 @@ void vtkOversketchEdit::Pipeline::RunWeights()
 {
   if (!this->HasImage && this->AreasInput->GetNumberOfPoints() > 0)
   {
+    this->RequireOwnView(this->AreasInput, "An area", "the disc");
     this->Self->RunStage("Areas");
   }
   this->Self->RunStage(this->WeightName());

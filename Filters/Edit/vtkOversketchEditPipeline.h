@@ -190,6 +190,8 @@ private:
   void RunCurve(Drawn& drawn, vtkPolyData* curve, vtkPolyData* mesh);
   void RunRedrawing(Drawn& drawn, std::size_t number);
   void RunProfile();
+  // Throws Error(BadStroke) for strokes that were drawn in the view of the line or of the ring.
+  void RequireOwnView(vtkPolyData* strokes, const std::string& who, const std::string& plane) const;
   void AddNormals();
   std::shared_ptr<const oversketch::Motion> FindMotion();
 };

@@ -231,10 +231,20 @@ void vtkOversketchInflateDrawing::Pipeline::RunCurves()
   {
     this->Self->RunStage("Arrange");
   }
-  for (const char* stage : { "Classify", "Treatment", "Distance" })
+  try
   {
-    this->Self->RunStage(stage);
+    this->Self->RunStage("Classify");
   }
+  catch (const Error& error)
+  {
+    if (this->Self->Arrange || this->Classify->GetCrossingCount() == 0)
+    {
+      throw;
+    }
+    throw Error(error.failure(), std::string(error.what()) + " Or let strokes cross: turn Arrange on.");
+  }
+  this->Self->RunStage("Treatment");
+  this->Self->RunStage("Distance");
 }
 
 int vtkOversketchInflateDrawing::Pipeline::RunMesh()

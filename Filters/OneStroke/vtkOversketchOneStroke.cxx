@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 
 using namespace oversketch;
 
@@ -52,7 +53,14 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       }
       inner.Match->SetCandidate(this->Candidate);
       inner.MixtureRegion->SetReach(this->Reach);
-      inner.FeedStroke(vtkPolyData::GetData(inputs[1]));
+      vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
+      if (stroke->GetNumberOfLines() > 1)
+      {
+        throw Error(Failure::BadStroke,
+          "The stroke input holds " + std::to_string(stroke->GetNumberOfLines()) +
+            " polylines, and one deforms the mesh: give them one after the other.");
+      }
+      inner.FeedStroke(stroke);
       inner.FeedMesh(mesh);
       this->RunStage("Stroke");
       inner.RunCurves();

@@ -122,6 +122,7 @@ int vtkOversketchClassify::RequestData(vtkInformation*,
     {
       vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+      this->CrossingCount = 0;
       if (curves->GetNumberOfPoints() == 0)
       {
         vtkImageData::GetData(outputs, 1)->Initialize();
@@ -141,6 +142,10 @@ int vtkOversketchClassify::RequestData(vtkInformation*,
           const Frame frame = frameOf(CanvasOf(curves), this->Resolution);
           const std::vector<DrawnStroke> strokes = StrokesOf(curves);
           const Classification classification = classify(frame, strokes, share, ContextOf(this));
+          this->CrossingCount = static_cast<int>(std::count_if(classification.strokes.begin(),
+            classification.strokes.end(),
+            [](const StrokeClass& one)
+            { return one.rejection == Rejection::Crosses || one.rejection == Rejection::CrossesItself; }));
           cache.Warnings = judged(classification, strokes);
           writeLabels(classification, frame, cache.Labels);
           result->SetPoints(curves->GetPoints());
@@ -168,4 +173,5 @@ void vtkOversketchClassify::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "ClassificationCount: " << this->ClassificationCount << "\n";
+  os << indent << "CrossingCount: " << this->CrossingCount << "\n";
 }

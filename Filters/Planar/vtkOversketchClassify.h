@@ -90,6 +90,10 @@ public:
    * How many times strokes have been classified: executions that the kept result did not answer.
    */
   vtkGetMacro(ClassificationCount, vtkIdType);
+  /**
+   * How many strokes crossed themselves or each other the last time that they were classified.
+   */
+  vtkGetMacro(CrossingCount, int);
 
 protected:
   vtkOversketchClassify();
@@ -107,6 +111,7 @@ private:
   int Resolution = 1024;
   bool AsPublished = false;
   vtkIdType ClassificationCount = 0;
+  int CrossingCount = 0;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

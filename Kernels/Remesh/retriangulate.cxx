@@ -71,7 +71,7 @@ void requireBounded(const Mesh& moved, const std::vector<char>& active, const st
   {
     std::ostringstream message;
     message << "The edit stretches " << before << " triangles to what takes " << wanted
-            << " as large as the model's: make a smaller edit, or none of them anew (Rule Off, --rule off).";
+            << " as large as the model's: make a smaller edit, or none of them anew (Rule Off).";
     throw Error(Failure::Torn, message.str());
   }
 }

@@ -89,15 +89,31 @@ function (oversketch_facts_of facts others)
   set(${others} ${rest} PARENT_SCOPE)
 endfunction ()
 
+# oversketch_lacks(<variable> <target>...): whether one of the targets is of this project and left out, see OVERSKETCH_WITHOUT.
+function (oversketch_lacks variable)
+  set(lacks FALSE)
+  foreach (target IN LISTS ARGN)
+    if (target MATCHES "^Oversketch::" AND NOT TARGET ${target})
+      set(lacks TRUE)
+    endif ()
+  endforeach ()
+  set(${variable} ${lacks} PARENT_SCOPE)
+endfunction ()
+
 # oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [SHARDS <number>]): one GoogleTest program, its tests
 # under ctest. Tests of the specification's facts are named after stage and place: TEST(A3_2, ...). With DISPLAY, for tests that
 # draw, it is one test of ctest on a virtual display, but for facts, each of which is one, so that its page names it; under a
 # sanitizer, where a process takes long to begin, it is one test as well, or so many SHARDS of a long one, which begin first.
+# There is none where a system that it links is left out.
 function (oversketch_gtest name)
   if (NOT OVERSKETCH_BUILD_TESTING)
     return()
   endif ()
   cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "SHARDS" "SOURCES;LIBRARIES")
+  oversketch_lacks(lacks ${arg_LIBRARIES})
+  if (lacks)
+    return()
+  endif ()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)

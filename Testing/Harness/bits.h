@@ -2,6 +2,7 @@
 #ifndef oversketch_test_bits_h
 #define oversketch_test_bits_h
 
+#include "Harness/copies.h"
 #include "Harness/shipped.h"
 
 #include "vtkCellData.h"
@@ -40,13 +41,6 @@ inline void expectSameBits(vtkPolyData* a, vtkPolyData* b)
         << left->GetArrayName(i);
     }
   }
-}
-
-inline vtkSmartPointer<vtkPolyData> deepCopy(vtkPolyData* data)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->DeepCopy(data);
-  return copy;
 }
 
 } // namespace oversketch_test

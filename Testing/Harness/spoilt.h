@@ -3,6 +3,7 @@
 #ifndef oversketch_test_spoilt_h
 #define oversketch_test_spoilt_h
 
+#include "Harness/copies.h"
 #include "Harness/promises.h"
 
 #include "vtkCleanPolyData.h"
@@ -26,13 +27,6 @@ struct Spoilt
   std::string words;      // of the message: what is wrong where
   const char* needs = ""; // a point array that the mesh is to have
 };
-
-inline vtkSmartPointer<vtkPolyData> deepCopy(vtkPolyData* mesh)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->DeepCopy(mesh);
-  return copy;
-}
 
 inline void swapFirstCells(vtkPolyData* mesh)
 {

@@ -348,3 +348,19 @@ def test_a_chain_with_other_kinds_replays_to_the_bits_of_its_commands(folder, tm
     done = run("replay", tmp_path / "chain.oversketch", "-o", tmp_path / "replayed.vtp")
     assert done.returncode == 0 and "bit for bit" not in done.stderr, done.stderr
     assert digest(read(tmp_path / "replayed.vtp")) == digest(read(tmp_path / "3.vtp"))
+
+
+LOOP = "0 0, 0.7 0.5, 0.3 0.5, 1 0"
+
+
+def test_a_profile_that_no_section_can_be_is_refused(folder, tmp_path):
+    """As places, as a file, in pixels, and a stroke of the model's view where one of the section's is wanted."""
+    write(on_disc([tuple(map(float, place.split())) for place in LOOP.split(",")]), tmp_path / "loop.vtp")
+    for given, says in ((LOOP, "The profile crosses itself near (0.5, 0.357); draw it from side to side without a loop"),
+                        (tmp_path / "loop.vtp", "The profile crosses itself"),
+                        ("0.2 0, 0.8 0, 0.8 0.5, 0.2 0", "The profile is closed, it ends where it begins, at (0.2, 0)"),
+                        ("0 0, 150 90, 300 0", "The profile ends at (300, 0), 299 times the section's width away from it"),
+                        (folder / "line.vtp", "The profile was drawn on the model, in the view of the line or of the ring")):
+        assert says in refuse(1, *command(folder, tmp_path / "o.vtp", "--profile", given))
+    assert "An area was drawn on the model" in refuse(
+        1, *command(folder, tmp_path / "o.vtp", "--areas", folder / "line.vtp", "--move", "0.5,n,2%"))

@@ -4,6 +4,7 @@
 
 #include "files.h"
 #include "mesh_file.h"
+#include "message_words.h"
 #include "sheet.h"
 #include "texture.h"
 #include "tool.h"
@@ -339,6 +340,8 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
   EXPECT_TRUE(
     sheet.advice->text().startsWith("Line 1 crosses line 2") && sheet.advice->text().contains("Ctrl+Z"))
     << sheet.advice->text().toStdString();
+  EXPECT_NE(sheet.failure().find("turn Arrange on"), std::string::npos) << sheet.failure();
+  EXPECT_TRUE(plainWords(sheet.failure()).contains("tick Strokes may cross")); // as the form calls it
   sheet.document->undo();
   sheet.settle();
   EXPECT_EQ(sheet.document->digest(), made);

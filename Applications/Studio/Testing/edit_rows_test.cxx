@@ -133,7 +133,7 @@ TEST(EditRows, AnEarlierOneIsChangedAndTheLaterFollow)
   scene.press(Qt::Key_A);
   QWidget* profile = scene.dockPicture("profile_picture");
   const int w = profile->width(), h = profile->height();
-  scene.drag(profile, Edits::ring({ w / 2, h / 2 }, 0.28 * w, 0.3 * h, M_PI, 2.0 * M_PI));
+  scene.drawProfile();
   ASSERT_EQ(scene.nodes().size(), 3u) << scene.said();
   EXPECT_TRUE(scene.step(2).inputs.count("Profile"));
   scene.drag(profile, Edits::straight({ w * 4 / 10, h * 3 / 10 }, { w * 6 / 10, h * 3 / 10 }));

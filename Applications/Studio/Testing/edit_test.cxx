@@ -119,7 +119,7 @@ TEST(Edit, AllOfItIsUndoneRedoneAndOutlivesAKill)
   scene.shot("profile");
   ASSERT_EQ(scene.nodes().size(), 1u) << "a tool alone makes a step";
   const int w = profile->width(), h = profile->height();
-  scene.drag(profile, Edits::ring({ w / 2, h / 2 }, 0.28 * w, 0.3 * h, M_PI, 2.0 * M_PI));
+  scene.drawProfile();
   ASSERT_EQ(scene.nodes().size(), 2u) << scene.said();
   EXPECT_TRUE(std::holds_alternative<StepOutput>(scene.step(1).inputs.at("Reference")));
   isAnother("a profile");
@@ -128,6 +128,21 @@ TEST(Edit, AllOfItIsUndoneRedoneAndOutlivesAKill)
   scene.drag(profile, Edits::straight({ w * 4 / 10, h * 3 / 10 }, { w * 6 / 10, h * 3 / 10 }));
   EXPECT_EQ(linesOf(scene.step(1), "Profile")->GetNumberOfLines(), strokes + 1);
   isAnother("the profile redrawn");
+  // One that crosses itself is taken back, and why is said.
+  Way loop;
+  const QPoint corners[] = {
+    { w * 3 / 10, h / 2 }, { w * 6 / 10, h * 3 / 10 }, { w * 4 / 10, h * 3 / 10 }, { w * 7 / 10, h / 2 }
+  };
+  for (int i = 0; i < 3; ++i)
+  {
+    const Way side = Edits::straight(corners[i], corners[i + 1]);
+    loop.insert(loop.end(), side.begin(), side.end());
+  }
+  scene.drag(profile, loop);
+  EXPECT_EQ(linesOf(scene.step(1), "Profile")->GetNumberOfLines(), strokes + 1);
+  EXPECT_EQ(scene.digest(), made.back());
+  EXPECT_TRUE(scene.said().find("crosses itself") != std::string::npos) << scene.said();
+  EXPECT_TRUE(scene.said().find("taken back") != std::string::npos) << scene.said();
 
   EXPECT_EQ(scene.digest(), replayed(scene.document->session()));
 
@@ -151,9 +166,7 @@ TEST(Edit, ThePlaneSlidesAndAnAxisIsDragged)
 {
   Edits scene(Qt::Key_A);
   scene.drawBoth();
-  QWidget* profile = scene.dockPicture("profile_picture");
-  const int w = profile->width(), h = profile->height();
-  scene.drag(profile, Edits::ring({ w / 2, h / 2 }, 0.28 * w, 0.3 * h, M_PI, 2.0 * M_PI));
+  scene.drawProfile();
   ASSERT_EQ(scene.nodes().size(), 1u);
   ASSERT_TRUE(scene.step(0).inputs.count("Profile")) << scene.said();
   const std::string first = scene.digest();

@@ -113,6 +113,14 @@ struct Edits : Scene
     ASSERT_EQ(this->nodes().size(), 1u) << this->said();
     ASSERT_EQ(this->failures(), "");
   }
+  // An arch over the cross-section, in the dock's picture of it.
+  void drawProfile()
+  {
+    QWidget* picture = this->dockPicture("profile_picture");
+    ASSERT_TRUE(picture && picture->isVisible());
+    const int w = picture->width(), h = picture->height();
+    this->drag(picture, ring({ w / 2, h / 2 }, 0.28 * w, 0.3 * h, M_PI, 2.0 * M_PI));
+  }
 
   vtkOversketchAxisHandleRepresentation* axes()
   {

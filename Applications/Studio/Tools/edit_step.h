@@ -26,7 +26,12 @@ constexpr const char* placeValue = "ProfileAt";
 constexpr const char* ruleValue = "Rule";
 
 // What the system calls the curves that it speaks of.
-constexpr const char* saidOfEither[] = { "Stroke 0", "Curve 0" };
+constexpr const char* saidOfEither[] = { "Stroke 0 of the reference",
+  "Curve 0 of the reference",
+  "Stroke 0 of the boundary",
+  "Curve 0 of the boundary",
+  "Stroke 0",
+  "Curve 0" };
 constexpr const char* saidOfLine[] = { "The reference curve", "the reference curve", "reference curve" };
 constexpr const char* saidOfRing[] = { "the boundary curve", "the boundary" };
 // What it says of them, in words of the hand's, without a stop: numbers of vertices and its own remedy are

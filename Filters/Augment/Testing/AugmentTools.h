@@ -2,6 +2,7 @@
 #ifndef AugmentTools_h
 #define AugmentTools_h
 
+#include "Harness/copies.h"
 #include "Harness/shipped.h"
 #include "vtkOversketchAugment.h"
 
@@ -170,13 +171,6 @@ inline void expectSame(vtkPolyData* a, vtkPolyData* b)
         << left->GetArrayName(i);
     }
   }
-}
-
-inline vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* mesh)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->DeepCopy(mesh);
-  return copy;
 }
 
 } // namespace oversketch_test

@@ -108,7 +108,7 @@ TEST(Augment, StrokesThatDoNotMeetAreTheSameAtOnceAndOneByOne)
   System s(shippedModel("octopus"), { vein(60, 45), vein(60, -45) });
   s.filter->SetRadius(0.012 * s.diagonal());
   s.filter->SetSimplify(false);
-  const auto atOnce = copyOf(s.run());
+  const auto atOnce = deepCopy(s.run());
   s.filter->OneByOneOn();
   vtkPolyData* oneByOne = s.run();
   ASSERT_EQ(atOnce->GetNumberOfPoints(), oneByOne->GetNumberOfPoints());
@@ -218,7 +218,7 @@ TEST(Augment, FiguresTimesAndProgressAreOfAllStrokes)
     one.strokes = strokesOf({ stroke }, s.view);
     one.filter->SetStrokesData(one.strokes);
     vtkOversketchStellarDisplace::SafeDownCast(one.filter->GetStep("Displace"))->CountIntersectionsOn();
-    mesh = copyOf(one.run());
+    mesh = deepCopy(one.run());
     auto* snap = vtkOversketchStellarSnap::SafeDownCast(one.filter->GetStep("Snap"));
     auto* smooth = vtkOversketchStellarSmooth::SafeDownCast(one.filter->GetStep("Smooth"));
     EXPECT_EQ(one.filter->GetFigure("Crossings"), snap->GetCrossings());
@@ -277,7 +277,7 @@ TEST(Augment, ACoarseBaseIsRefinedWhereItIsDrawnAndFollowsTheMesh)
   EXPECT_LT(output->GetNumberOfPolys(), s.mesh->GetNumberOfPolys());
   EXPECT_GT(base->GetSourceOutput()->GetNumberOfPoints(), 0);
   EXPECT_NEAR(highest(output), 0.5 * 0.03 * s.diagonal(), 0.02 * 0.03 * s.diagonal());
-  const auto all = copyOf(output);
+  const auto all = deepCopy(output);
   System again(s.mesh);
   again.filter->SetBase(vtkOversketchAugment::Simplified);
   vtkOversketchStellarBase::SafeDownCast(again.filter->GetStep("Base"))
@@ -338,7 +338,7 @@ TEST(Augment, OneAndTwoThreadsColdAndCachedAgreeToTheBit)
 {
   System s(shippedModel("hand"), { vein(), vein(80, 20) });
   vtkSMPTools::Initialize(1);
-  const auto one = copyOf(s.run());
+  const auto one = deepCopy(s.run());
   s.filter->Modified();
   expectSame(one, s.run());
   System two(shippedModel("hand"), { vein(), vein(80, 20) });
@@ -356,7 +356,7 @@ TEST(Augment, ReshapeIsTheNextOutputBeforeItIsMade)
   points->SetDataTypeToDouble();
   points->DeepCopy(output->GetPoints());
   ASSERT_TRUE(s.filter->Reshape(-0.7 * r, 1.9, points));
-  vtkSmartPointer<vtkPolyData> before = copyOf(output);
+  vtkSmartPointer<vtkPolyData> before = deepCopy(output);
   expectSame(before, s.run()); // nothing changed
   s.filter->SetHeight(-0.7 * r);
   s.filter->SetSharpness(1.9);
@@ -409,7 +409,7 @@ TEST(Augment, ACrestIsShownBeforeTheStrokeIsDone)
 TEST(Augment, ADriverOfSystemsDrivesIt)
 {
   System s(shippedModel("bear"), { vein(), vein(80, 20) });
-  const auto alone = copyOf(s.run());
+  const auto alone = deepCopy(s.run());
   vtkNew<vtkOversketchForEach> each;
   vtkNew<vtkOversketchAugment> filter;
   each->SetFilter(filter);

@@ -75,7 +75,7 @@ TEST(AugmentPromises, RefusesStrokesAndNumbersThatAreNone)
     refuse("rofile");
   }
   s.filter->SetProfile("");
-  auto viewless = copyOf(s.strokes);
+  auto viewless = deepCopy(s.strokes);
   viewless->GetCellData()->RemoveArray("ViewTransform");
   s.filter->SetStrokesData(viewless);
   expectRefusal(s.filter, Failure::MissingArray, "ViewTransform");
@@ -83,7 +83,7 @@ TEST(AugmentPromises, RefusesStrokesAndNumbersThatAreNone)
   EXPECT_GT(s.run()->GetNumberOfPoints(), 0);
   for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
   {
-    auto blind = copyOf(s.strokes);
+    auto blind = deepCopy(s.strokes);
     blind->GetCellData()->GetArray(name)->SetComponent(0, 1, nan);
     s.filter->SetStrokesData(blind);
     refuse(name == std::string("ViewportSize") ? "positive" : "finite");
@@ -112,7 +112,7 @@ TEST(AugmentPromises, RefusesStrokesAndNumbersThatAreNone)
 TEST(AugmentPromises, ANegativeRadiusIsTheDefaultOrRefused)
 {
   System s(shippedModel("bear"));
-  const auto usual = copyOf(s.run());
+  const auto usual = deepCopy(s.run());
   s.filter->SetRadius(0.03 * s.diagonal());
   EXPECT_EQ(s.run()->GetNumberOfPolys(), usual->GetNumberOfPolys());
   for (const double radius : { -1e-300, -0.5, -1e300 })
@@ -125,7 +125,7 @@ TEST(AugmentPromises, ANegativeRadiusIsTheDefaultOrRefused)
   s.filter->SetRadius(-1.0);
   for (const double radius : { 0.0, -1.0, -1e-300, std::numeric_limits<double>::quiet_NaN() })
   {
-    const auto strokes = copyOf(s.strokes);
+    const auto strokes = deepCopy(s.strokes);
     vtkNew<vtkDoubleArray> own;
     own->SetName("Radius");
     own->InsertNextValue(radius);
@@ -195,7 +195,7 @@ TEST(AugmentPromises, SizeAndPlaceDoNotMatter)
          std::make_pair(std::ldexp(1.0, 30), 0.0),
          std::make_pair(1.0, 1024.0) })
   {
-    auto mesh = copyOf(shippedModel("bear"));
+    auto mesh = deepCopy(shippedModel("bear"));
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -206,7 +206,7 @@ TEST(AugmentPromises, SizeAndPlaceDoNotMatter)
     mesh->SetPoints(points);
     System s(mesh);
     SCOPED_TRACE(std::to_string(scale) + " " + std::to_string(shift));
-    home = home ? home : copyOf(s.run());
+    home = home ? home : deepCopy(s.run());
     expectSameConnectivity(s.run(), home);
   }
 }

@@ -95,10 +95,10 @@ TEST(AugmentSeams, TextureSeamsKeepTheirSides)
     wave.emplace_back(400.0 + 30.0 * std::sin(i / 6.0), 200.0 + 200.0 * i / 60.0);
   }
   System s(mesh, { wave });
-  vtkSmartPointer<vtkPolyData> first = copyOf(s.run());
+  vtkSmartPointer<vtkPolyData> first = deepCopy(s.run());
   System next(first);
   next.filter->SetStrokesData(strokesOf({ { { 320, 300 }, { 480, 310 } } }, s.view));
-  vtkSmartPointer<vtkPolyData> second = copyOf(next.run());
+  vtkSmartPointer<vtkPolyData> second = deepCopy(next.run());
   EXPECT_EQ(vtkOversketchStellarBase::SafeDownCast(next.filter->GetStep("Base"))->GetBaseCount(), 0);
   System chain(mesh, { wave, { { 320, 300 }, { 480, 310 } } });
   chain.filter->OneByOneOn();

@@ -47,14 +47,14 @@ TEST(AugmentSpoilt, ANewBaseIsMadeAndSaidOrTheMeshRefused)
 {
   System first(shippedModel("bear"));
   first.run();
-  const Second whole(first, copyOf(first.filter->GetOutput()));
+  const Second whole(first, deepCopy(first.filter->GetOutput()));
   ASSERT_TRUE(whole.errors.empty() && whole.warnings.empty());
   ASSERT_EQ(whole.bases(), 0);
   int refused = 0, made = 0;
   for (const Spoilt& way : spoiltWays())
   {
     SCOPED_TRACE(way.words);
-    const auto mesh = copyOf(first.filter->GetOutput());
+    const auto mesh = deepCopy(first.filter->GetOutput());
     if (*way.needs && !mesh->GetPointData()->GetArray(way.needs))
     {
       continue;
@@ -87,14 +87,14 @@ TEST(AugmentSpoilt, PointsThatWereSplitAreWeldedAndOthersThatAreNoneRefused)
 {
   System first(shippedModel("bear"));
   first.run();
-  const Second whole(first, copyOf(first.filter->GetOutput()));
-  const auto split = copyOf(first.filter->GetOutput());
+  const Second whole(first, deepCopy(first.filter->GetOutput()));
+  const auto split = deepCopy(first.filter->GetOutput());
   splitFirstCell(split);
   const Second second(first, split);
   EXPECT_TRUE(second.errors.empty() && second.warnings.empty());
   EXPECT_EQ(second.bases(), 0);
   EXPECT_EQ(second.filter->GetOutput()->GetNumberOfPolys(), whole.filter->GetOutput()->GetNumberOfPolys());
-  const auto broken = copyOf(first.filter->GetOutput());
+  const auto broken = deepCopy(first.filter->GetOutput());
   broken->GetPoints()->SetPoint(3, 0.0, std::nan(""), 0.0);
   const Second third(first, broken);
   ASSERT_EQ(third.errors.size(), 1u);
@@ -117,7 +117,7 @@ TEST(AugmentSpoilt, AMeshInTheMidstOfAnotherStrokeIsRefusedByName)
   }
   const auto refuse = [&](const std::function<void(vtkPolyData*)>& spoil, Failure failure, const char* words)
   {
-    const auto mesh = copyOf(snapped);
+    const auto mesh = deepCopy(snapped);
     spoil(mesh);
     vtkNew<vtkOversketchAugment> filter;
     filter->SetInputData(0, mesh);
@@ -126,7 +126,7 @@ TEST(AugmentSpoilt, AMeshInTheMidstOfAnotherStrokeIsRefusedByName)
   };
   const auto asSaved = [](vtkPolyData*) {};
   {
-    const Second other(first, copyOf(snapped));
+    const Second other(first, deepCopy(snapped));
     ASSERT_EQ(other.errors.size(), 1u);
     EXPECT_EQ(other.filter->GetErrorCode(), codeOf(Failure::BadStroke));
     EXPECT_NE(other.errors[0].find("CurveDigest"), std::string::npos) << other.errors[0];

@@ -100,10 +100,14 @@ TEST(InflateDrawingPromises, BadDrawingsAreRefusedInWords)
   {
     std::vector<Line> lines;
     const char* words;
-  } cases[] = { { { { eight, true } }, "crosses itself" },
-    { { circle(400, 300, 200), circle(600, 300, 100) }, "crosses" },
+  } cases[] = {
+    { { { eight, true } },
+      "crosses itself near (400, 300); draw it without the loop. Or let strokes cross: turn Arrange on." },
+    { { circle(400, 300, 200), circle(600, 300, 100) }, "crosses stroke 1 near" },
+    { { circle(400, 300, 200), circle(600, 300, 100) }, "anew. Or let strokes cross: turn Arrange on." },
     { { { { { 100, 100 }, { 300, 200 } }, false } }, "bounds an object" },
-    { { { wild, false } }, "finite" } };
+    { { { wild, false } }, "finite" }
+  };
   for (const auto& one : cases)
   {
     SCOPED_TRACE(one.words);
@@ -116,6 +120,13 @@ TEST(InflateDrawingPromises, BadDrawingsAreRefusedInWords)
   system.filter->SetHoles("7");
   expectRefusal(system.filter, Failure::BadStroke, "7");
   system.filter->SetHoles("");
+  // What has nothing to do with crossing says nothing of it; where strokes may cross already, nothing does.
+  system.filter->SetInputData(0, drawn({ { { { 100, 100 }, { 300, 200 } }, false } }));
+  Ear open(system.filter);
+  system.filter->Update();
+  ASSERT_EQ(open.errors.size(), 1u);
+  EXPECT_EQ(open.errors[0].find("Arrange"), std::string::npos) << open.errors[0];
+  system.filter->SetInputData(0, drawn({ circle(400, 300, 100) }));
   system.filter->SetProfile("0 0, 1 nan");
   expectRefusal(system.filter, Failure::BadStroke, "rofile");
   vtkNew<vtkPolyData> nothing;

@@ -1,0 +1,22 @@
+"""A build can leave a system out, tests and benchmarks included: what needs it is not there, the rest is configured."""
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
+ASKED = {"OneStroke": ("one_stroke_test", "systems_test", "hostile_meshes_test"),
+         "Augment;Stellar": ("hostile_augment_test", "stellar_benchmark", "oversketch_tables")}
+
+
+@pytest.mark.parametrize("systems", ASKED)
+def test_it_is_configured_with_its_tests(tmp_path, systems):
+    done = subprocess.run(["cmake", "-G", "Ninja", "-S", SOURCE, "-B", tmp_path, f"-DOVERSKETCH_WITHOUT={systems}",
+                           f"-DPython3_EXECUTABLE={sys.executable}"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr[-4000:]
+    rules = (tmp_path / "build.ninja").read_text()
+    made = {line.split(":")[0].split()[1] for line in rules.splitlines() if line.startswith("build ") and ": phony" in line}
+    assert {"oversketch", "kernel_stroke_test", "edit_system_test"} <= made
+    assert not made & set(ASKED[systems]), made & set(ASKED[systems])
