@@ -20,11 +20,20 @@ MixtureFit fitWith(Device& device,
 {
   const std::size_t components = std::size_t(std::clamp(options.components, 1, maximumMixtureComponents));
   const std::size_t rows = std::max<std::size_t>(3 * components + 1, 12); // values to one reduction
-  if (groupSize == 0)
-  {
-    groupSize = std::min<std::size_t>(
-      { 1024, device.info().maxWorkGroupSize, device.info().localMemory / (rows * sizeof(Real)) });
-  }
+  cl::Kernel kernel;
+  device.guard(
+    [&]
+    {
+      kernel = cl::Kernel(
+        device.program("mixture",
+          mixture_cl,
+          definitions + " -D MAXIMUM=" + std::to_string(components) + " -D WIDTH=" + std::to_string(width)),
+        "greedyMixture");
+      if (groupSize == 0)
+      {
+        groupSize = device.groupSize(kernel, 256, rows * sizeof(Real), sizeof(Real));
+      }
+    });
   const MixtureCandidates candidates = mixtureCandidates(samples, options);
   const std::size_t vectors = (samples.size() + width - 1) / width;
   std::vector<Real> input(samples.begin(), samples.end());
@@ -45,11 +54,6 @@ MixtureFit fitWith(Device& device,
       const cl::Buffer in = toDevice(device, input);
       const cl::Buffer density = onDevice<Real>(device, vectors * width);
       const cl::Buffer out = onDevice<Real>(device, result.size());
-      cl::Kernel kernel(
-        device.program("mixture",
-          mixture_cl,
-          definitions + " -D MAXIMUM=" + std::to_string(components) + " -D WIDTH=" + std::to_string(width)),
-        "greedyMixture");
       cl_uint argument = 0;
       const auto set = [&](const auto& value) { kernel.setArg(argument++, value); };
       set(static_cast<cl_int>(samples.size()));
@@ -63,7 +67,7 @@ MixtureFit fitWith(Device& device,
       set(static_cast<Real>(options.tolerance * double(samples.size())));
       set(density);
       set(cl::Local(local));
-      set(cl::Local(std::max(kept * shape, sizeof(Real))));
+      set(cl::Local(std::max(kept * shape, sizeof(Real)))); // none is an error
       set(out);
       const cl::NDRange items(groupSize);
       device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, items, items);

@@ -2,6 +2,7 @@
 
 #include "OpenCL/program_cache.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -128,6 +129,24 @@ cl::Program Device::program(const std::string& name, const std::string& source, 
   }
   this->Programs.emplace(key, program);
   return program;
+}
+
+std::size_t Device::groupSize(const cl::Kernel& kernel,
+  std::size_t most,
+  std::size_t each,
+  std::size_t beside) const
+{
+  std::size_t size = std::min({ most,
+    this->Info.maxWorkGroupSize,
+    kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(this->ClDevice) });
+  if (each > 0)
+  {
+    beside += kernel.getWorkGroupInfo<CL_KERNEL_LOCAL_MEM_SIZE>(this->ClDevice);
+    size = std::min(size, (this->Info.localMemory - std::min(beside, this->Info.localMemory)) / each);
+  }
+  const std::size_t lanes =
+    kernel.getWorkGroupInfo<CL_KERNEL_PREFERRED_WORK_GROUP_SIZE_MULTIPLE>(this->ClDevice);
+  return std::max<std::size_t>(size > lanes ? size - size % lanes : size, 1);
 }
 
 std::string Device::describe(const char* call, int code) const

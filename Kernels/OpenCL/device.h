@@ -52,6 +52,14 @@ public:
   // compiler's log.
   cl::Program program(const std::string& name, const std::string& source, const std::string& options = "");
 
+  // The largest work-group, `most` at most, that this device runs the kernel with: registers bound it beside
+  // the device's own limit, and local memory, of which each work-item needs `each` bytes and the group
+  // `beside` more. Whole rows of the processor's lanes where it is more than one. Throws cl::Error.
+  std::size_t groupSize(const cl::Kernel& kernel,
+    std::size_t most,
+    std::size_t each = 0,
+    std::size_t beside = 0) const;
+
   // How many programs were compiled from source: 0 while the cache has them all.
   int compilations() const { return this->Compilations; }
 

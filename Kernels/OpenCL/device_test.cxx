@@ -41,6 +41,23 @@ TEST(Device, RunsAnEmbeddedProgram)
   EXPECT_EQ(y, (std::vector<float>{ 12, 24, 36, 48 }));
 }
 
+// A group that fills a device's local memory to the last byte, or its registers, is refused by it: error -5.
+TEST(Device, GroupsKeepWithinWhatTheDeviceHas)
+{
+  const auto device = Device::instance();
+  if (!device)
+  {
+    GTEST_SKIP() << "no OpenCL device";
+  }
+  const cl::Kernel kernel(device->program("device_test", device_test_cl), "saxpy");
+  const std::size_t memory = device->info().localMemory;
+  EXPECT_EQ(device->groupSize(kernel, 1), 1u);
+  EXPECT_LE(device->groupSize(kernel, 1u << 20), device->info().maxWorkGroupSize);
+  EXPECT_LE(device->groupSize(kernel, 64, memory / 4), 4u);
+  EXPECT_LE(device->groupSize(kernel, 64, memory / 4, 1), 3u);
+  EXPECT_EQ(device->groupSize(kernel, 64, memory, memory), 1u);
+}
+
 TEST(Device, BuildsAProgramOnceAlsoFromSeveralThreads)
 {
   const auto device = Device::instance();

@@ -91,7 +91,7 @@ public:
         this->Kernel.setArg(argument++, rays.raysPerVertex);
         this->Kernel.setArg(argument++, static_cast<int>(count));
         this->Kernel.setArg(argument++, found);
-        const std::size_t group = std::min<std::size_t>(64, this->ClDevice->info().maxWorkGroupSize);
+        const std::size_t group = this->ClDevice->groupSize(this->Kernel, 64);
         const cl::CommandQueue& queue = this->ClDevice->queue();
         queue.enqueueNDRangeKernel(
           this->Kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group), cl::NDRange(group));

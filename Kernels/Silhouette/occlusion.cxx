@@ -313,7 +313,7 @@ std::vector<char> occludedOnDevice(Device& device,
         kernel.setArg(argument++, inputs[i]);
       }
       kernel.setArg(argument++, occluded);
-      const std::size_t group = std::min<std::size_t>(64, device.info().maxWorkGroupSize);
+      const std::size_t group = device.groupSize(kernel, 64);
       const std::size_t items = static_cast<std::size_t>(triangleCount);
       device.queue().enqueueNDRangeKernel(
         kernel, cl::NullRange, cl::NDRange((items + group - 1) / group * group), cl::NDRange(group));
