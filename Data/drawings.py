@@ -23,10 +23,6 @@ class Drawing(NamedTuple):
     lines: list
 
 
-def open_line(*points):
-    return Line(spline(points))
-
-
 def started(loop, at):
     """A closed curve, begun at its point nearest to a place."""
     return np.roll(loop, -int(np.argmin(np.linalg.norm(loop - at, axis=1))), axis=0)

@@ -16,7 +16,6 @@ import erosion  # noqa: E402
 import figures  # noqa: E402
 import listing  # noqa: E402
 import make_augmentations  # noqa: E402
-import make_models  # noqa: E402
 import make_strokes  # noqa: E402
 import remesh  # noqa: E402
 

@@ -7,7 +7,6 @@ usage: classification.py [PICTURE.png]
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import oversketch
 from inflated import inked, painted, pixels_of, plate, ring, thicker, view_of

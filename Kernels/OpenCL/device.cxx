@@ -24,8 +24,6 @@ Device::Device(const cl::Device& device)
   this->Info.version = text(device.getInfo<CL_DEVICE_VERSION>());
   this->Info.maxWorkGroupSize = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
   this->Info.localMemory = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
-  this->Info.maxAllocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-  this->Info.computeUnits = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
   this->Info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
   this->Info.cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
   this->Options = "-cl-std=CL1.2";

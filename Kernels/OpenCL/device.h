@@ -23,11 +23,9 @@ struct DeviceInfo
   std::string device;
   std::string version; // of OpenCL, as the device tells it
   std::size_t maxWorkGroupSize = 0;
-  std::size_t localMemory = 0;   // bytes
-  std::size_t maxAllocation = 0; // bytes of one buffer
-  unsigned computeUnits = 0;
-  bool fp64 = false; // double precision in kernels
-  bool cpu = false;  // the device is the host's own processor
+  std::size_t localMemory = 0; // bytes
+  bool fp64 = false;           // double precision in kernels
+  bool cpu = false;            // the device is the host's own processor
 };
 
 class Device

@@ -1,5 +1,6 @@
 #include "OpenCL/device.h"
 #include "OpenCL/device_test_cl.h"
+#include "OpenCL/saxpy.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include <thread>
 
 using namespace oversketch;
+using namespace oversketch_test;
 
 TEST(Device, RunsAnEmbeddedProgram)
 {
@@ -18,27 +20,9 @@ TEST(Device, RunsAnEmbeddedProgram)
   EXPECT_FALSE(device->info().platform.empty());
   EXPECT_FALSE(device->info().device.empty());
   EXPECT_GE(device->info().maxWorkGroupSize, 1u);
-  const std::vector<float> x{ 1, 2, 3, 4 };
-  std::vector<float> y{ 10, 20, 30, 40 };
-  device->guard(
-    [&]
-    {
-      const cl::Buffer xs = toDevice(*device, x);
-      const cl::Buffer sizes = onDevice<int>(*device, x.size());
-      const cl::Buffer ys(
-        device->context(), CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, y.size() * sizeof(float), y.data());
-      cl::Kernel kernel(device->program("device_test", device_test_cl), "saxpy");
-      kernel.setArg(0, 2.0f);
-      kernel.setArg(1, xs);
-      kernel.setArg(2, ys);
-      kernel.setArg(3, sizes);
-      device->queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(4), cl::NDRange(2));
-      device->queue().enqueueReadBuffer(ys, CL_TRUE, 0, y.size() * sizeof(float), y.data());
-      std::vector<int> groupSizes(4);
-      device->queue().enqueueReadBuffer(sizes, CL_TRUE, 0, 4 * sizeof(int), groupSizes.data());
-      EXPECT_EQ(groupSizes, std::vector<int>(4, 2));
-    });
-  EXPECT_EQ(y, (std::vector<float>{ 12, 24, 36, 48 }));
+  const Saxpy result = runSaxpy(*device);
+  EXPECT_EQ(result.sums, (std::vector<float>{ 12, 24, 36, 48 }));
+  EXPECT_EQ(result.groupSizes, std::vector<int>(4, 2));
 }
 
 // A group that fills a device's local memory to the last byte, or its registers, is refused by it: error -5.

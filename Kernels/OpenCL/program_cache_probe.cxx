@@ -1,7 +1,6 @@
 // One process that needs one program: prints how many it compiled, then what the program computed. For the
 // tests.
-#include "OpenCL/device.h"
-#include "OpenCL/device_test_cl.h"
+#include "OpenCL/saxpy.h"
 
 #include <cstdio>
 #include <exception>
@@ -16,22 +15,7 @@ try
   {
     return 1;
   }
-  std::vector<float> y{ 10, 20, 30, 40 };
-  device->guard(
-    [&]
-    {
-      const cl::Buffer xs = toDevice(*device, std::vector<float>{ 1, 2, 3, 4 });
-      const cl::Buffer sizes = onDevice<int>(*device, y.size());
-      const cl::Buffer ys(
-        device->context(), CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, y.size() * sizeof(float), y.data());
-      cl::Kernel kernel(device->program("device_test", device_test_cl), "saxpy");
-      kernel.setArg(0, 2.0f);
-      kernel.setArg(1, xs);
-      kernel.setArg(2, ys);
-      kernel.setArg(3, sizes);
-      device->queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(4), cl::NDRange(2));
-      device->queue().enqueueReadBuffer(ys, CL_TRUE, 0, y.size() * sizeof(float), y.data());
-    });
+  const std::vector<float> y = oversketch_test::runSaxpy(*device).sums;
   std::printf("%d: %g %g %g %g\n", device->compilations(), y[0], y[1], y[2], y[3]);
   return 0;
 }

@@ -102,11 +102,6 @@ std::vector<int> invertedAt(const PlaceOf& placeOf,
 
 } // namespace
 
-bool isInverted(const PlanarMesh& mesh, const PlanarFace& face, double least)
-{
-  return isInvertedAt([&](int p) -> const Vector2& { return mesh.points[p].place; }, face, least);
-}
-
 std::vector<int> invertedFaces(const PlanarMesh& mesh, double least, const Context& context)
 {
   return invertedAt(

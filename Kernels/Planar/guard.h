@@ -9,11 +9,8 @@
 namespace oversketch
 {
 
-// Whether a triangle, or one of those that a quad's diagonals cut off it, covers no more than `least` with
-// its sign.
-bool isInverted(const PlanarMesh& mesh, const PlanarFace& face, double least);
-
-// The faces that are, ascending.
+// The faces of which a triangle, or one of those that a quad's diagonals cut off it, covers no more than
+// `least` with its sign, ascending.
 std::vector<int> invertedFaces(const PlanarMesh& mesh, double least, const Context& context);
 
 // Source: image-assisted modelling, section 9, its amendment. Points go to w W + (1 - w) W', W where masks

@@ -144,14 +144,14 @@ TEST(Quads, AreUprightAtBothDiagonals)
   EXPECT_GT(areaOf(mesh), 0.0);
   for (int turned = 0; turned < 4; ++turned)
   {
-    EXPECT_TRUE(isInverted(mesh, mesh.faces[0], 1e-12));
+    EXPECT_EQ(invertedFaces(mesh, 1e-12, Context()).size(), 1u);
     std::rotate(
       mesh.faces[0].corners.begin(), mesh.faces[0].corners.begin() + 1, mesh.faces[0].corners.end());
   }
   mesh.points[2].place = Vector2(0.6, 0.6);
-  EXPECT_FALSE(isInverted(mesh, mesh.faces[0], 1e-12));
+  EXPECT_TRUE(invertedFaces(mesh, 1e-12, Context()).empty());
   mesh.points[2].place = Vector2(0.5, 0.5); // a corner of no angle
-  EXPECT_TRUE(isInverted(mesh, mesh.faces[0], 1e-12));
+  EXPECT_EQ(invertedFaces(mesh, 1e-12, Context()).size(), 1u);
 }
 
 #ifdef OVERSKETCH_CGAL

@@ -1,11 +1,6 @@
+#include "Ray/embree.h"
 #include "Ray/ray_caster.h"
 #include "Ray/wide.h"
-
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -17,17 +12,11 @@ namespace oversketch
 namespace
 {
 
-#if RTC_VERSION_MAJOR >= 4
-using QueryContext = RTCRayQueryContext;
-#else
-using QueryContext = RTCIntersectContext;
-#endif
-
 // What the filter reads and writes for the ray in flight. Embree hands the context back, so its part comes
 // first.
 struct Query
 {
-  QueryContext context;
+  embree::Context context;
   const RayFacet* facets = nullptr; // null: any hit will do
   std::array<float, 3> direction;
   int place;
@@ -77,16 +66,12 @@ class EmbreeCaster final : public RayCaster
 public:
   explicit EmbreeCaster(const RayScene& scene)
     : Scene(scene)
-    , Device(rtcNewDevice(nullptr))
+    , Device(embree::startDevice())
+    , Embree(rtcNewScene(this->Device.get()))
   {
-    if (!this->Device)
-    {
-      throw Error(Failure::Unexpected, "Embree could not be started on this processor.");
-    }
-    this->Embree = rtcNewScene(this->Device);
-    rtcSetSceneFlags(this->Embree, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry,
+    rtcSetSceneFlags(this->Embree.get(), RTC_SCENE_FLAG_ROBUST);
+    const embree::Owned<RTCGeometry> geometry(rtcNewGeometry(this->Device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    rtcSetSharedGeometryBuffer(geometry.get(),
       RTC_BUFFER_TYPE_VERTEX,
       0,
       RTC_FORMAT_FLOAT3,
@@ -94,7 +79,7 @@ public:
       0,
       sizeof(scene.points[0]),
       scene.points.size());
-    rtcSetSharedGeometryBuffer(geometry,
+    rtcSetSharedGeometryBuffer(geometry.get(),
       RTC_BUFFER_TYPE_INDEX,
       0,
       RTC_FORMAT_UINT3,
@@ -102,23 +87,12 @@ public:
       offsetof(RayFacet, places),
       sizeof(RayFacet),
       scene.facets.size());
-    rtcSetGeometryIntersectFilterFunction(geometry, keepNearestExit);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(this->Embree, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(this->Embree);
-    const RTCError error = rtcGetDeviceError(this->Device);
-    if (error != RTC_ERROR_NONE)
-    {
-      this->release();
-      throw Error(Failure::Unexpected,
-        "Embree could not take the mesh (error " + std::to_string(static_cast<int>(error)) + ").");
-    }
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), keepNearestExit);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(this->Embree.get(), geometry.get());
+    rtcCommitScene(this->Embree.get());
+    embree::checkTaken(this->Device.get());
   }
-
-  ~EmbreeCaster() override { this->release(); }
-  EmbreeCaster(const EmbreeCaster&) = delete;
-  EmbreeCaster& operator=(const EmbreeCaster&) = delete;
 
   void cast(const RayBatch& rays, std::vector<RayHit>& hits, const Context& context) override
   {
@@ -185,45 +159,13 @@ private:
   {
     query.best = { std::numeric_limits<float>::max(), -1 };
     query.tied = false;
-    const std::array<float, 4>& origin = this->Scene.points[vertex];
-    RTCRayHit ray;
-    ray.ray.org_x = origin[0];
-    ray.ray.org_y = origin[1];
-    ray.ray.org_z = origin[2];
-    ray.ray.tnear = start;
-    ray.ray.dir_x = direction[0];
-    ray.ray.dir_y = direction[1];
-    ray.ray.dir_z = direction[2];
-    ray.ray.time = 0.0f;
-    ray.ray.tfar = end;
-    ray.ray.mask = static_cast<unsigned>(-1);
-    ray.ray.id = 0;
-    ray.ray.flags = 0;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    ray.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-#if RTC_VERSION_MAJOR >= 4
-    rtcInitRayQueryContext(&query.context);
-    RTCIntersectArguments arguments;
-    rtcInitIntersectArguments(&arguments);
-    arguments.context = &query.context;
-    rtcIntersect1(this->Embree, &ray, &arguments);
-#else
-    rtcInitIntersectContext(&query.context);
-    rtcIntersect1(this->Embree, &query.context, &ray);
-#endif
-    return ray;
-  }
-
-  void release()
-  {
-    rtcReleaseScene(this->Embree);
-    rtcReleaseDevice(this->Device);
+    return embree::trace(
+      this->Embree.get(), query.context, this->Scene.points[vertex].data(), direction.data(), start, end);
   }
 
   const RayScene& Scene;
-  RTCDevice Device;
-  RTCScene Embree = nullptr;
+  embree::Owned<RTCDevice> Device;
+  embree::Owned<RTCScene> Embree;
 };
 
 } // namespace

@@ -1,30 +1,17 @@
 #include "Ray/surface_rays.h"
 
+#include "Ray/embree.h"
 #include "Ray/ray_caster.h" // for RayFrame
 #include "Remesh/surface.h" // for closestWeights
 
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <type_traits>
 
 namespace oversketch
 {
 
 namespace
 {
-
-#if RTC_VERSION_MAJOR >= 4
-using LineContext = RTCRayQueryContext;
-#else
-using LineContext = RTCIntersectContext;
-#endif
 
 // By so much [unit of the scene, where the mesh lies within [-1, 1]] boxes are wider than their facets, and
 // the tree is searched beyond the best hit: many times the rounding of single precision.
@@ -121,7 +108,7 @@ struct SceneLine
 };
 
 // What the callbacks read and write for the line in flight. Embree hands it back as the context that it is.
-struct LineQuery : LineContext
+struct LineQuery : embree::Context
 {
   SceneLine line;
   double from = 0.0; // hits before it do not count
@@ -199,15 +186,6 @@ bool keepsBuilding(void* context, double)
   return !static_cast<const Context*>(context)->cancelled();
 }
 
-struct Release
-{
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-template <typename Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
-
 } // namespace
 
 struct SurfaceRays::Tree
@@ -215,18 +193,14 @@ struct SurfaceRays::Tree
   explicit Tree(std::shared_ptr<const Mesh> surface)
     : facets(std::move(surface))
     , diagonal(boundingDiagonal(*this->facets.mesh))
-    , device(rtcNewDevice(nullptr))
+    , device(embree::startDevice())
   {
   }
 
   void build(const Context& context)
   {
-    if (!this->device)
-    {
-      throw Error(Failure::Unexpected, "Embree could not be started on this processor.");
-    }
     this->scene.reset(rtcNewScene(this->device.get()));
-    const Owned<RTCGeometry> geometry(rtcNewGeometry(this->device.get(), RTC_GEOMETRY_TYPE_USER));
+    const embree::Owned<RTCGeometry> geometry(rtcNewGeometry(this->device.get(), RTC_GEOMETRY_TYPE_USER));
     rtcSetGeometryUserPrimitiveCount(
       geometry.get(), static_cast<unsigned int>(this->facets.mesh->triangles.size()));
     rtcSetGeometryUserData(geometry.get(), &this->facets);
@@ -239,42 +213,18 @@ struct SurfaceRays::Tree
     rtcCommitScene(this->scene.get());
     rtcSetSceneProgressMonitorFunction(this->scene.get(), nullptr, nullptr);
     context.checkpoint(1.0);
-    const RTCError error = rtcGetDeviceError(this->device.get());
-    if (error != RTC_ERROR_NONE)
-    {
-      throw Error(Failure::Unexpected,
-        "Embree could not take the mesh (error " + std::to_string(static_cast<int>(error)) + ").");
-    }
+    embree::checkTaken(this->device.get());
   }
 
   void trace(LineQuery& query) const
   {
-    RTCRayHit ray;
-    ray.ray.org_x = static_cast<float>(query.line.start[0]);
-    ray.ray.org_y = static_cast<float>(query.line.start[1]);
-    ray.ray.org_z = static_cast<float>(query.line.start[2]);
-    ray.ray.tnear = static_cast<float>(std::max(0.0, query.from - treeSlack));
-    ray.ray.dir_x = static_cast<float>(query.line.direction[0]);
-    ray.ray.dir_y = static_cast<float>(query.line.direction[1]);
-    ray.ray.dir_z = static_cast<float>(query.line.direction[2]);
-    ray.ray.time = 0.0f;
-    ray.ray.tfar = static_cast<float>(SceneLine::length);
-    ray.ray.mask = static_cast<unsigned>(-1);
-    ray.ray.id = 0;
-    ray.ray.flags = 0;
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    ray.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-#if RTC_VERSION_MAJOR >= 4
-    rtcInitRayQueryContext(&query);
-    RTCIntersectArguments arguments;
-    rtcInitIntersectArguments(&arguments);
-    arguments.context = &query;
-    rtcIntersect1(this->scene.get(), &ray, &arguments);
-#else
-    rtcInitIntersectContext(&query);
-    rtcIntersect1(this->scene.get(), &query, &ray);
-#endif
+    const Eigen::Vector3f start = query.line.start.cast<float>(), way = query.line.direction.cast<float>();
+    embree::trace(this->scene.get(),
+      query,
+      start.data(),
+      way.data(),
+      static_cast<float>(std::max(0.0, query.from - treeSlack)),
+      static_cast<float>(SceneLine::length));
   }
 
   // distance in the unit of the scene
@@ -285,8 +235,8 @@ struct SurfaceRays::Tree
 
   SceneFacets facets;
   double diagonal;
-  Owned<RTCDevice> device;
-  Owned<RTCScene> scene;
+  embree::Owned<RTCDevice> device;
+  embree::Owned<RTCScene> scene;
 };
 
 SurfaceRays::SurfaceRays(std::shared_ptr<const Mesh> mesh, const Context& context)

@@ -36,7 +36,6 @@ public:
   const std::vector<Triangle>& triangles() const { return this->Triangles; }
   const Triangle& triangle(int t) const { return this->Triangles[t]; }
   const std::vector<int>& around(int v) const { return this->Around[v]; } // triangles, in no order
-  int inputCount() const { return this->InputCount; }
   double diagonal() const { return this->Diagonal; }
   bool inserted(int v) const { return v >= this->InputCount; }
   bool loose(int v) const { return !this->inserted(v) && this->Loose[v]; } // of no triangle from the start

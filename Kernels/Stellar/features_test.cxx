@@ -1,7 +1,7 @@
 // Snapping and displacing on real meshes, one after the other.
 #include "Stellar/displace.h"
+#include "Stellar/face_quality.h"
 #include "Stellar/feature_shapes.h"
-#include "Stellar/quality.h"
 #include "Stellar/snap.h"
 
 #include <gtest/gtest.h>
@@ -191,9 +191,9 @@ TEST(D9_1, RealMeshesAreFollowedToo)
       Forest forest = base;
       refineNear(forest, curves, r, r / 4.0);
       const Forest refined = forest;
-      const FaceQuality before = faceQuality(forest, Context());
+      const FaceQuality before = faceQuality(forest);
       const SnapReport report = snap(forest, curves, {}, {}, Context());
-      const FaceQuality after = faceQuality(forest, Context());
+      const FaceQuality after = faceQuality(forest);
       EXPECT_EQ(forest.broken(), "");
       EXPECT_LE(report.residual, 0.01 * report.crossings);
       EXPECT_LE(report.facesAdded, 0.03 * refined.faceCount());
@@ -201,7 +201,7 @@ TEST(D9_1, RealMeshesAreFollowedToo)
       EXPECT_GE(after.smallestAngle, std::min(4.5, before.smallestAngle));
       if (report.facesAdded == 0)
       {
-        EXPECT_EQ(flippedFaces(forest, positionsOf(refined), positionsOf(forest), Context()), 0);
+        EXPECT_EQ(flippedFaces(forest, positionsOf(refined), positionsOf(forest)), 0);
       }
       const std::vector<Vector3> snapped = positionsOf(forest);
       DisplaceOptions options;

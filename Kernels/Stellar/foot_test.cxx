@@ -1,8 +1,8 @@
 #include "Stellar/foot.h"
 
 #include "Stellar/displace.h"
+#include "Stellar/face_quality.h"
 #include "Stellar/feature_shapes.h"
-#include "Stellar/quality.h"
 #include "Stellar/snap.h"
 
 #include <gtest/gtest.h>
@@ -125,8 +125,8 @@ TEST(Foot, ASteepFootHasNoTeeth)
     const double teethBefore = heights(before, curves, sharpness, 0.99 * radius).second,
                  teethAfter = heights(after, curves, sharpness, 0.99 * radius).second;
     EXPECT_LT(teethAfter, 0.6 * teethBefore);
-    const double narrowest = faceQuality(after, Context()).smallestAngle;
-    EXPECT_GE(narrowest, std::min(4.5, faceQuality(before, Context()).smallestAngle));
+    const double narrowest = faceQuality(after).smallestAngle;
+    EXPECT_GE(narrowest, std::min(4.5, faceQuality(before).smallestAngle));
     // Old vertices kept their slots. On a plane nothing turns over, and the boundary keeps its shape.
     const std::vector<Vector3> from = positionsOf(before);
     for (int f = 0; f < static_cast<int>(after.faces.size()); ++f)

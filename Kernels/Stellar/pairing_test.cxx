@@ -1,6 +1,6 @@
+#include "Stellar/face_quality.h"
 #include "Stellar/forest_shapes.h"
 #include "Stellar/pairing.h"
-#include "Stellar/quality.h"
 
 #include <gtest/gtest.h>
 
@@ -144,7 +144,7 @@ TEST(Pairing, PiecesKeepThreeFifthsOfTheSmallestAngle)
         }
       }
     }
-    return faceQuality(forest, Context()).smallestAngle / smallest;
+    return faceQuality(forest).smallestAngle / smallest;
   };
   EXPECT_LT(pieces(false), 0.55);
   EXPECT_GE(pieces(true), 0.6);

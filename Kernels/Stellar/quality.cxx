@@ -1,7 +1,5 @@
 #include "Stellar/quality.h"
 
-#include "Mesh/context.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,34 +11,6 @@ namespace
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double cornerCosine = 0.70710678118654752440; // a boundary that turns by more stays
-constexpr int facesAtOnce = 4096;
-
-// Calls body(chunk, face) for all leaves.
-template <class Body>
-void eachFace(const Forest& forest, const Context& context, const Body& body)
-{
-  const int slots = static_cast<int>(forest.faces.size());
-  context.parallelFor((slots + facesAtOnce - 1) / facesAtOnce,
-    [&](int begin, int end)
-    {
-      for (int c = begin; c < end && !context.cancelled(); ++c)
-      {
-        for (int f = c * facesAtOnce; f < std::min((c + 1) * facesAtOnce, slots); ++f)
-        {
-          if (forest.isFace(f))
-          {
-            body(c, f);
-          }
-        }
-      }
-    });
-  context.checkpoint(1.0);
-}
-
-int chunks(const Forest& forest)
-{
-  return (static_cast<int>(forest.faces.size()) + facesAtOnce - 1) / facesAtOnce;
-}
 
 } // namespace
 
@@ -152,57 +122,6 @@ void weldBack(Forest& forest, const std::vector<Forest::Birth>& births)
       forest.weld(birth->vertex);
     }
   }
-}
-
-FaceQuality faceQuality(const Forest& forest, const Context& context)
-{
-  struct Part
-  {
-    double narrowest = 0.75; // of an equilateral triangle
-    int degenerate = 0;
-  };
-  std::vector<Part> parts(chunks(forest));
-  const double limit = squaredSine(FaceQuality::degenerateAngle);
-  eachFace(forest,
-    context,
-    [&](int c, int f)
-    {
-      const int* v = forest.faces[f].v;
-      const double sine = narrowness(
-        forest.vertices[v[0]].position, forest.vertices[v[1]].position, forest.vertices[v[2]].position);
-      parts[c].narrowest = std::min(parts[c].narrowest, sine);
-      parts[c].degenerate += sine < limit ? 1 : 0;
-    });
-  Part all;
-  for (const Part& part : parts)
-  {
-    all.narrowest = std::min(all.narrowest, part.narrowest);
-    all.degenerate += part.degenerate;
-  }
-  return { std::asin(std::sqrt(all.narrowest)) / degree, all.degenerate };
-}
-
-int flippedFaces(const Forest& forest,
-  const std::vector<Vector3>& before,
-  const std::vector<Vector3>& after,
-  const Context& context)
-{
-  std::vector<int> parts(chunks(forest), 0);
-  eachFace(forest,
-    context,
-    [&](int c, int f)
-    {
-      const int* v = forest.faces[f].v;
-      const Vector3 old = (before[v[1]] - before[v[0]]).cross(before[v[2]] - before[v[0]]);
-      const Vector3 now = (after[v[1]] - after[v[0]]).cross(after[v[2]] - after[v[0]]);
-      parts[c] += old.dot(now) < 0.0 ? 1 : 0;
-    });
-  int all = 0;
-  for (const int part : parts)
-  {
-    all += part;
-  }
-  return all;
 }
 
 } // namespace oversketch

@@ -1,4 +1,4 @@
-// Shapes of triangles: what a move may do to them, and what is reported of a mesh.
+// Shapes of triangles: what a move may do to them.
 #ifndef oversketch_stellar_quality_h
 #define oversketch_stellar_quality_h
 
@@ -6,8 +6,6 @@
 
 namespace oversketch
 {
-
-struct Context;
 
 // Sine squared of a triangle's smallest angle, zero for one without area.
 double narrowness(const Vector3& a, const Vector3& b, const Vector3& c);
@@ -32,23 +30,6 @@ bool keepsToLines(const Forest& forest, int v, int towards, const std::vector<in
 double narrowestOf(const Forest& forest, const std::vector<Forest::Birth>& births);
 // Undoes splits that nothing was split after.
 void weldBack(Forest& forest, const std::vector<Forest::Birth>& births);
-
-struct FaceQuality
-{
-  double smallestAngle = 60.0; // [degrees], of all faces
-  int degenerate = 0;          // faces with an angle under `degenerateAngle`
-
-  static constexpr double degenerateAngle = 0.05; // [degrees]
-};
-
-FaceQuality faceQuality(const Forest& forest, const Context& context);
-
-// How many leaves of one forest have normals that turned over 90 degrees while vertices moved; `before` and
-// `after` hold positions of its vertex slots. Of faces that had no area nothing is said.
-int flippedFaces(const Forest& forest,
-  const std::vector<Vector3>& before,
-  const std::vector<Vector3>& after,
-  const Context& context);
 
 } // namespace oversketch
 #endif

@@ -1,7 +1,7 @@
 #include "Stellar/snap.h"
 
+#include "Stellar/face_quality.h"
 #include "Stellar/feature_shapes.h"
-#include "Stellar/quality.h"
 #include "Stellar/smooth.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Planar snapPlanar(bool spirals, const SnapOptions& options)
     const FeatureCurves curves{ curve };
     Forest forest = squareForest(16, 1.0 / 6.0, ++seed);
     refineNear(forest, curves, 0.06, 0.015);
-    sum.finest = std::min(sum.finest, faceQuality(forest, Context()).smallestAngle);
+    sum.finest = std::min(sum.finest, faceQuality(forest).smallestAngle);
     const SnapReport report = snap(forest, curves, options, {}, Context());
     EXPECT_EQ(forest.broken(), "");
     sum.report.crossings += report.crossings;
@@ -40,7 +40,7 @@ Planar snapPlanar(bool spirals, const SnapOptions& options)
     sum.report.facesAdded += report.facesAdded;
     sum.faces += forest.faceCount();
     sum.gaps += gapsOf(forest);
-    const FaceQuality quality = faceQuality(forest, Context());
+    const FaceQuality quality = faceQuality(forest);
     sum.smallest = std::min(sum.smallest, quality.smallestAngle);
     sum.degenerate += quality.degenerate;
     for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
@@ -170,7 +170,7 @@ TEST(D9_1, AsPublishedTrianglesCollapse)
     Forest forest = squareForest(16, 1.0 / 6.0);
     const SnapReport report = snap(forest, curves, published, {}, Context());
     EXPECT_EQ(report.facesAdded + report.refused + report.residual, 0);
-    coarse += faceQuality(forest, Context()).degenerate;
+    coarse += faceQuality(forest).degenerate;
   }
   std::ostringstream text;
   text << "as published: lines " << lines.degenerate << " degenerate (about 8,600), spirals "
@@ -251,7 +251,7 @@ TEST(D9_1, CurvesThatMeetLeaveNoCrossing)
     left += report.residual;
     added += report.facesAdded;
     faces += forest.faceCount();
-    smallest = std::min(smallest, faceQuality(forest, Context()).smallestAngle);
+    smallest = std::min(smallest, faceQuality(forest).smallestAngle);
     for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
     {
       flipped += forest.isFace(f) && forest.facetNormal(f).z() <= 0.0 ? 1 : 0;
@@ -337,7 +337,7 @@ TEST(Snap, ScaleAndPlaceDoNotMatter)
   const SnapReport there = snap(far, moved, {}, {}, Context());
   EXPECT_LE(there.residual, 0.01 * there.crossings);
   EXPECT_NEAR(there.snapped, report.snapped, 0.02 * report.snapped);
-  EXPECT_GT(faceQuality(far, Context()).smallestAngle, 4.0);
+  EXPECT_GT(faceQuality(far).smallestAngle, 4.0);
 }
 
 TEST(Snap, ARoundThatDoesNotHelpLeavesNoTrace)
@@ -400,7 +400,7 @@ TEST(Snap, BordersAndCornersStay)
   }
   EXPECT_GE(alongBorder, 2);
   EXPECT_LE(report.residual, 0.02 * report.crossings);
-  EXPECT_GT(faceQuality(forest, Context()).smallestAngle, 4.0);
+  EXPECT_GT(faceQuality(forest).smallestAngle, 4.0);
 }
 
 // Of two parts of a square that meet at x = 1/2, what is on the seam slides along it and does not leave it.
@@ -430,7 +430,7 @@ TEST(Snap, SeamsKeepTheirLine)
     smooth(forest, even, {}, Context());
     EXPECT_EQ(forest.broken(), "");
     EXPECT_LE(report.residual, 0.01 * report.crossings);
-    EXPECT_GT(faceQuality(forest, Context()).smallestAngle, 4.0);
+    EXPECT_GT(faceQuality(forest).smallestAngle, 4.0);
     int left = 0, along = 0;
     for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
     {
@@ -509,7 +509,7 @@ TEST(Snap, BadHandsAreBorne)
     Forest forest = squareForest(32, 1.0 / 6.0);
     snap(forest, hands[i], {}, {}, Context());
     EXPECT_EQ(forest.broken(), "");
-    EXPECT_GT(faceQuality(forest, Context()).smallestAngle, 4.0);
+    EXPECT_GT(faceQuality(forest).smallestAngle, 4.0);
     for (int f = 0; f < static_cast<int>(forest.faces.size()); ++f)
     {
       EXPECT_TRUE(!forest.isFace(f) || forest.facetNormal(f).z() > 0.0);

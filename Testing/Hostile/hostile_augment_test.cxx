@@ -44,7 +44,7 @@ std::vector<std::pair<const char*, std::vector<Vector2>>> hostileStrokes(const V
     { "100,000 samples", many } };
 }
 
-struct HostileAugment : testing::TestWithParam<std::string>
+struct HostileAugment : HostileMesh
 {
 };
 
@@ -52,12 +52,7 @@ struct HostileAugment : testing::TestWithParam<std::string>
 
 TEST_P(HostileAugment, SixStrokesGiveASoundMeshOrOneMessage)
 {
-  if (GetParam().empty())
-  {
-    GTEST_SKIP() << "there is no folder " << meshFolder() << "; set OVERSKETCH_DATA";
-  }
-  oversketch_files::Notes notes;
-  const vtkSmartPointer<vtkPolyData> polyData = readHostile(GetParam(), notes);
+  const vtkSmartPointer<vtkPolyData> polyData = read();
   if (!polyData)
   {
     return;

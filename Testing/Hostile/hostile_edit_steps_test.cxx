@@ -32,7 +32,7 @@ using namespace oversketch_test;
 namespace
 {
 
-struct HostileEditSteps : testing::TestWithParam<std::string>
+struct HostileEditSteps : HostileMesh
 {
 };
 
@@ -217,12 +217,7 @@ vtkSmartPointer<vtkPolyData> halfOf(vtkPolyData* mesh)
 
 TEST_P(HostileEditSteps, EachAloneIsOfUseOrGivesOneMessage)
 {
-  if (GetParam().empty())
-  {
-    GTEST_SKIP() << "there is no folder " << meshFolder() << "; set OVERSKETCH_DATA";
-  }
-  oversketch_files::Notes notes;
-  const vtkSmartPointer<vtkPolyData> polyData = readHostile(GetParam(), notes);
+  const vtkSmartPointer<vtkPolyData> polyData = read();
   if (!polyData)
   {
     return;

@@ -15,21 +15,9 @@ using namespace oversketch_test;
 namespace
 {
 
-struct HostileEdit : testing::TestWithParam<std::string>
+struct HostileEdit : HostileMesh
 {
-  // Null where the folder is absent or the reader refuses the file.
-  vtkSmartPointer<vtkPolyData> read() const
-  {
-    oversketch_files::Notes notes;
-    return GetParam().empty() ? nullptr : readHostile(GetParam(), notes);
-  }
 };
-
-#define NEEDS_DATA                                                                                           \
-  if (GetParam().empty())                                                                                    \
-  {                                                                                                          \
-    GTEST_SKIP() << "there is no folder " << meshFolder() << "; set OVERSKETCH_DATA";                        \
-  }
 
 std::string operation(const char* format, double length)
 {
@@ -76,8 +64,7 @@ std::vector<Vector2> archOver()
 
 TEST_P(HostileEdit, LinesAndRingsGiveASoundMeshOrOneMessage)
 {
-  NEEDS_DATA
-  const vtkSmartPointer<vtkPolyData> polyData = this->read();
+  const vtkSmartPointer<vtkPolyData> polyData = read();
   if (!polyData)
   {
     return;
@@ -99,18 +86,17 @@ TEST_P(HostileEdit, LinesAndRingsGiveASoundMeshOrOneMessage)
 
 TEST_P(HostileEdit, ModelsOfAnySizeAnywhereGiveASoundMeshOrOneMessage)
 {
-  NEEDS_DATA
-  const vtkSmartPointer<vtkPolyData> read = this->read();
-  if (!read)
+  const vtkSmartPointer<vtkPolyData> source = read();
+  if (!source)
   {
     return;
   }
-  const double size = std::max(boundingDiagonal(MeshOf(read)), 1e-30);
+  const double size = std::max(boundingDiagonal(MeshOf(source)), 1e-30);
   for (const auto& [scale, shift] :
     { std::make_pair(1e-7 / size, 0.0), std::make_pair(5e6 / size, 0.0), std::make_pair(100.0 / size, 5e6) })
   {
     SCOPED_TRACE(std::to_string(scale) + " " + std::to_string(shift));
-    const auto polyData = placedAt(read, scale, shift);
+    const auto polyData = placedAt(source, scale, shift);
     const Mesh mesh = MeshOf(polyData);
     const Topology topology = topologyOf(polyData);
     vtkNew<vtkOversketchEdit> system;
@@ -134,8 +120,7 @@ TEST(HostileEditRings, RoundHandlesAndHolesGiveASoundMeshOrOneMessage)
     {
       GTEST_SKIP() << "there is no " << meshFolder() / name << "; set OVERSKETCH_DATA";
     }
-    oversketch_files::Notes notes;
-    const vtkSmartPointer<vtkPolyData> polyData = readHostile(name, notes);
+    const vtkSmartPointer<vtkPolyData> polyData = readHostile(name);
     ASSERT_TRUE(polyData);
     const Mesh mesh = MeshOf(polyData);
     const Topology topology = topologyOf(polyData);

@@ -18,7 +18,7 @@ namespace
 
 constexpr double mostMemory = 3072.0; // [MiB] that an edit may take beyond what was in use, a sanitizer's too
 
-struct HostileEditValues : testing::TestWithParam<std::string>
+struct HostileEditValues : HostileMesh
 {
 };
 
@@ -432,12 +432,7 @@ int step()
 
 TEST_P(HostileEditValues, OfARegionGiveASoundMeshOrOneMessage)
 {
-  if (GetParam().empty())
-  {
-    GTEST_SKIP() << "there is no folder " << meshFolder() << "; set OVERSKETCH_DATA";
-  }
-  oversketch_files::Notes notes;
-  const vtkSmartPointer<vtkPolyData> polyData = readHostile(GetParam(), notes);
+  const vtkSmartPointer<vtkPolyData> polyData = read();
   if (!polyData)
   {
     return;

@@ -53,9 +53,10 @@ inline std::string meshTestName(const testing::TestParamInfo<std::string>& test)
 }
 
 // Null, saying why, where the reader refuses the file, which it must name.
-inline vtkSmartPointer<vtkPolyData> readHostile(const std::string& name, oversketch_files::Notes& notes)
+inline vtkSmartPointer<vtkPolyData> readHostile(const std::string& name)
 {
   oversketch_files::catchMessages();
+  oversketch_files::Notes notes;
   try
   {
     return oversketch_files::readMesh((meshFolder() / name).string(), notes);
@@ -67,6 +68,21 @@ inline vtkSmartPointer<vtkPolyData> readHostile(const std::string& name, overske
     return nullptr;
   }
 }
+
+// A test of each of the meshes.
+class HostileMesh : public testing::TestWithParam<std::string>
+{
+protected:
+  void SetUp() override
+  {
+    if (GetParam().empty())
+    {
+      GTEST_SKIP() << "there is no folder " << meshFolder() << "; set OVERSKETCH_DATA";
+    }
+  }
+  // Null where the reader refuses the file: then there is nothing more to test.
+  static vtkSmartPointer<vtkPolyData> read() { return readHostile(GetParam()); }
+};
 
 // A view of the whole mesh in an 800 x 600 picture.
 inline View wholeView(const Mesh& mesh, bool perspective)

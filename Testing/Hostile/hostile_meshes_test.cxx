@@ -41,7 +41,7 @@ std::vector<Vector2> strokeAlong(const Mesh& mesh, const View& view)
   return stroke;
 }
 
-struct Hostile : testing::TestWithParam<std::string>
+struct Hostile : HostileMesh
 {
 };
 
@@ -49,12 +49,7 @@ struct Hostile : testing::TestWithParam<std::string>
 
 TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
 {
-  if (GetParam().empty())
-  {
-    GTEST_SKIP() << "there is no folder " << meshFolder() << "; set OVERSKETCH_DATA";
-  }
-  oversketch_files::Notes notes;
-  const vtkSmartPointer<vtkPolyData> polyData = readHostile(GetParam(), notes);
+  const vtkSmartPointer<vtkPolyData> polyData = read();
   if (!polyData)
   {
     return;
@@ -90,6 +85,7 @@ TEST_P(Hostile, ThreeStrokesGiveASoundResultOrOneMessage)
     for (const char* extension : { ".ply", ".glb", ".off" })
     {
       const fs::path file = out / ("result" + std::to_string(which) + extension);
+      oversketch_files::Notes notes;
       oversketch_files::writeMesh(result, file.string(), notes);
       EXPECT_TRUE(fs::exists(file));
     }

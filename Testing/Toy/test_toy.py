@@ -6,7 +6,6 @@ folders is printed: two files, the list of systems and the list of tools.
 The build takes from the compiler cache what the build that is tested has compiled.
 """
 import filecmp
-import hashlib
 import json
 import os
 import pathlib
@@ -19,7 +18,7 @@ import zipfile
 
 import pytest
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 

@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * What is done to the line (vtkOversketchHandles). A text that is not understood is refused with an error,
-   * and changes nothing.
+   * What is done to the line (vtkOversketchHandles); empty (default): nothing. A text that is not understood
+   * is refused with an error, and changes nothing.
    */
   void SetOperations(const char* text);
   const char* GetOperations() const;

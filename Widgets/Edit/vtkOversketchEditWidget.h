@@ -88,7 +88,8 @@ public:
   };
   ///@{
   /**
-   * Which widget the hand has.
+   * Which widget the hand has: that of the Region (default), of the axes (Direct), the layers (Shade), the
+   * Areas or the Profile.
    */
   void SetMode(int mode);
   vtkGetMacro(Mode, int);

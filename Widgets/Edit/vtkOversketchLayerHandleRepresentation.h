@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Handles and areas, as vtkOversketchShadingLevels has them. A text that is not understood is refused with
-   * an error, and changes nothing.
+   * Handles and areas, as vtkOversketchShadingLevels has them; empty (default): none. A text that is not
+   * understood is refused with an error, and changes nothing.
    */
   void SetLayers(const char* text);
   const char* GetLayers() const { return this->Layers.c_str(); }

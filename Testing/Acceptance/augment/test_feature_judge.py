@@ -13,7 +13,6 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 sys.path[:0] = [str(Path(__file__).resolve().parents[1]), str(Path(__file__).resolve().parent)]
 import feature_judge  # noqa: E402
 import forest  # noqa: E402
-import lines  # noqa: E402
 import measure  # noqa: E402
 import saved  # noqa: E402
 

@@ -14,7 +14,6 @@ from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 sys.path[:0] = [str(Path(__file__).resolve().parents[1]), str(Path(__file__).resolve().parent)]
 import accept  # noqa: E402
 import edit_judge  # noqa: E402
-import measure  # noqa: E402
 import meshes  # noqa: E402
 import patch as patches  # noqa: E402
 import picture  # noqa: E402

@@ -8,7 +8,6 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import judge  # noqa: E402
-import meshes  # noqa: E402
 import picture  # noqa: E402
 
 MEAN = 3.0  # px, mean distance of the stroke's middle 60 % to the outline

@@ -11,12 +11,12 @@ import oversketch
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path.insert(0, str(SOURCE / "Testing" / "Pictures"))
 import compare  # noqa: E402
-import drawing  # noqa: E402
 import scenes  # noqa: E402
+from window import Stage  # noqa: E402
 
 
-class Ball:
-    """A ball of 100 px radius in a window of 400 x 300 px."""
+class Ball(Stage):
+    """A ball of 100 px radius."""
 
     def __init__(self):
         source = vtk.vtkSphereSource()
@@ -25,33 +25,13 @@ class Ball:
         source.SetPhiResolution(40)
         source.Update()
         self.mesh = source.GetOutput()
-        self.interactor, self.window, self.renderer = vtk.vtkRenderWindowInteractor(), vtk.vtkRenderWindow(), vtk.vtkRenderer()
         self.widget = oversketch.vtkOversketchAugmentWidget()
         self.widget.SetInputConnection(source.GetOutputPort())
         actor = scenes.surface(self.mesh)
         actor.GetMapper().GetInputAlgorithm().SetInputConnection(self.widget.GetOutputPort())
-        self.renderer.SetBackground(1.0, 1.0, 1.0)
-        self.renderer.AddActor(actor)
-        self.window.SetSize(400, 300)
-        self.window.AddRenderer(self.renderer)
-        self.interactor.SetRenderWindow(self.window)
-        camera = self.renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetFocalPoint(0.0, 0.0, 0.0)
-        camera.SetPosition(0.0, 0.0, 10.0)
-        camera.SetParallelScale(1.5)
-        self.renderer.ResetCameraClippingRange()
-        self.widget.SetInteractor(self.interactor)
-        self.widget.On()
-        self.interactor.Initialize()
-        self.window.Render()
-
-    def play(self, *names):
-        drawing.play(self.interactor, *names)
-
-    def picture(self):
-        self.window.Render()
-        return scenes.image(self.window)
+        super().__init__(actor, samples=8)
+        self.look((0.0, 0.0, 0.0), 1.5)
+        self.start(self.widget)
 
 
 def highest(mesh):

@@ -16,11 +16,11 @@ from window import Window  # noqa: E402
 @pytest.mark.parametrize("log", ["camera_turn_model", "camera_views"])
 def test_camera_picture(log):
     window = Window()
-    window.play(log + ".log")
+    window.play(log)
     if not compare.matches(window.picture(), log):
         return
     wrong = Window(colour=(0.2, 0.7, 0.3))
-    wrong.play(log + ".log")
+    wrong.play(log)
     assert compare.difference(wrong.picture(), compare.read(log)) > 10 * compare.LIMIT
 
 
@@ -29,7 +29,7 @@ def test_controls_picture():
     controls = oversketch.vtkOversketchCameraWidget()
     controls.SetInteractor(window.interactor)
     controls.On()
-    window.play("camera_controls.log")
+    window.play("camera_controls")
     assert window.style.GetSpin() == pytest.approx(90.0)
     if compare.matches(window.picture(), "camera_controls"):
         controls.Off()

@@ -10,37 +10,23 @@ import oversketch
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path.insert(0, str(SOURCE / "Testing" / "Pictures"))
 import compare  # noqa: E402
-import drawing  # noqa: E402
-import scenes  # noqa: E402
+from window import Stage  # noqa: E402
 
 
-class Fish:
-    """The shipped picture of a fish, drawn over in a window of 400 x 300 px."""
+class Fish(Stage):
+    """The shipped picture of a fish, drawn over."""
 
     def __init__(self):
+        super().__init__(background=(0.9, 0.9, 0.9))
         reader = vtk.vtkPNGReader()
         reader.SetFileName(str(SOURCE / "Data" / "Drawings" / "fish.png"))
         reader.Update()
-        self.interactor, self.window, self.renderer = vtk.vtkRenderWindowInteractor(), vtk.vtkRenderWindow(), vtk.vtkRenderer()
-        self.renderer.SetBackground(0.9, 0.9, 0.9)
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(400, 300)
-        self.window.AddRenderer(self.renderer)
-        self.interactor.SetRenderWindow(self.window)
         self.widget = oversketch.vtkOversketchDrawingWidget()
         self.widget.SetSnapRadius(4.0)
         self.widget.SetInteractor(self.interactor)
         self.widget.On()
         self.widget.SetPicture(reader.GetOutput())
-        self.interactor.Initialize()
-        self.window.Render()
-
-    def play(self, *names):
-        drawing.play(self.interactor, *names)
-
-    def picture(self):
-        self.window.Render()
-        return scenes.image(self.window)
+        self.start()
 
     def labels(self, name):
         array = self.widget.GetCurves().GetCellData().GetArray(name)

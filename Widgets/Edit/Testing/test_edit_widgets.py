@@ -11,8 +11,8 @@ import oversketch
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 sys.path.insert(0, str(SOURCE / "Testing" / "Pictures"))
 import compare  # noqa: E402
-import drawing  # noqa: E402
 import scenes  # noqa: E402
+from window import Stage  # noqa: E402
 
 
 def ball():
@@ -33,24 +33,13 @@ def ball():
     return mesh
 
 
-class Scene:
-    """A window of 400 x 300 px, 100 px to a unit, with the ball in it or nothing."""
+class Scene(Stage):
+    """100 px to a unit, with the ball or nothing."""
 
     def __init__(self, widget, mesh=None, scale=1.5, azimuth=0.0, elevation=0.0):
-        self.interactor, self.window, self.renderer = vtk.vtkRenderWindowInteractor(), vtk.vtkRenderWindow(), vtk.vtkRenderer()
-        self.renderer.SetBackground(1.0, 1.0, 1.0)
-        if mesh:
-            self.actor = scenes.surface(mesh)
-            self.renderer.AddActor(self.actor)
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(400, 300)
-        self.window.AddRenderer(self.renderer)
-        self.interactor.SetRenderWindow(self.window)
-        camera = self.renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        camera.SetFocalPoint(0.0, 0.0, 0.0)
-        camera.SetPosition(0.0, 0.0, 10.0)
-        camera.SetParallelScale(scale)
+        self.actor = scenes.surface(mesh) if mesh else None
+        super().__init__(self.actor)
+        camera = self.look((0.0, 0.0, 0.0), scale)
         camera.Azimuth(azimuth)
         camera.Elevation(elevation)
         self.widget = widget
@@ -58,16 +47,11 @@ class Scene:
             widget.SetInteractor(self.interactor)
             widget.On()
         self.renderer.ResetCameraClippingRange()
-        self.interactor.Initialize()
-        self.window.Render()
-
-    def play(self, *names):
-        drawing.play(self.interactor, *names)
+        self.start()
 
     def picture(self):
         self.renderer.ResetCameraClippingRange()
-        self.window.Render()
-        return scenes.image(self.window)
+        return super().picture()
 
 
 @pytest.fixture(scope="module")

@@ -56,7 +56,7 @@ def pen():
 
 def test_the_snippet_draws_and_the_mesh_follows(pen):
     window, names = pen
-    window.play("pen_dog_leg.log")
+    window.play("pen_dog_leg")
     assert names["pen"].IsDrawing()
     line = names["pen"].GetStrokeRepresentation().GetProperty()
     if compare.matches(window.picture(), "pen_down"):
@@ -65,7 +65,7 @@ def test_the_snippet_draws_and_the_mesh_follows(pen):
         window.window.Render()
         assert compare.difference(window.picture(), compare.read("pen_down")) > 10 * compare.LIMIT
         line.SetColor(*red)
-    window.play("pen_up.log")
+    window.play("pen_up")
     assert not names["pen"].IsDrawing()
     system = names["system"]
     assert system.GetErrorCode() == 0
@@ -77,8 +77,8 @@ def test_the_snippet_draws_and_the_mesh_follows(pen):
 
 def test_the_stroke_goes_to_a_file_and_back(pen, tmp_path):
     window, names = pen
-    window.play("pen_dog_leg.log")
-    window.play("pen_up.log")
+    window.play("pen_dog_leg")
+    window.play("pen_up")
     writer, reader = vtk.vtkXMLPolyDataWriter(), vtk.vtkXMLPolyDataReader()
     writer.SetFileName(str(tmp_path / "stroke.vtp"))
     writer.SetInputConnection(names["pen"].GetOutputPort())
@@ -107,8 +107,8 @@ def test_the_one_stroke_snippet_draws_and_the_mesh_follows():
     os.chdir(cwd)
     names["drawing"].GetOneStroke().SetBackendToHost()
     window.window.Render()
-    window.play("pen_dog_leg.log")
-    window.play("pen_up.log")
+    window.play("pen_dog_leg")
+    window.play("pen_up")
     assert names["drawing"].GetMessage() == ""
     assert mapper.GetInput().GetNumberOfPoints() == names["drawing"].GetOutput().GetNumberOfPoints()
     assert mapper.GetInput().GetBounds()[2] - window.mesh.GetBounds()[2] < -0.1

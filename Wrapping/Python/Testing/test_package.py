@@ -45,6 +45,37 @@ def test_class_is_exported_and_parameters_are_seen_and_printed(header):
         assert re.search(rf"^\s*{name}: ", printed, re.M), f"{header.stem}::PrintSelf does not print {name}"
 
 
+# What must be there before these can be set.
+NEEDED = {"Enabled": "an interactor", "ParallelProjection": "a camera", "Zoom": "a camera", "Spin": "a camera", "SectionFollows": "a section"}
+
+
+def others(value):
+    """Values to set in a value's place; a setter may clamp some of them to what it is, or refuse a text."""
+    if isinstance(value, tuple):
+        return [tuple(others(each)[k] for each in value) for k in range(2)]
+    if value is None or isinstance(value, str):
+        return ["0.5", "move 0.5 n 1", "handle 0.3 0.5"]
+    return [not value] if isinstance(value, bool) else [value + 1, value - 1] if isinstance(value, int) else [value + 0.5, value - 0.5]
+
+
+@pytest.mark.parametrize("header", CONCRETE, ids=lambda h: h.stem)
+def test_another_value_is_kept_and_printed(header):
+    for name in parameters(header):
+        instance = getattr(oversketch, header.stem)()
+        before = getattr(instance, "Get" + name)()
+        line = re.compile(rf"^\s*{name}: .*$", re.M)
+        printed, modified = line.findall(str(instance)), instance.GetMTime()
+        for value in others(before):
+            getattr(instance, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+            if getattr(instance, "Get" + name)() != before:
+                break
+        if getattr(instance, "Get" + name)() == before:
+            assert name in NEEDED, f"Set{name} of {header.stem} changes nothing"
+            continue
+        assert instance.GetMTime() > modified, f"Set{name} of {header.stem} does not say that it changed"
+        assert line.findall(str(instance)) != printed, f"{header.stem}::PrintSelf prints {printed[0].strip()} whatever is set"
+
+
 @pytest.mark.parametrize("header", CONCRETE, ids=lambda h: h.stem)
 def test_setting_a_value_again_does_not_modify(header):
     instance = getattr(oversketch, header.stem)()
