@@ -1,5 +1,5 @@
-// Faces that look away from the eye. Those of a body are behind its others, but for slivers at its outline, so
-// that the processor need not draw them, which is up to two fifths of a frame's work. Where a body reaches
+// Faces that look away from the eye. Those of a body are behind its others, but for slivers at its outline,
+// so that the processor need not draw them, which is up to two fifths of a frame's work. Where a body reaches
 // through itself, turned inside out, one sees through it meanwhile.
 #ifndef oversketch_studio_back_faces_h
 #define oversketch_studio_back_faces_h
@@ -16,8 +16,11 @@ namespace oversketch_studio
 class BackFaces
 {
 public:
-  // Whether other faces hide them: of a body that the near plane does not cut open.
+  // Whether other faces hide them: of a body that the near plane does not cut open. The frame that brings a
+  // mesh
+  // (`came`) need not wait for the answer: with other faces than the last one's it is no, until asked again.
   bool areHidden(vtkPolyData* mesh, vtkRenderer* renderer);
+  void came() { this->Fresh = true; }
 
   // Whether the faces bound a body: along each edge they cancel out, and each part holds a volume.
   static bool boundBody(vtkPolyData* mesh);
@@ -25,7 +28,7 @@ public:
 private:
   const vtkCellArray* Seen = nullptr; // told by its time as well
   vtkMTimeType Time = 0;
-  bool Body = false;
+  bool Body = false, Fresh = false;
 };
 
 } // namespace oversketch_studio

@@ -30,7 +30,7 @@ void MainWindow::listenToRows()
   {
     connect(tool, &Tool::tooShort, this, &MainWindow::tooShort);
   }
-  auto* keys = new ViewKeys(this->View);
+  auto* keys = new ViewKeys(this->View, [this] { return this->View->tool()->isBusy(); });
   connect(keys,
     &ViewKeys::escaped,
     this,

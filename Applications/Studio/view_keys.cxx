@@ -9,6 +9,8 @@
 #include <QOpenGLWidget>
 #include <QTextEdit>
 
+#include <utility>
+
 namespace oversketch_studio
 {
 
@@ -24,9 +26,10 @@ bool takesText(const QWidget* widget)
 
 } // namespace
 
-ViewKeys::ViewKeys(QWidget* view)
+ViewKeys::ViewKeys(QWidget* view, std::function<bool()> isBusy)
   : QObject(view)
   , View(view)
+  , IsBusy(std::move(isBusy))
 {
   QApplication::instance()->installEventFilter(this);
 }
@@ -46,6 +49,12 @@ bool ViewKeys::eventFilter(QObject* watched, QEvent* event)
 {
   const bool isPress = event->type() == QEvent::KeyPress;
   auto* focus = qobject_cast<QWidget*>(watched);
+  if (event->type() == QEvent::ShortcutOverride && focus && focus->window() == this->View->window() &&
+      this->IsBusy())
+  {
+    event->accept(); // the key is the hand's
+    return true;
+  }
   if (isPress && focus == this->View && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
   {
     emit this->escaped();

@@ -29,6 +29,50 @@ struct Rows : Edits
     EXPECT_TRUE(this->hand().isUnderOthers());
     this->settle();
   }
+  // Of keys that change, hide or reorder rows none does while the hand pulls the only one.
+  void keysWaitForTheHand()
+  {
+    this->select(0);
+    const auto before = this->nodes()[0].step;
+    const Way pull = straight(this->lineSeen(), this->lineSeen() - QPoint(0, 15));
+    this->drag(this->view, pull, Qt::NoModifier, false);
+    for (const Qt::Key key : { Qt::Key_D, Qt::Key_H, Qt::Key_Down, Qt::Key_R })
+    {
+      QTest::keyClick(this->view, key, Qt::ControlModifier);
+    }
+    for (const Qt::Key key : { Qt::Key_Delete, Qt::Key_B })
+    {
+      QTest::keyClick(this->view, key);
+    }
+    QApplication::processEvents();
+    EXPECT_EQ(this->nodes().size(), 1u) << "a row changed under the hand";
+    EXPECT_TRUE(this->hand().moves()) << "the hand has lost the line";
+    this->letGo(this->view, pull.back());
+    ASSERT_EQ(this->nodes().size(), 1u);
+    EXPECT_NE(this->nodes()[0].step, before) << "the drag is lost";
+    EXPECT_EQ(this->failures(), "");
+    this->press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(this->nodes()[0].step, before);
+  }
+  // Another row of the kind comes under the hand, in whatever way.
+  void nothingGoesIntoAnotherRow()
+  {
+    const auto before = this->nodes()[0].step;
+    const Way pull = straight(this->lineSeen(), this->lineSeen() - QPoint(0, 15));
+    this->drag(this->view, pull, Qt::NoModifier, false);
+    this->document->duplicate(0);
+    this->settle();
+    ASSERT_EQ(this->nodes().size(), 2u);
+    const auto copy = this->nodes()[1].step;
+    this->window.findChild<HistoryPanel*>()->selectStep(1);
+    this->letGo(this->view, pull.back());
+    ASSERT_EQ(this->nodes().size(), 2u);
+    EXPECT_EQ(this->nodes()[0].step, before);
+    EXPECT_EQ(this->nodes()[1].step, copy) << "the copy has what the hand made of the first";
+    this->press(Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_EQ(this->nodes().size(), 1u);
+    this->select(-1);
+  }
   // The middle of the line that the hand has.
   QPoint lineSeen()
   {
@@ -78,6 +122,8 @@ TEST(EditRows, AnEarlierOneIsChangedAndTheLaterFollow)
 {
   Rows scene;
   scene.drawBoth();
+  scene.keysWaitForTheHand();
+  scene.nothingGoesIntoAnotherRow();
   scene.drag(Edits::straight(scene.middle, scene.middle - QPoint(0, 25)));
   ASSERT_EQ(scene.failures(), "");
   scene.press(Qt::Key_Return);

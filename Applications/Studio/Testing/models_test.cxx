@@ -15,8 +15,12 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSemaphore>
 #include <QStyleOptionViewItem>
 #include <QTemporaryDir>
+#include <QThreadPool>
 #include <QToolButton>
 #include <QUrl>
 
@@ -160,6 +164,45 @@ struct Dogs : Scene
     return oversketch_files::readMesh(path.toStdString(), notes);
   }
 
+  // Given up as soon as the window asks: with no thread free the work cannot be done by then.
+  void giveUp(QAction* exporting, const QString& name)
+  {
+    const QString path = this->folder.filePath(name);
+    QThreadPool* pool = QThreadPool::globalInstance();
+    pool->waitForDone();
+    const int threads = pool->maxThreadCount();
+    pool->setMaxThreadCount(1);
+    QSemaphore go;
+    pool->start([&go] { go.acquire(); });
+    int cancelled = 0;
+    QTimer timer;
+    QObject::connect(&timer,
+      &QTimer::timeout,
+      [&]
+      {
+        QWidget* asked = QApplication::activeModalWidget();
+        if (auto* dialog = qobject_cast<QFileDialog*>(asked))
+        {
+          dialog->findChild<QLineEdit*>()->setText(path);
+          static_cast<QDialog*>(dialog)->accept();
+        }
+        else if (auto* progress = qobject_cast<QProgressDialog*>(asked); progress && cancelled++ == 0)
+        {
+          EXPECT_TRUE(progress->labelText().contains(name)) << qPrintable(progress->labelText());
+          progress->findChild<QPushButton*>()->click();
+        }
+      });
+    timer.start(50);
+    exporting->trigger();
+    timer.stop();
+    EXPECT_EQ(cancelled, 1);
+    go.release();
+    pool->waitForDone();
+    pool->setMaxThreadCount(threads);
+    EXPECT_FALSE(QFile::exists(path)) << "what was given up appeared";
+    EXPECT_FALSE(this->advice->text().contains(name)) << qPrintable(this->advice->text());
+  }
+
   QTemporaryDir folder;
   QListWidget* list;
   QLabel* advice;
@@ -288,7 +331,8 @@ TEST(Models, LockedAndHiddenOnesTakeNoStrokesAndAreKept)
   EXPECT_EQ(restingAt(pair.session(), 0)->made.digest, pair.first);
   EXPECT_FALSE(pair.window.isWindowModified());
 
-  // Written as one mesh of two parts, and each by itself.
+  // Written as one mesh of two parts, and each by itself; given up before.
+  pair.giveUp(pair.action("&Export mesh…"), "all.vtp");
   const auto all = pair.written(pair.action("&Export mesh…"), "all.vtp");
   const auto parts = oversketch_files::partsOf(all);
   ASSERT_EQ(parts.size(), 2u);

@@ -300,7 +300,7 @@ void EditHand::arrange()
   }
   else
   {
-    this->load({ *this->Offered, true, this->State.before, this->State.given });
+    this->load({ *this->Offered, true, this->State.before, this->State.given, this->OfferedId });
     if (this->wantsAnother(*this->Offered) && !this->goOn())
     {
       this->rest(); // until its mesh is there
@@ -317,14 +317,14 @@ void EditHand::arrange()
 
 void EditHand::rest()
 {
-  this->load({ { editSystem, {}, {}, {}, {} }, false, {}, {} });
+  this->load({ { editSystem, {}, {}, {}, {} }, false, {}, {}, 0 });
   this->Widget->SetEnabled(0);
 }
 
 void EditHand::begin()
 {
   const SharedData& mesh = this->OpenDocument->result().mesh;
-  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {} };
+  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {}, 0 };
   if (!this->Loaded.isInHistory)
   {
     work.step = this->Loaded.step; // with its line
@@ -354,7 +354,7 @@ bool EditHand::goOn()
   {
     return false;
   }
-  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {} };
+  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {}, 0 };
   const auto copyOf = [](vtkPolyData* curve)
   {
     auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -469,6 +469,11 @@ void EditHand::publish()
     this->refuse(said);
     return;
   }
+  if (this->Loaded.isInHistory && this->Loaded.id != this->OfferedId)
+  {
+    this->load(Work(this->Loaded), true); // another row has come under the hand: it gets nothing of this one
+    return;
+  }
   this->Message = said;
   this->Loaded.step = this->made();
   if (isWhole)
@@ -492,6 +497,7 @@ void EditHand::publish()
     const Step step = this->Loaded.step;
     isNew ? emit this->drawn(step) : emit this->remade(step);
     this->OfferedId = isNew ? idOf(this->OpenDocument->session(), step) : this->OfferedId;
+    this->Loaded.id = this->OfferedId;
   }
   this->applyMode();
   emit this->left();

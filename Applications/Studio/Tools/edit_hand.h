@@ -87,6 +87,7 @@ private:
     bool isInHistory = false;                                    // else it will be
     oversketch_session::SharedData mesh;                         // that it acts on
     std::map<std::string, oversketch_session::SharedData> given; // of other steps
+    int id = 0;                                                  // of the step in the history
   };
 
   void heard(unsigned long event, const char* text);

@@ -41,6 +41,7 @@ void EditHand::load(const Work& work, bool again)
   if (isSameMesh && isSameStep && !again)
   {
     this->Loaded.isInHistory = work.isInHistory;
+    this->Loaded.id = work.id;
     this->Loaded.mesh = work.mesh;
     this->Loaded.step.mirror = work.step.mirror;
     return;
