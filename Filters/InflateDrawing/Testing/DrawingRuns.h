@@ -59,26 +59,40 @@ inline vtkSmartPointer<vtkPolyData> drawn(const std::vector<Line>& lines)
   return all->GetOutput();
 }
 
-// Euler's number, and whether every edge has exactly two faces, which pass it in opposite directions.
+// Euler's number; whether every edge has exactly two faces, which pass it in opposite directions, and the
+// faces about each vertex are one cycle; how many pieces hang together.
 struct Topology
 {
-  int chi = 0;
-  bool closed = true;
+  int chi = 0, pieces = 0;
+  bool closed = true, manifold = true;
 };
 
-inline Topology topologyOf(vtkPolyData* mesh)
+using Corners = std::vector<std::vector<vtkIdType>>;
+
+inline Corners cornersOf(vtkPolyData* mesh)
 {
-  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
-  std::set<vtkIdType> used;
+  Corners corners;
   vtkNew<vtkIdList> ids;
   for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
     mesh->GetPolys()->GetCellAtId(face, ids);
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    corners.emplace_back(ids->begin(), ids->end());
+  }
+  return corners;
+}
+
+inline Topology topologyOf(vtkPolyData* mesh)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
+  // About a vertex: the face's corner after it leads to the one before it.
+  std::map<vtkIdType, std::map<vtkIdType, vtkIdType>> fans;
+  for (const std::vector<vtkIdType>& face : cornersOf(mesh))
+  {
+    const std::size_t n = face.size();
+    for (std::size_t k = 0; k < n; ++k)
     {
-      const vtkIdType a = ids->GetId(k), b = ids->GetId((k + 1) % ids->GetNumberOfIds());
-      ++edges[{ a, b }];
-      used.insert(a);
+      ++edges[{ face[k], face[(k + 1) % n] }];
+      fans[face[k]][face[(k + 1) % n]] = face[(k + n - 1) % n];
     }
   }
   Topology topology;
@@ -89,8 +103,49 @@ inline Topology topologyOf(vtkPolyData* mesh)
     topology.closed = topology.closed && times == 1 && back != edges.end() && back->second == 1;
     count += edge.first < edge.second || back == edges.end();
   }
-  topology.chi = int(used.size()) - count + int(mesh->GetNumberOfPolys());
+  topology.chi = int(fans.size()) - count + int(mesh->GetNumberOfPolys());
+  std::set<vtkIdType> reached;
+  for (const auto& [vertex, fan] : fans)
+  {
+    std::size_t steps = 0;
+    vtkIdType at = fan.begin()->first;
+    do
+    {
+      const auto next = fan.find(at);
+      at = next == fan.end() ? -1 : next->second;
+      ++steps;
+    } while (at >= 0 && at != fan.begin()->first && steps <= fan.size());
+    topology.manifold = topology.manifold && at == fan.begin()->first && steps == fan.size();
+    topology.pieces += reached.insert(vertex).second;
+    for (std::vector<vtkIdType> left{ vertex }; !left.empty();)
+    {
+      const vtkIdType from = left.back();
+      left.pop_back();
+      for (const auto& [neighbour, other] : fans[from])
+      {
+        if (reached.insert(neighbour).second)
+        {
+          left.push_back(neighbour);
+        }
+      }
+    }
+  }
   return topology;
+}
+
+// By the divergence theorem; positive where the faces look outwards.
+inline double volumeOf(vtkPolyData* mesh)
+{
+  double volume = 0.0;
+  for (const std::vector<vtkIdType>& face : cornersOf(mesh))
+  {
+    const Vector3 a(mesh->GetPoint(face[0]));
+    for (std::size_t k = 2; k < face.size(); ++k)
+    {
+      volume += a.dot(Vector3(mesh->GetPoint(face[k - 1])).cross(Vector3(mesh->GetPoint(face[k])))) / 6.0;
+    }
+  }
+  return volume;
 }
 
 inline std::array<double, 6> boxOf(vtkPolyData* mesh)

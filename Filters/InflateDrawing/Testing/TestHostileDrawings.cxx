@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <random>
+#include <regex>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -29,12 +30,23 @@ struct Outcomes
 
 bool isSaid(const std::string& text)
 {
-  return text.find("troke") != std::string::npos && text.find_first_of(";:") != std::string::npos &&
-         text.find("nexpected") == std::string::npos;
+  static const std::regex named("([Ss]troke \"?[0-9A-Za-z]|[Nn]o stroke).*[;:] *\\S");
+  return std::regex_search(text, named) && text.find("nexpected") == std::string::npos;
 }
 
-// Whatever it is: a closed mesh of finite points, or one message of a stroke and a remedy and nothing put
-// out.
+int objectsOf(vtkPolyData* mesh)
+{
+  vtkDataArray* ids = mesh->GetCellData()->GetArray("ObjectId");
+  std::set<double> objects;
+  for (vtkIdType face = 0; ids && face < mesh->GetNumberOfPolys(); ++face)
+  {
+    objects.insert(ids->GetComponent(face, 0));
+  }
+  return static_cast<int>(objects.size());
+}
+
+// Whatever it is: a mesh of finite points, closed, manifold, with its faces outwards and a ball for each
+// object where nothing is cut out, or one message of a stroke and a remedy and nothing put out.
 void expectSound(vtkOversketchInflateDrawing* filter, Outcomes& outcomes)
 {
   Ear ear(filter);
@@ -62,10 +74,13 @@ void expectSound(vtkOversketchInflateDrawing* filter, Outcomes& outcomes)
   {
     ASSERT_TRUE(Vector3(mesh->GetPoint(i)).allFinite());
   }
-  if (mesh->GetNumberOfPoints() > 0)
-  {
-    EXPECT_TRUE(topologyOf(mesh).closed);
-  }
+  ASSERT_GT(mesh->GetNumberOfPoints(), 0) << "neither a mesh nor a word";
+  const Topology topology = topologyOf(mesh);
+  EXPECT_TRUE(topology.closed);
+  EXPECT_TRUE(topology.manifold) << "a vertex holds two fans of faces together";
+  EXPECT_GT(volumeOf(mesh), 0.0);
+  EXPECT_EQ(topology.pieces, objectsOf(mesh));
+  EXPECT_EQ(topology.chi, 2 * topology.pieces);
 }
 
 Line polar(const Vector2& centre, const std::function<double(double)>& radius, int count, double turns = 1.0)
@@ -150,7 +165,12 @@ TEST(HostileDrawings, EachIsAMeshOrOneMessage)
       Outcomes outcomes;
       expectSound(filter, outcomes);
       EXPECT_EQ(outcomes.made, says ? 0 : 1);
-      if (says)
+      EXPECT_EQ(outcomes.refused, says ? 1 : 0);
+      if (!says)
+      {
+        EXPECT_EQ(objectsOf(filter->GetOutput()), 1) << "one body, whatever is drawn in it";
+      }
+      else
       {
         filter->Modified();
         expectRefusal(filter, Failure::BadStroke, says);
@@ -240,6 +260,7 @@ TEST(HostileDrawings, ViewsThatGiveNoCanvas)
   system.filter->SetInputData(1, image);
   Outcomes outcomes;
   expectSound(system.filter, outcomes);
+  EXPECT_EQ(outcomes.made, 1);
 }
 
 TEST(HostileDrawings, RandomOnesAreMadeOrNamed)

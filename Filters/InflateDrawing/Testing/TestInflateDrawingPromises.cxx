@@ -35,6 +35,38 @@ Counts countsOf(System& system)
     inflate->GetRatioCount() };
 }
 
+// Cancels a run in the step of this name: it ends silently, empty, and what comes after the step does not
+// run.
+void expectStopIn(vtkOversketchInflateDrawing* filter, std::string step)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(&step);
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void* name, void*)
+    {
+      auto* system = static_cast<vtkOversketchInflateDrawing*>(caller);
+      if (*static_cast<std::string*>(name) == system->GetStageName())
+      {
+        system->AbortExecuteOn();
+      }
+    });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  Ear ear(filter);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorCode(), codeOf(Failure::Cancelled));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(ear.errors.empty());
+  bool after = false;
+  for (int i = 0; i < filter->GetNumberOfStages(); ++i)
+  {
+    EXPECT_TRUE(!after || filter->GetStageTime(filter->GetStage(i)) == 0.0) << filter->GetStage(i);
+    after = after || filter->GetStage(i) == step;
+  }
+  filter->RemoveObserver(tag);
+  filter->AbortExecuteOff();
+  filter->Modified();
+}
+
 } // namespace
 
 TEST(InflateDrawingPromises, OnlyWhatIsReadIsComputedAnew)
@@ -139,15 +171,44 @@ TEST(InflateDrawingPromises, BadDrawingsAreRefusedInWords)
 TEST(InflateDrawingPromises, ARunIsCancelledInEachStepAndMadeWhole)
 {
   const auto strokes = drawn(face());
-  System whole(strokes);
-  whole.mesh();
-  for (const double beyond : { -1.0, 0.05, 0.2, 0.35, 0.5, 0.7 })
+  const auto image = picture(800,
+    600,
+    1,
+    [](int x, int y, int) { return (Vector2(x, y) - Vector2(400, 300)).norm() < 219.0 ? 220 : 30; });
+  const auto prepare = [&](System& system, bool other)
   {
-    SCOPED_TRACE(beyond);
-    System system(strokes);
-    expectCancel(system.filter, beyond);
-    EXPECT_TRUE(identical(system.mesh(), whole.filter->GetOutput()));
+    system.filter->SetInputData(1, image);
+    system.filter->MagneticOn();
+    system.filter->SetLevels(2);
+    system.filter->SetArrange(other);
+    system.filter->SetQuads(other);
+    system.filter->SetExtrudeDepth(other ? 20.0 : 0.0);
+    system.filter->SetTunnels(other ? "1" : "");
+  };
+  std::set<std::string> stopped;
+  for (const bool other : { false, true }) // inflated, and by all the other steps
+  {
+    System whole(strokes);
+    prepare(whole, other);
+    whole.mesh();
+    EXPECT_EQ(topologyOf(whole.filter->GetOutput()).chi, other ? 0 : 2);
+    for (int i = 0; i < whole.filter->GetNumberOfStages(); ++i)
+    {
+      const std::string name = whole.filter->GetStage(i);
+      SCOPED_TRACE(name + (other ? ", the other steps" : ""));
+      if (whole.filter->GetStageTime(name.c_str()) > 0.0)
+      {
+        System system(strokes);
+        prepare(system, other);
+        expectStopIn(system.filter, name);
+        system.mesh();
+        EXPECT_EQ(largestMove(system.filter->GetOutput(), whole.filter->GetOutput()), 0.0);
+        EXPECT_EQ(cornersOf(system.filter->GetOutput()), cornersOf(whole.filter->GetOutput()));
+        stopped.insert(name);
+      }
+    }
   }
+  EXPECT_EQ(static_cast<int>(stopped.size()), System(strokes).filter->GetNumberOfStages()) << "every step";
 }
 
 TEST(InflateDrawingPromises, ProgressNeverFalls)

@@ -1,11 +1,18 @@
 """drawing(lines, image): strokes over a picture, through the filters that take them."""
 import math
+import os
+import pathlib
 
 import numpy
 import pytest
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import oversketch
+
+DRAWINGS = pathlib.Path(os.environ["OVERSKETCH_SOURCE"]) / "Data" / "Drawings"
 
 
 def ring(x, y, radius, count=80, share=1.0):
@@ -94,3 +101,41 @@ def test_a_drawing_becomes_objects_and_distances():
 def test_what_is_no_drawing_is_refused(lines, image, closed, words):
     with pytest.raises(ValueError, match=words):
         oversketch.drawing(lines, image, closed=closed)
+
+
+def bits(mesh):
+    faces = mesh.GetPolys()
+    return [vtk_to_numpy(data).tobytes() for data in (mesh.GetPoints().GetData(), faces.GetOffsetsArray(), faces.GetConnectivityArray())]
+
+
+@pytest.mark.parametrize("pictured", [False, True], ids=["without a picture", "with pictures"])
+def test_for_each_makes_of_drawings_what_the_system_makes_of_each(pictured):
+    def read(reader, name):
+        reader.SetFileName(str(DRAWINGS / name))
+        return oversketch.update(reader)
+
+    names = ("mug", "leaf")
+    drawings = [read(vtkXMLPolyDataReader(), name + ".vtp") for name in names]
+    pictures = [read(vtkPNGReader(), name + ".png") for name in names]
+    collection, images = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+    for i in range(2):
+        collection.SetBlock(i, drawings[i])
+        images.SetBlock(i, pictures[i])
+    system = oversketch.vtkOversketchInflateDrawing()
+    system.SetLevels(2)
+    each = oversketch.vtkOversketchForEach()
+    each.SetFilter(system)
+    each.SetInputDataObject(0, collection)
+    if pictured:
+        each.SetInputDataObject(1, images)
+    made = oversketch.update(each)
+    assert each.GetNumberOfFailures() == 0 and made.GetNumberOfBlocks() == 2
+    for i in range(2):
+        alone = oversketch.vtkOversketchInflateDrawing()
+        alone.SetLevels(2)
+        alone.SetInputData(0, drawings[i])
+        if pictured:
+            alone.SetInputData(1, pictures[i])
+        alone = oversketch.update(alone)
+        assert alone.GetNumberOfPolys() > 1000 and bits(made.GetBlock(i)) == bits(alone), names[i]
+    assert bits(made.GetBlock(0)) != bits(made.GetBlock(1))
