@@ -421,8 +421,10 @@ void FollowSources(vtkPolyData* before, vtkPolyData* redrawn)
     }
     const double from = places->GetComponent(k, 0), to = places->GetComponent(k + 1, 0);
     const double share = std::clamp((t - from) / (to - from), 0.0, 1.0);
+    const double source =
+      (1.0 - share) * sources->GetComponent(k, 0) + share * sources->GetComponent(k + 1, 0);
     followed->InsertNextValue(
-      (1.0 - share) * sources->GetComponent(k, 0) + share * sources->GetComponent(k + 1, 0));
+      i > 0 ? std::max(source, followed->GetValue(i - 1)) : source); // but for rounding it rises
   }
   redrawn->GetPointData()->AddArray(followed);
 }

@@ -20,7 +20,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -75,17 +74,6 @@ double meanStep(const DrawnLine& line)
 {
   const std::size_t steps = line.Samples.size() - (line.Closed ? 0 : 1);
   return arcLengths(line.Samples, line.Closed).back() / static_cast<double>(steps);
-}
-
-// The share of the curve's length at a place between two neighbours, in whichever order they are named.
-double shareAt(const Blend& place, const std::vector<double>& lengths)
-{
-  // Of a closed curve the first sample is also the one after the last.
-  const bool wraps = std::abs(place.from - place.to) > 1;
-  const std::size_t end = lengths.size() - 1;
-  const double from = lengths[wraps && place.from == 0 ? end : static_cast<std::size_t>(place.from)];
-  const double to = lengths[wraps && place.to == 0 ? end : static_cast<std::size_t>(place.to)];
-  return ((1.0 - place.t) * from + place.t * to) / lengths.back();
 }
 
 bool isPoint(const Blend& place)
@@ -252,11 +240,13 @@ int vtkOversketchResketch::RequestData(vtkInformation*,
           sources->SetName("SourceT");
           vtkNew<vtkIdTypeArray> kept;
           kept->SetName("VertexId");
-          const std::vector<double> lengths = arcLengths(old.Samples, old.Closed);
+          for (const double share : sourcesOf(drawn.origins, old.Samples, old.Closed))
+          {
+            sources->InsertNextValue(share);
+          }
           for (const Origin& origin : drawn.origins)
           {
             const bool stays = origin.weight == 0.0 && isPoint(origin.before);
-            sources->InsertNextValue(shareAt(origin.before, lengths));
             kept->InsertNextValue(stays && vertices ? static_cast<vtkIdType>(vertices->GetComponent(
                                                         old.Ids[origin.before.from], 0))
                                                     : -1);

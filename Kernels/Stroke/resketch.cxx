@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace oversketch
@@ -135,6 +136,17 @@ void addMiddle(const Walk& old,
   add(old.at(to), Blend::point(last));
 }
 
+// The share of the curve's length at a place between two neighbours, in whichever order they are named.
+double shareAt(const Blend& place, const std::vector<double>& lengths)
+{
+  // Of a closed curve the first sample is also the one after the last.
+  const bool wraps = std::abs(place.from - place.to) > 1;
+  const std::size_t end = lengths.size() - 1;
+  const double from = lengths[wraps && place.from == 0 ? end : static_cast<std::size_t>(place.from)];
+  const double to = lengths[wraps && place.to == 0 ? end : static_cast<std::size_t>(place.to)];
+  return ((1.0 - place.t) * from + place.t * to) / lengths.back();
+}
+
 bool differs(const Polyline& curve)
 {
   return std::any_of(curve.begin(), curve.end(), [&](const Vector2& p) { return p != curve.front(); });
@@ -224,6 +236,21 @@ Resketched continued(const Polyline& old, const Polyline& fresh, const ResketchR
     result.origins.push_back({ Blend::point(0), Blend::point(i), 1.0 });
   }
   return result;
+}
+
+std::vector<double> sourcesOf(const std::vector<Origin>& origins, const Polyline& old, bool closed)
+{
+  const std::vector<double> lengths = arcLengths(old, closed);
+  std::vector<double> sources;
+  sources.reserve(origins.size());
+  for (const Origin& origin : origins)
+  {
+    const double share = shareAt(origin.before, lengths);
+    // The way out is measured from the other end: where it begins, the last bits may fall behind the
+    // middle's.
+    sources.push_back(closed || sources.empty() ? share : std::max(share, sources.back()));
+  }
+  return sources;
 }
 
 } // namespace oversketch

@@ -62,5 +62,9 @@ Resketched resketch(const Polyline& old, const Polyline& fresh, const ResketchRu
 // above, within the old curve's length. Both need two points that differ, else the new one is the result.
 Resketched continued(const Polyline& old, const Polyline& fresh, const ResketchRules& rules = {});
 
+// The share of the old curve's length at which each sample takes its place; along an open curve they never
+// fall.
+std::vector<double> sourcesOf(const std::vector<Origin>& origins, const Polyline& old, bool closed = false);
+
 } // namespace oversketch
 #endif

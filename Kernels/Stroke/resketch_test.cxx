@@ -272,6 +272,48 @@ TEST(Resketch, AClosedCurveByThePublishedRules)
   EXPECT_GT(kept, 100);
 }
 
+// The way in, the middle and the way out are measured from different ends; they meet to the last bit.
+TEST(Resketch, SourcesOfAnOpenCurveNeverFall)
+{
+  int fell = 0;
+  for (int steps = 7; steps <= 61; steps += 9)
+  {
+    Polyline section;
+    for (int i = 0; i <= steps; ++i)
+    {
+      const double x = static_cast<double>(i) / steps;
+      section.emplace_back(x, 0.03 * std::sin(7.0 * x));
+    }
+    const std::vector<double> lengths = oversketch::arcLengths(section);
+    for (int k = 1; k <= 60; ++k)
+    {
+      // From a place on the section to another one, to rounding.
+      const Vector2 begin = oversketch::placeAt(lengths, steps + 1, 0.0061 * k * lengths.back()).of(section);
+      const Vector2 end =
+        oversketch::placeAt(lengths, steps + 1, (1.0 - 0.0067 * k) * lengths.back()).of(section);
+      Polyline arch;
+      for (int i = 0; i <= 100; ++i)
+      {
+        const double t = i / 100.0;
+        arch.push_back((1.0 - t) * begin + t * end + Vector2(0.0, 0.3 * std::sin(oversketch_test::pi * t)));
+      }
+      const Resketched r = resketch(section, arch, { 6.0, 0.002 });
+      const std::vector<double> sources = oversketch::sourcesOf(r.origins, section);
+      ASSERT_EQ(sources.size(), r.points.size());
+      EXPECT_TRUE(std::is_sorted(sources.begin(), sources.end())) << steps << ' ' << k;
+      double before = 0.0;
+      for (size_t i = 0; i < sources.size(); ++i)
+      {
+        const double own = r.origins[i].before.of(lengths) / lengths.back();
+        EXPECT_NEAR(sources[i], own, 1e-14);
+        fell += own < before ? 1 : 0;
+        before = own;
+      }
+    }
+  }
+  EXPECT_GT(fell, 0); // as they come some do, so that this tests something
+}
+
 TEST(Resketch, OriginsGiveTheSamplesBack)
 {
   // An affine value of the old curve and of the new one, carried along, is that value at the result.

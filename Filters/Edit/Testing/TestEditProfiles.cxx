@@ -36,12 +36,12 @@ vtkSmartPointer<vtkPolyData> flat(const std::vector<std::vector<Vector2>>& strok
 const std::vector<Vector2> looped = { { 0, 0 }, { 0.7, 0.5 }, { 0.3, 0.5 }, { 1, 0 } };
 const std::vector<Vector2> arched = { { 0, 0 }, { 0.5, 0.4 }, { 1, 0 } };
 
-// A parallel view of a square of this side, turned about x by an angle.
-View squareView(double side, double degrees)
+// A parallel view of a square of this side about (0.5, height), turned about x by an angle.
+View squareView(double side, double degrees, double height = 0.0)
 {
   Eigen::Affine3d see = Eigen::Translation3d(0.0, 0.0, -10.0) *
                         Eigen::AngleAxisd(degrees * pi / 180.0, Vector3::UnitX()) *
-                        Eigen::Translation3d(-0.5, 0.0, 0.0);
+                        Eigen::Translation3d(-0.5, -height, 0.0);
   Eigen::Matrix4d project = Eigen::Matrix4d::Identity();
   project(0, 0) = project(1, 1) = 2.0 / side;
   project(2, 2) = -0.1;
@@ -95,4 +95,31 @@ TEST(EditProfiles, StrokesOfAnotherViewAreRefused)
   s.operate("move 0.5 n %.9g", 0.02);
   s.filter->SetAreasData(toStroke(ringOver(), s.view));
   expectRefusal(s.filter, Failure::BadStroke, "An area was drawn on the model");
+}
+
+// Drawn in a view, as in the window, a profile makes what it makes where its places are given.
+TEST(EditProfiles, OneDrawnInAViewMakesWhatItsPlacesMake)
+{
+  EditSystem s(shippedModel("dinosaur"));
+  s.filter->SetReferenceData(shippedStroke("dinosaur_crest"));
+  s.filter->SetBoundaryData(shippedStroke("dinosaur_crest_ring"));
+  s.filter->SetRule(vtkOversketchEdit::Off);
+  double farthest = 0.0;
+  for (const double height : { 0.3, 0.45, 0.6 })
+  {
+    std::vector<Vector2> arch, seen;
+    for (int i = 0; i <= 100; ++i)
+    {
+      const double x = i / 100.0, y = height * std::sin(pi * x);
+      arch.emplace_back(x, y);
+      seen.emplace_back(200.0 + (x - 0.5) / 0.6 * 200.0, 200.0 + (y - 0.3) / 0.6 * 200.0);
+    }
+    s.filter->SetProfileData(flat({ arch }));
+    vtkNew<vtkPolyData> given;
+    given->DeepCopy(s.run());
+    EXPECT_GT(s.filter->GetMovedPoints(), 0);
+    s.filter->SetProfileData(toStroke(seen, squareView(1.2, 0.0, 0.3)));
+    farthest = std::max(farthest, largestMove(given, s.run()));
+  }
+  EXPECT_LT(farthest, 1e-6 * s.diagonal());
 }
