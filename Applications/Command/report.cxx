@@ -111,6 +111,11 @@ std::string Report::json(const Options& options,
   json["options"] = optionsOf(options, step);
   json["backend_used"] = backendWords()[static_cast<std::size_t>(system->GetBackendUsed())];
   json["stage_milliseconds"] = stageTimes(system);
+  json["warnings"] = Json::arrayValue;
+  for (const std::string& warning : this->warnings)
+  {
+    json["warnings"].append(warning);
+  }
   if (mesh)
   {
     json["before"] = countsOf(mesh);

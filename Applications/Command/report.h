@@ -6,6 +6,9 @@
 
 #include "vtk_jsoncpp_fwd.h"
 
+#include <string>
+#include <vector>
+
 class vtkOversketchSystem;
 class vtkPolyData;
 
@@ -15,9 +18,10 @@ namespace oversketch_command
 struct Report
 {
   double readMilliseconds = 0.0, runMilliseconds = 0.0, writeMilliseconds = 0.0;
+  std::vector<std::string> warnings; // of the run, such as why a stroke was rejected
 
-  // JSON: files and options; times [ms]; counts before (where there was a mesh) and after; each field array
-  // of one value that a stage or the system put out; what ran where; and what addFigures adds.
+  // JSON: files and options; times [ms]; warnings; counts before (where there was a mesh) and after; each
+  // field array of one value that a stage or the system put out; what ran where; and what addFigures adds.
   std::string json(const Options& options,
     const oversketch_session::Step& step,
     vtkOversketchSystem* system,

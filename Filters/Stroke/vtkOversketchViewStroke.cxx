@@ -60,13 +60,17 @@ Eigen::Matrix4d Projection(bool parallel, double scale, double angle, double asp
   return m;
 }
 
+// The same for each cell.
 template <typename Array, typename Value>
 void AddCellArray(vtkPolyData* to, const char* name, const std::vector<Value>& values)
 {
   vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfComponents(static_cast<int>(values.size()));
-  array->InsertNextTypedTuple(values.data());
+  for (vtkIdType cell = 0; cell < to->GetNumberOfCells(); ++cell)
+  {
+    array->InsertNextTypedTuple(values.data());
+  }
   to->GetCellData()->AddArray(array);
 }
 
@@ -94,12 +98,12 @@ int vtkOversketchViewStroke::RequestData(vtkInformation*,
       {
         return;
       }
-      if (input->GetNumberOfLines() != 1 || input->GetNumberOfCells() != 1)
+      if (input->GetNumberOfLines() == 0 || input->GetNumberOfCells() != input->GetNumberOfLines())
       {
         throw Error(Failure::BadStroke,
           "The input holds " + std::to_string(input->GetNumberOfLines()) + " polylines and " +
             std::to_string(input->GetNumberOfCells() - input->GetNumberOfLines()) +
-            " other cells; a stroke is exactly one polyline.");
+            " other cells; give polylines alone.");
       }
       const int width = this->ViewSize[0];
       const int height = this->ViewSize[1];
@@ -113,23 +117,26 @@ int vtkOversketchViewStroke::RequestData(vtkInformation*,
         height);
 
       vtkNew<vtkIdList> ids;
-      input->GetLines()->GetCellAtId(0, ids);
       vtkNew<vtkPoints> points;
       points->SetDataTypeToDouble();
       vtkNew<vtkCellArray> lines;
-      lines->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
-      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line)
       {
-        Vector3 world;
-        input->GetPoint(ids->GetId(i), world.data());
-        if (!world.allFinite() || !view.inFront(world))
+        input->GetLines()->GetCellAtId(line, ids);
+        lines->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
+        for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
         {
-          throw Error(Failure::BadStroke,
-            "Point " + std::to_string(ids->GetId(i)) +
-              " of the polyline is not finite, or not before the camera; draw it where the view shows it.");
+          Vector3 world;
+          input->GetPoint(ids->GetId(i), world.data());
+          if (!world.allFinite() || !view.inFront(world))
+          {
+            throw Error(Failure::BadStroke,
+              "Point " + std::to_string(ids->GetId(i)) +
+                " of the polyline is not finite, or not before the camera; draw it where the view shows it.");
+          }
+          const Vector3 display = view.toDisplay(world);
+          lines->InsertCellPoint(points->InsertNextPoint(display[0], display[1], 0.0));
         }
-        const Vector3 display = view.toDisplay(world);
-        lines->InsertCellPoint(points->InsertNextPoint(display[0], display[1], 0.0));
       }
       output->SetPoints(points);
       output->SetLines(lines);

@@ -1,20 +1,21 @@
 /**
  * @class vtkOversketchViewStroke
- * @brief the stroke that a polyline in space is, seen by a camera
+ * @brief the strokes that polylines in space are, seen by a camera
  *
- * For hosts whose own tools draw in space (ParaView's polyline and spline sources): the polyline is projected
- * to display coordinates and gets the view that it was projected with, as if it had been drawn over that
- * picture. The camera is told in the terms of vtkCamera, by the names of ParaView's render view.
+ * For hosts whose own tools draw in space (ParaView's polyline and spline sources): each polyline is
+ * projected to display coordinates and gets the view that it was projected with, as if it had been drawn over
+ * that picture. Several make a drawing. The camera is told in the terms of vtkCamera, by the names of
+ * ParaView's render view.
  *
- * Input 0 (Polyline): vtkPolyData with one polyline, in world space.
- * Output 0: the stroke: its points in display coordinates [px from the viewport's lower left corner, y
- * up], double, z = 0; cell arrays ViewTransform, ProjectionTransform (double, 16 components, row-major)
- * and ViewportSize (int, 2 components). Arrays of the input are dropped.
+ * Input 0 (Polyline): vtkPolyData of one or more polylines, in world space.
+ * Output 0: the strokes, a cell for each polyline in their order: points in display coordinates [px from the
+ * viewport's lower left corner, y up], double, z = 0; cell arrays ViewTransform, ProjectionTransform (double,
+ * 16 components, row-major) and ViewportSize (int, 2 components). Arrays of the input are dropped.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): BadStroke when there is not exactly one polyline, a
- * point is not finite or lies at or behind the eye (the message names it), or the camera sees nothing (focal
- * point at the position, view up along the line of sight, viewport without size). A polydata without points
- * gives an empty output silently.
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadStroke when there are other cells than
+ * polylines, a point is not finite or lies at or behind the eye (the message names it), or the camera sees
+ * nothing (focal point at the position, view up along the line of sight, viewport without size). A polydata
+ * without points gives an empty output silently.
  *
  * Deterministic. Cost: linear in the points.
  *

@@ -2,6 +2,7 @@
 // and thickness beside OpenCV's distance transform, and the whole, new and after one change.
 #include "benchmark_frame.h"
 
+#include "vtkOversketchInflate.h"
 #include "vtkOversketchInflateDrawing.h"
 
 #include "Raster/distance_maps.h"
@@ -321,6 +322,15 @@ void wholeJobs()
     [](Drawing& d)
     {
       d.filter->SetHeight(1.3);
+      d.filter->Update();
+    });
+  job(
+    "drawing: another smoothing",
+    150.0,
+    [](Drawing& d) { d.run(d.whole); },
+    [](Drawing& d)
+    {
+      vtkOversketchInflate::SafeDownCast(d.filter->GetStep("Inflate"))->SetLocalMaxSmoothing(0.3);
       d.filter->Update();
     });
 }

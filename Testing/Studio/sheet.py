@@ -72,13 +72,14 @@ def places_of(sitting, name, colour):
 
 
 def undone_and_redone(sitting, steps, digests):
-    """Ctrl+Z back to the first of them and Ctrl+Y to the last."""
-    for now, earlier in zip(digests[:0:-1], digests[-2::-1]):
+    """Ctrl+Z back to the first of them and Ctrl+Y to the last. How many steps there are then: one number, or that of each."""
+    states = list(zip(steps if isinstance(steps, list) else [steps] * len(digests), digests))
+    for (_, now), (count, earlier) in zip(states[:0:-1], states[-2::-1]):
         sitting.desk.key("ctrl+z")
-        assert sitting.shows(steps, other_than=now) == earlier
-    for now, later in zip(digests, digests[1:]):
+        assert sitting.shows(count, other_than=now) == earlier
+    for (_, now), (count, later) in zip(states, states[1:]):
         sitting.desk.key("ctrl+y")
-        assert sitting.shows(steps, other_than=now) == later
+        assert sitting.shows(count, other_than=now) == later
 
 
 def save(sitting, path):

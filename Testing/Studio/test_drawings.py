@@ -1,5 +1,5 @@
 """A drawing over a picture in the Studio, by real mouse and keys: a picture is dropped, an outline drawn by the magnetic pen, a part of it
-anew, a hole made, all undone and redone, a fin of the model pulled, the outline changed once more, all saved, the program killed amid a line:
+anew, a hole made, all undone and redone, the model turned, a fin of it pulled, the outline changed once more, all undone and redone, all saved, the program killed amid a line:
 what it shows is what the command makes, bit for bit."""
 import os
 import pathlib
@@ -66,9 +66,21 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
     # Undone to the first line and redone.
     undone_and_redone(sitting, 1, [whole, filled, hole, tunnel, anew])
 
-    # A stroke over the outline pulls a fin of the model; a part of the drawing drawn anew then, and the fin follows.
+    # The middle button turns the model and the right one pans it: no vertex moves, and w looks as at first.
     desk.key("d")
     until(lambda: sitting.place("filler", "Model"), "the model's view")
+    facing = pixels(sitting, "Model")[1]
+    looks = lambda: abs(pixels(sitting, "Model")[1] - facing).max(axis=2)
+    at = sitting.place("filler", "Model").middle
+    for button in (2, 3):
+        desk.drag([(at[0] + 4 * t, at[1] + 2 * t) for t in range(15)], button=button)
+        until(lambda: (looks() > 40).mean() > 0.01, "another view")
+        assert sitting.shows(1) == anew
+        desk.move(*at)
+        desk.key("w")
+        until(lambda: (looks() > 40).mean() < 0.001, "the view as at first")
+
+    # A stroke over the outline pulls a fin of the model; a part of the drawing drawn anew then, and the fin follows.
     sitting.shot("fish_before_the_pull")
     x, y = lowest_fin(sitting)
     desk.drag([(x + 22 * t, y - 28 + 55 * (1 - t * t)) for t in numpy.linspace(-1.0, 1.0, 41)])
@@ -88,6 +100,10 @@ def test_a_picture_becomes_a_model_and_outlives_a_crash(sitting, tmp_path):
     desk.hold("shift", down=False)
     both = sitting.shows(2, other_than=pulled)
     assert digest(replayed(sitting.autosave(), tmp_path / "both.vtp")) == both
+
+    # All undone to the first line once more and redone, over both steps.
+    undone_and_redone(sitting, [1, 1, 1, 1, 1, 2, 2], [whole, filled, hole, tunnel, anew, pulled, both])
+    assert digest(replayed(sitting.autosave(), tmp_path / "redone.vtp")) == both
 
     # Killed amid a line: what was drawn before comes back.
     sitting.alone()

@@ -46,6 +46,12 @@ def test_a_picture_becomes_a_textured_model(tmp_path):
     assert report["strokes"].count("boundary") == 1 and report["strokes"].count("closed feature") == 2
     assert len(report["strokes"]) == 16 and report["after"]["triangles"] == mesh.GetNumberOfPolys()
     assert report["faces"]["Refine"] * 2 == mesh.GetNumberOfPolys()
+    assert report["warnings"] == [] and report["rebuilds"] in range(25) and report["levels"] == 3
+    steps = report["stage_milliseconds"]
+    ran = {"Canvas", "MagneticSnap", "Resample", "Classify", "Treatment", "Distance", "Polyline", "Darts", "CoarseMesh", "Refine", "Inflate",
+           "Tunnel", "ProjectTexture"}
+    assert {step for step, time in steps.items() if time > 0} == ran and set(steps) == ran | {"Arrange", "QuadMerge", "Extrude"}
+    assert sum(steps.values()) <= report["milliseconds"]["run"]
     assert 0 < report["smallest_angle"]["least"] <= report["smallest_angle"]["percentile_5"] < report["smallest_angle"]["median"] < 60
     assert {"Distance.vti", "Distance.vtp", "Refine.vtp", "Inflate.vti"} <= {p.name for p in (tmp_path / "steps").iterdir()}
     assert done.stdout == ""
@@ -90,6 +96,72 @@ def test_what_cannot_be_is_said(tmp_path):
     assert done.returncode == 1 and "absent.vtp" in done.stderr
     done = run("inflate", DRAWINGS / "fish.vtp")
     assert done.returncode == 2
+
+
+def drawn(path, *lines):
+    """Lines in pixels as a drawing; what a single stroke has is repeated for each."""
+    whole, points, cells = stroke(lines[0], views=len(lines)), vtkPoints(), vtkCellArray()
+    views = vtk_to_numpy(whole.GetCellData().GetArray("ViewTransform"))
+    views[:] = views[0]
+    points.SetDataTypeToDouble()
+    for line in lines:
+        cells.InsertNextCell(len(line))
+        for x, y in line:
+            cells.InsertCellPoint(points.InsertNextPoint(x, y, 0.0))
+    whole.SetPoints(points)
+    whole.SetLines(cells)
+    return write(whole, path)
+
+
+def ring(x, y, size, waves=0, depth=0.0):
+    angles = numpy.linspace(0, 2 * numpy.pi, 401)
+    radii = size * (1 + depth * numpy.cos(waves * angles))
+    return numpy.column_stack([x + radii * numpy.cos(angles), y + radii * numpy.sin(angles)])
+
+
+def test_the_report_tells_rejections_and_rebuilds(tmp_path):
+    # The second line comes within 1.2 px of the first: there the strokes are followed more closely; not as published.
+    lines = [ring(200, 150, 120), ring(200, 150, 110, 9, 0.08)]
+    speck = ring(200, 150, 0.2)
+    for more, options in (([speck], []), ([], ["--as-published"])):
+        drawing = drawn(tmp_path / "narrow.vtp", *lines, *more)
+        done = run("inflate", drawing, "-o", tmp_path / "narrow.ply", "--levels", "1", "--report", tmp_path / "narrow.json", *options)
+        assert done.returncode == 0, done.stderr
+        report = json.loads((tmp_path / "narrow.json").read_text())
+        assert report["strokes"] == ["boundary", "closed feature"] + ["rejected"] * len(more)
+        assert len(report["warnings"]) == len(more) and all(warning in done.stderr for warning in report["warnings"])
+        assert not more or "troke 2 is closed round less than 9 px" in report["warnings"][0]
+        assert report["rebuilds"] == 0 if options else 0 < report["rebuilds"] <= 24
+
+
+def test_options_do_what_they_say(tmp_path):
+    """What each option changes, by what it is for."""
+    drawing = drawn(tmp_path / "disc.vtp", ring(200, 150, 120, 3, 0.3))
+    size = lambda mesh: mesh.GetBounds()[5]
+
+    def made(*options):
+        done = run("inflate", drawing, "-o", tmp_path / "made.vtp", "--report", tmp_path / "made.json", *options)
+        assert done.returncode == 0, done.stderr
+        mesh = read(tmp_path / "made.vtp")
+        assert euler(mesh) == 2
+        return mesh, json.loads((tmp_path / "made.json").read_text())
+
+    plain, report = made()
+    assert report["levels"] == 3 and not report["options"]["poisson"] and not report["options"]["as_published"]
+    # Each level makes four triangles of one.
+    for levels in (0, 2):
+        mesh, report = made("--levels", str(levels))
+        assert report["levels"] == levels and mesh.GetNumberOfPolys() == 2 * report["faces"]["CoarseMesh"] * 4 ** levels
+    half, _ = made("--height", "0.5")
+    assert numpy.allclose(points_of(half), points_of(plain) * [1, 1, 0.5], atol=1e-9)
+    # Poisson's equation: the same outline, another height.
+    poisson, report = made("--poisson")
+    assert report["options"]["poisson"] and size(poisson) > 1.05 * size(plain)
+    assert numpy.allclose(poisson.GetBounds()[:4], plain.GetBounds()[:4], atol=1e-6)
+    # As published: thickness and profile are not smoothed, so other heights.
+    published, report = made("--as-published")
+    assert report["options"]["as_published"]
+    assert abs(size(published) - size(plain)) > 0.01 * size(plain)
 
 
 def test_a_limb_of_it_is_pulled_and_it_keeps_its_picture(tmp_path):

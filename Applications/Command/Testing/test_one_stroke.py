@@ -155,10 +155,14 @@ def test_a_picture_without_a_display_is_refused_before_any_work(folder, tmp_path
     assert os.listdir(tmp_path) == []
 
 
-def test_progress_on_a_terminal_and_interrupt(tmp_path):
+@pytest.mark.parametrize("arguments", [
+    ["one-stroke", SOURCE / "Data/Models/dinosaur.ply", SOURCE / "Data/Strokes/dinosaur_longer_tail.vtp"],
+    ["inflate", SOURCE / "Data/Drawings/figure_body.vtp", "--image", SOURCE / "Data/Drawings/figure_body.png", "--levels", "6"]],
+    ids=lambda words: words[0])
+def test_progress_on_a_terminal_and_interrupt(tmp_path, arguments):
+    # Each takes seconds, of which the interrupt needs a part, however loaded the machine is.
     leader, follower = pty.openpty()
-    program = subprocess.Popen([COMMAND, "one-stroke", SOURCE / "Data/Models/dinosaur.ply",
-                                SOURCE / "Data/Strokes/dinosaur_longer_tail.vtp", "-o", tmp_path / "o.ply"],
+    program = subprocess.Popen([COMMAND, *arguments, "-o", tmp_path / "o.ply"],
                                stderr=follower, stdout=subprocess.DEVNULL)
     os.close(follower)
     seen = b""

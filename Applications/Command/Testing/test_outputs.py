@@ -101,17 +101,22 @@ def textured():
     return mesh
 
 
+@pytest.mark.parametrize("verb", ["one-stroke", "inflate"])
 @pytest.mark.parametrize("more", [[], ["--report", "r.json"], ["--inner", "inner"]])
-def test_a_full_disk_leaves_nothing(folder, tmp_path, more):
+def test_a_full_disk_leaves_nothing(folder, tmp_path, verb, more):
     write(textured(), folder / "textured.vtp")
-    done = run("one-stroke", folder / "textured.vtp", folder / "longer.vtp", "-o", "o.obj", *more, *QUICK, cwd=tmp_path)
+    leaf = SOURCE / "Data" / "Drawings" / "leaf"
+    words = {"one-stroke": [verb, folder / "textured.vtp", folder / "longer.vtp", *QUICK],
+             "inflate": [verb, leaf.with_suffix(".vtp"), "--image", leaf.with_suffix(".png"), "--backend", "embree"]}[verb]
+    done = run(*words, "-o", "o.obj", *more, cwd=tmp_path)
     assert done.returncode == 0 and {"o.obj", "o.mtl", "o.png"} <= set(os.listdir(tmp_path)), done.stderr
     limit = (tmp_path / "o.obj").stat().st_size - 1  # the picture and the library are smaller
+    assert limit > max((tmp_path / name).stat().st_size for name in ("o.mtl", "o.png"))
     for name in ("o.obj", "o.mtl", "o.png"):
         os.remove(tmp_path / name)
     before = sorted(os.listdir(tmp_path))
     full = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
-    done = run("one-stroke", folder / "textured.vtp", folder / "longer.vtp", "-o", "o.obj", *more, *QUICK, cwd=tmp_path, preexec_fn=full)
+    done = run(*words, "-o", "o.obj", *more, cwd=tmp_path, preexec_fn=full)
     assert done.returncode == 1 and "o.obj: could not be written" in done.stderr, done.stderr
     assert sorted(os.listdir(tmp_path)) == before
 

@@ -150,6 +150,52 @@ std::vector<Case> cases()
 
 } // namespace
 
+TEST(HostileDrawings, WhatIsAskedOfAMeshSeesItsFaults)
+{
+  // Two tetrahedra that share a vertex: closed, but no surface there.
+  vtkNew<vtkPoints> points;
+  for (const Vector3& p : std::vector<Vector3>{
+         { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } })
+  {
+    points->InsertNextPoint(p.data());
+  }
+  const std::vector<std::array<vtkIdType, 3>> one = { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
+  const std::vector<std::array<vtkIdType, 3>> other = { { 0, 4, 5 }, { 0, 6, 4 }, { 0, 5, 6 }, { 4, 6, 5 } };
+  const auto meshOf = [&](std::vector<std::array<vtkIdType, 3>> faces, bool turned = false)
+  {
+    auto mesh = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkCellArray> cells;
+    for (std::array<vtkIdType, 3>& face : faces)
+    {
+      if (turned)
+      {
+        std::swap(face[0], face[1]);
+      }
+      cells->InsertNextCell(3, face.data());
+    }
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    return mesh;
+  };
+  const auto ball = meshOf(one);
+  EXPECT_TRUE(topologyOf(ball).closed && topologyOf(ball).manifold);
+  EXPECT_EQ(topologyOf(ball).chi, 2);
+  EXPECT_EQ(topologyOf(ball).pieces, 1);
+  EXPECT_NEAR(volumeOf(ball), 1.0 / 6.0, 1e-12);
+  EXPECT_NEAR(volumeOf(meshOf(one, true)), -1.0 / 6.0, 1e-12);
+  EXPECT_FALSE(topologyOf(meshOf({ one[0], one[1], one[2] })).closed);
+  EXPECT_FALSE(topologyOf(meshOf({ one[0], one[1], one[2] })).manifold);
+  std::vector<std::array<vtkIdType, 3>> both = one;
+  both.insert(both.end(), other.begin(), other.end());
+  const auto pinched = meshOf(both);
+  EXPECT_TRUE(topologyOf(pinched).closed);
+  EXPECT_FALSE(topologyOf(pinched).manifold);
+  EXPECT_EQ(topologyOf(pinched).chi, 3);
+  EXPECT_TRUE(isSaid("Stroke 3 crosses itself; draw it anew."));
+  EXPECT_FALSE(isSaid("Stroke 3 crosses itself."));
+  EXPECT_FALSE(isSaid("It crosses itself; draw it anew."));
+}
+
 TEST(HostileDrawings, EachIsAMeshOrOneMessage)
 {
   for (const Case& one : cases())

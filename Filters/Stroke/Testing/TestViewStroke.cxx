@@ -128,6 +128,66 @@ TEST(ViewStroke, RefusesWhatNoViewShows)
   expectRefusal(filter, Failure::BadStroke, "ViewportSize");
 }
 
+TEST(ViewStroke, SeveralPolylinesAreStrokesOfTheirOwn)
+{
+  const std::vector<Vector3> second = { { -0.2, 0.1, 0 }, { 0.4, -0.3, 0.2 } };
+  vtkNew<vtkPolyData> both; // the second's points before the first's, which share one
+  vtkNew<vtkPoints> points;
+  for (const Vector3& p : second)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  for (const Vector3& p : places)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 2, 3, 4, 5 });
+  lines->InsertNextCell({ 0, 1 });
+  lines->InsertNextCell({ 5, 1 });
+  both->SetPoints(points);
+  both->SetLines(lines);
+  vtkNew<vtkOversketchViewStroke> filter;
+  take(filter, askew(false));
+  filter->SetViewSize(640, 480);
+  filter->SetInputData(both);
+  filter->Update();
+  ASSERT_EQ(filter->GetErrorCode(), 0u);
+  vtkNew<vtkPolyData> together;
+  together->DeepCopy(filter->GetOutput());
+  ASSERT_EQ(together->GetNumberOfLines(), 3);
+  EXPECT_EQ(together->GetNumberOfCells(), 3);
+  const std::vector<std::vector<Vector3>> each = { places, second, { places.back(), second.back() } };
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType line = 0; line < 3; ++line)
+  {
+    SCOPED_TRACE(line);
+    filter->SetInputData(polyline(each[static_cast<std::size_t>(line)]));
+    filter->Update();
+    vtkPolyData* alone = filter->GetOutput();
+    together->GetLines()->GetCellAtId(line, ids);
+    ASSERT_EQ(ids->GetNumberOfIds(), alone->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      Vector3 p, q;
+      together->GetPoint(ids->GetId(i), p.data());
+      alone->GetPoint(i, q.data());
+      EXPECT_EQ(p, q) << i;
+    }
+    for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
+    {
+      vtkDataArray* ours = together->GetCellData()->GetArray(name);
+      vtkDataArray* theirs = alone->GetCellData()->GetArray(name);
+      ASSERT_TRUE(ours && theirs) << name;
+      ASSERT_EQ(ours->GetNumberOfTuples(), 3) << name;
+      for (int c = 0; c < theirs->GetNumberOfComponents(); ++c)
+      {
+        EXPECT_EQ(ours->GetComponent(line, c), theirs->GetComponent(0, c)) << name;
+      }
+    }
+  }
+}
+
 TEST(ViewStroke, NothingInNothingOutSilently)
 {
   vtkNew<vtkOversketchViewStroke> filter;
