@@ -55,6 +55,7 @@ private:
     WayStep step;
     Vector3 place;
     double score = -2.0; // the cosine between its direction and the one that is wanted
+    int through = -1;    // the triangle that is crossed on the way there, none along an edge
   };
 
   std::vector<int> trianglesHere() const
@@ -98,8 +99,16 @@ private:
 
   bool barred(int v) const { return this->Rules.avoidCurves && this->Mesh.onCurve(v); }
 
-  void consider(const WayStep& step, Candidate& best) const
+  // A way that met itself inside a triangle, or on an edge that it runs along, could not be made edges.
+  void consider(const WayStep& step, int t, Candidate& best) const
   {
+    const bool alongEdge =
+      step.b < 0 && (this->Here.b < 0 || step.a == this->Here.a || step.a == this->Here.b);
+    if (alongEdge ? this->Here.b < 0 && this->Edges.count(std::minmax(this->Here.a, step.a)) > 0
+                  : this->Crossed.count(t) > 0)
+    {
+      return;
+    }
     const Vector3 place =
       step.b < 0 ? this->Mesh.point(step.a)
                  : Vector3((1.0 - step.s) * this->Mesh.point(step.a) + step.s * this->Mesh.point(step.b));
@@ -108,12 +117,12 @@ private:
     const double score = (place - this->At).normalized().dot(wanted.normalized());
     if (score > best.score)
     {
-      best = { step, place, score };
+      best = { step, place, score, alongEdge ? -1 : t };
     }
   }
 
   // The place where the plane crosses an edge, as a vertex where it is near enough to one.
-  void considerEdge(int a, int b, Candidate& best) const
+  void considerEdge(int a, int b, int t, Candidate& best) const
   {
     const double sa = this->side(a), sb = this->side(b);
     if (sa * sb > 0.0 || (sa == 0.0 && sb == 0.0))
@@ -131,13 +140,13 @@ private:
     {
       if (this->Vertices.count(end) == 0 && !this->barred(end))
       {
-        this->consider({ end, -1, 0.0 }, best);
+        this->consider({ end, -1, 0.0 }, t, best);
       }
     }
     else if (this->Edges.count(std::minmax(a, b)) == 0 &&
              !(this->Rules.avoidCurves && this->Mesh.curveEdge(a, b)))
     {
-      this->consider({ a, b, s }, best);
+      this->consider({ a, b, s }, t, best);
     }
   }
 
@@ -159,7 +168,7 @@ private:
                                               : std::minmax(a, b) == std::minmax(this->Here.a, this->Here.b);
         if (!touches)
         {
-          this->considerEdge(a, b, best);
+          this->considerEdge(a, b, t, best);
         }
       }
     }
@@ -171,11 +180,19 @@ private:
     if (best.step.b < 0)
     {
       this->Vertices.insert(best.step.a);
+      if (this->Here.b < 0)
+      {
+        this->Edges.insert(std::minmax(this->Here.a, best.step.a));
+      }
     }
     else
     {
       this->Edges.insert(std::minmax(best.step.a, best.step.b));
       this->Entered = this->between(this->Here, best.step);
+    }
+    if (best.through >= 0)
+    {
+      this->Crossed.insert(best.through);
     }
     this->Length += (best.place - this->At).norm();
     this->Heading = best.place - this->At;
@@ -208,8 +225,8 @@ private:
   Vector3 Normal = Vector3::Zero(), Anchor = Vector3::Zero();
   int Entered = -1; // through which triangle an edge was reached
   double Length = 0.0;
-  std::set<int> Vertices;
-  std::set<std::pair<int, int>> Edges;
+  std::set<int> Vertices, Crossed;     // triangles are crossed
+  std::set<std::pair<int, int>> Edges; // that are crossed or run along
 };
 
 } // namespace
