@@ -1,13 +1,16 @@
-"""In pvpython and in the Python of the VTK build: VTK's version, then the meshes that the shipped strokes make, remeshed and not, and
-the shipped edits, as digests.
+"""In pvpython and in the Python of the VTK build: VTK's version, then the meshes that the shipped strokes make, remeshed and not, the
+shipped edits, and the shipped drawings over their pictures, as digests.
 
 usage: shipped.py DATA"""
+import hashlib
 import pathlib
 import sys
 
 import oversketch
 from digest import digest
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -39,3 +42,15 @@ for path in listing.edits():
     edit.SetOperations(listing.EDIT[path.stem])
     mesh = oversketch.update(edit)
     print(path.stem, "edited", mesh.GetNumberOfPoints(), digest(mesh))
+
+picture, drawing, inflate = vtkPNGReader(), vtkXMLPolyDataReader(), oversketch.vtkOversketchInflateDrawing()
+inflate.SetInputConnection(0, drawing.GetOutputPort())
+inflate.SetInputConnection(1, picture.GetOutputPort())
+for path in listing.drawings():
+    drawing.SetFileName(str(path))
+    picture.SetFileName(str(path.with_suffix(".png")))
+    inflate.SetExtrudeDepth(40.0 if path.stem == "padlock" else 0.0)  # these two as Data/README.md has them
+    inflate.SetQuads(path.stem == "leaf")
+    mesh = oversketch.update(inflate)
+    worn = hashlib.md5(vtk_to_numpy(mesh.GetPointData().GetTCoords()).tobytes()).hexdigest()
+    print(path.stem, "inflated", mesh.GetNumberOfPoints(), "wears", worn, digest(mesh))

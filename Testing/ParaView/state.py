@@ -1,5 +1,6 @@
 """In pvpython: a state file, saved and loaded in a fresh session, gives the same meshes, parameters and driven filter included; edits by lines
-that were drawn in space, on the curves of an earlier edit, and by a painted image.
+that were drawn in space, on the curves of an earlier edit, by a painted image, a profile, layers of an area and handles of a file; a drawing
+over its picture.
 
 usage: pvpython state.py FILE.pvsm save|load"""
 import sys
@@ -8,6 +9,11 @@ from digest import digest
 from hosts import DATA, fetched, load_plugin, model, stroke
 from paraview import servermanager, simple
 from space import CAMERA, LINE, RING
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+EDITS = ("edited", "again", "painted", "profiled", "layered", "handled")
 
 load_plugin(globals())
 path, job = sys.argv[1:]
@@ -28,14 +34,39 @@ def edit(name, operations, mesh, line, ring, **more):
     return result
 
 
+def polydata(path):
+    return simple.XMLPolyDataReader(FileName=[str(path)])
+
+
+def handles(path):
+    """A file with one handle, which moves the line outward at its first quarter."""
+    points = vtkPoints()
+    points.InsertNextPoint(0.0, 0.0, 0.0)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    for name, values in (("CurveT", [0.25]), ("Matrix", [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0.1, 0, 0, 0, 1])):
+        array = vtkDoubleArray()
+        array.SetName(name)
+        array.SetNumberOfComponents(len(values))
+        array.InsertNextTuple(values)
+        data.GetPointData().AddArray(array)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(data)
+    writer.SetFileName(str(path))
+    assert writer.Write()
+    return path
+
+
 def report():
     one = simple.FindSource("one")
     each = simple.FindSource("each")
     collection = fetched(each)
     print("one", one.Remesh, one.AdjustNormals, digest(fetched(one)))
-    for name in ("edited", "again", "painted"):
+    for name in EDITS:
         source = simple.FindSource(name)
-        print(name, source.Operations, digest(fetched(source)))
+        print(name, source.Operations, source.Layers, digest(fetched(source)))
+    drawing = simple.FindSource("inflated")
+    print("inflated", drawing.ExtrudeDepth, digest(fetched(drawing)))
     print("each", each.Filter.Remesh, [digest(collection.GetBlock(i)) for i in range(collection.GetNumberOfBlocks())])
 
 
@@ -54,8 +85,18 @@ if job == "save":
     edit("again", "rotate 0.5 t 20", edited, servermanager.OutputPort(edited, 1), servermanager.OutputPort(edited, 2))
     image = simple.PNGSeriesReader(FileNames=[str(DATA / "Edits" / "octopus_mantle.png")])
     edit("painted", "move 0.5 n 0.07", model("octopus"), stroke("octopus_mantle"), stroke("octopus_mantle_ring"), Weights=image)
+    edit("profiled", "", dog, stroke("dog_back"), stroke("dog_back_ring"), Profile=polydata(DATA / "Edits" / "dog_back_profile.vtp"))
+    layered = edit("layered", "move 0.5 n 0.11", model("person"), stroke("person_belly"), stroke("person_belly_ring"),
+                   Areas=polydata(DATA / "Edits" / "person_belly_area.vtp"))
+    layered.Layers = "handle 0.4 0.6; area 0 3; handle 0.45 0.45"
+    edit("handled", "", hand, drawn(LINE), drawn(RING), Handles=polydata(handles(path + ".vtp")))
+    fish = DATA / "Drawings" / "fish.vtp"
+    picture = simple.PNGSeriesReader(FileNames=[str(fish.with_suffix(".png"))])
+    OversketchInflateDrawing(registrationName="inflated", Strokes=polydata(fish), Picture=picture)  # noqa: F821
     report()
     simple.SaveState(path)
+    still = {digest(fetched(model(name))) for name in ("dog", "hand", "octopus", "person")}
+    assert not still & {digest(fetched(simple.FindSource(name))) for name in EDITS}, "an edit that moves nothing"
 else:
     simple.LoadState(path)
     report()

@@ -48,15 +48,15 @@ def test_one_stroke_in_pvpython_and_pvbatch_is_the_class():
 
 @pytest.mark.skipif("OVERSKETCH_VTK_PACKAGE" not in os.environ, reason="ParaView is installed: VTK's Python cannot be beside it")
 def test_meshes_are_those_of_the_vtk_build():
-    """Each shipped stroke and edit, bit for bit: ParaView brings another VTK, and the filters are compiled anew against it."""
+    """Each shipped stroke, edit and drawing, bit for bit: ParaView brings another VTK, and the filters are compiled anew against it."""
     outside = {name: value for name, value in WITHOUT_DISPLAY.items() if name != "LD_LIBRARY_PATH"}
     outside["PYTHONPATH"] = os.environ["OVERSKETCH_VTK_PACKAGE"]
     vtk = clean("/usr/bin/python3", HERE / "shipped.py", DATA, env=outside).splitlines()
-    assert len(vtk) == 1 + 2 * len(listing.ONE_STROKE) + len(listing.EDIT) > 25
+    assert len(vtk) == 1 + 2 * len(listing.ONE_STROKE) + len(listing.EDIT) + len(listing.INFLATE) > 33
     paraview = clean("pvpython", HERE / "shipped.py", DATA).splitlines()
     assert paraview[0] != vtk[0], "the same VTK"
     assert paraview[1:] == vtk[1:]
-    assert len({line.split()[-1] for line in vtk[1:]}) > 15, "most meshes differ from each other"
+    assert len({line.split()[-1] for line in vtk[1:]}) > 23, "most meshes differ from each other"
 
 
 def accepting_server():
@@ -86,8 +86,9 @@ def test_one_stroke_on_a_server_is_the_class():
 def test_a_state_file_gives_the_same_meshes(tmp_path):
     state = tmp_path / "both.pvsm"
     saved = clean("pvpython", HERE / "state.py", state, "save")
-    assert len(saved.splitlines()) == 5
-    assert len({line.split()[-1] for line in saved.splitlines()}) == 5
+    made = {line.split()[0]: line.split()[-1] for line in saved.splitlines()}
+    assert sorted(made) == ["again", "each", "edited", "handled", "inflated", "layered", "one", "painted", "profiled"]
+    assert len(set(made.values())) == len(made)
     assert clean("pvpython", HERE / "state.py", state, "load") == saved
 
 
