@@ -13,22 +13,37 @@ namespace oversketch_studio
 namespace
 {
 
+constexpr int columns = 60; // in a narrow view they are still legible
+constexpr int toolsOfARow = 3;
+
 struct Texts
 {
   Q_DECLARE_TR_FUNCTIONS(KeyList)
 };
+
+// Words in lines of so many characters at most.
+QStringList wrapped(const QString& text, int most)
+{
+  QStringList lines;
+  for (const QString& word : text.split(' '))
+  {
+    if (lines.isEmpty() || lines.last().size() + 1 + word.size() > most)
+    {
+      lines << word;
+    }
+    else
+    {
+      lines.last() += ' ' + word;
+    }
+  }
+  return lines;
+}
 
 } // namespace
 
 QString keyList(const Tool& tool, const QVector<Tool*>& all)
 {
   using T = Texts;
-  QStringList keys, modes;
-  for (const Tool* one : all)
-  {
-    keys << one->key().toString().toLower();
-    modes << one->mode();
-  }
   QVector<QPair<QString, QString>> rows = tool.keys();
   rows += {
     { T::tr("Pen pressure"), tool.pressure() },
@@ -49,10 +64,20 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
     { "Ctrl+1-6", T::tr("from the front, right, top, back, left, bottom") },
     { "5", T::tr("orthographic or perspective") },
     { "u", T::tr("while held: the model before the selected step") },
-    { keys.join("  ") + "  o", T::tr("%1; show what moves").arg(modes.join("; ")) },
-    { "?  F1", T::tr("show or hide this list") },
-    { "Ctrl+Q", T::tr("quit") },
+    { "o", T::tr("show what moves") },
   };
+  for (int i = 0; i < all.size(); i += toolsOfARow)
+  {
+    QStringList keys, names;
+    for (const Tool* one : all.mid(i, toolsOfARow))
+    {
+      keys << one->key().toString().toLower();
+      names << one->mode();
+    }
+    rows.push_back({ keys.join("  "), names.join("; ") });
+  }
+  rows.push_back({ "?  F1", T::tr("show or hide this list") });
+  rows.push_back({ "Ctrl+Q", T::tr("quit") });
   int widest = 0;
   for (const auto& row : rows)
   {
@@ -61,7 +86,17 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
   QStringList lines{ T::tr("Mode: %1").arg(tool.mode()), QString() };
   for (const auto& [hand, what] : rows)
   {
-    lines << (what.isEmpty() ? hand : hand.leftJustified(widest + 3) + what); // a heading has no keys
+    if (what.isEmpty())
+    {
+      lines << hand; // a heading has no keys
+      continue;
+    }
+    QString before = hand.leftJustified(widest + 2);
+    for (const QString& line : wrapped(what, columns - before.size()))
+    {
+      lines << before + line;
+      before.fill(' ');
+    }
   }
   return lines.join('\n');
 }

@@ -32,6 +32,17 @@ const Plain plain[] = {
   { "^The region reaches the whole model",
     QT_TRANSLATE_NOOP("Messages",
       "The line would move the whole model: draw a shorter one, or take a model with more triangles.") },
+  { "^The stroke is (\\S+) px from any outline, more than MaximumGap = (\\S+) px",
+    QT_TRANSLATE_NOOP("Messages",
+      "The line is %1 px from any outline, more than %2: draw it along the one that it replaces.") },
+  { "^Fewer than two control points of the section lie on one layer",
+    QT_TRANSLATE_NOOP("Messages",
+      "The outline lies on several layers of the model here: draw along another.") },
+  { "step of \\S+ at sample \\d+, longer than \\S+ \\(MaximumStep\\)",
+    QT_TRANSLATE_NOOP("Messages", "The line leaves the model between its ends: draw it along one limb.") },
+  { "more than MaximumFaces \\((\\d+)\\) new triangles",
+    QT_TRANSLATE_NOOP("Messages",
+      "That needs more than %1 new triangles: make them larger, or the radius smaller.") },
 };
 
 QString inserted(QString words, const QStringList& values)
@@ -43,6 +54,19 @@ QString inserted(QString words, const QStringList& values)
   return words;
 }
 
+// How a filter speaks of a property, by the window's words for it.
+struct Asked
+{
+  const char* before;
+  const char* after;
+  const char* words;
+};
+const Asked asked[] = {
+  { "turn ", " on", QT_TRANSLATE_NOOP("Messages", "tick %1") },
+  { "turn ", " off", QT_TRANSLATE_NOOP("Messages", "untick %1") },
+  { "Lower ", ".", QT_TRANSLATE_NOOP("Messages", "Lower %1.") },
+};
+
 // "turn AllowTorn on" as the window's form has it.
 QString withTitles(QString text)
 {
@@ -50,12 +74,15 @@ QString withTitles(QString text)
   {
     for (const oversketch_session::Parameter& parameter : system.parameters)
     {
-      const QString turned = "turn " + QString::fromStdString(parameter.property) + " on";
-      if (text.contains(turned))
+      for (const Asked& one : asked)
       {
-        text.replace(turned,
-          QCoreApplication::translate("Messages", "tick %1")
-            .arg(QCoreApplication::translate("Systems", parameter.title.c_str())));
+        const QString said = one.before + QString::fromStdString(parameter.property) + one.after;
+        if (text.contains(said))
+        {
+          text.replace(said,
+            QCoreApplication::translate("Messages", one.words)
+              .arg(QCoreApplication::translate("Systems", parameter.title.c_str())));
+        }
       }
     }
   }

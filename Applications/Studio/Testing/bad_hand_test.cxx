@@ -1,10 +1,12 @@
 // What a bad hand is told in the window, and that it spoils nothing.
+#include "message_words.h"
 #include "mouse.h"
 #include "scene.h"
 
 #include "vtkMath.h"
 
 #include <QLabel>
+#include <QRegularExpression>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +20,13 @@ namespace oversketch_studio
 {
 namespace
 {
+
+// No name of the code stands in what a person is told.
+void expectPlain(const QString& words)
+{
+  static const QRegularExpression name("\\b[A-Z][a-z]+[A-Z]\\w*|\\bvtk\\w*");
+  EXPECT_FALSE(name.match(words).hasMatch()) << qPrintable(words);
+}
 
 struct BadHands : Scene
 {
@@ -43,6 +52,7 @@ struct BadHands : Scene
     EXPECT_EQ(this->document->digest(), before);
     const QString advice = this->window.findChild<QLabel*>("advice")->text();
     EXPECT_TRUE(advice.contains("did nothing")) << qPrintable(advice);
+    expectPlain(advice);
     this->document->undo();
     this->wait();
     EXPECT_TRUE(this->document->session().nodes.empty());
@@ -74,6 +84,33 @@ TEST(BadHand, IsToldHowFarFromTheModelALineIsAndThatAResultTears)
   }
   scene.stroke(loop);
   scene.expectRefused("would tear the mesh", before);
+}
+
+// What filters say by the names of their properties.
+TEST(BadHand, IsToldNoNameOfTheCode)
+{
+  for (const char* said :
+    {
+      "The stroke is 91 px from any outline, more than MaximumGap = 60 px. Draw it along the outline that it "
+      "is to replace.",
+      "The stroke would tear the mesh: by 9 times. Draw it nearer to the outline that it is to replace, or, "
+      "if "
+      "that is meant, turn AllowTorn on.",
+      "Only 2 sections fit the stroke; there is no number 3. Lower Candidate.",
+      "Fewer than two control points of the section lie on one layer of the mesh; turn SingleLayer off or "
+      "draw "
+      "along another outline.",
+      "The curve under the sketch takes a step of 2.5 at sample 7, longer than 1.2 (MaximumStep): between "
+      "the "
+      "stroke's ends there is no surface for it to follow.",
+      "The refinement needs more than MaximumFaces (10000000) new triangles, about 3e+08 or more; ask for "
+      "longer edges (TargetEdgeLength).",
+    })
+  {
+    expectPlain(plainWords(said));
+  }
+  EXPECT_TRUE(plainWords("there is no number 3. Lower Candidate.").endsWith("Lower Section that fits."));
+  EXPECT_TRUE(plainWords("turn AllowTorn on.").endsWith("tick Even if it tears."));
 }
 
 TEST(BadHand, ALineAlongTheBackTakesNoLimbWithIt)

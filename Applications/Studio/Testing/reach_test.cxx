@@ -252,7 +252,7 @@ TEST(Reach, TheListOfKeysIsTrue)
   EXPECT_GE(moves.size(), 16);
   for (const QChar key : listed)
   {
-    EXPECT_TRUE(moves.contains(key) || QString("abdegstou?").contains(key))
+    EXPECT_TRUE(moves.contains(key) || QString("abdegstou?[]").contains(key))
       << "does nothing: " << key.toLatin1();
   }
 }
@@ -364,7 +364,8 @@ TEST(Texts, EverythingThatIsSeenIsTranslated)
       EXPECT_GE(lines.size(), 15);
       for (const QString& line : lines)
       {
-        EXPECT_TRUE(line.isEmpty() || line.contains(QString::fromUtf8("¡"))) << qPrintable(line);
+        const bool goesOn = line.startsWith(QString(13, ' '));
+        EXPECT_TRUE(line.isEmpty() || goesOn || line.contains(QString::fromUtf8("¡"))) << qPrintable(line);
       }
       EXPECT_TRUE(lines[0].endsWith(tool->mode())) << qPrintable(lines[0]);
     }

@@ -42,6 +42,14 @@ QPainterPath OneStrokeTool::icon() const
   return path;
 }
 
+QVector<QPair<QString, QString>> OneStrokeTool::keys() const
+{
+  return HeldStrokeTool::keys() + QVector<QPair<QString, QString>>{
+    { "F3", tr("take the next outline that fits") },
+    { "[  ]", tr("move less or more of the body") },
+  };
+}
+
 QString OneStrokeTool::hint() const
 {
   return tr("Draw a line like this, and the tail follows");

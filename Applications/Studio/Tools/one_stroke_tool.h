@@ -19,6 +19,7 @@ public:
   QString help() const override;
   QString mode() const override;
   QPainterPath icon() const override;
+  QVector<QPair<QString, QString>> keys() const override;
   QString hint() const override;
   QString advice(const Situation& situation) const override;
   QString remedy() const override;
