@@ -13,6 +13,7 @@ import pytest
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 COMMAND = os.environ["OVERSKETCH_COMMAND"]
 BUILD = SOURCE / "build" / "package"
+RESULTS = pathlib.Path(__file__).with_name("results.py")
 MODEL = SOURCE / "Data" / "Models" / "hand.ply"
 STROKE = SOURCE / "Data" / "Strokes" / "hand_longer_finger.vtp"
 VERSION = re.search(r"project\(Oversketch VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
@@ -130,29 +131,35 @@ def test_no_path_of_this_machine_is_inside(root):
             assert str(pathlib.Path(COMMAND).parent.parent).encode() not in data, file
 
 
-def test_the_unpacked_command_makes_the_same_mesh(root, environment, tmp_path):
-    assert VERSION in run(root / "usr" / "bin" / "oversketch", "--version", env=environment)
-    for name, command, more in (("here", COMMAND, os.environ), ("there", root / "usr" / "bin" / "oversketch", environment)):
-        run(command, "one-stroke", MODEL, STROKE, "-o", tmp_path / (name + ".ply"), "--backend", "embree", env=more)
-    assert (tmp_path / "here.ply").read_bytes() == (tmp_path / "there.ply").read_bytes()
+def test_models_strokes_drawings_and_edits_are_all_inside(root):
+    shipped = 0
+    for folder in ("Drawings", "Edits", "Models", "Strokes", "Terrain"):
+        here, there = SOURCE / "Data" / folder, root / "usr" / "share" / "oversketch" / folder
+        assert sorted(file.name for file in there.iterdir()) == sorted(file.name for file in here.iterdir()), folder
+        for file in here.iterdir():
+            assert file.read_bytes() == (there / file.name).read_bytes(), file
+            shipped += 1
+    assert shipped > 50
 
 
-def test_the_unpacked_studio_starts(root, environment):
-    assert VERSION in run(root / "usr" / "bin" / "oversketch-studio", "--version", env=environment)
+def test_the_unpacked_command_and_python_package_make_of_what_is_shipped_what_the_build_makes(root, environment):
+    """README's lines of each, from the unpacked files alone."""
+    there = run(sys.executable, RESULTS, SOURCE / "README.md", root / "usr" / "share" / "oversketch", root / "usr" / "bin" / "oversketch", env=environment)
+    assert there == run(sys.executable, RESULTS, SOURCE / "README.md", SOURCE / "Data", COMMAND)
+    made = re.findall(r"^(\S+) [0-9a-f]{32}$", there, re.M)
+    assert made == ["vtkOversketchOneStroke", "vtkOversketchAugment", "vtkOversketchEdit", "vtkOversketchInflateDrawing",
+                    "one-stroke", "augment", "edit", "inflate", "assemble"]
 
 
-def test_the_unpacked_python_package_runs(root, environment, tmp_path):
+@pytest.mark.parametrize("program", ["oversketch", "oversketch-studio"])
+def test_the_unpacked_programs_start(program, root, environment):
+    assert VERSION in run(root / "usr" / "bin" / program, "--version", env=environment)
+
+
+def test_the_unpacked_python_package_is_loaded(root, environment, tmp_path):
     program = f"""
 import oversketch
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 assert oversketch.__file__.startswith({str(root)!r}) and oversketch.__version__ == {VERSION!r}
-model, stroke, system = vtkPLYReader(), vtkXMLPolyDataReader(), oversketch.vtkOversketchOneStroke()
-model.SetFileName({str(MODEL)!r})
-stroke.SetFileName({str(STROKE)!r})
-system.SetInputConnection(0, model.GetOutputPort())
-system.SetInputConnection(1, stroke.GetOutputPort())
-assert oversketch.update(system).GetNumberOfPoints() > 1000
 oversketch.vtkOversketchStrokeWidget()
 """
     run(sys.executable, "-c", program, env=environment, cwd=tmp_path)
@@ -167,16 +174,23 @@ def test_the_unpacked_development_files_build_the_consumer(root, environment, tm
     assert int(moved) > 100 and 0.05 < float(furthest) < 4.0
 
 
-def test_man_pages_name_every_option(root, environment):
+def test_man_pages_name_every_command_and_option(root, environment):
     folder = root / "usr" / "share" / "man" / "man1"
-    for program, helps in (("oversketch", [["--help"], ["one-stroke", "--help"], ["replay", "--help"]]), ("oversketch-studio", [["--help"]])):
+    summary = run(root / "usr" / "bin" / "oversketch", "--help", env=environment)
+    verbs = sorted(set(re.findall(r"^  oversketch ([a-z][a-z-]+) ", summary, re.M)))
+    assert verbs == ["assemble", "augment", "edit", "inflate", "one-stroke", "replay", "terrain"]
+    for program, helps in (("oversketch", [["--help"], *([verb, "--help"] for verb in verbs)]), ("oversketch-studio", [["--help"]])):
         page = gzip.open(folder / (program + ".1.gz"), "rt").read()
         assert f"Oversketch {VERSION}" in page and "@" not in page
         text = page.replace("\\-", "-")
         for arguments in helps:
             shown = run(root / "usr" / "bin" / program, *arguments, env=environment)
             options = set(re.findall(r"(?<![\w-])--?[a-z][a-z-]*", shown))
-            assert options and all(option in text for option in options), (program, options)
+            part = text
+            if len(arguments) > 1:  # in the synopsis, then what it does, then its options
+                assert len(re.findall(rf"^(?:\.B |\.SS |\\fB)oversketch {arguments[0]}(?:$|\\fR)", text, re.M)) == 3, arguments
+                part = re.search(rf"^\.SS oversketch {arguments[0]}$(.*?)^\.S[SH]", text, re.M | re.S).group(1)
+            assert options and all(option in part for option in options), (program, arguments, options)
 
 
 def test_desktop_files(root):
