@@ -194,6 +194,14 @@ private:
     {
       this->Crossed.insert(best.through);
     }
+    else if (this->Here.b >=
+             0) // the place on the edge cuts the triangle beyond it, too, which is not entered
+    {
+      for (const int t : this->Mesh.trianglesAt(this->Here.a, this->Here.b))
+      {
+        this->Crossed.insert(t);
+      }
+    }
     this->Length += (best.place - this->At).norm();
     this->Heading = best.place - this->At;
     this->At = best.place;

@@ -1,5 +1,6 @@
 // Facts of editors.md, section 13, curves: inserting, embedding, cleaning, closing.
 #include "Harness/mesh_curves.h"
+#include "Remesh/curve_walk.h"
 
 #include <gtest/gtest.h>
 
@@ -357,4 +358,50 @@ TEST(InsertCurves, CreasesKeepTheirShape)
   {
     EXPECT_NEAR(p[2], -std::abs(p[0]), 1e-12);
   }
+}
+
+// A way that crossed a triangle twice would be cut by itself where it is made edges.
+TEST(Walk, EachTwoPlacesOfAWayAreJoinedByAnEdge)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  int found = 0;
+  for (int round = 0; round < 40; ++round)
+  {
+    Mesh mesh = round % 2 ? icosphere(3) : torus(1.0, 0.4, 24, 12);
+    for (Vector3& p : mesh.points)
+    {
+      const double x = any(random), y = any(random), z = any(random);
+      p += 0.02 * (round % 5) * Vector3(x, y, z);
+    }
+    const CurveMesh whole(mesh);
+    const unsigned count = static_cast<unsigned>(mesh.points.size());
+    for (int i = 0; i < 60; ++i)
+    {
+      const int from = static_cast<int>(random() % count), to = static_cast<int>(random() % count);
+      const double x = any(random), y = any(random), z = any(random);
+      const double a = any(random), b = any(random), c = any(random);
+      WalkRules rules;
+      rules.direction = [&](const Vector3&) { return Vector3(x, y, z); };
+      rules.fixedPlane = i % 2 == 1;
+      rules.start = i % 3 ? Vector3(a, b, c) : Vector3(Vector3::Zero());
+      rules.snapLength = 1.0;
+      rules.longest = 100.0;
+      const auto way = from == to ? std::nullopt : walkPlane(whole, from, to, rules);
+      if (way)
+      {
+        ++found;
+        CurveMesh split = whole;
+        std::vector<int> chain = makeWay(split, *way);
+        chain.push_back(to);
+        int before = from;
+        for (const int v : chain)
+        {
+          EXPECT_TRUE(split.joined(before, v)) << "round " << round << ", way " << i;
+          before = v;
+        }
+      }
+    }
+  }
+  EXPECT_GT(found, 1500);
 }
