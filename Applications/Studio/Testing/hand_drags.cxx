@@ -197,7 +197,11 @@ int Hand::editOfARegion()
       events += drag(picture, this->near(picture->rect().center(), picture->height() / 3));
     }
   }
-  return events + drag(this->View, this->near(middle, length));
+  // What was made is taken hold of once more, as soon as it is there.
+  const QPoint held = this->near(middle, length);
+  events += drag(this->View, held);
+  const bool isThere = QTest::qWaitFor([this] { return this->OpenDocument->isSettled(); }, 600000);
+  return isThere ? events + drag(this->View, held) : events;
 }
 
 // A ring in the picture that is drawn over, or a part of one; of a size that a limb, a body or a dot has.

@@ -223,13 +223,14 @@ TEST(Window, LivesThroughRandomHands)
   {
     const int least = static_cast<int>(sequences.count);
     EXPECT_GT(deeds.strokes, 2 * least);
-    // Of 24 acts three are drags of a stroke, one is an edit.
+    // Of 24 acts three are drags of a stroke, one is an edit, of which a third is changed. Twelve sequences
+    // stray widely about what hundreds of them do: 0.3 edits and 2 questions each.
     EXPECT_GT(deeds.moved, 3 * least / 4);
     EXPECT_GT(deeds.meshes, 4 * least);
     EXPECT_GT(deeds.undone + deeds.redone, least / 2);
-    EXPECT_GT(deeds.questions, least);
+    EXPECT_GT(deeds.questions, least / 2);
     EXPECT_GT(deeds.opened, least / 4);
-    EXPECT_GT(deeds.edits, least / 4);
+    EXPECT_GT(deeds.edits, least / 16);
   }
   EXPECT_LT(memory.growth(), 1.0);
 }
