@@ -38,9 +38,9 @@ const Plain plain[] = {
   { "^Fewer than two control points of the section lie on one layer",
     QT_TRANSLATE_NOOP("Messages",
       "The outline lies on several layers of the model here: draw along another.") },
-  { "step of \\S+ at sample \\d+, longer than \\S+ \\(MaximumStep\\)",
+  { "^.*step of \\S+ at sample \\d+, longer than \\S+ \\(MaximumStep\\)",
     QT_TRANSLATE_NOOP("Messages", "The line leaves the model between its ends: draw it along one limb.") },
-  { "more than MaximumFaces \\((\\d+)\\) new triangles",
+  { "^.*more than MaximumFaces \\((\\d+)\\) new triangles",
     QT_TRANSLATE_NOOP("Messages",
       "That needs more than %1 new triangles: make them larger, or the radius smaller.") },
 };
