@@ -17,8 +17,8 @@ class BackFaces
 {
 public:
   // Whether other faces hide them: of a body that the near plane does not cut open. The frame that brings a
-  // mesh
-  // (`came`) need not wait for the answer: with other faces than the last one's it is no, until asked again.
+  // mesh (`came`) need not wait for the answer: with other faces than the last one's it is no, until asked
+  // again.
   bool areHidden(vtkPolyData* mesh, vtkRenderer* renderer);
   void came() { this->Fresh = true; }
 

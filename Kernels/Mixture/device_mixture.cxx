@@ -67,7 +67,7 @@ MixtureFit fitWith(Device& device,
       set(static_cast<Real>(options.tolerance * double(samples.size())));
       set(density);
       set(cl::Local(local));
-      set(cl::Local(std::max(kept * shape, sizeof(Real)))); // none is an error
+      set(cl::Local(std::max(kept * shape, sizeof(Real)))); // of no bytes it would be refused
       set(out);
       const cl::NDRange items(groupSize);
       device.queue().enqueueNDRangeKernel(kernel, cl::NullRange, items, items);

@@ -137,6 +137,18 @@ struct Dogs : Scene
     QApplication::processEvents();
     this->wait();
   }
+  // Answers the question for a file's name, if that is asked; whether it was.
+  static bool answersName(QWidget* asked, const QString& path)
+  {
+    auto* dialog = qobject_cast<QFileDialog*>(asked);
+    if (dialog)
+    {
+      dialog->findChild<QLineEdit*>()->setText(path);
+      static_cast<QDialog*>(dialog)->accept();
+    }
+    return dialog != nullptr;
+  }
+
   // What an export writes, read back.
   vtkSmartPointer<vtkPolyData> written(QAction* exporting, const QString& name)
   {
@@ -147,12 +159,7 @@ struct Dogs : Scene
       [&]
       {
         QWidget* asked = QApplication::activeModalWidget();
-        if (auto* dialog = qobject_cast<QFileDialog*>(asked))
-        {
-          dialog->findChild<QLineEdit*>()->setText(path);
-          static_cast<QDialog*>(dialog)->accept();
-        }
-        else if (asked && !qobject_cast<QFileDialog*>(asked) && asked->inherits("QMessageBox"))
+        if (!answersName(asked, path) && asked && asked->inherits("QMessageBox"))
         {
           asked->close();
         }
@@ -181,12 +188,8 @@ struct Dogs : Scene
       [&]
       {
         QWidget* asked = QApplication::activeModalWidget();
-        if (auto* dialog = qobject_cast<QFileDialog*>(asked))
-        {
-          dialog->findChild<QLineEdit*>()->setText(path);
-          static_cast<QDialog*>(dialog)->accept();
-        }
-        else if (auto* progress = qobject_cast<QProgressDialog*>(asked); progress && cancelled++ == 0)
+        auto* progress = qobject_cast<QProgressDialog*>(asked);
+        if (!answersName(asked, path) && progress && cancelled++ == 0)
         {
           EXPECT_TRUE(progress->labelText().contains(name)) << qPrintable(progress->labelText());
           progress->findChild<QPushButton*>()->click();
