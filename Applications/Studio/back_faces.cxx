@@ -13,7 +13,6 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace oversketch_studio
@@ -64,13 +63,8 @@ bool isCut(const double box[6], vtkCamera* camera)
 bool BackFaces::areHidden(vtkPolyData* mesh, vtkRenderer* renderer)
 {
   vtkCellArray* cells = mesh->GetPolys();
-  const bool isFirst = std::exchange(this->Fresh, false);
   if (cells != this->Seen || cells->GetMTime() != this->Time)
   {
-    if (isFirst)
-    {
-      return false;
-    }
     this->Seen = cells;
     this->Time = cells->GetMTime();
     this->Body = boundBody(mesh);

@@ -16,11 +16,8 @@ namespace oversketch_studio
 class BackFaces
 {
 public:
-  // Whether other faces hide them: of a body that the near plane does not cut open. The frame that brings a
-  // mesh (`came`) need not wait for the answer: with other faces than the last one's it is no, until asked
-  // again.
+  // Whether other faces hide them: of a body that the near plane does not cut open.
   bool areHidden(vtkPolyData* mesh, vtkRenderer* renderer);
-  void came() { this->Fresh = true; }
 
   // Whether the faces bound a body: along each edge they cancel out, and each part holds a volume.
   static bool boundBody(vtkPolyData* mesh);
@@ -28,7 +25,7 @@ public:
 private:
   const vtkCellArray* Seen = nullptr; // told by its time as well
   vtkMTimeType Time = 0;
-  bool Body = false, Fresh = false;
+  bool Body = false;
 };
 
 } // namespace oversketch_studio

@@ -71,7 +71,6 @@ void ModelView::show(vtkPolyData* mesh)
   {
     Part& part = *this->Parts[i];
     part.mapper->SetInputData(part.edges.look(pieces[i].mesh));
-    part.backs.came();
     part.actor->SetVisibility(this->Visible);
     part.skin.dress(part.actor, part.mapper, pieces[i].mesh, pieces[i].picture);
   }
