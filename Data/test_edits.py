@@ -1,5 +1,5 @@
-"""What the shipped lines and rings, and what goes with them, make of their models: a region that the ring encloses, nothing folded, and that
-the script makes them."""
+"""What the shipped lines and rings, and what goes with them, make of their models: a region that the ring encloses, nothing folded, the same
+from Python as by the command; and that the script makes them."""
 import json
 import os
 import subprocess
@@ -13,8 +13,11 @@ from vtk.util.numpy_support import vtk_to_numpy
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
+sys.path.insert(0, os.path.join(HERE, "..", "Applications", "Examples"))
 import listing  # noqa: E402
 import make_edits  # noqa: E402
+import oversketch  # noqa: E402
+from edited import beside  # noqa: E402
 
 
 def read(path):
@@ -87,6 +90,42 @@ def test_what_goes_with_it_matters(path, tmp_path):
         made, plain = (vtk_to_numpy(edited(path, chosen, tmp_path / folder)[1].GetPoints().GetData())
                        for chosen, folder in ((given, "with"), (without(given, option), "without")))
         assert made.shape != plain.shape or np.abs(made - plain).max() > 0.005
+
+
+def alike(one, other):
+    """Points, cells and arrays, bit for bit."""
+    for data in ("GetPolys", "GetLines"):
+        cells = [getattr(mesh, data)() for mesh in (one, other)]
+        for part in ("GetOffsetsArray", "GetConnectivityArray"):
+            if not np.array_equal(*(vtk_to_numpy(getattr(each, part)()) for each in cells)):
+                return False
+    pairs = [[mesh.GetPoints().GetData() for mesh in (one, other)]]
+    for data in ("GetPointData", "GetCellData", "GetFieldData"):
+        two = [getattr(mesh, data)() for mesh in (one, other)]
+        names = [{each.GetAbstractArray(i).GetName() for i in range(each.GetNumberOfArrays())} for each in two]
+        if names[0] != names[1]:
+            return False
+        pairs += [[each.GetAbstractArray(name) for each in two] for name in names[0]]
+    real = (vtk.VTK_FLOAT, vtk.VTK_DOUBLE)
+    return all(a.GetDataType() == b.GetDataType() and np.array_equal(*map(vtk_to_numpy, (a, b)), equal_nan=a.GetDataType() in real)
+               for a, b in pairs)
+
+
+@pytest.mark.parametrize("path", listing.edits(), ids=lambda path: path.stem)
+def test_python_makes_what_the_command_makes(path, tmp_path):
+    """Of every step of the system, bit for bit."""
+    given = options(path.stem)
+    model, made, _ = edited(path, given + ["--inner", str(tmp_path / "inner")], tmp_path)
+    system = oversketch.vtkOversketchEdit()
+    for port, data in enumerate((model, read(path), read(path.with_name(path.stem + "_ring.vtp")))):
+        system.SetInputData(port, data)
+    for name, value in beside(path.stem).items():
+        getattr(system, "Set" + name)(value)
+    assert alike(oversketch.update(system), made) and not alike(model, made)
+    steps = sorted((tmp_path / "inner").glob("*.vtp"))
+    assert len(steps) > 8
+    for step in steps:
+        assert alike(system.GetInnerOutput(step.stem), read(step)), step.stem
 
 
 @pytest.mark.parametrize("path", listing.edits(), ids=lambda path: path.stem)
