@@ -2,6 +2,7 @@
 from Python as by the command; and that the script makes them."""
 import json
 import os
+import pathlib
 import subprocess
 import sys
 
@@ -34,12 +35,18 @@ def grey(path):
     return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
 
 
-def options(name):
-    """Those of the command that do what an edit is shipped for."""
-    file, given = os.path.join(HERE, "Edits", name), []
-    for part in filter(None, listing.EDIT[name].split("; ")):
+def operations(text):
+    """As options of the command."""
+    given = []
+    for part in filter(None, text.split("; ")):
         what, *values = part.split()
         given += ["--" + what, ",".join(values)]
+    return given
+
+
+def options(name):
+    """Those of the command that do what an edit is shipped for."""
+    file, given = os.path.join(HERE, "Edits", name), operations(listing.EDIT[name])
     for option, end in (("--layers", ".json"), ("--weights", ".png"), ("--profile", "_profile.vtp")):
         given += [option, file + end] if os.path.exists(file + end) else []
     return given
@@ -90,6 +97,46 @@ def test_what_goes_with_it_matters(path, tmp_path):
         made, plain = (vtk_to_numpy(edited(path, chosen, tmp_path / folder)[1].GetPoints().GetData())
                        for chosen, folder in ((given, "with"), (without(given, option), "without")))
         assert made.shape != plain.shape or np.abs(made - plain).max() > 0.005
+
+
+KINDS = {"layers": ("--layers", ".json"), "painted": ("--weights", ".png"), "section": ("--profile", ".vtp")}
+
+
+@pytest.mark.parametrize("name", listing.FURTHER)
+def test_further_ones(name, tmp_path):
+    """Layers, painted weights and cross-sections that go with the same lines and rings: nothing folds, and they are seen."""
+    (edit, kind), file = name.rsplit("_", 1), os.path.join(HERE, "Edits", name)
+    given, option = operations(listing.FURTHER[name]), [KINDS[kind][0], file + KINDS[kind][1]]
+    path = os.path.join(HERE, "Strokes", edit + ".vtp")
+    made = []
+    for folder, chosen, least in (("with", given + option, 201), ("without", given, 201 if given else 0)):
+        (tmp_path / folder).mkdir()
+        mesh, result, report = edited(pathlib.Path(path), chosen, tmp_path / folder)
+        made.append(vtk_to_numpy(result.GetPoints().GetData()))
+        assert report["folded_edges"] == 0 and report["euler_number"] == {"before": 2, "after": 2}
+        assert report["moved_points"] >= least
+    locator = vtk.vtkStaticPointLocator()
+    locator.SetDataSet(result)
+    locator.BuildLocator()
+    off = [np.linalg.norm(p - result.GetPoint(locator.FindClosestPoint(p))) for p in made[0]]
+    assert max(off) > 0.005 * mesh.GetLength()
+    if kind == "painted":
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(option[1])
+        reader.Update()
+        assert max(reader.GetOutput().GetDimensions()) <= 64
+
+
+def test_each_model_has_all_kinds():
+    kinds = {"_profile": "section", "_layers": "layers", "_painted": "painted", "_section": "section"}
+    shipped = set()
+    for file in os.listdir(os.path.join(HERE, "Edits")):
+        name, end = os.path.splitext(file)
+        tail = next((tail for tail in kinds if name.endswith(tail)), None)
+        plain = {".json": "layers", ".png": "painted", ".vtp": "area"}[end]
+        shipped.add((name.split("_")[0], kinds[tail] if tail else plain))
+    models = {name.split("_")[0] for name in listing.EDIT}
+    assert len(models) == 5 and all((model, kind) in shipped for model in models for kind in KINDS)
 
 
 def alike(one, other):
