@@ -21,7 +21,7 @@
 using namespace oversketch_studio;
 using namespace oversketch_session;
 
-TEST(Edit, AllOfItIsUndoneRedoneAndOutlivesAKill)
+TEST(Edit, AllOfItIsUndoneAndRedone)
 {
   Edits scene;
   const std::string bare = scene.digest();
@@ -96,6 +96,8 @@ TEST(Edit, AllOfItIsUndoneRedoneAndOutlivesAKill)
   scene.drag(disc, Edits::straight(centre, out));
   EXPECT_NE(scene.text(0, "Layers"), gone);
   isAnother("a layer back");
+  EXPECT_EQ(scene.digest(), made[made.size() - 3])
+    << "it is not back where it was: " << scene.text(0, "Layers");
 
   // A lasso on the model, and a layer of what it holds.
   auto* lasso = scene.window.findChild<QToolButton*>("disc_lasso");
