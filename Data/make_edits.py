@@ -162,7 +162,8 @@ def section(*half):
 
 BESIDE.update({
     "dinosaur_crest_painted.png": lambda: painted(waves),
-    "dinosaur_crest_section.vtp": lambda: section((0.0, 0.0), (0.1, 0.055), (0.22, 0.11), (0.31, 0.19), (0.37, 0.22), (0.43, 0.19), (0.5, 0.15)),
+    "dinosaur_crest_section.vtp": lambda: section(
+        (0.0, 0.0), (0.1, 0.055), (0.22, 0.11), (0.31, 0.19), (0.37, 0.22), (0.43, 0.19), (0.5, 0.15)),
     "dog_back_layers.json": lambda: layers((0.5, 0.75), levels=6),
     "dog_back_painted.png": lambda: painted(petals),
     "hand_palm_layers.json": lambda: layers((0.3, 0.15), (0.7, 0.85)),
