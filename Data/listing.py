@@ -10,6 +10,11 @@ AUGMENT = ("dinosaur_spines", "dog_collar", "hand_palm_lines", "octopus_veins", 
 # What is done to the line of each edit [model length]; the dog's cross-section is drawn anew.
 EDIT = {"dinosaur_crest": "move 0.5 n 0.18", "dog_back": "", "hand_palm": "move 0.5 n -0.1", "octopus_mantle": "move 0.5 n 0.07",
         "person_belly": "move 0.5 n 0.11"}
+# The same with further ones that go with the lines and rings, so that each model has layers, painted weights and a cross-section.
+FURTHER = {"dinosaur_crest_painted": "move 0.5 n 0.07", "dinosaur_crest_section": "", "dog_back_layers": "move 0.5 n 0.08",
+           "dog_back_painted": "move 0.5 n 0.06", "hand_palm_layers": "move 0.5 n -0.1", "hand_palm_painted": "move 0.5 n 0.06",
+           "hand_palm_section": "", "octopus_mantle_layers": "move 0.5 n 0.15", "octopus_mantle_section": "",
+           "person_belly_painted": "move 0.5 n 0.035", "person_belly_section": ""}
 INFLATE = ("figure_body", "figure_hat", "figure_head", "fish", "heron", "leaf", "mug", "padlock")
 
 

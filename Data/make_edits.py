@@ -108,10 +108,38 @@ def warts(side=128, count=13):
         far, turn = 0.74 * np.sqrt(k / count), k * np.pi * (3.0 - np.sqrt(5.0))
         off = np.hypot(u - far * np.cos(turn), v - far * np.sin(turn)) / (0.23 - 0.07 * far)
         grey = np.maximum(grey, np.clip(1.0 - off * off, 0.0, 1.0) ** 2)
-    image = vtk.vtkImageData()
-    image.SetDimensions(side, side, 1)
-    image.GetPointData().SetScalars(numpy_to_vtk((255.0 * grey).round().astype(np.uint8).ravel(), deep=True))
-    return image
+    return image(grey)
+
+
+def image(grey):
+    """Of 8 bits, from what lies between 0 and 1."""
+    made = vtk.vtkImageData()
+    made.SetDimensions(grey.shape[1], grey.shape[0], 1)
+    made.GetPointData().SetScalars(numpy_to_vtk((255.0 * grey).round().astype(np.uint8).ravel(), deep=True))
+    return made
+
+
+def painted(pattern, side=64):
+    """A pattern of a place's way from the disc's middle and its turn, which fades towards the rim."""
+    v, u = (np.mgrid[0:side, 0:side] + 0.5) * 2.0 / side - 1.0
+    far = np.hypot(u, v)
+    return image(np.clip(pattern(far, np.arctan2(v, u)), 0.0, 1.0) * np.clip(1.2 * (1.0 - far * far), 0.0, 1.0))
+
+
+def rings(far, turn):
+    return 0.5 + 0.5 * np.cos(4.0 * np.pi * far)
+
+
+def petals(far, turn):
+    return np.clip(2.0 * (0.75 + 0.2 * np.cos(5.0 * turn) - far), 0.0, 1.0)
+
+
+def spiral(far, turn):
+    return 0.5 + 0.5 * np.cos(turn - 4.0 * np.pi * far)
+
+
+def waves(far, turn):
+    return 0.5 - 0.5 * np.cos(3.0 * np.pi * far * np.cos(turn))
 
 
 # What goes with an edit: file of Data/Edits, and its contents.
@@ -124,6 +152,27 @@ BESIDE = {
     "person_belly.json": lambda: layers((0.4, 0.6), areas=[{"stroke": "person_belly_area.vtp", "levels": 3, "handles": [[0.45, 0.45]]}]),
     "person_belly_area.vtp": lambda: flat(circle((0.16, 0.34), 0.13)),
 }
+
+# Further ones on the same lines and rings, so that each of the five models has layers, painted weights and a cross-section. A section is
+# places beside the middle, the same on both sides.
+def section(*half):
+    left = np.array(half)
+    return flat(rounded(np.vstack([left, left[-2::-1] * [-1.0, 1.0] + [1.0, 0.0]])))
+
+
+BESIDE.update({
+    "dinosaur_crest_painted.png": lambda: painted(waves),
+    "dinosaur_crest_section.vtp": lambda: section((0.0, 0.0), (0.1, 0.055), (0.22, 0.11), (0.31, 0.19), (0.37, 0.22), (0.43, 0.19), (0.5, 0.15)),
+    "dog_back_layers.json": lambda: layers((0.5, 0.75), levels=6),
+    "dog_back_painted.png": lambda: painted(petals),
+    "hand_palm_layers.json": lambda: layers((0.3, 0.15), (0.7, 0.85)),
+    "hand_palm_painted.png": lambda: painted(spiral),
+    "hand_palm_section.vtp": lambda: section((0.0, 0.0), (0.15, 0.0), (0.28, -0.01), (0.38, -0.05), (0.45, -0.11), (0.5, -0.12)),
+    "octopus_mantle_layers.json": lambda: layers((0.5, 0.25), levels=8),
+    "octopus_mantle_section.vtp": lambda: section((0.0, 0.0), (0.1, 0.065), (0.22, 0.12), (0.34, 0.16), (0.43, 0.24), (0.5, 0.27)),
+    "person_belly_painted.png": lambda: painted(rings),
+    "person_belly_section.vtp": lambda: section((0.0, 0.0), (0.15, -0.02), (0.3, 0.0), (0.41, 0.08), (0.5, 0.11)),
+})
 
 
 def make(name):

@@ -1,7 +1,8 @@
-"""What the shipped lines and rings, and what goes with them, make of their models: a region that the ring encloses, nothing folded, and that
-the script makes them."""
+"""What the shipped lines and rings, and what goes with them, make of their models: a region that the ring encloses, nothing folded, the same
+from Python as by the command; and that the script makes them."""
 import json
 import os
+import pathlib
 import subprocess
 import sys
 
@@ -13,8 +14,11 @@ from vtk.util.numpy_support import vtk_to_numpy
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
+sys.path.insert(0, os.path.join(HERE, "..", "Applications", "Examples"))
 import listing  # noqa: E402
 import make_edits  # noqa: E402
+import oversketch  # noqa: E402
+from edited import beside  # noqa: E402
 
 
 def read(path):
@@ -31,12 +35,18 @@ def grey(path):
     return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
 
 
-def options(name):
-    """Those of the command that do what an edit is shipped for."""
-    file, given = os.path.join(HERE, "Edits", name), []
-    for part in filter(None, listing.EDIT[name].split("; ")):
+def operations(text):
+    """As options of the command."""
+    given = []
+    for part in filter(None, text.split("; ")):
         what, *values = part.split()
         given += ["--" + what, ",".join(values)]
+    return given
+
+
+def options(name):
+    """Those of the command that do what an edit is shipped for."""
+    file, given = os.path.join(HERE, "Edits", name), operations(listing.EDIT[name])
     for option, end in (("--layers", ".json"), ("--weights", ".png"), ("--profile", "_profile.vtp")):
         given += [option, file + end] if os.path.exists(file + end) else []
     return given
@@ -87,6 +97,82 @@ def test_what_goes_with_it_matters(path, tmp_path):
         made, plain = (vtk_to_numpy(edited(path, chosen, tmp_path / folder)[1].GetPoints().GetData())
                        for chosen, folder in ((given, "with"), (without(given, option), "without")))
         assert made.shape != plain.shape or np.abs(made - plain).max() > 0.005
+
+
+KINDS = {"layers": ("--layers", ".json"), "painted": ("--weights", ".png"), "section": ("--profile", ".vtp")}
+
+
+@pytest.mark.parametrize("name", listing.FURTHER)
+def test_further_ones(name, tmp_path):
+    """Layers, painted weights and cross-sections that go with the same lines and rings: nothing folds, and they are seen."""
+    (edit, kind), file = name.rsplit("_", 1), os.path.join(HERE, "Edits", name)
+    given, option = operations(listing.FURTHER[name]), [KINDS[kind][0], file + KINDS[kind][1]]
+    path = os.path.join(HERE, "Strokes", edit + ".vtp")
+    made = []
+    for folder, chosen, least in (("with", given + option, 201), ("without", given, 201 if given else 0)):
+        (tmp_path / folder).mkdir()
+        mesh, result, report = edited(pathlib.Path(path), chosen, tmp_path / folder)
+        made.append(vtk_to_numpy(result.GetPoints().GetData()))
+        assert report["folded_edges"] == 0 and report["euler_number"] == {"before": 2, "after": 2}
+        assert report["moved_points"] >= least
+    locator = vtk.vtkStaticPointLocator()
+    locator.SetDataSet(result)
+    locator.BuildLocator()
+    off = [np.linalg.norm(p - result.GetPoint(locator.FindClosestPoint(p))) for p in made[0]]
+    assert max(off) > 0.005 * mesh.GetLength()
+    if kind == "painted":
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(option[1])
+        reader.Update()
+        assert max(reader.GetOutput().GetDimensions()) <= 64
+
+
+def test_each_model_has_all_kinds():
+    kinds = {"_profile": "section", "_layers": "layers", "_painted": "painted", "_section": "section"}
+    shipped = set()
+    for file in os.listdir(os.path.join(HERE, "Edits")):
+        name, end = os.path.splitext(file)
+        tail = next((tail for tail in kinds if name.endswith(tail)), None)
+        plain = {".json": "layers", ".png": "painted", ".vtp": "area"}[end]
+        shipped.add((name.split("_")[0], kinds[tail] if tail else plain))
+    models = {name.split("_")[0] for name in listing.EDIT}
+    assert len(models) == 5 and all((model, kind) in shipped for model in models for kind in KINDS)
+
+
+def alike(one, other):
+    """Points, cells and arrays, bit for bit."""
+    for data in ("GetPolys", "GetLines"):
+        cells = [getattr(mesh, data)() for mesh in (one, other)]
+        for part in ("GetOffsetsArray", "GetConnectivityArray"):
+            if not np.array_equal(*(vtk_to_numpy(getattr(each, part)()) for each in cells)):
+                return False
+    pairs = [[mesh.GetPoints().GetData() for mesh in (one, other)]]
+    for data in ("GetPointData", "GetCellData", "GetFieldData"):
+        two = [getattr(mesh, data)() for mesh in (one, other)]
+        names = [{each.GetAbstractArray(i).GetName() for i in range(each.GetNumberOfArrays())} for each in two]
+        if names[0] != names[1]:
+            return False
+        pairs += [[each.GetAbstractArray(name) for each in two] for name in names[0]]
+    real = (vtk.VTK_FLOAT, vtk.VTK_DOUBLE)
+    return all(a.GetDataType() == b.GetDataType() and np.array_equal(*map(vtk_to_numpy, (a, b)), equal_nan=a.GetDataType() in real)
+               for a, b in pairs)
+
+
+@pytest.mark.parametrize("path", listing.edits(), ids=lambda path: path.stem)
+def test_python_makes_what_the_command_makes(path, tmp_path):
+    """Of every step of the system, bit for bit."""
+    given = options(path.stem)
+    model, made, _ = edited(path, given + ["--inner", str(tmp_path / "inner")], tmp_path)
+    system = oversketch.vtkOversketchEdit()
+    for port, data in enumerate((model, read(path), read(path.with_name(path.stem + "_ring.vtp")))):
+        system.SetInputData(port, data)
+    for name, value in beside(path.stem).items():
+        getattr(system, "Set" + name)(value)
+    assert alike(oversketch.update(system), made) and not alike(model, made)
+    steps = sorted((tmp_path / "inner").glob("*.vtp"))
+    assert len(steps) > 8
+    for step in steps:
+        assert alike(system.GetInnerOutput(step.stem), read(step)), step.stem
 
 
 @pytest.mark.parametrize("path", listing.edits(), ids=lambda path: path.stem)

@@ -6,6 +6,7 @@
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchEdit.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchFlatten.h"
 #include "vtkOversketchSharedMesh.h"
 #include "vtkOversketchStrokeView.h"
 
@@ -82,6 +83,14 @@ double smallestAngle(const Mesh& mesh, const Triangle& t)
   return least;
 }
 
+std::shared_ptr<const oversketch::MeshData> dataOf(vtkPolyData* mesh)
+{
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(mesh->GetPoints());
+  bare->SetPolys(mesh->GetPolys());
+  return oversketch::SharedMesh(bare);
+}
+
 // A mesh, and the triangles that have a corner strictly inside the region.
 struct Region
 {
@@ -91,10 +100,7 @@ struct Region
 
   explicit Region(vtkPolyData* mesh)
   {
-    vtkNew<vtkPolyData> bare;
-    bare->SetPoints(mesh->GetPoints());
-    bare->SetPolys(mesh->GetPolys());
-    this->data = oversketch::SharedMesh(bare);
+    this->data = dataOf(mesh);
     const std::vector<double> labels = valuesOf(mesh, "EditRegion");
     this->vertices = static_cast<int>(std::count(labels.begin(), labels.end(), 2.0));
     for (const Triangle& t : this->surface().triangles)
@@ -193,6 +199,72 @@ double slopeJump(const Region& region, const std::vector<double>& weights, const
   return ranked(jumps, 0.5);
 }
 
+// Vertices less edges plus triangles.
+int eulerNumber(vtkPolyData* polyData)
+{
+  const auto data = dataOf(polyData);
+  const Mesh& mesh = data->Surface();
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const Triangle& t : mesh.triangles)
+  {
+    for (const int v : t)
+    {
+      used[static_cast<std::size_t>(v)] = 1;
+    }
+  }
+  return static_cast<int>(std::count(used.begin(), used.end(), 1)) -
+         static_cast<int>(data->Neighbours().edges.size()) + static_cast<int>(mesh.triangles.size());
+}
+
+// A curve and the mesh that it lies in.
+struct LaidCurve
+{
+  vtkPolyData* curve;
+  vtkPolyData* mesh;
+  bool isClosed;
+};
+
+// Whether curves meet no vertex twice, and how many of their segments are no edges of the mesh.
+void addChains(const std::vector<LaidCurve>& curves, Json::Value& json)
+{
+  bool isSimple = true;
+  int loose = 0;
+  for (const LaidCurve& laid : curves)
+  {
+    std::vector<int> chain = chainOf(laid.curve);
+    isSimple = isSimple && std::set<int>(chain.begin(), chain.end()).size() == chain.size();
+    if (laid.isClosed && !chain.empty())
+    {
+      chain.push_back(chain.front());
+    }
+    const auto data = dataOf(laid.mesh);
+    for (std::size_t i = 1; i < chain.size(); ++i)
+    {
+      loose += data->Neighbours().findEdge(chain[i - 1], chain[i]) < 0;
+    }
+  }
+  json["simple"] = isSimple;
+  json["segments_off_edges"] = loose;
+}
+
+// Of the triangles of the disc: how many are turned over or flat.
+int discFlips(vtkPolyData* disc)
+{
+  int flips = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < disc->GetNumberOfPolys(); ++t)
+  {
+    disc->GetPolys()->GetCellAtId(t, ids);
+    Vector3 corners[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      disc->GetPoint(ids->GetId(k), corners[k].data());
+    }
+    flips += !((corners[1] - corners[0]).cross(corners[2] - corners[0])[2] > 0.0);
+  }
+  return flips;
+}
+
 // p95 over p5 of the disc's areas by the surface's.
 double discAreas(vtkPolyData* disc, const Mesh& mesh)
 {
@@ -217,6 +289,22 @@ double discAreas(vtkPolyData* disc, const Mesh& mesh)
   return ranked(ratios, 0.95) / ranked(ratios, 0.05);
 }
 
+// The same where the disc is not balanced.
+double plainDiscAreas(vtkOversketchEdit* edit, vtkPolyData* line, const Mesh& mesh)
+{
+  vtkNew<vtkOversketchFlatten> plain;
+  auto* step = vtkOversketchFlatten::SafeDownCast(edit->GetStep("Flatten"));
+  plain->SetAsPublished(step->GetAsPublished());
+  plain->SetRounds(0);
+  vtkNew<vtkPolyData> enclosed, reference;
+  enclosed->ShallowCopy(edit->GetInnerOutput("Enclose"));
+  reference->ShallowCopy(line);
+  plain->SetInputData(enclosed);
+  plain->SetReferenceData(reference);
+  plain->Update();
+  return discAreas(plain->GetDiscOutput(), mesh);
+}
+
 double toSegments(const std::vector<Vector3>& line, const Vector3& p)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -239,8 +327,8 @@ std::vector<Vector3> pointsOf(vtkPolyData* data)
   return points;
 }
 
-// How far the line in the mesh is from the spline that was drawn, in the picture: root mean square and worst.
-Json::Value offStroke(vtkPolyData* line, vtkPolyData* spline)
+// How far a curve in the mesh is from the spline that was drawn, in the picture: root mean square and worst.
+Json::Value offStroke(const std::vector<Vector3>& curve, vtkPolyData* spline)
 {
   Json::Value json;
   std::vector<Vector3> drawn = pointsOf(spline);
@@ -250,7 +338,7 @@ Json::Value offStroke(vtkPolyData* line, vtkPolyData* spline)
   }
   const oversketch::View view = oversketch::ViewOf(spline);
   double sum = 0.0, worst = 0.0;
-  for (Vector3 p : pointsOf(line))
+  for (Vector3 p : curve)
   {
     p = view.toDisplay(p);
     p[2] = 0.0;
@@ -258,9 +346,60 @@ Json::Value offStroke(vtkPolyData* line, vtkPolyData* spline)
     sum += away * away;
     worst = std::max(worst, away);
   }
-  json["rms_px"] = number(std::sqrt(sum / static_cast<double>(line->GetNumberOfPoints())));
+  json["rms_px"] = number(std::sqrt(sum / static_cast<double>(curve.size())));
   json["worst_px"] = number(worst);
   return json;
+}
+
+// The points of a curve that lie by what was seen under its stroke, within that way; the others lead over
+// gaps.
+std::vector<Vector3> seenPointsOf(vtkPolyData* curve, vtkPolyData* projected, double way)
+{
+  std::vector<std::vector<Vector3>> runs;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < projected->GetNumberOfLines(); ++cell)
+  {
+    projected->GetLines()->GetCellAtId(cell, ids);
+    runs.emplace_back();
+    for (const vtkIdType id : *ids)
+    {
+      runs.back().emplace_back(projected->GetPoint(id));
+    }
+  }
+  std::vector<Vector3> points = pointsOf(curve);
+  const auto isFar = [&](const Vector3& p)
+  {
+    return std::none_of(runs.begin(), runs.end(), [&](const auto& run) { return toSegments(run, p) <= way; });
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), isFar), points.end());
+  return points;
+}
+
+// Of line and ring, each of which was drawn in one go.
+void addOffStrokes(vtkOversketchEdit* edit,
+  vtkPolyData* line,
+  vtkPolyData* ring,
+  double meanEdge,
+  Json::Value& json)
+{
+  const auto splineOf = [&](int port, const char* stage) -> vtkPolyData*
+  {
+    auto* given = vtkPolyData::SafeDownCast(edit->GetInputDataObject(port, 0));
+    vtkPolyData* spline = edit->GetInnerOutput(stage);
+    return given->GetNumberOfLines() == 1 && spline->GetNumberOfPoints() > 0 ? spline : nullptr;
+  };
+  if (vtkPolyData* spline = splineOf(1, "ReferenceFit"))
+  {
+    json["off_stroke"] = offStroke(pointsOf(line), spline);
+  }
+  if (vtkPolyData* spline = splineOf(2, "BoundaryFit"))
+  {
+    const std::vector<Vector3> seen =
+      seenPointsOf(ring, edit->GetInnerOutput("BoundaryProject"), 0.5 * meanEdge);
+    json["ring_off_stroke"] = offStroke(seen, spline);
+    json["ring_off_stroke"]["share_seen"] =
+      number(static_cast<double>(seen.size()) / static_cast<double>(ring->GetNumberOfPoints()));
+  }
 }
 
 // How far the section of what the profile made is from the profile that was drawn, in mean edges.
@@ -341,12 +480,8 @@ void addEditFigures(vtkOversketchEdit* edit, Json::Value& json)
     }
   }
   json["curves"]["smallest_angle_percentile_5"] = number(ranked(atCurves, 0.05));
-  vtkPolyData* spline = edit->GetInnerOutput("ReferenceFit");
-  auto* given = vtkPolyData::SafeDownCast(edit->GetInputDataObject(1, 0));
-  if (given->GetNumberOfLines() == 1 && spline->GetNumberOfPoints() > 0)
-  {
-    json["curves"]["off_stroke"] = offStroke(line, spline);
-  }
+  const double meanEdge = rest->GetFieldData()->GetArray("MeanEdge")->GetComponent(0, 0);
+  addOffStrokes(edit, line, ring, meanEdge, json["curves"]);
 
   double step = 0.0;
   const std::vector<double> along = valuesOf(rest, "CurveParameter");
@@ -359,8 +494,10 @@ void addEditFigures(vtkOversketchEdit* edit, Json::Value& json)
     }
   }
   json["parameter_step"] = number(step);
-  json["disc_area_ratio_95_5"] = number(
-    discAreas(vtkPolyData::SafeDownCast(edit->GetStep("Flatten")->GetOutputDataObject(1)), region.surface()));
+  auto* disc = vtkPolyData::SafeDownCast(edit->GetStep("Flatten")->GetOutputDataObject(1));
+  json["disc_flips"] = discFlips(disc);
+  json["disc_area_ratio_95_5"] = number(discAreas(disc, region.surface()));
+  json["plain_disc_area_ratio_95_5"] = number(plainDiscAreas(edit, line, region.surface()));
   vtkPolyData* weighted = edit->GetInnerOutput("Texture");
   weighted = weighted->GetNumberOfPoints() > 0 ? weighted : edit->GetInnerOutput("Shading");
   const std::vector<double> weights = valuesOf(weighted, "EditWeight");
@@ -371,14 +508,27 @@ void addEditFigures(vtkOversketchEdit* edit, Json::Value& json)
 
   json["shape"]["rest"] = shapeOf(region);
   json["shape"]["moved"] = shapeOf(Region(moved));
+  vtkPolyData* last = moved;
+  std::vector<LaidCurve> laid{ { line, rest, false }, { ring, rest, true } };
   const bool isRemeshed = edit->GetRule() != vtkOversketchEdit::Off && edit->GetMovedPoints() > 0;
   if (isRemeshed)
   {
-    json["shape"]["retriangulated"] = shapeOf(Region(edit->GetInnerOutput("Retriangulate")));
+    last = edit->GetInnerOutput("Retriangulate");
+    json["shape"]["retriangulated"] = shapeOf(Region(last));
+    for (const int port : { 1, 2 })
+    {
+      auto* curve = vtkPolyData::SafeDownCast(edit->GetStep("Retriangulate")->GetOutputDataObject(port));
+      laid.push_back({ curve, last, port == 2 });
+    }
   }
+  addChains(laid, json["curves"]);
+  json["euler_number"]["before"] = eulerNumber(edit->GetInnerOutput("MeanEdge"));
+  json["euler_number"]["after"] = eulerNumber(last);
+  json["folded_share"] =
+    number(edit->GetFoldedEdges() / std::max(1.0, static_cast<double>(Region(last).dihedrals().size())));
   if (isProfile)
   {
-    json["recut"] = recut(edit, moved, ring, rest->GetFieldData()->GetArray("MeanEdge")->GetComponent(0, 0));
+    json["recut"] = recut(edit, moved, ring, meanEdge);
   }
 }
 

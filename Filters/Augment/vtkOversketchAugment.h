@@ -159,7 +159,7 @@ public:
    * Longer edges near strokes are split [model length, default 0: a quarter of the radius, an eighth with a
    * sharpness below 1 or above 2].
    */
-  vtkSetMacro(TargetEdgeLength, double);
+  vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);
   ///@}
 

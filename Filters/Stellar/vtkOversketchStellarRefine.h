@@ -96,7 +96,7 @@ public:
   /**
    * Edges longer than this are split [model length, default 0: a quarter of the radius, and see FineFoot].
    */
-  vtkSetMacro(TargetEdgeLength, double);
+  vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);
   ///@}
 

@@ -346,3 +346,26 @@ TEST(ChainFaults, AreFound)
   EXPECT_EQ(
     faults([](vtkPolyData* mesh) { mesh->GetPoints()->SetPoint(7, NAN, 0, 0); }), "a point is not finite; ");
 }
+
+// Bits are compared to the last corner, of quads too.
+TEST(ChainFaults, EveryCornerCounts)
+{
+  const auto quad = [](vtkIdType last)
+  {
+    auto mesh = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    for (const auto& [x, y] :
+      { std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1), std::pair(0, 2) })
+    {
+      points->InsertNextPoint(x, y, 0.0);
+    }
+    vtkNew<vtkCellArray> cells;
+    const vtkIdType corners[] = { 0, 1, 2, last };
+    cells->InsertNextCell(4, corners);
+    mesh->SetPoints(points);
+    mesh->SetPolys(cells);
+    return mesh;
+  };
+  EXPECT_TRUE(identical(quad(3), quad(3)));
+  EXPECT_FALSE(identical(quad(3), quad(4)));
+}

@@ -4,9 +4,12 @@
 
 #include "Harness/promises.h"
 
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkPLYReader.h"
 #include "vtkXMLPolyDataReader.h"
 
+#include <algorithm>
 #include <string>
 
 namespace oversketch_test
@@ -56,14 +59,11 @@ inline bool identical(vtkPolyData* a, vtkPolyData* b)
   vtkNew<vtkIdList> p, q;
   for (vtkIdType i = 0; i < a->GetNumberOfPolys(); ++i)
   {
-    a->GetCellPoints(i, p);
-    b->GetCellPoints(i, q);
-    for (vtkIdType k = 0; k < 3; ++k)
+    a->GetPolys()->GetCellAtId(i, p);
+    b->GetPolys()->GetCellAtId(i, q);
+    if (!std::equal(p->begin(), p->end(), q->begin(), q->end()))
     {
-      if (p->GetId(k) != q->GetId(k))
-      {
-        return false;
-      }
+      return false;
     }
   }
   return true;

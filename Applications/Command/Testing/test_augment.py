@@ -100,6 +100,13 @@ def test_what_cannot_be_made_is_said_and_nothing_written(folder, tmp_path, more,
     assert os.listdir(tmp_path) == []
 
 
+@pytest.mark.parametrize("length", ["-1", "-2%"])
+def test_edges_are_not_shorter_than_nothing(folder, tmp_path, length):
+    said = refuse(2, "augment", folder / "body.vtp", folder / "line.vtp", "-o", tmp_path / "o.vtp", "--edge-length", length)
+    assert f"--edge-length cannot be {length.replace('2%', '0.02')}; the nearest that it takes is 0" in said
+    assert os.listdir(tmp_path) == []
+
+
 def test_radii_that_are_none(folder, tmp_path):
     """Below 0 the default; one that reaches no point gives a mesh that is finer under the line and stays as high."""
     usual = augment(folder, tmp_path / "usual.vtp")

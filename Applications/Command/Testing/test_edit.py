@@ -192,6 +192,11 @@ def test_the_report_and_the_inner_files(folder, tmp_path):
     assert said["region"]["vertices"] == said["moved_points"]
     assert said["curves"]["off_stroke"]["rms_px"] < 1.2 and said["curves"]["off_stroke"]["worst_px"] < 4
     assert said["curves"]["smallest_angle_percentile_5"] > 9
+    ring = said["curves"]["ring_off_stroke"]
+    assert 0 < ring["rms_px"] < 1.2 and ring["rms_px"] < ring["worst_px"] < 4 and ring["share_seen"] == 1
+    assert said["curves"]["simple"] is True and said["curves"]["segments_off_edges"] == 0
+    assert said["euler_number"] == {"before": 2, "after": 2} and said["folded_share"] == 0
+    assert said["disc_flips"] == 0 and said["plain_disc_area_ratio_95_5"] > said["disc_area_ratio_95_5"]
     assert 0 < said["parameter_step"] <= 1 and said["disc_area_ratio_95_5"] >= 1
     assert said["slope_jump"]["line"] < 1.8 and said["slope_jump"]["ring"] < 0.85
     assert said["shape"]["retriangulated"]["triangles"] > said["shape"]["moved"]["triangles"] == said["shape"]["rest"]["triangles"]
@@ -199,7 +204,9 @@ def test_the_report_and_the_inner_files(folder, tmp_path):
         assert read(tmp_path / "inner" / f"{name}.vtp").GetNumberOfPoints() > 0
     assert (tmp_path / "inner" / "Shading.vti").exists()
     published = edit(folder, tmp_path / "p.vtp", "--move", "0.5,n,1%", "--as-published", "--rule", "off", "--report", tmp_path / "p.json")
-    jumps = json.loads((tmp_path / "p.json").read_text())["edit"]["slope_jump"]
+    literal = json.loads((tmp_path / "p.json").read_text())["edit"]
+    assert literal["plain_disc_area_ratio_95_5"] == literal["disc_area_ratio_95_5"]
+    jumps = literal["slope_jump"]
     assert published.GetNumberOfPolys() > 0 and jumps["line"] > said["slope_jump"]["line"] and jumps["ring"] > said["slope_jump"]["ring"]
 
 

@@ -15,6 +15,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkImplicitPolyDataDistance.h"
+#include "vtkIntArray.h"
 #include "vtkMassProperties.h"
 #include "vtkSMPTools.h"
 
@@ -330,6 +331,71 @@ TEST(EditSystem, KeepsSeamsAndArrays)
   plain.filter->SetRule(vtkOversketchEdit::Off);
   plain.operate("move 0.5 n %.9g", 0.02);
   EXPECT_EQ(plain.run()->GetNumberOfPolys(), output->GetNumberOfPolys());
+}
+
+// A 4-8 mesh is none once its triangles are cut: what says so is gone, whatever else it carries stays.
+TEST(EditSystem, StellarArraysAreDropped)
+{
+  const char* const ofPoints[] = {
+    "StellarMoved", "CurveId", "CurveParam", "BaseNormal", "Displacement", "Feature"
+  };
+  const char* const ofCells[] = { "StellarRoot", "StellarPath", "StellarGen" };
+  const char* const ofFields[] = { "StellarVersion", "CurveDigest" };
+  const auto add = [](vtkFieldData* data, const char* name, vtkIdType count)
+  {
+    vtkNew<vtkIntArray> array; // VTK mixes no ids
+    array->SetName(name);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      array->InsertNextValue(static_cast<int>(i));
+    }
+    data->AddArray(array);
+  };
+  for (const bool isHierarchy : { true, false }) // without StellarPath the names mean something else
+  {
+    for (const int rule : { vtkOversketchEdit::Edit, vtkOversketchEdit::Off })
+    {
+      EditSystem s(shippedModel("bear"));
+      const vtkIdType points = s.mesh->GetNumberOfPoints(), cells = s.mesh->GetNumberOfPolys();
+      for (const char* name : ofPoints)
+      {
+        add(s.mesh->GetPointData(), name, points);
+      }
+      for (const char* name : ofCells)
+      {
+        if (isHierarchy || std::string(name) != "StellarPath")
+        {
+          add(s.mesh->GetCellData(), name, cells);
+        }
+      }
+      for (const char* name : ofFields)
+      {
+        add(s.mesh->GetFieldData(), name, 1);
+      }
+      add(s.mesh->GetPointData(), "Own", points);
+      add(s.mesh->GetCellData(), "Own", cells);
+      s.filter->SetRule(rule);
+      s.operate("move 0.5 n %.9g", 0.02);
+      vtkPolyData* output = s.run();
+      ASSERT_GT(s.filter->GetMovedPoints(), 0);
+      for (const char* name : ofPoints)
+      {
+        EXPECT_NE(bool(output->GetPointData()->HasArray(name)), isHierarchy) << name << ' ' << rule;
+      }
+      EXPECT_FALSE(output->GetCellData()->HasArray("StellarPath")) << rule;
+      for (const char* name : { "StellarRoot", "StellarGen" })
+      {
+        EXPECT_NE(bool(output->GetCellData()->HasArray(name)), isHierarchy) << name << ' ' << rule;
+      }
+      for (const char* name : ofFields)
+      {
+        EXPECT_NE(bool(output->GetFieldData()->HasArray(name)), isHierarchy) << name << ' ' << rule;
+      }
+      EXPECT_TRUE(output->GetPointData()->HasArray("Own")) << rule;
+      EXPECT_TRUE(output->GetCellData()->HasArray("Own")) << rule;
+      EXPECT_TRUE(s.mesh->GetPointData()->HasArray("BaseNormal")) << "the input is touched";
+    }
+  }
 }
 
 // White where the image is painted, still elsewhere.

@@ -15,7 +15,7 @@
 
 using namespace oversketch_test;
 
-TEST(Keys, LookAlongTheAxes)
+TEST(B1_3, LookAlongTheAxes)
 {
   StyleScene scene;
   const char* keys[] = { "x", "y", "z" };
@@ -36,9 +36,10 @@ TEST(Keys, LookAlongTheAxes)
     expectNear(three(scene.camera()->GetViewUp()), up, 0.0);
     EXPECT_NEAR(scene.camera()->GetDistance(), 10.0, 1e-14);
   }
+  fact("B1_3", "x, y, z look along the axes, with Shift against them, within 1e-15");
 }
 
-TEST(Keys, EachGoesWhereTheTableSays)
+TEST(B1_3, EachGoesWhereTheTableSays)
 {
   const double s = std::sin(vtkMath::RadiansFromDegrees(5.0)), c = std::cos(vtkMath::RadiansFromDegrees(5.0));
   struct Case
@@ -89,6 +90,17 @@ TEST(Keys, EachGoesWhereTheTableSays)
   EXPECT_NEAR(scene.camera()->GetParallelScale(), 1.0 / 1.1, 1e-15);
   scene.key("p");
   EXPECT_NEAR(scene.camera()->GetParallelScale(), 1.0, 1e-15);
+  // 1 and then the same key with Shift, r and then h: where it was; r and l are one.
+  const auto before = scene.state();
+  for (const auto& [there, back] : { std::pair("1", "exclam"), std::pair("r", "h"), std::pair("l", "h") })
+  {
+    scene.key(there);
+    EXPECT_NE(scene.state(), before);
+    scene.key(back, back[1] ? Shift : NoModifier);
+    expectNear(scene.state(), before, 1e-12);
+  }
+  fact(
+    "B1_3", std::to_string(cases.size()) + " keys go where the table says, 1, r and l are undone by theirs");
 }
 
 TEST(Keys, EachIsUndoneByItsReverse)
@@ -127,7 +139,7 @@ TEST(Keys, ResetAndCentre)
   expectNear(scene.state(), second, 0.0);
 }
 
-TEST(Keys, VTKsOwnAreSwallowed)
+TEST(B1_4, VTKsOwnAreSwallowed)
 {
   StyleScene scene;
   vtkNew<vtkSliderWidget> slider;
@@ -164,6 +176,7 @@ TEST(Keys, VTKsOwnAreSwallowed)
   EXPECT_EQ(exits.count, 0);
   scene.key("q");
   EXPECT_EQ(exits.count, 1);
+  fact("B1_4", "i moves the camera alone and leaves widgets on; 3 makes no stereo, w no wireframe");
 }
 
 TEST(Mode, DrawingNeverOrbits)

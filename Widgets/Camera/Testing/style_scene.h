@@ -4,6 +4,7 @@
 #define oversketch_test_style_scene_h
 
 #include "Harness/interaction.h"
+#include "Harness/shapes.h"
 
 #include "vtkOversketchInteractorStyle.h"
 

@@ -9,6 +9,7 @@
 #include "vtkOversketchInteractorStyle.h"
 
 #include "vtkActor.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -149,6 +150,18 @@ struct BallRegion
     this->system->Update();
     EXPECT_EQ(this->system->GetErrorCode(), 0u) << (ear.errors.empty() ? "" : ear.errors[0]);
     return this->system->GetOutput();
+  }
+  // Run anew, how far each vertex follows.
+  std::vector<double> weights()
+  {
+    this->run();
+    vtkDataArray* array = this->system->GetInnerOutput("Shading")->GetPointData()->GetArray("EditWeight");
+    std::vector<double> values;
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      values.push_back(array->GetComponent(i, 0));
+    }
+    return values;
   }
   vtkPolyData* mesh() { return this->system->GetInnerOutput("Distance"); }
   vtkPolyData* ring()

@@ -152,6 +152,21 @@ def test_frames_of_a_profile(region):
     scene.interactor.InvokeEvent("KeyPressEvent")
     assert widget.GetProfilePlaneRepresentation().GetNumberOfVisiblePlanes() == 1
     compare.matches(scene.picture(), "planes_slid")
+    # Under the hand, seen from the front, with all planes.
+    widget.SetProfileAt(0.5)
+    scene.interactor.SetEventInformation(0, 0, 0, 0, "6", 0, "6")
+    scene.interactor.InvokeEvent("KeyPressEvent")
+    scene.renderer.GetActiveCamera().SetPosition(0.0, 0.0, 10.0)
+    scene.renderer.GetActiveCamera().SetViewUp(0.0, 1.0, 0.0)
+    scene.play("profile_slide")
+    assert widget.IsDragging() and 0.75 < widget.GetProfileAt() < 0.82
+    assert widget.GetProfilePlaneRepresentation().GetNumberOfVisiblePlanes() == 3
+    if compare.matches(scene.picture(), "planes_dragged"):
+        widget.SetProfileAt(0.5)
+        assert compare.difference(scene.picture(), compare.read("planes_dragged")) > 4 * compare.LIMIT
+    scene.play("profile_let_go")
+    assert not widget.IsDragging()
+    widget.SetProfileAt(0.2)
     flat.play("profile_stroke")
     assert widget.GetPen().IsWaiting()
     flat.interactor.SetEventInformation(0, 0, 0, 0, "\r", 0, "Return")

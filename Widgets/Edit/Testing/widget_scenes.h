@@ -126,6 +126,11 @@ struct LayerScene : SideScene<vtkOversketchLayerHandleWidget, vtkOversketchLayer
   {
   }
   std::string layers() { return this->widget->GetLayers(); }
+  std::vector<double> weights()
+  {
+    this->region.system->SetLayers(this->widget->GetLayers());
+    return this->region.weights();
+  }
   // From the disc's middle to its rim at the top, where a share is.
   int heightOf(double share)
   {
@@ -166,18 +171,7 @@ struct AreaScene : SideScene<vtkOversketchAreaSelectWidget, vtkOversketchAreaSel
   {
   }
   vtkPolyData* areas() { return this->widget->GetAreas(); }
-  std::vector<double> weights()
-  {
-    this->region.run();
-    vtkDataArray* array =
-      this->region.system->GetInnerOutput("Shading")->GetPointData()->GetArray("EditWeight");
-    std::vector<double> values;
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      values.push_back(array->GetComponent(i, 0));
-    }
-    return values;
-  }
+  std::vector<double> weights() { return this->region.weights(); }
   void reset()
   {
     this->widget->SetAreas(nullptr);
