@@ -320,7 +320,7 @@ const SurfaceRays& KeptSurface::Provide(vtkPolyData* mesh, const Context& contex
   {
     this->Rays = nullptr;
     this->Shape = this->Data->KeptSurface();
-    this->Rays = std::make_unique<const SurfaceRays>(this->Shape, context);
+    this->Rays = sharedRays(this->Shape, context);
     ++this->BuildCount;
   }
   return *this->Rays;

@@ -72,7 +72,7 @@ public:
 private:
   std::shared_ptr<const MeshData> Data;
   std::shared_ptr<const oversketch::Mesh> Shape; // that the scene is of
-  std::unique_ptr<const SurfaceRays> Rays;
+  std::shared_ptr<const SurfaceRays> Rays;
   bool BringsNormals = false;
   vtkIdType BuildCount = 0;
 };
