@@ -112,6 +112,10 @@ void Latency::write() const
     }
     all[QString::fromStdString(what)] = list;
   }
+  if (this->RegionVertices > 0)
+  {
+    all["region"] = static_cast<double>(this->RegionVertices);
+  }
   oversketch_files::writeText(*this->Path, QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString());
 }
 

@@ -5,6 +5,7 @@
 #ifndef oversketch_studio_latency_h
 #define oversketch_studio_latency_h
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,7 +33,8 @@ public:
   void hand();
   void dragged() { this->moved("drag"); }
   void layerDragged() { this->moved("layer"); }
-  void ringClosed() { this->begin("ring", this->Hand); }
+  void ringClosed() { this->moved("ring"); }
+  void regionHas(std::size_t vertices) { this->RegionVertices = vertices; }
   // The deformed mesh is what the next frame shows.
   void meshComes() { this->MeshComes = true; }
   // A frame begins; it is painted. A frame that nothing waited for is a plain redraw.
@@ -42,7 +44,8 @@ public:
 
   // Writes {"sample": [[ms, ms of processors], ...], "stroke": [...], "radius": [...], "height": [...],
   // "redraw": [...], "ring": [...], "drag": [...], "drag points": [...], "drag frame": [...], the same of
-  // "layer"}: of a drag the whole, its part until points and normals, and that of drawing alone. Throws
+  // "layer", "ring points": [...], "region": n}: of a drag the whole, its part until points and normals, and
+  // that of drawing alone; of a ring the part until greys are there; vertices within the last one. Throws
   // Failed.
   void write() const;
 
@@ -65,6 +68,7 @@ private:
   std::map<std::string, std::vector<Times>> Waited;
   std::optional<Times> Frame, Hand;
   bool MeshComes = false;
+  std::size_t RegionVertices = 0; // of the ring that was closed last
 };
 
 } // namespace oversketch_studio

@@ -163,7 +163,7 @@ int vtkOversketchInflate::RequestData(vtkInformation*,
           cache.ThicknessKey = cache.RatioKey = StepKey();
           cache.Image = nullptr;
           cache.Grid = nullptr;
-          cache.Maps = DistanceMapsOf(image, ContextOf(this, 0.0, 0.05));
+          cache.Maps = UphillMapsOf(image, ContextOf(this, 0.0, 0.05));
           cache.Grid =
             std::make_unique<GridSmoothing>(cache.Maps, this->GridStep, ContextOf(this, 0.05, 0.2));
         });

@@ -19,6 +19,7 @@ using namespace oversketch;
 struct vtkOversketchDarts::Cache
 {
   KeptOutput Kept;
+  KeptMaps Maps;
 };
 
 vtkStandardNewMacro(vtkOversketchDarts);
@@ -76,7 +77,7 @@ int vtkOversketchDarts::RequestData(vtkInformation*,
           const Context context = ContextOf(this);
           const oversketch::DartMode mode =
             this->DartMode == LOCAL ? oversketch::DartMode::Local : oversketch::DartMode::Published;
-          const std::vector<Vector2> darts = throwDarts(DistanceMapsOf(distance, context),
+          const std::vector<Vector2> darts = throwDarts(this->Internals->Maps.Of(distance),
             StrokeLinesOf(polylines),
             mode,
             static_cast<unsigned int>(this->Seed),

@@ -1,5 +1,6 @@
 #include "vtkOversketchDrawingTools.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace oversketch
 {
@@ -47,6 +49,12 @@ std::vector<Value> valuesOf(vtkImageData* image, const char* name)
     "distance image",
     "take it from vtkOversketchDistance");
   std::vector<Value> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  // As it was written: a virtual call for each of a million samples costs more than the step that reads them.
+  if (auto* plain = vtkAOSDataArrayTemplate<Value>::FastDownCast(array))
+  {
+    std::copy_n(plain->GetPointer(0), values.size(), values.begin());
+    return values;
+  }
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     values[i] = static_cast<Value>(array->GetComponent(static_cast<vtkIdType>(i), 0));
@@ -240,15 +248,37 @@ MeshKey DrawingKey(vtkPolyData* curves)
   return MeshKey(curves, arrays);
 }
 
-DistanceMaps DistanceMapsOf(vtkImageData* image, const Context& context)
+DistanceMaps DistanceMapsOf(vtkImageData* image)
 {
   DistanceMaps maps;
   maps.frame = FrameOf(image);
   maps.object = valuesOf<int>(image, "Object");
   maps.distance = valuesOf<float>(image, "T");
-  findThickness(maps, ThicknessMode::Local, context);
   maps.thickness = valuesOf<float>(image, "LocalMax");
   maps.skeleton = valuesOf<std::uint8_t>(image, "Skeleton");
+  return maps;
+}
+
+const DistanceMaps& KeptMaps::Of(vtkImageData* image)
+{
+  const StepKey key({ ImageKey(image) }, {});
+  if (this->Key != key)
+  {
+    this->Key = StepKey();
+    this->Maps = DistanceMapsOf(image);
+    this->Key = key;
+  }
+  return this->Maps;
+}
+
+DistanceMaps UphillMapsOf(vtkImageData* image, const Context& context)
+{
+  DistanceMaps maps = DistanceMapsOf(image);
+  std::vector<float> thickness = std::move(maps.thickness);
+  std::vector<std::uint8_t> skeleton = std::move(maps.skeleton);
+  findThickness(maps, ThicknessMode::Local, context); // writes these, too
+  maps.thickness = std::move(thickness);
+  maps.skeleton = std::move(skeleton);
   return maps;
 }
 

@@ -10,6 +10,7 @@
 #include "Raster/classify.h"
 #include "Raster/distance_maps.h"
 #include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchKept.h"
 
 #include <functional>
 #include <string>
@@ -80,10 +81,29 @@ OVERSKETCHFILTERSPLANAR_EXPORT void WriteClassification(const Classification& cl
 OVERSKETCHFILTERSPLANAR_EXPORT MeshKey DrawingKey(vtkPolyData* curves);
 
 /**
- * The maps that vtkOversketchDistance wrote; `uphill` is found again. Throws Error(MissingArray) for an
- * absent array, Error(BadStroke) for an image that is no raster of square pixels in the plane.
+ * The maps that vtkOversketchDistance wrote, without `uphill`, which is not written. Throws
+ * Error(MissingArray) for an absent array, Error(BadStroke) for an image that is no raster of square pixels
+ * in the plane.
  */
-OVERSKETCHFILTERSPLANAR_EXPORT DistanceMaps DistanceMapsOf(vtkImageData* image, const Context& context);
+OVERSKETCHFILTERSPLANAR_EXPORT DistanceMaps DistanceMapsOf(vtkImageData* image);
+
+/**
+ * The same, kept as long as the image stays as it is: for a step that is made again for each rebuild.
+ */
+class OVERSKETCHFILTERSPLANAR_EXPORT KeptMaps
+{
+public:
+  const DistanceMaps& Of(vtkImageData* image);
+
+private:
+  StepKey Key;
+  DistanceMaps Maps;
+};
+
+/**
+ * The same with `uphill`, found again.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT DistanceMaps UphillMapsOf(vtkImageData* image, const Context& context);
 
 /**
  * Writes the image with its arrays T, LocalMax, Skeleton and Object.

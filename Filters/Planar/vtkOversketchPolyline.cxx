@@ -20,6 +20,7 @@ using namespace oversketch;
 struct vtkOversketchPolyline::Cache
 {
   KeptOutput Kept;
+  KeptMaps Maps;
 };
 
 vtkStandardNewMacro(vtkOversketchPolyline);
@@ -109,10 +110,11 @@ int vtkOversketchPolyline::RequestData(vtkInformation*,
           rules.tolerance = this->Tolerance;
           rules.joinDistance = this->JoinDistance;
           const Context context = ContextOf(this);
+          const DistanceMaps none;
           const std::vector<StrokePolyline> polylines = approximate(drawing.Strokes,
             classes,
             drawing.Treatments,
-            fixed ? DistanceMaps() : DistanceMapsOf(distance, context),
+            fixed ? none : this->Internals->Maps.Of(distance),
             parts,
             drawing.Rectangle.longest(),
             rules,

@@ -186,7 +186,7 @@ int vtkOversketchProjectCurve::RequestData(vtkInformation*,
                               << " parts; the longest one is taken.");
             }
           }
-          WriteSurfaceCurves(curves, cache.Surface.Mesh(), strokes, lines, result);
+          WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
           writeParameters(curves, lines, parameters, result);
           result->GetFieldData()->PassData(strokes->GetFieldData());
         });

@@ -188,7 +188,7 @@ int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
             readSilhouette(silhouette),
             rules,
             ContextOf(this, 0.5, 1.0));
-          WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface.Mesh(), strokes, lines, result);
+          WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface, strokes, lines, result);
           cache.Sketch->Initialize();
           writeSketch(sketch.sketch, result, cache.Sketch);
         });

@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -61,15 +62,42 @@ vtkSmartPointer<vtkDataArray> emptyLike(vtkDataArray* array)
   return result;
 }
 
-// Normals turn with the surface; where they cancel, that of the facet.
-Vector3 normalAt(const SurfacePoint& at, const MeshData& mesh)
+// The triangles that have one of some vertices, in the mesh's order, as a mesh of their own.
+struct TrianglesAt
 {
-  const Triangle& t = mesh.Surface().triangles[at.triangle];
-  const std::vector<Vector3>& normals = mesh.Normals();
-  const Vector3 normal =
-    at.weights[0] * normals[t[0]] + at.weights[1] * normals[t[1]] + at.weights[2] * normals[t[2]];
-  return normal.norm() > 1e-6 ? Vector3(normal.normalized()) : facetNormal(mesh.Surface(), at.triangle);
-}
+  TrianglesAt(const Mesh& mesh, const std::vector<int>& vertices)
+    : Number(mesh.points.size(), -1)
+  {
+    std::vector<char> wanted(mesh.points.size(), 0);
+    for (const int v : vertices)
+    {
+      wanted[static_cast<std::size_t>(v)] = 1;
+    }
+    for (const Triangle& t : mesh.triangles)
+    {
+      if (std::none_of(
+            t.begin(), t.end(), [&wanted](int v) { return wanted[static_cast<std::size_t>(v)] != 0; }))
+      {
+        continue;
+      }
+      Triangle own{};
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        int& number = this->Number[static_cast<std::size_t>(t[k])];
+        if (number < 0)
+        {
+          number = this->Part.vertexCount();
+          this->Part.points.push_back(mesh.points[static_cast<std::size_t>(t[k])]);
+        }
+        own[k] = number;
+      }
+      this->Part.triangles.push_back(own);
+    }
+  }
+
+  Mesh Part;
+  std::vector<int> Number; // of the mesh's vertices there; -1: none
+};
 
 // Point data of one curve after another.
 struct CurvePoints
@@ -93,10 +121,29 @@ struct CurvePoints
     }
   }
 
+  // Normals turn with the surface; where they cancel, that of the facet.
+  void addNormals(const KeptSurface& surface)
+  {
+    std::vector<int> corners;
+    for (const Binding& binding : this->bindings)
+    {
+      corners.insert(corners.end(), binding.vertices.begin(), binding.vertices.end());
+    }
+    const std::vector<Vector3> at = surface.NormalsOf(corners);
+    for (std::size_t i = 0; i < this->bindings.size(); ++i)
+    {
+      const auto& weights = this->bindings[i].weights;
+      const Vector3 normal = weights[0] * at[3 * i] + weights[1] * at[3 * i + 1] + weights[2] * at[3 * i + 2];
+      const int triangle = static_cast<int>(this->cells->GetValue(static_cast<vtkIdType>(i)));
+      this->normals->InsertNextTuple((
+        normal.norm() > 1e-6 ? Vector3(normal.normalized()) : facetNormal(surface.Mesh().Surface(), triangle))
+                                       .data());
+    }
+  }
+
   vtkIdType insert(const SurfaceSample& sample, double arc, const MeshData& mesh)
   {
     this->arcs->InsertNextValue(arc);
-    this->normals->InsertNextTuple(normalAt(sample.at, mesh).data());
     this->cells->InsertNextValue(sample.at.triangle);
     this->bindings.push_back({ mesh.Surface().triangles[sample.at.triangle], sample.at.weights });
     return this->points->InsertNextPoint(sample.position.data());
@@ -199,7 +246,7 @@ MeshKey StrokesKey(vtkPolyData* strokes)
 }
 
 void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
-  const MeshData& mesh,
+  const KeptSurface& surface,
   vtkPolyData* strokes,
   const std::vector<DrawnLine>& lines,
   vtkPolyData* output)
@@ -229,7 +276,7 @@ void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
     for (std::size_t k = 0; k < samples.size(); ++k)
     {
       arc += k > 0 ? (samples[k].position - samples[k - 1].position).norm() : 0.0;
-      cells->InsertCellPoint(to.insert(samples[k], arc, mesh));
+      cells->InsertCellPoint(to.insert(samples[k], arc, surface.Mesh()));
       if (pressure)
       {
         const std::size_t before = static_cast<std::size_t>(samples[k].along);
@@ -249,6 +296,7 @@ void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
       taken[a]->InsertNextTuple(curve.Stroke, passed[a]);
     }
   }
+  to.addNormals(surface);
   output->SetPoints(to.points);
   output->SetLines(cells);
   vtkPointData* data = output->GetPointData();
@@ -265,14 +313,38 @@ void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
 const SurfaceRays& KeptSurface::Provide(vtkPolyData* mesh, const Context& context)
 {
   this->Data = SharedMesh(mesh);
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  this->BringsNormals = normals && normals->GetNumberOfComponents() == 3 &&
+                        normals->GetNumberOfTuples() == mesh->GetNumberOfPoints(); // as SharedMesh has it
   if (!this->Rays || this->Shape != this->Data->KeptSurface())
   {
     this->Rays = nullptr;
     this->Shape = this->Data->KeptSurface();
-    this->Rays = std::make_unique<const SurfaceRays>(this->Shape, context);
+    this->Rays = sharedRays(this->Shape, context);
     ++this->BuildCount;
   }
   return *this->Rays;
+}
+
+std::vector<Vector3> KeptSurface::NormalsOf(const std::vector<int>& vertices) const
+{
+  std::vector<Vector3> normals;
+  normals.reserve(vertices.size());
+  if (this->BringsNormals)
+  {
+    for (const int v : vertices)
+    {
+      normals.push_back(this->Data->Normals()[static_cast<std::size_t>(v)]);
+    }
+    return normals;
+  }
+  const TrianglesAt part(this->Data->Surface(), vertices);
+  const Lists around = trianglesAround(part.Part);
+  for (const int v : vertices)
+  {
+    normals.push_back(vertexNormal(part.Part, around, part.Number[static_cast<std::size_t>(v)]));
+  }
+  return normals;
 }
 
 } // namespace oversketch

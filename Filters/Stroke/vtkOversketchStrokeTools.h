@@ -57,13 +57,6 @@ struct StrokeCurve
   int Stroke;
 };
 
-// Writes polylines with the arrays that vtkOversketchSurfaceStroke documents.
-void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
-  const MeshData& mesh,
-  vtkPolyData* strokes,
-  const std::vector<DrawnLine>& lines,
-  vtkPolyData* output);
-
 // A mesh and its ray scene, held for the next stroke.
 class KeptSurface
 {
@@ -71,14 +64,25 @@ public:
   // The scene of the mesh, made where the last one asked for had other points or triangles.
   const SurfaceRays& Provide(vtkPolyData* mesh, const Context& context);
   const MeshData& Mesh() const { return *this->Data; }
+  // Of some vertices what Mesh().Normals() has, bit for bit: where the mesh brings none along, neither the
+  // others' nor the adjacency are made for it.
+  std::vector<Vector3> NormalsOf(const std::vector<int>& vertices) const;
   vtkIdType Builds() const { return this->BuildCount; }
 
 private:
   std::shared_ptr<const MeshData> Data;
   std::shared_ptr<const oversketch::Mesh> Shape; // that the scene is of
-  std::unique_ptr<const SurfaceRays> Rays;
+  std::shared_ptr<const SurfaceRays> Rays;
+  bool BringsNormals = false;
   vtkIdType BuildCount = 0;
 };
+
+// Writes polylines with the arrays that vtkOversketchSurfaceStroke documents.
+void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
+  const KeptSurface& surface,
+  vtkPolyData* strokes,
+  const std::vector<DrawnLine>& lines,
+  vtkPolyData* output);
 
 } // namespace oversketch
 #endif

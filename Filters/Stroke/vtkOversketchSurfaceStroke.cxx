@@ -114,7 +114,7 @@ int vtkOversketchSurfaceStroke::RequestData(vtkInformation*,
               curves.push_back({ piece, stroke });
             }
           }
-          WriteSurfaceCurves(curves, cache.Surface.Mesh(), strokes, lines, result);
+          WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
         });
     });
 }

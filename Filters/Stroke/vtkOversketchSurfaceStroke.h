@@ -84,7 +84,7 @@ public:
   vtkGetMacro(ProjectionCount, vtkIdType);
 
   /**
-   * How many ray scenes have been built: executions on another mesh than the one before.
+   * How many ray scenes it has taken: executions on another mesh than the one before.
    */
   vtkIdType GetSceneCount();
 

@@ -1,8 +1,11 @@
 #include "Planar/darts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <random>
+#include <utility>
 
 namespace oversketch
 {
@@ -53,31 +56,35 @@ std::vector<Vector2> inwardCorners(const std::vector<StrokeLine>& lines, const F
   return found;
 }
 
-// Of each pixel how far the nearest of these is, where that is less than `most` px; `most` elsewhere.
-std::vector<float> distancesTo(const std::vector<Vector2>& corners, const Frame& frame, double most)
+// By rows, in a row by columns.
+using Rows = std::vector<std::vector<Candidate>>;
+
+// Of each pixel of a row how far the nearest of these is, squared; infinite where all are farther than `most`
+// px.
+void squaresTo(const std::vector<Vector2>& corners, double most, int y, std::vector<double>& squares)
 {
-  std::vector<float> distances(frame.count(), static_cast<float>(most));
+  std::fill(squares.begin(), squares.end(), std::numeric_limits<double>::infinity());
+  const int width = static_cast<int>(squares.size());
   for (const Vector2& corner : corners)
   {
-    const int x0 = std::max(0, static_cast<int>(corner[0] - most));
-    const int y0 = std::max(0, static_cast<int>(corner[1] - most));
-    const int x1 = std::min(frame.width - 1, static_cast<int>(corner[0] + most) + 1);
-    const int y1 = std::min(frame.height - 1, static_cast<int>(corner[1] + most) + 1);
-    for (int y = y0; y <= y1; ++y)
+    const double dy = y - corner[1];
+    if (std::abs(dy) > most)
     {
-      for (int x = x0; x <= x1; ++x)
-      {
-        float& least = distances[frame.index(x, y)];
-        least = std::min(least, static_cast<float>((Vector2(x, y) - corner).norm()));
-      }
+      continue;
+    }
+    const int last = std::min(width - 1, static_cast<int>(corner[0] + most) + 1);
+    for (int x = std::max(0, static_cast<int>(corner[0] - most)); x <= last; ++x)
+    {
+      const double dx = x - corner[0];
+      squares[x] = std::min(squares[x], dx * dx + dy * dy);
     }
   }
-  return distances;
 }
 
-std::vector<Candidate> farFromRims(const DistanceMaps& maps,
+Rows farFromRims(const DistanceMaps& maps,
   const std::vector<StrokeLine>& lines,
-  DartMode mode)
+  DartMode mode,
+  const Context& context)
 {
   std::vector<double> greatest; // T, of each object
   if (mode == DartMode::Published)
@@ -91,43 +98,48 @@ std::vector<Candidate> farFromRims(const DistanceMaps& maps,
       }
     }
   }
-  std::vector<float> toCorner;
+  const bool local = mode == DartMode::Local;
+  const std::vector<Vector2> corners = local ? inwardCorners(lines, maps.frame) : std::vector<Vector2>();
   const double least = besideCorner * std::max(maps.frame.width, maps.frame.height);
-  if (mode == DartMode::Local)
+  const double most = dartShare * *std::max_element(maps.thickness.begin(), maps.thickness.end());
+  Rows rows(maps.frame.height);
+  const auto radiusAt = [&](std::size_t i, double square)
   {
-    const float thickest = *std::max_element(maps.thickness.begin(), maps.thickness.end());
-    toCorner = distancesTo(inwardCorners(lines, maps.frame), maps.frame, dartShare * thickest);
-  }
-  std::vector<Candidate> result;
-  for (int y = 0; y < maps.frame.height; ++y)
-  {
-    for (int x = 0; x < maps.frame.width; ++x)
+    if (!local)
     {
-      const std::size_t i = maps.frame.index(x, y);
-      const int object = maps.object[i];
-      if (object < 0 || !(maps.distance[i] > 0.0f))
-      {
-        continue;
-      }
-      const double radius =
-        mode == DartMode::Published
-          ? 0.5 * greatest[object]
-          : std::max(leastRadius,
-              std::min<double>(dartShare * maps.thickness[i], std::max<double>(least, toCorner[i])));
-      if (maps.distance[i] >= radius)
-      {
-        result.push_back({ x, y, object, radius });
-      }
+      return 0.5 * greatest[maps.object[i]];
     }
-  }
-  return result;
+    const float toCorner = static_cast<float>(std::min(most, std::sqrt(square)));
+    return std::max(
+      leastRadius, std::min<double>(dartShare * maps.thickness[i], std::max<double>(least, toCorner)));
+  };
+  context.parallelFor(maps.frame.height,
+    [&](int begin, int end)
+    {
+      std::vector<double> squares(maps.frame.width);
+      for (int y = begin; y < end && !context.cancelled(); ++y)
+      {
+        squaresTo(corners, most, y, squares);
+        for (int x = 0; x < maps.frame.width; ++x)
+        {
+          const std::size_t i = maps.frame.index(x, y);
+          if (maps.object[i] < 0 || !(maps.distance[i] > 0.0f) || (local && maps.distance[i] < leastRadius))
+          {
+            continue;
+          }
+          const double radius = radiusAt(i, squares[x]);
+          if (maps.distance[i] >= radius)
+          {
+            rows[y].push_back({ x, y, maps.object[i], radius });
+          }
+        }
+      }
+    });
+  return rows;
 }
 
 // Leaves out what is nearer than 0.7 r to a line of its object.
-void keepClearOf(const std::vector<StrokeLine>& lines,
-  const Frame& frame,
-  std::vector<Candidate>& candidates,
-  const Context& context)
+void keepClearOf(const std::vector<StrokeLine>& lines, const Frame& frame, Rows& rows, const Context& context)
 {
   std::map<int, std::vector<NearestPlace>> ofObject;
   for (const StrokeLine& line : lines)
@@ -139,39 +151,80 @@ void keepClearOf(const std::vector<StrokeLine>& lines,
     }
     ofObject[line.object].emplace_back(pixels, line.closed);
   }
-  std::vector<char> clear(candidates.size(), 1);
-  context.parallelFor(static_cast<int>(candidates.size()),
+  const auto isNear = [&](const Candidate& c)
+  {
+    const auto found = ofObject.find(c.object);
+    const double limit = dartShare * c.radius;
+    return found != ofObject.end() &&
+           std::any_of(found->second.begin(),
+             found->second.end(),
+             [&](const NearestPlace& nearest) { return nearest(Vector2(c.x, c.y), limit).distance < limit; });
+  };
+  context.parallelFor(static_cast<int>(rows.size()),
     [&](int begin, int end)
     {
-      for (int i = begin; i < end; ++i)
+      for (int y = begin; y < end && !context.cancelled(); ++y)
       {
-        if (i % 4096 == 0 && context.cancelled())
-        {
-          return;
-        }
-        const Candidate& c = candidates[i];
-        const auto found = ofObject.find(c.object);
-        if (found == ofObject.end())
-        {
-          continue;
-        }
-        const double limit = dartShare * c.radius;
-        clear[i] = std::all_of(found->second.begin(),
-          found->second.end(),
-          [&](const NearestPlace& nearest) { return nearest(Vector2(c.x, c.y), limit).distance >= limit; });
+        rows[y].erase(std::remove_if(rows[y].begin(), rows[y].end(), isNear), rows[y].end());
       }
     });
   context.checkpoint(0.3);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
+}
+
+// The pixels where a dart may still lie: one clears only the rows that it can reach.
+class Remaining
+{
+public:
+  explicit Remaining(Rows rows)
+    : OfRows(std::move(rows))
   {
-    if (clear[i])
+    for (const std::vector<Candidate>& row : this->OfRows)
     {
-      candidates[kept++] = candidates[i];
+      this->Count += row.size();
+      for (const Candidate& c : row)
+      {
+        this->Reach = std::max(this->Reach, c.radius);
+      }
     }
   }
-  candidates.resize(kept);
-}
+  std::size_t count() const { return this->Count; }
+  const Candidate& at(std::size_t number) const
+  {
+    auto row = this->OfRows.begin();
+    for (; number >= row->size(); ++row)
+    {
+      number -= row->size();
+    }
+    return (*row)[number];
+  }
+  void clearRound(const Candidate& dart)
+  {
+    const int reach = static_cast<int>(this->Reach) + 1;
+    const int last = std::min(static_cast<int>(this->OfRows.size()) - 1, dart.y + reach);
+    for (int y = std::max(0, dart.y - reach); y <= last; ++y)
+    {
+      std::vector<Candidate>& row = this->OfRows[y];
+      const auto isBefore = [](const Candidate& c, int x) { return c.x < x; };
+      const auto from = std::lower_bound(row.begin(), row.end(), dart.x - reach, isBefore);
+      const auto to = std::lower_bound(from, row.end(), dart.x + reach + 1, isBefore);
+      const auto kept = std::remove_if(from,
+        to,
+        [&](const Candidate& c)
+        {
+          const double dx = c.x - dart.x, dy = c.y - dart.y;
+          const double apart = std::max(c.radius, dart.radius);
+          return c.object == dart.object && dx * dx + dy * dy < apart * apart;
+        });
+      this->Count -= static_cast<std::size_t>(to - kept);
+      row.erase(kept, to);
+    }
+  }
+
+private:
+  Rows OfRows;
+  std::size_t Count = 0;
+  double Reach = 0.0; // the largest r
+};
 
 } // namespace
 
@@ -186,28 +239,21 @@ std::vector<Vector2> throwDarts(const DistanceMaps& maps,
   {
     return darts;
   }
-  std::vector<Candidate> candidates = farFromRims(maps, lines, mode);
+  Rows candidates = farFromRims(maps, lines, mode, context);
   context.checkpoint(0.1);
   if (mode == DartMode::Local)
   {
     keepClearOf(lines, maps.frame, candidates, context);
   }
+  Remaining remaining(std::move(candidates));
   std::mt19937 random(seed);
-  while (!candidates.empty())
+  while (remaining.count() > 0)
   {
     context.checkpoint(0.5);
     // No distribution of the library's: those differ from one to another.
-    const Candidate dart = candidates[random() % candidates.size()];
+    const Candidate dart = remaining.at(random() % remaining.count());
     darts.push_back(maps.frame.toWorld(Vector2(dart.x, dart.y)));
-    candidates.erase(std::remove_if(candidates.begin(),
-                       candidates.end(),
-                       [&](const Candidate& c)
-                       {
-                         const double x = c.x - dart.x, y = c.y - dart.y;
-                         const double apart = std::max(c.radius, dart.radius);
-                         return c.object == dart.object && x * x + y * y < apart * apart;
-                       }),
-      candidates.end());
+    remaining.clearRound(dart);
   }
   return darts;
 }

@@ -1,6 +1,7 @@
 #include "Ray/surface_rays.h"
 
 #include "Ray/embree.h"
+#include "Ray/facet_match.h"
 #include "Ray/ray_caster.h" // for RayFrame
 #include "Remesh/surface.h" // for closestWeights
 
@@ -107,9 +108,22 @@ struct SceneLine
   double rayOrigin; // where the ray's own origin is, counted from the start
 };
 
+// A tree's facets, by their places in it, as triangles of the mesh that is asked.
+struct FacetNumbers
+{
+  const SceneFacets* facets = nullptr;
+  const std::vector<int>* numbers = nullptr; // -1: the mesh has no such triangle; null: places are numbers
+
+  int triangle(unsigned int place) const
+  {
+    return this->numbers ? (*this->numbers)[place] : static_cast<int>(place);
+  }
+};
+
 // What the callbacks read and write for the line in flight. Embree hands it back as the context that it is.
 struct LineQuery : embree::Context
 {
+  FacetNumbers of;
   SceneLine line;
   double from = 0.0; // hits before it do not count
   Crossing best;     // where `every` is null
@@ -118,16 +132,23 @@ struct LineQuery : embree::Context
 
 struct NearestQuery
 {
-  const SceneFacets* facets;
+  FacetNumbers of;
   Vector3 point;
   SurfacePoint at;
   double squared = std::numeric_limits<double>::infinity(); // distance
+
+  // Within which the tree is searched.
+  float radius() const
+  {
+    return static_cast<float>((1.0 + treeSlack) * std::sqrt(this->squared) + treeSlack);
+  }
 };
 
 void boundFacet(const RTCBoundsFunctionArguments* arguments)
 {
-  const SceneFacets& facets = *static_cast<const SceneFacets*>(arguments->geometryUserPtr);
-  const int triangle = static_cast<int>(arguments->primID);
+  const FacetNumbers& of = *static_cast<const FacetNumbers*>(arguments->geometryUserPtr);
+  const SceneFacets& facets = *of.facets;
+  const int triangle = of.triangle(arguments->primID);
   const Vector3 a = facets.corner(triangle, 0), b = facets.corner(triangle, 1),
                 c = facets.corner(triangle, 2);
   const Eigen::Vector3f low = (a.cwiseMin(b).cwiseMin(c).array() - treeSlack).cast<float>();
@@ -141,10 +162,10 @@ void crossFacet(const RTCIntersectFunctionNArguments* arguments)
   {
     return;
   }
-  const SceneFacets& facets = *static_cast<const SceneFacets*>(arguments->geometryUserPtr);
   LineQuery& query = *static_cast<LineQuery*>(arguments->context);
+  const int triangle = query.of.triangle(arguments->primID);
   Crossing crossing;
-  if (!query.line.meets(facets, static_cast<int>(arguments->primID), crossing) ||
+  if (triangle < 0 || !query.line.meets(*query.of.facets, triangle, crossing) ||
       !(crossing.along >= query.from))
   {
     return;
@@ -164,10 +185,14 @@ void crossFacet(const RTCIntersectFunctionNArguments* arguments)
 bool approachFacet(RTCPointQueryFunctionArguments* arguments)
 {
   NearestQuery& query = *static_cast<NearestQuery*>(arguments->userPtr);
-  const int triangle = static_cast<int>(arguments->primID);
-  const Vector3 a = query.facets->corner(triangle, 0) - query.point;
-  const Vector3 b = query.facets->corner(triangle, 1) - query.point;
-  const Vector3 c = query.facets->corner(triangle, 2) - query.point;
+  const int triangle = query.of.triangle(arguments->primID);
+  if (triangle < 0)
+  {
+    return false;
+  }
+  const Vector3 a = query.of.facets->corner(triangle, 0) - query.point;
+  const Vector3 b = query.of.facets->corner(triangle, 1) - query.point;
+  const Vector3 c = query.of.facets->corner(triangle, 2) - query.point;
   const std::array<double, 3> w = closestWeights(a, b, c, Vector3::Zero());
   const double squared = (w[0] * a + w[1] * b + w[2] * c).squaredNorm();
   if (squared > query.squared || (squared == query.squared && triangle > query.at.triangle))
@@ -176,7 +201,7 @@ bool approachFacet(RTCPointQueryFunctionArguments* arguments)
   }
   query.squared = squared;
   query.at = { triangle, w };
-  arguments->query->radius = static_cast<float>((1.0 + treeSlack) * std::sqrt(squared) + treeSlack);
+  arguments->query->radius = query.radius();
   return true;
 }
 
@@ -186,45 +211,111 @@ bool keepsBuilding(void* context, double)
   return !static_cast<const Context*>(context)->cancelled();
 }
 
-} // namespace
-
-struct SurfaceRays::Tree
+// Embree's tree of some facets.
+class FacetTree
 {
-  explicit Tree(std::shared_ptr<const Mesh> surface)
-    : facets(std::move(surface))
-    , diagonal(boundingDiagonal(*this->facets.mesh))
-    , device(embree::startDevice())
+public:
+  // Of all facets.
+  FacetTree(const SceneFacets& facets, const Context& context)
+    : Facets(facets)
+    , Device(embree::startDevice())
   {
+    this->build({ &this->Facets, nullptr }, this->Facets.mesh->triangles.size(), context);
   }
+  // Of some, by a device that there is.
+  FacetTree(const SceneFacets& facets,
+    std::vector<int> chosen,
+    const FacetTree& other,
+    const Context& context)
+    : Facets(facets)
+    , Chosen(std::move(chosen))
+    , Device(other.Device.get())
+  {
+    rtcRetainDevice(this->Device.get());
+    this->build({ &this->Facets, &this->Chosen }, this->Chosen.size(), context);
+  }
+  FacetTree(const FacetTree&) = delete;
+  FacetTree& operator=(const FacetTree&) = delete;
 
-  void build(const Context& context)
-  {
-    this->scene.reset(rtcNewScene(this->device.get()));
-    const embree::Owned<RTCGeometry> geometry(rtcNewGeometry(this->device.get(), RTC_GEOMETRY_TYPE_USER));
-    rtcSetGeometryUserPrimitiveCount(
-      geometry.get(), static_cast<unsigned int>(this->facets.mesh->triangles.size()));
-    rtcSetGeometryUserData(geometry.get(), &this->facets);
-    rtcSetGeometryBoundsFunction(geometry.get(), boundFacet, nullptr);
-    rtcSetGeometryIntersectFunction(geometry.get(), crossFacet);
-    rtcCommitGeometry(geometry.get());
-    rtcAttachGeometry(this->scene.get(), geometry.get());
-    rtcSetSceneFlags(this->scene.get(), RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneProgressMonitorFunction(this->scene.get(), keepsBuilding, const_cast<Context*>(&context));
-    rtcCommitScene(this->scene.get());
-    rtcSetSceneProgressMonitorFunction(this->scene.get(), nullptr, nullptr);
-    context.checkpoint(1.0);
-    embree::checkTaken(this->device.get());
-  }
+  const SceneFacets& facets() const { return this->Facets; }
+  const std::vector<int>& chosen() const { return this->Chosen; }
 
   void trace(LineQuery& query) const
   {
     const Eigen::Vector3f start = query.line.start.cast<float>(), way = query.line.direction.cast<float>();
-    embree::trace(this->scene.get(),
+    const double end = std::min(SceneLine::length, query.best.along + treeSlack); // as crossFacet has it
+    embree::trace(this->Scene.get(),
       query,
       start.data(),
       way.data(),
       static_cast<float>(std::max(0.0, query.from - treeSlack)),
-      static_cast<float>(SceneLine::length));
+      static_cast<float>(end));
+  }
+
+  void approach(NearestQuery& nearest) const
+  {
+    RTCPointQuery query;
+    query.x = static_cast<float>(nearest.point[0]);
+    query.y = static_cast<float>(nearest.point[1]);
+    query.z = static_cast<float>(nearest.point[2]);
+    query.time = 0.0f;
+    query.radius = nearest.radius();
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(this->Scene.get(), &query, &context, approachFacet, &nearest);
+  }
+
+private:
+  void build(FacetNumbers of, std::size_t count, const Context& context)
+  {
+    this->Scene.reset(rtcNewScene(this->Device.get()));
+    const embree::Owned<RTCGeometry> geometry(rtcNewGeometry(this->Device.get(), RTC_GEOMETRY_TYPE_USER));
+    rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned int>(count));
+    rtcSetGeometryUserData(geometry.get(), &of); // only while it is built
+    rtcSetGeometryBoundsFunction(geometry.get(), boundFacet, nullptr);
+    rtcSetGeometryIntersectFunction(geometry.get(), crossFacet);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(this->Scene.get(), geometry.get());
+    rtcSetSceneFlags(this->Scene.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneProgressMonitorFunction(this->Scene.get(), keepsBuilding, const_cast<Context*>(&context));
+    rtcCommitScene(this->Scene.get());
+    rtcSetSceneProgressMonitorFunction(this->Scene.get(), nullptr, nullptr);
+    context.checkpoint(1.0);
+    embree::checkTaken(this->Device.get());
+  }
+
+  SceneFacets Facets;
+  std::vector<int> Chosen; // empty: all
+  embree::Owned<RTCDevice> Device;
+  embree::Owned<RTCScene> Scene;
+};
+
+} // namespace
+
+struct SurfaceRays::Trees
+{
+  explicit Trees(std::shared_ptr<const Mesh> surface)
+    : facets(std::move(surface))
+    , diagonal(boundingDiagonal(*this->facets.mesh))
+  {
+  }
+
+  // Each tree in turn, with what its facets are here.
+  template <typename Query, typename Ask>
+  void ask(Query& query, const Ask& ask) const
+  {
+    query.of = { &this->facets, this->numbers.empty() ? nullptr : &this->numbers };
+    ask(*this->whole);
+    if (this->rest)
+    {
+      query.of.numbers = &this->rest->chosen();
+      ask(*this->rest);
+    }
+  }
+
+  void trace(LineQuery& query) const
+  {
+    this->ask(query, [&](const FacetTree& tree) { tree.trace(query); });
   }
 
   // distance in the unit of the scene
@@ -235,15 +326,42 @@ struct SurfaceRays::Tree
 
   SceneFacets facets;
   double diagonal;
-  embree::Owned<RTCDevice> device;
-  embree::Owned<RTCScene> scene;
+  std::shared_ptr<const FacetTree> whole; // of this mesh, or of an earlier one
+  std::vector<int> numbers;               // of the earlier one's triangles in this; empty: of this mesh
+  std::unique_ptr<const FacetTree> rest;  // of what the earlier one has not; null: nothing
 };
 
 SurfaceRays::SurfaceRays(std::shared_ptr<const Mesh> mesh, const Context& context)
 {
-  auto tree = std::make_unique<Tree>(std::move(mesh));
-  tree->build(context);
-  this->Internals = std::move(tree);
+  auto trees = std::make_unique<Trees>(std::move(mesh));
+  trees->whole = std::make_shared<const FacetTree>(trees->facets, context);
+  this->Internals = std::move(trees);
+}
+
+SurfaceRays::SurfaceRays(std::unique_ptr<const Trees> trees)
+  : Internals(std::move(trees))
+{
+}
+
+std::unique_ptr<const SurfaceRays> SurfaceRays::after(const SurfaceRays& before,
+  std::shared_ptr<const Mesh> mesh,
+  const Context& context)
+{
+  auto trees = std::make_unique<Trees>(std::move(mesh));
+  const std::shared_ptr<const FacetTree>& whole = before.Internals->whole;
+  const RayFrame &frame = trees->facets.frame, &known = whole->facets().frame;
+  std::vector<int> others;
+  if (frame.centre != known.centre || frame.scale != known.scale ||
+      !matchFacets(*whole->facets().mesh, *trees->facets.mesh, trees->numbers, others))
+  {
+    return nullptr;
+  }
+  trees->whole = whole;
+  if (!others.empty())
+  {
+    trees->rest = std::make_unique<const FacetTree>(trees->facets, std::move(others), *whole, context);
+  }
+  return std::unique_ptr<const SurfaceRays>(new SurfaceRays(std::move(trees)));
 }
 
 SurfaceRays::~SurfaceRays() = default;
@@ -301,8 +419,7 @@ SurfaceHit SurfaceRays::closest(const Vector3& point) const
   // Farther away the direction alone counts; its square fits single precision.
   constexpr double farthest = 1e6;
   NearestQuery nearest;
-  nearest.facets = &this->Internals->facets;
-  nearest.point = nearest.facets->inScene(point);
+  nearest.point = this->Internals->facets.inScene(point);
   const double away = nearest.point.stableNorm();
   if (!(away <= std::numeric_limits<double>::max()))
   {
@@ -312,15 +429,7 @@ SurfaceHit SurfaceRays::closest(const Vector3& point) const
   {
     nearest.point *= farthest / away;
   }
-  RTCPointQuery query;
-  query.x = static_cast<float>(nearest.point[0]);
-  query.y = static_cast<float>(nearest.point[1]);
-  query.z = static_cast<float>(nearest.point[2]);
-  query.time = 0.0f;
-  query.radius = std::numeric_limits<float>::infinity();
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  rtcPointQuery(this->Internals->scene.get(), &query, &context, approachFacet, &nearest);
+  this->Internals->ask(nearest, [&](const FacetTree& tree) { tree.approach(nearest); });
   if (nearest.at.triangle < 0)
   {
     return {};

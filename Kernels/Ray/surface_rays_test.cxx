@@ -244,3 +244,95 @@ TEST(SurfaceRays, ThreadsFindTheSameAndACancelledBuildSaysSo)
     EXPECT_EQ(error.failure(), Failure::Cancelled);
   }
 }
+
+namespace
+{
+
+// Some triangles are gone, some are split in three, one of which stays in its place, and a vertex has moved;
+// vertices are numbered backwards.
+Mesh changedHereAndThere(const Mesh& mesh)
+{
+  Mesh changed;
+  std::vector<Triangle> added;
+  changed.points.assign(mesh.points.rbegin(), mesh.points.rend());
+  const int last = mesh.vertexCount() - 1;
+  changed.points[last - mesh.triangles[500][0]] *= 1.001;
+  for (int i = 0; i < mesh.triangleCount(); ++i)
+  {
+    const Triangle& t = mesh.triangles[i];
+    const Triangle now{ last - t[0], last - t[1], last - t[2] };
+    if (i % 97 == 0)
+    {
+      continue;
+    }
+    if (i % 151 != 0)
+    {
+      changed.triangles.push_back(now);
+      continue;
+    }
+    const int middle = changed.vertexCount();
+    changed.points.emplace_back(
+      (changed.points[now[0]] + changed.points[now[1]] + changed.points[now[2]]) / 3.0);
+    changed.triangles.push_back({ now[0], now[1], middle });
+    added.push_back({ now[1], now[2], middle });
+    added.push_back({ now[2], now[0], middle });
+  }
+  changed.triangles.insert(changed.triangles.end(), added.begin(), added.end());
+  return changed;
+}
+
+void expectSameAnswers(const SurfaceRays& one, const SurfaceRays& other)
+{
+  EXPECT_EQ(one.diagonal(), other.diagonal());
+  EXPECT_EQ(one.centre(), other.centre());
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1.2, 1.2);
+  std::uniform_int_distribution<int> vertex(0, one.mesh().vertexCount() - 1);
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vector3 place(uniform(random), uniform(random), uniform(random));
+    const Vector3& corner = one.mesh().points[vertex(random)]; // where several are equally near
+    const Ray ray{ place, (i % 2 ? corner : Vector3::Zero()) - place };
+    expectSame(one.nearest(ray), other.nearest(ray));
+    expectSame(one.closest(i % 2 ? 1.5 * corner : place), other.closest(i % 2 ? 1.5 * corner : place));
+    const std::vector<SurfaceHit> all = one.all(ray), others = other.all(ray);
+    ASSERT_EQ(all.size(), others.size());
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      expectSame(all[k], others[k]);
+    }
+  }
+}
+
+} // namespace
+
+TEST(SurfaceRays, AfterAChangeTheyAreThoseMadeAnew)
+{
+  const auto before = std::make_shared<const Mesh>(icosphere(4));
+  const auto now = std::make_shared<const Mesh>(changedHereAndThere(*before));
+  const auto again = std::make_shared<const Mesh>(changedHereAndThere(*now));
+  auto first = std::make_unique<const SurfaceRays>(before);
+  const auto second = SurfaceRays::after(*first, now);
+  ASSERT_TRUE(second);
+  expectSameAnswers(*second, SurfaceRays(now));
+  // Of rays that are themselves after others, which are gone by then, and back.
+  const auto third = SurfaceRays::after(*second, again);
+  ASSERT_TRUE(third);
+  first = nullptr;
+  expectSameAnswers(*third, SurfaceRays(again));
+  const auto back = SurfaceRays::after(*third, before);
+  ASSERT_TRUE(back);
+  expectSameAnswers(*back, SurfaceRays(before));
+  // Another body, another size, too much of another.
+  EXPECT_FALSE(SurfaceRays::after(*second, std::make_shared<const Mesh>(torus(0.7, 0.3, 60, 30))));
+  EXPECT_FALSE(
+    SurfaceRays::after(*second, std::make_shared<const Mesh>(moved(*now, 8.0, Vector3::Zero()))));
+  EXPECT_FALSE(SurfaceRays::after(*second, std::make_shared<const Mesh>(icosphere(3))));
+  // Whoever asks for what somebody holds is given that.
+  const auto held = sharedRays(now);
+  EXPECT_EQ(sharedRays(now), held);
+  expectSameAnswers(*sharedRays(again), SurfaceRays(again));
+  Context context;
+  context.cancelled = [] { return true; };
+  EXPECT_THROW(sharedRays(std::make_shared<const Mesh>(torus(0.7, 0.3, 60, 30)), context), Error);
+}

@@ -9,23 +9,32 @@ CurveMesh::CurveMesh(const Mesh& mesh)
   : marks(mesh.points.size(), 0)
   , Points(mesh.points)
   , Triangles(mesh.triangles)
-  , Around(mesh.points.size())
-  , Loose(mesh.points.size(), 0)
+  , InputAround(trianglesAround(mesh))
   , Sources(mesh.triangles.size())
   , InputCount(mesh.vertexCount())
   , InputTriangles(mesh.triangleCount())
   , Diagonal(boundingDiagonal(mesh))
 {
-  const Lists around = trianglesAround(mesh);
-  for (int v = 0; v < this->InputCount; ++v)
-  {
-    this->Around[v].assign(around.begin(v), around.end(v));
-    this->Loose[v] = around.size(v) == 0;
-  }
   for (int t = 0; t < this->InputTriangles; ++t)
   {
     this->Sources[t] = t;
   }
+}
+
+const std::vector<int>& CurveMesh::around(int v) const
+{
+  const auto [known, isNew] = this->Around.try_emplace(v);
+  if (isNew && !this->inserted(v))
+  {
+    known->second.assign(this->InputAround.begin(v), this->InputAround.end(v));
+  }
+  return known->second;
+}
+
+std::vector<int>& CurveMesh::listOf(int v)
+{
+  this->around(v);
+  return this->Around.at(v);
 }
 
 Mix CurveMesh::origin(int v) const
@@ -47,7 +56,7 @@ std::vector<int> CurveMesh::piecesOf(int inputTriangle) const
 std::vector<int> CurveMesh::trianglesAt(int a, int b) const
 {
   std::vector<int> found;
-  for (const int t : this->Around[a])
+  for (const int t : this->around(a))
   {
     const Triangle& corners = this->Triangles[t];
     if (std::find(corners.begin(), corners.end(), b) != corners.end())
@@ -61,8 +70,9 @@ std::vector<int> CurveMesh::trianglesAt(int a, int b) const
 
 bool CurveMesh::joined(int a, int b) const
 {
-  return std::any_of(this->Around[a].begin(),
-    this->Around[a].end(),
+  const std::vector<int>& around = this->around(a);
+  return std::any_of(around.begin(),
+    around.end(),
     [&](int t)
     {
       const Triangle& corners = this->Triangles[t];
@@ -73,7 +83,7 @@ bool CurveMesh::joined(int a, int b) const
 std::vector<int> CurveMesh::neighbours(int v) const
 {
   std::vector<int> found;
-  for (const int t : this->Around[v])
+  for (const int t : this->around(v))
   {
     for (const int w : this->Triangles[t])
     {
@@ -111,7 +121,6 @@ int CurveMesh::addPoint(const Vector3& point, Mix origin)
 {
   this->Points.push_back(point);
   this->Origins.push_back(normalisedMix(std::move(origin)));
-  this->Around.emplace_back();
   this->marks.push_back(0);
   return static_cast<int>(this->Points.size()) - 1;
 }
@@ -124,14 +133,14 @@ int CurveMesh::addTriangle(const Triangle& t, int source)
   this->Pieces[source].push_back(id);
   for (const int v : t)
   {
-    this->Around[v].push_back(id);
+    this->listOf(v).push_back(id);
   }
   return id;
 }
 
 void CurveMesh::detach(int v, int t)
 {
-  std::vector<int>& around = this->Around[v];
+  std::vector<int>& around = this->listOf(v);
   around.erase(std::remove(around.begin(), around.end(), t), around.end());
 }
 
@@ -140,7 +149,7 @@ void CurveMesh::replace(int t, int from, int to)
   Triangle& corners = this->Triangles[t];
   std::replace(corners.begin(), corners.end(), from, to);
   this->detach(from, t);
-  this->Around[to].push_back(t);
+  this->listOf(to).push_back(t);
 }
 
 int CurveMesh::splitTriangle(int t, const std::array<double, 3>& weights)
@@ -224,7 +233,7 @@ void CurveMesh::collapse(int from, int to)
     }
     this->Triangles[t] = { -1, -1, -1 };
   }
-  for (const int t : std::vector<int>(this->Around[from]))
+  for (const int t : std::vector<int>(this->around(from)))
   {
     this->replace(t, from, to);
   }

@@ -35,10 +35,11 @@ public:
   const Vector3& point(int v) const { return this->Points[v]; }
   const std::vector<Triangle>& triangles() const { return this->Triangles; }
   const Triangle& triangle(int t) const { return this->Triangles[t]; }
-  const std::vector<int>& around(int v) const { return this->Around[v]; } // triangles, in no order
+  const std::vector<int>& around(int v) const; // triangles, in no order
   double diagonal() const { return this->Diagonal; }
   bool inserted(int v) const { return v >= this->InputCount; }
-  bool loose(int v) const { return !this->inserted(v) && this->Loose[v]; } // of no triangle from the start
+  // Of no triangle from the start.
+  bool loose(int v) const { return !this->inserted(v) && this->InputAround.size(v) == 0; }
   bool alive(int t) const { return this->Triangles[t][0] >= 0; }
 
   // The input vertices that a vertex is a mean of; itself, of those that were there.
@@ -79,11 +80,13 @@ private:
   int addTriangle(const Triangle& t, int source);
   void replace(int t, int from, int to);
   void detach(int v, int t);
+  std::vector<int>& listOf(int v);
 
   std::vector<Vector3> Points;
   std::vector<Triangle> Triangles; // -1 for those that are gone
-  std::vector<std::vector<int>> Around;
-  std::vector<char> Loose;  // of input vertices
+  Lists InputAround;
+  // Of inserted vertices, and of those of the input that were asked for: a curve comes to few of them.
+  mutable std::unordered_map<int, std::vector<int>> Around;
   std::vector<Mix> Origins; // of inserted vertices
   std::vector<int> Sources;
   std::unordered_map<int, std::vector<int>> Pieces; // of input triangles that were split, beside themselves

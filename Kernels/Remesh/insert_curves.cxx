@@ -487,6 +487,11 @@ InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount)
     }
   }
   std::vector<int> numbers(mesh.points().size(), -1);
+  result.mesh.points.reserve(numbers.size());
+  result.pointSources.reserve(numbers.size());
+  result.origins.reserve(numbers.size());
+  result.mesh.triangles.reserve(mesh.triangles().size());
+  result.triangleSources.reserve(mesh.triangles().size());
   for (int v = 0; v < static_cast<int>(numbers.size()); ++v)
   {
     // Loose points of the input stay; they have no triangles that could have been taken from them.
@@ -495,7 +500,7 @@ InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount)
       numbers[v] = result.mesh.vertexCount();
       result.mesh.points.push_back(mesh.point(v));
       result.pointSources.push_back(mesh.inserted(v) ? -1 : v);
-      result.origins.push_back(mesh.origin(v));
+      result.origins.push_back(mesh.inserted(v) ? mesh.origin(v) : Mix());
     }
   }
   for (int t = 0; t < triangles; ++t)

@@ -42,7 +42,7 @@ struct InsertedCurves
 {
   Mesh mesh;                     // input vertices that are left in their order, then new ones
   std::vector<int> pointSources; // the input vertex, or -1
-  std::vector<Mix> origins;      // of each vertex, input vertices and weights
+  std::vector<Mix> origins;      // of each vertex that is new, input vertices and weights
   std::vector<int> triangleSources;
   std::vector<MeshCurve> curves, stored; // with the result's vertices
   int bridges = 0;                       // gaps walked over

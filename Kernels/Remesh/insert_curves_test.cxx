@@ -53,7 +53,8 @@ double originError(const Mesh& input, const InsertedCurves& result)
   {
     Vector3 place = Vector3::Zero();
     double sum = 0.0;
-    for (const auto& part : result.origins[v])
+    const int source = result.pointSources[v];
+    for (const auto& part : source < 0 ? result.origins[v] : Mix{ { source, 1.0 } })
     {
       place += part.second * input.points[part.first];
       sum += part.second;

@@ -1,5 +1,7 @@
 // A drawing becomes a model: the path along a picture's edges beside OpenCV's intelligent scissors, distance
-// and thickness beside OpenCV's distance transform, and the whole, new and after one change.
+// and thickness beside OpenCV's distance transform, the whole, new and after one change, and each outline of
+// the acceptance run, new and with a feature more. run.sh writes the outlines into the folder "outlines" of
+// OVERSKETCH_BENCHMARKS; without them their rows are left out.
 #include "benchmark_frame.h"
 
 #include "vtkOversketchInflate.h"
@@ -18,8 +20,12 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/imgproc/segmentation.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
 #include <random>
 
 namespace oversketch_bench
@@ -99,6 +105,40 @@ struct Scene
 Scene& scene()
 {
   static Scene made;
+  return made;
+}
+
+// How far points are from the disc's edge on average [px].
+double offEdge(const Polyline& points)
+{
+  double sum = 0.0;
+  for (const Vector2& p : points)
+  {
+    sum += std::abs((p - Vector2(512, 512)).norm() - 300.0);
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+// OpenCV's way round the disc: a map for every fourth seed, its contour to the fourth after it.
+Polyline roundByScissors()
+{
+  constexpr std::size_t step = 4;
+  const auto seed = [](std::size_t number)
+  {
+    const Vector2& p = scene().stroke[static_cast<std::size_t>(scene().seeds[number % scene().seeds.size()])];
+    return cv::Point(cvRound(p[0]), cvRound(p[1]));
+  };
+  Polyline made;
+  for (std::size_t i = 0; i < scene().seeds.size(); i += step)
+  {
+    std::vector<cv::Point> contour;
+    scene().scissors.buildMap(seed(i));
+    scene().scissors.getContour(seed(i + step), contour);
+    for (const cv::Point& p : contour)
+    {
+      made.emplace_back(p.x, p.y);
+    }
+  }
   return made;
 }
 
@@ -188,6 +228,87 @@ Drawing& drawing()
   return made;
 }
 
+// An outline, and with it a stroke across the middle of its thickest part, half as long as that is wide.
+struct Outline
+{
+  vtkSmartPointer<vtkPolyData> alone = vtkSmartPointer<vtkPolyData>::New();
+  vtkSmartPointer<vtkPolyData> featured = vtkSmartPointer<vtkPolyData>::New();
+  vtkSmartPointer<vtkOversketchInflateDrawing> filter;
+
+  explicit Outline(const std::string& path)
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    this->alone->ShallowCopy(reader->GetOutput());
+    this->anew();
+    this->run(this->alone);
+    double top[3] = { 0.0, 0.0, -1.0 };
+    vtkPolyData* model = this->filter->GetOutput();
+    for (vtkIdType i = 0; i < model->GetNumberOfPoints(); ++i)
+    {
+      if (model->GetPoint(i)[2] > top[2])
+      {
+        model->GetPoint(i, top);
+      }
+    }
+    this->addStroke(top, this->roomAbout(top));
+  }
+  void anew() { this->filter = vtkSmartPointer<vtkOversketchInflateDrawing>::New(); }
+  void run(vtkPolyData* drawing)
+  {
+    this->filter->SetInputData(0, drawing);
+    this->filter->Update();
+    if (this->filter->GetOutput()->GetNumberOfPolys() == 0)
+    {
+      std::exit(1); // the filter has said why
+    }
+  }
+  std::map<std::string, double> figures(double limit) const
+  {
+    return { { "limit_ms", limit },
+      { "triangles", static_cast<double>(this->filter->GetOutput()->GetNumberOfPolys()) } };
+  }
+
+private:
+  double roomAbout(const double place[3]) const
+  {
+    double room = 1e9;
+    for (vtkIdType i = 0; i < this->alone->GetNumberOfPoints(); ++i)
+    {
+      const double* p = this->alone->GetPoint(i);
+      room = std::min(room, std::hypot(p[0] - place[0], p[1] - place[1]));
+    }
+    return room;
+  }
+  void addStroke(const double middle[3], double length)
+  {
+    constexpr int count = 24;
+    this->featured->DeepCopy(this->alone);
+    vtkPoints* points = this->featured->GetPoints();
+    vtkNew<vtkIdList> stroke;
+    for (int i = 0; i < count; ++i)
+    {
+      const double along = static_cast<double>(i) / (count - 1) - 0.5;
+      stroke->InsertNextId(points->InsertNextPoint(middle[0] + along * length, middle[1], 0.0));
+    }
+    const vtkIdType cell = this->featured->GetLines()->InsertNextCell(stroke);
+    vtkCellData* cells = this->featured->GetCellData();
+    cells->CopyAllocate(this->alone->GetCellData(), cell + 1);
+    for (vtkIdType i = 0; i <= cell; ++i)
+    {
+      cells->CopyData(this->alone->GetCellData(), i < cell ? i : 0, i);
+    }
+    for (const char* name : { "Closed", "Treatment" }) // an open line that is what it shows itself to be
+    {
+      if (vtkDataArray* array = cells->GetArray(name))
+      {
+        array->SetTuple1(cell, 0.0);
+      }
+    }
+  }
+};
+
 Job side(const std::string& job,
   const std::string& size,
   const std::string& who,
@@ -216,24 +337,20 @@ void pathJobs()
   ours.figures = []
   {
     const SnappedStroke made = snapped(scene().features, scene().stroke, true, scene().seeds, {}, Context());
-    double before = 0.0, after = 0.0;
-    for (const Vector2& p : scene().stroke)
-    {
-      before += std::abs((p - Vector2(512, 512)).norm() - 300.0) / static_cast<double>(scene().stroke.size());
-    }
-    for (const Vector2& p : made.points)
-    {
-      after += std::abs((p - Vector2(512, 512)).norm() - 300.0) / static_cast<double>(made.points.size());
-    }
-    return std::map<std::string, double>{ { "off_edge_before_px", before }, { "off_edge_after_px", after } };
+    return std::map<std::string, double>{ { "off_edge_before_px", offEdge(scene().stroke) },
+      { "off_edge_after_px", offEdge(made.points) } };
   };
   add(ours);
-  add(side(
+  Job theirs = side(
     "path along edges",
     "1024",
     "OpenCV's map",
     [] { scene(); },
-    [] { scene().scissors.buildMap(cv::Point(812, 512)); }));
+    [] { scene().scissors.buildMap(cv::Point(812, 512)); });
+  theirs.figures = [] {
+    return std::map<std::string, double>{ { "off_edge_after_px", offEdge(roundByScissors()) } };
+  };
+  add(theirs);
 }
 
 void distanceJobs()
@@ -335,6 +452,54 @@ void wholeJobs()
     });
 }
 
+void outlineJobs()
+{
+  const char* folder = std::getenv("OVERSKETCH_BENCHMARKS");
+  std::vector<std::filesystem::path> files;
+  std::error_code none; // of the folder
+  for (const auto& entry :
+    std::filesystem::directory_iterator(std::filesystem::path(folder ? folder : "") / "outlines", none))
+  {
+    if (entry.path().extension() == ".vtp")
+    {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  for (const std::filesystem::path& file : files)
+  {
+    const auto made = std::make_shared<std::unique_ptr<Outline>>();
+    const auto outline = [made, file]() -> Outline&
+    {
+      if (!*made)
+      {
+        *made = std::make_unique<Outline>(file.string());
+      }
+      return **made;
+    };
+    Job whole = side(
+      "drawing: new",
+      file.stem().string(),
+      "ours",
+      [outline] { outline().anew(); },
+      [outline] { outline().run(outline().alone); });
+    whole.figures = [outline] { return outline().figures(400.0); };
+    add(whole);
+    Job feature = side(
+      "drawing: another feature",
+      file.stem().string(),
+      "ours",
+      [outline]
+      {
+        outline().anew();
+        outline().run(outline().alone);
+      },
+      [outline] { outline().run(outline().featured); });
+    feature.figures = [outline] { return outline().figures(150.0); };
+    add(feature);
+  }
+}
+
 } // namespace
 
 void jobs()
@@ -342,6 +507,7 @@ void jobs()
   pathJobs();
   distanceJobs();
   wholeJobs();
+  outlineJobs();
 }
 
 } // namespace oversketch_bench

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Peers that come as Python packages: libigl, potpourri3d, scikit-learn, pymeshlab. Run by run.sh in a virtual environment of its own.
+"""Peers that come as Python packages: libigl, potpourri3d, scikit-learn, pymeshlab, Shewchuk's Triangle. Run by run.sh in a virtual environment of its own.
 
 usage: peers.py MESHES OUT.json [SIZE...]
 MESHES holds bunny_5k.obj, bunny_30k.ply and bunny_180k.ply. Writes a list of {"name": "job/size/who", "real_time": median
@@ -17,6 +17,7 @@ import pymeshlab
 import igl
 import igl.embree
 import potpourri3d
+import triangle
 from sklearn.mixture import GaussianMixture
 
 RUNS = 5
@@ -107,6 +108,31 @@ def laplacian(folder):
     return rows
 
 
+def triangulations(folder):
+    """The points and constraints that triangulation_benchmark wrote, and its edges: those that are not alike are counted."""
+    rows = []
+    for file in sorted(os.listdir(folder)):
+        if not file.endswith(".plane"):
+            continue
+        read = {"point": [], "constraint": [], "edge": []}
+        with open(os.path.join(folder, file)) as lines:
+            for kind, a, b in map(str.split, lines):
+                read[kind].append((float(a), float(b)))
+        plane = {"vertices": np.array(read["point"])}
+        if read["constraint"]:
+            plane["segments"] = np.array(read["constraint"], np.int32)
+        ours = {(int(a), int(b)) for a, b in read["edge"]}
+
+        def unlike(made):
+            corners = made["triangles"]
+            sides = np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1)
+            return {"constraints": len(read["constraint"]), "edges_unlike_ours": len(ours ^ {tuple(map(int, side)) for side in sides})}
+        # Without constraints the convex hull is asked for, which its segments would else cut down to.
+        rows.append(measure(f"{file[:-len('.plane')]}/5k/Triangle", 1, lambda: None,
+                            lambda _: triangle.triangulate(plane, "pc" if read["constraint"] else ""), unlike))
+    return rows
+
+
 def icosphere(levels):
     """That of the test harness, in another order."""
     t = 0.5 * (1.0 + 5.0 ** 0.5)
@@ -159,7 +185,8 @@ def main():
     for size in sizes:
         vertices, triangles = bunny(folder, size)
         rows += [shape_diameter(size, vertices, triangles), remeshing(size, vertices, triangles)]
-    rows += laplacian(os.path.dirname(os.path.abspath(out)))
+    for written in (laplacian, triangulations):
+        rows += written(os.path.dirname(os.path.abspath(out)))
     with open(out, "w") as file:
         json.dump(rows, file, indent=1)
 

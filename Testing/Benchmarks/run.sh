@@ -14,8 +14,11 @@ cd "$oversketch_root"
 oversketch_packages+=(libopenblas0-pthread python3-matplotlib python3-venv)
 oversketch_install
 mkdir -p "$folder"
-rm -f "$folder"/*.json "$folder"/*.triplets
+rm -rf "$folder"/*.json "$folder"/*.triplets "$folder"/*.plane "$folder/outlines"
 oversketch_build release --target benchmarks
+# One hand of each outline of the acceptance run, for drawing_benchmark.
+/usr/bin/python3 Testing/Acceptance/inflate/outlines.py "$folder/outlines"
+find "$folder/outlines" -type f ! -name '*-1px-0.vtp' -delete
 # measure PROGRAM NAME OPTION...: into NAME.json and NAME.log.
 measure() {
   echo "Measuring: $2"
@@ -35,7 +38,7 @@ done
 echo "Measuring: Python peers"
 environment=$(mktemp -d)
 trap 'rm -rf "$environment"' EXIT
-if /usr/bin/python3 -m venv "$environment" && "$environment/bin/pip" install -q numpy scipy libigl potpourri3d scikit-learn pymeshlab; then
+if /usr/bin/python3 -m venv "$environment" && "$environment/bin/pip" install -q numpy scipy libigl potpourri3d scikit-learn pymeshlab triangle; then
   "$environment/bin/python" Testing/Benchmarks/peers.py "$meshes" "$folder/peers.json" >"$folder/peers.log"
 else
   echo "run.sh: the Python peers could not be installed; their columns stay empty" >&2

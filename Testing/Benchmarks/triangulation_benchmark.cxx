@@ -1,11 +1,15 @@
 // The constrained Delaunay triangulation of 5,000 points, without constraints and with some 2,000: the edges
 // of the triangulation of every seventh point. Beside it CGAL's, which takes both as ranges, and, without
-// constraints, vtkDelaunay2D: with these it takes memory without end (VTK 9.1), since it is not exact.
+// constraints, vtkDelaunay2D: with these it takes memory without end (VTK 9.1), since it is not exact. No two
+// triangulations are right here, so edges that are not ours are counted. For Triangle, which peers.py runs,
+// points, constraints and our edges go into the folder of OVERSKETCH_BENCHMARKS.
 #include "benchmark_frame.h"
 
 #include "Planar/delaunay.h"
 
+#include "vtkCellArray.h"
 #include "vtkDelaunay2D.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
@@ -14,9 +18,14 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #endif
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <map>
 #include <random>
 #include <set>
+#include <string>
+#include <utility>
 
 namespace oversketch_bench
 {
@@ -69,7 +78,83 @@ const Points& points()
   return made;
 }
 
-Job side(const std::string& who, bool constrained, std::function<void()> run)
+using Edges = std::set<std::pair<int, int>>; // of each the lesser point first
+
+void addEdge(Edges& edges, int a, int b)
+{
+  edges.emplace(std::min(a, b), std::max(a, b));
+}
+
+const std::vector<Constraint>& constraints(bool wanted)
+{
+  static const std::vector<Constraint> none;
+  return wanted ? points().constraints : none;
+}
+
+const Edges& ourEdges(bool constrained)
+{
+  static Edges made[2];
+  Edges& edges = made[constrained ? 1 : 0];
+  if (edges.empty())
+  {
+    for (const DelaunayFace& face : constrainedDelaunay(points().places, constraints(constrained), Context()))
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        addEdge(edges, face.corners[k], face.corners[(k + 1) % 3]);
+      }
+    }
+  }
+  return edges;
+}
+
+// Edges of a peer's that are not ours, and of ours that are not the peer's.
+double unlike(const Edges& theirs, bool constrained)
+{
+  const Edges& ours = ourEdges(constrained);
+  const auto missing = [](const Edges& from, const Edges& in)
+  { return std::count_if(from.begin(), from.end(), [&](const auto& edge) { return in.count(edge) == 0; }); };
+  return static_cast<double>(missing(theirs, ours) + missing(ours, theirs));
+}
+
+// For the peer that runs in another program.
+void write(bool constrained)
+{
+  const char* folder = std::getenv("OVERSKETCH_BENCHMARKS");
+  if (!folder)
+  {
+    return;
+  }
+  const std::string path =
+    std::string(folder) + (constrained ? "/constrained triangulation.plane" : "/triangulation.plane");
+  FILE* file = std::fopen(path.c_str(), "w");
+  for (std::size_t i = 0; file && i < points().places.size(); ++i)
+  {
+    std::fprintf(file, "point %.17g %.17g\n", points().places[i][0], points().places[i][1]);
+  }
+  for (std::size_t i = 0; file && i < constraints(constrained).size(); ++i)
+  {
+    std::fprintf(
+      file, "constraint %d %d\n", constraints(constrained)[i].from, constraints(constrained)[i].to);
+  }
+  for (const auto& [a, b] : ourEdges(constrained))
+  {
+    if (file)
+    {
+      std::fprintf(file, "edge %d %d\n", a, b);
+    }
+  }
+  if (!file || std::fclose(file) != 0)
+  {
+    std::fprintf(stderr, "Cannot write %s.\n", path.c_str());
+    std::exit(1);
+  }
+}
+
+Job side(const std::string& who,
+  bool constrained,
+  std::function<void()> run,
+  const std::function<Edges()>& edges = {})
 {
   Job job;
   job.job = constrained ? "constrained triangulation" : "triangulation";
@@ -78,45 +163,66 @@ Job side(const std::string& who, bool constrained, std::function<void()> run)
   job.threads = 1;
   job.prepare = [] { points(); };
   job.run = std::move(run);
-  job.figures = [constrained]
+  job.figures = [constrained, edges]
   {
-    return std::map<std::string, double>{ { "constraints",
-      constrained ? static_cast<double>(points().constraints.size()) : 0.0 } };
+    std::map<std::string, double> figures{ { "constraints",
+      static_cast<double>(constraints(constrained).size()) } };
+    if (edges)
+    {
+      figures["edges_unlike_ours"] = unlike(edges(), constrained);
+    }
+    return figures;
   };
   return job;
 }
 
 #ifdef OVERSKETCH_CGAL
-void triangulateTheirs(bool constrained)
+using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+struct ByCgal
 {
-  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Exact::Point_2> places;
-  for (const Vector2& p : points().places)
+  CGAL::Constrained_Delaunay_triangulation_2<Exact> made;
+
+  explicit ByCgal(bool constrained)
   {
-    places.emplace_back(p[0], p[1]);
+    std::vector<Exact::Point_2> places;
+    for (const Vector2& p : points().places)
+    {
+      places.emplace_back(p[0], p[1]);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> edges;
+    for (const Constraint& c : constraints(constrained))
+    {
+      edges.emplace_back(c.from, c.to);
+    }
+    if (constrained)
+    {
+      this->made.insert_constraints(places.begin(), places.end(), edges.begin(), edges.end());
+    }
+    else
+    {
+      this->made.insert(places.begin(), places.end());
+    }
   }
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
-  for (const Constraint& c : points().constraints)
+  Edges edges() const
   {
-    edges.emplace_back(c.from, c.to);
+    std::map<std::pair<double, double>, int> numbers;
+    for (const Vector2& p : points().places)
+    {
+      numbers.emplace(std::pair(p[0], p[1]), static_cast<int>(numbers.size()));
+    }
+    Edges edges;
+    for (const auto& [face, k] : this->made.finite_edges())
+    {
+      const Exact::Point_2 &a = face->vertex((k + 1) % 3)->point(), &b = face->vertex((k + 2) % 3)->point();
+      addEdge(edges, numbers.at({ a.x(), a.y() }), numbers.at({ b.x(), b.y() }));
+    }
+    return edges;
   }
-  CGAL::Constrained_Delaunay_triangulation_2<Exact> triangulation;
-  if (constrained)
-  {
-    triangulation.insert_constraints(places.begin(), places.end(), edges.begin(), edges.end());
-  }
-  else
-  {
-    triangulation.insert(places.begin(), places.end());
-  }
-  if (triangulation.number_of_vertices() != places.size())
-  {
-    std::fprintf(stderr, "CGAL's triangulation went astray.\n");
-  }
-}
+};
 #endif
 
-void triangulateByVtk()
+vtkSmartPointer<vtkPolyData> triangulatedByVtk()
 {
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
@@ -129,24 +235,52 @@ void triangulateByVtk()
   vtkNew<vtkDelaunay2D> triangulation;
   triangulation->SetInputData(data);
   triangulation->Update();
+  return triangulation->GetOutput();
+}
+
+Edges edgesByVtk()
+{
+  Edges edges;
+  vtkNew<vtkIdList> ids;
+  const vtkSmartPointer<vtkPolyData> made = triangulatedByVtk();
+  for (vtkIdType cell = 0; cell < made->GetNumberOfCells(); ++cell)
+  {
+    made->GetCellPoints(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      addEdge(edges,
+        static_cast<int>(ids->GetId(k)),
+        static_cast<int>(ids->GetId((k + 1) % ids->GetNumberOfIds())));
+    }
+  }
+  return edges;
 }
 
 } // namespace
 
 void jobs()
 {
-  add(side("VTK", false, triangulateByVtk));
+  add(side(
+    "VTK", false, [] { triangulatedByVtk(); }, edgesByVtk));
   for (const bool constrained : { false, true })
   {
-    add(side("ours",
+    Job ours = side("ours",
       constrained,
-      [constrained]
+      [constrained] { constrainedDelaunay(points().places, constraints(constrained), Context()); });
+    ours.prepare = [constrained, done = false]() mutable
+    {
+      if (!std::exchange(done, true))
       {
-        constrainedDelaunay(
-          points().places, constrained ? points().constraints : std::vector<Constraint>(), Context());
-      }));
+        write(constrained);
+      }
+    };
+    add(ours);
 #ifdef OVERSKETCH_CGAL
-    add(side("CGAL", constrained, [constrained] { triangulateTheirs(constrained); }));
+    add(side(
+      "CGAL",
+      constrained,
+      [constrained] { ByCgal made(constrained); },
+      [constrained] { return ByCgal(constrained).edges(); }));
 #endif
   }
 }

@@ -66,6 +66,14 @@ def test_its_libraries_find_each_other(environment, installed):
             assert pathlib.Path(library).resolve().parent == (installed / "lib").resolve(), (file, library)
 
 
+def test_it_makes_of_what_is_shipped_what_the_build_makes(environment, installed):
+    """README's lines of Python."""
+    arguments = [pathlib.Path(__file__).with_name("results.py"), SOURCE / "README.md", SOURCE / "Data"]
+    made = environment.run(*arguments)
+    assert made == run(sys.executable, *arguments)
+    assert len(set(re.findall(r" ([0-9a-f]{32})$", made, re.M))) == 4
+
+
 def test_the_python_tests_pass_outside_the_tree(environment, installed, tmp_path):
     tests = sorted((SOURCE / "Wrapping" / "Python" / "Testing").glob("test_*.py"))
     assert len(tests) >= 3

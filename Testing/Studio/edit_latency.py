@@ -5,10 +5,11 @@ layer, and from the ring's release to the grey model, beside a plain redraw of t
 usage: edit_latency.py MODEL RADIUS [RINGS [PACE]]     needs a display, and in the environment OVERSKETCH_STUDIO, the program
 
 Draws a line on the middle of the model, as it opens, and a ring of that radius [px] round it with the tool Shade, RINGS times (5), undone
-between; then drags a layer and, with the tool Direct edit, the line, and turns the model. Prints medians and 99th percentiles [ms], and
-medians of the time that processors worked for it meanwhile, all threads together: of the whole, of its part until points and normals are
-there, and of drawing and painting the frame alone, which a plain redraw takes as well. The hand has an event each PACE seconds (0.15): with
-less than 0.2 no frame is one after a rest, which draws edges smoothed; a busy machine needs more for a frame an event.
+between; then drags a layer and, with the tool Direct edit, the line, and turns the model. Prints how many vertices the ring holds, medians
+and 99th percentiles [ms], and medians of the time that processors worked for it meanwhile, all threads together: of the whole, of its part
+until points and normals are there (of a ring, greys: after that the step is made once more for the history, on a thread of its own, while
+the frame is painted), and of drawing and painting the frame alone, which a plain redraw takes as well. The hand has an event each PACE
+seconds (0.15): with less than 0.2 no frame is one after a rest, which draws edges smoothed; a busy machine needs more for a frame an event.
 """
 import json
 import pathlib
@@ -94,6 +95,7 @@ def main():
             return "–"
         wall, processors = numpy.array(waited[what]).T
         return f"{numpy.median(wall):.1f} / {numpy.percentile(wall, 99):.1f}, {numpy.median(processors):.1f}"
+    print(f"{waited.get('region', 0):,} vertices within the ring")
     print("| | times | whole | until points and normals | frame |")
     print("|---|---|---|---|---|")
     for what, title in ROWS.items():

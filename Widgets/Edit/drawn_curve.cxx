@@ -18,7 +18,7 @@ namespace oversketch
 std::shared_ptr<const SurfaceRays> raysOf(vtkPolyData* mesh)
 {
   return mesh && mesh->GetNumberOfPolys() > 0
-           ? std::make_shared<const SurfaceRays>(SharedMesh(mesh)->KeptSurface(), ThreadsOnly())
+           ? sharedRays(SharedMesh(mesh)->KeptSurface(), ThreadsOnly())
            : nullptr;
 }
 

@@ -12,6 +12,7 @@
 #include "vtkOversketchAxisHandleRepresentation.h"
 #include "vtkOversketchAxisHandleWidget.h"
 #include "vtkOversketchEdit.h"
+#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchEditRepresentation.h"
 #include "vtkOversketchEditWidget.h"
 #include "vtkOversketchLayerHandleRepresentation.h"
@@ -490,9 +491,11 @@ void EditHand::publish()
       this->View->showPreview(this->live()); // until the result comes
     }
     Latency::of().strokeEnd();
-    if (isNew)
+    if (isNew && Latency::of().isOn())
     {
       Latency::of().ringClosed();
+      const auto inside = oversketch::ReadInside(this->Widget->GetEdit()->GetInnerOutput("Distance"));
+      Latency::of().regionHas(inside.size());
     }
     const Step step = this->Loaded.step;
     isNew ? emit this->drawn(step) : emit this->remade(step);

@@ -290,15 +290,22 @@ TEST(DrawingTools, ClassificationsAndMapsComeBackAsTheyWere)
       distanceMaps(drawing.Raster, rimsOf(made, drawing.Strokes, drawing.Treatments), mode, Context());
     vtkNew<vtkImageData> image;
     WriteDistanceMaps(maps, image);
-    const DistanceMaps back = DistanceMapsOf(image, Context());
+    const DistanceMaps back = UphillMapsOf(image, Context());
     EXPECT_EQ(back.frame.origin, maps.frame.origin);
     EXPECT_EQ(back.object, maps.object);
     EXPECT_EQ(back.distance, maps.distance);
     EXPECT_EQ(back.thickness, maps.thickness);
     EXPECT_EQ(back.skeleton, maps.skeleton);
     EXPECT_EQ(back.uphill, maps.uphill);
+    EXPECT_EQ(DistanceMapsOf(image).thickness, maps.thickness);
+    // Of another type, as another program may have read them from a file.
+    vtkNew<vtkDoubleArray> distances;
+    distances->DeepCopy(image->GetPointData()->GetArray("T"));
+    distances->SetName("T");
+    image->GetPointData()->AddArray(distances);
+    EXPECT_EQ(DistanceMapsOf(image).distance, maps.distance);
   }
   vtkNew<vtkImageData> bare;
   WriteFrame(drawing.Raster, bare);
-  EXPECT_THROW(DistanceMapsOf(bare, Context()), Error);
+  EXPECT_THROW(DistanceMapsOf(bare), Error);
 }

@@ -1,5 +1,6 @@
 #include "SurfaceTools.h"
 #include "vtkOversketchChaikin.h"
+#include "vtkOversketchSharedMesh.h"
 #include "vtkOversketchStrokeThinning.h"
 #include "vtkOversketchSurfaceStroke.h"
 
@@ -38,12 +39,13 @@ void expectSameArray(vtkDataArray* a, vtkDataArray* b)
 void expectSound(vtkPolyData* curves, vtkPolyData* mesh)
 {
   vtkPointData* data = curves->GetPointData();
+  const auto whole = SharedMesh(mesh);
   vtkIdType corners[3];
   for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
   {
     vtkNew<vtkIdList> ids;
     mesh->GetCellPoints(static_cast<vtkIdType>(data->GetArray("MeshCell")->GetComponent(i, 0)), ids);
-    Vector3 place = Vector3::Zero(), normal;
+    Vector3 place = Vector3::Zero(), normal, weights;
     double sum = 0.0;
     for (int k = 0; k < 3; ++k)
     {
@@ -52,12 +54,18 @@ void expectSound(vtkPolyData* curves, vtkPolyData* mesh)
       const double weight = data->GetArray("MeshWeights")->GetComponent(i, k);
       EXPECT_GE(weight, 0.0);
       sum += weight;
+      weights[k] = weight;
       place += weight * Vector3(mesh->GetPoint(corners[k]));
     }
     EXPECT_NEAR(sum, 1.0, 1e-12);
     EXPECT_EQ(place, Vector3(curves->GetPoint(i)));
     data->GetNormals()->GetTuple(i, normal.data());
     EXPECT_NEAR(normal.norm(), 1.0, 1e-12);
+    const std::vector<Vector3>& all = whole->Normals(); // by all faces, where the mesh brings none
+    const Vector3 turned = weights[0] * all[static_cast<std::size_t>(corners[0])] +
+                           weights[1] * all[static_cast<std::size_t>(corners[1])] +
+                           weights[2] * all[static_cast<std::size_t>(corners[2])];
+    EXPECT_EQ(normal, Vector3(turned.normalized())) << "to the bit";
   }
   for (vtkIdType cell = 0; cell < curves->GetNumberOfLines(); ++cell)
   {
