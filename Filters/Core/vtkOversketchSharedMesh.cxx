@@ -1,5 +1,6 @@
 #include "vtkOversketchSharedMesh.h"
 
+#include "Mesh/match.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
@@ -94,6 +95,49 @@ Register& TheRegister()
   return instance;
 }
 
+using Normals = std::vector<Vector3>;
+
+// Normals that were computed, of meshes that somebody holds; the latest last.
+struct KnownNormals
+{
+  std::mutex Mutex;
+  std::vector<std::pair<std::weak_ptr<const Mesh>, std::weak_ptr<const Normals>>> Entries;
+};
+
+// After those of a mesh that has most of the same triangles, where there is one.
+std::shared_ptr<const Normals> ComputedNormals(const std::shared_ptr<const Mesh>& mesh, const Lists& around)
+{
+  static KnownNormals known;
+  constexpr std::size_t most = 3; // that are looked at
+  std::vector<std::pair<std::shared_ptr<const Mesh>, std::shared_ptr<const Normals>>> held;
+  {
+    const std::lock_guard<std::mutex> lock(known.Mutex);
+    auto& entries = known.Entries;
+    const auto isGone = [](const auto& one) { return one.first.expired() || one.second.expired(); };
+    entries.erase(std::remove_if(entries.begin(), entries.end(), isGone), entries.end());
+    for (auto one = entries.rbegin(); one != entries.rend() && held.size() < most; ++one)
+    {
+      held.emplace_back(one->first.lock(), one->second.lock());
+    }
+  }
+  std::shared_ptr<const Normals> made;
+  for (auto one = held.begin(); one != held.end() && !made; ++one)
+  {
+    Normals normals;
+    if (one->first && one->second && normalsAfter(*one->first, *one->second, *mesh, around, normals))
+    {
+      made = std::make_shared<const Normals>(std::move(normals));
+    }
+  }
+  if (!made)
+  {
+    made = std::make_shared<const Normals>(vertexNormals(*mesh, around, ThreadsOnly()));
+  }
+  const std::lock_guard<std::mutex> lock(known.Mutex);
+  known.Entries.emplace_back(mesh, made);
+  return made;
+}
+
 } // namespace
 
 const Adjacency& MeshData::Neighbours() const
@@ -114,8 +158,7 @@ std::shared_ptr<const std::vector<Vector3>> MeshData::KeptNormals() const
     {
       if (!this->VertexNormals)
       {
-        this->VertexNormals = std::make_shared<const std::vector<Vector3>>(
-          vertexNormals(*this->Shape, this->Neighbours().vertexTriangles, ThreadsOnly()));
+        this->VertexNormals = ComputedNormals(this->Shape, this->Neighbours().vertexTriangles);
         ++MeshWorkDone().Normals;
       }
     });

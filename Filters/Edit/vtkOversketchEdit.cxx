@@ -2,6 +2,7 @@
 
 #include "vtkOversketchEditPipeline.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchSharedMesh.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -128,6 +129,7 @@ bool vtkOversketchEdit::Prepare()
         return true;
       }
       this->RunStage("MeanEdge");
+      SharedMesh(inner.Start)->Normals(); // of which those of the mesh with line and ring will be made
       if (isDrawn(inputs.Reference))
       {
         inner.RunReference(inputs.Reference);

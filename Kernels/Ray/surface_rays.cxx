@@ -1,7 +1,7 @@
 #include "Ray/surface_rays.h"
 
+#include "Mesh/match.h"
 #include "Ray/embree.h"
-#include "Ray/facet_match.h"
 #include "Ray/ray_caster.h" // for RayFrame
 #include "Remesh/surface.h" // for closestWeights
 
@@ -352,7 +352,7 @@ std::unique_ptr<const SurfaceRays> SurfaceRays::after(const SurfaceRays& before,
   const RayFrame &frame = trees->facets.frame, &known = whole->facets().frame;
   std::vector<int> others;
   if (frame.centre != known.centre || frame.scale != known.scale ||
-      !matchFacets(*whole->facets().mesh, *trees->facets.mesh, trees->numbers, others))
+      !matchTriangles(*whole->facets().mesh, *trees->facets.mesh, trees->numbers, others))
   {
     return nullptr;
   }

@@ -41,8 +41,9 @@ public:
   // Takes some 0.3 s and 50 MiB a million triangles. A facet with a point that is not finite is not seen.
   // Throws Error(Failure::Cancelled), and Error(Failure::Unexpected) where Embree cannot take the mesh.
   explicit SurfaceRays(std::shared_ptr<const Mesh> mesh, const Context& context = Context());
-  // The same answers, bit for bit, by the tree of other rays and one of what their mesh has not: for a mesh that
-  // comes of theirs by changes here and there, at a twentieth of the time. Null where too much is different.
+  // The same answers, bit for bit, by the tree of other rays and one of what their mesh has not: for a mesh
+  // that comes of theirs by changes here and there, at a twentieth of the time. Null where too much is
+  // different.
   static std::unique_ptr<const SurfaceRays> after(const SurfaceRays& before,
     std::shared_ptr<const Mesh> mesh,
     const Context& context = Context());
@@ -72,8 +73,8 @@ private:
   std::unique_ptr<const Trees> Internals;
 };
 
-// Rays of the mesh that somebody holds already, else made after those of another mesh that somebody holds, else
-// anew. Held weakly: they go with the last who holds them. Callable from any thread.
+// Rays of the mesh that somebody holds already, else made after those of another mesh that somebody holds,
+// else anew. Held weakly: they go with the last who holds them. Callable from any thread.
 std::shared_ptr<const SurfaceRays> sharedRays(const std::shared_ptr<const Mesh>& mesh,
   const Context& context = Context());
 

@@ -325,8 +325,7 @@ TEST(SurfaceRays, AfterAChangeTheyAreThoseMadeAnew)
   expectSameAnswers(*back, SurfaceRays(before));
   // Another body, another size, too much of another.
   EXPECT_FALSE(SurfaceRays::after(*second, std::make_shared<const Mesh>(torus(0.7, 0.3, 60, 30))));
-  EXPECT_FALSE(
-    SurfaceRays::after(*second, std::make_shared<const Mesh>(moved(*now, 8.0, Vector3::Zero()))));
+  EXPECT_FALSE(SurfaceRays::after(*second, std::make_shared<const Mesh>(moved(*now, 8.0, Vector3::Zero()))));
   EXPECT_FALSE(SurfaceRays::after(*second, std::make_shared<const Mesh>(icosphere(3))));
   // Whoever asks for what somebody holds is given that.
   const auto held = sharedRays(now);

@@ -17,9 +17,8 @@ namespace oversketch
 
 std::shared_ptr<const SurfaceRays> raysOf(vtkPolyData* mesh)
 {
-  return mesh && mesh->GetNumberOfPolys() > 0
-           ? sharedRays(SharedMesh(mesh)->KeptSurface(), ThreadsOnly())
-           : nullptr;
+  return mesh && mesh->GetNumberOfPolys() > 0 ? sharedRays(SharedMesh(mesh)->KeptSurface(), ThreadsOnly())
+                                              : nullptr;
 }
 
 std::vector<Vector3> laidOn(const SurfaceRays* model, const View& view, const Polyline& samples, double depth)

@@ -1,11 +1,11 @@
-#include "Ray/facet_match.h"
+#include "Mesh/match.h"
 
 #include <utility>
 
 namespace oversketch
 {
 
-bool matchFacets(const Mesh& before, const Mesh& now, std::vector<int>& numbers, std::vector<int>& others)
+bool matchTriangles(const Mesh& before, const Mesh& now, std::vector<int>& numbers, std::vector<int>& others)
 {
   constexpr int farthest = 8; // triangles over which the two are brought together again
   const int count = before.triangleCount(), last = now.triangleCount();
@@ -61,6 +61,56 @@ bool matchFacets(const Mesh& before, const Mesh& now, std::vector<int>& numbers,
     others.clear();
   }
   return alike;
+}
+
+bool normalsAfter(const Mesh& before,
+  const std::vector<Vector3>& normals,
+  const Mesh& now,
+  const Lists& around,
+  std::vector<Vector3>& result)
+{
+  std::vector<int> numbers, others;
+  if (!matchTriangles(before, now, numbers, others))
+  {
+    return false;
+  }
+  // A vertex stays where all of its triangles do, and with it no other.
+  std::vector<int> from(now.points.size(), -1), to(before.points.size(), -1);
+  std::vector<char> changed(now.points.size(), 0), gone(before.points.size(), 0);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int v = before.triangles[i][k];
+      if (numbers[i] < 0)
+      {
+        gone[v] = 1;
+        continue;
+      }
+      const int w = now.triangles[numbers[i]][k];
+      if ((from[w] >= 0 && from[w] != v) || (to[v] >= 0 && to[v] != w))
+      {
+        changed[w] = 1;
+        gone[v] = 1;
+      }
+      from[w] = v;
+      to[v] = w;
+    }
+  }
+  for (const int t : others)
+  {
+    for (const int w : now.triangles[t])
+    {
+      changed[w] = 1;
+    }
+  }
+  result.resize(now.points.size());
+  for (int w = 0; w < now.vertexCount(); ++w)
+  {
+    const int v = from[w];
+    result[w] = v >= 0 && !changed[w] && !gone[v] ? normals[v] : vertexNormal(now, around, w);
+  }
+  return true;
 }
 
 } // namespace oversketch
