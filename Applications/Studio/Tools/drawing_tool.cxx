@@ -5,8 +5,8 @@
 #include "flow_layout.h"
 #include "focus_frame.h"
 #include "message_words.h"
+#include "picture_files.h"
 #include "systems.h"
-#include "texture.h"
 #include "viewport.h"
 
 #include "vtkOversketchInteractorStyle.h"
@@ -385,7 +385,7 @@ void DrawingTool::follow()
     vtkDataArray* canvas = drawing ? drawing->GetFieldData()->GetArray("Canvas") : nullptr;
     if (bytes)
     {
-      this->Pad->setPicture(oversketch_files::pictureOf(*bytes));
+      this->Pad->setPicture(takeDecoded(bytes));
     }
     else if (canvas && canvas->GetNumberOfValues() == 4)
     {
