@@ -100,11 +100,6 @@ QString DrawingTool::help() const
   return tr("Draw round a shape in a picture, and it becomes a model (G)");
 }
 
-QString DrawingTool::mode() const
-{
-  return tr("drawing");
-}
-
 // A picture's corner, a line round something in it.
 QPainterPath DrawingTool::icon() const
 {
