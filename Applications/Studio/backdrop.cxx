@@ -1,7 +1,7 @@
 #include "backdrop.h"
 
 #include "pen_view.h"
-#include "texture.h"
+#include "picture_files.h"
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
@@ -54,7 +54,7 @@ void Backdrop::set(const Pictures& pictures, vtkRenderer* renderer)
     card->high = { frame->GetPoint(1)[0], frame->GetPoint(1)[1] };
     if (isNew)
     {
-      card->texture->SetInputData(oversketch_files::pictureOf(*picture->image.bytes));
+      card->texture->SetInputData(takeDecoded(picture->image.bytes));
       card->texture->SetColorModeToDirectScalars();
       card->texture->InterpolateOn();
       card->texture->MipmapOn();

@@ -4,6 +4,7 @@
 #include "heights.h"
 #include "mesh_file.h"
 #include "models.h"
+#include "picture_files.h"
 #include "row_texts.h"
 #include "systems.h"
 #include "terrain_start.h"
@@ -24,7 +25,25 @@ namespace
 {
 
 const char* const sessionExtension = ".oversketch";
-constexpr double canvasSize[2] = { 1024.0, 768.0 }; // of an empty one
+
+// Those that the window shows at once.
+void decodePictures(const Session& session)
+{
+  for (const auto& picture : session.pictures)
+  {
+    decodeAhead(picture->image.bytes);
+  }
+  for (const Node& node : session.nodes)
+  {
+    const auto drawn = node.step->inputs.find(pictureInput);
+    const Image* over = drawn == node.step->inputs.end() ? nullptr : std::get_if<Image>(&drawn->second);
+    if (node.step->system == drawingSystem && over)
+    {
+      decodeAhead(over->bytes);
+      return; // the first is on the pad
+    }
+  }
+}
 
 } // namespace
 
@@ -124,6 +143,7 @@ Document::Opened Document::read(const QString& path, int backend)
     opened.look = saved.look;
     session = std::move(saved.session);
     makeResting(session);
+    decodePictures(session);
     return opened;
   }
   Notes said;
@@ -151,67 +171,6 @@ void Document::open(Opened opened)
   this->Seen = opened.look;
   this->start(std::move(opened.session), true);
   emit this->opened();
-}
-
-bool Document::beginDrawing(const QString& path, const std::function<bool()>& mayLeave)
-{
-  const std::string file = path.toStdString();
-  requireReadable(file);
-  const QString name = QFileInfo(path).fileName();
-  return this->begin(
-    drawingOver({ name.toStdString(), std::make_shared<const std::string>(wholeFile(file)) }),
-    name,
-    mayLeave);
-}
-
-bool Document::beginDrawing(const std::function<bool()>& mayLeave)
-{
-  return this->begin(drawingOn(canvasSize[0], canvasSize[1]), tr("Drawing"), mayLeave);
-}
-
-void Document::addPart(const QString& path)
-{
-  const std::string file = path.toStdString();
-  requireReadable(file);
-  const Image picture{ QFileInfo(path).fileName().toStdString(),
-    std::make_shared<const std::string>(wholeFile(file)) };
-  // Before the model; where there is none yet, over what is drawn on.
-  Point place{};
-  if (this->Result.mesh && this->Result.mesh->GetNumberOfPoints() > 0)
-  {
-    double box[6];
-    this->Result.mesh->GetBounds(box);
-    place = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), box[5] };
-  }
-  else if (!this->session().nodes.empty())
-  {
-    const auto canvas = canvasOf(*this->session().nodes.front().step);
-    place = { 0.5 * (canvas[0] + canvas[2]), 0.5 * (canvas[1] + canvas[3]), 0.0 };
-  }
-  this->add(*partOver(picture, place));
-}
-
-bool Document::begin(std::shared_ptr<const Step> step,
-  const QString& name,
-  const std::function<bool()>& mayLeave)
-{
-  if (!mayLeave())
-  {
-    return false;
-  }
-  Session session;
-  Node node;
-  node.id = 1;
-  node.name = titleOf(step->system).toStdString();
-  node.step = std::move(step);
-  session.nodes = { node };
-  session.meshName = name.toStdString();
-  session.backend = this->Backend;
-  this->Path.clear();
-  this->Seen.reset();
-  this->start(std::move(session), true);
-  emit this->opened();
-  return true;
 }
 
 void Document::recover(const LeftBehind& left, Opened read)

@@ -61,13 +61,15 @@ public:
   QString whyNoSteps() const;
   // What all of them show, those that have a mesh.
   std::vector<oversketch_session::SharedData> shownMeshes() const;
-  // Begins a session whose first step makes a mesh of what will be drawn: over a picture; on an empty canvas.
-  // The same asking; throws Failed for what is no picture.
-  bool beginDrawing(const QString& picture, const std::function<bool()>& mayLeave);
+  // Begins a session whose first step makes a mesh of what will be drawn: over a picture, which readDrawing
+  // has read on any thread; on an empty canvas. Reading throws Failed for what is no picture.
+  using SharedStep = std::shared_ptr<const oversketch_session::Step>;
+  static SharedStep readDrawing(const QString& picture);
+  bool beginDrawing(SharedStep step, const QString& name, const std::function<bool()>& mayLeave);
   bool beginDrawing(const std::function<bool()>& mayLeave);
-  // A further part of the model: a drawing over a picture, before the model's middle. Throws Failed for what
-  // is no picture.
-  void addPart(const QString& picture);
+  // What reads, on any thread, a further part of the model for add(): a drawing over a picture, before the
+  // middle of the model as it is now. Throws Failed for what is no picture.
+  std::function<SharedStep()> partReader(const QString& picture) const;
   // What a crash left behind, read from its folder, as a session that is not saved.
   void recover(const oversketch_session::LeftBehind& left, Opened read);
   // Saves the session, as it is looked at. Throws Failed.
@@ -200,9 +202,6 @@ signals:
 
 private:
   void start(oversketch_session::Session session, bool saved);
-  bool begin(std::shared_ptr<const oversketch_session::Step> step,
-    const QString& name,
-    const std::function<bool()>& mayLeave);
   void commit(oversketch_session::Session session, Change change = Change::Edited);
   void commitPictures(oversketch_session::Pictures pictures);
   void commitScene(oversketch_session::Session session);

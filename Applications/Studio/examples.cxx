@@ -2,6 +2,7 @@
 
 #include "drawing_lines.h"
 #include "mesh_file.h"
+#include "picture_files.h"
 #include "resources.h"
 #include "row_texts.h"
 #include "systems.h"
@@ -78,8 +79,7 @@ Document::Opened readExample(const Example& example, int backend)
   {
     return Document::read(example.file, backend);
   }
-  const Image picture{ QFileInfo(example.picture).fileName().toStdString(),
-    std::make_shared<const std::string>(oversketch_files::wholeFile(example.picture.toStdString())) };
+  const Image picture = readPicture(example.picture).image;
   Node node;
   node.id = 1;
   node.step = std::make_shared<const Step>(

@@ -13,7 +13,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int columns = 60; // in a narrow view they are still legible
+constexpr int columns = 66; // in a narrow view they are still legible
 constexpr int toolsOfARow = 3;
 
 struct Texts
@@ -72,7 +72,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
     for (const Tool* one : all.mid(i, toolsOfARow))
     {
       keys << one->key().toString().toLower();
-      names << one->mode();
+      names << one->name();
     }
     rows.push_back({ keys.join("  "), names.join("; ") });
   }
@@ -83,7 +83,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
   {
     widest = std::max(widest, row.first.size());
   }
-  QStringList lines{ T::tr("Mode: %1").arg(tool.mode()), QString() };
+  QStringList lines{ T::tr("Tool: %1").arg(tool.name()), QString() };
   for (const auto& [hand, what] : rows)
   {
     if (what.isEmpty())

@@ -82,8 +82,7 @@ MainWindow::MainWindow(QWidget* parent)
   for (Tool* tool : this->Tools)
   {
     QWidget* panel = tool->makePanel(this);
-    this->ToolDocks << (panel ? this->addDock(panel->windowTitle(), tool->objectName() + "_dock", panel)
-                              : nullptr);
+    this->ToolDocks << (panel ? this->addDock(tool->title(), tool->objectName() + "_dock", panel) : nullptr);
   }
   this->makeMenus();
   this->makeTools();
@@ -287,8 +286,7 @@ void MainWindow::setTool(Tool* tool)
   this->ToolActions[at]->setChecked(true);
   this->Options->setCurrentIndex(at);
   this->Presets->setTool(tool);
-  const QString mode = tool->mode();
-  this->Mode->setText(mode.left(1).toUpper() + mode.mid(1));
+  this->Mode->setText(tool->name());
   this->Redrawn = tool->system().empty() ? -1 : this->Redrawn;
   this->chooseLine();
   this->advise();

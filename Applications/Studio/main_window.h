@@ -84,9 +84,6 @@ private:
   bool saveTo(const QString& path);
   void openAsked();
   QString modelAsked(const QString& title); // a path; empty for none
-  QString pictureAsked(const QString& title);
-  void newFromPictureAsked();
-  void addPartAsked();
   void takeWhatIsTyped();
   bool save();
   bool saveAs();
@@ -95,10 +92,15 @@ private:
   // As one mesh; of it that part, or -1 all.
   void exportMeshes(const std::vector<oversketch_session::SharedData>& shown, int part, const QString& name);
   void screenshot(bool lines);
-  void addPicture(const QString& path);
-  void addPictureAsked();
   // Whether what is not saved may be left.
   bool mayLeave();
+
+  // Pictures: main_window_pictures.cxx.
+  QString pictureAsked(const QString& title);
+  void newFromPictureAsked();
+  void addPartAsked();
+  void addPicture(const QString& path);
+  void addPictureAsked();
 
   // Models of the scene: main_window_models.cxx.
   void listenToModels();

@@ -9,11 +9,11 @@
 #include "long_work.h"
 #include "mesh_file.h"
 #include "models.h"
+#include "picture_files.h"
 #include "pieces.h"
 #include "resources.h"
 #include "row_texts.h"
 #include "scene_panel.h"
-#include "texture.h"
 #include "tool.h"
 #include "viewport.h"
 
@@ -44,8 +44,6 @@ using oversketch_files::Failed;
 
 namespace
 {
-
-const QStringList pictureExtensions{ "png", "jpg", "jpeg" };
 
 // "*.obj *.ply": of extensions with blanks between.
 QString patternsOf(const char* extensions)
@@ -124,80 +122,6 @@ bool MainWindow::openRead(const QString& name, const std::function<Document::Ope
   this->OpenDocument->open(std::move(*opened));
   this->tell(notes);
   return true;
-}
-
-bool MainWindow::openPicture(const QString& path)
-{
-  bool opened = false;
-  const auto mayLeave = [this] { return this->mayLeave(); };
-  try
-  {
-    opened = path.isEmpty() ? this->OpenDocument->beginDrawing(mayLeave)
-                            : this->OpenDocument->beginDrawing(path, mayLeave);
-  }
-  catch (const Failed& failure)
-  {
-    this->tell({ QString::fromStdString(failure.what()) });
-  }
-  if (opened)
-  {
-    this->stopTeaching();
-    this->Redrawn = -1;
-  }
-  return opened;
-}
-
-QString MainWindow::pictureAsked(const QString& title)
-{
-  QStringList patterns;
-  for (const QString& extension : pictureExtensions)
-  {
-    patterns << "*." + extension;
-  }
-  return QFileDialog::getOpenFileName(this,
-    title,
-    QSettings().value("folder").toString(),
-    tr("Pictures (%1);;All files (*)").arg(patterns.join(' ')));
-}
-
-void MainWindow::newFromPictureAsked()
-{
-  const QString path = this->pictureAsked(tr("Draw a model over a picture"));
-  if (!path.isEmpty())
-  {
-    this->openPicture(path);
-  }
-}
-
-void MainWindow::addPartAsked()
-{
-  if (!this->OpenDocument->isOpen())
-  {
-    this->newFromPictureAsked();
-    return;
-  }
-  if (!this->OpenDocument->whyNoSteps().isEmpty())
-  {
-    this->advise(); // says why
-    return;
-  }
-  const QString path = this->pictureAsked(tr("Draw a further part over a picture"));
-  if (path.isEmpty())
-  {
-    return;
-  }
-  try
-  {
-    this->OpenDocument->addPart(path);
-  }
-  catch (const Failed& failure)
-  {
-    this->tell({ QString::fromStdString(failure.what()) });
-    return;
-  }
-  const int part = this->OpenDocument->shownTo() - 1;
-  this->History->selectStep(part);
-  this->setTool(this->toolOf(part));
 }
 
 bool MainWindow::recover(const LeftBehind& left, const QString& name)
@@ -471,51 +395,13 @@ void MainWindow::dropEvent(QDropEvent* event)
     [this, path, onScene]
     {
       // A picture behind an open model, or to be drawn over; a model beside the open one, or instead of it.
-      const bool isPicture = pictureExtensions.contains(QFileInfo(path).suffix().toLower());
+      const bool isPicture = pictureExtensions().contains(QFileInfo(path).suffix().toLower());
       const bool isModel = !isPicture && this->OpenDocument->isOpen() && onScene;
       const bool isBehind =
         this->OpenDocument->isOpen() && !this->Canvases[this->Tools.indexOf(this->View->tool())];
       isPicture ? (isBehind ? this->addPicture(path) : void(this->openPicture(path)))
       : isModel ? this->addModel(path)
                 : void(this->open(path));
-    });
-}
-
-void MainWindow::addPictureAsked()
-{
-  const QString path = this->pictureAsked(tr("Put a picture behind the model"));
-  if (!path.isEmpty())
-  {
-    this->addPicture(path);
-  }
-}
-
-void MainWindow::addPicture(const QString& path)
-{
-  if (!this->OpenDocument->isOpen())
-  {
-    return;
-  }
-  this->tried(
-    [&]
-    {
-      QFile file(path);
-      if (!file.open(QIODevice::ReadOnly))
-      {
-        throw Failed(tr("%1: %2").arg(path, file.errorString()).toStdString());
-      }
-      Picture picture;
-      picture.image = { QFileInfo(path).fileName().toStdString(),
-        std::make_shared<std::string>(file.readAll().toStdString()) };
-      const auto pixels = oversketch_files::pictureOf(*picture.image.bytes);
-      if (!pixels)
-      {
-        this->tell({ tr("%1 is no PNG or JPEG picture, or a damaged one.").arg(path) });
-        return;
-      }
-      picture.frame = this->View->frameFor(pixels->GetDimensions()[0], pixels->GetDimensions()[1]);
-      this->stopTeaching(); // it might not be legible before it
-      this->OpenDocument->addPicture(picture);
     });
 }
 

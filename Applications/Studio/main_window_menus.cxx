@@ -124,7 +124,7 @@ void MainWindow::makeMenus()
 
   QMenu* help = this->menuBar()->addMenu(tr("&Help"));
   this->add(help,
-    tr("&Keys and mode"),
+    tr("&Keys of the tool"),
     QKeySequence(tr("F1")),
     [this] { this->View->showKeys(!this->View->showsKeys()); });
   this->add(help,
@@ -150,7 +150,7 @@ void MainWindow::makeToolMenu()
     action->setCheckable(true);
     action->setToolTip(tool->help());
     // In the strip in two lines, where it is long.
-    QString inStrip = tool->title().remove('&');
+    QString inStrip = tool->name();
     if (inStrip.size() > 10 && inStrip.contains(' '))
     {
       inStrip[inStrip.lastIndexOf(' ')] = '\n';

@@ -2,6 +2,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -12,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -25,8 +29,8 @@ constexpr double edge = 60.0;         // degrees between faces
 constexpr double off = 40.0;          // between a face and the normal at a point of it, which an edge bends
 constexpr double share = 0.08;        // of such faces: coarse CAD models have over a half, animals up to 0.04
 constexpr vtkIdType largest = 200000; // faces
-constexpr vtkIdType looked = 10000;   // faces that are looked at, evenly among all
-constexpr vtkIdType largestInHand = 20000; // that follow a hand
+constexpr vtkIdType largestInHand = 20000; // faces of another mesh that follows a hand
+constexpr vtkIdType looked = 10000;        // faces that are looked at, evenly among all
 // However finely it is divided, a cube's edges are 4.9 times as long as the root of its area, a drum's 2.9.
 // Creases of animals are seldom longer than the root, and then most of them end at once.
 constexpr double longEnough = 1.0;
@@ -221,18 +225,89 @@ vtkSmartPointer<vtkPolyData> split(vtkPolyData* mesh)
   return normals->GetOutput();
 }
 
+bool areSame(vtkDataArray* a, vtkDataArray* b)
+{
+  const auto bytes = [](vtkDataArray* of)
+  {
+    return static_cast<std::size_t>(of->GetNumberOfValues()) *
+           static_cast<std::size_t>(of->GetDataTypeSize());
+  };
+  return a == b || (a->GetDataType() == b->GetDataType() && bytes(a) == bytes(b) &&
+                     std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes(a)) == 0);
+}
+
+// As vtkPolyDataNormals makes them.
+vtkSmartPointer<vtkFloatArray> normalsOf(const Surface& surface)
+{
+  std::vector<Vector> sums(static_cast<std::size_t>(surface.points->GetNumberOfPoints()));
+  for (vtkIdType cell = 0; cell < surface.faces->GetNumberOfCells(); ++cell)
+  {
+    Face face = surface.face(cell);
+    vtkMath::Normalize(face.normal.data());
+    for (vtkIdType i = 0; i < face.count; ++i)
+    {
+      Vector& sum = sums[static_cast<std::size_t>(face.points[i])];
+      vtkMath::Add(sum.data(), face.normal.data(), sum.data());
+    }
+  }
+  auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(surface.points->GetNumberOfPoints());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    vtkMath::Normalize(sums[i].data());
+    normals->SetTuple(static_cast<vtkIdType>(i), sums[i].data());
+  }
+  return normals;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> SharpEdges::look(vtkPolyData* mesh)
 {
-  this->Sharp = mesh && isSharp(mesh);
-  return this->Sharp ? split(mesh) : vtkSmartPointer<vtkPolyData>(mesh);
+  this->Split = nullptr;
+  this->Faces = nullptr;
+  if (!mesh || !isSharp(mesh))
+  {
+    return mesh;
+  }
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName("Number");
+  numbers->SetNumberOfValues(mesh->GetNumberOfPoints());
+  std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues(), vtkIdType{ 0 });
+  vtkNew<vtkPolyData> numbered;
+  numbered->ShallowCopy(mesh);
+  numbered->GetPointData()->AddArray(numbers);
+  this->Split = split(numbered);
+  this->Faces = mesh->GetPolys();
+  vtkPointData* data = this->Split->GetPointData();
+  auto* from = vtkIdTypeArray::SafeDownCast(data->GetArray(numbers->GetName()));
+  this->From->SetNumberOfIds(from->GetNumberOfValues());
+  std::copy_n(from->GetPointer(0), from->GetNumberOfValues(), this->From->GetPointer(0));
+  data->RemoveArray(numbers->GetName());
+  return this->Split;
 }
 
 vtkSmartPointer<vtkPolyData> SharpEdges::lookMoved(vtkPolyData* mesh) const
 {
-  const bool is = this->Sharp && mesh && mesh->GetNumberOfPolys() <= largestInHand;
-  return is ? split(mesh) : vtkSmartPointer<vtkPolyData>(mesh);
+  const bool isIt = mesh && this->Split &&
+                    areSame(mesh->GetPolys()->GetConnectivityArray(), this->Faces->GetConnectivityArray()) &&
+                    areSame(mesh->GetPolys()->GetOffsetsArray(), this->Faces->GetOffsetsArray());
+  if (!isIt)
+  {
+    const bool isSmall = mesh && this->Split && mesh->GetNumberOfPolys() <= largestInHand;
+    return isSmall ? split(mesh) : vtkSmartPointer<vtkPolyData>(mesh);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(this->From->GetNumberOfIds());
+  mesh->GetPoints()->GetPoints(this->From, points);
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->ShallowCopy(this->Split);
+  moved->SetPoints(points);
+  moved->GetPointData()->SetNormals(normalsOf({ points, moved->GetPolys(), nullptr }));
+  return moved;
 }
 
 } // namespace oversketch_studio

@@ -2,8 +2,11 @@
 #ifndef oversketch_studio_sharp_edges_h
 #define oversketch_studio_sharp_edges_h
 
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+class vtkCellArray;
 class vtkPolyData;
 
 namespace oversketch_studio
@@ -16,11 +19,14 @@ public:
   // 60 degrees or more, where it has many such edges for its size or they are long and unbroken; else the
   // mesh itself, as any mesh that is too large to ask. Null gives null.
   vtkSmartPointer<vtkPolyData> look(vtkPolyData* mesh);
-  // The same mesh moved, as often as the hand moves: as was decided for it.
+  // The same mesh moved, as often as the hand moves: as was decided for it, its edges where they were.
+  // Another mesh with its own edges, where it is small.
   vtkSmartPointer<vtkPolyData> lookMoved(vtkPolyData* mesh) const;
 
 private:
-  bool Sharp = false;
+  vtkSmartPointer<vtkPolyData> Split;  // null: it has no edges
+  vtkNew<vtkIdList> From;              // of each of its points, the point of the mesh
+  vtkSmartPointer<vtkCellArray> Faces; // of the mesh
 };
 
 } // namespace oversketch_studio

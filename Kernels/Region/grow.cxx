@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <string>
 #include <utility>
 
 namespace oversketch
@@ -432,6 +433,33 @@ std::vector<int> expandSeeds(const Mesh& mesh,
 // Of the area of a model; what is larger is its body, or a good part of it.
 constexpr double largestLimb = 0.2;
 
+// Whether all of the part that a vertex is of lies within two rings round it: then no stroke, however short,
+// leaves anything of it.
+bool isWithinTwoRings(const Adjacency& adjacency, const MeshParts& parts, int vertex)
+{
+  std::vector<char> near(parts.of.size(), 0);
+  near[vertex] = 1;
+  std::vector<int> ring{ vertex };
+  for (int i = 0; i < 2; ++i)
+  {
+    std::vector<int> next;
+    for (int v : ring)
+    {
+      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      {
+        if (!near[*n])
+        {
+          near[*n] = 1;
+          next.push_back(*n);
+        }
+      }
+    }
+    ring = std::move(next);
+  }
+  return std::count(near.begin(), near.end(), 1) ==
+         std::count(parts.of.begin(), parts.of.end(), parts.of[vertex]);
+}
+
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
@@ -546,10 +574,14 @@ std::vector<char> detectRegion(const Mesh& mesh,
   }
   if (std::any_of(held.begin(), held.end(), [](char whole) { return whole != 0; }))
   {
+    const bool isCoarse = std::any_of(evidence.seeds.begin(),
+      evidence.seeds.end(),
+      [&](int seed) { return held[parts.of[seed]] && isWithinTwoRings(adjacency, parts, seed); });
     throw Error(Failure::BadRegion,
-      "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold it; "
-      "draw a "
-      "shorter stroke, or one on a part that differs more in thickness from the rest.");
+      std::string("The region reaches the whole model, or a whole separate part of it, so nothing is left to "
+                  "hold it; ") +
+        (isCoarse ? "take a model with more triangles."
+                  : "draw a shorter stroke, or one on a part that differs more in thickness from the rest."));
   }
   return region;
 }

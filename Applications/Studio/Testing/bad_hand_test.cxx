@@ -5,14 +5,18 @@
 
 #include "vtkMath.h"
 
+#include <QFile>
 #include <QLabel>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -111,6 +115,122 @@ TEST(BadHand, IsToldNoNameOfTheCode)
   }
   EXPECT_TRUE(plainWords("there is no number 3. Lower Candidate.").endsWith("Lower Section that fits."));
   EXPECT_TRUE(plainWords("turn AllowTorn on.").endsWith("tick Even if it tears."));
+}
+
+// A model so coarse that no line, however short, leaves anything of it where it is.
+TEST(BadHand, IsToldThatAModelHasTooFewTriangles)
+{
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("cube.obj"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  for (const char* corner : { "0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1", "1 0 1", "1 1 1", "0 1 1" })
+  {
+    file.write(QByteArray("v ") + corner + '\n');
+  }
+  for (const char* side : { "1 4 3",
+         "1 3 2",
+         "5 6 7",
+         "5 7 8",
+         "1 2 6",
+         "1 6 5",
+         "4 8 7",
+         "4 7 3",
+         "1 5 8",
+         "1 8 4",
+         "2 3 7",
+         "2 7 6" })
+  {
+    file.write(QByteArray("f ") + side + '\n');
+  }
+  file.close();
+  BadHands scene;
+  ASSERT_TRUE(scene.window.open(file.fileName()));
+  scene.wait();
+  const std::string before = scene.document->digest();
+  const QPoint over = scene.top();
+  std::vector<QPoint> line;
+  for (int i = 0; i <= 30; ++i)
+  {
+    line.push_back(over + QPoint(20 + 3 * i, -20));
+  }
+  scene.stroke(line);
+  const QString advice = scene.window.findChild<QLabel*>("advice")->text();
+  EXPECT_TRUE(advice.contains("too few triangles")) << qPrintable(advice);
+  EXPECT_FALSE(advice.contains("shorter")) << qPrintable(advice);
+  scene.expectRefused("", before);
+}
+
+// Lines beside what they mean, by 20 px where the dog is 465 px long: the tail's, and one 30 px inside the
+// back.
+TEST(BadHand, LinesBesideATailAndInTheBodyMoveNothingElse)
+{
+  BadHands scene;
+  const auto before = scene.document->result().mesh;
+  std::set<std::array<double, 3>> there;
+  int least = scene.view->width(), most = 0;
+  for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> p{};
+    before->GetPoint(i, p.data());
+    there.insert(p);
+    const int x = scene.seen(p.data()).x();
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+  const double length = (most - least) / 465.0; // [px]
+  const QPoint tip = scene.top();
+  // By shares of that from the tail's tip, which is the highest place.
+  const auto draw = [&](const std::vector<QPointF>& corners)
+  {
+    std::vector<QPoint> line;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+    {
+      for (int k = 0; k < 6; ++k)
+      {
+        line.push_back(tip + (length * (corners[i] + k / 6.0 * (corners[i + 1] - corners[i]))).toPoint());
+        EXPECT_TRUE(scene.view->rect().contains(line.back()));
+      }
+    }
+    scene.stroke(line);
+    ASSERT_EQ(scene.document->result().nodes.size(), 1u);
+    EXPECT_EQ(scene.document->result().nodes[0].failure, "");
+  };
+  // How many points are where there was none, and how many of these outside.
+  const auto expectWithin = [&](const QRectF& zone)
+  {
+    const auto after = scene.document->result().mesh;
+    int moved = 0, outside = 0;
+    for (vtkIdType i = 0; i < after->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> p{};
+      after->GetPoint(i, p.data());
+      if (!there.count(p))
+      {
+        ++moved;
+        outside += zone.contains(QPointF(scene.seen(p.data()) - tip) / length) ? 0 : 1;
+      }
+    }
+    EXPECT_GT(moved, 50);
+    EXPECT_EQ(outside, 0) << "of " << moved;
+  };
+  draw({ { -42, 58 },
+    { -35, 20 },
+    { -27, 0 },
+    { -10, -33 },
+    { 10, -55 },
+    { 25, -67 },
+    { 38, -67 },
+    { 42, -58 },
+    { 35, -38 },
+    { 15, -12 },
+    { -5, 15 },
+    { -15, 35 },
+    { -21, 58 } });
+  expectWithin({ QPointF(-100, -150), QPointF(80, 130) }); // the tail
+  scene.document->undo();
+  scene.wait();
+  draw({ { 106, 155 }, { 153, 172 }, { 198, 164 }, { 240, 173 } });
+  expectWithin({ QPointF(0, 90), QPointF(320, 260) }); // from the tail's root to the neck, without the legs
 }
 
 TEST(BadHand, ALineAlongTheBackTakesNoLimbWithIt)

@@ -354,7 +354,9 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
     file.write("no picture");
   }
   QString said;
-  QTimer::singleShot(200,
+  QTimer look;
+  QObject::connect(&look,
+    &QTimer::timeout,
     [&said]
     {
       if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
@@ -363,6 +365,7 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
         box->close();
       }
     });
+  look.start(20);
   EXPECT_FALSE(sheet.window.openPicture(bad));
   EXPECT_TRUE(said.contains("bad.png")) << said.toStdString();
   EXPECT_EQ(sheet.view->mesh(), shown);

@@ -4,6 +4,7 @@
 #include "examples.h"
 #include "files.h"
 #include "long_work.h"
+#include "picture_files.h"
 #include "scene.h"
 #include "session_file.h"
 #include "tool.h"
@@ -15,6 +16,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -26,6 +28,7 @@
 #include <QThreadPool>
 
 #include <atomic>
+#include <future>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -130,6 +133,57 @@ TEST(Files, WhatIsNotChangedIsNotAskedAbout)
   EXPECT_FALSE(scene.window.isWindowModified());
 }
 
+// The three answers of the question, and the menu of what was open before.
+TEST(Files, WhatIsChangedIsAskedAboutAndFoundAgain)
+{
+  QSettings().remove("recent");
+  const QTemporaryDir folder;
+  const QString saved = folder.filePath("my dog.oversketch");
+  const QString other = folder.filePath("other dog.ply");
+  ASSERT_TRUE(QFile::copy(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", other));
+  Scene scene;
+  drawStroke(scene);
+  // Another is to be opened; the name is asked for once where the session is to be saved.
+  const auto opens = [&](QMessageBox::StandardButton pressed, int questions)
+  {
+    const Answer answer(
+      [&](QWidget* asked)
+      {
+        auto* box = qobject_cast<QMessageBox*>(asked);
+        if (!box)
+        {
+          return answerName(asked, saved);
+        }
+        QTest::mouseClick(box->button(pressed), Qt::LeftButton);
+        return true;
+      });
+    const bool opened = scene.window.open(other);
+    EXPECT_EQ(answer.given(), questions);
+    scene.wait();
+    return opened;
+  };
+  EXPECT_FALSE(opens(QMessageBox::Cancel, 1));
+  EXPECT_EQ(scene.document->session().nodes.size(), 1u) << "cancelled, and lost";
+  EXPECT_TRUE(scene.window.isWindowModified());
+  EXPECT_TRUE(opens(QMessageBox::Save, 2));
+  EXPECT_EQ(readSession(saved.toStdString()).session.nodes.size(), 1u);
+  EXPECT_TRUE(scene.document->session().nodes.empty());
+  drawStroke(scene);
+  EXPECT_TRUE(opens(QMessageBox::Discard, 1));
+  EXPECT_TRUE(scene.document->session().nodes.empty());
+  auto* recent = actionOf(scene.window, "Open &recent")->menu();
+  emit recent->aboutToShow();
+  ASSERT_EQ(recent->actions().size(), 2);
+  EXPECT_EQ(recent->actions()[0]->text(), other);
+  EXPECT_EQ(recent->actions()[1]->text(), saved);
+  recent->actions()[1]->trigger();
+  scene.wait();
+  EXPECT_EQ(scene.document->path(), saved);
+  EXPECT_EQ(scene.document->session().nodes.size(), 1u);
+  emit recent->aboutToShow();
+  EXPECT_EQ(recent->actions()[0]->text(), saved) << "the last one stands first";
+}
+
 TEST(Files, AnExportHasASuffixAndRemembersItsFormat)
 {
   QSettings().remove("exportFormat");
@@ -221,6 +275,76 @@ TEST(Files, WhatTakesLongShowsThatAndCanBeGivenUp)
   *go = true;
   QThreadPool::globalInstance()->waitForDone();
   EXPECT_FALSE(QFile::exists(QString::fromStdString(late))) << "what was given up appeared";
+}
+
+// The window's own works, each held back until it has been given up, as where the disk is slow.
+TEST(Files, EachWorkOnAFileShowsThatAndCanBeGivenUp)
+{
+  const QTemporaryDir folder;
+  const QString picture = folder.filePath("square.png"), other = folder.filePath("other dog.ply");
+  QImage square(64, 64, QImage::Format_RGB32);
+  square.fill(Qt::magenta);
+  ASSERT_TRUE(square.save(picture));
+  ASSERT_TRUE(QFile::copy(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", other));
+  const QString saved = folder.filePath("late.oversketch"), exported = folder.filePath("late.ply");
+  Scene scene;
+  emit actionOf(scene.window, "E&xamples")->menu()->aboutToShow();
+  const auto menu = [&](const QString& text)
+  { return [&, text] { actionOf(scene.window, text)->trigger(); }; };
+  struct Work
+  {
+    QString said, name;
+    std::function<void()> begin;
+  };
+  const Work works[] = {
+    { "Reading other dog.ply", {}, [&] { scene.window.open(other); } },
+    { "Reading Leaf (drawing)", {}, menu("Leaf (drawing)") },
+    { "Reading square.png", picture, menu("&New from picture…") },
+    { "Reading square.png", picture, menu("Add a pict&ure as a part…") },
+    { "Reading square.png", picture, menu("Add a p&icture…") },
+    { "Reading other dog.ply", other, menu("Add a &model…") },
+    { "Saving late.oversketch", saved, menu("Save session &as…") },
+    { "Exporting late.ply", exported, menu("&Export mesh…") },
+  };
+  auto* pool = QThreadPool::globalInstance();
+  const int threads = pool->maxThreadCount();
+  pool->setMaxThreadCount(1);
+  const std::string digest = scene.document->digest();
+  for (const Work& work : works)
+  {
+    SCOPED_TRACE(qPrintable(work.said));
+    std::promise<void> go;
+    pool->start([mayGo = go.get_future().share()] { mayGo.wait(); });
+    const Answer answers(
+      [&](QWidget* asked)
+      {
+        auto* dialog = qobject_cast<QProgressDialog*>(asked);
+        if (!dialog)
+        {
+          return answerName(asked, work.name);
+        }
+        EXPECT_TRUE(dialog->labelText().startsWith(work.said)) << qPrintable(dialog->labelText());
+        QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
+        return true;
+      });
+    work.begin();
+    EXPECT_EQ(answers.given(), work.name.isEmpty() ? 1 : 2);
+    EXPECT_FALSE(isLongWorkGoing());
+    go.set_value();
+    pool->waitForDone();
+    scene.wait();
+    EXPECT_EQ(scene.document->digest(), digest);
+    EXPECT_EQ(scene.document->name(), "dog.ply");
+    EXPECT_TRUE(scene.document->session().nodes.empty());
+    EXPECT_TRUE(scene.document->session().pictures.empty());
+    EXPECT_TRUE(scene.document->session().scene.others.empty());
+    EXPECT_FALSE(QFile::exists(saved) || QFile::exists(exported)) << "what was given up appeared";
+  }
+  pool->setMaxThreadCount(threads);
+  // What such a work has decoded the window's thread need not.
+  const ReadPicture read = readPicture(picture);
+  EXPECT_EQ(takeDecoded(read.image.bytes), read.pixels);
+  EXPECT_NE(takeDecoded(read.image.bytes), read.pixels) << "kept for ever";
 }
 
 TEST(Files, EveryExampleOpens)

@@ -330,7 +330,7 @@ TEST(Part, WhatIsNoPictureIsSaidAndAddsNothing)
   Sheet sheet;
   sheet.open();
   sheet.line(beast());
-  EXPECT_THROW(sheet.document->addPart(OVERSKETCH_DATA_FOLDER "/Models/dog.ply"), std::exception);
-  EXPECT_THROW(sheet.document->addPart("/nowhere.png"), std::exception);
+  EXPECT_THROW(sheet.document->partReader(OVERSKETCH_DATA_FOLDER "/Models/dog.ply")(), std::exception);
+  EXPECT_THROW(sheet.document->partReader("/nowhere.png")(), std::exception);
   EXPECT_EQ(sheet.session().nodes.size(), 1u);
 }

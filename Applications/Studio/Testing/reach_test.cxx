@@ -5,6 +5,7 @@
 #include "main_window.h"
 #include "message_words.h"
 #include "mouse.h"
+#include "options_stack.h"
 #include "preferences.h"
 #include "tool.h"
 #include "viewport.h"
@@ -22,6 +23,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -29,6 +31,7 @@
 #include <QSettings>
 #include <QTest>
 #include <QTimer>
+#include <QToolBar>
 #include <QTranslator>
 
 #include <gtest/gtest.h>
@@ -367,12 +370,52 @@ TEST(Texts, EverythingThatIsSeenIsTranslated)
         const bool goesOn = line.startsWith(QString(13, ' '));
         EXPECT_TRUE(line.isEmpty() || goesOn || line.contains(QString::fromUtf8("¡"))) << qPrintable(line);
       }
-      EXPECT_TRUE(lines[0].endsWith(tool->mode())) << qPrintable(lines[0]);
+      EXPECT_TRUE(lines[0].endsWith(tool->name())) << qPrintable(lines[0]);
     }
     const PreferencesDialog dialog(Preferences::read());
     EXPECT_GE(unmarked(&dialog), 10);
   }
   QCoreApplication::removeTranslator(&marker);
+}
+
+TEST(Tools, HaveOneNameEverywhereTheirOptionsAboveAndTheirDock)
+{
+  const Scene scene(false);
+  const auto* foot = scene.window.findChild<QLabel*>("mode");
+  const auto* options = scene.window.findChild<OptionsStack*>();
+  std::set<const QWidget*> pages;
+  const auto inStrip = scene.window.findChild<QToolBar*>("tools_strip")->actions();
+  const auto tools = scene.view->findChildren<Tool*>();
+  EXPECT_GE(tools.size(), 4);
+  for (const Tool* tool : tools)
+  {
+    const QString name = tool->name();
+    const auto isIts = [&](const QAction* one) { return one->text() == tool->title(); };
+    const auto entry = std::find_if(inStrip.begin(), inStrip.end(), isIts);
+    ASSERT_NE(entry, inStrip.end()) << qPrintable(name);
+    EXPECT_EQ((*entry)->iconText().replace('\n', ' '), name);
+    (*entry)->trigger();
+    EXPECT_EQ(foot->text(), name);
+    pages.insert(options->currentWidget());
+    const QString keys = scene.view->camera()->GetKeyList();
+    EXPECT_EQ(keys.section('\n', 0, 0), "Tool: " + name);
+    for (const Tool* other : tools)
+    {
+      EXPECT_TRUE(keys.simplified().contains(other->name())) << qPrintable(other->name());
+    }
+    for (const Tool* other : tools)
+    {
+      const auto* dock = scene.window.findChild<QDockWidget*>(other->objectName() + "_dock");
+      EXPECT_TRUE(!dock || dock->isVisible() == (other == tool)) << qPrintable(other->name());
+    }
+    if (const auto* dock = scene.window.findChild<QDockWidget*>(tool->objectName() + "_dock"))
+    {
+      EXPECT_EQ(dock->windowTitle(), name);
+      EXPECT_EQ(dock->toggleViewAction()->text().remove('&'), name);
+      EXPECT_TRUE(dock->features() & QDockWidget::DockWidgetFloatable);
+    }
+  }
+  EXPECT_EQ(pages.size(), static_cast<std::size_t>(tools.size()));
 }
 
 TEST(Preferences, AreKeptAndHold)

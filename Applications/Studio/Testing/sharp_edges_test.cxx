@@ -7,8 +7,16 @@
 #include "Harness/data.h"
 #include "Harness/polydata.h"
 
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTriangle.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 using namespace oversketch_session;
@@ -45,6 +53,47 @@ TEST(SharpEdges, OfSolidsAreSeenHoweverFinelyTheyAreDivided)
     EXPECT_EQ(split(shown(drumOf(around, along))), 2 * around) << around << " x " << along;
   }
   EXPECT_EQ(split(shown(icosphere(4))), 0);
+}
+
+TEST(SharpEdges, StayWhileAHandMovesTheMesh)
+{
+  const auto mesh = shown(boxOf(100));
+  SharpEdges edges;
+  const vtkIdType points = edges.look(mesh)->GetNumberOfPoints();
+  ASSERT_GT(points, mesh->GetNumberOfPoints());
+  vtkNew<vtkPolyData> leaning;
+  leaning->DeepCopy(mesh);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double at[3];
+    mesh->GetPoint(i, at);
+    leaning->GetPoints()->SetPoint(i, at[0] + 0.4 * at[1], at[1], at[2] - 0.2 * at[0]);
+  }
+  const auto look = edges.lookMoved(leaning);
+  ASSERT_EQ(look->GetNumberOfPoints(), points);
+  // Each face is as flat as a face of the box, up to its edges.
+  vtkDataArray* normals = look->GetPointData()->GetNormals();
+  vtkNew<vtkIdList> corners;
+  double least = 1.0;
+  for (vtkIdType cell = 0; cell < look->GetNumberOfCells(); ++cell)
+  {
+    look->GetCellPoints(cell, corners);
+    double place[3][3], flat[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      look->GetPoint(corners->GetId(i), place[i]);
+    }
+    vtkTriangle::ComputeNormal(place[0], place[1], place[2], flat);
+    for (int i = 0; i < 3; ++i)
+    {
+      least = std::min(least, vtkMath::Dot(flat, normals->GetTuple3(corners->GetId(i))));
+    }
+  }
+  EXPECT_GT(least, 0.9999);
+  // A mesh of other faces has its own edges, or none where it is large.
+  const auto other = shown(boxOf(99)), small = shown(boxOf(4));
+  EXPECT_EQ(edges.lookMoved(other), other);
+  EXPECT_EQ(edges.lookMoved(small)->GetNumberOfPoints(), SharpEdges().look(small)->GetNumberOfPoints());
 }
 
 TEST(SharpEdges, OfAnimalsAreNotMade)

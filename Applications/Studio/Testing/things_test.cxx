@@ -34,7 +34,7 @@ TEST(Things, PartsAreHiddenAndWrittenByThemselves)
   // Of two: each by itself, also by the file.
   sheet.open();
   sheet.line(beast());
-  sheet.document->addPart(sheet.file);
+  sheet.document->add(*sheet.document->partReader(sheet.file)());
   sheet.settle();
   auto* rows = sheet.window.findChild<QListWidget*>("history");
   rows->setCurrentRow(2);

@@ -89,11 +89,6 @@ QString AugmentTool::help() const
   return tr("Draw a line on the model, and it rises (B). The middle button always turns.");
 }
 
-QString AugmentTool::mode() const
-{
-  return tr("line");
-}
-
 // A surface, and a line's section that rises from it.
 QPainterPath AugmentTool::icon() const
 {

@@ -20,7 +20,6 @@ public:
   QString title() const override;
   QKeySequence key() const override;
   QString help() const override;
-  QString mode() const override;
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
   QString hint() const override;

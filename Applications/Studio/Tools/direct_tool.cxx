@@ -26,11 +26,6 @@ QString DirectTool::help() const
   return tr("Draw a line on the model and a ring round it, and drag the line (E)");
 }
 
-QString DirectTool::mode() const
-{
-  return tr("drag");
-}
-
 // Three axes on a line.
 QPainterPath DirectTool::icon() const
 {

@@ -5,8 +5,8 @@
 #include "flow_layout.h"
 #include "focus_frame.h"
 #include "message_words.h"
+#include "picture_files.h"
 #include "systems.h"
-#include "texture.h"
 #include "viewport.h"
 
 #include "vtkOversketchInteractorStyle.h"
@@ -98,11 +98,6 @@ QKeySequence DrawingTool::key() const
 QString DrawingTool::help() const
 {
   return tr("Draw round a shape in a picture, and it becomes a model (G)");
-}
-
-QString DrawingTool::mode() const
-{
-  return tr("drawing");
 }
 
 // A picture's corner, a line round something in it.
@@ -385,7 +380,7 @@ void DrawingTool::follow()
     vtkDataArray* canvas = drawing ? drawing->GetFieldData()->GetArray("Canvas") : nullptr;
     if (bytes)
     {
-      this->Pad->setPicture(oversketch_files::pictureOf(*bytes));
+      this->Pad->setPicture(takeDecoded(bytes));
     }
     else if (canvas && canvas->GetNumberOfValues() == 4)
     {

@@ -26,9 +26,8 @@ EditPanel::EditPanel(QWidget* canvas, const QString& title, const QString& name,
   , Picture(new QVTKOpenGLNativeWidget(this))
   , Controls(new QHBoxLayout)
 {
-  this->setWindowTitle(title);
   this->Picture->setObjectName(name);
-  this->Picture->setAccessibleName(QString(title).remove('&'));
+  this->Picture->setAccessibleName(title);
   this->Picture->setRenderWindow(this->Window);
   this->Window->AddRenderer(this->Renderer);
   this->Window->SetMultiSamples(samplesOfPixel);

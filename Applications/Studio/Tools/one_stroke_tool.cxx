@@ -24,11 +24,6 @@ QString OneStrokeTool::help() const
   return tr("Draw where an outline shall be (D). The middle button always turns.");
 }
 
-QString OneStrokeTool::mode() const
-{
-  return tr("draw");
-}
-
 // A limb, and the line that it is to follow.
 QPainterPath OneStrokeTool::icon() const
 {

@@ -83,7 +83,6 @@ ProfileEditor::ProfileEditor(QWidget* parent)
   , Presets(new QComboBox(this))
   , Curve(new ProfileCurve(this))
 {
-  this->setWindowTitle(tr("&Profile"));
   for (const Preset& preset : presets)
   {
     this->Presets->addItem(tr(preset.name));

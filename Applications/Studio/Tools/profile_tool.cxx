@@ -41,11 +41,6 @@ QString ProfileTool::help() const
   return tr("Draw a line on the model and a ring round it, and redraw its cross-section (A)");
 }
 
-QString ProfileTool::mode() const
-{
-  return tr("profile");
-}
-
 // A section, drawn higher.
 QPainterPath ProfileTool::icon() const
 {
@@ -78,7 +73,7 @@ QString ProfileTool::way() const
 
 QWidget* ProfileTool::makePanel(QWidget* parent)
 {
-  this->Panel = new EditPanel(this->viewport(), tr("Pro&file"), "profile_picture", parent);
+  this->Panel = new EditPanel(this->viewport(), tr("Profile"), "profile_picture", parent);
   this->Panel->addControl(new QLabel(tr("Draw over the section: the model follows."), this->Panel));
   vtkOversketchProfilePlaneWidget* planes = this->hand().widget()->GetProfilePlaneWidget();
   planes->GetPen()->CommitOnReleaseOn(); // a stroke can be undone

@@ -62,7 +62,7 @@ ShadeTool::~ShadeTool()
 
 QString ShadeTool::title() const
 {
-  return tr("S&hade");
+  return tr("Sh&ade");
 }
 
 QKeySequence ShadeTool::key() const
@@ -74,11 +74,6 @@ QString ShadeTool::help() const
 {
   return tr(
     "Draw a line on the model and a ring round it, and say by grey layers how far the model follows (S)");
-}
-
-QString ShadeTool::mode() const
-{
-  return tr("shade");
 }
 
 // Layers round a line.
@@ -113,7 +108,7 @@ QString ShadeTool::way() const
 
 QWidget* ShadeTool::makePanel(QWidget* parent)
 {
-  this->Panel = new EditPanel(this->viewport(), tr("D&isc"), "disc_picture", parent);
+  this->Panel = new EditPanel(this->viewport(), tr("Disc"), "disc_picture", parent);
   this->Lasso = new QToolButton(this->Panel);
   this->Lasso->setObjectName("disc_lasso");
   this->Lasso->setText(tr("Lasso"));

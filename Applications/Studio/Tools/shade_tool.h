@@ -26,7 +26,6 @@ public:
   QString title() const override;
   QKeySequence key() const override;
   QString help() const override;
-  QString mode() const override;
   QPainterPath icon() const override;
   QWidget* makePanel(QWidget* parent) override;
   void setDark(bool dark) override;

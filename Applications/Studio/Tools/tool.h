@@ -31,13 +31,13 @@ class Tool : public QObject
 public:
   using QObject::QObject;
 
-  // Its name for menus, with its letter; its key; what it does, in a sentence; what the hand does with it, in
-  // a word; its picture in lines, in a square of 24.
+  // Its name, with its letter for menus; its key; what it does, in a sentence; its picture in lines, in a
+  // square of 24.
   virtual QString title() const = 0;
   virtual QKeySequence key() const = 0;
   virtual QString help() const = 0;
-  virtual QString mode() const = 0;
   virtual QPainterPath icon() const = 0;
+  QString name() const { return this->title().remove('&'); }
   // What mouse and keys do with it: pairs of keys and words, for the list of keys.
   virtual QVector<QPair<QString, QString>> keys() const = 0;
   // What the pressure of a pen does with it.
@@ -71,7 +71,7 @@ public:
   virtual void setOptions(const oversketch_session::Values&) {}
   // What else can be done with it while it is in the hand, for a menu.
   virtual QList<QAction*> actions() const { return {}; }
-  // A second view of what it makes, for a panel beside the viewport, whose title is the widget's; null: none.
+  // A second view of what it makes, for a panel beside the viewport; null: none.
   virtual QWidget* makePanel(QWidget*) { return nullptr; }
 
   // It is taken up, and put down.

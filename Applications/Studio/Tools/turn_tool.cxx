@@ -28,11 +28,6 @@ QString TurnTool::help() const
   return tr("The left button rotates the model (T)");
 }
 
-QString TurnTool::mode() const
-{
-  return tr("rotate");
-}
-
 // An arrow round an upright axis.
 QPainterPath TurnTool::icon() const
 {

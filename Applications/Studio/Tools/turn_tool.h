@@ -19,7 +19,6 @@ public:
   QString title() const override;
   QKeySequence key() const override;
   QString help() const override;
-  QString mode() const override;
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
   QString advice(const Situation& situation) const override;

@@ -48,11 +48,6 @@ QString PushTool::help() const
   return tr("Draw two lines round a part; the picture pushes it (P)");
 }
 
-QString PushTool::mode() const
-{
-  return tr("push");
-}
-
 QPainterPath PushTool::icon() const
 {
   QPainterPath path;
