@@ -1,5 +1,5 @@
 """In pvpython and in the Python of the VTK build: VTK's version, then the meshes that the shipped strokes make, remeshed and not, the
-shipped edits, and the shipped drawings over their pictures, as digests.
+shipped edits, the shipped drawings over their pictures, and an edit and a drawing by lines in space, as digests.
 
 usage: shipped.py DATA"""
 import hashlib
@@ -8,8 +8,11 @@ import sys
 
 import oversketch
 from digest import digest
+from space import CAMERA, LINE, MUG, OVER_PICTURE, RING
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkPolyLineSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -54,3 +57,34 @@ for path in listing.drawings():
     mesh = oversketch.update(inflate)
     worn = hashlib.md5(vtk_to_numpy(mesh.GetPointData().GetTCoords()).tobytes()).hexdigest()
     print(path.stem, "inflated", mesh.GetNumberOfPoints(), "wears", worn, digest(mesh))
+
+
+def drawn(lines, camera):
+    """Polylines in space as the strokes that they are in a view."""
+    together, strokes = vtkAppendPolyData(), oversketch.vtkOversketchViewStroke()
+    for points, closed in lines:
+        source = vtkPolyLineSource()
+        source.Resize(len(points))
+        for index, point in enumerate(points):
+            source.SetPoint(index, *point)
+        source.SetClosed(closed)
+        together.AddInputConnection(source.GetOutputPort())
+    strokes.SetInputConnection(together.GetOutputPort())
+    for name, value in camera.items():
+        getattr(strokes, "Set" + name)(value)
+    return strokes
+
+
+model.SetFileName(str(data / "Models" / "hand.ply"))
+edit = oversketch.vtkOversketchEdit()
+line, ring, mug = drawn([(LINE, 0)], CAMERA), drawn([(RING, 0)], CAMERA), drawn(MUG, OVER_PICTURE)
+for port, source in enumerate((model, line, ring)):
+    edit.SetInputConnection(port, source.GetOutputPort())
+edit.SetOperations("move 0.5 n 0.1")
+print("edited in space", digest(oversketch.update(edit)))
+inflate = oversketch.vtkOversketchInflateDrawing()
+picture.SetFileName(str(data / "Drawings" / "mug.png"))
+inflate.SetInputConnection(0, mug.GetOutputPort())
+inflate.SetInputConnection(1, picture.GetOutputPort())
+inflate.SetHoles("1")
+print("sketched in space", digest(oversketch.update(inflate)))

@@ -2,6 +2,7 @@
 
 #include "pqActiveObjects.h"
 #include "pqView.h"
+#include "vtkCamera.h"
 #include "vtkSMIntVectorProperty.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
@@ -57,6 +58,11 @@ void pqOversketchCamera::takeCamera()
     vtkSMProperty* property = this->Group->GetProperty(i);
     const char* name = this->Group->GetFunction(property);
     this->Taken[property] = vtkSMPropertyHelper(camera, name).GetDoubleArray();
+    if (QString(name) == "CameraParallelProjection")
+    {
+      // A view in 2D is parallel whatever this property of it says.
+      this->Taken[property] = { static_cast<double>(camera->GetActiveCamera()->GetParallelProjection()) };
+    }
   }
   this->Said->setText(tr("Drawn over %1.").arg(view->getSMName()));
   Q_EMIT this->changeAvailable();
