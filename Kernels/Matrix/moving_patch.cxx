@@ -13,43 +13,70 @@ namespace
 
 constexpr double foldCosine = -0.5; // of 120 degrees
 
-// Ascending, each once.
-void tidy(std::vector<int>& ids)
+// Ascending, each once; of ids below a count.
+class Ids
 {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
+public:
+  explicit Ids(std::size_t count)
+    : Chosen(count, 0)
+  {
+  }
+  template <typename Iterator>
+  void add(Iterator begin, Iterator end)
+  {
+    for (; begin != end; ++begin)
+    {
+      this->Chosen[*begin] = 1;
+    }
+  }
+  std::vector<int> list() const
+  {
+    std::vector<int> ids;
+    for (std::size_t id = 0; id < this->Chosen.size(); ++id)
+    {
+      if (this->Chosen[id])
+      {
+        ids.push_back(static_cast<int>(id));
+      }
+    }
+    return ids;
+  }
 
-std::vector<int> facesAround(const Adjacency& adjacency, const std::vector<int>& vertices)
+private:
+  std::vector<char> Chosen;
+};
+
+std::vector<int> facesAround(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& vertices)
 {
-  std::vector<int> faces;
+  Ids faces(mesh.triangles.size());
   for (const int v : vertices)
   {
-    faces.insert(faces.end(), adjacency.vertexTriangles.begin(v), adjacency.vertexTriangles.end(v));
+    faces.add(adjacency.vertexTriangles.begin(v), adjacency.vertexTriangles.end(v));
   }
-  tidy(faces);
-  return faces;
+  return faces.list();
 }
 
-std::vector<int> cornersOf(const Mesh& mesh, const std::vector<int>& faces)
+// With some others.
+std::vector<int> cornersOf(const Mesh& mesh,
+  const std::vector<int>& faces,
+  const std::vector<int>& others = {})
 {
-  std::vector<int> vertices;
+  Ids vertices(mesh.points.size());
   for (const int t : faces)
   {
-    vertices.insert(vertices.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+    vertices.add(mesh.triangles[t].begin(), mesh.triangles[t].end());
   }
-  tidy(vertices);
-  return vertices;
+  vertices.add(others.begin(), others.end());
+  return vertices.list();
 }
 
-// The place of each of some ids in an ascending list that has them all.
-std::vector<int> placesIn(const std::vector<int>& list, const std::vector<int>& ids)
+// The place of each id in an ascending list; -1: it is not there.
+std::vector<int> placesIn(const std::vector<int>& list, std::size_t count)
 {
-  std::vector<int> places;
-  places.reserve(ids.size());
-  for (const int id : ids)
+  std::vector<int> places(count, -1);
+  for (std::size_t i = 0; i < list.size(); ++i)
   {
-    places.push_back(static_cast<int>(std::lower_bound(list.begin(), list.end(), id) - list.begin()));
+    places[list[i]] = static_cast<int>(i);
   }
   return places;
 }
@@ -133,23 +160,22 @@ OVERSKETCH_CLONES void measure(FaceBatch& batch)
 MovingPatch::MovingPatch(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& moving)
   : Moving(moving)
   , Rest(chosen(mesh.points, moving))
-  , Faces(facesAround(adjacency, moving))
+  , Faces(facesAround(mesh, adjacency, moving))
   , Touched(cornersOf(mesh, this->Faces))
 {
-  const std::vector<int> near = facesAround(adjacency, this->Touched);
-  std::vector<int> corners = cornersOf(mesh, near);
-  corners.insert(corners.end(), moving.begin(), moving.end()); // those without faces
-  tidy(corners);
+  const std::vector<int> near = facesAround(mesh, adjacency, this->Touched);
+  const std::vector<int> corners = cornersOf(mesh, near, moving); // with those without faces
+  const std::vector<int> vertexPlace = placesIn(corners, mesh.points.size()),
+                         facePlace = placesIn(near, mesh.triangles.size());
   this->Near.points = chosen(mesh.points, corners);
   for (const int t : near)
   {
     const Triangle& c = mesh.triangles[t];
-    const std::vector<int> places = placesIn(corners, { c[0], c[1], c[2] });
-    this->Near.triangles.push_back({ places[0], places[1], places[2] });
+    this->Near.triangles.push_back({ vertexPlace[c[0]], vertexPlace[c[1]], vertexPlace[c[2]] });
   }
-  this->MovingPlaces = placesIn(corners, moving);
-  this->TouchedPlaces = placesIn(corners, this->Touched);
-  this->FacePlaces = placesIn(near, this->Faces);
+  this->MovingPlaces = chosen(vertexPlace, moving);
+  this->TouchedPlaces = chosen(vertexPlace, this->Touched);
+  this->FacePlaces = chosen(facePlace, this->Faces);
 
   const Lists around = trianglesAround(this->Near);
   this->Corners.offsets.push_back(0);
@@ -168,26 +194,25 @@ MovingPatch::MovingPatch(const Mesh& mesh, const Adjacency& adjacency, const std
     this->Corners.offsets.push_back(static_cast<int>(this->Corners.values.size()));
   }
 
-  std::vector<int> edges;
+  Ids joints(adjacency.edges.size());
   for (const int t : this->Faces)
   {
     for (const int e : adjacency.triangleEdges[t])
     {
       if (e >= 0 && adjacency.edges[e].triangleCount == 2)
       {
-        edges.push_back(e);
+        joints.add(&e, &e + 1);
       }
     }
   }
-  tidy(edges);
   const std::vector<Vector3> before = this->measured(Context()).normals;
-  for (const int e : edges)
+  for (const int e : joints.list())
   {
     const int* sides = adjacency.trianglesBegin(e);
-    const std::vector<int> places = placesIn(near, { sides[0], sides[1] });
+    const std::array<int, 2> places{ facePlace[sides[0]], facePlace[sides[1]] };
     if (before[places[0]].dot(before[places[1]]) >= foldCosine)
     {
-      this->Joints.push_back({ places[0], places[1] });
+      this->Joints.push_back(places);
     }
   }
 }

@@ -117,12 +117,54 @@ void requireInside(const std::vector<int>& reference, const Enclosed& enclosed)
   }
 }
 
-void requireRoomOutside(const Mesh& mesh, const Adjacency& adjacency, const Mesh& inside, int seed)
+// Whether there is so much area next to the region, over edges. faces: as Enclosed has them.
+bool hasNextToIt(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& faces,
+  int seed,
+  double area)
+{
+  std::vector<char> reached(faces.size(), 0);
+  std::vector<int> front{ seed };
+  reached[seed] = 1;
+  double found = 0.0;
+  for (std::size_t i = 0; i < front.size() && !(found >= area); ++i)
+  {
+    for (const int edge : adjacency.triangleEdges[front[i]])
+    {
+      for (const int* t = edge < 0 ? nullptr : adjacency.trianglesBegin(edge);
+           t && t != adjacency.trianglesEnd(edge);
+           ++t)
+      {
+        if (reached[*t] == 0)
+        {
+          const Triangle& c = mesh.triangles[*t];
+          const Vector3& p = mesh.points[c[0]];
+          found += faces[*t] == 2 ? 0.0 : 0.5 * (mesh.points[c[1]] - p).cross(mesh.points[c[2]] - p).norm();
+          reached[*t] = 1;
+          front.push_back(*t);
+        }
+      }
+    }
+  }
+  return found >= area;
+}
+
+void requireRoomOutside(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<char>& faces,
+  const Mesh& inside,
+  int seed)
 {
   const std::vector<double> areas = vertexAreas(inside);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  // Of a small region that is seen without a look at the whole mesh.
+  if (hasNextToIt(mesh, adjacency, faces, seed, 1.01 * area * (1.0 - largestShare) / largestShare))
+  {
+    return;
+  }
   const MeshParts parts = findParts(mesh, adjacency);
-  const double share =
-    std::accumulate(areas.begin(), areas.end(), 0.0) / parts.partAreas[parts.of[mesh.triangles[seed][0]]];
+  const double share = area / parts.partAreas[parts.of[mesh.triangles[seed][0]]];
   if (!(share <= largestShare))
   {
     const int percent = std::isfinite(share) ? static_cast<int>(std::lround(100.0 * share)) : 100;
@@ -179,7 +221,7 @@ Enclosed enclose(const Mesh& mesh,
 
   requireInside(reference, enclosed);
   const Mesh inside = extractFaces(mesh, enclosed.faces, 2).mesh;
-  requireRoomOutside(mesh, adjacency, inside, seed);
+  requireRoomOutside(mesh, adjacency, enclosed.faces, inside, seed);
   discBorder(inside, buildAdjacency(inside, context));
   return enclosed;
 }
