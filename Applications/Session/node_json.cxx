@@ -364,6 +364,10 @@ Json::Value jsonOf(const Picture& picture, const EntryWriter& entries)
   json["frame"] = entries.lines(picture.frame);
   json["opacity"] = picture.opacity;
   json["shown"] = picture.shown;
+  if (picture.locked)
+  {
+    json["locked"] = true;
+  }
   return json;
 }
 
@@ -374,6 +378,7 @@ Picture pictureOf(const JsonReader& json, EntryReader& entries)
   picture.frame = entries.lines(json.text("frame"));
   picture.opacity = json.number("opacity");
   picture.shown = json.yes("shown");
+  picture.locked = json.has("locked") && json.yes("locked");
   if (!(picture.opacity >= 0.0 && picture.opacity <= 1.0))
   {
     json.refuse("opacity", "is not between 0 and 1");

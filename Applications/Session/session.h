@@ -54,7 +54,7 @@ struct Picture
   Image image;
   Lines frame; // a stroke with its view, from the picture's lower left corner to its upper right one
   double opacity = 1.0;
-  bool shown = true;
+  bool shown = true, locked = false;
 };
 using Pictures = std::vector<std::shared_ptr<const Picture>>;
 

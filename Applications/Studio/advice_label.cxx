@@ -1,7 +1,9 @@
 #include "advice_label.h"
 
+#include <QHelpEvent>
 #include <QPainter>
 #include <QStyle>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -11,7 +13,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr double smallest = 0.6; // of the window's letters
+constexpr double smallest = 0.85; // of the window's letters
 
 } // namespace
 
@@ -29,17 +31,42 @@ QFont AdviceLabel::fitting() const
 {
   QFont font = this->font();
   const double whole = font.pointSizeF();
-  const auto isWhole = [&]
+  for (double size = whole; !this->fits(this->text(), font) && size > smallest * whole;)
   {
-    return QFontMetrics(font)
-             .boundingRect(this->room(QWIDGETSIZE_MAX), Qt::TextWordWrap, this->text())
-             .height() <= this->height();
-  };
-  for (double size = whole; size > smallest * whole && !isWhole(); size -= 0.5)
-  {
+    size = std::max(size - 0.5, smallest * whole);
     font.setPointSizeF(size);
   }
   return font;
+}
+
+QString AdviceLabel::shown() const
+{
+  const QFont font = this->fitting();
+  const QString text = this->text();
+  if (this->fits(text, font))
+  {
+    return text;
+  }
+  int most = 0; // words, each with the space before it
+  for (int end = text.indexOf(' '); end >= 0 && this->fits(text.left(end) + QChar(0x2026), font);
+       end = text.indexOf(' ', end + 1))
+  {
+    most = end;
+  }
+  return text.left(most) + QChar(0x2026);
+}
+
+bool AdviceLabel::event(QEvent* event)
+{
+  if (event->type() != QEvent::ToolTip)
+  {
+    return QLabel::event(event);
+  }
+  // The whole, where it is not seen; names of files may look like markup.
+  const QString whole =
+    this->shown() == this->text() ? QString() : "<p>" + this->text().toHtmlEscaped() + "</p>";
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), whole, this);
+  return true;
 }
 
 // A label that wraps by itself asks its window for more height than it needs.
@@ -52,8 +79,14 @@ void AdviceLabel::paintEvent(QPaintEvent*)
     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
     this->palette(),
     this->isEnabled(),
-    this->text(),
+    this->shown(),
     this->foregroundRole());
+}
+
+bool AdviceLabel::fits(const QString& text, const QFont& font) const
+{
+  return QFontMetrics(font).boundingRect(this->room(QWIDGETSIZE_MAX), Qt::TextWordWrap, text).height() <=
+         this->height();
 }
 
 QRect AdviceLabel::room(int height) const

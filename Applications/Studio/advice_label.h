@@ -1,5 +1,6 @@
-// What to do next, at the foot of the window: two lines high, so that the view keeps its size, in smaller
-// letters where it needs more.
+// What to do next, at the foot of the window: two lines high, so that the view keeps its size. Where it needs
+// more its letters are a little smaller, and where that is not enough it ends in three points and its tool
+// tip has the whole.
 #ifndef oversketch_studio_advice_label_h
 #define oversketch_studio_advice_label_h
 
@@ -14,14 +15,17 @@ class AdviceLabel : public QLabel
 
 public:
   explicit AdviceLabel(QWidget* parent = nullptr);
-  // The letters in which all of it is seen.
+  // The letters in which it is seen, and what is seen of it.
   QFont fitting() const;
+  QString shown() const;
 
 protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
   QRect room(int height) const;
+  bool fits(const QString& text, const QFont& font) const;
 };
 
 } // namespace oversketch_studio

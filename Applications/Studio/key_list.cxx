@@ -13,7 +13,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int columns = 66; // in a narrow view they are still legible
+constexpr int columns = 60; // in a narrow view they are still legible
 constexpr int toolsOfARow = 3;
 
 struct Texts

@@ -77,7 +77,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
       const int at = this->current();
       if (!this->Filling && at >= 0 && !this->Opacity->isSliderDown())
       {
-        Picture picture = *this->OpenDocument->session().pictures[static_cast<std::size_t>(at)];
+        Picture picture = this->pictureAt(this->rowAt(this->List->currentRow()));
         picture.opacity = 0.01 * percent;
         this->OpenDocument->setPicture(at, picture);
       }
@@ -100,7 +100,8 @@ void ScenePanel::makeActions()
   this->View->setToolTip(tr("Look from where the selected picture is seen"));
   this->Lock->setText(tr("Lock"));
   this->Lock->setCheckable(true);
-  this->Lock->setToolTip(tr("A locked model takes no strokes"));
+  this->Lock->setToolTip(
+    tr("A locked model takes no strokes; a locked picture keeps its opacity and is not removed"));
   this->Remove->setText(tr("Remove"));
   this->Remove->setToolTip(tr("Take the selected model or picture out of the scene"));
   connect(this->AddModel, &QAction::triggered, this, &ScenePanel::modelAsked);
@@ -169,6 +170,11 @@ ScenePanel::Row ScenePanel::rowAt(int at) const
 int ScenePanel::current() const
 {
   return this->rowAt(this->List->currentRow()).picture;
+}
+
+Picture ScenePanel::pictureAt(const Row& row) const
+{
+  return *this->OpenDocument->session().pictures[static_cast<std::size_t>(row.picture)];
 }
 
 void ScenePanel::refresh()
@@ -277,8 +283,9 @@ void ScenePanel::list()
   }
   for (std::size_t i = 0; i < session.pictures.size(); ++i)
   {
+    const QString name = QString::fromStdString(session.pictures[i]->image.name);
     this->addRow({ -1, -1, static_cast<int>(i) },
-      QString::fromStdString(session.pictures[i]->image.name),
+      session.pictures[i]->locked ? tr("%1 (locked)").arg(name) : name,
       tr("A picture behind the model, seen in the view that it was put there in"),
       session.pictures[i]->shown);
   }
@@ -295,15 +302,16 @@ void ScenePanel::showSelected()
   this->AddPicture->setEnabled(open);
   this->Add->setEnabled(open);
   this->View->setEnabled(isPicture);
-  this->Lock->setEnabled(isModel);
-  this->Lock->setChecked(
-    isModel && modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model)).scene.locked);
-  this->Remove->setEnabled(isPicture || (isModel && several && row.part < 0));
-  this->Opacity->setEnabled(isPicture);
+  const Picture picture = isPicture ? this->pictureAt(row) : Picture();
+  const bool locked =
+    isModel ? modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model)).scene.locked
+            : picture.locked;
+  this->Lock->setEnabled(isModel || isPicture);
+  this->Lock->setChecked(locked);
+  this->Remove->setEnabled((isPicture && !locked) || (isModel && several && row.part < 0));
+  this->Opacity->setEnabled(isPicture && !locked);
   this->Filling = true;
-  const double opacity =
-    isPicture ? this->OpenDocument->session().pictures[static_cast<std::size_t>(row.picture)]->opacity : 1.0;
-  this->Opacity->setValue(static_cast<int>(std::lround(100.0 * opacity)));
+  this->Opacity->setValue(static_cast<int>(std::lround(100.0 * picture.opacity)));
   this->Filling = false;
 }
 
@@ -356,7 +364,7 @@ void ScenePanel::setShown(int at, bool shown)
   const Session& session = this->OpenDocument->session();
   if (row.picture >= 0)
   {
-    Picture picture = *session.pictures[static_cast<std::size_t>(row.picture)];
+    Picture picture = this->pictureAt(row);
     picture.shown = shown;
     this->OpenDocument->setPicture(row.picture, picture);
   }
@@ -374,11 +382,17 @@ void ScenePanel::setShown(int at, bool shown)
 
 void ScenePanel::lock(bool locked)
 {
-  const int model = this->rowAt(this->List->currentRow()).model;
-  if (model >= 0)
+  const Row row = this->rowAt(this->List->currentRow());
+  if (row.picture >= 0)
   {
-    const Session& of = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(model));
-    this->OpenDocument->setModel(model, of.scene.shown, locked);
+    Picture picture = this->pictureAt(row);
+    picture.locked = locked;
+    this->OpenDocument->setPicture(row.picture, picture);
+  }
+  else if (row.model >= 0)
+  {
+    const Session& of = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model));
+    this->OpenDocument->setModel(row.model, of.scene.shown, locked);
   }
 }
 

@@ -3,6 +3,8 @@
 #ifndef oversketch_studio_scene_panel_h
 #define oversketch_studio_scene_panel_h
 
+#include "session.h"
+
 #include <QWidget>
 
 #include <set>
@@ -55,6 +57,7 @@ private:
   Row rowAt(int at) const;
   // The selected picture, or -1.
   int current() const;
+  oversketch_session::Picture pictureAt(const Row& row) const;
   void list();
   void findParts();
   void hideParts();

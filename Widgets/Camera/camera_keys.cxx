@@ -104,17 +104,4 @@ std::string cameraHelp(bool drawing)
   return list;
 }
 
-std::pair<int, int> extentOf(const std::string& text)
-{
-  int lines = 1, columns = 1, column = 0;
-  for (const char c : text)
-  {
-    const bool ends = c == '\n', continues = (c & 0xC0) == 0x80;
-    lines += ends;
-    column = ends ? 0 : column + !continues;
-    columns = std::max(columns, column);
-  }
-  return { lines, columns };
-}
-
 } // namespace oversketch

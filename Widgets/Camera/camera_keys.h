@@ -3,7 +3,6 @@
 #define oversketch_camera_keys_h
 
 #include <string>
-#include <utility>
 
 namespace oversketch
 {
@@ -35,9 +34,6 @@ CameraAction cameraAction(const std::string& keySymbol, bool shift);
 
 // What is shown on screen: the mode, and a line for each drag and key; at most 26 lines of 58 characters.
 std::string cameraHelp(bool drawing);
-
-// Lines, and characters of the longest one, of UTF-8 text; at least 1.
-std::pair<int, int> extentOf(const std::string& text);
 
 } // namespace oversketch
 #endif

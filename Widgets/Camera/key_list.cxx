@@ -1,15 +1,19 @@
 #include "key_list.h"
 
-#include "camera_keys.h"
-
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
-#include <algorithm>
-
 namespace oversketch
 {
+
+namespace
+{
+
+constexpr int largestLetters = 14, leastLetters = 6;
+
+} // namespace
 
 KeyList::KeyList()
 {
@@ -38,12 +42,21 @@ void KeyList::show(vtkRenderer* in, const std::string& text)
     return;
   }
   this->Actor->SetInput(text.c_str());
-  // As large as fits, up to a size that reads well.
-  const auto [lines, columns] = extentOf(text);
-  const int* size = in->GetSize();
-  this->Actor->GetTextProperty()->SetFontSize(
-    std::clamp(static_cast<int>(std::min(size[0] / (columns * 0.62), size[1] / (lines * 1.25))), 6, 14));
   in->AddViewProp(this->Actor);
+  // As large as fits beside the margin at each side, up to a size that reads well.
+  const int* size = in->GetSize();
+  const auto fits = [&]
+  {
+    double box[4];
+    this->Actor->GetBoundingBox(in, box);
+    return box[1] - box[0] <= 0.98 * size[0] && box[3] - box[2] <= 0.98 * size[1];
+  };
+  int letters = largestLetters;
+  this->Actor->GetTextProperty()->SetFontSize(letters);
+  while (in->GetRenderWindow() && letters > leastLetters && !fits())
+  {
+    this->Actor->GetTextProperty()->SetFontSize(--letters);
+  }
 }
 
 } // namespace oversketch

@@ -354,6 +354,7 @@ TEST(SessionFile2, PicturesOfTheSceneComeBack)
   picture.frame = Lines(frame);
   picture.opacity = 0.25;
   picture.shown = false;
+  picture.locked = true;
   file.session.pictures.push_back(std::make_shared<Picture>(picture));
   const Package package = Encoder().encode(file);
   EXPECT_NE(jsonOf(package).find("\"format_version\" : 2"), std::string::npos);
@@ -364,6 +365,7 @@ TEST(SessionFile2, PicturesOfTheSceneComeBack)
   EXPECT_EQ(*back.image.bytes, *picture.image.bytes);
   EXPECT_EQ(back.opacity, 0.25);
   EXPECT_FALSE(back.shown);
+  EXPECT_TRUE(back.locked);
   EXPECT_EQ(jsonOf(Encoder().encode(read)), jsonOf(package));
   const auto refusal = [&](const std::string& from, const std::string& to)
   { return refusalOf([&] { decode(edited(package, from, to), "x"); }); };

@@ -1,9 +1,14 @@
 // The window as large or small as screens are, dark and light, each tool in the hand and its docks open:
 // nothing lies over another, nothing is cut off, no room is wasted.
+#include "advice_label.h"
 #include "options_stack.h"
 #include "overlays.h"
 #include "scene.h"
 #include "tool.h"
+
+#include "vtkOversketchInteractorStyle.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
@@ -11,6 +16,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QHelpEvent>
 #include <QLayout>
 #include <QLineEdit>
 #include <QListWidget>
@@ -20,6 +26,7 @@
 #include <QSplitter>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolTip>
 
 #include <iostream>
 #include <set>
@@ -157,6 +164,48 @@ void expectHintBeside(Scene& scene)
   }
 }
 
+// The list of keys: whole and legible.
+void expectKeysLegible(Scene& scene)
+{
+  const std::string keys = scene.view->camera()->GetKeyList();
+  vtkTextActor* list = nullptr;
+  auto* props = scene.renderer()->GetViewProps();
+  props->InitTraversal();
+  while (vtkProp* prop = props->GetNextProp())
+  {
+    auto* text = vtkTextActor::SafeDownCast(prop);
+    list = text && text->GetInput() && keys == text->GetInput() ? text : list;
+  }
+  ASSERT_TRUE(list);
+  EXPECT_GE(list->GetTextProperty()->GetFontSize(), 8);
+  double box[4]; // from where it stands
+  list->GetBoundingBox(scene.renderer(), box);
+  const int* size = scene.renderer()->GetSize();
+  EXPECT_LE(box[1] - box[0], 0.99 * size[0]);
+  EXPECT_LE(box[3] - box[2], 0.99 * size[1]);
+}
+
+// What to do next, where it is longer than two lines: in letters that can be read, the whole in its tool tip.
+void expectLongAdviceLegible(Scene& scene)
+{
+  auto* advice = scene.window.findChild<AdviceLabel*>();
+  const QString said = advice->text();
+  QString text;
+  while (text.size() < 400)
+  {
+    text += "The result is not as drawn: what lies beside the stroke moved too. ";
+  }
+  advice->setText(text);
+  EXPECT_GE(advice->fitting().pointSizeF(), 0.849 * advice->font().pointSizeF());
+  const bool isWhole = advice->shown() == text;
+  EXPECT_TRUE(isWhole || (advice->shown().size() > 100 && advice->shown().endsWith(QChar(0x2026))));
+  QHelpEvent asked(QEvent::ToolTip, { 5, 5 }, advice->mapToGlobal(QPoint(5, 5)));
+  QApplication::sendEvent(advice, &asked);
+  EXPECT_EQ(QToolTip::text().contains(text), !isWhole);
+  QToolTip::hideText();
+  advice->setText(said);
+}
+
 } // namespace
 
 // In pixels as Qt counts them; a run with QT_SCALE_FACTOR=2 has twice as many. OVERSKETCH_SHOTS=FOLDER keeps
@@ -221,6 +270,20 @@ TEST(Layout, NothingIsCutOffOnAnyScreen)
         SCOPED_TRACE(qPrintable(name));
         EXPECT_EQ(scene.window.size(), size);
         expectInOrder(scene);
+        const auto* advice = scene.window.findChild<AdviceLabel*>();
+        EXPECT_GE(advice->fitting().pointSizeF(), 0.849 * advice->font().pointSizeF());
+        if (size.width() == 800 && !light)
+        {
+          QTest::keyClick(scene.view, Qt::Key_F1);
+          QApplication::processEvents();
+          expectKeysLegible(scene);
+          if (!shots.isEmpty())
+          {
+            EXPECT_TRUE(scene.window.grab().save(QDir(shots).filePath(name + "_keys.png")));
+          }
+          QTest::keyClick(scene.view, Qt::Key_F1);
+          expectLongAdviceLegible(scene);
+        }
         ++looked;
         if (!shots.isEmpty())
         {

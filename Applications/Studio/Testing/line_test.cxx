@@ -4,6 +4,7 @@
 #include "files.h"
 #include "profile_editor.h"
 #include "scene.h"
+#include "step_panel.h"
 #include "tool.h"
 
 #include "vtkCamera.h"
@@ -380,6 +381,21 @@ TEST(Line, StandsInOneHistoryWithOutlines)
   EXPECT_EQ(scene.step(0).system, "OneStroke");
   EXPECT_EQ(scene.step(1).system, "Augment");
   EXPECT_EQ(scene.failures(), "");
+  // One list of them, each with its tick and its picture, and a form of its kind.
+  auto* list = scene.window.findChild<QListWidget*>("history");
+  ASSERT_EQ(list->count(), 2);
+  const auto* form = scene.window.findChild<StepPanel*>();
+  std::set<const QWidget*> forms;
+  for (int row = 0; row < 2; ++row)
+  {
+    const auto hasPicture = [&] { return scene.document->result().nodes[indexOf(row)].picture != nullptr; };
+    EXPECT_TRUE(QTest::qWaitFor(hasPicture, 60000));
+    EXPECT_EQ(list->item(row)->checkState(), Qt::Checked);
+    list->setCurrentRow(row);
+    forms.insert(form->currentWidget());
+  }
+  EXPECT_EQ(forms.size(), 2u);
+  list->setCurrentRow(-1);
   const std::string both = scene.document->digest();
   const Values lengths = scene.step(1).values;
   // The outline is edited, the line follows in its own lengths.

@@ -1,10 +1,13 @@
 // Pictures behind the model: listed, seen in their view alone, undone, kept.
 #include "scene.h"
+#include "scene_panel.h"
 
 #include <QDropEvent>
 #include <QListWidget>
 #include <QMimeData>
+#include <QSlider>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QUrl>
 
 using namespace oversketch_studio;
@@ -12,8 +15,8 @@ using namespace oversketch_studio;
 namespace
 {
 
-// Pixels of pure magenta that the view shows.
-int magenta(Viewport* view)
+// Pixels of magenta that the view shows, pure but for so much of 255.
+int magenta(Viewport* view, int faded = 4)
 {
   QTest::qWait(50); // the frame that was asked for
   const QImage image = view->grabFramebuffer();
@@ -23,7 +26,7 @@ int magenta(Viewport* view)
     for (int x = 0; x < image.width(); ++x)
     {
       const QColor c = image.pixelColor(x, y);
-      found += c.red() > 250 && c.green() < 5 && c.blue() > 250;
+      found += c.red() >= 255 - faded && c.green() <= faded && c.blue() >= 255 - faded;
     }
   }
   return found;
@@ -65,6 +68,53 @@ TEST(Pictures, AreSeenInTheirViewAndKept)
   EXPECT_EQ(magenta(scene.view), 0);
   QTest::keyClick(scene.view, Qt::Key_W);
   EXPECT_NEAR(magenta(scene.view), seen, edges);
+  QTest::keyClick(scene.view, Qt::Key_X);
+  EXPECT_EQ(magenta(scene.view), 0);
+  QToolButton *its = nullptr, *lock = nullptr, *remove = nullptr;
+  for (auto* button : scene.window.findChild<ScenePanel*>()->findChildren<QToolButton*>())
+  {
+    its = button->text() == "Its view" ? button : its;
+    lock = button->text() == "Lock" ? button : lock;
+    remove = button->text() == "Remove" ? button : remove;
+  }
+  ASSERT_TRUE(its && lock && remove);
+  QTest::mouseClick(its, Qt::LeftButton);
+  EXPECT_NEAR(magenta(scene.view), seen, edges);
+  // Fainter, down to nothing; each a step of undo.
+  auto* opacity = scene.window.findChild<ScenePanel*>()->findChild<QSlider*>();
+  const auto given = [&] { return scene.document->session().pictures.at(0)->opacity; };
+  QTest::keyClick(opacity, Qt::Key_PageDown);
+  EXPECT_EQ(given(), 0.9);
+  EXPECT_EQ(magenta(scene.view), 0);
+  EXPECT_NEAR(magenta(scene.view, 50), seen, edges);
+  QTest::keyClick(opacity, Qt::Key_Home);
+  EXPECT_EQ(given(), 0.0);
+  EXPECT_EQ(magenta(scene.view, 100), 0);
+  scene.document->undo();
+  scene.document->undo();
+  scene.wait();
+  EXPECT_EQ(given(), 1.0);
+  EXPECT_EQ(opacity->value(), 100);
+  EXPECT_NEAR(magenta(scene.view), seen, edges);
+  // A locked one stays as it is; it can be hidden as a model can.
+  QTest::mouseClick(lock, Qt::LeftButton);
+  EXPECT_TRUE(scene.document->session().pictures[0]->locked);
+  EXPECT_EQ(list->item(1)->text(), "front.png (locked)");
+  EXPECT_TRUE(its->isEnabled());
+  QTest::keyClick(opacity, Qt::Key_Home);
+  QTest::mouseClick(remove, Qt::LeftButton);
+  ASSERT_EQ(scene.document->session().pictures.size(), 1u);
+  EXPECT_EQ(given(), 1.0);
+  QTest::mouseClick(lock, Qt::LeftButton);
+  EXPECT_FALSE(scene.document->session().pictures[0]->locked);
+  QTest::mouseClick(remove, Qt::LeftButton);
+  EXPECT_TRUE(scene.document->session().pictures.empty());
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.document->undo();
+  }
+  scene.wait();
+  EXPECT_EQ(list->item(1)->text(), "front.png");
   list->item(1)->setCheckState(Qt::Unchecked);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.document->session().pictures[0]->shown; }, 60000));
   EXPECT_EQ(magenta(scene.view), 0);
