@@ -49,6 +49,11 @@ in_root "$build" "cd /source
   lintian --allow-root --fail-on error --suppress-tags package-name-doesnt-match-sonames *.deb"
 cp "$build"/source/build/package/*.deb "$folder/debs"
 
+# What the build itself makes of the shipped files, on the processor: the bare system has no OpenCL device.
+in_root "$build" 'cd /source
+  OVERSKETCH_OPENCL=off PYTHONPATH=build/package/lib/python3/dist-packages \
+    python3 Testing/Packages/results.py README.md Data build/package/bin/oversketch >results.txt'
+
 # A bare system: installed, run, taken off.
 bare=$folder/bare
 rm -rf "$bare"
@@ -57,7 +62,8 @@ tar -C "$bare" -xf "$folder/bare.tar"
 mkdir "$bare/trial"
 cp "$folder"/debs/*.deb "$bare/trial"
 cp -r "$oversketch_root/Testing/Consumer" "$bare/trial/consumer"
-cp "$oversketch_root"/Testing/{Packages/installed_studio,Studio/desk}.py "$bare/trial"
+cp "$oversketch_root"/{README.md,Testing/{Packages/{installed_studio,results},ParaView/digest,Studio/desk}.py} "$bare/trial"
+cp "$build/source/results.txt" "$bare/trial/build.txt"
 in_root "$bare" 'cd /trial
   apt-get update -qq
   apt-get install -y -qq ./*.deb >apt.log 2>&1 || { tail -n 40 apt.log >&2; exit 1; }
@@ -65,21 +71,10 @@ in_root "$bare" 'cd /trial
 in_root "$bare" '
   data=/usr/share/oversketch
   oversketch --version
+  python3 -c "import oversketch; print(\"python:\", oversketch.__version__)"
   cd /trial
-  oversketch one-stroke $data/Models/dog.ply $data/Strokes/dog_longer_leg.vtp -o dog.ply
-  test -s dog.ply && echo "command: dog.ply has $(stat -c %s dog.ply) bytes"
-  cat >program.py <<END
-import oversketch
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-model, stroke, system = vtkPLYReader(), vtkXMLPolyDataReader(), oversketch.vtkOversketchOneStroke()
-model.SetFileName("$data/Models/dog.ply")
-stroke.SetFileName("$data/Strokes/dog_longer_leg.vtp")
-system.SetInputConnection(0, model.GetOutputPort())
-system.SetInputConnection(1, stroke.GetOutputPort())
-print("python:", oversketch.__version__, oversketch.update(system).GetNumberOfPoints(), "points")
-END
-  python3 program.py
+  OVERSKETCH_OPENCL=off python3 results.py README.md $data /usr/bin/oversketch >results.txt
+  diff build.txt results.txt && echo "README: $(grep -c "[0-9a-f]\{32\}" results.txt) results, the bits of the build"
   grep -q "application/x-oversketch-session:\*.oversketch" /usr/share/mime/globs2 && echo "file type: known"'
 # What the tests themselves need comes only now: the packages have run without it.
 in_root "$bare" 'cd /trial
