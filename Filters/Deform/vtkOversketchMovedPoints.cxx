@@ -52,6 +52,7 @@ MoveReport WriteMoved(vtkPolyData* input,
 {
   output->ShallowCopy(input);
   std::vector<std::pair<int, Vector3>> moved;
+  moved.reserve(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     if (places[i] != patch.rest()[i])

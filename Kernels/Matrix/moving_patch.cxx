@@ -205,7 +205,7 @@ MovingPatch::MovingPatch(const Mesh& mesh, const Adjacency& adjacency, const std
       }
     }
   }
-  const std::vector<Vector3> before = this->measured(Context()).normals;
+  const std::vector<Vector3>& before = this->measured(Context()).normals;
   for (const int e : joints.list())
   {
     const int* sides = adjacency.trianglesBegin(e);
@@ -217,10 +217,12 @@ MovingPatch::MovingPatch(const Mesh& mesh, const Adjacency& adjacency, const std
   }
 }
 
-MovingPatch::Measures MovingPatch::measured(const Context& context) const
+// Into the same room each time: to ask for as much anew at each event of a drag takes as long as a pass over
+// it.
+const MovingPatch::Measures& MovingPatch::measured(const Context& context)
 {
   const int count = this->Near.triangleCount();
-  Measures measures;
+  Measures& measures = this->Measured;
   measures.normals.resize(this->Near.triangles.size());
   measures.angles.resize(this->Near.triangles.size());
   context.parallelFor((count + faceLanes - 1) / faceLanes,
@@ -263,9 +265,10 @@ MovingPatch::Shape MovingPatch::shapeAt(const std::vector<Vector3>& places,
     this->Near.points[this->MovingPlaces[i]] = places[i];
     moved[this->MovingPlaces[i]] = places[i] != this->Rest[i];
   }
-  const Measures measures = this->measured(context);
+  const Measures& measures = this->measured(context);
   Shape shape;
   const bool faces = normals == Normals::OfFaces || normals == Normals::OfBoth;
+  shape.faceNormals.reserve(faces ? this->Faces.size() : 0);
   for (std::size_t i = 0; i < this->FacePlaces.size(); ++i)
   {
     const Triangle& c = this->Near.triangles[this->FacePlaces[i]];
@@ -285,6 +288,8 @@ MovingPatch::Shape MovingPatch::shapeAt(const std::vector<Vector3>& places,
   if (normals == Normals::OfVertices || normals == Normals::OfBoth)
   {
     std::vector<int> changed; // of the touched ones
+    changed.reserve(this->Touched.size());
+    shape.vertexNormals.reserve(this->Touched.size());
     for (int i = 0; i < static_cast<int>(this->TouchedPlaces.size()); ++i)
     {
       if (touched[this->TouchedPlaces[i]])

@@ -47,9 +47,10 @@ private:
     std::vector<Vector3> normals;
     std::vector<std::array<double, 3>> angles;
   };
-  Measures measured(const Context& context) const;
+  const Measures& measured(const Context& context);
 
   Mesh Near; // all faces round those that change, with their vertices numbered anew
+  Measures Measured;
   std::vector<int> Moving;
   std::vector<Vector3> Rest;
   std::vector<int> Faces, Touched;                          // faces that change, and their vertices

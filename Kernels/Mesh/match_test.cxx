@@ -19,8 +19,7 @@ Mesh withChanges(const Mesh& mesh)
   changed.triangles.erase(changed.triangles.begin() + 4000, changed.triangles.begin() + 4003);
   const Triangle split = changed.triangles[300];
   const int middle = changed.vertexCount();
-  changed.points.emplace_back(
-    (mesh.points[split[0]] + mesh.points[split[1]] + mesh.points[split[2]]) / 3.0);
+  changed.points.emplace_back((mesh.points[split[0]] + mesh.points[split[1]] + mesh.points[split[2]]) / 3.0);
   changed.triangles[300][0] = middle;
   changed.triangles.push_back({ split[0], middle, split[2] });
   changed.triangles.push_back({ split[0], split[1], middle });
