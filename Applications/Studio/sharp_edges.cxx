@@ -251,7 +251,6 @@ vtkSmartPointer<vtkFloatArray> normalsOf(const Surface& surface)
     }
   }
   auto normals = vtkSmartPointer<vtkFloatArray>::New();
-  normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(surface.points->GetNumberOfPoints());
   for (std::size_t i = 0; i < sums.size(); ++i)
@@ -273,7 +272,7 @@ vtkSmartPointer<vtkPolyData> SharpEdges::look(vtkPolyData* mesh)
     return mesh;
   }
   vtkNew<vtkIdTypeArray> numbers;
-  numbers->SetName("Number");
+  numbers->SetName("number");
   numbers->SetNumberOfValues(mesh->GetNumberOfPoints());
   std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues(), vtkIdType{ 0 });
   vtkNew<vtkPolyData> numbered;
