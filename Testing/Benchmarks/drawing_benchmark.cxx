@@ -119,21 +119,20 @@ double offEdge(const Polyline& points)
   return sum / static_cast<double>(points.size());
 }
 
-// OpenCV's way round the disc: a map for every fourth seed, its contour to the fourth after it.
+// OpenCV's way round the disc, from seed to seed as ours.
 Polyline roundByScissors()
 {
-  constexpr std::size_t step = 4;
   const auto seed = [](std::size_t number)
   {
     const Vector2& p = scene().stroke[static_cast<std::size_t>(scene().seeds[number % scene().seeds.size()])];
     return cv::Point(cvRound(p[0]), cvRound(p[1]));
   };
   Polyline made;
-  for (std::size_t i = 0; i < scene().seeds.size(); i += step)
+  for (std::size_t i = 0; i < scene().seeds.size(); ++i)
   {
     std::vector<cv::Point> contour;
     scene().scissors.buildMap(seed(i));
-    scene().scissors.getContour(seed(i + step), contour);
+    scene().scissors.getContour(seed(i + 1), contour);
     for (const cv::Point& p : contour)
     {
       made.emplace_back(p.x, p.y);
