@@ -367,9 +367,10 @@ void Hand::answer()
   }
   else if (auto* box = qobject_cast<QMessageBox*>(asked))
   {
-    // A picture of the view may have the name that an export's texture asks for.
+    // A picture of the view may have the name that an export's texture asks for, and a model is no picture.
     if (box->icon() == QMessageBox::Critical && !box->text().contains(damaged) &&
-        !box->text().contains("would replace drawn.png"))
+        !box->text().contains("would replace drawn.png") &&
+        !box->text().endsWith(".ply is no PNG or JPEG picture, or a damaged one."))
     {
       this->Complaints << box->text();
     }
