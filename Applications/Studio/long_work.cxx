@@ -100,6 +100,10 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
     loop.exec();
     dialog.hide();
   }
+  if (!shared->done)
+  {
+    shared->givenUp = true; // or the program is being ended, and the work is not
+  }
   if (shared->givenUp)
   {
     return false;

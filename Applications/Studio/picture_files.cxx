@@ -23,7 +23,8 @@ struct Texts
   Q_DECLARE_TR_FUNCTIONS(PictureFiles)
 };
 
-// What has been decoded and not been asked for; that of a work which was given up goes with its bytes.
+// What has been decoded and not been asked for. Whose bytes are gone, as those of a work that was given up,
+// goes when the next picture comes.
 struct Ahead
 {
   std::weak_ptr<const std::string> bytes;

@@ -280,6 +280,7 @@ vtkSmartPointer<vtkPolyData> SharpEdges::look(vtkPolyData* mesh)
   numbered->GetPointData()->AddArray(numbers);
   this->Split = split(numbered);
   this->Faces = mesh->GetPolys();
+  this->Points = mesh->GetNumberOfPoints();
   vtkPointData* data = this->Split->GetPointData();
   auto* from = vtkIdTypeArray::SafeDownCast(data->GetArray(numbers->GetName()));
   this->From->SetNumberOfIds(from->GetNumberOfValues());
@@ -290,7 +291,7 @@ vtkSmartPointer<vtkPolyData> SharpEdges::look(vtkPolyData* mesh)
 
 vtkSmartPointer<vtkPolyData> SharpEdges::lookMoved(vtkPolyData* mesh) const
 {
-  const bool isIt = mesh && this->Split &&
+  const bool isIt = mesh && this->Split && mesh->GetNumberOfPoints() == this->Points &&
                     areSame(mesh->GetPolys()->GetConnectivityArray(), this->Faces->GetConnectivityArray()) &&
                     areSame(mesh->GetPolys()->GetOffsetsArray(), this->Faces->GetOffsetsArray());
   if (!isIt)

@@ -27,6 +27,7 @@ private:
   vtkSmartPointer<vtkPolyData> Split;  // null: it has no edges
   vtkNew<vtkIdList> From;              // of each of its points, the point of the mesh
   vtkSmartPointer<vtkCellArray> Faces; // of the mesh
+  vtkIdType Points = 0;                // of the mesh
 };
 
 } // namespace oversketch_studio

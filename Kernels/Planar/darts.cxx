@@ -101,7 +101,8 @@ Rows farFromRims(const DistanceMaps& maps,
   const bool local = mode == DartMode::Local;
   const std::vector<Vector2> corners = local ? inwardCorners(lines, maps.frame) : std::vector<Vector2>();
   const double least = besideCorner * std::max(maps.frame.width, maps.frame.height);
-  const double most = dartShare * *std::max_element(maps.thickness.begin(), maps.thickness.end());
+  const double most =
+    local ? dartShare * *std::max_element(maps.thickness.begin(), maps.thickness.end()) : 0.0;
   Rows rows(maps.frame.height);
   const auto radiusAt = [&](std::size_t i, double square)
   {

@@ -268,6 +268,7 @@ public:
 private:
   void build(FacetNumbers of, std::size_t count, const Context& context)
   {
+    rtcGetDeviceError(this->Device.get()); // what is left of a build on this thread that was given up
     this->Scene.reset(rtcNewScene(this->Device.get()));
     const embree::Owned<RTCGeometry> geometry(rtcNewGeometry(this->Device.get(), RTC_GEOMETRY_TYPE_USER));
     rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned int>(count));

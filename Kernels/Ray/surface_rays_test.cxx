@@ -334,4 +334,7 @@ TEST(SurfaceRays, AfterAChangeTheyAreThoseMadeAnew)
   Context context;
   context.cancelled = [] { return true; };
   EXPECT_THROW(sharedRays(std::make_shared<const Mesh>(torus(0.7, 0.3, 60, 30)), context), Error);
+  // What was given up is begun again with the device that both have.
+  EXPECT_THROW(SurfaceRays::after(*second, again, context), Error);
+  EXPECT_TRUE(SurfaceRays::after(*second, again));
 }

@@ -159,7 +159,8 @@ void requireRoomOutside(const Mesh& mesh,
   const std::vector<double> areas = vertexAreas(inside);
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
   // Of a small region that is seen without a look at the whole mesh.
-  if (hasNextToIt(mesh, adjacency, faces, seed, 1.01 * area * (1.0 - largestShare) / largestShare))
+  if (area > 0.0 && std::isfinite(area) &&
+      hasNextToIt(mesh, adjacency, faces, seed, 1.01 * area * (1.0 - largestShare) / largestShare))
   {
     return;
   }

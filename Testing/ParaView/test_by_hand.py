@@ -178,16 +178,20 @@ class Window:
     def choose(self, names):
         """Sources that lie one below the other in the browser, whose rows no screen reader hears: looked for from its top down."""
         browser, places = self.place("frame", "Pipeline Browser"), []
-        x, y = browser.left + 90, browser.top + 30
-        while len(places) < len(names):
-            assert y < browser.top + browser.height, places
-            self.desk.click(x, y)
-            try:
-                until(lambda: self.state()["active"] == names[len(places)], "that row", 1.5)
-                places.append((x, y + 7))
-            except TimeoutError:
-                pass  # not there yet
-            y += 7
+        x = browser.left + 90
+        for wait in (1.5, 5.0, 15.0):  # a busy machine answers after the hand has gone on
+            places, y = [], browser.top + 30
+            while len(places) < len(names) and y < browser.top + browser.height:
+                self.desk.click(x, y)
+                try:
+                    until(lambda: self.state()["active"] == names[len(places)], "that row", wait)
+                    places.append((x, y + 7))
+                except TimeoutError:
+                    pass  # not there yet
+                y += 7
+            if len(places) == len(names):
+                break
+        assert len(places) == len(names), places
         for index, place in enumerate(places):
             self.desk.hold("ctrl", index > 0)
             self.desk.click(*place)

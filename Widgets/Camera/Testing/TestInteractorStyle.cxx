@@ -80,7 +80,7 @@ TEST(B1_2, ThePickedPointStaysUnderTheCursor)
   }
   fact("B1_2",
     "40 drags over a sphere, half in perspective: the picked point off the cursor by at most " +
-      std::to_string(1e9 * worst) + "e-9 px");
+      std::to_string(static_cast<int>(std::ceil(1e12 * worst))) + "e-12 px");
 }
 
 TEST(Camera, LargeMeshesArePickedAlike)
