@@ -43,7 +43,7 @@ bool matchTriangles(const Mesh& before, const Mesh& now, std::vector<int>& numbe
     }
     return 8 * static_cast<int>(others.size()) <= last && 8 * gone <= count;
   };
-  bool alike = true;
+  bool alike = 8 * (last - count) <= last && 8 * (count - last) <= count; // else other bodies
   while (alike && i < count && j < last)
   {
     if (same(i, j))

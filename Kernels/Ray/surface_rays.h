@@ -42,7 +42,7 @@ public:
   // Throws Error(Failure::Cancelled), and Error(Failure::Unexpected) where Embree cannot take the mesh.
   explicit SurfaceRays(std::shared_ptr<const Mesh> mesh, const Context& context = Context());
   // The same answers, bit for bit, by the tree of other rays and one of what their mesh has not: for a mesh
-  // that comes of theirs by changes here and there, at a twentieth of the time. Null where too much is
+  // that comes of theirs by changes here and there; no tree of all of it is built. Null where too much is
   // different.
   static std::unique_ptr<const SurfaceRays> after(const SurfaceRays& before,
     std::shared_ptr<const Mesh> mesh,
