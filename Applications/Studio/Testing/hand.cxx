@@ -16,6 +16,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QTest>
 #include <QThread>
 #include <QTimer>
@@ -367,10 +368,11 @@ void Hand::answer()
   }
   else if (auto* box = qobject_cast<QMessageBox*>(asked))
   {
-    // A picture of the view may have the name that an export's texture asks for, and a model is no picture.
+    // A picture of the view may have the name that an export's texture asks for; models and sessions are no
+    // pictures.
+    static const QRegularExpression noPicture("(?<!\\.png) is no PNG or JPEG picture, or a damaged one\\.$");
     if (box->icon() == QMessageBox::Critical && !box->text().contains(damaged) &&
-        !box->text().contains("would replace drawn.png") &&
-        !box->text().endsWith(".ply is no PNG or JPEG picture, or a damaged one."))
+        !box->text().contains("would replace drawn.png") && !noPicture.match(box->text()).hasMatch())
     {
       this->Complaints << box->text();
     }

@@ -223,14 +223,15 @@ TEST(Window, LivesThroughRandomHands)
   {
     const int least = static_cast<int>(sequences.count);
     EXPECT_GT(deeds.strokes, 2 * least);
-    // Of 24 acts three are drags of a stroke, one is an edit, of which a third is changed. Twelve sequences
-    // stray widely about what hundreds of them do: 0.3 edits and 2 questions each.
-    EXPECT_GT(deeds.moved, 3 * least / 4);
+    // Of 24 acts three are drags of a stroke, one is an edit, of which a third is changed. Few sequences
+    // stray widely about what hundreds of them do, 1.5 drags, 1.7 undone or redone, 0.5 edits and 2 questions
+    // each: the least of fifty times twenty were 11, 9, 1 and 19.
+    EXPECT_GT(deeds.moved, least / 4);
     EXPECT_GT(deeds.meshes, 4 * least);
-    EXPECT_GT(deeds.undone + deeds.redone, least / 2);
+    EXPECT_GT(deeds.undone + deeds.redone, least / 4);
     EXPECT_GT(deeds.questions, least / 2);
     EXPECT_GT(deeds.opened, least / 4);
-    EXPECT_GT(deeds.edits, least / 16);
+    EXPECT_GT(deeds.edits, least / 32);
   }
   EXPECT_LT(memory.growth(), 1.0);
 }
