@@ -3,6 +3,7 @@
 #include "drawing_lines.h"
 #include "files.h"
 #include "heights.h"
+#include "models.h"
 #include "parts.h"
 #include "system_runner.h"
 #include "texture.h"
@@ -119,6 +120,7 @@ struct Evaluator::Run
   const Session& session;
   const Watch& watch;
   std::vector<Outcome>& outcomes; // of the nodes up to the one that is run
+  const Laid* known;              // of one of the nodes; may be null
   Ports ports;
   std::uint64_t mesh = 0; // the number of the outcome that comes to the node
 };
@@ -132,9 +134,27 @@ struct Evaluator::Runner
 
   std::unique_ptr<SystemRunner> steps;
   std::uint64_t last = 0; // the number of the last outcome, 0 where it did nothing
+  // A step whose outcome was known, and what that is given: a change of it needs what no run has made.
+  struct Passed
+  {
+    std::shared_ptr<const Step> step;
+    Inputs inputs;
+    int backend;
+  };
+  std::optional<Passed> passed;
   // What is prepared for a mesh, where that is not to take the place of what the last step computed.
   std::unique_ptr<SystemRunner> ahead;
   vtkSmartPointer<vtkPolyData> aheadOf;
+  // Takes it up where a step is given that mesh.
+  void turnTo(const Inputs& inputs)
+  {
+    const auto isAheadOf = [this](const auto& input) { return input.second == this->aheadOf; };
+    if (this->ahead && std::any_of(inputs.begin(), inputs.end(), isAheadOf))
+    {
+      this->steps = std::move(this->ahead);
+      this->aheadOf = nullptr;
+    }
+  }
   // The last lines of each input, and whose they are.
   std::map<std::string, std::pair<std::weak_ptr<const void>, vtkSmartPointer<vtkPolyData>>> lines;
 };
@@ -360,20 +380,33 @@ bool Evaluator::make(Run& run,
   {
     listener.warning = [&](const std::string& message) { run.watch.warning(index, message); };
   }
-  const auto isAheadOf = [&runner](const auto& input) { return input.second == runner.aheadOf; };
-  if (runner.ahead && std::any_of(inputs.begin(), inputs.end(), isAheadOf))
-  {
-    runner.steps = std::move(runner.ahead);
-    runner.aheadOf = nullptr;
-  }
+  runner.turnTo(inputs);
   ++this->Runs;
   runner.last = 0;
+  runner.passed.reset();
   if (!runner.steps->run(step, inputs, run.session.backend, ports, listener, outcome))
   {
     return false;
   }
   wear(step, *findSystem(step.system, this->Rows), outcome);
   runner.last = outcome.failure.empty() ? number : 0;
+  return true;
+}
+
+bool Evaluator::takeKnown(Run& run, std::size_t index, const Inputs& inputs, const std::set<int>& ports)
+{
+  const std::shared_ptr<const Step>& step = run.session.nodes[index].step;
+  Outcome& outcome = run.outcomes[index];
+  const auto isOfAnother = [](const auto& input) { return std::holds_alternative<StepOutput>(input.second); };
+  if (!run.known || run.known->step != step || step->mirror || step->part || !outcome.mesh ||
+      !isShallowCopy(run.known->mesh, outcome.mesh) ||
+      std::any_of(step->inputs.begin(), step->inputs.end(), isOfAnother))
+  {
+    return false;
+  }
+  Runner& runner = *this->runner(step->system);
+  outcome = outcomeOf(*run.known, outcome.mesh, ports);
+  runner.passed = Runner::Passed{ step, inputs, run.session.backend };
   return true;
 }
 
@@ -453,14 +486,15 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   }
   else
   {
-    const bool done = step->part ? this->makePart(run, index, inputs, number, ports, outcome)
-                                 : this->make(run, index, inputs, number, ports, outcome);
+    const bool done = this->takeKnown(run, index, inputs, ports) ||
+                      (step->part ? this->makePart(run, index, inputs, number, ports, outcome)
+                                  : this->make(run, index, inputs, number, ports, outcome));
     if (!done)
     {
       return false;
     }
     outcome.number = outcome.failure.empty() ? number : 0;
-    outcome.details = kept.outcome ? kept.outcome->details : nullptr;
+    outcome.details = kept.outcome ? kept.outcome->details : outcome.details;
     kept.outcome = outcome;
     kept.bytes = bytesOf(outcome);
   }
@@ -471,17 +505,29 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   return true;
 }
 
-bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes)
+bool Evaluator::run(const Session& session,
+  const Watch& watch,
+  std::vector<Outcome>& outcomes,
+  const Laid* known)
 {
   outcomes.clear();
   this->forget();
   ++this->RunCount;
-  Run run{ session, watch, outcomes, portsOf(session) };
+  Run run{ session, watch, outcomes, known, portsOf(session) };
+  const auto isThere = [&session](const auto& isIt)
+  { return std::any_of(session.nodes.begin(), session.nodes.end(), isIt); };
   for (auto it = this->Parts.begin(); it != this->Parts.end();)
   {
     const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
-    const bool isThere = std::any_of(session.nodes.begin(), session.nodes.end(), isIt);
-    it = isThere ? std::next(it) : this->Parts.erase(it);
+    it = isThere(isIt) ? std::next(it) : this->Parts.erase(it);
+  }
+  for (const auto& named : this->Runners)
+  {
+    auto& passed = named.second->passed;
+    if (passed && !isThere([&](const Node& node) { return node.step == passed->step; }))
+    {
+      passed.reset();
+    }
   }
   run.mesh = session.mesh ? this->numberOf({ session.mesh.identity(), {}, 0 }) : 0;
   vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
@@ -539,6 +585,7 @@ void Evaluator::releaseWork()
   {
     named.second->steps->releaseWork();
     named.second->last = 0;
+    named.second->passed.reset();
   }
 }
 
@@ -547,6 +594,15 @@ void Evaluator::prepare(const SystemRow& row, vtkPolyData* mesh, int backend, co
   Listener listener;
   listener.cancelled = watch.cancelled;
   Runner& runner = *this->runner(row.name);
+  if (runner.passed)
+  {
+    runner.turnTo(runner.passed->inputs);
+    if (!runner.steps->prepare(*runner.passed->step, runner.passed->inputs, runner.passed->backend, listener))
+    {
+      return;
+    }
+    runner.passed.reset();
+  }
   if (!row.followsHand)
   {
     runner.steps->prepare(mesh, backend, listener);

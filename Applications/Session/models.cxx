@@ -9,6 +9,7 @@
 #include "vtkOversketchStepRunner.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -189,6 +190,32 @@ vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh)
   polys->ShallowCopy(mesh->GetPolys());
   own->SetPolys(polys);
   return own;
+}
+
+bool isShallowCopy(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto haveSame = [a, b](const auto& of) { return of(a) == of(b); };
+  const auto haveSameArrays = [a, b](const auto& of)
+  {
+    vtkFieldData *one = of(a), *other = of(b);
+    bool same = one->GetNumberOfArrays() == other->GetNumberOfArrays();
+    for (int i = 0; same && i < one->GetNumberOfArrays(); ++i)
+    {
+      same = one->GetAbstractArray(i) == other->GetAbstractArray(i);
+    }
+    return same;
+  };
+  using Data = vtkPolyData;
+  return haveSame([](Data* of) { return of->GetPoints(); }) &&
+         haveSame([](Data* of) { return of->GetVerts(); }) &&
+         haveSame([](Data* of) { return of->GetLines(); }) &&
+         haveSame([](Data* of) { return of->GetPolys(); }) &&
+         haveSame([](Data* of) { return of->GetStrips(); }) &&
+         haveSame([](Data* of) { return of->GetPointData()->GetNormals(); }) &&
+         haveSame([](Data* of) { return of->GetPointData()->GetTCoords(); }) &&
+         haveSameArrays([](Data* of) { return of->GetPointData(); }) &&
+         haveSameArrays([](Data* of) { return of->GetCellData(); }) &&
+         haveSameArrays([](Data* of) { return of->GetFieldData(); });
 }
 
 vtkSmartPointer<vtkPolyData> withPointNormals(vtkPolyData* mesh)

@@ -51,6 +51,8 @@ Session withModelSeen(const Session& session, std::size_t place, bool shown, boo
 // that one. Null where there is none. Throws oversketch::Error.
 vtkSmartPointer<vtkPolyData> joined(const std::vector<vtkPolyData*>& meshes);
 
+// Whether both have the same points, cells and arrays, not only equal ones.
+bool isShallowCopy(vtkPolyData* a, vtkPolyData* b);
 // The same mesh with polygons of its own: filters of VTK leave in them how far they are, and so do those of
 // whoever shows the mesh meanwhile.
 vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh);

@@ -107,7 +107,7 @@ Worker::~Worker()
   this->Thread.join();
 }
 
-std::uint64_t Worker::submit(Session session)
+std::uint64_t Worker::submit(Session session, std::shared_ptr<const Laid> known)
 {
   std::uint64_t replaced = 0, ticket = 0;
   {
@@ -119,6 +119,7 @@ std::uint64_t Worker::submit(Session session)
       this->Wanted = ticket;
     }
     this->Next = std::move(session);
+    this->Known = std::move(known);
     this->Glance.reset();
     this->Grounded.reset();
     this->Waiting = true;
@@ -147,6 +148,7 @@ void Worker::cancel()
     const std::lock_guard<std::mutex> lock(this->Mutex);
     waiting = this->Next ? this->Ticket : 0;
     this->Next.reset();
+    this->Known = nullptr;
     this->Glance.reset();
     this->Grounded.reset();
     this->Waiting = false;
@@ -195,6 +197,7 @@ void Worker::work()
   for (;;)
   {
     std::optional<Session> session;
+    std::shared_ptr<const Laid> known;
     std::uint64_t ticket = 0;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
@@ -204,6 +207,7 @@ void Worker::work()
         return;
       }
       session = std::exchange(this->Next, std::nullopt);
+      known = std::exchange(this->Known, nullptr);
       if (session)
       {
         this->Running = session;
@@ -212,7 +216,7 @@ void Worker::work()
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    session ? this->runOne(ticket, *session) : this->runAside(ticket);
+    session ? this->runOne(ticket, *session, known.get()) : this->runAside(ticket);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
   }
@@ -329,7 +333,20 @@ void Worker::runGlance(std::uint64_t ticket, const Session& session)
   }
 }
 
-void Worker::runOne(std::uint64_t ticket, const Session& session)
+// Of a mesh that is the last one, to the bit, what was made of it is still there.
+void Worker::show(vtkPolyData* mesh, Result& result)
+{
+  if (!this->Shown || !isShallowCopy(mesh, this->Shown))
+  {
+    this->Display = nullptr; // before the next one is made
+    this->Shown = shared(mesh);
+    this->Display = withPointNormals(this->Shown);
+  }
+  result.mesh = shared(this->Shown);
+  result.display = shared(this->Display);
+}
+
+void Worker::runOne(std::uint64_t ticket, const Session& session, const Laid* known)
 {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -344,7 +361,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     }
   };
   std::vector<Outcome> outcomes;
-  if (!this->Runner.run(session, watch, outcomes) || watch.cancelled())
+  if (!this->Runner.run(session, watch, outcomes, known) || watch.cancelled())
   {
     if (this->Report.cancelled)
     {
@@ -359,8 +376,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   result.backendUsed = backendUsedBy(outcomes);
   if (shown)
   {
-    result.mesh = shared(shown);
-    result.display = withPointNormals(result.mesh);
+    this->show(shown, result);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (this->Report.done)

@@ -90,8 +90,9 @@ public:
   Worker& operator=(const Worker&) = delete;
 
   // Runs it as soon as it can, instead of what runs or waits; then prepares its result for the next step.
-  // The session's data must not be changed afterwards. Returns the ticket, one more than the last.
-  std::uint64_t submit(Session session);
+  // The session's data must not be changed afterwards. What is known of one of its steps need not be made
+  // (Evaluator::run). Returns the ticket, one more than the last.
+  std::uint64_t submit(Session session, std::shared_ptr<const Laid> known = nullptr);
   // The result of a ticket is on screen: what comes after it may take the processors.
   void seen(std::uint64_t ticket);
   // Stops what runs or waits, if anything does.
@@ -107,11 +108,13 @@ public:
 
 private:
   void work();
-  void runOne(std::uint64_t ticket, const Session& session);
+  void runOne(std::uint64_t ticket, const Session& session, const Laid* known);
   // What is asked for beside the session that runs.
   void runAside(std::uint64_t ticket);
   void runGlance(std::uint64_t ticket, const Session& session);
   void runGround(std::uint64_t ticket, const Session& session, std::uint64_t number);
+  // Fills in both meshes.
+  void show(vtkPolyData* mesh, Result& result);
   // What the outcomes are, as copies; of those that were copied for the last session the same ones.
   std::vector<NodeState> statesOf(const Session& session, const std::vector<Outcome>& outcomes);
   // What is shown of the steps beside the mesh, until something else is to be done.
@@ -133,11 +136,13 @@ private:
   std::map<std::uint64_t, NodeState> Copied; // by the outcomes' numbers
   // Likewise, also of steps that are off or undone for now.
   std::map<std::uint64_t, std::shared_ptr<const Thumbnail>> Pictures;
-  vtkSmartPointer<vtkPolyData> Came; // the mesh that the last step acts on, and its copy
+  vtkSmartPointer<vtkPolyData> Shown, Display; // the last mesh, and the same with normals
+  vtkSmartPointer<vtkPolyData> Came;           // the mesh that the last step acts on, and its copy
   SharedData CopyOfCame;
   std::mutex Mutex;
   std::condition_variable Wake;
   std::optional<Session> Next, Running, Glance, Grounded;
+  std::shared_ptr<const Laid> Known;         // of the next one
   std::uint64_t Number = 0;                  // of the last such asking
   std::uint64_t Ticket = 0;                  // of the newest session
   std::uint64_t Seen = 0;                    // of the newest result that was

@@ -45,6 +45,15 @@ void decodePictures(const Session& session)
   }
 }
 
+// Says that it is of that node's step.
+void of(const Node& node, const std::shared_ptr<Laid>& known)
+{
+  if (known)
+  {
+    known->step = node.step;
+  }
+}
+
 } // namespace
 
 Document::Document(QObject* parent)
@@ -281,7 +290,7 @@ std::optional<MirrorPlane> Document::mirrorPlane(int choice) const
   return MirrorPlane{ axis, aside ? middle : 0.0 };
 }
 
-void Document::add(const Step& step)
+void Document::add(const Step& step, const SharedLaid& known)
 {
   Session next = this->session();
   Node node;
@@ -290,7 +299,8 @@ void Document::add(const Step& step)
   node.name = tr("%1 %2").arg(titleOf(step.system)).arg(next.nodes.size() + 1).toStdString();
   next.nodes.insert(next.nodes.begin() + this->shownTo(), node);
   this->Last = this->Last ? std::optional<int>(node.id) : std::nullopt;
-  this->commit(std::move(next), Change::Drawn);
+  of(node, known);
+  this->commit(std::move(next), Change::Drawn, known);
 }
 
 void Document::redraw(int index, const Step& drawn)
@@ -300,7 +310,7 @@ void Document::redraw(int index, const Step& drawn)
   this->remake(index, step);
 }
 
-void Document::remake(int index, const Step& made)
+void Document::remake(int index, const Step& made, const SharedLaid& known)
 {
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
@@ -309,7 +319,8 @@ void Document::remake(int index, const Step& made)
   step->values = made.values;
   node.step = step;
   node.committed.reset(); // it takes hold anew
-  this->commit(std::move(next), Change::Drawn);
+  of(node, known);
+  this->commit(std::move(next), Change::Drawn, known);
 }
 
 void Document::setStrokes(int index, const std::vector<DrawnStroke>& strokes)
@@ -452,28 +463,28 @@ void Document::cancel()
   }
 }
 
-void Document::commit(Session session, Change change)
+void Document::commit(Session session, Change change, const SharedLaid& known)
 {
   if (this->takes(session))
   {
     this->Changes->commit(std::move(session));
-    this->run(change);
+    this->run(change, known);
   }
 }
 
-void Document::run(Change change)
+void Document::run(Change change, const SharedLaid& known)
 {
-  this->submit();
+  this->submit(known);
   this->keep(); // before its result is there, so that no crash can take the stroke
   emit this->changed(change);
 }
 
-void Document::submit()
+void Document::submit(const SharedLaid& known)
 {
   this->Shaped = 0;
   Session shown = this->session();
   shown.nodes.resize(indexOf(this->shownTo()));
-  this->Ticket = this->Background->submit(std::move(shown));
+  this->Ticket = this->Background->submit(std::move(shown), known);
 }
 
 void Document::keep()

@@ -223,7 +223,7 @@ void MainWindow::opened()
   }
 }
 
-void MainWindow::stepDrawn(const Step& step)
+void MainWindow::stepDrawn(const Step& step, const std::shared_ptr<Laid>& known)
 {
   if (!this->OpenDocument->isOpen())
   {
@@ -239,7 +239,7 @@ void MainWindow::stepDrawn(const Step& step)
     return;
   }
   this->Offered = count;
-  this->OpenDocument->add(step);
+  this->OpenDocument->add(step, known);
   if (this->History->current() >= 0)
   {
     this->History->selectStep(count); // the hand has what it made, no longer another
@@ -254,11 +254,11 @@ void MainWindow::stepChanged(const Step& step)
   }
 }
 
-void MainWindow::stepRemade(const Step& step)
+void MainWindow::stepRemade(const Step& step, const std::shared_ptr<Laid>& known)
 {
   if (isStill(this->OpenDocument->session().nodes, this->Offered, step))
   {
-    this->OpenDocument->remake(this->Offered, step);
+    this->OpenDocument->remake(this->Offered, step, known);
   }
 }
 

@@ -119,9 +119,11 @@ private:
   void listenToPanels();
   void listenToTool(Tool* tool);
   void changed(Document::Change change);
-  void stepDrawn(const oversketch_session::Step& step);
+  void stepDrawn(const oversketch_session::Step& step,
+    const std::shared_ptr<oversketch_session::Laid>& known);
   void stepChanged(const oversketch_session::Step& step);
-  void stepRemade(const oversketch_session::Step& step);
+  void stepRemade(const oversketch_session::Step& step,
+    const std::shared_ptr<oversketch_session::Laid>& known);
   void opened();
   void stepShaped(const oversketch_session::Values& values, bool goesOn);
   void setTool(Tool* tool);

@@ -1,6 +1,7 @@
 #include "model_view.h"
 
 #include "back_faces.h"
+#include "models.h"
 #include "pieces.h"
 #include "sharp_edges.h"
 #include "skin.h"
@@ -65,6 +66,11 @@ void ModelView::resize(std::size_t count)
 void ModelView::show(vtkPolyData* mesh)
 {
   this->Shown = mesh;
+  if (this->Dressed && oversketch_session::isShallowCopy(this->Dressed, mesh))
+  {
+    return;
+  }
+  this->Dressed = mesh;
   const std::vector<oversketch_files::Piece> pieces = oversketch_files::piecesOf(this->seen(mesh));
   this->resize(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -94,6 +100,7 @@ vtkSmartPointer<vtkPolyData> ModelView::seen(vtkPolyData* mesh) const
 void ModelView::hide(const std::set<int>& parts)
 {
   this->Hidden = parts;
+  this->Dressed = nullptr;
   if (this->Shown)
   {
     this->show(this->Shown);
@@ -102,6 +109,7 @@ void ModelView::hide(const std::set<int>& parts)
 
 void ModelView::clear()
 {
+  this->Dressed = nullptr;
   this->Shown = nullptr;
   this->resize(1);
   this->Parts[0]->mapper->SetInputData(nullptr);
@@ -110,6 +118,7 @@ void ModelView::clear()
 
 void ModelView::preview(vtkPolyData* mesh)
 {
+  this->Dressed = nullptr;
   this->Shown = mesh;
   if (this->Parts.size() == 1)
   {

@@ -26,7 +26,7 @@ public:
   ModelView(const ModelView&) = delete;
   ModelView& operator=(const ModelView&) = delete;
 
-  // Shows a mesh in what it wears, instead of the last; shows none.
+  // Shows a mesh in what it wears, instead of the last, where it is not the same; shows none.
   void show(vtkPolyData* mesh);
   void clear();
   // The same mesh moved, in the same skins.
@@ -54,6 +54,7 @@ private:
   std::set<int> Hidden;
   std::vector<std::unique_ptr<Part>> Parts;
   vtkSmartPointer<vtkPolyData> Shown;
+  vtkSmartPointer<vtkPolyData> Dressed; // that one, until it is moved
   Shading Look = Shading::Smooth;
   bool Visible = true;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };

@@ -76,7 +76,7 @@ struct MeshWork
 {
   std::atomic<int> Conversions{ 0 }; // by MeshOf
   std::atomic<int> Linkings{ 0 };    // adjacencies, by SharedMesh
-  std::atomic<int> Normals{ 0 };     // computed, by SharedMesh
+  std::atomic<int> Normals{ 0 };     // computed by SharedMesh, but where most are those of another mesh
 };
 OVERSKETCHFILTERSCORE_EXPORT MeshWork& MeshWorkDone();
 

@@ -132,6 +132,7 @@ std::shared_ptr<const Normals> ComputedNormals(const std::shared_ptr<const Mesh>
   if (!made)
   {
     made = std::make_shared<const Normals>(vertexNormals(*mesh, around, ThreadsOnly()));
+    ++MeshWorkDone().Normals;
   }
   const std::lock_guard<std::mutex> lock(known.Mutex);
   known.Entries.emplace_back(mesh, made);
@@ -159,7 +160,6 @@ std::shared_ptr<const std::vector<Vector3>> MeshData::KeptNormals() const
       if (!this->VertexNormals)
       {
         this->VertexNormals = ComputedNormals(this->Shape, this->Neighbours().vertexTriangles);
-        ++MeshWorkDone().Normals;
       }
     });
   return this->VertexNormals;

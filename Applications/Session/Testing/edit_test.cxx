@@ -3,8 +3,11 @@
 #include "sessions.h"
 
 #include "Harness/edits.h"
+#include "Harness/executions.h"
+#include "Harness/polydata.h"
 #include "Harness/strokes.h"
 #include "session_file.h"
+#include "system_runner.h"
 #include "worker.h"
 
 #include "vtkOversketchSystem.h"
@@ -17,6 +20,8 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
+#include <set>
+#include <string>
 
 using namespace oversketch_session;
 using namespace oversketch_test;
@@ -224,6 +229,83 @@ TEST(EditSession, ItActsOnBothSides)
   const std::string once = digestOf(outcomesOf(session)[0].mesh);
   session.nodes = { changed(middle, [](Step& step) { step.mirror = MirrorPlane{ 0, 0.0 }; }) };
   EXPECT_EQ(digestOf(outcomesOf(session)[0].mesh), once);
+}
+
+// A hand that draws line and ring has a system of its own, whose result is the step's.
+TEST(EditSession, WhatAHandHasMadeOfAStepIsNotMadeAgain)
+{
+  Session session;
+  session.mesh = shippedModel("bear");
+  session.backend = 2;
+  session.nodes = { drawnEdit(1, session.mesh.Get(), {}), furtherEdit(2, 1, {}) };
+  const std::vector<Outcome> made = outcomesOf(session);
+  ASSERT_EQ(made[0].failure + made[1].failure, "");
+  const SystemRow& row = *findSystem("Edit");
+  const auto hand = row.make();
+  const Step& step = *session.nodes[0].step;
+  hand->SetInputData(0, session.mesh.own());
+  hand->SetInputData(1, linesOf(step, "Reference"));
+  hand->SetInputData(2, linesOf(step, "Boundary"));
+  hand->Update();
+  Laid known = laidBy(hand, session.mesh);
+  known.step = session.nodes[0].step;
+
+  Evaluator evaluator;
+  std::vector<Outcome> outcomes;
+  ASSERT_TRUE(evaluator.run(session, {}, outcomes, &known));
+  EXPECT_EQ(evaluator.runs(), 1u) << "of the further one alone";
+  for (const int i : { 0, 1 })
+  {
+    EXPECT_EQ(outcomes[i].failure, "");
+    EXPECT_EQ(digestOf(outcomes[i].mesh), digestOf(made[i].mesh));
+    EXPECT_TRUE(identical(outcomes[i].hold, made[i].hold));
+    EXPECT_EQ(outcomes[i].section->middle, made[i].section->middle);
+    EXPECT_EQ(outcomes[i].section->length, made[i].section->length);
+    EXPECT_EQ(outcomes[i].backendUsed, made[i].backendUsed);
+  }
+  for (const int port : { 1, 2 })
+  {
+    EXPECT_TRUE(identical(vtkPolyData::SafeDownCast(outcomes[0].outputs.at(port)),
+      vtkPolyData::SafeDownCast(made[0].outputs.at(port))))
+      << port;
+  }
+  ASSERT_TRUE(outcomes[0].details);
+  EXPECT_EQ(outcomes[0].details->region->GetNumberOfPolys(), 0);
+  EXPECT_FALSE(outcomes[0].details->following);
+
+  // Not where it is of another step, of another mesh, or acts on both sides.
+  const auto runs = [&](const Session& other, const Laid& of)
+  {
+    Evaluator fresh;
+    EXPECT_TRUE(fresh.run(other, {}, outcomes, &of));
+    return fresh.runs();
+  };
+  Session one = session;
+  one.nodes.pop_back();
+  EXPECT_EQ(runs(one, known), 0u);
+  Laid other = known;
+  other.step = session.nodes[1].step;
+  EXPECT_EQ(runs(one, other), 1u);
+  other = known;
+  other.mesh = shippedModel("bear");
+  EXPECT_EQ(runs(one, other), 1u);
+  one.nodes[0] = changed(one.nodes[0], [](Step& step) { step.mirror = MirrorPlane{ 0, 0.0 }; });
+  other = known;
+  other.step = one.nodes[0].step;
+  EXPECT_EQ(runs(one, other), 1u);
+
+  // What a change of it needs is made between the runs.
+  one.nodes[0] = session.nodes[0];
+  Evaluator ahead;
+  ASSERT_TRUE(ahead.run(one, {}, outcomes, &known));
+  ahead.prepare(row, outcomes[0].mesh, session.backend, {});
+  Executions count(ahead.system("Edit"));
+  one.nodes[0] =
+    changed(one.nodes[0], [](Step& step) { step.values["Operations"] = std::string("move 0.5 n 0.05"); });
+  ASSERT_TRUE(ahead.run(one, {}, outcomes));
+  EXPECT_EQ(ahead.runs(), 1u);
+  EXPECT_EQ(count.Ran(), (std::set<std::string>{ "Handles", "Deform", "Retriangulate" }));
+  EXPECT_EQ(digestOf(outcomes[0].mesh), digestOf(outcomesOf(one)[0].mesh));
 }
 
 TEST(EditSession, TheLastStepOfAnEditComesWithWhatItActsOn)

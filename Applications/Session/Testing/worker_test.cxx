@@ -1,6 +1,7 @@
 // Sessions on a thread of their own: the newest wins, a cancelled one leaves nothing behind.
 #include "sessions.h"
 
+#include "models.h"
 #include "session_file.h"
 #include "worker.h"
 
@@ -239,6 +240,27 @@ TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)
   EXPECT_EQ(before[0].hold.identity(), after[0].hold.identity()) << "copied again";
   EXPECT_EQ(desk.done[1].nodes[0].following, before[0].following) << "known with the mesh";
   EXPECT_NE(before[1].region.identity(), after[1].region.identity());
+}
+
+TEST(Worker, AMeshThatStaysHasItsNormalsOnce)
+{
+  Session session = dogSession();
+  Desk desk;
+  Worker worker(desk.listener());
+  const auto shown = [&](const Session& of)
+  {
+    const std::size_t before = desk.done.size();
+    worker.submit(of);
+    EXPECT_TRUE(desk.wait([&] { return desk.done.size() > before; }));
+    return desk.done.back().display;
+  };
+  const SharedData first = shown(session);
+  session.nodes[1].on = false;
+  const SharedData other = shown(session);
+  session.nodes[1].name = "renamed";
+  const SharedData same = shown(session);
+  EXPECT_FALSE(isShallowCopy(first, other));
+  EXPECT_TRUE(isShallowCopy(other, same));
 }
 
 // What is given back while the mesh is looked at elsewhere is made again with the same bits.

@@ -164,6 +164,40 @@ TEST(Edit, AllOfItIsUndoneAndRedone)
   EXPECT_EQ(scene.digest(), made.back());
 }
 
+// The hand has made what a region alone is: the history takes it. What moves is made there, with the same
+// bits as if all had been.
+TEST(Edit, ARegionAloneIsMadeOnce)
+{
+  Edits scene;
+  QStringList stages; // that the history's thread goes through
+  QObject::connect(scene.document,
+    &Document::progressed,
+    &scene.window,
+    [&stages](int, const QString& stage, double) { stages << stage; });
+  const std::string bare = scene.digest();
+  scene.drawBoth();
+  scene.drag(Edits::ring(scene.middle, 88.0, 48.0, -0.2 * M_PI, 0.2 * M_PI), Qt::ShiftModifier);
+  ASSERT_EQ(linesOf(scene.step(0), "Boundary")->GetNumberOfLines(), 2) << scene.said();
+  EXPECT_EQ(stages.join(", ").toStdString(), "");
+  EXPECT_EQ(scene.failures(), "");
+  EXPECT_EQ(scene.digest(), bare);
+  const auto& node = scene.document->result().nodes[0];
+  ASSERT_TRUE(node.section && node.hold && node.region && node.before);
+  const std::string once = replayed(scene.document->session());
+  EXPECT_EQ(scene.digest(), once);
+  scene.drag(Edits::straight(scene.middle, scene.middle - QPoint(0, 25)));
+  EXPECT_FALSE(stages.isEmpty());
+  const std::string moved = scene.digest();
+  EXPECT_NE(moved, bare);
+  EXPECT_EQ(moved, replayed(scene.document->session()));
+  stages.clear();
+  scene.press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene.digest(), once);
+  scene.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(scene.digest(), moved);
+  EXPECT_EQ(stages.join(", ").toStdString(), "");
+}
+
 TEST(Edit, ThePlaneSlidesAndAnAxisIsDragged)
 {
   Edits scene(Qt::Key_A);

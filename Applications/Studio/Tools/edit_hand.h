@@ -15,6 +15,7 @@
 #include <QStringList>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -72,8 +73,9 @@ public:
   void showLines(bool show);
 
 signals:
-  void drawn(const oversketch_session::Step& step);
-  void remade(const oversketch_session::Step& step);
+  // With what it knows of the step, where that leaves its mesh as it is.
+  void drawn(const oversketch_session::Step& step, const std::shared_ptr<oversketch_session::Laid>& known);
+  void remade(const oversketch_session::Step& step, const std::shared_ptr<oversketch_session::Laid>& known);
   // The hand has let go, or what it can do is another thing than before.
   void left();
   void arranged();

@@ -1,5 +1,6 @@
 // What the widget of the edit is given, and what it has made of it.
 #include "document.h"
+#include "drawing_lines.h"
 #include "edit_hand.h"
 #include "edit_step.h"
 #include "texture.h"
@@ -71,7 +72,12 @@ void EditHand::loadCurves(const Work& work)
   const auto data = [&](const char* name)
   {
     const auto given = work.given.find(name);
-    return given == work.given.end() ? linesOf(work.step, name) : given->second.own();
+    if (given != work.given.end())
+    {
+      return given->second.own();
+    }
+    const auto lines = linesOf(work.step, name);
+    return lines ? strokesThatAreOn(lines) : nullptr;
   };
   vtkOversketchRegionWidget* region = this->Widget->GetRegionWidget();
   region->SetRegion(data(lineInput), data(ringInput));

@@ -18,21 +18,21 @@ EditTool::EditTool(const std::shared_ptr<EditHand>& hand, int mode, Viewport* vi
   connect(hand.get(),
     &EditHand::drawn,
     this,
-    [this, isHeld](const Step& step)
+    [this, isHeld](const Step& step, const std::shared_ptr<Laid>& known)
     {
       if (isHeld())
       {
-        emit this->drawn(step);
+        emit this->drawn(step, known);
       }
     });
   connect(hand.get(),
     &EditHand::remade,
     this,
-    [this, isHeld](const Step& step)
+    [this, isHeld](const Step& step, const std::shared_ptr<Laid>& known)
     {
       if (isHeld())
       {
-        emit this->remade(step);
+        emit this->remade(step, known);
       }
     });
   for (const auto signal : { &EditHand::left, &EditHand::arranged })

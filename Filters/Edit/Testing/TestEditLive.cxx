@@ -1,6 +1,7 @@
 // What is shown while something is dragged, curves and profiles redrawn in part, areas, handles.
 #include "EditSystem.h"
 
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkDoubleArray.h"
@@ -170,6 +171,28 @@ TEST(EditPreview, NormalsAreOfTheMovedSurface)
     worst = std::max(worst, (shownNormal - data->Normals()[static_cast<std::size_t>(i)]).norm());
   }
   EXPECT_LT(worst, 1e-5);
+}
+
+// What is prepared before there is a line spares those of the whole mesh with line and ring.
+TEST(EditPreview, NormalsArePreparedOnce)
+{
+  const oversketch::MeshWork& work = oversketch::MeshWorkDone();
+  for (const bool isPrepared : { false, true })
+  {
+    EditSystem s(shippedModel("bear"));
+    if (isPrepared)
+    {
+      s.filter->SetReferenceData(nullptr);
+      s.filter->SetBoundaryData(nullptr);
+      EXPECT_TRUE(s.filter->Prepare());
+      s.filter->SetReferenceData(s.reference);
+      EXPECT_TRUE(s.filter->Prepare());
+      s.filter->SetBoundaryData(s.boundary);
+    }
+    const int normals = work.Normals;
+    s.run();
+    EXPECT_EQ(work.Normals - normals, isPrepared ? 0 : 1);
+  }
 }
 
 TEST(EditPreview, ADragRunsNoSolveAndGrowsNoRegion)
