@@ -183,7 +183,6 @@ void chooseAmongNeighbours(const std::string& path, double cut)
   EXPECT_EQ(scene.moved(), nearer);
   while (!scene.document->session().nodes.empty())
   {
-    scene.press(Qt::Key_Escape);
     scene.document->undo();
     scene.wait();
   }
