@@ -5,6 +5,7 @@
 #include "session.h"
 
 #include <array>
+#include <optional>
 
 namespace oversketch_session
 {
@@ -17,12 +18,14 @@ struct Look
   double height = 1.0;           // half of what is seen where lines of sight are parallel
   bool parallel = false;         // lines of sight are
   std::array<double, 2> shift{}; // of the picture's middle [halves of its width and height]
+  // Of the view that this was in, width and height [px]; none in files of programs before this was kept.
+  std::optional<std::array<int, 2>> size;
 
   bool operator==(const Look& other) const
   {
     return this->position == other.position && this->focus == other.focus && this->up == other.up &&
            this->angle == other.angle && this->height == other.height && this->parallel == other.parallel &&
-           this->shift == other.shift;
+           this->shift == other.shift && this->size == other.size;
   }
 };
 

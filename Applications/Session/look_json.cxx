@@ -7,6 +7,28 @@
 namespace oversketch_session
 {
 
+namespace
+{
+
+constexpr double longestSide = 1e6; // px
+
+std::optional<std::array<int, 2>> viewSizeOf(const JsonReader& json)
+{
+  if (!json.has("size"))
+  {
+    return std::nullopt;
+  }
+  const std::vector<double> size = json.numbers("size");
+  const auto isLength = [](double length) { return length >= 1.0 && length <= longestSide; };
+  if (size.size() != 2 || !isLength(size[0]) || !isLength(size[1]))
+  {
+    json.refuse("size", "is not two numbers from 1 to 1,000,000");
+  }
+  return std::array<int, 2>{ static_cast<int>(size[0]), static_cast<int>(size[1]) };
+}
+
+} // namespace
+
 Json::Value jsonOf(const Look& look)
 {
   Json::Value json;
@@ -18,6 +40,11 @@ Json::Value jsonOf(const Look& look)
   json["parallel"] = look.parallel;
   json["shift"].append(look.shift[0]);
   json["shift"].append(look.shift[1]);
+  if (look.size)
+  {
+    json["size"].append((*look.size)[0]);
+    json["size"].append((*look.size)[1]);
+  }
   return json;
 }
 
@@ -34,7 +61,8 @@ Look lookOf(const JsonReader& json)
     json.number("angle"),
     json.number("height"),
     json.yes("parallel"),
-    { shift[0], shift[1] } };
+    { shift[0], shift[1] },
+    viewSizeOf(json) };
   double along[3], across[3];
   vtkMath::Subtract(look.focus.data(), look.position.data(), along);
   vtkMath::Cross(along, look.up.data(), across);

@@ -2,6 +2,8 @@
 
 #include "viewport.h"
 
+#include "camera_state.h"
+
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
@@ -21,6 +23,7 @@ Look lookOf(Viewport& view)
   look.height = camera->GetParallelScale();
   look.parallel = camera->GetParallelProjection() != 0;
   camera->GetWindowCenter(look.shift.data());
+  look.size = view.fittedSize();
   return look;
 }
 
@@ -34,6 +37,12 @@ void lookAs(const Look& look, Viewport& view)
   camera->SetParallelScale(look.height);
   camera->SetParallelProjection(look.parallel);
   camera->SetWindowCenter(look.shift[0], look.shift[1]);
+  if (look.size)
+  {
+    oversketch::CameraState state(camera);
+    state.fit(look.size->data(), view.fittedSize().data());
+    state.putInto(camera);
+  }
   view.renderer()->ResetCameraClippingRange();
   view.renderSoon();
 }

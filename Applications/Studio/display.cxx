@@ -1,5 +1,7 @@
 #include "display.h"
 
+#include "camera_state.h"
+
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -16,7 +18,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr double usualAngle = 30.0; // degrees, VTK's
+constexpr int square[2] = { 1, 1 };
 
 } // namespace
 
@@ -45,22 +47,33 @@ Display::Display(vtkRenderer* renderer, ModelView& model)
 
 Display::~Display() = default;
 
-void Display::lookAtAll(const double box[6])
+void Display::lookAtAll(const double box[6], const int size[2])
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->SetPosition(0.0, 0.0, 1.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetViewAngle(usualAngle);
   camera->SetWindowCenter(0.0, 0.0);
   const vtkBoundingBox all = this->Others.box(box);
   double whole[6];
   all.GetBounds(whole);
-  this->Renderer->ResetCamera(whole);
+  this->stepBack(whole, size);
   this->Grid.place(whole);
 }
 
-void Display::showWhole()
+// To the same place in all windows: one that is narrower than high has a wider angle.
+void Display::stepBack(const double box[6], const int size[2])
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetUseHorizontalViewAngle(size[0] < size[1]);
+  this->Renderer->ResetCamera(box); // sets VTK's own angle
+  camera->SetUseHorizontalViewAngle(false);
+  oversketch::CameraState state(camera);
+  state.fit(square, size);
+  camera->SetViewAngle(state.angle);
+}
+
+void Display::showWhole(const int size[2])
 {
   const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   const vtkBoundingBox box = this->Others.box(this->Model.mesh() ? this->Model.mesh()->GetBounds() : none);
@@ -78,7 +91,7 @@ void Display::showWhole()
   {
     double whole[6];
     box.GetBounds(whole);
-    this->Renderer->ResetCamera(whole);
+    this->stepBack(whole, size);
   }
   this->Renderer->ResetCameraClippingRange();
 }

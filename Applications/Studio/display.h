@@ -28,10 +28,11 @@ public:
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;
 
-  // The camera looks at all of a box from the front, and the ground lies under it.
-  void lookAtAll(const double box[6]);
-  // The camera steps back where not all of the models is in the picture.
-  void showWhole();
+  // The camera looks at all of a box from the front, in a view of that size [px], and the ground lies under
+  // it.
+  void lookAtAll(const double box[6], const int size[2]);
+  // The camera steps back where not all of the models is in the picture, in a view of that size.
+  void showWhole(const int size[2]);
 
   void setShading(Shading shading);
   void setGround(bool shown);
@@ -52,6 +53,8 @@ public:
   void setOverlays(bool shown);
 
 private:
+  void stepBack(const double box[6], const int size[2]);
+
   vtkRenderer* Renderer; // outlives it
   ModelView& Model;
   RestingViews Others{ this->Renderer };

@@ -101,7 +101,7 @@ void MainWindow::addModel(const QString& path)
   }
   this->stopTeaching();
   this->remember(path);
-  this->View->display().showWhole();
+  this->View->display().showWhole(this->View->fittedSize().data());
   this->View->renderSoon();
   this->tell(notes);
 }

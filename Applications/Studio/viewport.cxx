@@ -1,6 +1,5 @@
 #include "viewport.h"
 
-#include "files.h"
 #include "key_list.h"
 #include "latency.h"
 #include "overlays.h"
@@ -15,7 +14,6 @@
 #include "vtkCellArray.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkLightKit.h"
-#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -23,7 +21,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -131,6 +128,7 @@ void Viewport::listen()
   this->interactor()->EnableRenderOff();
   this->interactor()->AddObserver(vtkCommand::RenderEvent, this->Observer);
   this->Style->AddObserver(vtkCommand::StartInteractionEvent, this->Observer);
+  this->Style->AddObserver(vtkCommand::EndInteractionEvent, this->Observer);
   this->Style->AddObserver(vtkCommand::ModifiedEvent, this->Observer);
 }
 
@@ -151,6 +149,10 @@ void Viewport::heard(unsigned long event)
   {
     this->hideHint();
     emit this->cameraMoves();
+  }
+  else if (event == vtkCommand::EndInteractionEvent)
+  {
+    this->fitCamera(); // of a size that came during a drag
   }
   else if (event == vtkCommand::ModifiedEvent)
   {
@@ -183,6 +185,7 @@ void Viewport::render()
 {
   this->Await->stop();
   this->RenderWaits = false;
+  this->fitCamera();
   if (this->CurrentTool)
   {
     this->CurrentTool->frameBegins();
@@ -299,7 +302,23 @@ void Viewport::paintGL()
 void Viewport::resizeGL(int width, int height)
 {
   QVTKOpenGLNativeWidget::resizeGL(width, height);
+  this->interactor()->InvokeEvent(vtkCommand::ConfigureEvent); // Qt's came before the window had its size
+  this->fitCamera();
   this->fitScreen();
+}
+
+// What the hand holds does not jump under it; and a view that is next to nothing tells no proportion.
+void Viewport::fitCamera()
+{
+  constexpr int least = 16; // px
+  const int* size = this->Renderer->GetSize();
+  const bool isHeld = this->CurrentTool && this->CurrentTool->isBusy();
+  const bool isOther = size[0] != this->Fitted[0] || size[1] != this->Fitted[1];
+  if (isOther && !isHeld && std::min(size[0], size[1]) >= least &&
+      this->Style->FollowSize(this->Fitted.data(), size))
+  {
+    this->Fitted = { size[0], size[1] };
+  }
 }
 
 // VTK counts the screen's own pixels.
@@ -375,7 +394,8 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   this->Behind.setMesh(mesh);
   if (reset)
   {
-    this->Looks.lookAtAll(mesh->GetBounds());
+    this->fitCamera();
+    this->Looks.lookAtAll(mesh->GetBounds(), this->Fitted.data());
     this->Style->SaveFirstView();
     // Room for what is drawn beside the model.
     this->Renderer->SetSSAORadius(0.1 * mesh->GetLength());
@@ -540,58 +560,6 @@ void Viewport::showKeys(bool show)
 bool Viewport::showsKeys() const
 {
   return this->Style->GetShowKeys();
-}
-
-void Viewport::screenshot(const QString& path, bool overlays)
-{
-  const int section = this->Section->GetVisibility(), region = this->Region.isShown();
-  const bool mirror = this->Mirror.isVisible(), hint = this->HintBox.isVisible(),
-             keys = this->Style->GetShowKeys();
-  if (!overlays)
-  {
-    for (Tool* tool : this->findChildren<Tool*>())
-    {
-      tool->showLines(false);
-    }
-    emit this->linesShown(false);
-    this->Section->VisibilityOff();
-    this->Region.actor()->VisibilityOff();
-    this->Mirror.setVisible(false);
-    this->HintBox.setVisible(false);
-    this->Style->SetShowKeys(false);
-    this->Looks.setOverlays(false);
-  }
-  this->render();
-  this->renderSmooth();
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(this->Window);
-  picture->ReadFrontBufferOff();
-  picture->Update();
-  this->Section->SetVisibility(section);
-  this->Region.actor()->SetVisibility(region);
-  this->Looks.setOverlays(true);
-  this->Mirror.setVisible(mirror);
-  this->HintBox.setVisible(hint);
-  this->Style->SetShowKeys(keys);
-  for (Tool* tool : this->findChildren<Tool*>())
-  {
-    tool->showLines(true);
-  }
-  emit this->linesShown(true);
-  this->render();
-  oversketch_files::writeWhole(path.toStdString(),
-    [&](const std::string& file)
-    {
-      vtkNew<vtkPNGWriter> writer;
-      writer->SetInputConnection(picture->GetOutputPort());
-      writer->SetFileName(file.c_str());
-      writer->Write();
-      if (writer->GetErrorCode() != 0)
-      {
-        throw oversketch_files::Failed(
-          tr("%1 could not be written. Is the disk full?").arg(path).toStdString());
-      }
-    });
 }
 
 } // namespace oversketch_studio

@@ -15,6 +15,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <array>
 #include <optional>
 #include <set>
 
@@ -85,6 +86,9 @@ public:
   Display& display() { return this->Looks; }
   vtkOversketchInteractorStyle* camera() { return this->Style; }
   vtkRenderer* renderer() { return this->Renderer; }
+  // The size of the view that the camera is for [px of the screen]: what was whole in view stays whole when
+  // it becomes narrower than high (vtkOversketchInteractorStyle::FollowSize). It changes once the hand rests.
+  const std::array<int, 2>& fittedSize() const { return this->Fitted; }
   void zoomAt(double factor, const QPointF& at); // a place of the widget
   void setHandCursor(Qt::CursorShape shape);
   // A frame with the next turn of the event loop, and at once.
@@ -118,6 +122,7 @@ private:
   void awaitNoMore();
   void placeHint();
   void fitScreen();
+  void fitCamera();
 
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
@@ -134,6 +139,7 @@ private:
   vtkNew<vtkOversketchInteractorStyle> Style;
   vtkNew<vtkCallbackCommand> Observer;
   Tool* CurrentTool = nullptr;
+  std::array<int, 2> Fitted{ 1, 1 };
   std::optional<bool> OnProcessor; // once there is a context to ask
   QTimer* Await;                   // runs while a mesh is awaited
   QTimer* Rest;                    // since the last frame, where the processor draws

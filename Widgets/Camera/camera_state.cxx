@@ -25,6 +25,13 @@ double angleOf(double halfTangent)
   return 2.0 * vtkMath::DegreesFromRadians(std::atan(halfTangent));
 }
 
+// How far a view of that size is seen to the right and up, in halves of its smaller side.
+Eigen::Vector2d reach(const int size[2])
+{
+  const double wide = std::max(size[0], 1), high = std::max(size[1], 1);
+  return { std::max(1.0, wide / high), std::max(1.0, high / wide) };
+}
+
 } // namespace
 
 CameraState::CameraState(vtkCamera* camera)
@@ -58,6 +65,17 @@ void CameraState::move(const Eigen::Vector3d& by)
 {
   this->position += by;
   this->focal += by;
+}
+
+void CameraState::fit(const int before[2], const int now[2])
+{
+  const Eigen::Vector2d had = reach(before), has = reach(now);
+  if (has != had) // to the bit as it was
+  {
+    this->centre = this->centre.cwiseProduct(had).cwiseQuotient(has);
+    this->angle = angleOf(has[1] / had[1] * halfTangent(this->angle));
+    this->scale *= has[1] / had[1];
+  }
 }
 
 vtkSmartPointer<vtkCamera> unclippedCamera(vtkRenderer* renderer)

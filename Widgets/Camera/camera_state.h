@@ -14,7 +14,7 @@ class vtkRenderer;
 namespace oversketch
 {
 
-struct CameraState
+struct OVERSKETCHWIDGETSCAMERA_EXPORT CameraState
 {
   Eigen::Vector3d position, focal, up;
   double angle = 30.0, scale = 1.0;
@@ -29,6 +29,10 @@ struct CameraState
   void turn(const Eigen::Quaterniond& rotation) { this->turn(rotation, this->focal); }
   void turn(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& about);
   void move(const Eigen::Vector3d& by);
+  // For a view of another size [px, those below 1 are 1]: what was seen across its smaller side, about its
+  // middle, is again. A camera by itself keeps what is seen from top to bottom, so that a view narrower than
+  // high cuts what was whole.
+  void fit(const int before[2], const int now[2]);
 };
 
 // A copy of the renderer's camera whose clipping range comes from its distance to the focal point, not from

@@ -94,6 +94,11 @@ void PenView::putInto(vtkRenderer* renderer) const
     camera->SetParallelScale(1.0 / this->projection[5]);
     camera->SetWindowCenter(-this->projection[3], -this->projection[7]);
   }
+  CameraState state(camera);
+  state.fit(this->size.data(), renderer->GetSize());
+  // The stroke tells nothing of the other projection.
+  perspective ? state.scale = camera->GetParallelScale() : state.angle = camera->GetViewAngle();
+  state.putInto(camera);
   renderer->ResetCameraClippingRange();
 }
 

@@ -27,7 +27,8 @@ struct OVERSKETCHWIDGETSCAMERA_EXPORT PenView
   bool operator==(const PenView& other) const;
   // The same eye and direction, whatever the zoom and the size of the window.
   bool fromTheSamePlace(const PenView& other) const;
-  // Puts the renderer's camera where the view was seen from.
+  // Puts the renderer's camera where the view was seen from (CameraState::fit where the renderer has another
+  // size).
   void putInto(vtkRenderer* renderer) const;
 };
 

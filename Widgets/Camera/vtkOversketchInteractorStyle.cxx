@@ -496,6 +496,23 @@ bool vtkOversketchInteractorStyle::LookFrom(vtkPolyData* stroke)
   }
 }
 
+bool vtkOversketchInteractorStyle::FollowSize(const int before[2], const int now[2])
+{
+  vtkRenderer* in = this->Inner->drag ? nullptr : this->Inner->renderer();
+  if (!in || !in->IsActiveCameraCreated())
+  {
+    return false;
+  }
+  if (FirstView* first = this->Inner->firstView(false))
+  {
+    first->state.fit(before, now);
+  }
+  CameraState camera(in->GetActiveCamera());
+  camera.fit(before, now);
+  camera.putInto(in->GetActiveCamera());
+  return true;
+}
+
 void vtkOversketchInteractorStyle::OnMouseMove()
 {
   this->Inner->move();

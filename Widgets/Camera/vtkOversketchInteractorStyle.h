@@ -179,10 +179,19 @@ public:
 
   /**
    * Puts the camera where a stroke was drawn that carries its view (vtkOversketchStrokeWidget::GetStroke);
-   * the window keeps its size. False, and nothing changed, without a renderer, during a drag, or for another
+   * the window keeps its size, and of another size (FollowSize) it shows across its smaller side what the
+   * stroke's did. False, and nothing changed, without a renderer, during a drag, or for another
    * polydata.
    */
   bool LookFrom(vtkPolyData* stroke);
+
+  /**
+   * The view has another size [px, width and height] than it had: what was seen across the smaller of its
+   * sides, about its middle, is seen across the smaller side again, in this view and in the first view. VTK's
+   * camera keeps what is seen from top to bottom, so that a view narrower than high cuts a model that was
+   * whole. Zoom stays, nothing is rendered. False, and nothing changed, without a camera and during a drag.
+   */
+  bool FollowSize(const int before[2], const int now[2]);
 
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
 

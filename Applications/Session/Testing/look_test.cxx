@@ -17,9 +17,14 @@ namespace
 
 Look fromTheSide()
 {
-  return {
-    { 1.0 / 3.0, 2.0, -5.0 }, { 0.0, 0.1, 0.0 }, { 0.0, 1.0, 1e-3 }, 42.5, 0.7, true, { 0.3, -1.0 / 7.0 }
-  };
+  return { { 1.0 / 3.0, 2.0, -5.0 },
+    { 0.0, 0.1, 0.0 },
+    { 0.0, 1.0, 1e-3 },
+    42.5,
+    0.7,
+    true,
+    { 0.3, -1.0 / 7.0 },
+    { { 640, 480 } } };
 }
 
 // session.json with one text in place of another.
@@ -87,6 +92,11 @@ TEST(Look, FromWhichNothingIsSeenIsRefused)
     decode(withText(Encoder().encode(file), "\"shift\" : \n", "\"shift\" : [], \"other\" :\n"), "a"),
     oversketch_files::Failed)
     << "a look without a shift";
+  EXPECT_TRUE(change([](Look& look) { look.size = { 640, 0 }; }));
+  EXPECT_TRUE(change([](Look& look) { look.size = { 1 << 20, 480 }; }));
+  file.look->size.reset();
+  const auto old = decode(Encoder().encode(file), "a");
+  EXPECT_TRUE(*old.look == *file.look) << "as it was written before sizes were kept";
 }
 
 TEST(History, KnowsWhatIsSaved)

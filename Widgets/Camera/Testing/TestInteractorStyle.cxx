@@ -229,6 +229,37 @@ TEST(Camera, TheWheelKeepsWhatIsUnderTheCursorAndTheEye)
   }
 }
 
+TEST(Camera, ItFollowsTheSizeOfItsView)
+{
+  const int square[2] = { 400, 400 }, narrow[2] = { 200, 400 }, wide[2] = { 800, 400 };
+  for (const bool parallel : { true, false })
+  {
+    StyleScene scene(parallel);
+    scene.style->SetZoom(2.0);
+    scene.camera()->SetWindowCenter(0.5, 0.25);
+    const auto first = scene.state();
+    const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * first[0]));
+    EXPECT_TRUE(scene.style->FollowSize(square, narrow));
+    EXPECT_NEAR(scene.camera()->GetParallelScale(), 2.0 * first[1], 1e-12);
+    EXPECT_NEAR(
+      std::tan(vtkMath::RadiansFromDegrees(0.5 * scene.camera()->GetViewAngle())), 2.0 * tangent, 1e-12);
+    EXPECT_NEAR(scene.camera()->GetWindowCenter()[0], 0.5, 1e-12); // of a width that is as it was
+    EXPECT_NEAR(scene.camera()->GetWindowCenter()[1], 0.125, 1e-12);
+    EXPECT_NEAR(scene.style->GetZoom(), 2.0, 1e-12);
+    // Of one that is wider than high the height stays, and the middle.
+    EXPECT_TRUE(scene.style->FollowSize(narrow, wide));
+    expectNear(scene.state(), first, 1e-12);
+    EXPECT_NEAR(scene.camera()->GetWindowCenter()[0], 0.25, 1e-12);
+    EXPECT_TRUE(scene.style->FollowSize(wide, square));
+    expectNear(scene.state(), first, 1e-12);
+    // Not in the middle of a drag.
+    scene.event(vtkCommand::MiddleButtonPressEvent, 200, 200);
+    EXPECT_FALSE(scene.style->FollowSize(square, narrow));
+    scene.event(vtkCommand::MiddleButtonReleaseEvent, 200, 200);
+    EXPECT_TRUE(scene.style->FollowSize(square, narrow));
+  }
+}
+
 TEST(Camera, ASideIsLookedFromUpright)
 {
   StyleScene scene;
