@@ -79,15 +79,12 @@ public:
     run.parameters = path.parameters;
     for (const int v : path.vertices)
     {
-      const std::vector<int>& around = this->Mesh.around(v);
-      const int t = this->Mesh.source(*std::min_element(around.begin(), around.end()));
+      const int t = this->Mesh.source(this->widestAt(v));
       SurfacePoint place{ t, { 0.0, 0.0, 0.0 } };
       for (const auto& [corner, weight] : this->Mesh.origin(v))
       {
-        for (int k = 0; k < 3; ++k)
-        {
-          place.weights[k] += this->Input.triangles[t][k] == corner ? weight : 0.0;
-        }
+        const Triangle& corners = this->Input.triangles[t];
+        place.weights[std::find(corners.begin(), corners.end(), corner) - corners.begin()] = weight;
       }
       run.places.push_back(place);
     }
@@ -95,6 +92,16 @@ public:
   }
 
 private:
+  // The triangle at a vertex that has most area: others may have none.
+  int widestAt(int v) const
+  {
+    std::vector<int> around = this->Mesh.around(v);
+    std::sort(around.begin(), around.end());
+    return *std::max_element(around.begin(),
+      around.end(),
+      [&](int t, int u) { return this->Mesh.cross(t).squaredNorm() < this->Mesh.cross(u).squaredNorm(); });
+  }
+
   // Whether a vertex was inserted for nothing, and no curve touches the triangles of the input that it is in.
   bool isStray(int v) const
   {
