@@ -281,9 +281,19 @@ int vtkOversketchCrossSection::RequestData(vtkInformation*,
             cutter.at(FrameOf(frame), PlaceOf(planes, cache.Data->Surface().vertexCount()), rules);
           if (section.points.empty())
           {
-            vtkWarningMacro(
-              "The plane meets the boundary curve fewer than twice: there is no profile; slide it "
-              "along the reference curve.");
+            if (this->Ends == Nearest)
+            {
+              vtkWarningMacro(
+                "From the reference curve the plane goes round the model or a limb and back without meeting "
+                "the boundary curve: there is no profile; slide it along the reference curve, or draw the "
+                "boundary so that the limb's tip is not inside.");
+            }
+            else
+            {
+              vtkWarningMacro(
+                "The plane meets the boundary curve fewer than twice: there is no profile; slide it "
+                "along the reference curve.");
+            }
             return;
           }
           const std::vector<double> beside = SidesOf(mesh, section.places);

@@ -24,7 +24,8 @@
  * Output 1 (Section): the section before it was fitted, a polyline on the mesh, with point arrays CurveT,
  * SideDistance, MeshVertices and MeshWeights.
  *
- * Both are empty, with a warning, where the plane meets the boundary fewer than twice.
+ * Both are empty, with a warning, where the plane meets the boundary fewer than twice, or, from the curve
+ * on, goes round a limb and back before it does.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadStroke for a boundary that is none or no chain
  * of edges, a plane that does not cut the mesh at its place, ends that meet; BadMesh naming the edge where

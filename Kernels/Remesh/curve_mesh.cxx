@@ -1,6 +1,7 @@
 #include "Remesh/curve_mesh.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace oversketch
 {
@@ -278,6 +279,50 @@ void CurveMesh::markCurves()
     {
       ++this->marks[v];
     }
+  }
+}
+
+void cutLoops(MeshCurve& path, const CurveMesh& mesh)
+{
+  const auto lengthBetween = [&](std::size_t begin, std::size_t end)
+  {
+    double length = 0.0;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const int next = path.vertices[(i + 1) % path.vertices.size()];
+      length += (mesh.point(next) - mesh.point(path.vertices[i])).norm();
+    }
+    return length;
+  };
+  std::unordered_map<int, std::size_t> places;
+  for (std::size_t i = 0; i < path.vertices.size(); ++i)
+  {
+    const auto visited = places.find(path.vertices[i]);
+    if (visited == places.end())
+    {
+      places.emplace(path.vertices[i], i);
+      continue;
+    }
+    const std::size_t first = visited->second;
+    const double loop = lengthBetween(first, i);
+    const double rest = path.closed ? lengthBetween(0, path.vertices.size()) - loop : loop;
+    if (loop > rest)
+    {
+      path.vertices.assign(path.vertices.begin() + static_cast<std::ptrdiff_t>(first),
+        path.vertices.begin() + static_cast<std::ptrdiff_t>(i));
+      path.parameters.assign(path.parameters.begin() + static_cast<std::ptrdiff_t>(first),
+        path.parameters.begin() + static_cast<std::ptrdiff_t>(i));
+      return;
+    }
+    for (std::size_t k = first + 1; k < i; ++k)
+    {
+      places.erase(path.vertices[k]);
+    }
+    path.vertices.erase(path.vertices.begin() + static_cast<std::ptrdiff_t>(first),
+      path.vertices.begin() + static_cast<std::ptrdiff_t>(i));
+    path.parameters.erase(path.parameters.begin() + static_cast<std::ptrdiff_t>(first),
+      path.parameters.begin() + static_cast<std::ptrdiff_t>(i));
+    i = first;
   }
 }
 

@@ -94,5 +94,8 @@ private:
   double Diagonal;
 };
 
+// What lies between two visits of a vertex goes, of a closed path the shorter part.
+void cutLoops(MeshCurve& path, const CurveMesh& mesh);
+
 } // namespace oversketch
 #endif

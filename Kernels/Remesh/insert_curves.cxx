@@ -8,7 +8,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <unordered_map>
 
 namespace oversketch
 {
@@ -17,6 +16,7 @@ namespace
 {
 
 constexpr double samePlace = 1e-6; // of the diagonal
+constexpr int mostRepeats = 4;
 
 [[noreturn]] void refuseCurve(const NewCurve& curve, const char* why)
 {
@@ -51,6 +51,7 @@ public:
     }
     MeshCurve path = this->Rules.embed ? this->embedded(curve, chains) : joinedChains(chains);
     path.closed = curve.closed;
+    const std::vector<int> whole = path.vertices;
     if (this->Rules.embed)
     {
       cutLoops(path, this->Mesh);
@@ -63,11 +64,65 @@ public:
     normaliseParameters(path);
     this->Mesh.curves.push_back(std::move(path));
     this->Mesh.markCurves();
+    this->Strays = std::any_of(whole.begin(), whole.end(), [&](int v) { return this->isStray(v); });
   }
 
   int bridges() const { return this->Bridges; }
+  // Whether loops of the last curve, which are cut out, went through triangles that no curve touches.
+  bool strays() const { return this->Strays; }
+  // The last curve as one run.
+  CurveRun asRun() const
+  {
+    const MeshCurve& path = this->Mesh.curves.back();
+    CurveRun run;
+    run.closed = path.closed;
+    run.parameters = path.parameters;
+    for (const int v : path.vertices)
+    {
+      const int t = this->Mesh.source(this->widestAt(v));
+      SurfacePoint place{ t, { 0.0, 0.0, 0.0 } };
+      for (const auto& [corner, weight] : this->Mesh.origin(v))
+      {
+        const Triangle& corners = this->Input.triangles[t];
+        place.weights[std::find(corners.begin(), corners.end(), corner) - corners.begin()] = weight;
+      }
+      run.places.push_back(place);
+    }
+    return run;
+  }
 
 private:
+  // The triangle at a vertex that has most area: others may have none.
+  int widestAt(int v) const
+  {
+    std::vector<int> around = this->Mesh.around(v);
+    std::sort(around.begin(), around.end());
+    return *std::max_element(around.begin(),
+      around.end(),
+      [&](int t, int u) { return this->Mesh.cross(t).squaredNorm() < this->Mesh.cross(u).squaredNorm(); });
+  }
+
+  // Whether a vertex was inserted for nothing, and no curve touches the triangles of the input that it is in.
+  bool isStray(int v) const
+  {
+    if (!this->Mesh.inserted(v) || this->Mesh.onCurve(v))
+    {
+      return false;
+    }
+    for (const int t : this->Mesh.around(v))
+    {
+      for (const int piece : this->Mesh.piecesOf(this->Mesh.source(t)))
+      {
+        const Triangle& corners = this->Mesh.triangle(piece);
+        if (std::any_of(corners.begin(), corners.end(), [&](int w) { return this->Mesh.onCurve(w); }))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
   // Vertices of a run and their parameters.
   struct Chain
   {
@@ -383,51 +438,6 @@ private:
     return longest;
   }
 
-  // What lies between two visits of a vertex goes, of a closed path the shorter part.
-  static void cutLoops(MeshCurve& path, const CurveMesh& mesh)
-  {
-    const auto lengthBetween = [&](std::size_t begin, std::size_t end)
-    {
-      double length = 0.0;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const int next = path.vertices[(i + 1) % path.vertices.size()];
-        length += (mesh.point(next) - mesh.point(path.vertices[i])).norm();
-      }
-      return length;
-    };
-    std::unordered_map<int, std::size_t> places;
-    for (std::size_t i = 0; i < path.vertices.size(); ++i)
-    {
-      const auto visited = places.find(path.vertices[i]);
-      if (visited == places.end())
-      {
-        places.emplace(path.vertices[i], i);
-        continue;
-      }
-      const std::size_t first = visited->second;
-      const double loop = lengthBetween(first, i);
-      const double rest = path.closed ? lengthBetween(0, path.vertices.size()) - loop : loop;
-      if (loop > rest)
-      {
-        path.vertices.assign(path.vertices.begin() + static_cast<std::ptrdiff_t>(first),
-          path.vertices.begin() + static_cast<std::ptrdiff_t>(i));
-        path.parameters.assign(path.parameters.begin() + static_cast<std::ptrdiff_t>(first),
-          path.parameters.begin() + static_cast<std::ptrdiff_t>(i));
-        return;
-      }
-      for (std::size_t k = first + 1; k < i; ++k)
-      {
-        places.erase(path.vertices[k]);
-      }
-      path.vertices.erase(path.vertices.begin() + static_cast<std::ptrdiff_t>(first),
-        path.vertices.begin() + static_cast<std::ptrdiff_t>(i));
-      path.parameters.erase(path.parameters.begin() + static_cast<std::ptrdiff_t>(first),
-        path.parameters.begin() + static_cast<std::ptrdiff_t>(i));
-      i = first;
-    }
-  }
-
 public:
   // 0 to 1 of an open curve, from 0 on of a closed one.
   static void normaliseParameters(MeshCurve& path)
@@ -449,6 +459,7 @@ private:
   CurveMesh& Mesh;
   const InsertRules Rules;
   int Bridges = 0;
+  bool Strays = false;
 };
 
 // Stored curves must be chains of edges.
@@ -469,6 +480,15 @@ void refuseLoose(const CurveMesh& mesh, const std::vector<MeshCurve>& stored)
       }
     }
   }
+}
+
+CurveMesh beginning(const Mesh& mesh, const std::vector<MeshCurve>& stored)
+{
+  CurveMesh work(mesh);
+  refuseLoose(work, stored);
+  work.curves = stored;
+  work.markCurves();
+  return work;
 }
 
 InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount)
@@ -533,23 +553,34 @@ InsertedCurves insertCurves(const Mesh& mesh,
   const InsertRules& rules,
   const Context& context)
 {
-  CurveMesh work(mesh);
-  refuseLoose(work, stored);
-  work.curves = stored;
-  work.markCurves();
+  CurveMesh work = beginning(mesh, stored);
   context.checkpoint(0.1);
-  Inserter inserter(mesh, work, rules);
-  for (std::size_t i = 0; i < curves.size(); ++i)
+  std::vector<NewCurve> drawn = curves;
+  int bridges = 0;
+  for (std::size_t i = 0; i < drawn.size(); ++i)
   {
-    inserter.insert(curves[i]);
-    context.checkpoint(0.1 + 0.6 * static_cast<double>(i + 1) / static_cast<double>(curves.size()));
+    auto inserter = std::make_optional<Inserter>(mesh, work, rules);
+    inserter->insert(drawn[i]);
+    bridges += inserter->bridges();
+    // Again, as what is left of it: else triangles far from it would stay split.
+    for (int k = 0; k < mostRepeats && inserter->strays(); ++k)
+    {
+      drawn[i].runs = { inserter->asRun() };
+      work = beginning(mesh, stored);
+      for (std::size_t j = 0; j <= i; ++j)
+      {
+        inserter.emplace(mesh, work, rules);
+        inserter->insert(drawn[j]);
+      }
+    }
+    context.checkpoint(0.1 + 0.6 * static_cast<double>(i + 1) / static_cast<double>(drawn.size()));
   }
   if (rules.clean)
   {
     cleanAlongCurves(work, context);
   }
   InsertedCurves result = resultOf(work, stored.size());
-  result.bridges = inserter.bridges();
+  result.bridges = bridges;
   return result;
 }
 

@@ -61,7 +61,8 @@ struct InsertedCurves
 // - over a gap of a closed curve leads the first of three ways that meets no curve: along the plane of both
 //   ends and the eye, off from the viewer and straight on; along the plane of both ends and the mean of
 //   their normals; over edges; each no longer than four gaps and 0.3 of the mesh's diagonal;
-// - what lies between two visits of a vertex is cut out, of a closed curve the shorter part;
+// - what lies between two visits of a vertex is cut out, of a closed curve the shorter part; where that went
+//   through triangles that the rest does not touch, the rest alone is inserted, so that they stay whole;
 // - a new vertex on an edge of a curve that is stored belongs to that curve, else a region would leak there;
 // - narrow triangles at the curves are cleaned, see cleanAlongCurves.
 //

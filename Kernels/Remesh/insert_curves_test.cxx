@@ -312,6 +312,51 @@ TEST(InsertCurves, CoarseTrianglesBordersAndBadHands)
   EXPECT_LT(region.size(), sphere.triangles.size() / 4);
 }
 
+TEST(InsertCurves, ALoopThatIsCutOutLeavesNoTriangleSplit)
+{
+  const Mesh sphere = icosphere(5);
+  const View view = orthographicView({ 0, 0, 1 }, { 0, 1, 0 }, 220.0);
+  DrawnCurve line = drawnCurve(sphere, view, shakyLine({ 300, 340 }, { 500, 340 }, 1), false);
+  const DrawnCurve loop = drawnCurve(sphere, view, circleOf({ 400, 230 }, 40.0), true);
+  CurveRun& run = line.curve.runs[0];
+  const std::size_t middle = run.places.size() / 2;
+  run.places[middle].weights = { 1.0, 0.0, 0.0 }; // a vertex, which it comes back to
+  std::vector<SurfacePoint> astray = loop.curve.runs[0].places;
+  astray.push_back(run.places[middle]);
+  run.places.insert(
+    run.places.begin() + static_cast<std::ptrdiff_t>(middle) + 1, astray.begin(), astray.end());
+  run.parameters.clear();
+  for (std::size_t i = 0; i < run.places.size(); ++i)
+  {
+    run.parameters.push_back(static_cast<double>(i) / static_cast<double>(run.places.size() - 1));
+  }
+  for (const InsertRules& rules : { InsertRules(), InsertRules{ true, true, true, false } })
+  {
+    const InsertedCurves result = insertOne(sphere, line, rules);
+    EXPECT_EQ(eulerNumber(result.mesh.triangles), 2);
+    EXPECT_EQ(looseSegments(result.mesh, result.curves[0]), 0);
+    EXPECT_LT(originError(sphere, result), 1e-12);
+    std::set<Triangle> left;
+    for (const Triangle& t : result.mesh.triangles)
+    {
+      const auto source = [&](int v) { return result.pointSources[v]; };
+      left.insert({ source(t[0]), source(t[1]), source(t[2]) });
+    }
+    int lost = 0, looked = 0;
+    for (const Triangle& t : sphere.triangles)
+    {
+      const Vector2 at = view.toDisplay(sphere.points[t[0]]).head<2>();
+      if (sphere.points[t[0]][2] > 0.0 && at[1] < 280.0) // the line is above 305
+      {
+        ++looked;
+        lost += left.count(t) == 0;
+      }
+    }
+    EXPECT_GT(looked, 1000);
+    EXPECT_EQ(lost, 0);
+  }
+}
+
 TEST(InsertCurves, ARingRoundATipClosesBehindIt)
 {
   // A finger: a ring in the picture round its tip holds all of the tip.

@@ -463,11 +463,19 @@ TEST(CrossSection, WhatHasNoneIsSaid)
     Ear ear(chain.section);
     chain.section->Update();
     ASSERT_EQ(ear.warnings.size(), 1u);
-    EXPECT_NE(ear.warnings[0].find("fewer than twice"), std::string::npos);
+    EXPECT_NE(ear.warnings[0].find("back without meeting the boundary curve"), std::string::npos);
     EXPECT_EQ(chain.section->GetErrorCode(), 0u);
     EXPECT_EQ(chain.section->GetOutput()->GetNumberOfPoints(), 0);
     EXPECT_EQ(chain.section->GetSectionOutput()->GetNumberOfPoints(), 0);
   }
+  chain.section->SetEndsToOutermost();
+  {
+    Ear ear(chain.section);
+    chain.section->Update();
+    ASSERT_EQ(ear.warnings.size(), 1u);
+    EXPECT_NE(ear.warnings[0].find("fewer than twice"), std::string::npos);
+  }
+  chain.section->SetEndsToNearest();
   std::vector<int> torn = chain.data.scene.boundary;
   std::swap(torn[4], torn[20]);
   chain.section->SetBoundaryData(toChain(chain.data.scene.mesh, closed(torn)));

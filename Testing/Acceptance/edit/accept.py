@@ -94,9 +94,9 @@ def black():
     return image
 
 
-def put_files(editor, mesh, strokes_of, mode, aslant):
-    """Everything that the judge reads; what was refused on the way, by name."""
-    folder, refused = editor.folder, {}
+def put_rest(editor, mesh, strokes_of):
+    """What went in and the mesh at rest with its region and curves; how far line and ring are apart."""
+    folder = editor.folder
     saved.write(mesh, folder / "input.vtp")
     for name, stroke in strokes_of.items():
         stroke_files.write(stroke, folder / f"{name}.vtp")
@@ -106,7 +106,13 @@ def put_files(editor, mesh, strokes_of, mode, aslant):
     editor.put_inner("ring", "BoundaryInsert", 1)
     rest, line, ring = (saved.read(folder / f"{name}.vtp") for name in ("region", "line", "ring"))
     of = lambda curve: rest.points[patches.chain(curve)]
-    half = patches.half_width(of(line), of(ring))
+    return patches.half_width(of(line), of(ring))
+
+
+def put_files(editor, mesh, strokes_of, mode, aslant):
+    """Everything that the judge reads; what was refused on the way, by name."""
+    folder, refused = editor.folder, {}
+    half = put_rest(editor, mesh, strokes_of)
 
     def attempt(name, *arguments, **options):
         try:
