@@ -361,6 +361,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   {
     result.mesh = shared(shown);
     result.display = withPointNormals(result.mesh);
+    result.parts = sourcesOf(session, outcomes);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (this->Report.done)

@@ -408,6 +408,7 @@ void Document::commitPictures(Pictures pictures)
 
 void Document::commitScene(Session session)
 {
+  this->Shaped = 0; // what a hand shapes from here on is a change after this one
   this->Changes->commit(std::move(session));
   this->keep();
   emit this->changed(Change::Pictures);

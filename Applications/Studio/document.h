@@ -57,6 +57,8 @@ public:
   void chooseModel(int place);
   void removeModel(int place);
   void setModel(int place, bool shown, bool locked);
+  // A part of the chosen one, by its number (cell array PartId) in what is shown of it now.
+  void setPart(int number, bool shown);
   // Why the chosen one takes no steps, in words; empty where it does.
   QString whyNoSteps() const;
   // What all of them show, those that have a mesh.

@@ -76,7 +76,7 @@ Session Document::chosen(int place) const
 {
   return withChosen(this->session(),
     indexOf(place),
-    { this->Result.mesh, this->Result.display, this->Digest, this->Result.backendUsed });
+    { this->Result.mesh, this->Result.display, this->Result.parts, this->Digest, this->Result.backendUsed });
 }
 
 // Where that brings another model, it is shown as it rested until its steps have run.
@@ -100,6 +100,7 @@ void Document::turnFrom(const Session& before)
   {
     this->Result.mesh = (*same)->made.mesh;
     this->Result.display = (*same)->made.display;
+    this->Result.parts = (*same)->made.parts;
     this->Result.backendUsed = (*same)->made.backendUsed;
   }
   this->run(Change::Edited);
@@ -132,6 +133,11 @@ void Document::setModel(int place, bool shown, bool locked)
   {
     this->commitScene(withModelSeen(this->session(), indexOf(place), shown, locked));
   }
+}
+
+void Document::setPart(int number, bool shown)
+{
+  this->commitScene(withPartSeen(this->session(), sourceOf(this->Result.parts, number), shown));
 }
 
 QString Document::whyNoSteps() const

@@ -13,6 +13,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -93,8 +94,8 @@ vtkSmartPointer<vtkPolyData> ModelView::seen(vtkPolyData* mesh) const
 
 void ModelView::hide(const std::set<int>& parts)
 {
-  this->Hidden = parts;
-  if (this->Shown)
+  const bool isOther = std::exchange(this->Hidden, parts) != parts;
+  if (this->Shown && isOther)
   {
     this->show(this->Shown);
   }
