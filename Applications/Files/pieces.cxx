@@ -163,6 +163,17 @@ vtkSmartPointer<vtkPolyData> withoutParts(vtkPolyData* mesh, const std::set<int>
   return rest;
 }
 
+std::set<std::string> picturesOf(vtkPolyData* mesh)
+{
+  std::set<std::string> pictures{ textureOf(mesh) };
+  for (const int part : partsOf(mesh))
+  {
+    pictures.insert(textureOf(mesh, prefixOf(part)));
+  }
+  pictures.erase("");
+  return pictures;
+}
+
 void wearPictures(vtkPolyData* mesh, const std::vector<int>& worn, const std::vector<std::string>& pictures)
 {
   std::map<std::string, int> parts;

@@ -26,23 +26,27 @@ namespace
 
 const char* const sessionExtension = ".oversketch";
 
-// Those that the window shows at once.
-void decodePictures(const Session& session)
+// Those that the window shows at once: behind the model, worn, and on the pad.
+std::vector<SharedPicture> picturesOf(const Session& session)
 {
+  std::vector<SharedPicture> pictures = decodedOf(session.mesh);
+  const auto add = [&pictures](const std::vector<SharedPicture>& more)
+  { pictures.insert(pictures.end(), more.begin(), more.end()); };
   for (const auto& picture : session.pictures)
   {
-    decodeAhead(picture->image.bytes);
+    add({ decoded(picture->image.bytes) });
   }
-  for (const Node& node : session.nodes)
+  for (const auto& other : session.scene.others)
   {
-    const auto drawn = node.step->inputs.find(pictureInput);
-    const Image* over = drawn == node.step->inputs.end() ? nullptr : std::get_if<Image>(&drawn->second);
-    if (node.step->system == drawingSystem && over)
-    {
-      decodeAhead(over->bytes);
-      return; // the first is on the pad
-    }
+    add(decodedOf(other->made.display));
   }
+  const Step* first = session.mesh || session.nodes.empty() ? nullptr : session.nodes.front().step.get();
+  const Image* over = first ? pictureUnder(*first) : nullptr;
+  if (over)
+  {
+    add({ decoded(over->bytes) });
+  }
+  return pictures;
 }
 
 } // namespace
@@ -55,8 +59,11 @@ Document::Document(QObject* parent)
   Worker::Listener listener;
   listener.done = [this](Worker::Result result)
   {
+    auto worn = decodedOf(result.display); // here, so that the window's thread need not
     QMetaObject::invokeMethod(
-      this, [this, made = std::move(result)] { this->take(made); }, Qt::QueuedConnection);
+      this,
+      [this, made = std::move(result), pictures = std::move(worn)] { this->take(made, pictures); },
+      Qt::QueuedConnection);
   };
   listener.detailed = [this](Worker::Details details)
   {
@@ -143,7 +150,7 @@ Document::Opened Document::read(const QString& path, int backend)
     opened.look = saved.look;
     session = std::move(saved.session);
     makeResting(session);
-    decodePictures(session);
+    opened.pictures = picturesOf(session);
     return opened;
   }
   Notes said;
@@ -161,6 +168,7 @@ Document::Opened Document::read(const QString& path, int backend)
   }
   session.meshName = QFileInfo(path).fileName().toStdString();
   session.backend = backend;
+  opened.pictures = picturesOf(session);
   opened.notes = listOf(said);
   return opened;
 }
@@ -169,7 +177,7 @@ void Document::open(Opened opened)
 {
   this->Path = opened.path;
   this->Seen = opened.look;
-  this->start(std::move(opened.session), true);
+  this->start(std::move(opened.session), true, std::move(opened.pictures));
   emit this->opened();
 }
 
@@ -177,7 +185,7 @@ void Document::recover(const LeftBehind& left, Opened read)
 {
   this->Path = QString::fromStdString(left.path);
   this->Seen = read.look;
-  this->start(std::move(read.session), false);
+  this->start(std::move(read.session), false, std::move(read.pictures));
   // The old folder goes only when the new one is on the disk.
   if (this->Saver.wait().empty())
   {
@@ -186,9 +194,11 @@ void Document::recover(const LeftBehind& left, Opened read)
   emit this->opened();
 }
 
-void Document::start(Session session, bool saved)
+void Document::start(Session session, bool saved, std::vector<SharedPicture> pictures)
 {
+  this->Worn = { { session.scene.id, std::move(pictures) } };
   this->Changes = std::make_unique<History>(std::move(session));
+  this->holdWorn();
   if (saved)
   {
     this->Changes->markSaved();
@@ -502,7 +512,7 @@ void Document::answered(std::uint64_t ticket)
   }
 }
 
-void Document::take(const Worker::Result& result)
+void Document::take(const Worker::Result& result, const std::vector<SharedPicture>& worn)
 {
   if (result.ticket < this->First ||
       (result.ticket < this->Ticket && result.nodes.size() > this->session().nodes.size()))
@@ -511,6 +521,7 @@ void Document::take(const Worker::Result& result)
     return;
   }
   this->Result = result;
+  this->Worn[this->session().scene.id] = worn;
   this->Digest.clear();
   this->Traces.clear();
   this->answered(result.ticket);

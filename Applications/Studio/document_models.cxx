@@ -18,6 +18,13 @@ Document::Opened Document::readModels(const QString& path, int backend)
   Session scene;
   scene.scene.others = modelsOf(opened.session);
   scene.pictures = opened.session.pictures;
+  for (const auto& model : scene.scene.others)
+  {
+    for (const SharedPicture& picture : decodedOf(model->made.display))
+    {
+      opened.pictures.push_back(picture);
+    }
+  }
   opened.session = std::move(scene);
   return opened;
 }
@@ -34,7 +41,19 @@ void Document::addModels(Opened opened)
   Session next = withModels(this->session(), more.scene.others);
   next.pictures.insert(next.pictures.end(), more.pictures.begin(), more.pictures.end());
   this->commitScene(std::move(next));
+  this->holdWorn();
   this->chooseModel(static_cast<int>(first));
+}
+
+void Document::holdWorn()
+{
+  for (const auto& other : this->session().scene.others)
+  {
+    if (this->Worn.count(other->own.scene.id) == 0)
+    {
+      this->Worn[other->own.scene.id] = decodedOf(other->made.display);
+    }
+  }
 }
 
 void Document::chooseModel(int place)

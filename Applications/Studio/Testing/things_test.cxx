@@ -26,7 +26,7 @@ struct Pieces : Sheet
     auto* rows = this->window.findChild<QListWidget*>("history");
     for (int i = 1; i < count; ++i)
     {
-      this->document->add(*this->document->partReader(this->file)());
+      this->document->add(*this->document->partReader(this->file)().step);
       this->settle();
       this->document->place(i, { { 500.0 * i, 0.0, 500.0 * i + 400.0, 300.0 }, 0.0 }, false);
       this->settle();
@@ -78,7 +78,7 @@ TEST(Things, PartsAreHiddenAndWrittenByThemselves)
   // Of two: each by itself, also by the file.
   sheet.open();
   sheet.line(beast());
-  sheet.document->add(*sheet.document->partReader(sheet.file)());
+  sheet.document->add(*sheet.document->partReader(sheet.file)().step);
   sheet.settle();
   auto* rows = sheet.window.findChild<QListWidget*>("history");
   rows->setCurrentRow(2);
