@@ -33,18 +33,22 @@ vtkAbstractArray* pictureOf(vtkPolyData* mesh, int part)
                                                  : mesh->GetFieldData()->GetAbstractArray(name.c_str());
 }
 
+// The number of each polygon's part; null where the mesh does not say.
+vtkIntArray* numbersOf(vtkPolyData* mesh)
+{
+  auto* parts = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray("PartId"));
+  const vtkIdType count = mesh->GetNumberOfPolys();
+  const bool isGood = parts && parts->GetNumberOfComponents() == 1 && parts->GetNumberOfTuples() == count &&
+                      mesh->GetNumberOfCells() == count;
+  return isGood ? parts : nullptr;
+}
+
 // The polygons of each part.
 std::map<int, std::vector<vtkIdType>> facesOfAll(vtkPolyData* mesh)
 {
   std::map<int, std::vector<vtkIdType>> faces;
-  auto* parts = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray("PartId"));
-  const vtkIdType count = mesh->GetNumberOfPolys();
-  if (!parts || parts->GetNumberOfComponents() != 1 || parts->GetNumberOfTuples() != count ||
-      mesh->GetNumberOfCells() != count)
-  {
-    return faces;
-  }
-  for (vtkIdType face = 0; face < count; ++face)
+  vtkIntArray* parts = numbersOf(mesh);
+  for (vtkIdType face = 0; parts && face < parts->GetNumberOfTuples(); ++face)
   {
     faces[parts->GetValue(face)].push_back(face);
   }
@@ -115,12 +119,16 @@ std::vector<Piece> piecesOf(vtkPolyData* mesh)
 
 std::vector<int> partsOf(vtkPolyData* mesh)
 {
-  std::vector<int> parts;
-  for (const auto& part : facesOfAll(mesh))
+  std::set<int> parts;
+  vtkIntArray* numbers = numbersOf(mesh);
+  for (vtkIdType face = 0; numbers && face < numbers->GetNumberOfTuples(); ++face)
   {
-    parts.push_back(part.first);
+    if (face == 0 || numbers->GetValue(face) != numbers->GetValue(face - 1)) // most follow one of their part
+    {
+      parts.insert(numbers->GetValue(face));
+    }
   }
-  return parts;
+  return { parts.begin(), parts.end() };
 }
 
 vtkSmartPointer<vtkPolyData> partAlone(vtkPolyData* mesh, int part)
@@ -153,6 +161,17 @@ vtkSmartPointer<vtkPolyData> withoutParts(vtkPolyData* mesh, const std::set<int>
   }
   rest->SetPolys(polys);
   return rest;
+}
+
+std::set<std::string> picturesOf(vtkPolyData* mesh)
+{
+  std::set<std::string> pictures{ textureOf(mesh) };
+  for (const int part : partsOf(mesh))
+  {
+    pictures.insert(textureOf(mesh, prefixOf(part)));
+  }
+  pictures.erase("");
+  return pictures;
 }
 
 void wearPictures(vtkPolyData* mesh, const std::vector<int>& worn, const std::vector<std::string>& pictures)

@@ -32,6 +32,9 @@ std::vector<int> partsOf(vtkPolyData* mesh);
 vtkSmartPointer<vtkPolyData> partAlone(vtkPolyData* mesh, int part);
 vtkSmartPointer<vtkPolyData> withoutParts(vtkPolyData* mesh, const std::set<int>& parts);
 
+// The bytes of the pictures that a mesh wears, as a whole and its parts, each once.
+std::set<std::string> picturesOf(vtkPolyData* mesh);
+
 // Dresses a mesh: `worn` is, of each polygon, a number in `pictures`, the bytes of one or "" for none. Where
 // all wear the same it is the mesh's own; else those that wear the same become a part, numbered in the order
 // of their first polygons.

@@ -1,7 +1,7 @@
 #include "texture.h"
 
-#include "files.h"
-
+#include "vtkCallbackCommand.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkJPEGReader.h"
 #include "vtkNew.h"
@@ -69,11 +69,17 @@ bool isPlausible(const std::array<std::uint32_t, 2>& size, std::size_t bytes)
          std::uint64_t(size[0]) * size[1] <= mostPixels * bytes;
 }
 
+// Its errors are heard from itself: those that the process takes (takeError) may be another thread's.
 vtkSmartPointer<vtkImageData> updated(vtkImageReader2* reader)
 {
+  bool failed = false;
+  vtkNew<vtkCallbackCommand> hears;
+  hears->SetClientData(&failed);
+  hears->SetCallback([](vtkObject*, unsigned long, void* to, void*) { *static_cast<bool*>(to) = true; });
+  reader->AddObserver(vtkCommand::ErrorEvent, hears);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, hears);
   reader->Update();
-  const bool good =
-    takeError().empty() && reader->GetErrorCode() == 0 && reader->GetOutput()->GetNumberOfPoints() > 0;
+  const bool good = !failed && reader->GetErrorCode() == 0 && reader->GetOutput()->GetNumberOfPoints() > 0;
   return good ? reader->GetOutput() : nullptr;
 }
 
@@ -157,7 +163,6 @@ std::string pictureFormatOf(const std::string& bytes)
 vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes)
 {
   const std::string format = pictureFormatOf(bytes);
-  takeError();
   if (format == "png")
   {
     return readPng(bytes);

@@ -178,10 +178,15 @@ std::shared_ptr<const Step> partOver(const Image& picture, const std::array<doub
   return step;
 }
 
-std::array<double, 4> canvasOf(const Step& step)
+const Image* pictureUnder(const Step& step)
 {
   const auto given = step.inputs.find(pictureInput);
-  const Image* image = given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+  return given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+}
+
+std::array<double, 4> canvasOf(const Step& step)
+{
+  const Image* image = pictureUnder(step);
   oversketch::Canvas canvas;
   if (const auto picture = image ? oversketch_files::pictureOf(*image->bytes) : nullptr)
   {

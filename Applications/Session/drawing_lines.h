@@ -40,6 +40,8 @@ std::shared_ptr<const Step> drawingOn(double width, double height);
 // The same over a picture, as a part of its size, in its own units, about a place.
 std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place);
 
+// The picture that a step's drawing is over; null where it is over none.
+const Image* pictureUnder(const Step& step);
 // What a step's drawing is drawn on: left, bottom, right, top; zeros where nothing tells.
 std::array<double, 4> canvasOf(const Step& step);
 

@@ -1,7 +1,6 @@
 #include "models.h"
 
 #include "evaluator.h"
-#include "parts.h"
 #include "session_file.h"
 
 #include "vtkOversketchAssemble.h"
@@ -50,6 +49,7 @@ MadeModel madeOf(const Session& session)
     copy->DeepCopy(mesh);
     made.mesh = SharedData(vtkSmartPointer<vtkPolyData>(copy));
     made.display = withPointNormals(made.mesh);
+    made.parts = sourcesOf(session, outcomes);
     made.digest = digestOf(made.mesh);
   }
   return made;
@@ -164,6 +164,13 @@ Session withModelSeen(const Session& session, std::size_t place, bool shown, boo
     next.scene.shown = shown;
     next.scene.locked = locked;
   }
+  return next;
+}
+
+Session withPartSeen(const Session& session, const PartSource& part, bool shown)
+{
+  Session next = session;
+  shown ? void(next.scene.hidden.erase(part)) : void(next.scene.hidden.insert(part));
   return next;
 }
 

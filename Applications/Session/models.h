@@ -2,6 +2,7 @@
 #ifndef oversketch_models_h
 #define oversketch_models_h
 
+#include "parts.h"
 #include "session.h"
 
 #include <string>
@@ -15,6 +16,7 @@ struct MadeModel
 {
   SharedData mesh;     // null where they make none
   SharedData display;  // the same with point normals
+  PartSources parts;   // of it
   std::string digest;  // digestOf(mesh); empty where there is none
   int backendUsed = 0; // vtkOversketchSystem::BackendType
 };
@@ -46,6 +48,8 @@ Session withModels(const Session& session, const RestingModels& models);
 // Without one that rests.
 Session withoutModel(const Session& session, std::size_t place);
 Session withModelSeen(const Session& session, std::size_t place, bool shown, bool locked);
+// With a part of the one that is worked on seen or hidden.
+Session withPartSeen(const Session& session, const PartSource& part, bool shown);
 
 // The meshes of several models as one, each a part or several of it (vtkOversketchAssemble); of one alone
 // that one. Null where there is none. Throws oversketch::Error.

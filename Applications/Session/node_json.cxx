@@ -246,7 +246,7 @@ bool isVersion1(const Session& session, const std::vector<SystemRow>& rows)
   };
   const SceneModels& scene = session.scene;
   return session.mesh && session.pictures.empty() && scene.others.empty() && scene.shown && !scene.locked &&
-         std::all_of(session.nodes.begin(), session.nodes.end(), isStroke);
+         scene.hidden.empty() && std::all_of(session.nodes.begin(), session.nodes.end(), isStroke);
 }
 
 Json::Value jsonOf1(const Node& node, const std::vector<SystemRow>& rows, const EntryWriter& entries)
@@ -397,6 +397,19 @@ Picture pictureOf(const JsonReader& json, EntryReader& entries)
     json.refuse("frame", "is no stroke with its view");
   }
   return picture;
+}
+
+Json::Value jsonOf(const PartSource& part)
+{
+  Json::Value json;
+  json["step"] = part.step;
+  json["part"] = part.part;
+  return json;
+}
+
+PartSource partSourceOf(const JsonReader& json)
+{
+  return { json.integer("step", 0, largestId), json.integer("part", 0, largest) };
 }
 
 } // namespace oversketch_session

@@ -65,5 +65,8 @@ Node nodeOf2(const JsonReader& json, const std::vector<SystemRow>& rows, EntryRe
 
 Picture pictureOf(const JsonReader& json, EntryReader& entries);
 
+Json::Value jsonOf(const PartSource& part);
+PartSource partSourceOf(const JsonReader& json);
+
 } // namespace oversketch_session
 #endif

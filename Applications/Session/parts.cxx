@@ -1,5 +1,8 @@
 #include "parts.h"
 
+#include "pieces.h"
+#include "systems.h"
+
 #include "Inflate/placement.h"
 #include "Mesh/context.h"
 #include "vtkOversketchAssemble.h"
@@ -11,7 +14,9 @@
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace oversketch_session
 {
@@ -21,6 +26,36 @@ namespace
 
 constexpr double farthest = 1e9;   // that a part is moved
 constexpr double narrowest = 1e-9; // of a box
+
+// The parts of a mesh as they come with it.
+PartSources byNumbers(vtkPolyData* mesh)
+{
+  PartSources parts;
+  for (const int number : oversketch_files::partsOf(mesh))
+  {
+    parts[number] = { 0, number };
+  }
+  return parts.empty() ? PartSources{ { 0, {} } } : parts;
+}
+
+// Those of the mesh that came to a step and those that the step has added, which are counted on.
+PartSources withThoseOf(int step, PartSources parts, vtkPolyData* mesh)
+{
+  const int first = parts.empty() ? 0 : parts.rbegin()->first + 1;
+  const PartSources all = byNumbers(mesh);
+  const auto added = all.lower_bound(first);
+  if (added == all.end())
+  {
+    const auto isSame = [](const auto& a, const auto& b) { return a.first == b.first; };
+    const bool isNothing = std::equal(parts.begin(), parts.end(), all.begin(), all.end(), isSame);
+    return isNothing ? parts : all; // some that came have nothing of the mesh any more: it cannot be told
+  }
+  for (auto it = added; it != all.end(); ++it)
+  {
+    parts[it->first] = { step, it->first - first };
+  }
+  return parts;
+}
 
 } // namespace
 
@@ -69,6 +104,45 @@ vtkSmartPointer<vtkPolyData> withPart(vtkPolyData* mesh, vtkPolyData* part, cons
   assemble->AddInputData(placedBy(oversketch::intoBox(rectangleOf(part), box, place.depth), part));
   oversketch::StepRunner(assemble, {}).Run();
   return assemble->GetOutput();
+}
+
+PartSources sourcesOf(const Session& session, const std::vector<Outcome>& outcomes)
+{
+  PartSources parts = session.mesh ? byNumbers(session.mesh) : PartSources();
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+  {
+    const Node& node = session.nodes[i];
+    const SystemRow* row = outcomes[i].number != 0 ? findSystem(node.step->system) : nullptr;
+    const SystemInput* input = row ? findInput(*row, SystemInput::Kind::Mesh) : nullptr;
+    if (row && !input) // it takes no mesh
+    {
+      parts = withThoseOf(node.id, node.step->part ? std::move(parts) : PartSources(), outcomes[i].mesh);
+    }
+    else if (input && node.step->inputs.count(input->name) > 0) // not that of the step before
+    {
+      parts = byNumbers(outcomes[i].mesh);
+    }
+  }
+  return parts;
+}
+
+PartSource sourceOf(const PartSources& parts, int number)
+{
+  const auto known = parts.find(number);
+  return known == parts.end() ? PartSource{ 0, number } : known->second;
+}
+
+std::set<int> hiddenOf(const SceneModels& scene, const PartSources& parts)
+{
+  std::set<int> hidden;
+  for (const auto& [number, source] : parts)
+  {
+    if (scene.hidden.count(source) > 0)
+    {
+      hidden.insert(number);
+    }
+  }
+  return hidden;
 }
 
 std::string faultOf(const PartPlace& place)

@@ -2,12 +2,17 @@
 #ifndef oversketch_parts_h
 #define oversketch_parts_h
 
-#include "step.h"
+#include "outcome.h"
+#include "session.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <Eigen/Core>
+
+#include <map>
+#include <set>
+#include <vector>
 
 namespace oversketch_session
 {
@@ -23,6 +28,15 @@ vtkSmartPointer<vtkPolyData> placedBy(const Eigen::Matrix4d& matrix, vtkPolyData
 // A mesh with one more part: its PartId is the next after those of the mesh. Throws oversketch::Error where
 // it cannot be put there.
 vtkSmartPointer<vtkPolyData> withPart(vtkPolyData* mesh, vtkPolyData* part, const PartPlace& place);
+
+// What made the parts of the mesh that a session shows, by their numbers (cell array PartId; a mesh without
+// that is one part, 0). Of outcomes of its nodes, or the first of them.
+using PartSources = std::map<int, PartSource>;
+PartSources sourcesOf(const Session& session, const std::vector<Outcome>& outcomes);
+// Which part that is: one of which nothing is known by its number alone.
+PartSource sourceOf(const PartSources& parts, int number);
+// The numbers of those that are hidden.
+std::set<int> hiddenOf(const SceneModels& scene, const PartSources& parts);
 
 // What is wrong with a place, in words; empty where nothing is.
 std::string faultOf(const PartPlace& place);

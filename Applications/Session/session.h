@@ -11,7 +11,9 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace oversketch_session
@@ -58,6 +60,18 @@ struct Picture
 };
 using Pictures = std::vector<std::shared_ptr<const Picture>>;
 
+// A part of a model, told by what made it: the steps before it may change, and it is still the same.
+struct PartSource
+{
+  int step = 0; // the id of the step that put it there; 0: it came with the mesh that was opened
+  int part = 0; // among those of that mesh, by its number (PartId), or of that step, from 0
+
+  bool operator<(const PartSource& other) const
+  {
+    return std::tie(this->step, this->part) < std::tie(other.step, other.part);
+  }
+};
+
 // A model of the scene while another one is worked on, see models.h.
 struct RestingModel;
 
@@ -67,7 +81,8 @@ struct SceneModels
   // Of the model that is worked on.
   int id = 1; // from 1, unique in the scene; not in the file
   bool shown = true, locked = false;
-  std::size_t place = 0; // in the list of all models
+  std::set<PartSource> hidden; // parts of it; one that is not there is hidden once it is
+  std::size_t place = 0;       // in the list of all models
   // The others, in the order of that list.
   std::vector<std::shared_ptr<const RestingModel>> others;
 };
@@ -94,6 +109,10 @@ inline int freshId(const Session& session)
       const auto* output = std::get_if<StepOutput>(&named.second);
       last = std::max(last, output ? output->step : 0);
     }
+  }
+  for (const PartSource& part : session.scene.hidden)
+  {
+    last = std::max(last, part.step);
   }
   return last + 1;
 }

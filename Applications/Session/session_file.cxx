@@ -250,6 +250,10 @@ Package Encoder::encode(const SessionFile& file)
     {
       json["locked"] = true;
     }
+    for (const PartSource& part : model.scene.hidden)
+    {
+      json["hidden_parts"].append(jsonOf(part));
+    }
     return json;
   };
   Json::Value json = jsonOfModel(session, { file.origin, file.digest });
@@ -390,6 +394,13 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
     model.nodes = nodesOf(from, version == 1, rows, entries);
     model.scene.shown = version == 1 || !from.has("shown") || from.yes("shown");
     model.scene.locked = version > 1 && from.has("locked") && from.yes("locked");
+    if (version > 1 && from.has("hidden_parts"))
+    {
+      for (const JsonReader& one : from.list("hidden_parts", "hidden part"))
+      {
+        model.scene.hidden.insert(partSourceOf(one));
+      }
+    }
     const JsonReader origin = from.object("made_by");
     return Record{
       { origin.text("version"), origin.text("backend"), origin.text("device"), origin.text("processor") },

@@ -377,6 +377,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session, const Laid* kn
   if (shown)
   {
     this->show(shown, result);
+    result.parts = sourcesOf(session, outcomes);
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (this->Report.done)

@@ -3,6 +3,7 @@
 #define oversketch_worker_h
 
 #include "evaluator.h"
+#include "parts.h"
 #include "session.h"
 #include "thumbnail.h"
 
@@ -53,6 +54,7 @@ public:
     std::vector<NodeState> nodes;
     SharedData mesh;      // that the session shows; null where it has made none yet
     SharedData display;   // the same with point normals, computed where it has none
+    PartSources parts;    // of it
     int backendUsed = 0;  // vtkOversketchSystem::BackendType
     double seconds = 0.0; // that the run took
   };

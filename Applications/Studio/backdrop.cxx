@@ -24,6 +24,7 @@ using namespace oversketch_session;
 struct Backdrop::Card
 {
   std::shared_ptr<const Picture> picture;
+  SharedPicture decoded;
   oversketch::PenView view;
   oversketch::Vector2 low, high; // px
   vtkNew<vtkPlaneSource> plane;
@@ -54,7 +55,8 @@ void Backdrop::set(const Pictures& pictures, vtkRenderer* renderer)
     card->high = { frame->GetPoint(1)[0], frame->GetPoint(1)[1] };
     if (isNew)
     {
-      card->texture->SetInputData(takeDecoded(picture->image.bytes));
+      card->decoded = decoded(picture->image.bytes);
+      card->texture->SetInputData(card->decoded->pixels);
       card->texture->SetColorModeToDirectScalars();
       card->texture->InterpolateOn();
       card->texture->MipmapOn();

@@ -26,23 +26,27 @@ namespace
 
 const char* const sessionExtension = ".oversketch";
 
-// Those that the window shows at once.
-void decodePictures(const Session& session)
+// Those that the window shows at once: behind the model, worn, and on the pad.
+std::vector<SharedPicture> picturesOf(const Session& session)
 {
+  std::vector<SharedPicture> pictures = decodedOf(session.mesh);
+  const auto add = [&pictures](const std::vector<SharedPicture>& more)
+  { pictures.insert(pictures.end(), more.begin(), more.end()); };
   for (const auto& picture : session.pictures)
   {
-    decodeAhead(picture->image.bytes);
+    add({ decoded(picture->image.bytes) });
   }
-  for (const Node& node : session.nodes)
+  for (const auto& other : session.scene.others)
   {
-    const auto drawn = node.step->inputs.find(pictureInput);
-    const Image* over = drawn == node.step->inputs.end() ? nullptr : std::get_if<Image>(&drawn->second);
-    if (node.step->system == drawingSystem && over)
-    {
-      decodeAhead(over->bytes);
-      return; // the first is on the pad
-    }
+    add(decodedOf(other->made.display));
   }
+  const Step* first = session.mesh || session.nodes.empty() ? nullptr : session.nodes.front().step.get();
+  const Image* over = first ? pictureUnder(*first) : nullptr;
+  if (over)
+  {
+    add({ decoded(over->bytes) });
+  }
+  return pictures;
 }
 
 // Says that it is of that node's step.
@@ -64,8 +68,11 @@ Document::Document(QObject* parent)
   Worker::Listener listener;
   listener.done = [this](Worker::Result result)
   {
+    auto worn = decodedOf(result.display); // here, so that the window's thread need not
     QMetaObject::invokeMethod(
-      this, [this, made = std::move(result)] { this->take(made); }, Qt::QueuedConnection);
+      this,
+      [this, made = std::move(result), pictures = std::move(worn)] { this->take(made, pictures); },
+      Qt::QueuedConnection);
   };
   listener.detailed = [this](Worker::Details details)
   {
@@ -152,7 +159,7 @@ Document::Opened Document::read(const QString& path, int backend)
     opened.look = saved.look;
     session = std::move(saved.session);
     makeResting(session);
-    decodePictures(session);
+    opened.pictures = picturesOf(session);
     return opened;
   }
   Notes said;
@@ -170,6 +177,7 @@ Document::Opened Document::read(const QString& path, int backend)
   }
   session.meshName = QFileInfo(path).fileName().toStdString();
   session.backend = backend;
+  opened.pictures = picturesOf(session);
   opened.notes = listOf(said);
   return opened;
 }
@@ -178,7 +186,7 @@ void Document::open(Opened opened)
 {
   this->Path = opened.path;
   this->Seen = opened.look;
-  this->start(std::move(opened.session), true);
+  this->start(std::move(opened.session), true, std::move(opened.pictures));
   emit this->opened();
 }
 
@@ -186,7 +194,7 @@ void Document::recover(const LeftBehind& left, Opened read)
 {
   this->Path = QString::fromStdString(left.path);
   this->Seen = read.look;
-  this->start(std::move(read.session), false);
+  this->start(std::move(read.session), false, std::move(read.pictures));
   // The old folder goes only when the new one is on the disk.
   if (this->Saver.wait().empty())
   {
@@ -195,9 +203,11 @@ void Document::recover(const LeftBehind& left, Opened read)
   emit this->opened();
 }
 
-void Document::start(Session session, bool saved)
+void Document::start(Session session, bool saved, std::vector<SharedPicture> pictures)
 {
+  this->Worn = { { session.scene.id, std::move(pictures) } };
   this->Changes = std::make_unique<History>(std::move(session));
+  this->holdWorn();
   if (saved)
   {
     this->Changes->markSaved();
@@ -419,6 +429,7 @@ void Document::commitPictures(Pictures pictures)
 
 void Document::commitScene(Session session)
 {
+  this->Shaped = 0; // what a hand shapes from here on is a change after this one
   this->Changes->commit(std::move(session));
   this->keep();
   emit this->changed(Change::Pictures);
@@ -512,7 +523,7 @@ void Document::answered(std::uint64_t ticket)
   }
 }
 
-void Document::take(const Worker::Result& result)
+void Document::take(const Worker::Result& result, const std::vector<SharedPicture>& worn)
 {
   if (result.ticket < this->First ||
       (result.ticket < this->Ticket && result.nodes.size() > this->session().nodes.size()))
@@ -521,6 +532,7 @@ void Document::take(const Worker::Result& result)
     return;
   }
   this->Result = result;
+  this->Worn[this->session().scene.id] = worn;
   this->Digest.clear();
   this->Traces.clear();
   this->answered(result.ticket);

@@ -5,6 +5,7 @@
 #include "autosave.h"
 #include "drawing_lines.h"
 #include "history.h"
+#include "picture_files.h"
 #include "worker.h"
 
 #include <QObject>
@@ -12,6 +13,7 @@
 #include <QStringList>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,7 +42,8 @@ public:
   {
     oversketch_session::Session session;
     std::optional<oversketch_session::Look> look;
-    QString path; // of a session's file
+    QString path;                        // of a session's file
+    std::vector<SharedPicture> pictures; // that are seen at once
     QStringList notes;
   };
   // On any thread. Throws Failed.
@@ -57,6 +60,8 @@ public:
   void chooseModel(int place);
   void removeModel(int place);
   void setModel(int place, bool shown, bool locked);
+  // A part of the chosen one, by its number (cell array PartId) in what is shown of it now.
+  void setPart(int number, bool shown);
   // Why the chosen one takes no steps, in words; empty where it does.
   QString whyNoSteps() const;
   // What all of them show, those that have a mesh.
@@ -64,12 +69,17 @@ public:
   // Begins a session whose first step makes a mesh of what will be drawn: over a picture, which readDrawing
   // has read on any thread; on an empty canvas. Reading throws Failed for what is no picture.
   using SharedStep = std::shared_ptr<const oversketch_session::Step>;
-  static SharedStep readDrawing(const QString& picture);
+  struct ReadDrawing
+  {
+    SharedStep step;
+    SharedPicture picture; // what it is over
+  };
+  static ReadDrawing readDrawing(const QString& picture);
   bool beginDrawing(SharedStep step, const QString& name, const std::function<bool()>& mayLeave);
   bool beginDrawing(const std::function<bool()>& mayLeave);
   // What reads, on any thread, a further part of the model for add(): a drawing over a picture, before the
   // middle of the model as it is now. Throws Failed for what is no picture.
-  std::function<SharedStep()> partReader(const QString& picture) const;
+  std::function<ReadDrawing()> partReader(const QString& picture) const;
   // What a crash left behind, read from its folder, as a session that is not saved.
   void recover(const oversketch_session::LeftBehind& left, Opened read);
   // Saves the session, as it is looked at. Throws Failed.
@@ -203,7 +213,7 @@ signals:
   void kept();
 
 private:
-  void start(oversketch_session::Session session, bool saved);
+  void start(oversketch_session::Session session, bool saved, std::vector<SharedPicture> pictures);
   using SharedLaid = std::shared_ptr<oversketch_session::Laid>;
   void commit(oversketch_session::Session session,
     Change change = Change::Edited,
@@ -218,7 +228,8 @@ private:
   void run(Change change, const SharedLaid& known = {});
   void submit(const SharedLaid& known = {}); // what is shown
   void keep();
-  void take(const oversketch_session::Worker::Result& result);
+  void take(const oversketch_session::Worker::Result& result, const std::vector<SharedPicture>& worn);
+  void holdWorn(); // what models at rest wear
   void takeDetails(const oversketch_session::Worker::Details& details);
   void answered(std::uint64_t ticket);
   oversketch_session::SessionFile file() const;
@@ -235,6 +246,8 @@ private:
   int Shaped = 0;         // the id of the step that the last change was a shape() or place() of
   bool Discarded = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result Result;
+  // What each model wears, by its id, so that nothing is decoded when it is seen again.
+  std::map<int, std::vector<SharedPicture>> Worn;
   std::string Digest; // of its mesh
   std::vector<oversketch_session::SharedData> Traces;
   std::optional<int> Last; // the id of the last step that is shown, 0 none is; absent: all are

@@ -19,9 +19,10 @@ constexpr double canvasSize[2] = { 1024.0, 768.0 }; // of an empty one
 
 } // namespace
 
-Document::SharedStep Document::readDrawing(const QString& picture)
+Document::ReadDrawing Document::readDrawing(const QString& picture)
 {
-  return drawingOver(readPicture(picture).image);
+  const ReadPicture read = readPicture(picture);
+  return { drawingOver(read.image), read.decoded };
 }
 
 bool Document::beginDrawing(const std::function<bool()>& mayLeave)
@@ -29,7 +30,7 @@ bool Document::beginDrawing(const std::function<bool()>& mayLeave)
   return this->beginDrawing(drawingOn(canvasSize[0], canvasSize[1]), tr("Drawing"), mayLeave);
 }
 
-std::function<Document::SharedStep()> Document::partReader(const QString& picture) const
+std::function<Document::ReadDrawing()> Document::partReader(const QString& picture) const
 {
   // Before the model; where there is none yet, over what is drawn on.
   std::optional<Point> place;
@@ -48,7 +49,8 @@ std::function<Document::SharedStep()> Document::partReader(const QString& pictur
   {
     const auto canvas = first ? canvasOf(*first) : std::array<double, 4>{};
     const Point middle{ 0.5 * (canvas[0] + canvas[2]), 0.5 * (canvas[1] + canvas[3]), 0.0 };
-    return partOver(readPicture(picture).image, place ? *place : middle);
+    const ReadPicture read = readPicture(picture);
+    return ReadDrawing{ partOver(read.image, place ? *place : middle), read.decoded };
   };
 }
 
@@ -68,7 +70,7 @@ bool Document::beginDrawing(SharedStep step, const QString& name, const std::fun
   session.backend = this->Backend;
   this->Path.clear();
   this->Seen.reset();
-  this->start(std::move(session), true);
+  this->start(std::move(session), true, {});
   emit this->opened();
   return true;
 }

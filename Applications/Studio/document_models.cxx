@@ -18,6 +18,13 @@ Document::Opened Document::readModels(const QString& path, int backend)
   Session scene;
   scene.scene.others = modelsOf(opened.session);
   scene.pictures = opened.session.pictures;
+  for (const auto& model : scene.scene.others)
+  {
+    for (const SharedPicture& picture : decodedOf(model->made.display))
+    {
+      opened.pictures.push_back(picture);
+    }
+  }
   opened.session = std::move(scene);
   return opened;
 }
@@ -34,7 +41,19 @@ void Document::addModels(Opened opened)
   Session next = withModels(this->session(), more.scene.others);
   next.pictures.insert(next.pictures.end(), more.pictures.begin(), more.pictures.end());
   this->commitScene(std::move(next));
+  this->holdWorn();
   this->chooseModel(static_cast<int>(first));
+}
+
+void Document::holdWorn()
+{
+  for (const auto& other : this->session().scene.others)
+  {
+    if (this->Worn.count(other->own.scene.id) == 0)
+    {
+      this->Worn[other->own.scene.id] = decodedOf(other->made.display);
+    }
+  }
 }
 
 void Document::chooseModel(int place)
@@ -76,7 +95,7 @@ Session Document::chosen(int place) const
 {
   return withChosen(this->session(),
     indexOf(place),
-    { this->Result.mesh, this->Result.display, this->Digest, this->Result.backendUsed });
+    { this->Result.mesh, this->Result.display, this->Result.parts, this->Digest, this->Result.backendUsed });
 }
 
 // Where that brings another model, it is shown as it rested until its steps have run.
@@ -100,6 +119,7 @@ void Document::turnFrom(const Session& before)
   {
     this->Result.mesh = (*same)->made.mesh;
     this->Result.display = (*same)->made.display;
+    this->Result.parts = (*same)->made.parts;
     this->Result.backendUsed = (*same)->made.backendUsed;
   }
   this->run(Change::Edited);
@@ -132,6 +152,11 @@ void Document::setModel(int place, bool shown, bool locked)
   {
     this->commitScene(withModelSeen(this->session(), indexOf(place), shown, locked));
   }
+}
+
+void Document::setPart(int number, bool shown)
+{
+  this->commitScene(withPartSeen(this->session(), sourceOf(this->Result.parts, number), shown));
 }
 
 QString Document::whyNoSteps() const

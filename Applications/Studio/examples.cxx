@@ -79,7 +79,8 @@ Document::Opened readExample(const Example& example, int backend)
   {
     return Document::read(example.file, backend);
   }
-  const Image picture = readPicture(example.picture).image;
+  const ReadPicture read = readPicture(example.picture);
+  const Image& picture = read.image;
   Node node;
   node.id = 1;
   node.step = std::make_shared<const Step>(
@@ -87,6 +88,7 @@ Document::Opened readExample(const Example& example, int backend)
   node.name = titleOf(node.step->system).toStdString();
   Document::Opened opened;
   opened.session.nodes = { node };
+  opened.pictures = { read.decoded };
   opened.session.meshName = picture.name;
   opened.session.backend = backend;
   return opened;

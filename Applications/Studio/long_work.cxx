@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QProgressDialog>
+#include <QStringList>
 #include <QThreadPool>
 #include <QTimer>
 
@@ -21,12 +22,12 @@ namespace
 
 constexpr int moment = 300; // ms
 
-int going = 0; // on the window's thread
+QStringList going; // what is said of each, on the window's thread
 
 struct Going
 {
-  Going() { ++going; }
-  ~Going() { --going; }
+  explicit Going(const QString& what) { going << what; }
+  ~Going() { going.removeLast(); }
 };
 
 struct Texts
@@ -46,7 +47,7 @@ struct Shared
 
 bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work)
 {
-  const Going goes;
+  const Going goes(what);
   const auto shared = std::make_shared<Shared>();
   shared->work = std::move(work);
   QThreadPool::globalInstance()->start(
@@ -117,7 +118,12 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
 
 bool isLongWorkGoing()
 {
-  return going > 0;
+  return !going.isEmpty();
+}
+
+QString longWorkGoing()
+{
+  return going.value(going.size() - 1);
 }
 
 } // namespace oversketch_studio

@@ -76,6 +76,8 @@ private:
   // Files: main_window_files.cxx. tried runs what may throw Failed and says why in a box; returns whether it
   // went well.
   bool tried(const std::function<void()>& run);
+  // Whether a long work may begin; says which one it has to wait for.
+  bool mayBegin();
   void tell(const QStringList& notes);
   // What is read on a thread of its own is shown, instead of what is there.
   bool openRead(const QString& name, const std::function<Document::Opened()>& read);

@@ -76,6 +76,16 @@ bool MainWindow::tried(const std::function<void()>& run)
   return false;
 }
 
+bool MainWindow::mayBegin()
+{
+  const QString what = longWorkGoing();
+  if (!what.isEmpty())
+  {
+    this->Advice->setText(tr("%1 Wait until that is done, or cancel it.").arg(what));
+  }
+  return what.isEmpty();
+}
+
 void MainWindow::tell(const QStringList& notes)
 {
   if (!notes.isEmpty())
@@ -104,7 +114,7 @@ bool MainWindow::openExample(const Example& example)
 
 bool MainWindow::openRead(const QString& name, const std::function<Document::Opened()>& read)
 {
-  if (isLongWorkGoing() || !this->mayLeave())
+  if (!this->mayBegin() || !this->mayLeave())
   {
     return false;
   }
@@ -227,7 +237,7 @@ bool MainWindow::save()
 
 bool MainWindow::saveTo(const QString& path)
 {
-  if (isLongWorkGoing())
+  if (!this->mayBegin())
   {
     return false;
   }
@@ -274,7 +284,7 @@ bool MainWindow::saveAs()
 
 void MainWindow::exportAsked()
 {
-  if (this->OpenDocument->isOpen() && !isLongWorkGoing())
+  if (this->OpenDocument->isOpen() && this->mayBegin())
   {
     this->exportMeshes(this->OpenDocument->shownMeshes(), -1, this->OpenDocument->name());
   }
@@ -359,7 +369,7 @@ bool MainWindow::mayLeave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-  if (isLongWorkGoing() || !this->mayLeave())
+  if (!this->mayBegin() || !this->mayLeave())
   {
     event->ignore();
     return;

@@ -76,7 +76,7 @@ void MainWindow::addModel(const QString& path)
     this->open(path);
     return;
   }
-  if (isLongWorkGoing())
+  if (!this->mayBegin())
   {
     return;
   }
@@ -108,7 +108,7 @@ void MainWindow::addModel(const QString& path)
 
 void MainWindow::exportModel(int model, int part, const QString& name)
 {
-  if (!this->OpenDocument->isOpen() || isLongWorkGoing())
+  if (!this->OpenDocument->isOpen() || !this->mayBegin())
   {
     return;
   }

@@ -22,13 +22,13 @@ using namespace oversketch_session;
 namespace
 {
 
-// What is read of that file on a thread of its own; nothing where it was given up, or another work goes on.
+// What is read of that file on a thread of its own; nothing where it was given up.
 template <typename Read>
 auto readOf(QWidget* window, const QString& path, const Read& read) -> std::optional<decltype(read())>
 {
   const auto made = std::make_shared<std::optional<decltype(read())>>();
   const QString what = MainWindow::tr("Reading %1…").arg(QFileInfo(path).fileName());
-  const bool done = !isLongWorkGoing() && doLongWork(window, what, [made, read] { *made = read(); });
+  const bool done = doLongWork(window, what, [made, read] { *made = read(); });
   return done ? std::move(*made) : std::nullopt;
 }
 
@@ -36,6 +36,10 @@ auto readOf(QWidget* window, const QString& path, const Read& read) -> std::opti
 
 bool MainWindow::openPicture(const QString& path)
 {
+  if (!this->mayBegin())
+  {
+    return false;
+  }
   bool opened = false;
   const auto mayLeave = [this] { return this->mayLeave(); };
   this->tried(
@@ -46,8 +50,8 @@ bool MainWindow::openPicture(const QString& path)
         opened = this->OpenDocument->beginDrawing(mayLeave);
         return;
       }
-      const auto step = readOf(this, path, [path] { return Document::readDrawing(path); });
-      opened = step && this->OpenDocument->beginDrawing(*step, QFileInfo(path).fileName(), mayLeave);
+      const auto read = readOf(this, path, [path] { return Document::readDrawing(path); });
+      opened = read && this->OpenDocument->beginDrawing(read->step, QFileInfo(path).fileName(), mayLeave);
     });
   if (opened)
   {
@@ -92,19 +96,19 @@ void MainWindow::addPartAsked()
     return;
   }
   const QString path = this->pictureAsked(tr("Draw a further part over a picture"));
-  if (path.isEmpty())
+  if (path.isEmpty() || !this->mayBegin())
   {
     return;
   }
   this->tried(
     [&]
     {
-      const auto step = readOf(this, path, this->OpenDocument->partReader(path));
-      if (!step)
+      const auto read = readOf(this, path, this->OpenDocument->partReader(path));
+      if (!read)
       {
         return;
       }
-      this->OpenDocument->add(**step);
+      this->OpenDocument->add(*read->step);
       const int part = this->OpenDocument->shownTo() - 1;
       this->History->selectStep(part);
       this->setTool(this->toolOf(part));
@@ -122,7 +126,7 @@ void MainWindow::addPictureAsked()
 
 void MainWindow::addPicture(const QString& path)
 {
-  if (!this->OpenDocument->isOpen())
+  if (!this->OpenDocument->isOpen() || !this->mayBegin())
   {
     return;
   }
@@ -136,7 +140,7 @@ void MainWindow::addPicture(const QString& path)
       }
       Picture picture;
       picture.image = read->image;
-      const int* size = read->pixels->GetDimensions();
+      const int* size = read->decoded->pixels->GetDimensions();
       picture.frame = this->View->frameFor(size[0], size[1]);
       this->stopTeaching(); // it might not be legible before it
       this->OpenDocument->addPicture(picture);

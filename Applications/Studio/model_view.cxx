@@ -14,6 +14,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -99,10 +100,9 @@ vtkSmartPointer<vtkPolyData> ModelView::seen(vtkPolyData* mesh) const
 
 void ModelView::hide(const std::set<int>& parts)
 {
-  this->Hidden = parts;
-  this->Dressed = nullptr;
-  if (this->Shown)
+  if (std::exchange(this->Hidden, parts) != parts && this->Shown)
   {
+    this->Dressed = nullptr;
     this->show(this->Shown);
   }
 }

@@ -1,6 +1,7 @@
 #include "picture_files.h"
 
 #include "files.h"
+#include "pieces.h"
 #include "texture.h"
 
 #include <QCoreApplication>
@@ -9,8 +10,7 @@
 
 #include <algorithm>
 #include <mutex>
-#include <utility>
-#include <vector>
+#include <set>
 
 namespace oversketch_studio
 {
@@ -23,27 +23,20 @@ struct Texts
   Q_DECLARE_TR_FUNCTIONS(PictureFiles)
 };
 
-// What has been decoded and not been asked for. Whose bytes are gone, as those of a work that was given up,
-// goes when the next picture comes.
-struct Ahead
-{
-  std::weak_ptr<const std::string> bytes;
-  vtkSmartPointer<vtkImageData> pixels;
-};
-std::mutex aheadMutex;
-std::vector<Ahead> ahead;
+std::mutex heldMutex;
+std::vector<std::weak_ptr<const DecodedPicture>> held; // some are gone
 
 // Behind the lock.
-vtkSmartPointer<vtkImageData> takeKept(const PictureBytes& bytes)
+SharedPicture findHeld(const std::string& bytes)
 {
-  vtkSmartPointer<vtkImageData> found;
-  const auto isDone = [&](Ahead& one)
+  SharedPicture found;
+  const auto isGone = [&](const std::weak_ptr<const DecodedPicture>& one)
   {
-    const PictureBytes of = one.bytes.lock();
-    found = of && of == bytes ? one.pixels : found;
-    return !of || of == bytes;
+    const SharedPicture picture = one.lock();
+    found = picture && *picture->bytes == bytes ? picture : found;
+    return !picture;
   };
-  ahead.erase(std::remove_if(ahead.begin(), ahead.end(), isDone), ahead.end());
+  held.erase(std::remove_if(held.begin(), held.end(), isGone), held.end());
   return found;
 }
 
@@ -63,32 +56,46 @@ ReadPicture readPicture(const QString& path)
   }
   const oversketch_session::Image image{ QFileInfo(path).fileName().toStdString(),
     std::make_shared<const std::string>(file.readAll().toStdString()) };
-  const auto pixels = decodeAhead(image.bytes);
-  if (!pixels)
+  ReadPicture read{ image, decoded(image.bytes) };
+  if (!read.decoded->pixels)
   {
     throw oversketch_files::Failed(
       Texts::tr("%1 is no PNG or JPEG picture, or a damaged one.").arg(path).toStdString());
   }
-  return { image, pixels };
+  return read;
 }
 
-vtkSmartPointer<vtkImageData> decodeAhead(const PictureBytes& bytes)
+SharedPicture findDecoded(const std::string& bytes)
 {
-  vtkSmartPointer<vtkImageData> pixels = oversketch_files::pictureOf(*bytes);
-  const std::lock_guard<std::mutex> lock(aheadMutex);
-  takeKept(bytes);
-  ahead.push_back({ bytes, pixels });
-  return pixels;
+  const std::lock_guard<std::mutex> lock(heldMutex);
+  return findHeld(bytes);
 }
 
-vtkSmartPointer<vtkImageData> takeDecoded(const PictureBytes& bytes)
+SharedPicture decoded(const PictureBytes& bytes)
 {
-  vtkSmartPointer<vtkImageData> kept;
+  if (SharedPicture known = findDecoded(*bytes))
   {
-    const std::lock_guard<std::mutex> lock(aheadMutex);
-    kept = takeKept(bytes);
+    return known;
   }
-  return kept ? kept : oversketch_files::pictureOf(*bytes);
+  const auto made = std::make_shared<const DecodedPicture>(
+    DecodedPicture{ bytes, oversketch_files::pictureOf(*bytes) }); // meanwhile others may look
+  const std::lock_guard<std::mutex> lock(heldMutex);
+  const SharedPicture known = findHeld(*bytes);
+  if (!known)
+  {
+    held.push_back(made);
+  }
+  return known ? known : made;
+}
+
+std::vector<SharedPicture> decodedOf(vtkPolyData* mesh)
+{
+  std::vector<SharedPicture> pictures;
+  for (const std::string& bytes : mesh ? oversketch_files::picturesOf(mesh) : std::set<std::string>())
+  {
+    pictures.push_back(decoded(std::make_shared<const std::string>(bytes)));
+  }
+  return pictures;
 }
 
 } // namespace oversketch_studio

@@ -12,6 +12,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
+
+class vtkPolyData;
 
 namespace oversketch_studio
 {
@@ -19,19 +22,29 @@ namespace oversketch_studio
 // How names of such files end.
 QStringList pictureExtensions();
 
+// Bytes as an Image has them, and their pixels: null where they are no picture.
+using PictureBytes = std::shared_ptr<const std::string>;
+struct DecodedPicture
+{
+  PictureBytes bytes;
+  vtkSmartPointer<vtkImageData> pixels;
+};
+// As long as somebody holds one, all who ask for equal bytes are given the same.
+using SharedPicture = std::shared_ptr<const DecodedPicture>;
+// Decodes it where nobody holds it.
+SharedPicture decoded(const PictureBytes& bytes);
+// Null where nobody holds it.
+SharedPicture findDecoded(const std::string& bytes);
+// All that a mesh wears; none of no mesh.
+std::vector<SharedPicture> decodedOf(vtkPolyData* mesh);
+
 // Throws Failed, with words for the user, for what is no picture.
 struct ReadPicture
 {
   oversketch_session::Image image;
-  vtkSmartPointer<vtkImageData> pixels;
+  SharedPicture decoded;
 };
 ReadPicture readPicture(const QString& path);
-
-// Bytes as an Image has them. The first decodes them for whoever asks next by the second, which hands that
-// out and forgets it, or decodes them itself. Null for what is no picture.
-using PictureBytes = std::shared_ptr<const std::string>;
-vtkSmartPointer<vtkImageData> decodeAhead(const PictureBytes& bytes);
-vtkSmartPointer<vtkImageData> takeDecoded(const PictureBytes& bytes);
 
 } // namespace oversketch_studio
 #endif

@@ -45,6 +45,7 @@ void RestingViews::show(const SceneModels& scene)
       view->setPlain(dim * this->Plain[0], dim * this->Plain[1], dim * this->Plain[2]);
       view->setShading(this->Look);
     }
+    view->hide(hiddenOf(other->own.scene, other->made.parts));
     if (view->mesh() != mesh)
     {
       view->show(mesh);

@@ -211,7 +211,7 @@ void ScenePanel::refresh()
   this->showSelected();
 }
 
-// The parts of the chosen model; what is hidden of another one's is seen again.
+// The parts of the chosen model.
 void ScenePanel::findParts()
 {
   vtkPolyData* mesh = this->OpenDocument->result().mesh;
@@ -220,18 +220,21 @@ void ScenePanel::findParts()
   {
     parts.clear();
   }
-  const int id = this->OpenDocument->session().scene.id;
-  if (parts != this->Parts || id != this->PartsOf)
-  {
-    this->Hidden.clear();
-  }
   this->Parts = std::move(parts);
-  this->PartsOf = id;
+  this->PartsOf = this->OpenDocument->session().scene.id;
+}
+
+std::set<int> ScenePanel::hiddenParts() const
+{
+  return this->Parts.empty()
+           ? std::set<int>()
+           : hiddenOf(this->OpenDocument->session().scene, this->OpenDocument->result().parts);
 }
 
 void ScenePanel::hideParts()
 {
-  const std::set<int> hidden = this->OpenDocument->session().scene.shown ? this->Hidden : std::set<int>{ -1 };
+  const std::set<int> hidden =
+    this->OpenDocument->session().scene.shown ? this->hiddenParts() : std::set<int>{ -1 };
   if (hidden != std::exchange(this->Told, hidden))
   {
     emit this->partsHidden(hidden);
@@ -253,6 +256,7 @@ void ScenePanel::list()
   const Session& session = this->OpenDocument->session();
   const std::size_t count = modelCount(session);
   const QStringList parts = this->partNames();
+  const std::set<int> hidden = this->hiddenParts();
   for (std::size_t place = 0; place < count; ++place)
   {
     const Session& model = modelAt(session, place);
@@ -278,7 +282,7 @@ void ScenePanel::list()
       this->addRow({ at, part },
         count > 1 ? QString(3, ' ') + parts[i] : parts[i],
         tr("A part of the model"),
-        this->Hidden.count(part) == 0);
+        hidden.count(part) == 0);
     }
   }
   for (std::size_t i = 0; i < session.pictures.size(); ++i)
@@ -370,8 +374,7 @@ void ScenePanel::setShown(int at, bool shown)
   }
   else if (row.part >= 0)
   {
-    shown ? void(this->Hidden.erase(row.part)) : void(this->Hidden.insert(row.part));
-    this->hideParts();
+    this->OpenDocument->setPart(row.part, shown);
   }
   else if (row.model >= 0)
   {

@@ -60,6 +60,7 @@ private:
   oversketch_session::Picture pictureAt(const Row& row) const;
   void list();
   void findParts();
+  std::set<int> hiddenParts() const; // of these
   void hideParts();
   void addRow(const Row& row, const QString& text, const QString& help, bool shown);
   QStringList partNames() const;
@@ -78,7 +79,6 @@ private:
   QAction *Export, *AddModel, *AddPicture;
   std::vector<Row> Rows;
   std::vector<int> Parts; // of the chosen model, where it has several
-  std::set<int> Hidden;   // of these
   std::set<int> Told;     // with partsHidden
   int PartsOf = 0;        // the model's id
   int Ticked = -1;        // the row whose tick the mouse has just changed

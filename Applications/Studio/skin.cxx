@@ -1,10 +1,10 @@
 #include "skin.h"
 
 #include "mesh_file.h"
-#include "texture.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
@@ -33,12 +33,12 @@ Skin::~Skin() = default;
 
 void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh, const std::string& picture)
 {
-  if (picture != this->Bytes)
+  if (picture != (this->Picture ? *this->Picture->bytes : std::string()))
   {
-    this->Texture->SetInputData(oversketch_files::pictureOf(picture));
-    this->Bytes = picture;
+    this->Picture = picture.empty() ? nullptr : decoded(std::make_shared<const std::string>(picture));
+    this->Texture->SetInputData(this->Picture ? this->Picture->pixels.Get() : nullptr);
   }
-  this->Textured = !this->Bytes.empty() && this->Texture->GetInput();
+  this->Textured = this->Picture && this->Picture->pixels;
   actor->SetTexture(this->Textured ? this->Texture.Get() : nullptr);
   vtkDataArray* colours = oversketch_files::coloursOf(mesh);
   const bool coloured = colours && colours->GetName() && !this->Textured;

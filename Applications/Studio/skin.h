@@ -2,6 +2,8 @@
 #ifndef oversketch_studio_skin_h
 #define oversketch_studio_skin_h
 
+#include "picture_files.h"
+
 #include "vtkNew.h"
 
 #include <string>
@@ -30,7 +32,7 @@ private:
   void colour(vtkActor* actor);
 
   vtkNew<vtkTexture> Texture;
-  std::string Bytes; // of the texture, which is decoded once
+  SharedPicture Picture; // of the texture; null: none
   bool Textured = false;
   double Plain[3] = { 1.0, 1.0, 1.0 };
 };

@@ -1,5 +1,6 @@
 // Meshes of parts that wear pictures of their own, written and read again.
 #include "Harness/shapes.h"
+#include "files.h"
 #include "mesh_file.h"
 #include "texture.h"
 
@@ -9,6 +10,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
+#include "vtkJPEGWriter.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
@@ -19,8 +21,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <set>
+#include <thread>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -46,14 +50,15 @@ private:
 };
 
 // The bytes of a picture of one grey.
-std::string pictureOfGrey(unsigned char grey)
+template <typename Writer = vtkPNGWriter>
+std::string pictureOfGrey(unsigned char grey, int side = 2)
 {
   vtkNew<vtkImageData> image;
-  image->SetDimensions(2, 2, 1);
+  image->SetDimensions(side, side, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill(values, values + 4, grey);
-  vtkNew<vtkPNGWriter> writer;
+  std::fill(values, values + side * side, grey);
+  vtkNew<Writer> writer;
   writer->SetInputData(image);
   writer->WriteToMemoryOn();
   writer->Write();
@@ -208,4 +213,37 @@ TEST(Pieces, AreThePartsOrTheWhole)
   const auto spoilt = strips(2, 4);
   spoilt->GetCellData()->GetArray("PartId")->Resize(3);
   EXPECT_TRUE(isWhole(spoilt, "")) << "PartId of three faces";
+}
+
+// The process keeps one error of all threads.
+TEST(Pictures, ErrorsOfOtherThreadsAreNotThoseOfAPicture)
+{
+  catchMessages();
+  takeError();
+  const std::string good = pictureOfGrey<vtkJPEGWriter>(99, 512);
+  std::string damaged = good;
+  damaged[damaged.find("\xff\xda") + 4] = 9; // of so many components
+  EXPECT_FALSE(pictureOf(damaged));
+  EXPECT_EQ(takeError(), "") << "a picture's error is left to others";
+  std::atomic<bool> done{ false };
+  std::thread other(
+    [&done]
+    {
+      const vtkNew<vtkPoints> points;
+      while (!done)
+      {
+        vtkErrorWithObjectMacro(points.Get(), "another's");
+      }
+    });
+  int decoded = 0, refused = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    decoded += pictureOf(good) ? 1 : 0;
+    refused += pictureOf(damaged) ? 0 : 1;
+  }
+  done = true;
+  other.join();
+  EXPECT_EQ(decoded, 300);
+  EXPECT_EQ(refused, 300);
+  EXPECT_EQ(takeError(), "another's") << "taken by a picture";
 }

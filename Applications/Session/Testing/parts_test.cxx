@@ -17,8 +17,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 using namespace oversketch_session;
 using namespace oversketch_test;
@@ -224,6 +226,82 @@ TEST(Parts, AreFiledWithTheirPlaces)
   refused("1000.0", "1e300", "beyond 1e9");
   refused("600.0,", "", "is not four numbers");
   refused("\"depth\" : 70.0", "\"depth\" : \"70\"", "depth");
+}
+
+// By what made them, whatever becomes of the steps before.
+TEST(Parts, OnesThatAreHiddenAreFoundAgain)
+{
+  Session session = gnome();
+  session.nodes.push_back(drawing("hat", 3, PartPlace{ { 0.0, 700.0, 400.0, 900.0 }, 0.0 }));
+  session.scene.hidden = { { 3, 0 } };
+  Evaluator evaluator;
+  const auto hidden = [&]
+  {
+    std::vector<Outcome> outcomes;
+    EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+    const PartSources parts = sourcesOf(session, outcomes);
+    EXPECT_EQ(parts.size(), partsOf(outcomes.back().mesh).size());
+    return hiddenOf(session.scene, parts);
+  };
+  EXPECT_EQ(hidden(), std::set<int>{ 2 });
+  session.nodes[1].on = false;
+  EXPECT_EQ(hidden(), std::set<int>{ 1 });
+  session.nodes[1] = drawing("head", 2, beside);
+  session.nodes[1] =
+    changed(session.nodes[1], [](Step& step) { step.inputs["Strokes"] = Lines(vtkNew<vtkPolyData>()); });
+  EXPECT_EQ(hidden(), std::set<int>{ 1 }) << "of one that is not drawn yet";
+  session.nodes[1] = drawing("head", 2, beside);
+  std::swap(session.nodes[1], session.nodes[2]);
+  EXPECT_EQ(hidden(), std::set<int>{ 1 });
+  session.nodes[0].on = false;
+  EXPECT_EQ(hidden(), std::set<int>{ 0 });
+  session.nodes.erase(session.nodes.begin() + 1);
+  session.nodes[0].on = true;
+  EXPECT_EQ(hidden(), std::set<int>());
+  EXPECT_EQ(freshId(session), 4) << "a new step's part would be hidden";
+  // Beside a model that was opened.
+  session = dogSession();
+  session.nodes = { drawing("head", 7, beside) };
+  session.scene.hidden = { { 0, 0 } };
+  EXPECT_EQ(hidden(), std::set<int>{ 0 });
+  session.scene.hidden = { { 7, 0 } };
+  EXPECT_EQ(hidden(), std::set<int>{ 1 });
+}
+
+TEST(Parts, OnesThatAreHiddenAreInTheFile)
+{
+  SessionFile file;
+  file.session = dogSession();
+  const auto textOf = [](const SessionFile& of) { return *Encoder().encode(of).at(sessionEntry); };
+  const std::string without = textOf(file);
+  EXPECT_EQ(without.find("hidden_parts"), std::string::npos) << "a member for nothing";
+  EXPECT_NE(without.find("\"format_version\" : 1"), std::string::npos);
+  file.session.scene.hidden = { { 0, 3 }, { 8, 1 } };
+  const Package package = Encoder().encode(file);
+  EXPECT_NE(package.at(sessionEntry)->find("\"format_version\" : 2"), std::string::npos);
+  SessionFile read = decode(package, "a");
+  const auto isSame = [](const PartSource& a, const PartSource& b)
+  { return a.step == b.step && a.part == b.part; };
+  const std::set<PartSource>&was = file.session.scene.hidden, &is = read.session.scene.hidden;
+  EXPECT_TRUE(std::equal(was.begin(), was.end(), is.begin(), is.end(), isSame));
+  EXPECT_EQ(textOf(read), *package.at(sessionEntry));
+  read.session.scene.hidden.clear();
+  EXPECT_EQ(textOf(read), without) << "the file as it was";
+  Package bad = package;
+  std::string text = *bad.at(sessionEntry);
+  text.replace(text.find("\"part\" : 3"), 10, "\"part\" : -3");
+  bad[sessionEntry] = std::make_shared<std::string>(text);
+  try
+  {
+    decode(bad, "a");
+    FAIL();
+  }
+  catch (const oversketch_files::Failed& failed)
+  {
+    EXPECT_NE(std::string(failed.what()).find("hidden part 1: 'part' is not a number in its range"),
+      std::string::npos)
+      << failed.what();
+  }
 }
 
 TEST(Parts, OnlyWhatTakesNoMeshMakesOne)

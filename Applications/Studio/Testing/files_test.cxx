@@ -4,12 +4,17 @@
 #include "examples.h"
 #include "files.h"
 #include "long_work.h"
+#include "mesh_file.h"
 #include "picture_files.h"
 #include "scene.h"
 #include "session_file.h"
+#include "texture.h"
 #include "tool.h"
 
 #include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <QAction>
 #include <QDir>
@@ -27,10 +32,12 @@
 #include <QTemporaryDir>
 #include <QThreadPool>
 
+#include <algorithm>
 #include <atomic>
 #include <future>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 using namespace oversketch_studio;
@@ -288,6 +295,8 @@ TEST(Files, EachWorkOnAFileShowsThatAndCanBeGivenUp)
   ASSERT_TRUE(QFile::copy(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", other));
   const QString saved = folder.filePath("late.oversketch"), exported = folder.filePath("late.ply");
   Scene scene;
+  auto* advice = scene.window.findChild<QLabel*>("advice");
+  const std::string bytes = oversketch_files::wholeFile(picture.toStdString());
   emit actionOf(scene.window, "E&xamples")->menu()->aboutToShow();
   const auto menu = [&](const QString& text)
   { return [&, text] { actionOf(scene.window, text)->trigger(); }; };
@@ -324,6 +333,14 @@ TEST(Files, EachWorkOnAFileShowsThatAndCanBeGivenUp)
           return answerName(asked, work.name);
         }
         EXPECT_TRUE(dialog->labelText().startsWith(work.said)) << qPrintable(dialog->labelText());
+        // Nothing else is begun meanwhile, and that is said.
+        for (const QString& path : { picture, QString() })
+        {
+          advice->clear();
+          EXPECT_FALSE(scene.window.openPicture(path));
+          EXPECT_TRUE(advice->text().startsWith(work.said) && advice->text().endsWith("or cancel it."))
+            << qPrintable(advice->text());
+        }
         QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
         return true;
       });
@@ -339,12 +356,78 @@ TEST(Files, EachWorkOnAFileShowsThatAndCanBeGivenUp)
     EXPECT_TRUE(scene.document->session().pictures.empty());
     EXPECT_TRUE(scene.document->session().scene.others.empty());
     EXPECT_FALSE(QFile::exists(saved) || QFile::exists(exported)) << "what was given up appeared";
+    EXPECT_FALSE(findDecoded(bytes)) << "kept for ever";
   }
   pool->setMaxThreadCount(threads);
-  // What such a work has decoded the window's thread need not.
-  const ReadPicture read = readPicture(picture);
-  EXPECT_EQ(takeDecoded(read.image.bytes), read.pixels);
-  EXPECT_NE(takeDecoded(read.image.bytes), read.pixels) << "kept for ever";
+}
+
+// By a document, whatever a view of it does.
+TEST(Files, PicturesAreDecodedBeforeTheyAreSeen)
+{
+  const QTemporaryDir folder;
+  const auto pictureOf = [&](const QColor& colour)
+  {
+    const QString path = folder.filePath(colour.name().mid(1) + ".png");
+    QImage square(64, 64, QImage::Format_RGB32);
+    square.fill(colour);
+    EXPECT_TRUE(square.save(path));
+    return oversketch_files::wholeFile(path.toStdString());
+  };
+  const auto dressed = [&](const std::string& bytes, const QString& name)
+  {
+    oversketch_files::Notes notes;
+    const auto mesh = oversketch_files::readMesh(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", notes);
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetName("TCoords");
+    coordinates->SetNumberOfComponents(2);
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      coordinates->InsertNextTuple2(0.5, 0.5);
+    }
+    mesh->GetPointData()->SetTCoords(coordinates);
+    oversketch_files::setTexture(mesh, bytes);
+    const QString path = folder.filePath(name);
+    oversketch_files::writeMesh(mesh, path.toStdString(), notes);
+    return path;
+  };
+  // Equal bytes are one picture while somebody holds it.
+  const std::string red = pictureOf(Qt::red), green = pictureOf(Qt::green);
+  {
+    const ReadPicture read = readPicture(folder.filePath("ff0000.png"));
+    EXPECT_EQ(decoded(std::make_shared<const std::string>(red)), read.decoded);
+    EXPECT_TRUE(read.decoded->pixels);
+  }
+  EXPECT_FALSE(findDecoded(red)) << "kept for ever";
+  const QString redDog = dressed(red, "red.glb"), greenDog = dressed(green, "green.glb");
+  Document document;
+  const auto settles = [&] { return QTest::qWaitFor([&] { return document.isSettled(); }, 600000); };
+  {
+    Document::Opened read = Document::read(redDog, 0);
+    EXPECT_TRUE(findDecoded(red)) << "left to the window's thread";
+    document.open(std::move(read));
+  }
+  EXPECT_TRUE(findDecoded(red));
+  ASSERT_TRUE(settles());
+  EXPECT_TRUE(findDecoded(red));
+  // What rests is seen as well, and what is chosen again.
+  document.addModels(Document::readModels(greenDog, 0));
+  ASSERT_TRUE(settles());
+  EXPECT_TRUE(findDecoded(red) && findDecoded(green));
+  document.chooseModel(0);
+  ASSERT_TRUE(settles());
+  EXPECT_TRUE(findDecoded(red) && findDecoded(green));
+  document.open(Document::read(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", 0));
+  ASSERT_TRUE(settles());
+  EXPECT_FALSE(findDecoded(red) || findDecoded(green)) << "kept for ever";
+  // A drawing's model wears what was drawn over.
+  const auto example = examples();
+  const auto leaf =
+    std::find_if(example.begin(), example.end(), [](const Example& one) { return !one.picture.isEmpty(); });
+  ASSERT_NE(leaf, example.end());
+  document.open(readExample(*leaf, 0));
+  ASSERT_TRUE(settles());
+  EXPECT_TRUE(findDecoded(oversketch_files::wholeFile(leaf->picture.toStdString())));
+  document.discardAutosave();
 }
 
 TEST(Files, EveryExampleOpens)

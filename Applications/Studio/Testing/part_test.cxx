@@ -1,5 +1,7 @@
 // A further part of a model: a picture is added, drawn over, and put at its place by the handles of its box.
+#include "files.h"
 #include "part_drag.h"
+#include "picture_files.h"
 #include "pieces.h"
 #include "sheet.h"
 #include "texture.h"
@@ -10,9 +12,14 @@
 #include "vtkCellData.h"
 
 #include <QLineEdit>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QThreadPool>
 
 #include <array>
 #include <cmath>
+#include <future>
+#include <string>
 
 using namespace oversketch_studio;
 using oversketch::Vector2;
@@ -333,4 +340,62 @@ TEST(Part, WhatIsNoPictureIsSaidAndAddsNothing)
   EXPECT_THROW(sheet.document->partReader(OVERSKETCH_DATA_FOLDER "/Models/dog.ply")(), std::exception);
   EXPECT_THROW(sheet.document->partReader("/nowhere.png")(), std::exception);
   EXPECT_EQ(sheet.session().nodes.size(), 1u);
+}
+
+TEST(Part, APictureThatIsTakenUpLaterIsReadWithAWordAndCanBeGivenUp)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.line(beast());
+  // Of a part that nothing is drawn over yet: no model wears it.
+  const QString path = sheet.folder.filePath("other.png");
+  QImage other(width, height, QImage::Format_RGB32);
+  other.fill(Qt::magenta);
+  ASSERT_TRUE(other.save(path));
+  const std::string bytes = oversketch_files::wholeFile(path.toStdString());
+  sheet.document->add(*sheet.document->partReader(path)().step);
+  sheet.settle();
+  EXPECT_FALSE(findDecoded(bytes));
+  auto* pool = QThreadPool::globalInstance();
+  const int threads = pool->maxThreadCount();
+  pool->setMaxThreadCount(1);
+  std::promise<void> go;
+  pool->start([mayGo = go.get_future().share()] { mayGo.wait(); });
+  bool given = false;
+  QTimer timer;
+  QObject::connect(&timer,
+    &QTimer::timeout,
+    [&given]
+    {
+      auto* dialog = qobject_cast<QProgressDialog*>(QApplication::activeModalWidget());
+      if (dialog && !given)
+      {
+        given = true;
+        EXPECT_TRUE(dialog->labelText().startsWith("Reading other.png")) << qPrintable(dialog->labelText());
+        QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
+      }
+    });
+  timer.start(50);
+  sheet.list->setCurrentRow(2);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return given; }, 60000));
+  sheet.settle();
+  EXPECT_FALSE(sheet.pad->isEnabled()) << "drawn on what is not seen";
+  EXPECT_EQ(sheet.advice->text(), "The picture under this drawing has not been read. G reads it.");
+  go.set_value();
+  pool->waitForDone();
+  pool->setMaxThreadCount(threads);
+  timer.stop();
+  EXPECT_FALSE(findDecoded(bytes)) << "kept for ever";
+  QTest::keyClick(sheet.view, Qt::Key_G);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sheet.pad->isEnabled(); }, 60000));
+  // The other drawing's is on the model, and at hand.
+  sheet.list->setCurrentRow(0);
+  EXPECT_TRUE(sheet.pad->isEnabled());
+  sheet.list->setCurrentRow(2);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return sheet.pad->isEnabled(); }, 60000));
+  sheet.settle();
+  EXPECT_TRUE(findDecoded(bytes));
+  sheet.line(ring({ 200, 150 }, 60));
+  EXPECT_EQ(sheet.document->result().nodes.at(1).failure, "");
+  EXPECT_EQ(oversketch_files::partsOf(sheet.mesh()).size(), 2u);
 }

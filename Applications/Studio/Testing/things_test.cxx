@@ -9,7 +9,51 @@
 
 #include <QLineEdit>
 
+#include <functional>
+
 using namespace oversketch_studio;
+
+namespace
+{
+
+// A body over the picture, and rings of other pictures beside it.
+struct Pieces : Sheet
+{
+  explicit Pieces(int count)
+  {
+    this->open();
+    this->line(beast());
+    auto* rows = this->window.findChild<QListWidget*>("history");
+    for (int i = 1; i < count; ++i)
+    {
+      this->document->add(*this->document->partReader(this->file)().step);
+      this->settle();
+      this->document->place(i, { { 500.0 * i, 0.0, 500.0 * i + 400.0, 300.0 }, 0.0 }, false);
+      this->settle();
+      rows->setCurrentRow(2 * i); // below each is its line's
+      this->settle();
+      this->line(ring({ 200, 150 }, 60));
+    }
+    rows->setCurrentRow(0); // no box of a part is in the view
+    this->view->display().showWhole();
+  }
+  QImage tick(int row, bool on)
+  {
+    this->things->item(row)->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+    return this->picture();
+  }
+  QImage picture()
+  {
+    this->settle();
+    this->view->renderSoon();
+    return this->pictureAtRest();
+  }
+  bool isTicked(int row) { return this->things->item(row)->checkState() == Qt::Checked; }
+
+  QListWidget* things = this->window.findChild<QListWidget*>("scene");
+};
+
+} // namespace
 
 TEST(Things, PartsAreHiddenAndWrittenByThemselves)
 {
@@ -34,7 +78,7 @@ TEST(Things, PartsAreHiddenAndWrittenByThemselves)
   // Of two: each by itself, also by the file.
   sheet.open();
   sheet.line(beast());
-  sheet.document->add(*sheet.document->partReader(sheet.file)());
+  sheet.document->add(*sheet.document->partReader(sheet.file)().step);
   sheet.settle();
   auto* rows = sheet.window.findChild<QListWidget*>("history");
   rows->setCurrentRow(2);
@@ -85,4 +129,75 @@ TEST(Things, PartsAreHiddenAndWrittenByThemselves)
   oversketch_files::Notes notes;
   const auto written = oversketch_files::readMesh(path.toStdString(), notes);
   EXPECT_EQ(written->GetNumberOfPolys(), oversketch_files::partAlone(sheet.mesh(), 1)->GetNumberOfPolys());
+}
+
+TEST(Things, PartsThatAreHiddenStaySo)
+{
+  Pieces all(3);
+  ASSERT_EQ(all.things->count(), 3);
+  const QImage whole = all.picture();
+  const QString plain = all.folder.filePath("plain.oversketch"), file = all.folder.filePath("a.oversketch");
+  all.document->save(plain);
+  const QImage hidden = all.tick(2, false);
+  const int seen = differing(whole, hidden);
+  EXPECT_GT(seen, 300);
+  EXPECT_TRUE(all.document->isModified()) << "kept with the session";
+  // As a model that is hidden, one step of undo.
+  all.document->undo();
+  EXPECT_LT(differing(all.picture(), whole), 20);
+  EXPECT_TRUE(all.isTicked(2));
+  EXPECT_FALSE(all.document->isModified());
+  all.document->redo();
+  EXPECT_LT(differing(all.picture(), hidden), 20);
+  EXPECT_FALSE(all.isTicked(2));
+  // It has another number while a step before it is off.
+  all.document->setOn(1, false);
+  const QImage two = all.picture();
+  ASSERT_EQ(all.things->count(), 2);
+  EXPECT_TRUE(all.isTicked(0));
+  EXPECT_FALSE(all.isTicked(1));
+  all.document->setOn(1, true);
+  EXPECT_LT(differing(all.picture(), hidden), 20);
+  EXPECT_FALSE(all.isTicked(2));
+  EXPECT_GT(differing(two, hidden), 300);
+  // What a hand goes on with after it is a step of undo by itself.
+  const std::string before = all.document->digest();
+  all.document->place(1, { { 500.0, 50.0, 900.0, 350.0 }, 0.0 }, false);
+  all.settle();
+  const std::string moved = all.document->digest();
+  EXPECT_TRUE((all.tick(2, true), all.isTicked(2)));
+  all.document->place(1, { { 500.0, 90.0, 900.0, 390.0 }, 0.0 }, true);
+  all.settle();
+  all.document->undo();
+  all.settle();
+  EXPECT_EQ(all.document->digest(), moved);
+  EXPECT_TRUE(all.isTicked(2));
+  all.document->undo();
+  all.document->undo();
+  all.settle();
+  EXPECT_EQ(all.document->digest(), before);
+  EXPECT_FALSE(all.isTicked(2));
+  // In the file, and of that session alone.
+  all.document->save(file);
+  ASSERT_TRUE(all.window.open(plain));
+  EXPECT_LT(differing(all.picture(), whole), 20);
+  ASSERT_TRUE(all.window.open(file));
+  EXPECT_LT(differing(all.picture(), hidden), 20);
+  ASSERT_EQ(all.things->count(), 3);
+  EXPECT_FALSE(all.isTicked(2));
+  EXPECT_FALSE(all.document->isModified());
+  // While another model is worked on, too.
+  all.document->addModels(Document::readModels(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", 0));
+  all.settle();
+  ASSERT_EQ(all.document->session().scene.place, 1u);
+  const QImage rests = all.picture();
+  all.document->undo();
+  all.settle();
+  all.tick(2, true);
+  all.document->addModels(Document::readModels(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", 0));
+  all.settle();
+  EXPECT_GT(differing(all.picture(), rests), seen / 2);
+  all.document->chooseModel(0);
+  all.settle();
+  EXPECT_TRUE(all.isTicked(3));
 }

@@ -258,7 +258,7 @@ TEST(Window, LivesThroughRandomHandsOnADrawing)
         window.openPicture(body);
         auto* document = window.findChild<Document*>();
         drawRound(*document, 0, { 150.0, 100.0 }, 82.0);
-        document->add(*document->partReader(head)());
+        document->add(*document->partReader(head)().step);
         drawRound(*document, 1, { 100.0, 100.0 }, 62.0);
       },
       deeds,

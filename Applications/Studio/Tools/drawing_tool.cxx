@@ -4,8 +4,8 @@
 #include "drawing_pad.h"
 #include "flow_layout.h"
 #include "focus_frame.h"
+#include "long_work.h"
 #include "message_words.h"
-#include "picture_files.h"
 #include "systems.h"
 #include "viewport.h"
 
@@ -20,6 +20,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QRegularExpression>
+#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
@@ -34,6 +35,7 @@ namespace
 {
 
 constexpr int closedFeature = 2; // cell array Role
+constexpr int patience = 100;    // ms
 
 int countOf(vtkPolyData* curves, int role)
 {
@@ -130,6 +132,10 @@ QVector<QPair<QString, QString>> DrawingTool::keys() const
 
 QString DrawingTool::need() const
 {
+  if (this->lacksPicture())
+  {
+    return tr("The picture under this drawing has not been read. G reads it.");
+  }
   const bool anyOn =
     std::any_of(this->Strokes.begin(), this->Strokes.end(), [](const DrawnStroke& one) { return one.on; });
   if (this->Strokes.empty())
@@ -304,6 +310,7 @@ void DrawingTool::select(int node)
 void DrawingTool::start()
 {
   this->Held = true;
+  this->Started = this->Started && !this->lacksPicture(); // which is asked for again
   this->View->camera()->SetModeToNavigate();
   this->View->setHandCursor(Qt::OpenHandCursor);
   this->follow();
@@ -358,6 +365,7 @@ void DrawingTool::follow()
     this->Drawing = this->OnPad = 0;
     this->Started = false;
     this->Shown = nullptr;
+    this->Decoded = nullptr;
     this->Strokes.clear();
     return;
   }
@@ -369,23 +377,34 @@ void DrawingTool::follow()
   const auto lines = step.inputs.find(strokesInput);
   const Lines* drawn = lines == step.inputs.end() ? nullptr : std::get_if<Lines>(&lines->second);
   const vtkSmartPointer<vtkPolyData> drawing = drawn ? drawn->own() : nullptr;
-  const auto given = step.inputs.find(pictureInput);
-  const Image* image = given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+  const Image* image = pictureUnder(step);
   const auto bytes = image ? image->bytes : nullptr;
-  if (!this->Started || bytes != this->Picture)
+  if (this->Held && (!this->Started || bytes != this->Picture))
   {
     this->Started = true;
+    this->Shown = nullptr; // after the picture
     this->Picture = bytes;
-    this->Magnetic->setEnabled(this->Held && bytes);
+    this->Magnetic->setEnabled(bytes != nullptr);
+    this->Decoded = bytes ? findDecoded(*bytes) : nullptr;
     vtkDataArray* canvas = drawing ? drawing->GetFieldData()->GetArray("Canvas") : nullptr;
-    if (bytes)
+    this->Pad->setEnabled(!this->lacksPicture());
+    if (this->Decoded)
     {
-      this->Pad->setPicture(takeDecoded(bytes));
+      this->Pad->setPicture(this->Decoded->pixels);
     }
     else if (canvas && canvas->GetNumberOfValues() == 4)
     {
       const auto value = [canvas](int i) { return canvas->GetVariantValue(i).ToDouble(); };
       this->Pad->setCanvas(value(0), value(1), value(2), value(3));
+    }
+    else
+    {
+      this->Pad->setPicture(nullptr);
+    }
+    if (this->lacksPicture())
+    {
+      // Not here: whoever has changed the document is not done with it.
+      QMetaObject::invokeMethod(this, &DrawingTool::readPicture, Qt::QueuedConnection);
     }
   }
   const SystemRow* row = findSystem(drawingSystem);
@@ -406,6 +425,37 @@ void DrawingTool::follow()
   {
     this->Pad->showText(this->inLines(this->Pad->text()));
   }
+}
+
+// Of the drawing that has been taken up, where nobody has it yet.
+void DrawingTool::readPicture()
+{
+  if (isLongWorkGoing())
+  {
+    QTimer::singleShot(patience, this, &DrawingTool::readPicture);
+    return;
+  }
+  const int at = this->node();
+  const PictureBytes bytes = this->Picture;
+  if (!this->Held || at < 0 || !this->lacksPicture())
+  {
+    return;
+  }
+  const Image* image = pictureUnder(*this->OpenDocument->session().nodes[indexOf(at)].step);
+  if (!image || image->bytes != bytes)
+  {
+    return; // of another drawing
+  }
+  const auto read = std::make_shared<SharedPicture>();
+  const bool done = doLongWork(this->Pad->window(),
+    tr("Reading %1…").arg(QString::fromStdString(image->name)),
+    [read, bytes] { *read = decoded(bytes); });
+  if (done)
+  {
+    this->Started = false;
+    this->follow();
+  }
+  emit this->left(); // says what is next
 }
 
 void DrawingTool::take()

@@ -4,6 +4,7 @@
 
 #include "drawing_lines.h"
 #include "part_handles.h"
+#include "picture_files.h"
 #include "tool.h"
 
 #include <QAction>
@@ -64,6 +65,9 @@ public:
 private:
   // Shows what the document holds.
   void follow();
+  // The picture under it has not been read, which is not for the window's thread.
+  bool lacksPicture() const { return this->Picture && !this->Decoded; }
+  void readPicture();
   // The hand has changed the drawing on the pad.
   void take();
   QString need() const; // what the drawing lacks, in words
@@ -78,7 +82,8 @@ private:
   bool Held = false;                                    // the tool is in the hand
   std::vector<oversketch_session::DrawnStroke> Strokes; // of the drawing, also those that are off
   std::shared_ptr<const void> Shown;                    // the identity of its lines
-  std::shared_ptr<const std::string> Picture;           // the bytes of what it is drawn over
+  PictureBytes Picture;                                 // what it is drawn over
+  SharedPicture Decoded;                                // the same; null while it is not read
   int Drawing = 0, OnPad = 0;                           // ids: of its step, of the one that is seen
   bool Started = false;                                 // something is drawn on
   bool Arranged = false;                                // its strokes may cross
