@@ -184,9 +184,9 @@ public:
 
   ///@{
   /**
-   * Of the last run, 0 after one that failed: vertices that the edit moved, before new triangles were made;
-   * edges that it folded by over 120 degrees and were not, which a remark says, too; gaps that curves were
-   * led over.
+   * Of the last run, 0 after one that failed: vertices that the edit moved and edges that it folded by over
+   * 120 degrees and were not, which a remark says, too, both before new triangles were made, which can fold a
+   * few edges more or fewer; gaps that curves were led over.
    */
   int GetMovedPoints();
   int GetFoldedEdges();
