@@ -35,7 +35,7 @@ struct Pieces : Sheet
       this->line(ring({ 200, 150 }, 60));
     }
     rows->setCurrentRow(0); // no box of a part is in the view
-    this->view->display().showWhole();
+    this->view->display().showWhole(this->view->fittedSize().data());
   }
   QImage tick(int row, bool on)
   {
