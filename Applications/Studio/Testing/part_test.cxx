@@ -386,6 +386,7 @@ TEST(Part, APictureThatIsTakenUpLaterIsReadWithAWordAndCanBeGivenUp)
   pool->setMaxThreadCount(threads);
   timer.stop();
   EXPECT_FALSE(findDecoded(bytes)) << "kept for ever";
+  QApplication::setActiveWindow(&sheet.window); // no longer the one that asked
   QTest::keyClick(sheet.view, Qt::Key_G);
   ASSERT_TRUE(QTest::qWaitFor([&] { return sheet.pad->isEnabled(); }, 60000));
   // The other drawing's is on the model, and at hand.
