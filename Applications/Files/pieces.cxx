@@ -143,6 +143,10 @@ vtkSmartPointer<vtkPolyData> partAlone(vtkPolyData* mesh, int part)
 
 vtkSmartPointer<vtkPolyData> withoutParts(vtkPolyData* mesh, const std::set<int>& parts)
 {
+  if (!numbersOf(mesh))
+  {
+    return mesh;
+  }
   auto rest = vtkSmartPointer<vtkPolyData>::New();
   rest->ShallowCopy(mesh);
   vtkNew<vtkCellArray> polys;

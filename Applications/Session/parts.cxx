@@ -137,7 +137,7 @@ std::set<int> hiddenOf(const SceneModels& scene, const PartSources& parts)
   std::set<int> hidden;
   for (const auto& [number, source] : parts)
   {
-    if (scene.hidden.count(source) > 0)
+    if (parts.size() > 1 && scene.hidden.count(source) > 0)
     {
       hidden.insert(number);
     }

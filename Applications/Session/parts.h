@@ -35,7 +35,7 @@ using PartSources = std::map<int, PartSource>;
 PartSources sourcesOf(const Session& session, const std::vector<Outcome>& outcomes);
 // Which part that is: one of which nothing is known by its number alone.
 PartSource sourceOf(const PartSources& parts, int number);
-// The numbers of those that are hidden.
+// The numbers of those that are hidden. None of a mesh that is one part: the model itself is seen or hidden.
 std::set<int> hiddenOf(const SceneModels& scene, const PartSources& parts);
 
 // What is wrong with a place, in words; empty where nothing is.

@@ -379,10 +379,14 @@ void Worker::runOne(std::uint64_t ticket, const Session& session, const Laid* kn
     this->show(shown, result);
     result.parts = sourcesOf(session, outcomes);
   }
+  else
+  {
+    this->Shown = this->Display = nullptr;
+  }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (this->Report.done)
   {
-    this->Report.done(std::move(result)); // this thread keeps nothing of it
+    this->Report.done(std::move(result)); // this thread keeps the meshes of it alone
   }
   if (shown)
   {

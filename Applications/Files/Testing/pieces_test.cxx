@@ -213,6 +213,7 @@ TEST(Pieces, AreThePartsOrTheWhole)
   const auto spoilt = strips(2, 4);
   spoilt->GetCellData()->GetArray("PartId")->Resize(3);
   EXPECT_TRUE(isWhole(spoilt, "")) << "PartId of three faces";
+  EXPECT_EQ(withoutParts(spoilt, { 0 }).Get(), spoilt.Get()) << "all of it is gone";
 }
 
 // The process keeps one error of all threads.

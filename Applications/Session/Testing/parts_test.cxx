@@ -240,7 +240,7 @@ TEST(Parts, OnesThatAreHiddenAreFoundAgain)
     std::vector<Outcome> outcomes;
     EXPECT_TRUE(evaluator.run(session, {}, outcomes));
     const PartSources parts = sourcesOf(session, outcomes);
-    EXPECT_EQ(parts.size(), partsOf(outcomes.back().mesh).size());
+    EXPECT_EQ(parts.size(), std::max<std::size_t>(1, partsOf(outcomes.back().mesh).size()));
     return hiddenOf(session.scene, parts);
   };
   EXPECT_EQ(hidden(), std::set<int>{ 2 });
@@ -264,6 +264,9 @@ TEST(Parts, OnesThatAreHiddenAreFoundAgain)
   session.nodes = { drawing("head", 7, beside) };
   session.scene.hidden = { { 0, 0 } };
   EXPECT_EQ(hidden(), std::set<int>{ 0 });
+  session.nodes[0].on = false;
+  EXPECT_EQ(hidden(), std::set<int>()) << "no row would bring it back";
+  session.nodes[0].on = true;
   session.scene.hidden = { { 7, 0 } };
   EXPECT_EQ(hidden(), std::set<int>{ 1 });
 }
