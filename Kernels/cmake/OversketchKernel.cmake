@@ -28,6 +28,8 @@ function (oversketch_kernel name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/oversketch/Kernels>)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
   target_compile_options(${target} PRIVATE ${oversketch_warnings})
+  oversketch_precompile(${target} kernels HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} LIBRARIES Eigen3::Eigen
+    OPTIONS ${oversketch_warnings} POSITION_INDEPENDENT)
   install(TARGETS ${target} EXPORT Oversketch
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development)
   install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/oversketch/Kernels/${name} COMPONENT development)
@@ -56,17 +58,18 @@ if (oversketch_ccache) # those that build find there what this build has compile
   list(APPEND oversketch_python_caches "CCACHE_DIR=${oversketch_ccache}")
 endif ()
 
+set(oversketch_test_options $<$<CONFIG:Release>:-O1>)
+if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  list(APPEND oversketch_test_options -Og)
+endif ()
+
 # oversketch_test_program(<target>): a program of C++ tests, part of the target `tests`, which is all that the sanitizers need.
 # It is compiled to be compiled soon: its files together, since most of the time goes into the headers, and it need not be quick;
 # under the sanitizers, where optimizing it is most of the compile time, no more than helps a debugger.
 add_custom_target(tests)
 function (oversketch_test_program target)
   add_dependencies(tests ${target})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-shadow -Wno-subobject-linkage) # names of several files meet
-  if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
-    target_compile_options(${target} PRIVATE -Og)
-  endif ()
+  target_compile_options(${target} PRIVATE ${oversketch_test_options} -Wno-shadow -Wno-subobject-linkage) # names of several files meet
 endfunction ()
 
 # oversketch_facts_of(<facts> <others> <file>...): the tests of facts in sources, such as A3_2.WhatHolds, and whether there are
@@ -120,6 +123,10 @@ function (oversketch_gtest name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
   oversketch_test_program(${name})
+  oversketch_precompile(${name} tests
+    HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} ${oversketch_vtk_headers} <gtest/gtest.h>
+    LIBRARIES Eigen3::Eigen ${oversketch_vtk_targets} GTest::gtest
+    OPTIONS ${oversketch_test_options})
   if (arg_DISPLAY)
     target_compile_definitions(${name} PRIVATE "OVERSKETCH_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
     vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType)
@@ -163,8 +170,24 @@ macro (oversketch_filter_module module)
     CLASSES ${oversketch_CLASSES} SOURCES ${oversketch_SOURCES} HEADERS ${oversketch_HEADERS}
     NOWRAP_HEADERS ${oversketch_NOWRAP_HEADERS})
   vtk_module_link(${module} PRIVATE ${oversketch_KERNELS})
-  vtk_module_compile_options(${module} PRIVATE ${oversketch_filter_warnings})
+  oversketch_module_options(${module})
 endmacro ()
+
+# oversketch_module_options(<module>): how the sources of a VTK module of ours are compiled.
+function (oversketch_module_options module)
+  vtk_module_compile_options(${module} PRIVATE ${oversketch_filter_warnings})
+  get_property(target TARGET ${module} PROPERTY ALIASED_TARGET)
+  oversketch_precompile(${target} modules
+    HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} ${oversketch_vtk_headers}
+    LIBRARIES Eigen3::Eigen ${oversketch_vtk_targets} POSITION_INDEPENDENT)
+endfunction ()
+
+# oversketch_application_options(<target>): the same for a library or program of the applications.
+function (oversketch_application_options target)
+  target_compile_options(${target} PRIVATE ${oversketch_filter_warnings})
+  oversketch_precompile(${target} applications
+    HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} ${oversketch_vtk_headers} LIBRARIES Eigen3::Eigen ${oversketch_vtk_targets})
+endfunction ()
 
 # oversketch_pytest(<name> <file.py> [<command>...]): one pytest file under ctest, against the package in the build tree, on
 # a virtual display where it needs one (xvfb-run), run by the command. A display that resets with its last client would
