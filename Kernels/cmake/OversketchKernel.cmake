@@ -69,6 +69,7 @@ endif ()
 add_custom_target(tests)
 function (oversketch_test_program target)
   add_dependencies(tests ${target})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   target_compile_options(${target} PRIVATE ${oversketch_test_options} -Wno-shadow -Wno-subobject-linkage) # names of several files meet
 endfunction ()
 
@@ -123,10 +124,6 @@ function (oversketch_gtest name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
   oversketch_test_program(${name})
-  oversketch_precompile(${name} tests
-    HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} ${oversketch_vtk_headers} <gtest/gtest.h>
-    LIBRARIES Eigen3::Eigen ${oversketch_vtk_targets} GTest::gtest
-    OPTIONS ${oversketch_test_options})
   if (arg_DISPLAY)
     target_compile_definitions(${name} PRIVATE "OVERSKETCH_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
     vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType)
