@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Keeps the pages of Testing/Facts true: which test proves which checkable fact of a system, and the figure it reached.
 
-    facts.py BUILD            runs the tests of the facts in a build folder and writes their tests and figures into the pages
-    facts.py BUILD --check    exit code 1 when the pages do not list exactly the facts and tests that the build has
+    facts.py BUILD            runs the tests of the facts in a release build with OVERSKETCH_ALL_TESTS and writes their tests and figures into the pages
+    facts.py BUILD --check    exit code 1 when the pages do not list exactly the facts and tests that there are
 
 A page is a system's, Facts/A.md that of system A; a row of its table says what holds and is written by hand, its last two
 cells by this. A fact's test is named after system, stage and place, A3_2 for the second of stage 3 of system A, and reports its
 figure in a line "FACT A3_2 | text". The check looks at facts and tests, not at figures: their last digits belong to a machine.
 """
+import os
 import pathlib
 import re
 import subprocess
@@ -37,7 +38,7 @@ class Page:
         """What of the page is not as the build has it."""
         for name, (names, figure) in self.listed.items():
             if name in tests and names != tests[name]:
-                yield f"{self.path.name} lists other tests of {name} than the build has; run facts.py"
+                yield f"{self.path.name} lists other tests of {name} than there are; run facts.py"
             if not figure:
                 yield f"{self.path.name} gives no figure of {name}; run facts.py"
 
@@ -52,24 +53,32 @@ class Page:
         self.path.write_text(head + "\n".join(rows) + "\n")
 
 
-def tests_of(build):
-    """{fact: sorted test names} of a build."""
-    listing = subprocess.run(["ctest", "-N"], cwd=build, capture_output=True, text=True, check=True).stdout
+def tests_of():
+    """{fact: sorted test names} of the sources: C++ tests, and those of pytest that the build names after a fact."""
     found = {}
-    for name in re.findall(r"Test\s+#\d+: (\S+)", listing):
-        match = re.match(rf"({FACT})\.", name)
-        if match:
-            found.setdefault(match.group(1), []).append(name)
+    for path in sorted(PAGES.parent.parent.glob("*/**/*")):
+        if path.parts[len(PAGES.parent.parent.parts)] == "build" or "Toy" in path.parts:
+            continue
+        if path.suffix == ".cxx":
+            names = [f"{a}.{b}" for a, b in re.findall(rf"^TEST\(({FACT}), (\w+)\)", path.read_text(), re.M)]
+        elif path.name == "CMakeLists.txt":
+            names = re.findall(rf"^ *oversketch_pytest\(({FACT}\.\w+) ", path.read_text(), re.M)
+        else:
+            continue
+        for name in names:
+            found.setdefault(name.split(".")[0], []).append(name)
     return {fact: sorted(names) for fact, names in found.items()}
 
 
-def figures_of(build):
+def figures_of(build, tests):
     """{fact: figures in the order of the tests}."""
-    run = subprocess.run(["ctest", "-V", "-R", r"^[A-Z][0-9]+_[0-9]+[.]"], cwd=build, capture_output=True, text=True)
+    names = sorted(sum(tests.values(), []), key=order)
+    run = subprocess.run(["ctest", "-V", "-R", rf"_test(_[0-9])?$|^{FACT}[.]".replace(r"\d", "[0-9]")], cwd=build,
+                         capture_output=True, text=True, env={**os.environ, "GTEST_FILTER": ":".join(names)})
     if run.returncode != 0:
         sys.exit("facts.py: a test of a fact fails:\n" + run.stdout[-4000:])
     found = {}
-    for fact, figure in re.findall(rf"FACT ({FACT}) \| (.*)", run.stdout):
+    for fact, figure in sorted(re.findall(rf"FACT ({FACT}) \| (.*)", run.stdout)):
         if figure.strip() not in found.setdefault(fact, []):
             found[fact].append(figure.strip())
     return found
@@ -78,7 +87,7 @@ def figures_of(build):
 def main():
     if len(sys.argv) < 2 or sys.argv[2:] not in ([], ["--check"]):
         sys.exit(__doc__)
-    tests = tests_of(sys.argv[1])
+    tests = tests_of()
     pages = [Page(path) for path in sorted(PAGES.glob("?.md"))]
     facts = [name for page in pages for name in page.facts]
     wrong = [f"no test of {name}" for name in facts if name not in tests]
@@ -88,7 +97,7 @@ def main():
     if wrong:
         sys.exit("\n".join(wrong))
     if not sys.argv[2:]:
-        figures = figures_of(sys.argv[1])
+        figures = figures_of(sys.argv[1], tests)
         silent = [name for name in facts if name not in figures]
         if silent:
             sys.exit("no figure reported of " + ", ".join(silent))

@@ -63,34 +63,29 @@ if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
   list(APPEND oversketch_test_options -Og)
 endif ()
 
-# oversketch_test_program(<target>): a program of C++ tests, part of the target `tests`, which is all that the sanitizers need.
-# It is compiled to be compiled soon: its files together, since most of the time goes into the headers, and it need not be quick;
-# under the sanitizers, where optimizing it is most of the compile time, no more than helps a debugger.
-add_custom_target(tests)
+# oversketch_test_program(<target>): a program of C++ tests. It is compiled to be compiled soon: its files together, since most of
+# the time goes into the headers, and it need not be quick; under the sanitizers, where optimizing it is most of the compile time,
+# no more than helps a debugger.
 function (oversketch_test_program target)
-  add_dependencies(tests ${target})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8 EXCLUDE_FROM_ALL ON)
   target_compile_options(${target} PRIVATE ${oversketch_test_options} -Wno-shadow -Wno-subobject-linkage) # names of several files meet
 endfunction ()
 
-# oversketch_facts_of(<facts> <others> <file>...): the tests of facts in sources, such as A3_2.WhatHolds, and whether there are
-# others; no facts under a sanitizer. A program that draws cannot be asked for its tests without a display.
-function (oversketch_facts_of facts others)
-  set(found)
-  set(rest FALSE)
-  foreach (file IN LISTS ARGN)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
-    file(STRINGS "${file}" lines REGEX "^TEST(_F|_P)?\\(")
-    foreach (line IN LISTS lines)
-      if (NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=" AND line MATCHES "^TEST\\(([A-Z][0-9]+_[0-9]+), ([A-Za-z0-9_]+)\\)")
-        list(APPEND found ${CMAKE_MATCH_1}.${CMAKE_MATCH_2})
-      else ()
-        set(rest TRUE)
-      endif ()
-    endforeach ()
-  endforeach ()
-  set(${facts} ${found} PARENT_SCOPE)
-  set(${others} ${rest} PARENT_SCOPE)
+# Each program of C++ tests has one home: what draws a release build, all others the sanitizers. The target `tests` builds those at
+# home, ctest runs what is labelled `home`; with OVERSKETCH_ALL_TESTS every program is at home in every build.
+option(OVERSKETCH_ALL_TESTS "Build and run all C++ tests, those too whose home is another preset" OFF)
+add_custom_target(tests)
+
+# oversketch_at_home(<target> RELEASE|SANITIZER <test>...): the home of a program and of its tests of ctest.
+function (oversketch_at_home target home)
+  set(here RELEASE)
+  if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    set(here SANITIZER)
+  endif ()
+  if (OVERSKETCH_ALL_TESTS OR home STREQUAL here)
+    add_dependencies(tests ${target})
+    set_property(TEST ${ARGN} APPEND PROPERTY LABELS home)
+  endif ()
 endfunction ()
 
 # oversketch_lacks(<variable> <target>...): whether one of the targets is a module of this project that is left out, see
@@ -105,16 +100,15 @@ function (oversketch_lacks variable)
   set(${variable} ${lacks} PARENT_SCOPE)
 endfunction ()
 
-# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [SHARDS <number>]): one GoogleTest program, its tests
-# under ctest. Tests of the specification's facts are named after stage and place: TEST(A3_2, ...). With DISPLAY, for tests that
-# draw, it is one test of ctest on a virtual display, but for facts, each of which is one, so that its page names it; under a
-# sanitizer, where a process takes long to begin, it is one test as well, or so many SHARDS of a long one, which begin first.
-# There is none where a system that it links is left out.
+# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [RELEASE] [SHARDS <number>]): one GoogleTest program, one
+# test of ctest, or so many SHARDS of a long one. Tests of the specification's facts are named after stage and place:
+# TEST(A3_2, ...). DISPLAY: it draws, on a virtual display, and its home is a release build; so is that of one with RELEASE. There
+# is none where a system that it links is left out.
 function (oversketch_gtest name)
   if (NOT OVERSKETCH_BUILD_TESTING)
     return()
   endif ()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "SHARDS" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY;RELEASE" "SHARDS" "SOURCES;LIBRARIES")
   oversketch_lacks(lacks ${arg_LIBRARIES})
   if (lacks)
     return()
@@ -124,38 +118,36 @@ function (oversketch_gtest name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
   oversketch_test_program(${name})
+  set(run $<TARGET_FILE:${name}>)
+  set(home SANITIZER)
+  if (arg_RELEASE OR arg_DISPLAY)
+    set(home RELEASE)
+  endif ()
   if (arg_DISPLAY)
     target_compile_definitions(${name} PRIVATE "OVERSKETCH_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
     vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType)
     # Without -noreset the server starts anew whenever the last window is gone, and the next one meets it half up.
-    set(run xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:${name}>)
-    oversketch_facts_of(facts others ${arg_SOURCES})
-    foreach (fact IN LISTS facts)
-      add_test(NAME ${fact} COMMAND ${run} --gtest_filter=${fact})
-      set_tests_properties(${fact} PROPERTIES TIMEOUT 600 ENVIRONMENT "${oversketch_test_caches}")
-    endforeach ()
-    if (NOT others)
-      return()
-    endif ()
-    list(JOIN facts ":" facts)
-    add_test(NAME ${name} COMMAND ${run} --gtest_filter=-${facts})
-  elseif (CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
-    if (arg_SHARDS)
-      foreach (shard RANGE 1 ${arg_SHARDS})
-        math(EXPR index "${shard} - 1")
-        add_test(NAME ${name}_${shard} COMMAND ${name})
-        set_tests_properties(${name}_${shard} PROPERTIES TIMEOUT 3000 COST 200
-          ENVIRONMENT "${oversketch_test_caches};GTEST_TOTAL_SHARDS=${arg_SHARDS};GTEST_SHARD_INDEX=${index}")
-      endforeach ()
-      return()
-    endif ()
-    add_test(NAME ${name} COMMAND ${name})
-  else ()
-    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600
-      ENVIRONMENT "${oversketch_test_caches}")
-    return()
+    set(run xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" ${run})
   endif ()
-  set_tests_properties(${name} PROPERTIES TIMEOUT 3000 ENVIRONMENT "${oversketch_test_caches}")
+  if (NOT arg_SHARDS)
+    set(arg_SHARDS 1)
+  endif ()
+  set(tests)
+  foreach (shard RANGE 1 ${arg_SHARDS})
+    math(EXPR index "${shard} - 1")
+    set(test ${name})
+    if (arg_SHARDS GREATER 1)
+      set(test ${name}_${shard})
+    endif ()
+    add_test(NAME ${test} COMMAND ${run})
+    set_tests_properties(${test} PROPERTIES TIMEOUT 3000 COST 50 LABELS gtest
+      ENVIRONMENT "${oversketch_test_caches};GTEST_TOTAL_SHARDS=${arg_SHARDS};GTEST_SHARD_INDEX=${index};GTEST_OUTPUT=json:${CMAKE_BINARY_DIR}/Testing/times/${test}.json")
+    if (arg_SHARDS GREATER 1) # the longest begin first
+      set_tests_properties(${test} PROPERTIES COST 200)
+    endif ()
+    list(APPEND tests ${test})
+  endforeach ()
+  oversketch_at_home(${name} ${home} ${tests})
 endfunction ()
 
 # oversketch_filter_module(<module> CLASSES <class>... [SOURCES <file>...] [HEADERS <file>...] [NOWRAP_HEADERS <file>...]
@@ -195,8 +187,8 @@ function (oversketch_pytest name file)
   endif ()
   add_test(NAME ${name}
     COMMAND xvfb-run -a -s "-screen 0 2560x2048x24 -noreset" ${ARGN} ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
-      ${CMAKE_CURRENT_SOURCE_DIR}/${file})
-  set_tests_properties(${name} PROPERTIES TIMEOUT 600
+      ${CMAKE_CURRENT_SOURCE_DIR}/${file} --junitxml=${CMAKE_BINARY_DIR}/Testing/times/${name}.xml)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS home
     ENVIRONMENT "${oversketch_python_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_BUILD=${PROJECT_BINARY_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()
 
