@@ -17,7 +17,7 @@ namespace oversketch_studio
 namespace
 {
 
-struct Texts
+struct ExportTexts
 {
   Q_DECLARE_TR_FUNCTIONS(Exporting)
 };
@@ -33,21 +33,21 @@ QVector<Format> formats()
   const auto row = [](const char* suffix, const QString& what) {
     return Format{ suffix, QString("%1 (*.%2)").arg(what, suffix) };
   };
-  return { row("ply", Texts::tr("PLY")),
-    row("obj", Texts::tr("Wavefront OBJ, with its picture")),
-    row("glb", Texts::tr("glTF in one file, with its picture")),
-    row("gltf", Texts::tr("glTF, with its picture")),
-    row("stl", Texts::tr("STL")),
-    row("off", Texts::tr("OFF")),
-    row("vtp", Texts::tr("VTK")) };
+  return { row("ply", ExportTexts::tr("PLY")),
+    row("obj", ExportTexts::tr("Wavefront OBJ, with its picture")),
+    row("glb", ExportTexts::tr("glTF in one file, with its picture")),
+    row("gltf", ExportTexts::tr("glTF, with its picture")),
+    row("stl", ExportTexts::tr("STL")),
+    row("off", ExportTexts::tr("OFF")),
+    row("vtp", ExportTexts::tr("VTK")) };
 }
 
 bool mayReplace(QWidget* parent, const QString& path)
 {
   return !QFileInfo::exists(path) ||
          QMessageBox::question(parent,
-           Texts::tr("Oversketch"),
-           Texts::tr("%1 is there already. Replace it?").arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
+           ExportTexts::tr("Oversketch"),
+           ExportTexts::tr("%1 is there already. Replace it?").arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
 }
 
 } // namespace
@@ -64,7 +64,7 @@ QString exportPathAsked(QWidget* parent, const QString& name)
     chosen = all[i].suffix == settings.value("exportFormat").toString() ? i : chosen;
   }
   const QString folder = settings.value("exportFolder", settings.value("folder")).toString();
-  QFileDialog dialog(parent, Texts::tr("Export the mesh"), folder);
+  QFileDialog dialog(parent, ExportTexts::tr("Export the mesh"), folder);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setNameFilters(filters);
   const auto follow = [&](const QString& stem, const QString& filter)

@@ -16,7 +16,7 @@ namespace
 constexpr int columns = 60; // in a narrow view they are still legible
 constexpr int toolsOfARow = 3;
 
-struct Texts
+struct KeyListTexts
 {
   Q_DECLARE_TR_FUNCTIONS(KeyList)
 };
@@ -43,7 +43,7 @@ QStringList wrapped(const QString& text, int most)
 
 QString keyList(const Tool& tool, const QVector<Tool*>& all)
 {
-  using T = Texts;
+  using T = KeyListTexts;
   QVector<QPair<QString, QString>> rows = tool.keys();
   rows += {
     { T::tr("Pen pressure"), tool.pressure() },

@@ -30,7 +30,7 @@ struct Going
   ~Going() { going.removeLast(); }
 };
 
-struct Texts
+struct LongWorkTexts
 {
   Q_DECLARE_TR_FUNCTIONS(LongWork)
 };
@@ -65,8 +65,8 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
       shared->work = nullptr; // with what it holds
       shared->done = true;
     });
-  QProgressDialog dialog(what, Texts::tr("&Cancel"), 0, 0, parent);
-  dialog.setWindowTitle(Texts::tr("Oversketch"));
+  QProgressDialog dialog(what, LongWorkTexts::tr("&Cancel"), 0, 0, parent);
+  dialog.setWindowTitle(LongWorkTexts::tr("Oversketch"));
   dialog.setWindowModality(Qt::WindowModal);
   dialog.setMinimumDuration(2 * 60 * 60 * 1000); // it is shown here
   dialog.setAutoReset(false);

@@ -9,7 +9,7 @@ namespace oversketch_studio
 namespace
 {
 
-struct Texts
+struct MirrorTexts
 {
   Q_DECLARE_TR_FUNCTIONS(MirrorChoice)
 };
@@ -20,7 +20,7 @@ QComboBox* mirrorChoice(QWidget* parent)
 {
   auto* choice = new QComboBox(parent);
   choice->addItems(
-    { Texts::tr("Off"), Texts::tr("Left–right (x)"), Texts::tr("Up–down (y)"), Texts::tr("Front–back (z)") });
+    { MirrorTexts::tr("Off"), MirrorTexts::tr("Left–right (x)"), MirrorTexts::tr("Up–down (y)"), MirrorTexts::tr("Front–back (z)") });
   return choice;
 }
 

@@ -18,7 +18,7 @@ namespace oversketch_studio
 namespace
 {
 
-struct Texts
+struct PictureTexts
 {
   Q_DECLARE_TR_FUNCTIONS(PictureFiles)
 };
@@ -52,7 +52,7 @@ ReadPicture readPicture(const QString& path)
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
   {
-    throw oversketch_files::Failed(Texts::tr("%1: %2").arg(path, file.errorString()).toStdString());
+    throw oversketch_files::Failed(PictureTexts::tr("%1: %2").arg(path, file.errorString()).toStdString());
   }
   const oversketch_session::Image image{ QFileInfo(path).fileName().toStdString(),
     std::make_shared<const std::string>(file.readAll().toStdString()) };
@@ -60,7 +60,7 @@ ReadPicture readPicture(const QString& path)
   if (!read.decoded->pixels)
   {
     throw oversketch_files::Failed(
-      Texts::tr("%1 is no PNG or JPEG picture, or a damaged one.").arg(path).toStdString());
+      PictureTexts::tr("%1 is no PNG or JPEG picture, or a damaged one.").arg(path).toStdString());
   }
   return read;
 }

@@ -16,7 +16,7 @@ using namespace oversketch_session;
 namespace
 {
 
-struct Texts
+struct RowTexts
 {
   Q_DECLARE_TR_FUNCTIONS(Rows)
 };
@@ -25,7 +25,7 @@ struct Texts
 QString shareOf(double share)
 {
   const int percent = static_cast<int>(std::lround(100.0 * share));
-  return percent == 0 ? Texts::tr("under 1 %") : Texts::tr("%1 %").arg(percent);
+  return percent == 0 ? RowTexts::tr("under 1 %") : RowTexts::tr("%1 %").arg(percent);
 }
 
 QString deedOf(const Step& step, const Worker::NodeState& state)
@@ -35,7 +35,7 @@ QString deedOf(const Step& step, const Worker::NodeState& state)
     const auto lines = strokesOf(linesOf(step, strokesInput));
     const auto on =
       std::count_if(lines.begin(), lines.end(), [](const DrawnStroke& line) { return line.on; });
-    return on == 1 ? Texts::tr("makes a body of one line") : Texts::tr("makes a body of %1 lines").arg(on);
+    return on == 1 ? RowTexts::tr("makes a body of one line") : RowTexts::tr("makes a body of %1 lines").arg(on);
   }
   if (!state.region)
   {
@@ -45,10 +45,10 @@ QString deedOf(const Step& step, const Worker::NodeState& state)
   const Parameter* height = system ? findParameter(*system, "Height") : nullptr;
   const auto* value = height ? std::get_if<double>(&valueOf(step, *height)) : nullptr;
   const QString share = shareOf(state.share);
-  const QString deed = !value         ? Texts::tr("moves %1 of the model").arg(share)
-                       : *value < 0.0 ? Texts::tr("carves %1 of the model").arg(share)
-                                      : Texts::tr("raises %1 of the model").arg(share);
-  return step.mirror ? Texts::tr("%1, mirrored").arg(deed) : deed;
+  const QString deed = !value         ? RowTexts::tr("moves %1 of the model").arg(share)
+                       : *value < 0.0 ? RowTexts::tr("carves %1 of the model").arg(share)
+                                      : RowTexts::tr("raises %1 of the model").arg(share);
+  return step.mirror ? RowTexts::tr("%1, mirrored").arg(deed) : deed;
 }
 
 } // namespace
@@ -57,26 +57,26 @@ QString wordsOf(const Node& node, const Worker::NodeState* state)
 {
   if (!node.on)
   {
-    return Texts::tr("off");
+    return RowTexts::tr("off");
   }
   if (!state)
   {
-    return Texts::tr("not shown");
+    return RowTexts::tr("not shown");
   }
   if (!state->failure.empty())
   {
-    return Texts::tr("did nothing");
+    return RowTexts::tr("did nothing");
   }
   const QString deed = deedOf(*node.step, *state);
   // Of a remark there is a mark.
   return !state->elsewhere ? deed
-         : deed.isEmpty()  ? Texts::tr("elsewhere")
-                           : Texts::tr("elsewhere; %1").arg(deed);
+         : deed.isEmpty()  ? RowTexts::tr("elsewhere")
+                           : RowTexts::tr("elsewhere; %1").arg(deed);
 }
 
 QString whyNotBefore(const Node& step, const Node& needed)
 {
-  return Texts::tr("“%1” needs “%2”, which stays before it.")
+  return RowTexts::tr("“%1” needs “%2”, which stays before it.")
     .arg(QString::fromStdString(step.name), QString::fromStdString(needed.name));
 }
 

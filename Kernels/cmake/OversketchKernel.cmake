@@ -118,6 +118,10 @@ function (oversketch_gtest name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
   oversketch_test_program(${name})
+  oversketch_precompile(${name} tests
+    HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} ${oversketch_vtk_headers} <gtest/gtest.h>
+    LIBRARIES Eigen3::Eigen ${oversketch_vtk_targets} GTest::gtest
+    OPTIONS ${oversketch_test_options})
   set(run $<TARGET_FILE:${name}>)
   set(home SANITIZER)
   if (arg_RELEASE OR arg_DISPLAY)

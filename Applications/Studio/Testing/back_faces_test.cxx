@@ -70,13 +70,13 @@ vtkSmartPointer<vtkPolyData> faces(vtkPolyData* of, vtkIdType count, vtkIdType t
   return mesh;
 }
 
-struct Scene
+struct FacesScene
 {
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   ModelView model{ this->renderer };
 
-  explicit Scene(vtkPolyData* mesh)
+  explicit FacesScene(vtkPolyData* mesh)
   {
     this->window->SetMultiSamples(0);
     this->window->SetSize(400, 300);
@@ -121,7 +121,7 @@ TEST(BackFaces, HardlyAPixelShowsWhetherTheyAreDrawn)
 {
   oversketch_files::Notes notes;
   const auto dog = oversketch_files::readMesh(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", notes);
-  Scene scene(dog);
+  FacesScene scene(dog);
   for (const double turn : { 0.0, 40.0, 90.0, 130.0 })
   {
     scene.renderer->GetActiveCamera()->Azimuth(turn);
@@ -156,7 +156,7 @@ TEST(BackFaces, HardlyAPixelShowsWhetherTheyAreDrawn)
 TEST(BackFaces, WhatIsOpenIsDrawnWhole)
 {
   const vtkSmartPointer<vtkPolyData> one = ball();
-  Scene scene(one);
+  FacesScene scene(one);
   EXPECT_TRUE(scene.hides());
   scene.model.preview(faces(one, one->GetNumberOfPolys() / 2));
   EXPECT_FALSE(scene.hides());

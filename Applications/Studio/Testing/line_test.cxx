@@ -30,9 +30,9 @@ bool isOrange(QColor c)
   return c.red() > 220 && c.green() > 120 && c.green() < 190 && c.blue() < 110;
 }
 
-struct Lines : Scene
+struct LineScene : Scene
 {
-  Lines()
+  LineScene()
   {
     QApplication::setActiveWindow(&this->window);
     QTest::keyClick(this->view, Qt::Key_B);
@@ -113,24 +113,15 @@ struct Lines : Scene
   ulong time = 5000; // of the wheel's last event [ms]
 };
 
-// The mesh of a session that is run without a window.
-std::string replayed(const oversketch_session::Session& session)
-{
-  std::vector<oversketch_session::Outcome> outcomes;
-  oversketch_session::Evaluator evaluator;
-  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
-  return oversketch_session::digestOf(oversketch_session::resultOf(session, outcomes));
-}
-
 } // namespace
 
 TEST(Line, IsSeenBeforeItRisesAndKeepsItsLengths)
 {
-  Lines scene;
+  LineScene scene;
   EXPECT_EQ(scene.orange(), 0);
   const vtkIdType before = scene.triangles();
   scene.drawOn();
-  EXPECT_TRUE(scene.comes([](const QImage& image) { return Lines::orangeIn(image) > 200; }))
+  EXPECT_TRUE(scene.comes([](const QImage& image) { return LineScene::orangeIn(image) > 200; }))
     << "no crest under the pen";
   scene.release();
   scene.wait();
@@ -146,7 +137,7 @@ TEST(Line, IsSeenBeforeItRisesAndKeepsItsLengths)
 
 TEST(Line, TheWheelTurnsItsWidthAndHeightInOneStepOfUndo)
 {
-  Lines scene;
+  LineScene scene;
   scene.line();
   const std::string first = scene.document->digest();
   const double radius = scene.number(0, "Radius");
@@ -229,7 +220,7 @@ TEST(Line, TheWheelTurnsItsWidthAndHeightInOneStepOfUndo)
 
 TEST(Line, TheWheelInTheAirIsForTheLineThatComes)
 {
-  Lines scene;
+  LineScene scene;
   const double radius = 0.03 * scene.diagonal();
   scene.wheel(1, Qt::ControlModifier);
   scene.line();
@@ -237,7 +228,7 @@ TEST(Line, TheWheelInTheAirIsForTheLineThatComes)
   const Values first = scene.step(0).values;
   // While the pen is on the model, too; the line before keeps what it has.
   scene.drawOn(-40);
-  EXPECT_TRUE(scene.comes([](const QImage& image) { return Lines::orangeIn(image) > 100; }));
+  EXPECT_TRUE(scene.comes([](const QImage& image) { return LineScene::orangeIn(image) > 100; }));
   scene.wheel(-2, Qt::ControlModifier);
   scene.wheel(3, Qt::ShiftModifier);
   scene.release();
@@ -251,7 +242,7 @@ TEST(Line, TheWheelInTheAirIsForTheLineThatComes)
 
 TEST(Line, OptionsAreThoseOfTheRedLine)
 {
-  Lines scene;
+  LineScene scene;
   scene.line();
   auto* radius = scene.window.findChild<QDoubleSpinBox*>("augment_radius");
   auto* direction = scene.window.findChild<QComboBox*>("augment_direction");
@@ -283,7 +274,7 @@ TEST(Line, OptionsAreThoseOfTheRedLine)
 
 TEST(Line, ItsProfileIsDrawn)
 {
-  Lines scene;
+  LineScene scene;
   scene.line();
   const std::string crease = scene.document->digest();
   EXPECT_EQ(scene.text(0, "Profile"), "");
@@ -339,7 +330,7 @@ TEST(Line, ItsProfileIsDrawn)
 
 TEST(Line, ItsProfileIsDrawnByKeys)
 {
-  Lines scene;
+  LineScene scene;
   auto* curve = scene.window.findChild<ProfileCurve*>("profile_curve");
   auto* editor = scene.window.findChild<ProfileEditor*>();
   QTest::keyClick(curve, Qt::Key_Up); // none is chosen
@@ -367,7 +358,7 @@ TEST(Line, ItsProfileIsDrawnByKeys)
 
 TEST(Line, StandsInOneHistoryWithOutlines)
 {
-  Lines scene;
+  LineScene scene;
   QTest::keyClick(scene.view, Qt::Key_D);
   EXPECT_FALSE(scene.window.findChild<ProfileEditor*>()->isVisible());
   scene.draw();
@@ -419,7 +410,7 @@ TEST(Line, StandsInOneHistoryWithOutlines)
 
 TEST(Line, ARedLineIsMoved)
 {
-  Lines scene;
+  LineScene scene;
   scene.line();
   const std::string before = scene.document->digest();
   const QPoint on = scene.end;
@@ -430,7 +421,7 @@ TEST(Line, ARedLineIsMoved)
     moveMouse(scene.view, on + QPoint(0, 3 * i));
     QApplication::processEvents();
   }
-  EXPECT_TRUE(scene.comes([](const QImage& image) { return Lines::orangeIn(image) > 100; }))
+  EXPECT_TRUE(scene.comes([](const QImage& image) { return LineScene::orangeIn(image) > 100; }))
     << "no crest where it is now";
   QTest::mouseRelease(scene.view, Qt::LeftButton, Qt::NoModifier, on + QPoint(0, 30));
   scene.wait();
@@ -441,7 +432,7 @@ TEST(Line, ARedLineIsMoved)
 
 TEST(Line, ActsOnBothSides)
 {
-  Lines scene;
+  LineScene scene;
   auto* augment = scene.window.findChild<Tool*>("augment");
   ASSERT_TRUE(augment);
   QComboBox* mirror = nullptr;
@@ -464,7 +455,7 @@ TEST(Line, ActsOnBothSides)
 
 TEST(Line, AnOutlineFeatureHasNoHeight)
 {
-  Lines scene;
+  LineScene scene;
   auto* mode = scene.window.findChild<QComboBox*>("augment_mode");
   mode->setCurrentIndex(1);
   emit mode->activated(1);
@@ -483,7 +474,7 @@ TEST(Line, AnOutlineFeatureHasNoHeight)
 
 TEST(Line, HeightsBeginASessionToDrawOn)
 {
-  Lines scene;
+  LineScene scene;
   ASSERT_TRUE(scene.window.open(OVERSKETCH_DATA_FOLDER "/Terrain/valley.png"));
   scene.wait();
   ASSERT_TRUE(QTest::qWaitFor([&] { return scene.document->result().mesh != nullptr; }, 60000));

@@ -48,9 +48,9 @@ namespace
 {
 
 // A window on the shipped model, with one stroke in its history, which is selected.
-struct Scene
+struct ReachScene
 {
-  explicit Scene(bool stroke)
+  explicit ReachScene(bool stroke)
   {
     this->window.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->window, 60000));
@@ -66,7 +66,7 @@ struct Scene
       this->window.findChild<QListWidget*>("history")->setCurrentRow(0);
     }
   }
-  ~Scene() { this->document->discardAutosave(); }
+  ~ReachScene() { this->document->discardAutosave(); }
 
   void wait()
   {
@@ -143,7 +143,7 @@ int unmarked(const QWidget* root)
 
 TEST(Reach, EveryActionIsInAMenuWithALetter)
 {
-  Scene scene(false);
+  ReachScene scene(false);
   std::set<const QAction*> reached;
   std::set<QString> letters;
   for (const QAction* top : scene.window.menuBar()->actions())
@@ -171,7 +171,7 @@ TEST(Reach, EveryActionIsInAMenuWithALetter)
 
 TEST(Reach, TabGoesThroughEverythingAndShowsWhereItIs)
 {
-  Scene scene(true);
+  ReachScene scene(true);
   scene.view->setFocus();
   std::set<QWidget*> visited;
   QWidget* at = scene.view;
@@ -216,7 +216,7 @@ TEST(Reach, TabGoesThroughEverythingAndShowsWhereItIs)
 // Each key of the list moves the camera, or is the window's own; and each that moves it is in the list.
 TEST(Reach, TheListOfKeysIsTrue)
 {
-  Scene scene(false);
+  ReachScene scene(false);
   QTest::keyClick(scene.view, Qt::Key_T);
   QString listed;
   for (const QString& line : QString::fromUtf8(scene.view->camera()->GetKeyList()).split('\n'))
@@ -262,7 +262,7 @@ TEST(Reach, TheListOfKeysIsTrue)
 
 TEST(Reach, AStrokeIsChangedWithKeysAlone)
 {
-  Scene scene(true);
+  ReachScene scene(true);
   const std::string before = scene.document->digest();
   auto* list = scene.window.findChild<QListWidget*>("history");
   list->setFocus();
@@ -286,7 +286,7 @@ TEST(Reach, AStrokeIsChangedWithKeysAlone)
 TEST(Reach, TheNextPlaceAndTheReachAreAKeyAway)
 {
   using oversketch_session::Value;
-  Scene scene(true);
+  ReachScene scene(true);
   auto* list = scene.window.findChild<QListWidget*>("history");
   const auto valueOf = [&](const char* property)
   {
@@ -331,7 +331,7 @@ TEST(Reach, TheNextPlaceAndTheReachAreAKeyAway)
 
 TEST(Reach, AboutNamesTheVersions)
 {
-  Scene scene(false);
+  ReachScene scene(false);
   const auto actions = scene.window.findChildren<QAction*>();
   const auto about = std::find_if(
     actions.begin(), actions.end(), [](const QAction* action) { return action->text().contains("About"); });
@@ -358,7 +358,7 @@ TEST(Texts, EverythingThatIsSeenIsTranslated)
   Marker marker;
   QCoreApplication::installTranslator(&marker);
   {
-    Scene scene(true);
+    ReachScene scene(true);
     EXPECT_GE(unmarked(&scene.window), 60);
     for (Tool* tool : scene.view->findChildren<Tool*>())
     {
@@ -380,7 +380,7 @@ TEST(Texts, EverythingThatIsSeenIsTranslated)
 
 TEST(Tools, HaveOneNameEverywhereTheirOptionsAboveAndTheirDock)
 {
-  const Scene scene(false);
+  const ReachScene scene(false);
   const auto* foot = scene.window.findChild<QLabel*>("mode");
   const auto* options = scene.window.findChild<OptionsStack*>();
   std::set<const QWidget*> pages;
@@ -420,7 +420,7 @@ TEST(Tools, HaveOneNameEverywhereTheirOptionsAboveAndTheirDock)
 
 TEST(Preferences, AreKeptAndHold)
 {
-  const auto roughness = [](const Scene& scene)
+  const auto roughness = [](const ReachScene& scene)
   {
     const auto stroke = oversketch_session::linesOf(*scene.document->session().nodes.back().step, "Stroke");
     double box[6];
@@ -433,7 +433,7 @@ TEST(Preferences, AreKeptAndHold)
   liked.backend = 2;
   liked.write();
   {
-    Scene scene(false);
+    ReachScene scene(false);
     EXPECT_EQ(scene.document->session().backend, 2);
     EXPECT_GT(QApplication::palette().color(QPalette::Window).lightness(), 128);
     scene.draw(8.0);
@@ -444,7 +444,7 @@ TEST(Preferences, AreKeptAndHold)
   liked.backend = 0;
   liked.write();
   {
-    Scene scene(false);
+    ReachScene scene(false);
     EXPECT_EQ(scene.document->session().backend, 0);
     EXPECT_LT(QApplication::palette().color(QPalette::Window).lightness(), 128);
     scene.draw(8.0);
@@ -460,7 +460,7 @@ TEST(Preferences, AreKeptAndHold)
 
 TEST(Preferences, TheBackEndActsAtOnceAsOneStep)
 {
-  Scene scene(true);
+  ReachScene scene(true);
   ASSERT_EQ(scene.document->session().backend, 0);
   const std::size_t strokes = scene.document->session().nodes.size();
   scene.document->setBackend(0); // no choice, no step

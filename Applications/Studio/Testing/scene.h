@@ -3,6 +3,7 @@
 #define oversketch_studio_testing_scene_h
 
 #include "document.h"
+#include "evaluator.h"
 #include "main_window.h"
 #include "mouse.h"
 #include "viewport.h"
@@ -160,6 +161,16 @@ struct Scene
   Document* document = nullptr;
   QPoint end;
 };
+
+// Digest of the mesh of a session that is run without a window; empty of a drawing without lines.
+inline std::string replayed(const oversketch_session::Session& session)
+{
+  std::vector<oversketch_session::Outcome> outcomes;
+  oversketch_session::Evaluator evaluator;
+  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
+  vtkPolyData* made = oversketch_session::resultOf(session, outcomes);
+  return made ? oversketch_session::digestOf(made) : std::string();
+}
 
 } // namespace oversketch_studio
 #endif

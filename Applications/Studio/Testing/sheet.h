@@ -193,14 +193,5 @@ inline vtkIdType eulerOf(vtkPolyData* mesh)
   return mesh->GetNumberOfPoints() - mesh->GetNumberOfPolys() / 2;
 }
 
-inline std::string replayed(const Session& session)
-{
-  std::vector<Outcome> outcomes;
-  Evaluator evaluator;
-  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
-  vtkPolyData* made = resultOf(session, outcomes);
-  return made ? digestOf(made) : std::string();
-}
-
 } // namespace oversketch_studio
 #endif

@@ -100,16 +100,6 @@ void drawRound(Document& document, int node, const oversketch::Vector2& middle, 
   document.redraw(node, withDrawing(step, oversketch_test::toStroke(places, view)));
 }
 
-// The mesh of a session that is run without a window.
-std::string replayed(const oversketch_session::Session& session)
-{
-  std::vector<oversketch_session::Outcome> outcomes;
-  oversketch_session::Evaluator evaluator;
-  EXPECT_TRUE(evaluator.run(session, {}, outcomes));
-  vtkPolyData* mesh = oversketch_session::resultOf(session, outcomes); // none of a drawing without lines
-  return mesh ? oversketch_session::digestOf(mesh) : std::string();
-}
-
 // What is shown is what the history makes of the mesh, all of it undone and all of it redone.
 void expectTheHistoryHolds(Document& document)
 {
