@@ -118,9 +118,17 @@ function (oversketch_gtest name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/Testing)
   target_compile_options(${name} PRIVATE ${oversketch_filter_warnings})
   oversketch_test_program(${name})
-  oversketch_precompile(${name} tests
-    HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} ${oversketch_vtk_headers} <gtest/gtest.h>
-    LIBRARIES Eigen3::Eigen ${oversketch_vtk_targets} GTest::gtest
+  set(kind kernel_tests)
+  set(headers)
+  set(libraries)
+  if ("${arg_LIBRARIES}" MATCHES "Oversketch::(Filters|Widgets)|oversketch_") # which bring VTK
+    set(kind tests)
+    set(headers ${oversketch_vtk_headers})
+    set(libraries ${oversketch_vtk_targets})
+  endif ()
+  oversketch_precompile(${name} ${kind}
+    HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} ${headers} <gtest/gtest.h>
+    LIBRARIES Eigen3::Eigen ${libraries} GTest::gtest
     OPTIONS ${oversketch_test_options})
   set(run $<TARGET_FILE:${name}>)
   set(home SANITIZER)
