@@ -5,13 +5,17 @@
 # it belongs into Testing/Fuzz/Corpora/TARGET, which the test fuzz_corpus_test replays. What else it finds new is kept in build/fuzz/corpora,
 # where the next run begins.
 #
-# usage: Testing/fuzz.sh [INPUTS [TARGET...]]   10000 for each target; one_stroke, augment and drawing, which take some hundred times as long, a hundredth
+# usage: Testing/fuzz.sh [INPUTS|SECONDSs [TARGET...]]   10000 for each target, or 600s shared out over them; one_stroke, augment and drawing, which take some hundred times as long, a hundredth
 set -euo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 cd "$oversketch_root"
 inputs=${1:-10000}
 shift || true
 targets=("$@")
+seconds=
+if [[ $inputs = *s ]]; then
+  seconds=${inputs%s} inputs=0
+fi
 [ ${#targets[@]} -gt 0 ] || targets=(ply obj off stl gltf glb vtp stroke picture heights parts session session_text one_stroke augment drawing)
 oversketch_packages+=(clang)
 oversketch_install
@@ -30,10 +34,12 @@ for target in "${targets[@]}"; do
   mkdir -p "$folder/corpora/$target"
   count=$inputs
   case $target in one_stroke | augment | drawing) count=$((inputs / 100 + 1)) ;; esac
+  limit=-runs=$((count / shards + 1))
+  [ -z "$seconds" ] || limit=-max_total_time=$((seconds / ${#targets[@]} + 1))
   start=$SECONDS
   running=()
   for ((shard = 0; shard < shards; ++shard)); do
-    OVERSKETCH_FUZZ=$target "$folder/bin/fuzz" -runs=$((count / shards + 1)) -max_len=20000 -timeout=20 -rss_limit_mb=2048 \
+    OVERSKETCH_FUZZ=$target "$folder/bin/fuzz" "$limit" -max_len=20000 -timeout=20 -rss_limit_mb=2048 \
       -malloc_limit_mb=2048 -print_final_stats=1 "-artifact_prefix=$folder/found/$target-" "$folder/corpora/$target" "$seeds" \
       > "$folder/logs/$target.$shard.log" 2>&1 &
     running+=($!)

@@ -1,26 +1,22 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and tests, each test in its one home: what draws and what Python runs in the release build, all
-# other C++ tests under the address and undefined-behaviour sanitizers.
+# Installs what is missing, builds, and runs what must hold for each commit, each test in its one home: what draws and what Python runs
+# in the release build, all other C++ tests under the address and undefined-behaviour sanitizers.
 #
 # usage: Testing/test.sh          all that
-#        Testing/test.sh tsan     the C++ tests under the thread sanitizer, alone
-#        Testing/test.sh paraview the ParaView plugin, alone; gets ParaView where it is not installed
+#        Testing/test.sh full     everything there is, hours; begun again where it stopped
+#        Testing/test.sh PART...  parts by name; Testing/test.sh list names them. paraview: the ParaView plugin, paraview-changed:
+#                                 the same where its sources are not those that were tested last (ParaView/stamp.py)
 set -euo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 cd "$oversketch_root"
-if [ "${1:-}" = paraview ]; then
-  exec Testing/ParaView/test.sh "${@:2}"
+if [ "${1:-}" = paraview-changed ]; then
+  if Testing/ParaView/stamp.py; then
+    echo "The ParaView plugin is what was tested last."
+    exit
+  fi
+  set -- paraview
 fi
-oversketch_install
-if [ "${1:-}" = tsan ]; then
-  oversketch_build tsan --target tests
-  # VTK's own threads: TBB's locks are in a library that the sanitizer does not see into.
-  VTK_SMP_BACKEND_IN_USE=STDThread TSAN_OPTIONS="suppressions=$oversketch_root/Testing/tsan.supp" ctest --preset tsan -L home
-  exit
+if [ "$*" != paraview ]; then # which may need other packages
+  oversketch_install
 fi
-oversketch_build release --target all tests
-ctest --preset release -L home -j2
-oversketch_build asan --target tests # the command and the Studio are run by Python, which it cannot judge
-# Leaks are not counted: VTK, PoCL and Mesa keep memory until the process ends. No stack for signals: LLVM puts its own into
-# threads in which it compiles, and the sanitizer would end the process over it.
-ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0 UBSAN_OPTIONS=print_stacktrace=1 ctest --preset asan -L home -j2
+exec /usr/bin/python3 Testing/suite.py "$@"

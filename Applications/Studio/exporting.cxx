@@ -47,7 +47,8 @@ bool mayReplace(QWidget* parent, const QString& path)
   return !QFileInfo::exists(path) ||
          QMessageBox::question(parent,
            ExportTexts::tr("Oversketch"),
-           ExportTexts::tr("%1 is there already. Replace it?").arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
+           ExportTexts::tr("%1 is there already. Replace it?").arg(QFileInfo(path).fileName())) ==
+           QMessageBox::Yes;
 }
 
 } // namespace

@@ -19,8 +19,10 @@ struct MirrorTexts
 QComboBox* mirrorChoice(QWidget* parent)
 {
   auto* choice = new QComboBox(parent);
-  choice->addItems(
-    { MirrorTexts::tr("Off"), MirrorTexts::tr("Left–right (x)"), MirrorTexts::tr("Up–down (y)"), MirrorTexts::tr("Front–back (z)") });
+  choice->addItems({ MirrorTexts::tr("Off"),
+    MirrorTexts::tr("Left–right (x)"),
+    MirrorTexts::tr("Up–down (y)"),
+    MirrorTexts::tr("Front–back (z)") });
   return choice;
 }
 

@@ -35,7 +35,8 @@ QString deedOf(const Step& step, const Worker::NodeState& state)
     const auto lines = strokesOf(linesOf(step, strokesInput));
     const auto on =
       std::count_if(lines.begin(), lines.end(), [](const DrawnStroke& line) { return line.on; });
-    return on == 1 ? RowTexts::tr("makes a body of one line") : RowTexts::tr("makes a body of %1 lines").arg(on);
+    return on == 1 ? RowTexts::tr("makes a body of one line")
+                   : RowTexts::tr("makes a body of %1 lines").arg(on);
   }
   if (!state.region)
   {

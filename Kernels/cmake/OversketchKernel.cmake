@@ -192,15 +192,20 @@ endfunction ()
 
 # oversketch_pytest(<name> <file.py> [<command>...]): one pytest file under ctest, against the package in the build tree, on
 # a virtual display where it needs one (xvfb-run), run by the command. A display that resets with its last client would
-# refuse the next one meanwhile.
+# refuse the next one meanwhile. FULL: a part of the full run only.
 function (oversketch_pytest name file)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "FULL" "" "")
+  set(label home)
+  if (arg_FULL)
+    set(label full)
+  endif ()
   if (NOT OVERSKETCH_BUILD_TESTING OR NOT OVERSKETCH_WRAP_PYTHON)
     return()
   endif ()
   add_test(NAME ${name}
-    COMMAND xvfb-run -a -s "-screen 0 2560x2048x24 -noreset" ${ARGN} ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
+    COMMAND xvfb-run -a -s "-screen 0 2560x2048x24 -noreset" ${arg_UNPARSED_ARGUMENTS} ${Python3_EXECUTABLE} -m pytest -q -s -rs -p no:cacheprovider
       ${CMAKE_CURRENT_SOURCE_DIR}/${file} --junitxml=${CMAKE_BINARY_DIR}/Testing/times/${name}.xml)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS home
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS ${label}
     ENVIRONMENT "${oversketch_python_caches};PYTHONPATH=${oversketch_python_build};PYTHONDONTWRITEBYTECODE=1;OVERSKETCH_SOURCE=${PROJECT_SOURCE_DIR};OVERSKETCH_BUILD=${PROJECT_BINARY_DIR};OVERSKETCH_COMMAND=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch;OVERSKETCH_STUDIO=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/oversketch-studio;OVERSKETCH_TEMPORARY=${CMAKE_BINARY_DIR}/Testing/Temporary")
 endfunction ()
 

@@ -27,6 +27,14 @@ struct Sequences
   bool areMany() const { return this->count >= 10; }
 };
 
+// The first of so many things that a usual run makes, of all that a full run makes: OVERSKETCH_SEED, a number
+// of the day, moves on through them; 0 without it.
+inline unsigned firstOfTheDay(unsigned usual, unsigned all)
+{
+  const char* seed = std::getenv("OVERSKETCH_SEED");
+  return seed ? static_cast<unsigned>(std::strtoul(seed, nullptr, 10)) % (all / usual) * usual : 0;
+}
+
 // OVERSKETCH_SEQUENCES asks for another number of them than that of the usual run, OVERSKETCH_FIRST_SEQUENCE
 // for others than the first, so that many can be shared out and one be seen again.
 inline Sequences sequencesAsked(unsigned usual)
@@ -36,7 +44,8 @@ inline Sequences sequencesAsked(unsigned usual)
     const char* value = std::getenv(name);
     return value ? static_cast<unsigned>(std::strtoul(value, nullptr, 10)) : otherwise;
   };
-  return { asked("OVERSKETCH_FIRST_SEQUENCE", 0), asked("OVERSKETCH_SEQUENCES", usual) };
+  return { asked("OVERSKETCH_FIRST_SEQUENCE", firstOfTheDay(usual, 1000)),
+    asked("OVERSKETCH_SEQUENCES", usual) };
 }
 
 // MiB that the process holds, without what the allocator keeps for later.

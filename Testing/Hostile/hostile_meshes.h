@@ -27,7 +27,8 @@ inline std::filesystem::path meshFolder()
   return (data ? fs::path(data) : fs::path(OVERSKETCH_SOURCE_FOLDER) / ".." / "shared" / "data") / "meshes";
 }
 
-// The files' names; one that is empty where the folder is absent.
+// The files' names; one that is empty where the folder is absent. With a seed of the day, OVERSKETCH_SEED, a quarter of them, another one
+// each day; all in the full run, OVERSKETCH_FULL.
 inline std::vector<std::string> meshNames()
 {
   std::vector<std::string> names;
@@ -40,6 +41,16 @@ inline std::vector<std::string> meshNames()
     }
   }
   std::sort(names.begin(), names.end());
+  const char* seed = std::getenv("OVERSKETCH_SEED");
+  if (seed && !std::getenv("OVERSKETCH_FULL"))
+  {
+    std::vector<std::string> today;
+    for (std::size_t i = std::strtoul(seed, nullptr, 10) % 4; i < names.size(); i += 4)
+    {
+      today.push_back(names[i]);
+    }
+    names = today;
+  }
   return names.empty() ? std::vector<std::string>{ "" } : names;
 }
 

@@ -10,6 +10,9 @@ import xml.etree.ElementTree
 
 import pytest
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from gpl import gpl_alone, gpl_parts  # noqa: E402
+
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 COMMAND = os.environ["OVERSKETCH_COMMAND"]
 BUILD = SOURCE / "build" / "package"
@@ -206,40 +209,8 @@ def test_desktop_files(root):
     assert icon.tag == "{http://www.w3.org/2000/svg}svg"
 
 
-def gpl_alone(header):
-    """Whether a header is under the GPL with neither a weaker choice nor an exception for those who include it."""
-    text = pathlib.Path(header).read_text(errors="replace")
-    return (re.search(r"\bGPL\b|GNU\s+General\s+Public", text) is not None
-            and re.search(r"LGPL|Lesser|Runtime\s+Library\s+Exception|Linux-syscall-note", text) is None)
-
-
-def gpl_parts(build):
-    """What a build uses that is under the GPL: of every header that was included and of every library that is loaded."""
-    listing = run("ninja", "-C", build, "-t", "deps")
-    headers = {os.path.realpath(build / line.strip()) for line in listing.splitlines() if line.startswith("    ")}
-    headers = {h for h in headers if "/include/" in h and not h.startswith(str(SOURCE)) and os.path.exists(h)}
-    assert len(headers) > 500
-    binaries = [f for f in [*build.glob("bin/*"), *build.rglob("*.so*")] if f.is_file() and not f.is_symlink()]
-    assert len(binaries) > 20
-    loaded = "".join(run("ldd", binary) for binary in binaries)
-    assert "libvtkCommonCore" in loaded
-    return [h for h in sorted(headers) if gpl_alone(h)] + re.findall(r"lib(?:cholmod|umfpack|spqr|gsl|readline|fftw\w*)\.so", loaded)
-
-
 def test_nothing_in_them_is_under_the_gpl(build):
     assert gpl_alone("/usr/include/CGAL/Polygon_mesh_processing/remesh.h")  # the question can be answered with yes
     cache = (build / "CMakeCache.txt").read_text()
     assert "OVERSKETCH_GPL:UNINITIALIZED=OFF" in cache or "OVERSKETCH_GPL:BOOL=OFF" in cache
-    assert gpl_parts(build) == []
-
-
-def test_benchmarks_build_without_the_gpl():
-    build = SOURCE / "build" / "benchmarks"  # a place that stays, for the compiler's cache
-    options = {"CMAKE_BUILD_TYPE": "Release", "CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "Python3_EXECUTABLE": sys.executable,
-               "OVERSKETCH_GPL": "OFF", "OVERSKETCH_WRAP_PYTHON": "OFF", "OVERSKETCH_BUILD_APPLICATIONS": "OFF"}
-    run("cmake", "-G", "Ninja", "-S", SOURCE, "-B", build, *(f"-D{name}={value}" for name, value in options.items()))
-    run("cmake", "--build", build, "-j2", "--target", "benchmarks")
-    made = {file.name for file in (build / "bin").iterdir()}
-    assert {"one_stroke_benchmark", "laplacian_benchmark"} <= made
-    assert not {"remesh_benchmark", "em_benchmark", "sdf_benchmark"} & made
     assert gpl_parts(build) == []

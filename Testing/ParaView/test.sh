@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the ParaView plugin, getting ParaView first where it is not installed, and tests it: proxies against headers, pvpython,
 # pvbatch, pvserver, state files, the meshes of the VTK build, a stroke drawn in the window, 200 models on 1, 2 and 4 ranks.
-# Testing/test.sh paraview calls it. Arguments go to pytest.
+# Testing/test.sh paraview calls it. Arguments go to pytest. Where all of it has passed, tested.txt says of what sources (stamp.py).
 set -euo pipefail
 . "$(dirname "$0")/../../Applications/ParaView/setup.sh"
 cd "$oversketch_root"
@@ -14,3 +14,6 @@ fi
 XDG_CACHE_HOME=$oversketch_root/build/paraview/cache oversketch_in_paraview \
   xvfb-run -a -s '-screen 0 1280x1400x24 -noreset' dbus-run-session -- \
   /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp=build/paraview/tests Testing/ParaView "$@"
+if [ $# -eq 0 ]; then
+  Testing/ParaView/stamp.py --write
+fi

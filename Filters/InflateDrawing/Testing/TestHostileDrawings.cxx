@@ -3,6 +3,8 @@
 // others, a drawing is made of its number.
 #include "DrawingRuns.h"
 
+#include "Harness/sequences.h"
+
 #include <cstdlib>
 #include <ctime>
 #include <random>
@@ -312,7 +314,9 @@ TEST(HostileDrawings, ViewsThatGiveNoCanvas)
 TEST(HostileDrawings, RandomOnesAreMadeOrNamed)
 {
   Outcomes outcomes;
-  const int first = asked("OVERSKETCH_FIRST_DRAWING", 0), count = asked("OVERSKETCH_DRAWINGS", 60);
+  const int first =
+              asked("OVERSKETCH_FIRST_DRAWING", static_cast<int>(oversketch_test::firstOfTheDay(60, 1000))),
+            count = asked("OVERSKETCH_DRAWINGS", 60);
   for (int run = first; run < first + count; ++run)
   {
     SCOPED_TRACE("drawing " + std::to_string(run));
