@@ -215,15 +215,15 @@ TEST(Window, LivesThroughRandomHands)
     EXPECT_GT(deeds.strokes, 2 * least);
     // Of 24 acts three are drags of a stroke, one is an edit, of which a third is changed. Few sequences
     // stray widely about what hundreds of them do, 1.5 drags, 1.7 undone or redone, 0.5 edits and 2 questions
-    // each: the least of fifty times twenty were 11, 9, 1 and 19.
+    // each: the least of fifty times twenty were 11, 9, 1 and 19. Edits are counted among many alone.
     EXPECT_GT(deeds.moved, least / 4);
     EXPECT_GT(deeds.meshes, 4 * least);
     EXPECT_GT(deeds.undone + deeds.redone, least / 4);
     EXPECT_GT(deeds.questions, least / 2);
     EXPECT_GT(deeds.opened, least / 4);
-    EXPECT_GT(deeds.edits, least / 32);
+    EXPECT_TRUE(least < 50 || deeds.edits > least / 32) << deeds.edits;
   }
-  EXPECT_LT(memory.growth(), 1.0);
+  EXPECT_LT(memory.growth(), memory.allowed());
 }
 
 TEST(Window, LivesThroughRandomHandsOnADrawing)
@@ -270,7 +270,7 @@ TEST(Window, LivesThroughRandomHandsOnADrawing)
     EXPECT_GT(deeds.pressed + deeds.touched, least / 2);
     EXPECT_GT(deeds.meshes, 4 * least);
   }
-  EXPECT_LT(memory.growth(), 1.0);
+  EXPECT_LT(memory.growth(), memory.allowed());
 }
 
 TEST(Window, LivesThroughARandomHandOnTheShippedModel)
