@@ -1,7 +1,7 @@
 // `oversketch assemble`: several parts, drawings with their pictures or meshes, placed and joined into one
 // mesh.
-#ifndef oversketch_command_assemble_h
-#define oversketch_command_assemble_h
+#ifndef oversketch_applications_command_assemble_h
+#define oversketch_applications_command_assemble_h
 
 #include "options.h"
 

@@ -1,6 +1,6 @@
 // What --report tells of an edit.
-#ifndef oversketch_command_edit_figures_h
-#define oversketch_command_edit_figures_h
+#ifndef oversketch_applications_command_edit_figures_h
+#define oversketch_applications_command_edit_figures_h
 
 #include "vtk_jsoncpp_fwd.h"
 

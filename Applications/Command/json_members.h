@@ -1,6 +1,6 @@
 // What the command asks of JSON files that it is given.
-#ifndef oversketch_command_json_members_h
-#define oversketch_command_json_members_h
+#ifndef oversketch_applications_command_json_members_h
+#define oversketch_applications_command_json_members_h
 
 #include "json_reader.h"
 

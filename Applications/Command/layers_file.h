@@ -1,6 +1,6 @@
 // The file that says the layers of an edit.
-#ifndef oversketch_command_layers_file_h
-#define oversketch_command_layers_file_h
+#ifndef oversketch_applications_command_layers_file_h
+#define oversketch_applications_command_layers_file_h
 
 #include "step.h"
 

@@ -1,7 +1,7 @@
 // What a command line gives for its options: words, numbers and places read from text. All throw BadUse,
 // naming the option.
-#ifndef oversketch_command_option_values_h
-#define oversketch_command_option_values_h
+#ifndef oversketch_applications_command_option_values_h
+#define oversketch_applications_command_option_values_h
 
 #include "options.h"
 

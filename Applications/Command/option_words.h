@@ -1,7 +1,7 @@
 // What filters say in the words of a command line. They call a setting by its property, as their class does;
 // the list of systems knows which option has it.
-#ifndef oversketch_command_option_words_h
-#define oversketch_command_option_words_h
+#ifndef oversketch_applications_command_option_words_h
+#define oversketch_applications_command_option_words_h
 
 #include "systems.h"
 

@@ -1,6 +1,6 @@
 // The command line of `oversketch`: its verbs, their options and files, all from the list of systems.
-#ifndef oversketch_command_options_h
-#define oversketch_command_options_h
+#ifndef oversketch_applications_command_options_h
+#define oversketch_applications_command_options_h
 
 #include "systems.h"
 

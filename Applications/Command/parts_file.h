@@ -1,6 +1,6 @@
 // The file that `oversketch assemble` reads: parts of a model, and where each one goes.
-#ifndef oversketch_command_parts_file_h
-#define oversketch_command_parts_file_h
+#ifndef oversketch_applications_command_parts_file_h
+#define oversketch_applications_command_parts_file_h
 
 #include "step.h"
 

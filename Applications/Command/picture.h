@@ -1,6 +1,6 @@
 // What --picture draws.
-#ifndef oversketch_command_picture_h
-#define oversketch_command_picture_h
+#ifndef oversketch_applications_command_picture_h
+#define oversketch_applications_command_picture_h
 
 #include "files.h"
 

@@ -1,6 +1,6 @@
 // `oversketch replay`.
-#ifndef oversketch_command_replay_h
-#define oversketch_command_replay_h
+#ifndef oversketch_applications_command_replay_h
+#define oversketch_applications_command_replay_h
 
 #include "options.h"
 

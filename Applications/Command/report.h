@@ -1,6 +1,6 @@
 // What --report writes.
-#ifndef oversketch_command_report_h
-#define oversketch_command_report_h
+#ifndef oversketch_applications_command_report_h
+#define oversketch_applications_command_report_h
 
 #include "options.h"
 

@@ -1,6 +1,6 @@
 // `oversketch one-stroke` and the verbs of all other systems: a session of one step.
-#ifndef oversketch_command_run_system_h
-#define oversketch_command_run_system_h
+#ifndef oversketch_applications_command_run_system_h
+#define oversketch_applications_command_run_system_h
 
 #include "options.h"
 

@@ -1,6 +1,6 @@
 // What the command tells its user while it works, and the interrupt.
-#ifndef oversketch_command_terminal_h
-#define oversketch_command_terminal_h
+#ifndef oversketch_applications_command_terminal_h
+#define oversketch_applications_command_terminal_h
 
 #include "files.h"
 

@@ -1,6 +1,6 @@
 // What --version says.
-#ifndef oversketch_command_version_h
-#define oversketch_command_version_h
+#ifndef oversketch_applications_command_version_h
+#define oversketch_applications_command_version_h
 
 #include <string>
 

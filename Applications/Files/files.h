@@ -1,6 +1,6 @@
 // What the command's readers and writers share: one kind of error, notes for the user, whole files or none.
-#ifndef oversketch_files_files_h
-#define oversketch_files_files_h
+#ifndef oversketch_applications_files_files_h
+#define oversketch_applications_files_files_h
 
 #include <atomic>
 #include <cstdint>

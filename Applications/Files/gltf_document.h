@@ -1,8 +1,8 @@
 // A glTF document, .gltf or .glb: its JSON, and the numbers and pictures that it names. Why not
 // vtkGLTFReader: it trusts indices, counts and offsets of the file, follows nodes in a circle, and opens what
 // is no file.
-#ifndef oversketch_files_gltf_document_h
-#define oversketch_files_gltf_document_h
+#ifndef oversketch_applications_files_gltf_document_h
+#define oversketch_applications_files_gltf_document_h
 
 #include "vtk_jsoncpp.h"
 

@@ -1,6 +1,6 @@
 // What a glTF document's materials leave of themselves in a mesh: the pictures of their base colours.
-#ifndef oversketch_files_gltf_materials_h
-#define oversketch_files_gltf_materials_h
+#ifndef oversketch_applications_files_gltf_materials_h
+#define oversketch_applications_files_gltf_materials_h
 
 #include "gltf_document.h"
 

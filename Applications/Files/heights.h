@@ -1,6 +1,6 @@
 // Grids of heights: PNG, TIFF and PGM of 8 or 16 bits, ESRI ASCII grid (.asc), VTK image data (.vti).
-#ifndef oversketch_files_heights_h
-#define oversketch_files_heights_h
+#ifndef oversketch_applications_files_heights_h
+#define oversketch_applications_files_heights_h
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"

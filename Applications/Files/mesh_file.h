@@ -1,6 +1,6 @@
 // Mesh files by extension: OBJ, PLY, STL, OFF, VTP, glTF (.gltf, .glb); and stroke files (.vtp).
-#ifndef oversketch_files_mesh_file_h
-#define oversketch_files_mesh_file_h
+#ifndef oversketch_applications_files_mesh_file_h
+#define oversketch_applications_files_mesh_file_h
 
 #include "files.h"
 #include "pieces.h"

@@ -1,6 +1,6 @@
 // What of a mesh wears one picture: all of it, or each part of one that vtkOversketchAssemble made.
-#ifndef oversketch_files_pieces_h
-#define oversketch_files_pieces_h
+#ifndef oversketch_applications_files_pieces_h
+#define oversketch_applications_files_pieces_h
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

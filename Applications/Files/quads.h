@@ -1,6 +1,6 @@
 // Quads as pairs of triangles, for formats and filters that know no others.
-#ifndef oversketch_files_quads_h
-#define oversketch_files_quads_h
+#ifndef oversketch_applications_files_quads_h
+#define oversketch_applications_files_quads_h
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

@@ -1,6 +1,6 @@
 // Words and numbers of a text that a file holds.
-#ifndef oversketch_files_text_h
-#define oversketch_files_text_h
+#ifndef oversketch_applications_files_text_h
+#define oversketch_applications_files_text_h
 
 #include <charconv>
 #include <cstdlib>

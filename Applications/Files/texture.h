@@ -1,6 +1,6 @@
 // The picture that a mesh wears: it travels with the mesh, through filters and sessions, as a field array.
-#ifndef oversketch_files_texture_h
-#define oversketch_files_texture_h
+#ifndef oversketch_applications_files_texture_h
+#define oversketch_applications_files_texture_h
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"

@@ -1,6 +1,6 @@
 // The XML part of a .vtp or .vti file as it stands there: sections, their arrays with attributes and text.
-#ifndef oversketch_files_vtp_document_h
-#define oversketch_files_vtp_document_h
+#ifndef oversketch_applications_files_vtp_document_h
+#define oversketch_applications_files_vtp_document_h
 
 #include <map>
 #include <set>

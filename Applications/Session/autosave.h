@@ -1,7 +1,7 @@
 // Keeps the session on the disk while a person works, so that a crash or a power cut loses at most the stroke
 // being drawn.
-#ifndef oversketch_autosave_h
-#define oversketch_autosave_h
+#ifndef oversketch_applications_session_autosave_h
+#define oversketch_applications_session_autosave_h
 
 #include "session_file.h"
 

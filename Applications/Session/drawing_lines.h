@@ -1,7 +1,7 @@
 // A drawing's strokes, one by one: a step of a system that makes a mesh of a drawing holds all of them, and
 // each can be changed, switched off and taken away.
-#ifndef oversketch_drawing_lines_h
-#define oversketch_drawing_lines_h
+#ifndef oversketch_applications_session_drawing_lines_h
+#define oversketch_applications_session_drawing_lines_h
 
 #include "step.h"
 

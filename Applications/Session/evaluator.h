@@ -1,6 +1,6 @@
 // Runs a session: the mesh goes through the steps that are on, one after the other.
-#ifndef oversketch_evaluator_h
-#define oversketch_evaluator_h
+#ifndef oversketch_applications_session_evaluator_h
+#define oversketch_applications_session_evaluator_h
 
 #include "outcome.h"
 #include "systems.h"

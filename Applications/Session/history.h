@@ -1,6 +1,6 @@
 // Undo and redo without limit. What is kept of a change is what it changed.
-#ifndef oversketch_history_h
-#define oversketch_history_h
+#ifndef oversketch_applications_session_history_h
+#define oversketch_applications_session_history_h
 
 #include "session.h"
 

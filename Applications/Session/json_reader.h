@@ -1,6 +1,6 @@
 // Reads members of a JSON object, and says which is wrong.
-#ifndef oversketch_json_reader_h
-#define oversketch_json_reader_h
+#ifndef oversketch_applications_session_json_reader_h
+#define oversketch_applications_session_json_reader_h
 
 #include "session.h"
 

@@ -1,7 +1,7 @@
 // A polydata of a few lines, such as a stroke with its view, packed: a history holds thousands of them, and a
 // vtkPolyData takes some 20 kB whatever is in it.
-#ifndef oversketch_lines_h
-#define oversketch_lines_h
+#ifndef oversketch_applications_session_lines_h
+#define oversketch_applications_session_lines_h
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

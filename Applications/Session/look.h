@@ -1,6 +1,6 @@
 // How a model was looked at, kept with its session. No result depends on it.
-#ifndef oversketch_look_h
-#define oversketch_look_h
+#ifndef oversketch_applications_session_look_h
+#define oversketch_applications_session_look_h
 
 #include "session.h"
 

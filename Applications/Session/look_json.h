@@ -1,6 +1,6 @@
 // How a model was looked at as JSON: see README.md beside this.
-#ifndef oversketch_look_json_h
-#define oversketch_look_json_h
+#ifndef oversketch_applications_session_look_json_h
+#define oversketch_applications_session_look_json_h
 
 #include "json_reader.h"
 #include "look.h"

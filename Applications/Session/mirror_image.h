@@ -1,7 +1,7 @@
 // A mesh as a mirror shows it, for systems that are to act on its other side, and what they made of it seen
 // in the mirror again.
-#ifndef oversketch_mirror_image_h
-#define oversketch_mirror_image_h
+#ifndef oversketch_applications_session_mirror_image_h
+#define oversketch_applications_session_mirror_image_h
 
 #include "outcome.h"
 

@@ -1,6 +1,6 @@
 // Several models in one scene: one is worked on, the others rest beside it with what their steps made.
-#ifndef oversketch_models_h
-#define oversketch_models_h
+#ifndef oversketch_applications_session_models_h
+#define oversketch_applications_session_models_h
 
 #include "parts.h"
 #include "session.h"

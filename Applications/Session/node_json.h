@@ -1,6 +1,6 @@
 // Steps and pictures of a session as JSON, in both versions of the format: see README.md beside this.
-#ifndef oversketch_node_json_h
-#define oversketch_node_json_h
+#ifndef oversketch_applications_session_node_json_h
+#define oversketch_applications_session_node_json_h
 
 #include "json_reader.h"
 #include "package.h"

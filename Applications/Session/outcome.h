@@ -1,6 +1,6 @@
 // What a step of a session made.
-#ifndef oversketch_outcome_h
-#define oversketch_outcome_h
+#ifndef oversketch_applications_session_outcome_h
+#define oversketch_applications_session_outcome_h
 
 #include "session.h"
 #include "shared_data.h"

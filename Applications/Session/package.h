@@ -1,6 +1,6 @@
 // A set of named byte strings in one place: a zip file, or a folder of files.
-#ifndef oversketch_package_h
-#define oversketch_package_h
+#ifndef oversketch_applications_session_package_h
+#define oversketch_applications_session_package_h
 
 #include <functional>
 #include <map>

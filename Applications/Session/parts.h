@@ -1,6 +1,6 @@
 // Parts of a model: meshes that are put beside each other, each at its place.
-#ifndef oversketch_parts_h
-#define oversketch_parts_h
+#ifndef oversketch_applications_session_parts_h
+#define oversketch_applications_session_parts_h
 
 #include "outcome.h"
 #include "session.h"

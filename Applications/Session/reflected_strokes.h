@@ -1,6 +1,6 @@
 // Strokes as a mirror shows them, for systems that take several at once.
-#ifndef oversketch_reflected_strokes_h
-#define oversketch_reflected_strokes_h
+#ifndef oversketch_applications_session_reflected_strokes_h
+#define oversketch_applications_session_reflected_strokes_h
 
 #include "step.h"
 

@@ -1,7 +1,7 @@
 // Finds what a stroke takes hold of while it is still being drawn, on a thread of its own, so that the pen
 // never waits: the newest stroke wins.
-#ifndef oversketch_section_finder_h
-#define oversketch_section_finder_h
+#ifndef oversketch_applications_session_section_finder_h
+#define oversketch_applications_session_section_finder_h
 
 #include "systems.h"
 

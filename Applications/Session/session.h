@@ -1,7 +1,7 @@
 // What a person made: the mesh they opened, if any, and the steps that they took on it, in order. Values: a
 // change is a new Session that shares all that did not change.
-#ifndef oversketch_session_h
-#define oversketch_session_h
+#ifndef oversketch_applications_session_session_h
+#define oversketch_applications_session_session_h
 
 #include "shared_data.h"
 #include "step.h"

@@ -1,6 +1,6 @@
 // Session files, `.oversketch`: see README.md beside this for the format.
-#ifndef oversketch_session_file_h
-#define oversketch_session_file_h
+#ifndef oversketch_applications_session_session_file_h
+#define oversketch_applications_session_session_file_h
 
 #include "look.h"
 #include "package.h"

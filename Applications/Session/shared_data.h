@@ -2,8 +2,8 @@
 // which makes new ones and leaves these alone. VTK looks for garbage whenever a polydata's count falls,
 // without a lock: copies of this are counted by themselves, and a pipeline is given a shallow copy of its
 // own.
-#ifndef oversketch_shared_data_h
-#define oversketch_shared_data_h
+#ifndef oversketch_applications_session_shared_data_h
+#define oversketch_applications_session_shared_data_h
 
 #include "vtkDataArray.h"
 #include "vtkPoints.h"

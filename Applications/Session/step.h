@@ -1,6 +1,6 @@
 // One step of a session: a system, its parameters and what it is given. Values.
-#ifndef oversketch_step_h
-#define oversketch_step_h
+#ifndef oversketch_applications_session_step_h
+#define oversketch_applications_session_step_h
 
 #include "lines.h"
 

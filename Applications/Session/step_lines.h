@@ -1,6 +1,6 @@
 // Where a step was drawn: its stroke with its view, and that stroke on a surface, wherever it is seen from.
-#ifndef oversketch_step_lines_h
-#define oversketch_step_lines_h
+#ifndef oversketch_applications_session_step_lines_h
+#define oversketch_applications_session_step_lines_h
 
 #include "session.h"
 

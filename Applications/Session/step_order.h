@@ -1,6 +1,6 @@
 // Which order the steps of a session can have: one that takes what another makes comes after it.
-#ifndef oversketch_step_order_h
-#define oversketch_step_order_h
+#ifndef oversketch_applications_session_step_order_h
+#define oversketch_applications_session_step_order_h
 
 #include "session.h"
 

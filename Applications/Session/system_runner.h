@@ -1,6 +1,6 @@
 // One system, and the steps that it runs one after the other.
-#ifndef oversketch_system_runner_h
-#define oversketch_system_runner_h
+#ifndef oversketch_applications_session_system_runner_h
+#define oversketch_applications_session_system_runner_h
 
 #include "outcome.h"
 #include "systems.h"

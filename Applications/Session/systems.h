@@ -1,7 +1,7 @@
 // The systems that a session's steps may name, each with its inputs and parameters: the one list that
 // evaluator, session file, command, report and panel read. To add a system: a row in systems.cxx.
-#ifndef oversketch_systems_h
-#define oversketch_systems_h
+#ifndef oversketch_applications_session_systems_h
+#define oversketch_applications_session_systems_h
 
 #include "step.h"
 

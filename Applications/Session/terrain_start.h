@@ -1,6 +1,6 @@
 // The first step of a session that begins with a grid of heights.
-#ifndef oversketch_terrain_start_h
-#define oversketch_terrain_start_h
+#ifndef oversketch_applications_session_terrain_start_h
+#define oversketch_applications_session_terrain_start_h
 
 #include "step.h"
 

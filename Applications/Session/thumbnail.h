@@ -1,8 +1,8 @@
 // A small picture of a model after a step: as it was seen when the step was drawn, what moved in orange, the
 // stroke in red. Painted here, as the worker's thread has no window, and VTK draws into no picture without
 // one.
-#ifndef oversketch_thumbnail_h
-#define oversketch_thumbnail_h
+#ifndef oversketch_applications_session_thumbnail_h
+#define oversketch_applications_session_thumbnail_h
 
 #include "vtkPolyData.h"
 

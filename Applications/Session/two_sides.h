@@ -1,6 +1,6 @@
 // What a step does on two sides of a plane, put together.
-#ifndef oversketch_two_sides_h
-#define oversketch_two_sides_h
+#ifndef oversketch_applications_session_two_sides_h
+#define oversketch_applications_session_two_sides_h
 
 #include "outcome.h"
 

@@ -1,6 +1,6 @@
 // Runs sessions on a thread of its own, so that an interface never waits: the newest session wins.
-#ifndef oversketch_worker_h
-#define oversketch_worker_h
+#ifndef oversketch_applications_session_worker_h
+#define oversketch_applications_session_worker_h
 
 #include "evaluator.h"
 #include "parts.h"

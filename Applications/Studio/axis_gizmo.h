@@ -1,8 +1,8 @@
 // The world's axes as the camera sees them, in a corner over the view: a click on an end looks from there, a
 // drag turns the model. Qt's, not VTK's vtkCameraOrientationWidget, which picks with each move of the mouse
 // and draws its own renderer with each frame: this one is painted when the camera has turned.
-#ifndef oversketch_studio_axis_gizmo_h
-#define oversketch_studio_axis_gizmo_h
+#ifndef oversketch_applications_studio_axis_gizmo_h
+#define oversketch_applications_studio_axis_gizmo_h
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"

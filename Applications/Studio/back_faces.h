@@ -1,8 +1,8 @@
 // Faces that look away from the eye. Those of a body are behind its others, but for slivers at its outline,
 // so that the processor need not draw them, which is up to two fifths of a frame's work. Where a body reaches
 // through itself, turned inside out, one sees through it meanwhile.
-#ifndef oversketch_studio_back_faces_h
-#define oversketch_studio_back_faces_h
+#ifndef oversketch_applications_studio_back_faces_h
+#define oversketch_applications_studio_back_faces_h
 
 #include "vtkType.h"
 

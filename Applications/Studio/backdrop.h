@@ -1,7 +1,7 @@
 // The pictures of a scene, behind the model: each stands in the world, where its frame says, and is seen from
 // the frame's view alone.
-#ifndef oversketch_studio_backdrop_h
-#define oversketch_studio_backdrop_h
+#ifndef oversketch_applications_studio_backdrop_h
+#define oversketch_applications_studio_backdrop_h
 
 #include "session.h"
 

@@ -1,6 +1,6 @@
 // The view's camera as a session keeps it.
-#ifndef oversketch_studio_camera_look_h
-#define oversketch_studio_camera_look_h
+#ifndef oversketch_applications_studio_camera_look_h
+#define oversketch_applications_studio_camera_look_h
 
 #include "look.h"
 

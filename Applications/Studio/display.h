@@ -1,6 +1,6 @@
 // How the model is looked at: its shading, the ground, what it was over it or instead of it.
-#ifndef oversketch_studio_display_h
-#define oversketch_studio_display_h
+#ifndef oversketch_applications_studio_display_h
+#define oversketch_applications_studio_display_h
 
 #include "ground_grid.h"
 #include "model_view.h"

@@ -1,6 +1,6 @@
 // What the window shows and changes: a session with its history, kept on the disk and run in the background.
-#ifndef oversketch_studio_document_h
-#define oversketch_studio_document_h
+#ifndef oversketch_applications_studio_document_h
+#define oversketch_applications_studio_document_h
 
 #include "autosave.h"
 #include "drawing_lines.h"

@@ -1,6 +1,6 @@
 // The picture or the canvas that a model is drawn on, beside the model: a Qt widget about the drawing widget.
-#ifndef oversketch_studio_drawing_pad_h
-#define oversketch_studio_drawing_pad_h
+#ifndef oversketch_applications_studio_drawing_pad_h
+#define oversketch_applications_studio_drawing_pad_h
 
 #include "vtkNew.h"
 

@@ -1,6 +1,6 @@
 // The models and drawings that come with the program.
-#ifndef oversketch_studio_examples_h
-#define oversketch_studio_examples_h
+#ifndef oversketch_applications_studio_examples_h
+#define oversketch_applications_studio_examples_h
 
 #include "document.h"
 

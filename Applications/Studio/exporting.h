@@ -1,6 +1,6 @@
 // Where an export goes: a name and a format, which are remembered.
-#ifndef oversketch_studio_exporting_h
-#define oversketch_studio_exporting_h
+#ifndef oversketch_applications_studio_exporting_h
+#define oversketch_applications_studio_exporting_h
 
 #include <QString>
 

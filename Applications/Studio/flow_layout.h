@@ -1,6 +1,6 @@
 // Widgets one beside the other, in as many lines as the width asks for.
-#ifndef oversketch_studio_flow_layout_h
-#define oversketch_studio_flow_layout_h
+#ifndef oversketch_applications_studio_flow_layout_h
+#define oversketch_applications_studio_flow_layout_h
 
 #include <QLayout>
 #include <QVector>

@@ -1,6 +1,6 @@
 // A frame about a view, in the colour of the focus while keys go there.
-#ifndef oversketch_studio_focus_frame_h
-#define oversketch_studio_focus_frame_h
+#ifndef oversketch_applications_studio_focus_frame_h
+#define oversketch_applications_studio_focus_frame_h
 
 #include <QFrame>
 

@@ -1,6 +1,6 @@
 // Lines on the ground under the model, a round number apart.
-#ifndef oversketch_studio_ground_grid_h
-#define oversketch_studio_ground_grid_h
+#ifndef oversketch_applications_studio_ground_grid_h
+#define oversketch_applications_studio_ground_grid_h
 
 #include "vtkNew.h"
 

@@ -1,7 +1,7 @@
 // What turns the model besides a drag of the middle button: two fingers on a trackpad, a pinch, and the left
 // button while the space bar is held.
-#ifndef oversketch_studio_hand_gestures_h
-#define oversketch_studio_hand_gestures_h
+#ifndef oversketch_applications_studio_hand_gestures_h
+#define oversketch_applications_studio_hand_gestures_h
 
 class QEvent;
 class QNativeGestureEvent;

@@ -1,7 +1,7 @@
 // What a person new to it sees on the shipped model: where to draw, dashed in the pen's colour, and a line of
 // text above.
-#ifndef oversketch_studio_hint_h
-#define oversketch_studio_hint_h
+#ifndef oversketch_applications_studio_hint_h
+#define oversketch_applications_studio_hint_h
 
 #include "hint_line.h"
 

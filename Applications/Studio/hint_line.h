@@ -1,6 +1,6 @@
 // The lines that a person new to it is shown, each to be followed exactly.
-#ifndef oversketch_studio_hint_line_h
-#define oversketch_studio_hint_line_h
+#ifndef oversketch_applications_studio_hint_line_h
+#define oversketch_applications_studio_hint_line_h
 
 #include "Stroke/polyline.h"
 

@@ -1,6 +1,6 @@
 // The list of steps, of any kind, with what each does and how it acts.
-#ifndef oversketch_studio_history_panel_h
-#define oversketch_studio_history_panel_h
+#ifndef oversketch_applications_studio_history_panel_h
+#define oversketch_applications_studio_history_panel_h
 
 #include "step.h"
 #include "thumbnail.h"

@@ -1,6 +1,6 @@
 // When the work was last put on the disk: in its own file, or, for the case of a crash, beside.
-#ifndef oversketch_studio_kept_note_h
-#define oversketch_studio_kept_note_h
+#ifndef oversketch_applications_studio_kept_note_h
+#define oversketch_applications_studio_kept_note_h
 
 #include <QLabel>
 

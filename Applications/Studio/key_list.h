@@ -1,6 +1,6 @@
 // The list of mouse and keys that F1 shows over the model.
-#ifndef oversketch_studio_key_list_h
-#define oversketch_studio_key_list_h
+#ifndef oversketch_applications_studio_key_list_h
+#define oversketch_applications_studio_key_list_h
 
 #include <QString>
 #include <QVector>

@@ -2,8 +2,8 @@
 // stroke or a notch of the wheel to the new mesh on screen, from the hand's event at an edit to the moved
 // mesh on screen, and for a plain redraw; and how long processors were at work for the program meanwhile,
 // which other programs change little. Written as JSON when the program ends, where it was asked for.
-#ifndef oversketch_studio_latency_h
-#define oversketch_studio_latency_h
+#ifndef oversketch_applications_studio_latency_h
+#define oversketch_applications_studio_latency_h
 
 #include <cstddef>
 #include <map>

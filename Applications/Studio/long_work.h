@@ -1,7 +1,7 @@
 // What takes long, such as a large file, on a thread of its own: the window says that it goes on, and it can
 // be given up.
-#ifndef oversketch_studio_long_work_h
-#define oversketch_studio_long_work_h
+#ifndef oversketch_applications_studio_long_work_h
+#define oversketch_applications_studio_long_work_h
 
 #include <QString>
 

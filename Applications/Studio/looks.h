@@ -1,6 +1,6 @@
 // Colours of the window.
-#ifndef oversketch_studio_looks_h
-#define oversketch_studio_looks_h
+#ifndef oversketch_applications_studio_looks_h
+#define oversketch_applications_studio_looks_h
 
 #include <QPalette>
 

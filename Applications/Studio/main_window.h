@@ -1,6 +1,6 @@
 // The window of oversketch-studio.
-#ifndef oversketch_studio_main_window_h
-#define oversketch_studio_main_window_h
+#ifndef oversketch_applications_studio_main_window_h
+#define oversketch_applications_studio_main_window_h
 
 #include "document.h"
 #include "preferences.h"

@@ -1,6 +1,6 @@
 // What filters and files say, in the window's own words and the user's language.
-#ifndef oversketch_studio_message_words_h
-#define oversketch_studio_message_words_h
+#ifndef oversketch_applications_studio_message_words_h
+#define oversketch_applications_studio_message_words_h
 
 #include <QString>
 

@@ -1,6 +1,6 @@
 // The choice of a mirror plane.
-#ifndef oversketch_studio_mirror_choice_h
-#define oversketch_studio_mirror_choice_h
+#ifndef oversketch_applications_studio_mirror_choice_h
+#define oversketch_applications_studio_mirror_choice_h
 
 class QComboBox;
 class QWidget;

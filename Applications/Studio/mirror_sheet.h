@@ -1,6 +1,6 @@
 // The plane that a step acts on both sides of, through the model.
-#ifndef oversketch_studio_mirror_sheet_h
-#define oversketch_studio_mirror_sheet_h
+#ifndef oversketch_applications_studio_mirror_sheet_h
+#define oversketch_applications_studio_mirror_sheet_h
 
 #include "step.h"
 

@@ -1,6 +1,6 @@
 // The model in the view. Parts of it that wear pictures of their own are drawn each by itself.
-#ifndef oversketch_studio_model_view_h
-#define oversketch_studio_model_view_h
+#ifndef oversketch_applications_studio_model_view_h
+#define oversketch_applications_studio_model_view_h
 
 #include "shading.h"
 

@@ -1,6 +1,6 @@
 // Sets of a tool's options by names that the user gives, kept per user.
-#ifndef oversketch_studio_option_presets_h
-#define oversketch_studio_option_presets_h
+#ifndef oversketch_applications_studio_option_presets_h
+#define oversketch_applications_studio_option_presets_h
 
 #include "step.h"
 

@@ -1,6 +1,6 @@
 // The tools' options, of which one tool's are seen, in as many lines as the window's width asks for.
-#ifndef oversketch_studio_options_stack_h
-#define oversketch_studio_options_stack_h
+#ifndef oversketch_applications_studio_options_stack_h
+#define oversketch_applications_studio_options_stack_h
 
 #include <QStackedWidget>
 

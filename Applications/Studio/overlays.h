@@ -1,6 +1,6 @@
 // What lies over the view: the strip at its upper left corner, the axes.
-#ifndef oversketch_studio_overlays_h
-#define oversketch_studio_overlays_h
+#ifndef oversketch_applications_studio_overlays_h
+#define oversketch_applications_studio_overlays_h
 
 #include "hint.h"
 

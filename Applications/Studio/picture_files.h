@@ -1,6 +1,6 @@
 // Pictures as files, read and decoded on any thread, so that the window's own need not.
-#ifndef oversketch_studio_picture_files_h
-#define oversketch_studio_picture_files_h
+#ifndef oversketch_applications_studio_picture_files_h
+#define oversketch_applications_studio_picture_files_h
 
 #include "step.h"
 

@@ -1,6 +1,6 @@
 // What a person sets once, kept per user in the usual place.
-#ifndef oversketch_studio_preferences_h
-#define oversketch_studio_preferences_h
+#ifndef oversketch_applications_studio_preferences_h
+#define oversketch_applications_studio_preferences_h
 
 #include <QDialog>
 

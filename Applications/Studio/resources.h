@@ -1,6 +1,6 @@
 // Where the files that come with the program are.
-#ifndef oversketch_studio_resources_h
-#define oversketch_studio_resources_h
+#ifndef oversketch_applications_studio_resources_h
+#define oversketch_applications_studio_resources_h
 
 #include <QString>
 

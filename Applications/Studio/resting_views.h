@@ -1,6 +1,6 @@
 // The models beside the one that is worked on, in the view: a little darker.
-#ifndef oversketch_studio_resting_views_h
-#define oversketch_studio_resting_views_h
+#ifndef oversketch_applications_studio_resting_views_h
+#define oversketch_applications_studio_resting_views_h
 
 #include "mesh_picker.h"
 #include "model_view.h"

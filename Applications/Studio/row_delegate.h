@@ -1,7 +1,7 @@
 // A row of the history: whether it is on, a small picture, its name, what it did, a mark where something is
 // to be said of it.
-#ifndef oversketch_studio_row_delegate_h
-#define oversketch_studio_row_delegate_h
+#ifndef oversketch_applications_studio_row_delegate_h
+#define oversketch_applications_studio_row_delegate_h
 
 #include <QStyledItemDelegate>
 

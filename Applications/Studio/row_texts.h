@@ -1,6 +1,6 @@
 // What the list of systems says, in the user's language.
-#ifndef oversketch_studio_row_texts_h
-#define oversketch_studio_row_texts_h
+#ifndef oversketch_applications_studio_row_texts_h
+#define oversketch_applications_studio_row_texts_h
 
 #include <QString>
 #include <QStringList>

@@ -1,6 +1,6 @@
 // What a step of the history did, in a few words for its row.
-#ifndef oversketch_studio_row_words_h
-#define oversketch_studio_row_words_h
+#ifndef oversketch_applications_studio_row_words_h
+#define oversketch_applications_studio_row_words_h
 
 #include "session.h"
 #include "worker.h"

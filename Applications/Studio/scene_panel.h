@@ -1,7 +1,7 @@
 // The list of what is in the scene: the models, the parts of the one that is worked on, and the pictures
 // behind them; each is seen or not, a model is locked or not.
-#ifndef oversketch_studio_scene_panel_h
-#define oversketch_studio_scene_panel_h
+#ifndef oversketch_applications_studio_scene_panel_h
+#define oversketch_applications_studio_scene_panel_h
 
 #include "session.h"
 

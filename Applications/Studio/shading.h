@@ -1,6 +1,6 @@
 // How the model's surface is drawn.
-#ifndef oversketch_studio_shading_h
-#define oversketch_studio_shading_h
+#ifndef oversketch_applications_studio_shading_h
+#define oversketch_applications_studio_shading_h
 
 class vtkActor;
 

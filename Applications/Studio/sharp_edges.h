@@ -1,6 +1,6 @@
 // Shows the edges of a model that is meant to have some, as a cube, although its points have one normal each.
-#ifndef oversketch_studio_sharp_edges_h
-#define oversketch_studio_sharp_edges_h
+#ifndef oversketch_applications_studio_sharp_edges_h
+#define oversketch_applications_studio_sharp_edges_h
 
 #include "vtkIdList.h"
 #include "vtkNew.h"

@@ -1,6 +1,6 @@
 // What a mesh wears in the view: a picture, else its own colours, else none.
-#ifndef oversketch_studio_skin_h
-#define oversketch_studio_skin_h
+#ifndef oversketch_applications_studio_skin_h
+#define oversketch_applications_studio_skin_h
 
 #include "picture_files.h"
 

@@ -1,7 +1,7 @@
 // The list of the history: rows are dragged to another place, and so is the marker that says up to which step
 // the model is shown.
-#ifndef oversketch_studio_step_list_h
-#define oversketch_studio_step_list_h
+#ifndef oversketch_applications_studio_step_list_h
+#define oversketch_applications_studio_step_list_h
 
 #include <QListWidget>
 

@@ -1,6 +1,6 @@
 // How the selected step acts: a form for each system, made of its row in the list.
-#ifndef oversketch_studio_step_panel_h
-#define oversketch_studio_step_panel_h
+#ifndef oversketch_applications_studio_step_panel_h
+#define oversketch_applications_studio_step_panel_h
 
 #include "systems.h"
 

@@ -1,8 +1,8 @@
 // The strokes of the history on the surface that they shaped: all of them while the left button turns the
 // model, a click on one names its step; with a tool that draws the chosen one alone, where it is not seen
 // from where it was drawn.
-#ifndef oversketch_studio_stroke_lines_h
-#define oversketch_studio_stroke_lines_h
+#ifndef oversketch_applications_studio_stroke_lines_h
+#define oversketch_applications_studio_stroke_lines_h
 
 #include "shared_data.h"
 

@@ -1,7 +1,7 @@
 // A screen that is touched: one finger draws as the left button does, two turn the model and zoom; and how a
 // pen is pressed.
-#ifndef oversketch_studio_touch_hand_h
-#define oversketch_studio_touch_hand_h
+#ifndef oversketch_applications_studio_touch_hand_h
+#define oversketch_applications_studio_touch_hand_h
 
 #include <QEvent>
 #include <QObject>

@@ -1,7 +1,7 @@
 // The window in the user's language: a translation is one file, oversketch_LANGUAGE.qm among the program's
 // files (Translations/).
-#ifndef oversketch_studio_translations_h
-#define oversketch_studio_translations_h
+#ifndef oversketch_applications_studio_translations_h
+#define oversketch_applications_studio_translations_h
 
 #include <QLocale>
 #include <QString>

@@ -1,7 +1,7 @@
 // The strip at the view's upper left corner: perspective, shading, onion. All of it is in the View menu as
 // well.
-#ifndef oversketch_studio_view_bar_h
-#define oversketch_studio_view_bar_h
+#ifndef oversketch_applications_studio_view_bar_h
+#define oversketch_applications_studio_view_bar_h
 
 #include <QWidget>
 

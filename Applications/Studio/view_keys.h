@@ -1,6 +1,6 @@
 // Keys are the view's wherever the focus is: after a choice in a box, x, y, z still turn the model.
-#ifndef oversketch_studio_view_keys_h
-#define oversketch_studio_view_keys_h
+#ifndef oversketch_applications_studio_view_keys_h
+#define oversketch_applications_studio_view_keys_h
 
 #include <QObject>
 

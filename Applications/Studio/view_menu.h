@@ -1,6 +1,6 @@
 // How the model is looked at, in a menu and in a strip over the view: camera, shading, ground, what it was.
-#ifndef oversketch_studio_view_menu_h
-#define oversketch_studio_view_menu_h
+#ifndef oversketch_applications_studio_view_menu_h
+#define oversketch_applications_studio_view_menu_h
 
 #include "view_settings.h"
 

@@ -1,6 +1,6 @@
 // How a person likes to look at models, kept per user.
-#ifndef oversketch_studio_view_settings_h
-#define oversketch_studio_view_settings_h
+#ifndef oversketch_applications_studio_view_settings_h
+#define oversketch_applications_studio_view_settings_h
 
 #include "shading.h"
 

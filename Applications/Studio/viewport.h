@@ -1,6 +1,6 @@
 // The model in a Qt widget: window, light, camera, frames. What the left button does is a tool's.
-#ifndef oversketch_studio_viewport_h
-#define oversketch_studio_viewport_h
+#ifndef oversketch_applications_studio_viewport_h
+#define oversketch_applications_studio_viewport_h
 
 #include "backdrop.h"
 #include "display.h"

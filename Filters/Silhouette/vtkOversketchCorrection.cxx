@@ -88,7 +88,7 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       auto relative = Longer<vtkDoubleArray>(handles, "RelativePosition", 1);
       auto ratios = Longer<vtkDoubleArray>(handles, "MergeRatio", 1);
 
-      const std::vector<Correction> corrections = correctOutline(
+      const std::vector<OutlineCorrection> corrections = correctOutline(
         mesh, chosen, samples, view, this->Omega, this->Tolerance, this->Reach, ContextOf(this));
       if (corrections.empty())
       {

@@ -3,8 +3,8 @@
 // Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. IV: the base mesh is a grid
 // over the image, which the user makes as coarse as he likes; finer triangles read the image anew. Silent
 // there, and chosen here: heights between samples are bilinear; quads over a missing sample are left out.
-#ifndef oversketch_heights_h
-#define oversketch_heights_h
+#ifndef oversketch_kernels_image_heights_h
+#define oversketch_kernels_image_heights_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

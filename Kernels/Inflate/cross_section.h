@@ -1,6 +1,6 @@
 // How high the surface stands over a place of its object: the cross-section that the user chooses.
-#ifndef oversketch_cross_section_h
-#define oversketch_cross_section_h
+#ifndef oversketch_kernels_inflate_cross_section_h
+#define oversketch_kernels_inflate_cross_section_h
 
 #include "Mesh/graph.h"
 

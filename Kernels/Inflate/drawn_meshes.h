@@ -1,6 +1,6 @@
 // Drawings' meshes with known answers, for tests of what is made of them. Header-only; not installed.
-#ifndef oversketch_drawn_meshes_h
-#define oversketch_drawn_meshes_h
+#ifndef oversketch_kernels_inflate_drawn_meshes_h
+#define oversketch_kernels_inflate_drawn_meshes_h
 
 #include "Planar/planar_mesh.h"
 #include "Raster/drawing_shapes.h"

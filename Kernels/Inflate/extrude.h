@@ -1,6 +1,6 @@
 // Extrusion: a drawing's mesh twice, in front of its plane and behind it, and walls between.
-#ifndef oversketch_extrude_h
-#define oversketch_extrude_h
+#ifndef oversketch_kernels_inflate_extrude_h
+#define oversketch_kernels_inflate_extrude_h
 
 #include "Inflate/solid.h"
 #include "Planar/planar_mesh.h"

@@ -1,6 +1,6 @@
 // How far the points of a drawing's mesh are pushed out of its plane.
-#ifndef oversketch_heights_h
-#define oversketch_heights_h
+#ifndef oversketch_kernels_inflate_heights_h
+#define oversketch_kernels_inflate_heights_h
 
 #include "Inflate/cross_section.h"
 #include "Planar/planar_mesh.h"

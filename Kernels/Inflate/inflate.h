@@ -1,6 +1,6 @@
 // Inflation: a drawing's mesh pushed out to both sides and sealed at its rim.
-#ifndef oversketch_inflate_h
-#define oversketch_inflate_h
+#ifndef oversketch_kernels_inflate_inflate_h
+#define oversketch_kernels_inflate_inflate_h
 
 #include "Inflate/solid.h"
 #include "Planar/planar_mesh.h"

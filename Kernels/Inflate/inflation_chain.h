@@ -1,6 +1,6 @@
 // From rims to the surface, for tests. Header-only; not installed.
-#ifndef oversketch_inflation_chain_h
-#define oversketch_inflation_chain_h
+#ifndef oversketch_kernels_inflate_inflation_chain_h
+#define oversketch_kernels_inflate_inflation_chain_h
 
 #include "Inflate/drawn_meshes.h"
 #include "Inflate/heights.h"

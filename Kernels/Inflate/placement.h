@@ -1,6 +1,6 @@
 // Where a part of a model stands among the others.
-#ifndef oversketch_placement_h
-#define oversketch_placement_h
+#ifndef oversketch_kernels_inflate_placement_h
+#define oversketch_kernels_inflate_placement_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // The borders of a sheet of triangles and quads.
-#ifndef oversketch_sheet_h
-#define oversketch_sheet_h
+#ifndef oversketch_kernels_inflate_sheet_h
+#define oversketch_kernels_inflate_sheet_h
 
 #include <array>
 #include <vector>

@@ -1,6 +1,6 @@
 // A surface made of a drawing's mesh: its front, its back and the walls between them.
-#ifndef oversketch_solid_h
-#define oversketch_solid_h
+#ifndef oversketch_kernels_inflate_solid_h
+#define oversketch_kernels_inflate_solid_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // What a surface of triangles and quads is, for tests. Header-only; not installed.
-#ifndef oversketch_solid_shape_h
-#define oversketch_solid_shape_h
+#ifndef oversketch_kernels_inflate_solid_shape_h
+#define oversketch_kernels_inflate_solid_shape_h
 
 #include "Inflate/sheet.h"
 #include "Inflate/solid.h"

@@ -1,6 +1,6 @@
 // Where a place of the canvas is in its picture.
-#ifndef oversketch_texture_h
-#define oversketch_texture_h
+#ifndef oversketch_kernels_inflate_texture_h
+#define oversketch_kernels_inflate_texture_h
 
 #include "Stroke/canvas.h"
 

@@ -1,6 +1,6 @@
 // Tunnels: regions cut out of a surface, front and back.
-#ifndef oversketch_tunnel_h
-#define oversketch_tunnel_h
+#ifndef oversketch_kernels_inflate_tunnel_h
+#define oversketch_kernels_inflate_tunnel_h
 
 #include "Inflate/solid.h"
 #include "Raster/distance_maps.h"

@@ -1,6 +1,6 @@
 // Rims without stretched triangles: points move towards the rim before they are pushed out.
-#ifndef oversketch_unstretch_h
-#define oversketch_unstretch_h
+#ifndef oversketch_kernels_inflate_unstretch_h
+#define oversketch_kernels_inflate_unstretch_h
 
 #include "Inflate/heights.h"
 

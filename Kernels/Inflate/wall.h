@@ -1,6 +1,6 @@
 // Walls between the front and the back of a surface.
-#ifndef oversketch_wall_h
-#define oversketch_wall_h
+#ifndef oversketch_kernels_inflate_wall_h
+#define oversketch_kernels_inflate_wall_h
 
 #include "Inflate/sheet.h"
 #include "Inflate/solid.h"

@@ -1,6 +1,6 @@
 // Frames along a curve on a surface: where it goes, what is beside it and what is outward.
-#ifndef oversketch_frames_h
-#define oversketch_frames_h
+#ifndef oversketch_kernels_matrix_frames_h
+#define oversketch_kernels_matrix_frames_h
 
 #include "Mesh/mesh.h"
 

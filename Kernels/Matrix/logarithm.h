@@ -1,6 +1,6 @@
 // Shares and sums of transformations: the logarithm of a 4x4 matrix, and what is made of it.
-#ifndef oversketch_logarithm_h
-#define oversketch_logarithm_h
+#ifndef oversketch_kernels_matrix_logarithm_h
+#define oversketch_kernels_matrix_logarithm_h
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 // The points of a region moved by shares of transformations, each point by its own.
-#ifndef oversketch_moved_h
-#define oversketch_moved_h
+#ifndef oversketch_kernels_matrix_moved_h
+#define oversketch_kernels_matrix_moved_h
 
 #include "Matrix/logarithm.h"
 #include "Mesh/mesh.h"

@@ -1,6 +1,6 @@
 // The part of a mesh that changes its shape while some of its vertices move.
-#ifndef oversketch_moving_patch_h
-#define oversketch_moving_patch_h
+#ifndef oversketch_kernels_matrix_moving_patch_h
+#define oversketch_kernels_matrix_moving_patch_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // What is done to handles along a curve, written as text.
-#ifndef oversketch_operations_h
-#define oversketch_operations_h
+#ifndef oversketch_kernels_matrix_operations_h
+#define oversketch_kernels_matrix_operations_h
 
 #include "Matrix/pose.h"
 

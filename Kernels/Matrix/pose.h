@@ -1,6 +1,6 @@
 // What dragging an axis of a handle does.
-#ifndef oversketch_pose_h
-#define oversketch_pose_h
+#ifndef oversketch_kernels_matrix_pose_h
+#define oversketch_kernels_matrix_pose_h
 
 #include "Matrix/frames.h"
 #include "Matrix/logarithm.h"

@@ -1,6 +1,6 @@
 // Where a kernel runs that has two forms.
-#ifndef oversketch_backend_h
-#define oversketch_backend_h
+#ifndef oversketch_kernels_mesh_backend_h
+#define oversketch_kernels_mesh_backend_h
 
 namespace oversketch
 {

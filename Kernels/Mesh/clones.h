@@ -1,6 +1,6 @@
 // Functions compiled for several processors; the widest that runs here is taken when the program starts.
-#ifndef oversketch_clones_h
-#define oversketch_clones_h
+#ifndef oversketch_kernels_mesh_clones_h
+#define oversketch_kernels_mesh_clones_h
 
 // GCC's thread sanitizer cannot start a program whose functions are chosen while it loads.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&             \

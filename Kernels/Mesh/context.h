@@ -1,7 +1,7 @@
 // What a running kernel needs from its caller: threads, a progress sink, a way to be cancelled; and how
 // it reports that it could not do its work.
-#ifndef oversketch_context_h
-#define oversketch_context_h
+#ifndef oversketch_kernels_mesh_context_h
+#define oversketch_kernels_mesh_context_h
 
 #include <functional>
 #include <stdexcept>

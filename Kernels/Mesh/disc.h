@@ -1,6 +1,6 @@
 // Whether a patch of a surface is a disc.
-#ifndef oversketch_disc_h
-#define oversketch_disc_h
+#ifndef oversketch_kernels_mesh_disc_h
+#define oversketch_kernels_mesh_disc_h
 
 #include "Mesh/mesh.h"
 

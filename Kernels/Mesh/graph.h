@@ -1,6 +1,6 @@
 // A profile written as points that straight lines join: a function on the unit interval.
-#ifndef oversketch_graph_h
-#define oversketch_graph_h
+#ifndef oversketch_kernels_mesh_graph_h
+#define oversketch_kernels_mesh_graph_h
 
 #include "Mesh/mesh.h"
 

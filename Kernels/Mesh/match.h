@@ -1,6 +1,6 @@
 // What a mesh has of another one that it has come of by changes here and there. Not installed.
-#ifndef oversketch_mesh_match_h
-#define oversketch_mesh_match_h
+#ifndef oversketch_kernels_mesh_match_h
+#define oversketch_kernels_mesh_match_h
 
 #include "Mesh/mesh.h"
 

@@ -1,7 +1,7 @@
 // A triangle mesh as the kernels see it, its adjacency, vertex normals and edge-path distances.
 // Adjacency is lists, not half-edges: non-manifold edges, borders and loose points are legal everywhere.
-#ifndef oversketch_mesh_h
-#define oversketch_mesh_h
+#ifndef oversketch_kernels_mesh_mesh_h
+#define oversketch_kernels_mesh_mesh_h
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

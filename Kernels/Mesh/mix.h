@@ -1,6 +1,6 @@
 // A point as a weighted mean of others.
-#ifndef oversketch_mix_h
-#define oversketch_mix_h
+#ifndef oversketch_kernels_mesh_mix_h
+#define oversketch_kernels_mesh_mix_h
 
 #include <utility>
 #include <vector>

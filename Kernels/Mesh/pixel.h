@@ -1,6 +1,6 @@
 // How large a pixel is in the world.
-#ifndef oversketch_pixel_h
-#define oversketch_pixel_h
+#ifndef oversketch_kernels_mesh_pixel_h
+#define oversketch_kernels_mesh_pixel_h
 
 #include "Mesh/view.h"
 

@@ -1,6 +1,6 @@
 // Places on a mesh: by vertices and weights, which outlive a change of positions, or in one triangle.
-#ifndef oversketch_place_h
-#define oversketch_place_h
+#ifndef oversketch_kernels_mesh_place_h
+#define oversketch_kernels_mesh_place_h
 
 #include "Mesh/mesh.h"
 

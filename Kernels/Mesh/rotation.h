@@ -1,6 +1,6 @@
 // The rotation between two directions.
-#ifndef oversketch_rotation_h
-#define oversketch_rotation_h
+#ifndef oversketch_kernels_mesh_rotation_h
+#define oversketch_kernels_mesh_rotation_h
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 // How sharply neighbouring triangles of a part of a mesh meet: what a remeshing must not make worse.
-#ifndef oversketch_roughness_h
-#define oversketch_roughness_h
+#ifndef oversketch_kernels_mesh_roughness_h
+#define oversketch_kernels_mesh_roughness_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

@@ -2,6 +2,8 @@
 
 #include "Mesh/context.h"
 
+#include <Eigen/LU>
+
 #include <cmath>
 
 namespace oversketch

@@ -1,11 +1,10 @@
 // The view that a stroke carries: how world space is seen, in pixels and camera-space depth.
-#ifndef oversketch_view_h
-#define oversketch_view_h
+#ifndef oversketch_kernels_mesh_view_h
+#define oversketch_kernels_mesh_view_h
 
 #include "Mesh/mesh.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 namespace oversketch
 {

@@ -1,7 +1,7 @@
 // Points that share a position as one vertex, whatever attributes a reader split them for, and where those
 // attributes jump.
-#ifndef oversketch_weld_h
-#define oversketch_weld_h
+#ifndef oversketch_kernels_mesh_weld_h
+#define oversketch_kernels_mesh_weld_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // The greedy Gaussian mixture on the OpenCL device.
-#ifndef oversketch_device_mixture_h
-#define oversketch_device_mixture_h
+#ifndef oversketch_kernels_mixture_device_mixture_h
+#define oversketch_kernels_mixture_device_mixture_h
 
 #include "Mixture/mixture.h"
 #include "OpenCL/device.h"

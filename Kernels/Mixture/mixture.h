@@ -2,8 +2,8 @@
 // one component; insert the best of the candidates, judged by a second-order expansion of the log-likelihood
 // in the new weight; run EM to convergence; repeat. Ours because no library among the dependencies has greedy
 // insertion, and the general ones (OpenCV's ml::EM) start from random centres.
-#ifndef oversketch_mixture_h
-#define oversketch_mixture_h
+#ifndef oversketch_kernels_mixture_mixture_h
+#define oversketch_kernels_mixture_mixture_h
 
 #include "Mesh/context.h"
 

@@ -3,8 +3,8 @@
 //
 // Why not a library: vectors of exponentials at the processor's own width, chosen when the program starts,
 // are in none of the dependencies: Eigen takes its width when it is compiled.
-#ifndef oversketch_mixture_sums_h
-#define oversketch_mixture_sums_h
+#ifndef oversketch_kernels_mixture_mixture_sums_h
+#define oversketch_kernels_mixture_mixture_sums_h
 
 #include "Mixture/mixture.h"
 

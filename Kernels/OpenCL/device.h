@@ -1,6 +1,6 @@
 // The OpenCL device that kernels run on, and the programs built for it. One device per process.
-#ifndef oversketch_device_h
-#define oversketch_device_h
+#ifndef oversketch_kernels_open_cl_device_h
+#define oversketch_kernels_open_cl_device_h
 
 #include "Mesh/backend.h"
 #include "Mesh/context.h"

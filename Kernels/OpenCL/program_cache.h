@@ -4,8 +4,8 @@
 // an error: a file that is missing, damaged, of another program or refused by the driver only means that the
 // program is compiled, and written again. A folder that cannot be written to means that it is compiled each
 // time. While one process builds a program the others wait for it, and then find its file.
-#ifndef oversketch_program_cache_h
-#define oversketch_program_cache_h
+#ifndef oversketch_kernels_open_cl_program_cache_h
+#define oversketch_kernels_open_cl_program_cache_h
 
 #include "OpenCL/opencl.h"
 

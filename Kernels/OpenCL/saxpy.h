@@ -1,6 +1,6 @@
 // What the tests compute on a device: (10, 20, 30, 40) + 2 (1, 2, 3, 4), in two groups of two. Header-only.
-#ifndef oversketch_opencl_saxpy_h
-#define oversketch_opencl_saxpy_h
+#ifndef oversketch_kernels_open_cl_saxpy_h
+#define oversketch_kernels_open_cl_saxpy_h
 
 #include "OpenCL/device.h"
 #include "OpenCL/device_test_cl.h"

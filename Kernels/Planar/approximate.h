@@ -1,6 +1,6 @@
 // Strokes become polylines of few vertices, from which the coarse mesh is made.
-#ifndef oversketch_approximate_h
-#define oversketch_approximate_h
+#ifndef oversketch_kernels_planar_approximate_h
+#define oversketch_kernels_planar_approximate_h
 
 #include "Mesh/context.h"
 #include "Planar/planar_mesh.h"

@@ -1,6 +1,6 @@
 // Strokes that cross, touch or bound something together become curves that meet in common samples alone.
-#ifndef oversketch_arrange_h
-#define oversketch_arrange_h
+#ifndef oversketch_kernels_planar_arrange_h
+#define oversketch_kernels_planar_arrange_h
 
 #include "Mesh/context.h"
 #include "Raster/classify.h"

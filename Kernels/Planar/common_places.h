@@ -1,7 +1,7 @@
 // Strokes as paths from place to place, with common places wherever they cross or touch, and with ends that
 // go on to what they were drawn up to. The first half of arrange.h; not installed.
-#ifndef oversketch_common_places_h
-#define oversketch_common_places_h
+#ifndef oversketch_kernels_planar_common_places_h
+#define oversketch_kernels_planar_common_places_h
 
 #include "Planar/arrange.h"
 #include "Planar/line_graph.h"

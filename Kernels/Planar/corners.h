@@ -1,6 +1,6 @@
 // Where a stroke turns sharply.
-#ifndef oversketch_corners_h
-#define oversketch_corners_h
+#ifndef oversketch_kernels_planar_corners_h
+#define oversketch_kernels_planar_corners_h
 
 #include "Stroke/polyline.h"
 

@@ -1,6 +1,6 @@
 // Points thrown into a drawing's inside, for rounder triangles.
-#ifndef oversketch_darts_h
-#define oversketch_darts_h
+#ifndef oversketch_kernels_planar_darts_h
+#define oversketch_kernels_planar_darts_h
 
 #include "Mesh/context.h"
 #include "Planar/stroke_line.h"

@@ -1,6 +1,6 @@
 // The constrained Delaunay triangulation of points in the plane.
-#ifndef oversketch_planar_delaunay_h
-#define oversketch_planar_delaunay_h
+#ifndef oversketch_kernels_planar_delaunay_h
+#define oversketch_kernels_planar_delaunay_h
 
 #include "Mesh/context.h"
 #include "Stroke/polyline.h"

@@ -1,6 +1,6 @@
 // The edges of a planar mesh of triangles that are each cut in four, from those of the triangles.
-#ifndef oversketch_divided_edges_h
-#define oversketch_divided_edges_h
+#ifndef oversketch_kernels_planar_divided_edges_h
+#define oversketch_kernels_planar_divided_edges_h
 
 #include "Planar/face_edges.h"
 

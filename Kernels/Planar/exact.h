@@ -1,7 +1,7 @@
 // CGAL's kernel of exact predicates, which is under the LGPL; its triangulations are under the GPL and stay
 // out of this library. For where the calls of predicates.h take too long; not installed.
-#ifndef oversketch_planar_exact_h
-#define oversketch_planar_exact_h
+#ifndef oversketch_kernels_planar_exact_h
+#define oversketch_kernels_planar_exact_h
 
 #include "Mesh/mesh.h"
 

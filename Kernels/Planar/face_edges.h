@@ -1,7 +1,7 @@
 // The edges of a planar mesh's faces, triangles and quads, and what meets at each point. Why not the
 // adjacency of Mesh/mesh.h: that is of triangles alone, and knows no strokes.
-#ifndef oversketch_face_edges_h
-#define oversketch_face_edges_h
+#ifndef oversketch_kernels_planar_face_edges_h
+#define oversketch_kernels_planar_face_edges_h
 
 #include "Planar/planar_mesh.h"
 

@@ -1,6 +1,6 @@
 // The order of a coarse mesh's faces, which does not depend on how they were made.
-#ifndef oversketch_planar_face_order_h
-#define oversketch_planar_face_order_h
+#ifndef oversketch_kernels_planar_face_order_h
+#define oversketch_kernels_planar_face_order_h
 
 #include "Planar/planar_mesh.h"
 

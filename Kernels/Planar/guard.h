@@ -1,6 +1,6 @@
 // Keeps the faces of a refined planar mesh from turning over.
-#ifndef oversketch_guard_h
-#define oversketch_guard_h
+#ifndef oversketch_kernels_planar_guard_h
+#define oversketch_kernels_planar_guard_h
 
 #include "Planar/subdivide.h"
 

@@ -1,6 +1,6 @@
 // Lines that share places: edges between these, the faces they enclose, and what bounds them.
-#ifndef oversketch_line_graph_h
-#define oversketch_line_graph_h
+#ifndef oversketch_kernels_planar_line_graph_h
+#define oversketch_kernels_planar_line_graph_h
 
 #include <array>
 #include <cstdint>

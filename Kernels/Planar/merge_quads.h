@@ -1,6 +1,6 @@
 // Pairs of the coarse mesh's triangles become quads.
-#ifndef oversketch_merge_quads_h
-#define oversketch_merge_quads_h
+#ifndef oversketch_kernels_planar_merge_quads_h
+#define oversketch_kernels_planar_merge_quads_h
 
 #include "Planar/planar_mesh.h"
 

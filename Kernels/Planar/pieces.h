@@ -1,6 +1,6 @@
 // One stroke's polyline in the making: pieces between vertices, which can be made finer.
-#ifndef oversketch_planar_pieces_h
-#define oversketch_planar_pieces_h
+#ifndef oversketch_kernels_planar_pieces_h
+#define oversketch_kernels_planar_pieces_h
 
 #include "Planar/approximate.h"
 

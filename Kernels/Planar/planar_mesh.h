@@ -1,7 +1,7 @@
 // A drawing's mesh in the plane, and what ties it to the strokes: the values that its construction,
 // refinement and inflation hand on. Source: image-assisted modelling, section 0.
-#ifndef oversketch_planar_mesh_h
-#define oversketch_planar_mesh_h
+#ifndef oversketch_kernels_planar_planar_mesh_h
+#define oversketch_kernels_planar_planar_mesh_h
 
 #include "Stroke/polyline.h"
 

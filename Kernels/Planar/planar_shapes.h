@@ -1,6 +1,6 @@
 // Drawings on the unit canvas that the planar kernels' tests share. Header-only; not installed.
-#ifndef oversketch_planar_shapes_h
-#define oversketch_planar_shapes_h
+#ifndef oversketch_kernels_planar_planar_shapes_h
+#define oversketch_kernels_planar_planar_shapes_h
 
 #include "Planar/approximate.h"
 #include "Planar/stroke_line.h"

@@ -1,7 +1,7 @@
 // Drawings of one closed stroke whose coarse mesh is its polygon, for tests of refinement. Header-only; not
 // installed.
-#ifndef oversketch_polygon_shapes_h
-#define oversketch_polygon_shapes_h
+#ifndef oversketch_kernels_planar_polygon_shapes_h
+#define oversketch_kernels_planar_polygon_shapes_h
 
 #include "Planar/refine_shapes.h"
 

@@ -1,6 +1,6 @@
 // Signs of areas and circles in the plane, exact for any finite coordinates.
-#ifndef oversketch_planar_predicates_h
-#define oversketch_planar_predicates_h
+#ifndef oversketch_kernels_planar_predicates_h
+#define oversketch_kernels_planar_predicates_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // Refines a drawing's coarse mesh: each level cuts every face in four and puts what lies on strokes on them.
-#ifndef oversketch_planar_refine_h
-#define oversketch_planar_refine_h
+#ifndef oversketch_kernels_planar_refine_h
+#define oversketch_kernels_planar_refine_h
 
 #include "Mesh/context.h"
 #include "Planar/planar_mesh.h"

@@ -1,6 +1,6 @@
 // From strokes to the refined mesh, with what the guard hands back, for tests. Header-only; not installed.
-#ifndef oversketch_refine_runs_h
-#define oversketch_refine_runs_h
+#ifndef oversketch_kernels_planar_refine_runs_h
+#define oversketch_kernels_planar_refine_runs_h
 
 #include "Planar/darts.h"
 #include "Planar/merge_quads.h"

@@ -1,6 +1,6 @@
 // Drawings with coarse meshes made by hand, for tests of their refinement. Header-only; not installed.
-#ifndef oversketch_refine_shapes_h
-#define oversketch_refine_shapes_h
+#ifndef oversketch_kernels_planar_refine_shapes_h
+#define oversketch_kernels_planar_refine_shapes_h
 
 #include "Planar/face_edges.h"
 #include "Planar/refine.h"

@@ -1,6 +1,6 @@
 // What refinement hands back of the strokes, gathered over several rounds of making a mesh.
-#ifndef oversketch_splits_h
-#define oversketch_splits_h
+#ifndef oversketch_kernels_planar_splits_h
+#define oversketch_kernels_planar_splits_h
 
 #include "Planar/planar_mesh.h"
 

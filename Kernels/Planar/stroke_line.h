@@ -1,6 +1,6 @@
 // A stroke as the mesh takes it: its polyline's places, and what the stroke is.
-#ifndef oversketch_stroke_line_h
-#define oversketch_stroke_line_h
+#ifndef oversketch_kernels_planar_stroke_line_h
+#define oversketch_kernels_planar_stroke_line_h
 
 #include "Planar/planar_mesh.h"
 #include "Raster/distance_maps.h"

@@ -1,6 +1,6 @@
 // One level of subdivision of a planar mesh, with its edges on strokes snapped onto these.
-#ifndef oversketch_subdivide_h
-#define oversketch_subdivide_h
+#ifndef oversketch_kernels_planar_subdivide_h
+#define oversketch_kernels_planar_subdivide_h
 
 #include "Mesh/context.h"
 #include "Planar/face_edges.h"

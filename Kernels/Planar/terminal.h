@@ -1,6 +1,6 @@
 // Triangles that would make the doubled mesh no surface are divided.
-#ifndef oversketch_terminal_h
-#define oversketch_terminal_h
+#ifndef oversketch_kernels_planar_terminal_h
+#define oversketch_kernels_planar_terminal_h
 
 #include "Planar/planar_mesh.h"
 

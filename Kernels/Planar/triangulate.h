@@ -1,6 +1,6 @@
 // The coarse mesh of a drawing: the constrained Delaunay triangulation of its polylines.
-#ifndef oversketch_triangulate_h
-#define oversketch_triangulate_h
+#ifndef oversketch_kernels_planar_triangulate_h
+#define oversketch_kernels_planar_triangulate_h
 
 #include "Mesh/context.h"
 #include "Planar/planar_mesh.h"

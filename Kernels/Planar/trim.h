@@ -1,6 +1,6 @@
 // Cuts holes out of a drawing's mesh.
-#ifndef oversketch_planar_trim_h
-#define oversketch_planar_trim_h
+#ifndef oversketch_kernels_planar_trim_h
+#define oversketch_kernels_planar_trim_h
 
 #include "Planar/planar_mesh.h"
 #include "Raster/distance_maps.h"

@@ -1,6 +1,6 @@
 // Strokes stay clear of each other and of themselves when they are resampled.
-#ifndef oversketch_apart_h
-#define oversketch_apart_h
+#ifndef oversketch_kernels_raster_apart_h
+#define oversketch_kernels_raster_apart_h
 
 #include "Raster/classify.h"
 

@@ -1,6 +1,6 @@
 // Connected areas of a raster without lines.
-#ifndef oversketch_blobs_h
-#define oversketch_blobs_h
+#ifndef oversketch_kernels_raster_blobs_h
+#define oversketch_kernels_raster_blobs_h
 
 #include "Raster/frame.h"
 

@@ -1,6 +1,6 @@
 // What each stroke of a drawing is: an object's boundary, a closed or an open feature, or none of these.
-#ifndef oversketch_classify_h
-#define oversketch_classify_h
+#ifndef oversketch_kernels_raster_classify_h
+#define oversketch_kernels_raster_classify_h
 
 #include "Mesh/context.h"
 #include "Raster/blobs.h"

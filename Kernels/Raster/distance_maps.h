@@ -1,6 +1,6 @@
 // How far inside its object's rim each pixel is, and how thick the object is there.
-#ifndef oversketch_distance_maps_h
-#define oversketch_distance_maps_h
+#ifndef oversketch_kernels_raster_distance_maps_h
+#define oversketch_kernels_raster_distance_maps_h
 
 #include "Mesh/context.h"
 #include "Raster/classify.h"

@@ -1,6 +1,6 @@
 // The raster that a drawing's areas and distances are measured on: lines to pixels, areas to pixels.
-#ifndef oversketch_raster_frame_h
-#define oversketch_raster_frame_h
+#ifndef oversketch_kernels_raster_frame_h
+#define oversketch_kernels_raster_frame_h
 
 #include "Stroke/canvas.h"
 

@@ -1,7 +1,7 @@
 // Solves on the inside of objects: smooths thickness and heights, farther the thicker they are, and blows the
 // inside up like a membrane.
-#ifndef oversketch_grid_smoothing_h
-#define oversketch_grid_smoothing_h
+#ifndef oversketch_kernels_raster_grid_smoothing_h
+#define oversketch_kernels_raster_grid_smoothing_h
 
 #include "Mesh/context.h"
 #include "Raster/distance_maps.h"

@@ -1,6 +1,6 @@
 // Where strokes cross, touch or run over each other or themselves.
-#ifndef oversketch_meetings_h
-#define oversketch_meetings_h
+#ifndef oversketch_kernels_raster_meetings_h
+#define oversketch_kernels_raster_meetings_h
 
 #include "Mesh/context.h"
 #include "Stroke/polyline.h"

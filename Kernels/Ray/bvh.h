@@ -1,6 +1,6 @@
 // A bounding volume tree for devices that Embree does not reach, in the flat form that cast_rays.cl walks.
-#ifndef oversketch_bvh_h
-#define oversketch_bvh_h
+#ifndef oversketch_kernels_ray_bvh_h
+#define oversketch_kernels_ray_bvh_h
 
 #include "Ray/ray_caster.h"
 

@@ -1,6 +1,6 @@
 // Points along a space-filling curve: neighbours on it are neighbours in space.
-#ifndef oversketch_curve_h
-#define oversketch_curve_h
+#ifndef oversketch_kernels_ray_curve_h
+#define oversketch_kernels_ray_curve_h
 
 #include "Mesh/context.h"
 

@@ -1,6 +1,6 @@
 // A spline in the picture as curves on what is seen of a surface, sampled evenly along it.
-#ifndef oversketch_curve_projection_h
-#define oversketch_curve_projection_h
+#ifndef oversketch_kernels_ray_curve_projection_h
+#define oversketch_kernels_ray_curve_projection_h
 
 #include "Ray/projection.h"
 

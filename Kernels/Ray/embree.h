@@ -1,7 +1,7 @@
 // What the two users of Embree share: its header of either version, handles that let go, a ray. Not
 // installed.
-#ifndef oversketch_embree_h
-#define oversketch_embree_h
+#ifndef oversketch_kernels_ray_embree_h
+#define oversketch_kernels_ray_embree_h
 
 #include "Mesh/context.h"
 

@@ -1,6 +1,6 @@
 // What the shape diameter of one mesh spares that of the next.
-#ifndef oversketch_known_diameters_h
-#define oversketch_known_diameters_h
+#ifndef oversketch_kernels_ray_known_diameters_h
+#define oversketch_kernels_ray_known_diameters_h
 
 #include "Ray/ray_caster.h"
 #include "Ray/shape_diameter.h"

@@ -1,6 +1,6 @@
 // What two meshes have in common, bit for bit and whatever the numbers of vertices and facets.
-#ifndef oversketch_mesh_match_h
-#define oversketch_mesh_match_h
+#ifndef oversketch_kernels_ray_mesh_match_h
+#define oversketch_kernels_ray_mesh_match_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

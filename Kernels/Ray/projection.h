@@ -4,8 +4,8 @@
 // by default: strokes are made denser where the surface bends and cut where it leaps, since plain samples
 // step through the air at every occlusion (projectStroke); and a sketch comes back to the surface by the hit
 // next to the one before, since the first hit is often on the far side (SketchProjection::Line).
-#ifndef oversketch_projection_h
-#define oversketch_projection_h
+#ifndef oversketch_kernels_ray_projection_h
+#define oversketch_kernels_ray_projection_h
 
 #include "Mesh/view.h"
 #include "Ray/surface_rays.h"

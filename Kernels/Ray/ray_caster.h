@@ -1,6 +1,6 @@
 // First exits of rays from a triangle mesh, on the host (Embree) or on an OpenCL device.
-#ifndef oversketch_ray_caster_h
-#define oversketch_ray_caster_h
+#ifndef oversketch_kernels_ray_ray_caster_h
+#define oversketch_kernels_ray_ray_caster_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

@@ -1,7 +1,7 @@
 // Which facets the cones of rays may leave through, by bounds: how far from its origin a ray may start, and
 // which rays a change of the mesh can alter.
-#ifndef oversketch_ray_starts_h
-#define oversketch_ray_starts_h
+#ifndef oversketch_kernels_ray_ray_starts_h
+#define oversketch_kernels_ray_ray_starts_h
 
 #include "Ray/ray_caster.h"
 

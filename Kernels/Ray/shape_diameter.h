@@ -1,6 +1,6 @@
 // Shape diameter function: local thickness from cones of rays (SEED, Sec. 4.1).
-#ifndef oversketch_shape_diameter_h
-#define oversketch_shape_diameter_h
+#ifndef oversketch_kernels_ray_shape_diameter_h
+#define oversketch_kernels_ray_shape_diameter_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

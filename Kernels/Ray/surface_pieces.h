@@ -1,6 +1,6 @@
 // A stroke's samples on a surface, as the pieces that gaps leave of it. Not installed.
-#ifndef oversketch_surface_pieces_h
-#define oversketch_surface_pieces_h
+#ifndef oversketch_kernels_ray_surface_pieces_h
+#define oversketch_kernels_ray_surface_pieces_h
 
 #include "Ray/projection.h"
 

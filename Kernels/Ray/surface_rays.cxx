@@ -1,9 +1,9 @@
 #include "Ray/surface_rays.h"
 
 #include "Mesh/match.h"
+#include "Mesh/nearest.h"
 #include "Ray/embree.h"
 #include "Ray/ray_caster.h" // for RayFrame
-#include "Remesh/surface.h" // for closestWeights
 
 #include <algorithm>
 #include <cmath>

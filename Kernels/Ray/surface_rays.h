@@ -5,8 +5,8 @@
 // double precision, on the facet's own plane. Departure: Embree's own triangle test is not used, since the
 // facet that it takes near an edge may be the neighbour of the one that the ray meets, and recomputing the
 // hit there would leave the ray or the facet.
-#ifndef oversketch_surface_rays_h
-#define oversketch_surface_rays_h
+#ifndef oversketch_kernels_ray_surface_rays_h
+#define oversketch_kernels_ray_surface_rays_h
 
 #include "Mesh/context.h"
 #include "Mesh/place.h"

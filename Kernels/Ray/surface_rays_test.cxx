@@ -1,6 +1,6 @@
 #include "Harness/shapes.h"
+#include "Mesh/nearest.h"
 #include "Ray/surface_rays.h"
-#include "Remesh/surface.h"
 
 #include <gtest/gtest.h>
 

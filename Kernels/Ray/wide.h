@@ -1,8 +1,8 @@
 // Vectors of the compiler, for loops that compilers do not vectorise on their own. Within OVERSKETCH_CLONES
 // functions multiplications and additions may be contracted on processors that can, so none may feed a result
 // that has to be the same on every machine.
-#ifndef oversketch_wide_h
-#define oversketch_wide_h
+#ifndef oversketch_kernels_ray_wide_h
+#define oversketch_kernels_ray_wide_h
 
 #include "Mesh/clones.h"
 

@@ -1,6 +1,6 @@
 // Smoothing of the region's border (SEED, Sec. 4.4, Fig. 10).
-#ifndef oversketch_border_h
-#define oversketch_border_h
+#ifndef oversketch_kernels_region_border_h
+#define oversketch_kernels_region_border_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // The junction cut: an amendment of ours to the region of interest.
-#ifndef oversketch_cut_h
-#define oversketch_cut_h
+#ifndef oversketch_kernels_region_cut_h
+#define oversketch_kernels_region_cut_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

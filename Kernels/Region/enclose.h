@@ -1,6 +1,6 @@
 // The region of interest that a boundary drawn on the surface encloses.
-#ifndef oversketch_enclose_h
-#define oversketch_enclose_h
+#ifndef oversketch_kernels_region_enclose_h
+#define oversketch_kernels_region_enclose_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

@@ -1,6 +1,6 @@
 // The least cut of a graph between a source and a sink. A part of the junction cut.
-#ifndef oversketch_flow_h
-#define oversketch_flow_h
+#ifndef oversketch_kernels_region_flow_h
+#define oversketch_kernels_region_flow_h
 
 #include <vector>
 

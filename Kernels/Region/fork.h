@@ -1,6 +1,6 @@
 // The region stays on the near side of a fork: an amendment of ours to the region of interest.
-#ifndef oversketch_fork_h
-#define oversketch_fork_h
+#ifndef oversketch_kernels_region_fork_h
+#define oversketch_kernels_region_fork_h
 
 #include "Mesh/mesh.h"
 #include "Region/grow.h"

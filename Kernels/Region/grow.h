@@ -1,6 +1,6 @@
 // The region of interest: seeds, region growing and its amendments (SEED, Sec. 4.3, Eq. 8).
-#ifndef oversketch_grow_h
-#define oversketch_grow_h
+#ifndef oversketch_kernels_region_grow_h
+#define oversketch_kernels_region_grow_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

@@ -1,7 +1,7 @@
 // How far the region reaches: as far as the stroke leaves the section, and as far as is asked for. Amendments
 // of ours to the region of interest.
-#ifndef oversketch_reach_h
-#define oversketch_reach_h
+#ifndef oversketch_kernels_region_reach_h
+#define oversketch_kernels_region_reach_h
 
 #include "Mesh/mesh.h"
 

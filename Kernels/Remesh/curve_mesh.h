@@ -1,7 +1,7 @@
 // A mesh while curves are made edges of it: splits, flips and collapses, where new vertices come from, and
 // curves that are kept when their edges are split.
-#ifndef oversketch_curve_mesh_h
-#define oversketch_curve_mesh_h
+#ifndef oversketch_kernels_remesh_curve_mesh_h
+#define oversketch_kernels_remesh_curve_mesh_h
 
 #include "Mesh/mesh.h"
 #include "Mesh/mix.h"

@@ -1,7 +1,7 @@
 // Ways over a mesh from one vertex to another: along a plane, across its triangles, or over its edges. Not
 // installed.
-#ifndef oversketch_curve_walk_h
-#define oversketch_curve_walk_h
+#ifndef oversketch_kernels_remesh_curve_walk_h
+#define oversketch_kernels_remesh_curve_walk_h
 
 #include "Remesh/curve_mesh.h"
 

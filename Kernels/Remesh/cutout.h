@@ -1,6 +1,6 @@
 // The part of a mesh that a remeshing looks at, by itself.
-#ifndef oversketch_cutout_h
-#define oversketch_cutout_h
+#ifndef oversketch_kernels_remesh_cutout_h
+#define oversketch_kernels_remesh_cutout_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // Curves on a mesh become chains of its edges.
-#ifndef oversketch_insert_curves_h
-#define oversketch_insert_curves_h
+#ifndef oversketch_kernels_remesh_insert_curves_h
+#define oversketch_kernels_remesh_insert_curves_h
 
 #include "Mesh/context.h"
 #include "Mesh/mix.h"

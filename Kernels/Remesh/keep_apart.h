@@ -1,6 +1,6 @@
 // Vertices that have come to lie at one place.
-#ifndef oversketch_keep_apart_h
-#define oversketch_keep_apart_h
+#ifndef oversketch_kernels_remesh_keep_apart_h
+#define oversketch_kernels_remesh_keep_apart_h
 
 #include "Mesh/mesh.h"
 

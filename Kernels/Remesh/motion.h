@@ -1,7 +1,7 @@
 // The motion of an edit, and that between two meshes with the same triangles, at every place of the first
 // one.
-#ifndef oversketch_motion_h
-#define oversketch_motion_h
+#ifndef oversketch_kernels_remesh_motion_h
+#define oversketch_kernels_remesh_motion_h
 
 #include "Remesh/retriangulate.h"
 

@@ -1,4 +1,5 @@
 // The moves of incremental remeshing that change connectivity, and the tests that keep them safe.
+#include "Mesh/nearest.h"
 #include "Remesh/shape.h"
 
 namespace oversketch

@@ -1,6 +1,6 @@
 // The passes of incremental remeshing: one kind of move over all edges of a patch.
-#ifndef oversketch_passes_h
-#define oversketch_passes_h
+#ifndef oversketch_kernels_remesh_passes_h
+#define oversketch_kernels_remesh_passes_h
 
 #include "Mesh/context.h"
 #include "Remesh/patch.h"

@@ -8,8 +8,8 @@
 // Real models have edges that no half-edge structure can hold (three triangles, two wound against each
 // other); such edges, and those shared with a triangle outside, are walls: never moved, split or flipped. A
 // vertex whose triangles are not one closed fan of the patch is fixed and lists its triangles.
-#ifndef oversketch_patch_h
-#define oversketch_patch_h
+#ifndef oversketch_kernels_remesh_patch_h
+#define oversketch_kernels_remesh_patch_h
 
 #include "Remesh/surface.h"
 

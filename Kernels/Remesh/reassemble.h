@@ -1,6 +1,6 @@
 // A patch of a mesh, retriangulated, put back into it.
-#ifndef oversketch_reassemble_h
-#define oversketch_reassemble_h
+#ifndef oversketch_kernels_remesh_reassemble_h
+#define oversketch_kernels_remesh_reassemble_h
 
 #include "Remesh/cutout.h"
 #include "Remesh/patch.h"

@@ -1,5 +1,6 @@
 #include "Remesh/relax.h"
 
+#include "Mesh/nearest.h"
 #include "Remesh/shape.h"
 
 namespace oversketch

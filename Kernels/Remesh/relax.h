@@ -1,6 +1,6 @@
 // Tangential relaxation of a patch: all vertices at once, and back where that is unsafe.
-#ifndef oversketch_relax_h
-#define oversketch_relax_h
+#ifndef oversketch_kernels_remesh_relax_h
+#define oversketch_kernels_remesh_relax_h
 
 #include "Mesh/context.h"
 #include "Remesh/patch.h"

@@ -1,6 +1,6 @@
 // Incremental remeshing of a region to target edge lengths, with where every corner came from.
-#ifndef oversketch_remesh_h
-#define oversketch_remesh_h
+#ifndef oversketch_kernels_remesh_remesh_h
+#define oversketch_kernels_remesh_remesh_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

@@ -1,6 +1,6 @@
 // New triangles for a region that an edit has moved.
-#ifndef oversketch_retriangulate_h
-#define oversketch_retriangulate_h
+#ifndef oversketch_kernels_remesh_retriangulate_h
+#define oversketch_kernels_remesh_retriangulate_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

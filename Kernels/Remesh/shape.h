@@ -1,6 +1,6 @@
 // What the moves of remeshing ask of triangles and their normals.
-#ifndef oversketch_shape_h
-#define oversketch_shape_h
+#ifndef oversketch_kernels_remesh_shape_h
+#define oversketch_kernels_remesh_shape_h
 
 #include "Remesh/patch.h"
 

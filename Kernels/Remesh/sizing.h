@@ -1,6 +1,6 @@
 // How long the edges of a remeshed region shall be.
-#ifndef oversketch_sizing_h
-#define oversketch_sizing_h
+#ifndef oversketch_kernels_remesh_sizing_h
+#define oversketch_kernels_remesh_sizing_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // Edges are split where an edit is to stretch or bend them, before it does.
-#ifndef oversketch_splitting_h
-#define oversketch_splitting_h
+#ifndef oversketch_kernels_remesh_splitting_h
+#define oversketch_kernels_remesh_splitting_h
 
 #include "Remesh/cutout.h"
 #include "Remesh/passes.h"

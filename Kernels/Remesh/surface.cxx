@@ -1,5 +1,7 @@
 #include "Remesh/surface.h"
 
+#include "Mesh/nearest.h"
+
 #include <algorithm>
 #include <numeric>
 

@@ -1,6 +1,6 @@
 // Places that have a vertex, so that no other one comes there. Header-only.
-#ifndef oversketch_taken_places_h
-#define oversketch_taken_places_h
+#ifndef oversketch_kernels_remesh_taken_places_h
+#define oversketch_kernels_remesh_taken_places_h
 
 #include "Mesh/mesh.h"
 

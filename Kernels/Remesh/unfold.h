@@ -1,6 +1,6 @@
 // The last pass of remeshing: folds that the deformation made are taken out.
-#ifndef oversketch_unfold_h
-#define oversketch_unfold_h
+#ifndef oversketch_kernels_remesh_unfold_h
+#define oversketch_kernels_remesh_unfold_h
 
 #include "Mesh/context.h"
 #include "Remesh/patch.h"

@@ -1,6 +1,6 @@
 // A region follows a profile that was drawn anew.
-#ifndef oversketch_section_follow_h
-#define oversketch_section_follow_h
+#ifndef oversketch_kernels_section_follow_h
+#define oversketch_kernels_section_follow_h
 
 #include "Matrix/frames.h"
 #include "Section/profile.h"

@@ -1,6 +1,6 @@
 // A cross-section as a flat profile that can be drawn anew, and what a new one does to each place of it.
-#ifndef oversketch_section_profile_h
-#define oversketch_section_profile_h
+#ifndef oversketch_kernels_section_profile_h
+#define oversketch_kernels_section_profile_h
 
 #include "Matrix/frames.h"
 #include "Matrix/logarithm.h"

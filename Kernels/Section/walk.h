@@ -1,6 +1,6 @@
 // A surface's cross-section by a plane, from one side of a region to the other.
-#ifndef oversketch_section_walk_h
-#define oversketch_section_walk_h
+#ifndef oversketch_kernels_section_walk_h
+#define oversketch_kernels_section_walk_h
 
 #include "Matrix/frames.h"
 #include "Mesh/place.h"

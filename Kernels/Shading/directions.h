@@ -1,6 +1,6 @@
 // Directions at the vertices of a mesh, as angles over their triangles.
-#ifndef oversketch_directions_h
-#define oversketch_directions_h
+#ifndef oversketch_kernels_shading_directions_h
+#define oversketch_kernels_shading_directions_h
 
 #include "Mesh/mesh.h"
 

@@ -1,7 +1,7 @@
 // How far a patch's vertices are from its reference curve on the way to its boundary, and beside which place
 // of the curve they lie.
-#ifndef oversketch_fields_h
-#define oversketch_fields_h
+#ifndef oversketch_kernels_shading_fields_h
+#define oversketch_kernels_shading_fields_h
 
 #include "Mesh/mesh.h"
 #include "Shading/front.h"

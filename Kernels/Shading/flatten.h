@@ -1,6 +1,6 @@
 // A patch of a surface as a disc, to look at and to paint.
-#ifndef oversketch_flatten_h
-#define oversketch_flatten_h
+#ifndef oversketch_kernels_shading_flatten_h
+#define oversketch_kernels_shading_flatten_h
 
 #include "Mesh/disc.h"
 #include "Mesh/mesh.h"

@@ -1,6 +1,6 @@
 // A front that goes over a surface from a curve on it.
-#ifndef oversketch_front_h
-#define oversketch_front_h
+#ifndef oversketch_kernels_shading_front_h
+#define oversketch_kernels_shading_front_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // Layers as a text says them, for parameters of filters and for files.
-#ifndef oversketch_layer_list_h
-#define oversketch_layer_list_h
+#ifndef oversketch_kernels_shading_layer_list_h
+#define oversketch_kernels_shading_layer_list_h
 
 #include "Shading/layers.h"
 

@@ -1,6 +1,6 @@
 // Layers of grey between a reference curve and the boundary round it, and the handles that pull at them.
-#ifndef oversketch_layers_h
-#define oversketch_layers_h
+#ifndef oversketch_kernels_shading_layers_h
+#define oversketch_kernels_shading_layers_h
 
 #include <utility>
 #include <vector>

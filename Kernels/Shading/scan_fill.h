@@ -1,6 +1,6 @@
 // Which pixels lie in a drawn polygon.
-#ifndef oversketch_scan_fill_h
-#define oversketch_scan_fill_h
+#ifndef oversketch_kernels_shading_scan_fill_h
+#define oversketch_kernels_shading_scan_fill_h
 
 #include <array>
 #include <vector>

@@ -1,6 +1,6 @@
 // The disc as a square picture: values on its texels, and the layers of areas that were selected on it.
-#ifndef oversketch_texels_h
-#define oversketch_texels_h
+#ifndef oversketch_kernels_shading_texels_h
+#define oversketch_kernels_shading_texels_h
 
 #include "Shading/layers.h"
 

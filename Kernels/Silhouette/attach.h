@@ -1,6 +1,6 @@
 // Attaching the visible silhouette to the outline of a mesh's picture (amendment to SEED, Sec. 3.3).
-#ifndef oversketch_attach_h
-#define oversketch_attach_h
+#ifndef oversketch_kernels_silhouette_attach_h
+#define oversketch_kernels_silhouette_attach_h
 
 #include "Silhouette/outline.h"
 

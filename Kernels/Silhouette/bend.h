@@ -1,6 +1,6 @@
 // How much a curve bends at a point, and whether that matters. A part of the snake.
-#ifndef oversketch_bend_h
-#define oversketch_bend_h
+#ifndef oversketch_kernels_silhouette_bend_h
+#define oversketch_kernels_silhouette_bend_h
 
 #include "Silhouette/curves.h"
 #include "Silhouette/edge_smoothness.h"

@@ -7,7 +7,7 @@
 namespace oversketch
 {
 
-std::vector<Correction> correctOutline(const Mesh& deformed,
+std::vector<OutlineCorrection> correctOutline(const Mesh& deformed,
   const std::vector<char>& chosen,
   const Polyline& stroke,
   const View& view,
@@ -25,7 +25,7 @@ std::vector<Correction> correctOutline(const Mesh& deformed,
   }
   const NearestPlace pen(stroke);
   const std::vector<double> lengths = arcLengths(stroke);
-  std::vector<Correction> corrections;
+  std::vector<OutlineCorrection> corrections;
   if (!(lengths.back() > 0.0))
   {
     return corrections;

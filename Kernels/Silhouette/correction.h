@@ -1,7 +1,7 @@
 // What the deformed mesh's outline still lacks to follow the stroke: further control points (an amendment to
 // SEED).
-#ifndef oversketch_correction_h
-#define oversketch_correction_h
+#ifndef oversketch_kernels_silhouette_correction_h
+#define oversketch_kernels_silhouette_correction_h
 
 #include "Mesh/context.h"
 #include "Mesh/view.h"
@@ -12,7 +12,7 @@
 namespace oversketch
 {
 
-struct Correction
+struct OutlineCorrection
 {
   int vertex = -1;
   double relative = 0.0;            // of the place on the stroke that it is pulled to
@@ -23,7 +23,7 @@ struct Correction
 // into the outline. Returns the chosen vertices that now lie on the outline of the mesh (within 1 px), where
 // it is between `tolerance` and `reach` px off the stroke's part from omega to 1 - omega, by rising vertex;
 // the target shifts a vertex as the outline beside it must shift to lie on the stroke.
-std::vector<Correction> correctOutline(const Mesh& deformed,
+std::vector<OutlineCorrection> correctOutline(const Mesh& deformed,
   const std::vector<char>& chosen,
   const Polyline& stroke,
   const View& view,

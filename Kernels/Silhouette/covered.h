@@ -1,6 +1,6 @@
 // The pixels of a mesh's picture, line by line: what its triangles cover of each, exactly.
-#ifndef oversketch_covered_h
-#define oversketch_covered_h
+#ifndef oversketch_kernels_silhouette_covered_h
+#define oversketch_kernels_silhouette_covered_h
 
 #include "Mesh/mesh.h"
 #include "Mesh/view.h"

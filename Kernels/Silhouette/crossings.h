@@ -1,6 +1,6 @@
 // Crossings of polylines on the image plane.
-#ifndef oversketch_crossings_h
-#define oversketch_crossings_h
+#ifndef oversketch_kernels_silhouette_crossings_h
+#define oversketch_kernels_silhouette_crossings_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // Curves on a mesh: the silhouette and what becomes of it.
-#ifndef oversketch_curves_h
-#define oversketch_curves_h
+#ifndef oversketch_kernels_silhouette_curves_h
+#define oversketch_kernels_silhouette_curves_h
 
 #include "Mesh/place.h"
 

@@ -1,6 +1,6 @@
 // E_smth of a snaxel as it moves along its edge. A part of the snake.
-#ifndef oversketch_edge_smoothness_h
-#define oversketch_edge_smoothness_h
+#ifndef oversketch_kernels_silhouette_edge_smoothness_h
+#define oversketch_kernels_silhouette_edge_smoothness_h
 
 #include "Mesh/mesh.h"
 

@@ -1,7 +1,7 @@
 // What a stroke has done to a mesh, in figures and in words (no part of SEED: who draws has to be told when
 // the result is not what was drawn).
-#ifndef oversketch_effect_h
-#define oversketch_effect_h
+#ifndef oversketch_kernels_silhouette_effect_h
+#define oversketch_kernels_silhouette_effect_h
 
 #include "Silhouette/judgement.h"
 

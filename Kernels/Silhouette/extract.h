@@ -1,6 +1,6 @@
 // Silhouette extraction (SEED, Sec. 3.1, Eq. 1).
-#ifndef oversketch_extract_h
-#define oversketch_extract_h
+#ifndef oversketch_kernels_silhouette_extract_h
+#define oversketch_kernels_silhouette_extract_h
 
 #include "Mesh/context.h"
 #include "Mesh/view.h"

@@ -1,7 +1,7 @@
 // Where curve points hang on the mesh: their triangles, and the triangles round a vertex. A part of the
 // snake.
-#ifndef oversketch_fan_h
-#define oversketch_fan_h
+#ifndef oversketch_kernels_silhouette_fan_h
+#define oversketch_kernels_silhouette_fan_h
 
 #include "Silhouette/curves.h"
 

@@ -1,6 +1,6 @@
 // When remeshing is worth it, and whether its result may be kept (specification, amendment 13.9).
-#ifndef oversketch_judgement_h
-#define oversketch_judgement_h
+#ifndef oversketch_kernels_silhouette_judgement_h
+#define oversketch_kernels_silhouette_judgement_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

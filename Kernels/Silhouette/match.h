@@ -1,6 +1,6 @@
 // Matching a stroke to a section of the silhouette (SEED, Sec. 3.3, Eq. 3). Image-plane geometry.
-#ifndef oversketch_match_h
-#define oversketch_match_h
+#ifndef oversketch_kernels_silhouette_match_h
+#define oversketch_kernels_silhouette_match_h
 
 #include "Mesh/context.h"
 #include "Stroke/polyline.h"

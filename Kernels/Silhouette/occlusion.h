@@ -1,6 +1,6 @@
 // Which points of the picture lie behind triangles: the triangle x point test of SEED, Sec. 3.2.
-#ifndef oversketch_occlusion_h
-#define oversketch_occlusion_h
+#ifndef oversketch_kernels_silhouette_occlusion_h
+#define oversketch_kernels_silhouette_occlusion_h
 
 #include "Mesh/context.h"
 #include "Mesh/view.h"

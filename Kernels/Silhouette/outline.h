@@ -1,7 +1,7 @@
 // The outline of a mesh's picture: the loops round the pixels it covers, and the silhouette attached to them
 // (amendment to SEED, Sec. 3.3). Pure image-plane geometry; depth comes with the silhouette points.
-#ifndef oversketch_outline_h
-#define oversketch_outline_h
+#ifndef oversketch_kernels_silhouette_outline_h
+#define oversketch_kernels_silhouette_outline_h
 
 #include "Mesh/context.h"
 #include "Mesh/view.h"

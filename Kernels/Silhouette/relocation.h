@@ -1,6 +1,6 @@
 // Relocation of edge snaxels, eight at a time, as far as that takes no search. A part of the snake.
-#ifndef oversketch_relocation_h
-#define oversketch_relocation_h
+#ifndef oversketch_kernels_silhouette_relocation_h
+#define oversketch_kernels_silhouette_relocation_h
 
 #include "Silhouette/edge_smoothness.h"
 

@@ -1,7 +1,7 @@
 // The sections of the silhouette that look like a stroke, wherever a hand put it (amendment to SEED,
 // Sec. 3.3). Image-plane geometry.
-#ifndef oversketch_shape_search_h
-#define oversketch_shape_search_h
+#ifndef oversketch_kernels_silhouette_shape_search_h
+#define oversketch_kernels_silhouette_shape_search_h
 
 #include "Silhouette/match.h"
 

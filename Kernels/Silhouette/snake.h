@@ -1,6 +1,6 @@
 // Silhouette smoothing by a greedy snake that lives on the mesh (SEED, Sec. 3.1, Eq. 2, Figs. 4 and 5).
-#ifndef oversketch_snake_h
-#define oversketch_snake_h
+#ifndef oversketch_kernels_silhouette_snake_h
+#define oversketch_kernels_silhouette_snake_h
 
 #include "Mesh/context.h"
 #include "Mesh/view.h"

@@ -1,6 +1,6 @@
 // From the matched section and the stroke to displacement targets (SEED, Sec. 3.4, Eqs. 4 to 7).
-#ifndef oversketch_targets_h
-#define oversketch_targets_h
+#ifndef oversketch_kernels_silhouette_targets_h
+#define oversketch_kernels_silhouette_targets_h
 
 #include "Mesh/context.h"
 #include "Mesh/view.h"

@@ -1,6 +1,6 @@
 // Hidden-part removal of silhouette curves (SEED, Sec. 3.2, Fig. 6).
-#ifndef oversketch_visibility_h
-#define oversketch_visibility_h
+#ifndef oversketch_kernels_silhouette_visibility_h
+#define oversketch_kernels_silhouette_visibility_h
 
 #include "Mesh/view.h"
 #include "OpenCL/device.h"

@@ -1,6 +1,6 @@
 // A sparse symmetric matrix of small dense blocks, one block row and column for each node of a graph.
-#ifndef oversketch_block_matrix_h
-#define oversketch_block_matrix_h
+#ifndef oversketch_kernels_sparse_block_matrix_h
+#define oversketch_kernels_sparse_block_matrix_h
 
 #include "Mesh/mesh.h"
 

@@ -2,8 +2,8 @@
 //
 // Why not a library: Eigen's simplicial factors work entry by entry, on one thread, and cannot be cancelled;
 // CHOLMOD's supernodal one is under the GPL and is only as fast as the BLAS that the system has.
-#ifndef oversketch_cholesky_h
-#define oversketch_cholesky_h
+#ifndef oversketch_kernels_sparse_cholesky_h
+#define oversketch_kernels_sparse_cholesky_h
 
 #include "Mesh/context.h"
 #include "Sparse/block_matrix.h"

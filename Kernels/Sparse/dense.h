@@ -8,8 +8,8 @@
 // program starts. Results are the same from run to run and for any number of threads on one machine; between
 // machines they differ by rounding, as fused multiply-add rounds once: it saves half the time of a
 // factorisation.
-#ifndef oversketch_dense_h
-#define oversketch_dense_h
+#ifndef oversketch_kernels_sparse_dense_h
+#define oversketch_kernels_sparse_dense_h
 
 namespace oversketch
 {

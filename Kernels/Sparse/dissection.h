@@ -4,8 +4,8 @@
 // whole factorisation (the benchmark "Laplacian order"); minimum degree (AMD) takes more than half of that,
 // and its tree has no large independent parts for threads. A mesh has coordinates: a cut through them takes a
 // tenth of METIS's time, for a factor with half as many entries again, zeros of its panels included.
-#ifndef oversketch_dissection_h
-#define oversketch_dissection_h
+#ifndef oversketch_kernels_sparse_dissection_h
+#define oversketch_kernels_sparse_dissection_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

@@ -1,7 +1,7 @@
 // Dragging: handles that move together by one vector move everything else in proportion, so that one solve
 // serves all places of the hand.
-#ifndef oversketch_drag_h
-#define oversketch_drag_h
+#ifndef oversketch_kernels_sparse_drag_h
+#define oversketch_kernels_sparse_drag_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

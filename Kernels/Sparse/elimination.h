@@ -1,7 +1,7 @@
 // In which order a sparse symmetric matrix is eliminated, and the shape of its Cholesky factor: what depends
 // on the pattern alone and serves any number of matrices.
-#ifndef oversketch_elimination_h
-#define oversketch_elimination_h
+#ifndef oversketch_kernels_sparse_elimination_h
+#define oversketch_kernels_sparse_elimination_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

@@ -1,7 +1,7 @@
 // Laplacian deformation of a region of a mesh: keep each vertex's Laplacian coordinate as far as possible,
 // pull handles to their targets, hold the region's border.
-#ifndef oversketch_laplacian_h
-#define oversketch_laplacian_h
+#ifndef oversketch_kernels_sparse_laplacian_h
+#define oversketch_kernels_sparse_laplacian_h
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"

@@ -1,7 +1,7 @@
 // Memory that factors lie in, kept from one to the next: the system hands new memory out page by page, which
 // takes as long as a factorisation.
-#ifndef oversketch_memory_h
-#define oversketch_memory_h
+#ifndef oversketch_kernels_sparse_memory_h
+#define oversketch_kernels_sparse_memory_h
 
 #include <cstddef>
 #include <cstdlib>

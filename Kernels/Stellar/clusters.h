@@ -1,6 +1,6 @@
 // Simplification by clusters of four faces, with the way back to the original surface.
-#ifndef oversketch_stellar_clusters_h
-#define oversketch_stellar_clusters_h
+#ifndef oversketch_kernels_stellar_clusters_h
+#define oversketch_kernels_stellar_clusters_h
 
 #include "Stellar/parametrisation.h"
 

@@ -1,6 +1,6 @@
 // Places along a feature's crest, by which is told how well the mesh holds it.
-#ifndef oversketch_stellar_crest_h
-#define oversketch_stellar_crest_h
+#ifndef oversketch_kernels_stellar_crest_h
+#define oversketch_kernels_stellar_crest_h
 
 #include "Mesh/place.h"
 #include "Stellar/passage.h"

@@ -1,6 +1,6 @@
 // Where feature curves cross edges of a 4-8 mesh.
-#ifndef oversketch_stellar_crossings_h
-#define oversketch_stellar_crossings_h
+#ifndef oversketch_kernels_stellar_crossings_h
+#define oversketch_kernels_stellar_crossings_h
 
 #include "Stellar/forest.h"
 

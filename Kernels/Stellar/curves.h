@@ -1,6 +1,6 @@
 // Feature curves C on a mesh, and the search for what is nearest on them.
-#ifndef oversketch_stellar_curves_h
-#define oversketch_stellar_curves_h
+#ifndef oversketch_kernels_stellar_curves_h
+#define oversketch_kernels_stellar_curves_h
 
 #include "Mesh/place.h"
 

@@ -1,6 +1,6 @@
 // What keeps a triangle mesh from being the base of a 4-8 mesh.
-#ifndef oversketch_stellar_defects_h
-#define oversketch_stellar_defects_h
+#ifndef oversketch_kernels_stellar_defects_h
+#define oversketch_kernels_stellar_defects_h
 
 #include "Mesh/mesh.h"
 

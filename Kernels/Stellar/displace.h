@@ -1,7 +1,7 @@
 // Feature creation: vertices near feature curves rise along their normals, or follow a silhouette sketch
 // (section III-C.2 of "Sketch-based Adaptive Mesh Augmentation using Stellar Operators").
-#ifndef oversketch_stellar_displace_h
-#define oversketch_stellar_displace_h
+#ifndef oversketch_kernels_stellar_displace_h
+#define oversketch_kernels_stellar_displace_h
 
 #include "Mesh/place.h"
 #include "Stellar/distance.h"

@@ -1,6 +1,6 @@
 // Distances of vertices from feature curves, over the surface or through space.
-#ifndef oversketch_stellar_distance_h
-#define oversketch_stellar_distance_h
+#ifndef oversketch_kernels_stellar_distance_h
+#define oversketch_kernels_stellar_distance_h
 
 #include "Stellar/forest.h"
 

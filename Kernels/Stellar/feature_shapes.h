@@ -1,6 +1,6 @@
 // 4-8 meshes and feature curves with known answers, for the tests of features in this folder. Header-only.
-#ifndef oversketch_stellar_feature_shapes_h
-#define oversketch_stellar_feature_shapes_h
+#ifndef oversketch_kernels_stellar_feature_shapes_h
+#define oversketch_kernels_stellar_feature_shapes_h
 
 #include "Stellar/forest_shapes.h"
 #include "Stellar/refine.h"

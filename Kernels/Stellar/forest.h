@@ -1,7 +1,7 @@
 // The 4-8 mesh: the leaves of a forest of binary trees of triangles, refined and coarsened by edge splits and
 // their inverse, always conforming (Velho and Zorin's 4-8 meshes, Velho's stellar operators).
-#ifndef oversketch_stellar_forest_h
-#define oversketch_stellar_forest_h
+#ifndef oversketch_kernels_stellar_forest_h
+#define oversketch_kernels_stellar_forest_h
 
 #include "Stellar/curves.h"
 

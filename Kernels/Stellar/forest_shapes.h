@@ -1,6 +1,6 @@
 // Forests with known answers and what is asked of them, for the tests of this folder. Header-only.
-#ifndef oversketch_stellar_forest_shapes_h
-#define oversketch_stellar_forest_shapes_h
+#ifndef oversketch_kernels_stellar_forest_shapes_h
+#define oversketch_kernels_stellar_forest_shapes_h
 
 #include "Harness/data.h"
 #include "Harness/shapes.h"

@@ -1,6 +1,6 @@
 // A 4-8 mesh as arrays and back: the leaves alone encode the forest.
-#ifndef oversketch_stellar_leaves_h
-#define oversketch_stellar_leaves_h
+#ifndef oversketch_kernels_stellar_leaves_h
+#define oversketch_kernels_stellar_leaves_h
 
 #include "Stellar/forest.h"
 

@@ -1,6 +1,6 @@
 // Vertices of a 4-8 mesh that feature curves need, which simplification keeps.
-#ifndef oversketch_stellar_needed_h
-#define oversketch_stellar_needed_h
+#ifndef oversketch_kernels_stellar_needed_h
+#define oversketch_kernels_stellar_needed_h
 
 #include "Stellar/distance.h"
 #include "Stellar/passage.h"

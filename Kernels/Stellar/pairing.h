@@ -1,6 +1,6 @@
 // A 4-8 base mesh from any triangle mesh: triangles in pairs, the rest in thirds.
-#ifndef oversketch_stellar_pairing_h
-#define oversketch_stellar_pairing_h
+#ifndef oversketch_kernels_stellar_pairing_h
+#define oversketch_kernels_stellar_pairing_h
 
 #include "Stellar/forest.h"
 

@@ -1,6 +1,6 @@
 // What a simplified surface was: from a place on it to the original surface and back.
-#ifndef oversketch_stellar_parametrisation_h
-#define oversketch_stellar_parametrisation_h
+#ifndef oversketch_kernels_stellar_parametrisation_h
+#define oversketch_kernels_stellar_parametrisation_h
 
 #include "Mesh/place.h"
 #include "Stellar/pairing.h"

@@ -1,6 +1,6 @@
 // The faces of a 4-8 mesh that feature curves pass through.
-#ifndef oversketch_stellar_passage_h
-#define oversketch_stellar_passage_h
+#ifndef oversketch_kernels_stellar_passage_h
+#define oversketch_kernels_stellar_passage_h
 
 #include "Stellar/forest.h"
 

@@ -1,6 +1,6 @@
 // What a stroke would make, drawn from its curves alone while the pen is down.
-#ifndef oversketch_stellar_preview_h
-#define oversketch_stellar_preview_h
+#ifndef oversketch_kernels_stellar_preview_h
+#define oversketch_kernels_stellar_preview_h
 
 #include "Stellar/curves.h"
 

@@ -1,7 +1,7 @@
 // How high a feature stands at a distance from its curve: Eq. 1 of "Sketch-based Adaptive Mesh Augmentation
 // using Stellar Operators", or a polyline in its place.
-#ifndef oversketch_profile_h
-#define oversketch_profile_h
+#ifndef oversketch_kernels_stellar_profile_h
+#define oversketch_kernels_stellar_profile_h
 
 #include "Mesh/graph.h"
 

@@ -1,6 +1,6 @@
 // Shapes of triangles: what a move may do to them.
-#ifndef oversketch_stellar_quality_h
-#define oversketch_stellar_quality_h
+#ifndef oversketch_kernels_stellar_quality_h
+#define oversketch_kernels_stellar_quality_h
 
 #include "Stellar/forest.h"
 

@@ -1,6 +1,6 @@
 // Refines a 4-8 mesh where feature curves are near.
-#ifndef oversketch_stellar_refine_h
-#define oversketch_stellar_refine_h
+#ifndef oversketch_kernels_stellar_refine_h
+#define oversketch_kernels_stellar_refine_h
 
 #include "Stellar/distance.h"
 #include "Stellar/forest.h"

@@ -1,6 +1,6 @@
 // Welds what a 4-8 mesh does not need.
-#ifndef oversketch_stellar_simplify_h
-#define oversketch_stellar_simplify_h
+#ifndef oversketch_kernels_stellar_simplify_h
+#define oversketch_kernels_stellar_simplify_h
 
 #include "Stellar/displace.h"
 

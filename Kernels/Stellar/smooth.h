@@ -1,7 +1,7 @@
 // Tangential smoothing: evens out the triangles that snapping has squeezed (section III-C.1 of "Sketch-based
 // Adaptive Mesh Augmentation using Stellar Operators", after Botsch and Kobbelt 2004).
-#ifndef oversketch_stellar_smooth_h
-#define oversketch_stellar_smooth_h
+#ifndef oversketch_kernels_stellar_smooth_h
+#define oversketch_kernels_stellar_smooth_h
 
 #include "Stellar/forest.h"
 

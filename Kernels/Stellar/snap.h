@@ -1,7 +1,7 @@
 // Snapping: vertices go to where feature curves cross their edges, so that edges follow the curves (section
 // III-C.1 of "Sketch-based Adaptive Mesh Augmentation using Stellar Operators").
-#ifndef oversketch_stellar_snap_h
-#define oversketch_stellar_snap_h
+#ifndef oversketch_kernels_stellar_snap_h
+#define oversketch_kernels_stellar_snap_h
 
 #include "Stellar/forest.h"
 

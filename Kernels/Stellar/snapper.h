@@ -1,6 +1,6 @@
 // The work of snap.h, in steps: what it knows of a mesh while it snaps. Private to this folder.
-#ifndef oversketch_stellar_snapper_h
-#define oversketch_stellar_snapper_h
+#ifndef oversketch_kernels_stellar_snapper_h
+#define oversketch_kernels_stellar_snapper_h
 
 #include "Stellar/crossings.h"
 #include "Stellar/snap.h"

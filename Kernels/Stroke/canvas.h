@@ -1,7 +1,7 @@
 // The canvas of a drawing: a rectangle of the world's plane z = 0, and how what the pen drew comes to it.
 // Source: image-assisted modelling, sections 0 to 2.
-#ifndef oversketch_canvas_h
-#define oversketch_canvas_h
+#ifndef oversketch_kernels_stroke_canvas_h
+#define oversketch_kernels_stroke_canvas_h
 
 #include "Mesh/view.h"
 #include "Stroke/polyline.h"

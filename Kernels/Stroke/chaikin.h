@@ -1,6 +1,6 @@
 // Corners cut off a polyline.
-#ifndef oversketch_chaikin_h
-#define oversketch_chaikin_h
+#ifndef oversketch_kernels_stroke_chaikin_h
+#define oversketch_kernels_stroke_chaikin_h
 
 #include "Stroke/polyline.h"
 

@@ -1,6 +1,6 @@
 // A stroke drawn over a drawing corrects one of its strokes, or is a new one.
-#ifndef oversketch_correct_h
-#define oversketch_correct_h
+#ifndef oversketch_kernels_stroke_correct_h
+#define oversketch_kernels_stroke_correct_h
 
 #include "Stroke/resketch.h"
 

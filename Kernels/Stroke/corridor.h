@@ -1,6 +1,6 @@
 // A drawn stroke over a picture's edges, and the paths along them beside it. Private to this folder.
-#ifndef oversketch_corridor_h
-#define oversketch_corridor_h
+#ifndef oversketch_kernels_stroke_corridor_h
+#define oversketch_kernels_stroke_corridor_h
 
 #include "Stroke/livewire.h"
 

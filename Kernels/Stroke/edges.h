@@ -1,6 +1,6 @@
 // Edges of a picture, what the livewire follows.
-#ifndef oversketch_edges_h
-#define oversketch_edges_h
+#ifndef oversketch_kernels_stroke_edges_h
+#define oversketch_kernels_stroke_edges_h
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 // A stroke as a spline, and the places of the picture that the spline runs through.
-#ifndef oversketch_fit_h
-#define oversketch_fit_h
+#ifndef oversketch_kernels_stroke_fit_h
+#define oversketch_kernels_stroke_fit_h
 
 #include "Mesh/view.h"
 #include "Stroke/nurbs.h"

@@ -1,6 +1,6 @@
 // The cheapest way along a picture's edges between two pixels.
-#ifndef oversketch_least_path_h
-#define oversketch_least_path_h
+#ifndef oversketch_kernels_stroke_least_path_h
+#define oversketch_kernels_stroke_least_path_h
 
 #include "Mesh/context.h"
 #include "Stroke/edges.h"

@@ -1,6 +1,6 @@
 // A drawn stroke moves to the edges of the picture under it: intelligent scissors in a corridor.
-#ifndef oversketch_livewire_h
-#define oversketch_livewire_h
+#ifndef oversketch_kernels_stroke_livewire_h
+#define oversketch_kernels_stroke_livewire_h
 
 #include "Mesh/context.h"
 #include "Stroke/least_path.h"

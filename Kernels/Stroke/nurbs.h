@@ -1,6 +1,6 @@
 // Splines over the samples of a stroke.
-#ifndef oversketch_nurbs_h
-#define oversketch_nurbs_h
+#ifndef oversketch_kernels_stroke_nurbs_h
+#define oversketch_kernels_stroke_nurbs_h
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 // The search for the cheapest ways over the pixels of a field. Private to this folder.
-#ifndef oversketch_path_search_h
-#define oversketch_path_search_h
+#ifndef oversketch_kernels_stroke_path_search_h
+#define oversketch_kernels_stroke_path_search_h
 
 #include "Stroke/least_path.h"
 #include "Stroke/place_queue.h"

@@ -1,6 +1,6 @@
 // The places that a search for cheapest ways has still to leave. Private to this folder.
-#ifndef oversketch_place_queue_h
-#define oversketch_place_queue_h
+#ifndef oversketch_kernels_stroke_place_queue_h
+#define oversketch_kernels_stroke_place_queue_h
 
 #include <algorithm>
 #include <array>

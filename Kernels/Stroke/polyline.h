@@ -1,6 +1,6 @@
 // Polylines in the image plane: lengths, places on them, the nearest place, uniform sampling.
-#ifndef oversketch_polyline_h
-#define oversketch_polyline_h
+#ifndef oversketch_kernels_stroke_polyline_h
+#define oversketch_kernels_stroke_polyline_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // A canvas stroke at samples of nearly uniform distance.
-#ifndef oversketch_resample_h
-#define oversketch_resample_h
+#ifndef oversketch_kernels_stroke_resample_h
+#define oversketch_kernels_stroke_resample_h
 
 #include "Stroke/polyline.h"
 

@@ -1,6 +1,6 @@
 // A curve drawn over a part of another one replaces that part.
-#ifndef oversketch_resketch_h
-#define oversketch_resketch_h
+#ifndef oversketch_kernels_stroke_resketch_h
+#define oversketch_kernels_stroke_resketch_h
 
 #include "Stroke/polyline.h"
 

@@ -1,6 +1,6 @@
 // Where a line in the plane crosses itself.
-#ifndef oversketch_self_crossing_h
-#define oversketch_self_crossing_h
+#ifndef oversketch_kernels_stroke_self_crossing_h
+#define oversketch_kernels_stroke_self_crossing_h
 
 #include "Stroke/polyline.h"
 

@@ -1,6 +1,6 @@
 // What is done to a stroke before anything looks at it.
-#ifndef oversketch_stroke_h
-#define oversketch_stroke_h
+#ifndef oversketch_kernels_stroke_stroke_h
+#define oversketch_kernels_stroke_stroke_h
 
 #include "Stroke/polyline.h"
 

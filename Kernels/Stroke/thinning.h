@@ -1,6 +1,6 @@
 // Fewer samples: what a hand or a tablet sends too densely.
-#ifndef oversketch_thinning_h
-#define oversketch_thinning_h
+#ifndef oversketch_kernels_stroke_thinning_h
+#define oversketch_kernels_stroke_thinning_h
 
 #include "Stroke/polyline.h"
 

@@ -1,6 +1,6 @@
 // Calls of OpenCV: its failures become the house's, and write nothing to the standard error stream.
-#ifndef oversketch_with_opencv_h
-#define oversketch_with_opencv_h
+#ifndef oversketch_kernels_stroke_with_opencv_h
+#define oversketch_kernels_stroke_with_opencv_h
 
 #include "Mesh/context.h"
 

@@ -1,7 +1,7 @@
 // The frame of the benchmark programs: models by size, jobs with interleaved repetitions, one main. A program
 // defines jobs() and links the frame; `run.sh` runs them all and makes the table.
-#ifndef oversketch_benchmark_frame_h
-#define oversketch_benchmark_frame_h
+#ifndef oversketch_testing_benchmarks_benchmark_frame_h
+#define oversketch_testing_benchmarks_benchmark_frame_h
 
 #include "Mesh/mesh.h"
 

@@ -1,6 +1,6 @@
 // A stroke that draws the bunny's ear longer: the same picture for every size of the model.
-#ifndef oversketch_bunny_stroke_h
-#define oversketch_bunny_stroke_h
+#ifndef oversketch_testing_benchmarks_bunny_stroke_h
+#define oversketch_testing_benchmarks_bunny_stroke_h
 
 #include "benchmark_frame.h"
 

@@ -1,6 +1,6 @@
 // The parts of edit_benchmark, and the sphere with a region that most of them work on.
-#ifndef oversketch_edit_jobs_h
-#define oversketch_edit_jobs_h
+#ifndef oversketch_testing_benchmarks_edit_jobs_h
+#define oversketch_testing_benchmarks_edit_jobs_h
 
 #include "benchmark_frame.h"
 

@@ -1,6 +1,6 @@
 // A plain Embree scene, as its manual shows one, to measure it.
-#ifndef oversketch_embree_scene_h
-#define oversketch_embree_scene_h
+#ifndef oversketch_testing_benchmarks_embree_scene_h
+#define oversketch_testing_benchmarks_embree_scene_h
 
 #include "Ray/ray_caster.h"
 

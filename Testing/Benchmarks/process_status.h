@@ -1,6 +1,6 @@
 // What the system says of this process. Header-only.
-#ifndef oversketch_process_status_h
-#define oversketch_process_status_h
+#ifndef oversketch_testing_benchmarks_process_status_h
+#define oversketch_testing_benchmarks_process_status_h
 
 #include <fstream>
 #include <string>

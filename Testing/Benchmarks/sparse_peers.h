@@ -1,6 +1,6 @@
 // Whom our sparse factor is set beside: Eigen's matrices and CHOLMOD, and our own threads. Header-only.
-#ifndef oversketch_sparse_peers_h
-#define oversketch_sparse_peers_h
+#ifndef oversketch_testing_benchmarks_sparse_peers_h
+#define oversketch_testing_benchmarks_sparse_peers_h
 
 #include "Mesh/context.h"
 #include "Sparse/block_matrix.h"

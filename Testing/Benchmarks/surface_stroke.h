@@ -1,7 +1,7 @@
 // A wave over the bunny's side, of the length and radius that system D's own measurements have: the same
 // picture for every size of the model. Header-only.
-#ifndef oversketch_surface_stroke_h
-#define oversketch_surface_stroke_h
+#ifndef oversketch_testing_benchmarks_surface_stroke_h
+#define oversketch_testing_benchmarks_surface_stroke_h
 
 #include "bunny_stroke.h"
 

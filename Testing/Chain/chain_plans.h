@@ -1,6 +1,6 @@
 // Where the shipped drawings are drawn on, in a session through all four systems. Header-only.
-#ifndef oversketch_test_chain_plans_h
-#define oversketch_test_chain_plans_h
+#ifndef oversketch_testing_chain_chain_plans_h
+#define oversketch_testing_chain_chain_plans_h
 
 #include "Harness/shapes.h"
 

@@ -1,7 +1,7 @@
 // A shipped drawing that goes through all four systems in one session: its outline is inflated, a limb
 // pulled, the cross-section of its body drawn anew, a vein raised over it. Header-only.
-#ifndef oversketch_test_drawn_chain_h
-#define oversketch_test_drawn_chain_h
+#ifndef oversketch_testing_chain_drawn_chain_h
+#define oversketch_testing_chain_drawn_chain_h
 
 #include "Chain/chain_plans.h"
 #include "Harness/shipped.h"

@@ -1,6 +1,6 @@
 // What is fuzzed: each target takes bytes from outside and refuses them, or makes something sound of them.
-#ifndef oversketch_fuzz_targets_h
-#define oversketch_fuzz_targets_h
+#ifndef oversketch_testing_fuzz_targets_h
+#define oversketch_testing_fuzz_targets_h
 
 #include <functional>
 #include <string>

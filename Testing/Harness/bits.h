@@ -1,6 +1,6 @@
 // Meshes compared to the bit. Header-only.
-#ifndef oversketch_test_bits_h
-#define oversketch_test_bits_h
+#ifndef oversketch_testing_harness_bits_h
+#define oversketch_testing_harness_bits_h
 
 #include "Harness/copies.h"
 #include "Harness/shipped.h"

@@ -1,6 +1,6 @@
 // Curves of mesh edges as polydata, and back. Header-only.
-#ifndef oversketch_test_chains_h
-#define oversketch_test_chains_h
+#ifndef oversketch_testing_harness_chains_h
+#define oversketch_testing_harness_chains_h
 
 #include "Harness/polydata.h"
 

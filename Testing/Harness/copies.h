@@ -1,6 +1,6 @@
 // Copies of polydata that keep nothing of the original. Header-only.
-#ifndef oversketch_test_copies_h
-#define oversketch_test_copies_h
+#ifndef oversketch_testing_harness_copies_h
+#define oversketch_testing_harness_copies_h
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

@@ -1,7 +1,7 @@
 // Where the shared test data lie: models that are not shipped. Header-only; OVERSKETCH_SOURCE_FOLDER is the
 // source tree.
-#ifndef oversketch_test_data_h
-#define oversketch_test_data_h
+#ifndef oversketch_testing_harness_data_h
+#define oversketch_testing_harness_data_h
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // Pictures, and drawings over them, for tests of filters. Header-only.
-#ifndef oversketch_test_drawings_h
-#define oversketch_test_drawings_h
+#ifndef oversketch_testing_harness_drawings_h
+#define oversketch_testing_harness_drawings_h
 
 #include "Harness/strokes.h"
 

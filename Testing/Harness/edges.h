@@ -1,6 +1,6 @@
 // A mesh's triangles and edges, counted and walked along. Header-only.
-#ifndef oversketch_test_edges_h
-#define oversketch_test_edges_h
+#ifndef oversketch_testing_harness_edges_h
+#define oversketch_testing_harness_edges_h
 
 #include "Harness/shapes.h"
 

@@ -1,6 +1,6 @@
 // A line and a ring over the middle of a model. Header-only.
-#ifndef oversketch_test_edits_h
-#define oversketch_test_edits_h
+#ifndef oversketch_testing_harness_edits_h
+#define oversketch_testing_harness_edits_h
 
 #include "Harness/polydata.h"
 

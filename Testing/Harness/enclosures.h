@@ -1,7 +1,7 @@
 // Meshes whose edges lie on a reference curve and a boundary round it, and what must hold of such meshes.
 // Header-only.
-#ifndef oversketch_test_enclosures_h
-#define oversketch_test_enclosures_h
+#ifndef oversketch_testing_harness_enclosures_h
+#define oversketch_testing_harness_enclosures_h
 
 #include "Harness/edges.h"
 

@@ -1,6 +1,6 @@
 // Which steps of a system run, counted. Header-only.
-#ifndef oversketch_test_executions_h
-#define oversketch_test_executions_h
+#ifndef oversketch_testing_harness_executions_h
+#define oversketch_testing_harness_executions_h
 
 #include "vtkOversketchSystem.h"
 

@@ -1,6 +1,6 @@
 // A window without a screen, an interactor in it, and the events of a person. Header-only.
-#ifndef oversketch_test_interaction_h
-#define oversketch_test_interaction_h
+#ifndef oversketch_testing_harness_interaction_h
+#define oversketch_testing_harness_interaction_h
 
 #include "Harness/sequences.h"
 #include "vtkCallbackCommand.h"

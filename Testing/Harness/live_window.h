@@ -1,7 +1,7 @@
 // A widget that holds a live stroke over a mesh, in windows that change and go, and under events in any
 // order: what is asked of each in the same way. A scene is a Window with such a `widget`. Header-only.
-#ifndef oversketch_test_live_window_h
-#define oversketch_test_live_window_h
+#ifndef oversketch_testing_harness_live_window_h
+#define oversketch_testing_harness_live_window_h
 
 #include "Harness/interaction.h"
 #include "Harness/sequences.h"

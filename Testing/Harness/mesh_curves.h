@@ -1,6 +1,6 @@
 // Strokes as curves of mesh edges, by the kernels alone, and what to measure of them. Header-only.
-#ifndef oversketch_test_mesh_curves_h
-#define oversketch_test_mesh_curves_h
+#ifndef oversketch_testing_harness_mesh_curves_h
+#define oversketch_testing_harness_mesh_curves_h
 
 #include "Harness/edges.h"
 #include "Mesh/context.h"

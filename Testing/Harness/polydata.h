@@ -1,6 +1,6 @@
 // Test shapes as polydata, strokes with their view, and an ear for errors. Header-only.
-#ifndef oversketch_test_polydata_h
-#define oversketch_test_polydata_h
+#ifndef oversketch_testing_harness_polydata_h
+#define oversketch_testing_harness_polydata_h
 
 #include "Harness/shapes.h"
 

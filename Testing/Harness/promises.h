@@ -1,6 +1,6 @@
 // What every filter promises of bad input and of cancelling, asked in one way. Header-only.
-#ifndef oversketch_test_promises_h
-#define oversketch_test_promises_h
+#ifndef oversketch_testing_harness_promises_h
+#define oversketch_testing_harness_promises_h
 
 #include "Harness/polydata.h"
 #include "Mesh/context.h"

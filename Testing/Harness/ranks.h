@@ -1,6 +1,6 @@
 // Ranks of a parallel run as threads of one process, each with a controller of its own. Header-only.
-#ifndef oversketch_test_ranks_h
-#define oversketch_test_ranks_h
+#ifndef oversketch_testing_harness_ranks_h
+#define oversketch_testing_harness_ranks_h
 
 #include "vtkAbstractArray.h"
 #include "vtkCommunicator.h"

@@ -1,6 +1,6 @@
 // Regions with their arrays and curves as polydata, and regions on models. Header-only.
-#ifndef oversketch_test_region_data_h
-#define oversketch_test_region_data_h
+#ifndef oversketch_testing_harness_region_data_h
+#define oversketch_testing_harness_region_data_h
 
 #include "Harness/chains.h"
 #include "Harness/regions.h"

@@ -1,6 +1,6 @@
 // Meshes with a region round a reference curve, and the arrays that a region's filters make. Header-only.
-#ifndef oversketch_test_regions_h
-#define oversketch_test_regions_h
+#ifndef oversketch_testing_harness_regions_h
+#define oversketch_testing_harness_regions_h
 
 #include "Harness/edges.h"
 #include "Mesh/context.h"

@@ -1,6 +1,6 @@
 // A mesh as a file gives it back. Header-only.
-#ifndef oversketch_test_saved_h
-#define oversketch_test_saved_h
+#ifndef oversketch_testing_harness_saved_h
+#define oversketch_testing_harness_saved_h
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

@@ -1,6 +1,6 @@
 // Random sequences of events: which a test runs, and the memory that they leave in use. Header-only.
-#ifndef oversketch_test_sequences_h
-#define oversketch_test_sequences_h
+#ifndef oversketch_testing_harness_sequences_h
+#define oversketch_testing_harness_sequences_h
 
 #include <algorithm>
 #include <cstddef>

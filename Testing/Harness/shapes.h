@@ -1,6 +1,6 @@
 // Meshes with known answers, and views of them, for tests of kernels and filters. Header-only.
-#ifndef oversketch_test_shapes_h
-#define oversketch_test_shapes_h
+#ifndef oversketch_testing_harness_shapes_h
+#define oversketch_testing_harness_shapes_h
 
 #include "Mesh/mesh.h"
 #include "Mesh/view.h"

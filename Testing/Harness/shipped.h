@@ -1,6 +1,6 @@
 // The shipped models and strokes, for tests of whole systems.
-#ifndef oversketch_test_shipped_h
-#define oversketch_test_shipped_h
+#ifndef oversketch_testing_harness_shipped_h
+#define oversketch_testing_harness_shipped_h
 
 #include "Harness/promises.h"
 

@@ -1,7 +1,7 @@
 // The ways in which a saved 4-8 mesh stops to be one: arrays that were changed or dropped, cells reordered,
 // points made anew, split or merged. Header-only.
-#ifndef oversketch_test_spoilt_h
-#define oversketch_test_spoilt_h
+#ifndef oversketch_testing_harness_spoilt_h
+#define oversketch_testing_harness_spoilt_h
 
 #include "Harness/copies.h"
 #include "Harness/promises.h"

@@ -1,6 +1,6 @@
 // Strokes of several views in one polydata, and what to read of curves. Header-only.
-#ifndef oversketch_test_strokes_h
-#define oversketch_test_strokes_h
+#ifndef oversketch_testing_harness_strokes_h
+#define oversketch_testing_harness_strokes_h
 
 #include "Harness/polydata.h"
 

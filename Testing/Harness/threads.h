@@ -1,6 +1,6 @@
 // A context with two threads. Header-only.
-#ifndef oversketch_test_threads_h
-#define oversketch_test_threads_h
+#ifndef oversketch_testing_harness_threads_h
+#define oversketch_testing_harness_threads_h
 
 #include "Mesh/context.h"
 

@@ -1,7 +1,7 @@
 // A widget in a window, while that, its owner or what it needs goes, and after hands that do anything: what
 // is asked of each in the same way. A scene is a Window with such a widget, its member `held`. Header-only.
-#ifndef oversketch_test_windows_h
-#define oversketch_test_windows_h
+#ifndef oversketch_testing_harness_windows_h
+#define oversketch_testing_harness_windows_h
 
 #include "Harness/interaction.h"
 

@@ -1,7 +1,7 @@
 // Lines and rings that nobody should draw, and what nobody should ask of the region between them.
 // Header-only.
-#ifndef oversketch_test_hostile_edit_h
-#define oversketch_test_hostile_edit_h
+#ifndef oversketch_testing_hostile_hostile_edit_h
+#define oversketch_testing_hostile_hostile_edit_h
 
 #include "hostile_meshes.h"
 #include "sound.h"

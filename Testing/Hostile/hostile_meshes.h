@@ -1,6 +1,6 @@
 // The meshes of the shared data, the dirty ones too, as parameters of tests, and a view of one. Header-only.
-#ifndef oversketch_test_hostile_meshes_h
-#define oversketch_test_hostile_meshes_h
+#ifndef oversketch_testing_hostile_hostile_meshes_h
+#define oversketch_testing_hostile_hostile_meshes_h
 
 #include "Harness/polydata.h"
 

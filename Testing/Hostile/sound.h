@@ -1,7 +1,7 @@
 // What must hold of a mesh whatever was drawn on it: finite, of the topology that it had, and where it is a
 // 4-8 mesh, one whose arrays can be read. Header-only.
-#ifndef oversketch_test_sound_h
-#define oversketch_test_sound_h
+#ifndef oversketch_testing_hostile_sound_h
+#define oversketch_testing_hostile_sound_h
 
 #include "Harness/promises.h"
 

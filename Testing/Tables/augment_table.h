@@ -1,6 +1,6 @@
 // Table I of the paper of system D, its figures and ours in the same columns.
-#ifndef oversketch_augment_table_h
-#define oversketch_augment_table_h
+#ifndef oversketch_testing_tables_augment_table_h
+#define oversketch_testing_tables_augment_table_h
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

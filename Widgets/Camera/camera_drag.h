@@ -1,7 +1,7 @@
 // A turn, a pan or a zoom on its way: always from the press, so that a way there and back again ends where it
 // began.
-#ifndef oversketch_camera_drag_h
-#define oversketch_camera_drag_h
+#ifndef oversketch_widgets_camera_camera_drag_h
+#define oversketch_widgets_camera_camera_drag_h
 
 #include "camera_state.h"
 #include "mesh_picker.h"

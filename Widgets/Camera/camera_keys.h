@@ -1,6 +1,6 @@
 // The thesis's table of camera keys, and the list of it that is shown on screen.
-#ifndef oversketch_camera_keys_h
-#define oversketch_camera_keys_h
+#ifndef oversketch_widgets_camera_camera_keys_h
+#define oversketch_widgets_camera_camera_keys_h
 
 #include <string>
 

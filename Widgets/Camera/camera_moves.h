@@ -1,6 +1,6 @@
 // What drags, gestures and keys do to a camera.
-#ifndef oversketch_camera_moves_h
-#define oversketch_camera_moves_h
+#ifndef oversketch_widgets_camera_camera_moves_h
+#define oversketch_widgets_camera_camera_moves_h
 
 #include "camera_keys.h"
 #include "camera_state.h"

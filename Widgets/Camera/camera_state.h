@@ -1,6 +1,6 @@
 // A camera as the interactor style moves it: taken at a press, changed, put back.
-#ifndef oversketch_camera_state_h
-#define oversketch_camera_state_h
+#ifndef oversketch_widgets_camera_camera_state_h
+#define oversketch_widgets_camera_camera_state_h
 
 #include "OversketchWidgetsCameraModule.h" // For export macro
 #include "trackball.h"

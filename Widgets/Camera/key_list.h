@@ -1,6 +1,6 @@
 // A list of keys in a corner of a renderer, over what is drawn there.
-#ifndef oversketch_key_list_h
-#define oversketch_key_list_h
+#ifndef oversketch_widgets_camera_key_list_h
+#define oversketch_widgets_camera_key_list_h
 
 #include "vtkNew.h"
 #include "vtkWeakPointer.h"

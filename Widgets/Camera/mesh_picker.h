@@ -1,6 +1,6 @@
 // The point of the mesh under the cursor, soon enough for a press on a million triangles.
-#ifndef oversketch_mesh_picker_h
-#define oversketch_mesh_picker_h
+#ifndef oversketch_widgets_camera_mesh_picker_h
+#define oversketch_widgets_camera_mesh_picker_h
 
 #include "OversketchWidgetsCameraModule.h" // For export macro
 

@@ -1,6 +1,6 @@
 // The view that a stroke is drawn in: the one reading of it from a camera or a stroke, and the way back.
-#ifndef oversketch_pen_view_h
-#define oversketch_pen_view_h
+#ifndef oversketch_widgets_camera_pen_view_h
+#define oversketch_widgets_camera_pen_view_h
 
 #include "Mesh/view.h"
 #include "OversketchWidgetsCameraModule.h" // For export macro

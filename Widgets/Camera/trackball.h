@@ -1,6 +1,6 @@
 // The thesis's trackball: the mesh turns so that the picked point stays under the cursor.
-#ifndef oversketch_trackball_h
-#define oversketch_trackball_h
+#ifndef oversketch_widgets_camera_trackball_h
+#define oversketch_widgets_camera_trackball_h
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 // What the widgets listen to: a hand with a mouse and a keyboard.
-#ifndef oversketch_widget_events_h
-#define oversketch_widget_events_h
+#ifndef oversketch_widgets_camera_widget_events_h
+#define oversketch_widgets_camera_widget_events_h
 
 #include "OversketchWidgetsCameraModule.h" // For export macro
 #include "vtkWidgetCallbackMapper.h"

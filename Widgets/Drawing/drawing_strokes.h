@@ -1,6 +1,6 @@
 // The strokes of a drawing as the pen made them, each with its view: added, corrected, taken away.
-#ifndef oversketch_drawing_strokes_h
-#define oversketch_drawing_strokes_h
+#ifndef oversketch_widgets_drawing_drawing_strokes_h
+#define oversketch_widgets_drawing_drawing_strokes_h
 
 #include "Stroke/canvas.h"
 

@@ -1,6 +1,6 @@
 // A camera that looks straight at a canvas, moved and brought nearer over it.
-#ifndef oversketch_plane_camera_h
-#define oversketch_plane_camera_h
+#ifndef oversketch_widgets_drawing_plane_camera_h
+#define oversketch_widgets_drawing_plane_camera_h
 
 #include "Stroke/canvas.h"
 

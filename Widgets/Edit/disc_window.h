@@ -1,6 +1,6 @@
 // The disc in a window of its own: its layers and its areas are changed there as on the model.
-#ifndef oversketch_disc_window_h
-#define oversketch_disc_window_h
+#ifndef oversketch_widgets_edit_disc_window_h
+#define oversketch_widgets_edit_disc_window_h
 
 #include "vtkNew.h"
 #include "vtkType.h"

@@ -1,7 +1,7 @@
 // Curves that were drawn over a model, where they lie on it: what is seen of them from elsewhere, and of a
 // curve of which a part was drawn anew.
-#ifndef oversketch_drawn_curve_h
-#define oversketch_drawn_curve_h
+#ifndef oversketch_widgets_edit_drawn_curve_h
+#define oversketch_widgets_edit_drawn_curve_h
 
 #include "Mesh/view.h"
 #include "Ray/surface_rays.h"

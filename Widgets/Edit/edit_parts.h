@@ -1,6 +1,6 @@
 // The widgets of an edit, those that vtkOversketchEditWidget is over.
-#ifndef oversketch_edit_parts_h
-#define oversketch_edit_parts_h
+#ifndef oversketch_widgets_edit_edit_parts_h
+#define oversketch_widgets_edit_edit_parts_h
 
 #include "disc_window.h"
 #include "vtkOversketchAreaSelectWidget.h"

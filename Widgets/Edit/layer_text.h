@@ -1,6 +1,6 @@
 // Layers read, changed by a hand and written: the text of vtkOversketchShadingLevels.
-#ifndef oversketch_layer_text_h
-#define oversketch_layer_text_h
+#ifndef oversketch_widgets_edit_layer_text_h
+#define oversketch_widgets_edit_layer_text_h
 
 #include "Shading/layer_list.h"
 

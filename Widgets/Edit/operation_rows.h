@@ -1,7 +1,7 @@
 // Operations on handles as rows that a hand changes one by one: the text of vtkOversketchHandles read and
 // written.
-#ifndef oversketch_operation_rows_h
-#define oversketch_operation_rows_h
+#ifndef oversketch_widgets_edit_operation_rows_h
+#define oversketch_widgets_edit_operation_rows_h
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // A profile's gradient, which tells left from right in the model's window and in its own.
-#ifndef oversketch_profile_colours_h
-#define oversketch_profile_colours_h
+#ifndef oversketch_widgets_edit_profile_colours_h
+#define oversketch_widgets_edit_profile_colours_h
 
 #include "edit_overlay.h"
 

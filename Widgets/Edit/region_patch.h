@@ -1,6 +1,6 @@
 // The region of an edit by itself, on the model and on the disc, and from the one to the other.
-#ifndef oversketch_region_patch_h
-#define oversketch_region_patch_h
+#ifndef oversketch_widgets_edit_region_patch_h
+#define oversketch_widgets_edit_region_patch_h
 
 #include "Mesh/view.h"
 #include "Ray/surface_rays.h"

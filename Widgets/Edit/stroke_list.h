@@ -1,6 +1,6 @@
 // Several strokes in one polydata, taken apart and put together.
-#ifndef oversketch_stroke_list_h
-#define oversketch_stroke_list_h
+#ifndef oversketch_widgets_edit_stroke_list_h
+#define oversketch_widgets_edit_stroke_list_h
 
 #include "vtkSmartPointer.h"
 

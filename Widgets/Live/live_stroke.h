@@ -1,6 +1,6 @@
 // The stroke that can still be changed, the mesh it was drawn on and the mesh that it made.
-#ifndef oversketch_live_stroke_h
-#define oversketch_live_stroke_h
+#ifndef oversketch_widgets_live_live_stroke_h
+#define oversketch_widgets_live_live_stroke_h
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

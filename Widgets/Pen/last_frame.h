@@ -1,7 +1,7 @@
 // The last frame of a window, kept as a picture to draw over: while it is frozen, the window's renderers stay
 // as they are and a frame costs the picture and what is drawn over it, however large the scene is.
-#ifndef oversketch_last_frame_h
-#define oversketch_last_frame_h
+#ifndef oversketch_widgets_pen_last_frame_h
+#define oversketch_widgets_pen_last_frame_h
 
 #include "vtkNew.h"
 #include "vtkRenderer.h"

@@ -1,6 +1,6 @@
 // The part of a mesh that a step moved, orange over the model.
-#ifndef oversketch_moved_region_h
-#define oversketch_moved_region_h
+#ifndef oversketch_widgets_pen_moved_region_h
+#define oversketch_widgets_pen_moved_region_h
 
 #include "OversketchWidgetsPenModule.h" // For export macro
 #include "vtkNew.h"

@@ -1,6 +1,6 @@
 // A stroke as the pen makes it: samples in the viewport and the view they were drawn in.
-#ifndef oversketch_pen_stroke_h
-#define oversketch_pen_stroke_h
+#ifndef oversketch_widgets_pen_pen_stroke_h
+#define oversketch_widgets_pen_pen_stroke_h
 
 #include "Stroke/polyline.h"
 #include "pen_view.h"

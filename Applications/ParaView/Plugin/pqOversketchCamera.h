@@ -1,7 +1,7 @@
 // The camera group of the proxy OversketchViewStroke: takes the camera of ParaView's active view, by itself
 // for a new stroke, then whenever its button is pressed.
-#ifndef pqOversketchCamera_h
-#define pqOversketchCamera_h
+#ifndef oversketch_applications_para_view_plugin_pq_oversketch_camera_h
+#define oversketch_applications_para_view_plugin_pq_oversketch_camera_h
 
 #include "pqPropertyWidget.h"
 

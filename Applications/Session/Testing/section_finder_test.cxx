@@ -2,6 +2,8 @@
 #include "section_finder.h"
 #include "sessions.h"
 
+#include "vtkOversketchSystem.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <future>
 
 using namespace oversketch_session;
 using namespace oversketch_test;
@@ -285,15 +288,36 @@ TEST(SectionFinder, HandsOverTheOnlyReference)
   EXPECT_EQ(references, 1);
 }
 
+// A search that never ends by itself is cancelled, waited for and not answered, whenever it is met.
 TEST(SectionFinder, EndsAtOnceInTheMiddleOfASearch)
 {
   const auto mesh = shippedModel("dog");
   const auto leg = shippedStroke("dog_longer_leg");
   for (int i = 0; i < 10; ++i)
   {
-    Desk desk;
-    desk.finder.setMesh(mesh);
-    desk.finder.find(leg);
-    std::this_thread::sleep_for(std::chrono::milliseconds(i));
+    std::promise<void> begun;
+    bool cancelled = false;
+    int answers = 0;
+    {
+      SectionFinder finder(
+        *findSystem("OneStroke"),
+        [&] { ++answers; },
+        [&](vtkOversketchSystem* system, vtkPolyData* model, vtkPolyData* stroke, vtkPolyData* section, vtkPolyData*)
+        {
+          begun.set_value();
+          do
+          {
+            system->Preview(model, stroke, section);
+            system->UpdateProgress(0.5); // where a step asks whether it is to go on
+          } while (!system->GetAbortExecute());
+          cancelled = true;
+        });
+      finder.setMesh(mesh);
+      finder.find(leg);
+      ASSERT_EQ(begun.get_future().wait_for(std::chrono::minutes(10)), std::future_status::ready);
+      std::this_thread::sleep_for(std::chrono::milliseconds(i));
+    }
+    EXPECT_TRUE(cancelled) << i;
+    EXPECT_EQ(answers, 0) << i;
   }
 }

@@ -1,6 +1,6 @@
 // Sessions of a shipped model, for the tests.
-#ifndef oversketch_test_sessions_h
-#define oversketch_test_sessions_h
+#ifndef oversketch_applications_session_testing_sessions_h
+#define oversketch_applications_session_testing_sessions_h
 
 #include "evaluator.h"
 

@@ -1,7 +1,7 @@
 // Two small systems beside the real ones, for the tests: one makes a mesh of strokes and, where there is one,
 // a picture; one moves a mesh by what is on two other ports.
-#ifndef oversketch_test_toys_h
-#define oversketch_test_toys_h
+#ifndef oversketch_applications_session_testing_toys_h
+#define oversketch_applications_session_testing_toys_h
 
 #include "session.h"
 #include "systems.h"

@@ -1,6 +1,6 @@
 // The window with a tool of system B in a hand that draws lines, rings and what they are dragged to.
-#ifndef oversketch_studio_testing_edits_h
-#define oversketch_studio_testing_edits_h
+#ifndef oversketch_applications_studio_testing_edits_h
+#define oversketch_applications_studio_testing_edits_h
 
 #include "edit_hand.h"
 #include "edit_tool.h"

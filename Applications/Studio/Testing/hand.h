@@ -1,7 +1,7 @@
 // A hand on the window, at random: strokes, mouse, pen, fingers, keys, rows, menus, files, and answers to
 // what is asked.
-#ifndef oversketch_studio_hand_h
-#define oversketch_studio_hand_h
+#ifndef oversketch_applications_studio_testing_hand_h
+#define oversketch_applications_studio_testing_hand_h
 
 #include <QObject>
 #include <QPoint>

@@ -1,7 +1,7 @@
 // A made-up language: every text of the window is marked and longer, and a translation into it is a file as
 // any other.
-#ifndef oversketch_studio_testing_language_h
-#define oversketch_studio_testing_language_h
+#ifndef oversketch_applications_studio_testing_language_h
+#define oversketch_applications_studio_testing_language_h
 
 #include <QRegularExpression>
 #include <QStringList>

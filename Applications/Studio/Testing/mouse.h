@@ -1,6 +1,6 @@
 // The mouse, moved: the server's own moves come when it likes, and run together while frames are drawn.
-#ifndef oversketch_studio_testing_mouse_h
-#define oversketch_studio_testing_mouse_h
+#ifndef oversketch_applications_studio_testing_mouse_h
+#define oversketch_applications_studio_testing_mouse_h
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -1,6 +1,6 @@
 // A pen with pressure, as a tablet has.
-#ifndef oversketch_studio_testing_pen_h
-#define oversketch_studio_testing_pen_h
+#ifndef oversketch_applications_studio_testing_pen_h
+#define oversketch_applications_studio_testing_pen_h
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -1,6 +1,6 @@
 // The window on the shipped model, and a hand that draws over its highest place.
-#ifndef oversketch_studio_testing_scene_h
-#define oversketch_studio_testing_scene_h
+#ifndef oversketch_applications_studio_testing_scene_h
+#define oversketch_applications_studio_testing_scene_h
 
 #include "document.h"
 #include "evaluator.h"

@@ -1,6 +1,6 @@
 // A picture and a hand that draws over it, in the window.
-#ifndef oversketch_studio_testing_sheet_h
-#define oversketch_studio_testing_sheet_h
+#ifndef oversketch_applications_studio_testing_sheet_h
+#define oversketch_applications_studio_testing_sheet_h
 
 #include "drawing_lines.h"
 #include "drawing_pad.h"

@@ -1,6 +1,6 @@
 // Solids with edges, whose sides share their points.
-#ifndef oversketch_studio_testing_solids_h
-#define oversketch_studio_testing_solids_h
+#ifndef oversketch_applications_studio_testing_solids_h
+#define oversketch_applications_studio_testing_solids_h
 
 #include "Harness/shapes.h"
 

@@ -1,6 +1,6 @@
 // What a line on the surface is made with: the bar above the viewport.
-#ifndef oversketch_studio_augment_options_h
-#define oversketch_studio_augment_options_h
+#ifndef oversketch_applications_studio_tools_augment_options_h
+#define oversketch_applications_studio_tools_augment_options_h
 
 #include "step.h"
 

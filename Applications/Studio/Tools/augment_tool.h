@@ -1,6 +1,6 @@
 // System D's tool: a line on the surface, and the model becomes finer there and rises.
-#ifndef oversketch_studio_augment_tool_h
-#define oversketch_studio_augment_tool_h
+#ifndef oversketch_applications_studio_tools_augment_tool_h
+#define oversketch_applications_studio_tools_augment_tool_h
 
 #include "held_stroke_tool.h"
 

@@ -1,6 +1,6 @@
 // What the hand does to a region, shown on the other side of a plane too, where the step has yet to run.
-#ifndef oversketch_studio_both_sides_h
-#define oversketch_studio_both_sides_h
+#ifndef oversketch_applications_studio_tools_both_sides_h
+#define oversketch_applications_studio_tools_both_sides_h
 
 #include "step.h"
 

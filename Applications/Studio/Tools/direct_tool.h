@@ -1,6 +1,6 @@
 // System B's tool Direct: the line itself is dragged, or axes on it.
-#ifndef oversketch_studio_direct_tool_h
-#define oversketch_studio_direct_tool_h
+#ifndef oversketch_applications_studio_tools_direct_tool_h
+#define oversketch_applications_studio_tools_direct_tool_h
 
 #include "edit_tool.h"
 

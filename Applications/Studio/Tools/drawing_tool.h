@@ -1,6 +1,6 @@
 // System C's tool: what is drawn over a picture becomes a model, which is seen beside it.
-#ifndef oversketch_studio_drawing_tool_h
-#define oversketch_studio_drawing_tool_h
+#ifndef oversketch_applications_studio_tools_drawing_tool_h
+#define oversketch_applications_studio_tools_drawing_tool_h
 
 #include "drawing_lines.h"
 #include "part_handles.h"

@@ -1,7 +1,7 @@
 // What an edit acts on that later steps act on: the document's thread makes it when it is asked for, as only
 // what the last step acts on comes with each result.
-#ifndef oversketch_studio_edit_ground_h
-#define oversketch_studio_edit_ground_h
+#ifndef oversketch_applications_studio_tools_edit_ground_h
+#define oversketch_applications_studio_tools_edit_ground_h
 
 #include "session.h"
 #include "worker.h"

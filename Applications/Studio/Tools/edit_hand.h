@@ -1,7 +1,7 @@
 // What the tools of system B share: a line on the model and a ring round it, kept from one tool to the next,
 // and the edit of what lies between, which the model follows while the hand changes it.
-#ifndef oversketch_studio_edit_hand_h
-#define oversketch_studio_edit_hand_h
+#ifndef oversketch_applications_studio_tools_edit_hand_h
+#define oversketch_applications_studio_tools_edit_hand_h
 
 #include "both_sides.h"
 #include "step.h"

@@ -1,7 +1,7 @@
 // A second view of an edit, for a dock: a flat picture that the hand changes as it changes the model. It
 // takes no keys: they are the canvas's, also while the dock floats.
-#ifndef oversketch_studio_edit_panel_h
-#define oversketch_studio_edit_panel_h
+#ifndef oversketch_applications_studio_tools_edit_panel_h
+#define oversketch_applications_studio_tools_edit_panel_h
 
 #include "vtkNew.h"
 

@@ -1,6 +1,6 @@
 // Steps of system B: what they are given, compared.
-#ifndef oversketch_studio_edit_step_h
-#define oversketch_studio_edit_step_h
+#ifndef oversketch_applications_studio_tools_edit_step_h
+#define oversketch_applications_studio_tools_edit_step_h
 
 #include "session.h"
 #include "systems.h"

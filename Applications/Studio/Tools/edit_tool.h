@@ -1,6 +1,6 @@
 // A tool of system B: one of the ways to change what lies between a line on the model and a ring round it.
-#ifndef oversketch_studio_edit_tool_h
-#define oversketch_studio_edit_tool_h
+#ifndef oversketch_applications_studio_tools_edit_tool_h
+#define oversketch_applications_studio_tools_edit_tool_h
 
 #include "tool.h"
 

@@ -1,6 +1,6 @@
 // A tool of a system that is given one stroke: it is drawn with the pen, stays, and can be taken hold of.
-#ifndef oversketch_studio_held_stroke_tool_h
-#define oversketch_studio_held_stroke_tool_h
+#ifndef oversketch_applications_studio_tools_held_stroke_tool_h
+#define oversketch_applications_studio_tools_held_stroke_tool_h
 
 #include "pen_section.h"
 #include "preview.h"

@@ -1,6 +1,6 @@
 // System A's tool: a line beside an outline, and the limb follows.
-#ifndef oversketch_studio_one_stroke_tool_h
-#define oversketch_studio_one_stroke_tool_h
+#ifndef oversketch_applications_studio_tools_one_stroke_tool_h
+#define oversketch_applications_studio_tools_one_stroke_tool_h
 
 #include "held_stroke_tool.h"
 

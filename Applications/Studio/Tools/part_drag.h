@@ -1,6 +1,6 @@
 // Where the handles of a part's box are seen, and where a drag of one puts the part.
-#ifndef oversketch_studio_part_drag_h
-#define oversketch_studio_part_drag_h
+#ifndef oversketch_applications_studio_tools_part_drag_h
+#define oversketch_applications_studio_tools_part_drag_h
 
 #include "step.h"
 

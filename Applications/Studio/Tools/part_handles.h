@@ -1,6 +1,6 @@
 // The box of a part over the model, with handles that put the part elsewhere.
-#ifndef oversketch_studio_part_handles_h
-#define oversketch_studio_part_handles_h
+#ifndef oversketch_applications_studio_tools_part_handles_h
+#define oversketch_applications_studio_tools_part_handles_h
 
 #include "part_drag.h"
 

@@ -1,7 +1,7 @@
 // What the stroke being drawn takes hold of, shown blue under the pen: found away from the interface's
 // thread, so that the line is drawn without waiting for it.
-#ifndef oversketch_studio_pen_section_h
-#define oversketch_studio_pen_section_h
+#ifndef oversketch_applications_studio_tools_pen_section_h
+#define oversketch_applications_studio_tools_pen_section_h
 
 #include "section_finder.h"
 

@@ -1,6 +1,6 @@
 // The mesh under the hand while a stroke is moved: points that follow, and the normals that change with them.
-#ifndef oversketch_studio_preview_h
-#define oversketch_studio_preview_h
+#ifndef oversketch_applications_studio_tools_preview_h
+#define oversketch_applications_studio_tools_preview_h
 
 #include "evaluator.h"
 

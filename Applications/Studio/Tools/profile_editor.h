@@ -1,7 +1,7 @@
 // The section across a raised line, drawn by hand: points that are dragged, added and taken away, and shapes
 // to begin with.
-#ifndef oversketch_studio_profile_editor_h
-#define oversketch_studio_profile_editor_h
+#ifndef oversketch_applications_studio_tools_profile_editor_h
+#define oversketch_applications_studio_tools_profile_editor_h
 
 #include <QPointF>
 #include <QVector>

@@ -1,6 +1,6 @@
 // System B's tool Profile: a plane slides along the line, and what it cuts is drawn anew in a dock.
-#ifndef oversketch_studio_profile_tool_h
-#define oversketch_studio_profile_tool_h
+#ifndef oversketch_applications_studio_tools_profile_tool_h
+#define oversketch_applications_studio_tools_profile_tool_h
 
 #include "edit_tool.h"
 

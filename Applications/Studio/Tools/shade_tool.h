@@ -1,7 +1,7 @@
 // System B's tool Shade: grey layers say how far the model follows the line, on the model and on a disc in a
 // dock.
-#ifndef oversketch_studio_shade_tool_h
-#define oversketch_studio_shade_tool_h
+#ifndef oversketch_applications_studio_tools_shade_tool_h
+#define oversketch_applications_studio_tools_shade_tool_h
 
 #include "edit_tool.h"
 

@@ -1,7 +1,7 @@
 // What the left button does in the viewport: one tool a system, and one that turns the model. To add one: a
 // file here and a row in tools.cxx.
-#ifndef oversketch_studio_tool_h
-#define oversketch_studio_tool_h
+#ifndef oversketch_applications_studio_tools_tool_h
+#define oversketch_applications_studio_tools_tool_h
 
 #include "hint_line.h"
 #include "session.h"

@@ -1,6 +1,6 @@
 // The list of tools.
-#ifndef oversketch_studio_tools_h
-#define oversketch_studio_tools_h
+#ifndef oversketch_applications_studio_tools_tools_h
+#define oversketch_applications_studio_tools_tools_h
 
 #include "tool.h"
 

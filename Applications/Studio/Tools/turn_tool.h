@@ -1,6 +1,6 @@
 // The left button turns the model.
-#ifndef oversketch_studio_turn_tool_h
-#define oversketch_studio_turn_tool_h
+#ifndef oversketch_applications_studio_tools_turn_tool_h
+#define oversketch_applications_studio_tools_turn_tool_h
 
 #include "tool.h"
 

@@ -1,6 +1,6 @@
 // A system over a model with strokes made over its middle, and meshes compared to the bit.
-#ifndef AugmentTools_h
-#define AugmentTools_h
+#ifndef oversketch_filters_augment_testing_augment_tools_h
+#define oversketch_filters_augment_testing_augment_tools_h
 
 #include "Harness/copies.h"
 #include "Harness/shipped.h"

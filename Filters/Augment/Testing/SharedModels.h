@@ -1,7 +1,7 @@
 // Models of the shared test data as the tests of this module read them; null or empty, saying so, where they
 // are absent.
-#ifndef SharedModels_h
-#define SharedModels_h
+#ifndef oversketch_filters_augment_testing_shared_models_h
+#define oversketch_filters_augment_testing_shared_models_h
 
 #include "AugmentTools.h"
 #include "Harness/data.h"

@@ -1,6 +1,6 @@
 // What the editors' tests ask of results. Header-only.
-#ifndef oversketch_edit_tools_h
-#define oversketch_edit_tools_h
+#ifndef oversketch_filters_deform_testing_edit_tools_h
+#define oversketch_filters_deform_testing_edit_tools_h
 
 #include "Harness/promises.h"
 #include "Harness/region_data.h"

@@ -1,6 +1,6 @@
 // A line and a ring over the middle of a model, and the system over them. Header-only.
-#ifndef EditSystem_h
-#define EditSystem_h
+#ifndef oversketch_filters_edit_testing_edit_system_h
+#define oversketch_filters_edit_testing_edit_system_h
 
 #include "Harness/bits.h"
 #include "Harness/edits.h"

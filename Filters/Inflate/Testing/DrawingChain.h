@@ -1,6 +1,6 @@
 // Concentric circles from curves to the surface, for the tests of this module.
-#ifndef DrawingChain_h
-#define DrawingChain_h
+#ifndef oversketch_filters_inflate_testing_drawing_chain_h
+#define oversketch_filters_inflate_testing_drawing_chain_h
 
 #include "../../Planar/Testing/CurveShapes.h"
 #include "Inflate/drawn_meshes.h"

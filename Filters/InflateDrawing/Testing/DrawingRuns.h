@@ -1,6 +1,6 @@
 // Drawings on a canvas of 800 x 600 world units, px for px, and what the system makes of them. Header-only.
-#ifndef DrawingRuns_h
-#define DrawingRuns_h
+#ifndef oversketch_filters_inflate_drawing_testing_drawing_runs_h
+#define oversketch_filters_inflate_drawing_testing_drawing_runs_h
 
 #include "Harness/drawings.h"
 #include "Harness/promises.h"

@@ -1,6 +1,6 @@
 // Curves on a canvas without the filters before them, and what to read of them, for the tests of this module.
-#ifndef CurveShapes_h
-#define CurveShapes_h
+#ifndef oversketch_filters_planar_testing_curve_shapes_h
+#define oversketch_filters_planar_testing_curve_shapes_h
 
 #include "Harness/promises.h"
 #include "Raster/drawing_shapes.h"

@@ -1,7 +1,7 @@
 // Bodies with limbs of known extent, the section that a stroke on a limb would match, and how well a region
 // meets a limb.
-#ifndef oversketch_limbed_bodies_h
-#define oversketch_limbed_bodies_h
+#ifndef oversketch_filters_region_testing_limbed_bodies_h
+#define oversketch_filters_region_testing_limbed_bodies_h
 
 #include "Harness/polydata.h"
 #include "Silhouette/extract.h"

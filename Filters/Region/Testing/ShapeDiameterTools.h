@@ -1,6 +1,6 @@
 // What the tests of vtkOversketchShapeDiameter share: runs, their values, meshes of the shared data.
-#ifndef oversketch_test_shape_diameter_h
-#define oversketch_test_shape_diameter_h
+#ifndef oversketch_filters_region_testing_shape_diameter_tools_h
+#define oversketch_filters_region_testing_shape_diameter_tools_h
 
 #include "Harness/data.h"
 #include "Harness/promises.h"

@@ -1,6 +1,6 @@
 // Strokes as chains of edges, from filter to filter. Header-only.
-#ifndef CurveChain_h
-#define CurveChain_h
+#ifndef oversketch_filters_remesh_testing_curve_chain_h
+#define oversketch_filters_remesh_testing_curve_chain_h
 
 #include "Harness/mesh_curves.h"
 #include "Harness/promises.h"

@@ -1,6 +1,6 @@
 // What the tests of vtkOversketchRemesh share: inputs with a region, handles, runs and their contents.
-#ifndef oversketch_test_remesh_h
-#define oversketch_test_remesh_h
+#ifndef oversketch_filters_remesh_testing_remesh_tools_h
+#define oversketch_filters_remesh_testing_remesh_tools_h
 
 #include "Harness/promises.h"
 #include "vtkOversketchFilterTools.h"

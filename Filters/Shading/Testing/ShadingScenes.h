@@ -1,7 +1,7 @@
 // Meshes with a region and a reference curve, as vtkOversketchEnclose and vtkOversketchInsertCurve hand them
 // on, and the steps of this room over them. Header-only.
-#ifndef oversketch_test_shading_scenes_h
-#define oversketch_test_shading_scenes_h
+#ifndef oversketch_filters_shading_testing_shading_scenes_h
+#define oversketch_filters_shading_testing_shading_scenes_h
 
 #include "Harness/chains.h"
 #include "Harness/edges.h"

@@ -1,6 +1,6 @@
 // The stages from silhouette to visibility in a row, and what their tests ask of curves. Header-only.
-#ifndef oversketch_curve_chain_h
-#define oversketch_curve_chain_h
+#ifndef oversketch_filters_silhouette_testing_curve_chain_h
+#define oversketch_filters_silhouette_testing_curve_chain_h
 
 #include "Harness/promises.h"
 #include "vtkOversketchSilhouette.h"

@@ -1,6 +1,6 @@
 // The stages from silhouette to targets in a row, and what their tests ask of them. Header-only.
-#ifndef oversketch_match_chain_h
-#define oversketch_match_chain_h
+#ifndef oversketch_filters_silhouette_testing_match_chain_h
+#define oversketch_filters_silhouette_testing_match_chain_h
 
 #include "Harness/promises.h"
 #include "vtkOversketchMatch.h"

@@ -1,6 +1,6 @@
 // The steps from a mesh to a feature, and meshes compared to the bit, for the tests of this module.
-#ifndef StellarChain_h
-#define StellarChain_h
+#ifndef oversketch_filters_stellar_testing_stellar_chain_h
+#define oversketch_filters_stellar_testing_stellar_chain_h
 
 #include "Harness/promises.h"
 #include "Harness/saved.h"

@@ -1,6 +1,6 @@
 // Models of the shared data and views of them, for the tests of this module.
-#ifndef SurfaceTools_h
-#define SurfaceTools_h
+#ifndef oversketch_filters_stroke_testing_surface_tools_h
+#define oversketch_filters_stroke_testing_surface_tools_h
 
 #include "Harness/data.h"
 #include "Harness/promises.h"

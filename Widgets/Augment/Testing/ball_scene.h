@@ -1,6 +1,6 @@
 // A ball of 100 px radius in a window of 400 x 300 px with the pen that draws lines on it. Header-only.
-#ifndef ball_scene_h
-#define ball_scene_h
+#ifndef oversketch_widgets_augment_testing_ball_scene_h
+#define oversketch_widgets_augment_testing_ball_scene_h
 
 #include "Harness/interaction.h"
 #include "Harness/shipped.h"

@@ -1,7 +1,7 @@
 // A sphere under the interactor style's camera, as editors.md, section 13 (camera), has it: a 400 x 400
 // window, parallel scale 1, unit sphere, camera at (0, 0, 10).
-#ifndef oversketch_test_style_scene_h
-#define oversketch_test_style_scene_h
+#ifndef oversketch_widgets_camera_testing_style_scene_h
+#define oversketch_widgets_camera_testing_style_scene_h
 
 #include "Harness/interaction.h"
 #include "Harness/shapes.h"

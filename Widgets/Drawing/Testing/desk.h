@@ -1,6 +1,6 @@
 // A sheet to draw on in a window of 400 x 300 px. Header-only.
-#ifndef desk_h
-#define desk_h
+#ifndef oversketch_widgets_drawing_testing_desk_h
+#define oversketch_widgets_drawing_testing_desk_h
 
 #include "Harness/drawings.h"
 #include "Harness/interaction.h"

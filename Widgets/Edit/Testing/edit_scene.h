@@ -1,7 +1,7 @@
 // A ball of 100 px radius in a window of 400 x 300 px, a line and a ring on it, and what the system makes of
 // them for the widgets. Header-only.
-#ifndef edit_scene_h
-#define edit_scene_h
+#ifndef oversketch_widgets_edit_testing_edit_scene_h
+#define oversketch_widgets_edit_testing_edit_scene_h
 
 #include "Harness/interaction.h"
 #include "Harness/polydata.h"

@@ -1,6 +1,6 @@
 // All of the edit over a ball, by one widget. Header-only.
-#ifndef edit_widget_scene_h
-#define edit_widget_scene_h
+#ifndef oversketch_widgets_edit_testing_edit_widget_scene_h
+#define oversketch_widgets_edit_testing_edit_widget_scene_h
 
 #include "Harness/shipped.h"
 #include "edit_scene.h"

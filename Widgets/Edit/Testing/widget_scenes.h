@@ -1,6 +1,6 @@
 // The widgets of the edit, each in a window of its own. Header-only.
-#ifndef widget_scenes_h
-#define widget_scenes_h
+#ifndef oversketch_widgets_edit_testing_widget_scenes_h
+#define oversketch_widgets_edit_testing_widget_scenes_h
 
 #include "edit_scene.h"
 #include "vtkOversketchAreaSelectRepresentation.h"

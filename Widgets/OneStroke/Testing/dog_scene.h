@@ -1,6 +1,6 @@
 // The shipped dog in a window of 400 x 300 px with the pen that deforms it. Header-only.
-#ifndef dog_scene_h
-#define dog_scene_h
+#ifndef oversketch_widgets_one_stroke_testing_dog_scene_h
+#define oversketch_widgets_one_stroke_testing_dog_scene_h
 
 #include "Harness/interaction.h"
 #include "Harness/shipped.h"

@@ -1,6 +1,6 @@
 // A sphere in a window of 400 x 300 px with a pen whose stroke stays. Header-only.
-#ifndef held_scene_h
-#define held_scene_h
+#ifndef oversketch_widgets_pen_testing_held_scene_h
+#define oversketch_widgets_pen_testing_held_scene_h
 
 #include "pen_scene.h"
 #include "vtkOversketchHeldStrokeRepresentation.h"

@@ -1,6 +1,6 @@
 // A sphere in a window of 400 x 300 px with a pen. Header-only.
-#ifndef pen_scene_h
-#define pen_scene_h
+#ifndef oversketch_widgets_pen_testing_pen_scene_h
+#define oversketch_widgets_pen_testing_pen_scene_h
 
 #include "Harness/interaction.h"
 #include "vtkOversketchInteractorStyle.h"

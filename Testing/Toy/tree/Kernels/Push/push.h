@@ -1,6 +1,6 @@
 // What lies between two lines of a picture, pushed along its normals by the brightness of another picture.
-#ifndef oversketch_push_h
-#define oversketch_push_h
+#ifndef oversketch_kernels_push_push_h
+#define oversketch_kernels_push_push_h
 
 #include "Mesh/context.h"
 #include "Mesh/view.h"

@@ -1,6 +1,6 @@
 // The toy's tool: two lines round a part of the model, and the scene's picture pushes it.
-#ifndef oversketch_studio_push_tool_h
-#define oversketch_studio_push_tool_h
+#ifndef oversketch_applications_studio_tools_push_tool_h
+#define oversketch_applications_studio_tools_push_tool_h
 
 #include "tool.h"
 
