@@ -4,7 +4,7 @@
 oversketch_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 oversketch_packages=(
-  g++ cmake ninja-build ccache
+  g++ cmake ninja-build ccache mold
   libvtk9-dev libvtk9-qt-dev qtbase5-dev python3-vtk9 python3-numpy libeigen3-dev libboost-dev libcgal-dev libembree-dev
   libopencv-core-dev libopencv-imgproc-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd libsuitesparse-dev libtbb-dev
@@ -42,16 +42,30 @@ oversketch_install() {
     sh "${missing[@]}" >/dev/null || { echo "oversketch: could not install ${missing[*]}" >&2; return 1; }
 }
 
-# oversketch_build PRESET [OPTION...]: configures and builds, quietly; the log is shown when it fails. The options go to
-# cmake --build.
+# oversketch_build PRESET [OPTION...]: configures and builds; one line counts the steps, the log is shown when it fails. The options
+# go to cmake --build.
 oversketch_build() {
   local preset=$1 log
   shift
   log=$oversketch_root/build/$preset.log
   mkdir -p "$oversketch_root/build"
   echo "Building preset $preset${*:+ $*} (log: build/$preset.log)"
-  (cd "$oversketch_root" && cmake --preset "$preset" && cmake --build --preset "$preset" "$@") >"$log" 2>&1 ||
+  (cd "$oversketch_root" && cmake --preset "$preset" && NINJA_STATUS='[%f/%t] ' cmake --build --preset "$preset" "$@") 2>&1 |
+    tee "$log" | oversketch_count ||
     { tail -n 60 "$log" >&2; echo "oversketch: the build failed" >&2; return 1; }
+}
+
+# Reads Ninja's output and says how far it is: on a terminal in one line that is written over, else a line for each tenth.
+oversketch_count() {
+  local terminal=0
+  [ -t 1 ] && terminal=1
+  awk -F '[][/]' -v terminal=$terminal '
+    /^\[[0-9]+\/[0-9]+\] / {
+      if (terminal) printf "\r  %d of %d", $2, $3
+      else if (int(10 * $2 / $3) > tenth) { tenth = int(10 * $2 / $3); printf "  %d of %d\n", $2, $3 }
+      fflush()
+    }
+    END { if (terminal) print "" }'
 }
 
 # oversketch_display COMMAND...: runs it, on a virtual display where there is none.

@@ -98,7 +98,7 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       vtkNew<vtkPoints> points;
       points->SetDataTypeToDouble();
       points->DeepCopy(handles->GetPoints());
-      for (const Correction& c : corrections)
+      for (const OutlineCorrection& c : corrections)
       {
         ids->InsertNextValue(points->InsertNextPoint(before->GetPoint(c.vertex)));
         bindings.push_back(Binding::vertex(c.vertex));
