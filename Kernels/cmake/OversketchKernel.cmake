@@ -216,6 +216,14 @@ function (oversketch_link_systems target)
   endforeach ()
 endfunction ()
 
+# oversketch_see_systems(<target>): all its files see the headers of all systems that are built.
+function (oversketch_see_systems target)
+  foreach (name IN LISTS oversketch_systems)
+    target_include_directories(${target} PRIVATE
+      $<FILTER:$<TARGET_PROPERTY:Oversketch::Filters${name},INTERFACE_INCLUDE_DIRECTORIES>,EXCLUDE,^/usr/include$>)
+  endforeach ()
+endfunction ()
+
 # oversketch_name_systems(<file>...): the files of this folder that name systems see the headers of all that are built, and
 # OVERSKETCH_WITH_<NAME>. No other file does, or each would be compiled anew for every system that is added.
 function (oversketch_name_systems)

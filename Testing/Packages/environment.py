@@ -1,6 +1,7 @@
-"""A virtual environment over the system's packages, for what comes from PyPI."""
+"""What the tests of packages share: a virtual environment over the system's packages, for what comes from PyPI, and what was compiled."""
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -11,6 +12,15 @@ def run(*command, code=0, **more):
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **more)
     assert done.returncode == code, (command, done.returncode, done.stdout[-3000:] + done.stderr[-3000:])
     return done.stdout
+
+
+def compiled_anew(log):
+    """The sources that the compiler's cache had to compile, of those that it noted in a file (CCACHE_STATSLOG) meanwhile. What CMake asks
+    the compiler by small programs of its own is left out."""
+    entries = re.findall(r"^# (.*)\n((?:\w+\n)*)", pathlib.Path(log).read_text(), re.M)
+    assert len(entries) > 50, f"the compiler's cache saw {len(entries)} sources"
+    return [source for source, results in entries
+            if "cache_miss" in results.split() and not re.search(r"CMakeScratch|CompilerId", source)]
 
 
 class Environment:

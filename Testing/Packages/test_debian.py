@@ -4,6 +4,7 @@ import gzip
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree
@@ -11,6 +12,7 @@ import xml.etree.ElementTree
 import pytest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from environment import compiled_anew  # noqa: E402
 from gpl import gpl_alone, gpl_parts  # noqa: E402
 
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
@@ -30,9 +32,13 @@ def run(*command, code=0, **more):
 
 
 @pytest.fixture(scope="module")
-def build():
+def build(tmp_path_factory):
+    """Of what the build that is tested has compiled: from nothing, so that this is seen."""
+    shutil.rmtree(BUILD, ignore_errors=True)
+    log = tmp_path_factory.mktemp("build") / "ccache.log"
     run("cmake", "--preset", "package", cwd=SOURCE)
-    run("cmake", "--build", "--preset", "package", "-j2", cwd=SOURCE)
+    run("cmake", "--build", "--preset", "package", "-j2", cwd=SOURCE, env={**os.environ, "CCACHE_STATSLOG": str(log)})
+    assert compiled_anew(log) == []
     return BUILD
 
 

@@ -10,7 +10,7 @@ import zipfile
 import pytest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from environment import Environment, run  # noqa: E402
+from environment import Environment, compiled_anew, run  # noqa: E402
 
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 VERSION = re.search(r"project\(Oversketch VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
@@ -28,11 +28,13 @@ def environment(tmp_path_factory):
 @pytest.fixture(scope="module")
 def wheel(environment, tmp_path_factory):
     folder = tmp_path_factory.mktemp("wheel")
-    # The compiler by its plain name, as CMake finds it: by another name the compiler's cache takes it for another.
-    quick = {"CC": "cc", "CXX": "c++"}
-    if shutil.which("ccache"):
-        quick |= {f"CMAKE_{language}_COMPILER_LAUNCHER": "ccache" for language in ("C", "CXX")}
+    # The compiler by its plain name, as CMake finds it: by another name the compiler's cache takes it for another. What the build
+    # that is tested has compiled is not compiled again.
+    log = folder.with_suffix(".log")
+    quick = {"CC": "cc", "CXX": "c++", "CCACHE_STATSLOG": str(log)}
+    quick |= {f"CMAKE_{language}_COMPILER_LAUNCHER": "ccache" for language in ("C", "CXX")}
     environment.run("-m", "pip", "wheel", SOURCE, "--no-deps", *environment.offline, "-w", folder, variables=quick)
+    assert compiled_anew(log) == []
     (made,) = folder.iterdir()
     return made
 

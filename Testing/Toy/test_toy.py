@@ -25,12 +25,13 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 BUILD = pathlib.Path(os.environ["OVERSKETCH_BUILD"])
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / name) for name in ("Acceptance", "Bits", "Studio")]
+sys.path[:0] = [str(HERE.parent / name) for name in ("Acceptance", "Bits", "Packages", "Studio")]
 import bits  # noqa: E402
 import picture  # noqa: E402
 import reader  # noqa: E402
 import stroke_files  # noqa: E402
 from desk import Desk, Studio, until  # noqa: E402
+from environment import compiled_anew  # noqa: E402
 
 NAME = "PushBetween"
 OWN = ("Kernels/Push/", "Filters/Push/", f"Filters/{NAME}/", "Applications/Studio/Tools/push_tool.")  # what is new and nobody else's
@@ -84,10 +85,14 @@ def sources():
 def build(sources):
     folder = sources / "build" / "release"
     # The same paths, seen from the folder of the build, as those of the build that is tested.
-    cache = dict(os.environ, CCACHE_BASEDIR=str(sources))
+    log = folder.with_suffix(".ccache")
+    cache = dict(os.environ, CCACHE_BASEDIR=str(sources), CCACHE_STATSLOG=str(log))
     run("cmake", "--preset", "release", cwd=sources, env=cache)
     run("cmake", "--build", folder, "-j2", "--target", "oversketch", "oversketch-studio", "oversketch_python_stubs", "kernel_push_test",
         "filters_push_test", env=cache)
+    # Nothing is compiled again but the toy's own, what names systems, and the window's files that its tool is compiled together with.
+    allowed = r"[Pp]ush|/(systems|tools|figures|picture)\.cxx|oversketch_studio\.dir/Unity"
+    assert [source for source in compiled_anew(log) if not re.search(allowed, source)] == []
     return folder
 
 
