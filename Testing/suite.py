@@ -25,6 +25,7 @@ LOGS, TIMES, PASSED = (ROOT / "build" / name for name in ("logs", "times.json", 
 TODAY = int(datetime.date.today().strftime("%Y%m%d"))
 SANITIZER = {"ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
 ALL = "-DOVERSKETCH_ALL_TESTS="
+HOSTILE = ("random_chains_test", "hostile_drawings_test", "hostile_edit_test", "hostile_meshes_test")
 ACCEPTANCE = "for run in Testing/Acceptance/*/accept.py; do /usr/bin/python3 $run || exit 1; done"
 
 
@@ -52,6 +53,9 @@ FULL = {
     "packages-12": ("Testing/packages.sh bookworm build/roots", {}),
     "packages-13": ("Testing/packages.sh trixie build/roots", {}),
     "random": ("Testing/random.sh 1000", {}),
+    "hostile": (f"{built('asan', ' '.join(HOSTILE), 'ON')} && printf '%s\\n' {' '.join(HOSTILE)} | xargs -P 2 -I {{}} build/asan/bin/{{}}",
+                {**SANITIZER, "OVERSKETCH_FULL": "1", "OVERSKETCH_CHAINS": "300", "OVERSKETCH_DRAWINGS": "1000", "OVERSKETCH_HOSTILE_VALUES": "all",
+                 "OVERSKETCH_EDITS": "40"}),
     "acceptance": (ACCEPTANCE, {"PYTHONPATH": "build/release/lib/python3/dist-packages"}),
     "tidy": ("Testing/tidy.sh", {}),
     "tsan": (f"{built('tsan', 'tests')} && ctest --preset tsan -L home",
