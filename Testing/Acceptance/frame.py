@@ -112,6 +112,8 @@ def arguments(run, documentation):
     parser.add_argument("folder", type=Path)
     parser.add_argument("--strokes", type=Path, help="folder of strokes made before (default: FOLDER/strokes)")
     parser.add_argument("--only", nargs="*", default=[])
+    parser.add_argument("--tenth", type=int, help="of a number, as 20261127: every tenth stroke alone, from its last digit on")
+    parser.add_argument("--least", type=float, help="share of the results that must hold (default: what the run asks for)")
     parser.add_argument("--modes", default=",".join(run.usual))
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--limit", type=float, default=180)
@@ -143,6 +145,8 @@ def main(run, documentation):
     folder = options.strokes or options.folder / "strokes"
     index = json.loads((folder / "index.json").read_text()) if (folder / "index.json").is_file() else run.make(folder)
     index = [e for e in index if not options.only or any(part in e["name"] for part in options.only)]
+    if options.tenth is not None:
+        index = index[options.tenth % 10::10]
     kept = options.folder / "results.json"
     results = json.loads(kept.read_text()) if options.goes_on and kept.is_file() else {}
     known = lambda entry: all(mode in results.get(name, {}) for name in case_names(entry) for mode in modes)
@@ -161,4 +165,5 @@ def main(run, documentation):
         shown = [picture.load(f) for f in files if f.is_file()]
         sheets.write([picture.halve(f) for f in shown] if run.halve else shown, pictures / f"sheet-{mode}", *run.sheet)
     counting = [{name: result[mode] for name, result in results.items()} for mode in modes if mode in run.counting]
-    return 0 if all(run.enough(each) for each in counting) else 1
+    enough = run.enough if options.least is None else lambda each: np.mean([r["holds"] for r in each.values()]) >= options.least
+    return 0 if all(enough(each) for each in counting) else 1
