@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Measures every job beside its best peers and its limit, and prints one table.
-# usage: run.sh [FOLDER]   (default build/benchmarks; results, table, picture go there)
+# usage: run.sh [FOLDER]   (default build/benchmarks; results, table, picture go there). FOLDER/benchmarks.md of a run on a quiet
+# machine is committed as RESULTS.md, benchmarks.png as cost.png.
 # The bunnies come from OVERSKETCH_DATA, else ../shared/data beside the source tree. Wants a quiet machine and about half an hour.
 set -euo pipefail
 . "$(dirname "$0")/../../Applications/setup.sh"
@@ -15,6 +16,7 @@ oversketch_packages+=(libopenblas0-pthread python3-matplotlib python3-venv)
 oversketch_install
 mkdir -p "$folder"
 rm -rf "$folder"/*.json "$folder"/*.triplets "$folder"/*.plane "$folder/outlines"
+echo "Commit $(git describe --always --dirty), $(date +%Y-%m-%d)." >"$folder/run.txt"
 oversketch_build release --target benchmarks
 # One hand of each outline of the acceptance run, for drawing_benchmark.
 /usr/bin/python3 Testing/Acceptance/inflate/outlines.py "$folder/outlines"

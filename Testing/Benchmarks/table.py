@@ -2,8 +2,9 @@
 """Makes the table of the benchmarks: every job and size, ours, the best peer, the limit, and what was to be reached.
 
 usage: table.py FOLDER
-FOLDER holds what the programs and peers.py wrote (*.json). Writes FOLDER/benchmarks.json (a list of objects: job, size,
-threads, ours_ms, peers {name: ms}, limit_ms), FOLDER/benchmarks.md and FOLDER/benchmarks.png (cost against size).
+FOLDER holds what the programs and peers.py wrote (*.json), and the commit and the day of the run (run.txt). Writes FOLDER/benchmarks.json
+(a list of objects: job, size, threads, ours_ms, peers {name: ms}, limit_ms), FOLDER/benchmarks.md, the page RESULTS.md, and
+FOLDER/benchmarks.png (cost against size).
 """
 import glob
 import json
@@ -191,8 +192,11 @@ def machine():
     return f"{model}, {os.cpu_count()} cores, {platform.freedesktop_os_release().get('PRETTY_NAME', platform.platform())}"
 
 
-def markdown(rows):
-    lines = [f"Machine: {machine()}. Medians of five runs or more [ms], those of all sides of a job in turn.", "",
+def markdown(rows, run):
+    lines = ["# Benchmarks", "", "Written by `Testing/Benchmarks/table.py` from what one run of `Testing/Benchmarks/run.sh` measured.",
+             "[What was tried for speed and did not help](../../Documentation/tried.md) is a page of its own.", "",
+             f"{run}", f"Machine: {machine()}.", "",
+             "Times are medians of five runs or more [ms]; those of all sides of a job are taken in turn. Ratios hold within a run only.", "",
              "| job | size | ours | best peer | limit | ours / peer | ours / limit | to be reached |",
              "|---|---|---|---|---|---|---|---|"]
     for row in rows:
@@ -276,10 +280,12 @@ def main():
         sys.exit(f"table.py: {folder} holds no results")
     with open(os.path.join(folder, "benchmarks.json"), "w") as file:
         json.dump(rows, file, indent=1)
+    with open(os.path.join(folder, "run.txt")) as file:
+        page = markdown(rows, file.read().strip())
     with open(os.path.join(folder, "benchmarks.md"), "w") as file:
-        file.write(markdown(rows))
+        file.write(page)
     picture(rows, os.path.join(folder, "benchmarks.png"))
-    print(markdown(rows), end="")
+    print(page, end="")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """The table of the benchmarks: medians, ratios, what was to be reached and what was missed, from results made up here."""
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -32,7 +33,7 @@ def made(tmp_path):
     (tmp_path / "programs.json").write_text(json.dumps({"context": {}, "benchmarks": rows}))
     (tmp_path / "peers.json").write_text(json.dumps([{"name": "SDF Embree/180k/libigl", "real_time": 22.0, "threads": 2}]))
     rows = table.gather(table.read(str(tmp_path)))
-    return rows, table.markdown(rows)
+    return rows, table.markdown(rows, "Commit 0123abc, 2026-01-02.")
 
 
 def line(text, start):
@@ -61,6 +62,16 @@ def test_says_where_the_cost_is_not_linear(made):
 
 def test_memory(made):
     assert "| Match | 10 / 5 |" in made[1] and "| whole process | 0.50 GiB |" in made[1]
+
+
+def test_the_page_says_of_which_run_it_is(made):
+    assert "\nCommit 0123abc, 2026-01-02.\nMachine: " in made[1]
+    # The page that is committed is one that the program wrote: nothing stands before or between its tables that is not its own.
+    with open(os.path.join(HERE, "RESULTS.md")) as file:
+        page = file.read()
+    run = re.search(r"^Commit \w+, \d{4}-\d\d-\d\d\.$", page, re.M).group()
+    own = [each for each in made[1].replace("Commit 0123abc, 2026-01-02.", run).splitlines() if not each.startswith(("|", "Machine: "))]
+    assert [each for each in page.splitlines() if not each.startswith(("|", "Machine: "))] == own
 
 
 def test_an_empty_folder_is_refused(tmp_path):
