@@ -24,7 +24,7 @@ from desk import Desk, Studio, until  # noqa: E402
 DOG = SOURCE / "Data" / "Models" / "dog.ply"
 VIEW = (880, 700)  # size of the model's part of the window; strokes are told in it, from its upper left corner
 SHOTS = pathlib.Path(os.environ["OVERSKETCH_TEMPORARY"]) / "Studio"  # what the screen showed, to look at
-README = {"stroke_1_of_3": "studio.png", "fish_with_a_tunnel": "studio_drawing.png"}
+PAGES = {"stroke_1_of_3": "studio.png", "fish_with_a_tunnel": "studio_drawing.png"}  # pictures of README.md and Documentation/studio.md
 
 
 def digest(mesh):
@@ -127,7 +127,7 @@ class Sitting:
         return half.GetOutput()
 
     def shot(self, name):
-        """Leaves the window's picture, once it is still; with OVERSKETCH_WRITE_BASELINES that of the README, too."""
+        """Leaves the window's picture, once it is still; with OVERSKETCH_WRITE_BASELINES that of the page, too."""
         SHOTS.mkdir(parents=True, exist_ok=True)
         until(lambda: not reader.shown(self.studio.process.pid, "button", "Cancel"), "nothing is computed")
         shape, seen = self.desk.windows()[0][1], [None]
@@ -138,8 +138,8 @@ class Sitting:
             seen[0] = pixels
             return picture if pixels == before else time.sleep(2.0)  # a busy machine paints late
         picture = until(still, "a window at rest")
-        readme = os.environ.get("OVERSKETCH_WRITE_BASELINES") and README.get(name)
-        for path in [SHOTS / (name + ".png")] + ([SOURCE / "Data" / "Pictures" / readme] if readme else []):
+        page = os.environ.get("OVERSKETCH_WRITE_BASELINES") and PAGES.get(name)
+        for path in [SHOTS / (name + ".png")] + ([SOURCE / "Data" / "Pictures" / page] if page else []):
             writer = vtkPNGWriter()
             writer.SetFileName(str(path))
             writer.SetInputData(picture)

@@ -33,8 +33,9 @@ def look_at_the_dog(window):
 
 
 def snippet(word):
-    """The README's snippet that uses this."""
-    found = [text for text in re.findall(r"```python\n(.*?)```", (SOURCE / "README.md").read_text(), re.S) if word in text]
+    """The snippet that uses this, of the README or of the page of the widgets."""
+    pages = [SOURCE / "README.md", SOURCE / "Documentation" / "widgets.md"]
+    found = [text for page in pages for text in re.findall(r"```python\n(.*?)```", page.read_text(), re.S) if word in text]
     assert len(found) == 1
     assert len(found[0].strip().splitlines()) <= 10
     return found[0]
@@ -42,13 +43,13 @@ def snippet(word):
 
 @pytest.fixture
 def pen():
-    """A window on the dog with the pen of the README's snippet, as written there."""
+    """A window on the dog with the pen of the page's snippet, as written there."""
     window = Window()
     look_at_the_dog(window)
     names = {"interactor": window.interactor, "mapper": window.renderer.GetActors().GetLastActor().GetMapper()}
     cwd = os.getcwd()
     os.chdir(SOURCE)
-    exec(compile(snippet("vtkOversketchOneStroke()") + snippet("vtkOversketchStrokeWidget()"), "README.md", "exec"), names)
+    exec(compile(snippet("vtkOversketchOneStroke()") + snippet("vtkOversketchStrokeWidget()"), "widgets.md", "exec"), names)
     os.chdir(cwd)
     names["system"].SetBackendToHost()  # the same rays whatever OpenCL device there is
     return window, names
@@ -103,7 +104,7 @@ def test_the_one_stroke_snippet_draws_and_the_mesh_follows():
     names = {"interactor": window.interactor, "mapper": mapper}
     cwd = os.getcwd()
     os.chdir(SOURCE)
-    exec(compile(snippet("vtkOversketchOneStroke()") + snippet("vtkOversketchOneStrokeWidget()"), "README.md", "exec"), names)
+    exec(compile(snippet("vtkOversketchOneStroke()") + snippet("vtkOversketchOneStrokeWidget()"), "widgets.md", "exec"), names)
     os.chdir(cwd)
     names["drawing"].GetOneStroke().SetBackendToHost()
     window.window.Render()

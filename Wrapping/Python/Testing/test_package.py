@@ -86,8 +86,14 @@ def test_setting_a_value_again_does_not_modify(header):
         assert instance.GetMTime() == before, f"Set{name} with the value it has modifies {header.stem}"
 
 
-SNIPPETS = [text for text in re.findall(r"```python\n(.*?)```", (SOURCE / "README.md").read_text(), re.S)
-            if text.startswith("import oversketch, vtk")]
+def snippets(page):
+    """The blocks of Python in a page that can be run by themselves."""
+    return [text for text in re.findall(r"```python\n(.*?)```", page.read_text(), re.S) if text.startswith("import oversketch, vtk")]
+
+
+SNIPPETS = snippets(SOURCE / "README.md")
+FURTHER = [pytest.param(page, text, id=f"{page.stem}-{number}") for page in sorted(SOURCE.glob("Documentation/*.md"))
+           for number, text in enumerate(snippets(page))]
 
 
 def test_the_readme_has_a_snippet_for_each_system():
@@ -101,6 +107,17 @@ def test_the_snippets_of_the_readme_run_as_written(snippet, monkeypatch, capsys)
     exec(compile(snippet, "README.md", "exec"), {})
     said = capsys.readouterr().out
     assert int(said.split()[0]) > 1000
+    assert "flipped" not in said or said.strip().endswith("flipped: 0")
+
+
+@pytest.mark.parametrize("page, snippet", FURTHER)
+def test_the_snippets_of_the_documentation_run_as_written(page, snippet, monkeypatch, tmp_path, capsys):
+    """In a folder that has Data, as the source folder has, and takes what they write."""
+    (tmp_path / "Data").symlink_to(SOURCE / "Data")
+    monkeypatch.chdir(tmp_path)
+    exec(compile(snippet, page.name, "exec"), {})
+    said = capsys.readouterr().out
+    assert said
     assert "flipped" not in said or said.strip().endswith("flipped: 0")
 
 
