@@ -13,7 +13,8 @@ fi
 # A display and a bus for what a screen reader hears, for the tests of ParaView's window.
 XDG_CACHE_HOME=$oversketch_root/build/paraview/cache oversketch_in_paraview \
   xvfb-run -a -s '-screen 0 1280x1400x24 -noreset' dbus-run-session -- \
-  /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp=build/paraview/tests Testing/ParaView "$@"
+  /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp=build/paraview/tests \
+  --junitxml=build/paraview/Testing/times/paraview.xml Testing/ParaView "$@"
 if [ $# -eq 0 ]; then
   Testing/ParaView/stamp.py --write
 fi
