@@ -30,9 +30,9 @@ namespace
 {
 
 // px as Qt counts them
-constexpr double lineWidth = 3.0, snapRadius = 10.0;
+constexpr double strokeLineWidth = 3.0, snapRadius = 10.0;
 constexpr int leastSide = 120, letterWidth = 8;
-constexpr int samples = 4; // a pixel
+constexpr int padSamples = 4; // a pixel
 
 } // namespace
 
@@ -42,7 +42,7 @@ DrawingPad::DrawingPad(QWidget* parent)
   this->setObjectName("drawing_pad");
   this->setRenderWindow(this->Window);
   this->Window->AddRenderer(this->Renderer);
-  this->Window->SetMultiSamples(samples);
+  this->Window->SetMultiSamples(padSamples);
   this->interactor()->SetInteractorStyle(nullptr); // there is no camera to turn
   this->Widget->SetInteractor(this->interactor());
   this->Widget->SetDefaultRenderer(this->Renderer);
@@ -209,9 +209,9 @@ void DrawingPad::resizeGL(int width, int height)
   QVTKOpenGLNativeWidget::resizeGL(width, height);
   const double ratio = this->devicePixelRatioF();
   this->Widget->GetDrawingRepresentation()->GetCurveProperty()->SetLineWidth(
-    static_cast<float>(lineWidth * ratio));
+    static_cast<float>(strokeLineWidth * ratio));
   this->Widget->GetPen()->GetStrokeRepresentation()->GetProperty()->SetLineWidth(
-    static_cast<float>(lineWidth * ratio));
+    static_cast<float>(strokeLineWidth * ratio));
   this->Widget->SetSnapRadius(snapRadius * ratio);
   this->setSteadiness(this->Steadiness);
   if (this->Fits && !this->isDrawing()) // a line keeps the view that it was begun in

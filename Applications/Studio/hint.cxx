@@ -23,7 +23,7 @@ namespace
 // px as Qt counts them.
 constexpr double gap = 12.0;
 constexpr double dash = 14.0; // with the gap after it
-constexpr int letters = 18, legible = 12, least = 7;
+constexpr int letters = 18, legible = 12, leastLetters = 7;
 
 // On two lines of about the same length, where it has a blank.
 std::string onTwoLines(std::string text)
@@ -180,7 +180,7 @@ void Hint::placeText(vtkRenderer* renderer,
   }
   if (fit() < letters)
   {
-    look->SetFontSize(std::max(least, fit()));
+    look->SetFontSize(std::max(leastLetters, fit()));
     this->Text->GetSize(renderer, extent);
   }
   const double half = 0.5 * extent[0];

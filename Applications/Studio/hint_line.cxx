@@ -13,11 +13,11 @@ using oversketch::Polyline;
 using oversketch::Vector2;
 
 // px as Qt counts them.
-constexpr double step = 4.0;     // from level to level
-constexpr double deepest = 72.0; // that the line reaches down
-constexpr double further = 34.0; // that the tip goes out
-constexpr double beside = 3.0;   // the line lies so far outside the limb
-constexpr double widening = 8.0; // more than that at one level is no longer the limb
+constexpr double levelStep = 4.0; // from level to level
+constexpr double deepest = 72.0;  // that the line reaches down
+constexpr double further = 34.0;  // that the tip goes out
+constexpr double beside = 3.0;    // the line lies so far outside the limb
+constexpr double widening = 8.0;  // more than that at one level is no longer the limb
 constexpr double narrowest = 8.0;
 // Of a line on the body and a ring round it, in widths of the picture.
 constexpr double lineHalf = 0.055;
@@ -37,13 +37,13 @@ std::vector<Level> levelsUnder(const Vector2& tip, const Polyline& picture, doub
 {
   std::vector<Level> levels;
   Level above{ tip[0] - 0.5 * narrowest * ratio, tip[0] + 0.5 * narrowest * ratio, tip[1] };
-  for (double down = step; down <= deepest; down += step)
+  for (double down = levelStep; down <= deepest; down += levelStep)
   {
     Level level{ above.right, above.left, tip[1] - down * ratio };
     const double reach = widening * ratio;
     for (const Vector2& p : picture)
     {
-      if (std::abs(p[1] - level.y) <= step * ratio && p[0] >= above.left - 2.0 * reach &&
+      if (std::abs(p[1] - level.y) <= levelStep * ratio && p[0] >= above.left - 2.0 * reach &&
           p[0] <= above.right + 2.0 * reach)
       {
         level.left = std::min(level.left, p[0]);
@@ -75,7 +75,7 @@ Polyline hintLine(const Polyline& picture, double ratio)
   std::vector<Level> levels = levelsUnder(tip, picture, ratio);
   while (levels.size() < 3) // no limb: a small arch
   {
-    const double y = tip[1] - step * ratio * static_cast<double>(levels.size() + 1);
+    const double y = tip[1] - levelStep * ratio * static_cast<double>(levels.size() + 1);
     levels.push_back({ tip[0] - narrowest * ratio, tip[0] + narrowest * ratio, y });
   }
   const Vector2 out = further * ratio * (tip - levels.back().middle()).normalized();

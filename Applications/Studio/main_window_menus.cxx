@@ -40,8 +40,8 @@ namespace
 {
 
 constexpr int recentFiles = 10;
-constexpr int patience = 500; // ms
-constexpr int toolIcon = 24;  // px as Qt counts them
+constexpr int wordPatience = 500; // ms
+constexpr int toolIcon = 24;      // px as Qt counts them
 
 } // namespace
 
@@ -275,7 +275,7 @@ void MainWindow::makeStatus()
     this->statusBar(),
     [this](const QString& text) { this->statusBar()->showMessage(text); });
   this->Patience->setSingleShot(true);
-  this->Patience->setInterval(patience);
+  this->Patience->setInterval(wordPatience);
   connect(this->Patience,
     &QTimer::timeout,
     this,

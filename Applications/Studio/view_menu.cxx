@@ -30,7 +30,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int margin = 6;               // px as Qt counts them, about what lies over the view
+constexpr int barMargin = 6;            // px as Qt counts them, about what lies over the view
 constexpr vtkIdType fineMesh = 200'000; // whose faces are too small to be seen by themselves
 
 // As 12,345 is written short.
@@ -275,10 +275,11 @@ void ViewMenu::placeOverlays()
 {
   this->Bar->setVisible(!this->View->showsKeys()); // the list is there
   this->Gizmo->setVisible(!this->View->showsKeys());
-  this->Bar->move(margin, margin);
-  const int right = this->View->width() - this->Gizmo->width() - margin;
-  const bool beside = right > this->Bar->geometry().right() + margin;
-  this->Gizmo->move(std::max(margin, right), beside ? margin : this->Bar->geometry().bottom() + margin);
+  this->Bar->move(barMargin, barMargin);
+  const int right = this->View->width() - this->Gizmo->width() - barMargin;
+  const bool beside = right > this->Bar->geometry().right() + barMargin;
+  this->Gizmo->move(
+    std::max(barMargin, right), beside ? barMargin : this->Bar->geometry().bottom() + barMargin);
 }
 
 bool ViewMenu::eventFilter(QObject* watched, QEvent* event)

@@ -43,7 +43,7 @@ namespace
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
 constexpr float sectionWidth = 3.0F; // px as Qt counts them, of the section
 constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
-constexpr int samples = 4;           // a pixel
+constexpr int viewSamples = 4;       // a pixel
 constexpr int restTime = 200;        // ms without a frame
 
 // Ambient occlusion and several samples a pixel would make a picture drawn by the processor wait.
@@ -62,7 +62,7 @@ Viewport::Viewport(QWidget* parent)
 {
   this->setRenderWindow(this->Window);
   this->Window->AddRenderer(this->Renderer);
-  this->Window->SetMultiSamples(samples);
+  this->Window->SetMultiSamples(viewSamples);
   this->makeScene();
   this->listen();
   this->Await->setSingleShot(true);
@@ -406,7 +406,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   {
     this->OnProcessor = drawsOnProcessor(this->Window);
     this->Renderer->SetUseSSAO(!*this->OnProcessor);
-    this->Window->SetMultiSamples(*this->OnProcessor ? 0 : samples);
+    this->Window->SetMultiSamples(*this->OnProcessor ? 0 : viewSamples);
   }
   this->placeHint();
   emit this->meshShown();

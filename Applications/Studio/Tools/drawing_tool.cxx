@@ -34,8 +34,8 @@ using namespace oversketch_session;
 namespace
 {
 
-constexpr int closedFeature = 2; // cell array Role
-constexpr int patience = 100;    // ms
+constexpr int closedFeature = 2;     // cell array Role
+constexpr int picturePatience = 100; // ms
 
 int countOf(vtkPolyData* curves, int role)
 {
@@ -432,7 +432,7 @@ void DrawingTool::readPicture()
 {
   if (isLongWorkGoing())
   {
-    QTimer::singleShot(patience, this, &DrawingTool::readPicture);
+    QTimer::singleShot(picturePatience, this, &DrawingTool::readPicture);
     return;
   }
   const int at = this->node();

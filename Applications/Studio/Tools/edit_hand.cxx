@@ -41,7 +41,7 @@ using namespace oversketch_session;
 namespace
 {
 
-constexpr double grabDistance = 8.0, shortestLine = 10.0; // px as Qt counts them
+constexpr double curveGrabDistance = 8.0, shortestLine = 10.0; // px as Qt counts them
 
 } // namespace
 
@@ -222,7 +222,7 @@ bool EditHand::hasRegion() const
 
 void EditHand::setPixelRatio(double ratio)
 {
-  const double distance = grabDistance * ratio;
+  const double distance = curveGrabDistance * ratio;
   this->Widget->GetRegionWidget()->GetRegionRepresentation()->SetGrabDistance(distance);
   this->Widget->GetAxisHandleWidget()->GetAxisHandleRepresentation()->SetGrabDistance(distance);
   this->Widget->GetLayerHandleWidget()->GetLayerHandleRepresentation()->SetGrabDistance(distance);

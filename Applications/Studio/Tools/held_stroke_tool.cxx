@@ -37,7 +37,7 @@ namespace
 
 // px as Qt counts them: the lines' width, and how near to one the cursor takes hold of it.
 constexpr float lineWidth = 3.0F;
-constexpr double grabDistance = 6.0;
+constexpr double strokeGrabDistance = 6.0;
 
 double lengthOf(vtkPolyData* stroke)
 {
@@ -210,7 +210,7 @@ void HeldStrokeTool::setPixelRatio(double ratio)
   {
     line->SetLineWidth(static_cast<float>(lineWidth * ratio));
   }
-  this->Widget->SetGrabDistance(grabDistance * ratio);
+  this->Widget->SetGrabDistance(strokeGrabDistance * ratio);
   this->pen()->SetStabilizer(this->Steadiness * ratio);
 }
 

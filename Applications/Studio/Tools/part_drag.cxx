@@ -17,9 +17,9 @@ using oversketch_session::PartPlace;
 namespace
 {
 
-constexpr double least = 0.02;        // that a drag leaves of a side
-constexpr double foreshortened = 0.2; // of the z axis, that is too little to be dragged along
-constexpr double grazing = 1e-3;      // sine of a ray's angle to the plane
+constexpr double leastPartSide = 0.02; // that a drag leaves of a side
+constexpr double foreshortened = 0.2;  // of the z axis, that is too little to be dragged along
+constexpr double grazing = 1e-3;       // sine of a ray's angle to the plane
 
 Vector3 middleOf(const PartPlace& place)
 {
@@ -96,7 +96,7 @@ std::array<double, 4> stretched(const std::array<double, 4>& box, int corner, co
   {
     scale.setConstant((side + by).dot(side) / side.squaredNorm());
   }
-  scale = scale.cwiseMax(least);
+  scale = scale.cwiseMax(leastPartSide);
   std::array<double, 4> result = box;
   result[x] = fixed[0] + scale[0] * side[0];
   result[y] = fixed[1] + scale[1] * side[1];

@@ -27,7 +27,7 @@ namespace
 {
 
 // px as Qt counts them: of handles, how near to one the cursor takes hold of it, of the way to the depth's.
-constexpr double handleSize = 10.0, grabDistance = 9.0, depthDistance = 56.0, lineWidth = 2.0;
+constexpr double handleSize = 10.0, handleGrabDistance = 9.0, depthDistance = 56.0, boxLineWidth = 2.0;
 constexpr float first = 1.0F; // before camera and tools
 
 void setPlaces(vtkPolyData* data, const std::vector<Vector2>& places, bool areLines)
@@ -93,7 +93,7 @@ PartHandles::~PartHandles()
 void PartHandles::setPixelRatio(double ratio)
 {
   this->Ratio = ratio;
-  this->LineActor->GetProperty()->SetLineWidth(static_cast<float>(lineWidth * ratio));
+  this->LineActor->GetProperty()->SetLineWidth(static_cast<float>(boxLineWidth * ratio));
   this->CornerActor->GetProperty()->SetPointSize(static_cast<float>(handleSize * ratio));
   this->DepthActor->GetProperty()->SetPointSize(static_cast<float>(handleSize * ratio));
 }
@@ -145,7 +145,7 @@ void PartHandles::follow()
 std::optional<PartHandle> PartHandles::handleAt(const Vector2& place) const
 {
   std::optional<PartHandle> nearest;
-  double least = grabDistance * this->Ratio;
+  double least = handleGrabDistance * this->Ratio;
   for (std::size_t i = 0; this->Seen && this->Visible && i < this->Seen->size(); ++i)
   {
     const double distance = ((*this->Seen)[i] - place).norm();

@@ -21,10 +21,10 @@ namespace
 
 constexpr double lowest = -0.5, highest = 1.0; // that a point can be dragged to; 1 is the height of the line
 constexpr double apart = 0.02;                 // least, of two points along x
-constexpr double grabDistance = 9.0;           // px
-constexpr double step = 0.05;                  // of a key
+constexpr double pointGrabDistance = 9.0;      // px
+constexpr double keyStep = 0.05;               // of a key
 constexpr int mostPoints = 16;
-constexpr double margin = 10.0; // px
+constexpr double profileMargin = 10.0; // px
 
 struct Preset
 {
@@ -170,9 +170,9 @@ void ProfileCurve::forget()
 
 QPointF ProfileCurve::seen(const QPointF& point) const
 {
-  const double half = 0.5 * this->width() - margin, tall = this->height() - 2.0 * margin;
+  const double half = 0.5 * this->width() - profileMargin, tall = this->height() - 2.0 * profileMargin;
   return { 0.5 * this->width() + half * point.x(),
-    margin + tall * (highest - point.y()) / (highest - lowest) };
+    profileMargin + tall * (highest - point.y()) / (highest - lowest) };
 }
 
 QPoint ProfileCurve::placeOf(int point) const
@@ -182,15 +182,15 @@ QPoint ProfileCurve::placeOf(int point) const
 
 QPointF ProfileCurve::pointAt(const QPoint& place) const
 {
-  const double half = 0.5 * this->width() - margin, tall = this->height() - 2.0 * margin;
+  const double half = 0.5 * this->width() - profileMargin, tall = this->height() - 2.0 * profileMargin;
   return { (place.x() - 0.5 * this->width()) / half,
-    highest - (highest - lowest) * (place.y() - margin) / tall };
+    highest - (highest - lowest) * (place.y() - profileMargin) / tall };
 }
 
 int ProfileCurve::nearest(const QPoint& place) const
 {
   int found = -1;
-  double least = grabDistance;
+  double least = pointGrabDistance;
   for (int i = 0; i < this->points().size(); ++i)
   {
     const QPointF off = this->seen(this->points()[i]) - place;
@@ -348,16 +348,16 @@ void ProfileCurve::keyPressEvent(QKeyEvent* event)
       this->Chosen = std::max(this->Chosen - 1, 0);
       break;
     case Qt::Key_Left:
-      move(-step, 0.0);
+      move(-keyStep, 0.0);
       break;
     case Qt::Key_Right:
-      move(step, 0.0);
+      move(keyStep, 0.0);
       break;
     case Qt::Key_Up:
-      move(0.0, step);
+      move(0.0, keyStep);
       break;
     case Qt::Key_Down:
-      move(0.0, -step);
+      move(0.0, -keyStep);
       break;
     case Qt::Key_Delete:
       this->remove(this->Chosen);
