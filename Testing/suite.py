@@ -26,8 +26,8 @@ TODAY = int(datetime.date.today().strftime("%Y%m%d"))
 SANITIZER = {"ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
 ALL = "-DOVERSKETCH_ALL_TESTS="
 HOSTILE = ("random_chains_test", "hostile_drawings_test", "hostile_edit_test", "hostile_meshes_test")
-# The share of each system's acceptance runs that holds all bounds, at least: a tenth of them has fewer to miss by.
-LEAST = {"one_stroke": (0.95, 0.85), "augment": (0.95, 0.85), "inflate": (0.9, 0.7), "edit": (0.7, 0.6)}
+# The share of each system's acceptance runs that holds all bounds, at least, in all of them and in a tenth, which has fewer to miss by.
+LEAST = {"one_stroke": (0.95, 0.85), "augment": (0.95, 0.85), "inflate": (0.9, 0.7), "edit": (0.7, 0.5)}
 ACCEPTED = {"PYTHONPATH": "build/release/lib/python3/dist-packages", "OVERSKETCH_COMMAND": "build/release/bin/oversketch"}
 DATA = pathlib.Path(os.environ.get("OVERSKETCH_DATA", ROOT / ".." / "shared" / "data"))
 

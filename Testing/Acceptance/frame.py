@@ -30,12 +30,17 @@ class Run(NamedTuple):
     counting: tuple  # modes in which REQUIRED must be reached
     bounds: dict  # measure, or "grade: measure": its bound, as the table says it
     columns: tuple  # measures of the table
-    make: Callable  # (folder) -> index: writes the strokes, names each with its mesh, model and projection
+    make: Callable  # (folder, day or None) -> index: writes the strokes, or a day's tenth; names each with its mesh, model and projection
     one: Callable  # (stroke file, mesh file, modes, backend, folder for pictures or None[, case]) -> {mode: result}
     # Whether a mode's results, {name: result}, are enough.
     enough: Callable = lambda results: np.mean([result["holds"] for result in results.values()]) >= REQUIRED
     sheet: tuple = (2, 4)  # pictures across and down on a contact sheet
     halve: bool = True  # pictures are halved there
+
+
+def tenth(items, day):
+    """Those of a day, or all."""
+    return list(items) if day is None else list(items)[day % 10::10]
 
 
 def listener(messages):
@@ -112,7 +117,7 @@ def arguments(run, documentation):
     parser.add_argument("folder", type=Path)
     parser.add_argument("--strokes", type=Path, help="folder of strokes made before (default: FOLDER/strokes)")
     parser.add_argument("--only", nargs="*", default=[])
-    parser.add_argument("--tenth", type=int, help="of a number, as 20261127: every tenth stroke alone, from its last digit on")
+    parser.add_argument("--tenth", type=int, help="of a day as a number, 20261127: some tenth of the strokes, which it chooses")
     parser.add_argument("--least", type=float, help="share of the results that must hold (default: what the run asks for)")
     parser.add_argument("--modes", default=",".join(run.usual))
     parser.add_argument("--workers", type=int, default=2)
@@ -142,11 +147,9 @@ def main(run, documentation):
     options.folder.mkdir(parents=True, exist_ok=True)
     if not (meshes.SHARED / "meshes").is_dir():
         print(f"no shared test data in {meshes.SHARED} (set OVERSKETCH_DATA): only the models of Data/Models run")
-    folder = options.strokes or options.folder / "strokes"
-    index = json.loads((folder / "index.json").read_text()) if (folder / "index.json").is_file() else run.make(folder)
+    folder = options.strokes or options.folder / ("strokes" if options.tenth is None else f"strokes-{options.tenth}")
+    index = json.loads((folder / "index.json").read_text()) if (folder / "index.json").is_file() else run.make(folder, options.tenth)
     index = [e for e in index if not options.only or any(part in e["name"] for part in options.only)]
-    if options.tenth is not None:
-        index = index[options.tenth % 10::10]
     kept = options.folder / "results.json"
     results = json.loads(kept.read_text()) if options.goes_on and kept.is_file() else {}
     known = lambda entry: all(mode in results.get(name, {}) for name in case_names(entry) for mode in modes)

@@ -10,11 +10,24 @@ if ! oversketch_has python3-paraview; then # else VTK's Python cannot be there
   oversketch_build release --target oversketch_python_stubs
   export OVERSKETCH_VTK_PACKAGE=$oversketch_root/build/release/lib/python3/dist-packages
 fi
-# A display and a bus for what a screen reader hears, for the tests of ParaView's window.
-XDG_CACHE_HOME=$oversketch_root/build/paraview/cache oversketch_in_paraview \
-  xvfb-run -a -s '-screen 0 1280x1400x24 -noreset' dbus-run-session -- \
-  /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp=build/paraview/tests \
-  --junitxml=build/paraview/Testing/times/paraview.xml Testing/ParaView "$@"
-if [ $# -eq 0 ]; then
-  Testing/ParaView/stamp.py --write
+
+# run NAME ARGUMENT...: pytest with a display, and a bus for what a screen reader hears.
+run() {
+  XDG_CACHE_HOME=$oversketch_root/build/paraview/cache/$1 oversketch_in_paraview \
+    xvfb-run -a -s '-screen 0 1280x1400x24 -noreset' dbus-run-session -- \
+    /usr/bin/python3 -m pytest -q -s -p no:cacheprovider --basetemp="build/paraview/tests/$1" \
+    --junitxml="build/paraview/Testing/times/$1.xml" "${@:2}"
+}
+mkdir -p build/paraview/tests
+if [ $# -gt 0 ]; then
+  run asked Testing/ParaView "$@"
+  exit
 fi
+# What is done by hand in ParaView's window beside all else: neither takes more than one processor for long.
+run by_hand Testing/ParaView/test_by_hand.py >build/paraview/by_hand.log 2>&1 &
+code=0
+run others --ignore=Testing/ParaView/test_by_hand.py Testing/ParaView || code=$?
+wait $! || code=$?
+cat build/paraview/by_hand.log
+[ $code -eq 0 ] || exit $code
+Testing/ParaView/stamp.py --write

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import frame  # noqa: E402
 import meshes  # noqa: E402
 import picture  # noqa: E402
 import saved  # noqa: E402
@@ -191,8 +192,8 @@ def _make_for_model(job):
     return entries
 
 
-def make_all(folder, workers=2):
-    """Writes all strokes, terrains and an index; returns the index."""
+def make_all(folder, day=None, workers=2):
+    """Writes all strokes or a day's, terrains and an index; returns the index."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     jobs = []
@@ -205,7 +206,7 @@ def make_all(folder, workers=2):
         jobs.append((folder, len(jobs), name, path, (0.1, -0.5, 1), (0, 1, 0), False))
     for file, up in SKETCHED.items():
         jobs.append((folder, len(jobs), Path(file).stem, meshes.SHARED / "meshes" / file, (0, 0, 1), up, True))
-    jobs = [job for job in jobs if job[3].is_file()]
+    jobs = frame.tenth([job for job in jobs if job[3].is_file()], day)
     with ProcessPoolExecutor(workers) as pool:
         index = [entry for entries in pool.map(_make_for_model, jobs) for entry in entries]
     (folder / "index.json").write_text(json.dumps(index, indent=1))

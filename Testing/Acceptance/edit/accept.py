@@ -297,7 +297,7 @@ ACCEPTANCE = frame.Run(
     },
     columns=("triangles", "patch", "half width", "curve angle", "px", "worst px", "covered", "line slope", "ring slope", "share", "tau step",
              "plain spread", "spread", "recut mean", "recut worst", "folds", "angle", "angle off", "dihedral", "dihedral off", "faces", "kept"),
-    make=rings.make_all,
+    make=lambda folder, day: rings.make_all(folder, rings.of_the_day(day)),
     one=run,
     enough=enough,
     sheet=(1, 6),

@@ -213,6 +213,13 @@ def _make(job):
     return entries
 
 
+def of_the_day(day):
+    """Entries that are a tenth of all: two cameras of one hand over each model; none, for all, where no day is given."""
+    if day is None:
+        return ()
+    return [f"{name}-h{day % HANDS}-c{(day + other) % CAMERAS + 1}" for name, _, _ in models() for other in (0, CAMERAS // 2)]
+
+
 def make_all(folder, only=(), workers=2):
     """Writes all lines and rings, or those of some entries, and an index; returns the index."""
     folder = Path(folder)

@@ -65,12 +65,13 @@ def strokes_over(outline, folder, sides=tuple(SIDES)):
     return entries
 
 
-def make_all(folder):
-    """Every outline's strokes and the index; none where the images are not here."""
+def make_all(folder, day=None):
+    """The strokes of every outline, or of those of a day, and the index; none where the images are not here."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     with ThreadPoolExecutor(2) as pool:
-        lists = list(pool.map(lambda outline: in_a_process(outline, folder), outlines.OUTLINES if outlines.IMAGES.is_dir() else ()))
+        lists = list(pool.map(lambda outline: in_a_process(outline, folder),
+                              frame.tenth(outlines.OUTLINES, day) if outlines.IMAGES.is_dir() else ()))
     index = [entry for entries in lists for entry in entries]
     (folder / "index.json").write_text(json.dumps(index, indent=1))
     return index

@@ -21,6 +21,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from vtkmodules.vtkImagingMorphological import vtkImageConnectivityFilter
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[1])]
+import frame  # noqa: E402
 import meshes  # noqa: E402  also puts Data into the path
 import make_drawings  # noqa: E402
 import stroke_files  # noqa: E402
@@ -197,19 +198,18 @@ def name_of(outline, wobble, seed):
     return f"{outline}-{wobble}px-{seed}"
 
 
-def make_all(folder):
-    """Writes every drawing and the index that the frame of the run reads; none where the images are not here."""
+def make_all(folder, day=None):
+    """Writes every drawing, or those of a day, and the index that the frame of the run reads; none where the images are not here."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     index = []
-    for outline in OUTLINES if IMAGES.is_dir() else ():
-        for wobble in WOBBLES:
-            for seed in range(SEEDS):
-                writer = vtkXMLPolyDataWriter()
-                writer.SetFileName(str(folder / (name_of(outline, wobble, seed) + ".vtp")))
-                writer.SetInputData(drawing(outline, wobble, seed))
-                writer.Write()
-                index.append({"name": name_of(outline, wobble, seed), "mesh": outline, "model": outline, "projection": f"{wobble} px"})
+    all_of_them = [(outline, wobble, seed) for outline in OUTLINES for wobble in WOBBLES for seed in range(SEEDS)]
+    for outline, wobble, seed in frame.tenth(all_of_them, day) if IMAGES.is_dir() else ():
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(folder / (name_of(outline, wobble, seed) + ".vtp")))
+        writer.SetInputData(drawing(outline, wobble, seed))
+        writer.Write()
+        index.append({"name": name_of(outline, wobble, seed), "mesh": outline, "model": outline, "projection": f"{wobble} px"})
     (folder / "index.json").write_text(json.dumps(index, indent=1))
     return index
 

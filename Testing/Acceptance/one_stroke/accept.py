@@ -132,7 +132,7 @@ ACCEPTANCE = frame.Run(
             "other limbs moved": "other limbs untouched", "overlap": "region overlaps the capsule by 0.95",
             "rougher": "no rougher than with remesh off: mean angle ≤ 1.25 times + 1 degree, sharp length ≤ 0.01 more"},
     columns=("mean", "worst", "back", "folds", "untouched", "overlap", "angle", "sharp", "rougher", "seconds"),
-    make=strokes.make_all,
+    make=lambda folder, day: strokes.make_all(folder, [name for name, *_ in frame.tenth(meshes.models(), day)] if day else ()),
     one=run,
 )
 
