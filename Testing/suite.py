@@ -25,6 +25,7 @@ LOGS, TIMES, PASSED = (ROOT / "build" / name for name in ("logs", "times.json", 
 TODAY = int(datetime.date.today().strftime("%Y%m%d"))
 SANITIZER = {"ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
 ALL = "-DOVERSKETCH_ALL_TESTS="
+JOBS = f"-j{os.cpu_count() + 1}"  # one more than there are processors, as a window waits now and then
 HOSTILE = ("random_chains_test", "hostile_drawings_test", "hostile_edit_test", "hostile_meshes_test")
 # The share of each system's acceptance runs that holds all bounds, at least, in all of them and in a tenth, which has fewer to miss by.
 LEAST = {"one_stroke": (0.95, 0.85), "augment": (0.95, 0.85), "inflate": (0.9, 0.7), "edit": (0.7, 0.5)}
@@ -48,16 +49,16 @@ def acceptance(tenth):
 # sanitizer does not see into.
 SHORT = {
     "build": (built("release"), {}),
-    "tests": ("ctest --preset release -L home -j2", {}),
+    "tests": (f"ctest --preset release -L home {JOBS}", {}),
     "acceptance": (acceptance(True), ACCEPTED),
     "asan-build": (built("asan", "tests"), {}),
-    "asan-tests": ("ctest --preset asan -L home -j2", SANITIZER),
+    "asan-tests": (f"ctest --preset asan -L home {JOBS}", SANITIZER),
 }
 FULL = {
     "all-build": (built("release", "all tests benchmarks", "ON"), {}),
-    "all-tests": ("ctest --preset release -j2", {"OVERSKETCH_FULL": "1"}),
+    "all-tests": (f"ctest --preset release {JOBS}", {"OVERSKETCH_FULL": "1"}),
     "all-asan-build": (built("asan", "tests", "ON"), {}),
-    "all-asan-tests": ("ctest --preset asan -j2", {**SANITIZER, "OVERSKETCH_FULL": "1"}),
+    "all-asan-tests": (f"ctest --preset asan {JOBS}", {**SANITIZER, "OVERSKETCH_FULL": "1"}),
     "plain": ("cmake --preset plain && cmake --build --preset plain --target all tests", {}),
     "lto": ("cmake --preset lto && cmake --build --preset lto", {}),
     "paraview": ("Testing/ParaView/test.sh", {}),
