@@ -98,13 +98,13 @@ int vtkOversketchCorrection::RequestData(vtkInformation*,
       vtkNew<vtkPoints> points;
       points->SetDataTypeToDouble();
       points->DeepCopy(handles->GetPoints());
-      for (const OutlineCorrection& c : corrections)
+      for (const OutlineCorrection& correction : corrections)
       {
-        ids->InsertNextValue(points->InsertNextPoint(before->GetPoint(c.vertex)));
-        bindings.push_back(Binding::vertex(c.vertex));
-        targets->InsertNextTuple(c.target.data());
-        unmerged->InsertNextTuple(c.target.data());
-        relative->InsertNextValue(c.relative);
+        ids->InsertNextValue(points->InsertNextPoint(before->GetPoint(correction.vertex)));
+        bindings.push_back(Binding::vertex(correction.vertex));
+        targets->InsertNextTuple(correction.target.data());
+        unmerged->InsertNextTuple(correction.target.data());
+        relative->InsertNextValue(correction.relative);
         ratios->InsertNextValue(1.0);
       }
       vtkNew<vtkCellArray> cells;

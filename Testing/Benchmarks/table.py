@@ -183,6 +183,12 @@ def reached(row):
     return lines
 
 
+def quality(row):
+    """How good ours is, where it says so: what is off, in percent or px, and angles."""
+    return [f"{name.replace('_percent', ' [%]').replace('_', ' ')} {time(value)}" for name, value in row["figures"].get("ours", {}).items()
+            if name.endswith(("_percent", "_px")) or name.startswith(("angle_", "apart_"))]
+
+
 def machine():
     model = platform.processor()
     with open("/proc/cpuinfo") as file:
@@ -204,7 +210,7 @@ def markdown(rows, run):
         goals = "; ".join(f"{other} {'not run' if value is None else ratio(value)} "
                           f"(at most {ratio(factor)}){'' if held or value is None else ' **missed**'}"
                           for other, value, factor, held in reached(row))
-        goals = "; ".join([goals] * bool(goals) + [f"{who}: {time(ms)}" for who, ms in row["variants"].items()])
+        goals = "; ".join([goals] * bool(goals) + [f"{who}: {time(ms)}" for who, ms in row["variants"].items()] + quality(row))
         lines.append("| {} | {} | {} | {} | {} | {} | {} | {} |".format(
             row["job"], row["size"], time(row["ours_ms"]), f"{peer[0]} {time(peer[1])}" if peer else "–",
             time(row["limit_ms"]), ratio(row["ours_ms"] / peer[1]) if peer else "–",
