@@ -13,10 +13,10 @@ namespace oversketch_command
 // their share of the region's; Euler numbers before and after; the region's size; at the curves the smallest
 // angles [degrees], whether they are simple, how many segments are no edges, how far line and ring lie off
 // their strokes [px], of the ring what share is seen; the largest step of the place along the line over an
-// edge; p95 over p5 of the disc's areas by the surface's, also of a disc that is not balanced, and how many of
-// its triangles are turned over; how the slope of weights jumps at line and ring, over the mean slope; angles
-// of the region's triangles and between them, at rest, moved, and of new triangles; of a profile how far the
-// new section is from it [mean edges].
+// edge; p95 over p5 of the disc's areas by the surface's, also of a disc that is not balanced, and how many
+// of its triangles are turned over; how the slope of weights jumps at line and ring, over the mean slope;
+// angles of the region's triangles and between them, at rest, moved, and of new triangles; of a profile how
+// far the new section is from it [mean edges].
 void addEditFigures(vtkOversketchEdit* edit, Json::Value& json);
 
 } // namespace oversketch_command

@@ -10,9 +10,9 @@
 namespace oversketch
 {
 
-// A point that hangs on a mesh: up to three vertices of one triangle and their weights (sum 1). A vertex-based
-// silhouette point has weights (1, 0, 0), an edge-based one (alpha, 1 - alpha, 0); unused vertices repeat the
-// first.
+// A point that hangs on a mesh: up to three vertices of one triangle and their weights (sum 1). A
+// vertex-based silhouette point has weights (1, 0, 0), an edge-based one (alpha, 1 - alpha, 0); unused
+// vertices repeat the first.
 struct Binding
 {
   std::array<int, 3> vertices{ -1, -1, -1 };

@@ -10,9 +10,10 @@
 namespace oversketch
 {
 
-// The smallest rotation that takes the direction of `from` to that of `to`; half a turn about any perpendicular
-// where they are opposite. Ours, and not Eigen's FromTwoVectors, because that brings a singular value
-// decomposition for the last case, which takes ten seconds to compile; the numbers are the same in all others.
+// The smallest rotation that takes the direction of `from` to that of `to`; half a turn about any
+// perpendicular where they are opposite. Ours, and not Eigen's FromTwoVectors, because that brings a singular
+// value decomposition for the last case, which takes ten seconds to compile; the numbers are the same in all
+// others.
 inline Eigen::Quaterniond rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
   const Eigen::Vector3d a = from.normalized(), b = to.normalized();

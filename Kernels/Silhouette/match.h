@@ -35,8 +35,8 @@ struct MatchedSection
     places; // on the candidate, along the stroke: nearest to its first sample, points, nearest to its last
   double begin = 0.0, length = 0.0; // px along the candidate, as in CandidatePart
   double distance = 0.0;            // D of Eq. 3, px
-  double score = 0.0;    // what was minimised, px
-  int rivals = 1;        // sections that fit, this one among them
+  double score = 0.0;               // what was minimised, px
+  int rivals = 1;                   // sections that fit, this one among them
 };
 
 // The published rule takes the candidate of least D = mean over the stroke's samples of the distance to the

@@ -27,8 +27,8 @@ inline std::filesystem::path meshFolder()
   return (data ? fs::path(data) : fs::path(OVERSKETCH_SOURCE_FOLDER) / ".." / "shared" / "data") / "meshes";
 }
 
-// The files' names; one that is empty where the folder is absent. With a seed of the day, OVERSKETCH_SEED, a quarter of them, another one
-// each day; all in the full run, OVERSKETCH_FULL.
+// The files' names; one that is empty where the folder is absent. With a seed of the day, OVERSKETCH_SEED, a
+// quarter of them, another one each day; all in the full run, OVERSKETCH_FULL.
 inline std::vector<std::string> meshNames()
 {
   std::vector<std::string> names;

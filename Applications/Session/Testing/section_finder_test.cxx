@@ -302,7 +302,11 @@ TEST(SectionFinder, EndsAtOnceInTheMiddleOfASearch)
       SectionFinder finder(
         *findSystem("OneStroke"),
         [&] { ++answers; },
-        [&](vtkOversketchSystem* system, vtkPolyData* model, vtkPolyData* stroke, vtkPolyData* section, vtkPolyData*)
+        [&](vtkOversketchSystem* system,
+          vtkPolyData* model,
+          vtkPolyData* stroke,
+          vtkPolyData* section,
+          vtkPolyData*)
         {
           begun.set_value();
           do
