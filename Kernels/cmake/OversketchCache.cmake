@@ -6,5 +6,3 @@ if (CMAKE_CXX_COMPILER_LAUNCHER STREQUAL "ccache")
   set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
   execute_process(COMMAND ccache --get-config cache_dir OUTPUT_VARIABLE oversketch_ccache OUTPUT_STRIP_TRAILING_WHITESPACE)
 endif ()
-# Messages name a file by its place in the tree, not on the machine; or what writes messages would be compiled anew in another folder.
-add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
