@@ -19,7 +19,8 @@ found = []
 for entry in json.load(open(sys.argv[1])):
     together = "/Unity/unity_" in entry["file"]
     for file in re.findall('#include "(.+)"', open(entry["file"]).read()) if together else [entry["file"]]:
-        found.append({**entry, "file": file, "command": entry["command"].replace(entry["file"], file)})
+        command = re.sub(r" -Winvalid-pch -include \S+", "", entry["command"])  # a header that GCC has precompiled
+        found.append({**entry, "file": file, "command": command.replace(entry["file"], file)})
 json.dump(found, open(sys.argv[2], "w"), indent=0)
 EXPAND
 
