@@ -43,7 +43,7 @@ oversketch_install() {
 }
 
 # oversketch_build PRESET [OPTION...]: configures and builds; one line counts the steps, the log is shown when it fails. The options
-# go to cmake --build.
+# go to cmake --build. The caller has pipefail set.
 oversketch_build() {
   local preset=$1 log
   shift

@@ -27,8 +27,9 @@ SANITIZER = {"ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=1:use_sig
 ALL = "-DOVERSKETCH_ALL_TESTS="
 JOBS = f"-j{os.cpu_count() + 1}"  # one more than there are processors, as a window waits now and then
 HOSTILE = ("random_chains_test", "hostile_drawings_test", "hostile_edit_test", "hostile_meshes_test")
-# The share of each system's acceptance runs that holds all bounds, at least, in all of them and in a tenth, which has fewer to miss by.
-LEAST = {"one_stroke": (0.95, 0.85), "augment": (0.95, 0.85), "inflate": (0.9, 0.7), "edit": (0.7, 0.5)}
+# The share of each system's acceptance runs that holds all bounds, at least: in all of them, where it is not what the run itself asks
+# for, and in a tenth, which has fewer to miss by.
+LEAST = {"one_stroke": (None, 0.85), "augment": (None, 0.85), "inflate": (None, 0.7), "edit": (0.7, 0.5)}
 ACCEPTED = {"PYTHONPATH": "build/release/lib/python3/dist-packages", "OVERSKETCH_COMMAND": "build/release/bin/oversketch"}
 DATA = pathlib.Path(os.environ.get("OVERSKETCH_DATA", ROOT / ".." / "shared" / "data"))
 
@@ -40,8 +41,9 @@ def built(preset, targets="all tests", every="OFF"):
 def acceptance(tenth):
     """The runs whose pictures and models are there; the models that are shipped serve for three."""
     systems = [name for name in LEAST if name != "inflate" or (DATA / "images").is_dir()]
-    return " && ".join(f"/usr/bin/python3 Testing/Acceptance/{name}/accept.py build/acceptance/{'tenth/' if tenth else ''}{name} --least {LEAST[name][tenth]} "
-                       + (f"--tenth {TODAY} --modes default --no-pictures" if tenth else "") for name in systems)
+    return " && ".join(f"/usr/bin/python3 Testing/Acceptance/{name}/accept.py build/acceptance/{'tenth/' if tenth else ''}{name}"
+                       + (f" --least {LEAST[name][tenth]}" if LEAST[name][tenth] else "")
+                       + (f" --tenth {TODAY} --modes default --no-pictures" if tenth else "") for name in systems)
 
 
 # Leaks are not counted: VTK, PoCL and Mesa keep memory until the process ends. No stack for signals: LLVM puts its own into threads in

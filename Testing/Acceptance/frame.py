@@ -168,5 +168,9 @@ def main(run, documentation):
         shown = [picture.load(f) for f in files if f.is_file()]
         sheets.write([picture.halve(f) for f in shown] if run.halve else shown, pictures / f"sheet-{mode}", *run.sheet)
     counting = [{name: result[mode] for name, result in results.items()} for mode in modes if mode in run.counting]
-    enough = run.enough if options.least is None else lambda each: np.mean([r["holds"] for r in each.values()]) >= options.least
+    enough = run.enough
+    if options.least is not None:
+        def enough(each):
+            lost = any("crash or hang" in result["fails"] for result in each.values())
+            return not lost and np.mean([result["holds"] for result in each.values()]) >= options.least
     return 0 if all(enough(each) for each in counting) else 1

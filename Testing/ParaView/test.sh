@@ -23,7 +23,7 @@ if [ $# -gt 0 ]; then
   run asked Testing/ParaView "$@"
   exit
 fi
-# What is done by hand in ParaView's window beside all else: neither takes more than one processor for long.
+# Tests by hand in ParaView's window run beside all others: neither takes more than one processor for long.
 run by_hand Testing/ParaView/test_by_hand.py >build/paraview/by_hand.log 2>&1 &
 code=0
 run others --ignore=Testing/ParaView/test_by_hand.py Testing/ParaView || code=$?
