@@ -1,7 +1,5 @@
-"""The shipped models, strokes and terrain keep what README.md says of them, and the scripts make them."""
-import filecmp
+"""The shipped models, strokes and terrain keep what README.md says of them."""
 import os
-import subprocess
 import sys
 
 import numpy as np
@@ -187,46 +185,3 @@ def test_terrain():
     assert (level - land > 1.0).mean() < 0.01, "no lakes"
     river = make_augmentations.works()[0].course
     assert river[0, 2] - river[-1, 2] > 15.0 and (np.diff(river[:, 2]) > 0.3).sum() == 0, "rivers run down"
-
-
-def test_strokes_are_made_again(tmp_path):
-    name = "hand_longer_finger"
-    subprocess.run([sys.executable, os.path.join(HERE, "make_strokes.py"), "--only", name, "--to", str(tmp_path)], check=True)
-    made = read(vtk.vtkXMLPolyDataReader(), str(tmp_path), name + ".vtp")
-    there, here = (vtk_to_numpy(s.GetPoints().GetData()) for s in (stroke(name), made))
-    assert len(there) == len(here) and np.abs(there - here).max() < 1e-6
-
-
-def test_augmentations_are_made_again(tmp_path):
-    """All of them and the terrain, twice: the same bytes; and what is shipped but for rounding, by which waters may part elsewhere."""
-    for folder in ("one", "two"):
-        subprocess.run([sys.executable, os.path.join(HERE, "make_augmentations.py"), "--to", str(tmp_path / folder)], check=True)
-    for name in listing.AUGMENT:
-        file = os.path.join("Strokes", name + ".vtp")
-        assert filecmp.cmp(str(tmp_path / "one" / file), str(tmp_path / "two" / file), shallow=False)
-        there, here = stroke(name), read(vtk.vtkXMLPolyDataReader(), str(tmp_path), "one", file)
-        assert there.GetNumberOfCells() == here.GetNumberOfCells()
-        if not name.startswith("valley"):
-            there, here = (vtk_to_numpy(s.GetPoints().GetData()) for s in (there, here))
-            assert len(there) == len(here) and np.abs(there - here).max() < 1e-6
-    file = os.path.join("Terrain", "valley.png")
-    assert filecmp.cmp(str(tmp_path / "one" / file), str(tmp_path / "two" / file), shallow=False)
-    there, here = (vtk_to_numpy(read(vtk.vtkPNGReader(), path).GetPointData().GetScalars()).astype(float)
-                   for path in (file, str(tmp_path / "one" / file)))
-    assert np.abs(there - here).mean() < 0.02 * there.max()
-
-
-def test_models_are_made_again(tmp_path):
-    """A model at three times its edge length, twice: the same bytes; and the shipped model lies on the same surface."""
-    command = [sys.executable, os.path.join(HERE, "make_models.py"), "--only", "hand", "--coarser", "3", "--to"]
-    for folder in ("one", "two"):
-        subprocess.run(command + [str(tmp_path / folder)], check=True)
-    one, two = (str(tmp_path / folder / "hand.ply") for folder in ("one", "two"))
-    assert filecmp.cmp(one, two, shallow=False)
-    coarse = read(vtk.vtkPLYReader(), one)
-    assert_sound(coarse)
-    points, triangles = arrays(coarse)
-    assert 1500 < len(triangles) < 4000 and remesh.minimum_angles(points, triangles).mean() > 45.0
-    distance = vtk.vtkImplicitPolyDataDistance()
-    distance.SetInput(model("hand"))
-    assert max(abs(distance.EvaluateFunction(p)) for p in points) < 0.2 * figures.FIGURES["hand"][1]

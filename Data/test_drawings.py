@@ -1,7 +1,6 @@
-"""The shipped drawings keep what README.md says of them, and the script makes them."""
+"""The shipped drawings keep what README.md says of them."""
 import json
 import os
-import subprocess
 import sys
 
 import numpy as np
@@ -174,32 +173,6 @@ def test_magnetic_strokes_lie_beside_the_edge():
         contrast = np.abs(at(line.edge + 2 * normal) - at(line.edge - 2 * normal))
         print(f"contrast: 5th percentile {np.percentile(contrast, 5):.0f}, median {np.median(contrast):.0f}")
         assert np.percentile(contrast, 5) > (60 if i == 0 else 15)
-
-
-def along(points, count=200):
-    """As many places at equal shares of a line's length."""
-    length = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]
-    shares = np.linspace(0.0, length[-1], count)
-    return np.column_stack([np.interp(shares, length, points[:, k]) for k in range(points.shape[1])])
-
-
-def test_drawings_are_made_again(tmp_path):
-    """All of them: what is shipped but for rounding, on another processor; one of them twice: the same bytes."""
-    for folder, only in (("one", []), ("two", ["--only", "figure_hat"])):
-        subprocess.run([sys.executable, os.path.join(HERE, "make_drawings.py"), *only, "--to", str(tmp_path / folder)], check=True)
-    for end in (".png", ".vtp"):
-        one, two = ((tmp_path / folder / ("figure_hat" + end)).read_bytes() for folder in ("one", "two"))
-        assert one == two
-    for name in NAMES:
-        there, here = (read(vtk.vtkXMLPolyDataReader(), folder, name + ".vtp") for folder in (FOLDER, str(tmp_path / "one")))
-        assert there.GetNumberOfCells() == here.GetNumberOfCells()
-        for one, two in zip(lines(there), lines(here)):
-            one, two = vtk_to_numpy(there.GetPoints().GetData())[one], vtk_to_numpy(here.GetPoints().GetData())[two]
-            if len(one) != len(two) or np.abs(one - two).max() >= 1e-3:  # rounding made one sample more or less before the curve was
-                # thinned, which moves those after it along the same curve
-                assert abs(len(one) - len(two)) <= 1 and np.abs(along(one) - along(two)).max() < 0.2, name
-        there, here = (pixels(read(vtk.vtkPNGReader(), folder, name + ".png")).astype(int) for folder in (FOLDER, str(tmp_path / "one")))
-        assert np.abs(there - here).mean() < 0.01
 
 
 # ------------------------------------------------------------------------------------------------- the painter's own

@@ -34,6 +34,11 @@ void expectPlain(const QString& words)
 
 struct BadHands : Scene
 {
+  BadHands()
+    : Scene(wholeWindow)
+  {
+  }
+
   void stroke(const std::vector<QPoint>& path)
   {
     this->settle();

@@ -120,7 +120,7 @@ TEST(EditRows, HistoryWaitsForTheHandAndNothingGoesIntoAnotherStep)
 
 TEST(EditRows, AnEarlierOneIsChangedAndTheLaterFollow)
 {
-  Rows scene;
+  Rows scene(Qt::Key_E, wholeWindow);
   scene.drawBoth();
   scene.keysWaitForTheHand();
   scene.nothingGoesIntoAnotherRow();

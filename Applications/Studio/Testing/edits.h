@@ -30,8 +30,9 @@ using Way = std::vector<QPoint>;
 
 struct Edits : Scene
 {
-  explicit Edits(Qt::Key tool = Qt::Key_E)
-    : advice(this->window.findChild<QLabel*>("advice"))
+  explicit Edits(Qt::Key tool = Qt::Key_E, const QSize& size = smallWindow)
+    : Scene(size)
+    , advice(this->window.findChild<QLabel*>("advice"))
   {
     QApplication::setActiveWindow(&this->window);
     this->press(tool);

@@ -34,7 +34,8 @@ namespace
 struct Dogs : Scene
 {
   Dogs()
-    : list(this->window.findChild<QListWidget*>("scene"))
+    : Scene(wholeWindow)
+    , list(this->window.findChild<QListWidget*>("scene"))
     , advice(this->window.findChild<QLabel*>("advice"))
     , first(this->document->digest())
     , file(this->folder.filePath("second.ply"))

@@ -18,6 +18,7 @@
 #include <QColor>
 #include <QElapsedTimer>
 #include <QImage>
+#include <QSize>
 #include <QTest>
 #include <QTimer>
 
@@ -46,10 +47,15 @@ inline int differing(const QImage& a, const QImage& b)
   return found;
 }
 
+// What the processor draws takes as long as it is large; a hand that goes by pixels needs the room of the
+// window as it opens.
+const QSize smallWindow(1000, 700), wholeWindow(1200, 800);
+
 struct Scene
 {
-  Scene()
+  explicit Scene(const QSize& size = smallWindow)
   {
+    this->window.resize(size);
     this->window.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->window, 60000));
     this->window.openShippedModel();
