@@ -20,7 +20,7 @@ def compiled_anew(log):
     entries = re.findall(r"^# (.*)\n((?:\w+\n)*)", pathlib.Path(log).read_text(), re.M)
     assert len(entries) > 50, f"the compiler's cache saw {len(entries)} sources"
     return [source for source, results in entries
-            if "cache_miss" in results.split() and not re.search(r"CMakeScratch|CompilerId", source)]
+            if "cache_miss" in results.split() and not re.search(r"CMakeScratch|CompilerId|CompilerABI", source)]
 
 
 class Environment:
