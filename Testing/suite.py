@@ -62,7 +62,7 @@ FULL = {
     "all-asan-build": (built("asan", "tests", "ON"), {}),
     "all-asan-tests": (f"ctest --preset asan {JOBS}", {**SANITIZER, "OVERSKETCH_FULL": "1"}),
     "plain": ("cmake --preset plain && cmake --build --preset plain --target all tests", {}),
-    "lto": ("cmake --preset lto && cmake --build --preset lto", {}),
+    "lto": ("cmake --preset lto && cmake --build --preset lto -- -k 0", {}),
     "paraview": ("Testing/ParaView/test.sh", {}),
     "packages-12": ("Testing/packages.sh bookworm build/roots", {}),
     "packages-13": ("Testing/packages.sh trixie build/roots", {}),
