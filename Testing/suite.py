@@ -22,7 +22,7 @@ import xml.etree.ElementTree as tree
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LOGS, TIMES, PASSED = (ROOT / "build" / name for name in ("logs", "times.json", "full.json"))
-TODAY = int(datetime.date.today().strftime("%Y%m%d"))
+TODAY = int(os.environ.get("OVERSKETCH_SEED") or datetime.date.today().strftime("%Y%m%d"))
 SANITIZER = {"ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
 ALL = "-DOVERSKETCH_ALL_TESTS="
 JOBS = f"-j{os.cpu_count() + 1}"  # one more than there are processors, as a window waits now and then
@@ -113,9 +113,11 @@ def seconds_of_tests(since):
     return found
 
 
-def run(name):
+def run(name, full):
     """The exit code and the seconds of a part."""
     command, variables = PARTS[name]
+    if full:
+        variables = {"OVERSKETCH_FULL": "1", **variables}
     LOGS.mkdir(parents=True, exist_ok=True)
     log = LOGS / f"{name}.log"
     began = time.time()
@@ -166,7 +168,7 @@ def main(asked):
         if name in state["passed"]:
             print(f"{name:15}            passed before", flush=True)
             continue
-        code, parts[name] = run(name)
+        code, parts[name] = run(name, asked == ["full"])
         if code != 0:
             failed.append(name)
             if asked != ["full"]:

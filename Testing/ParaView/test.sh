@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the ParaView plugin, getting ParaView first where it is not installed, and tests it: proxies against headers, pvpython,
-# pvbatch, pvserver, state files, the meshes of the VTK build, a stroke drawn in the window, 200 models on 1, 2 and 4 ranks.
+# pvbatch, pvserver, state files, the meshes of the VTK build, a stroke drawn in the window, 200 models (20 for each commit) on 1, 2 and 4 ranks.
 # Testing/test.sh paraview calls it. Arguments go to pytest. Where all of it has passed, tested.txt says of what sources (stamp.py).
 set -euo pipefail
 . "$(dirname "$0")/../../Applications/ParaView/setup.sh"
