@@ -78,10 +78,12 @@ def test_drawings_are_made_again(tmp_path):
     for name in NAMES:
         there, here = (read(vtk.vtkXMLPolyDataReader(), folder, name + ".vtp") for folder in (FOLDER, str(tmp_path / "one")))
         assert there.GetNumberOfCells() == here.GetNumberOfCells()
+        slid = 0  # rounding moves the samples of a few strokes along their curves, where there may be one more or less
         for one, two in zip(lines(there), lines(here)):
             one, two = vtk_to_numpy(there.GetPoints().GetData())[one], vtk_to_numpy(here.GetPoints().GetData())[two]
-            if len(one) != len(two) or np.abs(one - two).max() >= 1e-3:  # rounding made one sample more or less before the curve was
-                # thinned, which moves those after it along the same curve
+            if len(one) != len(two) or np.abs(one - two).max() >= 1e-3:
+                slid += 1
                 assert abs(len(one) - len(two)) <= 1 and np.abs(along(one) - along(two)).max() < 0.2, name
+        assert slid <= 2, name
         there, here = (pixels(read(vtk.vtkPNGReader(), folder, name + ".png")).astype(int) for folder in (FOLDER, str(tmp_path / "one")))
         assert np.abs(there - here).mean() < 0.01

@@ -28,9 +28,9 @@ def environment(tmp_path_factory):
 @pytest.fixture(scope="module")
 def wheel(environment, tmp_path_factory):
     folder = tmp_path_factory.mktemp("wheel")
+    shutil.rmtree(SOURCE / "build" / "wheel", ignore_errors=True)  # from nothing, so that what is compiled is seen
     # The compiler by its plain name, as CMake finds it: by another name the compiler's cache takes it for another. What the build
     # that is tested has compiled is not compiled again.
-    shutil.rmtree(SOURCE / "build" / "wheel", ignore_errors=True)  # from nothing, so that this is seen
     log = folder.with_suffix(".log")
     quick = {"CC": "cc", "CXX": "c++", "CCACHE_STATSLOG": str(log)}
     quick |= {f"CMAKE_{language}_COMPILER_LAUNCHER": "ccache" for language in ("C", "CXX")}

@@ -52,7 +52,7 @@ struct ReachScene
 {
   explicit ReachScene(bool stroke)
   {
-    this->window.resize(1000, 700); // what the processor draws takes as long as it is large
+    this->window.resize(1000, 700); // the processor draws it in less time
     this->window.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->window, 60000));
     QApplication::setActiveWindow(&this->window);

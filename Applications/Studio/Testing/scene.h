@@ -47,8 +47,8 @@ inline int differing(const QImage& a, const QImage& b)
   return found;
 }
 
-// What the processor draws takes as long as it is large; a hand that goes by pixels needs the room of the
-// window as it opens.
+// Sizes of the window. The processor draws the small one in less time. A hand that goes by pixels takes the
+// whole one, in which the program opens.
 const QSize smallWindow(1000, 700), wholeWindow(1200, 800);
 
 struct Scene
