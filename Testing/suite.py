@@ -59,15 +59,15 @@ SHORT = {
 FULL = {
     "all-build": (built("release", "all tests benchmarks", "ON"), {}),
     "all-tests": (f"ctest --preset release {JOBS}", {"OVERSKETCH_FULL": "1"}),
-    "all-asan-build": (built("asan", "tests", "ON"), {}),
-    "all-asan-tests": (f"ctest --preset asan {JOBS}", {**SANITIZER, "OVERSKETCH_FULL": "1"}),
+    "all-asan-build": (built("asan-scope", "tests", "ON"), {}),
+    "all-asan-tests": (f"ctest --preset asan-scope {JOBS}", {**SANITIZER, "OVERSKETCH_FULL": "1"}),
     "plain": ("cmake --preset plain && cmake --build --preset plain --target all tests", {}),
     "lto": ("cmake --preset lto && cmake --build --preset lto -- -k 0", {}),
     "paraview": ("Testing/ParaView/test.sh", {}),
     "packages-12": ("Testing/packages.sh bookworm build/roots", {}),
     "packages-13": ("Testing/packages.sh trixie build/roots", {}),
     "random": ("Testing/random.sh 1000", {}),
-    "hostile": (f"{built('asan', ' '.join(HOSTILE), 'ON')} && printf '%s\\n' {' '.join(HOSTILE)} | xargs -P 2 -I {{}} build/asan/bin/{{}}",
+    "hostile": (f"{built('asan-scope', ' '.join(HOSTILE), 'ON')} && printf '%s\\n' {' '.join(HOSTILE)} | xargs -P 2 -I {{}} build/asan-scope/bin/{{}}",
                 {**SANITIZER, "OVERSKETCH_FULL": "1", "OVERSKETCH_CHAINS": "300", "OVERSKETCH_DRAWINGS": "1000", "OVERSKETCH_HOSTILE_VALUES": "all",
                  "OVERSKETCH_EDITS": "40"}),
     "all-acceptance": (acceptance(False), ACCEPTED),
@@ -153,7 +153,7 @@ def main(asked):
     if asked == ["list"]:
         print("\n".join([*SHORT, "", *FULL]))
         return 0
-    names = list(SHORT) if not asked else [n for n in PARTS if n not in ("asan-tests", "tests", "acceptance")] if asked == ["full"] else asked
+    names = list(SHORT) if not asked else [n for n in PARTS if n not in ("tests", "acceptance", "asan-build", "asan-tests")] if asked == ["full"] else asked
     unknown = [name for name in names if name not in PARTS]
     if unknown:
         print(f"suite.py: there is no part {', '.join(unknown)}; parts: {', '.join(PARTS)}", file=sys.stderr)
