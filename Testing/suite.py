@@ -26,6 +26,7 @@ TODAY = int(os.environ.get("OVERSKETCH_SEED") or datetime.date.today().strftime(
 SANITIZER = {"ASAN_OPTIONS": "detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
 ALL = "-DOVERSKETCH_ALL_TESTS="
 JOBS = f"-j{os.cpu_count() + 1}"  # one more than there are processors, as a window waits now and then
+DRAWN = {"LP_NUM_THREADS": "0"}  # Mesa's own threads would only take turns with the other tests
 HOSTILE = ("random_chains_test", "hostile_drawings_test", "hostile_edit_test", "hostile_meshes_test")
 # The share of each system's acceptance runs that holds all bounds, at least: in all of them, where it is not what the run itself asks
 # for, and in a tenth, which has fewer to miss by.
@@ -51,14 +52,14 @@ def acceptance(tenth):
 # sanitizer does not see into.
 SHORT = {
     "build": (built("release"), {}),
-    "tests": (f"ctest --preset release -L home {JOBS}", {}),
+    "tests": (f"ctest --preset release -L home {JOBS}", DRAWN),
     "acceptance": (acceptance(True), ACCEPTED),
     "asan-build": (built("asan", "tests"), {}),
     "asan-tests": (f"ctest --preset asan -L home {JOBS}", SANITIZER),
 }
 FULL = {
     "all-build": (built("release", "all tests benchmarks", "ON"), {}),
-    "all-tests": (f"ctest --preset release {JOBS}", {"OVERSKETCH_FULL": "1"}),
+    "all-tests": (f"ctest --preset release {JOBS}", {**DRAWN, "OVERSKETCH_FULL": "1"}),
     "all-asan-build": (built("asan-scope", "tests", "ON"), {}),
     "all-asan-tests": (f"ctest --preset asan-scope {JOBS}", {**SANITIZER, "OVERSKETCH_FULL": "1"}),
     "plain": ("cmake --preset plain && cmake --build --preset plain --target all tests", {}),

@@ -8,11 +8,11 @@
 #include "vtkOversketchStrokeWidget.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
@@ -32,20 +32,15 @@ namespace
 // px as Qt counts them
 constexpr double strokeLineWidth = 3.0, snapRadius = 10.0;
 constexpr int leastSide = 120, letterWidth = 8;
-constexpr int padSamples = 4; // a pixel
 
 } // namespace
 
 DrawingPad::DrawingPad(QWidget* parent)
-  : QVTKOpenGLNativeWidget(parent)
+  : FlatView(parent)
 {
   this->setObjectName("drawing_pad");
-  this->setRenderWindow(this->Window);
-  this->Window->AddRenderer(this->Renderer);
-  this->Window->SetMultiSamples(padSamples);
-  this->interactor()->SetInteractorStyle(nullptr); // there is no camera to turn
   this->Widget->SetInteractor(this->interactor());
-  this->Widget->SetDefaultRenderer(this->Renderer);
+  this->Widget->SetDefaultRenderer(this->renderer());
   this->Widget->SetEnabled(1);
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
@@ -160,7 +155,7 @@ void DrawingPad::showText(const QString& text)
     length = fits ? length + word.size() + 1 : word.size();
   }
   this->Widget->GetDrawingRepresentation()->SetText(lines.toUtf8().constData());
-  this->Window->Render();
+  this->renderWindow()->Render();
 }
 
 bool DrawingPad::isDrawing() const
@@ -187,10 +182,12 @@ void DrawingPad::setSteadiness(double pixels)
 void DrawingPad::setDark(bool dark)
 {
   // The model's.
-  dark ? this->Renderer->SetBackground(0.13, 0.14, 0.16) : this->Renderer->SetBackground(0.80, 0.82, 0.84);
-  dark ? this->Renderer->SetBackground2(0.22, 0.24, 0.27) : this->Renderer->SetBackground2(0.95, 0.96, 0.97);
-  this->Renderer->GradientBackgroundOn();
-  this->Window->Render();
+  dark ? this->renderer()->SetBackground(0.13, 0.14, 0.16)
+       : this->renderer()->SetBackground(0.80, 0.82, 0.84);
+  dark ? this->renderer()->SetBackground2(0.22, 0.24, 0.27)
+       : this->renderer()->SetBackground2(0.95, 0.96, 0.97);
+  this->renderer()->GradientBackgroundOn();
+  this->renderWindow()->Render();
 }
 
 bool DrawingPad::event(QEvent* event)
@@ -200,13 +197,13 @@ bool DrawingPad::event(QEvent* event)
   {
     this->Fits = false;
   }
-  return QVTKOpenGLNativeWidget::event(event);
+  return FlatView::event(event);
 }
 
 // VTK counts the screen's own pixels.
 void DrawingPad::resizeGL(int width, int height)
 {
-  QVTKOpenGLNativeWidget::resizeGL(width, height);
+  FlatView::resizeGL(width, height);
   const double ratio = this->devicePixelRatioF();
   this->Widget->GetDrawingRepresentation()->GetCurveProperty()->SetLineWidth(
     static_cast<float>(strokeLineWidth * ratio));

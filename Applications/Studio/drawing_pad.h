@@ -2,21 +2,19 @@
 #ifndef oversketch_applications_studio_drawing_pad_h
 #define oversketch_applications_studio_drawing_pad_h
 
+#include "flat_view.h"
+
 #include "vtkNew.h"
 
-#include <QVTKOpenGLNativeWidget.h>
-
 class vtkCallbackCommand;
-class vtkGenericOpenGLRenderWindow;
 class vtkImageData;
 class vtkOversketchDrawingWidget;
 class vtkPolyData;
-class vtkRenderer;
 
 namespace oversketch_studio
 {
 
-class DrawingPad : public QVTKOpenGLNativeWidget
+class DrawingPad : public FlatView
 {
   Q_OBJECT
 
@@ -61,8 +59,6 @@ private:
   void fit();
   void zoom(double factor, const QPointF& about);
 
-  vtkNew<vtkGenericOpenGLRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkOversketchDrawingWidget> Widget;
   vtkNew<vtkCallbackCommand> Observer;
   double Steadiness = 6.0;

@@ -1,5 +1,6 @@
 #include "viewport.h"
 
+#include "draws_on_processor.h"
 #include "key_list.h"
 #include "latency.h"
 #include "overlays.h"
@@ -28,7 +29,6 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace oversketch_studio
@@ -43,15 +43,6 @@ namespace
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
 constexpr float sectionWidth = 3.0F; // px as Qt counts them, of the section
 constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
-constexpr int viewSamples = 4;       // a pixel
-constexpr int restTime = 200;        // ms without a frame
-
-// Ambient occlusion and several samples a pixel would make a picture drawn by the processor wait.
-bool drawsOnProcessor(vtkRenderWindow* window)
-{
-  const char* about = window->ReportCapabilities();
-  return about && (std::strstr(about, "llvmpipe") || std::strstr(about, "softpipe"));
-}
 
 } // namespace
 
@@ -62,7 +53,7 @@ Viewport::Viewport(QWidget* parent)
 {
   this->setRenderWindow(this->Window);
   this->Window->AddRenderer(this->Renderer);
-  this->Window->SetMultiSamples(viewSamples);
+  this->Window->SetMultiSamples(edgeSamples);
   this->makeScene();
   this->listen();
   this->Await->setSingleShot(true);
@@ -406,7 +397,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   {
     this->OnProcessor = drawsOnProcessor(this->Window);
     this->Renderer->SetUseSSAO(!*this->OnProcessor);
-    this->Window->SetMultiSamples(*this->OnProcessor ? 0 : viewSamples);
+    this->Window->SetMultiSamples(*this->OnProcessor ? 0 : edgeSamples);
   }
   this->placeHint();
   emit this->meshShown();

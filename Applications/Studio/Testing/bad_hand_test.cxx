@@ -43,11 +43,7 @@ struct BadHands : Scene
   {
     this->settle();
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, path.front());
-    for (const QPoint& at : path)
-    {
-      moveMouse(this->view, at);
-      QApplication::processEvents();
-    }
+    sweepMouse(this->view, path);
     QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, path.back());
     this->wait();
     QApplication::processEvents();

@@ -2,6 +2,7 @@
 // First: it brings the headers of TBB, which name a function as Qt names its word emit.
 #include "vtkImplicitPolyDataDistance.h"
 
+#include "draws_on_processor.h"
 #include "files.h"
 #include "mesh_file.h"
 #include "message_words.h"
@@ -11,6 +12,7 @@
 
 #include "vtkOversketchInteractorStyle.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkNew.h"
@@ -211,11 +213,7 @@ TEST(Drawing, ALineOnTheSurfaceStaysWhenTheDrawingChangesUnderIt)
   };
   moveMouse(sheet.view, at(0), Qt::NoButton);
   QTest::mousePress(sheet.view, Qt::LeftButton, Qt::NoModifier, at(0));
-  for (int i = 1; i <= 40; ++i)
-  {
-    moveMouse(sheet.view, at(i));
-    QApplication::processEvents();
-  }
+  sweepMouse(sheet.view, 1, 40, at);
   QTest::mouseRelease(sheet.view, Qt::LeftButton, Qt::NoModifier, at(40));
   sheet.settle();
   ASSERT_EQ(sheet.session().nodes.size(), 2u);
@@ -432,4 +430,47 @@ TEST(Drawing, AnEmptyCanvasIsDrawnOn)
   sheet.settle();
   EXPECT_FALSE(sheet.pad->isVisible());
   EXPECT_TRUE(sheet.view->mesh());
+}
+
+// Where the processor draws: one frame more when nothing moves, and then none.
+TEST(Drawing, ItsEdgesAreSmoothedOnceTheHandRests)
+{
+  Sheet sheet;
+  sheet.open();
+  vtkRenderWindow* window = sheet.pad->renderWindow();
+  if (!drawsOnProcessor(window))
+  {
+    GTEST_SKIP() << "edges are always smoothed";
+  }
+  const QPointF from(20, 20), to(100, 50); // over plain paper
+  const auto colours = [&]
+  {
+    const QImage seen = sheet.pad->grabFramebuffer();
+    const QRect part = QRect(sheet.onPad(from), sheet.onPad(to)).normalized();
+    std::set<QRgb> found;
+    for (int y = part.top(); y <= part.bottom(); ++y)
+    {
+      for (int x = part.left(); x <= part.right(); ++x)
+      {
+        found.insert(seen.pixel(x, y));
+      }
+    }
+    return found.size();
+  };
+  std::vector<int> samples; // a pixel, of each frame
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&samples);
+  observer->SetCallback(
+    [](vtkObject* of, unsigned long, void* all, void*) {
+      static_cast<std::vector<int>*>(all)->push_back(vtkRenderWindow::SafeDownCast(of)->GetMultiSamples());
+    });
+  window->AddObserver(vtkCommand::EndEvent, observer);
+  sheet.line({ from, 0.5 * (from + to), to });
+  ASSERT_FALSE(samples.empty());
+  EXPECT_EQ(samples.front(), 0);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return samples.back() == edgeSamples; }, 60000));
+  EXPECT_GT(colours(), 4U) << "the paper's, the line's and no more";
+  samples.clear();
+  QTest::qWait(3 * restTime);
+  EXPECT_TRUE(samples.empty()) << samples.size() << " frames of what does not move";
 }

@@ -67,10 +67,7 @@ struct Edits : Scene
   {
     moveMouse(on, way.front(), Qt::NoButton);
     this->send(on, QEvent::MouseButtonPress, way.front(), held);
-    for (const QPoint& at : way)
-    {
-      this->send(on, QEvent::MouseMove, at, held);
-    }
+    sweepMouse(on, way, held);
     if (letGo)
     {
       this->letGo(on, way.back(), held);

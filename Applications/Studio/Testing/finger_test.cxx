@@ -122,11 +122,7 @@ struct Hands : Scene
       line.emplace_back(from + static_cast<int>(0.55 * (to - from)), row);
     }
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, line.front());
-    for (const QPoint& at : line)
-    {
-      moveMouse(this->view, at);
-      QApplication::processEvents();
-    }
+    sweepMouse(this->view, line);
     QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, line.back());
     this->wait();
     ASSERT_EQ(this->document->session().nodes.size(), 1u);

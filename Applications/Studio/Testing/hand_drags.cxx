@@ -133,11 +133,7 @@ int Hand::line(QWidget* on, const std::vector<QPoint>& way, Qt::KeyboardModifier
 {
   QTest::mouseMove(on, way.front());
   QTest::mousePress(on, Qt::LeftButton, held, way.front());
-  for (const QPoint& at : way)
-  {
-    moveMouse(on, at);
-    QApplication::processEvents();
-  }
+  sweepMouse(on, way);
   if (this->oneIn(12))
   {
     QTest::keyClick(this->View, Qt::Key_Escape);

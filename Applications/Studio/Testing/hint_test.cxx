@@ -50,11 +50,7 @@ struct Pupil : Scene
     moveMouse(this->view, at(line.front()), Qt::NoButton);
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(line.front()));
     EXPECT_TRUE(this->view->hint().isEmpty()) << "it lies under the line being drawn";
-    for (const Vector2& p : line)
-    {
-      moveMouse(this->view, at(p));
-      QApplication::processEvents();
-    }
+    sweepMouse(this->view, 0, static_cast<int>(line.size()) - 1, [&](int i) { return at(line[i]); });
     QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, at(line.back()));
     QApplication::processEvents();
     this->wait();

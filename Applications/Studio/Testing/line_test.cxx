@@ -46,11 +46,7 @@ struct LineScene : Scene
     const auto at = [&](int i)
     { return from + QPoint(4 * i, static_cast<int>(std::lround(8.0 * std::sin(0.3 * i)))); };
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(0));
-    for (int i = 1; i <= 30; ++i)
-    {
-      moveMouse(this->view, at(i));
-      QApplication::processEvents();
-    }
+    sweepMouse(this->view, 1, 30, at);
     this->end = at(30);
   }
   void line(int up = 0)

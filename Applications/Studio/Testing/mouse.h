@@ -6,13 +6,42 @@
 #include <QMouseEvent>
 #include <QWidget>
 
+#include <vector>
+
 namespace oversketch_studio
 {
 
-inline void moveMouse(QWidget* over, const QPoint& at, Qt::MouseButtons held = Qt::LeftButton)
+inline void moveMouse(QWidget* over,
+  const QPoint& at,
+  Qt::MouseButtons held = Qt::LeftButton,
+  Qt::KeyboardModifiers keys = Qt::NoModifier)
 {
-  QMouseEvent move(QEvent::MouseMove, at, over->mapToGlobal(at), Qt::NoButton, held, Qt::NoModifier);
+  QMouseEvent move(QEvent::MouseMove, at, over->mapToGlobal(at), Qt::NoButton, held, keys);
   QApplication::sendEvent(over, &move);
+}
+
+// Through the places at(first) to at(last). A frame is drawn for each four moves and for the last, as where a
+// quick hand draws.
+template <typename At>
+void sweepMouse(QWidget* over, int first, int last, const At& at, Qt::KeyboardModifiers keys = Qt::NoModifier)
+{
+  constexpr int movesOfFrame = 4;
+  for (int i = first; i <= last; ++i)
+  {
+    moveMouse(over, at(i), Qt::LeftButton, keys);
+    if (i == last || (i - first) % movesOfFrame == movesOfFrame - 1)
+    {
+      QApplication::processEvents();
+    }
+  }
+}
+
+inline void sweepMouse(QWidget* over,
+  const std::vector<QPoint>& way,
+  Qt::KeyboardModifiers keys = Qt::NoModifier)
+{
+  sweepMouse(
+    over, 0, static_cast<int>(way.size()) - 1, [&](int i) { return way[i]; }, keys);
 }
 
 } // namespace oversketch_studio

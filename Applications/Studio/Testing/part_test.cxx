@@ -113,11 +113,7 @@ struct Desk : Sheet
     const QPoint from = this->handle(which);
     moveMouse(this->view, from, Qt::NoButton);
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, from);
-    for (int i = 1; i <= 10; ++i)
-    {
-      moveMouse(this->view, from + by * i / 10);
-      QApplication::processEvents();
-    }
+    sweepMouse(this->view, 1, 10, [&](int i) { return from + by * i / 10; });
     if (release)
     {
       QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, from + by);

@@ -47,11 +47,7 @@ struct Rows : Scene
                       static_cast<int>(std::lround(-along * std::sin(angle) - out * std::cos(angle))));
     };
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(-15));
-    for (int i = -14; i <= 15; ++i)
-    {
-      moveMouse(this->view, at(i));
-      QApplication::processEvents();
-    }
+    sweepMouse(this->view, -14, 15, at);
     QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, at(15));
     this->wait();
   }

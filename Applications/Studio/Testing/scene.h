@@ -153,11 +153,7 @@ struct Scene
     const auto at = [&](int i)
     { return over + QPoint(3 * i, static_cast<int>(std::lround(20.0 - 45.0 * std::cos(0.08 * i)))); };
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(-15));
-    for (int i = -14; i <= 15; ++i)
-    {
-      moveMouse(this->view, at(i));
-      QApplication::processEvents();
-    }
+    sweepMouse(this->view, -14, 15, at);
     this->end = at(15);
   }
   void release() { QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, this->end); }

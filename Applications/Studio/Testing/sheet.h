@@ -125,10 +125,8 @@ struct Sheet : Scene
       QApplication::processEvents();
     };
     send(QEvent::MouseButtonPress, places.front(), Qt::LeftButton);
-    for (const QPointF& place : places)
-    {
-      send(QEvent::MouseMove, place, Qt::NoButton);
-    }
+    sweepMouse(
+      this->pad, 0, static_cast<int>(places.size()) - 1, [&](int i) { return this->onPad(places[i]); }, held);
     send(QEvent::MouseButtonRelease, places.back(), Qt::LeftButton);
     this->settle();
   }
@@ -159,11 +157,7 @@ struct Sheet : Scene
     };
     moveMouse(this->view, at(0), Qt::NoButton);
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, at(0));
-    for (int i = 1; i <= 30; ++i)
-    {
-      moveMouse(this->view, at(i));
-      QApplication::processEvents();
-    }
+    sweepMouse(this->view, 1, 30, at);
     QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, at(30));
     this->settle();
   }

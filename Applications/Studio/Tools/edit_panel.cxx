@@ -1,14 +1,14 @@
 #include "edit_panel.h"
 
-#include "vtkGenericOpenGLRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
+#include "flat_view.h"
+
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
-#include <QVTKOpenGLNativeWidget.h>
 
 namespace oversketch_studio
 {
@@ -16,22 +16,18 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int leastWidth = 190, leastHeight = 90, samplesOfPixel = 4;
+constexpr int leastWidth = 190, leastHeight = 90;
 
 } // namespace
 
 EditPanel::EditPanel(QWidget* canvas, const QString& title, const QString& name, QWidget* parent)
   : QWidget(parent)
   , Canvas(canvas)
-  , Picture(new QVTKOpenGLNativeWidget(this))
+  , Picture(new FlatView(this))
   , Controls(new QHBoxLayout)
 {
   this->Picture->setObjectName(name);
   this->Picture->setAccessibleName(title);
-  this->Picture->setRenderWindow(this->Window);
-  this->Window->AddRenderer(this->Renderer);
-  this->Window->SetMultiSamples(samplesOfPixel);
-  this->Picture->interactor()->SetInteractorStyle(nullptr); // there is no camera to turn
   this->Picture->setMinimumSize(leastWidth, leastHeight);
   this->Picture->setFocusPolicy(Qt::NoFocus);
   auto* column = new QVBoxLayout(this);
@@ -50,6 +46,11 @@ EditPanel::~EditPanel()
   }
 }
 
+vtkRenderer* EditPanel::renderer()
+{
+  return this->Picture->renderer();
+}
+
 void EditPanel::addControl(QWidget* control)
 {
   this->Controls->addWidget(control);
@@ -58,8 +59,9 @@ void EditPanel::addControl(QWidget* control)
 // Paper: what is drawn on it has dark and light parts.
 void EditPanel::setDark(bool dark)
 {
-  dark ? this->Renderer->SetBackground(0.44, 0.45, 0.48) : this->Renderer->SetBackground(0.84, 0.85, 0.87);
-  this->Window->Render();
+  dark ? this->renderer()->SetBackground(0.44, 0.45, 0.48)
+       : this->renderer()->SetBackground(0.84, 0.85, 0.87);
+  this->Picture->renderWindow()->Render();
 }
 
 // A dock that floats is a window of its own, which has the keys while it is in front.

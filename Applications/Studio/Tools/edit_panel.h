@@ -3,20 +3,18 @@
 #ifndef oversketch_applications_studio_tools_edit_panel_h
 #define oversketch_applications_studio_tools_edit_panel_h
 
-#include "vtkNew.h"
-
 #include <QPointer>
 #include <QWidget>
 
 #include <functional>
 
 class QHBoxLayout;
-class QVTKOpenGLNativeWidget;
-class vtkGenericOpenGLRenderWindow;
 class vtkRenderer;
 
 namespace oversketch_studio
 {
+
+class FlatView;
 
 class EditPanel : public QWidget
 {
@@ -28,7 +26,7 @@ public:
   ~EditPanel() override;
 
   // Its window has an interactor.
-  vtkRenderer* renderer() { return this->Renderer; }
+  vtkRenderer* renderer();
   void setDark(bool dark);
   // Under the picture.
   void addControl(QWidget* control);
@@ -43,10 +41,8 @@ protected:
 
 private:
   QPointer<QWidget> Canvas; // it may go first
-  QVTKOpenGLNativeWidget* Picture;
+  FlatView* Picture;
   QHBoxLayout* Controls;
-  vtkNew<vtkGenericOpenGLRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
 };
 
 } // namespace oversketch_studio

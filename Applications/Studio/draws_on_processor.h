@@ -1,0 +1,18 @@
+// Whether a window's pictures are drawn by the processor (Mesa's llvmpipe or softpipe): ambient occlusion and
+// several samples a pixel would make each frame wait. Edges are then smoothed when nothing moves.
+#ifndef oversketch_applications_studio_draws_on_processor_h
+#define oversketch_applications_studio_draws_on_processor_h
+
+class vtkRenderWindow;
+
+namespace oversketch_studio
+{
+
+constexpr int edgeSamples = 4; // a pixel, where edges are smoothed
+constexpr int restTime = 200;  // ms without a frame, after which nothing moves any more
+
+// Once there is a context.
+bool drawsOnProcessor(vtkRenderWindow* window);
+
+} // namespace oversketch_studio
+#endif

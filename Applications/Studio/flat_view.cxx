@@ -1,0 +1,76 @@
+#include "flat_view.h"
+
+#include "draws_on_processor.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <QTimer>
+
+namespace oversketch_studio
+{
+
+FlatView::FlatView(QWidget* parent)
+  : QVTKOpenGLNativeWidget(parent)
+  , Rest(new QTimer(this))
+{
+  this->setRenderWindow(this->Window);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->SetMultiSamples(edgeSamples);
+  this->interactor()->SetInteractorStyle(nullptr);
+  this->interactor()->EnableRenderOff();
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void*) { static_cast<FlatView*>(self)->renderSoon(); });
+  this->interactor()->AddObserver(vtkCommand::RenderEvent, this->Observer);
+  this->Rest->setSingleShot(true);
+  this->Rest->setInterval(restTime);
+  connect(this->Rest, &QTimer::timeout, this, &FlatView::renderSmooth);
+}
+
+FlatView::~FlatView()
+{
+  this->interactor()->RemoveObserver(this->Observer);
+}
+
+void FlatView::renderSoon()
+{
+  if (this->RenderWaits || this->interactor()->GetEnableRender())
+  {
+    return;
+  }
+  this->RenderWaits = true;
+  QTimer::singleShot(0,
+    this,
+    [this]
+    {
+      this->RenderWaits = false;
+      if (this->OnProcessor.value_or(false))
+      {
+        this->Window->SetMultiSamples(0);
+        this->Rest->start();
+      }
+      this->Window->Render();
+    });
+}
+
+void FlatView::renderSmooth()
+{
+  this->Window->SetMultiSamples(edgeSamples);
+  this->Window->Render();
+}
+
+void FlatView::paintGL()
+{
+  if (!this->OnProcessor)
+  {
+    this->OnProcessor = drawsOnProcessor(this->Window);
+  }
+  this->interactor()->EnableRenderOn(); // what Qt asks for is drawn now
+  QVTKOpenGLNativeWidget::paintGL();
+  this->interactor()->EnableRenderOff();
+}
+
+} // namespace oversketch_studio
