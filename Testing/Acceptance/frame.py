@@ -4,6 +4,7 @@ modes, and makes one table and contact sheets of the results. A system says in a
 import argparse
 import importlib.util
 import json
+import os
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -36,6 +37,10 @@ class Run(NamedTuple):
     enough: Callable = lambda results: np.mean([result["holds"] for result in results.values()]) >= REQUIRED
     sheet: tuple = (2, 4)  # pictures across and down on a contact sheet
     halve: bool = True  # pictures are halved there
+
+
+# That of the seed; none, for all, in a full run and where there is no seed.
+DAY = None if "OVERSKETCH_FULL" in os.environ or "OVERSKETCH_SEED" not in os.environ else int(os.environ["OVERSKETCH_SEED"])
 
 
 def tenth(items, day):

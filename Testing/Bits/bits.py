@@ -30,6 +30,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "Acceptance"), str(HERE.parent / "ParaView")]
+import frame  # noqa: E402
 import judge  # noqa: E402
 import meshes  # noqa: E402  (finds what follows)
 import listing  # noqa: E402
@@ -144,7 +145,7 @@ def single_strokes(group: str) -> Iterator[Tuple[str, Path, vtkPolyData]]:
             yield path.stem, meshes.DATA / "Models" / f"{path.stem.split('_')[0]}.ply", stroke_files.read(path)[0]
         return
     known = {name: path for name, path, _ in meshes.models()}
-    for name, stroke in drawn_strokes():
+    for name, stroke in frame.tenth(drawn_strokes(), frame.DAY):
         model = name.split("-")[0]
         if model in known:
             yield name, known[model], stroke

@@ -7,7 +7,6 @@ compared without remeshing, surfaces with it; figures are shares of the model's 
 Turned, none of these strokes meets a tie. One that stays: where a flat face is seen exactly edge-on, its edges have one picture, and
 which of them the outline is bound to is left to rounding (the koala of the acceptance run, on its flat sole: 8e-4, the region the same).
 """
-import os
 import sys
 from pathlib import Path
 
@@ -28,9 +27,7 @@ import frame  # noqa: E402
 import listing  # noqa: E402
 
 STROKES = meshes.DATA / "Strokes"
-# All in a full run; in one that has a seed of the day the tenth of that day.
-DAY = None if "OVERSKETCH_FULL" in os.environ or "OVERSKETCH_SEED" not in os.environ else int(os.environ["OVERSKETCH_SEED"])
-NAMES = frame.tenth(sorted(listing.ONE_STROKE), DAY)
+NAMES = frame.tenth(sorted(listing.ONE_STROKE), frame.DAY)
 NEAR = 1e-4  # of the size
 SURFACE = 1e-3  # of the size, with remeshing
 TURNS = [((1.0, 2.0, -0.5), 37.0), ((0.0, 1.0, 0.3), 90.0), ((-1.0, 0.3, 2.0), 200.0),
