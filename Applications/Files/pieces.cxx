@@ -133,7 +133,7 @@ std::vector<int> partsOf(vtkPolyData* mesh)
 
 vtkSmartPointer<vtkPolyData> partAlone(vtkPolyData* mesh, int part)
 {
-  const vtkSmartPointer<vtkPolyData> alone = extracted(mesh, facesOfAll(mesh)[part]);
+  vtkSmartPointer<vtkPolyData> alone = extracted(mesh, facesOfAll(mesh)[part]);
   if (const std::string picture = textureOf(mesh, prefixOf(part)); !picture.empty())
   {
     setTexture(alone, picture);

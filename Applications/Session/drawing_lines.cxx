@@ -70,6 +70,7 @@ constexpr struct
 std::vector<vtkSmartPointer<vtkPolyData>> alike(const std::vector<DrawnStroke>& strokes)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> lines;
+  lines.reserve(strokes.size());
   for (const DrawnStroke& stroke : strokes)
   {
     lines.push_back(stroke.line);

@@ -143,8 +143,7 @@ std::vector<JsonReader> JsonReader::list(const std::string& name, const std::str
   std::vector<JsonReader> objects;
   for (Json::ArrayIndex i = 0; i < value.size(); ++i)
   {
-    objects.emplace_back(
-      value[i], this->Where + ", " + ofWhat + " " + std::to_string(i + 1), this->Verdict);
+    objects.emplace_back(value[i], this->Where + ", " + ofWhat + " " + std::to_string(i + 1), this->Verdict);
   }
   return objects;
 }

@@ -170,9 +170,9 @@ public:
 
   ///@{
   /**
-   * Of the last displacement: vertices that rose, faces that turned over (by over 90 degrees, and to the other
-   * side of the way they rose: a steep flank over a slope that falls the other way is none), the greatest
-   * Feature.
+   * Of the last displacement: vertices that rose, faces that turned over (by over 90 degrees, and to the
+   * other side of the way they rose: a steep flank over a slope that falls the other way is none), the
+   * greatest Feature.
    */
   vtkGetMacro(Moved, int);
   vtkGetMacro(FlippedFaces, int);

@@ -78,10 +78,11 @@ std::filesystem::path folder()
   return home.empty() ? home : home / ".cache" / "oversketch";
 }
 
-// Held while a program is built and its binary taken or read: by one thread of one process at a time. PoCL measures
-// its own cache folder, then copies it into the binary; a process that adds files to that folder in between makes a
-// binary on which PoCL's reader aborts, in this process and in each later one. The lock is the folder's own, so it
-// leaves no file, and it ends with the process that holds it. Where there is no folder to lock, nothing is kept either.
+// Held while a program is built and its binary taken or read: by one thread of one process at a time. PoCL
+// measures its own cache folder, then copies it into the binary; a process that adds files to that folder in
+// between makes a binary on which PoCL's reader aborts, in this process and in each later one. The lock is
+// the folder's own, so it leaves no file, and it ends with the process that holds it. Where there is no
+// folder to lock, nothing is kept either.
 class OneAtATime
 {
 public:

@@ -39,6 +39,7 @@ struct CoarseDrawing
   std::vector<int> tie(const std::vector<int>& samples, oversketch::BoundaryKind kind)
   {
     std::vector<int> points;
+    points.reserve(samples.size());
     for (const int s : samples)
     {
       points.push_back(this->addPoint(this->strokes.back().points[s]));
@@ -123,10 +124,10 @@ inline CoarseDrawing discDrawing(double radius, int first = 0)
 {
   CoarseDrawing made;
   made.strokes.push_back(closedStroke(ringAt(0.5, 0.5, radius, 256)));
-  std::vector<int> samples;
+  std::vector<int> samples(8);
   for (int i = 0; i < 8; ++i)
   {
-    samples.push_back(first + 32 * i);
+    samples[i] = first + 32 * i;
   }
   const std::vector<int> rim = made.tie(samples, oversketch::BoundaryKind::Object);
   const int centre = made.addPoint({ 0.5, 0.5 });

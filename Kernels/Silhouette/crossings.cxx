@@ -70,8 +70,8 @@ std::vector<Crossing> findCrossings(const std::vector<ImageSegment>& segments)
     if (!s.from.allFinite() || !s.to.allFinite())
     {
       throw Error(Failure::BadStroke,
-        "A curve of the outline has no place in the picture: it passes through the plane of the camera, or the "
-        "mesh or the view is damaged. Draw the stroke in a view from farther away.");
+        "A curve of the outline has no place in the picture: it passes through the plane of the camera, or "
+        "the mesh or the view is damaged. Draw the stroke in a view from farther away.");
     }
   }
   const Grid grid(segments);

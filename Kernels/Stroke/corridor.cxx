@@ -408,6 +408,7 @@ PathField DrawnOver::corridor(int from, int to) const
 PartPaths pathsBetweenSeeds(const DrawnOver& drawn, const std::vector<int>& ends, const Context& context)
 {
   std::vector<Pixel> places;
+  places.reserve(ends.size());
   for (const int end : ends)
   {
     places.push_back(drawn.closed && end == drawn.count() - 1 ? places.front() : drawn.seedPixel(end));
@@ -432,6 +433,7 @@ PartPaths pathsTogether(const DrawnOver& drawn, const std::vector<int>& ends, co
   const std::vector<PathField> fields = corridors(drawn, ends, context);
   const std::size_t count = fields.size();
   std::vector<std::vector<Pixel>> sections;
+  sections.reserve(ends.size());
   for (const int end : ends)
   {
     sections.push_back(drawn.section(end));

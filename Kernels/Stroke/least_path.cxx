@@ -40,7 +40,7 @@ double pathCost(const EdgeFeatures& features, const PathField& field, const std:
   double cost = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i)
   {
-    const Pixel p = path[i - 1], q = path[i];
+    const Pixel &p = path[i - 1], &q = path[i];
     const auto place = [&](const Pixel& a) { return static_cast<std::size_t>(a[1]) * features.width + a[0]; };
     const Vector2 way = (q - p).cast<double>().normalized();
     const auto along = [&](const Pixel& a)

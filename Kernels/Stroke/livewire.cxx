@@ -33,7 +33,7 @@ std::array<int, 2> spur(const std::vector<Pixel>& first, const std::vector<Pixel
   {
     for (int j = 1; j <= m; ++j)
     {
-      const Pixel a = first[first.size() - 1 - i], b = second[j];
+      const Pixel &a = first[first.size() - 1 - i], &b = second[j];
       if ((a - b).cwiseAbs().maxCoeff() <= 1 && i + j > most[0] + most[1])
       {
         most = { i, j };

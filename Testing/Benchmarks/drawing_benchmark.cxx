@@ -404,8 +404,8 @@ void wholeJobs()
 {
   const auto job = [](const std::string& name,
                      double limit,
-                     std::function<void(Drawing&)> before,
-                     std::function<void(Drawing&)> change)
+                     const std::function<void(Drawing&)>& before,
+                     const std::function<void(Drawing&)>& change)
   {
     Job made = side(
       name,

@@ -239,6 +239,7 @@ std::vector<Vector2> harmonicByEigen(const Mesh& patch)
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
   const Eigen::MatrixX2d disc = factor.solve(side);
   std::vector<Vector2> places;
+  places.reserve(patch.vertexCount());
   for (int v = 0; v < patch.vertexCount(); ++v)
   {
     places.emplace_back(number[v] < 0 ? Vector2(fixed.row(v)) : Vector2(disc.row(number[v])));
@@ -355,11 +356,7 @@ std::vector<Vector2> harmonicByCgal(const CgalSurface& surface)
 std::vector<double> distancesByHeat(const CgalSurface& mesh, const std::vector<int>& chain)
 {
   CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<CgalSurface, CGAL::Heat_method_3::Direct> heat(mesh);
-  std::vector<CgalSurface::Vertex_index> sources;
-  for (const int v : chain)
-  {
-    sources.emplace_back(v);
-  }
+  const std::vector<CgalSurface::Vertex_index> sources(chain.begin(), chain.end());
   heat.add_sources(sources);
   std::vector<double> distances(mesh.number_of_vertices());
   heat.estimate_geodesic_distances(

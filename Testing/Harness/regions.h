@@ -87,6 +87,7 @@ inline EditScene editScene(const Mesh& mesh,
     }
   }
   std::vector<int> chain;
+  chain.reserve(reference.size());
   for (const int v : reference)
   {
     chain.push_back(number[v]);
@@ -206,6 +207,7 @@ inline EditScene pathScene(const Mesh& mesh, const Vector3& from, const Vector3&
   const std::vector<int> chain = edgeWay(mesh, nearestVertex(mesh, from), nearestVertex(mesh, to));
   const std::vector<double> distance = edgeDistances(mesh, buildAdjacency(mesh), chain, reach);
   std::vector<char> inside;
+  inside.reserve(distance.size());
   for (const double d : distance)
   {
     inside.push_back(d <= reach ? 1 : 0);

@@ -33,6 +33,7 @@ vtkSmartPointer<vtkPolyData> drawn(int number)
   const View view =
     orthographicView({ std::sin(turn), 0.0, std::cos(turn) }, { 0.0, 1.0, 0.0 }, 100.0, 1200, 800);
   std::vector<Vector2> line;
+  line.reserve(60);
   for (int i = 0; i < 60; ++i)
   {
     line.emplace_back(100.0 + 10.0 * i + 0.37 * number, 300.0 + 100.0 * std::sin(0.1 * i + 0.01 * number));

@@ -47,7 +47,7 @@ Node drawing(const std::string& name, int id, const std::optional<PartPlace>& pl
   return node;
 }
 
-Node at(Node node, const PartPlace& place)
+Node at(const Node& node, const PartPlace& place)
 {
   return changed(node, [&](Step& step) { step.part = place; });
 }

@@ -273,6 +273,7 @@ TEST(Worker, WhatIsGivenBackIsMadeAgainWithTheSameBits)
     other.nodes[1], [](Step& step) { step.values["Remesh"] = int(vtkOversketchOneStroke::RemeshOn); });
   const std::vector<Session> sessions{ shorter, session, other, session };
   std::vector<std::string> expected;
+  expected.reserve(sessions.size());
   for (const Session& each : sessions)
   {
     expected.push_back(expectedOf(each));
