@@ -42,7 +42,7 @@ QFont AdviceLabel::fitting() const
 QString AdviceLabel::shown() const
 {
   const QFont font = this->fitting();
-  const QString text = this->text();
+  QString text = this->text();
   if (this->fits(text, font))
   {
     return text;

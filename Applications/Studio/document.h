@@ -54,7 +54,7 @@ public:
   // The same with its models beside those that are there (readModels); the first of them is chosen. Throws
   // oversketch_files::Failed where they are too many.
   static Opened readModels(const QString& path, int backend);
-  void addModels(Opened opened);
+  void addModels(const Opened& opened);
   // The models of the scene, by their places in its list: document_models.cxx. The chosen one is worked on;
   // another is once nothing is computed any more. The only one cannot be removed.
   void chooseModel(int place);

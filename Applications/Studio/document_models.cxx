@@ -29,7 +29,7 @@ Document::Opened Document::readModels(const QString& path, int backend)
   return opened;
 }
 
-void Document::addModels(Opened opened)
+void Document::addModels(const Opened& opened)
 {
   const Session& more = opened.session;
   if (modelCount(this->session()) + more.scene.others.size() > mostModels)

@@ -38,6 +38,7 @@ Matrix4 matrixOf(vtkDataArray* array, vtkIdType tuple)
 std::vector<Vector3> chosen(const std::vector<Vector3>& values, const std::vector<int>& ids)
 {
   std::vector<Vector3> result;
+  result.reserve(ids.size());
   for (const int id : ids)
   {
     result.push_back(values[id]);

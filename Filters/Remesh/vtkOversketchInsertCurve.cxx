@@ -25,6 +25,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <cmath>
 #include <list>
 #include <memory>
@@ -36,7 +37,7 @@ using namespace oversketch;
 struct vtkOversketchInsertCurve::Cache
 {
   StepKey Key;
-  vtkSmartPointer<vtkPolyData> Outputs[3]; // null: nothing is kept
+  std::array<vtkSmartPointer<vtkPolyData>, 3> Outputs; // null: nothing is kept
   int Bridges = 0;
 };
 
@@ -333,7 +334,7 @@ int vtkOversketchInsertCurve::RequestData(vtkInformation*,
           }
           writeCurves(result.stored, result.mesh, stored, cells, made[2]);
         }
-        std::copy(std::begin(made), std::end(made), cache.Outputs);
+        std::copy(std::begin(made), std::end(made), cache.Outputs.begin());
         cache.Bridges = result.bridges;
         cache.Key = key;
       }

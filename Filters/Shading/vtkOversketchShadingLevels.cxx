@@ -292,6 +292,7 @@ void vtkOversketchShadingLevels::Shade(vtkPolyData* mesh, vtkPolyData* disc, vtk
         &cache.Areas[each.area] } });
   }
   std::vector<ShadedArea> shaded;
+  shaded.reserve(own.size());
   for (const auto& [number, area] : own)
   {
     shaded.push_back(area);

@@ -50,10 +50,10 @@ double parameterAt(const DrawnLine& line, vtkDataArray* parameters, double along
   const std::size_t count = line.Ids.size();
   const auto at = [&](std::size_t i)
   {
-    const double turns = static_cast<double>(i / count);
-    return turns + (parameters ? parameters->GetComponent(line.Ids[i % count], 0)
-                               : static_cast<double>(i % count) /
-                                   static_cast<double>(line.Closed ? count : count - 1));
+    const std::size_t turns = i / count;
+    return static_cast<double>(turns) + (parameters ? parameters->GetComponent(line.Ids[i % count], 0)
+                                                    : static_cast<double>(i % count) /
+                                                        static_cast<double>(line.Closed ? count : count - 1));
   };
   const std::size_t before = static_cast<std::size_t>(along);
   const double t = along - static_cast<double>(before);

@@ -63,8 +63,8 @@ inline Shape shapeOf(const std::vector<oversketch::Vector3>& points,
     int start = link.begin()->first;
     for (const auto& [from, to] : link)
     {
-      const bool led =
-        std::any_of(link.begin(), link.end(), [&](const auto& other) { return other.second == from; });
+      const bool led = std::any_of(
+        link.begin(), link.end(), [place = from](const auto& other) { return other.second == place; });
       start = led ? start : from;
     }
     std::size_t steps = 0;

@@ -51,9 +51,9 @@ inline Enclosure sheet(int reach)
 {
   Enclosure scene;
   const int all = reach + 4, width = 2 * all + 1;
-  std::vector<int> ids(static_cast<std::size_t>(width * width), -1);
+  std::vector<int> ids(static_cast<std::size_t>(width) * width, -1);
   const auto id = [&](int q, int r) -> int&
-  { return ids[static_cast<std::size_t>((r + all) * width + q + all)]; };
+  { return ids[static_cast<std::size_t>(r + all) * width + q + all]; };
   const auto inside = [&](int q, int r) {
     return std::max({ std::abs(q), std::abs(r), std::abs(q + r) }) <= all;
   };

@@ -87,15 +87,16 @@ public:
   void before(unsigned sequence)
   {
     const unsigned done = sequence - this->Numbers.first, half = this->Numbers.count / 2;
+    const unsigned fifth = half / 5;
     if (done >= half)
     {
       this->Late += memoryInUse() / (this->Numbers.count - half);
     }
-    else if (done >= half / 5)
+    else if (done >= fifth)
     {
-      this->Early += memoryInUse() / (half - half / 5);
+      this->Early += memoryInUse() / (half - fifth);
     }
-    if (done == half / 5)
+    if (done == fifth)
     {
       this->ResidentEarly = residentMemory();
     }
@@ -104,7 +105,8 @@ public:
   double growth(double known = 0.0) const
   {
     const unsigned half = this->Numbers.count / 2;
-    const double apart = 0.5 * (this->Numbers.count - half / 5); // the middles of both
+    const unsigned fifth = half / 5;
+    const double apart = 0.5 * (this->Numbers.count - fifth); // the middles of both
     return this->Numbers.count < 20 ? 0.0 : this->Late - this->Early - known * apart;
   }
   // MiB that may be in use more: what is made once, at a rare event, weighs on few sequences (1.2 were seen

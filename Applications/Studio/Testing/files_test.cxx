@@ -386,7 +386,7 @@ TEST(Files, PicturesAreDecodedBeforeTheyAreSeen)
     }
     mesh->GetPointData()->SetTCoords(coordinates);
     oversketch_files::setTexture(mesh, bytes);
-    const QString path = folder.filePath(name);
+    QString path = folder.filePath(name);
     oversketch_files::writeMesh(mesh, path.toStdString(), notes);
     return path;
   };

@@ -25,7 +25,7 @@ using oversketch_session::Values;
 namespace
 {
 
-bool isOrange(QColor c)
+bool isOrange(const QColor& c)
 {
   return c.red() > 220 && c.green() > 120 && c.green() < 190 && c.blue() < 110;
 }

@@ -99,9 +99,9 @@ struct Desk : Sheet
   QPoint handle(PartHandle which)
   {
     const auto seen = handlesOf(oversketch::PenView::of(this->renderer()).kernelView(), *this->part());
-    const Vector2 at = seen[static_cast<std::size_t>(which)];
+    const Vector2& at = seen[static_cast<std::size_t>(which)];
     // That of the depth is farther away in the window than handlesOf says.
-    const Vector2 middle = seen[4];
+    const Vector2& middle = seen[4];
     const Vector2 place =
       which == PartHandle::Depth ? Vector2(middle + 56.0 * (at - middle).normalized()) : at;
     return { static_cast<int>(std::lround(place[0])),
@@ -153,7 +153,8 @@ TEST(PartDrag, ACornerKeepsTheOppositeOne)
     const auto handle = static_cast<PartHandle>(corner);
     const auto before = handlesOf(view, place);
     const auto at = static_cast<std::size_t>(corner), opposite = (at + 2) % 4;
-    const Vector2 from = before[at], to = from + 0.3 * (from - before[opposite]) + Vector2(4.0, -3.0);
+    const Vector2& from = before[at];
+    const Vector2 to = from + 0.3 * (from - before[opposite]) + Vector2(4.0, -3.0);
     const PartPlace free = dragged(view, place, handle, from, to, true);
     EXPECT_LT((handlesOf(view, free)[at] - to).norm(), 1e-6) << corner;
     EXPECT_LT((handlesOf(view, free)[opposite] - before[opposite]).norm(), 1e-6) << corner;

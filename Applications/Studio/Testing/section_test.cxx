@@ -8,12 +8,12 @@ using namespace oversketch_studio;
 namespace
 {
 
-bool isBlue(QColor c)
+bool isBlue(const QColor& c)
 {
   return c.blue() > 180 && c.red() < 110 && c.green() < 160;
 }
 
-bool isRed(QColor c)
+bool isRed(const QColor& c)
 {
   return c.red() > 160 && c.green() < 90 && c.blue() < 90;
 }

@@ -200,7 +200,7 @@ QString DrawingTool::advice(const Situation&) const
   {
     return tr("Redraw line %1, whole. G leaves it as it is.").arg(this->Redrawn + 1);
   }
-  const QString lacks = this->need();
+  QString lacks = this->need();
   if (!lacks.isEmpty())
   {
     return lacks;

@@ -168,6 +168,7 @@ TEST(MatrixDeform, OnlyWhatHasWeightMovesAndNormalsTurnWithIt)
   for (int v = 0; v < s.mesh.vertexCount(); ++v)
   {
     const bool may = s.region[v] == 2 && s.weight[v] > 0.0;
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): its bits are meant
     EXPECT_TRUE(may || std::memcmp(points[v].data(), s.mesh.points[v].data(), 24) == 0) << v;
     moved += points[v] != s.mesh.points[v] ? 1 : 0;
     Vector3 normal;

@@ -217,6 +217,7 @@ TEST(B8_3, ADrawnProfileIsMatched)
   const EditScene& s = chain.data.scene;
   for (int v = 0; v < s.mesh.vertexCount(); ++v)
   {
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): its bits are meant
     EXPECT_TRUE(s.region[v] == 2 || std::memcmp(points[v].data(), s.mesh.points[v].data(), 24) == 0);
     moved += points[v] != s.mesh.points[v] ? 1 : 0;
   }

@@ -125,7 +125,8 @@ std::vector<Case> cases()
   }
   for (int i = 0; i < 199; ++i)
   {
-    const Vector2 at(240.0 + 22.0 * (i % 15), 170.0 + 20.0 * (i / 15));
+    const int row = i / 15;
+    const Vector2 at(240.0 + 22.0 * (i % 15), 170.0 + 20.0 * row);
     many.push_back(i % 2 ? circle(at[0], at[1], 9) : open({ at, at + Vector2(6, 4), at + Vector2(9, -3) }));
   }
   const Line body = circle(400, 300, 200);
@@ -245,7 +246,6 @@ TEST(HostileDrawings, HolesThatAreNone)
 
 TEST(HostileDrawings, CanvasesOfAnySizeAndPlace)
 {
-  Topology first;
   vtkIdType faces = 0;
   for (const auto& [corner, size] :
     { std::pair<double, double>(0.0, 1.0), { 0.0, 1e-6 }, { 5e6, 1.0 }, { -5e6, 1e4 } })

@@ -206,7 +206,7 @@ TEST(CoarseMeshFilter, ThreadsDoNotMatter)
     vtkSMPTools::Initialize(threads);
     Coarse chain(toCurves(bodyWithFeatures()));
     chain.mesh->Update();
-    const PlanarMesh mesh = PlanarMeshOf(chain.mesh->GetOutput(), chain.mesh->GetEdgesOutput());
+    PlanarMesh mesh = PlanarMeshOf(chain.mesh->GetOutput(), chain.mesh->GetEdgesOutput());
     vtkSMPTools::Initialize();
     return mesh;
   };

@@ -85,7 +85,7 @@ inline Scene capScene(int levels = 4)
 
 inline vtkSmartPointer<vtkPolyData> meshOf(const Scene& scene, bool cells = true)
 {
-  const auto mesh = toPolyData(scene.mesh);
+  auto mesh = toPolyData(scene.mesh);
   vtkNew<vtkUnsignedCharArray> points, faces;
   points->SetName("EditRegion");
   for (const int label : scene.labels)

@@ -42,6 +42,7 @@ struct Filled
 std::vector<Vector2> texels(const std::vector<std::array<int, 2>>& pixels)
 {
   std::vector<Vector2> outline;
+  outline.reserve(pixels.size());
   for (const auto& [i, j] : pixels)
     outline.push_back(texel(i, j));
   return outline;
@@ -197,6 +198,7 @@ TEST(ScanFillFilter, RefusesAndCancels)
   EXPECT_EQ(fill.filter->GetMaskOutput()->GetNumberOfPoints(), 0);
   // A hundred thousand samples of a hand that trembles.
   std::vector<Vector2> many;
+  many.reserve(100000);
   for (int i = 0; i < 100000; ++i)
     many.emplace_back(0.5 * std::cos(0.001 * i) + 0.01 * std::sin(7.0 * i), 0.5 * std::sin(0.001 * i));
   Filled trembling(areasOnDisc({ many }));

@@ -20,6 +20,7 @@ namespace
 std::vector<Vector2> star(const Vector2& middle, double radius)
 {
   std::vector<Vector2> outline;
+  outline.reserve(5);
   for (int k = 0; k < 5; ++k)
     outline.push_back(middle + radius * Vector2(std::sin(0.8 * pi * k), std::cos(0.8 * pi * k)));
   return outline;

@@ -110,24 +110,24 @@ class Surface
 public:
   explicit Surface(vtkPolyData* mesh)
   {
-    this->shape->SetPoints(mesh->GetPoints());
-    this->shape->SetPolys(mesh->GetPolys());
-    this->locator->SetDataSet(this->shape);
-    this->locator->BuildLocator();
+    this->Shape->SetPoints(mesh->GetPoints());
+    this->Shape->SetPolys(mesh->GetPolys());
+    this->Locator->SetDataSet(this->Shape);
+    this->Locator->BuildLocator();
   }
   double distance(const double* p)
   {
     double closest[3], squared = 0.0;
     vtkIdType cell = -1;
     int sub = 0;
-    this->locator->FindClosestPoint(p, closest, this->found, cell, sub, squared);
+    this->Locator->FindClosestPoint(p, closest, this->Found, cell, sub, squared);
     return std::sqrt(squared);
   }
 
 private:
-  vtkNew<vtkPolyData> shape;
-  vtkNew<vtkCellLocator> locator;
-  vtkNew<vtkGenericCell> found;
+  vtkNew<vtkPolyData> Shape;
+  vtkNew<vtkCellLocator> Locator;
+  vtkNew<vtkGenericCell> Found;
 };
 
 // Base to simplification, connected, with a stroke on the base.
