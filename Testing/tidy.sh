@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tidy.sh [FILE...]: checks the format (.clang-format) of the C++ files named, or of all, and runs clang-tidy (.clang-tidy) over
-# those that build/release compiles: the named ones each by itself, all of them as they are compiled together, in a fifth of the time.
+# those that build/release compiles: the named ones each by itself, all of them as they are compiled together.
 # A header is checked with the sources that include it. Changes nothing. Needs Debian's clang-format
 # and clang-tidy and the built preset release. Exit code: 0 nothing found, 1 something found, 2 could not check.
 set -uo pipefail

@@ -1,4 +1,4 @@
-// Whether a window's pictures are drawn by the processor (Mesa's llvmpipe or softpipe): ambient occlusion and
+// Tells whether a window's pictures are drawn by the processor (Mesa's llvmpipe or softpipe): ambient occlusion and
 // several samples a pixel would make each frame wait. Edges are then smoothed when nothing moves.
 #ifndef oversketch_applications_studio_draws_on_processor_h
 #define oversketch_applications_studio_draws_on_processor_h
@@ -11,7 +11,7 @@ namespace oversketch_studio
 constexpr int edgeSamples = 4; // a pixel, where edges are smoothed
 constexpr int restTime = 200;  // ms without a frame, after which nothing moves any more
 
-// Once there is a context.
+// Asks the context, which must be there.
 bool drawsOnProcessor(vtkRenderWindow* window);
 
 } // namespace oversketch_studio

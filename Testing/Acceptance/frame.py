@@ -39,7 +39,7 @@ class Run(NamedTuple):
     halve: bool = True  # pictures are halved there
 
 
-# That of the seed; none, for all, in a full run and where there is no seed.
+# Day of the seed. A full run has none, and so has a run without a seed: all strokes are meant.
 DAY = None if "OVERSKETCH_FULL" in os.environ or "OVERSKETCH_SEED" not in os.environ else int(os.environ["OVERSKETCH_SEED"])
 
 

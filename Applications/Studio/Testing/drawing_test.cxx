@@ -432,7 +432,7 @@ TEST(Drawing, AnEmptyCanvasIsDrawnOn)
   EXPECT_TRUE(sheet.view->mesh());
 }
 
-// Where the processor draws: one frame more when nothing moves, and then none.
+// One frame more is drawn when nothing moves, and then none, where the processor draws.
 TEST(Drawing, ItsEdgesAreSmoothedOnceTheHandRests)
 {
   Sheet sheet;
