@@ -1,5 +1,6 @@
-// Tells whether a window's pictures are drawn by the processor (Mesa's llvmpipe or softpipe): ambient occlusion and
-// several samples a pixel would make each frame wait. Edges are then smoothed when nothing moves.
+// Tells whether a window's pictures are drawn by the processor (Mesa's llvmpipe or softpipe): ambient
+// occlusion and several samples a pixel would make each frame wait. Edges are then smoothed when nothing
+// moves.
 #ifndef oversketch_applications_studio_draws_on_processor_h
 #define oversketch_applications_studio_draws_on_processor_h
 

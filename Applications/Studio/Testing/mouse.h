@@ -20,8 +20,8 @@ inline void moveMouse(QWidget* over,
   QApplication::sendEvent(over, &move);
 }
 
-// Moves through the places at(first) to at(last). A frame is drawn for each four moves and for the last, as where a
-// quick hand draws.
+// Moves through the places at(first) to at(last). A frame is drawn for each four moves and for the last, as
+// where a quick hand draws.
 template <typename At>
 void sweepMouse(QWidget* over, int first, int last, const At& at, Qt::KeyboardModifiers keys = Qt::NoModifier)
 {
