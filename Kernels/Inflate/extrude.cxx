@@ -67,6 +67,7 @@ Solid extrude(const PlanarMesh& mesh, double depth, WallRows rows)
   }
   const int between = rows == WallRows::One || border.empty() ? 1 : edgesBetweenBasePoints(border, isBase);
   std::vector<BorderEdge> rim;
+  rim.reserve(border.size());
   for (const BorderEdge& edge : border)
   {
     rim.push_back({ front[edge.from], front[edge.to], edge.face });

@@ -48,5 +48,5 @@ TEST(Placement, RefusesWhatPlacesNothing)
   refused(1, 1, 0.0);
   refused(0, 3, std::nan(""));
   refused(0, 3, std::numeric_limits<double>::infinity());
-  EXPECT_THROW(Placement(Eigen::Matrix4d::Zero()), Error);
+  EXPECT_THROW(Placement{ Eigen::Matrix4d::Zero() }, Error);
 }

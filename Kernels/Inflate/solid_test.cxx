@@ -424,6 +424,7 @@ TEST(Tunnel, GoesThroughExtrusionsAndRefusesRims)
   EXPECT_NEAR(shapeOf(walled).volume, shapeOf(block).volume * (1.0 - 0.25), 1e-2 * shapeOf(block).volume);
   // The other region: it reaches the rim.
   std::vector<char> outer;
+  outer.reserve(removed.size());
   for (const char each : removed)
   {
     outer.push_back(each == 0);

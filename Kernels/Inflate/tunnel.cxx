@@ -134,6 +134,7 @@ std::vector<char> regionsInTunnels(const Classification& classification,
   const std::vector<Treatment>& treatments)
 {
   std::vector<Treatment> cut;
+  cut.reserve(treatments.size());
   for (const Treatment treatment : treatments)
   {
     cut.push_back(treatment == Treatment::Tunnel ? Treatment::Hole : Treatment::Fill);

@@ -69,6 +69,7 @@ struct RegionScene
 
 bool sameBits(const Vector3& a, const Vector3& b)
 {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): its bits are meant
   return std::memcmp(a.data(), b.data(), sizeof(double) * 3) == 0;
 }
 

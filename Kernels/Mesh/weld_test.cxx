@@ -116,9 +116,11 @@ TEST(Weld, ACubeOfSixFacesIsClosed)
 
   // The number of the face as an attribute: every point a class of its own, every face a chart.
   std::vector<double> face;
+  face.reserve(split.vertexCount());
   for (int i = 0; i < split.vertexCount(); ++i)
   {
-    face.push_back(i / 4);
+    const int number = i / 4;
+    face.push_back(number);
   }
   const std::vector<int> classes = attributeClasses(vertices, valuesOf(face));
   for (int i = 0; i < split.vertexCount(); ++i)

@@ -28,6 +28,7 @@ std::vector<ArrangedCurve> arranged(const std::vector<DrawnStroke>& strokes)
 std::vector<DrawnStroke> curvesAsStrokes(const std::vector<ArrangedCurve>& curves)
 {
   std::vector<DrawnStroke> strokes;
+  strokes.reserve(curves.size());
   for (const ArrangedCurve& one : curves)
   {
     strokes.push_back(one.curve);

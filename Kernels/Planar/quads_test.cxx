@@ -171,6 +171,7 @@ CgalMesh cgalMeshOf(const PlanarMesh& mesh)
   for (const PlanarFace& face : mesh.faces)
   {
     std::vector<CgalMesh::Vertex_index> corners;
+    corners.reserve(face.count());
     for (int i = 0; i < face.count(); ++i)
     {
       corners.emplace_back(face.corners[i]);

@@ -373,6 +373,7 @@ TEST(Refine, ChordsAreSplitAtLevelZeroOnly)
   const DrawnStroke star = starStroke(0.3, 5);
   std::vector<int> samples;
   const int count = static_cast<int>(star.points.size());
+  samples.reserve(20);
   for (int i = 0; i < 20; ++i)
   {
     samples.push_back(count * i / 20);

@@ -374,9 +374,8 @@ TEST(Triangulate, KindsRegionsAndObjects)
   const std::vector<StrokeLine> lines = drawing.lines();
   const PlanarMesh mesh = triangulate(lines, { { 0.45, 0.33 }, { 2.0, 2.0 } }, Context());
   std::map<BoundaryKind, int> kinds;
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  for (const PlanarPoint& point : mesh.points)
   {
-    const PlanarPoint& point = mesh.points[i];
     ++kinds[point.kind];
     EXPECT_TRUE(point.isBase);
     if (point.stroke >= 0)

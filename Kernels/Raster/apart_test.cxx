@@ -47,6 +47,7 @@ std::vector<int> crossed(const DrawnStroke& stroke, const std::vector<Blend>& pl
 std::vector<Blend> drawn(const DrawnStroke& stroke)
 {
   std::vector<Blend> places;
+  places.reserve(stroke.points.size());
   for (int i = 0; i < static_cast<int>(stroke.points.size()); ++i)
   {
     places.push_back(Blend::point(i));

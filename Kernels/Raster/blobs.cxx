@@ -109,6 +109,7 @@ std::vector<Contact> contactsOf(const Frame& frame,
     }
   }
   std::vector<Contact> contacts;
+  contacts.reserve(counts.size());
   for (const auto& [blob, count] : counts)
   {
     contacts.push_back({ blob, count });

@@ -108,7 +108,7 @@ std::vector<Place> linePixels(const Polyline& points, bool closed)
   const std::size_t segments = closed ? points.size() : points.size() - 1;
   for (std::size_t s = 0; s < segments; ++s)
   {
-    const Vector2 a = points[s], b = points[(s + 1) % points.size()];
+    const Vector2 &a = points[s], &b = points[(s + 1) % points.size()];
     const int along = std::abs(b[0] - a[0]) >= std::abs(b[1] - a[1]) ? 0 : 1, across = 1 - along;
     // From the lesser end, so that rounding is the same both ways.
     const bool turned = b[along] < a[along];

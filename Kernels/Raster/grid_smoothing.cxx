@@ -160,8 +160,9 @@ std::vector<float> GridSmoothing::spread(const std::vector<double>& values,
           // it would lead through the rim.
           const int cx = this->Cells[own][0], cy = this->Cells[own][1];
           const double middle = 0.5 * (this->Step - 1);
-          const double u = (from % frame.width - cx * this->Step - middle) / this->Step;
-          const double v = (from / frame.width - cy * this->Step - middle) / this->Step;
+          const int column = from % frame.width, row = from / frame.width;
+          const double u = (column - cx * this->Step - middle) / this->Step;
+          const double v = (row - cy * this->Step - middle) / this->Step;
           const int sx = u < 0.0 ? -1 : 1, sy = v < 0.0 ? -1 : 1;
           const double a = std::abs(u), b = std::abs(v);
           const int right = this->numberAt(cx + sx, cy), up = this->numberAt(cx, cy + sy);
@@ -220,7 +221,7 @@ std::vector<float> GridSmoothing::profileRatio(const std::vector<float>& smooth,
   double c,
   const Context& context)
 {
-  const std::vector<float> ones(this->Maps.frame.count(), 1.0f);
+  std::vector<float> ones(this->Maps.frame.count(), 1.0f);
   if (this->Cells.empty() || !(c > 0.0))
   {
     return ones;
@@ -277,7 +278,7 @@ double GridSmoothing::nearness(int cell, int dx, int dy) const
 
 std::vector<float> GridSmoothing::poissonRatio(const Context& context)
 {
-  const std::vector<float> ones(this->Maps.frame.count(), 1.0f);
+  std::vector<float> ones(this->Maps.frame.count(), 1.0f);
   if (this->Cells.empty())
   {
     return ones;

@@ -411,8 +411,8 @@ private:
   // Along the plane of two vertices and the mean of their normals.
   std::optional<Way> normalWay(int from, int to, WalkRules rules) const
   {
-    const Vector3 normal = this->normalAt(from) + this->normalAt(to);
-    rules.direction = [&](const Vector3&) { return normal; };
+    Vector3 normal = this->normalAt(from) + this->normalAt(to);
+    rules.direction = [&normal](const Vector3&) { return normal; };
     return walkPlane(this->Mesh, from, to, rules);
   }
 

@@ -69,7 +69,7 @@ std::vector<double> sideShares(const std::vector<Vector3>& points,
   return shares;
 }
 
-PlaneReach::PlaneReach(double plane, std::vector<double> handles)
+PlaneReach::PlaneReach(double plane, const std::vector<double>& handles)
   : Plane(plane)
   , Before(-std::numeric_limits<double>::infinity())
   , After(std::numeric_limits<double>::infinity())

@@ -36,7 +36,7 @@ class PlaneReach
 {
 public:
   // plane, handles: shares of the curve's length; handles in any order.
-  PlaneReach(double plane, std::vector<double> handles);
+  PlaneReach(double plane, const std::vector<double>& handles);
   double at(double t) const;
 
 private:

@@ -49,6 +49,7 @@ struct Profiled
   static std::vector<Vector3> pick(const std::vector<Vector3>& values, const std::vector<int>& ids)
   {
     std::vector<Vector3> chosen;
+    chosen.reserve(ids.size());
     for (const int id : ids)
     {
       chosen.push_back(values[id]);

@@ -156,6 +156,7 @@ TEST(Walk, APlaneAlongFacesFollowsTheirEdges)
     8, 8, false, false, [](double u, double v) { return Vector3(8 * u, 8 * v, v == 0.5 ? 1.0 : 0.0); });
   const Adjacency links = buildAdjacency(grid);
   std::vector<int> ring;
+  ring.reserve(32);
   for (int i = 0; i < 8; ++i)
     ring.push_back(i);
   for (int i = 0; i < 8; ++i)

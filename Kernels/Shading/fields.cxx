@@ -308,6 +308,7 @@ CurveFields curveFields(const Mesh& patch,
     if (c > 0.0)
     {
       std::vector<double> room;
+      room.reserve(whole.size());
       for (const double w : whole)
       {
         room.push_back(c * w);

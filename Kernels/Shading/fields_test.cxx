@@ -139,6 +139,7 @@ TEST(Fields, DistancesOnASphere)
   const Drawn drawn = hook();
   const Adjacency adjacency = buildAdjacency(drawn.patch);
   std::vector<int> parallel;
+  parallel.reserve(200);
   for (int s = 0; s < 200; ++s)
   {
     parallel.push_back(1 + 24 * 200 + s);

@@ -176,6 +176,7 @@ std::vector<Vector2> onCircle(const Mesh& patch, const std::vector<int>& border)
 std::vector<double> positiveWeights(const Mesh& mesh, const Adjacency& adjacency)
 {
   std::vector<double> weights;
+  weights.reserve(adjacency.edges.size());
   for (int e = 0; e < static_cast<int>(adjacency.edges.size()); ++e)
   {
     weights.push_back(std::max(cotangentWeight(mesh, adjacency, e), 1e-3));

@@ -37,6 +37,7 @@ TEST(Texels, ALinearFunctionIsItselfOnEveryTexelOfTheDisc)
   const Mesh patch = cap(4, 0.3);
   const std::vector<Vector2> disc = flattened(patch, {});
   std::vector<double> values;
+  values.reserve(disc.size());
   for (const Vector2& p : disc)
     values.push_back(3.0 + p[0] - 2.0 * p[1]);
   const int size = 128;
@@ -215,6 +216,7 @@ TEST(Shading, PaintsWhatItWeighs)
   const Mesh patch = cap(4, 0.3);
   const std::vector<Vector2> disc = flattened(patch, {});
   std::vector<double> shares;
+  shares.reserve(disc.size());
   for (const Vector2& p : disc)
     shares.push_back(std::min(p.norm(), 1.0));
   const std::vector<char> inside(disc.size(), 1);
@@ -223,6 +225,7 @@ TEST(Shading, PaintsWhatItWeighs)
   const std::vector<double> exact = onTexels(disc, patch.triangles, shares, size, -1.0, {});
   // The right half has layers of its own, without a feather.
   std::vector<char> selected;
+  selected.reserve(size * size);
   for (int i = 0; i < size * size; ++i)
     selected.push_back(i % size >= size / 2);
   const AreaShares half = areaShares(AreaMask(selected, size, 0.0, {}), places, {});

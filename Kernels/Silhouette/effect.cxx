@@ -145,6 +145,7 @@ double backAlong(std::vector<OutlineLoop> loops,
 {
   loops.insert(loops.end(), further.begin(), further.end());
   std::vector<NearestPlace> places;
+  places.reserve(loops.size());
   for (const OutlineLoop& loop : loops)
   {
     places.emplace_back(loop.points, loop.closed);

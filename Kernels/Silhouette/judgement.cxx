@@ -201,6 +201,7 @@ OutlineError outlineError(const StrokeOutline& outline, const std::vector<Outlin
   const auto measure = [&](const std::vector<OutlineLoop>& traced)
   {
     std::vector<NearestPlace> loops;
+    loops.reserve(traced.size() + further.size());
     for (const OutlineLoop& loop : traced)
     {
       loops.emplace_back(loop.points, loop.closed);

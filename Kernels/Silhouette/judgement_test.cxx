@@ -156,7 +156,7 @@ TEST(Judgement, FoldsCountInTheRegionAndTwoRingsRoundIt)
     std::vector<char> region(strip.points.size(), 0);
     for (int v = 0; v < strip.vertexCount(); ++v)
     {
-      const double row = v / (around + 1);
+      const int row = v / (around + 1);
       region[v] = row >= from && row <= to;
     }
     return foldedEdges(strip, buildAdjacency(strip), region);

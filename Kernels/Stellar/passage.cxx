@@ -265,7 +265,8 @@ Passage::Passage(const Forest& forest, const CurveSearch& search, const Context&
     // A surface that moved away from the curve is looked for farther off.
     for (double widening = 1.0; this->Faces[k].empty() && widening < 1e5; widening *= 8.0)
     {
-      std::vector<int> touched = this->touching(k, widening, context), parts = partsOf(forest, touched);
+      std::vector<int> touched = this->touching(k, widening, context);
+      std::vector<int> parts = partsOf(forest, touched);
       this->Faces[k] = joined(forest,
         search,
         k,

@@ -262,9 +262,8 @@ TEST(D9_1, CurvesThatMeetLeaveNoCrossing)
     const double whole = x.cross(y).z(), s = (q - p).cross(y).z() / whole, u = (q - p).cross(x).z() / whole;
     const bool meet = s > 0.05 && s < 0.95 && u > 0.05 && u < 0.95;
     double nearest = std::numeric_limits<double>::infinity();
-    for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
+    for (const Forest::Vertex& at : forest.vertices)
     {
-      const Forest::Vertex& at = forest.vertices[v];
       if (at.curveId >= 0)
       {
         EXPECT_LE((curves[at.curveId].position(at.curveParam) - at.position).norm(), 1e-12);

@@ -31,7 +31,8 @@ EdgeFeatures pictureOf(int width, int height, const std::function<double(double,
       double sum = 0.0;
       for (int k = 0; k < 16; ++k)
       {
-        sum += value(x + (k % 4 - 1.5) / 4.0, y + (k / 4 - 1.5) / 4.0);
+        const int column = k % 4, row = k / 4;
+        sum += value(x + (column - 1.5) / 4.0, y + (row - 1.5) / 4.0);
       }
       grey[static_cast<std::size_t>(y) * width + x] = static_cast<std::uint8_t>(std::lround(sum / 16.0));
     }
@@ -283,6 +284,7 @@ TEST(C3_5, NoPathCostsMoreThanIntelligentScissors)
         std::vector<cv::Point> contour;
         scissors.getContour(cv::Point(to[0], to[1]), contour);
         std::vector<Pixel> theirs;
+        theirs.reserve(contour.size());
         for (const cv::Point& p : contour)
         {
           theirs.emplace_back(p.x, p.y);

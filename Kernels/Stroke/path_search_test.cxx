@@ -124,6 +124,7 @@ TEST(PathSearch, FindsWhatAPlainSearchFinds)
     const auto pixel = [&]
     { return Pixel(static_cast<int>(random() % width), static_cast<int>(random() % height)); };
     std::vector<PathTree::Start> starts;
+    starts.reserve(5);
     for (int i = 0; i < 5; ++i)
     {
       starts.push_back({ pixel(), static_cast<double>(random() % 9) * (run % 2 == 0 ? 0.25 : 40.0) });

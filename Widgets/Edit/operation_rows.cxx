@@ -20,7 +20,7 @@ constexpr double mostDegrees = 179.0, leastFactor = 0.05, mostFactor = 20.0; // 
 
 std::vector<OperationRow> operationRows(const std::string& text)
 {
-  const CurveFrame anywhere{ Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ() };
+  CurveFrame anywhere{ Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ() };
   handlesOf(
     text,
     [&](double) { return anywhere; },
