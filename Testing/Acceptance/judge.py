@@ -110,10 +110,14 @@ def topology(triangles):
                 at.append(np.where(triangles.ravel()[side] == v, side, ends))
     first, second = (np.concatenate(x) if x else np.empty(0, int) for x in (first, second))
     fan = np.arange(3 * len(triangles))
+    joined, other = np.r_[first, second], np.r_[second, first]
+    order = np.argsort(joined, kind="stable")
+    joined, other = joined[order], other[order]
+    begin = np.flatnonzero(np.diff(joined, prepend=-1))
     while True:
         least = fan.copy()
-        np.minimum.at(least, first, fan[second])
-        np.minimum.at(least, second, fan[first])
+        if len(begin):
+            least[joined[begin]] = np.minimum(fan[joined[begin]], np.minimum.reduceat(fan[other], begin))
         if (least == fan).all():
             break
         fan = least

@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
@@ -78,14 +78,9 @@ def _read_off(path):
 
 
 def to_polydata(points, triangles):
-    mesh = vtkPolyData()
-    vtk_points = vtkPoints()
-    vtk_points.SetDataTypeToDouble()
-    for p in points:
-        vtk_points.InsertNextPoint(*p)
-    cells = vtkCellArray()
-    for t in triangles:
-        cells.InsertNextCell(3, [int(i) for i in t])
+    mesh, vtk_points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    vtk_points.SetData(numpy_to_vtk(np.array(points, float).reshape(-1, 3), deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(np.array(triangles, np.int64).ravel(), deep=True))
     mesh.SetPoints(vtk_points)
     mesh.SetPolys(cells)
     return mesh

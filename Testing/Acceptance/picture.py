@@ -130,9 +130,8 @@ def outline(xy, triangles, step=0.5):
         target[k, i0 - 1] = x0
         target[k, i1] = x1
         if not swap:
-            change = np.zeros((rows, columns + 1), int)
-            np.add.at(change, (k, i0), 1)
-            np.add.at(change, (k, i1 + 1), -1)
+            count = lambda column: np.bincount(k * (columns + 1) + column, minlength=rows * (columns + 1))
+            change = (count(i0) - count(i1 + 1)).reshape(rows, columns + 1)
             inside = np.cumsum(change, axis=1)[:, :columns] > 0
     nodes_x, nodes_y = low[0] + step * np.arange(columns), low[1] + step * np.arange(rows)
     between = lambda value, node: np.clip(np.where(np.isfinite(value), value, node + step / 2), node, node + step)
@@ -188,18 +187,20 @@ def distance_to(points, lines, within=60.0):
     Parts farther off than `within` are looked at only when a point has nothing nearer."""
     best = np.full(len(points), np.inf)
     which, where = np.zeros(len(points), int), np.zeros(len(points))
+    axes = range(points.shape[1])  # one after the other: sums over so short an axis of an array are slow
     for number, line in enumerate(lines):
-        a, along, s = line[:-1], np.diff(line, axis=0), lengths(line)[:-1]
-        low, high = points.min(0) - within, points.max(0) + within
-        near = ((np.maximum(a, line[1:]) >= low) & (np.minimum(a, line[1:]) <= high)).all(1)
-        if not near.any():
-            continue
-        a, along, s = a[near], along[near], s[near]
-        square = np.maximum((along ** 2).sum(1), 1e-300)
+        all_along, all_s = np.diff(line, axis=0), lengths(line)[:-1]
+        least, most = np.minimum(line[:-1], line[1:]), np.maximum(line[:-1], line[1:])
         for start in range(0, len(points), 256):
             p = points[start:start + 256]
-            t = np.clip(((p[:, None] - a) * along).sum(2) / square, 0, 1)
-            gap = ((p[:, None] - a - t[:, :, None] * along) ** 2).sum(2)
+            near = ((most >= p.min(0) - within) & (least <= p.max(0) + within)).all(1)
+            if not near.any():
+                continue
+            a, along, s = line[:-1][near], all_along[near], all_s[near]
+            square = np.maximum((along ** 2).sum(1), 1e-300)
+            beyond = [p[:, None, k] - a[:, k] for k in axes]
+            t = np.clip(sum(beyond[k] * along[:, k] for k in axes) / square, 0, 1)
+            gap = sum((beyond[k] - t * along[:, k]) ** 2 for k in axes)
             nearest = gap.argmin(1)
             rows = np.arange(len(p))
             distance = np.sqrt(gap[rows, nearest])

@@ -241,5 +241,8 @@ def widest(values, radius):
 
 def closed(values, radius):
     """Values >= 0 with what is narrower than a disc filled."""
-    top = values.max()
-    return top - widest(top - widest(values, radius), radius)
+    result, top = np.zeros_like(values), values.max()
+    if top > 0:  # nothing is filled farther off
+        window = tuple(slice(max(0, at.min() - 2 * radius), at.max() + 2 * radius + 1) for at in np.nonzero(values))
+        result[window] = top - widest(top - widest(values[window], radius), radius)
+    return result
