@@ -95,10 +95,26 @@ def arrays(mesh):
     return points, vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).astype(np.int64).reshape(-1, 3)
 
 
+def distinct(rows):
+    """Rows that differ, in lexicographic order, and of each row its number among them; -0 equals 0. As np.unique(axis=0), which takes
+    five times as long."""
+    order = np.lexsort(rows.T[::-1])
+    rows, number, new = rows[order], np.empty(len(rows), int), np.ones(len(rows), bool)
+    new[1:] = (rows[1:] != rows[:-1]).any(1)
+    number[order] = np.cumsum(new) - 1
+    return rows[new], number
+
+
+def among(rows, others):
+    """Which rows are among others."""
+    _, number = distinct(np.vstack([rows, others]))
+    return np.isin(number[:len(rows)], number[len(rows):])
+
+
 def weld(points, triangles):
     """The same surface with points of equal coordinates made one: (points, triangles, new id of each old point)."""
-    unique, index = np.unique(points + 0.0, axis=0, return_inverse=True)  # + 0.0: -0.0 equals 0.0
-    return unique, index[triangles], index
+    different, index = distinct(points)
+    return different + 0.0, index[triangles], index
 
 
 def edges_of(triangles):

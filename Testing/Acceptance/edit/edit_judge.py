@@ -133,7 +133,7 @@ def counts(points, triangles):
     _, count, _ = meshes.edges_of(triangles)
     used = np.unique(triangles)
     twice = (triangles == np.roll(triangles, 1, axis=1)).any(1).sum()
-    twins = len(used) - len(np.unique(points[used] + 0.0, axis=0))
+    twins = len(used) - len(meshes.distinct(points[used])[0])
     return len(used) - len(count) + len(triangles), int((count > 2).sum()), int(twins), int(twice)
 
 
@@ -308,10 +308,9 @@ def kept(case):
 
 def present(points, triangles, mesh):
     """The share of triangles that a mesh has at the same places, to the bit."""
-    _, number = np.unique(patches.rows(np.vstack([points, mesh.points]) + 0.0), return_inverse=True)
-    number = number.ravel()
-    whole = lambda ids: patches.rows(np.sort(ids, axis=1))
-    return float(np.isin(whole(number[triangles]), whole(number[len(points):][mesh.triangles])).mean())
+    _, number = meshes.distinct(np.vstack([points, mesh.points]))
+    whole = lambda ids: np.sort(ids, axis=1)
+    return float(meshes.among(whole(number[triangles]), whole(number[len(points):][mesh.triangles])).mean())
 
 
 def far(case, name):
@@ -326,8 +325,8 @@ def far(case, name):
     touching = np.zeros(len(case.rest.points), bool)
     touching[case.patch.vertices] = True
     touching[case.rest.triangles[touching[case.rest.triangles].any(1)]] = True
-    near |= np.isin(patches.rows(case.input.points), patches.rows(case.rest.points[touching]))
-    lost = ~np.isin(patches.rows(case.input.points[~near]), patches.rows(case[name].points))
+    near |= meshes.among(patches.bits(case.input.points), patches.bits(case.rest.points[touching]))
+    lost = ~meshes.among(patches.bits(case.input.points[~near]), patches.bits(case[name].points))
     outside = case.input.triangles[~near[case.input.triangles].any(1)]
     gone = round((1 - present(case.input.points, outside, case[name])) * len(outside)) if len(outside) else 0
     return int(lost.sum()) + gone

@@ -229,7 +229,6 @@ def to_segments(points, segments):
     return np.linalg.norm(gap - t[:, :, None] * d, axis=2).min(1)
 
 
-def rows(values):
-    """Each row as one value that can be compared."""
-    values = np.ascontiguousarray(values)
-    return values.view(np.dtype((np.void, values.dtype.itemsize * values.shape[1]))).ravel()
+def bits(values):
+    """Numbers as whole ones of the same bits."""
+    return np.ascontiguousarray(values).view(f"i{values.dtype.itemsize}")

@@ -100,7 +100,7 @@ def structure(points, triangles, drawing, result):
     """How many edges and vertices keep it from being a closed manifold, wound alike; its volume; its Euler characteristic."""
     borders, crowded, fans = surface.topology(triangles)
     pairs = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
-    twice = len(pairs) - len(np.unique(pairs, axis=0))  # neighbours that are wound against each other
+    twice = len(pairs) - len(meshes.distinct(pairs)[0])  # neighbours that are wound against each other
     result["closed"] = borders + crowded + fans + twice
     a, b, c = (points[triangles[:, k]] for k in range(3))
     result["outward"] = float((a * np.cross(b, c)).sum() / 6)
