@@ -13,10 +13,10 @@ sequences=${1:-1000}
 shift || true
 parts=${*:-camera style stroke drawing one_stroke augment edit window canvas}
 oversketch_install
-oversketch_build asan-scope --target widgets_camera_test widgets_style_test widgets_stroke_test widgets_drawing_test widgets_one_stroke_test widgets_augment_test widgets_edit_test studio_window_test
+oversketch_build asan-full --target widgets_camera_test widgets_style_test widgets_stroke_test widgets_drawing_test widgets_one_stroke_test widgets_augment_test widgets_edit_test studio_window_test
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:use_sigaltstack=0 UBSAN_OPTIONS=print_stacktrace=1
 export OVERSKETCH_OPENCL=off LP_NUM_THREADS=0 # the cores are the shards'
-logs=build/asan-scope/Testing/Temporary/random
+logs=build/asan-full/Testing/Temporary/random
 mkdir -p "$logs"
 shards=$(nproc)
 if [ "$shards" -gt "$sequences" ]; then
@@ -33,7 +33,7 @@ shard() {
   fi
   OVERSKETCH_FIRST_SEQUENCE=$first OVERSKETCH_SEQUENCES=$count \
     xvfb-run -a -n $((200 + 50 * number)) -s '-screen 0 1280x1024x24 -noreset' \
-    "build/asan-scope/bin/$program" "--gtest_filter=$filter" > "$logs/$part.$number.log" 2>&1 || rc=$?
+    "build/asan-full/bin/$program" "--gtest_filter=$filter" > "$logs/$part.$number.log" 2>&1 || rc=$?
   return "$rc"
 }
 

@@ -16,6 +16,21 @@ namespace oversketch
 namespace
 {
 
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+// Of any size: for each fixed one the compiler would make all of Eigen's functions anew, a minute in all. The
+// bits are the same.
+MatrixXd exponentialOf(const MatrixXd& matrix)
+{
+  return matrix.exp();
+}
+
+MatrixXd logarithmOf(const MatrixXd& matrix)
+{
+  return matrix.log();
+}
+
 [[noreturn]] void refuse(const std::string& why)
 {
   throw Error(Failure::SolveFailed,
@@ -32,7 +47,9 @@ bool isAffine(const Matrix4& matrix)
 // Against what the logarithm does not say by itself.
 void checkEigenvalues(const Matrix4& matrix)
 {
-  const Eigen::Vector4cd values = matrix.eigenvalues();
+  // By the decomposition that the logarithm is made with.
+  const Eigen::Vector4cd values =
+    Eigen::ComplexSchur<MatrixXcd>(matrix.cast<std::complex<double>>(), false).matrixT().diagonal();
   const double largest = values.cwiseAbs().maxCoeff();
   for (const std::complex<double>& value : values)
   {
@@ -54,7 +71,7 @@ std::pair<Eigen::Matrix3d, Eigen::Matrix3d> wayOf(const Eigen::Matrix3d& linear)
   Eigen::Matrix<double, 6, 6> both = Eigen::Matrix<double, 6, 6>::Zero();
   both.topLeftCorner<3, 3>() = linear;
   both.topRightCorner<3, 3>().setIdentity();
-  const Eigen::Matrix<double, 6, 6> grown = both.exp();
+  const Eigen::Matrix<double, 6, 6> grown = exponentialOf(both);
   return { grown.topLeftCorner<3, 3>(), grown.topRightCorner<3, 3>() };
 }
 
@@ -69,7 +86,7 @@ Matrix4 affineLogarithm(const Matrix4& matrix)
     result.topRightCorner<3, 1>() = matrix.topRightCorner<3, 1>();
     return result;
   }
-  const Eigen::Matrix3d log = linear.log();
+  const Eigen::Matrix3d log = logarithmOf(linear);
   result.topLeftCorner<3, 3>() = log;
   result.topRightCorner<3, 1>() = wayOf(log).second.partialPivLu().solve(matrix.topRightCorner<3, 1>());
   return result;
@@ -84,7 +101,7 @@ Matrix4 logarithm(const Matrix4& matrix)
     refuse("is not finite");
   }
   checkEigenvalues(matrix);
-  Matrix4 result = isAffine(matrix) ? affineLogarithm(matrix) : Matrix4(matrix.log());
+  Matrix4 result = isAffine(matrix) ? affineLogarithm(matrix) : Matrix4(logarithmOf(matrix));
   if (!result.allFinite() || !((exponential(result) - matrix).norm() <= 1e-9 * matrix.norm()))
   {
     refuse("has no logarithm");
@@ -96,7 +113,7 @@ Matrix4 exponential(const Matrix4& matrix)
 {
   if (!matrix.row(3).isZero(0.0))
   {
-    return matrix.exp();
+    return exponentialOf(matrix);
   }
   // A large shift would cost the linear part its digits.
   Matrix4 result = Matrix4::Identity();
