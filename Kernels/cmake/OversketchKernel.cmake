@@ -1,7 +1,7 @@
 # Warnings that our own sources must be free of. VTK's headers come in as system headers.
 set(oversketch_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
-if (CMAKE_UNITY_BUILD) # names of several files meet; each by itself is what the other builds look at
-  list(APPEND oversketch_warnings -Wno-shadow -Wno-subobject-linkage) # names of several files meet
+if (CMAKE_UNITY_BUILD) # names of several files meet; each by itself is what the preset plain looks at
+  list(APPEND oversketch_warnings -Wno-shadow -Wno-subobject-linkage)
 endif ()
 if (CMAKE_CXX_FLAGS MATCHES "-fsanitize=") # what they add makes the standard library's own expressions look uninitialised to GCC
   list(APPEND oversketch_warnings -Wno-maybe-uninitialized)
@@ -67,7 +67,7 @@ endif ()
 # the time goes into the headers, and it need not be quick; under the sanitizers, where optimizing it is most of the compile time,
 # no more than helps a debugger.
 function (oversketch_test_program target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8 EXCLUDE_FROM_ALL ON)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 8 EXCLUDE_FROM_ALL ON)
   target_compile_options(${target} PRIVATE ${oversketch_test_options} -Wno-shadow -Wno-subobject-linkage) # names of several files meet
 endfunction ()
 

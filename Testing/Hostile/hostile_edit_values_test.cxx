@@ -2,6 +2,7 @@
 // message, in bounded time and memory, and nothing of it is left when the region is edited again. A share of
 // the values on each mesh; OVERSKETCH_HOSTILE_VALUES=all asks for all of them. Skipped, saying so, where the
 // folder is absent.
+#include "Harness/shipped.h"
 #include "hostile_edit.h"
 
 #include "vtkDoubleArray.h"

@@ -8,6 +8,7 @@
 #include "files.h"
 #include "hand.h"
 #include "main_window.h"
+#include "scene.h"
 #include "viewport.h"
 
 #include "vtkOpenGLRenderWindow.h"

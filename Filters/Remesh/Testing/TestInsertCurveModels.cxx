@@ -1,6 +1,7 @@
 // Rings and lines of a bad hand over shared models: what comes of them is what regions are grown up to.
 #include "CurveChain.h"
 #include "SurfaceTools.h"
+#include "vtkOversketchFilterTools.h"
 
 #include <gtest/gtest.h>
 
