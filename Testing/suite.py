@@ -40,13 +40,18 @@ def built(preset, targets="all tests", every="OFF"):
     return f"cmake --preset {preset} {ALL}{every} && cmake --build --preset {preset} --target {targets}"
 
 
+def side_by_side(commands):
+    """As many of them at once as there are processors; fails where one does."""
+    return f"printf '%s\\n' {' '.join(map(shlex.quote, commands))} | xargs -d '\\n' -P {os.cpu_count()} -I {{}} bash -c {{}}"
+
+
 def acceptance(tenth):
     """The runs whose pictures and models are there; the models that are shipped serve for three."""
     systems = [name for name in LEAST if name != "inflate" or (DATA / "images").is_dir()]
-    runs = [f"/usr/bin/python3 Testing/Acceptance/{name}/accept.py build/acceptance/{'tenth/' if tenth else ''}{name} --workers 1"
-            + (f" --least {LEAST[name][tenth]}" if LEAST[name][tenth] else "")
-            + (f" --tenth {TODAY} --modes default --no-pictures" if tenth else "") for name in systems]
-    return f"printf '%s\\n' {' '.join(map(shlex.quote, runs))} | xargs -d '\\n' -P {os.cpu_count()} -I {{}} bash -c {{}}"
+    return side_by_side(
+        f"/usr/bin/python3 Testing/Acceptance/{name}/accept.py build/acceptance/{'tenth/' if tenth else ''}{name} --workers 1"
+        + (f" --least {LEAST[name][tenth]}" if LEAST[name][tenth] else "")
+        + (f" --tenth {TODAY} --modes default --no-pictures" if tenth else "") for name in systems)
 
 
 # Leaks are not counted: VTK, PoCL and Mesa keep memory until the process ends. No stack for signals: LLVM puts its own into threads in
@@ -70,7 +75,7 @@ FULL = {
     "packages-12": ("Testing/packages.sh bookworm build/roots", {}),
     "packages-13": ("Testing/packages.sh trixie build/roots", {}),
     "random": ("Testing/random.sh 1000", {}),
-    "hostile": (f"{built('asan-full', ' '.join(HOSTILE), 'ON')} && printf '%s\\n' {' '.join(HOSTILE)} | xargs -P 2 -I {{}} build/asan-full/bin/{{}}",
+    "hostile": (f"{built('asan-full', ' '.join(HOSTILE), 'ON')} && {side_by_side(f'build/asan-full/bin/{name}' for name in HOSTILE)}",
                 {**SANITIZER, "OVERSKETCH_FULL": "1", "OVERSKETCH_CHAINS": "300", "OVERSKETCH_DRAWINGS": "1000", "OVERSKETCH_HOSTILE_VALUES": "all",
                  "OVERSKETCH_EDITS": "40"}),
     "all-acceptance": (acceptance(False), ACCEPTED),

@@ -19,8 +19,8 @@ namespace
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-// Of any size: for each fixed one the compiler would make all of Eigen's functions anew, a minute in all. The
-// bits are the same.
+// Matrices of any size: the compiler would instantiate Eigen's matrix functions once more for each fixed
+// size, which took it a minute.
 MatrixXd exponentialOf(const MatrixXd& matrix)
 {
   return matrix.exp();
@@ -47,7 +47,7 @@ bool isAffine(const Matrix4& matrix)
 // Against what the logarithm does not say by itself.
 void checkEigenvalues(const Matrix4& matrix)
 {
-  // By the decomposition that the logarithm is made with.
+  // The decomposition is that of the logarithm, so that the compiler instantiates no other.
   const Eigen::Vector4cd values =
     Eigen::ComplexSchur<MatrixXcd>(matrix.cast<std::complex<double>>(), false).matrixT().diagonal();
   const double largest = values.cwiseAbs().maxCoeff();

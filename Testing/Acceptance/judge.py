@@ -130,11 +130,6 @@ def areas(points, triangles):
     return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
 
-def surviving(before, after):
-    """Which rows of before are found, bit for bit, among the rows of after."""
-    return meshes.among(before, after)
-
-
 def about(points, edges, tip, radius):
     """The points of a surface within a radius of one of them, as a mask: those that edges between such points join to it. A
     neighbouring limb may come nearer than that."""
@@ -186,8 +181,8 @@ def judge(before, after, stroke, view, region=None, note=None):
         before["start"] = outline_distances(view, p0, t0, stroke)
     result["mean before"], result["worst before"] = before["start"][:2]
     result["folds"] = changed["folds"] - before["folds"]
-    result["angle"], result["sharp"] = roughness(p1, t1, ~surviving(p1, p0))
-    stays = surviving(p0, p1)
+    result["angle"], result["sharp"] = roughness(p1, t1, ~meshes.among(p1, p0))
+    stays = meshes.among(p0, p1)
     area = areas(p0, t0)
     result["untouched"] = float(area[stays[t0].all(1)].sum() / area.sum())
     top0, top1 = before["topology"], changed["topology"]

@@ -106,7 +106,7 @@ def distinct(rows):
 
 
 def among(rows, others):
-    """Which rows are among others."""
+    """Which rows are, bit for bit, among others; -0 equals 0."""
     _, number = distinct(np.vstack([rows, others]))
     return np.isin(number[:len(rows)], number[len(rows):])
 

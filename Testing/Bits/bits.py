@@ -31,7 +31,6 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "Acceptance"), str(HERE.parent / "ParaView")]
 import frame  # noqa: E402
-import judge  # noqa: E402
 import meshes  # noqa: E402  (finds what follows)
 import listing  # noqa: E402
 import picture  # noqa: E402
@@ -91,7 +90,7 @@ def row(made: vtkPolyData, mesh: vtkPolyData, drawn: Any) -> Row:
     if made.GetNumberOfPoints():
         bounds = [float(f"{b:.6g}") for b in made.GetBounds()]
         before, after = (vtk_to_numpy(m.GetPoints().GetData()).astype(float) for m in (mesh, made))
-        moved = round(1.0 - float(judge.surviving(before, after).mean()), 4)
+        moved = round(1.0 - float(meshes.among(before, after).mean()), 4)
     counts = made.GetNumberOfPoints(), made.GetNumberOfPolys()
     return Row(source.hexdigest()[:SHORT], digest(made), digest_of_arrays(made)[:SHORT], *counts, bounds, moved)
 

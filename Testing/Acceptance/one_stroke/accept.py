@@ -95,7 +95,7 @@ def region_of(border, points):
     at all is an error of the system, so it is not passed over here."""
     inner = meshes.arrays(border)[0]
     chosen = vtk_to_numpy(border.GetPointData().GetArray("Region")) != 0
-    return judge.surviving(points, inner[chosen])
+    return meshes.among(points, inner[chosen])
 
 
 def show(view, before, after, samples, match, region):
