@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the Debian packages in a root of this Debian release, installs them on a bare one, runs what they hold, takes them off.
 #
-# usage: Testing/packages.sh bookworm|trixie FOLDER      as root; needs mmdebstrap and a network
+# usage: Testing/packages.sh bookworm|trixie FOLDER      as root, with a network
 #
 # FOLDER keeps the roots and the compiler's cache, so that another run is short; delete it afterwards.
 set -euo pipefail
@@ -11,6 +11,7 @@ if [ $# -ne 2 ] || [ "$(id -u)" -ne 0 ]; then
 fi
 release=$1
 . "$(dirname "$0")/../Applications/setup.sh"
+(oversketch_packages=(mmdebstrap) && oversketch_install)
 mkdir -p "$2"
 folder=$(cd "$2" && pwd)/$release
 mkdir -p "$folder/ccache"

@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
 # tidy.sh [FILE...]: checks the format (.clang-format) of the C++ files named, or of all, and runs clang-tidy (.clang-tidy) over
 # those that build/release compiles: the named ones each by itself, all of them as they are compiled together.
-# A header is checked with the sources that include it. Changes nothing. Needs Debian's clang-format
-# and clang-tidy and the built preset release. Exit code: 0 nothing found, 1 something found, 2 could not check.
+# A header is checked with the sources that include it. Changes nothing. Installs both tools where they are missing; needs the built
+# preset release. Exit code: 0 nothing found, 1 something found, 2 could not check.
 set -uo pipefail
-cd "$(dirname "$0")/.." || exit 2
-
-for tool in clang-format clang-tidy; do
-  command -v "$tool" >/dev/null || { echo "tidy.sh: $tool is absent; install Debian's package $tool" >&2; exit 2; }
-done
+. "$(dirname "$0")/../Applications/setup.sh"
+cd "$oversketch_root" || exit 2
+oversketch_packages=(clang-format clang-tidy)
+oversketch_install || exit 2
 [ -f build/release/compile_commands.json ] ||
   { echo "tidy.sh: no build/release/compile_commands.json; run cmake --preset release && cmake --build --preset release" >&2; exit 2; }
 mkdir -p build/tidy
