@@ -79,7 +79,7 @@ FULL = {
                 {**SANITIZER, "OVERSKETCH_CHAINS": "300", "OVERSKETCH_DRAWINGS": "1000", "OVERSKETCH_HOSTILE_VALUES": "all", "OVERSKETCH_EDITS": "40"}),
     "all-acceptance": (acceptance(False), ACCEPTED),
     "tidy": ("Testing/tidy.sh", {}),
-    "tsan": (f"{built('tsan', 'tests')} && ctest --preset tsan -L home",
+    "tsan": (f"{built('tsan', 'tests')} && ctest --preset tsan -L home {JOBS}",
              {"VTK_SMP_BACKEND_IN_USE": "STDThread", "TSAN_OPTIONS": f"suppressions={ROOT}/Testing/tsan.supp"}),
     "oclgrind": ("Testing/oclgrind.sh", {}),
     "fuzz": ("Testing/fuzz.sh 600s", {}),

@@ -7,8 +7,8 @@ if (CMAKE_CXX_COMPILER_LAUNCHER STREQUAL "ccache")
   execute_process(COMMAND ccache --get-config cache_dir OUTPUT_VARIABLE oversketch_ccache OUTPUT_STRIP_TRAILING_WHITESPACE)
 endif ()
 
-# oversketch_init_by_name(): what VTK writes for its factories is included by its name in all targets, and not by its whole path, which
-# the compiler's cache takes for part of the source. To be called when all targets are there.
+# oversketch_init_by_name(): makes all targets include by its name what VTK writes for its factories. The compiler's cache takes its whole
+# path for part of the source. To be called when all targets are there.
 function (oversketch_init_by_name)
   set(folders "${PROJECT_SOURCE_DIR}")
   while (folders)
