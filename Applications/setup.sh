@@ -21,10 +21,12 @@ oversketch_has() {
   dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'ok installed'
 }
 
-# Installs the packages that are not there, as root; asks for root once, says what it installs, is quiet otherwise.
+# oversketch_install [PACKAGE...]: installs those of them, or of all, that are not there, as root; asks for root once, says what it
+# installs, is quiet otherwise.
 oversketch_install() {
   local missing=() package
-  for package in "${oversketch_packages[@]}"; do
+  [ $# -gt 0 ] || set -- "${oversketch_packages[@]}"
+  for package in "$@"; do
     oversketch_has "$package" || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return 0

@@ -17,10 +17,9 @@ if [[ $inputs = *s ]]; then
   seconds=${inputs%s} inputs=0
 fi
 [ ${#targets[@]} -gt 0 ] || targets=(ply obj off stl gltf glb vtp stroke picture heights parts session session_text one_stroke augment drawing)
-oversketch_packages+=(clang)
 oversketch_install
-oversketch_packages+=("libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev")
-oversketch_install
+oversketch_install clang
+oversketch_install "libclang-rt-$(clang -dumpversion | cut -d. -f1)-dev"
 oversketch_build fuzz --target fuzz
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
 folder=$oversketch_root/build/fuzz

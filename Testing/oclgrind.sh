@@ -6,8 +6,8 @@
 set -euo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 build=$(realpath "${1:-$oversketch_root/build/release}")
-oversketch_packages+=(oclgrind)
 oversketch_install
+oversketch_install oclgrind
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export XDG_CACHE_HOME=$work # no program that another device compiled

@@ -11,7 +11,7 @@ if [ $# -ne 2 ] || [ "$(id -u)" -ne 0 ]; then
 fi
 release=$1
 . "$(dirname "$0")/../Applications/setup.sh"
-(oversketch_packages=(mmdebstrap) && oversketch_install)
+oversketch_install mmdebstrap
 mkdir -p "$2"
 folder=$(cd "$2" && pwd)/$release
 mkdir -p "$folder/ccache"

@@ -6,8 +6,7 @@
 set -uo pipefail
 . "$(dirname "$0")/../Applications/setup.sh"
 cd "$oversketch_root" || exit 2
-oversketch_packages=(clang-format clang-tidy)
-oversketch_install || exit 2
+oversketch_install clang-format clang-tidy || exit 2
 [ -f build/release/compile_commands.json ] ||
   { echo "tidy.sh: no build/release/compile_commands.json; run cmake --preset release && cmake --build --preset release" >&2; exit 2; }
 mkdir -p build/tidy
