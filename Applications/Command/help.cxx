@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "mesh_file.h"
+#include "upright_picture.h"
 
 #include <algorithm>
 #include <sstream>
@@ -141,7 +142,10 @@ std::string assembleHelpText()
          "  PARTS.json           { \"parts\": [ … ] }, at most 1000; paths begin at its folder; members of a "
          "part:\n"
          "    strokes            a drawing (.vtp), as of oversketch inflate; or mesh\n"
-         "    picture            the picture that it was drawn over: .png .jpg; may be absent\n"
+         "    picture            the picture that it was drawn over; may be absent; one of\n"
+         "                       " +
+         std::string(oversketch_files::pictureExtensions) +
+         "\n"
          "    back_picture       a picture of its back, as seen from behind; may be absent\n"
          "    parameters         { \"profile\": \"linear\", \"hole\": \"2\" }: as the options of oversketch "
          "inflate are\n"

@@ -134,14 +134,17 @@ void takeValue(Options& options,
 {
   const bool isShare = parameter.isLength && !text.empty() && text.back() == '%';
   Value value = valueOf(parameter, option, isShare ? text.substr(0, text.size() - 1) : text);
-  options.shares.erase(parameter.property);
   if (isShare)
   {
     value = 0.01 * std::get<double>(value);
     options.shares.insert(parameter.property);
   }
   expectTaken(*options.system, parameter, option, value);
-  options.values[parameter.property] = value;
+  const auto [place, isFirst] = options.values.try_emplace(parameter.property, value);
+  if (!isFirst) // of a list
+  {
+    std::get<std::string>(place->second) += " " + std::get<std::string>(value);
+  }
 }
 
 void takePair(Options& options, const Pair& pair, const std::string& option, const std::string& text)

@@ -4,11 +4,13 @@
 #include "mesh_file.h"
 #include "models.h"
 #include "option_values.h"
+#include "upright_picture.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <set>
 
 namespace oversketch_command
 {
@@ -92,7 +94,7 @@ std::string fileHelp(const SystemInput& input)
     case SystemInput::Kind::Mesh:
       return input.help + ", of triangles: " + meshExtensions;
     case SystemInput::Kind::Picture:
-      return input.help + ": .png .jpg";
+      return input.help + ": " + pictureExtensions;
     case SystemInput::Kind::Heights:
       return input.help + ": " + heightsExtensions;
     default:
@@ -100,11 +102,12 @@ std::string fileHelp(const SystemInput& input)
   }
 }
 
-// An option that a command line may have once, and what becomes of it.
+// An option that a command line may have, once unless it repeats, and what becomes of it.
 struct Option
 {
   bool takesValue = false;
   std::function<void(const std::string& name, const std::string& value)> take;
+  bool repeats = false; // each adds to those before
 };
 using OptionTable = std::map<std::string, Option>;
 
@@ -113,10 +116,6 @@ Option fileOption(std::string& place, const std::string& extension = {}, const s
   return { true,
     [&place, extension, does](const std::string& name, const std::string& value)
     {
-      if (!place.empty())
-      {
-        throw BadUse(name + " is given twice");
-      }
       if (value.empty())
       {
         throw BadUse(name + " needs a value");
@@ -137,10 +136,6 @@ OptionTable tableOf(Options& options)
     table["--model"] = { true,
       [&options](const std::string& name, const std::string& value)
       {
-        if (options.model != 0)
-        {
-          throw BadUse(name + " is given twice");
-        }
         const std::vector<double> numbers = numbersOf(name, value);
         if (numbers.size() != 1 || !(numbers[0] >= 1.0 && numbers[0] <= double(mostModels)) ||
             numbers[0] != std::floor(numbers[0]))
@@ -175,7 +170,8 @@ OptionTable tableOf(Options& options)
   {
     table["--" + phrase.word] = { true,
       [&options, &phrase](const std::string& name, const std::string& value)
-      { takePhrase(options, phrase, name, value); } };
+      { takePhrase(options, phrase, name, value); },
+      true };
   }
   for (const Pair& pair : options.system->pairs)
   {
@@ -192,7 +188,8 @@ OptionTable tableOf(Options& options)
     }
     table["--" + parameter.word] = { !isSwitch(parameter),
       [&options, parameter](const std::string& name, const std::string& value)
-      { takeValue(options, parameter, name, value); } };
+      { takeValue(options, parameter, name, value); },
+      parameter.isList };
   }
   return table;
 }
@@ -204,6 +201,7 @@ bool takeOptions(const std::vector<std::string>& arguments,
   std::vector<std::string>& files)
 {
   bool onlyFiles = false;
+  std::set<std::string> given;
   for (std::size_t i = 1; i < arguments.size(); ++i)
   {
     const std::string& argument = arguments[i];
@@ -233,6 +231,10 @@ bool takeOptions(const std::vector<std::string>& arguments,
     if (isHelp)
     {
       return true;
+    }
+    if (!given.insert(name == "-o" ? "--output" : name).second && !option->second.repeats)
+    {
+      throw BadUse(name + " is given twice; give it once");
     }
     if (takesValue && equals == std::string::npos && ++i == arguments.size())
     {
@@ -418,7 +420,9 @@ std::vector<OptionText> optionsOf(const SystemRow& system)
   }
   for (const Parameter& parameter : singlesOf(system))
   {
-    options.push_back({ "--" + parameter.word, valueName(parameter), parameter.help });
+    options.push_back({ "--" + parameter.word,
+      valueName(parameter),
+      parameter.help + (parameter.isList ? "; may be given again" : "") });
   }
   options.push_back({ "--inner", "DIR", "write what every stage made as .vtp files into this folder" });
   return options;

@@ -10,6 +10,7 @@
 #include "report.h"
 #include "terminal.h"
 #include "texture.h"
+#include "upright_picture.h"
 
 #include "vtkOversketchSystem.h"
 
@@ -364,10 +365,12 @@ Image readImage(const std::string& path, SystemInput::Kind kind)
   if (kind == SystemInput::Kind::Heights)
   {
     parseHeights(path, *image.bytes);
+    return image;
   }
-  else if (!pictureOf(*image.bytes))
+  image.bytes = std::make_shared<const std::string>(uprightPicture(*image.bytes));
+  if (!pictureOf(*image.bytes))
   {
-    throw Failed(path + ": is " + notAPicture);
+    throw Failed(path + ": is " + notAnUprightPicture);
   }
   return image;
 }

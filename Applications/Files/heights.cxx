@@ -1,6 +1,8 @@
 #include "heights.h"
 
 #include "files.h"
+#include "orientation.h"
+#include "raster.h"
 #include "text.h"
 #include "texture.h"
 
@@ -10,17 +12,13 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedShortArray.h"
 
-#include <png.h>
-#include <tiffio.h>
+#include <gdal.h>
 
 #include <algorithm>
 #include <cctype>
-#include <csetjmp>
-#include <cstdint>
-#include <cstring>
+#include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 #include <vector>
 
 namespace oversketch_files
@@ -31,8 +29,7 @@ const char* const heightsExtensions = ".png .tif .tiff .pgm .asc .vti";
 namespace
 {
 
-constexpr int longest = 16384;         // samples a side
-constexpr double mostSamples = 8192.0; // a byte: no packing makes more of one
+constexpr int longest = 16384; // samples a side
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why)
 {
@@ -61,218 +58,93 @@ Array* allocated(vtkImageData* image, double width, double height)
   return samples;
 }
 
-struct PngReader
-{
-  explicit PngReader(const std::string& file)
-    : bytes(file)
-  {
-  }
-  ~PngReader() { png_destroy_read_struct(&this->png, &this->info, nullptr); }
-  PngReader(const PngReader&) = delete;
-  PngReader& operator=(const PngReader&) = delete;
-
-  static void give(png_structp png, png_bytep to, std::size_t count)
-  {
-    auto* self = static_cast<PngReader*>(png_get_io_ptr(png));
-    if (count > self->bytes.size() - self->at)
-    {
-      png_error(png, "truncated");
-    }
-    std::memcpy(to, self->bytes.data() + self->at, count);
-    self->at += count;
-  }
-
-  // What comes between libpng's jumps lives here, not on the stack.
-  const std::string& bytes;
-  std::size_t at = 0;
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-  std::vector<png_bytep> rows;
-
-  // Both false where libpng refuses the bytes.
-  bool readHead()
-  {
-    this->png = png_create_read_struct(
-      PNG_LIBPNG_VER_STRING,
-      nullptr,
-      [](png_structp p, png_const_charp) { png_longjmp(p, 1); }, // quiet
-      [](png_structp, png_const_charp) {});
-    this->info = png_create_info_struct(this->png);
-    if (setjmp(png_jmpbuf(this->png)))
-    {
-      return false;
-    }
-    png_set_read_fn(this->png, this, give);
-    png_read_info(this->png, this->info);
-    png_set_swap(this->png); // of 16 bits, whose order in the file is big-endian
-    png_set_interlace_handling(this->png);
-    png_read_update_info(this->png, this->info);
-    return true;
-  }
-  bool readRows()
-  {
-    if (setjmp(png_jmpbuf(this->png)))
-    {
-      return false;
-    }
-    png_read_image(this->png, this->rows.data());
-    return true;
-  }
-};
-
 // Of 16 bits; raw samples, whatever the file says of gamma. Those of 8 bits are read as pictures are.
-vtkSmartPointer<vtkImageData> readPng16(const std::string& name, const std::string& bytes)
+vtkSmartPointer<vtkImageData> readPng16(const std::string& bytes)
 {
-  PngReader reader(bytes);
-  if (!reader.readHead())
-  {
-    refuse(name, "is a damaged PNG file");
-  }
-  if (png_get_bit_depth(reader.png, reader.info) != 16)
+  const Raster raster(bytes, "PNG");
+  if (!raster.isOpen() || GDALGetRasterDataType(raster.band(1)) != GDT_UInt16)
   {
     return nullptr;
   }
-  const int width = static_cast<int>(png_get_image_width(reader.png, reader.info));
-  const int height = static_cast<int>(png_get_image_height(reader.png, reader.info));
-  requireSize(name, width, height, mostSamples * static_cast<double>(bytes.size()));
-  const int channels = png_get_channels(reader.png, reader.info);
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(width, height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_SHORT, channels);
-  auto* samples = static_cast<png_bytep>(image->GetScalarPointer());
-  const std::size_t stride = std::size_t(2) * static_cast<std::size_t>(width * channels);
-  for (int j = height - 1; j >= 0; --j) // rows from the top
-  {
-    reader.rows.push_back(samples + static_cast<std::size_t>(j) * stride);
-  }
-  if (!reader.readRows())
-  {
-    refuse(name, "is a damaged PNG file");
-  }
-  return image;
+  return raster.samples(VTK_UNSIGNED_SHORT, raster.bands(), true);
 }
 
-struct TiffBytes
+// Number of bands that count: the colours, where the file says that it is of these, else one.
+int heightBands(const Raster& raster)
 {
-  const std::string& bytes;
-  std::size_t at = 0;
-};
-
-// libtiff's view of bytes in memory, that says nothing on its own.
-TIFF* openTiff(TiffBytes& file)
-{
-  TIFFSetErrorHandler(nullptr);
-  TIFFSetWarningHandler(nullptr);
-  const auto read = [](thandle_t handle, void* to, tmsize_t count) -> tmsize_t
-  {
-    auto& from = *static_cast<TiffBytes*>(handle);
-    const std::size_t left = from.bytes.size() - std::min(from.at, from.bytes.size());
-    const std::size_t given = std::min(left, static_cast<std::size_t>(std::max<tmsize_t>(count, 0)));
-    std::memcpy(to, from.bytes.data() + std::min(from.at, from.bytes.size()), given);
-    from.at += given;
-    return static_cast<tmsize_t>(given);
-  };
-  const auto seek = [](thandle_t handle, toff_t to, int whence) -> toff_t
-  {
-    auto& from = *static_cast<TiffBytes*>(handle);
-    from.at = to + (whence == SEEK_CUR ? from.at : whence == SEEK_END ? from.bytes.size() : 0);
-    return from.at;
-  };
-  return TIFFClientOpen(
-    "heights",
-    "rm", // not mapped
-    &file,
-    read,
-    [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; },
-    seek,
-    [](thandle_t) { return 0; },
-    [](thandle_t handle) -> toff_t { return static_cast<TiffBytes*>(handle)->bytes.size(); },
-    nullptr,
-    nullptr);
+  const bool isColour =
+    raster.bands() >= 3 && GDALGetRasterColorInterpretation(raster.band(1)) == GCI_RedBand;
+  return isColour ? 3 : 1;
 }
 
-// VTK's type of samples of so many bits, -1 for what is not read.
-int typeOfTiff(int bits, int format)
+// Spacing and the place of the lower left sample by the file's geo-transform, in units of its map. A file
+// without one has its rows where `fromTop` says.
+void placeOnMap(const std::string& name, const Raster& raster, bool& fromTop, vtkImageData* image)
 {
-  const bool isSigned = format == SAMPLEFORMAT_INT, isReal = format == SAMPLEFORMAT_IEEEFP;
-  switch (bits)
+  double map[6]; // of a corner of the first sample: x = map[0] + column map[1] + row map[2], likewise y
+  if (GDALGetGeoTransform(raster.data(), map) != CE_None)
   {
-    case 8:
-      return isReal ? -1 : isSigned ? VTK_TYPE_INT8 : VTK_TYPE_UINT8;
-    case 16:
-      return isReal ? -1 : isSigned ? VTK_TYPE_INT16 : VTK_TYPE_UINT16;
-    case 32:
-      return isReal ? VTK_TYPE_FLOAT32 : isSigned ? VTK_TYPE_INT32 : VTK_TYPE_UINT32;
-    default:
-      return bits == 64 && isReal ? VTK_TYPE_FLOAT64 : -1;
+    return;
   }
+  constexpr double slack = 1e-3; // of a cell, over the whole grid
+  if (!(map[1] > 0.0 && std::abs(map[2]) * raster.height() <= slack * map[1] &&
+        std::abs(map[4]) * raster.width() <= slack * std::abs(map[5]) && map[1] < 1e12 &&
+        std::abs(map[5]) < 1e12))
+  {
+    refuse(name,
+      "its grid is turned or mirrored against the axes of its map; lay it along them first (gdalwarp does)");
+  }
+  fromTop = map[5] < 0.0;
+  image->SetSpacing(map[1], std::abs(map[5]), 1.0);
+  image->SetOrigin(map[0] + 0.5 * map[1], map[3] + (fromTop ? raster.height() - 0.5 : 0.5) * map[5], 0.0);
 }
 
-// Not vtkTIFFReader: it turns some files upside down.
+// Not vtkTIFFReader: it turns some files upside down, and knows no map.
 vtkSmartPointer<vtkImageData> readTiff(const std::string& name, const std::string& bytes)
 {
-  const std::string fault = "is a damaged TIFF file, or of a kind that is not read; save it with one gray "
-                            "value a pixel, of 8, 16 or 32 bits";
-  TiffBytes file{ bytes };
-  const std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(openTiff(file), TIFFClose);
-  std::uint32_t width = 0, height = 0;
-  std::uint16_t bits = 1, channels = 1, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG,
-                turn = ORIENTATION_TOPLEFT;
-  if (!tiff || !TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width) ||
-      !TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height))
+  const std::string fault = "is a damaged TIFF file, or of a kind that is not read, or announces more "
+                            "samples than 16384 a side or than it holds; save it with one gray value a "
+                            "pixel, of 8, 16, 32 or 64 bits";
+  const Raster raster(bytes, "GTiff");
+  const int orientation = orientationOf(bytes);
+  if (!raster.isOpen() || GDALDataTypeIsComplex(GDALGetRasterDataType(raster.band(1))) ||
+      (orientation != 1 && orientation != 4))
   {
     refuse(name, fault);
   }
-  requireSize(name, width, height, mostSamples * static_cast<double>(bytes.size()));
-  TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_BITSPERSAMPLE, &bits);
-  TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, &channels);
-  TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_SAMPLEFORMAT, &format);
-  TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_PLANARCONFIG, &planes);
-  TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_ORIENTATION, &turn);
-  const int type = typeOfTiff(bits, format);
-  const bool fromTop = turn == ORIENTATION_TOPLEFT;
-  if (type < 0 || channels < 1 || channels > 4 || (channels > 1 && planes != PLANARCONFIG_CONTIG) ||
-      (!fromTop && turn != ORIENTATION_BOTLEFT))
+  bool fromTop = orientation == 1;
+  vtkNew<vtkImageData> place;
+  placeOnMap(name, raster, fromTop, place);
+  const GDALDataType type = GDALGetRasterDataType(raster.band(1));
+  const int bands = heightBands(raster);
+  int hasScale = 0, hasOffset = 0;
+  const double scale = GDALGetRasterScale(raster.band(1), &hasScale);
+  const double offset = GDALGetRasterOffset(raster.band(1), &hasOffset);
+  const bool isSingle = GDALGetDataTypeSizeBits(type) <= 16 || type == GDT_Float32; // each number of it
+  const bool isScaled = (hasScale && scale != 1.0) || (hasOffset && offset != 0.0);
+  auto image = raster.samples(isSingle && !isScaled ? VTK_FLOAT : VTK_DOUBLE, bands, fromTop);
+  // What the file has no data for, by a number, by a mask or by transparency.
+  std::vector<unsigned char> known(static_cast<std::size_t>(raster.width()) * raster.height(), 255);
+  const bool isMasked = (GDALGetMaskFlags(raster.band(1)) & GMF_ALL_VALID) == 0;
+  if (!image || (isMasked && !raster.readBytes(GDALGetMaskBand(raster.band(1)), known.data(), fromTop)))
   {
     refuse(name, fault);
   }
-  const std::size_t size = std::size_t(bits / 8) * channels, stride = size * width; // of a pixel, a row
-  // Pixels come in tiles, or in strips, which are tiles as wide as the image.
-  std::uint32_t across = width, down = 1;
-  const bool isTiled = TIFFIsTiled(tiff.get()) != 0;
-  if (isTiled)
+  image->SetSpacing(place->GetSpacing());
+  image->SetOrigin(place->GetOrigin());
+  const char* const kind = GDALGetMetadataItem(raster.band(1), "PIXELTYPE", "IMAGE_STRUCTURE");
+  const bool isSignedByte = kind && std::string(kind) == "SIGNEDBYTE"; // GDAL before 3.7 gives it unsigned
+  vtkDataArray* heights = image->GetPointData()->GetScalars();
+  heights->SetName("Heights");
+  for (std::size_t i = 0; (isMasked || isScaled || isSignedByte) && i < known.size(); ++i)
   {
-    TIFFGetField(tiff.get(), TIFFTAG_TILEWIDTH, &across);
-    TIFFGetField(tiff.get(), TIFFTAG_TILELENGTH, &down);
-  }
-  const tmsize_t block = isTiled ? TIFFTileSize(tiff.get()) : TIFFScanlineSize(tiff.get());
-  if (across < 1 || down < 1 || across > 4 * longest || down > 4 * longest ||
-      static_cast<std::size_t>(block) != size * across * down)
-  {
-    refuse(name, fault);
-  }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(static_cast<int>(width), static_cast<int>(height), 1);
-  image->AllocateScalars(type, channels);
-  auto* const samples = static_cast<char*>(image->GetScalarPointer());
-  std::vector<char> read(static_cast<std::size_t>(block));
-  for (std::uint32_t y = 0; y < height; y += down)
-  {
-    for (std::uint32_t x = 0; x < width; x += across)
+    for (int k = 0; k < bands; ++k)
     {
-      const bool good = isTiled ? TIFFReadTile(tiff.get(), read.data(), x, y, 0, 0) >= 0
-                                : TIFFReadScanline(tiff.get(), read.data(), y, 0) >= 0;
-      if (!good)
-      {
-        refuse(name, fault);
-      }
-      for (std::uint32_t k = 0; k < down && y + k < height; ++k)
-      {
-        const std::uint32_t row = fromTop ? height - 1 - y - k : y + k;
-        std::memcpy(samples + row * stride + x * size,
-          read.data() + k * across * size,
-          std::min(across, width - x) * size);
-      }
+      double value = heights->GetComponent(static_cast<vtkIdType>(i), k);
+      value -= isSignedByte && value > 127.0 ? 256.0 : 0.0;
+      value = isScaled ? offset + scale * value : value;
+      heights->SetComponent(
+        static_cast<vtkIdType>(i), k, known[i] ? value : std::numeric_limits<double>::quiet_NaN());
     }
   }
   return image;
@@ -388,6 +260,12 @@ vtkSmartPointer<vtkImageData> readAsc(const std::string& name, const std::string
   auto image = vtkSmartPointer<vtkImageData>::New();
   auto* samples = allocated<vtkDoubleArray>(image, width, height);
   image->SetSpacing(dx, dy, 1.0);
+  const auto origin = [&head](const std::string& axis, double side)
+  {
+    const double corner = head.count(axis + "llcorner") ? head[axis + "llcorner"] + 0.5 * side : 0.0;
+    return head.count(axis + "llcenter") ? head[axis + "llcenter"] : corner;
+  };
+  image->SetOrigin(origin("x", dx), origin("y", dy), 0.0);
   words = Words(bytes, at);
   const auto columns = static_cast<vtkIdType>(width), rows = static_cast<vtkIdType>(height);
   for (vtkIdType j = 0; j < rows; ++j) // rows from the top
@@ -431,7 +309,7 @@ std::string heightsFormatOf(const std::string& bytes)
   {
     return "png";
   }
-  if (bytes.compare(0, 4, std::string("II*\0", 4)) == 0 || bytes.compare(0, 4, std::string("MM\0*", 4)) == 0)
+  if (rasterFormatOf(bytes) == "GTiff")
   {
     return "tif";
   }
@@ -452,7 +330,7 @@ vtkSmartPointer<vtkImageData> parseHeights(const std::string& name, const std::s
   const std::string format = heightsFormatOf(bytes);
   if (format == "png")
   {
-    const vtkSmartPointer<vtkImageData> fine = readPng16(name, bytes);
+    const vtkSmartPointer<vtkImageData> fine = readPng16(bytes);
     const vtkSmartPointer<vtkImageData> image = fine ? fine : pictureOf(bytes);
     return image ? image : (refuse(name, std::string("is ") + notAPicture), nullptr);
   }

@@ -167,6 +167,8 @@ public:
     image->SetDimensions(
       static_cast<int>(extent[1] - extent[0] + 1.0), static_cast<int>(extent[3] - extent[2] + 1.0), 1);
     image->SetSpacing(spacing.data());
+    const std::vector<double> origin = this->list(this->Xml.whole("Origin"), 3, "Origin");
+    image->SetOrigin(origin[0] + extent[0] * spacing[0], origin[1] + extent[2] * spacing[1], 0.0);
     this->addArrays("PointData", image->GetPointData(), static_cast<vtkIdType>(count));
     vtkPointData* data = image->GetPointData();
     if (!data->GetScalars() && data->GetNumberOfArrays() == 1 && data->GetArray(0))
@@ -181,7 +183,7 @@ public:
   }
 
 private:
-  // So many numbers; where none are given, ones.
+  // So many numbers; where none are given, those that VTK takes.
   std::vector<double> list(const std::string& text, std::size_t size, const std::string& what)
   {
     std::vector<double> numbers;
@@ -190,9 +192,9 @@ private:
     {
       numbers.push_back(numberOf(word).value_or(std::numeric_limits<double>::quiet_NaN()));
     }
-    if (numbers.empty() && what == "Spacing")
+    if (numbers.empty() && what != "Extent")
     {
-      numbers.assign(size, 1.0);
+      numbers.assign(size, what == "Spacing" ? 1.0 : 0.0);
     }
     if (numbers.size() != size)
     {

@@ -38,6 +38,7 @@ struct Parameter
   double least = 0.0, most = 0.0; // of a number, that a form offers; equal: any
   bool isLength = false;          // [model length]; a command line may give it as a share of the mesh's size
   bool isFile = false;            // of a text: a command line names a JSON file that says it
+  bool isList = false;            // of a text: a command line may add to it, by the same option given again
   std::string actsWith;           // the input without which it has no effect; empty for none
   std::function<void(vtkOversketchSystem*, const Value&)> set;
   std::function<Value(vtkOversketchSystem*)> get;
@@ -208,6 +209,13 @@ inline Parameter offering(std::vector<Choice> offers, Parameter made)
 inline Parameter fromFile(Parameter made)
 {
   made.isFile = true;
+  return made;
+}
+
+// The same of a text that a command line may add to.
+inline Parameter listing(Parameter made)
+{
+  made.isList = true;
   return made;
 }
 

@@ -405,7 +405,9 @@ void MainWindow::dropEvent(QDropEvent* event)
     [this, path, onScene]
     {
       // A picture behind an open model, or to be drawn over; a model beside the open one, or instead of it.
-      const bool isPicture = pictureExtensions().contains(QFileInfo(path).suffix().toLower());
+      // What is both, a TIFF, is a grid of heights sooner.
+      const QString kind = QFileInfo(path).suffix().toLower();
+      const bool isPicture = pictureExtensions().contains(kind) && !kind.startsWith("tif");
       const bool isModel = !isPicture && this->OpenDocument->isOpen() && onScene;
       const bool isBehind =
         this->OpenDocument->isOpen() && !this->Canvases[this->Tools.indexOf(this->View->tool())];

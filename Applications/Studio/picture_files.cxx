@@ -3,6 +3,7 @@
 #include "files.h"
 #include "pieces.h"
 #include "texture.h"
+#include "upright_picture.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -44,7 +45,7 @@ SharedPicture findHeld(const std::string& bytes)
 
 QStringList pictureExtensions()
 {
-  return { "png", "jpg", "jpeg" };
+  return QString(oversketch_files::pictureExtensions).remove('.').split(' ');
 }
 
 ReadPicture readPicture(const QString& path)
@@ -55,12 +56,14 @@ ReadPicture readPicture(const QString& path)
     throw oversketch_files::Failed(PictureTexts::tr("%1: %2").arg(path, file.errorString()).toStdString());
   }
   const oversketch_session::Image image{ QFileInfo(path).fileName().toStdString(),
-    std::make_shared<const std::string>(file.readAll().toStdString()) };
+    std::make_shared<const std::string>(oversketch_files::uprightPicture(file.readAll().toStdString())) };
   ReadPicture read{ image, decoded(image.bytes) };
   if (!read.decoded->pixels)
   {
     throw oversketch_files::Failed(
-      PictureTexts::tr("%1 is no PNG or JPEG picture, or a damaged one.").arg(path).toStdString());
+      PictureTexts::tr("%1 is no PNG, JPEG, WebP, BMP or TIFF picture, or a damaged one.")
+        .arg(path)
+        .toStdString());
   }
   return read;
 }

@@ -6,6 +6,7 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -20,7 +21,31 @@ struct vtkOversketchTerrain::Cache
 {
   StellarStep Step;
   vtkSmartPointer<vtkPolyData> Source;
+  std::string Warning;
 };
+
+namespace
+{
+
+// What became of missing samples; empty where none was.
+std::string judged(const FilledSamples& samples, const Terrain& terrain, std::size_t quads)
+{
+  std::string words;
+  if (samples.filled > 0)
+  {
+    words = std::to_string(samples.filled) + " missing samples were filled, each from those beside it.";
+  }
+  if (samples.left > 0)
+  {
+    const std::size_t all = static_cast<std::size_t>(terrain.columns()) * terrain.rows();
+    words += (words.empty() ? "" : " ") + std::to_string(samples.left) +
+             " missing samples, three and more side by side in both directions, are holes; " +
+             std::to_string(all - quads) + " of " + std::to_string(all) + " quads there are left out.";
+  }
+  return words;
+}
+
+} // namespace
 
 vtkStandardNewMacro(vtkOversketchTerrain);
 
@@ -65,6 +90,8 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
           static_cast<double>(image->GetDimensions()[2]),
           image->GetSpacing()[0],
           image->GetSpacing()[1],
+          image->GetOrigin()[0],
+          image->GetOrigin()[1],
           static_cast<double>(this->Columns),
           static_cast<double>(this->Rows),
           this->QuadX,
@@ -77,7 +104,8 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
         [&]
         {
           ++this->TerrainCount;
-          const HeightImage heights = HeightsOf(image);
+          HeightImage heights = HeightsOf(image);
+          const FilledSamples samples = fillNarrowGaps(heights, context);
           TerrainRules rules;
           rules.columns = this->Columns;
           rules.rows = this->Rows;
@@ -86,13 +114,28 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
           rules.offset = this->Offset;
           const Terrain terrain(heights, rules);
           StellarStep::Made made;
-          made.forest = std::make_shared<const Forest>(forestOfPairs(terrain.baseMesh(context)));
+          const Mesh base = terrain.baseMesh(context);
+          cache.Warning = judged(samples, terrain, base.triangles.size() / 2);
+          made.forest = std::make_shared<const Forest>(forestOfPairs(base));
           rules.columns = terrain.columns();
           rules.rows = terrain.rows();
           cache.Source = vtkSmartPointer<vtkPolyData>::New();
           WriteTerrain(heights, rules, cache.Source);
+          const double* const origin = image->GetOrigin();
+          if (origin[0] != 0.0 || origin[1] != 0.0)
+          {
+            vtkNew<vtkDoubleArray> place;
+            place->SetName("MapOrigin");
+            place->SetNumberOfComponents(3);
+            place->InsertNextTuple3(origin[0], origin[1], 0.0);
+            cache.Source->GetFieldData()->AddArray(place);
+          }
           return made;
         });
+      if (!cache.Warning.empty())
+      {
+        vtkWarningMacro(<< cache.Warning);
+      }
       vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Source);
       vtkFieldData* fields = vtkPolyData::GetData(outputs, 0)->GetFieldData();
       for (int i = 0; i < cache.Source->GetFieldData()->GetNumberOfArrays(); ++i)

@@ -5,21 +5,26 @@
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. IV: a grid of quads, as
  * coarse as the user likes, each two triangles that are a pair of a 4-8 mesh. Silent there, and chosen here:
  * heights between samples are bilinear, quads are cut from lower left to upper right, 64 of them along the
- * longer side; quads over a missing sample are left out, and then those that meet others at a corner alone.
+ * longer side. Missing samples in places narrower than three are filled, by the plane through those beside
+ * them; quads over those that lie in 3 x 3 missing ones are left out, and then those that meet others at a
+ * corner alone. A warning says how many.
  *
  * A system of no steps, so that it can be the first in a session.
  *
  * Input 0 (Heights, vtkImageData): one slice across z with scalars; of colours the luminance counts, of two
- * components the first. Samples that are not finite are missing. The origin is not read.
+ * components the first. Samples that are not finite are missing. The origin is the place of the lower left
+ * sample on its map, the spacing is in units of that.
  *
  * Output 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase: point (i, j) at i times QuadX, j times QuadY, and
  * Offset + Scale * gray; with the field arrays TerrainGray and TerrainRules, double, from which
  * vtkOversketchStellarRefine reads heights anew where it refines.
+ * Both outputs have the field array MapOrigin, three doubles, where the image's origin is not 0: what is
+ * added to each point to be on the map, x and y of the origin and 0. Points themselves are small numbers.
  * Output 1 (Source): no points, the field arrays alone.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray without scalars; BadMesh for several
  * slices, fewer than two samples in a row or column, parameters out of range, more than eight million quads,
- * or where no quad is left. An image without points gives empty outputs silently.
+ * heights beyond 1e12, or where no quad is left. An image without points gives empty outputs silently.
  *
  * Deterministic: same result bit for bit for any number of threads, cached or read from a file. The result
  * stays, as the same arrays, while all that is read does.

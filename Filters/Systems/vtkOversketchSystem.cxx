@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <sstream>
 
 using namespace oversketch;
 
@@ -123,6 +125,31 @@ vtkMTimeType vtkOversketchSystem::GetMTime()
   return latest;
 }
 
+namespace
+{
+
+// A result that no filter would take as its input, by vtkOversketchFilterTools, is none.
+void requireTaken(vtkPolyData* result)
+{
+  constexpr double largest = 1e12;
+  if (!result || result->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const double* const bounds = result->GetPoints()->GetBounds();
+  const double* const widest =
+    std::max_element(bounds, bounds + 6, [](double a, double b) { return std::abs(a) < std::abs(b); });
+  if (!(std::abs(*widest) <= largest))
+  {
+    std::ostringstream message;
+    message << "The result reaches " << *widest << ", and no step takes coordinates beyond " << largest
+            << "; ask for less, or scale what it is made of.";
+    throw Error(Failure::BadMesh, message.str());
+  }
+}
+
+} // namespace
+
 int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
 {
   this->Done = 0.0;
@@ -133,7 +160,12 @@ int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
     stage.Seconds = 0.0;
   }
   this->Timed = true;
-  const int result = RunFilter(this, body);
+  const int result = RunFilter(this,
+    [&]
+    {
+      body();
+      requireTaken(vtkPolyData::SafeDownCast(this->GetOutputDataObject(0)));
+    });
   this->Timed = false;
   return result;
 }

@@ -1,6 +1,9 @@
 #include "Image/heights.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -23,7 +26,114 @@ double between(double a, double b, double share)
   return share <= 0.0 ? a : share >= 1.0 ? b : a + share * (b - a);
 }
 
+// The height at a missing sample, by those up to three away.
+double filledSample(const HeightImage& image, int column, int row)
+{
+  constexpr int reach = 3;
+  double first = 0.0, weights = 0.0, mean = 0.0; // heights count from the first one
+  Vector2 middle(0.0, 0.0);
+  struct Known
+  {
+    Vector2 away;
+    double height, weight;
+  };
+  std::array<Known, (2 * reach + 1) * (2 * reach + 1)> known;
+  std::size_t count = 0;
+  for (int j = std::max(row - reach, 0); j <= std::min(row + reach, image.height - 1); ++j)
+  {
+    for (int i = std::max(column - reach, 0); i <= std::min(column + reach, image.width - 1); ++i)
+    {
+      const double height = image.samples[static_cast<std::size_t>(j) * image.width + i];
+      if (std::isfinite(height))
+      {
+        first = count == 0 ? height : first;
+        const Vector2 away(i - column, j - row);
+        known[count++] = { away, height - first, 1.0 / away.squaredNorm() };
+        weights += known[count - 1].weight;
+        middle += known[count - 1].weight * away;
+        mean += known[count - 1].weight * known[count - 1].height;
+      }
+    }
+  }
+  middle /= weights;
+  mean /= weights;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  Vector2 rise(0.0, 0.0);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const Vector2 away = known[k].away - middle;
+    spread += known[k].weight * away * away.transpose();
+    rise += known[k].weight * (known[k].height - mean) * away;
+  }
+  // Samples on one line tell the slope along it alone.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  double height = mean;
+  for (int k = 0; k < 2; ++k)
+  {
+    if (axes.eigenvalues()[k] > 1e-9 * weights)
+    {
+      const Vector2 axis = axes.eigenvectors().col(k);
+      height -= axis.dot(middle) * axis.dot(rise) / axes.eigenvalues()[k];
+    }
+  }
+  return first + height;
+}
+
 } // namespace
+
+FilledSamples fillNarrowGaps(HeightImage& image, const Context& context)
+{
+  const auto rows = [&](const auto& work) // of each sample
+  {
+    context.parallelFor(image.height,
+      [&](int begin, int end)
+      {
+        for (int j = begin; j < end && !context.cancelled(); ++j)
+        {
+          for (int i = 0; i < image.width; ++i)
+          {
+            work(i, j, static_cast<std::size_t>(j) * image.width + i);
+          }
+        }
+      });
+  };
+  // Whether that is so of each of the nine samples round one.
+  const auto allRound = [&](int i, int j, const auto& is)
+  {
+    bool all = i > 0 && j > 0 && i + 1 < image.width && j + 1 < image.height;
+    for (int k = 0; k < 9 && all; ++k)
+    {
+      all = is(static_cast<std::size_t>(j + k / 3 - 1) * image.width + (i + k % 3 - 1));
+    }
+    return all;
+  };
+  std::vector<char> middles(image.samples.size()); // of blocks
+  rows([&](int i, int j, std::size_t at)
+    { middles[at] = allRound(i, j, [&](std::size_t k) { return !std::isfinite(image.samples[k]); }); });
+  std::vector<double> filled = image.samples;
+  std::atomic<std::size_t> count{ 0 }, left{ 0 };
+  rows(
+    [&](int i, int j, std::size_t at)
+    {
+      if (std::isfinite(image.samples[at]))
+      {
+        return;
+      }
+      bool inBlock = false;
+      for (int v = std::max(j - 1, 0); v <= std::min(j + 1, image.height - 1); ++v)
+      {
+        for (int u = std::max(i - 1, 0); u <= std::min(i + 1, image.width - 1); ++u)
+        {
+          inBlock = inBlock || middles[static_cast<std::size_t>(v) * image.width + u];
+        }
+      }
+      filled[at] = inBlock ? image.samples[at] : filledSample(image, i, j);
+      ++(std::isfinite(filled[at]) ? count : left);
+    });
+  context.checkpoint(0.1);
+  image.samples = std::move(filled);
+  return { count, left };
+}
 
 double HeightImage::at(double column, double row) const
 {

@@ -2,7 +2,8 @@
 //
 // Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. IV: the base mesh is a grid
 // over the image, which the user makes as coarse as he likes; finer triangles read the image anew. Silent
-// there, and chosen here: heights between samples are bilinear; quads over a missing sample are left out.
+// there, and chosen here: heights between samples are bilinear; samples that are missing in narrow places are
+// filled, and quads over those still missing are left out.
 #ifndef oversketch_kernels_image_heights_h
 #define oversketch_kernels_image_heights_h
 
@@ -25,6 +26,18 @@ struct HeightImage
   // missing.
   double at(double column, double row) const;
 };
+
+struct FilledSamples
+{
+  std::size_t filled = 0; // samples
+  std::size_t left = 0;   // that are missing still
+};
+
+// Fills missing samples that lie in no block of 3 x 3 missing ones. Each of them has a known sample beside
+// it, at the image's border at most two away, and is given the height there of the plane that fits the
+// samples up to three away best, by weights that fall with the square of their distance. What is made of a
+// plane is exact, but where all of these lie on one line, which tells no slope across it.
+FilledSamples fillNarrowGaps(HeightImage& image, const Context& context = Context());
 
 struct TerrainRules
 {

@@ -157,6 +157,83 @@ TEST(Heights, TheDefaultGridIsSquareAndSixtyFourLong)
   EXPECT_EQ(mesh.points.back(), Vector3(12.0, 1.0, 0.0));
 }
 
+TEST(Heights, NarrowGapsAreFilledAndPlanesExactly)
+{
+  const auto plane = [](int i, int j) { return 3.0 + 0.25 * i - 0.75 * j; };
+  std::mt19937 random(7);
+  std::set<std::pair<int, int>> gaps = { { 0, 0 }, { 79, 59 }, { 79, 0 } };
+  for (int k = 0; k < 240; ++k) // 5 % of them
+  {
+    gaps.insert({ static_cast<int>(random() % 80), static_cast<int>(random() % 57) });
+  }
+  for (int i = 0; i < 80; ++i) // a line that was not scanned, a column of the border, two rows of it
+  {
+    gaps.insert({ i, 30 });
+    gaps.insert({ 0, i % 60 });
+    gaps.insert({ i, 58 });
+    gaps.insert({ i, 59 });
+  }
+  const auto isGap = [&](int i, int j) { return gaps.count({ i, j }) > 0; };
+  const auto torn = [&](const auto& height)
+  { return imageOf(80, 60, [&, height](int i, int j) { return isGap(i, j) ? missing : height(i, j); }); };
+  HeightImage image = torn(plane);
+  const FilledSamples samples = fillNarrowGaps(image);
+  EXPECT_EQ(samples.filled, gaps.size());
+  EXPECT_EQ(samples.left, 0U);
+  HeightImage waves = torn([](int i, int j) { return std::sin(0.2 * i) + std::cos(0.2 * j); });
+  fillNarrowGaps(waves);
+  for (int j = 0; j < 60; ++j)
+  {
+    for (int i = 0; i < 80; ++i)
+    {
+      const std::size_t at = 80 * j + i;
+      EXPECT_NEAR(image.samples[at], plane(i, j), isGap(i, j) ? 1e-12 : 0.0) << i << ", " << j;
+      // Second derivatives are 0.04 at most, and samples up to three away, on one side of it at a border.
+      EXPECT_NEAR(waves.samples[at], std::sin(0.2 * i) + std::cos(0.2 * j), 0.3) << i << ", " << j;
+    }
+  }
+  EXPECT_EQ(Terrain(image, quads(79, 59)).baseMesh().triangleCount(), 2 * 79 * 59);
+  EXPECT_LT(Terrain(torn(plane), quads(20, 15)).baseMesh().triangleCount(), 20 * 15) << "half, unfilled";
+  HeightImage flat = torn([](int, int) { return 130.1; });
+  fillNarrowGaps(flat);
+  EXPECT_EQ(flat.samples, std::vector<double>(80 * 60, 130.1)) << "to the bit";
+}
+
+TEST(Heights, HolesOfThreeByThreeStayHoles)
+{
+  const std::vector<std::string> map = { // x is missing
+    "..........xx",
+    ".xxx......xx",
+    ".xxxx.......",
+    ".xxx...xx...",
+    ".......xx...",
+    "xx...xxxx...",
+    "............",
+    "xxx........x",
+    "xxx......xxx",
+    "xxx......xxx"
+  };
+  HeightImage image =
+    imageOf(12, 10, [&](int i, int j) { return map[j][i] == 'x' ? missing : i + 10.0 * j; });
+  const FilledSamples samples = fillNarrowGaps(image);
+  EXPECT_EQ(samples.left, 9U + 9U);
+  EXPECT_EQ(samples.filled, 22U);
+  for (int j = 0; j < 10; ++j)
+  {
+    for (int i = 0; i < 12; ++i)
+    {
+      const double height = image.samples[12 * j + i];
+      const bool isHole = (i >= 1 && i <= 3 && j >= 1 && j <= 3) || (i <= 2 && j >= 7);
+      EXPECT_TRUE(isHole ? std::isnan(height) : std::abs(height - (i + 10.0 * j)) < 1e-12) << i << ", " << j;
+    }
+  }
+  HeightImage none = imageOf(2, 2, [](int, int) { return missing; });
+  EXPECT_EQ(fillNarrowGaps(none).left, 4U);
+  Context stopped;
+  stopped.cancelled = [] { return true; };
+  EXPECT_THROW(fillNarrowGaps(image, stopped), Error);
+}
+
 TEST(Heights, QuadsOverMissingSamplesAreLeftOut)
 {
   // One sample in the middle of four quads, then one inside a single coarse quad.

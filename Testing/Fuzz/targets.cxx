@@ -7,6 +7,7 @@
 #include "parts_file.h"
 #include "session_file.h"
 #include "texture.h"
+#include "upright_picture.h"
 
 #include "vtkOversketchAugment.h"
 #include "vtkOversketchFilterTools.h"
@@ -190,6 +191,8 @@ void takeStroke(const std::string& bytes)
 void takePicture(const std::string& bytes)
 {
   pictureOf(bytes);
+  const std::string upright = uprightPicture(bytes);
+  require(upright.empty() || upright == bytes || pictureOf(upright), "an upright picture that cannot be read");
 }
 
 // A grid of heights, and the terrain of it.

@@ -87,7 +87,7 @@ def test_control(debs, name):
     expected = {
         "liboversketch": [r"libvtk9\.\d", r"libembree\d", r"libc6 \(>="],
         "liboversketch-dev": ["libvtk9-dev", "libeigen3-dev", "ocl-icd-opencl-dev"],
-        "oversketch": [r"libqt5widgets5\w* \(>=", r"libarchive13\w* \(>=", r"libvtk9\.\d\w*-qt"],
+        "oversketch": [r"libqt5widgets5\w* \(>=", r"libarchive13\w* \(>=", r"libvtk9\.\d\w*-qt", r"libgdal\d"],
         "python3-oversketch": ["python3-vtk9", "python3-numpy", r"python3 \(>= 3\.\d+\), python3 \(<< 3\.\d+\)", r"libvtk9\.\d"],
     }
     for need in expected[name]:

@@ -396,7 +396,7 @@ HOSTILE = {  # what the file holds, and what the message says beside the file's 
                            "part 0: 'strokes' names '../../no/way.vtp': there is no such file"),
     "a folder": ({"parts": [{"mesh": "."}]}, "part 0: 'mesh' names '.'", "is not a file"),
     "a pipe": ({"parts": [{"mesh": "/dev/zero"}]}, "part 0: 'mesh' names '/dev/zero': is not a file"),
-    "no picture": ({"parts": [{"strokes": "fish.vtp", "picture": "t.vtp"}]}, "part 0: ", "t.vtp: is no PNG or JPEG"),
+    "no picture": ({"parts": [{"strokes": "fish.vtp", "picture": "t.vtp"}]}, "part 0: ", "t.vtp: is no PNG, JPEG"),
     "an absent picture": ({"parts": [{"strokes": "fish.vtp", "picture": "t.jpg"}]}, "part 0: 'picture' names 't.jpg'"),
     "no strokes": ({"parts": [{"mesh": "t.vtp"}, {"strokes": "t.vtp"}]}, "part 1: ", "holds no polyline"),
     "strokes for a mesh": ({"parts": [{"mesh": "fish.vtp"}]}, "part 0: ", "holds no polygons"),

@@ -2,11 +2,14 @@
 import json
 import os
 import shutil
+import struct
 import zipfile
 
 import numpy
 import pytest
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkIOImage import vtkPNGWriter, vtkTIFFWriter
 
 from scene import *  # noqa: F403
 
@@ -201,12 +204,19 @@ def test_a_terrain_of_every_kind_of_file(tmp_path):
     rows = heights[::-1]
     (tmp_path / "t.asc").write_text("ncols 9\nnrows 5\ncellsize 1\nNODATA_value -1\n" + "\n".join(" ".join(map(str, r)) for r in rows))
     (tmp_path / "t.pgm").write_bytes(b"P5 9 5 65535\n" + rows.astype(">u2").tobytes())
+    image = vtkImageData()
+    image.SetDimensions(9, 5, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(heights.astype(numpy.uint16).ravel(), deep=True))
+    for name, writer in (("t.tif", vtkTIFFWriter()), ("t.png", vtkPNGWriter())):
+        writer.SetInputData(image)
+        writer.SetFileName(str(tmp_path / name))
+        writer.Write()
     meshes = []
-    for name in ("t.asc", "t.pgm"):
+    for name in ("t.asc", "t.pgm", "t.tif", "t.png"):
         done = run("terrain", tmp_path / name, "-o", tmp_path / "o.vtp", "--quads", "8x4", "--scale", "0.5", "--offset", "3")
         assert done.returncode == 0 and done.stderr == "", done.stderr
         meshes.append(points_of(read(tmp_path / "o.vtp")))
-    assert (meshes[0] == meshes[1]).all() and len(meshes[0]) == 45
+        assert (meshes[0] == meshes[-1]).all() and len(meshes[0]) == 45
     x, y, z = meshes[0].T
     assert numpy.abs(z - (3 + 0.5 * (100 * x + 7 * y))).max() < 1e-9
     run("terrain", tmp_path / "t.pgm", "-o", tmp_path / "o.vtp", "--quads", "2", "--spacing", "10x20")
@@ -221,8 +231,54 @@ def test_a_terrain_of_every_kind_of_file(tmp_path):
     assert not (tmp_path / "p.vtp").exists()
 
 
+def geotiff(path, heights):
+    """Real numbers from the lower left in cells of 0.25 x 0.5, the corner of the upper left one at (500000, 4600000), -9999 for none."""
+    rows, columns = heights.shape
+    data = heights[::-1].astype("<f4").tobytes()
+    tags = [(256, 3, 1, columns), (257, 3, 1, rows), (258, 3, 1, 32), (259, 3, 1, 1), (262, 3, 1, 1), (273, 4, 1, None), (277, 3, 1, 1),
+            (278, 3, 1, rows), (279, 4, 1, len(data)), (339, 3, 1, 3), (33550, 12, 3, struct.pack("<3d", 0.25, 0.5, 0)),
+            (33922, 12, 6, struct.pack("<6d", 0, 0, 0, 500000, 4600000, 0)), (42113, 2, 6, b"-9999\0")]
+    after = 8 + 2 + 12 * len(tags) + 4
+    entries, values = b"", b""
+    for tag, kind, count, value in tags:
+        if isinstance(value, bytes):
+            value, values = after + len(data) + len(values), values + value
+        entries += struct.pack("<HHII", tag, kind, count, after if value is None else value)
+    path.write_bytes(struct.pack("<2sHIH", b"II", 42, 8, len(tags)) + entries + bytes(4) + data + values)
+
+
+def test_a_geotiff_lies_on_its_map(tmp_path):
+    """Cells of the map's size, a hole where nothing is known, single samples filled; what is made of it goes back onto the map."""
+    x, y = numpy.meshgrid(numpy.arange(24), numpy.arange(20))
+    heights = 1 + 0.125 * x + 0.25 * y
+    heights[5:8, 6:9] = heights[12, 15] = -9999
+    geotiff(tmp_path / "map.tif", heights)
+    done = run("terrain", tmp_path / "map.tif", "-o", tmp_path / "map.vtp", "--quads", "23x19")
+    assert done.returncode == 0, done.stderr
+    assert "1 missing samples were filled" in done.stderr and "9 missing samples" in done.stderr and "16 of 437 quads" in done.stderr, done.stderr
+    mesh = read(tmp_path / "map.vtp")
+    points = points_of(mesh)
+    assert points.max(axis=0)[:2].tolist() == [5.75, 9.5] and points.min(axis=0)[:2].tolist() == [0, 0]
+    assert mesh.GetNumberOfPolys() == 2 * (23 * 19 - 16)
+    assert numpy.abs(points[:, 2] - (1 + points[:, 0] / 2 + points[:, 1] / 2)).max() < 1e-9
+    across = numpy.column_stack([WIDTH / 3 + PIXELS * numpy.linspace(1.5, 5, 40), numpy.full(40, HEIGHT / 2 + 1.7 * PIXELS)])
+    write(stroke(across), tmp_path / "line.vtp")
+    done = run("augment", tmp_path / "map.vtp", tmp_path / "line.vtp", "-o", tmp_path / "o.vtp", "--radius", "0.6", "--height", "0.3")
+    assert done.returncode == 0, done.stderr
+    for file in ("map.vtp", "o.vtp"):
+        origin = vtk_to_numpy(read(tmp_path / file).GetFieldData().GetArray("MapOrigin"))
+        assert origin.tolist() == [[500000.125, 4600000 - 0.5 * 19.5, 0]], file
+
+
+def test_heights_that_nothing_reads_are_not_written(tmp_path):
+    (tmp_path / "t.asc").write_text("ncols 3\nnrows 3\ncellsize 1\n" + "1 2 3 " * 3)
+    said = refuse(1, "terrain", tmp_path / "t.asc", "-o", tmp_path / "p.vtp", "--scale", "1e31")
+    assert "reaches 3e+31" in said and not (tmp_path / "p.vtp").exists()
+
+
 def test_odd_grids(tmp_path):
     """One row has no quads; equal heights are a plane that a line rises from; missing samples are holes with borders of their own."""
+    hole = {9 * j + i for j in (3, 4, 5) for i in (3, 4, 5)}
     def terrain(columns, rows, values, *options):
         (tmp_path / "odd.asc").write_text(f"ncols {columns}\nnrows {rows}\ncellsize 1\nNODATA_value -9999\n" + " ".join(map(str, values)))
         return run("terrain", tmp_path / "odd.asc", "-o", tmp_path / "odd.vtp", *options)
@@ -231,11 +287,11 @@ def test_odd_grids(tmp_path):
         assert done.returncode == 1 and f"{columns} x {rows} samples" in done.stderr and not (tmp_path / "odd.vtp").exists(), done.stderr
     done = terrain(9, 9, [-9999] * 81)
     assert done.returncode == 1 and not (tmp_path / "odd.vtp").exists()
-    for values in ([5] * 81, [-9999 if i == 40 else 5 for i in range(81)]):
+    for values in ([5] * 81, [-9999 if i == 40 else 5 for i in range(81)], [-9999 if i in hole else 5 for i in range(81)]):
         done = terrain(9, 9, values, "--quads", "8")
         assert done.returncode == 0, done.stderr
         mesh = read(tmp_path / "odd.vtp")
-        assert mesh.GetNumberOfPolys() == 2 * (64 if -9999 not in values else 60) and set(points_of(mesh)[:, 2]) == {5.0}
+        assert mesh.GetNumberOfPolys() == 2 * (64 if values.count(-9999) < 9 else 48) and set(points_of(mesh)[:, 2]) == {5.0}
         across = numpy.column_stack([WIDTH / 3 + PIXELS * numpy.linspace(1.5, 6.5, 20), numpy.full(20, HEIGHT / 2 + 1.7 * PIXELS)])
         write(stroke(across), tmp_path / "line.vtp")
         done = run("augment", tmp_path / "odd.vtp", tmp_path / "line.vtp", "-o", tmp_path / "o.vtp", "--radius", "0.9", "--height", "0.5")

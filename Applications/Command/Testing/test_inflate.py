@@ -6,6 +6,7 @@ import pytest
 
 from scene import *  # noqa: F403
 from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 DRAWINGS = SOURCE / "Data" / "Drawings"
 
@@ -88,7 +89,7 @@ def test_holes_tunnels_and_slabs(tmp_path):
 
 
 def test_what_cannot_be_is_said(tmp_path):
-    for options, words in ((("--hole", "99"), "99"), (("--hole", "1"), "1"), (("--profile", "0 0, 1 nan"), "rofile"), (("--image", __file__), "PNG or JPEG")):
+    for options, words in ((("--hole", "99"), "99"), (("--hole", "1"), "1"), (("--profile", "0 0, 1 nan"), "rofile"), (("--image", __file__), "PNG, JPEG")):
         done = run("inflate", DRAWINGS / "fish.vtp", "-o", tmp_path / "no.vtp", *options)
         assert done.returncode == 1 and words in done.stderr, done.stderr
         assert not (tmp_path / "no.vtp").exists()
@@ -185,3 +186,32 @@ def test_a_limb_of_it_is_pulled_and_it_keeps_its_picture(tmp_path):
     assert longer.GetBounds()[0] < model.GetBounds()[0] - 15  # the bill's tip
     assert longer.GetPointData().GetTCoords() is not None
     assert vtk_to_numpy(longer.GetFieldData().GetAbstractArray("Texture")).tobytes() == (DRAWINGS / "heron.png").read_bytes()
+
+
+def test_options_add_up_or_stand_once(tmp_path):
+    """A list grows with each time that its option is given; whatever else is given twice is bad use, whatever its kind."""
+    out = tmp_path / "out.vtp"
+    rings = tmp_path / "rings.vtp"
+    turn = numpy.linspace(0, 2 * numpy.pi, 80)
+    append = vtkAppendPolyData()
+    append.SetOutputPointsPrecision(1)
+    for x, r in ((200, 120), (150, 25), (250, 25)):
+        append.AddInputData(stroke(numpy.column_stack([x + r * numpy.cos(turn), 150 + r * numpy.sin(turn)])))
+    append.Update()
+    write(append.GetOutput(), rings)
+    holes = []
+    for options in (["--hole", "1 2"], ["--hole", "1", "--hole", "2"], ["--hole=2", "--hole=1"], ["--hole", "1"], ["--tunnel", "1", "--tunnel", "2"],
+                    ["--hole", "1", "--tunnel", "2"]):
+        done = run("inflate", rings, "-o", out, *options)
+        assert done.returncode == 0, done.stderr
+        holes.append((2 - euler(read(out))) // 2)
+    assert holes == [2, 2, 2, 1, 2, 2], holes
+    for twice in (["--levels", "2", "--levels", "3"], ["--levels=2", "--levels=2"], ["--quads", "--quads"], ["--backend", "embree", "--backend", "embree"],
+                  ["-o", out], ["--output", out], ["--report", tmp_path / "a.json", "--report", tmp_path / "b.json"], ["--profile", "linear", "--profile", "step"],
+                  ["--image", DRAWINGS / "fish.png", "--image", DRAWINGS / "leaf.png"]):
+        out.unlink(missing_ok=True)
+        assert "is given twice; give it once" in refuse(2, "inflate", rings, "-o", out, *twice)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["rings.vtp"]
+    assert "is given twice" in refuse(2, "terrain", rings, "-o", out, "--quads", "8", "--quads", "4x4")
+    assert "is given twice" in refuse(2, "replay", rings, "-o", out, "--model", "1", "--model", "2")
+    assert "is given twice" in refuse(2, "assemble", rings, "-o", out, "--report", "a.json", "--report", "b.json")

@@ -7,7 +7,7 @@ import struct
 import numpy
 import pytest
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkJPEGReader, vtkJPEGWriter, vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkBMPWriter, vtkJPEGReader, vtkJPEGWriter, vtkPNGReader, vtkPNGWriter, vtkTIFFWriter
 
 from scene import *  # noqa: F403
 
@@ -293,3 +293,52 @@ def test_new_triangles_wear_the_picture_too(tmp_path, longer):
     document, data = taken_apart(tmp_path / "out.glb")
     assert part(document, data, document["images"][0]["bufferView"]) == image
     assert len(attribute(document, data, "TEXCOORD_0", numpy.float32, 2)) > body().GetNumberOfPoints()
+
+
+def drawn_over(path, orientation):
+    """A picture whose quarters are red, green, blue and white, in a file whose rows lie as the Exif orientation says; as it is to be seen, it is 96 x 64."""
+    seen = numpy.zeros((64, 96, 3), numpy.uint8)  # from the upper left
+    seen[:32, :48], seen[:32, 48:], seen[32:, :48], seen[32:, 48:] = (220, 20, 20), (20, 220, 20), (20, 20, 220), (240, 240, 240)
+    stored = {1: seen, 3: seen[::-1, ::-1], 6: numpy.rot90(seen), 8: numpy.rot90(seen, -1)}[orientation]
+    image = vtkImageData()
+    image.SetDimensions(stored.shape[1], stored.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(stored[::-1].reshape(-1, 3).copy(), deep=True))
+    writer = {".jpg": vtkJPEGWriter, ".bmp": vtkBMPWriter, ".tif": vtkTIFFWriter, ".png": vtkPNGWriter}[path.suffix]()
+    writer.SetInputData(image)
+    writer.SetFileName(str(path))
+    writer.Write()
+    if path.suffix == ".jpg":
+        exif = b"Exif\0\0MM\0*\0\0\0\x08" + struct.pack(">HHHIHHI", 1, 0x0112, 3, 1, orientation, 0, 0)
+        data = path.read_bytes()
+        path.write_bytes(data[:2] + b"\xff\xe1" + struct.pack(">H", len(exif) + 2) + exif + data[2:])
+    return path
+
+
+@pytest.mark.parametrize("name, orientation", [("a.jpg", 1), ("a.jpg", 3), ("a.jpg", 6), ("a.jpg", 8), ("a.bmp", 1), ("a.tif", 1), ("a.png", 1)])
+def test_a_picture_is_drawn_over_and_worn_upright(tmp_path, name, orientation):
+    """The canvas is as wide as the picture is seen, and what the model wears is seen so by programs that know nothing of Exif."""
+    source = drawn_over(tmp_path / name, orientation)
+    turn = numpy.linspace(0, 2 * numpy.pi, 60)
+    line = numpy.column_stack([48 + 40 * numpy.cos(turn), 32 + 25 * numpy.sin(turn)])
+    drawing = stroke(line)
+    drawing.GetCellData().GetArray("ViewTransform").SetTuple(0, numpy.eye(4).ravel())
+    flat = numpy.diag([2 / 96, 2 / 64, -0.1, 1.0])
+    flat[:2, 3] = -1
+    drawing.GetCellData().GetArray("ProjectionTransform").SetTuple(0, flat.ravel())
+    drawing.GetCellData().GetArray("ViewportSize").SetTuple(0, (96, 64))
+    write(drawing, tmp_path / "line.vtp")
+    done = run("inflate", tmp_path / "line.vtp", "--image", source, "-o", tmp_path / "o.glb", "--levels", "1")
+    assert done.returncode == 0, done.stderr
+    document, data = taken_apart(tmp_path / "o.glb")
+    kind = document["images"][0]["mimeType"]
+    assert kind == ("image/jpeg" if name == "a.jpg" else "image/png")
+    worn = tmp_path / ("worn.jpg" if kind == "image/jpeg" else "worn.png")
+    worn.write_bytes(part(document, data, document["images"][0]["bufferView"]))
+    assert (worn.read_bytes() == source.read_bytes()) == (orientation == 1 and name in ("a.jpg", "a.png"))
+    shown = pixels(worn)
+    assert len(shown) == 96 * 64
+    shown = shown.reshape(64, 96, 3)[::-1].astype(int)
+    for y, x, colour in ((8, 8, (220, 20, 20)), (8, 80, (20, 220, 20)), (56, 8, (20, 20, 220)), (56, 80, (240, 240, 240))):
+        assert abs(shown[y, x] - colour).max() < 12, (y, x, shown[y, x])
+    refused = refuse(1, "inflate", tmp_path / "line.vtp", "--image", tmp_path / "line.vtp", "-o", tmp_path / "p.glb")
+    assert "no PNG, JPEG, WebP, BMP or TIFF picture" in refused

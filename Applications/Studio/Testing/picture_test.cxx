@@ -1,8 +1,11 @@
 // Pictures behind the model: listed, seen in their view alone, undone, kept.
+#include "drawing_lines.h"
+#include "picture_files.h"
 #include "scene.h"
 #include "scene_panel.h"
 
 #include <QDropEvent>
+#include <QFile>
 #include <QListWidget>
 #include <QMimeData>
 #include <QSlider>
@@ -42,6 +45,42 @@ void drop(MainWindow& window, const QString& path)
 }
 
 } // namespace
+
+// A photograph of a phone is stored on its side, and says so.
+TEST(Pictures, AreDrawnOverAsTheyWereTaken)
+{
+  const QTemporaryDir folder;
+  QImage wide(64, 32, QImage::Format_RGB32);
+  wide.fill(Qt::red);
+  const auto canvasOver = [&](const QString& name)
+  {
+    const ReadPicture read = readPicture(folder.filePath(name));
+    const auto canvas = oversketch_session::canvasOf(*oversketch_session::drawingOver(read.image));
+    const int* size = read.decoded->pixels->GetDimensions();
+    EXPECT_EQ(canvas[2] - canvas[0], size[0]);
+    return QSize(size[0], size[1]);
+  };
+  for (const char* name : { "a.jpg", "a.bmp", "a.png" })
+  {
+    ASSERT_TRUE(wide.save(folder.filePath(name)));
+    EXPECT_EQ(canvasOver(name), QSize(64, 32)) << name;
+  }
+  QFile file(folder.filePath("a.jpg"));
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  QByteArray bytes = file.readAll();
+  bytes.insert(2,
+    QByteArray("\xff\xe1\0\x22"
+               "Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+      36));
+  file.seek(0);
+  file.write(bytes);
+  file.close();
+  EXPECT_EQ(canvasOver("a.jpg"), QSize(32, 64));
+  for (const char* kind : { "png", "jpg", "jpeg", "webp", "bmp", "tif", "tiff" })
+  {
+    EXPECT_TRUE(pictureExtensions().contains(kind)) << kind;
+  }
+}
 
 TEST(Pictures, AreSeenInTheirViewAndKept)
 {

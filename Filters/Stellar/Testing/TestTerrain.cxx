@@ -127,11 +127,102 @@ TEST(Terrain, ColoursCountByLuminanceAndHolesAreLeftOut)
   terrain->Update();
   ASSERT_EQ(terrain->GetOutput()->GetNumberOfCells(), 8);
   EXPECT_NEAR(terrain->GetOutput()->GetPoint(4)[2], 0.299 * 100 + 0.587 * 50 + 0.114 * 200, 1e-12);
-  terrain->SetInputData(imageOf(
-    5, 5, [](int i, int j) { return i == 0 && j == 0 ? std::numeric_limits<double>::quiet_NaN() : 1.0; }));
-  terrain->SetColumns(4);
+}
+
+TEST(Terrain, WhatIsMissingIsFilledWhereItIsNarrowAndSaid)
+{
+  const double missing = std::numeric_limits<double>::quiet_NaN();
+  // A hole in the lower left corner, one sample elsewhere, a row.
+  const auto image = imageOf(9,
+    9,
+    [missing](int i, int j)
+    { return (i < 3 && j < 3) || (i == 6 && j == 3) || j == 6 ? missing : 2.0 * i + j; });
+  vtkNew<vtkOversketchTerrain> terrain;
+  terrain->SetInputData(image);
+  terrain->SetColumns(8);
+  {
+    Ear ear(terrain);
+    terrain->Update();
+    ASSERT_EQ(ear.warnings.size(), 1u);
+    EXPECT_NE(
+      ear.warnings[0].find("10 missing samples were filled, each from those beside it. 9 missing samples, "
+                           "three and more side by side in both directions, are holes; 9 of 64 quads there "
+                           "are left out."),
+      std::string::npos)
+      << ear.warnings[0];
+    terrain->Modified(); // what is kept says it, too
+    terrain->Update();
+    EXPECT_EQ(ear.warnings.size(), 2u);
+  }
+  vtkPolyData* mesh = terrain->GetOutput();
+  ASSERT_EQ(mesh->GetNumberOfCells(), 2 * (64 - 9));
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p(mesh->GetPoint(i));
+    EXPECT_NEAR(p[2], 2.0 * p[0] + p[1], 1e-12);
+  }
+  // Whole again: nothing is said.
+  terrain->SetInputData(imageOf(9, 9, [](int i, int j) { return 2.0 * i + j; }));
+  Ear ear(terrain);
   terrain->Update();
-  EXPECT_EQ(terrain->GetOutput()->GetNumberOfCells(), 2 * 15);
+  EXPECT_EQ(ear.warnings.size(), 0u);
+}
+
+TEST(Terrain, ItsPlaceOnTheMapGoesAlong)
+{
+  const auto image = imageOf(33, 17, [](int i, int j) { return 0.1 * i * j; });
+  image->SetSpacing(30.0, 20.0, 1.0);
+  vtkNew<vtkOversketchTerrain> terrain;
+  terrain->SetInputData(image);
+  terrain->SetColumns(8);
+  terrain->Update();
+  EXPECT_FALSE(terrain->GetOutput()->GetFieldData()->GetArray("MapOrigin")) << "of no map";
+  const auto there = vtkSmartPointer<vtkImageData>::New();
+  there->ShallowCopy(image);
+  there->SetOrigin(500015.0, 4600010.0, 0.0);
+  terrain->SetInputData(there);
+  vtkNew<vtkOversketchStellarRefine> refine;
+  refine->SetInputConnection(0, terrain->GetOutputPort());
+  refine->SetInputData(1, curveAcross(160.0, 960.0));
+  refine->SetRadius(60.0);
+  refine->Update();
+  EXPECT_EQ(refine->GetErrorCode(), 0u);
+  EXPECT_EQ(terrain->GetOutput()->GetBounds()[0], 0.0);
+  EXPECT_EQ(terrain->GetOutput()->GetBounds()[1], 960.0);
+  for (vtkPolyData* mesh : { terrain->GetOutput(), refine->GetOutput() })
+  {
+    vtkDataArray* origin = mesh->GetFieldData()->GetArray("MapOrigin");
+    ASSERT_TRUE(origin && origin->GetNumberOfComponents() == 3 && origin->GetNumberOfTuples() == 1);
+    EXPECT_EQ(Vector3(origin->GetTuple3(0)), Vector3(500015.0, 4600010.0, 0.0));
+  }
+}
+
+// What is put out is what every step takes, and what is not is said.
+TEST(Terrain, HeightsThatNoStepTakesAreRefused)
+{
+  vtkNew<vtkOversketchTerrain> terrain;
+  terrain->SetInputData(imageOf(9, 9, [](int i, int j) { return i + j == 7 ? 4.0 : 1.0; }));
+  terrain->SetColumns(8);
+  for (const double scale : { 2e11, 3e11, -3e11, 1e31 })
+  {
+    terrain->SetScale(scale);
+    const bool isTaken = 4.0 * std::abs(scale) <= 1e12;
+    if (!isTaken)
+    {
+      expectRefusal(terrain, Failure::BadMesh, "no step takes coordinates beyond 1e+12");
+      continue;
+    }
+    terrain->Update();
+    ASSERT_EQ(terrain->GetErrorCode(), 0u);
+    EXPECT_NO_THROW(MeshOf(terrain->GetOutput()));
+  }
+  // The bound is that of the filters that read meshes.
+  vtkNew<vtkPolyData> beyond;
+  terrain->SetScale(2e11);
+  terrain->Update();
+  beyond->DeepCopy(terrain->GetOutput());
+  beyond->GetPoints()->SetPoint(3, 0.0, 0.0, 1.01e12);
+  EXPECT_THROW(MeshOf(beyond), Error);
 }
 
 // As ParaView offers it: a collection of images, and no stroke.
