@@ -60,8 +60,8 @@ std::map<int, std::vector<vtkIdType>> facesOfAll(vtkPolyData* mesh)
 std::map<int, std::vector<vtkIdType>> facesOfParts(vtkPolyData* mesh)
 {
   std::map<int, std::vector<vtkIdType>> faces = facesOfAll(mesh);
-  const bool worn =
-    std::any_of(faces.begin(), faces.end(), [mesh](const auto& part) { return partPicture(mesh, part.first); });
+  const bool worn = std::any_of(
+    faces.begin(), faces.end(), [mesh](const auto& part) { return partPicture(mesh, part.first); });
   return worn ? faces : std::map<int, std::vector<vtkIdType>>();
 }
 

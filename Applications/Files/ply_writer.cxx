@@ -104,7 +104,8 @@ void addTuple(vtkDataArray* array,
 // Adds what else there is under its own name, one property for each component, where no other has that name.
 void addRest(vtkPolyData* mesh, vtkDataSetAttributes* data, vtkIdType count, std::vector<PlyColumn>& columns)
 {
-  const std::set<vtkAbstractArray*> own = ownArrays(mesh);
+  std::set<vtkAbstractArray*> own = ownArrays(mesh);
+  own.insert(mesh->GetCellData()->GetAbstractArray("MaterialIds")); // numbers of names that no PLY holds
   std::set<std::string> taken = {
     "vertex_indices", "vertex_index", "texcoord", "texnumber", "u", "v", "s", "t", "texture_u", "texture_v"
   };
