@@ -453,7 +453,7 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& path, Notes& notes)
       }
       if (element.count > 0)
       {
-        lost.push_back("its " + std::to_string(element.count) + " entries " + printable(element.name));
+        lost.push_back("the element " + printable(element.name) + " (" + std::to_string(element.count) + ')');
       }
     }
   }
@@ -473,9 +473,14 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& path, Notes& notes)
   mesh->SetPolys(polys);
   fillCellArrays(mesh);
   dressPly(file, faces, path, mesh, notes);
+  std::string all;
   for (const std::string& what : lost)
   {
-    notes.push_back(path + ": " + what + " are lost");
+    all += (all.empty() ? "" : ", ") + what;
+  }
+  if (!all.empty())
+  {
+    notes.push_back(path + ": not kept: " + all);
   }
   return mesh;
 }
