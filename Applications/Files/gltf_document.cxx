@@ -134,6 +134,19 @@ void GltfDocument::refuse(const std::string& why) const
   throw Failed(this->Path + ": " + why);
 }
 
+void GltfDocument::refuseCompressed(const Json::Value& object) const
+{
+  for (const std::string& name :
+    object["extensions"].isObject() ? object["extensions"].getMemberNames() : Json::Value::Members())
+  {
+    if (name.find("compression") != std::string::npos)
+    {
+      this->refuse("is compressed by the glTF extension " + printable(name.substr(0, 60)) +
+                   ", which is not read; save the file uncompressed");
+    }
+  }
+}
+
 void GltfDocument::spend(std::size_t numbers)
 {
   this->Spent += numbers;
@@ -177,7 +190,9 @@ const std::string& GltfDocument::buffer(const Json::Value& index)
   const auto [it, isNew] = this->Buffers.emplace(index.asUInt(), std::string());
   if (isNew)
   {
-    it->second = buffer["uri"].isString() ? this->resolved(buffer["uri"].asString()) : this->Binary;
+    it->second = buffer["uri"].isString() ? this->resolved(buffer["uri"].asString())
+                 : index.asUInt() == 0    ? this->Binary
+                                          : std::string(); // of what stands in for compressed numbers
     this->Size += buffer["uri"].isString() ? it->second.size() : 0;
   }
   return it->second;
@@ -215,6 +230,7 @@ const char* GltfDocument::viewed(const Json::Value& index,
   const std::size_t size = this->whole(view, "byteLength", name);
   if (from > bytes.size() || size > bytes.size() - from)
   {
+    this->refuseCompressed(view);
     this->refuse(name + " reaches beyond the " + std::to_string(bytes.size()) +
                  " bytes of its buffer; the file or its buffer is absent, truncated or damaged");
   }

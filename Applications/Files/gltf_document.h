@@ -43,6 +43,8 @@ public:
   void spend(std::size_t numbers);
 
   [[noreturn]] void refuse(const std::string& why) const;
+  // Refuses an object with an extension that compresses what it names, such as Draco's or meshopt's.
+  void refuseCompressed(const Json::Value& object) const;
 
 private:
   const std::string& buffer(const Json::Value& index);

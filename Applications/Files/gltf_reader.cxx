@@ -2,16 +2,12 @@
 // weights; and the picture of the base colour.
 #include "gltf_document.h"
 #include "gltf_materials.h"
+#include "gltf_part.h"
 #include "mesh_file.h"
 #include "pieces.h"
 #include "texture.h"
 
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <Eigen/Geometry>
 
@@ -24,33 +20,6 @@ namespace oversketch_files
 
 namespace
 {
-
-// Colours as bytes, which the other formats and the window take; VTK reads them as floats.
-void makeColoursBytes(vtkPointData* data, const std::string& path, Notes& notes)
-{
-  auto* colours = vtkFloatArray::SafeDownCast(data->GetArray("COLOR_0"));
-  if (!colours || colours->GetNumberOfComponents() < 3)
-  {
-    return;
-  }
-  vtkNew<vtkUnsignedCharArray> bytes;
-  bytes->SetName("COLOR_0");
-  bytes->SetNumberOfComponents(colours->GetNumberOfComponents());
-  bytes->SetNumberOfTuples(colours->GetNumberOfTuples());
-  bool rounded = false;
-  for (vtkIdType i = 0; i < colours->GetNumberOfValues(); ++i)
-  {
-    const float value = 255.0F * std::clamp(colours->GetValue(i), 0.0F, 1.0F);
-    bytes->SetValue(i, static_cast<unsigned char>(std::lround(value)));
-    rounded = rounded || std::abs(value - std::round(value)) > 1e-3F;
-  }
-  data->RemoveArray("COLOR_0");
-  data->AddArray(bytes);
-  if (rounded)
-  {
-    notes.push_back(path + ": COLOR_0 is rounded to 8 bits");
-  }
-}
 
 std::string joined(const std::set<std::string>& names)
 {
@@ -183,14 +152,6 @@ private:
   std::vector<unsigned> Order;
 };
 
-// One primitive in the world.
-struct Part
-{
-  std::map<std::string, GltfNumbers> attributes; // POSITION among them
-  std::vector<vtkIdType> corners;                // three a triangle
-  Json::Value material;                          // materialOf
-};
-
 // Triangles of a list, a strip or a fan of vertices; none of points and lines.
 std::vector<vtkIdType> trianglesOf(const std::vector<vtkIdType>& ids, int mode)
 {
@@ -206,7 +167,10 @@ std::vector<vtkIdType> trianglesOf(const std::vector<vtkIdType>& ids, int mode)
   return corners;
 }
 
-void addMorphs(GltfDocument& document, const Json::Value& primitive, const Json::Value& weights, Part& part)
+void addMorphs(GltfDocument& document,
+  const Json::Value& primitive,
+  const Json::Value& weights,
+  GltfPart& part)
 {
   for (Json::ArrayIndex i = 0; i < std::min(primitive["targets"].size(), weights.size()); ++i)
   {
@@ -232,8 +196,9 @@ void addMorphs(GltfDocument& document, const Json::Value& primitive, const Json:
   }
 }
 
-// Positions by a matrix, normals by the inverse of its transpose.
-void transform(Part& part, const std::vector<Matrix>& matrices)
+// Positions by a matrix, normals by the inverse of its transpose; where that mirrors, triangles are wound the
+// other way.
+void transform(GltfPart& part, const std::vector<Matrix>& matrices)
 {
   const auto apply = [&](const char* name, const auto& move)
   {
@@ -257,13 +222,48 @@ void transform(Part& part, const std::vector<Matrix>& matrices)
       const Eigen::Vector3d moved = (m.topLeftCorner<3, 3>().inverse().transpose() * n).normalized();
       return moved.allFinite() ? moved : n; // where a scale is zero nothing is told
     });
+  const auto mirrors = [&matrices](vtkIdType point)
+  {
+    const std::size_t at = matrices.size() == 1 ? 0 : static_cast<std::size_t>(point);
+    return matrices[at].topLeftCorner<3, 3>().determinant();
+  };
+  for (std::size_t i = 0; i < part.corners.size(); i += 3)
+  {
+    vtkIdType* corners = &part.corners[i];
+    if (mirrors(corners[0]) + mirrors(corners[1]) + mirrors(corners[2]) < 0.0)
+    {
+      std::swap(corners[1], corners[2]);
+    }
+  }
+}
+
+// The coordinates that a part's picture lies on, moved as its material says, become its first ones.
+void placeCoordinates(GltfPart& part, const GltfTexture& texture)
+{
+  if (texture.picture.isNull())
+  {
+    return;
+  }
+  const auto own = part.attributes.find("TEXCOORD_" + std::to_string(texture.set));
+  if (own == part.attributes.end() || own->second.components != 2)
+  {
+    part.attributes.erase("TEXCOORD_0"); // they are another picture's
+    return;
+  }
+  GltfNumbers coordinates = own->second;
+  for (std::size_t i = 0; i < coordinates.count; ++i)
+  {
+    Eigen::Map<Eigen::Vector2d> at(&coordinates.values[2 * i]);
+    at = texture.placed * Eigen::Vector2d(at);
+  }
+  part.attributes["TEXCOORD_0"] = std::move(coordinates);
 }
 
 // The matrix of each point of a skin: joints by their weights.
 std::vector<Matrix> skinned(GltfDocument& document,
   const Scene& scene,
   const Json::Value& index,
-  const Part& part)
+  const GltfPart& part)
 {
   const Json::Value& skin = document.at("skins", index);
   std::vector<Matrix> joints;
@@ -308,7 +308,7 @@ std::vector<Matrix> skinned(GltfDocument& document,
 }
 
 // Attributes of the same number of points, with the components that they must have.
-Part attributesOf(GltfDocument& document, const Json::Value& primitive, const std::string& where)
+GltfPart attributesOf(GltfDocument& document, const Json::Value& primitive, const std::string& where)
 {
   static const std::map<std::string, std::size_t> components = {
     { "POSITION", 3 }, { "NORMAL", 3 }, { "TANGENT", 4 }, { "JOINTS_0", 4 }, { "WEIGHTS_0", 4 }
@@ -318,7 +318,11 @@ Part attributesOf(GltfDocument& document, const Json::Value& primitive, const st
   {
     document.refuse(where + " has no attribute POSITION; the file is damaged");
   }
-  Part part;
+  if (!document.find("accessors", attributes["POSITION"]).isMember("bufferView"))
+  {
+    document.refuseCompressed(primitive); // the numbers that anybody could read are not there
+  }
+  GltfPart part;
   for (const std::string& name : attributes.getMemberNames())
   {
     part.attributes[plainName(name)] = document.numbers(attributes[name]);
@@ -338,9 +342,9 @@ Part attributesOf(GltfDocument& document, const Json::Value& primitive, const st
   return part;
 }
 
-Part partOf(GltfDocument& document, const Json::Value& primitive, const std::string& where)
+GltfPart partOf(GltfDocument& document, const Json::Value& primitive, const std::string& where)
 {
-  Part part = attributesOf(document, primitive, where);
+  GltfPart part = attributesOf(document, primitive, where);
   const std::size_t points = part.attributes["POSITION"].count;
   std::vector<vtkIdType> ids;
   if (primitive.isMember("indices"))
@@ -366,10 +370,10 @@ Part partOf(GltfDocument& document, const Json::Value& primitive, const std::str
   return part;
 }
 
-std::vector<Part> partsOf(GltfDocument& document)
+std::vector<GltfPart> gltfPartsOf(GltfDocument& document, GltfSkin& skin)
 {
   const Scene scene(document);
-  std::vector<Part> parts;
+  std::vector<GltfPart> parts;
   for (const unsigned at : scene.nodes())
   {
     const Json::Value& node = document.json()["nodes"][at];
@@ -381,7 +385,7 @@ std::vector<Part> partsOf(GltfDocument& document)
     for (Json::ArrayIndex i = 0; i < mesh["primitives"].size(); ++i)
     {
       const Json::Value& primitive = mesh["primitives"][i];
-      Part part = partOf(
+      GltfPart part = partOf(
         document, primitive, "its meshes " + node["mesh"].asString() + ", primitive " + std::to_string(i));
       addMorphs(document, primitive, node["weights"].isArray() ? node["weights"] : mesh["weights"], part);
       const bool isSkinned = !node["skin"].isNull() && part.attributes.count("JOINTS_0") == 1 &&
@@ -389,6 +393,15 @@ std::vector<Part> partsOf(GltfDocument& document)
       transform(part,
         isSkinned ? skinned(document, scene, node["skin"], part) : std::vector<Matrix>{ scene.toWorld(at) });
       part.material = materialOf(document, primitive);
+      placeCoordinates(part, skin.textures[part.material]);
+      if (primitive["targets"].size() > 0)
+      {
+        skin.dropped.insert("its morph targets (the shape is kept as it is posed)");
+      }
+      if (primitive["mode"].isInt() && primitive["mode"].asInt() < 4)
+      {
+        skin.dropped.insert("its lines and points");
+      }
       if (!part.corners.empty())
       {
         parts.push_back(std::move(part));
@@ -398,97 +411,30 @@ std::vector<Part> partsOf(GltfDocument& document)
   return parts;
 }
 
-// All parts as one mesh, with the attributes that all have; `lost` are the others.
-vtkSmartPointer<vtkPolyData> joinedMesh(const std::vector<Part>& parts, std::set<std::string>& lost)
-{
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  std::map<std::string, vtkSmartPointer<vtkFloatArray>> arrays;
-  for (const auto& [name, numbers] : parts[0].attributes)
-  {
-    arrays[name] = vtkSmartPointer<vtkFloatArray>::New();
-    arrays[name]->SetName(name.c_str());
-    arrays[name]->SetNumberOfComponents(static_cast<int>(numbers.components));
-  }
-  for (const Part& part : parts)
-  {
-    for (const auto& [name, numbers] : part.attributes)
-    {
-      lost.insert(name);
-    }
-    for (auto it = arrays.begin(); it != arrays.end();)
-    {
-      const auto own = part.attributes.find(it->first);
-      const bool is = own != part.attributes.end() &&
-                      own->second.components == static_cast<std::size_t>(it->second->GetNumberOfComponents());
-      it = is ? std::next(it) : arrays.erase(it);
-    }
-  }
-  vtkNew<vtkCellArray> polys;
-  vtkIdType first = 0;
-  for (const Part& part : parts)
-  {
-    for (auto& [name, array] : arrays)
-    {
-      for (const double value : part.attributes.at(name).values)
-      {
-        array->InsertNextValue(static_cast<float>(value));
-      }
-    }
-    for (std::size_t i = 0; i < part.corners.size(); i += 3)
-    {
-      const vtkIdType ids[3] = {
-        first + part.corners[i], first + part.corners[i + 1], first + part.corners[i + 2]
-      };
-      polys->InsertNextCell(3, ids);
-    }
-    first += static_cast<vtkIdType>(part.attributes.at("POSITION").count);
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(arrays["POSITION"]);
-  points->GetData()->SetName("Points");
-  mesh->SetPoints(points);
-  mesh->SetPolys(polys);
-  vtkPointData* data = mesh->GetPointData();
-  for (const auto& [name, array] : arrays)
-  {
-    lost.erase(name);
-    if (name == "NORMAL")
-    {
-      data->SetNormals(array);
-    }
-    else if (name == "TEXCOORD_0")
-    {
-      data->SetTCoords(array);
-    }
-    else if (name.rfind("JOINTS_", 0) != 0 && name.rfind("WEIGHTS_", 0) != 0 && name != "POSITION")
-    {
-      data->AddArray(array);
-    }
-  }
-  return mesh;
-}
-
 void turnCoordinates(vtkPointData* data)
 {
   vtkDataArray* coordinates = data->GetTCoords();
   for (vtkIdType i = 0; coordinates && i < coordinates->GetNumberOfTuples(); ++i)
   {
-    coordinates->SetComponent(i, 1, 1.0 - coordinates->GetComponent(i, 1)); // glTF counts v from the top
+    if (!isNowhere(coordinates, i))
+    {
+      coordinates->SetComponent(i, 1, 1.0 - coordinates->GetComponent(i, 1)); // glTF counts v from the top
+    }
   }
 }
 
 // The pictures of the parts' materials, each read once.
-void dress(GltfDocument& document, const std::vector<Part>& parts, GltfSkin& skin, vtkPolyData* mesh)
+void dress(GltfDocument& document, const std::vector<GltfPart>& parts, GltfSkin& skin, vtkPolyData* mesh)
 {
   std::vector<int> worn; // per triangle
   std::vector<std::string> pictures;
   std::map<Json::Value, int> known;
-  for (const Part& part : parts)
+  for (const GltfPart& part : parts)
   {
-    const Json::Value& picture = skin.pictures[part.material];
+    const Json::Value& picture = skin.textures[part.material].picture;
     if (!picture.isNull() && !mesh->GetPointData()->GetTCoords())
     {
-      skin.dropped.insert("baseColorTexture (it has no coordinates)");
+      skin.dropped.insert("its picture (it has no texture coordinates)");
       return;
     }
     const auto [number, isNew] = known.try_emplace(picture, static_cast<int>(pictures.size()));
@@ -503,8 +449,9 @@ void dress(GltfDocument& document, const std::vector<Part>& parts, GltfSkin& ski
 
 vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& path, Notes& notes)
 {
+  requireKnownExtensions(document);
   GltfSkin skin = skinOf(document);
-  const std::vector<Part> parts = partsOf(document);
+  const std::vector<GltfPart> parts = gltfPartsOf(document, skin);
   if (parts.empty())
   {
     document.refuse("holds no mesh");
@@ -517,18 +464,11 @@ vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& pat
   }
   if (!lost.empty())
   {
-    notes.push_back(path + ": arrays that only some of its parts have are dropped: " + joined(lost));
+    notes.push_back(path + ": what only some of its parts have is dropped: " + joined(lost));
   }
-  makeColoursBytes(mesh->GetPointData(), path, notes);
   turnCoordinates(mesh->GetPointData());
   dress(document, parts, skin, mesh);
-  for (const char* what : { "animations", "skins", "cameras", "extensionsUsed" })
-  {
-    if (document.json()[what].size() > 0)
-    {
-      skin.dropped.insert(what);
-    }
-  }
+  addDropped(document, skin.dropped);
   if (!skin.dropped.empty())
   {
     notes.push_back(path + ": not kept: " + joined(skin.dropped));

@@ -1,5 +1,7 @@
 // Why not vtkGLTFWriter: in VTK 9.1 it has no binary container (.glb) and leaves out normals and colours.
+#include "colours.h"
 #include "mesh_file.h"
+#include "precision.h"
 #include "texture.h"
 
 #include "vtkBase64Utilities.h"
@@ -9,10 +11,12 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -70,7 +74,9 @@ struct Builder
       values.size() * sizeof(float),
       values.size() / static_cast<std::size_t>(components),
       5126,
-      components == 2 ? "VEC2" : "VEC3",
+      components == 2   ? "VEC2"
+      : components == 3 ? "VEC3"
+                        : "VEC4",
       34962,
       more);
     this->attribute(attribute, accessor);
@@ -83,10 +89,11 @@ struct Builder
   }
 };
 
-std::string jsonOf(const std::vector<float>& values)
+template <typename Numbers>
+std::string jsonOf(const Numbers& values)
 {
   std::ostringstream text;
-  text.precision(9);
+  text.precision(std::numeric_limits<typename Numbers::value_type>::max_digits10);
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     text << (i ? "," : "[") << values[i];
@@ -124,11 +131,30 @@ void put32(std::string& out, std::size_t value)
   }
 }
 
-// The JSON of a primitive with a material, which it says; what it holds goes into the buffer.
-std::string primitiveOf(Builder& builder, vtkPolyData* mesh, const std::string& material)
+std::vector<float> positionsOf(vtkPolyData* mesh, const std::array<double, 3>& origin)
+{
+  std::vector<float> values;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      values.push_back(static_cast<float>(p[k] - origin[k]));
+    }
+  }
+  return values;
+}
+
+// The JSON of a primitive with a material, which it says; what it holds goes into the buffer, positions from
+// that origin.
+std::string primitiveOf(Builder& builder,
+  vtkPolyData* mesh,
+  const std::array<double, 3>& origin,
+  const std::string& material)
 {
   builder.attributes.clear();
-  const std::vector<float> positions = floatsOf(mesh->GetPoints()->GetData(), 3);
+  const std::vector<float> positions = positionsOf(mesh, origin);
   std::vector<float> low(3, FLT_MAX), high(3, -FLT_MAX);
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
@@ -150,7 +176,13 @@ std::string primitiveOf(Builder& builder, vtkPolyData* mesh, const std::string& 
     }
     builder.addFloats("NORMAL", values, 3);
   }
-  if (vtkDataArray* textures = mesh->GetPointData()->GetTCoords())
+  vtkDataArray* textures = mesh->GetPointData()->GetTCoords();
+  bool isTextured = false;
+  for (vtkIdType i = 0; textures && !isTextured && i < textures->GetNumberOfTuples(); ++i)
+  {
+    isTextured = !isNowhere(textures, i);
+  }
+  if (isTextured)
   {
     std::vector<float> values = floatsOf(textures, 2);
     for (std::size_t i = 1; i < values.size(); i += 2)
@@ -161,19 +193,26 @@ std::string primitiveOf(Builder& builder, vtkPolyData* mesh, const std::string& 
   }
   if (vtkDataArray* colours = coloursOf(mesh))
   {
-    std::vector<unsigned char> values;
+    std::vector<unsigned char> bytes;
+    std::vector<float> floats;
     for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
     {
       for (int c = 0; c < 4; ++c)
       {
-        values.push_back(c < colours->GetNumberOfComponents()
-                           ? static_cast<unsigned char>(colours->GetComponent(i, c))
-                           : 255);
+        areBytes(colours) ? bytes.push_back(colourByte(colours, i, c))
+                          : floats.push_back(static_cast<float>(colourShare(colours, i, c)));
       }
     }
-    builder.attribute("COLOR_0",
-      builder.add(
-        values.data(), values.size(), values.size() / 4, 5121, "VEC4", 34962, ",\"normalized\":true"));
+    if (areBytes(colours))
+    {
+      builder.attribute("COLOR_0",
+        builder.add(
+          bytes.data(), bytes.size(), bytes.size() / 4, 5121, "VEC4", 34962, ",\"normalized\":true"));
+    }
+    else
+    {
+      builder.addFloats("COLOR_0", floats, 4);
+    }
   }
   std::vector<std::uint32_t> indices;
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
@@ -245,17 +284,21 @@ void writeGltf(const std::vector<Piece>& pieces, const std::string& path, bool b
   Builder builder;
   std::string primitives;
   std::size_t count = 0; // of materials
+  // A mesh far from the origin hangs on a node that moves it there, in double precision.
+  const std::array<double, 3> origin = nearOrigin(pieces);
+  const bool isMoved = origin != std::array<double, 3>{};
+  const std::string moved = isMoved ? ",\"translation\":" + jsonOf(origin) : "";
   for (const Piece& piece : pieces)
   {
     const std::string material = hasMaterial(piece) ? R"(,"material":)" + std::to_string(count++) : "";
-    primitives += (primitives.empty() ? "" : ",") + primitiveOf(builder, piece.mesh, material);
+    primitives += (primitives.empty() ? "" : ",") + primitiveOf(builder, piece.mesh, origin, material);
   }
   const std::string looks = looksOf(builder, pieces);
 
   std::ostringstream json;
   json
-    << R"({"asset":{"version":"2.0","generator":"Oversketch"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
-    << R"("meshes":[{"primitives":[)" << primitives << R"(]}],)" << looks << R"("accessors":[)"
+    << R"({"asset":{"version":"2.0","generator":"Oversketch"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)"
+    << moved << R"(}],"meshes":[{"primitives":[)" << primitives << R"(]}],)" << looks << R"("accessors":[)"
     << builder.accessors << R"(],"bufferViews":[)" << builder.views << R"(],"buffers":[{"byteLength":)"
     << builder.buffer.size();
   if (!binary)

@@ -2,6 +2,7 @@
 #ifndef oversketch_applications_files_mesh_file_h
 #define oversketch_applications_files_mesh_file_h
 
+#include "colours.h"
 #include "files.h"
 #include "pieces.h"
 
@@ -38,29 +39,43 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes, NewFile
 
 // The single formats, used by the above. They throw Failed.
 vtkSmartPointer<vtkPolyData> readVtp(const std::string& name, const std::string& bytes);
-vtkSmartPointer<vtkPolyData> readPly(const std::string& path);
+// With all properties as arrays, and the pictures that its header names.
+vtkSmartPointer<vtkPolyData> readPly(const std::string& path, Notes& notes);
 vtkSmartPointer<vtkPolyData> readStl(const std::string& path);
-vtkSmartPointer<vtkPolyData> readOff(const std::string& path);
+vtkSmartPointer<vtkPolyData> readOff(const std::string& path, Notes& notes);
 // Which face wears which material (field array MaterialNames, cell array MaterialIds), the names of the
 // libraries (field array MaterialLibraries), one array of texture coordinates (-1, -1 at points without), and
 // the picture.
 vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes);
 // The picture of the materials (texture.h) where all that are worn have the same.
 void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes);
-// Makes the pictures and a library with a material for each piece, "texture" for one without a name, beside
+// Makes the pictures of pieces beside a mesh file of that path; returns the name of each piece's, "" for one
+// without. Replaces no other file.
+std::vector<std::string> writePictures(const std::vector<Piece>& pieces,
+  const std::string& path,
+  NewFiles& files);
+// Makes them and a library with a material for each piece, "texture" for one without a name, beside
 // an OBJ file of that path; returns the library's name. Replaces no other file.
 std::string writeObjMaterials(const std::vector<Piece>& pieces, const std::string& path, NewFiles& files);
 // With the picture of the base colour (texture.h) where all parts share one; the notes name what is not kept.
 vtkSmartPointer<vtkPolyData> readGltf(const std::string& path, Notes& notes);
 void writeOff(vtkPolyData* mesh, const std::string& path);
+// Of triangles.
+void writeStl(vtkPolyData* mesh, const std::string& path);
+// Whether an STL file keeps these colours, or null, as they are.
+bool fitsStl(vtkDataArray* faceColours);
+// Its header names these pictures; `worn` is which of them each face wears, -1 for none, empty for the first.
+void writePly(vtkPolyData* mesh,
+  const std::string& path,
+  const std::vector<std::string>& pictures,
+  const std::vector<int>& worn);
+// The arrays of points and faces that it writes.
+std::set<vtkAbstractArray*> keptByPly(vtkPolyData* mesh);
 // With the materials of that library, as writeObjMaterials names them, unless it is empty; else with those of
 // the file that the mesh was read from.
 void writeObj(const std::vector<Piece>& pieces, const std::string& path, const std::string& library);
 // One primitive for each piece, with a material where it has a picture or a name.
 void writeGltf(const std::vector<Piece>& pieces, const std::string& path, bool binary);
-
-// Point colours that PLY and glTF can hold: unsigned char, 3 or 4 components; null if there are none.
-vtkDataArray* coloursOf(vtkPolyData* mesh);
 
 } // namespace oversketch_files
 #endif

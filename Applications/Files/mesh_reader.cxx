@@ -1,4 +1,5 @@
 #include "mesh_file.h"
+#include "precision.h"
 #include "quads.h"
 
 #include "vtkCellArray.h"
@@ -24,28 +25,6 @@ bool isMeshExtension(const std::string& extension)
   std::istringstream list(meshExtensions);
   return std::find(std::istream_iterator<std::string>(list), {}, extension) !=
          std::istream_iterator<std::string>();
-}
-
-vtkDataArray* coloursOf(vtkPolyData* mesh)
-{
-  vtkPointData* data = mesh->GetPointData();
-  const auto usable = [](vtkDataArray* array)
-  {
-    return array && array->GetDataType() == VTK_UNSIGNED_CHAR &&
-           (array->GetNumberOfComponents() == 3 || array->GetNumberOfComponents() == 4);
-  };
-  if (usable(data->GetScalars()))
-  {
-    return data->GetScalars();
-  }
-  for (const char* name : { "RGB", "RGBA", "Colors", "Color", "COLOR_0" })
-  {
-    if (usable(data->GetArray(name)))
-    {
-      return data->GetArray(name);
-    }
-  }
-  return nullptr;
 }
 
 namespace
@@ -182,7 +161,7 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   }
   else if (extension == ".ply")
   {
-    mesh = readPly(path);
+    mesh = readPly(path, notes);
   }
   else if (extension == ".stl")
   {
@@ -190,7 +169,7 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   }
   else if (extension == ".off")
   {
-    mesh = readOff(path);
+    mesh = readOff(path, notes);
   }
   else if (extension == ".vtp")
   {
@@ -204,7 +183,14 @@ vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
   {
     throw Failed(path + ": is none of the mesh formats " + meshExtensions);
   }
-  return soundTriangles(path, mesh, notes);
+  mesh = soundTriangles(path, mesh, notes);
+  if (const std::string steps = singleSteps(mesh); !steps.empty())
+  {
+    notes.push_back(path +
+                    ": its numbers are of single precision: so far from the origin they come in steps of " +
+                    steps + "; save it in double precision (.obj, .ply, .off), or nearer to the origin");
+  }
+  return mesh;
 }
 
 vtkSmartPointer<vtkPolyData> parseMesh(const std::string& name, const std::string& bytes)

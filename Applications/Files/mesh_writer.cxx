@@ -1,20 +1,20 @@
+#include "colours.h"
+#include "kept_arrays.h"
 #include "mesh_file.h"
+#include "precision.h"
 #include "quads.h"
-#include "texture.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
-#include "vtkPLYWriter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSTLWriter.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <algorithm>
 #include <set>
 
 namespace oversketch_files
@@ -33,29 +33,6 @@ void finish(Writer* writer, const std::string& path)
   {
     throw Failed(path + ": could not be written (is the disk full?)");
   }
-}
-
-void writePly(vtkPolyData* mesh, const std::string& path)
-{
-  vtkNew<vtkPLYWriter> writer;
-  vtkNew<vtkPolyData> single; // it takes the memory of texture coordinates for floats without a look
-  single->ShallowCopy(mesh);
-  if (vtkDataArray* textures = mesh->GetPointData()->GetTCoords())
-  {
-    vtkNew<vtkFloatArray> floats;
-    floats->DeepCopy(textures);
-    single->GetPointData()->SetTCoords(floats);
-  }
-  writer->SetInputData(single);
-  writer->SetFileTypeToBinary();
-  writer->SetColorModeToOff();
-  if (vtkDataArray* colours = coloursOf(mesh))
-  {
-    writer->SetColorModeToDefault();
-    writer->SetArrayName(colours->GetName());
-    writer->SetEnableAlpha(colours->GetNumberOfComponents() == 4);
-  }
-  finish(writer.Get(), path);
 }
 
 // Not every writer notices a full disk, and not every number fits into every format.
@@ -86,45 +63,68 @@ void requireReadBack(vtkPolyData* mesh, const std::string& path)
   throw Failed(path + ": could not be written (is the disk full?); what was written reads: " + why);
 }
 
-// The name of an array for a note; those of an assembled mesh's parts, Part12.Canvas, have one for all.
-std::string notedName(vtkAbstractArray* array)
+// Pictures beside a PLY file: their names, and which of them each face wears, -1 for none; the latter is
+// empty where all wear the first one.
+struct PlyPictures
 {
-  const std::string name = array->GetName() ? array->GetName() : "(no name)";
-  const std::size_t dot = name.find_first_not_of("0123456789", 4);
-  const bool ofPart = name.rfind("Part", 0) == 0 && dot != 4 && dot != std::string::npos && name[dot] == '.';
-  return ofPart ? "Part…" + name.substr(dot) : name;
+  std::vector<std::string> names;
+  std::vector<int> worn;
+};
+
+PlyPictures picturesBeside(vtkPolyData* mesh, const std::string& path, NewFiles& files)
+{
+  PlyPictures pictures;
+  const std::vector<Piece> pieces = piecesOf(mesh);
+  std::vector<int> numbers; // of the pieces
+  for (const std::string& name : writePictures(pieces, path, files))
+  {
+    auto place = std::find(pictures.names.begin(), pictures.names.end(), name);
+    if (place == pictures.names.end() && !name.empty())
+    {
+      place = pictures.names.insert(place, name);
+    }
+    numbers.push_back(name.empty() ? -1 : static_cast<int>(place - pictures.names.begin()));
+  }
+  if (pieces.size() > 1)
+  {
+    const std::vector<int> parts = partsOf(mesh);
+    vtkDataArray* ids = mesh->GetCellData()->GetArray("PartId");
+    for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+    {
+      const auto part =
+        std::lower_bound(parts.begin(), parts.end(), static_cast<int>(ids->GetComponent(face, 0)));
+      pictures.worn.push_back(numbers[static_cast<std::size_t>(part - parts.begin())]);
+    }
+  }
+  return pictures;
 }
 
-// Names the arrays of the mesh that are neither among those kept nor its pictures, where these are.
-void noteDropped(vtkPolyData* mesh,
-  const std::string& format,
-  std::set<vtkAbstractArray*> kept,
-  bool keepsPictures,
-  Notes& notes)
+// Of a format that holds numbers of single precision alone.
+void noteSingle(vtkPolyData* mesh, const std::string& format, Notes& notes)
+{
+  if (const std::string lost = lostInSingle(mesh); !lost.empty())
+  {
+    notes.push_back(format +
+                    " keeps numbers in single precision: so far from the origin points move by up to " +
+                    lost + "; move the mesh to the origin, or write .obj, .ply, .off, .vtp, .gltf or .glb");
+  }
+}
+
+// Of a format that holds colours as bytes alone.
+void noteBytes(const std::string& format, vtkDataArray* colours, Notes& notes)
+{
+  if (colours && !areBytes(colours))
+  {
+    notes.push_back(format + " keeps colours of 8 bits; they are rounded");
+  }
+}
+
+// With the pictures that the mesh wears.
+std::set<vtkAbstractArray*> withPictures(vtkPolyData* mesh, std::set<vtkAbstractArray*> kept)
 {
   const std::vector<vtkAbstractArray*> pictures = pictureArrays(mesh);
-  kept.insert(pictures.begin(), keepsPictures ? pictures.end() : pictures.begin());
-  std::string names;
-  std::set<std::string> named;
-  const auto collect = [&](vtkFieldData* data)
-  {
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      vtkAbstractArray* array = data->GetAbstractArray(i);
-      const std::string name = notedName(array);
-      if (kept.count(array) == 0 && (name.rfind("Part…", 0) != 0 || named.insert(name).second))
-      {
-        names += (names.empty() ? "" : ", ") + name;
-      }
-    }
-  };
-  collect(mesh->GetPointData());
-  collect(mesh->GetCellData());
-  collect(mesh->GetFieldData());
-  if (!names.empty())
-  {
-    notes.push_back(format + " does not keep the arrays: " + names);
-  }
+  kept.insert(pictures.begin(), pictures.end());
+  return kept;
 }
 
 } // namespace
@@ -199,7 +199,6 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
   }
   vtkPointData* points = mesh->GetPointData();
   std::function<void(const std::string&)> write;
-  bool single = false;
   if (extension == ".vtp")
   {
     write = [&](const std::string& file)
@@ -213,12 +212,13 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
   {
     noteDropped(mesh,
       "OBJ",
-      { points->GetTCoords(),
-        points->GetNormals(),
-        mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"),
-        mesh->GetFieldData()->GetAbstractArray("MaterialNames"),
-        mesh->GetCellData()->GetArray("MaterialIds") },
-      true,
+      withPictures(mesh,
+        { points->GetTCoords(),
+          points->GetNormals(),
+          coloursOf(mesh),
+          mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"),
+          mesh->GetFieldData()->GetAbstractArray("MaterialNames"),
+          mesh->GetCellData()->GetArray("MaterialIds") }),
       notes);
     const bool isNamed = mesh->GetFieldData()->GetAbstractArray("MaterialLibraries") != nullptr;
     const std::vector<Piece> pieces = isNamed ? std::vector<Piece>{ { "", "", mesh } } : piecesOf(mesh);
@@ -238,40 +238,46 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
   }
   else if (extension == ".ply")
   {
-    noteDropped(mesh, "PLY", { points->GetTCoords(), coloursOf(mesh) }, false, notes);
-    single = true;
-    write = [&](const std::string& file) { writePly(mesh, file); };
+    noteDropped(mesh, "PLY", withPictures(mesh, keptByPly(mesh)), notes);
+    noteBytes("PLY", coloursOf(mesh) ? coloursOf(mesh) : faceColoursOf(mesh), notes);
+    requireWritable(path);
+    const PlyPictures pictures = picturesBeside(mesh, path, files);
+    for (const std::string& name : pictures.names)
+    {
+      notes.push_back("PLY keeps the texture beside it, in " + name);
+    }
+    write = [mesh, pictures](const std::string& file)
+    { writePly(mesh, file, pictures.names, pictures.worn); };
   }
   else if (extension == ".stl")
   {
-    noteDropped(mesh, "STL", {}, false, notes);
-    single = true;
-    write = [&](const std::string& file)
+    noteDropped(mesh, "STL", { faceColoursOf(mesh) }, notes);
+    if (!fitsStl(faceColoursOf(mesh)))
     {
-      vtkNew<vtkSTLWriter> writer;
-      writer->SetInputData(mesh);
-      writer->SetFileTypeToBinary();
-      finish(writer.Get(), file);
-    };
+      notes.emplace_back("STL keeps colours of faces in 5 bits, without opacity; they are rounded");
+    }
+    noteSingle(mesh, "STL", notes);
+    write = [&](const std::string& file) { writeStl(mesh, file); };
   }
   else if (extension == ".off")
   {
-    noteDropped(mesh, "OFF", {}, false, notes);
+    noteDropped(mesh,
+      "OFF",
+      { points->GetTCoords(), points->GetNormals(), coloursOf(mesh), faceColoursOf(mesh) },
+      notes);
     write = [&](const std::string& file) { writeOff(mesh, file); };
   }
   else if (extension == ".gltf" || extension == ".glb")
   {
-    noteDropped(mesh, "glTF", { points->GetTCoords(), points->GetNormals(), coloursOf(mesh) }, true, notes);
-    single = true;
+    noteDropped(mesh,
+      "glTF",
+      withPictures(mesh, { points->GetTCoords(), points->GetNormals(), coloursOf(mesh) }),
+      notes);
     write = [&](const std::string& file) { writeGltf(piecesOf(mesh), file, extension == ".glb"); };
   }
   else
   {
     throw Failed(path + ": is none of the mesh formats " + meshExtensions);
-  }
-  if (single && mesh->GetPoints()->GetDataType() == VTK_DOUBLE)
-  {
-    notes.push_back(extension.substr(1) + " keeps points in single precision");
   }
   files.write(path,
     [&](const std::string& file)

@@ -128,44 +128,58 @@ void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes)
   wearPictures(mesh, faces, worn);
 }
 
-std::string writeObjMaterials(const std::vector<Piece>& pieces, const std::string& path, NewFiles& files)
+namespace
 {
-  const fs::path library = fs::path(path).replace_extension(".mtl");
-  const auto write = [&](const fs::path& file, const std::string& content)
+
+// A file beside that of the path, which may stand there already if it is the same.
+void writeBeside(const fs::path& file, const std::string& content, const std::string& path, NewFiles& files)
+{
+  const bool isThere = fs::exists(fs::symlink_status(file));
+  if (isThere && wholeFile(file.string()) != content)
   {
-    const bool isThere = fs::exists(fs::symlink_status(file));
-    if (isThere && wholeFile(file.string()) != content)
-    {
-      throw Failed(
-        path + ": its texture would replace " + file.filename().string() + "; choose another name");
-    }
-    if (!isThere)
-    {
-      files.writeText(file.string(), content);
-    }
-  };
-  std::string text = "# Oversketch\n";
-  std::map<std::string, std::string>
-    names; // of the files, by what is in them: parts may wear the same picture
+    throw Failed(path + ": its texture would replace " + file.filename().string() + "; choose another name");
+  }
+  if (!isThere)
+  {
+    files.writeText(file.string(), content);
+  }
+}
+
+} // namespace
+
+std::vector<std::string> writePictures(const std::vector<Piece>& pieces,
+  const std::string& path,
+  NewFiles& files)
+{
+  std::vector<std::string> names;
+  std::map<std::string, std::string> known; // by what is in them: parts may wear the same picture
   for (const Piece& piece : pieces)
   {
-    text += "newmtl " + (piece.name.empty() ? "texture" : piece.name) + "\nKd 1 1 1\n";
-    if (piece.picture.empty())
-    {
-      continue;
-    }
-    const auto [named, isNew] = names.try_emplace(piece.picture);
-    if (isNew)
+    const auto [named, isNew] = known.try_emplace(piece.picture);
+    if (isNew && !piece.picture.empty())
     {
       fs::path picture = fs::path(path).replace_extension();
       picture += (piece.name.empty() ? "" : "_" + piece.name) +
                  (pictureFormatOf(piece.picture) == "png" ? ".png" : ".jpg");
       named->second = picture.filename().string();
-      write(picture, piece.picture);
+      writeBeside(picture, piece.picture, path, files);
     }
-    text += "map_Kd " + named->second + '\n';
+    names.push_back(named->second);
   }
-  write(library, text);
+  return names;
+}
+
+std::string writeObjMaterials(const std::vector<Piece>& pieces, const std::string& path, NewFiles& files)
+{
+  const fs::path library = fs::path(path).replace_extension(".mtl");
+  std::string text = "# Oversketch\n";
+  const std::vector<std::string> pictures = writePictures(pieces, path, files);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    text += "newmtl " + (pieces[i].name.empty() ? "texture" : pieces[i].name) + "\nKd 1 1 1\n";
+    text += pictures[i].empty() ? "" : "map_Kd " + pictures[i] + '\n';
+  }
+  writeBeside(library, text, path, files);
   return library.filename().string();
 }
 

@@ -1,10 +1,12 @@
 // OBJ. Why not vtkOBJReader: it trusts indices, counts relative ones of texture coordinates by those of
 // normals, keeps an array of coordinates for each material, and loses which face wears which.
+#include "colours.h"
 #include "mesh_file.h"
 #include "text.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -13,6 +15,7 @@
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -68,24 +71,31 @@ public:
     this->requireIds();
   }
 
-  std::array<std::vector<float>, 3> values;
+  std::array<std::vector<double>, 3> values;
+  std::vector<std::array<double, 4>> colours; // of the first vertices, as many as have one
+  bool opacity = false;
   std::vector<Corner> corners;
   std::vector<Face> faces;
   std::vector<std::string> libraries, materials; // in the order of their first use
   bool grouped = false;
-  vtkIdType others = 0; // lines and points
+  vtkIdType others = 0;  // lines and points
+  vtkIdType objects = 0; // named
 
   std::size_t count(Kind kind) const
   {
     return this->values[kind].size() / static_cast<std::size_t>(components[kind]);
   }
 
-  // Whether all corners that have an id of the kind have that of their vertex.
+  // Whether all corners that have an id of the kind have that of their vertex, and no vertex has it in some
+  // of its corners alone.
   bool followsVertices(Kind kind) const
   {
+    std::vector<char> with(this->count(Vertex), 0), without = with;
     for (const Corner& corner : this->corners)
     {
-      if (corner[kind] != noId && corner[kind] != corner[Vertex])
+      const auto vertex = static_cast<std::size_t>(corner[Vertex]);
+      (corner[kind] == noId ? without : with)[vertex] = 1;
+      if ((corner[kind] != noId && corner[kind] != corner[Vertex]) || (with[vertex] && without[vertex]))
       {
         return false;
       }
@@ -115,7 +125,11 @@ private:
           this->refuse(this->where() + (word.empty() ? " ends" : " has " + inQuotes(word)) +
                        " where a number should be; the file is damaged");
         }
-        this->values[kind].push_back(static_cast<float>(value.value_or(0.0)));
+        this->values[kind].push_back(value.value_or(0.0));
+      }
+      if (kind == Vertex)
+      {
+        this->readColour(words);
       }
     }
     else if (keyword == "f")
@@ -125,6 +139,10 @@ private:
     else if (keyword == "l" || keyword == "p")
     {
       ++this->others;
+    }
+    else if (keyword == "o")
+    {
+      ++this->objects;
     }
     else if (keyword == "g")
     {
@@ -138,6 +156,31 @@ private:
     else if (keyword == "mtllib")
     {
       this->libraries.emplace_back(restOf(line, words));
+    }
+  }
+
+  // What many programs write behind a vertex: red, green, blue and, some, opacity. A single number is a
+  // weight, which says something of curves alone.
+  void readColour(Words& words)
+  {
+    std::array<double, 4> colour = { 1.0, 1.0, 1.0, 1.0 };
+    std::size_t known = 0;
+    for (std::string_view word = words.next(); !word.empty() && word[0] != '#' && known < 4;
+         word = words.next())
+    {
+      const std::optional<double> value = numberOf(word);
+      if (!value)
+      {
+        this->refuse(
+          this->where() + " has " + inQuotes(word) + " where a number should be; the file is damaged");
+      }
+      colour[known++] = *value;
+    }
+    if (known >= 3)
+    {
+      this->opacity = this->opacity || known == 4;
+      this->colours.resize(this->count(Vertex) - 1, { 1.0, 1.0, 1.0, 1.0 });
+      this->colours.push_back(colour);
     }
   }
 
@@ -253,14 +296,41 @@ private:
   }; // largest index, its line
 };
 
-vtkSmartPointer<vtkFloatArray> arrayOf(const char* name, int width, std::size_t count, float initial)
+template <typename Array>
+vtkSmartPointer<Array> arrayOf(const char* name, int width, std::size_t count, double initial)
 {
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(width);
   array->SetNumberOfTuples(static_cast<vtkIdType>(count));
-  array->FillValue(initial);
+  array->Fill(initial);
   return array;
+}
+
+// The colours of the vertices; of the points, each of which is a corner, where these are split.
+void addObjColours(const Obj& obj, bool split, vtkPolyData* mesh)
+{
+  if (obj.colours.empty())
+  {
+    return;
+  }
+  double most = 0.0;
+  for (const std::array<double, 4>& colour : obj.colours)
+  {
+    most = std::max({ most, colour[0], colour[1], colour[2] });
+  }
+  const double scale = most > 1.0 ? 1.0 / 255.0 : 1.0; // some write bytes
+  const std::size_t components = obj.opacity ? 4 : 3;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh->GetNumberOfPoints()); ++i)
+  {
+    const auto vertex = split ? static_cast<std::size_t>(obj.corners[i][Vertex]) : i;
+    for (std::size_t k = 0; k < components; ++k)
+    {
+      values.push_back(vertex < obj.colours.size() ? scale * obj.colours[vertex][k] : 1.0);
+    }
+  }
+  setColours(mesh->GetPointData(), values, static_cast<int>(components));
 }
 
 // Points, and what they have: where corners differ from their vertices in texture coordinates or normals, a
@@ -271,9 +341,9 @@ void setPoints(const Obj& obj, const std::string& path, vtkPolyData* mesh, Notes
   const std::size_t count = split ? obj.corners.size() : obj.count(Vertex);
   const auto pointOf = [&](std::size_t corner)
   { return split ? static_cast<vtkIdType>(corner) : obj.corners[corner][Vertex]; };
-  const auto points = arrayOf("Points", 3, count, 0.0F);
-  const auto coordinates = arrayOf("TCoords", 2, count, -1.0F); // for points without
-  const auto normals = arrayOf("Normals", 3, count, 0.0F);
+  const auto points = arrayOf<vtkDoubleArray>("Points", 3, count, 0.0);
+  const auto coordinates = arrayOf<vtkDoubleArray>("TCoords", 2, count, -1.0); // for points without
+  const auto normals = arrayOf<vtkDoubleArray>("Normals", 3, count, 0.0);
   bool hasCoordinates = false;
   std::size_t withNormal = 0;
   if (!split)
@@ -283,7 +353,7 @@ void setPoints(const Obj& obj, const std::string& path, vtkPolyData* mesh, Notes
   for (std::size_t i = 0; i < obj.corners.size(); ++i)
   {
     const vtkIdType point = pointOf(i);
-    const auto copy = [&](Kind kind, vtkFloatArray* array)
+    const auto copy = [&](Kind kind, vtkDoubleArray* array)
     {
       const vtkIdType from = obj.corners[i][kind];
       if (from != noId)
@@ -302,6 +372,7 @@ void setPoints(const Obj& obj, const std::string& path, vtkPolyData* mesh, Notes
   vtkNew<vtkPoints> made;
   made->SetData(points);
   mesh->SetPoints(made);
+  addObjColours(obj, split, mesh);
   if (hasCoordinates)
   {
     mesh->GetPointData()->SetTCoords(coordinates);
@@ -351,7 +422,7 @@ void setCells(const Obj& obj, vtkPolyData* mesh)
   const auto count = static_cast<vtkIdType>(obj.faces.size());
   if (obj.grouped)
   {
-    const auto groups = arrayOf("GroupIds", 1, obj.faces.size(), 0.0F);
+    const auto groups = arrayOf<vtkFloatArray>("GroupIds", 1, obj.faces.size(), 0.0);
     for (vtkIdType i = 0; i < count; ++i)
     {
       groups->SetValue(i, obj.faces[static_cast<std::size_t>(i)].group);
@@ -388,6 +459,10 @@ vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes)
   if (obj.others > 0)
   {
     notes.push_back(path + ": " + std::to_string(obj.others) + " lines and vertices are dropped");
+  }
+  if (obj.objects > 1)
+  {
+    notes.push_back(path + ": its " + std::to_string(obj.objects) + " objects are read as one mesh");
   }
   readObjPicture(mesh, path, notes);
   return mesh;

@@ -1,6 +1,7 @@
 // Why not vtkOBJWriter: it writes one `v` line for each point, so the points that vtkOBJReader split along a
 // texture seam would tear the surface open in the file. Here points at one position that differ in `vt` or
 // `vn` share their `v`.
+#include "colours.h"
 #include "mesh_file.h"
 
 #include "vtkCellArray.h"
@@ -11,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -31,7 +33,17 @@ void writeTuple(std::ostream& stream, const char* keyword, const double* values,
     std::snprintf(text, sizeof text, " %.17g", values[c]);
     stream << text;
   }
-  stream << '\n';
+}
+
+// Behind a vertex, where others read it, from 0 to 1.
+void writeObjColour(std::ostream& stream, vtkDataArray* colours, vtkIdType at)
+{
+  char text[40];
+  for (int c = 0; colours && c < colours->GetNumberOfComponents(); ++c)
+  {
+    std::snprintf(text, sizeof text, " %.9g", colourShare(colours, at, c));
+    stream << text;
+  }
 }
 
 vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
@@ -54,6 +66,7 @@ void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& mate
   const vtkIdType count = mesh->GetNumberOfPoints();
   vtkDataArray* textures = usable(mesh->GetPointData()->GetTCoords(), 2, count);
   vtkDataArray* normals = usable(mesh->GetPointData()->GetNormals(), 3, count);
+  vtkDataArray* colours = usable(coloursOf(mesh), 3, count);
   auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("MaterialNames"));
   vtkDataArray* materials =
     names && material.empty()
@@ -75,16 +88,20 @@ void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& mate
     if (at == written + 1)
     {
       writeTuple(stream, "v", p.data(), 3);
+      writeObjColour(stream, colours, i);
+      stream << '\n';
       ++written;
     }
   }
   for (vtkIdType i = 0; textures && i < count; ++i)
   {
     writeTuple(stream, "vt", textures->GetTuple(i), 2);
+    stream << '\n';
   }
   for (vtkIdType i = 0; normals && i < count; ++i)
   {
     writeTuple(stream, "vn", normals->GetTuple(i), 3);
+    stream << '\n';
   }
   if (!material.empty())
   {
@@ -107,15 +124,17 @@ void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& mate
     const vtkIdType* ids = nullptr;
     it->GetCurrentCell(size, ids);
     stream << 'f';
+    const bool textured =
+      textures && !std::all_of(ids, ids + size, [textures](vtkIdType id) { return isNowhere(textures, id); });
     for (vtkIdType k = 0; k < size; ++k)
     {
       const vtkIdType point = before.points + ids[k] + 1;
       stream << ' ' << position[static_cast<std::size_t>(ids[k])];
-      if (textures || normals)
+      if (textured || normals)
       {
         stream << '/';
       }
-      if (textures)
+      if (textured)
       {
         stream << point;
       }

@@ -1,14 +1,20 @@
 // OFF, text and binary, also with colours, normals or texture coordinates at the vertices (COFF, NOFF,
-// STOFF), which are read over. Why not CGAL's reader: it allocates what a file announces and reads on behind
+// STOFF), and colours of faces. Why not CGAL's reader: it allocates what a file announces and reads on behind
 // a bad word.
+#include "colours.h"
 #include "mesh_file.h"
 #include "text.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -46,8 +52,9 @@ public:
     this->Binary = first.next() == "BINARY";
     this->At =
       this->Binary ? words.at() : static_cast<std::size_t>(keyword.data() + at + 3 - this->Bytes.data());
-    this->Extra = (keyword.find('N') < at ? 3 : 0) + (keyword.find("ST") < at ? 2 : 0);
-    this->Coloured = keyword.find('C') < at;
+    this->hasNormals = keyword.find('N') < at;
+    this->hasCoordinates = keyword.find("ST") < at;
+    this->hasColours = keyword.find('C') < at;
   }
 
   [[noreturn]] void refuse(const std::string& why) const { throw Failed(this->Path + ": " + why); }
@@ -89,26 +96,40 @@ public:
   // A count of what takes at least two bytes each.
   std::size_t count(const char* what) { return this->whole(what, this->Bytes.size() / 2); }
 
-  // What may follow a vertex' coordinates or a face's corners.
-  void skipRest(bool isFace)
+  // The numbers of a colour, from 0 to 1, from 0 to 255, or one of a list of colours, with `behind` more
+  // numbers up to the end of the line.
+  std::vector<double> colour(bool isFace, std::size_t behind = 0)
   {
+    std::vector<double> values;
     if (this->Binary)
     {
-      const std::size_t ofPoint = this->Extra + (this->Coloured ? 4 : 0);
-      for (std::size_t left = isFace ? this->count("the number of a face's colours") : ofPoint; left > 0;
-           --left)
+      const std::size_t count = isFace ? this->count("the number of a face's colours") : 4;
+      for (std::size_t k = 0; k < count; ++k)
       {
-        this->binary();
+        values.push_back(this->number());
       }
-      return;
+      return values;
     }
-    if (!isFace && this->Extra == 0 && !this->Coloured)
+    const std::size_t end = std::min(this->Bytes.find_first_of("\n#", this->At), this->Bytes.size());
+    const std::string_view line(this->Bytes.data() + this->At, end - this->At);
+    std::vector<std::string_view> words;
+    Words all(line);
+    for (std::string_view word = all.next(); !word.empty(); word = all.next())
     {
-      return; // further points may follow in the line
+      words.push_back(word);
     }
-    const std::size_t end = this->Bytes.find('\n', this->At);
-    this->At = end == std::string::npos ? this->Bytes.size() : end;
+    words.resize(words.size() - std::min(behind, words.size()));
+    const bool whole = std::all_of(words.begin(),
+      words.end(),
+      [](std::string_view word) { return word.find_first_of(".eE") == std::string_view::npos; });
+    for (std::size_t k = 0; k < words.size(); ++k)
+    {
+      values.push_back(this->number() / (whole ? 255.0 : 1.0));
+    }
+    return values;
   }
+
+  bool hasNormals = false, hasCoordinates = false, hasColours = false;
 
 private:
   std::string_view word()
@@ -144,13 +165,73 @@ private:
 
   std::string Path;
   std::string Bytes;
-  std::size_t At = 0, Extra = 0;
-  bool Binary = false, Coloured = false;
+  std::size_t At = 0;
+  bool Binary = false;
 };
+
+// Colours as they come, three or four numbers each; some have none.
+class OffColours
+{
+public:
+  void add(const std::vector<double>& values)
+  {
+    this->Any = this->Any || values.size() == 3 || values.size() == 4;
+    this->Opacity = this->Opacity || values.size() == 4;
+    this->OfList = this->OfList || (!values.empty() && values.size() != 3 && values.size() != 4);
+    std::array<double, 4> colour = { 1.0, 1.0, 1.0, 1.0 };
+    if (values.size() == 3 || values.size() == 4)
+    {
+      std::copy(values.begin(), values.end(), colour.begin());
+    }
+    this->All.push_back(colour);
+  }
+
+  void set(vtkDataSetAttributes* data) const
+  {
+    std::vector<double> values;
+    for (const std::array<double, 4>& colour : this->All)
+    {
+      values.insert(values.end(), colour.begin(), colour.begin() + (this->Opacity ? 4 : 3));
+    }
+    if (this->Any)
+    {
+      setColours(data, values, this->Opacity ? 4 : 3);
+    }
+  }
+
+  // Whether some are numbers of a list of colours, which the file does not hold.
+  bool isOfList() const { return this->OfList; }
+
+private:
+  std::vector<std::array<double, 4>> All;
+  bool Any = false, Opacity = false, OfList = false;
+};
+
+vtkSmartPointer<vtkDoubleArray> tuplesOf(const char* name, int components)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  return array;
+}
+
+// The next tuple, where the file has such.
+void readOffTuple(Numbers& numbers, bool has, vtkDoubleArray* array)
+{
+  std::array<double, 3> tuple{};
+  for (int k = 0; has && k < array->GetNumberOfComponents(); ++k)
+  {
+    tuple[static_cast<std::size_t>(k)] = numbers.number();
+  }
+  if (has)
+  {
+    array->InsertNextTuple(tuple.data());
+  }
+}
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> readOff(const std::string& path)
+vtkSmartPointer<vtkPolyData> readOff(const std::string& path, Notes& notes)
 {
   Numbers numbers(path);
   const std::size_t count = numbers.count("the number of its points");
@@ -158,6 +239,8 @@ vtkSmartPointer<vtkPolyData> readOff(const std::string& path)
   numbers.whole("the number of its edges");
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
+  const auto normals = tuplesOf("Normals", 3), coordinates = tuplesOf("TCoords", 2);
+  OffColours colours, ofFaces;
   for (std::size_t i = 0; i < count; ++i)
   {
     std::array<double, 3> point{};
@@ -166,7 +249,12 @@ vtkSmartPointer<vtkPolyData> readOff(const std::string& path)
       x = numbers.number();
     }
     points->InsertNextPoint(point.data());
-    numbers.skipRest(false);
+    readOffTuple(numbers, numbers.hasNormals, normals);
+    if (numbers.hasColours)
+    {
+      colours.add(numbers.colour(false, numbers.hasCoordinates ? 2 : 0));
+    }
+    readOffTuple(numbers, numbers.hasCoordinates, coordinates);
   }
   vtkNew<vtkCellArray> polys;
   std::vector<vtkIdType> corners;
@@ -184,25 +272,80 @@ vtkSmartPointer<vtkPolyData> readOff(const std::string& path)
       corner = static_cast<vtkIdType>(id);
     }
     polys->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
-    numbers.skipRest(true);
+    ofFaces.add(numbers.colour(true));
   }
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   mesh->SetPoints(points);
   mesh->SetPolys(polys);
+  if (numbers.hasNormals)
+  {
+    mesh->GetPointData()->SetNormals(normals);
+  }
+  if (numbers.hasCoordinates)
+  {
+    mesh->GetPointData()->SetTCoords(coordinates);
+  }
+  colours.set(mesh->GetPointData());
+  ofFaces.set(mesh->GetCellData());
+  if (colours.isOfList() || ofFaces.isOfList())
+  {
+    notes.push_back(path + ": colours that are numbers of a list of colours are lost");
+  }
   return mesh;
 }
+
+namespace
+{
+
+void writeOffNumbers(std::ostream& stream, vtkDataArray* array, vtkIdType at, int count)
+{
+  for (int k = 0; array && k < count; ++k)
+  {
+    char text[32];
+    std::snprintf(text, sizeof text, " %.17g", array->GetComponent(at, k));
+    stream << text;
+  }
+}
+
+// Bytes as whole numbers, others with a point, by which readers tell them apart.
+void writeOffColour(std::ostream& stream, vtkDataArray* colours, vtkIdType at)
+{
+  for (int k = 0; colours && k < colours->GetNumberOfComponents(); ++k)
+  {
+    char text[32];
+    areBytes(colours) ? std::snprintf(text, sizeof text, " %d", colourByte(colours, at, k))
+                      : std::snprintf(text, sizeof text, " %.9f", colourShare(colours, at, k));
+    stream << text;
+  }
+}
+
+vtkDataArray* ofComponents(vtkDataArray* array, int components)
+{
+  return array && array->GetNumberOfComponents() >= components ? array : nullptr;
+}
+
+} // namespace
 
 void writeOff(vtkPolyData* mesh, const std::string& path)
 {
   std::ofstream stream(path, std::ios::binary);
-  stream << "OFF\n" << mesh->GetNumberOfPoints() << ' ' << mesh->GetNumberOfPolys() << " 0\n";
+  vtkDataArray* normals = ofComponents(mesh->GetPointData()->GetNormals(), 3);
+  vtkDataArray* coordinates = ofComponents(mesh->GetPointData()->GetTCoords(), 2);
+  vtkDataArray* colours = coloursOf(mesh);
+  vtkDataArray* ofFaces = faceColoursOf(mesh);
+  stream << (coordinates ? "ST" : "") << (colours ? "C" : "") << (normals ? "N" : "") << "OFF\n"
+         << mesh->GetNumberOfPoints() << ' ' << mesh->GetNumberOfPolys() << " 0\n";
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double p[3];
     mesh->GetPoint(i, p);
     char text[96];
-    std::snprintf(text, sizeof text, "%.17g %.17g %.17g\n", p[0], p[1], p[2]);
+    std::snprintf(text, sizeof text, "%.17g %.17g %.17g", p[0], p[1], p[2]);
     stream << text;
+    writeOffNumbers(stream, normals, i, 3);
+    writeOffColour(stream, colours, i);
+    writeOffNumbers(stream, coordinates, i, 2);
+    stream << '\n';
   }
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
@@ -215,6 +358,7 @@ void writeOff(vtkPolyData* mesh, const std::string& path)
     {
       stream << ' ' << ids[k];
     }
+    writeOffColour(stream, ofFaces, it->GetCurrentCellId());
     stream << '\n';
   }
   stream.close();

@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace oversketch_files
@@ -26,7 +27,7 @@ std::string prefixOf(int part)
 }
 
 // The array of a part's picture; null where it has none.
-vtkAbstractArray* pictureOf(vtkPolyData* mesh, int part)
+vtkAbstractArray* partPicture(vtkPolyData* mesh, int part)
 {
   const std::string name = prefixOf(part) + textureArray;
   return textureOf(mesh, prefixOf(part)).empty() ? nullptr
@@ -59,8 +60,8 @@ std::map<int, std::vector<vtkIdType>> facesOfAll(vtkPolyData* mesh)
 std::map<int, std::vector<vtkIdType>> facesOfParts(vtkPolyData* mesh)
 {
   std::map<int, std::vector<vtkIdType>> faces = facesOfAll(mesh);
-  const bool worn =
-    std::any_of(faces.begin(), faces.end(), [mesh](const auto& part) { return pictureOf(mesh, part.first); });
+  const bool worn = std::any_of(
+    faces.begin(), faces.end(), [mesh](const auto& part) { return partPicture(mesh, part.first); });
   return worn ? faces : std::map<int, std::vector<vtkIdType>>();
 }
 
@@ -207,12 +208,18 @@ void wearPictures(vtkPolyData* mesh, const std::vector<int>& worn, const std::ve
   }
 }
 
+bool isNowhere(vtkDataArray* coordinates, vtkIdType point)
+{
+  return std::abs(coordinates->GetComponent(point, 0) + 1.0) < 1e-5 &&
+         std::abs(coordinates->GetComponent(point, 1) + 1.0) < 1e-5;
+}
+
 std::vector<vtkAbstractArray*> pictureArrays(vtkPolyData* mesh)
 {
   std::vector<vtkAbstractArray*> arrays;
   for (const auto& part : facesOfParts(mesh))
   {
-    if (vtkAbstractArray* array = pictureOf(mesh, part.first))
+    if (vtkAbstractArray* array = partPicture(mesh, part.first))
     {
       arrays.push_back(array);
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 class vtkAbstractArray;
+class vtkDataArray;
 
 namespace oversketch_files
 {
@@ -39,6 +40,10 @@ std::set<std::string> picturesOf(vtkPolyData* mesh);
 // all wear the same it is the mesh's own; else those that wear the same become a part, numbered in the order
 // of their first polygons.
 void wearPictures(vtkPolyData* mesh, const std::vector<int>& worn, const std::vector<std::string>& pictures);
+
+// Whether a point has no place on a picture: at (-1, -1), with which readers mark such points, or a hair off
+// where new points were made between them.
+bool isNowhere(vtkDataArray* coordinates, vtkIdType point);
 
 // The arrays that say so: the mesh's picture, or PartId and the parts' pictures; none where no piece has one.
 std::vector<vtkAbstractArray*> pictureArrays(vtkPolyData* mesh);

@@ -1,21 +1,24 @@
 // PLY. Why not vtkPLYReader: it trusts the file, writes past its own memory where an index is out of range or
 // the text breaks off, allocates what a header announces, and rounds double coordinates.
+#include "colours.h"
 #include "mesh_file.h"
+#include "ply_document.h"
+#include "texture.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
+#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <iomanip>
 #include <map>
 #include <sstream>
@@ -26,375 +29,181 @@ namespace oversketch_files
 namespace
 {
 
-struct Type
+vtkSmartPointer<vtkDataArray> plyArray(PlyType type)
 {
-  char kind = 'f'; // i, u, f: signed, unsigned, floating
-  int size = 0;    // bytes
-};
+  const int types[] = {
+    VTK_SIGNED_CHAR, VTK_SHORT, VTK_INT, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_UNSIGNED_INT
+  };
+  const int whole = types[(type.kind == 'u' ? 3 : 0) + (type.size == 1 ? 0 : type.size == 2 ? 1 : 2)];
+  const int real = type.size == 8 ? VTK_DOUBLE : VTK_FLOAT;
+  return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type.kind == 'f' ? real : whole));
+}
 
-struct Property
-{
-  std::string name;
-  Type type;
-  Type count; // of a list; its size is 0 for a single value
-};
-
-struct Element
-{
-  std::string name;
-  std::size_t count = 0;
-  std::vector<Property> properties;
-
-  // The place of a property in the list, -1 where it is not there.
-  int find(const std::string& wanted) const
-  {
-    const auto it = std::find_if(
-      this->properties.begin(), this->properties.end(), [&](const Property& p) { return p.name == wanted; });
-    return it == this->properties.end() ? -1 : static_cast<int>(it - this->properties.begin());
-  }
-
-  // The places of all these; empty where one is not there.
-  std::vector<int> findAll(std::initializer_list<const char*> wanted) const
-  {
-    std::vector<int> places;
-    for (const char* one : wanted)
-    {
-      places.push_back(this->find(one));
-    }
-    return std::count(places.begin(), places.end(), -1) == 0 ? places : std::vector<int>();
-  }
-};
-
-// The values of one row of an element: a single value is a list of one.
-using Row = std::vector<std::vector<double>>;
-
-class File
+// The properties of an element as arrays, filled row by row.
+class Columns
 {
 public:
-  explicit File(const std::string& path)
-    : Path(path)
-    , Bytes(wholeFile(path))
+  explicit Columns(const PlyElement& of)
+    : Of(of)
+    , Taken(of.properties.size(), 0)
   {
-    this->readHeader();
   }
 
-  const std::vector<Element>& elements() const { return this->Elements; }
-
-  [[noreturn]] void refuse(const std::string& why) const { throw Failed(this->Path + ": " + why); }
-
-  void readRow(const Element& element, Row& row)
+  // The array of these properties; null where they are not there.
+  vtkDataArray* take(const char* name, std::initializer_list<const char*> properties)
   {
-    row.resize(element.properties.size());
-    for (std::size_t k = 0; k < row.size(); ++k)
+    const std::vector<int> places = this->Of.findAll(properties);
+    return places.empty() ? nullptr : this->add(name, places);
+  }
+
+  void takeColours()
+  {
+    this->Colours = this->Of.find("alpha") >= 0 ? this->Of.findAll({ "red", "green", "blue", "alpha" })
+                                                : this->Of.findAll({ "red", "green", "blue" });
+    for (const int place : this->Colours)
     {
-      const Property& property = element.properties[k];
-      double count = 1.0;
-      if (property.count.size > 0)
+      this->Taken[static_cast<std::size_t>(place)] = 1;
+    }
+  }
+
+  // Whatever else an element says of itself goes with it under its name; returns the lists among it, which no
+  // array holds, but for those that are known.
+  std::string takeRest(const std::vector<std::string>& known)
+  {
+    std::string lists;
+    for (std::size_t k = 0; k < this->Taken.size(); ++k)
+    {
+      const PlyProperty& property = this->Of.properties[k];
+      const bool isKnown = std::count(known.begin(), known.end(), property.name) > 0;
+      if (this->Taken[k] || isKnown)
       {
-        count = this->value(property.count);
-        if (!(count >= 0.0 && count <= static_cast<double>(this->Bytes.size() - this->At)))
-        {
-          this->refuseEnd();
-        }
+        continue;
       }
-      row[k].resize(static_cast<std::size_t>(count));
-      for (double& value : row[k])
+      if (property.count.size == 0)
       {
-        value = this->value(property.type);
+        this->Rest.push_back(this->add(plainName(property.name), { static_cast<int>(k) }));
       }
+      else
+      {
+        lists += (lists.empty() ? "" : ", ") + printable(property.name);
+      }
+    }
+    return lists;
+  }
+
+  void store(vtkIdType at, const PlyRow& row)
+  {
+    for (const Column& column : this->All)
+    {
+      for (std::size_t k = 0; k < column.places.size(); ++k)
+      {
+        const double value = number(row, column.places[k]), least = column.array->GetDataTypeMin();
+        const bool isReal =
+          column.array->GetDataType() == VTK_FLOAT || column.array->GetDataType() == VTK_DOUBLE;
+        const double within = value >= least ? std::min(value, column.array->GetDataTypeMax()) : least;
+        column.array->SetComponent(at, static_cast<int>(k), isReal ? value : within);
+      }
+    }
+    for (const int place : this->Colours)
+    {
+      const PlyType type = this->typeAt(place);
+      const double most = type.kind == 'f' ? 1.0 : type.size == 2 ? 65535.0 : 255.0;
+      this->Shares.push_back(number(row, place) / most);
+    }
+  }
+
+  // Colours, and what takeRest took.
+  void give(vtkDataSetAttributes* data) const
+  {
+    for (vtkDataArray* array : this->Rest)
+    {
+      data->AddArray(array);
+    }
+    if (!this->Colours.empty())
+    {
+      setColours(data, this->Shares, static_cast<int>(this->Colours.size()));
     }
   }
 
 private:
-  [[noreturn]] void refuseEnd() const
+  struct Column
   {
-    this->refuse("ends before all that its header announces; the file is truncated or damaged");
+    std::vector<int> places;
+    vtkSmartPointer<vtkDataArray> array;
+  };
+
+  PlyType typeAt(int place) const { return this->Of.properties[static_cast<std::size_t>(place)].type; }
+
+  static double number(const PlyRow& row, int place)
+  {
+    const std::vector<double>& values = row[static_cast<std::size_t>(place)];
+    return values.empty() ? 0.0 : values[0];
   }
 
-  std::string line()
+  // Several properties have one type, which holds the largest of them.
+  vtkDataArray* add(const std::string& name, const std::vector<int>& places)
   {
-    const std::size_t end = std::min(this->Bytes.find('\n', this->At), this->Bytes.size());
-    std::string text = this->Bytes.substr(this->At, end - this->At);
-    this->At = std::min(end + 1, this->Bytes.size());
-    return text;
-  }
-
-  Type typeOf(const std::string& name) const
-  {
-    static const std::map<std::string, Type> types = { { "char", { 'i', 1 } },
-      { "int8", { 'i', 1 } },
-      { "uchar", { 'u', 1 } },
-      { "uint8", { 'u', 1 } },
-      { "short", { 'i', 2 } },
-      { "int16", { 'i', 2 } },
-      { "ushort", { 'u', 2 } },
-      { "uint16", { 'u', 2 } },
-      { "int", { 'i', 4 } },
-      { "int32", { 'i', 4 } },
-      { "uint", { 'u', 4 } },
-      { "uint32", { 'u', 4 } },
-      { "float", { 'f', 4 } },
-      { "float32", { 'f', 4 } },
-      { "double", { 'f', 8 } },
-      { "float64", { 'f', 8 } } };
-    const auto it = types.find(name);
-    if (it == types.end())
+    PlyType type = this->typeAt(places[0]);
+    for (const int place : places)
     {
-      this->refuse("its PLY header names the unknown type '" + name.substr(0, 24) + "'");
-    }
-    return it->second;
-  }
-
-  void readHeader()
-  {
-    if (this->line().rfind("ply", 0) != 0)
-    {
-      this->refuse("is not a PLY file");
-    }
-    std::string format = "none";
-    for (bool ended = false; !ended;)
-    {
-      if (this->At == this->Bytes.size())
+      this->Taken[static_cast<std::size_t>(place)] = 1;
+      if (places.size() > 1)
       {
-        this->refuse("its PLY header does not end; the file is damaged");
-      }
-      std::istringstream words(this->line());
-      std::string word;
-      words >> word;
-      ended = word == "end_header";
-      if (word == "format")
-      {
-        words >> format;
-      }
-      else if (word == "element")
-      {
-        this->readElement(words);
-      }
-      else if (word == "property" && !this->Elements.empty())
-      {
-        std::string type;
-        words >> type;
-        Property property;
-        if (type == "list")
-        {
-          std::string count;
-          words >> count >> type;
-          property.count = this->typeOf(count);
-        }
-        property.type = this->typeOf(type);
-        words >> property.name;
-        this->Elements.back().properties.push_back(property);
+        const bool isDouble = this->typeAt(place).size == 8 || (type.kind == 'f' && type.size == 8);
+        const bool isLong = this->typeAt(place).kind != 'f' && this->typeAt(place).size == 4;
+        type = { 'f', isDouble || isLong ? 8 : 4 };
       }
     }
-    if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-    {
-      this->refuse("its PLY header names the unknown format '" + format.substr(0, 24) + "'");
-    }
-    this->Ascii = format == "ascii";
-    this->BigEndian = format == "binary_big_endian";
+    Column column{ places, plyArray(type) };
+    column.array->SetName(name.c_str());
+    column.array->SetNumberOfComponents(static_cast<int>(places.size()));
+    column.array->SetNumberOfTuples(static_cast<vtkIdType>(this->Of.count));
+    this->All.push_back(column);
+    return column.array;
   }
 
-  void readElement(std::istream& words)
-  {
-    Element element;
-    double count = -1.0;
-    if (!(words >> element.name >> count) || !(count >= 0.0) || count != std::floor(count) ||
-        !(count <= static_cast<double>(this->Bytes.size())))
-    {
-      this->refuse("announces more elements than a file of its size can hold");
-    }
-    element.count = static_cast<std::size_t>(count);
-    for (const Element& other : this->Elements)
-    {
-      if (other.name == element.name)
-      {
-        this->refuse("its PLY header names the element '" + element.name.substr(0, 24) + "' twice");
-      }
-    }
-    this->Elements.push_back(element);
-  }
-
-  double value(Type type) { return this->Ascii ? this->word() : this->binary(type); }
-
-  double word()
-  {
-    const char* const end = this->Bytes.data() + this->Bytes.size();
-    const char* from = this->Bytes.data() + this->At;
-    from = std::find_if(from, end, [](char c) { return std::strchr(" \t\r\n", c) == nullptr || c == '\0'; });
-    if (from == end)
-    {
-      this->refuseEnd();
-    }
-    const char* const number = from + (*from == '+' ? 1 : 0);
-    double value = 0.0;
-    const std::from_chars_result done = std::from_chars(number, end, value);
-    if (done.ec == std::errc::invalid_argument)
-    {
-      this->refuse("holds '" +
-                   std::string(from, std::min<std::size_t>(16, static_cast<std::size_t>(end - from))) +
-                   "' where a number should be; the file is damaged");
-    }
-    if (done.ec == std::errc::result_out_of_range) // too small counts as zero, too large is not finite
-    {
-      value = std::strtod(std::string(number, done.ptr).c_str(), nullptr);
-    }
-    this->At = static_cast<std::size_t>(done.ptr - this->Bytes.data());
-    return value;
-  }
-
-  double binary(Type type)
-  {
-    const auto size = static_cast<std::size_t>(type.size);
-    if (this->Bytes.size() - this->At < size)
-    {
-      this->refuseEnd();
-    }
-    std::uint64_t whole = 0;
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      const std::size_t at = this->At + (this->BigEndian ? i : size - 1 - i);
-      whole = whole << 8 | static_cast<unsigned char>(this->Bytes[at]);
-    }
-    this->At += size;
-    if (type.kind == 'u')
-    {
-      return static_cast<double>(whole);
-    }
-    if (type.kind == 'i')
-    {
-      const auto half = std::uint64_t(1) << (8 * size - 1);
-      return static_cast<double>(static_cast<std::int64_t>(whole ^ half) - static_cast<std::int64_t>(half));
-    }
-    if (size == 8)
-    {
-      double value;
-      std::memcpy(&value, &whole, 8);
-      return value;
-    }
-    const auto bits = static_cast<std::uint32_t>(whole);
-    float value;
-    std::memcpy(&value, &bits, 4);
-    return value;
-  }
-
-  std::string Path;
-  std::string Bytes;
-  std::size_t At = 0;
-  std::vector<Element> Elements;
-  bool Ascii = true, BigEndian = false;
+  const PlyElement& Of;
+  std::vector<char> Taken;
+  std::vector<Column> All;
+  std::vector<vtkDataArray*> Rest;
+  std::vector<int> Colours;   // places
+  std::vector<double> Shares; // of them
 };
 
-// Some properties of an element as one array.
-struct Column
+void readPoints(PlyDocument& file,
+  const PlyElement& element,
+  vtkPolyData* mesh,
+  std::vector<std::string>& lost)
 {
-  std::vector<int> places;
-  vtkSmartPointer<vtkDataArray> array;
-  double scale = 1.0;
-};
-
-bool isFloating(const Element& element, int place)
-{
-  return element.properties[static_cast<std::size_t>(place)].type.kind == 'f';
-}
-
-// The array of these properties, if all of them are there.
-template <typename Array>
-void addColumn(std::vector<Column>& columns,
-  const Element& element,
-  const char* name,
-  std::initializer_list<const char*> properties)
-{
-  Column column{ element.findAll(properties), vtkSmartPointer<Array>::New() };
-  if (column.places.empty())
-  {
-    return;
-  }
-  column.array->SetName(name);
-  column.array->SetNumberOfComponents(static_cast<int>(properties.size()));
-  column.array->SetNumberOfTuples(static_cast<vtkIdType>(element.count));
-  if (column.array->GetDataType() == VTK_UNSIGNED_CHAR && isFloating(element, column.places[0]))
-  {
-    column.scale = 255.0; // colours from 0 to 1
-  }
-  columns.push_back(std::move(column));
-}
-
-void store(const std::vector<Column>& columns, vtkIdType at, const Row& row)
-{
-  for (const Column& column : columns)
-  {
-    for (std::size_t k = 0; k < column.places.size(); ++k)
-    {
-      const std::vector<double>& values = row[static_cast<std::size_t>(column.places[k])];
-      double value = values.empty() ? 0.0 : column.scale * values[0];
-      if (column.array->GetDataType() == VTK_UNSIGNED_CHAR)
-      {
-        value = value > 0.0 ? std::min(std::round(value), 255.0) : 0.0;
-      }
-      column.array->SetComponent(at, static_cast<int>(k), value);
-    }
-  }
-}
-
-void addColours(std::vector<Column>& columns, const Element& element)
-{
-  if (element.find("alpha") >= 0)
-  {
-    addColumn<vtkUnsignedCharArray>(columns, element, "RGBA", { "red", "green", "blue", "alpha" });
-  }
-  else
-  {
-    addColumn<vtkUnsignedCharArray>(columns, element, "RGB", { "red", "green", "blue" });
-  }
-}
-
-void readPoints(File& file, const Element& element, vtkPolyData* mesh)
-{
-  const std::vector<int> xyz = element.findAll({ "x", "y", "z" });
-  if (xyz.empty())
+  Columns columns(element);
+  vtkDataArray* places = columns.take("Points", { "x", "y", "z" });
+  if (!places)
   {
     file.refuse("its element vertex lacks x, y or z; the file is damaged");
   }
-  const bool isDouble = std::any_of(xyz.begin(),
-    xyz.end(),
-    [&](int at) { return element.properties[static_cast<std::size_t>(at)].type.size == 8; });
-  std::vector<Column> columns;
-  if (isDouble)
+  vtkDataArray* normals = columns.take("Normals", { "nx", "ny", "nz" });
+  vtkDataArray* coordinates = nullptr;
+  for (const auto& [u, v] : { std::pair("u", "v"), std::pair("texture_u", "texture_v"), std::pair("s", "t") })
   {
-    addColumn<vtkDoubleArray>(columns, element, "Points", { "x", "y", "z" });
+    coordinates = coordinates ? coordinates : columns.take("TCoords", { u, v });
   }
-  else
+  columns.takeColours();
+  if (const std::string lists = columns.takeRest({}); !lists.empty())
   {
-    addColumn<vtkFloatArray>(columns, element, "Points", { "x", "y", "z" });
+    lost.push_back("the lists " + lists + " of its points");
   }
-  addColumn<vtkFloatArray>(columns, element, "Normals", { "nx", "ny", "nz" });
-  addColours(columns, element);
-  for (const auto& names :
-    { std::array{ "u", "v" }, std::array{ "texture_u", "texture_v" }, std::array{ "s", "t" } })
-  {
-    if (columns.back().array->GetName() != std::string("TCoords"))
-    {
-      addColumn<vtkFloatArray>(columns, element, "TCoords", { names[0], names[1] });
-    }
-  }
-  Row row;
+  PlyRow row;
   for (std::size_t i = 0; i < element.count; ++i)
   {
     file.readRow(element, row);
-    store(columns, static_cast<vtkIdType>(i), row);
+    columns.store(static_cast<vtkIdType>(i), row);
   }
   vtkNew<vtkPoints> points;
-  points->SetData(columns[0].array);
+  points->SetData(places);
   mesh->SetPoints(points);
-  vtkPointData* data = mesh->GetPointData();
-  for (std::size_t k = 1; k < columns.size(); ++k)
-  {
-    vtkDataArray* array = columns[k].array;
-    const std::string name = array->GetName();
-    name == "Normals"   ? data->SetNormals(array)
-    : name == "TCoords" ? data->SetTCoords(array)
-                        : data->SetScalars(array);
-  }
+  mesh->GetPointData()->SetNormals(normals);
+  mesh->GetPointData()->SetTCoords(coordinates);
+  columns.give(mesh->GetPointData());
 }
 
 // Faces as corners, one after the other.
@@ -405,37 +214,94 @@ struct Faces
   std::vector<std::array<double, 2>>
     coordinates; // texture coordinates of the corners; not finite where a face has none
   bool textured = false;
+  std::vector<int> pictures; // numbers of the header's pictures, where faces say so
 };
 
-Faces readFaces(File& file, const Element& element, vtkIdType points, vtkPolyData* mesh)
+void addCorner(PlyDocument& file, std::size_t face, double corner, vtkIdType points, Faces& faces)
 {
+  if (!(corner >= 0.0 && corner < static_cast<double>(points)) || corner != std::floor(corner))
+  {
+    std::ostringstream message;
+    message << std::setprecision(12) << "its face " << face << " names the vertex " << corner
+            << ", and there are " << points << ", counted from 0; the file is damaged";
+    file.refuse(message.str());
+  }
+  faces.corners.push_back(static_cast<vtkIdType>(corner));
+}
+
+// Strips of triangles, every second one wound the other way; -1 begins a new strip.
+void readStrips(PlyDocument& file, const PlyElement& element, vtkIdType points, Faces& faces)
+{
+  const int cornersAt = std::max(element.find("vertex_indices"), element.find("vertex_index"));
+  if (cornersAt < 0)
+  {
+    file.refuse("its element tristrips has no list vertex_indices; the file is damaged");
+  }
+  PlyRow row;
+  for (std::size_t i = 0; i < element.count; ++i)
+  {
+    file.readRow(element, row);
+    const std::vector<double>& ids = row[static_cast<std::size_t>(cornersAt)];
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < ids.size(); ++k)
+    {
+      if (ids[k] == -1.0)
+      {
+        first = k + 1;
+      }
+      else if (k >= first + 2)
+      {
+        const std::size_t turned = (k - first) % 2;
+        for (const std::size_t corner : { k - 2, k - 1 + turned, k - turned })
+        {
+          addCorner(file, i, ids[corner], points, faces);
+        }
+        faces.sizes.push_back(3);
+      }
+    }
+  }
+  faces.coordinates.resize(faces.corners.size(), { std::nan(""), 0.0 });
+}
+
+void readFaces(PlyDocument& file,
+  const PlyElement& element,
+  vtkPolyData* mesh,
+  std::vector<std::string>& lost,
+  Faces& faces)
+{
+  const vtkIdType points = mesh->GetNumberOfPoints();
   const int cornersAt = std::max(element.find("vertex_indices"), element.find("vertex_index"));
   const int coordinatesAt = element.find("texcoord");
   if (cornersAt < 0)
   {
     file.refuse("its element face has no list vertex_indices; the file is damaged");
   }
-  std::vector<Column> columns;
-  addColumn<vtkUnsignedCharArray>(columns, element, "intensity", { "intensity" });
-  addColours(columns, element);
-  Faces faces;
-  Row row;
+  const int pictureAt = file.pictures().empty() ? -1 : element.find("texnumber");
+  Columns columns(element);
+  columns.takeColours();
+  const std::string lists =
+    columns.takeRest({ "vertex_indices", "vertex_index", "texcoord", pictureAt < 0 ? "" : "texnumber" });
+  if (!lists.empty())
+  {
+    lost.push_back("the lists " + lists + " of its faces");
+  }
+  PlyRow row;
   for (std::size_t i = 0; i < element.count; ++i)
   {
     file.readRow(element, row);
-    store(columns, static_cast<vtkIdType>(i), row);
+    columns.store(static_cast<vtkIdType>(i), row);
     const std::vector<double>& corners = row[static_cast<std::size_t>(cornersAt)];
     faces.sizes.push_back(static_cast<vtkIdType>(corners.size()));
     for (const double corner : corners)
     {
-      if (!(corner >= 0.0 && corner < static_cast<double>(points)) || corner != std::floor(corner))
-      {
-        std::ostringstream message;
-        message << std::setprecision(12) << "its face " << i << " names the vertex " << corner
-                << ", and there are " << points << ", counted from 0; the file is damaged";
-        file.refuse(message.str());
-      }
-      faces.corners.push_back(static_cast<vtkIdType>(corner));
+      addCorner(file, i, corner, points, faces);
+    }
+    if (pictureAt >= 0)
+    {
+      const std::vector<double>& number = row[static_cast<std::size_t>(pictureAt)];
+      const bool isThere =
+        !number.empty() && number[0] >= 0.0 && number[0] < static_cast<double>(file.pictures().size());
+      faces.pictures.push_back(isThere ? static_cast<int>(number[0]) : -1);
     }
     const std::vector<double>* given =
       coordinatesAt < 0 ? nullptr : &row[static_cast<std::size_t>(coordinatesAt)];
@@ -447,27 +313,22 @@ Faces readFaces(File& file, const Element& element, vtkIdType points, vtkPolyDat
         textured ? std::array{ (*given)[2 * k], (*given)[2 * k + 1] } : std::array{ std::nan(""), 0.0 });
     }
   }
-  for (const Column& column : columns)
-  {
-    mesh->GetCellData()->AddArray(column.array);
-    mesh->GetCellData()->SetActiveScalars(column.array->GetName());
-  }
-  return faces;
+  columns.give(mesh->GetCellData());
 }
 
-// A point for each pair of texture coordinates that a vertex has in its faces: the first stays at the vertex,
-// the others are appended.
+// A point for each pair of texture coordinates that a vertex has in its faces, (-1, -1) in those without: the
+// first stays at the vertex, the others are appended.
 void spreadCoordinates(Faces& faces, vtkPolyData* mesh)
 {
   const vtkIdType count = mesh->GetNumberOfPoints();
   std::vector<std::map<std::array<double, 2>, vtkIdType>> known(static_cast<std::size_t>(count));
-  std::vector<std::array<double, 2>> coordinates(static_cast<std::size_t>(count));
+  std::vector<std::array<double, 2>> coordinates(static_cast<std::size_t>(count), { -1.0, -1.0 });
   std::vector<vtkIdType> from;
   for (std::size_t k = 0; k < faces.corners.size(); ++k)
   {
     if (!std::isfinite(faces.coordinates[k][0]) || !std::isfinite(faces.coordinates[k][1]))
     {
-      continue;
+      faces.coordinates[k] = { -1.0, -1.0 };
     }
     const vtkIdType vertex = faces.corners[k];
     auto& of = known[static_cast<std::size_t>(vertex)];
@@ -507,29 +368,92 @@ void spreadCoordinates(Faces& faces, vtkPolyData* mesh)
   data->SetTCoords(array);
 }
 
+// The pictures that the header names, worn by the faces that say so, or by all.
+void dressPly(const PlyDocument& file,
+  const Faces& faces,
+  const std::string& path,
+  vtkPolyData* mesh,
+  Notes& notes)
+{
+  std::vector<std::string> pictures;
+  for (const std::string& name : file.pictures())
+  {
+    const auto beside = std::filesystem::absolute(path).parent_path() / name;
+    pictures.push_back(wholeFile(beside.string()));
+    if (!pictureOf(pictures.back()))
+    {
+      pictures.back().clear();
+      notes.push_back(path + ": the picture " + printable(name) + " is " + notAPicture);
+    }
+  }
+  if (pictures.empty())
+  {
+    return;
+  }
+  if (!mesh->GetPointData()->GetTCoords())
+  {
+    notes.push_back(path + ": its picture is lost, as it has no texture coordinates");
+    return;
+  }
+  pictures.emplace_back(); // none
+  std::vector<int> worn(static_cast<std::size_t>(mesh->GetNumberOfPolys()),
+    faces.pictures.empty() ? 0 : static_cast<int>(pictures.size()) - 1);
+  for (std::size_t i = 0; i < std::min(faces.pictures.size(), worn.size()); ++i)
+  {
+    worn[i] = faces.pictures[i] < 0 ? worn[i] : faces.pictures[i];
+  }
+  wearPictures(mesh, worn, pictures);
+}
+
+// Faces that come from strips have no properties: zeros.
+void fillCellArrays(vtkPolyData* mesh)
+{
+  vtkCellData* data = mesh->GetCellData();
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkDataArray* array = data->GetArray(k);
+    const std::vector<double> zeros(static_cast<std::size_t>(array->GetNumberOfComponents()), 0.0);
+    while (array->GetNumberOfTuples() < mesh->GetNumberOfPolys())
+    {
+      array->InsertNextTuple(zeros.data());
+    }
+  }
+}
+
 } // namespace
 
-vtkSmartPointer<vtkPolyData> readPly(const std::string& path)
+vtkSmartPointer<vtkPolyData> readPly(const std::string& path, Notes& notes)
 {
-  File file(path);
+  PlyDocument file(path);
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   Faces faces;
-  Row row;
-  for (const Element& element : file.elements())
+  std::vector<std::string> lost;
+  const PlyElement* strips = nullptr;
+  PlyRow row;
+  for (const PlyElement& element : file.elements())
   {
     if (element.name == "vertex")
     {
-      readPoints(file, element, mesh);
+      readPoints(file, element, mesh, lost);
     }
-    else if (element.name == "face")
+    else if (element.name == "face" && !strips)
     {
-      faces = readFaces(file, element, mesh->GetNumberOfPoints(), mesh);
+      readFaces(file, element, mesh, lost, faces);
+    }
+    else if (element.name == "tristrips")
+    {
+      strips = &element;
+      readStrips(file, element, mesh->GetNumberOfPoints(), faces);
     }
     else
     {
       for (std::size_t i = 0; i < element.count; ++i)
       {
         file.readRow(element, row);
+      }
+      if (element.count > 0)
+      {
+        lost.push_back("the element " + printable(element.name) + " (" + std::to_string(element.count) + ')');
       }
     }
   }
@@ -547,6 +471,17 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& path)
     corner += size;
   }
   mesh->SetPolys(polys);
+  fillCellArrays(mesh);
+  dressPly(file, faces, path, mesh, notes);
+  std::string all;
+  for (const std::string& what : lost)
+  {
+    all += (all.empty() ? "" : ", ") + what;
+  }
+  if (!all.empty())
+  {
+    notes.push_back(path + ": not kept: " + all);
+  }
   return mesh;
 }
 

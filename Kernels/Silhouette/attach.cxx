@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 namespace oversketch
 {
@@ -167,10 +169,29 @@ private:
   double Sign = 1.0;             // of its way along the loops
 };
 
+// Where curves cross in the picture the ends of their visible parts are at one place but for rounding: the
+// curves' numbers decide there, edges come last.
 void sortAlong(std::vector<Attachment>& list)
 {
-  std::stable_sort(
-    list.begin(), list.end(), [](const Attachment& a, const Attachment& b) { return a.along < b.along; });
+  constexpr double samePlace = 1e-6; // px
+  std::stable_sort(list.begin(),
+    list.end(),
+    [](const Attachment& a, const Attachment& b)
+    { return std::tie(a.place.segment, a.along) < std::tie(b.place.segment, b.along); });
+  for (auto first = list.begin(); first != list.end();)
+  {
+    auto last = std::next(first);
+    while (last != list.end() && last->place.segment == first->place.segment &&
+           last->along - std::prev(last)->along < samePlace)
+    {
+      ++last;
+    }
+    std::stable_sort(first,
+      last,
+      [](const Attachment& a, const Attachment& b)
+      { return static_cast<unsigned>(a.curve) < static_cast<unsigned>(b.curve); });
+    first = last;
+  }
 }
 
 void addEdges(const OutlineLoop& loop, int number, const Track& track, std::vector<Attachment>& list)

@@ -498,7 +498,10 @@ double smoothness(const CurvePoint& before, const CurvePoint& at, const CurvePoi
   return Bend(before, at, after).smoothness();
 }
 
-std::vector<Curve> smoothSilhouette(const std::vector<Curve>& curves,
+namespace
+{
+
+std::vector<Curve> smoothed(const std::vector<Curve>& curves,
   const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
@@ -507,7 +510,7 @@ std::vector<Curve> smoothSilhouette(const std::vector<Curve>& curves,
   const Context& context)
 {
   context.checkpoint(0.0);
-  std::vector<Curve> smoothed(curves.size());
+  std::vector<Curve> done(curves.size());
   // The longest first, each by whoever is free: one curve, the outline, can take half of the time.
   std::vector<int> order(curves.size());
   std::iota(order.begin(), order.end(), 0);
@@ -521,15 +524,70 @@ std::vector<Curve> smoothSilhouette(const std::vector<Curve>& curves,
       for (int i = begin; i < end && !context.cancelled(); ++i)
       {
         const int curve = order[taken++];
-        smoothed[curve] = Snake(curves[curve], mesh, adjacency, normals, view, epsilon).run(context);
+        done[curve] = Snake(curves[curve], mesh, adjacency, normals, view, epsilon).run(context);
       }
     });
   context.checkpoint(1.0);
-  smoothed.erase(
-    std::remove_if(
-      smoothed.begin(), smoothed.end(), [](const Curve& curve) { return curve.points.size() < 2; }),
-    smoothed.end());
-  return smoothed;
+  done.erase(
+    std::remove_if(done.begin(), done.end(), [](const Curve& curve) { return curve.points.size() < 2; }),
+    done.end());
+  return done;
+}
+
+// The middle of a mesh that lies more than sixteen times its size from the origin; zeros for others.
+Vector3 farMiddle(const Mesh& mesh)
+{
+  Eigen::AlignedBox3d box;
+  for (const Vector3& p : mesh.points)
+  {
+    box.extend(p);
+  }
+  constexpr double farAway = 16.0;
+  const bool isFar = !box.isEmpty() && box.center().norm() > farAway * box.diagonal().norm();
+  return isFar ? Vector3(box.center()) : Vector3(Vector3::Zero());
+}
+
+void move(std::vector<Curve>& curves, const Vector3& by)
+{
+  for (Curve& curve : curves)
+  {
+    for (CurvePoint& p : curve.points)
+    {
+      p.position += by;
+    }
+  }
+}
+
+} // namespace
+
+// Far away coordinates have no digits left for the difference of two bends: there all is moved to the origin
+// and back.
+std::vector<Curve> smoothSilhouette(const std::vector<Curve>& curves,
+  const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const View& view,
+  double epsilon,
+  const Context& context)
+{
+  const Vector3 origin = farMiddle(mesh);
+  if (origin.isZero(0.0))
+  {
+    return smoothed(curves, mesh, adjacency, normals, view, epsilon, context);
+  }
+  Mesh near = mesh;
+  for (Vector3& p : near.points)
+  {
+    p -= origin;
+  }
+  std::vector<Curve> moved = curves;
+  move(moved, -origin);
+  Eigen::Matrix4d there = Eigen::Matrix4d::Identity();
+  there.topRightCorner<3, 1>() = origin;
+  const View nearView(view.viewTransform() * there, view.projectionTransform(), view.width(), view.height());
+  std::vector<Curve> done = smoothed(moved, near, adjacency, normals, nearView, epsilon, context);
+  move(done, origin);
+  return done;
 }
 
 } // namespace oversketch

@@ -131,13 +131,12 @@ def write(data, path, ascii=False):
 def read(path):
     path = pathlib.Path(path)
     if path.suffix == ".off":
-        words = path.read_text().split()
-        assert words[0] == "OFF"
-        n, f = int(words[1]), int(words[2])
-        numbers = numpy.array(words[4:], dtype=float)
-        faces = numbers[3 * n:3 * n + 4 * f].reshape(f, 4)
+        lines = [line.split() for line in path.read_text().splitlines()]
+        assert lines[0][0].endswith("OFF")
+        n, f = int(lines[1][0]), int(lines[1][1])
+        faces = numpy.array([line[:4] for line in lines[2 + n:2 + n + f]], dtype=int)
         assert (faces[:, 0] == 3).all()
-        return polydata(numbers[:3 * n].reshape(n, 3), faces[:, 1:])
+        return polydata(numpy.array([line[:3] for line in lines[2:2 + n]], dtype=float), faces[:, 1:])
     reader = {".vtp": vtkXMLPolyDataReader, ".obj": vtkOBJReader, ".ply": vtkPLYReader, ".stl": vtkSTLReader,
               ".gltf": vtkGLTFReader, ".glb": vtkGLTFReader}[path.suffix]()
     reader.SetFileName(str(path))

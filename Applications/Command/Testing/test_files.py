@@ -1,4 +1,5 @@
 """Mesh files in and out of the command, and stroke files that it must refuse."""
+import json
 import os
 import re
 import shutil
@@ -39,7 +40,7 @@ def test_round_trip(folder, tmp_path, extension):
     assert done.returncode == 0, done.stderr
     assert os.listdir(tmp_path) == [path.name]
     expected, written = points_of(reference), read(path)
-    tolerance = 0.0 if extension == "vtp" else 2e-7 * 3
+    tolerance = 2e-7 * 3  # of VTK's readers, where a file is not VTK's own
     found = points_of(written)
     if extension == "stl":  # an STL reader numbers points by first use
         order = triangles_of(reference).ravel()
@@ -48,13 +49,8 @@ def test_round_trip(folder, tmp_path, extension):
         assert (triangles_of(written) == triangles_of(reference)).all()
     assert numpy.abs(found - expected).max() <= tolerance
 
-    kept = {"vtp": "TC", "obj": "T", "ply": "TC", "stl": "", "off": "", "gltf": "TC", "glb": "TC"}[extension]
-    dropped = [name for name, letter in (("TCoords", "T"), ("RGB", "C")) if letter not in kept]
-    notes = [line for line in done.stderr.splitlines() if "does not keep the arrays" in line]
-    assert notes == ([] if not dropped else
-                     [f"oversketch: note: {extension.upper()} does not keep the arrays: {', '.join(dropped)}"])
-    assert ("single precision" in done.stderr) == (extension in ("ply", "stl", "gltf", "glb"))
-    if "T" in kept:
+    assert done.stderr == ("oversketch: note: STL does not keep: texture coordinates, colours\n" if extension == "stl" else "")
+    if extension in ("obj", "ply", "gltf", "glb"):
         textures = vtk_to_numpy(written.GetPointData().GetTCoords()).astype(float)
         wanted = vtk_to_numpy(reference.GetPointData().GetTCoords()).astype(float)
         if extension in ("gltf", "glb"):  # counted from the top
@@ -315,7 +311,7 @@ def test_arrays_survive(folder, tmp_path, extension, remesh):
     source = write(before, tmp_path / "in.vtp")
     if extension == "ply":  # through PLY on both sides: what the first writes, the second run reads
         done = run("one-stroke", source, folder / "same.vtp", "-o", tmp_path / "in.ply", *QUICK)
-        assert done.returncode == 0 and "Normals" in done.stderr and "Field" in done.stderr, done.stderr
+        assert done.returncode == 0 and done.stderr == "", done.stderr
         source = tmp_path / "in.ply"
         before = read(source)
     done = run("one-stroke", source, folder / "longer.vtp", "-o", tmp_path / f"out.{extension}", "--backend", "embree",
@@ -341,7 +337,14 @@ def test_arrays_survive(folder, tmp_path, extension, remesh):
         known = {tuple(t) for t in old_texture}
         assert sum(tuple(t) not in known for t in texture) >= len(new) - len(old)
         assert texture.min() >= old_texture.min() and texture.max() <= old_texture.max()
-    if extension == "ply":
+    if extension == "ply":  # what VTK's reader passes over, this one reads
+        done = run("one-stroke", tmp_path / "out.ply", folder / "same.vtp", "-o", tmp_path / "again.vtp", *QUICK)
+        again = read(tmp_path / "again.vtp")
+        field = vtk_to_numpy(again.GetPointData().GetArray("Field"))
+        texture = vtk_to_numpy(again.GetPointData().GetTCoords()).astype(float)
+        assert numpy.abs(field - (2.0 * texture[:, 0] - texture[:, 1] + 5.0)).max() < 1e-5
+        assert again.GetCellData().GetArray("Cell").GetNumberOfTuples() == after.GetNumberOfPolys()
+        assert again.GetPointData().GetNormals() is not None
         return
     field = vtk_to_numpy(after.GetPointData().GetArray("Field"))
     assert numpy.abs(field - (2.0 * texture[:, 0] - texture[:, 1] + 5.0)).max() < 1e-5
@@ -365,3 +368,114 @@ def test_arrays_survive(folder, tmp_path, extension, remesh):
     corners = old_texture[triangles_of(before)[cell]]
     reach = numpy.linalg.norm(corners - corners.mean(axis=1)[:, None], axis=2).max(axis=1)
     assert (numpy.linalg.norm(middle - corners.mean(axis=1), axis=1) <= reach).mean() > 0.99
+
+
+def moved(stroke, offset):
+    """The stroke drawn alike over what lies elsewhere."""
+    views = vtk_to_numpy(stroke.GetCellData().GetArray("ViewTransform"))
+    for row in views:
+        there = numpy.eye(4)
+        there[:3, 3] = -numpy.array(offset)
+        row[:] = (row.reshape(4, 4) @ there).ravel()
+    return stroke
+
+
+def converted(source, target):
+    """The mesh in another format, as the command reads and writes it."""
+    (target.parent / "parts.json").write_text(json.dumps({"parts": [{"mesh": str(source)}]}))
+    done = run("assemble", target.parent / "parts.json", "-o", target)
+    assert done.returncode == 0, done.stderr
+    return target
+
+
+def dog_and_stroke():
+    """Shipped."""
+    return read(SOURCE / "Data/Models/dog.ply"), read(SOURCE / "Data/Strokes/dog_longer_leg.vtp")
+
+
+def body_and_stroke():
+    """Uneven: of two that are the same from both sides a bit would decide."""
+    mesh = body()
+    noise = numpy.random.default_rng(7).normal(size=(mesh.GetNumberOfPoints(), 3))
+    mesh.GetPoints().SetData(numpy_to_vtk(points_of(mesh) + 2e-3 * noise, deep=True))
+    return mesh, stroke(outline(1.7))
+
+
+@pytest.mark.parametrize("model", [body_and_stroke, dog_and_stroke])
+@pytest.mark.parametrize("extension", FORMATS)
+def test_a_limb_grows_alike_far_from_the_origin(tmp_path, extension, model):
+    """STL, binary, holds single precision alone: its text is written by hand."""
+    results = {}
+    for far in (0.0, 1e3, 5e5, 4.6e6):
+        offset = numpy.array([far / 9, far, -far / 3])
+        there, drawn = model()
+        there.GetPoints().SetData(numpy_to_vtk(points_of(there) + offset, deep=True))
+        path = tmp_path / f"there.{extension}"
+        if extension == "stl":
+            corners = points_of(there)[triangles_of(there)]
+            path.write_text("solid\n" + "".join(
+                "facet normal 0 0 0\nouter loop\n" + "".join("vertex %.17g %.17g %.17g\n" % tuple(p) for p in corner)
+                + "endloop\nendfacet\n" for corner in corners) + "endsolid\n")
+        else:
+            converted(write(there, tmp_path / "written.vtp"), path)
+        out = tmp_path / ("out." + ("vtp" if extension == "stl" else extension))
+        done = run("one-stroke", path, write(moved(drawn, offset), tmp_path / "line.vtp"), "-o", out, "--backend", "embree")
+        assert done.returncode == 0 and "single precision" not in done.stderr, (far, done.stderr)
+        result = read(out if out.suffix == ".vtp" else converted(out, tmp_path / "result.vtp"))
+        assert result.GetPoints().GetDataType() == 11, "double"
+        results[far] = points_of(result) - offset, triangles_of(result)
+    for far, (points, triangles) in results.items():
+        single = extension in ("gltf", "glb")  # of the model's size, on a node that moves it
+        assert numpy.array_equal(triangles, results[0.0][1]), far
+        assert numpy.abs(points - results[0.0][0]).max() <= 1e-11 * far + (1e-6 if single else 0.0), far
+
+
+def test_what_single_precision_loses_is_said(folder, tmp_path):
+    there = body()
+    there.GetPoints().SetData(numpy_to_vtk(points_of(there) + (0.0, 4.6e6, 0.0), deep=True))
+    line = write(moved(stroke(outline(1.7)), (0.0, 4.6e6, 0.0)), tmp_path / "line.vtp")
+    done = run("one-stroke", write(there, tmp_path / "there.vtp"), line, "-o", tmp_path / "out.stl", *QUICK)
+    assert done.returncode == 0 and "points move by up to 0.25" in done.stderr and "% of the model's size" in done.stderr
+
+
+def test_colours_of_an_obj_come_back(folder, tmp_path):
+    mesh = body()
+    lines = ["v %.17g %.17g %.17g 0.5 0.25 1" % tuple(p) for p in points_of(mesh)]
+    lines += ["f %d %d %d" % tuple(t + 1) for t in triangles_of(mesh)]
+    (tmp_path / "in.obj").write_text("\n".join(lines) + "\n")
+    done = run("one-stroke", tmp_path / "in.obj", folder / "longer.vtp", "-o", tmp_path / "out.obj", "--remesh", "on")
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    vertices = [line for line in (tmp_path / "out.obj").read_text().splitlines() if line.startswith("v ")]
+    assert len(vertices) > mesh.GetNumberOfPoints() and all(line.endswith(" 0.5 0.25 1") for line in vertices)
+
+
+@pytest.mark.parametrize("remesh", ["off", "on"])
+def test_texture_coordinates_of_a_part_stay_there(folder, tmp_path, remesh):
+    """The limb's upper half has a picture; the ids of coordinates are those of the points, so that nothing tells but the faces."""
+    mesh = body()
+    points, triangles = points_of(mesh), triangles_of(mesh)
+    upper = points[triangles][:, :, 1].min(axis=1) > -1e-9
+    lines = ["v %.17g %.17g %.17g" % tuple(p) for p in points] + ["vt %.17g %.17g" % (p[0] / 4, 0.5 + p[1] / 4) for p in points]
+    lines += ["f " + " ".join(f"{v + 1}/{v + 1}" if up else f"{v + 1}" for v in t) for t, up in zip(triangles, upper)]
+    (tmp_path / "in.obj").write_text("\n".join(lines) + "\n")
+    done = run("one-stroke", tmp_path / "in.obj", folder / "longer.vtp", "-o", tmp_path / "out.obj", "--backend", "embree", "--remesh", remesh)
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    text = (tmp_path / "out.obj").read_text().splitlines()
+    places = [tuple(map(float, line.split()[1:4])) for line in text if line.startswith("v ")]
+    coordinates = [tuple(map(float, line.split()[1:3])) for line in text if line.startswith("vt ")]
+    kinds, edges = {True: 0, False: 0}, {}
+    for line in text:
+        if line.startswith("f "):
+            corners = [corner.split("/") for corner in line.split()[1:]]
+            textured = {len(corner) > 1 for corner in corners}
+            assert len(textured) == 1, line
+            kinds[textured.pop()] += 1
+            for corner in corners:
+                assert len(corner) == 1 or (-1 < coordinates[int(corner[1]) - 1][0] < 1 and
+                                            0.5 - 1e-9 <= coordinates[int(corner[1]) - 1][1] < 1)
+            for k in range(3):
+                edge = tuple(sorted((int(corners[k][0]), int(corners[(k + 1) % 3][0]))))
+                edges[edge] = edges.get(edge, 0) + 1
+            height = sum(places[int(corner[0]) - 1][1] for corner in corners)
+            assert (len(corners[0]) > 1) == (height > 0) or abs(height) < 0.15, line
+    assert set(edges.values()) == {2} and min(kinds.values()) > 0.3 * len(triangles)

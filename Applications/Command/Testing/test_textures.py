@@ -142,7 +142,8 @@ def test_gltf_names_its_picture(tmp_path, longer, how):
 def test_what_gltf_holds_besides_is_named(tmp_path, longer):
     image = picture(tmp_path / "skin.png")
     source = gltf(tmp_path / "in.glb", image, normalTexture={"index": 0}, doubleSided=True)
-    assert f"{source}: not kept: doubleSided, normalTexture\n" in drawn(source, longer, tmp_path / "out.glb")
+    said = drawn(source, longer, tmp_path / "out.glb")
+    assert f"{source}: not kept: that its faces are seen from both sides, the pictures of small bumps (normal maps)\n" in said
 
 
 def test_primitives_with_pictures_of_their_own_become_parts(tmp_path, longer):
@@ -175,9 +176,10 @@ def test_pictures_that_cannot_be_read_are_named(tmp_path, longer, kind, damage):
 def test_through_every_format_and_back(tmp_path, longer):
     image = picture(tmp_path / "skin.png")
     source = gltf(tmp_path / "in.glb", image)
-    for name in ("a.vtp", "b.obj", "c.glb"):
+    for name in ("a.vtp", "b.obj", "c.ply", "d.glb"):
         notes = drawn(source, longer, tmp_path / name)
-        assert ("does not keep the arrays: COLOR_0" in notes) == (name == "b.obj")
+        assert ("does not keep: materials\n" in notes) == (name == "c.ply")  # the OBJ's names of them
+        assert notes.count("does not keep") == (name == "c.ply") and "not kept" not in notes
         source = tmp_path / name
     document, data = taken_apart(source)
     assert part(document, data, document["images"][0]["bufferView"]) == image
@@ -185,13 +187,22 @@ def test_through_every_format_and_back(tmp_path, longer):
     assert numpy.abs(attribute(document, data, "TEXCOORD_0", numpy.float32, 2) - coordinates()).max() < 1e-6
 
 
-@pytest.mark.parametrize("extension, dropped", [("ply", "Texture"), ("stl", "TEXCOORD_0, COLOR_0, Texture"),
-                                                ("off", "TEXCOORD_0, COLOR_0, Texture")])
+@pytest.mark.parametrize("extension, dropped", [("stl", "colours, texture coordinates, the picture"), ("off", "the picture")])
 def test_formats_without_pictures_say_so(tmp_path, longer, extension, dropped):
     source = gltf(tmp_path / "in.glb", picture(tmp_path / "skin.png"))
     notes = drawn(source, longer, tmp_path / f"out.{extension}")
-    line = [line for line in notes.splitlines() if "does not keep" in line]
-    assert len(line) == 1 and sorted(line[0].split("arrays: ")[1].split(", ")) == sorted(dropped.split(", "))
+    assert notes == f"oversketch: note: {extension.upper()} does not keep: {dropped}\n"
+
+
+def test_ply_keeps_its_picture_beside_it(tmp_path, longer):
+    image = picture(tmp_path / "skin.png")
+    assert "PLY keeps the texture beside it, in out.png" in drawn(gltf(tmp_path / "in.glb", image), longer, tmp_path / "out.ply")
+    assert (tmp_path / "out.png").read_bytes() == image
+    assert b"\ncomment TextureFile out.png\n" in (tmp_path / "out.ply").read_bytes()
+    drawn(tmp_path / "out.ply", longer, tmp_path / "again.glb")
+    document, data = taken_apart(tmp_path / "again.glb")
+    assert part(document, data, document["images"][0]["bufferView"]) == image
+    assert numpy.abs(attribute(document, data, "TEXCOORD_0", numpy.float32, 2) - coordinates()).max() < 1e-6
 
 
 def test_an_obj_replaces_no_file_that_is_not_its_own(tmp_path, longer):

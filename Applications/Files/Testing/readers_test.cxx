@@ -1,7 +1,7 @@
 // What the readers make of files whose meaning is plain: positions known by hand.
+#include "made_files.h"
 #include "mesh_file.h"
 
-#include "vtkBase64Utilities.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
@@ -11,31 +11,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <filesystem>
-#include <fstream>
-#include <unistd.h>
 
-namespace fs = std::filesystem;
 using namespace oversketch_files;
+using namespace oversketch_files_test;
 
 namespace
 {
-
-// A file that goes with the test.
-class Written
-{
-public:
-  Written(const std::string& name, const std::string& bytes)
-    : Path(fs::temp_directory_path() / (std::to_string(::getpid()) + "-" + name))
-  {
-    std::ofstream(this->Path, std::ios::binary) << bytes;
-  }
-  ~Written() { fs::remove(this->Path); }
-  std::string path() const { return this->Path.string(); }
-
-private:
-  fs::path Path;
-};
 
 std::array<double, 3> pointOf(vtkPolyData* mesh, vtkIdType at)
 {
@@ -58,42 +39,6 @@ std::vector<vtkIdType> cornersOf(vtkPolyData* mesh, vtkIdType cell)
   vtkNew<vtkIdList> ids;
   mesh->GetPolys()->GetCellAtId(cell, ids);
   return { ids->begin(), ids->end() };
-}
-
-template <typename T>
-std::string bytesOf(const std::vector<T>& values)
-{
-  return { reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T) };
-}
-
-std::string dataUri(const std::string& bytes)
-{
-  std::string code(2 * bytes.size() + 8, ' ');
-  code.resize(vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
-    bytes.size(),
-    reinterpret_cast<unsigned char*>(code.data())));
-  return "data:application/octet-stream;base64," + code;
-}
-
-// A glTF around four points (0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), four normals along z, and more bytes
-// behind them, from 96 on, which is view 2. The accessors 0 and 1 are points and normals; "rest" is the
-// document's other members.
-std::string gltf(const std::string& rest, const std::string& more = "", const std::string& accessors = "")
-{
-  const std::string data = bytesOf<float>({ 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 }) +
-                           bytesOf<float>({ 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1 }) + more;
-  return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + std::to_string(data.size()) +
-         R"(,"uri":")" + dataUri(data) +
-         R"("}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48},)" +
-         R"({"buffer":0,"byteOffset":96,"byteLength":)" + std::to_string(data.size() - 96) +
-         R"(}],"accessors":[)" + R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":4},)" +
-         R"({"bufferView":1,"componentType":5126,"type":"VEC3","count":4})" + accessors + "]," + rest + "}";
-}
-
-vtkSmartPointer<vtkPolyData> readText(const std::string& text, const std::string& name = "made.gltf")
-{
-  Notes notes;
-  return readMesh(Written(name, text).path(), notes);
 }
 
 } // namespace
