@@ -142,7 +142,7 @@ public:
 
   ///@{
   /**
-   * Move vertices near rims, so that triangles there are not stretched by their height [default off; not as
+   * Move vertices near rims, so that triangles there are not stretched by their height [default on; not as
    * published]; see vtkOversketchInflate.
    */
   void SetUnstretchedRims(bool unstretched);
@@ -199,7 +199,7 @@ private:
   bool AsPublished = false;
   bool LevelsFromSketch = false;
   bool Arrange = false;
-  bool UnstretchedRims = false;
+  bool UnstretchedRims = true;
   int Levels = 3;
   int Rebuilds = 0, LevelsMade = 0;
   std::string Profile, Holes, Tunnels;
