@@ -23,7 +23,7 @@
  *
  * Output 0: the model, a closed mesh but for tunnels without walls: triangles, or with Quads quads. Arrays of
  * vtkOversketchInflate or vtkOversketchExtrude, and TCoords; field array Canvas. The picture itself is not in
- * it: give a renderer the picture as a texture; the command and sessions put the file's bytes beside the
+ * it: give a renderer the picture as a texture; the command and sessions put what it wears of it beside the
  * mesh.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): those of the steps, as theirs; BadStroke where no

@@ -37,13 +37,6 @@ void requireSealable(const PlanarMesh& mesh)
     for (int k = 0; k < face.count(); ++k)
     {
       const int a = face.corners[k], b = face.corners[(k + 1) % face.count()];
-      const int opposite = face.corners[(k + 2) % 4];
-      if (k < 2 && face.count() == 4 && isRim(mesh.points[a].kind) && isRim(mesh.points[opposite].kind))
-      {
-        unsealable("A quad has points " + std::to_string(a) + " and " + std::to_string(opposite) +
-                   " of rims at opposite corners: cut there into triangles, front and back would coincide; "
-                   "divide it, as vtkOversketchCoarseMesh does by its TerminalRule, or refine the mesh once more.");
-      }
       if (!isRim(mesh.points[a].kind))
       {
         continue;
@@ -58,6 +51,16 @@ void requireSealable(const PlanarMesh& mesh)
         unsealable("The edge between points " + std::to_string(a) + " and " + std::to_string(b) +
                    " joins two points of rims inside the planar mesh: front and back would coincide there; "
                    "refine the mesh once more.");
+      }
+    }
+    for (int k = 0; k < 2 && face.count() == 4; ++k)
+    {
+      const int a = face.corners[k], b = face.corners[k + 2];
+      if (isRim(mesh.points[a].kind) && isRim(mesh.points[b].kind))
+      {
+        unsealable("A quad has points " + std::to_string(a) + " and " + std::to_string(b) +
+                   " of rims at opposite corners: cut there into triangles, front and back would coincide; "
+                   "divide the base face there, as vtkOversketchCoarseMesh does by its TerminalRule.");
       }
     }
   }
