@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace oversketch
 {
@@ -12,10 +11,12 @@ namespace
 {
 
 constexpr double flat = 1e-12; // of the canvas's square
-// How much of its depth beside the rim a point loses, by the length of the edges about it as a share of the
-// thickness: nothing where rows of triangles are so fine that the rim is smooth as it is, most from some
-// eight rows on. All of it would leave triangles of the plane too thin.
-const double fine = getenv("XR0") ? 1 / atof(getenv("XR0")) : 1.0 / 40.0, coarse = getenv("XR1") ? 1 / atof(getenv("XR1")) : 1.0 / 8.0, most = getenv("XB") ? atof(getenv("XB")) : 0.9;
+// Rows of triangles need not be evened where edges are so short, as a share of the thickness, that the rim is
+// smooth as it is; from some eight rows on they are in full.
+constexpr double fine = 1.0 / 40.0, coarse = 1.0 / 8.0;
+// What the least angles of the plane's triangles are to keep [rad]: the twentieth part of them, and the half.
+constexpr double fewest = 0.195, middle = 0.61;
+constexpr int steps = 10; // of how far points are moved
 constexpr int rounds = 3; // of averaging the lengths
 
 // Of each point the mean length of the edges about it, smooth along the mesh [world].
@@ -92,12 +93,70 @@ std::vector<Vector2> wanted(const PlanarMesh& mesh, const HeightMaps& maps, cons
         }
         const double share = (lengths[i] / (frame.spacing * whole) - fine) / (coarse - fine);
         const double u = distance / whole;
-        const double move = most * std::clamp(share, 0.0, 1.0) * distance * (1.0 - u) * (1.0 - u);
-        moves[i] = -frame.spacing * move * slope.normalized();
+        const double even = whole * (1.0 - std::cos(halfPi * u));
+        moves[i] =
+          -frame.spacing * std::clamp(share, 0.0, 1.0) * (distance - even) * slope.normalized();
       }
     });
   context.checkpoint(0.3);
   return moves;
+}
+
+struct Angles
+{
+  double low, half;
+};
+
+// Of the least angles of the faces, with points moved so far, the one that a twentieth is under, and the half.
+Angles anglesOf(const PlanarMesh& mesh, const std::vector<Vector2>& moves, double share, const Context& context)
+{
+  std::vector<double> least(mesh.faces.size());
+  context.parallelFor(static_cast<int>(least.size()),
+    [&](int begin, int end)
+    {
+      for (int f = begin; f < end; ++f)
+      {
+        const PlanarFace& face = mesh.faces[f];
+        const auto at = [&](int k) -> Vector2
+        {
+          const int corner = face.corners[k % face.count()];
+          return mesh.points[corner].place + share * moves[corner];
+        };
+        least[f] = halfPi;
+        for (int k = 0; k < face.count(); ++k)
+        {
+          // Of a quad those that its diagonals cut off.
+          const Vector2 a = at(k), b = at(k + 1), c = at(k + 2), u = b - a, v = c - a;
+          least[f] = std::min(least[f], std::atan2(u[0] * v[1] - u[1] * v[0], u.dot(v)));
+        }
+      }
+    });
+  const auto nth = [&](std::size_t n)
+  {
+    std::nth_element(least.begin(), least.begin() + static_cast<std::ptrdiff_t>(n), least.end());
+    return least[n];
+  };
+  return { nth(least.size() / 20), nth(least.size() / 2) };
+}
+
+// How much of the moves leaves the plane's triangles in shape.
+double affordable(const PlanarMesh& mesh, const std::vector<Vector2>& moves, const Context& context)
+{
+  if (mesh.faces.empty())
+  {
+    return 0.0;
+  }
+  const Angles rest = anglesOf(mesh, moves, 0.0, context);
+  for (int step = steps; step > 0; --step)
+  {
+    const double share = static_cast<double>(step) / steps;
+    const Angles now = anglesOf(mesh, moves, share, context);
+    if (now.low >= std::min(fewest, rest.low) && now.half >= std::min(middle, rest.half))
+    {
+      return share;
+    }
+  }
+  return 0.0;
 }
 
 } // namespace
@@ -107,7 +166,12 @@ PlanarMesh unstretch(const PlanarMesh& mesh,
   const Context& context,
   UnstretchReport* report)
 {
-  const std::vector<Vector2> moves = wanted(mesh, maps, context);
+  std::vector<Vector2> moves = wanted(mesh, maps, context);
+  const double share = affordable(mesh, moves, context);
+  for (Vector2& move : moves)
+  {
+    move *= share;
+  }
   const double longest = maps.distance.frame.spacing * maps.distance.frame.width;
   const double least = flat * longest * longest;
   SubdividedMesh level;

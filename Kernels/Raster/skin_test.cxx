@@ -27,7 +27,7 @@ std::vector<std::uint8_t> discPicture(int components, std::uint8_t outside)
       for (int k = 0; k < components; ++k)
       {
         const bool alpha = components % 2 == 0 && k + 1 == components;
-        samples.push_back(alpha ? (inside ? 255 : 0) : inside ? static_cast<std::uint8_t>(90 + k) : outside);
+        samples.push_back(static_cast<std::uint8_t>(alpha ? (inside ? 255 : 0) : inside ? 90 + k : outside));
       }
     }
   }
