@@ -15,7 +15,7 @@ constexpr double flat = 1e-12; // of the canvas's square
 // smooth as it is; from some eight rows on they are in full.
 constexpr double fine = 1.0 / 40.0, coarse = 1.0 / 8.0;
 // What the least angles of the plane's triangles are to keep [rad]: the twentieth part of them, and the half.
-constexpr double fewest = 0.195, middle = 0.61;
+constexpr double fewest = 0.182, middle = 0.61;
 constexpr int steps = 10; // of how far points are moved
 constexpr int rounds = 3; // of averaging the lengths
 
