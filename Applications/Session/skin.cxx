@@ -91,9 +91,10 @@ std::string skinFor(vtkPolyData* mesh, int part, const std::string& bytes)
       covered.push_back({ place(0), place(k), place(k + 1) });
     }
   }
-  const PictureSamples picture{
-    static_cast<const std::uint8_t*>(image->GetScalarPointer()), width, height, image->GetNumberOfScalarComponents()
-  };
+  const PictureSamples picture{ static_cast<const std::uint8_t*>(image->GetScalarPointer()),
+    width,
+    height,
+    image->GetNumberOfScalarComponents() };
   const std::vector<std::uint8_t> skin = skinOf(picture, covered, Context());
   return oversketch_files::pictureFormatOf(bytes) == "jpeg" ? jpegOf(skin, width, height, picture.colours())
                                                             : pngOf(skin, width, height, picture.colours());

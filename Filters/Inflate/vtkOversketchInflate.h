@@ -7,12 +7,12 @@
  * plane, to both sides, by a function of their distance d to the rim and of the thickness D there, the
  * distance at the skeleton: s k_z D f(d / D), of the circle sqrt(D^2 - (D - d)^2); front and back share the
  * rim's points. Departures, which AsPublished turns off: D jumps where the skeleton's nearest place does,
- * which makes hoops and crumpled crests, so heights of the circle are those of a membrane under pressure, which
- * has no creases, multiplied by what varies slowly so that they are those of the greatest balls that lie in the
- * drawing (ProfileSmoothing); for other profiles D is smoothed over the inside (LocalMaxSmoothing). And points
- * beside the rim come closer to it, so that triangles there are even (UnstretchedRims), which the paper names as
- * future work. An option that is ours: Mode Poisson. Kernels/Inflate/heights.h and unstretch.h and
- * Kernels/Raster/grid_smoothing.h have the equations.
+ * which makes hoops and crumpled crests, so heights of the circle are those of a membrane under pressure,
+ * which has no creases, multiplied by what varies slowly so that they are those of the greatest balls that
+ * lie in the drawing (ProfileSmoothing); for other profiles D is smoothed over the inside
+ * (LocalMaxSmoothing). And points beside the rim come closer to it, so that triangles there are even
+ * (UnstretchedRims), which the paper names as future work. An option that is ours: Mode Poisson.
+ * Kernels/Inflate/heights.h and unstretch.h and Kernels/Raster/grid_smoothing.h have the equations.
  *
  * Input 0 (Mesh): the drawing's mesh in the plane, triangles or quads, as vtkOversketchPlanarRefine puts it
  * out, holes trimmed; its point array BoundaryKind says what is a rim.
@@ -26,8 +26,8 @@
  * - point and cell array Side, int: 1 front, -1 back, 0 on the rim,
  * - point array PlanarId, int: the point of the input.
  * Output 1 (Heights, vtkImageData): the raster with what was read of it, float point arrays Ratio, the
- * heights' squares over T [px], and LocalMaxSmooth, the thickness [px]: D, smoothed; of the smoothed circle and
- * of Poisson's mode the radius of the circle that stands on the rim and has the height.
+ * heights' squares over T [px], and LocalMaxSmooth, the thickness [px]: D, smoothed; of the smoothed circle
+ * and of Poisson's mode the radius of the circle that stands on the rim and has the height.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray naming an absent array; BadMesh,
  * naming points, where the mesh is no sheet, has a border that is no rim (BoundaryKind 1 or 2), a rim inside
@@ -36,8 +36,8 @@
  * points gives an empty output silently.
  *
  * Deterministic: same result bit for bit for any number of threads. Cost: mostly the two solves, some 0.2 s
- * each for an object that fills 1024 px, which are kept: another HeightFactor repeats none, another Profile or
- * ProfileSmoothing not that of D, a mesh with further features none.
+ * each for an object that fills 1024 px, which are kept: another HeightFactor repeats none, another Profile
+ * or ProfileSmoothing not that of D, a mesh with further features none.
  *
  * @sa vtkOversketchDistance vtkOversketchExtrude vtkOversketchTunnel vtkOversketchProjectTexture
  */
@@ -115,9 +115,9 @@ public:
 
   ///@{
   /**
-   * How far what a membrane's heights are multiplied by is smoothed, as a share of the thickness; 0 leaves the
-   * profile as it is, with its creases [default -1: 0.3 for the circle, 0 for other profiles, whose creases
-   * are meant; as published: 0].
+   * How far what a membrane's heights are multiplied by is smoothed, as a share of the thickness; 0 leaves
+   * the profile as it is, with its creases [default -1: 0.3 for the circle, 0 for other profiles, whose
+   * creases are meant; as published: 0].
    */
   vtkSetMacro(ProfileSmoothing, double);
   vtkGetMacro(ProfileSmoothing, double);

@@ -6,7 +6,8 @@
  * (Kernels/Planar/triangulate.h and terminal.h): triangles with at least two edges on the rim are divided,
  * which is what the doubled surface needs, rather than all of three boundary vertices (TerminalRule); ties
  * are decided so that the mesh does not depend on the strokes' order; faces of holes are left out; points
- * inside make room for triangles of good shape (Relax). Not CGAL's, which is under the GPL: ours, on CGAL's exact predicates.
+ * inside make room for triangles of good shape (Relax). Not CGAL's, which is under the GPL: ours, on CGAL's
+ * exact predicates.
  *
  * Input 0 (Polylines): those of vtkOversketchPolyline.
  * Input 1 (Darts, optional): further points, those of vtkOversketchDarts; its cells are not read.

@@ -37,8 +37,8 @@ std::vector<float> sectionSquares(const DistanceMaps& maps,
 // ridge is another one, and what a hand's tremor adds to the ridge lies inside larger ones.
 std::vector<float> roundSquares(const DistanceMaps& maps, const Context& context);
 
-// Of samples the radius [px] of the circle that stands upright on the rim and has the height there: with q its
-// square, (q / T + T) / 2; 0 where T is.
+// Of samples the radius [px] of the circle that stands upright on the rim and has the height there: with q
+// its square, (q / T + T) / 2; 0 where T is.
 std::vector<float> roundThickness(const DistanceMaps& maps, const std::vector<float>& ratio);
 
 // The maps at places between samples [px].
@@ -72,8 +72,9 @@ std::vector<int> objectsOf(const PlanarMesh& mesh);
 // Heights [world] of the mesh's points. Source: image-assisted modelling, section 12:
 // s k_z D' f(d / D') with s the raster's spacing, d = min(T, D'), D' at the point; of a ratio: s k_z
 // sqrt(ratio T). Points of a rim stay at 0, by their kind and not by d = 0. At others d is at least 0.25 px
-// and, which the paper leaves open, the ratio at least 1e-4 px, so that front and back never meet. `factor`, k_z, is above 0. Throws Error(Failure::BadStroke) for another factor,
-// Error(Failure::BadMesh) naming a point outside the maps. The same for any number of threads.
+// and, which the paper leaves open, the ratio at least 1e-4 px, so that front and back never meet. `factor`,
+// k_z, is above 0. Throws Error(Failure::BadStroke) for another factor, Error(Failure::BadMesh) naming a
+// point outside the maps. The same for any number of threads.
 std::vector<double> heightsOf(const PlanarMesh& mesh,
   const HeightMaps& maps,
   const CrossSection& section,

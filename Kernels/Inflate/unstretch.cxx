@@ -94,8 +94,7 @@ std::vector<Vector2> wanted(const PlanarMesh& mesh, const HeightMaps& maps, cons
         const double share = (lengths[i] / (frame.spacing * whole) - fine) / (coarse - fine);
         const double u = distance / whole;
         const double even = whole * (1.0 - std::cos(halfPi * u));
-        moves[i] =
-          -frame.spacing * std::clamp(share, 0.0, 1.0) * (distance - even) * slope.normalized();
+        moves[i] = -frame.spacing * std::clamp(share, 0.0, 1.0) * (distance - even) * slope.normalized();
       }
     });
   context.checkpoint(0.3);
@@ -107,8 +106,12 @@ struct Angles
   double low, half;
 };
 
-// Of the least angles of the faces, with points moved so far, the one that a twentieth is under, and the half.
-Angles anglesOf(const PlanarMesh& mesh, const std::vector<Vector2>& moves, double share, const Context& context)
+// Of the least angles of the faces, with points moved so far, the one that a twentieth is under, and the
+// half.
+Angles anglesOf(const PlanarMesh& mesh,
+  const std::vector<Vector2>& moves,
+  double share,
+  const Context& context)
 {
   std::vector<double> least(mesh.faces.size());
   context.parallelFor(static_cast<int>(least.size()),

@@ -240,7 +240,8 @@ TEST(Relax, TrianglesAreOfBetterShapeAndNothingElseChanges)
     ASSERT_EQ(after.points.size(), before.points.size());
     for (std::size_t p = 0; p < before.points.size(); ++p)
     {
-      EXPECT_TRUE(before.points[p].kind == BoundaryKind::Interior || after.points[p].place == before.points[p].place);
+      EXPECT_TRUE(
+        before.points[p].kind == BoundaryKind::Interior || after.points[p].place == before.points[p].place);
     }
     const auto narrow = [](const PlanarMesh& mesh)
     {
@@ -289,12 +290,14 @@ TEST(C10_2, ASquareIsOneQuadButNotAtItsRim)
   }
   EXPECT_EQ(inner, 1);
   EXPECT_EQ(ears, 0);
-  const PlanarMesh whole = mergeQuads(repairTerminals(
-    triangulate(UnitDrawing({ squareStroke(0.1, 0.9) }).lines(), {}, Context()), TerminalRule::TwoBoundaryEdges));
+  const PlanarMesh whole =
+    mergeQuads(repairTerminals(triangulate(UnitDrawing({ squareStroke(0.1, 0.9) }).lines(), {}, Context()),
+      TerminalRule::TwoBoundaryEdges));
   EXPECT_EQ(whole.faces.size(), 4u);
   EXPECT_EQ(whole.points.size(), 5u);
   EXPECT_NEAR(areaOf(whole), 0.64, 1e-15);
-  fact("C10_2", "square of a feature: its base is one quad; of a rim: four triangles, so that none has two edges of it");
+  fact("C10_2",
+    "square of a feature: its base is one quad; of a rim: four triangles, so that none has two edges of it");
 }
 
 TEST(C10_3, NoStrokesEdgeIsMergedAway)

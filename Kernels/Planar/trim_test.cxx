@@ -40,7 +40,8 @@ TEST(Trim, AHoleGoesButNoIslandInIt)
   using Flags = std::vector<char>;
   EXPECT_EQ(regionsInHoles(drawing.classes, { fill, fill, fill, fill }), (Flags{ 0, 0, 0, 0 }));
   EXPECT_EQ(regionsInHoles(drawing.classes, { hole, tunnel, fill, tunnel }), (Flags{ 0, 0, 0, 0 }));
-  EXPECT_EQ(regionsInHoles(drawing.classes, { fill, hole, fill, fill }), (Flags{ 0, 1, 0, 0 })) << "an island";
+  EXPECT_EQ(regionsInHoles(drawing.classes, { fill, hole, fill, fill }), (Flags{ 0, 1, 0, 0 }))
+    << "an island";
   EXPECT_EQ(regionsInHoles(drawing.classes, { fill, hole, hole, fill }), (Flags{ 0, 1, 1, 0 }));
   EXPECT_EQ(regionsInHoles(drawing.classes, { fill, fill, hole, hole }), (Flags{ 0, 0, 1, 1 }));
 

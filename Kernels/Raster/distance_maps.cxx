@@ -95,7 +95,7 @@ std::vector<Rim> rimsOf(const Classification& classification,
   {
     const StrokeClass& stroke = classification.strokes[i];
     const bool rim = stroke.role == Role::Boundary || (stroke.role == Role::ClosedFeature &&
-                                                         isHole(stroke.childRegion) != isHole(stroke.region));
+                                                        isHole(stroke.childRegion) != isHole(stroke.region));
     if (rim)
     {
       rims.push_back({ strokes[i].points, stroke.object });

@@ -162,7 +162,8 @@ TEST(C11_4, OnlyHolesChangeTheDistance)
     bare.distance[i] = x * x + y * y < 60 * 60 ? holed.distance[i] : bare.distance[i];
   }
   EXPECT_EQ(bare.distance, holed.distance);
-  fact("C11_4", "features, tunnels: T the same to the bit; a hole changes it, an island in it nothing round the hole");
+  fact("C11_4",
+    "features, tunnels: T the same to the bit; a hole changes it, an island in it nothing round the hole");
 }
 
 TEST(Distance, IsThatOfEveryPairOfPixels)

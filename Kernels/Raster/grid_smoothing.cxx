@@ -300,7 +300,8 @@ std::vector<float> GridSmoothing::overDistance(const Eigen::VectorXd& values,
   const std::vector<float> inside = this->spread(own, otherwise, context);
   for (std::size_t i = 0; i < result.size(); ++i)
   {
-    const float quotient = distance[i] > beside * static_cast<float>(this->Step) ? inside[i] / distance[i] : result[i];
+    const float quotient =
+      distance[i] > beside * static_cast<float>(this->Step) ? inside[i] / distance[i] : result[i];
     result[i] = distance[i] > 0.0f ? std::max(0.0f, quotient) : 1.0f;
   }
   return result;

@@ -41,12 +41,12 @@ public:
   // none. Within the least and greatest D. c = 0 gives D.
   std::vector<float> thickness(double c, const Context& context);
 
-  // Heights' squares [px^2] that have no creases, over T [px] of samples: a membrane's, see poissonRatio, times
-  // a factor that varies slowly and brings them to `squares`, those asked for. With P half the membrane's and
-  // S = P + |grad P|^2 / 4, which on a strip is the square of its half-width, the factor r solves
-  // (P / S) r - div(c^2 S grad r) = squares / S with no flux through the rim: it is fitted where the surface
-  // is high, and where the ways that lead there are blocked by nothing. Where no inner cell is near it is
-  // `squares` over T; 1 where T is 0; never negative. c is above 0.
+  // Heights' squares [px^2] that have no creases, over T [px] of samples: a membrane's, see poissonRatio,
+  // times a factor that varies slowly and brings them to `squares`, those asked for. With P half the
+  // membrane's and S = P + |grad P|^2 / 4, which on a strip is the square of its half-width, the factor r
+  // solves (P / S) r - div(c^2 S grad r) = squares / S with no flux through the rim: it is fitted where the
+  // surface is high, and where the ways that lead there are blocked by nothing. Where no inner cell is near
+  // it is `squares` over T; 1 where T is 0; never negative. c is above 0.
   std::vector<float> profileRatio(const std::vector<float>& squares, double c, const Context& context);
 
   // Poisson's inflation: with u [px^2], the solution of Laplacian u = -4 in the inside and u = 0 on its rim,

@@ -130,10 +130,8 @@ TEST(GridSmoothing, SolvesTheSystemsAsEigenDoes)
   EXPECT_EQ(static_cast<int>(inner.size()), grid.cellCount());
   const std::array<int, 4> around{ -1, 1, -frame.width, frame.width };
   // own x - div(flow grad x) = side; at the rim no flux, or what leads to 0 there.
-  const auto solved = [&](const Eigen::VectorXd& own,
-                        const Eigen::VectorXd& flow,
-                        bool fixed,
-                        const Eigen::VectorXd& side)
+  const auto solved =
+    [&](const Eigen::VectorXd& own, const Eigen::VectorXd& flow, bool fixed, const Eigen::VectorXd& side)
   {
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index i = 0; i < count; ++i)

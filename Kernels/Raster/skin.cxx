@@ -64,15 +64,14 @@ std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
             {
               const std::size_t at = static_cast<std::size_t>(y) * width + x;
               const float t = depth(y, x);
-              const bool seen = !picture.hasAlpha() ||
-                                picture.samples[at * picture.components + colours] >= opaque;
+              const bool seen =
+                !picture.hasAlpha() || picture.samples[at * picture.components + colours] >= opaque;
               outside(y, x) = seen && t > 0.0f && (t >= deep || t >= around(y, x)) ? 0 : 255;
             }
           }
         });
       context.checkpoint(0.4);
-      cv::distanceTransform(
-        outside, off, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+      cv::distanceTransform(outside, off, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
       for (int y = 0; y < height; ++y)
       {
         for (int x = 0; x < width; ++x)

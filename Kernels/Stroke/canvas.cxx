@@ -107,8 +107,7 @@ std::size_t samplesRound(const Polyline& points, const Canvas& canvas)
   }
   const Vector2 way = beginning[1] - start;
   std::size_t kept = nearest + 1;
-  while (kept > away + 1 &&
-         ((points[kept - 1] - start).dot(way) > 0.0 || off(kept - 1) < 2.0 * off(nearest)))
+  while (kept > away + 1 && ((points[kept - 1] - start).dot(way) > 0.0 || off(kept - 1) < 2.0 * off(nearest)))
   {
     --kept;
   }

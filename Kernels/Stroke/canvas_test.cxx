@@ -136,7 +136,8 @@ TEST(Canvas, WhatRunsPastTheStartIsLeftOut)
   for (int i = 0; i <= 400; ++i)
   {
     const double angle = 2.0 * turn * i / 400.0;
-    spiral.emplace_back(512.0 + (100.0 + 2.0 * angle) * std::cos(angle), 384.0 + (100.0 + 2.0 * angle) * std::sin(angle));
+    spiral.emplace_back(
+      512.0 + (100.0 + 2.0 * angle) * std::cos(angle), 384.0 + (100.0 + 2.0 * angle) * std::sin(angle));
     hairpin.emplace_back(100.0 + 400.0 * std::min(i, 400 - i) / 200.0, i < 200 ? 300.0 : 306.0);
   }
   EXPECT_EQ(samplesRound(spiral, canvas), 0u);
@@ -158,7 +159,8 @@ TEST(Canvas, ATinyCircleClosesAndAShortArcDoesNot)
       // Of few samples of a large one no end lies beside the beginning.
       EXPECT_EQ(samplesRound(arc(0.0, twoTurns + 0.3, 0.5 * diameter, samples), canvas) > 0,
         diameter < 100.0 || samples == 20);
-      EXPECT_EQ(samplesRound(arc(0.0, twoTurns - 0.3, 0.5 * diameter, samples), canvas) > 0, diameter < 100.0);
+      EXPECT_EQ(
+        samplesRound(arc(0.0, twoTurns - 0.3, 0.5 * diameter, samples), canvas) > 0, diameter < 100.0);
       EXPECT_EQ(samplesRound(arc(0.0, 0.7 * twoTurns, 0.5 * diameter, samples), canvas), 0u) << "a C";
       EXPECT_EQ(samplesRound(arc(0.0, 0.5 * twoTurns, 0.5 * diameter, samples), canvas), 0u) << "a bow";
     }
