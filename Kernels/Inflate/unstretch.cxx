@@ -10,6 +10,7 @@ namespace oversketch
 namespace
 {
 
+constexpr double halfPi = 1.57079632679489661923;
 constexpr double flat = 1e-12; // of the canvas's square
 // Rows of triangles need not be evened where edges are so short, as a share of the thickness, that the rim is
 // smooth as it is; from some eight rows on they are in full.
