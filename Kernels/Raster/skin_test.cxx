@@ -54,9 +54,9 @@ TEST(Skin, IsOpaqueAndHasNoSeam)
 {
   for (const int components : { 1, 2, 3, 4 })
   {
-    for (const std::uint8_t outside : { 0, 255 })
+    for (const int outside : { 0, 255 })
     {
-      const std::vector<std::uint8_t> samples = discPicture(components, outside);
+      const std::vector<std::uint8_t> samples = discPicture(components, static_cast<std::uint8_t>(outside));
       const PictureSamples picture{ samples.data(), side, side, components };
       // Transparent beyond the disc, which may be drawn too wide; else the line may be 2 px beside.
       const double radius = components % 2 == 0 ? 100.0 : 97.0;
