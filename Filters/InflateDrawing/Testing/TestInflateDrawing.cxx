@@ -153,8 +153,8 @@ std::pair<double, double> anglesAtRim(vtkPolyData* mesh)
     bool touch = false;
     for (int k = 0; k < 3; ++k)
     {
-      const auto edge = std::minmax(ids->GetId(k), ids->GetId((k + 1) % 3));
-      edges[{ edge.first, edge.second }].push_back(face);
+      const vtkIdType a = ids->GetId(k), b = ids->GetId((k + 1) % 3);
+      edges[{ std::min(a, b), std::max(a, b) }].push_back(face);
       touch = touch || onRim(ids->GetId(k));
     }
     touches.push_back(touch);
