@@ -368,9 +368,9 @@ TEST(ChainPairs, EveryStepTakesWhatEveryOtherMakes)
   {
     for (const std::string& each : options)
     {
-      // Wavefront's format keeps quads and nothing of our own, the other all.
-      const std::string made =
-        folder.file(each.find("--quads") == std::string::npos ? "made.vtp" : "made.obj");
+      // Wavefront's format keeps quads and nothing of our own, the other all. It replaces no picture.
+      const bool quads = each.find("--quads") != std::string::npos;
+      const std::string made = folder.file("made" + std::to_string(pairs) + (quads ? ".obj" : ".vtp"));
       run(command + " " + each + end + made, folder);
       for (const auto& [verb, input] : after)
       {
