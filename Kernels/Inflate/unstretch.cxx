@@ -18,8 +18,8 @@ constexpr double fine = 1.0 / 40.0, coarse = 1.0 / 8.0;
 // What the least angles of the plane's triangles are to keep [rad]: the twentieth part of them, and the half.
 constexpr double fewest = 0.182, middle = 0.61;
 constexpr double narrower = 0.8; // of what they are, where they do not reach that as it is
-constexpr int steps = 10; // of how far points are moved
-constexpr int rounds = 3; // of averaging the lengths
+constexpr int steps = 10;        // of how far points are moved
+constexpr int rounds = 3;        // of averaging the lengths
 
 // Of each point the mean length of the edges about it, smooth along the mesh [world].
 std::vector<double> lengthsOf(const PlanarMesh& mesh)
@@ -152,7 +152,8 @@ double affordable(const PlanarMesh& mesh, const std::vector<Vector2>& moves, con
     return 0.0;
   }
   const Angles rest = anglesOf(mesh, moves, 0.0, context);
-  const auto kept = [](double wanted, double before) { return before >= wanted ? wanted : narrower * before; };
+  const auto kept = [](double wanted, double before)
+  { return before >= wanted ? wanted : narrower * before; };
   for (int step = steps; step > 0; --step)
   {
     const double share = static_cast<double>(step) / steps;

@@ -321,7 +321,7 @@ INSTANTIATE_TEST_SUITE_P(Drawings,
 // step that takes a mesh takes it, and makes one surface of it.
 TEST(ChainPairs, EveryStepTakesWhatEveryOtherMakes)
 {
-  const DrawnChain& chain = drawnChains().front();
+  const DrawnChain& chain = drawnChains()[1]; // of its corners quads used to make no surface
   const Session session = sessionOf(chain);
   const Folder folder("pairs");
   const auto lines = [&](std::size_t node, const char* input)
