@@ -86,11 +86,14 @@ TEST(Skin, OfNothingIsThePicture)
 {
   const std::vector<std::uint8_t> samples = discPicture(3, 255);
   EXPECT_EQ(skinOf({ samples.data(), side, side, 3 }, {}, Context()), samples);
-  // A line thinner than the border keeps its colours.
+  // What is thin keeps its colours along it.
   std::vector<std::uint8_t> striped(side * side, 10);
   for (int x = 20; x < 280; ++x)
   {
-    striped[150 * side + x] = static_cast<std::uint8_t>(x % 200);
+    for (int y = 149; y <= 151; ++y)
+    {
+      striped[y * side + x] = static_cast<std::uint8_t>(x % 200);
+    }
   }
   const std::vector<PictureTriangle> thin{ { Vector2(20, 150), Vector2(280, 150), Vector2(280, 151) },
     { Vector2(20, 150), Vector2(280, 151), Vector2(20, 151) } };
