@@ -13,7 +13,7 @@ namespace
 constexpr double halfPi = 1.57079632679489661923;
 constexpr double flat = 1e-12; // of the canvas's square
 // Rows of triangles need not be evened where edges are so short, as a share of the thickness, that the rim is
-// smooth as it is; from some ten rows on they are in full.
+// smooth as it is; ten rows and fewer are evened in full.
 constexpr double fine = 1.0 / 40.0, coarse = 1.0 / 10.0;
 // What the least angles of the plane's triangles are to keep [rad]: the twentieth part of them, and the half.
 constexpr double fewest = 0.182, middle = 0.61;
