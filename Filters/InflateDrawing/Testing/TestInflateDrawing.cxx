@@ -190,8 +190,9 @@ TEST(InflateDrawing, RimsHaveNoKeel)
   {
     System system(drawn({ line }));
     const auto [over, beside] = anglesAtRim(system.mesh());
-    EXPECT_LE(over, 1.2 * beside);
-    EXPECT_LE(over, 20.0);
+    // Rows would be of one height: what is more at the rim is the raster's half a pixel.
+    EXPECT_LE(over, 1.5 * beside);
+    EXPECT_LE(over, 15.0);
     system.filter->SetUnstretchedRims(false);
     const auto [keel, row] = anglesAtRim(system.mesh());
     EXPECT_GT(keel, 1.35 * row) << "as it was";
