@@ -5,6 +5,7 @@
 #include "heights.h"
 #include "models.h"
 #include "parts.h"
+#include "skin.h"
 #include "system_runner.h"
 #include "texture.h"
 
@@ -76,7 +77,7 @@ std::size_t bytesOf(const Outcome& outcome)
   return 1024 * kilobytes + bytes;
 }
 
-// The picture's file itself travels with the mesh: a filter sees its samples alone.
+// The picture's file itself travels with the mesh, or what of it is skin: a filter sees its samples alone.
 void wear(const Step& step, const SystemRow& row, const Outcome& outcome)
 {
   const auto imageOf = [&](const std::string& name)
@@ -89,13 +90,15 @@ void wear(const Step& step, const SystemRow& row, const Outcome& outcome)
     return;
   }
   const Image *front = imageOf(row.worn), *back = imageOf(row.wornBehind);
+  const auto worn = [&](const Image& image, int part)
+  { return row.skin ? skinFor(outcome.mesh, part, *image.bytes) : *image.bytes; };
   if (front)
   {
-    oversketch_files::setTexture(outcome.mesh, *front->bytes, back ? "Part0." : "");
+    oversketch_files::setTexture(outcome.mesh, worn(*front, 0), back ? "Part0." : "");
   }
   if (back)
   {
-    oversketch_files::setTexture(outcome.mesh, *back->bytes, "Part1.");
+    oversketch_files::setTexture(outcome.mesh, worn(*back, 1), "Part1.");
   }
 }
 

@@ -379,6 +379,7 @@ SystemRow inflateDrawing()
   };
   row.worn = "Picture";
   row.wornBehind = "BackPicture";
+  row.skin = true;
   row.parameters = {
     between(0,
       1000,

@@ -115,6 +115,8 @@ struct SystemRow
   std::string worn;
   // Likewise of the picture that its back wears; where it is given both are pictures of parts, 0 and 1.
   std::string wornBehind;
+  // Both are worn as skins: opaque, their colours led on past what the mesh covers of them (skin.h).
+  bool skin = false;
   // A hand goes on changing its last step and sees the mesh follow: what that step computed is kept beside
   // what is prepared for the next one.
   bool followsHand = false;

@@ -30,7 +30,7 @@ struct vtkOversketchInflate::Cache
   StepKey MapsKey, ThicknessKey, RatioKey;
   DistanceMaps Maps;
   std::unique_ptr<GridSmoothing> Grid; // refers to the maps
-  std::vector<float> Thickness, Ratio;
+  std::vector<float> Smooth, Thickness, Ratio;
   vtkSmartPointer<vtkImageData> Image;
   KeptOutput Surface;
 
@@ -53,6 +53,16 @@ vtkStandardNewMacro(vtkOversketchInflate);
 
 namespace
 {
+
+// Squares over T [px], 1 where T is 0.
+std::vector<float> OverDistance(const DistanceMaps& maps, std::vector<float> squares)
+{
+  for (std::size_t i = 0; i < squares.size(); ++i)
+  {
+    squares[i] = maps.distance[i] > 0.0f ? squares[i] / maps.distance[i] : 1.0f;
+  }
+  return squares;
+}
 
 vtkSmartPointer<vtkImageData> imageOf(const Frame& frame,
   const std::vector<float>& thickness,
@@ -149,6 +159,9 @@ int vtkOversketchInflate::RequestData(vtkInformation*,
       const double round = this->AsPublished            ? 0.0
                            : this->ProfileSmoothing < 0 ? section.smoothing()
                                                         : this->ProfileSmoothing;
+      const bool bySection = !poisson && !(round > 0.0);
+      const bool unstretched =
+        this->UnstretchedRims && !this->AsPublished && (!bySection || section.isUpright());
       Cache& cache = *this->Internals;
 
       const Frame frame = FrameOf(image);
@@ -167,15 +180,18 @@ int vtkOversketchInflate::RequestData(vtkInformation*,
           cache.Grid =
             std::make_unique<GridSmoothing>(cache.Maps, this->GridStep, ContextOf(this, 0.05, 0.2));
         });
-      values.push_back(spread);
-      this->ThicknessCount += Cache::Provide(cache.ThicknessKey,
-        key(),
-        [&]
-        {
-          cache.RatioKey = StepKey();
-          cache.Image = nullptr;
-          cache.Thickness = cache.Grid->thickness(spread, ContextOf(this, 0.2, 0.5));
-        });
+      // A smoothed circle's heights do not ask for the thickness.
+      if (!poisson && !(round > 0.0 && section.isCircle()))
+      {
+        values.push_back(spread);
+        this->ThicknessCount += Cache::Provide(cache.ThicknessKey,
+          key(),
+          [&]
+          {
+            cache.RatioKey = StepKey();
+            cache.Smooth = cache.Grid->thickness(spread, ContextOf(this, 0.2, 0.5));
+          });
+      }
       values.push_back(this->Mode);
       if (!poisson)
       {
@@ -188,25 +204,30 @@ int vtkOversketchInflate::RequestData(vtkInformation*,
         {
           cache.Image = nullptr;
           const Context context = ContextOf(this, 0.5, 0.9);
-          cache.Ratio = poisson ? cache.Grid->poissonRatio(context)
-                                : cache.Grid->profileRatio(cache.Thickness,
-                                    sectionSquares(cache.Maps, cache.Thickness, section, context),
-                                    round,
-                                    context);
+          const auto squares = [&]
+          {
+            return round > 0.0 && section.isCircle()
+                     ? roundSquares(cache.Maps, context)
+                     : sectionSquares(cache.Maps, cache.Smooth, section, context);
+          };
+          cache.Ratio = poisson       ? cache.Grid->poissonRatio(context)
+                        : round > 0.0 ? cache.Grid->profileRatio(squares(), round, context)
+                                      : OverDistance(cache.Maps, squares());
+          cache.Thickness = bySection ? cache.Smooth : roundThickness(cache.Maps, cache.Ratio);
           cache.Image = imageOf(frame, cache.Thickness, cache.Ratio);
         });
       values.push_back(this->HeightFactor);
-      values.push_back(this->UnstretchedRims);
+      values.push_back(unstretched);
       cache.Surface.Provide(StepKey({ WholeKey(mesh), ImageKey(image) }, values),
         vtkPolyData::GetData(outputs, 0),
         [&](vtkPolyData* result)
         {
           ++this->InflateCount;
           const HeightMaps maps{
-            cache.Maps, cache.Thickness, cache.Ratio, poisson ? Inflation::Poisson : Inflation::Section
+            cache.Maps, cache.Thickness, cache.Ratio, bySection ? Inflation::Section : Inflation::Ratio
           };
           const Context context = ContextOf(this, 0.9, 1.0);
-          const PlanarMesh moved = this->UnstretchedRims ? unstretch(planar, maps, context) : planar;
+          const PlanarMesh moved = unstretched ? unstretch(planar, maps, context) : planar;
           WriteSolid(
             inflate(moved, heightsOf(moved, maps, section, this->HeightFactor, context)), mesh, result);
         });

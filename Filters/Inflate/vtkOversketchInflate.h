@@ -7,10 +7,12 @@
  * plane, to both sides, by a function of their distance d to the rim and of the thickness D there, the
  * distance at the skeleton: s k_z D f(d / D), of the circle sqrt(D^2 - (D - d)^2); front and back share the
  * rim's points. Departures, which AsPublished turns off: D jumps where the skeleton's nearest place does,
- * which makes hoops and crumpled crests, so it is smoothed over the inside (LocalMaxSmoothing), and so are
- * the heights' squares, with what that takes put back (ProfileSmoothing). Options that the paper names or
- * that are ours: Mode Poisson, UnstretchedRims. Kernels/Inflate/heights.h and Kernels/Raster/grid_smoothing.h
- * have the equations.
+ * which makes hoops and crumpled crests, so heights of the circle are those of a membrane under pressure,
+ * which has no creases, multiplied by what varies slowly so that they are those of the greatest balls that
+ * lie in the drawing (ProfileSmoothing); for other profiles D is smoothed over the inside
+ * (LocalMaxSmoothing). And points beside the rim come closer to it, so that triangles there are even
+ * (UnstretchedRims), which the paper names as future work. An option that is ours: Mode Poisson.
+ * Kernels/Inflate/heights.h and unstretch.h and Kernels/Raster/grid_smoothing.h have the equations.
  *
  * Input 0 (Mesh): the drawing's mesh in the plane, triangles or quads, as vtkOversketchPlanarRefine puts it
  * out, holes trimmed; its point array BoundaryKind says what is a rim.
@@ -23,9 +25,9 @@
  * - point array Displacement, double: distance from the plane [world],
  * - point and cell array Side, int: 1 front, -1 back, 0 on the rim,
  * - point array PlanarId, int: the point of the input.
- * Output 1 (Heights, vtkImageData): the raster with what was read of it, float point arrays LocalMaxSmooth,
- * the thickness [px], and Ratio, by which the smoothing multiplies the heights' squares; of Poisson's mode
- * the heights' squares over T [px].
+ * Output 1 (Heights, vtkImageData): the raster with what was read of it, float point arrays Ratio, the
+ * heights' squares over T [px], and LocalMaxSmooth, the thickness [px]: D, smoothed; of the smoothed circle
+ * and of Poisson's mode the radius of the circle that stands on the rim and has the height.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray naming an absent array; BadMesh,
  * naming points, where the mesh is no sheet, has a border that is no rim (BoundaryKind 1 or 2), a rim inside
@@ -33,9 +35,9 @@
  * it lies outside the image; BadStroke for a Profile that is none and numbers out of range. A mesh without
  * points gives an empty output silently.
  *
- * Deterministic: same result bit for bit for any number of threads. Cost: mostly the two smoothings, some 0.3
- * s each for an object that fills 1024 px, which are kept: another HeightFactor repeats none, another
- * Profile or ProfileSmoothing not that of D, a mesh with further features none.
+ * Deterministic: same result bit for bit for any number of threads. Cost: mostly the two solves, some 0.2 s
+ * each for an object that fills 1024 px, which are kept: another HeightFactor repeats none, another Profile
+ * or ProfileSmoothing not that of D, a mesh with further features none.
  *
  * @sa vtkOversketchDistance vtkOversketchExtrude vtkOversketchTunnel vtkOversketchProjectTexture
  */
@@ -105,6 +107,7 @@ public:
   ///@{
   /**
    * How far the thickness is smoothed, as a share of itself [>= 0, default 0.5; as published: 0, not at all].
+   * The smoothed circle does not read it.
    */
   vtkSetMacro(LocalMaxSmoothing, double);
   vtkGetMacro(LocalMaxSmoothing, double);
@@ -112,8 +115,9 @@ public:
 
   ///@{
   /**
-   * How far the heights' squares are, as a share of the thickness [default -1: 0.15 for the circle, 0 for
-   * other profiles, whose creases are meant; as published: 0].
+   * How far what a membrane's heights are multiplied by is smoothed, as a share of the thickness; 0 leaves
+   * the profile as it is, with its creases [default -1: 0.3 for the circle, 0 for other profiles, whose
+   * creases are meant; as published: 0].
    */
   vtkSetMacro(ProfileSmoothing, double);
   vtkGetMacro(ProfileSmoothing, double);
@@ -131,7 +135,8 @@ public:
   ///@{
   /**
    * Move points that lie on no stroke towards the rim before they are pushed out, so that triangles there are
-   * stretched less [default off]. No triangle of the plane is turned over by it.
+   * stretched less and the rim is round [default on; as published: off]. No triangle of the plane is turned
+   * over by it. Only where the surface begins upright: not of "linear" and of curves.
    */
   vtkSetMacro(UnstretchedRims, bool);
   vtkGetMacro(UnstretchedRims, bool);
@@ -140,7 +145,8 @@ public:
 
   ///@{
   /**
-   * Inflate as printed: without either smoothing, whatever their parameters say [default off].
+   * Inflate as printed: without either smoothing and with points where they are, whatever the parameters say
+   * [default off].
    */
   vtkSetMacro(AsPublished, bool);
   vtkGetMacro(AsPublished, bool);
@@ -176,7 +182,7 @@ private:
   double LocalMaxSmoothing = 0.5;
   double ProfileSmoothing = -1.0;
   int GridStep = 2;
-  bool UnstretchedRims = false;
+  bool UnstretchedRims = true;
   bool AsPublished = false;
   vtkIdType ThicknessCount = 0;
   vtkIdType RatioCount = 0;

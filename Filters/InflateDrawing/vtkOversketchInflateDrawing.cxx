@@ -318,6 +318,7 @@ void vtkOversketchInflateDrawing::Pipeline::SetAmendments(bool on)
   this->Classify->SetAsPublished(!on);
   this->Polyline->SetAsPublished(!on);
   this->Darts->SetAsPublished(!on);
+  this->CoarseMesh->SetRelax(on);
   this->Refine->SetAsPublished(!on);
   this->Inflate->SetAsPublished(!on);
   this->Tunnel->SetTunnelWall(on);
@@ -441,8 +442,6 @@ void vtkOversketchInflateDrawing::SetQuads(bool quads)
   if (quads != this->Quads)
   {
     this->Quads = quads;
-    this->Inner->CoarseMesh->SetTerminalRule(
-      quads ? vtkOversketchCoarseMesh::NONE : vtkOversketchCoarseMesh::TWO_BOUNDARY_EDGES);
     this->Inner->Refine->SetQuads(quads);
     this->Inner->Connect();
     this->Modified();

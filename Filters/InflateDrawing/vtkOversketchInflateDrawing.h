@@ -23,7 +23,7 @@
  *
  * Output 0: the model, a closed mesh but for tunnels without walls: triangles, or with Quads quads. Arrays of
  * vtkOversketchInflate or vtkOversketchExtrude, and TCoords; field array Canvas. The picture itself is not in
- * it: give a renderer the picture as a texture; the command and sessions put the file's bytes beside the
+ * it: give a renderer the picture as a texture; the command and sessions put what it wears of it beside the
  * mesh.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): those of the steps, as theirs; BadStroke where no
@@ -142,7 +142,7 @@ public:
 
   ///@{
   /**
-   * Move vertices near rims, so that triangles there are not stretched by their height [default off; not as
+   * Move vertices near rims, so that triangles there are not stretched by their height [default on; not as
    * published]; see vtkOversketchInflate.
    */
   void SetUnstretchedRims(bool unstretched);
@@ -199,7 +199,7 @@ private:
   bool AsPublished = false;
   bool LevelsFromSketch = false;
   bool Arrange = false;
-  bool UnstretchedRims = false;
+  bool UnstretchedRims = true;
   int Levels = 3;
   int Rebuilds = 0, LevelsMade = 0;
   std::string Profile, Holes, Tunnels;

@@ -1,5 +1,6 @@
 #include "vtkOversketchCoarseMesh.h"
 
+#include "Planar/relax.h"
 #include "Planar/terminal.h"
 #include "Planar/triangulate.h"
 #include "vtkOversketchKept.h"
@@ -95,7 +96,7 @@ int vtkOversketchCoarseMesh::RequestData(vtkInformation*,
       {
         read.emplace_back(darts);
       }
-      cache.Kept.Provide(StepKey(read, { static_cast<double>(this->TerminalRule) }),
+      cache.Kept.Provide(StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
         output,
         [&](vtkPolyData* result)
         {
@@ -107,6 +108,7 @@ int vtkOversketchCoarseMesh::RequestData(vtkInformation*,
               this->TerminalRule == TWO_BOUNDARY_EDGES ? oversketch::TerminalRule::TwoBoundaryEdges
                                                        : oversketch::TerminalRule::ThreeBoundaryVertices);
           }
+          mesh = this->Relax ? relaxed(mesh) : mesh;
           WritePlanarMesh(mesh, result);
           cache.Edges->Initialize();
           WriteStrokeEdges(mesh, result, cache.Edges);
@@ -122,5 +124,6 @@ void vtkOversketchCoarseMesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TerminalRule: " << this->TerminalRule << "\n";
+  os << indent << "Relax: " << this->Relax << "\n";
   os << indent << "MeshCount: " << this->MeshCount << "\n";
 }

@@ -5,8 +5,9 @@
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.2, Fig. 8. Readings and departures
  * (Kernels/Planar/triangulate.h and terminal.h): triangles with at least two edges on the rim are divided,
  * which is what the doubled surface needs, rather than all of three boundary vertices (TerminalRule); ties
- * are decided so that the mesh does not depend on the strokes' order; faces of holes, with all in them, are
- * left out. Not CGAL's, which is under the GPL: ours, on CGAL's exact predicates.
+ * are decided so that the mesh does not depend on the strokes' order; faces of holes are left out; points
+ * inside make room for triangles of good shape (Relax). Not CGAL's, which is under the GPL: ours, on CGAL's
+ * exact predicates.
  *
  * Input 0 (Polylines): those of vtkOversketchPolyline.
  * Input 1 (Darts, optional): further points, those of vtkOversketchDarts; its cells are not read.
@@ -66,7 +67,7 @@ public:
   ///@{
   /**
    * Which triangles are divided, because the doubled surface would be none there: TwoBoundaryEdges;
-   * ThreeBoundaryVertices, as the paper has it literally; None, for a mesh that becomes quads [default
+   * ThreeBoundaryVertices, as the paper has it literally; None, for a mesh that is not doubled [default
    * TwoBoundaryEdges].
    */
   vtkSetClampMacro(TerminalRule, int, TWO_BOUNDARY_EDGES, NONE);
@@ -74,6 +75,16 @@ public:
   void SetTerminalRuleToTwoBoundaryEdges() { this->SetTerminalRule(TWO_BOUNDARY_EDGES); }
   void SetTerminalRuleToThreeBoundaryVertices() { this->SetTerminalRule(THREE_BOUNDARY_VERTICES); }
   void SetTerminalRuleToNone() { this->SetTerminalRule(NONE); }
+  ///@}
+
+  ///@{
+  /**
+   * Move points that lie on no stroke to where the triangles round them are of better shape
+   * (Kernels/Planar/relax.h) [default on; not as published].
+   */
+  vtkSetMacro(Relax, bool);
+  vtkGetMacro(Relax, bool);
+  vtkBooleanMacro(Relax, bool);
   ///@}
 
   /**
@@ -93,6 +104,7 @@ private:
   void operator=(const vtkOversketchCoarseMesh&) = delete;
 
   int TerminalRule = TWO_BOUNDARY_EDGES;
+  bool Relax = true;
   vtkIdType MeshCount = 0;
 
   struct Cache;

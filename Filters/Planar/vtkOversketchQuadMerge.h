@@ -4,8 +4,9 @@
  *
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.4, Fig. 10: greedy merging, after which triangles
  * may remain; one level of refinement makes quads of all. The measure of a quad is ours
- * (Kernels/Planar/merge_quads.h). It takes the mesh of vtkOversketchCoarseMesh best with TerminalRule None:
- * every quad of the first level has a point inside, so that nothing need be divided.
+ * (Kernels/Planar/merge_quads.h). No quad has two edges of the rim that meet, and with
+ * vtkOversketchCoarseMesh's TerminalRule TwoBoundaryEdges no triangle has, so that the surface stays one when
+ * its quads are cut into triangles, whichever way.
  *
  * Input 0 (Triangles): those of vtkOversketchCoarseMesh.
  * Input 1 (Edges): its edges, which stay.

@@ -4,8 +4,9 @@
  *
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.3.1, Fig. 15: before the surface is made the faces
  * of a region that is a hole leave the mesh, by the RegionId that they inherited, never by where they lie;
- * with them goes what lies in the hole (the paper does not say). vtkOversketchCoarseMesh leaves such regions
- * out from the first; this is for meshes of regions that became holes later.
+ * what a closed stroke in the hole bounds stays, as an island, where it is none itself (the paper does not
+ * say). vtkOversketchCoarseMesh leaves holes out from the first; this is for meshes of regions that became
+ * holes later.
  *
  * Input 0 (Mesh): mesh of vtkOversketchCoarseMesh, vtkOversketchQuadMerge or vtkOversketchPlanarRefine.
  * Input 1 (Edges): output 1 of the same.

@@ -194,8 +194,14 @@ StrokeOnCanvas OntoCanvas(vtkPolyData* strokes,
   vtkDataArray* said = strokes->GetCellData()->GetArray("Closed");
   const double value =
     said && said->GetNumberOfTuples() == strokes->GetNumberOfCells() ? said->GetComponent(stroke, 0) : -1.0;
-  const bool open = value == 0.0 || (value != 1.0 && !closesOnCanvas(points, canvas));
-  result.Curve.closed = points.size() > 2 && (line.Closed || !open);
+  const bool told = value == 0.0 || value == 1.0;
+  const std::size_t round = line.Closed || told ? points.size() : samplesRound(points, canvas);
+  result.Curve.closed = points.size() > 2 && (line.Closed || (round > 0 && value != 0.0));
+  if (result.Curve.closed)
+  {
+    points.resize(round);
+    result.Places.resize(round);
+  }
   if (result.Curve.closed && points.size() > 3 && points.back() == points.front())
   {
     points.pop_back();

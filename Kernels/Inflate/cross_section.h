@@ -24,8 +24,12 @@ public:
 
   double operator()(double u) const;
 
-  // ProfileSmoothing where none is asked for: 0.15 for the circle; others have creases that are meant.
-  double smoothing() const { return this->Kind == Shape::Circle ? 0.15 : 0.0; }
+  bool isCircle() const { return this->Kind == Shape::Circle; }
+  // It begins upright, so that points evenly apart in the plane are far apart on the surface beside the rim.
+  bool isUpright() const { return this->Kind == Shape::Circle || this->Kind == Shape::Step; }
+
+  // ProfileSmoothing where none is asked for: 0.3 for the circle; others have creases that are meant.
+  double smoothing() const { return this->isCircle() ? 0.3 : 0.0; }
 
 private:
   enum class Shape

@@ -49,10 +49,10 @@ Solid inflated(const UnitDrawing& drawing, const PlanarMesh& mesh, bool unstretc
 {
   GridSmoothing grid(drawing.maps, 2, Context());
   const CrossSection section;
-  const std::vector<float> thickness = grid.thickness(0.5, Context());
-  const std::vector<float> ratio = grid.profileRatio(
-    thickness, sectionSquares(drawing.maps, thickness, section, Context()), section.smoothing(), Context());
-  const HeightMaps maps{ drawing.maps, thickness, ratio };
+  const std::vector<float> ratio =
+    grid.profileRatio(roundSquares(drawing.maps, Context()), section.smoothing(), Context());
+  const std::vector<float> thickness = roundThickness(drawing.maps, ratio);
+  const HeightMaps maps{ drawing.maps, thickness, ratio, Inflation::Ratio };
   const PlanarMesh moved = unstretched ? unstretch(mesh, maps, Context()) : mesh;
   EXPECT_TRUE(invertedFaces(moved, 0.0, Context()).empty());
   return inflate(moved, heightsOf(moved, maps, section, 1.0, Context()));

@@ -11,6 +11,61 @@ namespace
 constexpr double leastDistance = 0.25, leastRatio = 1e-4;
 constexpr int farthest = 16; // samples that the rim's drawn line and the mesh's may lie apart
 
+// The highest of parabolas of curvature -2 along a line of samples, one over each that is above 0: their
+// upper envelope, after Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled Functions".
+class Caps
+{
+public:
+  // Samples `stride` apart; those at 0 stay there.
+  void raise(float* first, int count, std::size_t stride)
+  {
+    this->Hull.clear();
+    for (int x = 0; x < count; ++x)
+    {
+      const double top = first[x * stride];
+      if (!(top > 0.0))
+      {
+        continue;
+      }
+      double from = -1.0; // where this one comes to be the highest
+      while (!this->Hull.empty())
+      {
+        const Cap& last = this->Hull.back();
+        from = 0.5 * ((last.top - top) / (x - last.at) + x + last.at);
+        if (from > last.from)
+        {
+          break;
+        }
+        this->Hull.pop_back();
+        from = -1.0;
+      }
+      this->Hull.push_back({ x, top, from });
+    }
+    std::size_t k = 0;
+    for (int x = 0; x < count; ++x)
+    {
+      float& value = first[x * stride];
+      if (value > 0.0f)
+      {
+        while (k + 1 < this->Hull.size() && this->Hull[k + 1].from <= x)
+        {
+          ++k;
+        }
+        const double off = x - this->Hull[k].at;
+        value = static_cast<float>(this->Hull[k].top - off * off);
+      }
+    }
+  }
+
+private:
+  struct Cap
+  {
+    int at;
+    double top, from;
+  };
+  std::vector<Cap> Hull;
+};
+
 } // namespace
 
 std::vector<float> sectionSquares(const DistanceMaps& maps,
@@ -33,6 +88,52 @@ std::vector<float> sectionSquares(const DistanceMaps& maps,
       }
     });
   return squares;
+}
+
+std::vector<float> roundSquares(const DistanceMaps& maps, const Context& context)
+{
+  const Frame& frame = maps.frame;
+  std::vector<float> squares(frame.count(), 0.0f);
+  for (std::size_t i = 0; i < squares.size(); ++i)
+  {
+    squares[i] = maps.distance[i] * maps.distance[i];
+  }
+  context.parallelFor(frame.height,
+    [&](int begin, int end)
+    {
+      Caps caps;
+      for (int y = begin; y < end && !context.cancelled(); ++y)
+      {
+        caps.raise(squares.data() + frame.index(0, y), frame.width, 1);
+      }
+    });
+  context.parallelFor(frame.width,
+    [&](int begin, int end)
+    {
+      Caps caps;
+      for (int x = begin; x < end && !context.cancelled(); ++x)
+      {
+        caps.raise(squares.data() + x, frame.height, frame.width);
+      }
+    });
+  context.checkpoint(1.0);
+  for (std::size_t i = 0; i < squares.size(); ++i)
+  {
+    const float t = maps.distance[i];
+    squares[i] = std::max(squares[i], t * (2.0f * maps.thickness[i] - t));
+  }
+  return squares;
+}
+
+std::vector<float> roundThickness(const DistanceMaps& maps, const std::vector<float>& ratio)
+{
+  std::vector<float> thickness(ratio.size(), 0.0f);
+  for (std::size_t i = 0; i < ratio.size(); ++i)
+  {
+    const float t = maps.distance[i];
+    thickness[i] = t > 0.0f ? 0.5f * (ratio[i] + t) : 0.0f;
+  }
+  return thickness;
 }
 
 // The four samples round a place: that of the lower left, and the shares of the next column and row.
@@ -157,16 +258,15 @@ std::vector<double> heightsOf(const PlanarMesh& mesh,
         }
         const Vector2 at = frame.toPixels(mesh.points[i].place);
         const double distance = std::max(leastDistance, reader.distance(at));
-        const double ratio = std::max(leastRatio, reader.inner(maps.ratio, at, objects[i]));
         const double scale = frame.spacing * factor;
-        if (maps.mode == Inflation::Poisson)
+        if (maps.mode == Inflation::Ratio)
         {
+          const double ratio = std::max(leastRatio, reader.inner(maps.ratio, at, objects[i]));
           heights[i] = scale * std::sqrt(ratio * distance);
           continue;
         }
         const double thickness = std::max(leastDistance, reader.inner(maps.thickness, at, objects[i]));
-        heights[i] =
-          scale * thickness * section(std::min(distance, thickness) / thickness) * std::sqrt(ratio);
+        heights[i] = scale * thickness * section(std::min(distance, thickness) / thickness);
       }
     });
   context.checkpoint(1.0);

@@ -13,24 +13,33 @@ namespace oversketch
 
 enum class Inflation
 {
-  Section, // by the cross-section
-  Poisson  // as a membrane under pressure
+  Section, // by the cross-section and the thickness
+  Ratio    // by the solution of an equation: GridSmoothing's profileRatio or poissonRatio
 };
 
 // What heights are read from; the maps and values are kept by reference.
 struct HeightMaps
 {
   const DistanceMaps& distance;        // T
-  const std::vector<float>& thickness; // D' [px] of samples, see GridSmoothing
-  const std::vector<float>& ratio;     // GridSmoothing's profileRatio or poissonRatio
+  const std::vector<float>& thickness; // D' [px] of samples; of Ratio roundThickness's
+  const std::vector<float>& ratio;     // squares of heights over T [px] of samples; of Ratio alone
   Inflation mode = Inflation::Section;
 };
 
-// q = (D' f(d / D'))^2 [px^2] of each sample, d = min(T, D'): what profileRatio is made of.
+// q = (D' f(d / D'))^2 [px^2] of each sample, d = min(T, D').
 std::vector<float> sectionSquares(const DistanceMaps& maps,
   const std::vector<float>& thickness,
   const CrossSection& section,
   const Context& context);
+
+// The same of the circle: what the greatest of all balls has above each sample that lie inside, a ball at
+// each sample, as large as its T; and at least d (2 D - d). Balls do not stop where the nearest place on the
+// ridge is another one, and what a hand's tremor adds to the ridge lies inside larger ones.
+std::vector<float> roundSquares(const DistanceMaps& maps, const Context& context);
+
+// Of samples the radius [px] of the circle that stands upright on the rim and has the height there: with q
+// its square, (q / T + T) / 2; 0 where T is.
+std::vector<float> roundThickness(const DistanceMaps& maps, const std::vector<float>& ratio);
 
 // The maps at places between samples [px].
 class MapReader
@@ -61,11 +70,11 @@ private:
 std::vector<int> objectsOf(const PlanarMesh& mesh);
 
 // Heights [world] of the mesh's points. Source: image-assisted modelling, section 12:
-// s k_z sqrt(ratio) D' f(d / D') with s the raster's spacing, d = min(T, D'), D' and the ratio at the point;
-// Poisson's: s k_z sqrt(ratio T). Points of a rim stay at 0, by their kind and not by d = 0. At others d is
-// at least 0.25 px and, which the paper leaves open, the ratio at least 1e-4, so that front and back never
-// meet. `factor`, k_z, is above 0. Throws Error(Failure::BadStroke) for another factor,
-// Error(Failure::BadMesh) naming a point outside the maps. The same for any number of threads.
+// s k_z D' f(d / D') with s the raster's spacing, d = min(T, D'), D' at the point; of a ratio: s k_z
+// sqrt(ratio T). Points of a rim stay at 0, by their kind and not by d = 0. At others d is at least 0.25 px
+// and, which the paper leaves open, the ratio at least 1e-4 px, so that front and back never meet. `factor`,
+// k_z, is above 0. Throws Error(Failure::BadStroke) for another factor, Error(Failure::BadMesh) naming a
+// point outside the maps. The same for any number of threads.
 std::vector<double> heightsOf(const PlanarMesh& mesh,
   const HeightMaps& maps,
   const CrossSection& section,

@@ -74,7 +74,7 @@ TEST(CrossSection, IsWhatItsTextSays)
   EXPECT_EQ(curve(0.125), 0.5);
   EXPECT_EQ(curve(0.625), 0.75);
   EXPECT_EQ(curve(1.0), 0.5);
-  EXPECT_EQ(circle.smoothing(), 0.15);
+  EXPECT_EQ(circle.smoothing(), 0.3);
   EXPECT_EQ(linear.smoothing(), 0.0);
 }
 
@@ -218,7 +218,7 @@ TEST(C12_6, PoissonsDiscIsASphereAndItsStripHigher)
   {
     const std::vector<Circle> circles = ringed(radius);
     Chain chain(rimsOf(middle, circles));
-    chain.mode = Inflation::Poisson;
+    chain.poisson = true;
     for (const SolidPoint& point : chain.solid(disc(middle, circles, 12, 3)).points)
     {
       const double rho = (point.place.head<2>() - middle).norm();
@@ -230,7 +230,7 @@ TEST(C12_6, PoissonsDiscIsASphereAndItsStripHigher)
   EXPECT_LE(off, 2.0);
   const Vector2 corner(14.0, 464.0), size(1000.0, 100.0);
   Chain chain({ rectangleRim(corner, size) });
-  chain.mode = Inflation::Poisson;
+  chain.poisson = true;
   double strip = 0.0;
   for (const SolidPoint& point : chain.solid(rectangle(corner, size, 20, 2, false, 3)).points)
   {
@@ -245,6 +245,82 @@ TEST(C12_6, PoissonsDiscIsASphereAndItsStripHigher)
   fact("C12_6",
     "discs of 100 to 400 px: within " + digits(off) + " px of the sphere (z alone " + digits(direct) +
       "); strip of half-width 50 px: within " + digits(strip) + " px of H sqrt(2) times its section");
+}
+
+namespace
+{
+
+// A body with five arms, or a limb of a constant width that grows out of it.
+Rim star(double arms)
+{
+  Rim rim;
+  for (int i = 0; i < 720; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * i / 720;
+    const double radius = 300.0 + arms * std::cos(5.0 * angle);
+    rim.points.emplace_back(middle + radius * Vector2(std::cos(angle), std::sin(angle)));
+  }
+  return rim;
+}
+
+} // namespace
+
+TEST(Heights, NoKnobStandsOnASummit)
+{
+  double steeper = 0.0, low = 1e9;
+  for (const double arms : { 60.0, 100.0, 140.0 })
+  {
+    Chain chain({ star(arms) });
+    chain.withMaps(Context(),
+      [&](const HeightMaps& maps)
+      {
+        const MapReader reader(maps);
+        const auto height = [&](const Vector2& at)
+        { return std::sqrt(reader.distance(at) * reader.inner(maps.ratio, at, 0)); };
+        for (int ray = 0; ray < 20; ++ray)
+        {
+          const double angle = 0.31415926535 * ray, step = 8.0;
+          const Vector2 way(std::cos(angle), std::sin(angle));
+          double before = 0.0;
+          for (double r = 0.0; r < 0.6 * reader.distance(middle); r += step)
+          {
+            const double slope = (height(middle + r * way) - height(middle + (r + step) * way)) / step;
+            steeper = std::max(steeper, before - slope);
+            before = slope;
+          }
+        }
+        low = std::min(low, height(middle) / reader.distance(middle));
+        return 0;
+      });
+  }
+  // Down from the summit it is steeper and steeper: nothing stands on it.
+  EXPECT_LE(steeper, 0.03);
+  EXPECT_GE(low, 0.9);
+}
+
+TEST(Heights, ALimbIsAsThickAsItIsWide)
+{
+  // A disc of 200 px with a limb of a half width of 12 px.
+  Rim rim;
+  for (int i = 0; i <= 300; ++i)
+  {
+    const double angle = 0.06 + (2.0 * 3.14159265358979323846 - 0.12) * i / 300;
+    rim.points.emplace_back(Vector2(300.0, 514.0) + 200.0 * Vector2(std::cos(angle), std::sin(angle)));
+  }
+  rim.points.emplace_back(900.0, 502.0);
+  rim.points.emplace_back(900.0, 526.0);
+  Chain chain({ rim });
+  chain.withMaps(Context(),
+    [&](const HeightMaps& maps)
+    {
+      const MapReader reader(maps);
+      for (double x = 540.0; x < 880.0; x += 7.0)
+      {
+        const Vector2 at(x, 514.0);
+        EXPECT_NEAR(std::sqrt(reader.distance(at) * reader.inner(maps.ratio, at, 0)) / 12.0, 1.0, 0.04) << x;
+      }
+      return 0;
+    });
 }
 
 TEST(Heights, ScaleWithTheFactorAndThePixel)

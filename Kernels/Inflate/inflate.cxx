@@ -53,6 +53,16 @@ void requireSealable(const PlanarMesh& mesh)
                    "refine the mesh once more.");
       }
     }
+    for (int k = 0; k < 2 && face.count() == 4; ++k)
+    {
+      const int a = face.corners[k], b = face.corners[k + 2];
+      if (isRim(mesh.points[a].kind) && isRim(mesh.points[b].kind))
+      {
+        unsealable("A quad has points " + std::to_string(a) + " and " + std::to_string(b) +
+                   " of rims at opposite corners: cut there into triangles, front and back would coincide; "
+                   "divide the base face there, as vtkOversketchCoarseMesh does by its TerminalRule.");
+      }
+    }
   }
 }
 

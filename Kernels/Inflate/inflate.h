@@ -13,8 +13,9 @@ namespace oversketch
 // first, then the back; faces likewise. Points without a face are left out. heights: of heightsOf.
 //
 // Throws Error(Failure::BadMesh), naming points, for a mesh whose borders are not its rims (a hole that is
-// not trimmed, a border of another kind) and for an edge or face inside it whose corners all lie on rims:
-// front and back would coincide there; one more refinement removes it.
+// not trimmed, a border of another kind), for an edge or face inside it whose corners all lie on rims and for
+// a quad with two opposite corners on rims: front and back would coincide there, of the quad when it is cut
+// into triangles; one more refinement removes the former, mergeQuads after repairTerminals makes none.
 Solid inflate(const PlanarMesh& mesh, const std::vector<double>& heights);
 
 } // namespace oversketch

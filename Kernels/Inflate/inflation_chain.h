@@ -27,14 +27,18 @@ struct Chain
   template <typename Use>
   auto withMaps(const oversketch::Context& context, const Use& use)
   {
+    using oversketch::Inflation;
+    const double smoothing = this->smoothed ? this->section.smoothing() : 0.0;
+    if (!this->poisson && smoothing == 0.0)
+    {
+      return use(oversketch::HeightMaps{ this->maps, this->thickness, this->thickness, Inflation::Section });
+    }
     const std::vector<float> ratio =
-      this->mode == oversketch::Inflation::Poisson
+      this->poisson
         ? this->grid.poissonRatio(context)
-        : this->grid.profileRatio(this->thickness,
-            oversketch::sectionSquares(this->maps, this->thickness, this->section, context),
-            this->smoothed ? this->section.smoothing() : 0.0,
-            context);
-    return use(oversketch::HeightMaps{ this->maps, this->thickness, ratio, this->mode });
+        : this->grid.profileRatio(oversketch::roundSquares(this->maps, context), smoothing, context);
+    const std::vector<float> round = oversketch::roundThickness(this->maps, ratio);
+    return use(oversketch::HeightMaps{ this->maps, round, ratio, Inflation::Ratio });
   }
 
   std::vector<double> heights(const PlanarMesh& mesh, const oversketch::Context& context = {})
@@ -51,7 +55,7 @@ struct Chain
   bool smoothed;
   std::vector<float> thickness;
   oversketch::CrossSection section;
-  oversketch::Inflation mode = oversketch::Inflation::Section;
+  bool poisson = false;
   double factor = 1.0;
 };
 

@@ -218,10 +218,11 @@ TEST(Inflate, RefusesWhatCannotBeSealed)
   const auto made = [](const PlanarMesh& mesh)
   { return [&mesh] { inflate(mesh, std::vector<double>(mesh.points.size(), 1.0)); }; };
   PlanarMesh mesh = square(4.0, true, 0);
-  expectRefused(made(square(4.0, true, 0)), "nothing was refused"); // two faces back to back
+  expectRefused(made(square(4.0, true, 0)), "of rims at opposite corners"); // two faces back to back
   mesh = rectangle(Vector2::Zero(), Vector2(4, 2), 2, 1, true, 0);
   expectRefused(made(mesh), "joins two points of rims inside the planar mesh");
-  expectRefused(made(rectangle(Vector2::Zero(), Vector2(4, 2), 2, 1, true, 1)), "nothing was refused");
+  expectRefused(
+    made(rectangle(Vector2::Zero(), Vector2(4, 2), 2, 1, true, 1)), "of rims at opposite corners");
   mesh = square(4.0, false, 1);
   mesh.points[4].kind = BoundaryKind::Hole; // the centre
   expectRefused(made(mesh), "trim the holes");

@@ -133,13 +133,17 @@ void compact(Solid& solid)
 std::vector<char> regionsInTunnels(const Classification& classification,
   const std::vector<Treatment>& treatments)
 {
-  std::vector<Treatment> cut;
-  cut.reserve(treatments.size());
-  for (const Treatment treatment : treatments)
+  // What lies in one goes with it: it would hang on nothing.
+  const std::vector<Region>& regions = classification.regions;
+  std::vector<char> gone(regions.size(), 0);
+  for (std::size_t r = 0; r < regions.size(); ++r)
   {
-    cut.push_back(treatment == Treatment::Tunnel ? Treatment::Hole : Treatment::Fill);
+    for (int around = static_cast<int>(r); regions[around].parent >= 0; around = regions[around].parent)
+    {
+      gone[r] = gone[r] || treatments[regions[around].stroke] == Treatment::Tunnel;
+    }
   }
-  return regionsInHoles(classification, cut);
+  return gone;
 }
 
 Solid tunnel(const Solid& solid, const std::vector<char>& removed, bool wall)

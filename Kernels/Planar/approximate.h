@@ -52,8 +52,8 @@ struct ApproximationRules
 // Nodes of arranged strokes (arrange.h) are vertices, and an end at one joins nothing else. An open stroke
 // whose ends are both nodes or joined has a vertex between them.
 //
-// Rejected strokes have no polyline, nor has what lies in a hole. The result does not depend on the strokes'
-// order, up to numbers; maps are not read in mode Fixed.
+// Rejected strokes have no polyline, nor has what lies in a hole, but for islands. The result does not depend
+// on the strokes' order, up to numbers; maps are not read in mode Fixed.
 std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,
   const std::vector<StrokeClass>& classes,
   const std::vector<Treatment>& treatments,

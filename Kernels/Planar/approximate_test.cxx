@@ -440,16 +440,17 @@ TEST(Approximate, WhatLiesInAHoleHasNoPolyline)
     circleStroke(0.5, 0.5, 0.4),
     circleStroke(0.5, 0.5, 0.2),
     evenStroke({ { 0.48, 0.5 }, { 0.52, 0.5 } }, false),
-    evenStroke({ { 0.2, 0.45 }, { 0.2, 0.55 } }, false) };
+    evenStroke({ { 0.2, 0.45 }, { 0.2, 0.55 } }, false),
+    evenStroke({ { 0.34, 0.47 }, { 0.34, 0.53 } }, false) };
   const Treatment fill = Treatment::Fill;
-  EXPECT_EQ(UnitDrawing(strokes).polylines().size(), 5u);
-  const UnitDrawing holed(strokes, { fill, fill, Treatment::Hole, fill, fill });
+  EXPECT_EQ(UnitDrawing(strokes).polylines().size(), 6u);
+  const UnitDrawing holed(strokes, { fill, fill, Treatment::Hole, fill, fill, fill });
   std::vector<int> left;
   for (const StrokePolyline& polyline : holed.polylines())
   {
     left.push_back(polyline.stroke);
   }
-  EXPECT_EQ(left, (std::vector<int>{ 1, 2, 4 }));
+  EXPECT_EQ(left, (std::vector<int>{ 0, 1, 2, 3, 4 })) << "an island in it has one, and what lies in that";
   Context cancelled;
   cancelled.cancelled = [] { return true; };
   EXPECT_THROW(

@@ -56,6 +56,16 @@ PlanarMesh mergeQuads(const PlanarMesh& mesh)
   {
     int face, corner; // the corner that the edge starts at
   };
+  std::map<std::array<int, 2>, int> facesAt; // of an edge, how many; the border's have one
+  for (const PlanarFace& face : mesh.faces)
+  {
+    for (int k = 0; k < face.count(); ++k)
+    {
+      const auto edge = std::minmax(face.corners[k], face.corners[(k + 1) % face.count()]);
+      ++facesAt[{ edge.first, edge.second }];
+    }
+  }
+  const auto isBorder = [&](int a, int b) { return facesAt.at({ std::min(a, b), std::max(a, b) }) == 1; };
   std::map<std::array<int, 2>, Half> halves;
   std::vector<Pair> pairs;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
@@ -77,7 +87,8 @@ PlanarMesh mergeQuads(const PlanarMesh& mesh)
       const double quality = quadQuality(places);
       const bool convex =
         orientation(places[0], places[1], places[2]) > 0 && orientation(places[2], places[3], places[0]) > 0;
-      if (convex && quality > leastQuality)
+      const bool ear = (isBorder(a, b) && isBorder(b, d)) || (isBorder(a, c) && isBorder(c, d));
+      if (convex && !ear && quality > leastQuality)
       {
         pairs.push_back({ quality, edge, { other->second.face, static_cast<int>(f) }, quad });
       }

@@ -33,7 +33,8 @@ inline PlanarMesh coarseMesh(const UnitDrawing& drawing,
   const std::vector<StrokeLine> lines = strokeLines(
     drawing.polylines(rules, splits), drawing.strokes, drawing.classes.strokes, drawing.treatments);
   const PlanarMesh mesh = triangulate(lines, throwDarts(drawing.maps, lines, darts, 1, Context()), Context());
-  return quads ? mergeQuads(mesh) : repairTerminals(mesh, TerminalRule::TwoBoundaryEdges);
+  const PlanarMesh repaired = repairTerminals(mesh, TerminalRule::TwoBoundaryEdges);
+  return quads ? mergeQuads(repaired) : repaired;
 }
 
 // Coarse meshes and their refinement, until nothing is handed back; 24 times at most.

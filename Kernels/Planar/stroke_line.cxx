@@ -60,13 +60,9 @@ std::vector<bool> inHoles(const std::vector<StrokeClass>& classes, const std::ve
   std::vector<bool> result(classes.size(), false);
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    // No more steps than strokes, whatever the regions say.
-    int stroke = around(classes[i]);
-    for (std::size_t step = 0; stroke >= 0 && step < classes.size(); ++step)
-    {
-      result[i] = result[i] || treatments[stroke] == Treatment::Hole;
-      stroke = around(classes[stroke]);
-    }
+    const int stroke = around(classes[i]);
+    const bool island = classes[i].childRegion >= 0 && treatments[i] != Treatment::Hole;
+    result[i] = stroke >= 0 && treatments[stroke] == Treatment::Hole && !island;
   }
   return result;
 }

@@ -25,8 +25,8 @@ std::vector<StrokeLine> strokeLines(const std::vector<StrokePolyline>& polylines
   const std::vector<StrokeClass>& classes,
   const std::vector<Treatment>& treatments);
 
-// Which strokes lie in a hole, and are gone with it; the hole's own is not among them. Numbered as classes
-// are.
+// Which strokes lie in a hole, and are gone with it: neither its own nor those of islands, which bound
+// something in it that is no hole. Numbered as classes are.
 std::vector<bool> inHoles(const std::vector<StrokeClass>& classes, const std::vector<Treatment>& treatments);
 
 } // namespace oversketch

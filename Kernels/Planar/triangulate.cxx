@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace oversketch
@@ -18,13 +19,15 @@ bool comesBefore(const Vector2& a, const Vector2& b)
   return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1];
 }
 
-BoundaryKind kindOf(const StrokeLine& line)
+// holes: the regions that are.
+BoundaryKind kindOf(const StrokeLine& line, const std::set<int>& holes)
 {
-  if (line.role == Role::Boundary)
+  const bool closed = line.role == Role::ClosedFeature;
+  const bool island = closed && line.treatment != Treatment::Hole && holes.count(line.region) > 0;
+  if (line.role == Role::Boundary || island)
   {
     return BoundaryKind::Object;
   }
-  const bool closed = line.role == Role::ClosedFeature;
   return closed && line.treatment == Treatment::Hole     ? BoundaryKind::Hole
          : closed && line.treatment == Treatment::Tunnel ? BoundaryKind::TunnelRim
                                                          : BoundaryKind::Feature;
@@ -68,10 +71,18 @@ Sketch sketchOf(const std::vector<StrokeLine>& lines, const std::vector<Vector2>
     sketch.mesh.points[i].place = places[i];
     sketch.mesh.points[i].isBase = true;
   }
+  std::set<int> holes;
+  for (const StrokeLine& line : lines)
+  {
+    if (line.role == Role::ClosedFeature && line.treatment == Treatment::Hole)
+    {
+      holes.insert(line.childRegion);
+    }
+  }
   for (std::size_t l = 0; l < lines.size(); ++l)
   {
     const StrokeLine& line = lines[l];
-    const BoundaryKind kind = kindOf(line);
+    const BoundaryKind kind = kindOf(line, holes);
     std::vector<int> numbers;
     for (std::size_t i = 0; i < line.places.size(); ++i)
     {
@@ -211,11 +222,10 @@ void divideRegions(const std::vector<DelaunayFace>& faces, std::vector<int>& reg
   }
 }
 
-// Of each region: the object, -1 where the region is a hole's or lies in one.
+// Of each region: the object, -1 where the region is a hole.
 std::map<int, int> objectsOf(const std::vector<StrokeLine>& lines)
 {
-  std::map<int, int> objects, around;
-  std::vector<int> holes;
+  std::map<int, int> objects;
   for (const StrokeLine& line : lines)
   {
     if (line.role == Role::Boundary)
@@ -224,29 +234,7 @@ std::map<int, int> objectsOf(const std::vector<StrokeLine>& lines)
     }
     else if (line.role == Role::ClosedFeature)
     {
-      objects[line.childRegion] = line.object;
-      around[line.childRegion] = line.region;
-      if (line.treatment == Treatment::Hole)
-      {
-        holes.push_back(line.childRegion);
-      }
-    }
-  }
-  for (auto& [region, object] : objects)
-  {
-    int outer = region;
-    for (std::size_t step = 0; step <= around.size(); ++step)
-    {
-      if (std::find(holes.begin(), holes.end(), outer) != holes.end())
-      {
-        object = -1;
-      }
-      const auto next = around.find(outer);
-      if (next == around.end())
-      {
-        break;
-      }
-      outer = next->second;
+      objects[line.childRegion] = line.treatment == Treatment::Hole ? -1 : line.object;
     }
   }
   return objects;

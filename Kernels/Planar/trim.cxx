@@ -17,10 +17,7 @@ std::vector<char> regionsInHoles(const Classification& classification,
   for (std::size_t r = 0; r < regions.size(); ++r)
   {
     // Treatments of what bounds an object do not matter.
-    for (int around = static_cast<int>(r); regions[around].parent >= 0; around = regions[around].parent)
-    {
-      gone[r] = gone[r] || treatments[regions[around].stroke] == Treatment::Hole;
-    }
+    gone[r] = regions[r].parent >= 0 && treatments[regions[r].stroke] == Treatment::Hole;
   }
   return gone;
 }

@@ -8,7 +8,7 @@
 namespace oversketch
 {
 
-// Of each region: 1 where its stroke is a hole, or that of a region round it.
+// Of each region: 1 where its stroke is a hole. What lies in one and is none is an island.
 std::vector<char> regionsInHoles(const Classification& classification,
   const std::vector<Treatment>& treatments);
 

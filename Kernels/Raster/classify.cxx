@@ -317,6 +317,13 @@ std::string rejectionText(const Classification& classification,
       text << "; end it before the other one, or draw one of them anew";
       break;
     case Rejection::Outside:
+      if (const DrawnStroke& drawn = strokes[stroke]; !drawn.nodes.empty())
+      {
+        const Vector2 end = drawn.isNode(0) ? drawn.points.back() : drawn.points.front();
+        text << "sticks out of the outline to (" << end[0] << ", " << end[1]
+             << "), which is left out; end it inside, or close what it is to bound";
+        break;
+      }
       text << "is open and in no closed stroke; close it, or draw a closed one round it";
       break;
     case Rejection::TooSmall:

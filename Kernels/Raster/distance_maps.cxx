@@ -94,15 +94,8 @@ std::vector<Rim> rimsOf(const Classification& classification,
   for (std::size_t i = 0; i < strokes.size(); ++i)
   {
     const StrokeClass& stroke = classification.strokes[i];
-    bool rim = stroke.role == Role::Boundary;
-    if (stroke.role == Role::ClosedFeature && isHole(stroke.childRegion))
-    {
-      rim = true;
-      for (int around = stroke.region; around >= 0; around = classification.regions[around].parent)
-      {
-        rim = rim && !isHole(around);
-      }
-    }
+    const bool rim = stroke.role == Role::Boundary || (stroke.role == Role::ClosedFeature &&
+                                                        isHole(stroke.childRegion) != isHole(stroke.region));
     if (rim)
     {
       rims.push_back({ strokes[i].points, stroke.object });

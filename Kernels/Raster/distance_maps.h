@@ -23,8 +23,9 @@ enum class Treatment : int
   Tunnel = 2 // cut out of the surface
 };
 
-// The rims of a drawing, in the strokes' order: boundaries of objects and those of holes in what is no hole
-// already. treatments: of each stroke; those of boundaries and open features do not matter.
+// The rims of a drawing, in the strokes' order: boundaries of objects, those of holes in what is no hole
+// already, and those of islands, which lie in a hole and are none. treatments: of each stroke; those of
+// boundaries and open features do not matter.
 std::vector<Rim> rimsOf(const Classification& classification,
   const std::vector<DrawnStroke>& strokes,
   const std::vector<Treatment>& treatments);

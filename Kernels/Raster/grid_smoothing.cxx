@@ -10,6 +10,7 @@ namespace oversketch
 namespace
 {
 
+constexpr float beside = 3.0f; // T of a rim's neighbourhood, in cells
 constexpr std::array<std::array<int, 2>, 4> sides{ { { 0, -1 }, { -1, 0 }, { 1, 0 }, { 0, 1 } } };
 
 } // namespace
@@ -61,7 +62,7 @@ GridSmoothing::GridSmoothing(const DistanceMaps& maps, int step, const Context& 
     positions.emplace_back(x, y, 0.0);
   }
   const std::vector<double> none(this->Cells.size(), 0.0);
-  this->Order = std::make_shared<Elimination>(this->matrix(none, false).pattern, positions, context);
+  this->Order = std::make_shared<Elimination>(this->matrix(none).pattern, positions, context);
 }
 
 GridSmoothing::~GridSmoothing() = default;
@@ -83,7 +84,7 @@ std::vector<double> GridSmoothing::means(const std::vector<float>& samples) cons
   return result;
 }
 
-BlockMatrix GridSmoothing::matrix(const std::vector<double>& flow, bool fixed) const
+BlockMatrix GridSmoothing::matrix(const std::vector<double>& flow) const
 {
   BlockMatrix matrix;
   const double scale = 1.0 / (this->Step * this->Step);
@@ -105,10 +106,6 @@ BlockMatrix GridSmoothing::matrix(const std::vector<double>& flow, bool fixed) c
         matrix.pattern.values.push_back(other);
         matrix.values.push_back(-weight);
         matrix.values[self] += weight;
-      }
-      else if (fixed)
-      {
-        matrix.values[self] += flow[i] * scale; // the rim's D is not known; the cell's own is near it
       }
     }
     matrix.pattern.offsets.push_back(static_cast<int>(matrix.pattern.values.size()));
@@ -197,7 +194,7 @@ std::vector<float> GridSmoothing::thickness(double c, const Context& context)
   std::vector<double> flow(own.size());
   std::transform(own.begin(), own.end(), flow.begin(), [&](double d) { return c * c * d * d; });
   Cholesky factor(this->Order);
-  this->factorise(factor, this->matrix(flow, false), context);
+  this->factorise(factor, this->matrix(flow), context);
   Eigen::MatrixXd sides =
     Eigen::Map<const Eigen::VectorXd>(own.data(), static_cast<Eigen::Index>(own.size()));
   factor.solve(sides, context);
@@ -212,41 +209,6 @@ std::vector<float> GridSmoothing::thickness(double c, const Context& context)
   for (std::size_t i = 0; i < result.size(); ++i)
   {
     result[i] = std::max(result[i], this->Maps.distance[i]);
-  }
-  return result;
-}
-
-std::vector<float> GridSmoothing::profileRatio(const std::vector<float>& smooth,
-  const std::vector<float>& squares,
-  double c,
-  const Context& context)
-{
-  std::vector<float> ones(this->Maps.frame.count(), 1.0f);
-  if (this->Cells.empty() || !(c > 0.0))
-  {
-    return ones;
-  }
-  std::vector<double> flow = this->means(smooth);
-  std::transform(flow.begin(), flow.end(), flow.begin(), [&](double d) { return c * c * d * d; });
-  const std::vector<double> own = this->means(squares);
-  Cholesky factor(this->Order);
-  this->factorise(factor, this->matrix(flow, true), context);
-  const Eigen::VectorXd q =
-    Eigen::Map<const Eigen::VectorXd>(own.data(), static_cast<Eigen::Index>(own.size()));
-  Eigen::MatrixXd first = q;
-  factor.solve(first, context);
-  Eigen::MatrixXd second = q - first.col(0);
-  factor.solve(second, context);
-  std::vector<double> ratio(own.size());
-  for (std::size_t i = 0; i < ratio.size(); ++i)
-  {
-    const auto at = static_cast<Eigen::Index>(i);
-    ratio[i] = own[i] > 0.0 ? std::max(0.0, (first(at, 0) + second(at, 0)) / own[i]) : 1.0;
-  }
-  std::vector<float> result = this->spread(ratio, ones, context);
-  for (std::size_t i = 0; i < result.size(); ++i)
-  {
-    result[i] = this->Maps.distance[i] > 0.0f ? result[i] : 1.0f;
   }
   return result;
 }
@@ -276,15 +238,10 @@ double GridSmoothing::nearness(int cell, int dx, int dy) const
   return sum / this->Step;
 }
 
-std::vector<float> GridSmoothing::poissonRatio(const Context& context)
+Eigen::VectorXd GridSmoothing::membrane(double load, const Context& context) const
 {
-  std::vector<float> ones(this->Maps.frame.count(), 1.0f);
-  if (this->Cells.empty())
-  {
-    return ones;
-  }
-  // The unit is a cell: -4 becomes -4 Step^2.
-  BlockMatrix matrix = this->matrix(std::vector<double>(this->Cells.size(), this->Step * this->Step), false);
+  // The unit is a cell.
+  BlockMatrix matrix = this->matrix(std::vector<double>(this->Cells.size(), this->Step * this->Step));
   for (int i = 0; i < this->cellCount(); ++i)
   {
     double& self = matrix.values[matrix.pattern.offsets[i]];
@@ -299,19 +256,92 @@ std::vector<float> GridSmoothing::poissonRatio(const Context& context)
   }
   Cholesky factor(this->Order);
   this->factorise(factor, matrix, context);
-  Eigen::MatrixXd u = Eigen::VectorXd::Constant(this->cellCount(), 4.0 * this->Step * this->Step);
+  Eigen::MatrixXd u = Eigen::VectorXd::Constant(this->cellCount(), load * this->Step * this->Step);
   factor.solve(u, context);
-  std::vector<double> ratio = this->means(this->Maps.distance);
+  return u.col(0);
+}
+
+std::vector<double> GridSmoothing::squaredWidths(const Eigen::VectorXd& membrane) const
+{
+  std::vector<double> squares(this->Cells.size());
+  for (int i = 0; i < this->cellCount(); ++i)
+  {
+    double slope = 0.0; // squared, over two cells or, beside the rim, one
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const int dx = 1 - axis, dy = axis;
+      const int after = this->numberAt(this->Cells[i][0] + dx, this->Cells[i][1] + dy);
+      const int before = this->numberAt(this->Cells[i][0] - dx, this->Cells[i][1] - dy);
+      const int cells = (after >= 0) + (before >= 0);
+      if (cells > 0)
+      {
+        const double rise = membrane[after < 0 ? i : after] - membrane[before < 0 ? i : before];
+        slope += std::pow(rise / (cells * this->Step), 2);
+      }
+    }
+    squares[i] = membrane[i] + 0.25 * slope;
+  }
+  return squares;
+}
+
+std::vector<float> GridSmoothing::overDistance(const Eigen::VectorXd& values,
+  const std::vector<float>& otherwise,
+  const Context& context) const
+{
+  // Beside the rim the quotient varies slowly, farther inside the values do: T has creases there.
+  const std::vector<float>& distance = this->Maps.distance;
+  const std::vector<double> own(values.begin(), values.end());
+  std::vector<double> ratio = this->means(distance);
   for (std::size_t i = 0; i < ratio.size(); ++i)
   {
-    ratio[i] = std::max(0.0, u(static_cast<Eigen::Index>(i), 0) / ratio[i]);
+    ratio[i] = own[i] / ratio[i];
   }
-  std::vector<float> result = this->spread(ratio, ones, context);
+  std::vector<float> result = this->spread(ratio, otherwise, context);
+  const std::vector<float> inside = this->spread(own, otherwise, context);
   for (std::size_t i = 0; i < result.size(); ++i)
   {
-    result[i] = this->Maps.distance[i] > 0.0f ? result[i] : 1.0f;
+    const float quotient =
+      distance[i] > beside * static_cast<float>(this->Step) ? inside[i] / distance[i] : result[i];
+    result[i] = distance[i] > 0.0f ? std::max(0.0f, quotient) : 1.0f;
   }
   return result;
+}
+
+std::vector<float> GridSmoothing::profileRatio(const std::vector<float>& squares,
+  double c,
+  const Context& context)
+{
+  std::vector<float> own(squares.size(), 1.0f);
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    own[i] = this->Maps.distance[i] > 0.0f ? squares[i] / this->Maps.distance[i] : 1.0f;
+  }
+  if (this->Cells.empty())
+  {
+    return own;
+  }
+  const Eigen::VectorXd membrane = this->membrane(2.0, context);
+  const std::vector<double> widths = this->squaredWidths(membrane);
+  std::vector<double> flow(widths.size());
+  std::transform(widths.begin(), widths.end(), flow.begin(), [&](double s) { return c * c * s; });
+  BlockMatrix matrix = this->matrix(flow);
+  const std::vector<double> asked = this->means(squares);
+  Eigen::MatrixXd factors(this->cellCount(), 1);
+  for (int i = 0; i < this->cellCount(); ++i)
+  {
+    matrix.values[matrix.pattern.offsets[i]] += membrane[i] / widths[i] - 1.0;
+    factors(i, 0) = asked[i] / widths[i];
+  }
+  Cholesky factor(this->Order);
+  this->factorise(factor, matrix, context);
+  factor.solve(factors, context);
+  return this->overDistance(factors.col(0).cwiseProduct(membrane), own, context);
+}
+
+std::vector<float> GridSmoothing::poissonRatio(const Context& context)
+{
+  const std::vector<float> ones(this->Maps.frame.count(), 1.0f);
+  return this->Cells.empty() ? ones : this->overDistance(this->membrane(4.0, context), ones, context);
 }
 
 } // namespace oversketch

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -105,16 +106,15 @@ TEST(GridSmoothing, SolvesTheSystemsAsEigenDoes)
 {
   const DistanceMaps maps = limbed(120);
   const Frame& frame = maps.frame;
-  const double c = 0.5, small = 0.15;
+  const double c = 0.5, small = 0.3;
   GridSmoothing grid(maps, 1, Context());
   const std::vector<float> smooth = grid.thickness(c, Context());
   std::vector<float> squares(frame.count(), 0.0f);
   for (std::size_t i = 0; i < frame.count(); ++i)
   {
-    const float d = std::min(maps.distance[i], smooth[i]);
-    squares[i] = d * (2.0f * smooth[i] - d);
+    squares[i] = maps.distance[i] * (2.0f * maps.thickness[i] - maps.distance[i]);
   }
-  const std::vector<float> ratio = grid.profileRatio(smooth, squares, small, Context());
+  const std::vector<float> ratio = grid.profileRatio(squares, small, Context());
 
   std::vector<int> numbers(frame.count(), -1);
   std::vector<std::size_t> inner;
@@ -126,48 +126,60 @@ TEST(GridSmoothing, SolvesTheSystemsAsEigenDoes)
       inner.push_back(i);
     }
   }
+  const auto count = static_cast<Eigen::Index>(inner.size());
   EXPECT_EQ(static_cast<int>(inner.size()), grid.cellCount());
+  const std::array<int, 4> around{ -1, 1, -frame.width, frame.width };
+  // own x - div(flow grad x) = side; at the rim no flux, or what leads to 0 there.
   const auto solved =
-    [&](const std::vector<float>& flow, double factor, bool fixed, const Eigen::VectorXd& side)
+    [&](const Eigen::VectorXd& own, const Eigen::VectorXd& flow, bool fixed, const Eigen::VectorXd& side)
   {
     std::vector<Eigen::Triplet<double>> entries;
-    for (const std::size_t p : inner)
+    for (Eigen::Index i = 0; i < count; ++i)
     {
-      double sum = 1.0;
-      const auto square = [&](std::size_t i)
-      { return factor * factor * flow[i] * static_cast<double>(flow[i]); };
-      for (const std::size_t q : { p - 1, p + 1, p - frame.width, p + frame.width })
+      double sum = own[i];
+      for (const int step : around)
       {
-        if (numbers[q] >= 0)
+        const int j = numbers[inner[i] + step];
+        const double weight = j < 0 ? (fixed ? flow[i] : 0.0) : 0.5 * (flow[i] + flow[j]);
+        sum += weight;
+        if (j >= 0)
         {
-          const double weight = 0.5 * (square(p) + square(q));
-          entries.emplace_back(numbers[p], numbers[q], -weight);
-          sum += weight;
-        }
-        else
-        {
-          sum += fixed ? square(p) : 0.0;
+          entries.emplace_back(i, j, -weight);
         }
       }
-      entries.emplace_back(numbers[p], numbers[p], sum);
+      entries.emplace_back(i, i, sum);
     }
-    Eigen::SparseMatrix<double> matrix(inner.size(), inner.size());
+    Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return Eigen::VectorXd(Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(side));
   };
-  Eigen::VectorXd own(inner.size()), q(inner.size());
-  for (std::size_t i = 0; i < inner.size(); ++i)
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(count);
+  Eigen::VectorXd thick(count), q(count), widths(count);
+  for (Eigen::Index i = 0; i < count; ++i)
   {
-    own[i] = maps.thickness[inner[i]];
+    thick[i] = maps.thickness[inner[i]];
     q[i] = squares[inner[i]];
   }
-  const Eigen::VectorXd expected = solved(maps.thickness, c, false, own);
-  const Eigen::VectorXd s = solved(smooth, small, true, q);
-  const Eigen::VectorXd heights = s + solved(smooth, small, true, q - s);
-  for (std::size_t i = 0; i < inner.size(); ++i)
+  const Eigen::VectorXd expected = solved(ones, c * c * thick.cwiseProduct(thick), false, thick);
+  const Eigen::VectorXd membrane = solved(0.0 * ones, ones, true, 2.0 * ones);
+  for (Eigen::Index i = 0; i < count; ++i)
   {
+    widths[i] = membrane[i];
+    for (const int step : { 1, frame.width })
+    {
+      const int after = numbers[inner[i] + step], before = numbers[inner[i] - step];
+      const int steps = (after >= 0) + (before >= 0);
+      const double rise = membrane[after < 0 ? i : after] - membrane[before < 0 ? i : before];
+      widths[i] += steps > 0 ? 0.25 * std::pow(rise / steps, 2) : 0.0;
+    }
+  }
+  const Eigen::VectorXd factors =
+    solved(membrane.cwiseQuotient(widths), small * small * widths, false, q.cwiseQuotient(widths));
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    const double heights = factors[i] * membrane[i];
     EXPECT_NEAR(smooth[inner[i]], std::max<double>(expected[i], maps.distance[inner[i]]), 1e-4);
-    EXPECT_NEAR(ratio[inner[i]] * q[i], std::max(0.0, heights[i]), 1e-3 * (1.0 + q[i]));
+    EXPECT_NEAR(ratio[inner[i]] * maps.distance[inner[i]], heights, 1e-3 * (1.0 + heights));
   }
 }
 

@@ -13,6 +13,7 @@ namespace
 constexpr double grazing = 1e-6;     // rad
 constexpr double closingGap = 0.02;  // of the longest side
 constexpr double closingShare = 0.2; // of the stroke's length
+constexpr double overshoot = 0.1;    // of the stroke's length
 
 } // namespace
 
@@ -66,16 +67,51 @@ Polyline ontoCanvas(const View& view, const Polyline& display)
   return points;
 }
 
-bool closesOnCanvas(const Polyline& points, const Canvas& canvas)
+std::size_t samplesRound(const Polyline& points, const Canvas& canvas)
 {
-  if (points.size() < 3)
+  const std::size_t count = points.size();
+  if (count < 3)
   {
-    return false;
+    return 0;
   }
-  const double gap = std::min(closingGap * canvas.longest(), closingShare * arcLengths(points).back());
-  return (points.front() - points.back()).norm() <= gap &&
-         std::any_of(
-           points.begin(), points.end(), [&](const Vector2& p) { return (p - points.front()).norm() > gap; });
+  const Vector2 start = points.front();
+  const std::vector<double> lengths = arcLengths(points);
+  const double gap = std::min(closingGap * canvas.longest(), closingShare * lengths.back());
+  const auto off = [&](std::size_t i) { return (points[i] - start).norm(); };
+  std::size_t away = 0;
+  while (away < count && off(away) <= gap)
+  {
+    ++away;
+  }
+  // The end that runs beside the beginning, and where it is nearest to the first sample.
+  Polyline beginning;
+  for (std::size_t i = 0; i < count && lengths[i] <= overshoot * lengths.back(); ++i)
+  {
+    beginning.push_back(points[i]);
+  }
+  const NearestPlace beside(beginning);
+  std::size_t nearest = count - 1;
+  for (std::size_t i = count; i-- > away && beginning.size() > 1 &&
+                              lengths.back() - lengths[i] <= overshoot * lengths.back() &&
+                              (off(i) <= gap || beside(points[i]).distance <= 0.5 * gap);)
+  {
+    nearest = off(i) < off(nearest) ? i : nearest;
+  }
+  if (away == count || off(nearest) > gap)
+  {
+    return 0;
+  }
+  if (nearest + 1 == count)
+  {
+    return count;
+  }
+  const Vector2 way = beginning[1] - start;
+  std::size_t kept = nearest + 1;
+  while (kept > away + 1 && ((points[kept - 1] - start).dot(way) > 0.0 || off(kept - 1) < 2.0 * off(nearest)))
+  {
+    --kept;
+  }
+  return kept;
 }
 
 } // namespace oversketch

@@ -34,10 +34,13 @@ std::optional<Vector2> ontoCanvas(const View& view, const Vector2& display);
 // The projected samples of a stroke; those that do not meet the plane are left out.
 Polyline ontoCanvas(const View& view, const Polyline& display);
 
-// A drawn stroke is closed when its ends are at most 0.02 longest sides and a fifth of its length apart and
-// it has been farther from its first sample than that in between. The length is ours: an eye, smaller than
-// 0.02 longest sides, closes, and a short arc stays open.
-bool closesOnCanvas(const Polyline& points, const Canvas& canvas);
+// How many of a drawn stroke's samples, from the first on, go round once; 0 of an open one. It is closed when
+// its ends are at most 0.02 longest sides and a fifth of its length apart and it has been farther from its
+// first sample than that in between. The length is ours: an eye, smaller than 0.02 longest sides, closes, and
+// a short arc stays open. A hand often goes on past its start: what runs beside the stroke's own beginning at
+// the end, within half of that distance and a tenth of the stroke, is left out, and so many samples before it
+// that the last step leads on to the first sample.
+std::size_t samplesRound(const Polyline& points, const Canvas& canvas);
 
 } // namespace oversketch
 #endif

@@ -101,9 +101,47 @@ TEST(C1_2, APicturesRectangleHasItsSamplesInTheMiddleOfSquares)
   EXPECT_EQ(canvas.size, Vector2(640.0, 480.0));
   EXPECT_EQ(canvas.longest(), 640.0);
   EXPECT_THROW(pictureCanvas(Vector2(0.0, 0.0), Vector2(1.0, -1.0), 640, 480), Error);
-  EXPECT_TRUE(closesOnCanvas(circle(100.0, 60), canvas));
-  EXPECT_FALSE(closesOnCanvas(arc(0.0, 6.0, 100.0, 60), canvas));
-  EXPECT_FALSE(closesOnCanvas(arc(0.0, 0.1, 100.0, 60), canvas)); // a dab
+  EXPECT_GT(samplesRound(circle(100.0, 60), canvas), 0u);
+  EXPECT_EQ(samplesRound(arc(0.0, 6.0, 100.0, 60), canvas), 0u);
+  EXPECT_EQ(samplesRound(arc(0.0, 0.1, 100.0, 60), canvas), 0u); // a dab
+}
+
+TEST(Canvas, WhatRunsPastTheStartIsLeftOut)
+{
+  const Canvas canvas{ { 0.0, 0.0 }, { 1024.0, 768.0 } };
+  const double turn = 2.0 * halfTurn;
+  for (const double beside : { -8.0, -5.0, 0.0, 5.0, 8.0 })
+  {
+    for (const double past : { 0.02, 0.12, 0.3 }) // rad
+    {
+      SCOPED_TRACE(testing::Message() << beside << " px beside, " << past << " rad past");
+      Polyline ring;
+      for (int i = 0; i <= 400; ++i)
+      {
+        const double angle = (turn + past) * i / 400.0;
+        const double radius = 300.0 + beside * angle / turn;
+        ring.emplace_back(512.0 + radius * std::cos(angle), 384.0 + radius * std::sin(angle));
+      }
+      const std::size_t kept = samplesRound(ring, canvas);
+      ASSERT_GT(kept, 350u);
+      ASSERT_LE(kept, 401u);
+      // Once round, and the last step leads on: by no more than 45 degrees it turns.
+      const Vector2 before = ring[kept - 1] - ring[kept - 2], last = ring[0] - ring[kept - 1];
+      EXPECT_GT(before.normalized().dot(last.normalized()), 0.7);
+      EXPECT_GT(last.dot(ring[1] - ring[0]), 0.0);
+    }
+  }
+  // A spiral of two turns is none, nor what comes back beside itself the other way.
+  Polyline spiral, hairpin;
+  for (int i = 0; i <= 400; ++i)
+  {
+    const double angle = 2.0 * turn * i / 400.0;
+    spiral.emplace_back(
+      512.0 + (100.0 + 2.0 * angle) * std::cos(angle), 384.0 + (100.0 + 2.0 * angle) * std::sin(angle));
+    hairpin.emplace_back(100.0 + 400.0 * std::min(i, 400 - i) / 200.0, i < 200 ? 300.0 : 306.0);
+  }
+  EXPECT_EQ(samplesRound(spiral, canvas), 0u);
+  EXPECT_EQ(samplesRound(hairpin, canvas), hairpin.size());
 }
 
 TEST(Canvas, ATinyCircleClosesAndAShortArcDoesNot)
@@ -115,18 +153,18 @@ TEST(Canvas, ATinyCircleClosesAndAShortArcDoesNot)
     SCOPED_TRACE(diameter);
     for (const int samples : { 8, 20 }) // a hand that is quick leaves few
     {
-      EXPECT_TRUE(closesOnCanvas(arc(0.0, twoTurns, 0.5 * diameter, samples), canvas));
+      EXPECT_GT(samplesRound(arc(0.0, twoTurns, 0.5 * diameter, samples), canvas), 0u);
       // It goes on beyond its begin, and stops short of it, by a twentieth of a turn: of a large one that is
       // over 0.02 longest sides.
-      for (const double off : { 0.3, -0.3 })
-      {
-        EXPECT_EQ(
-          closesOnCanvas(arc(0.0, twoTurns + off, 0.5 * diameter, samples), canvas), diameter < 100.0);
-      }
-      EXPECT_FALSE(closesOnCanvas(arc(0.0, 0.7 * twoTurns, 0.5 * diameter, samples), canvas)) << "a C";
-      EXPECT_FALSE(closesOnCanvas(arc(0.0, 0.5 * twoTurns, 0.5 * diameter, samples), canvas)) << "a bow";
+      // Of few samples of a large one no end lies beside the beginning.
+      EXPECT_EQ(samplesRound(arc(0.0, twoTurns + 0.3, 0.5 * diameter, samples), canvas) > 0,
+        diameter < 100.0 || samples == 20);
+      EXPECT_EQ(
+        samplesRound(arc(0.0, twoTurns - 0.3, 0.5 * diameter, samples), canvas) > 0, diameter < 100.0);
+      EXPECT_EQ(samplesRound(arc(0.0, 0.7 * twoTurns, 0.5 * diameter, samples), canvas), 0u) << "a C";
+      EXPECT_EQ(samplesRound(arc(0.0, 0.5 * twoTurns, 0.5 * diameter, samples), canvas), 0u) << "a bow";
     }
-    EXPECT_FALSE(closesOnCanvas({ { 0.0, 0.0 }, { 0.5 * diameter, 1.0 }, { diameter, 0.0 } }, canvas));
+    EXPECT_EQ(samplesRound({ { 0.0, 0.0 }, { 0.5 * diameter, 1.0 }, { diameter, 0.0 } }, canvas), 0u);
   }
 }
 

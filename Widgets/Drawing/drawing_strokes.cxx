@@ -55,7 +55,14 @@ Laid laid(vtkPolyData* stroke, const Canvas& canvas)
   Laid one;
   one.drawn = ReadStrokes(stroke)[0];
   one.curve.points = ontoCanvas(PenView::of(stroke).kernelView(), one.drawn.Samples);
-  one.curve.closed = one.drawn.Closed || closesOnCanvas(one.curve.points, canvas);
+  const std::size_t round = one.drawn.Closed ? 0 : samplesRound(one.curve.points, canvas);
+  one.curve.closed = one.drawn.Closed || round > 0;
+  if (round > 0 && one.drawn.Samples.size() == one.curve.points.size())
+  {
+    one.curve.points.resize(round);
+    one.drawn.Samples.resize(round);
+    one.drawn.Ids.resize(round);
+  }
   return one;
 }
 

@@ -10,6 +10,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkMassProperties
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
@@ -173,3 +174,17 @@ def digest(mesh):
     triangles = triangles_of(mesh)
     bits += numpy.column_stack([numpy.full(len(triangles), 3), triangles]).astype(numpy.int64).tobytes()
     return hashlib.md5(bits).hexdigest()
+
+
+def is_skin(worn, picture):
+    """Whether a texture, the bytes of a PNG file, is a picture's, opaque: of its size, with its colours but where they are led on."""
+    images = []
+    for data in (worn, picture):
+        reader = vtkPNGReader()
+        reader.SetMemoryBuffer(data)
+        reader.SetMemoryBufferLength(len(data))
+        reader.Update()
+        samples = reader.GetOutput().GetPointData().GetScalars()
+        images.append((reader.GetOutput().GetDimensions(), vtk_to_numpy(samples)))
+    (size, one), (asked, other) = images
+    return size == asked and one.shape[1] == 3 and (one == other[:, :3]).all(1).mean() > 0.25

@@ -45,7 +45,9 @@ TEST(Drawing, APictureBecomesAModelThatWearsIt)
   EXPECT_EQ(openEdges(sheet.mesh()), 0);
   EXPECT_EQ(eulerOf(sheet.mesh()), 2);
   EXPECT_TRUE(sheet.mesh()->GetPointData()->GetTCoords());
-  EXPECT_EQ(oversketch_files::textureOf(sheet.mesh()), oversketch_files::wholeFile(sheet.file.toStdString()));
+  const auto skin = oversketch_files::pictureOf(oversketch_files::textureOf(sheet.mesh()));
+  ASSERT_TRUE(skin);
+  EXPECT_EQ(skin->GetNumberOfScalarComponents(), 3) << "opaque";
   ASSERT_EQ(sheet.list->count(), 2);
   EXPECT_EQ(sheet.row(1), "Line 1");
   EXPECT_TRUE(sheet.advice->text().contains("feature")) << sheet.advice->text().toStdString();

@@ -79,5 +79,6 @@ TEST(WholeChain, ABodyWithAHoleAndATunnel)
     }
   }
   // Each case has other holes than the one before.
-  EXPECT_EQ(inflate->GetThicknessCount(), 4);
+  EXPECT_EQ(inflate->GetRatioCount(), 4);
+  EXPECT_EQ(inflate->GetThicknessCount(), 0);
 }

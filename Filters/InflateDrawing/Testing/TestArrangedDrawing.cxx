@@ -89,6 +89,19 @@ TEST(C17_2, ASpanningFeatureMakesTwoRegionsOfOneObject)
       "object, closed, chi 2");
 }
 
+TEST(InflateDrawing, WhatSticksOutIsSaid)
+{
+  System system(drawn({ circle(400, 300, 200), segment({ 400, 300 }, { 720, 310 }) }));
+  system.filter->SetArrange(true);
+  Ear ear(system.filter);
+  system.filter->Update();
+  ASSERT_EQ(ear.errors.size(), 0u);
+  ASSERT_EQ(ear.warnings.size(), 1u);
+  EXPECT_NE(ear.warnings[0].find("Stroke 1 sticks out of the outline to (720, 310)"), std::string::npos)
+    << ear.warnings[0];
+  EXPECT_TRUE(topologyOf(system.filter->GetOutput()).closed);
+}
+
 TEST(InflateDrawing, OverlappingBodiesAreOne)
 {
   System system(drawn({ circle(300, 300, 150), circle(500, 300, 150), segment({ 300, 300 }, { 520, 310 }) }));

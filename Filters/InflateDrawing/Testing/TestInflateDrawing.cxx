@@ -1,6 +1,8 @@
 // What the whole of system C makes of drawings.
 #include "DrawingRuns.h"
 
+#include <map>
+
 using namespace oversketch;
 using namespace oversketch_test;
 
@@ -124,11 +126,93 @@ TEST(InflateDrawing, UnstretchedRimsAreEven)
     }
     return most;
   };
-  const double before = longest(system.mesh());
-  system.filter->SetUnstretchedRims(true);
-  EXPECT_LT(longest(system.mesh()), 0.8 * before);
-  EXPECT_TRUE(topologyOf(system.filter->GetOutput()).closed);
   EXPECT_TRUE(system.filter->GetUnstretchedRims());
+  const double even = longest(system.mesh());
+  EXPECT_TRUE(topologyOf(system.filter->GetOutput()).closed);
+  system.filter->SetUnstretchedRims(false);
+  EXPECT_LT(even, 0.8 * longest(system.mesh()));
+}
+
+namespace
+{
+
+// Means [degrees] of the angles between faces: over the rim, and over edges of the row of faces beside it
+// that have no point on the rim.
+std::pair<double, double> anglesAtRim(vtkPolyData* mesh)
+{
+  const auto place = [&](vtkIdType i) { return Vector3(mesh->GetPoint(i)); };
+  std::map<std::pair<vtkIdType, vtkIdType>, std::vector<vtkIdType>> edges;
+  std::vector<Vector3> normals;
+  std::vector<char> touches;
+  vtkDataArray* sides = mesh->GetPointData()->GetArray("Side");
+  const auto onRim = [&](vtkIdType i) { return sides->GetComponent(i, 0) == 0.0; };
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    bool touch = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      const vtkIdType a = ids->GetId(k), b = ids->GetId((k + 1) % 3);
+      edges[{ std::min(a, b), std::max(a, b) }].push_back(face);
+      touch = touch || onRim(ids->GetId(k));
+    }
+    touches.push_back(touch);
+    const Vector3 a = place(ids->GetId(0));
+    normals.push_back((place(ids->GetId(1)) - a).cross(place(ids->GetId(2)) - a).normalized());
+  }
+  double sums[2] = { 0.0, 0.0 };
+  int counts[2] = { 0, 0 };
+  for (const auto& [edge, faces] : edges)
+  {
+    const bool a = onRim(edge.first), b = onRim(edge.second);
+    const bool beside = !a && !b && touches[faces[0]] != touches[faces[1]];
+    if ((a && b) || beside)
+    {
+      sums[beside] += std::acos(std::clamp(normals[faces[0]].dot(normals[faces[1]]), -1.0, 1.0)) * 180.0 / pi;
+      ++counts[beside];
+    }
+  }
+  return { sums[0] / counts[0], sums[1] / counts[1] };
+}
+
+} // namespace
+
+TEST(InflateDrawing, RimsHaveNoKeel)
+{
+  std::vector<Vector2> pear;
+  for (int i = 0; i < 300; ++i)
+  {
+    const double a = 2.0 * pi * i / 300.0, r = 150.0 * (1.0 + 0.25 * std::sin(a));
+    pear.emplace_back(400.0 + r * std::cos(a), 300.0 + 1.2 * r * std::sin(a));
+  }
+  for (const Line& line : { circle(400, 300, 250), circle(400, 300, 60), Line{ pear, true } })
+  {
+    System system(drawn({ line }));
+    const auto [over, beside] = anglesAtRim(system.mesh());
+    // Rows would be of one height: what is more at the rim is the raster's half a pixel.
+    EXPECT_LE(over, 1.5 * beside);
+    EXPECT_LE(over, 15.0);
+    system.filter->SetUnstretchedRims(false);
+    const auto [keel, row] = anglesAtRim(system.mesh());
+    EXPECT_GT(keel, 1.35 * row) << "as it was";
+  }
+}
+
+TEST(InflateDrawing, ARingThatRunsPastItsStartIsClosed)
+{
+  Line ring = circle(400, 300, 200);
+  ring.points.clear();
+  ring.closed = false;
+  for (int i = 0; i <= 200; ++i)
+  {
+    const double a = (2.0 * pi + 0.12) * i / 200.0, r = 200.0 + 5.0 * i / 200.0;
+    ring.points.emplace_back(400.0 + r * std::cos(a), 300.0 + r * std::sin(a));
+  }
+  System system(drawn({ ring }));
+  const Topology topology = topologyOf(system.mesh());
+  EXPECT_TRUE(topology.closed);
+  EXPECT_EQ(topology.chi, 2);
 }
 
 TEST(InflateDrawing, TheSketchSaysHowFineItIs)

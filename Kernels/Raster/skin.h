@@ -1,0 +1,38 @@
+// The colours that a model of a picture wears: opaque, and led on past what it covers of the picture.
+#ifndef oversketch_kernels_raster_skin_h
+#define oversketch_kernels_raster_skin_h
+
+#include "Mesh/context.h"
+#include "Mesh/mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace oversketch
+{
+
+// Rows from the bottom, 1 to 4 samples a pixel: grey, grey and alpha, colour, colour and alpha.
+struct PictureSamples
+{
+  const std::uint8_t* samples = nullptr;
+  int width = 0, height = 0, components = 0;
+
+  bool hasAlpha() const { return this->components % 2 == 0; }
+  // Without alpha.
+  int colours() const { return this->components - (this->hasAlpha() ? 1 : 0); }
+};
+
+using PictureTriangle = std::array<Vector2, 3>; // px from the lower left corner of the picture
+
+// The picture without alpha, where the colour of a pixel is its own in the inside of what the triangles
+// cover, and else that of the nearest such pixel: up to a 64th of the longest side off, and wherever the
+// picture is transparent. An outline drawn by hand runs beside the thing's own, and textures are read
+// between pixels, so the inside begins a 300th of the longest side from the border, in thinner parts in
+// their middle; transparent pixels are never of it. Where nothing is, all keep their colours.
+std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
+  const std::vector<PictureTriangle>& covered,
+  const Context& context);
+
+} // namespace oversketch
+#endif
