@@ -397,8 +397,7 @@ void addOffStrokes(vtkOversketchEdit* edit,
     const std::vector<Vector3> seen =
       seenPointsOf(ring, edit->GetInnerOutput("BoundaryProject"), 0.5 * meanEdge);
     json["ring_off_stroke"] = offStroke(seen, spline);
-    json["ring_off_stroke"]["share_seen"] =
-      number(static_cast<double>(seen.size()) / static_cast<double>(ring->GetNumberOfPoints()));
+    json["ring_off_stroke"]["share_seen"] = number(edit->GetShareSeen());
   }
 }
 

@@ -184,15 +184,22 @@ public:
 
   ///@{
   /**
-   * Of the last run, 0 after one that failed: vertices that the edit moved and edges that it folded by over
-   * 120 degrees and were not, which a remark says, too, both before new triangles were made, which can fold a
-   * few edges more or fewer; gaps that curves were led over.
+   * Of the last run, 0 after one that failed: vertices that the edit moved, before new triangles were made;
+   * edges of what comes out that are folded by over 120 degrees, less those that were; gaps that curves were
+   * led over; what part of the ring lies where it was drawn, 1 of one that an earlier edit made or that was
+   * redrawn.
    */
   int GetMovedPoints();
   int GetFoldedEdges();
   int GetBridges();
-  const char* GetRemark() override;
+  double GetShareSeen();
   ///@}
+
+  /**
+   * Of folds, of a profile that comes out on the far side of the model, of a ring less than half of which
+   * lies where it was drawn.
+   */
+  const char* GetRemark() override;
 
   /**
    * All that comes before the deformation, for the inputs that there are: of a mesh alone little, of mesh and

@@ -491,6 +491,8 @@ CurveMesh beginning(const Mesh& mesh, const std::vector<MeshCurve>& stored)
   return work;
 }
 
+} // namespace
+
 InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount)
 {
   InsertedCurves result;
@@ -544,8 +546,6 @@ InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount)
   }
   return result;
 }
-
-} // namespace
 
 InsertedCurves insertCurves(const Mesh& mesh,
   const std::vector<NewCurve>& curves,

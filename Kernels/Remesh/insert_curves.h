@@ -82,5 +82,8 @@ InsertedCurves insertCurves(const Mesh& mesh,
 // go along it, if it moves by at most a tenth of the new segment.
 void cleanAlongCurves(CurveMesh& mesh, const Context& context = Context());
 
+// A mesh as it was changed; of its curves the first `storedCount` were stored.
+InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount);
+
 } // namespace oversketch
 #endif
