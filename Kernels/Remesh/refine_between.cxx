@@ -108,6 +108,13 @@ public:
     return std::max(wanted, this->Least);
   }
 
+  bool isBeyond(const Vector3& p) const
+  {
+    const auto [toRing, number, share] = nearestOf(this->Ring, p);
+    const Segment& beside = this->Ring[number];
+    return std::get<0>(nearestOf(this->Line, p)) > (1.0 - share) * beside.way[0] + share * beside.way[1];
+  }
+
   // Whether a triangle's longest edge is too long for some place of it.
   bool asks(const Vector3& a, const Vector3& b, const Vector3& c) const
   {
@@ -207,6 +214,16 @@ private:
     }
   }
 
+  // Off the ring one that is fine enough is cut across where its neighbour needs it, not where it is longest:
+  // what would follow from that would run on over the model.
+  bool ends(int t) const
+  {
+    const Triangle& c = this->Mesh.triangle(t);
+    return !this->asks(t) &&
+           this->Wanted.isBeyond(
+             (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0);
+  }
+
   // A triangle's longest edge is the longest of those beyond it too, or they come first.
   void bisect(int t)
   {
@@ -216,8 +233,9 @@ private:
       const int now = way.back();
       const Edge edge = this->longestOf(now);
       const std::vector<int> both = this->Mesh.trianglesAt(edge.a, edge.b);
-      const auto before = std::find_if(
-        both.begin(), both.end(), [&](int u) { return u != now && !(this->longestOf(u) == edge); });
+      const auto before = std::find_if(both.begin(),
+        both.end(),
+        [&](int u) { return u != now && !(this->longestOf(u) == edge) && !this->ends(u); });
       if (before != both.end())
       {
         way.push_back(*before);
