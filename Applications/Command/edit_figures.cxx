@@ -453,6 +453,7 @@ void addEditFigures(vtkOversketchEdit* edit, Json::Value& json)
   json["bridges"] = edit->GetBridges();
   json["moved_points"] = edit->GetMovedPoints();
   json["folded_edges"] = edit->GetFoldedEdges();
+  json["crossings"] = edit->GetCrossings();
   vtkPolyData* rest = edit->GetInnerOutput("Distance");
   const bool isProfile = edit->GetInnerOutput("Bend")->GetNumberOfPoints() > 0;
   vtkPolyData* moved = edit->GetInnerOutput(isProfile ? "Bend" : "Deform");

@@ -164,6 +164,11 @@ int vtkOversketchEdit::GetFoldedEdges()
   return this->Inner->Made ? this->Inner->Made->Figures.folds : 0;
 }
 
+int vtkOversketchEdit::GetCrossings()
+{
+  return this->Inner->Made ? this->Inner->Made->Figures.crossings : 0;
+}
+
 double vtkOversketchEdit::GetShareSeen()
 {
   return this->Inner->Made ? this->Inner->Made->Figures.shareSeen : 0.0;
@@ -231,6 +236,7 @@ void vtkOversketchEdit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "MovedPoints: " << this->GetMovedPoints() << "\n";
   os << indent << "FoldedEdges: " << this->GetFoldedEdges() << "\n";
+  os << indent << "Crossings: " << this->GetCrossings() << "\n";
   os << indent << "ShareSeen: " << this->GetShareSeen() << "\n";
   os << indent << "Bridges: " << this->GetBridges() << "\n";
   os << indent << "Remark: " << this->Remark << "\n";

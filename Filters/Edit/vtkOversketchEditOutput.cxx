@@ -104,14 +104,22 @@ EditFigures vtkOversketchEdit::Pipeline::FiguresOf(vtkPolyData* last)
   figures.isProfile = this->HasProfile();
   vtkPolyData* rest = this->Weighted;
   const bool isMoved = this->Moved() > 0;
-  figures.folds = isMoved ? std::max(0, FoldsIn(last) - FoldsIn(rest)) : 0;
+  const double done = this->Self->GetDone();
+  const Context context = ContextOf(this->Self, done, done);
+  if (isMoved)
+  {
+    const auto more = [&](const auto& count)
+    {
+      const int now = count(last);
+      return now > 0 ? std::max(0, now - count(rest)) : 0;
+    };
+    figures.folds = more(FoldsIn);
+    figures.crossings = more([&](vtkPolyData* mesh) { return CrossingsIn(mesh, context); });
+  }
   if (isMoved && figures.isProfile)
   {
-    const double done = this->Self->GetDone();
-    figures.depth = DepthInThickness(this->Self->StageOutput("Section"),
-      this->DrawnProfile,
-      this->Ground,
-      ContextOf(this->Self, done, done));
+    figures.depth =
+      DepthInThickness(this->Self->StageOutput("Section"), this->DrawnProfile, this->Ground, context);
   }
   const auto& rings = this->Boundary.Lines.All();
   if (rings.size() == 1 && !IsCurveOfEdit(rings.front()))

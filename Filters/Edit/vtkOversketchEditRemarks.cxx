@@ -1,7 +1,9 @@
 #include "vtkOversketchEditRemarks.h"
 
+#include "Intersection/crossing_faces.h"
 #include "Matrix/logarithm.h"
 #include "Ray/surface_rays.h"
+#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -12,6 +14,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +88,47 @@ int FoldsIn(vtkPolyData* mesh)
   return folds;
 }
 
+int CrossingsIn(vtkPolyData* mesh, const Context& context)
+{
+  vtkDataArray* region = mesh->GetPointData()->GetArray("EditRegion");
+  const auto data = SharedMesh(mesh);
+  const Mesh& surface = data->Surface();
+  const auto isInside = [&](int t)
+  {
+    const Triangle& c = surface.triangles[t];
+    return std::any_of(
+      c.begin(), c.end(), [&](int v) { return region->GetComponent(v, 0) == EditLabel::Inside; });
+  };
+  const auto boxOf = [&](int t)
+  {
+    Eigen::AlignedBox3d box;
+    for (const int v : surface.triangles[t])
+    {
+      box.extend(surface.points[v]);
+    }
+    return box;
+  };
+  Eigen::AlignedBox3d whole;
+  for (int t = 0; t < surface.triangleCount(); ++t)
+  {
+    if (isInside(t))
+    {
+      whole.extend(boxOf(t));
+    }
+  }
+  Mesh near{ surface.points, {} }; // what the region may meet
+  std::vector<char> changed;
+  for (int t = 0; t < surface.triangleCount(); ++t)
+  {
+    if (!boxOf(t).intersection(whole).isEmpty())
+    {
+      near.triangles.push_back(surface.triangles[t]);
+      changed.push_back(isInside(t) ? 1 : 0);
+    }
+  }
+  return near.triangles.empty() ? 0 : static_cast<int>(crossingFaces(near, changed, context).size());
+}
+
 double DepthInThickness(vtkPolyData* section, vtkPolyData* drawn, vtkPolyData* ground, const Context& context)
 {
   vtkDataArray* places = section->GetPointData()->GetArray("CurveT");
@@ -127,12 +172,18 @@ std::string RemarkOf(const EditFigures& figures)
     say(std::string("The profile is drawn ") + times +
         " times as deep as the model is thick there, and comes out on the far side: draw it less deep.");
   }
+  const std::string remedy = figures.isProfile
+                               ? ": draw the profile nearer to the section, or the ring wider."
+                               : ": drag less far, or draw the ring wider.";
+  if (figures.crossings > 0)
+  {
+    say("The edit makes the model pass through itself, in " + std::to_string(figures.crossings) +
+        (figures.crossings == 1 ? " pair" : " pairs") + " of triangles" + remedy);
+  }
   if (figures.folds > 0)
   {
     say("The edit folds the model along " + std::to_string(figures.folds) +
-        (figures.folds == 1 ? " edge" : " edges") +
-        (figures.isProfile ? ": draw the profile nearer to the section, or the ring wider."
-                           : ": drag less far, or draw the ring wider."));
+        (figures.folds == 1 ? " edge" : " edges") + remedy);
   }
   if (figures.shareSeen < leastSeen)
   {

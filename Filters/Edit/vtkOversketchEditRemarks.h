@@ -14,6 +14,9 @@ namespace oversketch
 // Edges of an edit's region and of its ring whose two triangles' normals are over 120 degrees apart.
 int FoldsIn(vtkPolyData* mesh);
 
+// Pairs of triangles that pass through each other, of which one at least is of an edit's region.
+int CrossingsIn(vtkPolyData* mesh, const Context& context);
+
 // How deep a profile that was drawn anew goes into the model, over how thick that is there; 0 where it comes
 // out nowhere. section: flat, with field array ProfileMatrix and point array CurveT; drawn: what it became,
 // with SourceT; ground: the model.
@@ -25,7 +28,7 @@ double DepthInThickness(vtkPolyData* section,
 struct EditFigures
 {
   bool isProfile = false;
-  int folds = 0;
+  int folds = 0, crossings = 0;
   double depth = 0.0;     // see DepthInThickness
   double shareSeen = 1.0; // of the ring
 };
