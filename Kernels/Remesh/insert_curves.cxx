@@ -400,6 +400,12 @@ private:
     rules.direction = [&](const Vector3& at) { return view.towardsViewer(at); };
     rules.start = -view.towardsViewer(a);
     std::optional<Way> way = walkPlane(this->Mesh, from, to, rules);
+    const std::vector<int>& before = this->Mesh.curves.back().vertices;
+    if (!way && before.size() > 1) // off the rim of what is seen that may lead back
+    {
+      rules.start = a - this->Mesh.point(before[before.size() - 2]);
+      way = walkPlane(this->Mesh, from, to, rules);
+    }
     if (!way)
     {
       rules.start = b - a;

@@ -17,6 +17,7 @@ namespace
 
 constexpr double longestAllowed = 4.0 / 3.0; // of what is wanted
 constexpr double leastLength = 0.25;         // of the edge length that half of the ring asks for
+constexpr double growth = 2.0;               // of edges beyond the ring, by the way from it
 constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
 constexpr int mostSplits = 100000;           // more than any ring on a sound mesh asks for
 
@@ -103,8 +104,8 @@ public:
     const double toLine = std::get<0>(nearestOf(this->Line, p));
     const Segment& beside = this->Ring[number];
     const double way = (1.0 - share) * beside.way[0] + share * beside.way[1];
-    const double wanted =
-      toLine <= way ? (toLine + toRing) / this->Edges : way / this->Edges + toRing; // beyond the ring
+    const double wanted = toLine <= way ? (toLine + toRing) / this->Edges
+                                        : way / this->Edges + growth * toRing; // beyond the ring
     return std::max(wanted, this->Least);
   }
 

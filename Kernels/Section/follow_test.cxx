@@ -93,7 +93,7 @@ TEST(Follow, WhatThePlaneCutsStaysInIt)
     }
   }
   EXPECT_GT(cut, 20);
-  EXPECT_LT(worst, 0.03);
+  EXPECT_LT(worst, 0.04); // 0.12 of the place beside
 }
 
 TEST(Follow, ThreadsChangeNoBitAndHandlesStop)
