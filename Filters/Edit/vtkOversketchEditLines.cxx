@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 
+#include <optional>
 #include <string>
 
 using namespace oversketch;
@@ -101,7 +102,7 @@ void vtkOversketchEdit::Pipeline::RunCurve(Drawn& drawn, vtkPolyData* curve, vtk
     FitOnMesh(drawn.Fit, mesh);
     this->Self->RunStage((drawn.Name + "Fit").c_str());
     this->Self->RunStage((drawn.Name + "Project").c_str());
-    if (&drawn == &this->Boundary && !drawn.Spans.empty())
+    if (&drawn == &this->Boundary && !drawn.Spans.empty() && !drawn.IsWhole)
     {
       drawn.Insert->SetCurvesData(this->OnLimb(this->Self->StageOutput("BoundaryProject"), 1));
     }
@@ -264,6 +265,47 @@ void vtkOversketchEdit::Pipeline::RunReference(vtkPolyData* curve)
 void vtkOversketchEdit::Pipeline::RunBoundary(vtkPolyData* curve)
 {
   SayWhose("boundary", [&] { this->RunCurve(this->Boundary, curve, this->Reference.Made.Mesh); });
+}
+
+void vtkOversketchEdit::Pipeline::RunEnclosed(vtkPolyData* curve)
+{
+  Drawn& ring = this->Boundary;
+  const StepKey key(
+    { WholeKey(this->Reference.Made.Mesh), WholeKey(this->Reference.Made.Curve), WholeKey(curve) },
+    { ring.Insert->GetBridge() ? 1.0 : 0.0 });
+  if (ring.WaySeen != key)
+  {
+    ring.Way = 0;
+    ring.WaySeen = key;
+  }
+  std::optional<Error> refused;
+  for (;; ++ring.Way)
+  {
+    const bool isOnward = ring.Way % 2 == 1;
+    ring.IsWhole = ring.Way / 2 == 1;
+    ring.Insert->SetOnward(isOnward);
+    try
+    {
+      this->RunBoundary(curve);
+      this->Self->RunStage("Enclose");
+      return;
+    }
+    catch (const Error& error)
+    {
+      refused = refused ? refused : error;
+      const bool isOfRing = error.failure() == Failure::BadRegion || error.failure() == Failure::BadStroke;
+      const int ways = ring.Insert->GetBridge() ? (ring.Spans.empty() ? 2 : 4) : 1;
+      if (!isOfRing)
+      {
+        throw;
+      }
+      if (ring.Way + 1 >= ways)
+      {
+        ring.Way = 0;
+        throw Error(*refused);
+      }
+    }
+  }
 }
 
 void vtkOversketchEdit::Pipeline::RequireOwnView(vtkPolyData* strokes,

@@ -123,7 +123,7 @@ void vtkOversketchEdit::Pipeline::SetAmendments(bool on)
     step->SetFitSpace(on ? vtkOversketchNurbsFit::Picture : vtkOversketchNurbsFit::World);
     step->SetInterpolate(on); // control points cut corners by some px
   }
-  this->Refine->SetEdges(on ? 6.0 : 0.0);
+  this->Refine->SetEdges(on ? 7.0 : 0.0); // six at least
   this->Boundary.Fit->SetPeriodic(on);
   this->Boundary.Fit->SetCutLoops(on);
   for (vtkOversketchProjectCurve* step :
@@ -338,7 +338,7 @@ void vtkOversketchEdit::Pipeline::RunToWeights(const Inputs& inputs)
   this->SetParameters();
   this->RunGround(inputs.Reference, inputs.Boundary);
   this->RunReference(inputs.Reference);
-  this->RunBoundary(inputs.Boundary);
+  this->RunEnclosed(inputs.Boundary);
   this->RunRegion();
   this->RunWeights();
 }

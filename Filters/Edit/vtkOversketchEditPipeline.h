@@ -86,6 +86,9 @@ struct vtkOversketchEdit::Pipeline
   void RunGround(vtkPolyData* reference, vtkPolyData* boundary);
   void RunReference(vtkPolyData* curve);
   void RunBoundary(vtkPolyData* curve);
+  // The ring, and that it encloses the line: of several ways to lead it on where it is hidden the first that
+  // does.
+  void RunEnclosed(vtkPolyData* curve);
   void RunRegion();
   void RunWeights();
   void RunDeform();
@@ -135,6 +138,9 @@ struct vtkOversketchEdit::Pipeline
     oversketch::RunSpans Spans;
     oversketch::StepKey SpansSeen, KeptSeen[2];
     vtkNew<vtkPolyData> Kept[2];
+    bool IsWhole = false; // all runs are taken nevertheless
+    int Way = 0;
+    oversketch::StepKey WaySeen;
     struct Redrawing
     {
       oversketch::StepKey Seen;

@@ -94,6 +94,16 @@ public:
 
   ///@{
   /**
+   * With Bridge on: over a gap first on as the curve comes, then off from the viewer [default off: the other
+   * way round].
+   */
+  vtkSetMacro(Onward, bool);
+  vtkGetMacro(Onward, bool);
+  vtkBooleanMacro(Onward, bool);
+  ///@}
+
+  ///@{
+  /**
    * With Bridge off: as published, samples that miss the mesh are left out, and those beside the gap joined
    * as all others are, over what is seen of it [default off].
    */
@@ -135,6 +145,7 @@ private:
   bool Snap = true;
   bool EmbedSegments = true;
   bool Bridge = true;
+  bool Onward = false;
   bool JoinRuns = false;
   bool Clean = true;
   int BridgeCount = 0;

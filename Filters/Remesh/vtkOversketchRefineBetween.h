@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * How many edges there are to be from line to ring [0 to 100, default 6; 0, as published: the mesh is
-   * passed].
+   * How many edges are asked for from line to ring, of which a few fewer come out [0 to 100, default 7, which
+   * makes six; 0, as published: the mesh is passed].
    */
   vtkSetClampMacro(Edges, double, 0.0, 100.0);
   vtkGetMacro(Edges, double);
@@ -73,7 +73,7 @@ private:
   vtkOversketchRefineBetween(const vtkOversketchRefineBetween&) = delete;
   void operator=(const vtkOversketchRefineBetween&) = delete;
 
-  double Edges = 6.0;
+  double Edges = 7.0;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

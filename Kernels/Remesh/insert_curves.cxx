@@ -398,13 +398,14 @@ private:
     rules.avoidCurves = true;
     rules.fixedPlane = true;
     rules.direction = [&](const Vector3& at) { return view.towardsViewer(at); };
-    rules.start = -view.towardsViewer(a);
-    std::optional<Way> way = walkPlane(this->Mesh, from, to, rules);
     const std::vector<int>& before = this->Mesh.curves.back().vertices;
-    if (!way && before.size() > 1) // off the rim of what is seen that may lead back
+    const Vector3 off = -view.towardsViewer(a); // which may lead back where that is no rim of what is seen
+    const Vector3 on = before.size() > 1 ? Vector3(a - this->Mesh.point(before[before.size() - 2])) : off;
+    std::optional<Way> way;
+    for (const Vector3& start : { this->Rules.onward ? on : off, this->Rules.onward ? off : on })
     {
-      rules.start = a - this->Mesh.point(before[before.size() - 2]);
-      way = walkPlane(this->Mesh, from, to, rules);
+      rules.start = start;
+      way = way ? way : walkPlane(this->Mesh, from, to, rules);
     }
     if (!way)
     {

@@ -31,11 +31,12 @@ struct NewCurve
 
 struct InsertRules
 {
-  bool snap = true;   // to vertices and edges that are near; off as published
-  bool embed = true;  // segments become edges
-  bool bridge = true; // what misses or is hidden is walked over; off: a closed curve with gaps is refused
-  bool clean = true;  // narrow triangles at the curves; off as published
-  bool join = false;  // without bridges, as published: runs are joined by segments like all others
+  bool snap = true;    // to vertices and edges that are near; off as published
+  bool embed = true;   // segments become edges
+  bool bridge = true;  // what misses or is hidden is walked over; off: a closed curve with gaps is refused
+  bool clean = true;   // narrow triangles at the curves; off as published
+  bool onward = false; // over a gap first on as the curve comes, then off from the viewer
+  bool join = false;   // without bridges, as published: runs are joined by segments like all others
 };
 
 struct InsertedCurves

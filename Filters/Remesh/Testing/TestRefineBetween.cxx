@@ -120,7 +120,7 @@ TEST(RefineBetweenFilter, WhatIsFineEnoughIsPassedAndSoIsAllWithoutBothCurves)
   c.refine->SetEdges(0.0);
   c.refine->Update();
   EXPECT_EQ(c.refine->GetOutput()->GetPoints(), c.mesh->GetPoints());
-  c.refine->SetEdges(6.0);
+  c.refine->SetEdges(7.0);
   c.refine->SetBoundaryConnection(nullptr);
   c.refine->Update();
   EXPECT_EQ(c.refine->GetOutput()->GetPoints(), c.mesh->GetPoints());

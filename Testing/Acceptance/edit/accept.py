@@ -228,7 +228,7 @@ def blank(mesh, drawn):
     left = picture.shaded(view, points, triangles, scale=1)
     for name, colour in (("reference", picture.RED), ("boundary", picture.BLUE)):
         picture.draw(left, placed(drawn[name][1]), colour)
-    return np.concatenate([left, np.ones_like(left)], axis=1)
+    return np.concatenate([left, np.ones_like(left), np.ones_like(left)], axis=1)
 
 
 def show(folder, drawn):
