@@ -195,7 +195,7 @@ def run(stroke_file, mesh_file, modes, _backend, pictures, case):
                 result["asks"] += names
                 result.update({name: True for name in names}, messages=[f"{what}: {text}" for what, text in refused.items()])
                 # A plane across a limb does not meet a ring round its tip, so there is no section to draw anew.
-                result["fails"] += [f"{what} refused" for what in refused if (what, kind) != ("profile", "tip")]
+                result["fails"] += [f"{what} refused" for what in refused if what != "profile" or not edit_judge.goes_round(folder)]
                 if pictures:
                     image = show(Path(folder), drawn)
             except Refused as why:

@@ -368,6 +368,15 @@ def same(case, name):
     return alike(a.points, b.points) and alike(a.triangles, b.triangles) and arrays
 
 
+def goes_round(folder):
+    """Whether the plane across the line's middle goes round a limb, whose tip the ring encloses."""
+    case = Case(folder)
+    line = case.rest.points[case.line]
+    way = picture.lengths(line)
+    at = lambda share: np.array([np.interp(share * way[-1], way, line[:, k]) for k in range(3)])
+    return patches.goes_round(case.rest.points, case.patch.faces, at(0.5), at(0.65) - at(0.35))
+
+
 def recut(case, result):
     """How far what was drawn is from where its plane cuts the result now [mean edges]: worst of a straight line, mean of another."""
     matrix = case["profile"].field["ProfileMatrix"].reshape(4, 4)

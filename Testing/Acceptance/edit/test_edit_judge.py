@@ -82,6 +82,14 @@ def test_a_limb_is_what_the_line_reaches_within_the_ring():
     assert edit_judge.within(ring, np.array([(2.0, 7.0), (1.0, 7.0), (2.0, 13.0)])).tolist() == [True, False, False]
 
 
+def test_a_plane_across_a_capped_limb_goes_round_it():
+    points, triangles = ball(4)
+    middle = points[triangles].mean(1)
+    cap = triangles[middle[:, 2] > -0.5]  # the tip of a limb along z
+    assert patches.goes_round(points, cap, np.array([1.0, 0.0, 0.03]), np.array([0.0, 0.0, 1.0]))
+    assert not patches.goes_round(points, cap, np.array([0.03, 0.0, 1.0]), np.array([1.0, 0.0, 0.0]))  # lengthwise it ends at the ring
+
+
 def test_a_ring_encloses_what_lies_within():
     points, _, line, ring, patch = enclosed_sheet()
     assert patch.inside.sum() == 2 * 16 * 12 and len(patch.interior) == 15 * 11 and len(patch.vertices) == 17 * 13
