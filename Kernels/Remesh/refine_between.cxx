@@ -77,6 +77,7 @@ public:
     : Line(segmentsOf(input.line))
     , Ring(segmentsOf(input.ring))
     , Edges(input.edges)
+    , Reach(input.longest)
   {
     if (this->Line.empty() || this->Ring.empty())
     {
@@ -109,11 +110,20 @@ public:
     return std::max(wanted, this->Least);
   }
 
-  bool isBeyond(const Vector3& p) const
+  // So far off the ring.
+  bool isBeyond(const Vector3& p, double reach = 0.0) const
   {
     const auto [toRing, number, share] = nearestOf(this->Ring, p);
     const Segment& beside = this->Ring[number];
-    return std::get<0>(nearestOf(this->Line, p)) > (1.0 - share) * beside.way[0] + share * beside.way[1];
+    return toRing > reach &&
+           std::get<0>(nearestOf(this->Line, p)) > (1.0 - share) * beside.way[0] + share * beside.way[1];
+  }
+
+  // Whether an edge lies off the ring with both ends, so that what is bisected there would be seen far from
+  // it.
+  bool isFar(const Vector3& a, const Vector3& b) const
+  {
+    return this->isBeyond(a, this->Reach) && this->isBeyond(b, this->Reach);
   }
 
   // Whether a triangle's longest edge is too long for some place of it.
@@ -135,7 +145,7 @@ public:
 
 private:
   std::vector<Segment> Line, Ring;
-  double Edges, Least = 0.0;
+  double Edges, Reach, Least = 0.0;
 };
 
 class Bisection
@@ -157,7 +167,7 @@ public:
     {
       const int t = this->Waiting[i];
       this->IsWaiting[t] = 0;
-      if (this->asks(t))
+      if (this->asks(t) && !this->isFar(this->longestOf(t)))
       {
         this->bisect(t);
         this->lookAt(t);
@@ -215,14 +225,20 @@ private:
     }
   }
 
+  bool isFar(const Edge& edge) const
+  {
+    return this->Wanted.isFar(this->Mesh.point(edge.a), this->Mesh.point(edge.b));
+  }
+
   // Off the ring one that is fine enough is cut across where its neighbour needs it, not where it is longest:
   // what would follow from that would run on over the model.
   bool ends(int t) const
   {
     const Triangle& c = this->Mesh.triangle(t);
-    return !this->asks(t) &&
-           this->Wanted.isBeyond(
-             (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0);
+    return this->isFar(this->longestOf(t)) ||
+           (!this->asks(t) &&
+             this->Wanted.isBeyond(
+               (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0));
   }
 
   // A triangle's longest edge is the longest of those beyond it too, or they come first.

@@ -204,7 +204,7 @@ TEST(B11_5, ARegionUnderOneEdgeWideGetsSixEdgesFromLineToRing)
 
 TEST(EditCoarse, AFineModelKeepsItsTrianglesAndSoItDoesAsPublished)
 {
-  EditSystem fine(ball(6), lineOver(60.0), ringOver(45.0));
+  EditSystem fine(ball(6), lineOver(60.0), ringOver(90.0));
   fine.run();
   EXPECT_EQ(
     outputOf(fine.filter, "Refine", 0)->GetPoints(), outputOf(fine.filter, "MeanEdge", 0)->GetPoints());
