@@ -99,24 +99,13 @@ public:
 
   bool isKnown() const { return this->Least > 0.0 && std::isfinite(this->Least); }
 
-  double at(const Vector3& p) const
-  {
-    const auto [toRing, number, share] = nearestOf(this->Ring, p);
-    const double toLine = std::get<0>(nearestOf(this->Line, p));
-    const Segment& beside = this->Ring[number];
-    const double way = (1.0 - share) * beside.way[0] + share * beside.way[1];
-    const double wanted = toLine <= way ? (toLine + toRing) / this->Edges
-                                        : way / this->Edges + growth * toRing; // beyond the ring
-    return std::max(wanted, this->Least);
-  }
+  double at(const Vector3& p) const { return this->wantedAt(this->look(p)); }
 
   // So far off the ring.
   bool isBeyond(const Vector3& p, double reach = 0.0) const
   {
-    const auto [toRing, number, share] = nearestOf(this->Ring, p);
-    const Segment& beside = this->Ring[number];
-    return toRing > reach &&
-           std::get<0>(nearestOf(this->Line, p)) > (1.0 - share) * beside.way[0] + share * beside.way[1];
+    const Place place = this->look(p);
+    return place.toRing > reach && place.toLine > place.way;
   }
 
   // Whether an edge lies off the ring with both ends, so that what is bisected there would be seen far from
@@ -132,18 +121,37 @@ public:
     const double longest =
       std::sqrt(std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() }));
     const auto isTooLong = [&](const Vector3& p) { return longest > longestAllowed * this->at(p); };
-    const Vector3 middle = (a + b + c) / 3.0;
-    const double there = this->at(middle);
-    if (!(longest >
-          0.5 * longestAllowed * there)) // what is wanted does not change that much within so small a one
-    {
-      return false;
-    }
-    return longest > longestAllowed * there || isTooLong(a) || isTooLong(b) || isTooLong(c) ||
-           isTooLong(0.5 * (a + b)) || isTooLong(0.5 * (b + c)) || isTooLong(0.5 * (c + a));
+    const Place middle = this->look((a + b + c) / 3.0);
+    // From there to a corner it is at most 2/3 of the longest edge, and both distances change by no more.
+    const double least =
+      std::min(this->wantedAt(middle), middle.way / this->Edges) - 4.0 / 3.0 * longest / this->Edges;
+    return longest > longestAllowed * least &&
+           (longest > longestAllowed * this->wantedAt(middle) || isTooLong(a) || isTooLong(b) ||
+             isTooLong(c) || isTooLong(0.5 * (a + b)) || isTooLong(0.5 * (b + c)) ||
+             isTooLong(0.5 * (c + a)));
   }
 
 private:
+  struct Place
+  {
+    double toLine, toRing, way; // the last: from the line to the place of the ring that is nearest
+  };
+  Place look(const Vector3& p) const
+  {
+    const auto [toRing, number, share] = nearestOf(this->Ring, p);
+    const Segment& beside = this->Ring[number];
+    return {
+      std::get<0>(nearestOf(this->Line, p)), toRing, (1.0 - share) * beside.way[0] + share * beside.way[1]
+    };
+  }
+  double wantedAt(const Place& place) const
+  {
+    const double wanted = place.toLine <= place.way
+                            ? (place.toLine + place.toRing) / this->Edges
+                            : place.way / this->Edges + growth * place.toRing; // beyond the ring
+    return std::max(wanted, this->Least);
+  }
+
   std::vector<Segment> Line, Ring;
   double Edges, Reach, Least = 0.0;
 };
