@@ -278,12 +278,12 @@ void vtkOversketchEdit::Pipeline::RunEnclosed(vtkPolyData* curve)
     ring.Way = 0;
     ring.WaySeen = key;
   }
+  constexpr int gaps = vtkOversketchInsertCurve::Across + 1;
   std::optional<Error> refused;
   for (;; ++ring.Way)
   {
-    const bool isOnward = ring.Way % 2 == 1;
-    ring.IsWhole = ring.Way / 2 == 1;
-    ring.Insert->SetOnward(isOnward);
+    ring.IsWhole = ring.Way / gaps == 1;
+    ring.Insert->SetGap(ring.Way % gaps);
     try
     {
       this->RunBoundary(curve);
@@ -294,7 +294,7 @@ void vtkOversketchEdit::Pipeline::RunEnclosed(vtkPolyData* curve)
     {
       refused = refused ? refused : error;
       const bool isOfRing = error.failure() == Failure::BadRegion || error.failure() == Failure::BadStroke;
-      const int ways = ring.Insert->GetBridge() ? (ring.Spans.empty() ? 2 : 4) : 1;
+      const int ways = ring.Insert->GetBridge() ? (ring.Spans.empty() ? gaps : 2 * gaps) : 1;
       if (!isOfRing)
       {
         throw;

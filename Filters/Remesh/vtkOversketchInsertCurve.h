@@ -92,14 +92,22 @@ public:
   vtkBooleanMacro(Bridge, bool);
   ///@}
 
+  enum GapType
+  {
+    Viewer = 0,
+    Onward = 1,
+    Across = 2
+  };
   ///@{
   /**
-   * With Bridge on: over a gap first on as the curve comes, then off from the viewer [default off: the other
-   * way round].
+   * With Bridge on, over a gap first off from the Viewer, in the plane through the eye (default), or on as
+   * the curve comes, Onward, or in the plane Across the first stored curve.
    */
-  vtkSetMacro(Onward, bool);
-  vtkGetMacro(Onward, bool);
-  vtkBooleanMacro(Onward, bool);
+  vtkSetClampMacro(Gap, int, Viewer, Across);
+  vtkGetMacro(Gap, int);
+  void SetGapToViewer() { this->SetGap(Viewer); }
+  void SetGapToOnward() { this->SetGap(Onward); }
+  void SetGapToAcross() { this->SetGap(Across); }
   ///@}
 
   ///@{
@@ -145,7 +153,7 @@ private:
   bool Snap = true;
   bool EmbedSegments = true;
   bool Bridge = true;
-  bool Onward = false;
+  int Gap = Viewer;
   bool JoinRuns = false;
   bool Clean = true;
   int BridgeCount = 0;

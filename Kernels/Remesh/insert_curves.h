@@ -31,12 +31,18 @@ struct NewCurve
 
 struct InsertRules
 {
-  bool snap = true;    // to vertices and edges that are near; off as published
-  bool embed = true;   // segments become edges
-  bool bridge = true;  // what misses or is hidden is walked over; off: a closed curve with gaps is refused
-  bool clean = true;   // narrow triangles at the curves; off as published
-  bool onward = false; // over a gap first on as the curve comes, then off from the viewer
-  bool join = false;   // without bridges, as published: runs are joined by segments like all others
+  bool snap = true;   // to vertices and edges that are near; off as published
+  bool embed = true;  // segments become edges
+  bool bridge = true; // what misses or is hidden is walked over; off: a closed curve with gaps is refused
+  bool clean = true;  // narrow triangles at the curves; off as published
+  enum class Gap
+  {
+    Viewer, // in the plane through the eye off from the viewer, then on as the curve comes
+    Onward, // the other way round
+    Across  // as Onward, in the plane across the first stored curve: round the limb that this lies along
+  };
+  Gap gap = Gap::Viewer; // what is tried first over a gap
+  bool join = false;     // without bridges, as published: runs are joined by segments like all others
 };
 
 struct InsertedCurves
