@@ -11,7 +11,6 @@
 
 namespace oversketch
 {
-
 namespace
 {
 
@@ -406,9 +405,9 @@ private:
       const Vector3 axis = this->Mesh.point(along.back()) - this->Mesh.point(along.front());
       rules.direction = [across = Vector3(axis.cross(b - a))](const Vector3&) { return across; };
     }
-    const bool isOnward = this->Rules.gap != InsertRules::Gap::Viewer;
     std::optional<Way> way;
-    for (const Vector3& start : { isOnward ? on : off, isOnward ? off : on })
+    const bool isFirst = this->Rules.gap == InsertRules::Gap::Viewer; // off
+    for (const Vector3& start : { isFirst ? off : on, isFirst ? on : off })
     {
       rules.start = start;
       way = way ? way : walkPlane(this->Mesh, from, to, rules);
