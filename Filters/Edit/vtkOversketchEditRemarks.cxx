@@ -31,6 +31,8 @@ namespace
 
 constexpr double foldCosine = -0.5; // of 120 degrees
 constexpr double leastSeen = 0.5;   // of a ring
+constexpr double leastInward = 0.5; // cosine: what goes in more nearly along the surface may leave it again
+constexpr double rounding = 1e-6;   // of the diagonal
 
 // The place of a polyline's points at a value of an array that rises along it.
 Vector3 placeAt(vtkPolyData* line, vtkDataArray* values, double value)
@@ -147,11 +149,17 @@ double DepthInThickness(vtkPolyData* section, vtkPolyData* drawn, vtkPolyData* g
     const Vector3 from = inWorld(placeAt(section, places, sources->GetComponent(i, 0)));
     const Vector3 way = inWorld(Vector3(drawn->GetPoint(i))) - from;
     const double depth = way.norm();
-    // The first place that the way leaves the model by, but for where it begins: the section is fitted, so
-    // that lies a little beside the surface.
-    for (const SurfaceHit& hit : depth > 0.0 ? rays->all({ from, way }) : std::vector<SurfaceHit>())
+    const SurfaceHit start =
+      rays->closest(from); // the section is fitted, and lies a little beside the surface
+    if (!start.found() || !(facetNormal(rays->mesh(), start.at.triangle).dot(way) <
+                            -leastInward * depth)) // outward, or along it
     {
-      if (hit.distance > 0.1 * depth && facetNormal(rays->mesh(), hit.at.triangle).dot(way) > 0.0)
+      continue;
+    }
+    for (const SurfaceHit& hit : rays->all({ start.position, way }))
+    {
+      if (hit.distance > rounding * rays->diagonal() &&
+          facetNormal(rays->mesh(), hit.at.triangle).dot(way) > 0.0)
       {
         deepest = std::max(deepest, depth / hit.distance);
         break;
