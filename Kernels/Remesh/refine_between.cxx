@@ -19,7 +19,8 @@ constexpr double longestAllowed = 4.0 / 3.0; // of what is wanted
 constexpr double leastLength = 0.25;         // of the edge length that half of the ring asks for
 constexpr double growth = 2.0;               // of edges beyond the ring, by the way from it
 constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
-constexpr int mostSplits = 100000;           // more than any ring on a sound mesh asks for
+constexpr double meeting = 1.0; // of the least length that is asked for: a ring so near to the line meets it
+constexpr int mostSplits = 20000; // more than any ring on a sound mesh asks for
 
 struct Segment
 {
@@ -95,6 +96,21 @@ public:
     }
     std::nth_element(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2), ways.end());
     this->Least = leastLength * ways[ways.size() / 2] / this->Edges;
+  }
+
+  // Whether the ring touches or crosses the line, so that it asks for no length at all there.
+  bool meets() const
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Segment& segment : this->Ring)
+    {
+      for (int i = 0; i < 32; ++i)
+      {
+        nearest =
+          std::min(nearest, std::get<0>(nearestOf(this->Line, segment.from + (i / 32.0) * segment.along)));
+      }
+    }
+    return nearest < meeting * this->Least;
   }
 
   bool isKnown() const { return this->Least > 0.0 && std::isfinite(this->Least); }
@@ -357,6 +373,10 @@ std::optional<Refined> refineBetween(const RefineInput& input, const Context& co
   }
   context.checkpoint(0.1);
   if (static_cast<double>(asking.size()) <= fewAsk * static_cast<double>(along.size()))
+  {
+    return std::nullopt;
+  }
+  if (scale.meets()) // a ring that is refused
   {
     return std::nullopt;
   }
