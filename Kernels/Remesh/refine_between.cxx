@@ -20,7 +20,8 @@ constexpr double leastLength = 0.25;         // of the edge length that half of 
 constexpr double growth = 2.0;               // of edges beyond the ring, by the way from it
 constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
 constexpr double meeting = 1.0; // of the least length that is asked for: a ring so near to the line meets it
-constexpr int mostSplits = 20000; // more than any ring on a sound mesh asks for
+constexpr std::size_t longestWay = 1000; // of triangles each of which has a longer edge than the one before
+constexpr int mostSplits = 20000;        // more than any ring on a sound mesh asks for
 
 struct Segment
 {
@@ -193,8 +194,12 @@ public:
       this->IsWaiting[t] = 0;
       if (this->asks(t) && !this->isFar(this->longestOf(t)))
       {
+        const int before = this->Splits;
         this->bisect(t);
-        this->lookAt(t);
+        if (this->Splits > before)
+        {
+          this->lookAt(t);
+        }
       }
       if (i % 256 == 0)
       {
@@ -269,7 +274,7 @@ private:
   void bisect(int t)
   {
     std::vector<int> way{ t };
-    while (!way.empty() && this->Splits < mostSplits)
+    while (!way.empty() && way.size() < longestWay && this->Splits < mostSplits)
     {
       const int now = way.back();
       const Edge edge = this->longestOf(now);
