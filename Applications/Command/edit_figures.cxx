@@ -397,8 +397,7 @@ void addOffStrokes(vtkOversketchEdit* edit,
     const std::vector<Vector3> seen =
       seenPointsOf(ring, edit->GetInnerOutput("BoundaryProject"), 0.5 * meanEdge);
     json["ring_off_stroke"] = offStroke(seen, spline);
-    json["ring_off_stroke"]["share_seen"] =
-      number(static_cast<double>(seen.size()) / static_cast<double>(ring->GetNumberOfPoints()));
+    json["ring_off_stroke"]["share_seen"] = number(edit->GetShareSeen());
   }
 }
 
@@ -454,6 +453,7 @@ void addEditFigures(vtkOversketchEdit* edit, Json::Value& json)
   json["bridges"] = edit->GetBridges();
   json["moved_points"] = edit->GetMovedPoints();
   json["folded_edges"] = edit->GetFoldedEdges();
+  json["crossings"] = edit->GetCrossings();
   vtkPolyData* rest = edit->GetInnerOutput("Distance");
   const bool isProfile = edit->GetInnerOutput("Bend")->GetNumberOfPoints() > 0;
   vtkPolyData* moved = edit->GetInnerOutput(isProfile ? "Bend" : "Deform");

@@ -271,7 +271,8 @@ Motion MotionOfProfile(vtkPolyData* mesh,
         weights.push_back(WeightAt(at[0], at[3], weight));
       }
     }
-    std::vector<Vector3> result = profileMoves(places,
+    std::vector<Vector3> result = profileMoves(points,
+      places,
       shares,
       change->Change,
       change->Old.toWorld,

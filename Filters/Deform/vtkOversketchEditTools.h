@@ -5,6 +5,8 @@
 #ifndef vtkOversketchEditTools_h
 #define vtkOversketchEditTools_h
 
+#include "OversketchFiltersDeformModule.h" // For export macro
+
 #include "Matrix/frames.h"
 #include "Matrix/logarithm.h"
 #include "Mesh/place.h"
@@ -50,7 +52,7 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
  * not finite.
  */
 void WriteMatrix(vtkFieldData* data, const char* name, const Matrix4& matrix);
-Matrix4 ReadMatrix(vtkFieldData* data,
+OVERSKETCHFILTERSDEFORM_EXPORT Matrix4 ReadMatrix(vtkFieldData* data,
   const char* name,
   const std::string& holder,
   const std::string& remedy);

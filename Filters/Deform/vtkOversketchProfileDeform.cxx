@@ -84,7 +84,8 @@ std::vector<Vector3> vtkOversketchProfileDeform::Cache::Places(vtkPolyData* prof
   const Context& context) const
 {
   const DrawnChange drawnChange = ReadChange(profile, drawn, handles);
-  const std::vector<Vector3> moves = profileMoves(this->Region,
+  const std::vector<Vector3> moves = profileMoves(this->Data->Surface().points,
+    this->Region,
     this->Sides,
     drawnChange.Change,
     drawnChange.Old.toWorld,

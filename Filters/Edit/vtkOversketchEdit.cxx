@@ -1,6 +1,7 @@
 #include "vtkOversketchEdit.h"
 
 #include "vtkOversketchEditPipeline.h"
+#include "vtkOversketchEditRemarks.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -86,7 +87,7 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
   Pipeline& inner = *this->Inner;
   inner.Made = nullptr;
   this->Remark.clear();
-  return this->RunSystem(
+  const int done = this->RunSystem(
     [&]
     {
       vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
@@ -105,12 +106,13 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
         vtkPolyData::GetData(outputs, 0),
         vtkPolyData::GetData(outputs, 1),
         vtkPolyData::GetData(outputs, 2));
-      if (const int folds = this->GetFoldedEdges(); folds > 0)
-      {
-        this->Remark = "The edit folds the model along " + std::to_string(folds) +
-                       (folds == 1 ? " edge" : " edges") + ": drag less far, or draw the ring wider.";
-      }
+      this->Remark = RemarkOf(inner.Made->Figures);
     });
+  if (!this->Remark.empty())
+  {
+    vtkWarningMacro(<< this->Remark);
+  }
+  return done;
 }
 
 bool vtkOversketchEdit::Prepare()
@@ -128,7 +130,7 @@ bool vtkOversketchEdit::Prepare()
         inner.RunToWeights(inputs);
         return true;
       }
-      this->RunStage("MeanEdge");
+      inner.RunGround(nullptr, nullptr);
       SharedMesh(inner.Start)->Normals(); // of which those of the mesh with line and ring will be made
       if (isDrawn(inputs.Reference))
       {
@@ -159,7 +161,17 @@ int vtkOversketchEdit::GetMovedPoints()
 
 int vtkOversketchEdit::GetFoldedEdges()
 {
-  return this->Inner->Made ? this->Inner->Made->FoldedEdges : 0;
+  return this->Inner->Made ? this->Inner->Made->Figures.folds : 0;
+}
+
+int vtkOversketchEdit::GetCrossings()
+{
+  return this->Inner->Made ? this->Inner->Made->Figures.crossings : 0;
+}
+
+double vtkOversketchEdit::GetShareSeen()
+{
+  return this->Inner->Made ? this->Inner->Made->Figures.shareSeen : 0.0;
 }
 
 int vtkOversketchEdit::GetBridges()
@@ -224,6 +236,8 @@ void vtkOversketchEdit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "MovedPoints: " << this->GetMovedPoints() << "\n";
   os << indent << "FoldedEdges: " << this->GetFoldedEdges() << "\n";
+  os << indent << "Crossings: " << this->GetCrossings() << "\n";
+  os << indent << "ShareSeen: " << this->GetShareSeen() << "\n";
   os << indent << "Bridges: " << this->GetBridges() << "\n";
   os << indent << "Remark: " << this->Remark << "\n";
 }

@@ -3,13 +3,14 @@
  * @brief a line on a mesh and a ring round it: what lies between follows the line; system B as one filter
  *
  * Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing". Each step is a filter of its
- * own (see GetInnerOutput): the mean edge of the mesh {MeanEdge}, the line in it {ReferenceFit,
- * ReferenceProject, ReferenceInsert}, the ring {BoundaryFit, BoundaryProject, BoundaryInsert}, the region
- * between them {Enclose}, flat {Flatten}, where on the way from line to ring its vertices are {Distance},
- * how far they follow, by grey layers {Areas, Shading} or an image {Texture}, what is done to the line
- * {Handles, Deform}, or a cross-section drawn anew {Planes, Section, Redraw, Bend}, and new triangles
- * {Retriangulate}, by what the edit does between vertices too. Departures are those of each step; AsPublished
- * turns all off, but that curves are edges of the mesh, without which there is no region.
+ * own (see GetInnerOutput): the mean edge of the mesh {MeanEdge}, triangles as small as line and ring ask for
+ * {ReferencePlace, BoundaryPlace, Refine}, the line {ReferenceFit, ReferenceProject, ReferenceInsert}, the
+ * ring {BoundaryFit, BoundaryProject, BoundaryInsert}, of which counts what is on the line's limb, the region
+ * {Enclose}, flat {Flatten}, where on the way from line to ring its vertices are {Distance}, how far they
+ * follow, by grey layers {Areas, Shading} or an image {Texture}, what is done to the line {Handles, Deform},
+ * or a cross-section drawn anew {Planes, Section, Redraw, Bend}, and new triangles {Retriangulate}, by what
+ * the edit does between vertices too. Departures are those of each step; AsPublished turns all off, but that
+ * curves are edges of the mesh, without which there is no region.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or normals
  * are welded for computing (exactly equal positions) and split again in the output. Field array MeanEdge, the
@@ -65,9 +66,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * The curves on ports 1 and 2, what may be absent on ports 3 to 6, and where the curves come out.
-   */
+  // The curves on ports 1 and 2, what may be absent on ports 3 to 6, and where the curves come out.
   void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
   void SetReferenceData(vtkPolyData* curve);
   void SetBoundaryConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(2, curve); }
@@ -184,14 +183,17 @@ public:
 
   ///@{
   /**
-   * Of the last run, 0 after one that failed: vertices that the edit moved and edges that it folded by over
-   * 120 degrees and were not, which a remark says, too, both before new triangles were made, which can fold a
-   * few edges more or fewer; gaps that curves were led over.
+   * Of the last run, 0 after one that failed: vertices that the edit moved, before new triangles were made;
+   * edges of what comes out that are folded by over 120 degrees, and pairs of its triangles that pass through
+   * each other, both less those that were; gaps that curves were led over; what part of the ring lies where
+   * it was drawn, 1 of one that an earlier edit made or that was redrawn.
    */
   int GetMovedPoints();
   int GetFoldedEdges();
+  int GetCrossings();
   int GetBridges();
-  const char* GetRemark() override;
+  double GetShareSeen();
+  const char* GetRemark() override; // of these, but points and gaps; of a profile that comes out at the back
   ///@}
 
   /**
@@ -214,9 +216,7 @@ public:
   bool DragLine(double right, double up, vtkPolyData* edited);
   ///@}
 
-  /**
-   * The line of the last run, where it was before the edit.
-   */
+  // The line of the last run, where it was before the edit.
   void GetHold(vtkPolyData* hold) override;
   void GetRegion(vtkPolyData* region) override;
 

@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 
+#include <optional>
 #include <string>
 
 using namespace oversketch;
@@ -50,21 +51,50 @@ void FitOnMesh(vtkOversketchNurbsFit* fit, vtkPolyData* mesh)
 
 } // namespace
 
-void vtkOversketchEdit::Pipeline::RunCurve(Drawn& drawn, vtkPolyData* curve, vtkPolyData* mesh)
+vtkPolyData* vtkOversketchEdit::Pipeline::ReadFirst(Drawn& drawn, vtkPolyData* curve)
 {
-  const bool isRing = &drawn == &this->Boundary;
-  drawn.Lines.Read(curve, isRing ? "boundary" : "reference");
-  vtkPolyData* first = drawn.Lines.All().front();
+  drawn.Lines.Read(curve, &drawn == &this->Boundary ? "boundary" : "reference");
+  return drawn.Lines.All().front();
+}
+
+vtkPolyData* vtkOversketchEdit::Pipeline::Lay(vtkPolyData* curve,
+  vtkPolyData* mesh,
+  bool closed,
+  vtkPolyData* laid,
+  StepKey& seen)
+{
+  const StepKey key({ WholeKey(curve), MeshKey(mesh) }, {});
+  if (laid->GetNumberOfPoints() == 0 || seen != key)
+  {
+    const double done = this->Self->GetDone();
+    LayOnMesh(curve, mesh, closed, ContextOf(this->Self, done, done), laid);
+    seen = key;
+  }
+  return laid;
+}
+
+vtkPolyData* vtkOversketchEdit::Pipeline::Place(Drawn& drawn, vtkPolyData* curve)
+{
+  vtkPolyData* mesh = this->Self->StageOutput("MeanEdge");
+  vtkPolyData* first = this->ReadFirst(drawn, curve);
   if (IsCurveOfEdit(first))
   {
-    const StepKey key({ WholeKey(first), MeshKey(mesh) }, {});
-    if (drawn.Laid->GetNumberOfPoints() == 0 || drawn.LaidSeen != key)
-    {
-      const double done = this->Self->GetDone();
-      LayOnMesh(first, mesh, isRing, ContextOf(this->Self, done, done), drawn.Laid);
-      drawn.LaidSeen = key;
-    }
-    drawn.Insert->SetCurvesData(drawn.Laid);
+    return this->Lay(first, mesh, &drawn == &this->Boundary, drawn.LaidFirst, drawn.LaidFirstSeen);
+  }
+  this->Feed(first, drawn.Input);
+  FitOnMesh(drawn.Fit, mesh);
+  this->Self->RunStage((drawn.Name + "Fit").c_str());
+  this->Self->RunStage((drawn.Name + "Place").c_str());
+  return this->Self->StageOutput((drawn.Name + "Place").c_str());
+}
+
+void vtkOversketchEdit::Pipeline::RunCurve(Drawn& drawn, vtkPolyData* curve, vtkPolyData* mesh)
+{
+  vtkPolyData* first = this->ReadFirst(drawn, curve);
+  if (IsCurveOfEdit(first))
+  {
+    drawn.Insert->SetCurvesData(
+      this->Lay(first, mesh, &drawn == &this->Boundary, drawn.Laid, drawn.LaidSeen));
   }
   else
   {
@@ -72,7 +102,14 @@ void vtkOversketchEdit::Pipeline::RunCurve(Drawn& drawn, vtkPolyData* curve, vtk
     FitOnMesh(drawn.Fit, mesh);
     this->Self->RunStage((drawn.Name + "Fit").c_str());
     this->Self->RunStage((drawn.Name + "Project").c_str());
-    drawn.Insert->SetCurvesConnection(drawn.Project->GetOutputPort());
+    if (&drawn == &this->Boundary && !drawn.Spans.empty() && !drawn.IsWhole)
+    {
+      drawn.Insert->SetCurvesData(this->OnLimb(this->Self->StageOutput("BoundaryProject"), 1));
+    }
+    else
+    {
+      drawn.Insert->SetCurvesConnection(drawn.Project->GetOutputPort());
+    }
   }
   this->Self->RunStage((drawn.Name + "Insert").c_str());
   Keep(drawn.Insert, drawn.First);
@@ -166,14 +203,109 @@ void SayWhose(const char* whose, const Run& run)
 
 } // namespace
 
+vtkPolyData* vtkOversketchEdit::Pipeline::OnLimb(vtkPolyData* ring, int projection)
+{
+  Drawn& drawn = this->Boundary;
+  if (drawn.Spans.empty())
+  {
+    return ring;
+  }
+  std::vector<double> spans;
+  for (const auto& [first, last] : drawn.Spans)
+  {
+    spans.insert(spans.end(), { first, last });
+  }
+  const StepKey key({ WholeKey(ring) }, spans);
+  if (drawn.Kept[projection]->GetNumberOfPoints() == 0 || drawn.KeptSeen[projection] != key)
+  {
+    KeepSpans(ring, drawn.Spans, drawn.Kept[projection]);
+    drawn.KeptSeen[projection] = key;
+  }
+  return drawn.Kept[projection];
+}
+
+void vtkOversketchEdit::Pipeline::RunGround(vtkPolyData* reference, vtkPolyData* boundary)
+{
+  this->Self->RunStage("MeanEdge");
+  vtkPolyData* ground = this->Self->StageOutput("MeanEdge");
+  if (boundary && this->Refine->GetEdges() > 0.0)
+  {
+    vtkPolyData *line = nullptr, *ring = nullptr;
+    SayWhose("reference", [&] { line = this->Place(this->Reference, reference); });
+    SayWhose("boundary", [&] { ring = this->Place(this->Boundary, boundary); });
+    const StepKey key({ MeshKey(ground), WholeKey(line), WholeKey(ring) }, {});
+    if (this->Boundary.SpansSeen != key)
+    {
+      this->Boundary.Spans = SpansOnLimb(ring, this->Self->StageOutput("BoundaryFit"), ground, line);
+      this->Boundary.SpansSeen = key;
+    }
+    this->Refine->SetReferenceData(line);
+    this->Refine->SetBoundaryData(this->OnLimb(ring, 0));
+    this->Self->RunStage("Refine");
+    ground = this->Self->StageOutput("Refine");
+  }
+  else if (boundary)
+  {
+    this->Boundary.Spans.clear();
+    this->Boundary.SpansSeen = StepKey();
+  }
+  const StepKey key({ WholeKey(ground) }, {});
+  if (this->Ground->GetNumberOfPoints() == 0 || this->GroundSeen != key)
+  {
+    this->Ground->ShallowCopy(ground);
+    this->GroundSeen = key;
+  }
+}
+
 void vtkOversketchEdit::Pipeline::RunReference(vtkPolyData* curve)
 {
-  SayWhose("reference", [&] { this->RunCurve(this->Reference, curve, this->Self->StageOutput("MeanEdge")); });
+  SayWhose("reference", [&] { this->RunCurve(this->Reference, curve, this->Ground); });
 }
 
 void vtkOversketchEdit::Pipeline::RunBoundary(vtkPolyData* curve)
 {
   SayWhose("boundary", [&] { this->RunCurve(this->Boundary, curve, this->Reference.Made.Mesh); });
+}
+
+void vtkOversketchEdit::Pipeline::RunEnclosed(vtkPolyData* curve)
+{
+  Drawn& ring = this->Boundary;
+  const StepKey key(
+    { WholeKey(this->Reference.Made.Mesh), WholeKey(this->Reference.Made.Curve), WholeKey(curve) },
+    { ring.Insert->GetBridge() ? 1.0 : 0.0 });
+  if (ring.WaySeen != key)
+  {
+    ring.Way = 0;
+    ring.WaySeen = key;
+  }
+  constexpr int gaps = vtkOversketchInsertCurve::Across + 1;
+  std::optional<Error> refused;
+  for (;; ++ring.Way)
+  {
+    ring.IsWhole = ring.Way / gaps == 1;
+    ring.Insert->SetGap(ring.Way % gaps);
+    try
+    {
+      this->RunBoundary(curve);
+      this->Self->RunStage("Enclose");
+      return;
+    }
+    catch (const Error& error)
+    {
+      refused = refused ? refused : error;
+      const bool isOfRing = error.failure() == Failure::BadRegion || error.failure() == Failure::BadStroke;
+      const int ways = ring.Insert->GetBridge() ? (ring.Spans.empty() ? gaps : 2 * gaps) : 1;
+      if (!isOfRing)
+      {
+        throw;
+      }
+      if (ring.Way + 1 >= ways)
+      {
+        ring.Way = 0;
+        throw Error(*refused);
+      }
+    }
+  }
 }
 
 void vtkOversketchEdit::Pipeline::RequireOwnView(vtkPolyData* strokes,

@@ -1,26 +1,18 @@
 #include "vtkOversketchEditPipeline.h"
 
-#include "Mesh/weld.h"
 #include "Shading/layer_list.h"
 #include "vtkOversketchEditCurves.h"
-#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchHierarchy.h"
 #include "vtkOversketchSources.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkBoundingBox.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 
 #include <algorithm>
 
@@ -44,11 +36,16 @@ vtkOversketchEdit::Pipeline::Pipeline(vtkOversketchEdit* self)
   for (Drawn* drawn : { &this->Reference, &this->Boundary })
   {
     drawn->Fit->SetInputData(0, drawn->Input);
-    drawn->Project->SetInputConnection(0, drawn->Fit->GetOutputPort());
+    for (vtkOversketchProjectCurve* project : { drawn->Place.Get(), drawn->Project.Get() })
+    {
+      project->SetInputConnection(0, drawn->Fit->GetOutputPort());
+    }
+    drawn->Place->SetMeshConnection(this->MeanEdge->GetOutputPort());
   }
+  this->Refine->SetInputConnection(0, this->MeanEdge->GetOutputPort());
   this->Reference.Name = "Reference";
-  this->Reference.Project->SetMeshConnection(this->MeanEdge->GetOutputPort());
-  this->Reference.Insert->SetInputConnection(0, this->MeanEdge->GetOutputPort());
+  this->Reference.Project->SetMeshData(this->Ground);
+  this->Reference.Insert->SetInputData(0, this->Ground);
   this->Boundary.Name = "Boundary";
   this->Boundary.Fit->ClosedOn();
   this->Boundary.Project->SetMeshData(this->Reference.Made.Mesh);
@@ -90,10 +87,13 @@ vtkOversketchEdit::Pipeline::Pipeline(vtkOversketchEdit* self)
 
   self->AddStage("MeanEdge", this->MeanEdge, 0.01);
   self->AddStage("ReferenceFit", this->Reference.Fit, 0.01);
-  self->AddStage("ReferenceProject", this->Reference.Project, 0.08);
+  self->AddStage("ReferencePlace", this->Reference.Place, 0.01, Listed::No);
+  self->AddStage("BoundaryPlace", this->Boundary.Place, 0.01, Listed::No);
+  self->AddStage("Refine", this->Refine, 0.02);
+  self->AddStage("ReferenceProject", this->Reference.Project, 0.06);
   self->AddStage("ReferenceInsert", this->Reference.Insert, 0.08);
   self->AddStage("BoundaryFit", this->Boundary.Fit, 0.01);
-  self->AddStage("BoundaryProject", this->Boundary.Project, 0.08);
+  self->AddStage("BoundaryProject", this->Boundary.Project, 0.06);
   self->AddStage("BoundaryInsert", this->Boundary.Insert, 0.08);
   self->AddStage("Refit", this->Refit, 0.0);
   self->AddStage("Resketch", this->Resketch, 0.0);
@@ -121,7 +121,9 @@ void vtkOversketchEdit::Pipeline::SetAmendments(bool on)
     { this->Reference.Fit.Get(), this->Boundary.Fit.Get(), this->Refit.Get() })
   {
     step->SetFitSpace(on ? vtkOversketchNurbsFit::Picture : vtkOversketchNurbsFit::World);
+    step->SetInterpolate(on); // control points cut corners by some px
   }
+  this->Refine->SetEdges(on ? 7.0 : 0.0); // six at least
   this->Boundary.Fit->SetPeriodic(on);
   this->Boundary.Fit->SetCutLoops(on);
   for (vtkOversketchProjectCurve* step :
@@ -334,9 +336,9 @@ void vtkOversketchEdit::Pipeline::RunDeform()
 void vtkOversketchEdit::Pipeline::RunToWeights(const Inputs& inputs)
 {
   this->SetParameters();
-  this->Self->RunStage("MeanEdge");
+  this->RunGround(inputs.Reference, inputs.Boundary);
   this->RunReference(inputs.Reference);
-  this->RunBoundary(inputs.Boundary);
+  this->RunEnclosed(inputs.Boundary);
   this->RunRegion();
   this->RunWeights();
 }
@@ -344,11 +346,6 @@ void vtkOversketchEdit::Pipeline::RunToWeights(const Inputs& inputs)
 int vtkOversketchEdit::Pipeline::Moved()
 {
   return this->HasProfile() ? this->Bend->GetMovedPoints() : this->Deform->GetMovedPoints();
-}
-
-int vtkOversketchEdit::Pipeline::Folded()
-{
-  return this->HasProfile() ? this->Bend->GetFoldedEdges() : this->Deform->GetFoldedEdges();
 }
 
 std::shared_ptr<const Motion> vtkOversketchEdit::Pipeline::FindMotion()
@@ -416,181 +413,4 @@ void vtkOversketchEdit::Pipeline::RunTriangles()
   this->Retriangulate->SetRestConnection(
     this->HasImage ? this->Texture->GetOutputPort() : this->Shading->GetOutputPort());
   this->Self->RunStage("Retriangulate");
-}
-
-void vtkOversketchEdit::Pipeline::PutPreview(vtkPolyData* edited)
-{
-  const double done = this->Self->GetDone();
-  this->Preview.Provide(
-    *this->Welding, this->Plain, this->Start, this->Weighted, ContextOf(this->Self, done, done));
-  this->Preview.Write(this->Self->StageOutput(this->DeformName()), edited);
-}
-
-namespace
-{
-
-// A curve with other numbers for its vertices, by numbers of the mesh that it came from; -1 without them. Of
-// moved its places.
-void PutCurve(vtkPolyData* curve,
-  vtkPolyData* moved,
-  const std::vector<vtkIdType>& numbers,
-  vtkPolyData* output)
-{
-  output->ShallowCopy(curve);
-  vtkDataArray* before = curve->GetPointData()->GetArray("VertexId");
-  vtkNew<vtkIdTypeArray> vertices;
-  vertices->SetName("VertexId");
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
-  {
-    const auto vertex = static_cast<vtkIdType>(before->GetComponent(i, 0));
-    vertices->InsertNextValue(numbers.empty() ? -1 : numbers[static_cast<std::size_t>(vertex)]);
-    points->InsertNextPoint(moved->GetPoint(vertex));
-  }
-  output->SetPoints(points);
-  output->GetPointData()->AddArray(vertices);
-}
-
-} // namespace
-
-namespace
-{
-
-// Who reads the mesh welds what lies at one place.
-void RequireApart(vtkPolyData* mesh)
-{
-  vtkDataArray* region = mesh->GetPointData()->GetArray("EditRegion");
-  vtkBoundingBox box;
-  const auto eachPlace = [mesh](const auto& visit)
-  {
-    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-    {
-      Vector3 place;
-      mesh->GetPoint(i, place.data());
-      visit(i, place);
-    }
-  };
-  eachPlace(
-    [&](vtkIdType i, Vector3& place)
-    {
-      if (region->GetComponent(i, 0) == EditLabel::Inside)
-      {
-        box.AddPoint(place.data());
-      }
-    });
-  std::vector<Vector3> places;
-  eachPlace(
-    [&](vtkIdType, const Vector3& place)
-    {
-      if (box.ContainsPoint(place.data()))
-      {
-        places.push_back(place);
-      }
-    });
-  const std::vector<int> vertices = weldPoints(places);
-  if (!vertices.empty())
-  {
-    const std::size_t left =
-      static_cast<std::size_t>(*std::max_element(vertices.begin(), vertices.end())) + 1;
-    throw Error(Failure::Torn,
-      "The edit brings " + std::to_string(places.size() - left) +
-        " vertices to places where others are already, which would be one when the mesh is read again: "
-        "make a smaller edit, or nearer to the origin.");
-  }
-}
-
-} // namespace
-
-void vtkOversketchEdit::Pipeline::PutOutput(vtkPolyData* mesh,
-  vtkPolyData* output,
-  vtkPolyData* reference,
-  vtkPolyData* boundary)
-{
-  auto made = std::make_unique<Result>();
-  made->MovedPoints = this->Moved();
-  made->FoldedEdges = this->Folded();
-  made->Bridges = this->Boundary.Made.Bridges;
-  made->Reference->ShallowCopy(this->Boundary.Made.Stored);
-  vtkPolyData* line = this->Boundary.Made.Stored;
-  vtkPolyData* ring = this->Boundary.Made.Curve;
-  vtkPolyData* last = this->Self->StageOutput(this->DeformName());
-  if (made->MovedPoints == 0)
-  {
-    output->ShallowCopy(mesh);
-    PutCurve(line, last, {}, reference);
-    PutCurve(ring, last, {}, boundary);
-    made->Moved.assign(static_cast<std::size_t>(output->GetNumberOfPoints()), 0);
-  }
-  else
-  {
-    const double done = this->Self->GetDone();
-    const Context context = ContextOf(this->Self, done, done);
-    std::vector<int> vertices;
-    if (this->Retriangulates())
-    {
-      last = this->Self->StageOutput("Retriangulate");
-      RequireApart(last);
-      line = this->Retriangulate->GetReferenceOutput();
-      ring = this->Retriangulate->GetBoundaryOutput();
-      vtkNew<vtkPolyData> sourced;
-      sourced->ShallowCopy(last);
-      AddSources(this->Start, sourced, context);
-      vertices = this->Welding->Transfer(this->Plain, { sourced.Get() }, output);
-      output->GetFieldData()->AddArray(last->GetFieldData()->GetArray("MeanEdge"));
-    }
-    else
-    {
-      RequireApart(last);
-      vtkNew<vtkPolyData> edited;
-      this->PutPreview(edited);
-      output->ShallowCopy(edited);
-      if (!this->Preview.HasNormals())
-      {
-        output->GetPointData()->SetNormals(nullptr);
-        output->GetPointData()->RemoveArray(this->RestNormals->GetName());
-      }
-      vertices = this->Preview.Vertices();
-    }
-    vtkDataArray* region = last->GetPointData()->GetArray("EditRegion");
-    std::vector<vtkIdType> numbers(static_cast<std::size_t>(last->GetNumberOfPoints()), -1);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      vtkIdType& first = numbers[static_cast<std::size_t>(vertices[i])];
-      first = first < 0 ? static_cast<vtkIdType>(i) : first;
-      made->Moved.push_back(region->GetComponent(vertices[i], 0) == 2.0);
-    }
-    PutCurve(line, last, numbers, reference);
-    PutCurve(ring, last, numbers, boundary);
-  }
-  made->Output->ShallowCopy(output);
-  this->Made = std::move(made);
-}
-
-void vtkOversketchEdit::Pipeline::PutRegion(vtkPolyData* region)
-{
-  vtkPolyData* mesh = this->Made->Output;
-  std::vector<vtkIdType> number(this->Made->Moved.size(), -1);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
-  {
-    mesh->GetPolys()->GetCellAtId(t, ids);
-    if (std::any_of(ids->begin(),
-          ids->end(),
-          [this](vtkIdType id) { return this->Made->Moved[static_cast<std::size_t>(id)] != 0; }))
-    {
-      triangles->InsertNextCell(3);
-      for (const vtkIdType point : *ids)
-      {
-        vtkIdType& id = number[static_cast<std::size_t>(point)];
-        id = id >= 0 ? id : points->InsertNextPoint(mesh->GetPoint(point));
-        triangles->InsertCellPoint(id);
-      }
-    }
-  }
-  region->SetPoints(points);
-  region->SetPolys(triangles);
 }

@@ -9,8 +9,10 @@
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchDistanceField.h"
 #include "vtkOversketchEditCurves.h"
+#include "vtkOversketchEditLimb.h"
 #include "vtkOversketchEditMotion.h"
 #include "vtkOversketchEditPreview.h"
+#include "vtkOversketchEditRemarks.h"
 #include "vtkOversketchEnclose.h"
 #include "vtkOversketchFlatten.h"
 #include "vtkOversketchHandles.h"
@@ -22,6 +24,7 @@
 #include "vtkOversketchProfileDeform.h"
 #include "vtkOversketchProfilePlanes.h"
 #include "vtkOversketchProjectCurve.h"
+#include "vtkOversketchRefineBetween.h"
 #include "vtkOversketchResketch.h"
 #include "vtkOversketchRetriangulate.h"
 #include "vtkOversketchScanFill.h"
@@ -79,8 +82,13 @@ struct vtkOversketchEdit::Pipeline
   void SetAmendments(bool on);
   void SetParameters();
 
+  // The mesh that the line is put into: fine enough for what lies between it and the ring, which may be null.
+  void RunGround(vtkPolyData* reference, vtkPolyData* boundary);
   void RunReference(vtkPolyData* curve);
   void RunBoundary(vtkPolyData* curve);
+  // The ring, and that it encloses the line: of several ways to lead it on where it is hidden the first that
+  // does.
+  void RunEnclosed(vtkPolyData* curve);
   void RunRegion();
   void RunWeights();
   void RunDeform();
@@ -97,7 +105,6 @@ struct vtkOversketchEdit::Pipeline
   const char* WeightName() const { return this->HasImage ? "Texture" : "Shading"; }
   bool Retriangulates() const { return this->Self->Rule != Off; }
   int Moved();
-  int Folded();
 
   vtkOversketchEdit* Self;
 
@@ -122,11 +129,18 @@ struct vtkOversketchEdit::Pipeline
   {
     std::string Name; // "Reference"
     vtkNew<vtkOversketchNurbsFit> Fit;
-    vtkNew<vtkOversketchProjectCurve> Project;
+    vtkNew<vtkOversketchProjectCurve> Place, Project; // onto the mesh that came in, and onto what it became
     vtkNew<vtkOversketchInsertCurve> Insert;
     oversketch::DrawnLines Lines;
-    vtkNew<vtkPolyData> Input, Laid;
-    oversketch::StepKey LaidSeen;
+    vtkNew<vtkPolyData> Input, LaidFirst, Laid;
+    oversketch::StepKey LaidFirstSeen, LaidSeen;
+    // Of a ring the runs on the line's limb, where it passes over others too; of both projections.
+    oversketch::RunSpans Spans;
+    oversketch::StepKey SpansSeen, KeptSeen[2];
+    vtkNew<vtkPolyData> Kept[2];
+    bool IsWhole = false; // all runs are taken nevertheless
+    int Way = 0;
+    oversketch::StepKey WaySeen;
     struct Redrawing
     {
       oversketch::StepKey Seen;
@@ -138,6 +152,9 @@ struct vtkOversketchEdit::Pipeline
   Drawn Reference, Boundary;
 
   vtkNew<vtkOversketchMeanEdge> MeanEdge;
+  vtkNew<vtkOversketchRefineBetween> Refine;
+  vtkNew<vtkPolyData> Ground;
+  oversketch::StepKey GroundSeen;
   vtkNew<vtkOversketchNurbsFit> Refit; // these four of whatever redraws either curve
   vtkNew<vtkOversketchResketch> Resketch;
   vtkNew<vtkOversketchProjectCurve> Reproject;
@@ -178,7 +195,8 @@ struct vtkOversketchEdit::Pipeline
   {
     vtkNew<vtkPolyData> Output, Reference;
     std::vector<char> Moved; // per point of the output
-    int MovedPoints, FoldedEdges, Bridges;
+    int MovedPoints, Bridges;
+    oversketch::EditFigures Figures;
   };
   std::unique_ptr<Result> Made; // null after a run that failed
 
@@ -187,11 +205,21 @@ private:
   void Feed(vtkDataObject* from, vtkDataObject* to);
   static void Keep(vtkOversketchInsertCurve* insert, OnMesh& kept);
   static void Keep(const OnMesh& from, OnMesh& kept);
+  vtkPolyData* ReadFirst(Drawn& drawn, vtkPolyData* curve);
+  vtkPolyData* Place(Drawn& drawn,
+    vtkPolyData* curve); // where its first stroke lies on the mesh that came in
+  vtkPolyData* OnLimb(vtkPolyData* ring, int projection);
+  vtkPolyData* Lay(vtkPolyData* curve,
+    vtkPolyData* mesh,
+    bool closed,
+    vtkPolyData* laid,
+    oversketch::StepKey& seen);
   void RunCurve(Drawn& drawn, vtkPolyData* curve, vtkPolyData* mesh);
   void RunRedrawing(Drawn& drawn, std::size_t number);
   void RunProfile();
   // Throws Error(BadStroke) for strokes that were drawn in the view of the line or of the ring.
   void RequireOwnView(vtkPolyData* strokes, const std::string& who, const std::string& plane) const;
+  oversketch::EditFigures FiguresOf(vtkPolyData* last);
   void AddNormals();
   std::shared_ptr<const oversketch::Motion> FindMotion();
 };

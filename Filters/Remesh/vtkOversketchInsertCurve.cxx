@@ -299,6 +299,7 @@ int vtkOversketchInsertCurve::RequestData(vtkInformation*,
         { this->Snap ? 1.0 : 0.0,
           this->EmbedSegments ? 1.0 : 0.0,
           this->Bridge ? 1.0 : 0.0,
+          static_cast<double>(this->Gap),
           this->JoinRuns ? 1.0 : 0.0,
           this->Clean ? 1.0 : 0.0 });
       if (!cache.Outputs[0] || cache.Key != key)
@@ -314,6 +315,7 @@ int vtkOversketchInsertCurve::RequestData(vtkInformation*,
         rules.snap = this->Snap;
         rules.embed = this->EmbedSegments;
         rules.bridge = this->Bridge;
+        rules.gap = static_cast<InsertRules::Gap>(this->Gap);
         rules.join = this->JoinRuns;
         rules.clean = this->Clean;
         const InsertedCurves result = insertCurves(mesh, read.Curves, kept, rules, ContextOf(this));
@@ -352,6 +354,7 @@ void vtkOversketchInsertCurve::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Snap: " << (this->Snap ? "On" : "Off") << "\n";
   os << indent << "EmbedSegments: " << (this->EmbedSegments ? "On" : "Off") << "\n";
   os << indent << "Bridge: " << (this->Bridge ? "On" : "Off") << "\n";
+  os << indent << "Gap: " << this->Gap << "\n";
   os << indent << "Clean: " << (this->Clean ? "On" : "Off") << "\n";
   os << indent << "JoinRuns: " << (this->JoinRuns ? "On" : "Off") << "\n";
   os << indent << "BridgeCount: " << this->BridgeCount << "\n";

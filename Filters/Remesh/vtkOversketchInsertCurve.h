@@ -92,6 +92,24 @@ public:
   vtkBooleanMacro(Bridge, bool);
   ///@}
 
+  enum GapType
+  {
+    Viewer = 0,
+    Onward = 1,
+    Across = 2
+  };
+  ///@{
+  /**
+   * With Bridge on, over a gap first off from the Viewer, in the plane through the eye (default), or on as
+   * the curve comes, Onward, or in the plane Across the first stored curve.
+   */
+  vtkSetClampMacro(Gap, int, Viewer, Across);
+  vtkGetMacro(Gap, int);
+  void SetGapToViewer() { this->SetGap(Viewer); }
+  void SetGapToOnward() { this->SetGap(Onward); }
+  void SetGapToAcross() { this->SetGap(Across); }
+  ///@}
+
   ///@{
   /**
    * With Bridge off: as published, samples that miss the mesh are left out, and those beside the gap joined
@@ -135,6 +153,7 @@ private:
   bool Snap = true;
   bool EmbedSegments = true;
   bool Bridge = true;
+  int Gap = Viewer;
   bool JoinRuns = false;
   bool Clean = true;
   int BridgeCount = 0;

@@ -10,12 +10,17 @@
 #include "vtkOversketchRetriangulateTools.h"
 #include "vtkOversketchSharedMesh.h"
 
+#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+
+#include <cmath>
+#include <string>
 
 using namespace oversketch;
 
@@ -34,6 +39,30 @@ struct vtkOversketchRetriangulate::Cache
 
 namespace
 {
+
+const char* const sizeName = "EdgeLength";
+
+std::vector<double> sizesOf(vtkPolyData* mesh)
+{
+  std::vector<double> sizes;
+  if (mesh->GetPointData()->HasArray(sizeName))
+  {
+    const vtkIdType count = mesh->GetNumberOfPoints();
+    vtkDataArray* lengths =
+      RequireArray(mesh->GetPointData(), sizeName, 1, count, "mesh", "remove it, and MeanEdge counts");
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      sizes.push_back(lengths->GetComponent(i, 0));
+      if (!(sizes.back() > 0.0 && std::isfinite(sizes.back())))
+      {
+        throw Error(Failure::BadMesh,
+          "Vertex " + std::to_string(i) + " of the mesh has EdgeLength " + std::to_string(sizes.back()) +
+            ", which is no positive length: remove the array, and MeanEdge counts.");
+      }
+    }
+  }
+  return sizes;
+}
 
 std::shared_ptr<const MeshData> restOf(vtkPolyData* rest, const Mesh& moved)
 {
@@ -93,7 +122,8 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
     const Motion motion =
       self->Known ? *self->Known
                   : motionBetween(before, this->Rest->Neighbours(), moved->Surface().points, ContextOf(self));
-    result = retriangulateEdit({ before, moved->Surface().points, region, vertices, meanEdge, asFloats },
+    result = retriangulateEdit(
+      { before, moved->Surface().points, region, vertices, meanEdge, asFloats, sizesOf(mesh) },
       motion.movement,
       motion.values,
       motion.channels,

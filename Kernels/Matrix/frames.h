@@ -37,6 +37,7 @@ public:
   // curve (the second extent below a thousandth of the first) the tangent x the mean of the surface's
   // normals.
   CurveFrame planesAt(double t) const;
+  double length() const { return this->Lengths.back(); }
 
 private:
   Vector3 originAt(double t) const;

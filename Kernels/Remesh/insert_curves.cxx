@@ -11,7 +11,6 @@
 
 namespace oversketch
 {
-
 namespace
 {
 
@@ -391,21 +390,34 @@ private:
   std::optional<Way> bridgeWay(int from, int to, const View& view) const
   {
     const Vector3 &a = this->Mesh.point(from), &b = this->Mesh.point(to);
-    const double longest = 4.0 * (b - a).norm() + 0.3 * this->Mesh.diagonal();
     WalkRules rules;
     rules.snapLength = 0.5 * (b - a).norm();
-    rules.longest = longest;
+    rules.longest = 4.0 * (b - a).norm() + 0.3 * this->Mesh.diagonal();
     rules.avoidCurves = true;
     rules.fixedPlane = true;
     rules.direction = [&](const Vector3& at) { return view.towardsViewer(at); };
-    rules.start = -view.towardsViewer(a);
-    std::optional<Way> way = walkPlane(this->Mesh, from, to, rules);
+    const std::vector<int>& before = this->Mesh.curves.back().vertices;
+    const Vector3 off = -view.towardsViewer(a); // which may lead back where that is no rim of what is seen
+    const Vector3 on = before.size() > 1 ? Vector3(a - this->Mesh.point(before[before.size() - 2])) : off;
+    if (this->Rules.gap == InsertRules::Gap::Across && this->Mesh.curves.size() > 1)
+    {
+      const std::vector<int>& along = this->Mesh.curves.front().vertices;
+      const Vector3 axis = this->Mesh.point(along.back()) - this->Mesh.point(along.front());
+      rules.direction = [across = Vector3(axis.cross(b - a))](const Vector3&) { return across; };
+    }
+    std::optional<Way> way;
+    const bool isFirst = this->Rules.gap == InsertRules::Gap::Viewer; // off
+    for (const Vector3& start : { isFirst ? off : on, isFirst ? on : off })
+    {
+      rules.start = start;
+      way = way ? way : walkPlane(this->Mesh, from, to, rules);
+    }
     if (!way)
     {
       rules.start = b - a;
       way = this->normalWay(from, to, rules);
     }
-    return way ? way : walkEdges(this->Mesh, from, to, longest);
+    return way ? way : walkEdges(this->Mesh, from, to, rules.longest);
   }
 
   // Along the plane of two vertices and the mean of their normals.
@@ -491,6 +503,8 @@ CurveMesh beginning(const Mesh& mesh, const std::vector<MeshCurve>& stored)
   return work;
 }
 
+} // namespace
+
 InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount)
 {
   InsertedCurves result;
@@ -544,8 +558,6 @@ InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount)
   }
   return result;
 }
-
-} // namespace
 
 InsertedCurves insertCurves(const Mesh& mesh,
   const std::vector<NewCurve>& curves,

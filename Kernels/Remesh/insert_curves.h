@@ -35,7 +35,14 @@ struct InsertRules
   bool embed = true;  // segments become edges
   bool bridge = true; // what misses or is hidden is walked over; off: a closed curve with gaps is refused
   bool clean = true;  // narrow triangles at the curves; off as published
-  bool join = false;  // without bridges, as published: runs are joined by segments like all others
+  enum class Gap
+  {
+    Viewer, // in the plane through the eye off from the viewer, then on as the curve comes
+    Onward, // the other way round
+    Across  // as Onward, in the plane across the first stored curve: round the limb that this lies along
+  };
+  Gap gap = Gap::Viewer; // what is tried first over a gap
+  bool join = false;     // without bridges, as published: runs are joined by segments like all others
 };
 
 struct InsertedCurves
@@ -58,9 +65,10 @@ struct InsertedCurves
 //   each crossing; a crossing within 0.2 of an edge's end, at most half the segment away, is that vertex.
 //   Where that meets a curve, or gets nowhere, the plane of the surface's normals and the shortest way over
 //   edges are tried;
-// - over a gap of a closed curve leads the first of three ways that meets no curve: along the plane of both
-//   ends and the eye, off from the viewer and straight on; along the plane of both ends and the mean of
-//   their normals; over edges; each no longer than four gaps and 0.3 of the mesh's diagonal;
+// - over a gap of a closed curve leads the first of four ways that meets no curve: along the plane of both
+//   ends and the eye, off from the viewer and straight on; or on as the curve comes; along the plane of both
+//   ends and the mean of their normals; over edges; each no longer than four gaps and 0.3 of the mesh's
+//   diagonal;
 // - what lies between two visits of a vertex is cut out, of a closed curve the shorter part; where that went
 //   through triangles that the rest does not touch, the rest alone is inserted, so that they stay whole;
 // - a new vertex on an edge of a curve that is stored belongs to that curve, else a region would leak there;
@@ -81,6 +89,9 @@ InsertedCurves insertCurves(const Mesh& mesh,
 // of curves, border vertices, and vertices on edges over 25 degrees; of a curve, vertices that were inserted
 // go along it, if it moves by at most a tenth of the new segment.
 void cleanAlongCurves(CurveMesh& mesh, const Context& context = Context());
+
+// A mesh as it was changed; of its curves the first `storedCount` were stored.
+InsertedCurves resultOf(const CurveMesh& mesh, std::size_t storedCount);
 
 } // namespace oversketch
 #endif

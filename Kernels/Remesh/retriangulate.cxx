@@ -176,7 +176,7 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
   const Cutout cutout(input.rest, facesInside(input));
   requireBounded({ Cutout::taken(input.moved, cutout.vertices), cutout.mesh.triangles },
     cutout.active,
-    std::vector<double>(cutout.vertices.size(), input.meanEdge));
+    sizesIn(cutout, input));
   const std::vector<int> oneChart;
   const Surface rest(cutout.mesh, cutout.active, oneChart);
   Held held = heldIn(cutout, input);
@@ -202,9 +202,15 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
     mesh.triangles.push_back(split.triangle(t));
   }
   std::vector<SurfacePoint> origins;
+  std::vector<double> sizes = sizesIn(cutout, input);
   for (int v = cutout.mesh.vertexCount(); v < split.vertexCount(); ++v)
   {
-    origins.push_back(split.place(v));
+    const SurfacePoint& place = split.place(v);
+    const Triangle& c = cutout.mesh.triangles[place.triangle];
+    origins.push_back(place);
+    sizes.push_back(input.sizes.empty() ? input.meanEdge
+                                        : place.weights[0] * sizes[c[0]] + place.weights[1] * sizes[c[1]] +
+                                            place.weights[2] * sizes[c[2]]);
   }
   std::vector<std::array<int, 3>> onCurves = split.keptSplits();
   held.edges.clear();
@@ -219,7 +225,6 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
     }
   }
   const Surface surface(mesh, touched, oneChart);
-  const std::vector<double> sizes(mesh.points.size(), input.meanEdge);
   Patch patch(surface, touched, sizes, held.vertices, held.edges, true);
   Relaxation relaxation(patch, context, true);
   for (int round = 0; round < remeshRounds; ++round)

@@ -26,6 +26,7 @@ struct RetriangulateInput
   std::vector<std::vector<int>> curves; // vertices joined by edges; they stay, and so do the edges
   double meanEdge = 0.0;                // of the mesh as it was loaded [model length]
   bool asFloats = false;                // what comes out is stored in them: places differ there, too
+  std::vector<double> sizes = {};       // per vertex the mean edge to be there instead; none: that everywhere
 };
 
 // A vertex of a curve: the curve's point `from`, or t of the way to the one after it.
@@ -60,18 +61,18 @@ struct Retriangulated
 // Error(Failure::Cancelled).
 Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const Context& context);
 
-// What replaces it: a rule of curvature finds it in the noise of an unchanged region too, and puts new
-// vertices onto the facets of a surface that was stretched. Here edges are split before the edit, so that the
-// edit moves their halves to where they belong: in up to six rounds each edge that it makes longer than 4/3
-// mean edges and than it was, or that is over 0.35 mean edges long and whose middle it carries away from the
-// edge by over 0.03 of its length, the longest first and one of a face in a round; after each, edges are
-// swapped where the smallest angle of the moved faces grows.
-// Faces that were split, or of which an edge's length changes by over 1 %, are then remeshed as the edit
-// leaves them: in three rounds edges over 4/3 mean edges are split, those under 0.35 collapsed, others
-// swapped so that more vertices have six, and vertices relaxed in the tangent plane and back to the surface;
-// then edges are swapped by angles, and those that this leaves over 4/3 mean edges split.
-// Without a motion nothing changes. No two vertices come out at one place, by either rule, unless the edit
-// has put both there and they cannot leave.
+// What replaces it, with the mean edge that is to be there: a rule of curvature finds it in the noise of an
+// unchanged region too, and puts new vertices onto the facets of a surface that was stretched. Here edges are
+// split before the edit, so that the edit moves their halves to where they belong: in up to six rounds each
+// edge that it makes longer than 4/3 mean edges and than it was, or that is over 0.35 mean edges long and
+// whose middle it carries away from the edge by over 0.03 of its length, the longest first and one of a face
+// in a round; after each, edges are swapped where the smallest angle of the moved faces grows. Faces that
+// were split, or of which an edge's length changes by over 1 %, are then remeshed as the edit leaves them: in
+// three rounds edges over 4/3 mean edges are split, those under 0.35 collapsed, others swapped so that more
+// vertices have six, and vertices relaxed in the tangent plane and back to the surface; then edges are
+// swapped by angles, and those that this leaves over 4/3 mean edges split. Without a motion nothing changes.
+// No two vertices come out at one place, by either rule, unless the edit has put both there and they cannot
+// leave.
 //
 // values: `channels` of each vertex of the mesh, mixed where a new one is made.
 Retriangulated retriangulateEdit(const RetriangulateInput& input,

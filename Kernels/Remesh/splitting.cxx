@@ -17,6 +17,12 @@ constexpr double flattest = 1e-6;
 
 } // namespace
 
+std::vector<double> sizesIn(const Cutout& cutout, const RetriangulateInput& input)
+{
+  return input.sizes.empty() ? std::vector<double>(cutout.vertices.size(), input.meanEdge)
+                             : Cutout::taken(input.sizes, cutout.vertices);
+}
+
 Splitting::Splitting(const RetriangulateInput& input,
   const Cutout& cutout,
   const Surface& rest,
@@ -24,13 +30,12 @@ Splitting::Splitting(const RetriangulateInput& input,
   const Movement& movement,
   const std::vector<double>& values,
   int channels)
-  : Input(input)
-  , Cut(cutout)
+  : Cut(cutout)
   , Rest(rest)
   , Moves(movement)
   , Values(values)
   , Channels(channels)
-  , Sizes(cutout.vertices.size(), input.meanEdge)
+  , Sizes(sizesIn(cutout, input))
   , Area(rest, cutout.active, Sizes, held.vertices, held.edges, false)
   , AtRest(cutout.mesh.points)
   , Taken(coincidence * input.meanEdge)
@@ -120,13 +125,12 @@ void Splitting::mixValues(const SurfacePoint& at, double* values) const
 
 void Splitting::lookAtEdges(const Context& context)
 {
-  const double shortest = shortestEdge * this->Input.meanEdge;
   std::vector<int> edges;
   edges.reserve(this->Fresh.size());
   for (const Edge& edge : this->Fresh)
   {
     const int h = this->Area.find(edge.a, edge.b, edge.h);
-    if (h >= 0 && this->squaredLength(h) > shortest * shortest)
+    if (h >= 0 && this->relativeSquared(h) > shortestEdge * shortestEdge)
     {
       edges.push_back(h);
     }
@@ -165,14 +169,14 @@ void Splitting::choose(const int* begin, const int* end, std::vector<Wish>& chos
   }
   const std::vector<Vector3> moved = this->Moves(middles, values);
   constexpr double change = smallestChange * smallestChange;
-  const double longest = longestEdge * this->Input.meanEdge;
   const auto squaredSag = [](const Vector3& a, const Vector3& b, const Vector3& middle)
   { return (middle - 0.5 * (a + b)).squaredNorm(); };
   for (std::size_t i = 0; i < count; ++i)
   {
     const Edge edge{ this->Area.origin(begin[i]), this->Area.target(begin[i]), begin[i] };
     const double length = this->squaredLength(edge.h);
-    const bool stretched = length > longest * longest && length > change * this->squaredRestLength(edge.h);
+    const bool stretched = this->relativeSquared(edge.h) > longestEdge * longestEdge &&
+                           length > change * this->squaredRestLength(edge.h);
     const double sag = squaredSag(this->Area.point(edge.a), this->Area.point(edge.b), moved[i]);
     const bool bent = sag > largestSag * largestSag * length &&
                       sag > change * squaredSag(this->AtRest[edge.a], this->AtRest[edge.b], middles[i]);

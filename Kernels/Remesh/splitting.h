@@ -13,6 +13,9 @@
 namespace oversketch
 {
 
+// The mean edge that is to be at each vertex of a cut-out.
+std::vector<double> sizesIn(const Cutout& cutout, const RetriangulateInput& input);
+
 // The patch as the edit moves it, while its edges are split before the edit.
 class Splitting
 {
@@ -50,6 +53,11 @@ private:
   {
     return (this->Area.point(this->Area.target(h)) - this->Area.point(this->Area.origin(h))).squaredNorm();
   }
+  // Over the mean edge that is to be there.
+  double relativeSquared(int h) const
+  {
+    return this->Area.relativeSquared(this->Area.origin(h), this->Area.target(h));
+  }
   double squaredRestLength(int h) const
   {
     return (this->AtRest[this->Area.target(h)] - this->AtRest[this->Area.origin(h)]).squaredNorm();
@@ -80,7 +88,6 @@ private:
 
   int flip(const std::vector<int>& split, bool all);
 
-  const RetriangulateInput& Input;
   const Cutout& Cut;
   const Surface& Rest;
   const Movement& Moves;

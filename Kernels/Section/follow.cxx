@@ -13,6 +13,8 @@ namespace oversketch
 namespace
 {
 
+constexpr double nearPlane = 0.25; // of the curve's length
+
 // -1 or 1 where the first or the last point of a polyline is the nearest of its places, 0 elsewhere.
 int nearestEnd(const std::vector<Vector3>& curve, const Vector3& point)
 {
@@ -34,6 +36,23 @@ int nearestEnd(const std::vector<Vector3>& curve, const Vector3& point)
 Eigen::Matrix3d axesOf(const CurveFrame& frame)
 {
   return matrixOf(frame).topLeftCorner<3, 3>();
+}
+
+// 1 at 0, 0 from `end` on.
+double fading(double x, double end)
+{
+  const double share = std::clamp(x / end, 0.0, 1.0);
+  return 1.0 - share * share * (3.0 - 2.0 * share);
+}
+
+// The place of the curve whose frame a vertex follows that lies beside `beside`. Another arm of the curve
+// that the plane meets, too, is beside a place far from the plane's.
+double frameOf(const Vector3& place, double beside, const CurveFrame& plane, double planeAt, double length)
+{
+  const double off = (place - plane.origin).dot(plane.along) / length;
+  const double own = fading(std::abs(off), nearPlane) *
+                     fading(std::max(0.0, std::abs(beside - planeAt) - nearPlane), nearPlane);
+  return beside + own * (std::clamp(planeAt + off, 0.0, 1.0) - beside);
 }
 
 } // namespace
@@ -87,7 +106,8 @@ double PlaneReach::at(double t) const
   return std::isinf(end) ? 1.0 : std::clamp((t - end) / (this->Plane - end), 0.0, 1.0);
 }
 
-std::vector<Vector3> profileMoves(const RegionPlaces& region,
+std::vector<Vector3> profileMoves(const std::vector<Vector3>& points,
+  const RegionPlaces& region,
   const std::vector<double>& shares,
   const ProfileChange& change,
   const Matrix4& flat,
@@ -100,6 +120,8 @@ std::vector<Vector3> profileMoves(const RegionPlaces& region,
   // From the flat profile to the plane's frame.
   const Eigen::Matrix<double, 3, 2> turn = axesOf(plane).transpose() * flat.topLeftCorner<3, 2>();
   const int count = static_cast<int>(region.vertices.size());
+  const auto placeOf = [&](int i)
+  { return frameOf(points[region.vertices[i]], region.parameter[i], plane, reach.plane(), frames.length()); };
   std::vector<Vector3> moves(region.vertices.size(), Vector3::Zero());
   std::atomic<int> without{ count }; // the first vertex that has no frame
   context.parallelFor(count,
@@ -116,7 +138,7 @@ std::vector<Vector3> profileMoves(const RegionPlaces& region,
         const double factor = reach.at(region.parameter[i]) * (weights.empty() ? 1.0 : weights[i]);
         try
         {
-          moves[i] = factor * (axesOf(frames.at(region.parameter[i])) * (turn * move));
+          moves[i] = factor * (axesOf(frames.at(placeOf(i))) * (turn * move));
         }
         catch (const Error&)
         {
@@ -131,7 +153,7 @@ std::vector<Vector3> profileMoves(const RegionPlaces& region,
   context.checkpoint(1.0);
   if (without < count)
   {
-    frames.at(region.parameter[without]); // says why
+    frames.at(placeOf(without)); // says why
   }
   return moves;
 }

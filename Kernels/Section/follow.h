@@ -38,6 +38,7 @@ public:
   // plane, handles: shares of the curve's length; handles in any order.
   PlaneReach(double plane, const std::vector<double>& handles);
   double at(double t) const;
+  double plane() const { return this->Plane; }
 
 private:
   double Plane, Before, After; // neighbours, or an infinity where there is none
@@ -48,11 +49,15 @@ private:
 // grayscale texture" would never let the mesh match the profile off the curve. Here a vertex moves by
 // reach.at(parameter) times the displacement of its own share of the way, which is carried from the profile's
 // frame to the curve's at the vertex; of a translation that is the chapter's exponential. `weights`: a
-// further factor of each vertex, or empty.
+// further factor of each vertex, or empty. What the plane cuts takes the plane's own frame, though the place
+// of the curve that it lies beside is another one where the surface turns or narrows along it: else the
+// section of what comes of it is not the one that was drawn. Over a quarter of the curve's length off the
+// plane that goes over to the frame of the place beside.
 //
 // flat: the profile's frame, see FlatProfile::toWorld; plane: the frame that it was cut in. One displacement
 // of each vertex of the region, exactly zero where the profiles are one. Throws Error(Failure::Cancelled).
-std::vector<Vector3> profileMoves(const RegionPlaces& region,
+std::vector<Vector3> profileMoves(const std::vector<Vector3>& points,
+  const RegionPlaces& region,
   const std::vector<double>& shares,
   const ProfileChange& change,
   const Matrix4& flat,

@@ -66,6 +66,36 @@ TEST(Follow, RoundAnEndTheSidesAreMixed)
   EXPECT_GT(past, 4);
 }
 
+// Also where the place of the curve that a vertex lies beside is another one: the section would not be what
+// was drawn.
+TEST(Follow, WhatThePlaneCutsStaysInIt)
+{
+  Profiled p(sphereScene(24, 96, 0.3));
+  for (double& t : p.scene.parameter)
+  {
+    t = std::min(1.0, t + 0.12);
+  }
+  const FlatProfile profile = p.flat(p.section());
+  const std::vector<Vector3> moves = p.moves(profile, p.change(profile, bumped(profile)));
+  int cut = 0;
+  double length = 0.0, worst = 0.0;
+  for (std::size_t i = 1; i < p.curve.size(); ++i)
+  {
+    length += (p.curve[i] - p.curve[i - 1]).norm();
+  }
+  for (int v = 0; v < p.scene.mesh.vertexCount(); ++v)
+  {
+    const double off = (p.scene.mesh.points[v] - p.frame.origin).dot(p.frame.along) / length;
+    if (std::abs(off) < 0.02 && moves[v] != Vector3::Zero())
+    {
+      worst = std::max(worst, std::abs(moves[v].normalized().dot(p.frame.along)));
+      ++cut;
+    }
+  }
+  EXPECT_GT(cut, 20);
+  EXPECT_LT(worst, 0.04); // 0.12 of the place beside
+}
+
 TEST(Follow, ThreadsChangeNoBitAndHandlesStop)
 {
   const Profiled p(sphereScene(24, 96, 0.3));

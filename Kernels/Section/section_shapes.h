@@ -105,7 +105,8 @@ struct Profiled
     const RegionPlaces places = this->region();
     const std::vector<double> shares =
       sideShares(this->scene.mesh.points, places, this->curve, this->frames, context);
-    const std::vector<Vector3> moved = profileMoves(places,
+    const std::vector<Vector3> moved = profileMoves(this->scene.mesh.points,
+      places,
       shares,
       change,
       profile.toWorld,

@@ -164,6 +164,9 @@ TEST(HostileEditCancelled, InEachStepAndThenWhole)
   const std::vector<std::pair<std::vector<const char*>, std::function<void(vtkOversketchEdit*)>>> ways = {
     { { "MeanEdge",
         "ReferenceFit",
+        "ReferencePlace",
+        "BoundaryPlace",
+        "Refine",
         "ReferenceProject",
         "ReferenceInsert",
         "BoundaryFit",

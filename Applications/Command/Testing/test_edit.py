@@ -82,10 +82,13 @@ def test_an_edit_that_moves_nothing_writes_its_input(folder, tmp_path):
 def test_folds_are_told(folder, tmp_path):
     options = ["--rotate", "0.5,n,170", "--report", tmp_path / "r.json"]
     done = run(*command(folder, tmp_path / "o.vtp", *options))
-    folds = json.loads((tmp_path / "r.json").read_text())["edit"]["folded_edges"]
-    assert done.returncode == 0 and folds > 1
-    assert done.stderr.splitlines() == [
-        f"oversketch: warning: The edit folds the model along {folds} edges: drag less far, or draw the ring wider."]
+    report = json.loads((tmp_path / "r.json").read_text())
+    folds, crossings = report["edit"]["folded_edges"], report["edit"]["crossings"]
+    assert done.returncode == 0 and folds > 1 and crossings > 1
+    remark = (f"The edit makes the model pass through itself, in {crossings} pairs of triangles: drag less far, or draw the ring wider. "
+              f"The edit folds the model along {folds} edges: drag less far, or draw the ring wider.")
+    assert done.stderr.splitlines() == [f"oversketch: warning: {remark}"]
+    assert report["warnings"] == [remark]
 
 
 def test_a_drag_is_in_pixels_of_the_lines_view(folder, tmp_path):

@@ -1,6 +1,8 @@
 // What is shown while something is dragged, curves and profiles redrawn in part, areas, handles.
 #include "EditSystem.h"
 
+#include "Harness/shapes.h"
+
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -179,7 +181,7 @@ TEST(EditPreview, NormalsArePreparedOnce)
   const oversketch::MeshWork& work = oversketch::MeshWorkDone();
   for (const bool isPrepared : { false, true })
   {
-    EditSystem s(shippedModel("bear"));
+    EditSystem s(toPolyData(icosphere(6)), lineOver(60.0), ringOver(90.0)); // fine enough for both
     if (isPrepared)
     {
       s.filter->SetReferenceData(nullptr);

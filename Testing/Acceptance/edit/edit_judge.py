@@ -191,6 +191,28 @@ def in_sight(depth, xy, z):
         return (around.min(0) <= z + AHEAD) & (around.max(0) - around.min(0) <= LEAP)
 
 
+def within(polygon, places):
+    """Which places a closed polygon goes round: a line to the right crosses it an odd number of times."""
+    inside, (a, b) = np.zeros(len(places), bool), (polygon, np.roll(polygon, 1, axis=0))
+    for (x, y), (u, v) in zip(a, b):
+        if y != v:
+            inside ^= ((y > places[:, 1]) != (v > places[:, 1])) & (places[:, 0] < x + (places[:, 1] - y) * (u - x) / (v - y))
+    return inside
+
+
+def limb(points, linked, line, xy, ring):
+    """Triangles at what the line reaches over edges without leaving the ring in the picture: a ring round the tip of a limb may pass over
+    another one too, on which it has no part."""
+    inside = within(ring, xy)
+    edges = linked.edges[inside[linked.edges].all(1)]
+    reached, before = np.zeros(len(points), bool), -1
+    reached[line] = inside[line]
+    while reached.sum() > before:
+        before = reached.sum()
+        reached[edges[reached[edges].any(1)]] = True
+    return linked.triangles[reached[linked.triangles].any(1)]
+
+
 def drawn(case, result):
     """How far curves are off their strokes, and angles beside them."""
     beside = np.zeros(len(case.rest.points), bool)
@@ -211,6 +233,11 @@ def drawn(case, result):
         off, _, where = picture.distance_to(xy, [course], np.inf)
         nearest = np.clip(np.round(where / picture.lengths(course)[-1] * (len(course) - 1)).astype(int), 0, len(course) - 1)
         clear = in_sight(depth, course, under)
+        own = limb(case.rest.points, case.linked, case.line, view.display(case.rest.points)[0], samples) if name == "boundary" else []
+        if len(own):
+            alone = picture.depths(view, case.rest.points, own)[0][at[:, 1], at[:, 0]]
+            with np.errstate(invalid="ignore"):
+                clear &= np.abs(alone - under) <= AHEAD
         with np.errstate(invalid="ignore"):
             gaps = not np.isfinite(under).all() or np.abs(np.diff(under)).max() > LEAP
         if gaps:
@@ -339,6 +366,15 @@ def same(case, name):
     arrays = all(x.keys() == y.keys() and all(alike(x[key], y[key]) for key in x)
                  for x, y in ((a.point, b.point), (a.cell, b.cell), (a.field, b.field)))
     return alike(a.points, b.points) and alike(a.triangles, b.triangles) and arrays
+
+
+def goes_round(folder):
+    """Whether the plane across the line's middle goes round a limb, whose tip the ring encloses."""
+    case = Case(folder)
+    line = case.rest.points[case.line]
+    way = picture.lengths(line)
+    at = lambda share: np.array([np.interp(share * way[-1], way, line[:, k]) for k in range(3)])
+    return patches.goes_round(case.rest.points, case.patch.faces, at(0.5), at(0.65) - at(0.35))
 
 
 def recut(case, result):

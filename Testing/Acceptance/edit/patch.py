@@ -219,6 +219,22 @@ def cut(points, triangles, origin, normal):
     return ends[~np.isnan(ends[:, :, 0])].reshape(-1, 2, 3)
 
 
+def goes_round(points, faces, origin, normal):
+    """Whether a plane cuts a patch, where that is nearest to a place, in a closed curve: it goes round a limb and meets no ring."""
+    segments = cut(points, faces, origin, normal)
+    if not len(segments):
+        return False
+    size = np.ptp(points[np.unique(faces)], axis=0).max()
+    _, ends = np.unique(np.round(segments.reshape(-1, 3) / (1e-9 * size)), axis=0, return_inverse=True)
+    ends = ends.reshape(-1, 2)
+    found, before = np.zeros(len(segments), bool), -1
+    found[np.linalg.norm(segments.mean(1) - origin, axis=1).argmin()] = True
+    while found.sum() > before:
+        before = found.sum()
+        found = np.isin(ends, ends[found]).any(1)
+    return bool((np.bincount(ends[found].ravel())[np.unique(ends[found])] == 2).all())
+
+
 def to_segments(points, segments):
     """Distance of each point to the nearest segment, infinite where there is none."""
     if not len(segments):

@@ -70,6 +70,26 @@ def enclosed_sheet():
     return points, triangles, line, ring, patches.enclosed(patches.Linked(triangles), line, ring)
 
 
+def test_a_limb_is_what_the_line_reaches_within_the_ring():
+    points, triangles, at = sheet()
+    middle = points[triangles].mean(1)
+    legs = triangles[~((middle[:, 0] > 9) & (middle[:, 0] < 11) & (middle[:, 1] > 4))]  # joined below
+    line = np.array([at(i, 8) for i in range(3, 7)])
+    ring = np.array([(1.5, 6.5), (18.5, 6.5), (18.5, 12.5), (1.5, 12.5)])
+    found = lambda ring: points[edit_judge.limb(points, patches.Linked(legs), line, points[:, :2], ring)]
+    assert found(ring)[:, :, 0].max() <= 9.0 and found(ring)[:, :, 1].min() == 6.0
+    assert found(ring - (0, 4))[:, :, 0].max() > 17.0  # this one holds what joins them
+    assert edit_judge.within(ring, np.array([(2.0, 7.0), (1.0, 7.0), (2.0, 13.0)])).tolist() == [True, False, False]
+
+
+def test_a_plane_across_a_capped_limb_goes_round_it():
+    points, triangles = ball(4)
+    middle = points[triangles].mean(1)
+    cap = triangles[middle[:, 2] > -0.5]  # the tip of a limb along z
+    assert patches.goes_round(points, cap, np.array([1.0, 0.0, 0.03]), np.array([0.0, 0.0, 1.0]))
+    assert not patches.goes_round(points, cap, np.array([0.03, 0.0, 1.0]), np.array([1.0, 0.0, 0.0]))  # lengthwise it ends at the ring
+
+
 def test_a_ring_encloses_what_lies_within():
     points, _, line, ring, patch = enclosed_sheet()
     assert patch.inside.sum() == 2 * 16 * 12 and len(patch.interior) == 15 * 11 and len(patch.vertices) == 17 * 13

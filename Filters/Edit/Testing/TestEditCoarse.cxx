@@ -1,0 +1,278 @@
+// Edits of coarse models and of limbs beside others: the region is as fine as the hand draws, and where it
+// drew.
+#include "EditSystem.h"
+
+#include "Harness/shapes.h"
+#include "vtkOversketchRefineBetween.h"
+
+#include "vtkFieldData.h"
+
+#include <gtest/gtest.h>
+
+#include <queue>
+#include <string>
+
+using namespace oversketch_test;
+
+namespace
+{
+
+vtkPolyData* outputOf(vtkOversketchEdit* system, const char* step, int port)
+{
+  return vtkPolyData::SafeDownCast(system->GetStep(step)->GetOutputDataObject(port));
+}
+
+std::vector<vtkIdType> chainOf(vtkPolyData* curve)
+{
+  std::vector<vtkIdType> chain;
+  for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
+  {
+    chain.push_back(static_cast<vtkIdType>(curve->GetPointData()->GetArray("VertexId")->GetComponent(i, 0)));
+  }
+  return chain;
+}
+
+double middleOf(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[values.size() / 2];
+}
+
+// How many edges lead from each vertex of the ring to the line, the middle of all.
+double edgesFromLineToRing(vtkOversketchEdit* system)
+{
+  vtkPolyData* mesh = outputOf(system, "BoundaryInsert", 0);
+  std::map<vtkIdType, std::set<vtkIdType>> links;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
+  {
+    mesh->GetPolys()->GetCellAtId(t, ids);
+    for (const vtkIdType a : *ids)
+    {
+      links[a].insert(ids->begin(), ids->end());
+    }
+  }
+  std::map<vtkIdType, int> steps;
+  std::queue<vtkIdType> open;
+  for (const vtkIdType v : chainOf(outputOf(system, "BoundaryInsert", 2)))
+  {
+    steps[v] = 0;
+    open.push(v);
+  }
+  for (; !open.empty(); open.pop())
+  {
+    for (const vtkIdType w : links[open.front()])
+    {
+      if (steps.emplace(w, steps[open.front()] + 1).second)
+      {
+        open.push(w);
+      }
+    }
+  }
+  std::vector<double> found;
+  for (const vtkIdType v : chainOf(outputOf(system, "BoundaryInsert", 1)))
+  {
+    found.push_back(steps.at(v));
+  }
+  return middleOf(found);
+}
+
+// How far a curve's edges are from its spline in the picture [px]: root of the mean square.
+double offSpline(const View& view, vtkPolyData* curve, vtkPolyData* spline)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (vtkIdType i = 1; i < curve->GetNumberOfPoints(); ++i)
+  {
+    const Vector2 a = view.toDisplay(placeOf(curve, i - 1)).head<2>(),
+                  b = view.toDisplay(placeOf(curve, i)).head<2>();
+    const int parts = std::max(1, static_cast<int>((b - a).norm()));
+    for (int k = 0; k < parts; ++k, ++count)
+    {
+      const Vector2 p = a + (static_cast<double>(k) / parts) * (b - a);
+      double least = HUGE_VAL;
+      for (vtkIdType j = 0; j < spline->GetNumberOfPoints(); ++j)
+      {
+        least = std::min(least, (placeOf(spline, j).head<2>() - p).squaredNorm());
+      }
+      sum += least;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+// Of the triangles inside the region the smallest angles: p5.
+double smallAngles(vtkPolyData* mesh, vtkPolyData* labels)
+{
+  vtkDataArray* region = labels->GetPointData()->GetArray("EditRegion");
+  std::vector<double> angles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
+  {
+    mesh->GetPolys()->GetCellAtId(t, ids);
+    Mesh one;
+    bool inside = false;
+    for (const vtkIdType id : *ids)
+    {
+      one.points.push_back(placeOf(mesh, id));
+      inside = inside || region->GetComponent(id, 0) == 2.0;
+    }
+    if (inside)
+    {
+      angles.push_back(smallestAngle(one, { 0, 1, 2 }));
+    }
+  }
+  std::sort(angles.begin(), angles.end());
+  return angles[angles.size() / 20];
+}
+
+vtkSmartPointer<vtkPolyData> ball(int levels)
+{
+  return toPolyData(icosphere(levels));
+}
+
+// Two legs that are joined far above and below: a torus from its side, 100 px a unit.
+vtkSmartPointer<vtkPolyData> legs()
+{
+  return toPolyData(torus(2.0, 0.5, 160, 48));
+}
+
+std::vector<Vector2> ellipse(double x, double y, double a, double b)
+{
+  std::vector<Vector2> samples;
+  for (int i = 0; i < 120; ++i)
+  {
+    const double angle = 2.0 * pi * i / 120.0;
+    samples.emplace_back(x + a * std::cos(angle), y + b * std::sin(angle));
+  }
+  return samples;
+}
+
+std::vector<Vector2> upright(double x, double low, double high)
+{
+  std::vector<Vector2> samples;
+  for (int i = 0; i <= 30; ++i)
+  {
+    samples.emplace_back(x, low + (high - low) * i / 30.0);
+  }
+  return samples;
+}
+
+} // namespace
+
+TEST(B11_5, ARegionUnderOneEdgeWideGetsSixEdgesFromLineToRing)
+{
+  for (const int levels : { 2, 3, 4 })
+  {
+    EditSystem s(ball(levels), lineOver(60.0), ringOver(45.0));
+    s.operate("move 0.5 n %.9g", 0.05);
+    vtkPolyData* output = s.run();
+    ASSERT_GT(output->GetNumberOfPolys(), 0);
+    const double edges = edgesFromLineToRing(s.filter);
+    EXPECT_GE(edges, 6.0) << levels;
+    const double line = offSpline(
+                   s.view, outputOf(s.filter, "BoundaryInsert", 2), outputOf(s.filter, "ReferenceFit", 0)),
+                 ring = offSpline(
+                   s.view, outputOf(s.filter, "BoundaryInsert", 1), outputOf(s.filter, "BoundaryFit", 0));
+    EXPECT_LT(line, 0.5) << levels;
+    EXPECT_LT(ring, 0.6) << levels;
+    vtkPolyData* made = outputOf(s.filter, "Retriangulate", 0);
+    const double angle = smallAngles(made, made);
+    EXPECT_GE(angle, 24.0) << levels;
+    EXPECT_EQ(eulerNumber(output), 2);
+    EXPECT_EQ(output->GetPointData()->GetArray("EdgeLength"), nullptr);
+    // What lies two edges beyond the ring stays.
+    const double meanEdge = output->GetFieldData()->GetArray("MeanEdge")->GetComponent(0, 0);
+    std::set<std::array<double, 3>> places;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 p = placeOf(output, i);
+      places.insert({ p[0], p[1], p[2] });
+    }
+    vtkPolyData* patch = outputOf(s.filter, "Enclose", 1);
+    for (vtkIdType i = 0; i < s.mesh->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 p = placeOf(s.mesh, i);
+      EXPECT_TRUE(distanceTo(patch, p) <= 2.0 * meanEdge || places.count({ p[0], p[1], p[2] }));
+    }
+    fact("B11_5",
+      std::to_string(s.mesh->GetNumberOfPolys()) + " triangles: " + std::to_string(edges) +
+        " edges from line to ring, " + std::to_string(line) + " and " + std::to_string(ring) +
+        " px off the splines, angles p5 " + std::to_string(angle));
+  }
+}
+
+TEST(EditCoarse, AFineModelKeepsItsTrianglesAndSoItDoesAsPublished)
+{
+  EditSystem fine(ball(6), lineOver(60.0), ringOver(90.0));
+  fine.run();
+  EXPECT_EQ(
+    outputOf(fine.filter, "Refine", 0)->GetPoints(), outputOf(fine.filter, "MeanEdge", 0)->GetPoints());
+  EXPECT_EQ(outputOf(fine.filter, "Refine", 0)->GetPointData()->GetArray("EdgeLength"), nullptr);
+  EditSystem coarse(ball(3), lineOver(60.0), ringOver(45.0));
+  coarse.run();
+  EXPECT_GT(outputOf(coarse.filter, "Refine", 0)->GetNumberOfPolys(), coarse.mesh->GetNumberOfPolys());
+  coarse.filter->AsPublishedOn();
+  coarse.run();
+  EXPECT_EQ(vtkOversketchRefineBetween::SafeDownCast(coarse.filter->GetStep("Refine"))->GetEdges(), 0.0);
+  EXPECT_LT(outputOf(coarse.filter, "ReferenceInsert", 0)->GetNumberOfPoints(),
+    coarse.mesh->GetNumberOfPoints() + 50);
+}
+
+TEST(EditCoarse, AnEditThatMovesNothingPutsOutItsInput)
+{
+  EditSystem s(ball(2), lineOver(60.0), ringOver(45.0));
+  const auto before = deepCopy(s.mesh);
+  s.filter->SetOperations("move 0.5 n 0");
+  vtkPolyData* output = s.run();
+  EXPECT_EQ(output->GetPoints(), s.mesh->GetPoints());
+  expectSameBits(output, before);
+}
+
+TEST(EditCoarse, ARingOverTwoLegsIsThatOfTheLinesLeg)
+{
+  EditSystem s(legs(), upright(200.0, 280.0, 320.0), ellipse(400.0, 300.0, 290.0, 60.0));
+  s.operate("move 0.5 n %.9g", 0.02);
+  ASSERT_GT(s.run()->GetNumberOfPolys(), 0);
+  vtkPolyData* region = outputOf(s.filter, "Enclose", 0);
+  vtkDataArray* labels = region->GetPointData()->GetArray("EditRegion");
+  int inside = 0;
+  for (vtkIdType i = 0; i < region->GetNumberOfPoints(); ++i)
+  {
+    if (labels->GetComponent(i, 0) == 2.0)
+    {
+      ++inside;
+      EXPECT_LT(placeOf(region, i)[0], 0.0);
+      EXPECT_LT(std::abs(placeOf(region, i)[1]), 1.0);
+    }
+  }
+  EXPECT_GT(inside, 50);
+}
+
+TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsSaid)
+{
+  EditSystem s(legs(), upright(200.0, 260.0, 340.0), ellipse(200.0, 300.0, 38.0, 75.0));
+  const auto drawn = [](double deep)
+  {
+    auto profile = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell(41);
+    for (int i = 0; i <= 40; ++i)
+    {
+      lines->InsertCellPoint(
+        points->InsertNextPoint(i / 40.0, -deep * std::pow(std::sin(pi * i / 40.0), 2.0), 0.0));
+    }
+    profile->SetPoints(points);
+    profile->SetLines(lines);
+    return profile;
+  };
+  s.filter->SetProfileData(drawn(2.2)); // of a width of 0.76, where the leg is 1 thick
+  s.run();
+  const std::string deep = s.filter->GetRemark();
+  EXPECT_NE(deep.find("times as deep as the model is thick there"), std::string::npos) << deep;
+  EXPECT_EQ(deep.find("drag"), std::string::npos) << deep;
+  s.filter->SetProfileData(drawn(0.3));
+  s.run();
+  EXPECT_EQ(std::string(s.filter->GetRemark()), "");
+}

@@ -1,0 +1,165 @@
+#include "vtkOversketchRefineBetween.h"
+
+#include "Remesh/refine_between.h"
+#include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchFieldValue.h"
+#include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchSharedMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <string>
+
+using namespace oversketch;
+
+struct vtkOversketchRefineBetween::Cache
+{
+  KeptOutput Kept;
+};
+
+namespace
+{
+
+std::vector<RunOnMesh> readRuns(vtkPolyData* curves, int triangles, const std::string& holder)
+{
+  const std::string remedy = "take it from vtkOversketchProjectCurve on this mesh";
+  if (curves->GetNumberOfLines() != curves->GetNumberOfCells())
+  {
+    throw Error(
+      Failure::BadStroke, "The " + holder + " must be polylines and no other cells: " + remedy + ".");
+  }
+  vtkDataArray* cells =
+    RequireArray(curves->GetPointData(), "MeshCell", 1, curves->GetNumberOfPoints(), holder, remedy);
+  std::vector<RunOnMesh> runs;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < curves->GetNumberOfLines(); ++cell)
+  {
+    curves->GetLines()->GetCellAtId(cell, ids);
+    RunOnMesh run;
+    for (const vtkIdType id : *ids)
+    {
+      const double triangle = id >= 0 && id < curves->GetNumberOfPoints() ? cells->GetComponent(id, 0) : -1.0;
+      if (!(triangle >= 0.0 && triangle < triangles))
+      {
+        throw Error(Failure::BadStroke,
+          "Polyline " + std::to_string(cell) + " of the " + holder + " leaves the mesh: " + remedy + ".");
+      }
+      run.points.emplace_back(curves->GetPoint(id));
+      run.triangles.push_back(static_cast<int>(triangle));
+    }
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+void writeRefined(const Refined& refined, vtkPolyData* input, vtkPolyData* output)
+{
+  const PointMix mixed = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
+  { SetMix(refined.origins[static_cast<std::size_t>(point)], ids, weights); };
+  WriteCarried(
+    refined.mesh, { refined.pointSources, mixed, "Region", nullptr }, refined.triangleSources, input, output);
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("EdgeLength");
+  lengths->SetNumberOfTuples(static_cast<vtkIdType>(refined.sizes.size()));
+  for (std::size_t v = 0; v < refined.sizes.size(); ++v)
+  {
+    lengths->SetValue(static_cast<vtkIdType>(v), refined.sizes[v]);
+  }
+  output->GetPointData()->AddArray(lengths);
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkOversketchRefineBetween);
+
+vtkOversketchRefineBetween::vtkOversketchRefineBetween()
+  : Internals(new Cache)
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+vtkOversketchRefineBetween::~vtkOversketchRefineBetween() = default;
+
+void vtkOversketchRefineBetween::SetReferenceData(vtkPolyData* curve)
+{
+  this->SetInputData(1, curve);
+}
+
+void vtkOversketchRefineBetween::SetBoundaryData(vtkPolyData* curve)
+{
+  this->SetInputData(2, curve);
+}
+
+int vtkOversketchRefineBetween::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port > 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+int vtkOversketchRefineBetween::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  return RunFilter(this,
+    [&]
+    {
+      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+      vtkPolyData* line = vtkPolyData::GetData(inputs[1]);
+      vtkPolyData* ring = vtkPolyData::GetData(inputs[2]);
+      vtkPolyData* output = vtkPolyData::GetData(outputs);
+      const auto isDrawn = [](vtkPolyData* curve) { return curve && curve->GetNumberOfPoints() > 0; };
+      if (mesh->GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      if (!(this->Edges > 0.0) || !isDrawn(line) || !isDrawn(ring))
+      {
+        output->ShallowCopy(mesh);
+        return;
+      }
+      RequirePolygonsOnly(mesh); // the key does not see other cells
+      this->Internals->Kept.Provide(
+        StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
+        output,
+        [&](vtkPolyData* result)
+        {
+          const auto data = SharedMesh(mesh);
+          const int triangles = data->Surface().triangleCount();
+          const RefineInput input{ data->Surface(),
+            readRuns(line, triangles, "reference curve"),
+            readRuns(ring, triangles, "boundary curve"),
+            this->Edges,
+            FieldValue(
+              mesh, "MeanEdge", "mesh", "pass the mesh through vtkOversketchMeanEdge when it is loaded") };
+          const auto refined = refineBetween(input, ContextOf(this));
+          if (refined)
+          {
+            writeRefined(*refined, mesh, result);
+          }
+          else
+          {
+            result->ShallowCopy(mesh);
+          }
+        });
+    });
+}
+
+void vtkOversketchRefineBetween::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Edges: " << this->Edges << "\n";
+}

@@ -1,0 +1,72 @@
+// Of a ring over two limbs, the part that is on the one that the line lies on.
+#include "Remesh/limb_runs.h"
+
+#include "Harness/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace oversketch;
+using namespace oversketch_test;
+
+namespace
+{
+
+// A torus seen from its side, so that its halves stand side by side like two legs; joined far above and
+// below.
+struct TwoLegs
+{
+  Mesh mesh = torus(2.0, 0.5, 96, 32); // about z
+  Adjacency links = buildAdjacency(this->mesh);
+  View view = orthographicView(Vector3(0.0, 0.0, 1.0), Vector3(0.0, 1.0, 0.0), 60.0);
+
+  int triangleAt(const Vector3& p) const
+  {
+    int nearest = 0;
+    double least = HUGE_VAL;
+    for (int t = 0; t < this->mesh.triangleCount(); ++t)
+    {
+      const Triangle& c = this->mesh.triangles[t];
+      const Vector3 middle =
+        (this->mesh.points[c[0]] + this->mesh.points[c[1]] + this->mesh.points[c[2]]) / 3.0;
+      if ((middle - p).squaredNorm() < least)
+      {
+        least = (middle - p).squaredNorm();
+        nearest = t;
+      }
+    }
+    return nearest;
+  }
+  RunOnMesh runAt(double x, double y) const
+  {
+    const Vector3 place(x, y, 0.5);
+    return { { place }, { this->triangleAt(place) } };
+  }
+  // A rectangle in the picture.
+  std::vector<Vector2> box(double left, double right, double low, double high) const
+  {
+    std::vector<Vector2> corners;
+    for (const auto& [x, y] : { std::pair(left, low), { right, low }, { right, high }, { left, high } })
+    {
+      corners.emplace_back(this->view.toDisplay(Vector3(x, y, 0.0)).head<2>());
+    }
+    return corners;
+  }
+};
+
+} // namespace
+
+TEST(LimbRuns, WhatIsReachedOutsideTheRingAloneIsAnotherLimb)
+{
+  const TwoLegs legs;
+  const std::vector<int> line{ legs.triangleAt(Vector3(-2.0, 0.0, 0.5)) };
+  const std::vector<RunOnMesh> runs{ legs.runAt(-2.0, 0.7), legs.runAt(2.0, 0.7), legs.runAt(-2.0, -0.7) };
+  const auto over = [&](const std::vector<Vector2>& ring)
+  { return runsOnLimb(legs.mesh, legs.links.vertexVertices, legs.view, ring, line, runs); };
+  EXPECT_EQ(over(legs.box(-3.0, 3.0, -0.8, 0.8)), (std::vector<char>{ 1, 0, 1 }));
+  // A ring that holds the bow between them holds both.
+  EXPECT_EQ(over(legs.box(-3.0, 3.0, -0.8, 3.0)), (std::vector<char>{ 1, 1, 1 }));
+  // A line that lies beside its ring tells nothing.
+  EXPECT_EQ(over(legs.box(5.0, 6.0, 5.0, 6.0)), (std::vector<char>{ 1, 1, 1 }));
+}

@@ -1,0 +1,400 @@
+#include "Remesh/refine_between.h"
+
+#include "Remesh/insert_curves.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double longestAllowed = 4.0 / 3.0; // of what is wanted
+constexpr double leastLength = 0.25;         // of the edge length that half of the ring asks for
+constexpr double growth = 2.0;               // of edges beyond the ring, by the way from it
+constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
+constexpr double meeting = 1.0; // of the least length that is asked for: a ring so near to the line meets it
+constexpr std::size_t longestWay = 1000; // of triangles each of which has a longer edge than the one before
+constexpr int mostSplits = 20000;        // more than any ring on a sound mesh asks for
+
+struct Segment
+{
+  Vector3 from, along;
+  double squaredLength;
+  double way[2]; // of a ring: how far its ends are from the line
+
+  double nearest(const Vector3& p) const
+  {
+    return this->squaredLength > 0.0
+             ? std::clamp((p - this->from).dot(this->along) / this->squaredLength, 0.0, 1.0)
+             : 0.0;
+  }
+};
+
+std::vector<Segment> segmentsOf(const std::vector<RunOnMesh>& runs)
+{
+  std::vector<Segment> segments;
+  for (const RunOnMesh& run : runs)
+  {
+    for (std::size_t i = 0; i + 1 < std::max<std::size_t>(run.points.size(), 2) && !run.points.empty(); ++i)
+    {
+      const Vector3& next = run.points[std::min(i + 1, run.points.size() - 1)];
+      const Vector3 along = next - run.points[i];
+      segments.push_back({ run.points[i], along, along.squaredNorm(), { 0.0, 0.0 } });
+    }
+  }
+  return segments;
+}
+
+// Of the nearest segment: distance, its number and the place on it.
+std::tuple<double, std::size_t, double> nearestOf(const std::vector<Segment>& segments, const Vector3& p)
+{
+  double least = std::numeric_limits<double>::infinity(), at = 0.0;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const double s = segments[i].nearest(p);
+    const double squared = (p - segments[i].from - s * segments[i].along).squaredNorm();
+    if (squared < least)
+    {
+      least = squared;
+      number = i;
+      at = s;
+    }
+  }
+  return { std::sqrt(least), number, at };
+}
+
+// The edge length that is wanted at each place.
+class Scale
+{
+public:
+  explicit Scale(const RefineInput& input)
+    : Line(segmentsOf(input.line))
+    , Ring(segmentsOf(input.ring))
+    , Edges(input.edges)
+    , Reach(input.longest)
+  {
+    if (this->Line.empty() || this->Ring.empty())
+    {
+      return;
+    }
+    std::vector<double> ways;
+    for (Segment& segment : this->Ring)
+    {
+      for (int end = 0; end < 2; ++end)
+      {
+        segment.way[end] =
+          std::get<0>(nearestOf(this->Line, segment.from + static_cast<double>(end) * segment.along));
+        ways.push_back(segment.way[end]);
+      }
+    }
+    std::nth_element(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2), ways.end());
+    this->Least = leastLength * ways[ways.size() / 2] / this->Edges;
+  }
+
+  // Whether the ring touches or crosses the line, so that it asks for no length at all there.
+  bool meets() const
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Segment& segment : this->Ring)
+    {
+      for (int i = 0; i < 32; ++i)
+      {
+        nearest =
+          std::min(nearest, std::get<0>(nearestOf(this->Line, segment.from + (i / 32.0) * segment.along)));
+      }
+    }
+    return nearest < meeting * this->Least;
+  }
+
+  bool isKnown() const { return this->Least > 0.0 && std::isfinite(this->Least); }
+
+  double at(const Vector3& p) const { return this->wantedAt(this->look(p)); }
+
+  // So far off the ring.
+  bool isBeyond(const Vector3& p, double reach = 0.0) const
+  {
+    const Place place = this->look(p);
+    return place.toRing > reach && place.toLine > place.way;
+  }
+
+  // Whether an edge lies off the ring with both ends, so that what is bisected there would be seen far from
+  // it.
+  bool isFar(const Vector3& a, const Vector3& b) const
+  {
+    return this->isBeyond(a, this->Reach) && this->isBeyond(b, this->Reach);
+  }
+
+  // Whether a triangle's longest edge is too long for some place of it.
+  bool asks(const Vector3& a, const Vector3& b, const Vector3& c) const
+  {
+    const double longest =
+      std::sqrt(std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() }));
+    const auto isTooLong = [&](const Vector3& p) { return longest > longestAllowed * this->at(p); };
+    const Place middle = this->look((a + b + c) / 3.0);
+    // From there to a corner it is at most 2/3 of the longest edge, and both distances change by no more.
+    const double least =
+      std::min(this->wantedAt(middle), middle.way / this->Edges) - 4.0 / 3.0 * longest / this->Edges;
+    return longest > longestAllowed * least &&
+           (longest > longestAllowed * this->wantedAt(middle) || isTooLong(a) || isTooLong(b) ||
+             isTooLong(c) || isTooLong(0.5 * (a + b)) || isTooLong(0.5 * (b + c)) ||
+             isTooLong(0.5 * (c + a)));
+  }
+
+private:
+  struct Place
+  {
+    double toLine, toRing, way; // the last: from the line to the place of the ring that is nearest
+  };
+  Place look(const Vector3& p) const
+  {
+    const auto [toRing, number, share] = nearestOf(this->Ring, p);
+    const Segment& beside = this->Ring[number];
+    return {
+      std::get<0>(nearestOf(this->Line, p)), toRing, (1.0 - share) * beside.way[0] + share * beside.way[1]
+    };
+  }
+  double wantedAt(const Place& place) const
+  {
+    const double wanted = place.toLine <= place.way
+                            ? (place.toLine + place.toRing) / this->Edges
+                            : place.way / this->Edges + growth * place.toRing; // beyond the ring
+    return std::max(wanted, this->Least);
+  }
+
+  std::vector<Segment> Line, Ring;
+  double Edges, Reach, Least = 0.0;
+};
+
+class Bisection
+{
+public:
+  Bisection(CurveMesh& mesh, const Scale& scale)
+    : Mesh(mesh)
+    , Wanted(scale)
+  {
+  }
+
+  void run(const std::vector<int>& first, const Context& context)
+  {
+    for (const int t : first)
+    {
+      this->lookAt(t);
+    }
+    for (std::size_t i = 0; i < this->Waiting.size() && this->Splits < mostSplits; ++i)
+    {
+      const int t = this->Waiting[i];
+      this->IsWaiting[t] = 0;
+      if (this->asks(t) && !this->isFar(this->longestOf(t)))
+      {
+        const int before = this->Splits;
+        this->bisect(t);
+        if (this->Splits > before)
+        {
+          this->lookAt(t);
+        }
+      }
+      if (i % 256 == 0)
+      {
+        context.checkpoint(0.5);
+      }
+    }
+  }
+
+private:
+  struct Edge
+  {
+    int a = -1, b = -1; // a < b
+    double squared = -1.0;
+
+    bool operator==(const Edge& other) const { return this->a == other.a && this->b == other.b; }
+  };
+
+  // Of equal ones the edge of the lowest vertices, so that both of its triangles choose alike.
+  Edge longestOf(int t) const
+  {
+    const Triangle& c = this->Mesh.triangle(t);
+    Edge longest;
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [a, b] = std::minmax(c[k], c[(k + 1) % 3]);
+      const double squared = (this->Mesh.point(b) - this->Mesh.point(a)).squaredNorm();
+      if (a != b && (squared > longest.squared ||
+                      (squared == longest.squared && std::tie(a, b) < std::tie(longest.a, longest.b))))
+      {
+        longest = { a, b, squared };
+      }
+    }
+    return longest;
+  }
+
+  bool asks(int t) const
+  {
+    const Triangle& c = this->Mesh.triangle(t);
+    return this->Wanted.asks(this->Mesh.point(c[0]), this->Mesh.point(c[1]), this->Mesh.point(c[2]));
+  }
+
+  void lookAt(int t)
+  {
+    if (this->IsWaiting.size() <= static_cast<std::size_t>(t))
+    {
+      this->IsWaiting.resize(this->Mesh.triangles().size(), 0);
+    }
+    if (!this->IsWaiting[t])
+    {
+      this->IsWaiting[t] = 1;
+      this->Waiting.push_back(t);
+    }
+  }
+
+  bool isFar(const Edge& edge) const
+  {
+    return this->Wanted.isFar(this->Mesh.point(edge.a), this->Mesh.point(edge.b));
+  }
+
+  // Off the ring one that is fine enough is cut across where its neighbour needs it, not where it is longest:
+  // what would follow from that would run on over the model.
+  bool ends(int t) const
+  {
+    const Triangle& c = this->Mesh.triangle(t);
+    return this->isFar(this->longestOf(t)) ||
+           (!this->asks(t) &&
+             this->Wanted.isBeyond(
+               (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0));
+  }
+
+  // A triangle's longest edge is the longest of those beyond it too, or they come first.
+  void bisect(int t)
+  {
+    std::vector<int> way{ t };
+    while (!way.empty() && way.size() < longestWay && this->Splits < mostSplits)
+    {
+      const int now = way.back();
+      const Edge edge = this->longestOf(now);
+      const std::vector<int> both = this->Mesh.trianglesAt(edge.a, edge.b);
+      const auto before = std::find_if(both.begin(),
+        both.end(),
+        [&](int u) { return u != now && !(this->longestOf(u) == edge) && !this->ends(u); });
+      if (before != both.end())
+      {
+        way.push_back(*before);
+        continue;
+      }
+      this->split(edge);
+      way.pop_back();
+    }
+  }
+
+  void split(const Edge& edge)
+  {
+    const int middle = this->Mesh.splitEdge(edge.a, edge.b, 0.5);
+    ++this->Splits;
+    const std::vector<int> around = this->Mesh.around(middle);
+    for (const int t : around)
+    {
+      const Triangle corners = this->Mesh.triangle(t);
+      for (int k = 0; k < 3; ++k)
+      {
+        for (const int u : this->Mesh.trianglesAt(corners[k], corners[(k + 1) % 3]))
+        {
+          this->lookAt(u);
+        }
+      }
+    }
+  }
+
+  CurveMesh& Mesh;
+  const Scale& Wanted;
+  std::vector<int> Waiting;
+  std::vector<char> IsWaiting; // per triangle
+  int Splits = 0;
+};
+
+// Triangles that the curves pass through, ascending.
+std::vector<int> passed(const RefineInput& input)
+{
+  std::vector<int> found;
+  for (const std::vector<RunOnMesh>* runs : { &input.line, &input.ring })
+  {
+    for (const RunOnMesh& run : *runs)
+    {
+      found.insert(found.end(), run.triangles.begin(), run.triangles.end());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+std::vector<double> sizesOf(const RefineInput& input, const Mesh& mesh, const Scale& scale)
+{
+  Eigen::AlignedBox3d box; // beyond which nothing is wanted
+  for (const std::vector<RunOnMesh>* runs : { &input.line, &input.ring })
+  {
+    for (const RunOnMesh& run : *runs)
+    {
+      for (const Vector3& p : run.points)
+      {
+        box.extend(p);
+      }
+    }
+  }
+  std::vector<double> sizes(mesh.points.size(), input.longest);
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+  {
+    if (box.exteriorDistance(mesh.points[v]) < input.longest)
+    {
+      sizes[v] = std::min(input.longest, scale.at(mesh.points[v]));
+    }
+  }
+  return sizes;
+}
+
+} // namespace
+
+std::optional<Refined> refineBetween(const RefineInput& input, const Context& context)
+{
+  const Scale scale(input);
+  if (!scale.isKnown())
+  {
+    return std::nullopt;
+  }
+  const std::vector<int> along = passed(input);
+  std::vector<int> asking;
+  for (const int t : along)
+  {
+    const Triangle& c = input.mesh.triangles[t];
+    if (scale.asks(input.mesh.points[c[0]], input.mesh.points[c[1]], input.mesh.points[c[2]]))
+    {
+      asking.push_back(t);
+    }
+  }
+  context.checkpoint(0.1);
+  if (static_cast<double>(asking.size()) <= fewAsk * static_cast<double>(along.size()))
+  {
+    return std::nullopt;
+  }
+  if (scale.meets()) // a ring that is refused
+  {
+    return std::nullopt;
+  }
+  CurveMesh work(input.mesh);
+  Bisection(work, scale).run(asking, context);
+  InsertedCurves made = resultOf(work, 0);
+  Refined result;
+  result.sizes = sizesOf(input, made.mesh, scale);
+  result.mesh = std::move(made.mesh);
+  result.pointSources = std::move(made.pointSources);
+  result.origins = std::move(made.origins);
+  result.triangleSources = std::move(made.triangleSources);
+  return result;
+}
+
+} // namespace oversketch
