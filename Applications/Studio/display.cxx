@@ -96,14 +96,15 @@ void Display::showWhole(const int size[2])
   this->Renderer->ResetCameraClippingRange();
 }
 
-void Display::setShading(Shading shading)
+void Display::setShading(Shading shading, bool pictures)
 {
   this->Look = shading;
-  this->Model.setShading(shading);
-  this->Others.setShading(shading);
+  this->Pictures = pictures;
+  this->Model.setShading(shading, pictures);
+  this->Others.setShading(shading, pictures);
   if (this->Other)
   {
-    this->Other->setShading(shading);
+    this->Other->setShading(shading, pictures);
   }
 }
 
@@ -134,7 +135,7 @@ void Display::showInstead(vtkPolyData* mesh)
   {
     this->Other = std::make_unique<ModelView>(this->Renderer);
     this->Other->setPlain(this->Plain[0], this->Plain[1], this->Plain[2]);
-    this->Other->setShading(this->Look);
+    this->Other->setShading(this->Look, this->Pictures);
     this->Other->show(mesh);
   }
   this->Model.setVisible(!mesh);

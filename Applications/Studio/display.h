@@ -34,7 +34,8 @@ public:
   // The camera steps back where not all of the models is in the picture, in a view of that size.
   void showWhole(const int size[2]);
 
-  void setShading(Shading shading);
+  // Pictures and colours that models wear are seen, or not.
+  void setShading(Shading shading, bool pictures);
   void setGround(bool shown);
   bool ground() const { return this->Ground; }
   // Another mesh, translucent over the model; null: none.
@@ -64,7 +65,7 @@ private:
   std::unique_ptr<ModelView> Other; // while it is shown
   Shading Look = Shading::Smooth;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
-  bool Ground = false;
+  bool Ground = false, Pictures = true;
 };
 
 } // namespace oversketch_studio

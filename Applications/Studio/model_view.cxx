@@ -30,8 +30,9 @@ struct ModelView::Part
   Part()
   {
     this->actor->SetMapper(this->mapper);
-    this->actor->GetProperty()->SetSpecular(0.15);
     this->actor->GetProperty()->SetSpecularPower(20.0);
+    this->actor->ForceOpaqueOn();
+    makeOpaque(this->actor);
   }
 };
 
@@ -58,7 +59,7 @@ void ModelView::resize(std::size_t count)
     this->Parts.push_back(std::make_unique<Part>());
     Part& part = *this->Parts.back();
     part.skin.setPlain(part.actor, this->Plain[0], this->Plain[1], this->Plain[2]);
-    shade(part.actor, this->Look);
+    this->shadePart(part);
     part.actor->SetVisibility(this->Visible);
     this->Renderer->AddActor(part.actor);
   }
@@ -139,13 +140,21 @@ bool ModelView::owns(const vtkActor* actor) const
     this->Parts.begin(), this->Parts.end(), [actor](const auto& part) { return part->actor == actor; });
 }
 
-void ModelView::setShading(Shading shading)
+void ModelView::setShading(Shading shading, bool pictures)
 {
   this->Look = shading;
+  this->Pictures = pictures;
   for (const auto& part : this->Parts)
   {
-    shade(part->actor, shading);
+    this->shadePart(*part);
   }
+}
+
+// Clay shows the form alone.
+void ModelView::shadePart(Part& part) const
+{
+  shade(part.actor, this->Look);
+  part.skin.setWorn(part.actor, this->Pictures && this->Look != Shading::Matcap);
 }
 
 void ModelView::setVisible(bool visible)
@@ -162,8 +171,7 @@ void ModelView::hideBacks(bool hide)
   for (const auto& part : this->Parts)
   {
     vtkPolyData* mesh = hide && this->Shown ? part->mapper->GetInput() : nullptr;
-    part->actor->GetProperty()->SetBackfaceCulling(
-      mesh && part->backs.areHidden(mesh, this->Renderer) && !part->actor->HasTranslucentPolygonalGeometry());
+    part->actor->GetProperty()->SetBackfaceCulling(mesh && part->backs.areHidden(mesh, this->Renderer));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "picture_files.h"
 
 #include "files.h"
+#include "opaque_picture.h"
 #include "pieces.h"
 #include "texture.h"
 
@@ -42,6 +43,19 @@ SharedPicture findHeld(const std::string& bytes)
 
 } // namespace
 
+DecodedPicture::DecodedPicture(const PictureBytes& of)
+  : bytes(of)
+  , pixels(oversketch_files::pictureOf(*of))
+{
+}
+
+vtkImageData* DecodedPicture::worn() const
+{
+  std::call_once(
+    this->Asked, [this] { this->Opaque = this->pixels ? opaquePicture(this->pixels) : nullptr; });
+  return this->Opaque;
+}
+
 QStringList pictureExtensions()
 {
   return { "png", "jpg", "jpeg" };
@@ -77,8 +91,7 @@ SharedPicture decoded(const PictureBytes& bytes)
   {
     return known;
   }
-  const auto made = std::make_shared<const DecodedPicture>(
-    DecodedPicture{ bytes, oversketch_files::pictureOf(*bytes) }); // meanwhile others may look
+  const auto made = std::make_shared<const DecodedPicture>(bytes); // meanwhile others may look
   const std::lock_guard<std::mutex> lock(heldMutex);
   const SharedPicture known = findHeld(*bytes);
   if (!known)
@@ -94,6 +107,7 @@ std::vector<SharedPicture> decodedOf(vtkPolyData* mesh)
   for (const std::string& bytes : mesh ? oversketch_files::picturesOf(mesh) : std::set<std::string>())
   {
     pictures.push_back(decoded(std::make_shared<const std::string>(bytes)));
+    pictures.back()->worn();
   }
   return pictures;
 }

@@ -9,7 +9,7 @@
 namespace oversketch_studio
 {
 
-ViewBar::ViewBar(QMenu* projections, QMenu* shadings, QAction* onion, QWidget* view)
+ViewBar::ViewBar(QMenu* projections, QMenu* shadings, const QList<QAction*>& switches, QWidget* view)
   : QWidget(view)
 {
   this->setObjectName("view_bar");
@@ -19,8 +19,10 @@ ViewBar::ViewBar(QMenu* projections, QMenu* shadings, QAction* onion, QWidget* v
   row->setSpacing(2);
   this->Projection = this->add(projections);
   this->Shade = this->add(shadings);
-  this->Onion = this->add(nullptr);
-  this->Onion->setDefaultAction(onion);
+  for (QAction* one : switches)
+  {
+    this->add(nullptr)->setDefaultAction(one);
+  }
   this->Projection->setToolTip(projections->title().remove('&'));
   this->Shade->setToolTip(shadings->title().remove('&'));
 }

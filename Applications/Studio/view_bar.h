@@ -1,8 +1,9 @@
-// The strip at the view's upper left corner: perspective, shading, onion. All of it is in the View menu as
-// well.
+// The strip at the view's upper left corner: perspective, shading, what is switched on and off. All of it is
+// in the View menu as well.
 #ifndef oversketch_applications_studio_view_bar_h
 #define oversketch_applications_studio_view_bar_h
 
+#include <QList>
 #include <QWidget>
 
 class QAction;
@@ -17,7 +18,7 @@ class ViewBar : public QWidget
   Q_OBJECT
 
 public:
-  ViewBar(QMenu* projections, QMenu* shadings, QAction* onion, QWidget* view);
+  ViewBar(QMenu* projections, QMenu* shadings, const QList<QAction*>& switches, QWidget* view);
   // What the buttons of the two menus say.
   void setTexts(const QString& projection, const QString& shading);
 
@@ -27,7 +28,7 @@ protected:
 private:
   QToolButton* add(QMenu* menu);
 
-  QToolButton *Projection, *Shade, *Onion;
+  QToolButton *Projection, *Shade;
 };
 
 } // namespace oversketch_studio

@@ -83,7 +83,11 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
   this->Before = new QAction(tr("&Before the selected step (hold U)"), this);
   this->Before->setCheckable(true);
   connect(this->Before, &QAction::toggled, this, &ViewMenu::showBefore);
-  this->Bar = new ViewBar(this->Camera.get(), this->Model.get(), this->Onion, view);
+  this->Picture = this->addToggle(nullptr, tr("Pictures on &models"), tr("F"), [](bool) {});
+  this->Picture->setIconText(tr("Picture"));
+  this->Picture->setToolTip(tr("What the model wears, or its form alone (F)"));
+  this->Picture->setChecked(true);
+  this->Bar = new ViewBar(this->Camera.get(), this->Model.get(), { this->Picture, this->Onion }, view);
   this->Triangles->setObjectName("triangles");
   view->installEventFilter(this);
   // A stroke's view and a session's have projections of their own.
@@ -210,7 +214,7 @@ void ViewMenu::addTo(QMenu* menu)
 {
   menu->addMenu(this->Camera.get());
   menu->addMenu(this->Model.get());
-  menu->addActions({ this->Ground, this->Onion, this->Before });
+  menu->addActions({ this->Picture, this->Ground, this->Onion, this->Before });
 }
 
 void ViewMenu::setDark(bool dark)
@@ -221,7 +225,7 @@ void ViewMenu::setDark(bool dark)
 void ViewMenu::apply()
 {
   Display& display = this->View->display();
-  display.setShading(this->Settings.shading);
+  display.setShading(this->Settings.shading, this->Picture->isChecked());
   display.setGround(this->Settings.ground);
   this->View->camera()->SetOrbit(
     this->Settings.free ? vtkOversketchInteractorStyle::Trackball : vtkOversketchInteractorStyle::Turntable);

@@ -63,7 +63,7 @@ private:
   ViewSettings Settings;
   std::unique_ptr<QMenu> Camera, Model;
   QVector<QAction*> Shadings; // in their order
-  QAction *Parallel, *Free, *Ground, *Onion, *Before;
+  QAction *Parallel, *Free, *Picture, *Ground, *Onion, *Before;
   ViewBar* Bar;
   AxisGizmo* Gizmo;
   QLabel* Triangles;
