@@ -1,5 +1,6 @@
 #include "drawing_pad.h"
 
+#include "latency.h"
 #include "touch_hand.h"
 
 #include "vtkOversketchDrawingRepresentation.h"
@@ -46,6 +47,7 @@ DrawingPad::DrawingPad(QWidget* parent)
   this->Observer->SetCallback(
     [](vtkObject*, unsigned long event, void* self, void*) { static_cast<DrawingPad*>(self)->heard(event); });
   for (const unsigned long event : { vtkCommand::StartInteractionEvent,
+         vtkCommand::InteractionEvent,
          vtkCommand::EndInteractionEvent,
          vtkCommand::WidgetValueChangedEvent })
   {
@@ -99,6 +101,10 @@ void DrawingPad::heard(unsigned long event)
   if (event == vtkCommand::StartInteractionEvent)
   {
     emit this->began();
+  }
+  else if (event == vtkCommand::InteractionEvent)
+  {
+    Latency::of().sample();
   }
   else if (event == vtkCommand::EndInteractionEvent)
   {

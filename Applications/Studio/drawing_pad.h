@@ -51,6 +51,7 @@ signals:
   void ended();
 
 protected:
+  bool isHeld() const override { return this->isDrawing(); }
   bool event(QEvent* event) override;
   void resizeGL(int width, int height) override;
 
