@@ -6,6 +6,8 @@
 
 #include "vtkNew.h"
 
+#include <array>
+
 class vtkCallbackCommand;
 class vtkImageData;
 class vtkOversketchDrawingWidget;
@@ -57,7 +59,7 @@ protected:
 
 private:
   void heard(unsigned long event);
-  void fit();
+  void fit(); // to the size that it has now
   void zoom(double factor, const QPointF& about);
 
   vtkNew<vtkOversketchDrawingWidget> Widget;
@@ -65,6 +67,7 @@ private:
   double Steadiness = 6.0;
   double Zoomed = 1.0; // by fingers, less than a notch of the wheel
   bool Fits = true;    // all of the canvas is seen, until the hand zooms or pans
+  std::array<int, 2> Fitted{ 1, 1 }; // the size that the view is for [px of the screen]
 };
 
 } // namespace oversketch_studio

@@ -11,6 +11,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -80,7 +82,11 @@ void ModelView::show(vtkPolyData* mesh)
     Part& part = *this->Parts[i];
     part.mapper->SetInputData(part.edges.look(pieces[i].mesh));
     part.actor->SetVisibility(this->Visible);
-    part.skin.dress(part.actor, part.mapper, pieces[i].mesh, pieces[i].picture);
+    part.skin.dress(part.actor,
+      part.mapper,
+      pieces[i].mesh,
+      pieces[i].picture,
+      [this] { this->Renderer->GetRenderWindow()->GetInteractor()->Render(); });
   }
 }
 

@@ -8,8 +8,11 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
+#include <QThreadPool>
+#include <QTimer>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <set>
 
@@ -23,6 +26,8 @@ struct PictureTexts
 {
   Q_DECLARE_TR_FUNCTIONS(PictureFiles)
 };
+
+constexpr int lookTime = 10; // ms
 
 std::mutex heldMutex;
 std::vector<std::weak_ptr<const DecodedPicture>> held; // some are gone
@@ -99,6 +104,39 @@ SharedPicture decoded(const PictureBytes& bytes)
     held.push_back(made);
   }
   return known ? known : made;
+}
+
+void whenDecoded(QObject* context,
+  const PictureBytes& bytes,
+  const std::function<void(const SharedPicture&)>& then)
+{
+  struct Shared
+  {
+    std::atomic<bool> done{ false };
+    SharedPicture picture;
+  };
+  const auto shared = std::make_shared<Shared>();
+  QThreadPool::globalInstance()->start(
+    [shared, bytes]
+    {
+      shared->picture = decoded(bytes);
+      shared->picture->worn();
+      shared->done = true;
+    });
+  auto* look = new QTimer(context); // which the thread may outlive
+  QObject::connect(look,
+    &QTimer::timeout,
+    context,
+    [shared, look, then]
+    {
+      if (shared->done)
+      {
+        look->stop();
+        look->deleteLater();
+        then(shared->picture);
+      }
+    });
+  look->start(lookTime);
 }
 
 std::vector<SharedPicture> decodedOf(vtkPolyData* mesh)

@@ -10,11 +10,13 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
+class QObject;
 class vtkPolyData;
 
 namespace oversketch_studio
@@ -44,6 +46,10 @@ using SharedPicture = std::shared_ptr<const DecodedPicture>;
 SharedPicture decoded(const PictureBytes& bytes);
 // Null where nobody holds it.
 SharedPicture findDecoded(const std::string& bytes);
+// Decodes it on a thread of its own, ready to be worn, and gives it to the window's, as long as the context is there.
+void whenDecoded(QObject* context,
+  const PictureBytes& bytes,
+  const std::function<void(const SharedPicture&)>& then);
 // All that a mesh wears, ready to be worn; none of no mesh.
 std::vector<SharedPicture> decodedOf(vtkPolyData* mesh);
 

@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
 namespace oversketch_studio
@@ -31,16 +32,32 @@ Skin::Skin()
 
 Skin::~Skin() = default;
 
-void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh, const std::string& picture)
+void Skin::dress(vtkActor* actor,
+  vtkPolyDataMapper* mapper,
+  vtkPolyData* mesh,
+  const std::string& picture,
+  const std::function<void()>& comes)
 {
-  if (picture != (this->Picture ? *this->Picture->bytes : std::string()))
+  if (picture != (this->Wanted ? *this->Wanted : std::string()))
   {
-    this->Picture = picture.empty() ? nullptr : decoded(std::make_shared<const std::string>(picture));
-    this->Texture->SetInputData(this->Picture ? this->Picture->worn() : nullptr);
+    this->Waits.reset();
+    this->Wanted = picture.empty() ? nullptr : std::make_shared<const std::string>(picture);
+    this->wear(this->Wanted ? findDecoded(picture) : nullptr);
+    if (this->Wanted && !this->Picture)
+    {
+      this->Waits = std::make_unique<QObject>();
+      whenDecoded(this->Waits.get(),
+        this->Wanted,
+        [this, comes, dressed = vtkSmartPointer<vtkActor>(actor)](const SharedPicture& made)
+        {
+          this->wear(made);
+          this->put(dressed);
+          comes();
+        });
+    }
   }
-  this->Textured = this->Picture && this->Picture->pixels;
   vtkDataArray* colours = oversketch_files::coloursOf(mesh);
-  this->Coloured = colours && colours->GetName() && !this->Textured;
+  this->Coloured = colours && colours->GetName() && !this->Wanted;
   if (this->Coloured)
   {
     mapper->SetColorModeToDirectScalars();
@@ -48,6 +65,13 @@ void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh, 
     mapper->SelectColorArray(colours->GetName());
   }
   this->put(actor);
+}
+
+void Skin::wear(const SharedPicture& picture)
+{
+  this->Picture = picture;
+  this->Texture->SetInputData(picture ? picture->worn() : nullptr);
+  this->Textured = picture && picture->pixels;
 }
 
 void Skin::setPlain(vtkActor* actor, double red, double green, double blue)

@@ -161,7 +161,15 @@ void ViewMenu::makeCamera()
     });
   this->Free =
     this->addToggle(menu, tr("Turn fr&eely, as a ball"), {}, [this](bool on) { this->Settings.free = on; });
+  this->UpZ = this->addToggle(menu, tr("&Z is up"), {}, [this](bool on) { this->View->setUpAxis(on ? 2 : 1, true); });
+  this->UpZ->setToolTip(tr("The model stands on the plane of x and y, as many scans and CAD models do; else y is up"));
   menu->addSeparator();
+  QAction* fit = menu->addAction(tr("F&it"));
+  fit->setShortcut(QKeySequence(tr("Home")));
+  fit->setShortcutContext(Qt::WidgetShortcut); // in sliders, lists and texts the key has a use of its own
+  this->View->addAction(fit);
+  fit->setToolTip(tr("All of the model in the view"));
+  connect(fit, &QAction::triggered, this->View, &Viewport::fitAll);
   const struct
   {
     QString text, key;
@@ -181,7 +189,11 @@ void ViewMenu::makeCamera()
       &QAction::triggered,
       this,
       [this, axis = side.axis, negative = side.negative]
-      { this->View->camera()->LookFromSide(axis, negative); });
+      {
+        // Where z is up the front is that of -y.
+        const bool isZ = this->UpZ->isChecked() && axis != 0;
+        this->View->camera()->LookFromSide(isZ ? 3 - axis : axis, isZ && axis == 2 ? !negative : negative);
+      });
   }
 }
 
@@ -208,6 +220,12 @@ void ViewMenu::makeShadings()
     group->addAction(action);
     this->Shadings << action;
   }
+}
+
+void ViewMenu::setUpAxis(int axis)
+{
+  this->UpZ->setChecked(axis == 2);
+  this->View->setUpAxis(axis, false);
 }
 
 void ViewMenu::addTo(QMenu* menu)

@@ -114,7 +114,7 @@ TEST(BadHand, IsToldNoNameOfTheCode)
   {
     expectPlain(plainWords(said));
   }
-  EXPECT_TRUE(plainWords("there is no number 3. Lower Candidate.").endsWith("Lower Section that fits."));
+  EXPECT_TRUE(plainWords("there is no number 3. Lower Candidate.").endsWith("Lower Other outline."));
   EXPECT_TRUE(plainWords("turn AllowTorn on.").endsWith("tick Even if it tears."));
 }
 
