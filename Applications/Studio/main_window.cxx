@@ -7,13 +7,10 @@
 #include "history_panel.h"
 #include "latency.h"
 #include "looks.h"
-#include "message_words.h"
 #include "option_presets.h"
-#include "row_texts.h"
 #include "scene_panel.h"
 #include "step_lines.h"
 #include "stroke_lines.h"
-#include "systems.h"
 #include "tools.h"
 #include "view_menu.h"
 #include "viewport.h"
@@ -22,7 +19,6 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QOpenGLWidget>
 #include <QProgressBar>
 #include <QPushButton>
@@ -45,14 +41,7 @@ using namespace oversketch_session;
 namespace
 {
 
-// A window where all of it is on the screen, smaller where it has to be.
-QRect within(const QRect& window, const QRect& screen)
-{
-  QRect inside(window.topLeft(), window.size().boundedTo(screen.size()));
-  inside.moveLeft(std::clamp(inside.left(), screen.left(), screen.right() + 1 - inside.width()));
-  inside.moveTop(std::clamp(inside.top(), screen.top(), screen.bottom() + 1 - inside.height()));
-  return inside;
-}
+const QMargins frameRoom(8, 40, 8, 8); // px as Qt counts them, of a window
 
 // Whether the row that a hand changes is there, and not a step of another kind that came under it meanwhile.
 bool isStill(const std::vector<Node>& nodes, int row, const Step& step)
@@ -111,11 +100,13 @@ MainWindow::MainWindow(QWidget* parent)
     this->listenToTool(tool);
   }
   QSettings settings;
-  // Room for a frame, which a window has only once it is shown.
-  const QSize frame(16, 48);
-  this->resize(QSize(1200, 800).boundedTo(this->screen()->availableSize() - frame));
+  this->resize(1200, 800);
   this->restoreGeometry(settings.value("geometry").toByteArray());
-  this->resize(this->size().boundedTo(this->screen()->availableSize() - frame));
+  // Whole on this screen, also what it was on a larger one, with a frame, which it has only once it is shown.
+  const QRect screen = this->screen()->availableGeometry().marginsRemoved(frameRoom);
+  this->resize(this->size().boundedTo(screen.size()));
+  const QPoint last = screen.bottomRight() - QPoint(this->width() - 1, this->height() - 1);
+  this->move(std::clamp(this->x(), screen.left(), last.x()), std::clamp(this->y(), screen.top(), last.y()));
   this->restoreState(settings.value("state").toByteArray());
   this->apply(Preferences::read());
   connect(this->View, &Viewport::cameraMoves, this, [this] { this->Teaches = false; });
@@ -135,36 +126,6 @@ MainWindow::MainWindow(QWidget* parent)
 MainWindow::~MainWindow()
 {
   this->hide(); // a field that loses the focus gives out what was typed, as long as there is who takes it
-}
-
-// A pen that goes down.
-bool MainWindow::eventFilter(QObject* watched, QEvent* event)
-{
-  if (event->type() == QEvent::MouseButtonPress &&
-      static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
-  {
-    this->hush();
-  }
-  return QMainWindow::eventFilter(watched, event);
-}
-
-// Onto the screen, with its foot and its frame, whatever size it was given, or had on another screen.
-void MainWindow::showEvent(QShowEvent* event)
-{
-  QMainWindow::showEvent(event);
-  const QScreen* screen = this->screen();
-  if (screen && !this->isMaximized() && !this->isFullScreen())
-  {
-    const QRect inside = within(this->frameGeometry(), screen->availableGeometry());
-    const QMargins frame(this->geometry().left() - this->frameGeometry().left(),
-      this->geometry().top() - this->frameGeometry().top(),
-      this->frameGeometry().right() - this->geometry().right(),
-      this->frameGeometry().bottom() - this->geometry().bottom());
-    if (inside != this->frameGeometry())
-    {
-      this->setGeometry(inside.marginsRemoved(frame));
-    }
-  }
 }
 
 void MainWindow::listenToDocument()
@@ -263,13 +224,13 @@ void MainWindow::changed(Document::Change change)
 void MainWindow::opened()
 {
   const Session& session = this->OpenDocument->session();
-  if (this->Reset)
-  {
-    this->Look->setUpAxis(this->OpenDocument->upAxis());
-  }
   if (!session.mesh)
   {
     this->View->clearMesh();
+  }
+  if (this->Reset)
+  {
+    this->Look->setUpAxis(this->OpenDocument->upAxis());
   }
   Tool* first = session.nodes.empty() || session.mesh ? nullptr : this->toolOf(0);
   const int at = first ? this->Tools.indexOf(first) : -1;
@@ -577,156 +538,6 @@ void MainWindow::refresh()
     this->Patience->start();
   }
   this->advise();
-}
-
-// Where to draw with the tool in the hand, for who is new to it.
-void MainWindow::teach()
-{
-  const Tool* tool = this->View->tool();
-  if (this->Teaches && !tool->draws() && !this->View->showsKeys() && this->View->hint() != tool->hint())
-  {
-    this->View->showHint(tool->hint(), tool->hintShape());
-  }
-}
-
-void MainWindow::stopTeaching()
-{
-  this->Teaches = false;
-  this->View->showHint({});
-}
-
-// What a new result has to say: of the last step; else of another that has something new.
-void MainWindow::hearRows()
-{
-  if (this->OpenDocument->isBusy() || !this->OpenDocument->isOpen())
-  {
-    return;
-  }
-  const auto& nodes = this->OpenDocument->session().nodes;
-  const auto& states = this->OpenDocument->result().nodes;
-  const auto before = std::exchange(this->Said, {});
-  this->Speaks = -1;
-  for (std::size_t i = 0; i < std::min(states.size(), nodes.size()); ++i)
-  {
-    const std::string& failure = states[i].failure;
-    const std::string& said = failure.empty() ? states[i].remark : failure;
-    if (nodes[i].on && !said.empty())
-    {
-      this->Said[nodes[i].id] = said;
-      const auto known = before.find(nodes[i].id);
-      const bool isNew = known == before.end() || known->second != said;
-      this->Speaks = isNew || i + 1 == states.size() ? static_cast<int>(i) : this->Speaks;
-    }
-  }
-}
-
-// The hand has gone on: what is at the foot would be read as said of what it draws now.
-void MainWindow::hush()
-{
-  if (std::exchange(this->Speaks, -1) >= 0)
-  {
-    this->advise();
-  }
-}
-
-// Whether a row has spoken.
-bool MainWindow::speak()
-{
-  const auto& nodes = this->OpenDocument->session().nodes;
-  const auto& states = this->OpenDocument->result().nodes;
-  const int row = this->Speaks, last = this->OpenDocument->shownTo() - 1;
-  const bool isThere = this->Redrawn < 0 && row >= 0 && row <= last && indexOf(row) < nodes.size() &&
-                       states.size() == indexOf(last + 1) && this->Said.count(nodes[indexOf(row)].id) > 0;
-  if (!isThere)
-  {
-    return false;
-  }
-  const auto& state = states[indexOf(row)];
-  const Tool* tool = this->toolOf(row);
-  const QString of =
-    row == last ? QString() : tr("%1: ").arg(QString::fromStdString(nodes[indexOf(row)].name));
-  this->Advice->setText(of + (!state.failure.empty()
-                                 ? tr("That did nothing: %1").arg(briefWords(state.failure))
-                                 : briefWords(state.remark) + (tool ? ' ' + tool->remedy() : QString())));
-  this->offerAnyway(row, state.failure);
-  return true;
-}
-
-// Where a message asks for an option of its step, a button gives it.
-void MainWindow::offerAnyway(int row, const std::string& message)
-{
-  const Step& step = *this->OpenDocument->session().nodes[indexOf(row)].step;
-  const SystemRow* system = findSystem(step.system);
-  const std::string property = askedFor(message).toStdString();
-  const Parameter* parameter = system ? findParameter(*system, property) : nullptr;
-  const bool can = parameter && std::holds_alternative<bool>(parameter->initial);
-  this->Anyway->setVisible(can);
-  if (!can)
-  {
-    return;
-  }
-  this->Anyway->setText(property == "AllowTorn" ? tr("&Do it anyway")
-                        : property == "Arrange" ? tr("&Let lines cross")
-                                                : rowText(parameter->title));
-  this->Anyway->setToolTip(rowSentence(parameter->help));
-  this->OnAnyway = [this, id = this->OpenDocument->session().nodes[indexOf(row)].id, property]
-  {
-    const auto& nodes = this->OpenDocument->session().nodes;
-    const auto node = std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
-    if (node != nodes.end() && !this->View->tool()->isBusy())
-    {
-      Values values = node->step->values;
-      values[property] = true;
-      this->View->setFocus();
-      this->OpenDocument->setParameters(static_cast<int>(node - nodes.begin()), values, node->step->mirror);
-    }
-  };
-}
-
-// What to do next.
-void MainWindow::advise()
-{
-  this->teach();
-  this->Anyway->hide();
-  Tool::Situation situation;
-  const Tool* tool = this->View->tool();
-  const int own = tool->node(); // of which the tool speaks itself
-  if (tool->judges() && !(own >= 0 && this->Speaks != own && this->speak()))
-  {
-    this->Advice->setText(tool->advice(situation));
-    if (own >= 0)
-    {
-      this->offerAnyway(own, tool->asked());
-    }
-    return;
-  }
-  if (tool->judges())
-  {
-    return; // another row has spoken
-  }
-  if (!this->OpenDocument->isOpen())
-  {
-    this->Advice->setText(tr("Open a model with Ctrl+O, or drop one here."));
-    return;
-  }
-  if (const QString why = this->OpenDocument->whyNoSteps(); !why.isEmpty())
-  {
-    this->Advice->setText(why);
-    return;
-  }
-  if (this->speak())
-  {
-    return;
-  }
-  const auto& nodes = this->OpenDocument->session().nodes;
-  situation.empty = nodes.empty();
-  // Blue and red are of the tool's own steps.
-  const auto isOwn = [&](int row)
-  { return row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system == tool->system(); };
-  situation.selected = isOwn(this->History->current());
-  situation.holds = isOwn(this->Offered);
-  situation.redraws = this->Redrawn >= 0;
-  this->Advice->setText(tool->advice(situation));
 }
 
 } // namespace oversketch_studio

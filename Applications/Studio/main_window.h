@@ -57,7 +57,6 @@ public:
 
 protected:
   void closeEvent(QCloseEvent* event) override;
-  void showEvent(QShowEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -122,6 +121,15 @@ private:
   void chooseLine();
   void tooShort(double least);
 
+  // The foot: main_window_advice.cxx.
+  void advise();
+  void hearRows();
+  void hush();
+  bool speak();
+  void offerAnyway(int row, const std::string& message);
+  void teach();
+  void stopTeaching();
+
   void listenToDocument();
   void listenToPanels();
   void listenToTool(Tool* tool);
@@ -141,13 +149,6 @@ private:
   void askPreferences();
   void apply(const Preferences& preferences);
   void refresh();
-  void advise();
-  void hearRows();
-  void hush();
-  bool speak();
-  void offerAnyway(int row, const std::string& message);
-  void teach();
-  void stopTeaching();
   void select(int node);
   void showSection(int node); // where the step took hold
   // The step that can be taken hold of: the selected one, else the last.
@@ -183,10 +184,10 @@ private:
           *Region = nullptr;
   QVector<QAction*> DockActions;
   Preferences Settings;
-  int Redrawn = -1; // the step that the next one replaces
-  int Offered = -1; // the one that can be taken hold of in the view
-  int Speaks = -1;                     // the row whose words are at the foot; -1: none
-  std::map<int, std::string> Said;     // by the rows' ids: what the last result had to say of each
+  int Redrawn = -1;                // the step that the next one replaces
+  int Offered = -1;                // the one that can be taken hold of in the view
+  int Speaks = -1;                 // the row whose words are at the foot; -1: none
+  std::map<int, std::string> Said; // by the rows' ids: what the last result had to say of each
   std::function<void()> OnAnyway;
   bool Reset = false;
   bool Takes = true;    // the chosen model, steps

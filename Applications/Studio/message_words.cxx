@@ -24,11 +24,11 @@ struct Plain
 };
 const Plain plain[] = {
   { "^The stroke would tear the mesh: edges are stretched or squeezed (\\S+) times",
-    QT_TRANSLATE_NOOP("Messages", "That stretches the limb %1 times.") },
+    QT_TRANSLATE_NOOP("Messages", "it would stretch the limb %1 times.") },
   { "^The stroke would tear the mesh: (\\S+) % of the surface moved",
-    QT_TRANSLATE_NOOP("Messages", "That moves %1 % of the model.") },
+    QT_TRANSLATE_NOOP("Messages", "it would move %1 % of the model.") },
   { "^Stroke \\d+ cannot be used: no two samples in succession lie on the mesh",
-    QT_TRANSLATE_NOOP("Messages", "The line lies beside the model: draw it on the model.") },
+    QT_TRANSLATE_NOOP("Messages", "the line lies beside the model: draw it on the model.") },
   { "^Stroke \\d+ cannot be used: it is \\S+ px long; at least (\\S+) px are needed",
     QT_TRANSLATE_NOOP("Messages", "Too short: draw at least %1 px.") },
   { "^Stroke \\d+ cannot be used: it is \\S+ px long, \\S+ times the diagonal",

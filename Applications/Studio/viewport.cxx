@@ -177,10 +177,11 @@ void Viewport::fitAll()
 void Viewport::setUpAxis(int axis, bool looksAnew)
 {
   this->Style->SetUpAxis(axis);
-  if (looksAnew && this->mesh())
+  const double unit[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
+  if (looksAnew || !this->mesh()) // nothing is lost where there is nothing to be seen
   {
     this->fitCamera();
-    this->Looks.lookAtAll(this->mesh()->GetBounds(), this->Fitted.data(), axis);
+    this->Looks.lookAtAll(this->mesh() ? this->mesh()->GetBounds() : unit, this->Fitted.data(), axis);
     this->Style->SaveFirstView();
     this->Renderer->ResetCameraClippingRange();
     this->renderSoon();

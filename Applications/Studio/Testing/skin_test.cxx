@@ -123,8 +123,10 @@ vtkSmartPointer<vtkPolyData> cards(const std::vector<Card>& all)
 struct Seen
 {
   Viewport view;
+  std::vector<SharedPicture> held;
 
   explicit Seen(vtkPolyData* mesh)
+    : held(decodedOf(mesh))
   {
     this->view.resize(240, 240);
     this->view.show();
@@ -247,6 +249,23 @@ TEST(Skin, NothingIsSeenThroughAModel)
   EXPECT_GT(coloured.blue(), 2 * coloured.red()) << coloured.name().toStdString();
 }
 
+TEST(Skin, APictureThatNobodyHasDecodedComesLater)
+{
+  const auto mesh = cards({ { 1.0, 0.0, { 0.0, 1.0, 0.0, 1.0 } } });
+  const std::string bytes = pngOf(pictureOf(3, [](int, int) { return Pixel{ 20, 40, 200 }; }));
+  setTexture(mesh, bytes);
+  {
+    Seen seen(mesh);
+    seen.held.clear();
+    seen.view.clearMesh();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !findDecoded(bytes); }, 60000)) << "who keeps it?";
+    seen.view.showMesh(mesh, false);
+    EXPECT_FALSE(findDecoded(bytes)) << "decoded on the window's thread";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return seen.middle().blue() > 2 * seen.middle().red(); }, 60000));
+  }
+  EXPECT_FALSE(findDecoded(bytes));
+}
+
 // White paper: nothing of a ball is overexposed, and its form is seen; a black one's without it.
 TEST(Skin, APictureHidesNoForm)
 {
@@ -335,6 +354,7 @@ TEST(Skin, ATextureIsShownAndSurvivesAStrokeAndFiles)
   EXPECT_GT(opened.green, 10000);
   EXPECT_LT(middles[0] + 100.0, middles[1]) << "red is on the left";
   // A key shows the form alone, and the picture again.
+  QApplication::setActiveWindow(&window);
   QTest::keyClick(view, Qt::Key_F);
   const Count bare = coloursOf(view, folder.filePath("bare.png"), middles);
   EXPECT_EQ(bare.red + bare.green, 0);
