@@ -118,8 +118,8 @@ void ModelView::clear()
 {
   this->Dressed = nullptr;
   this->Shown = nullptr;
+  this->resize(0); // with what it wore
   this->resize(1);
-  this->Parts[0]->mapper->SetInputData(nullptr);
   this->Parts[0]->actor->VisibilityOff();
 }
 

@@ -21,6 +21,8 @@ public:
   ViewBar(QMenu* projections, QMenu* shadings, const QList<QAction*>& switches, QWidget* view);
   // What the buttons of the two menus say.
   void setTexts(const QString& projection, const QString& shading);
+  // In a view that has so much room for it: in one line, or as many as that takes.
+  void fit(int width);
 
 protected:
   void paintEvent(QPaintEvent* event) override;
@@ -29,6 +31,7 @@ private:
   QToolButton* add(QMenu* menu);
 
   QToolButton *Projection, *Shade;
+  int Width = QWIDGETSIZE_MAX;
 };
 
 } // namespace oversketch_studio

@@ -161,8 +161,10 @@ void ViewMenu::makeCamera()
     });
   this->Free =
     this->addToggle(menu, tr("Turn fr&eely, as a ball"), {}, [this](bool on) { this->Settings.free = on; });
-  this->UpZ = this->addToggle(menu, tr("&Z is up"), {}, [this](bool on) { this->View->setUpAxis(on ? 2 : 1, true); });
-  this->UpZ->setToolTip(tr("The model stands on the plane of x and y, as many scans and CAD models do; else y is up"));
+  this->UpZ =
+    this->addToggle(menu, tr("&Z is up"), {}, [this](bool on) { this->View->setUpAxis(on ? 2 : 1, true); });
+  this->UpZ->setToolTip(
+    tr("The model stands on the plane of x and y, as many scans and CAD models do; else y is up"));
   menu->addSeparator();
   QAction* fit = menu->addAction(tr("F&it"));
   fit->setShortcut(QKeySequence(tr("Home")));
@@ -297,6 +299,7 @@ void ViewMenu::placeOverlays()
 {
   this->Bar->setVisible(!this->View->showsKeys()); // the list is there
   this->Gizmo->setVisible(!this->View->showsKeys());
+  this->Bar->fit(this->View->width() - 2 * barMargin);
   this->Bar->move(barMargin, barMargin);
   const int right = this->View->width() - this->Gizmo->width() - barMargin;
   const bool beside = right > this->Bar->geometry().right() + barMargin;

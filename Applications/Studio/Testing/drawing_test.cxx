@@ -15,13 +15,16 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <QCheckBox>
 #include <QElapsedTimer>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSplitter>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -343,6 +346,22 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
     << sheet.advice->text().toStdString();
   EXPECT_NE(sheet.failure().find("turn Arrange on"), std::string::npos) << sheet.failure();
   EXPECT_TRUE(plainWords(sheet.failure()).contains("tick Strokes may cross")); // as the form calls it
+  // It is orange, with a ring where it is wrong, and a button lets it be.
+  const auto isOrange = [](const QColor& c)
+  { return c.red() > 220 && c.green() > 100 && c.green() < 180 && c.blue() < 80; };
+  const QImage wrong = sheet.pad->grabFramebuffer();
+  int orange = 0;
+  for (int y = 0; y < wrong.height(); ++y)
+  {
+    for (int x = 0; x < wrong.width(); ++x)
+    {
+      orange += isOrange(wrong.pixelColor(x, y));
+    }
+  }
+  EXPECT_GT(orange, 300);
+  const auto* anyway = sheet.window.findChild<QPushButton*>("anyway");
+  EXPECT_TRUE(anyway->isVisible());
+  EXPECT_EQ(anyway->text(), "&Let lines cross");
   sheet.document->undo();
   sheet.settle();
   EXPECT_EQ(sheet.document->digest(), made);
@@ -433,6 +452,43 @@ TEST(Drawing, AnEmptyCanvasIsDrawnOn)
   sheet.settle();
   EXPECT_FALSE(sheet.pad->isVisible());
   EXPECT_TRUE(sheet.view->mesh());
+}
+
+// What is seen across the smaller side is seen again, in a view that has become narrower.
+TEST(Drawing, AnEnlargedPictureIsFitted)
+{
+  DrawingPad pad;
+  pad.resize(400, 400);
+  pad.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&pad, 60000));
+  pad.setCanvas(0.0, 0.0, 1000.0, 1000.0);
+  QApplication::processEvents();
+  const QPoint middle(200, 200);
+  for (int i = 0; i < 5; ++i)
+  {
+    QWheelEvent wheel(middle,
+      pad.mapToGlobal(middle),
+      {},
+      { 0, 120 },
+      Qt::NoButton,
+      Qt::NoModifier,
+      Qt::NoScrollPhase,
+      false);
+    QApplication::sendEvent(&pad, &wheel);
+  }
+  const auto across = [&]
+  {
+    return 2.0 * pad.renderer()->GetActiveCamera()->GetParallelScale() *
+           std::min(1.0, double(pad.width()) / pad.height());
+  };
+  const double before = across();
+  EXPECT_LT(before, 700.0) << "it is not enlarged";
+  for (const QSize& size : { QSize(200, 400), QSize(400, 200), QSize(400, 400) })
+  {
+    pad.resize(size);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(across() - before) < 0.01 * before; }, 10000))
+      << size.width() << " x " << size.height() << ": " << across() << " of " << before;
+  }
 }
 
 // A sample's line is painted at once, however large the picture is: while the pen draws nothing else is drawn

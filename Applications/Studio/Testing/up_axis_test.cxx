@@ -15,6 +15,7 @@
 #include <QMainWindow>
 #include <QScreen>
 #include <QSettings>
+#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,8 @@ TEST(UpAxis, IsTheCameras)
 {
   Viewport view;
   view.resize(200, 200);
+  view.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view, 60000));
   view.setUpAxis(2, false);
   view.showMesh(onItsBack(model("dog")), true);
   vtkCamera* camera = view.renderer()->GetActiveCamera();
