@@ -9,9 +9,11 @@
 
 #include "vtkCamera.h"
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -476,7 +478,26 @@ TEST(Line, AnOutlineFeatureHasNoHeight)
 TEST(Line, HeightsBeginASessionToDrawOn)
 {
   LineScene scene;
-  ASSERT_TRUE(scene.window.open(OVERSKETCH_DATA_FOLDER "/Terrain/valley.png"));
+  // It is asked what a picture is for; nothing happens where nobody says.
+  const auto opens = [&](const QString& answer)
+  {
+    QTimer::singleShot(0,
+      &scene.window,
+      [answer]
+      {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_TRUE(box);
+        const auto all = box->buttons();
+        const auto one = std::find_if(
+          all.begin(), all.end(), [&](const QAbstractButton* button) { return button->text() == answer; });
+        ASSERT_NE(one, all.end());
+        (*one)->click();
+      });
+    return scene.window.open(OVERSKETCH_DATA_FOLDER "/Terrain/valley.png");
+  };
+  EXPECT_FALSE(opens("&Cancel"));
+  EXPECT_TRUE(scene.document->session().mesh);
+  ASSERT_TRUE(opens("Take it as &heights"));
   scene.wait();
   ASSERT_TRUE(QTest::qWaitFor([&] { return scene.document->result().mesh != nullptr; }, 60000));
   ASSERT_EQ(scene.document->session().nodes.size(), 1u);
