@@ -41,7 +41,7 @@ using namespace oversketch_session;
 namespace
 {
 
-const QMargins frameRoom(8, 40, 8, 8); // px as Qt counts them, of a window
+const QSize frameRoom(16, 48); // px as Qt counts them, of a window's frame
 
 // Whether the row that a hand changes is there, and not a step of another kind that came under it meanwhile.
 bool isStill(const std::vector<Node>& nodes, int row, const Step& step)
@@ -103,10 +103,12 @@ MainWindow::MainWindow(QWidget* parent)
   this->resize(1200, 800);
   this->restoreGeometry(settings.value("geometry").toByteArray());
   // Whole on this screen, also what it was on a larger one, with a frame, which it has only once it is shown.
-  const QRect screen = this->screen()->availableGeometry().marginsRemoved(frameRoom);
-  this->resize(this->size().boundedTo(screen.size()));
-  const QPoint last = screen.bottomRight() - QPoint(this->width() - 1, this->height() - 1);
-  this->move(std::clamp(this->x(), screen.left(), last.x()), std::clamp(this->y(), screen.top(), last.y()));
+  const QRect screen = this->screen()->availableGeometry();
+  this->resize(this->size().boundedTo(screen.size() - frameRoom));
+  if (!screen.contains(this->geometry()))
+  {
+    this->move(screen.topLeft());
+  }
   this->restoreState(settings.value("state").toByteArray());
   this->apply(Preferences::read());
   connect(this->View, &Viewport::cameraMoves, this, [this] { this->Teaches = false; });

@@ -242,6 +242,10 @@ void StepPanel::show(const Step* step)
   {
     field.widget->setEnabled(step != nullptr);
     field.write(field.widget, step ? valueOf(*step, *field.parameter) : field.parameter->initial);
+    if (auto* number = step ? nullptr : qobject_cast<QDoubleSpinBox*>(field.widget))
+    {
+      number->clear(); // the system's word for its own choice says nothing
+    }
   }
   this->StepValues = step ? step->values : Values();
   this->StepMirror = step && step->mirror ? step->mirror->axis + 1 : 0;
