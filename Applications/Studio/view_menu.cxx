@@ -83,7 +83,7 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
   this->Before = new QAction(tr("&Before the selected step (hold U)"), this);
   this->Before->setCheckable(true);
   connect(this->Before, &QAction::toggled, this, &ViewMenu::showBefore);
-  this->Picture = this->addToggle(nullptr, tr("Pictures on &models"), tr("F"), [](bool) {});
+  this->Picture = this->addToggle(nullptr, tr("Pictures o&f models"), tr("F"), [](bool) {});
   this->Picture->setIconText(tr("Picture"));
   this->Picture->setToolTip(tr("What the model wears, or its form alone (F)"));
   this->Picture->setChecked(true);
