@@ -243,7 +243,7 @@ TEST(Part, ASecondPictureIsAPartOfTheModel)
       surface = p[2];
     }
   }
-  EXPECT_NEAR(desk.part()->depth, surface, 3.0) << "a point " << nearest << " px beside";
+  EXPECT_NEAR(desk.part()->depth, surface, 1.5 * nearest) << "a point " << nearest << " px beside";
   EXPECT_NEAR(desk.part()->box[0] + desk.part()->box[2], box[0] + box[1], 1e-9);
 
   desk.line(ring({ 200, 150 }, 60));
