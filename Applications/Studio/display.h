@@ -28,8 +28,8 @@ public:
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;
 
-  // The camera looks at all of a box from the front, at one that lies flat where z is up from above, in a view of
-  // that size [px], and the ground lies under it. `up`: 1 for y, 2 for z.
+  // The camera looks at all of a box from the front, at one that lies flat where z is up from above, in a
+  // view of that size [px], and the ground lies under it. `up`: 1 for y, 2 for z.
   void lookAtAll(const double box[6], const int size[2], int up);
   // From where it looks now, so that all of the models is in the picture and fills it.
   void fitAll(const int size[2]);

@@ -65,8 +65,8 @@ private:
   vtkNew<vtkOversketchDrawingWidget> Widget;
   vtkNew<vtkCallbackCommand> Observer;
   double Steadiness = 6.0;
-  double Zoomed = 1.0; // by fingers, less than a notch of the wheel
-  bool Fits = true;    // all of the canvas is seen, until the hand zooms or pans
+  double Zoomed = 1.0;               // by fingers, less than a notch of the wheel
+  bool Fits = true;                  // all of the canvas is seen, until the hand zooms or pans
   std::array<int, 2> Fitted{ 1, 1 }; // the size that the view is for [px of the screen]
 };
 

@@ -12,9 +12,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <malloc.h>
 #include <memory>
 #include <string>
-#include <malloc.h>
 
 int main(int count, char** values)
 {

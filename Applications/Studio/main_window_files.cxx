@@ -57,8 +57,8 @@ QString patternsOf(const char* extensions)
   return patterns.mid(1);
 }
 
-// Where the session lies, else where the last one was saved, else where the model or the picture is from; not among
-// the program's own files, nor where nothing can be written.
+// Where the session lies, else where the last one was saved, else where the model or the picture is from; not
+// among the program's own files, nor where nothing can be written.
 QString folderToSaveIn(const QString& session)
 {
   const QSettings settings;
@@ -124,8 +124,11 @@ bool MainWindow::open(const QString& path)
     const bool canBeHeights =
       oversketch_files::isHeightsExtension("." + suffix.toStdString()) && findSystem("Terrain");
     QPushButton* over = nullptr;
-    QMessageBox box(
-      QMessageBox::Question, tr("Oversketch"), tr("What is %1 for?").arg(QFileInfo(path).fileName()), {}, this);
+    QMessageBox box(QMessageBox::Question,
+      tr("Oversketch"),
+      tr("What is %1 for?").arg(QFileInfo(path).fileName()),
+      {},
+      this);
     over = box.addButton(tr("&Draw over it"), QMessageBox::AcceptRole);
     QPushButton* heights = box.addButton(tr("Take it as &heights"), QMessageBox::AcceptRole);
     QPushButton* none = box.addButton(QMessageBox::Cancel);
@@ -378,8 +381,9 @@ void MainWindow::exportMeshes(const std::vector<SharedData>& shown, int part, co
         const QString file = QFileInfo(path).fileName();
         const bool keeps = keepsPicture(path);
         const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
-                             : keeps       ? tr("Exported %1 with its picture.").arg(file)
-                                           : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
+                             : keeps
+                               ? tr("Exported %1 with its picture.").arg(file)
+                               : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
         this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
       }
     });

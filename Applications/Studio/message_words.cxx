@@ -56,11 +56,13 @@ const Plain plain[] = {
       "That needs more than %1 new triangles: make them larger, or the radius smaller.") },
 };
 
-// Parts of a remark on a result that is not as drawn, for whoever reads on the run. The numbers are in the row's tip.
+// Parts of a remark on a result that is not as drawn, for whoever reads on the run. The numbers are in the
+// row's tip.
 const char* const notAsDrawn = "The result is not as drawn: ";
 const Plain brief[] = {
   { "^the outline misses the stroke", QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
-  { "^between the stroke's ends the outline", QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
+  { "^between the stroke's ends the outline",
+    QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
   { "^what lies up to .* beside the stroke moved too",
     QT_TRANSLATE_NOOP("Messages", "parts beside the line moved, too") },
   { "edges are folded over", QT_TRANSLATE_NOOP("Messages", "some of it is folded") },

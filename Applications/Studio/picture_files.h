@@ -46,7 +46,8 @@ using SharedPicture = std::shared_ptr<const DecodedPicture>;
 SharedPicture decoded(const PictureBytes& bytes);
 // Null where nobody holds it.
 SharedPicture findDecoded(const std::string& bytes);
-// Decodes it on a thread of its own, ready to be worn, and gives it to the window's, as long as the context is there.
+// Decodes it on a thread of its own, ready to be worn, and gives it to the window's, as long as the context
+// is there.
 void whenDecoded(QObject* context,
   const PictureBytes& bytes,
   const std::function<void(const SharedPicture&)>& then);

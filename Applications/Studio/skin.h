@@ -29,7 +29,8 @@ public:
   Skin& operator=(const Skin&) = delete;
 
   // Shows the mesh so, with the bytes of its picture, if any; a plain one has the colour of setPlain. What it
-  // wears is opaque, whatever is drawn. A picture that nobody has decoded yet comes later; then it calls `comes`.
+  // wears is opaque, whatever is drawn. A picture that nobody has decoded yet comes later; then it calls
+  // `comes`.
   void dress(vtkActor* actor,
     vtkPolyDataMapper* mapper,
     vtkPolyData* mesh,
@@ -44,8 +45,8 @@ private:
   void wear(const SharedPicture& picture);
 
   vtkNew<vtkTexture> Texture;
-  SharedPicture Picture; // of the texture; null: none
-  PictureBytes Wanted;   // of the picture that is to come, or has come
+  SharedPicture Picture;          // of the texture; null: none
+  PictureBytes Wanted;            // of the picture that is to come, or has come
   std::unique_ptr<QObject> Waits; // for it
   bool Textured = false, Coloured = false, Worn = true;
   double Plain[3] = { 1.0, 1.0, 1.0 };

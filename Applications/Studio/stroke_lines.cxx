@@ -276,8 +276,8 @@ bool StrokeLines::eventFilter(QObject*, QEvent* event)
   else if (mouse->button() == Qt::LeftButton && this->Pressed && isNear())
   {
     this->Pressed = false;
-    // After the tool has had it. The line that is lit under the cursor is meant: a look at the frame that it is lit
-    // in may tell another.
+    // After the tool has had it. The line that is lit under the cursor is meant: a look at the frame that it
+    // is lit in may tell another.
     QMetaObject::invokeMethod(
       this,
       [this, place = mouse->pos(), lit = this->Hovered]

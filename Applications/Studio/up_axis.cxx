@@ -1,9 +1,9 @@
 #include "up_axis.h"
 
 #include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkIdList.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTriangle.h"
@@ -20,10 +20,11 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr double sole = 0.04;    // of the height: what so low a part of it stands on
-constexpr double steady = 0.02;  // of the footprint's diagonal: the middle is so far inside of what it stands on
-constexpr double broad = 0.12;   // of the footprint: what it stands on spans so much
-constexpr double broader = 2.0;  // times as much as the other way up
+constexpr double sole = 0.04; // of the height: what so low a part of it stands on
+constexpr double steady =
+  0.02; // of the footprint's diagonal: the middle is so far inside of what it stands on
+constexpr double broad = 0.12;  // of the footprint: what it stands on spans so much
+constexpr double broader = 2.0; // times as much as the other way up
 using FlatPlace = std::array<double, 2>;
 
 double sideOf(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c)
@@ -89,8 +90,9 @@ std::array<double, 3> middleOf(vtkPolyData* mesh)
 // What it stands on along an axis.
 struct Stand
 {
-  double inside = -std::numeric_limits<double>::infinity(); // of the middle [footprint's diagonal], negative outside
-  double area = 0.0;                                         // a share of the footprint
+  double inside =
+    -std::numeric_limits<double>::infinity(); // of the middle [footprint's diagonal], negative outside
+  double area = 0.0;                          // a share of the footprint
 };
 
 Stand standOn(vtkPolyData* mesh, int axis, const std::array<double, 3>& middle)

@@ -84,8 +84,8 @@ void CameraDrag::move(double x, double y, FirstView& first)
       camera.turn(trackballTurn(this->Pivot, this->Anchor, this->Pressed, now).conjugate(), this->Pivot);
       break;
     case Kind::Turntable:
-      camera.turn(
-        turntableTurn(camera, Eigen::Vector2d(x - this->X, y - this->Y) / this->Height, this->Up), this->Pivot);
+      camera.turn(turntableTurn(camera, Eigen::Vector2d(x - this->X, y - this->Y) / this->Height, this->Up),
+        this->Pivot);
       break;
     case Kind::Pan:
       camera.move(this->Anchor - now.intersectionPoint(planeThrough(camera, this->Anchor)));

@@ -325,7 +325,9 @@ void vtkOversketchInteractorStyle::TurnBy(double x, double y)
     {
       const Eigen::Vector3d about = this->Inner->middle(CameraState(first.camera));
       CameraState camera = oversketch::straightened(CameraState(first.camera), about, this->CurrentRenderer);
-      camera.turn(oversketch::turntableTurn(camera, Eigen::Vector2d(x, y) / this->Inner->height(), this->UpAxis), about);
+      camera.turn(
+        oversketch::turntableTurn(camera, Eigen::Vector2d(x, y) / this->Inner->height(), this->UpAxis),
+        about);
       camera.putInto(first.camera);
     });
 }

@@ -89,8 +89,8 @@ public:
   ///@{
   /**
    * How a drag turns: freely, so that the picked point of the mesh stays under the cursor (Trackball, the
-   * thesis's and the default), or upright, about the world's axis that is up and the picture's horizontal, half
-   * a turn for the view's height, about the picked point (Turntable).
+   * thesis's and the default), or upright, about the world's axis that is up and the picture's horizontal,
+   * half a turn for the view's height, about the picked point (Turntable).
    */
   void SetOrbit(int orbit);
   vtkGetMacro(Orbit, int);

@@ -61,7 +61,8 @@ constexpr int checksAcross = 32;   // of the longer side
 vtkSmartPointer<vtkImageData> checkerboard(double width, double height)
 {
   const double longest = std::max(width, height);
-  const auto count = [&](double side) { return std::max(1, static_cast<int>(std::lround(checksAcross * side / longest))); };
+  const auto count = [&](double side)
+  { return std::max(1, static_cast<int>(std::lround(checksAcross * side / longest))); };
   auto board = vtkSmartPointer<vtkImageData>::New();
   board->SetDimensions(count(width), count(height), 1);
   board->AllocateScalars(VTK_UNSIGNED_CHAR, 1);

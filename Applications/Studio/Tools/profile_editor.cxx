@@ -107,8 +107,9 @@ ProfileEditor::ProfileEditor(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->addWidget(this->Presets);
   column->addWidget(this->Curve, 1);
-  const auto round = std::find_if(
-    std::begin(presets), std::end(presets), [](const Preset& one) { return std::string(one.name) == "Round"; });
+  const auto round = std::find_if(std::begin(presets),
+    std::end(presets),
+    [](const Preset& one) { return std::string(one.name) == "Round"; });
   this->setShape(round->text, creaseSharpness);
 }
 
