@@ -20,12 +20,13 @@ struct Look
   std::array<double, 2> shift{}; // of the picture's middle [halves of its width and height]
   // Of the view that this was in, width and height [px]; none in files of programs before this was kept.
   std::optional<std::array<int, 2>> size;
+  int upAxis = 1; // of the world, that the model is turned about: 1 for y, 2 for z
 
   bool operator==(const Look& other) const
   {
     return this->position == other.position && this->focus == other.focus && this->up == other.up &&
            this->angle == other.angle && this->height == other.height && this->parallel == other.parallel &&
-           this->shift == other.shift && this->size == other.size;
+           this->shift == other.shift && this->size == other.size && this->upAxis == other.upAxis;
   }
 };
 

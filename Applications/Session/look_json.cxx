@@ -27,6 +27,16 @@ std::optional<std::array<int, 2>> viewSizeOf(const JsonReader& json)
   return std::array<int, 2>{ static_cast<int>(size[0]), static_cast<int>(size[1]) };
 }
 
+int upAxisOf(const JsonReader& json)
+{
+  const double axis = json.has("up_axis") ? json.number("up_axis") : 1.0;
+  if (axis != 1.0 && axis != 2.0)
+  {
+    json.refuse("up_axis", "is neither 1 nor 2");
+  }
+  return static_cast<int>(axis);
+}
+
 } // namespace
 
 Json::Value jsonOf(const Look& look)
@@ -45,6 +55,10 @@ Json::Value jsonOf(const Look& look)
     json["size"].append((*look.size)[0]);
     json["size"].append((*look.size)[1]);
   }
+  if (look.upAxis != 1)
+  {
+    json["up_axis"] = look.upAxis;
+  }
   return json;
 }
 
@@ -62,7 +76,8 @@ Look lookOf(const JsonReader& json)
     json.number("height"),
     json.yes("parallel"),
     { shift[0], shift[1] },
-    viewSizeOf(json) };
+    viewSizeOf(json),
+    upAxisOf(json) };
   double along[3], across[3];
   vtkMath::Subtract(look.focus.data(), look.position.data(), along);
   vtkMath::Cross(along, look.up.data(), across);

@@ -1,15 +1,21 @@
 #include "worker.h"
 
+#include "drawing_lines.h"
 #include "models.h"
 #include "session_file.h"
 #include "step_lines.h"
 
+#include "Mesh/context.h"
+#include "Stroke/canvas.h"
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
 
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <malloc.h>
 #include <utility>
@@ -465,6 +471,52 @@ void Worker::trace(std::uint64_t ticket,
   this->Report.traced(ticket, std::move(lines));
 }
 
+namespace
+{
+
+// The stroke where the part that it made has been put, as its view shows that.
+vtkSmartPointer<vtkPolyData> strokeOfPart(vtkPolyData* stroke, const Step& step)
+{
+  if (!stroke || !step.part || step.system != drawingSystem)
+  {
+    return stroke;
+  }
+  try
+  {
+    const oversketch::View view = oversketch::ViewOf(stroke);
+    const std::array<double, 4> canvas = canvasOf(step), &box = step.part->box;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < stroke->GetNumberOfPoints(); ++i)
+    {
+      const double* sample = stroke->GetPoint(i);
+      const auto on = oversketch::ontoCanvas(view, oversketch::Vector2(sample[0], sample[1]));
+      if (!on)
+      {
+        return stroke;
+      }
+      const auto along = [&](std::size_t axis)
+      {
+        const double share =
+          ((*on)[static_cast<int>(axis)] - canvas[axis]) / (canvas[axis + 2] - canvas[axis]);
+        return box[axis] + share * (box[axis + 2] - box[axis]);
+      };
+      const oversketch::Vector3 seen = view.toDisplay({ along(0), along(1), step.part->depth });
+      points->InsertNextPoint(seen[0], seen[1], 0.0);
+    }
+    auto placed = vtkSmartPointer<vtkPolyData>::New();
+    placed->ShallowCopy(stroke);
+    placed->SetPoints(points);
+    return placed;
+  }
+  catch (const oversketch::Error&)
+  {
+    return stroke; // of no one view: it is seen from the front, without its line
+  }
+}
+
+} // namespace
+
 void Worker::picture(std::uint64_t ticket,
   const Session& session,
   const std::vector<Outcome>& outcomes,
@@ -479,7 +531,7 @@ void Worker::picture(std::uint64_t ticket,
     }
     const auto made = thumbnailOf(outcome.mesh,
       outcome.details ? outcome.details->region.Get() : nullptr,
-      strokeOf(session, *session.nodes[i].step),
+      strokeOfPart(strokeOf(session, *session.nodes[i].step), *session.nodes[i].step),
       cancelled);
     if (!made)
     {

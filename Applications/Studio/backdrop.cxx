@@ -11,8 +11,12 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
+
+#include <QObject>
 
 #include <algorithm>
 
@@ -24,7 +28,8 @@ using namespace oversketch_session;
 struct Backdrop::Card
 {
   std::shared_ptr<const Picture> picture;
-  SharedPicture decoded;
+  SharedPicture decoded; // null: it is to come
+  QObject waits;         // for it
   oversketch::PenView view;
   oversketch::Vector2 low, high; // px
   vtkNew<vtkPlaneSource> plane;
@@ -55,8 +60,19 @@ void Backdrop::set(const Pictures& pictures, vtkRenderer* renderer)
     card->high = { frame->GetPoint(1)[0], frame->GetPoint(1)[1] };
     if (isNew)
     {
-      card->decoded = decoded(picture->image.bytes);
-      card->texture->SetInputData(card->decoded->pixels);
+      card->decoded = findDecoded(*picture->image.bytes);
+      card->texture->SetInputData(card->decoded ? card->decoded->pixels : nullptr);
+      if (!card->decoded) // undo has brought it back
+      {
+        whenDecoded(&card->waits,
+          picture->image.bytes,
+          [one = card.get(), renderer](const SharedPicture& made)
+          {
+            one->decoded = made;
+            one->texture->SetInputData(made->pixels);
+            renderer->GetRenderWindow()->GetInteractor()->Render();
+          });
+      }
       card->texture->SetColorModeToDirectScalars();
       card->texture->InterpolateOn();
       card->texture->MipmapOn();
@@ -119,7 +135,7 @@ void Backdrop::look(vtkRenderer* renderer)
   const auto now = oversketch::PenView::of(renderer);
   for (const auto& card : this->Cards)
   {
-    card->actor->SetVisibility(card->picture->shown && now.fromTheSamePlace(card->view));
+    card->actor->SetVisibility(card->decoded && card->picture->shown && now.fromTheSamePlace(card->view));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "camera_state.h"
 
 #include "vtkCamera.h"
+#include "vtkOversketchInteractorStyle.h"
 #include "vtkRenderer.h"
 
 namespace oversketch_studio
@@ -24,6 +25,7 @@ Look lookOf(Viewport& view)
   look.parallel = camera->GetParallelProjection() != 0;
   camera->GetWindowCenter(look.shift.data());
   look.size = view.fittedSize();
+  look.upAxis = view.camera()->GetUpAxis();
   return look;
 }
 

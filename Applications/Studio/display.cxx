@@ -10,6 +10,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace oversketch_studio
@@ -47,18 +48,33 @@ Display::Display(vtkRenderer* renderer, ModelView& model)
 
 Display::~Display() = default;
 
-void Display::lookAtAll(const double box[6], const int size[2])
+void Display::lookAtAll(const double box[6], const int size[2], int up)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetPosition(0.0, 0.0, 1.0);
+  const bool isFlat = box[5] - box[4] < 0.5 * std::min(box[1] - box[0], box[3] - box[2]);
+  const bool fromY = up == 2 && !isFlat;
+  camera->SetPosition(0.0, fromY ? -1.0 : 0.0, fromY ? 0.0 : 1.0);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetViewUp(0.0, fromY ? 0.0 : 1.0, fromY ? 1.0 : 0.0);
   camera->SetWindowCenter(0.0, 0.0);
   const vtkBoundingBox all = this->Others.box(box);
   double whole[6];
   all.GetBounds(whole);
   this->stepBack(whole, size);
-  this->Grid.place(whole);
+  this->Grid.place(whole, up);
+}
+
+void Display::fitAll(const int size[2])
+{
+  if (!this->Model.mesh())
+  {
+    return;
+  }
+  double whole[6];
+  this->Others.box(this->Model.mesh()->GetBounds()).GetBounds(whole);
+  this->Renderer->GetActiveCamera()->SetWindowCenter(0.0, 0.0);
+  this->stepBack(whole, size);
+  this->Renderer->ResetCameraClippingRange();
 }
 
 // To the same place in all windows: one that is narrower than high has a wider angle.
@@ -96,14 +112,15 @@ void Display::showWhole(const int size[2])
   this->Renderer->ResetCameraClippingRange();
 }
 
-void Display::setShading(Shading shading)
+void Display::setShading(Shading shading, bool pictures)
 {
   this->Look = shading;
-  this->Model.setShading(shading);
-  this->Others.setShading(shading);
+  this->Pictures = pictures;
+  this->Model.setShading(shading, pictures);
+  this->Others.setShading(shading, pictures);
   if (this->Other)
   {
-    this->Other->setShading(shading);
+    this->Other->setShading(shading, pictures);
   }
 }
 
@@ -134,7 +151,7 @@ void Display::showInstead(vtkPolyData* mesh)
   {
     this->Other = std::make_unique<ModelView>(this->Renderer);
     this->Other->setPlain(this->Plain[0], this->Plain[1], this->Plain[2]);
-    this->Other->setShading(this->Look);
+    this->Other->setShading(this->Look, this->Pictures);
     this->Other->show(mesh);
   }
   this->Model.setVisible(!mesh);

@@ -28,13 +28,16 @@ public:
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;
 
-  // The camera looks at all of a box from the front, in a view of that size [px], and the ground lies under
-  // it.
-  void lookAtAll(const double box[6], const int size[2]);
+  // The camera looks at all of a box from the front, at one that lies flat where z is up from above, in a
+  // view of that size [px], and the ground lies under it. `up`: 1 for y, 2 for z.
+  void lookAtAll(const double box[6], const int size[2], int up);
+  // From where it looks now, so that all of the models is in the picture and fills it.
+  void fitAll(const int size[2]);
   // The camera steps back where not all of the models is in the picture, in a view of that size.
   void showWhole(const int size[2]);
 
-  void setShading(Shading shading);
+  // Pictures and colours that models wear are seen, or not.
+  void setShading(Shading shading, bool pictures);
   void setGround(bool shown);
   bool ground() const { return this->Ground; }
   // Another mesh, translucent over the model; null: none.
@@ -64,7 +67,7 @@ private:
   std::unique_ptr<ModelView> Other; // while it is shown
   Shading Look = Shading::Smooth;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
-  bool Ground = false;
+  bool Ground = false, Pictures = true;
 };
 
 } // namespace oversketch_studio

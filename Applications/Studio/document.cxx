@@ -8,11 +8,13 @@
 #include "row_texts.h"
 #include "systems.h"
 #include "terrain_start.h"
+#include "up_axis.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace oversketch_studio
@@ -157,12 +159,19 @@ Document::Opened Document::read(const QString& path, int backend)
     SessionFile saved = readSession(file);
     opened.path = path;
     opened.look = saved.look;
+    opened.upAxis = saved.look ? saved.look->upAxis : 1;
     session = std::move(saved.session);
     makeResting(session);
     opened.pictures = picturesOf(session);
     return opened;
   }
   Notes said;
+  const std::string known = std::string(meshExtensions) + ' ';
+  if (!isHeightsExtension(extensionOf(file)) &&
+      (extensionOf(file).empty() || known.find(extensionOf(file) + ' ') == std::string::npos))
+  {
+    throw Failed(tr("%1 is no model, session or height grid.").arg(QFileInfo(path).fileName()).toStdString());
+  }
   if (isHeightsExtension(extensionOf(file)) && findSystem("Terrain"))
   {
     Node node;
@@ -170,10 +179,14 @@ Document::Opened Document::read(const QString& path, int backend)
     node.step = terrainOf(file);
     node.name = titleOf(node.step->system).toStdString();
     session.nodes = { node };
+    opened.upAxis = 2;
   }
   else
   {
     session.mesh = readMesh(file, said);
+    const std::string extension = extensionOf(file);
+    const bool isGltf = extension == ".gltf" || extension == ".glb"; // the standard says y
+    opened.upAxis = isGltf ? 1 : upAxisOf(session.mesh);
   }
   session.meshName = QFileInfo(path).fileName().toStdString();
   session.backend = backend;
@@ -186,6 +199,7 @@ void Document::open(Opened opened)
 {
   this->Path = opened.path;
   this->Seen = opened.look;
+  this->Up = opened.upAxis;
   this->start(std::move(opened.session), true, std::move(opened.pictures));
   emit this->opened();
 }
@@ -194,6 +208,7 @@ void Document::recover(const LeftBehind& left, Opened read)
 {
   this->Path = QString::fromStdString(left.path);
   this->Seen = read.look;
+  this->Up = read.upAxis;
   this->start(std::move(read.session), false, std::move(read.pictures));
   // The old folder goes only when the new one is on the disk.
   if (this->Saver.wait().empty())
@@ -500,6 +515,16 @@ void Document::submit(const SharedLaid& known)
 
 void Document::keep()
 {
+  // What only undo brings back is decoded anew then.
+  for (auto it = this->Worn.begin(); it != this->Worn.end();)
+  {
+    bool isThere = false;
+    for (std::size_t place = 0; place < modelCount(this->session()); ++place)
+    {
+      isThere = isThere || modelAt(this->session(), place).scene.id == it->first;
+    }
+    it = isThere ? std::next(it) : this->Worn.erase(it);
+  }
   if (!this->Discarded)
   {
     this->Saver.keep(this->file(), { this->Path.toStdString(), this->isModified() });

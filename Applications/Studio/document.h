@@ -45,6 +45,7 @@ public:
     QString path;                        // of a session's file
     std::vector<SharedPicture> pictures; // that are seen at once
     QStringList notes;
+    int upAxis = 1; // of the world: 1 for y, 2 for z
   };
   // On any thread. Throws Failed.
   static Opened read(const QString& path, int backend);
@@ -100,6 +101,8 @@ public:
   bool isModified() const { return this->Changes && !this->Changes->isSaved(); }
   // How the model was looked at when the session was saved.
   const std::optional<oversketch_session::Look>& look() const { return this->Seen; }
+  // The world's axis that was up when it was opened: as the session says, else as the mesh seems to stand.
+  int upAxis() const { return this->Up; }
   // Tells how it is looked at now.
   void setLook(std::function<std::optional<oversketch_session::Look>()> look)
   {
@@ -240,7 +243,7 @@ private:
 
   std::unique_ptr<oversketch_session::History> Changes;
   QString Path;
-  int Backend = 0;
+  int Backend = 0, Up = 1;
   std::optional<oversketch_session::Look> Seen;
   std::function<std::optional<oversketch_session::Look>()> LookNow;
   int Shaped = 0;         // the id of the step that the last change was a shape() or place() of

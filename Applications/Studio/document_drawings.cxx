@@ -4,7 +4,16 @@
 #include "picture_files.h"
 #include "row_texts.h"
 
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTriangle.h"
+
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace oversketch_studio
@@ -16,6 +25,33 @@ namespace
 {
 
 constexpr double canvasSize[2] = { 1024.0, 768.0 }; // of an empty one
+
+// z of the surface that is seen from the front at a place; that of the place where there is none.
+double surfaceUnder(vtkPolyData* mesh, const Point& place)
+{
+  double highest = -std::numeric_limits<double>::infinity();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    double a[3], b[3], c[3];
+    mesh->GetPoint(ids->GetId(0), a);
+    for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
+    {
+      mesh->GetPoint(ids->GetId(i - 1), b);
+      mesh->GetPoint(ids->GetId(i), c);
+      const double at[2] = { place[0], place[1] };
+      double flat[3][2], shares[3];
+      std::copy_n(a, 2, flat[0]);
+      std::copy_n(b, 2, flat[1]);
+      std::copy_n(c, 2, flat[2]);
+      const bool isOver = vtkTriangle::BarycentricCoords(at, flat[0], flat[1], flat[2], shares) != 0 &&
+                          *std::min_element(shares, shares + 3) >= 0.0;
+      highest = isOver ? std::max(highest, shares[0] * a[2] + shares[1] * b[2] + shares[2] * c[2]) : highest;
+    }
+  }
+  return std::isfinite(highest) ? highest : place[2];
+}
 
 } // namespace
 
@@ -32,14 +68,15 @@ bool Document::beginDrawing(const std::function<bool()>& mayLeave)
 
 std::function<Document::ReadDrawing()> Document::partReader(const QString& picture) const
 {
-  // Before the model; where there is none yet, over what is drawn on.
+  // On the model's surface; where there is none yet, over what is drawn on.
   std::optional<Point> place;
   SharedStep first;
   if (this->Result.mesh && this->Result.mesh->GetNumberOfPoints() > 0)
   {
     double box[6];
     this->Result.mesh->GetBounds(box);
-    place = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), box[5] };
+    place = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]) };
+    (*place)[2] = surfaceUnder(this->Result.mesh, *place);
   }
   else if (!this->session().nodes.empty())
   {
@@ -70,6 +107,7 @@ bool Document::beginDrawing(SharedStep step, const QString& name, const std::fun
   session.backend = this->Backend;
   this->Path.clear();
   this->Seen.reset();
+  this->Up = 1;
   this->start(std::move(session), true, {});
   emit this->opened();
   return true;

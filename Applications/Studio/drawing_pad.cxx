@@ -1,6 +1,9 @@
 #include "drawing_pad.h"
 
+#include "latency.h"
 #include "touch_hand.h"
+
+#include "camera_state.h"
 
 #include "vtkOversketchDrawingRepresentation.h"
 #include "vtkOversketchDrawingWidget.h"
@@ -8,6 +11,7 @@
 #include "vtkOversketchStrokeWidget.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -46,6 +50,7 @@ DrawingPad::DrawingPad(QWidget* parent)
   this->Observer->SetCallback(
     [](vtkObject*, unsigned long event, void* self, void*) { static_cast<DrawingPad*>(self)->heard(event); });
   for (const unsigned long event : { vtkCommand::StartInteractionEvent,
+         vtkCommand::InteractionEvent,
          vtkCommand::EndInteractionEvent,
          vtkCommand::WidgetValueChangedEvent })
   {
@@ -100,8 +105,13 @@ void DrawingPad::heard(unsigned long event)
   {
     emit this->began();
   }
+  else if (event == vtkCommand::InteractionEvent)
+  {
+    Latency::of().sample();
+  }
   else if (event == vtkCommand::EndInteractionEvent)
   {
+    this->fit(); // to a size that came during the line
     emit this->ended();
   }
   else
@@ -211,10 +221,30 @@ void DrawingPad::resizeGL(int width, int height)
     static_cast<float>(strokeLineWidth * ratio));
   this->Widget->SetSnapRadius(snapRadius * ratio);
   this->setSteadiness(this->Steadiness);
-  if (this->Fits && !this->isDrawing()) // a line keeps the view that it was begun in
+  this->fit();
+}
+
+// A line keeps the view that it was begun in. What was enlarged stays as large across the smaller side.
+void DrawingPad::fit()
+{
+  const int* size = this->renderer()->GetSize();
+  if (this->isDrawing() || (size[0] == this->Fitted[0] && size[1] == this->Fitted[1]))
+  {
+    return;
+  }
+  const std::array<int, 2> now{ size[0], size[1] };
+  if (this->Fits)
   {
     this->Widget->ResetView();
   }
+  else
+  {
+    vtkCamera* camera = this->renderer()->GetActiveCamera();
+    oversketch::CameraState state(camera);
+    state.fit(this->Fitted.data(), now.data());
+    state.putInto(camera);
+  }
+  this->Fitted = now;
 }
 
 } // namespace oversketch_studio

@@ -6,6 +6,8 @@
 
 #include "vtkNew.h"
 
+#include <array>
+
 class vtkCallbackCommand;
 class vtkImageData;
 class vtkOversketchDrawingWidget;
@@ -51,19 +53,21 @@ signals:
   void ended();
 
 protected:
+  bool isHeld() const override { return this->isDrawing(); }
   bool event(QEvent* event) override;
   void resizeGL(int width, int height) override;
 
 private:
   void heard(unsigned long event);
-  void fit();
+  void fit(); // to the size that it has now
   void zoom(double factor, const QPointF& about);
 
   vtkNew<vtkOversketchDrawingWidget> Widget;
   vtkNew<vtkCallbackCommand> Observer;
   double Steadiness = 6.0;
-  double Zoomed = 1.0; // by fingers, less than a notch of the wheel
-  bool Fits = true;    // all of the canvas is seen, until the hand zooms or pans
+  double Zoomed = 1.0;               // by fingers, less than a notch of the wheel
+  bool Fits = true;                  // all of the canvas is seen, until the hand zooms or pans
+  std::array<int, 2> Fitted{ 1, 1 }; // the size that the view is for [px of the screen]
 };
 
 } // namespace oversketch_studio

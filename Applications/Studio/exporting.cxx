@@ -25,18 +25,19 @@ struct ExportTexts
 struct Format
 {
   QString suffix, filter;
+  bool keepsPicture = false;
 };
 
 // Every one that the library writes.
 QVector<Format> formats()
 {
-  const auto row = [](const char* suffix, const QString& what) {
-    return Format{ suffix, QString("%1 (*.%2)").arg(what, suffix) };
+  const auto row = [](const char* suffix, const QString& what, bool keepsPicture = false) {
+    return Format{ suffix, QString("%1 (*.%2)").arg(what, suffix), keepsPicture };
   };
   return { row("ply", ExportTexts::tr("PLY")),
-    row("obj", ExportTexts::tr("Wavefront OBJ, with its picture")),
-    row("glb", ExportTexts::tr("glTF in one file, with its picture")),
-    row("gltf", ExportTexts::tr("glTF, with its picture")),
+    row("obj", ExportTexts::tr("Wavefront OBJ, with its picture"), true),
+    row("glb", ExportTexts::tr("glTF in one file, with its picture"), true),
+    row("gltf", ExportTexts::tr("glTF, with its picture"), true),
     row("stl", ExportTexts::tr("STL")),
     row("off", ExportTexts::tr("OFF")),
     row("vtp", ExportTexts::tr("VTK")) };
@@ -53,7 +54,7 @@ bool mayReplace(QWidget* parent, const QString& path)
 
 } // namespace
 
-QString exportPathAsked(QWidget* parent, const QString& name)
+QString exportPathAsked(QWidget* parent, const QString& name, bool wearsPicture)
 {
   QSettings settings;
   const QVector<Format> all = formats();
@@ -63,6 +64,11 @@ QString exportPathAsked(QWidget* parent, const QString& name)
   {
     filters << all[i].filter;
     chosen = all[i].suffix == settings.value("exportFormat").toString() ? i : chosen;
+  }
+  if (wearsPicture && !all[chosen].keepsPicture)
+  {
+    const auto isOneFile = [](const Format& format) { return format.suffix == "glb"; };
+    chosen = static_cast<int>(std::find_if(all.begin(), all.end(), isOneFile) - all.begin());
   }
   const QString folder = settings.value("exportFolder", settings.value("folder")).toString();
   QFileDialog dialog(parent, ExportTexts::tr("Export the mesh"), folder);
@@ -102,6 +108,15 @@ QString exportPathAsked(QWidget* parent, const QString& name)
   settings.setValue("exportFormat", suffix);
   settings.setValue("exportFolder", QFileInfo(path).absolutePath());
   return path;
+}
+
+bool keepsPicture(const QString& path)
+{
+  const QVector<Format> all = formats();
+  return std::any_of(all.begin(),
+    all.end(),
+    [suffix = QFileInfo(path).suffix().toLower()](const Format& format)
+    { return format.suffix == suffix && format.keepsPicture; });
 }
 
 } // namespace oversketch_studio

@@ -1,6 +1,7 @@
 #include "flat_view.h"
 
 #include "draws_on_processor.h"
+#include "latency.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkGenericOpenGLRenderWindow.h"
@@ -46,18 +47,41 @@ void FlatView::renderSoon()
     this,
     [this]
     {
-      this->RenderWaits = false;
-      if (this->OnProcessor.value_or(false))
+      if (this->RenderWaits)
       {
-        this->Window->SetMultiSamples(0);
-        this->Rest->start();
+        this->renderNow();
       }
-      this->Window->Render();
     });
+}
+
+// Painted at once (Qt puts a repaint off that follows closely on the last), and all of it on the screen
+// before the hand is heard again: the processor draws behind the program's back, and frames that it is late
+// with would pile up behind the pen.
+void FlatView::renderNow()
+{
+  this->RenderWaits = false;
+  if (this->OnProcessor.value_or(false))
+  {
+    this->Window->SetMultiSamples(0);
+    this->Rest->start();
+  }
+  Latency::of().frameBegins();
+  this->Window->Render();
+  this->repaint();
+  if (this->OnProcessor.value_or(false) && this->isValid())
+  {
+    this->makeCurrent();
+    this->Window->WaitForCompletion();
+  }
 }
 
 void FlatView::renderSmooth()
 {
+  if (this->isHeld())
+  {
+    this->Rest->start();
+    return;
+  }
   this->Window->SetMultiSamples(edgeSamples);
   this->Window->Render();
 }
@@ -71,6 +95,11 @@ void FlatView::paintGL()
   this->interactor()->EnableRenderOn(); // what Qt asks for is drawn now
   QVTKOpenGLNativeWidget::paintGL();
   this->interactor()->EnableRenderOff();
+  if (Latency::of().isOn())
+  {
+    this->Window->WaitForCompletion();
+    Latency::of().framePainted();
+  }
 }
 
 } // namespace oversketch_studio

@@ -26,10 +26,13 @@ public:
   vtkRenderer* renderer() { return this->Renderer; }
 
 protected:
+  // Whether the hand is at something: edges wait.
+  virtual bool isHeld() const { return false; }
   void paintGL() override;
 
 private:
   void renderSoon();
+  void renderNow();
   void renderSmooth();
 
   vtkNew<vtkGenericOpenGLRenderWindow> Window;

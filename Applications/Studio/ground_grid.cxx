@@ -27,10 +27,16 @@ double roundNumber(double about)
   return ten * (of < 1.5 ? 1.0 : of < 3.5 ? 2.0 : of < 7.5 ? 5.0 : 10.0);
 }
 
-void addLine(vtkPolyData* to, double x0, double z0, double x1, double z1, double y)
+// Across the axis that is up: from places on x and the other axis.
+void addLine(vtkPolyData* to, int up, double x0, double other0, double x1, double other1, double height)
 {
-  const vtkIdType from = to->GetPoints()->InsertNextPoint(x0, y, z0);
-  to->GetLines()->InsertNextCell({ from, to->GetPoints()->InsertNextPoint(x1, y, z1) });
+  const auto add = [&](double x, double other)
+  {
+    return up == 1 ? to->GetPoints()->InsertNextPoint(x, height, other)
+                   : to->GetPoints()->InsertNextPoint(x, other, height);
+  };
+  const vtkIdType from = add(x0, other0);
+  to->GetLines()->InsertNextCell({ from, add(x1, other1) });
 }
 
 } // namespace
@@ -53,9 +59,10 @@ GroundGrid::GroundGrid(vtkRenderer* renderer)
 
 GroundGrid::~GroundGrid() = default;
 
-void GroundGrid::place(const double box[6])
+void GroundGrid::place(const double box[6], int up)
 {
-  const double width = std::max(box[1] - box[0], box[5] - box[4]);
+  const int beside = 3 - up;
+  const double width = std::max(box[1] - box[0], box[2 * beside + 1] - box[2 * beside]);
   for (vtkPolyData* lines : { this->Lines.Get(), this->Middle.Get() })
   {
     vtkNew<vtkPoints> points;
@@ -67,17 +74,17 @@ void GroundGrid::place(const double box[6])
   {
     return;
   }
-  const double step = roundNumber(width / across), y = box[2];
+  const double step = roundNumber(width / across), height = box[2 * up];
   const auto first = [&](int axis) { return std::floor((box[2 * axis] - 0.5 * width) / step); };
   const auto last = [&](int axis) { return std::ceil((box[2 * axis + 1] + 0.5 * width) / step); };
-  const double x0 = first(0), x1 = last(0), z0 = first(2), z1 = last(2);
+  const double x0 = first(0), x1 = last(0), z0 = first(beside), z1 = last(beside);
   for (double i = x0; i <= x1; ++i)
   {
-    addLine(i == 0.0 ? this->Middle : this->Lines, i * step, z0 * step, i * step, z1 * step, y);
+    addLine(i == 0.0 ? this->Middle : this->Lines, up, i * step, z0 * step, i * step, z1 * step, height);
   }
   for (double i = z0; i <= z1; ++i)
   {
-    addLine(i == 0.0 ? this->Middle : this->Lines, x0 * step, i * step, x1 * step, i * step, y);
+    addLine(i == 0.0 ? this->Middle : this->Lines, up, x0 * step, i * step, x1 * step, i * step, height);
   }
 }
 

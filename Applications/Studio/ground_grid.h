@@ -20,7 +20,7 @@ public:
   GroundGrid& operator=(const GroundGrid&) = delete;
 
   // Under the box of a model, and wider than it.
-  void place(const double box[6]);
+  void place(const double box[6], int up); // the axis that is: 1 for y, 2 for z
   void setVisible(bool visible);
   void setDark(bool dark);
 

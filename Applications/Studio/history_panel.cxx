@@ -106,6 +106,7 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
         [=] { this->setParameters(id, values, mirror); },
         this->idOf(this->current()) == id && !this->Filling ? Qt::DirectConnection : Qt::QueuedConnection);
     });
+  connect(this->Form, &StepPanel::keysLeft, this, &HistoryPanel::keysLeft);
   this->refresh();
 }
 
@@ -196,7 +197,10 @@ void HistoryPanel::tell(QListWidgetItem* item, int at)
   const Node& node = this->OpenDocument->session().nodes[indexOf(at)];
   const auto& states = this->OpenDocument->result().nodes;
   const Worker::NodeState* state = indexOf(at) < states.size() ? &states[indexOf(at)] : nullptr;
-  const QString words = wordsOf(node, at < this->OpenDocument->shownTo() ? state : nullptr);
+  const bool isShown = at < this->OpenDocument->shownTo();
+  const QString words = isShown && !state && node.on && this->OpenDocument->isBusy()
+                          ? tr("being computed…")
+                          : wordsOf(node, isShown ? state : nullptr);
   item->setData(RowDelegate::WordsRole, words);
   item->setData(Qt::AccessibleDescriptionRole, words);
   // A result that is not up to date may be of another order.
@@ -458,6 +462,13 @@ void HistoryPanel::refresh()
   this->List->arrange(0, 0);
   if (this->OpenDocument->isOpen())
   {
+    // A step that has been undone may leave its id to another.
+    const auto& nodes = this->OpenDocument->session().nodes;
+    for (auto it = this->Pictures.begin(); it != this->Pictures.end();)
+    {
+      const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
+      it = std::any_of(nodes.begin(), nodes.end(), isIt) ? std::next(it) : this->Pictures.erase(it);
+    }
     const int count = static_cast<int>(this->OpenDocument->session().nodes.size());
     for (int i = 0; i < count; ++i)
     {

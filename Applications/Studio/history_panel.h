@@ -55,6 +55,8 @@ signals:
   void lineAsked(int node, int line);
   // The camera is to go where the step was drawn.
   void viewAsked(int node);
+  // A form that had the keys can have them no more.
+  void keysLeft();
   // Something cannot be done: why.
   void told(const QString& why);
 

@@ -14,12 +14,17 @@ KeptNote::KeptNote(const Document* document, QWidget* parent)
 {
   this->setObjectName("kept");
   connect(document, &Document::kept, this, &KeptNote::follow);
+  connect(document, &Document::begun, this, [this] { this->Saved = false; });
+  connect(document,
+    &Document::changed,
+    this,
+    [this](Document::Change change) { this->Saved = this->Saved || change == Document::Change::Saved; });
 }
 
 void KeptNote::follow()
 {
   const bool isSaved = !this->OpenDocument->isModified();
-  if (isSaved && this->OpenDocument->path().isEmpty())
+  if (isSaved && (this->OpenDocument->path().isEmpty() || !this->Saved))
   {
     this->clear(); // nothing has been done
     this->setToolTip({});

@@ -20,6 +20,7 @@ private:
   void follow();
 
   const Document* OpenDocument;
+  bool Saved = false; // since it was opened
 };
 
 } // namespace oversketch_studio

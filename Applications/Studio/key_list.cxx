@@ -60,11 +60,11 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
     { "i  m  j  k", T::tr("rotate up, down, left, right (Shift: pan)") },
     { "r  l  h", T::tr("spin counter-clockwise (r, l), clockwise (h)") },
     { "p  n", T::tr("zoom out, in (Shift: pan in, out)") },
-    { "w  c", T::tr("back to the first view; centre on the model") },
+    { "w  c", T::tr("back to the first view; centre on the model (Home: fit it)") },
     { "Ctrl+1-6", T::tr("from the front, right, top, back, left, bottom") },
     { "5", T::tr("orthographic or perspective") },
     { "u", T::tr("while held: the model before the selected step") },
-    { "o", T::tr("show what moves") },
+    { "o  f", T::tr("show what moves; show what models wear") },
   };
   for (int i = 0; i < all.size(); i += toolsOfARow)
   {

@@ -1,7 +1,36 @@
 #include "looks.h"
 
+#include <QProxyStyle>
+#include <QStyleFactory>
+
 namespace oversketch_studio
 {
+
+namespace
+{
+
+class PlainStyle : public QProxyStyle
+{
+public:
+  PlainStyle()
+    : QProxyStyle(QStyleFactory::create("Fusion"))
+  {
+  }
+  int styleHint(StyleHint hint,
+    const QStyleOption* option,
+    const QWidget* widget,
+    QStyleHintReturn* answer) const override
+  {
+    return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, answer);
+  }
+};
+
+} // namespace
+
+QStyle* plainStyle()
+{
+  return new PlainStyle;
+}
 
 QPalette darkPalette()
 {

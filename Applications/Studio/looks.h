@@ -4,10 +4,14 @@
 
 #include <QPalette>
 
+class QStyle;
+
 namespace oversketch_studio
 {
 
 QPalette darkPalette();
+// Qt's own, but that what is disabled is written once, not with a shadow: on dark ground that looks bold.
+QStyle* plainStyle();
 
 } // namespace oversketch_studio
 #endif

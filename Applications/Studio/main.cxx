@@ -10,8 +10,11 @@
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <malloc.h>
+#include <memory>
+#include <string>
 
 int main(int count, char** values)
 {
@@ -24,7 +27,16 @@ int main(int count, char** values)
   QCoreApplication::setApplicationName("oversketch-studio");
   QCoreApplication::setApplicationVersion(OVERSKETCH_VERSION);
   QGuiApplication::setDesktopFileName("oversketch-studio");
-  const QApplication application(count, values);
+  // What is only read needs no display.
+  const auto isText = [](const char* one)
+  {
+    const std::string word = one;
+    return word == "--help" || word == "-h" || word == "--help-all" || word == "--version" || word == "-v";
+  };
+  std::unique_ptr<QCoreApplication> application;
+  std::any_of(values + 1, values + count, isText)
+    ? application = std::make_unique<QCoreApplication>(count, values)
+    : application = std::make_unique<QApplication>(count, values);
   // Every sample of the pen counts. (Qt's X11 part turns the first one on when the application is made.)
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
   QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);

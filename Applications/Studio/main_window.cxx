@@ -7,7 +7,6 @@
 #include "history_panel.h"
 #include "latency.h"
 #include "looks.h"
-#include "message_words.h"
 #include "option_presets.h"
 #include "scene_panel.h"
 #include "step_lines.h"
@@ -20,8 +19,10 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
+#include <QOpenGLWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -39,6 +40,8 @@ using namespace oversketch_session;
 
 namespace
 {
+
+const QSize frameRoom(16, 48); // px as Qt counts them, of a window's frame
 
 // Whether the row that a hand changes is there, and not a step of another kind that came under it meanwhile.
 bool isStill(const std::vector<Node>& nodes, int row, const Step& step)
@@ -63,6 +66,7 @@ MainWindow::MainWindow(QWidget* parent)
       this))
   , Lines(new StrokeLines(this->View))
   , Advice(new AdviceLabel(this))
+  , Anyway(new QPushButton(this))
   , Mode(new QLabel(this))
   , Progress(new QProgressBar(this))
   , Cancel(new QPushButton(tr("&Cancel"), this))
@@ -98,9 +102,24 @@ MainWindow::MainWindow(QWidget* parent)
   QSettings settings;
   this->resize(1200, 800);
   this->restoreGeometry(settings.value("geometry").toByteArray());
+  // Whole on this screen, also what it was on a larger one, with a frame, which it has only once it is shown.
+  const QRect screen = this->screen()->availableGeometry();
+  this->resize(this->size().boundedTo(screen.size() - frameRoom));
+  if (!screen.contains(this->geometry()))
+  {
+    this->move(screen.topLeft());
+  }
   this->restoreState(settings.value("state").toByteArray());
   this->apply(Preferences::read());
   connect(this->View, &Viewport::cameraMoves, this, [this] { this->Teaches = false; });
+  this->View->installEventFilter(this);
+  for (QWidget* canvas : this->Canvases)
+  {
+    for (QWidget* one : canvas ? canvas->findChildren<QOpenGLWidget*>() : QList<QOpenGLWidget*>())
+    {
+      one->installEventFilter(this);
+    }
+  }
   this->setTool(this->Tools.first());
   this->View->setFocus();
   this->refresh();
@@ -211,6 +230,10 @@ void MainWindow::opened()
   {
     this->View->clearMesh();
   }
+  if (this->Reset)
+  {
+    this->Look->setUpAxis(this->OpenDocument->upAxis());
+  }
   Tool* first = session.nodes.empty() || session.mesh ? nullptr : this->toolOf(0);
   const int at = first ? this->Tools.indexOf(first) : -1;
   if (at >= 0 && this->Canvases[at])
@@ -288,6 +311,7 @@ void MainWindow::setTool(Tool* tool)
   this->Presets->setTool(tool);
   this->Mode->setText(tool->name());
   this->Redrawn = tool->system().empty() ? -1 : this->Redrawn;
+  this->Speaks = -1;
   this->chooseLine();
   this->advise();
 }
@@ -338,7 +362,7 @@ void MainWindow::lookFrom(int node)
 void MainWindow::apply(const Preferences& preferences)
 {
   this->Settings = preferences;
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setStyle(plainStyle());
   QApplication::setPalette(preferences.dark ? darkPalette() : QApplication::style()->standardPalette());
   this->Dark->setChecked(preferences.dark);
   this->View->setDark(preferences.dark);
@@ -461,6 +485,7 @@ void MainWindow::showResult()
     this->Reset = true;
   }
   this->History->refresh();
+  this->hearRows();
   this->refresh();
 }
 
@@ -515,64 +540,6 @@ void MainWindow::refresh()
     this->Patience->start();
   }
   this->advise();
-}
-
-// Where to draw with the tool in the hand, for who is new to it.
-void MainWindow::teach()
-{
-  const Tool* tool = this->View->tool();
-  if (this->Teaches && !tool->draws() && !this->View->showsKeys() && this->View->hint() != tool->hint())
-  {
-    this->View->showHint(tool->hint(), tool->hintShape());
-  }
-}
-
-void MainWindow::stopTeaching()
-{
-  this->Teaches = false;
-  this->View->showHint({});
-}
-
-// What to do next.
-void MainWindow::advise()
-{
-  this->teach();
-  Tool::Situation situation;
-  if (this->View->tool()->judges())
-  {
-    this->Advice->setText(this->View->tool()->advice(situation));
-    return;
-  }
-  if (!this->OpenDocument->isOpen())
-  {
-    this->Advice->setText(tr("Open a model with Ctrl+O, or drop one here."));
-    return;
-  }
-  if (const QString why = this->OpenDocument->whyNoSteps(); !why.isEmpty())
-  {
-    this->Advice->setText(why);
-    return;
-  }
-  const auto& nodes = this->OpenDocument->session().nodes;
-  const auto& states = this->OpenDocument->result().nodes;
-  const int last = this->OpenDocument->shownTo() - 1;
-  const bool isJustDrawn =
-    this->Redrawn < 0 && last >= 0 && states.size() == indexOf(last + 1) && nodes[indexOf(last)].on;
-  if (isJustDrawn && !states.back().failure.empty())
-  {
-    this->Advice->setText(tr("That did nothing: %1").arg(plainWords(states.back().failure)));
-    return;
-  }
-  if (isJustDrawn && !states.back().remark.empty())
-  {
-    const Tool* tool = this->toolOf(last);
-    this->Advice->setText(plainWords(states.back().remark) + (tool ? ' ' + tool->remedy() : QString()));
-    return;
-  }
-  situation.empty = nodes.empty();
-  situation.selected = this->History->current() >= 0;
-  situation.redraws = this->Redrawn >= 0;
-  this->Advice->setText(this->View->tool()->advice(situation));
 }
 
 } // namespace oversketch_studio

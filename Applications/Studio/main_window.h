@@ -9,6 +9,8 @@
 #include <QVector>
 
 #include <functional>
+#include <map>
+#include <string>
 
 class QAction;
 class QDockWidget;
@@ -55,6 +57,7 @@ public:
 
 protected:
   void closeEvent(QCloseEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -113,9 +116,19 @@ private:
 
   // Rows of the history and their lines on the model: main_window_rows.cxx.
   void listenToRows();
-  void clicked(const QPoint& place);
+  void clicked(const QPoint& place, int line);
+  bool leavesRows() const; // whether the tool in the hand lets a click and Escape leave the selected row
   void chooseLine();
   void tooShort(double least);
+
+  // The foot: main_window_advice.cxx.
+  void advise();
+  void hearRows();
+  void hush();
+  bool speak();
+  void offerAnyway(int row, const std::string& message);
+  void teach();
+  void stopTeaching();
 
   void listenToDocument();
   void listenToPanels();
@@ -136,9 +149,6 @@ private:
   void askPreferences();
   void apply(const Preferences& preferences);
   void refresh();
-  void advise();
-  void teach();
-  void stopTeaching();
   void select(int node);
   void showSection(int node); // where the step took hold
   // The step that can be taken hold of: the selected one, else the last.
@@ -163,6 +173,7 @@ private:
   QToolBar* Strip = nullptr;
   QStackedWidget* Options = nullptr; // of the tools, in their order
   AdviceLabel* Advice;
+  QPushButton* Anyway; // does what a message asks for
   QLabel* Mode;
   QProgressBar* Progress;
   QPushButton* Cancel;
@@ -173,8 +184,11 @@ private:
           *Region = nullptr;
   QVector<QAction*> DockActions;
   Preferences Settings;
-  int Redrawn = -1; // the step that the next one replaces
-  int Offered = -1; // the one that can be taken hold of in the view
+  int Redrawn = -1;                // the step that the next one replaces
+  int Offered = -1;                // the one that can be taken hold of in the view
+  int Speaks = -1;                 // the row whose words are at the foot; -1: none
+  std::map<int, std::string> Said; // by the rows' ids: what the last result had to say of each
+  std::function<void()> OnAnyway;
   bool Reset = false;
   bool Takes = true;    // the chosen model, steps
   bool Teaches = false; // hints, until a step has been drawn or the model turned

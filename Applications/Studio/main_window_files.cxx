@@ -33,6 +33,7 @@
 #include <QStandardPaths>
 #include <QTimer>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -54,6 +55,26 @@ QString patternsOf(const char* extensions)
     patterns += " *" + extension;
   }
   return patterns.mid(1);
+}
+
+// Where the session lies, else where the last one was saved, else where the model or the picture is from; not
+// among the program's own files, nor where nothing can be written.
+QString folderToSaveIn(const QString& session)
+{
+  const QSettings settings;
+  const QFileInfo own(QFileInfo(shippedModel()).dir().filePath(".."));
+  for (const QString& folder : { session.isEmpty() ? QString() : QFileInfo(session).absolutePath(),
+         settings.value("saveFolder").toString(),
+         settings.value("folder").toString() })
+  {
+    const QFileInfo info(folder);
+    const bool isOwn = own.exists() && info.canonicalFilePath().startsWith(own.canonicalFilePath());
+    if (!folder.isEmpty() && info.isDir() && info.isWritable() && !isOwn)
+    {
+      return folder;
+    }
+  }
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }
 
 } // namespace
@@ -94,8 +115,38 @@ void MainWindow::tell(const QStringList& notes)
   }
 }
 
+// A picture is drawn over, or its greys are heights.
 bool MainWindow::open(const QString& path)
 {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  if (pictureExtensions().contains(suffix) && findSystem(drawingSystem))
+  {
+    const bool canBeHeights =
+      oversketch_files::isHeightsExtension("." + suffix.toStdString()) && findSystem("Terrain");
+    QPushButton* over = nullptr;
+    QMessageBox box(QMessageBox::Question,
+      tr("Oversketch"),
+      tr("What is %1 for?").arg(QFileInfo(path).fileName()),
+      {},
+      this);
+    over = box.addButton(tr("&Draw over it"), QMessageBox::AcceptRole);
+    QPushButton* heights = box.addButton(tr("Take it as &heights"), QMessageBox::AcceptRole);
+    QPushButton* none = box.addButton(QMessageBox::Cancel);
+    none->setText(tr("&Cancel"));
+    box.setDefaultButton(over);
+    if (canBeHeights)
+    {
+      box.exec();
+    }
+    if (!canBeHeights || box.clickedButton() == over)
+    {
+      return this->openPicture(path);
+    }
+    if (box.clickedButton() != heights)
+    {
+      return false;
+    }
+  }
   const int backend = this->OpenDocument->backend();
   const bool opened =
     this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); });
@@ -254,6 +305,7 @@ bool MainWindow::saveTo(const QString& path)
   {
     this->OpenDocument->saved(path);
     this->remember(path);
+    QSettings().setValue("saveFolder", QFileInfo(path).absolutePath());
     this->Advice->setText(tr("Saved as %1.").arg(path));
   }
   return done;
@@ -268,7 +320,7 @@ bool MainWindow::saveAs()
   }
   QString path = QFileDialog::getSaveFileName(this,
     tr("Save the session"),
-    QDir(QSettings().value("folder").toString())
+    QDir(folderToSaveIn(this->OpenDocument->path()))
       .filePath(QFileInfo(this->OpenDocument->name()).completeBaseName() + ".oversketch"),
     tr("Sessions (*.oversketch)"));
   if (path.isEmpty())
@@ -296,7 +348,9 @@ void MainWindow::exportMeshes(const std::vector<SharedData>& shown, int part, co
   {
     return;
   }
-  const QString path = exportPathAsked(this, QFileInfo(name).completeBaseName());
+  const auto wears = [](const SharedData& mesh) { return !oversketch_files::picturesOf(mesh).empty(); };
+  const bool wearsPicture = std::any_of(shown.begin(), shown.end(), wears);
+  const QString path = exportPathAsked(this, QFileInfo(name).completeBaseName(), wearsPicture);
   if (path.isEmpty())
   {
     return;
@@ -324,7 +378,13 @@ void MainWindow::exportMeshes(const std::vector<SharedData>& shown, int part, co
         });
       if (done)
       {
-        this->Advice->setText((QStringList{ tr("Exported as %1.").arg(path) } + listOf(*notes)).join(' '));
+        const QString file = QFileInfo(path).fileName();
+        const bool keeps = keepsPicture(path);
+        const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
+                             : keeps
+                               ? tr("Exported %1 with its picture.").arg(file)
+                               : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
+        this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
       }
     });
 }
@@ -359,11 +419,16 @@ bool MainWindow::mayLeave()
   {
     return true;
   }
-  const auto answer = QMessageBox::question(this,
+  QMessageBox box(QMessageBox::Question,
     tr("Oversketch"),
     tr("Save the session of %1?").arg(this->OpenDocument->name()),
     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel,
-    QMessageBox::Save);
+    this);
+  box.setDefaultButton(QMessageBox::Save);
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  const int answer = box.exec();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && this->save());
 }
 

@@ -265,6 +265,20 @@ void MainWindow::makeStatus()
   this->Progress->hide();
   this->Cancel->hide();
   this->statusBar()->addWidget(this->Advice, 1);
+  this->Anyway->setObjectName("anyway");
+  this->Anyway->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the view
+  this->Anyway->hide();
+  this->statusBar()->addWidget(this->Anyway);
+  connect(this->Anyway,
+    &QPushButton::clicked,
+    this,
+    [this]
+    {
+      if (this->OnAnyway)
+      {
+        this->OnAnyway();
+      }
+    });
   this->statusBar()->addPermanentWidget(this->Progress);
   this->statusBar()->addPermanentWidget(this->Cancel);
   this->statusBar()->addPermanentWidget(this->Look->triangles());
@@ -324,6 +338,10 @@ void MainWindow::placeForHand(bool left)
     return;
   }
   this->addToolBar(tools, this->Strip);
+  for (auto* button : this->Strip->findChildren<QToolButton*>()) // the pointer stays where it was
+  {
+    button->setAttribute(Qt::WA_UnderMouse, false);
+  }
   for (auto* dock : this->findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
   {
     if (!dock->isFloating())

@@ -62,7 +62,7 @@ void MainWindow::listenToModels()
 
 void MainWindow::addModelAsked()
 {
-  const QString path = this->modelAsked(tr("Add a model beside the open one"));
+  const QString path = this->modelAsked(tr("Add a model"));
   if (!path.isEmpty())
   {
     this->addModel(path);

@@ -55,6 +55,10 @@ bool MainWindow::openPicture(const QString& path)
     });
   if (opened)
   {
+    if (!path.isEmpty())
+    {
+      QSettings().setValue("folder", QFileInfo(path).absolutePath());
+    }
     this->stopTeaching();
     this->Redrawn = -1;
   }

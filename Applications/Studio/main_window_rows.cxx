@@ -37,32 +37,41 @@ void MainWindow::listenToRows()
     [this]
     {
       // What a tool does with the key comes first.
-      const Tool* tool = this->View->tool();
-      const bool isFree = !tool->isBusy() && QApplication::mouseButtons() == Qt::NoButton;
-      if (isFree && (tool->system().empty() || qobject_cast<const HeldStrokeTool*>(tool)))
+      const bool isFree = !this->View->tool()->isBusy() && QApplication::mouseButtons() == Qt::NoButton;
+      if (isFree && this->leavesRows())
       {
         this->History->selectStep(-1);
       }
     });
+  connect(this->History, &HistoryPanel::keysLeft, this, [this] { this->View->setFocus(); });
   this->View->addAction(this->History->removal());
 }
 
+// A tool that has a use for both of its own steps leaves those of others.
+bool MainWindow::leavesRows() const
+{
+  const Tool* tool = this->View->tool();
+  const int row = this->History->current();
+  const auto& nodes = this->OpenDocument->session().nodes;
+  return tool->system().empty() || qobject_cast<const HeldStrokeTool*>(tool) ||
+         (row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system != tool->system());
+}
+
 // A line that is seen is selected; else what is selected is left.
-void MainWindow::clicked(const QPoint& place)
+void MainWindow::clicked(const QPoint& place, int line)
 {
   Tool* tool = this->View->tool();
-  const bool turns = tool->system().empty();
   if (this->chooseModelAt(place))
   {
     return;
   }
-  if (!this->OpenDocument->isOpen() || (!turns && !qobject_cast<HeldStrokeTool*>(tool)))
+  if (!this->OpenDocument->isOpen() || !this->leavesRows())
   {
     return;
   }
   const double ratio = this->View->devicePixelRatioF();
   const bool isHeld = tool->holds(ratio * place.x(), ratio * (this->View->height() - 1 - place.y()));
-  const int step = isHeld ? this->Offered : this->Lines->at(place);
+  const int step = isHeld ? this->Offered : line;
   if (step != this->History->current())
   {
     this->History->selectStep(step);

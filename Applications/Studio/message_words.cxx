@@ -6,6 +6,10 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
 namespace oversketch_studio
 {
 
@@ -19,6 +23,12 @@ struct Plain
   const char* words;
 };
 const Plain plain[] = {
+  { "^The stroke would tear the mesh: edges are stretched or squeezed (\\S+) times",
+    QT_TRANSLATE_NOOP("Messages", "it would stretch the limb %1 times.") },
+  { "^The stroke would tear the mesh: (\\S+) % of the surface moved",
+    QT_TRANSLATE_NOOP("Messages", "it would move %1 % of the model.") },
+  { "^Stroke \\d+ cannot be used: no two samples in succession lie on the mesh",
+    QT_TRANSLATE_NOOP("Messages", "the line lies beside the model: draw it on the model.") },
   { "^Stroke \\d+ cannot be used: it is \\S+ px long; at least (\\S+) px are needed",
     QT_TRANSLATE_NOOP("Messages", "Too short: draw at least %1 px.") },
   { "^Stroke \\d+ cannot be used: it is \\S+ px long, \\S+ times the diagonal",
@@ -44,6 +54,19 @@ const Plain plain[] = {
   { "^.*more than MaximumFaces \\((\\d+)\\) new triangles",
     QT_TRANSLATE_NOOP("Messages",
       "That needs more than %1 new triangles: make them larger, or the radius smaller.") },
+};
+
+// Parts of a remark on a result that is not as drawn, for whoever reads on the run. The numbers are in the
+// row's tip.
+const char* const notAsDrawn = "The result is not as drawn: ";
+const Plain brief[] = {
+  { "^the outline misses the stroke", QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
+  { "^between the stroke's ends the outline",
+    QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
+  { "^what lies up to .* beside the stroke moved too",
+    QT_TRANSLATE_NOOP("Messages", "parts beside the line moved, too") },
+  { "edges are folded over", QT_TRANSLATE_NOOP("Messages", "some of it is folded") },
+  { "edges are stretched or squeezed", QT_TRANSLATE_NOOP("Messages", "some of it is stretched") },
 };
 
 QString inserted(QString words, const QStringList& values)
@@ -120,6 +143,35 @@ QString plainWords(const std::string& message)
   return text.isEmpty() ? text
                         : withTitles(inserted(
                             QCoreApplication::translate("Messages", pattern.toUtf8().constData()), values));
+}
+
+QString briefWords(const std::string& message)
+{
+  const QString text = QString::fromStdString(message);
+  if (!text.startsWith(notAsDrawn))
+  {
+    return plainWords(message);
+  }
+  QStringList said;
+  QString parts = text.mid(static_cast<int>(std::strlen(notAsDrawn)));
+  parts.chop(parts.endsWith('.') ? 1 : 0);
+  for (const QString& part : parts.split("; "))
+  {
+    const auto known = std::find_if(std::begin(brief),
+      std::end(brief),
+      [&](const Plain& one) { return QRegularExpression(one.pattern).match(part).hasMatch(); });
+    said << (known != std::end(brief) ? QCoreApplication::translate("Messages", known->words)
+                                      : plainWords(part.toStdString()));
+  }
+  said.removeDuplicates();
+  return QCoreApplication::translate("Messages", QT_TRANSLATE_NOOP("Messages", "Not as drawn: %1."))
+    .arg(said.join(", "));
+}
+
+QString askedFor(const std::string& message)
+{
+  static const QRegularExpression turn("\\bturn ([A-Z]\\w+) on\\b");
+  return turn.match(QString::fromStdString(message)).captured(1);
 }
 
 } // namespace oversketch_studio

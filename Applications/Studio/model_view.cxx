@@ -11,6 +11,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -30,8 +32,9 @@ struct ModelView::Part
   Part()
   {
     this->actor->SetMapper(this->mapper);
-    this->actor->GetProperty()->SetSpecular(0.15);
     this->actor->GetProperty()->SetSpecularPower(20.0);
+    this->actor->ForceOpaqueOn();
+    makeOpaque(this->actor);
   }
 };
 
@@ -58,7 +61,7 @@ void ModelView::resize(std::size_t count)
     this->Parts.push_back(std::make_unique<Part>());
     Part& part = *this->Parts.back();
     part.skin.setPlain(part.actor, this->Plain[0], this->Plain[1], this->Plain[2]);
-    shade(part.actor, this->Look);
+    this->shadePart(part);
     part.actor->SetVisibility(this->Visible);
     this->Renderer->AddActor(part.actor);
   }
@@ -79,7 +82,11 @@ void ModelView::show(vtkPolyData* mesh)
     Part& part = *this->Parts[i];
     part.mapper->SetInputData(part.edges.look(pieces[i].mesh));
     part.actor->SetVisibility(this->Visible);
-    part.skin.dress(part.actor, part.mapper, pieces[i].mesh, pieces[i].picture);
+    part.skin.dress(part.actor,
+      part.mapper,
+      pieces[i].mesh,
+      pieces[i].picture,
+      [this] { this->Renderer->GetRenderWindow()->GetInteractor()->Render(); });
   }
 }
 
@@ -111,8 +118,8 @@ void ModelView::clear()
 {
   this->Dressed = nullptr;
   this->Shown = nullptr;
+  this->resize(0); // with what it wore
   this->resize(1);
-  this->Parts[0]->mapper->SetInputData(nullptr);
   this->Parts[0]->actor->VisibilityOff();
 }
 
@@ -139,13 +146,21 @@ bool ModelView::owns(const vtkActor* actor) const
     this->Parts.begin(), this->Parts.end(), [actor](const auto& part) { return part->actor == actor; });
 }
 
-void ModelView::setShading(Shading shading)
+void ModelView::setShading(Shading shading, bool pictures)
 {
   this->Look = shading;
+  this->Pictures = pictures;
   for (const auto& part : this->Parts)
   {
-    shade(part->actor, shading);
+    this->shadePart(*part);
   }
+}
+
+// Clay shows the form alone.
+void ModelView::shadePart(Part& part) const
+{
+  shade(part.actor, this->Look);
+  part.skin.setWorn(part.actor, this->Pictures && this->Look != Shading::Matcap);
 }
 
 void ModelView::setVisible(bool visible)
@@ -162,8 +177,7 @@ void ModelView::hideBacks(bool hide)
   for (const auto& part : this->Parts)
   {
     vtkPolyData* mesh = hide && this->Shown ? part->mapper->GetInput() : nullptr;
-    part->actor->GetProperty()->SetBackfaceCulling(
-      mesh && part->backs.areHidden(mesh, this->Renderer) && !part->actor->HasTranslucentPolygonalGeometry());
+    part->actor->GetProperty()->SetBackfaceCulling(mesh && part->backs.areHidden(mesh, this->Renderer));
   }
 }
 

@@ -34,7 +34,8 @@ public:
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
   bool owns(const vtkActor* actor) const;
 
-  void setShading(Shading shading);
+  // Whether what it wears is seen.
+  void setShading(Shading shading, bool pictures);
   void setVisible(bool visible);
   // Draws no faces that others hide, where that can be told, or all.
   void hideBacks(bool hide);
@@ -47,6 +48,7 @@ public:
 private:
   struct Part;
   void resize(std::size_t count);
+  void shadePart(Part& part) const;
 
   vtkSmartPointer<vtkPolyData> seen(vtkPolyData* mesh) const;
 
@@ -56,7 +58,7 @@ private:
   vtkSmartPointer<vtkPolyData> Shown;
   vtkSmartPointer<vtkPolyData> Dressed; // that one, until it is moved
   Shading Look = Shading::Smooth;
-  bool Visible = true;
+  bool Visible = true, Pictures = true;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
 };
 

@@ -1,6 +1,7 @@
 #include "picture_files.h"
 
 #include "files.h"
+#include "opaque_picture.h"
 #include "pieces.h"
 #include "texture.h"
 #include "upright_picture.h"
@@ -8,8 +9,11 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
+#include <QThreadPool>
+#include <QTimer>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <set>
 
@@ -23,6 +27,8 @@ struct PictureTexts
 {
   Q_DECLARE_TR_FUNCTIONS(PictureFiles)
 };
+
+constexpr int lookTime = 10; // ms
 
 std::mutex heldMutex;
 std::vector<std::weak_ptr<const DecodedPicture>> held; // some are gone
@@ -42,6 +48,19 @@ SharedPicture findHeld(const std::string& bytes)
 }
 
 } // namespace
+
+DecodedPicture::DecodedPicture(const PictureBytes& of)
+  : bytes(of)
+  , pixels(oversketch_files::pictureOf(*of))
+{
+}
+
+vtkImageData* DecodedPicture::worn() const
+{
+  std::call_once(
+    this->Asked, [this] { this->Opaque = this->pixels ? opaquePicture(this->pixels) : nullptr; });
+  return this->Opaque;
+}
 
 QStringList pictureExtensions()
 {
@@ -80,8 +99,7 @@ SharedPicture decoded(const PictureBytes& bytes)
   {
     return known;
   }
-  const auto made = std::make_shared<const DecodedPicture>(
-    DecodedPicture{ bytes, oversketch_files::pictureOf(*bytes) }); // meanwhile others may look
+  const auto made = std::make_shared<const DecodedPicture>(bytes); // meanwhile others may look
   const std::lock_guard<std::mutex> lock(heldMutex);
   const SharedPicture known = findHeld(*bytes);
   if (!known)
@@ -91,12 +109,46 @@ SharedPicture decoded(const PictureBytes& bytes)
   return known ? known : made;
 }
 
+void whenDecoded(QObject* context,
+  const PictureBytes& bytes,
+  const std::function<void(const SharedPicture&)>& then)
+{
+  struct Shared
+  {
+    std::atomic<bool> done{ false };
+    SharedPicture picture;
+  };
+  const auto shared = std::make_shared<Shared>();
+  QThreadPool::globalInstance()->start(
+    [shared, bytes]
+    {
+      shared->picture = decoded(bytes);
+      shared->picture->worn();
+      shared->done = true;
+    });
+  auto* look = new QTimer(context); // which the thread may outlive
+  QObject::connect(look,
+    &QTimer::timeout,
+    context,
+    [shared, look, then]
+    {
+      if (shared->done)
+      {
+        look->stop();
+        look->deleteLater();
+        then(shared->picture);
+      }
+    });
+  look->start(lookTime);
+}
+
 std::vector<SharedPicture> decodedOf(vtkPolyData* mesh)
 {
   std::vector<SharedPicture> pictures;
   for (const std::string& bytes : mesh ? oversketch_files::picturesOf(mesh) : std::set<std::string>())
   {
     pictures.push_back(decoded(std::make_shared<const std::string>(bytes)));
+    pictures.back()->worn();
   }
   return pictures;
 }

@@ -10,10 +10,13 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
+class QObject;
 class vtkPolyData;
 
 namespace oversketch_studio
@@ -28,6 +31,14 @@ struct DecodedPicture
 {
   PictureBytes bytes;
   vtkSmartPointer<vtkImageData> pixels;
+
+  explicit DecodedPicture(const PictureBytes& of);
+  // The pixels as a model wears them (opaquePicture), made when they are asked for first, on any thread.
+  vtkImageData* worn() const;
+
+private:
+  mutable std::once_flag Asked;
+  mutable vtkSmartPointer<vtkImageData> Opaque;
 };
 // As long as somebody holds one, all who ask for equal bytes are given the same.
 using SharedPicture = std::shared_ptr<const DecodedPicture>;
@@ -35,7 +46,12 @@ using SharedPicture = std::shared_ptr<const DecodedPicture>;
 SharedPicture decoded(const PictureBytes& bytes);
 // Null where nobody holds it.
 SharedPicture findDecoded(const std::string& bytes);
-// All that a mesh wears; none of no mesh.
+// Decodes it on a thread of its own, ready to be worn, and gives it to the window's, as long as the context
+// is there.
+void whenDecoded(QObject* context,
+  const PictureBytes& bytes,
+  const std::function<void(const SharedPicture&)>& then);
+// All that a mesh wears, ready to be worn; none of no mesh.
 std::vector<SharedPicture> decodedOf(vtkPolyData* mesh);
 
 // Throws Failed, with words for the user, for what is no picture.

@@ -43,7 +43,7 @@ void RestingViews::show(const SceneModels& scene)
     {
       view = std::make_unique<ModelView>(this->Renderer);
       view->setPlain(dim * this->Plain[0], dim * this->Plain[1], dim * this->Plain[2]);
-      view->setShading(this->Look);
+      view->setShading(this->Look, this->Pictures);
     }
     view->hide(hiddenOf(other->own.scene, other->made.parts));
     if (view->mesh() != mesh)
@@ -53,12 +53,13 @@ void RestingViews::show(const SceneModels& scene)
   }
 }
 
-void RestingViews::setShading(Shading shading)
+void RestingViews::setShading(Shading shading, bool pictures)
 {
   this->Look = shading;
+  this->Pictures = pictures;
   for (const auto& [id, view] : this->Views)
   {
-    view->setShading(shading);
+    view->setShading(shading, pictures);
   }
 }
 

@@ -28,7 +28,7 @@ public:
 
   // Those of a scene that are shown.
   void show(const oversketch_session::SceneModels& scene);
-  void setShading(Shading shading);
+  void setShading(Shading shading, bool pictures);
   void setPlain(double red, double green, double blue);
 
   // A box with theirs.
@@ -42,6 +42,7 @@ private:
   std::map<int, std::unique_ptr<ModelView>> Views; // by the models' ids
   oversketch::MeshPicker Picker;
   Shading Look = Shading::Smooth;
+  bool Pictures = true;
   std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
 };
 

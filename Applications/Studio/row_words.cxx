@@ -21,6 +21,9 @@ struct RowTexts
   Q_DECLARE_TR_FUNCTIONS(Rows)
 };
 
+const char* const terrainSystem = "Terrain";
+const char* const editSystemName = "Edit";
+
 // "12 %", also where that is less than half a hundredth.
 QString shareOf(double share)
 {
@@ -38,9 +41,17 @@ QString deedOf(const Step& step, const Worker::NodeState& state)
     return on == 1 ? RowTexts::tr("makes a body of one line")
                    : RowTexts::tr("makes a body of %1 lines").arg(on);
   }
+  if (step.system == terrainSystem)
+  {
+    return RowTexts::tr("makes the ground of it");
+  }
   if (!state.region)
   {
     return {};
+  }
+  if (step.system == editSystemName && state.share == 0.0)
+  {
+    return RowTexts::tr("ready: drag its line");
   }
   const SystemRow* system = findSystem(step.system);
   const Parameter* height = system ? findParameter(*system, "Height") : nullptr;
@@ -64,9 +75,11 @@ QString wordsOf(const Node& node, const Worker::NodeState* state)
   {
     return RowTexts::tr("not shown");
   }
+  const bool isEmpty =
+    node.step->system == drawingSystem && strokesOf(linesOf(*node.step, strokesInput)).empty();
   if (!state->failure.empty())
   {
-    return RowTexts::tr("did nothing");
+    return isEmpty ? RowTexts::tr("nothing drawn yet") : RowTexts::tr("did nothing");
   }
   const QString deed = deedOf(*node.step, *state);
   // Of a remark there is a mark.

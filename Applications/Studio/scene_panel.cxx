@@ -312,6 +312,7 @@ void ScenePanel::showSelected()
             : picture.locked;
   this->Lock->setEnabled(isModel || isPicture);
   this->Lock->setChecked(locked);
+  this->Lock->setText(locked ? tr("Unlock") : tr("Lock"));
   this->Remove->setEnabled((isPicture && !locked) || (isModel && several && row.part < 0));
   this->Opacity->setEnabled(isPicture && !locked);
   this->Filling = true;

@@ -48,4 +48,11 @@ void shade(vtkActor* actor, Shading shading)
   }
 }
 
+// Without a picture this place is free; a picture has no alpha here (opaquePicture).
+void makeOpaque(vtkActor* actor)
+{
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::TCoord::Impl", false, "//VTK::TCoord::Impl\n  gl_FragData[0].a = 1.0;\n", false);
+}
+
 } // namespace oversketch_studio

@@ -1,7 +1,9 @@
 #include "sharp_edges.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
@@ -37,6 +39,9 @@ constexpr double longEnough = 1.0;
 // Of their length, what goes on at both ends: CAD models 0.75 and more, animals up to 0.5.
 constexpr double unbroken = 0.6;
 constexpr double straightOn = 40.0; // degrees
+constexpr double crease = 30.0;     // degrees between the faces beside a line that was drawn on the surface
+const char* const movedArray = "StellarMoved"; // Filters/Stellar/README.md
+constexpr int snapped = 4;                     // in it, of a point that lay on such a line
 
 using Vector = std::array<double, 3>;
 
@@ -214,6 +219,157 @@ bool isSharp(vtkPolyData* mesh)
   return surface.normals && count > 0 && count <= largest && (isBentAllOver(surface) || isOutlined(surface));
 }
 
+// A face at a point, with its other corners there: those that its edges to the point lead to.
+struct Corner
+{
+  vtkIdType point, cell, beside[2];
+  bool operator<(const Corner& other) const { return this->point < other.point; }
+};
+
+// At the points of lines that were drawn on the surface, in the points' order.
+std::vector<Corner> cornersOnLines(const Surface& surface, vtkDataArray* moved)
+{
+  std::vector<Corner> corners;
+  for (vtkIdType cell = 0; cell < surface.faces->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    surface.faces->GetCellAtId(cell, size, points);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (static_cast<int>(moved->GetComponent(points[i], 0)) & snapped)
+      {
+        corners.push_back(
+          { points[i], cell, { points[i > 0 ? i - 1 : size - 1], points[i + 1 < size ? i + 1 : 0] } });
+      }
+    }
+  }
+  std::stable_sort(corners.begin(), corners.end());
+  return corners;
+}
+
+// Whether two faces meet at their point in one smooth piece, without regard to others: they share an edge
+// that is no crease of a line.
+bool areSmooth(const Surface& surface, vtkDataArray* moved, const Corner& a, const Corner& b)
+{
+  for (const vtkIdType end : a.beside)
+  {
+    if (end == b.beside[0] || end == b.beside[1])
+    {
+      const bool isOfLine = static_cast<int>(moved->GetComponent(end, 0)) & snapped;
+      return !isOfLine || between(surface.face(a.cell).normal, surface.face(b.cell).normal) > cosine(crease);
+    }
+  }
+  return false;
+}
+
+// A mesh cut along such creases, with, of each of its points, that of the mesh; null where there are none.
+// Normals averaged across a crest make a row of teeth of it, one triangle wide.
+vtkSmartPointer<vtkPolyData> splitAlongLines(vtkPolyData* mesh, vtkIdList* from)
+{
+  vtkPointData* data = mesh->GetPointData();
+  vtkDataArray* moved = data->GetArray(movedArray);
+  const Surface surface{ mesh->GetPoints(), mesh->GetPolys(), data->GetNormals() };
+  if (!moved || !surface.normals || moved->GetNumberOfTuples() != mesh->GetNumberOfPoints())
+  {
+    return nullptr;
+  }
+  const std::vector<Corner> corners = cornersOnLines(surface, moved);
+  struct Piece
+  {
+    vtkIdType point;
+    std::vector<vtkIdType> cells;
+  };
+  std::vector<Piece> pieces; // that are no longer the point's
+  std::vector<std::pair<vtkIdType, Vector>> normals;
+  for (auto first = corners.begin(); first != corners.end();)
+  {
+    const auto last = std::upper_bound(first, corners.end(), *first);
+    const auto count = static_cast<std::size_t>(last - first);
+    std::vector<std::size_t> pieceOf(count);
+    std::iota(pieceOf.begin(), pieceOf.end(), std::size_t{ 0 });
+    for (std::size_t a = 0; a < count; ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        if (pieceOf[a] != pieceOf[b] && areSmooth(surface, moved, first[a], first[b]))
+        {
+          std::replace(pieceOf.begin(), pieceOf.end(), std::size_t{ pieceOf[a] }, std::size_t{ pieceOf[b] });
+        }
+      }
+    }
+    const bool isSplit =
+      std::any_of(pieceOf.begin(), pieceOf.end(), [&](std::size_t piece) { return piece != pieceOf[0]; });
+    for (std::size_t piece = 0; isSplit && piece < count; ++piece)
+    {
+      Piece one{ first->point, {} };
+      Vector normal{};
+      for (std::size_t a = 0; a < count; ++a)
+      {
+        if (pieceOf[a] == piece)
+        {
+          Vector flat = surface.face(first[a].cell).normal;
+          vtkMath::Normalize(flat.data());
+          vtkMath::Add(normal.data(), flat.data(), normal.data());
+          one.cells.push_back(first[a].cell);
+        }
+      }
+      if (!one.cells.empty())
+      {
+        vtkMath::Normalize(normal.data());
+        const bool isFirst = piece == pieceOf[0];
+        normals.emplace_back(
+          isFirst ? one.point : mesh->GetNumberOfPoints() + static_cast<vtkIdType>(pieces.size()), normal);
+        if (!isFirst)
+        {
+          pieces.push_back(std::move(one));
+        }
+      }
+    }
+    first = last;
+  }
+  if (pieces.empty())
+  {
+    return nullptr;
+  }
+  from->SetNumberOfIds(mesh->GetNumberOfPoints() + static_cast<vtkIdType>(pieces.size()));
+  std::iota(from->begin(), from->begin() + mesh->GetNumberOfPoints(), vtkIdType{ 0 });
+  vtkNew<vtkCellArray> faces;
+  faces->DeepCopy(mesh->GetPolys());
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    const vtkIdType now = mesh->GetNumberOfPoints() + static_cast<vtkIdType>(i);
+    from->SetId(now, pieces[i].point);
+    for (const vtkIdType cell : pieces[i].cells)
+    {
+      vtkNew<vtkIdList> points;
+      faces->GetCellAtId(cell, points);
+      std::replace(points->begin(), points->end(), vtkIdType{ pieces[i].point }, vtkIdType{ now });
+      faces->ReplaceCellAtId(cell, points);
+    }
+  }
+  auto cut = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(from->GetNumberOfIds());
+  mesh->GetPoints()->GetPoints(from, points);
+  cut->SetPoints(points);
+  cut->SetPolys(faces);
+  cut->GetCellData()->ShallowCopy(mesh->GetCellData());
+  cut->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  cut->GetPointData()->CopyAllOn();
+  cut->GetPointData()->CopyAllocate(data, from->GetNumberOfIds());
+  for (vtkIdType i = 0; i < from->GetNumberOfIds(); ++i)
+  {
+    cut->GetPointData()->CopyData(data, from->GetId(i), i);
+  }
+  for (const auto& [point, normal] : normals)
+  {
+    cut->GetPointData()->GetNormals()->SetTuple(point, normal.data());
+  }
+  return cut;
+}
+
 vtkSmartPointer<vtkPolyData> split(vtkPolyData* mesh)
 {
   vtkNew<vtkPolyDataNormals> normals;
@@ -267,9 +423,17 @@ vtkSmartPointer<vtkPolyData> SharpEdges::look(vtkPolyData* mesh)
 {
   this->Split = nullptr;
   this->Faces = nullptr;
-  if (!mesh || !isSharp(mesh))
+  if (!mesh)
   {
     return mesh;
+  }
+  this->IsSolid = isSharp(mesh);
+  if (!this->IsSolid)
+  {
+    this->Split = splitAlongLines(mesh, this->From);
+    this->Faces = mesh->GetPolys();
+    this->Points = mesh->GetNumberOfPoints();
+    return this->Split ? this->Split : vtkSmartPointer<vtkPolyData>(mesh);
   }
   vtkNew<vtkIdTypeArray> numbers;
   numbers->SetName("number");
@@ -297,7 +461,11 @@ vtkSmartPointer<vtkPolyData> SharpEdges::lookMoved(vtkPolyData* mesh) const
   if (!isIt)
   {
     const bool isSmall = mesh && this->Split && mesh->GetNumberOfPolys() <= largestInHand;
-    return isSmall ? split(mesh) : vtkSmartPointer<vtkPolyData>(mesh);
+    vtkNew<vtkIdList> from;
+    const vtkSmartPointer<vtkPolyData> cut = !isSmall        ? nullptr
+                                             : this->IsSolid ? split(mesh)
+                                                             : splitAlongLines(mesh, from);
+    return cut ? cut : vtkSmartPointer<vtkPolyData>(mesh);
   }
   vtkNew<vtkPoints> points;
   points->SetDataType(mesh->GetPoints()->GetDataType());

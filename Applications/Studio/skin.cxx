@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
 namespace oversketch_studio
@@ -15,9 +16,9 @@ namespace oversketch_studio
 namespace
 {
 
-// So that what faces the eye is as light as the picture itself: the lights alone give it little more than
-// half.
-constexpr double pictureLight = 0.4;
+// What faces the eye is nearly as light as the picture itself; what faces the key light is not brighter than
+// white, so that the form is seen on white paper, too.
+constexpr double pictureAmbient = 0.22, pictureDiffuse = 0.78, pictureShine = 0.03, shine = 0.15;
 
 } // namespace
 
@@ -31,25 +32,46 @@ Skin::Skin()
 
 Skin::~Skin() = default;
 
-void Skin::dress(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* mesh, const std::string& picture)
+void Skin::dress(vtkActor* actor,
+  vtkPolyDataMapper* mapper,
+  vtkPolyData* mesh,
+  const std::string& picture,
+  const std::function<void()>& comes)
 {
-  if (picture != (this->Picture ? *this->Picture->bytes : std::string()))
+  if (picture != (this->Wanted ? *this->Wanted : std::string()))
   {
-    this->Picture = picture.empty() ? nullptr : decoded(std::make_shared<const std::string>(picture));
-    this->Texture->SetInputData(this->Picture ? this->Picture->pixels.Get() : nullptr);
+    this->Waits.reset();
+    this->Wanted = picture.empty() ? nullptr : std::make_shared<const std::string>(picture);
+    this->wear(this->Wanted ? findDecoded(picture) : nullptr);
+    if (this->Wanted && !this->Picture)
+    {
+      this->Waits = std::make_unique<QObject>();
+      whenDecoded(this->Waits.get(),
+        this->Wanted,
+        [this, comes, dressed = vtkSmartPointer<vtkActor>(actor)](const SharedPicture& made)
+        {
+          this->wear(made);
+          this->put(dressed);
+          comes();
+        });
+    }
   }
-  this->Textured = this->Picture && this->Picture->pixels;
-  actor->SetTexture(this->Textured ? this->Texture.Get() : nullptr);
   vtkDataArray* colours = oversketch_files::coloursOf(mesh);
-  const bool coloured = colours && colours->GetName() && !this->Textured;
-  mapper->SetScalarVisibility(coloured);
-  if (coloured)
+  this->Coloured = colours && colours->GetName() && !this->Wanted;
+  if (this->Coloured)
   {
     mapper->SetColorModeToDirectScalars();
     mapper->SetScalarModeToUsePointFieldData();
     mapper->SelectColorArray(colours->GetName());
   }
-  this->colour(actor);
+  this->put(actor);
+}
+
+void Skin::wear(const SharedPicture& picture)
+{
+  this->Picture = picture;
+  this->Texture->SetInputData(picture ? picture->worn() : nullptr);
+  this->Textured = picture && picture->pixels;
 }
 
 void Skin::setPlain(vtkActor* actor, double red, double green, double blue)
@@ -57,21 +79,25 @@ void Skin::setPlain(vtkActor* actor, double red, double green, double blue)
   this->Plain[0] = red;
   this->Plain[1] = green;
   this->Plain[2] = blue;
-  this->colour(actor);
+  this->put(actor);
 }
 
-void Skin::colour(vtkActor* actor)
+void Skin::setWorn(vtkActor* actor, bool worn)
 {
-  if (this->Textured)
-  {
-    actor->GetProperty()->SetColor(1.0, 1.0, 1.0); // the picture's own
-    actor->GetProperty()->SetAmbient(pictureLight);
-  }
-  else
-  {
-    actor->GetProperty()->SetColor(this->Plain);
-    actor->GetProperty()->SetAmbient(0.0);
-  }
+  this->Worn = worn;
+  this->put(actor);
+}
+
+void Skin::put(vtkActor* actor)
+{
+  const bool isPicture = this->Worn && this->Textured;
+  vtkProperty* look = actor->GetProperty();
+  actor->SetTexture(isPicture ? this->Texture.Get() : nullptr);
+  actor->GetMapper()->SetScalarVisibility(this->Worn && this->Coloured);
+  isPicture ? look->SetColor(1.0, 1.0, 1.0) : look->SetColor(this->Plain); // the picture's own
+  look->SetAmbient(isPicture ? pictureAmbient : 0.0);
+  look->SetDiffuse(isPicture ? pictureDiffuse : 1.0);
+  look->SetSpecular(isPicture ? pictureShine : shine);
 }
 
 } // namespace oversketch_studio

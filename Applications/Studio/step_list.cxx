@@ -8,6 +8,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScrollBar>
+#include <QSignalBlocker>
 #include <QToolTip>
 
 #include <algorithm>
@@ -221,6 +222,18 @@ void StepList::keyPressEvent(QKeyEvent* event)
     this->giveUp();
   }
   else
+  {
+    this->setCurrentRow(-1);
+  }
+}
+
+// A list that has no current row takes its first one with the focus, which nobody chose.
+void StepList::focusInEvent(QFocusEvent* event)
+{
+  const bool none = !this->currentItem();
+  const QSignalBlocker quiet(this);
+  QListWidget::focusInEvent(event);
+  if (none)
   {
     this->setCurrentRow(-1);
   }

@@ -75,6 +75,8 @@ void StepPanel::addPage(const SystemRow& row)
   if (actsOnBothSides(row))
   {
     page.mirror = mirrorChoice(rows);
+    page.mirror->setFocusPolicy(Qt::StrongFocus);
+    page.mirror->installEventFilter(this);
     page.mirror->setAccessibleName(tr("Mirror"));
     page.mirror->setToolTip(tr("One side of the model, or both sides of this plane. Where the two are the "
                                "same, there are no new triangles."));
@@ -121,6 +123,10 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
     const bool isRanged = parameter.least < parameter.most;
     number->setRange(isRanged ? static_cast<int>(parameter.least) : -1000000,
       isRanged ? static_cast<int>(parameter.most) : 1000000);
+    if (isRanged && parameter.least == 0.0 && std::get<int>(parameter.initial) == 0)
+    {
+      number->setSpecialValueText(tr("automatic"));
+    }
     connect(number, &QSpinBox::editingFinished, this, [this] { this->read(); });
     field.widget = number;
     field.read = [](QWidget* widget) -> Value { return static_cast<QSpinBox*>(widget)->value(); };
@@ -204,6 +210,8 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
   {
     return field;
   }
+  field.widget->setFocusPolicy(Qt::StrongFocus);
+  field.widget->installEventFilter(this);
   field.widget->setToolTip(rowSentence(parameter.help));
   field.widget->setAccessibleName(title);
   const bool saysItself = std::holds_alternative<bool>(parameter.initial);
@@ -216,7 +224,8 @@ void StepPanel::show(const Step* step)
   const auto known = step ? this->Pages.find(step->system) : this->Pages.end();
   QWidget* typedInto = QApplication::focusWidget();
   const bool isLeft = known == this->Pages.end() || this->Shown != &known->second;
-  if (isLeft && typedInto && this->isAncestorOf(typedInto))
+  const bool hadKeys = isLeft && typedInto && this->isAncestorOf(typedInto);
+  if (hadKeys)
   {
     typedInto->clearFocus(); // what was typed is of the step that was shown, and is read as long as it is
   }
@@ -232,9 +241,10 @@ void StepPanel::show(const Step* step)
   for (const Field& field : this->Shown->fields)
   {
     field.widget->setEnabled(step != nullptr);
-    if (step)
+    field.write(field.widget, step ? valueOf(*step, *field.parameter) : field.parameter->initial);
+    if (auto* number = step ? nullptr : qobject_cast<QDoubleSpinBox*>(field.widget))
     {
-      field.write(field.widget, valueOf(*step, *field.parameter));
+      number->clear(); // the system's word for its own choice says nothing
     }
   }
   this->StepValues = step ? step->values : Values();
@@ -244,6 +254,21 @@ void StepPanel::show(const Step* step)
     this->Shown->mirror->setEnabled(step != nullptr);
     this->Shown->mirror->setCurrentIndex(this->StepMirror);
   }
+  if (hadKeys)
+  {
+    emit this->keysLeft();
+  }
+}
+
+bool StepPanel::eventFilter(QObject* watched, QEvent* event)
+{
+  const auto* widget = qobject_cast<QWidget*>(watched);
+  if (event->type() == QEvent::Wheel && widget && !widget->hasFocus())
+  {
+    event->ignore(); // the form scrolls
+    return true;
+  }
+  return QStackedWidget::eventFilter(watched, event);
 }
 
 void StepPanel::turnTo(const std::string& system)

@@ -33,6 +33,12 @@ public:
 signals:
   // The user has changed something; `mirror` is a choice of mirrorChoice.
   void edited(const oversketch_session::Values& values, int mirror);
+  // What had the keys can have them no more.
+  void keysLeft();
+
+protected:
+  // The wheel scrolls the form and changes nothing that is not in use.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   // A parameter and what it is changed with.

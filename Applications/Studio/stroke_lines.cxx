@@ -276,9 +276,13 @@ bool StrokeLines::eventFilter(QObject*, QEvent* event)
   else if (mouse->button() == Qt::LeftButton && this->Pressed && isNear())
   {
     this->Pressed = false;
-    // After the tool has had it.
+    // After the tool has had it. The line that is lit under the cursor is meant: a look at the frame that it
+    // is lit in may tell another.
     QMetaObject::invokeMethod(
-      this, [this, place = mouse->pos()] { emit this->clicked(place); }, Qt::QueuedConnection);
+      this,
+      [this, place = mouse->pos(), lit = this->Hovered]
+      { emit this->clicked(place, lit >= 0 ? lit : this->at(place)); },
+      Qt::QueuedConnection);
   }
   return false;
 }

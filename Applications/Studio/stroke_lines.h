@@ -46,8 +46,8 @@ public:
   int at(const QPoint& place) const;
 
 signals:
-  // The left button has gone down and up at one place, without a key.
-  void clicked(const QPoint& place);
+  // The left button has gone down and up at one place, without a key; the step whose line is there, else -1.
+  void clicked(const QPoint& place, int line);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,26 +1,31 @@
 #include "view_bar.h"
 
+#include "flow_layout.h"
+
 #include <QAction>
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QPainter>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace oversketch_studio
 {
 
-ViewBar::ViewBar(QMenu* projections, QMenu* shadings, QAction* onion, QWidget* view)
+ViewBar::ViewBar(QMenu* projections, QMenu* shadings, const QList<QAction*>& switches, QWidget* view)
   : QWidget(view)
 {
   this->setObjectName("view_bar");
   this->setCursor(Qt::ArrowCursor);
-  auto* row = new QHBoxLayout(this);
+  auto* row = new FlowLayout(this);
   row->setContentsMargins(3, 2, 3, 2);
   row->setSpacing(2);
   this->Projection = this->add(projections);
   this->Shade = this->add(shadings);
-  this->Onion = this->add(nullptr);
-  this->Onion->setDefaultAction(onion);
+  for (QAction* one : switches)
+  {
+    this->add(nullptr)->setDefaultAction(one);
+  }
   this->Projection->setToolTip(projections->title().remove('&'));
   this->Shade->setToolTip(shadings->title().remove('&'));
 }
@@ -44,7 +49,14 @@ void ViewBar::setTexts(const QString& projection, const QString& shading)
 {
   this->Projection->setText(projection);
   this->Shade->setText(shading);
-  this->adjustSize();
+  this->fit(this->Width);
+}
+
+void ViewBar::fit(int width)
+{
+  this->Width = width;
+  const int wide = std::min(this->layout()->sizeHint().width(), width);
+  this->resize(wide, this->layout()->heightForWidth(wide));
 }
 
 void ViewBar::paintEvent(QPaintEvent*)

@@ -83,7 +83,11 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
   this->Before = new QAction(tr("&Before the selected step (hold U)"), this);
   this->Before->setCheckable(true);
   connect(this->Before, &QAction::toggled, this, &ViewMenu::showBefore);
-  this->Bar = new ViewBar(this->Camera.get(), this->Model.get(), this->Onion, view);
+  this->Picture = this->addToggle(nullptr, tr("Pictures o&f models"), tr("F"), [](bool) {});
+  this->Picture->setIconText(tr("Picture"));
+  this->Picture->setToolTip(tr("What the model wears, or its form alone (F)"));
+  this->Picture->setChecked(true);
+  this->Bar = new ViewBar(this->Camera.get(), this->Model.get(), { this->Picture, this->Onion }, view);
   this->Triangles->setObjectName("triangles");
   view->installEventFilter(this);
   // A stroke's view and a session's have projections of their own.
@@ -157,7 +161,17 @@ void ViewMenu::makeCamera()
     });
   this->Free =
     this->addToggle(menu, tr("Turn fr&eely, as a ball"), {}, [this](bool on) { this->Settings.free = on; });
+  this->UpZ =
+    this->addToggle(menu, tr("&Z is up"), {}, [this](bool on) { this->View->setUpAxis(on ? 2 : 1, true); });
+  this->UpZ->setToolTip(
+    tr("The model stands on the plane of x and y, as many scans and CAD models do; else y is up"));
   menu->addSeparator();
+  QAction* fit = menu->addAction(tr("F&it"));
+  fit->setShortcut(QKeySequence(tr("Home")));
+  fit->setShortcutContext(Qt::WidgetShortcut); // in sliders, lists and texts the key has a use of its own
+  this->View->addAction(fit);
+  fit->setToolTip(tr("All of the model in the view"));
+  connect(fit, &QAction::triggered, this->View, &Viewport::fitAll);
   const struct
   {
     QString text, key;
@@ -177,7 +191,11 @@ void ViewMenu::makeCamera()
       &QAction::triggered,
       this,
       [this, axis = side.axis, negative = side.negative]
-      { this->View->camera()->LookFromSide(axis, negative); });
+      {
+        // Where z is up the front is that of -y.
+        const bool isZ = this->UpZ->isChecked() && axis != 0;
+        this->View->camera()->LookFromSide(isZ ? 3 - axis : axis, isZ && axis == 2 ? !negative : negative);
+      });
   }
 }
 
@@ -206,11 +224,17 @@ void ViewMenu::makeShadings()
   }
 }
 
+void ViewMenu::setUpAxis(int axis)
+{
+  this->UpZ->setChecked(axis == 2);
+  this->View->setUpAxis(axis, false);
+}
+
 void ViewMenu::addTo(QMenu* menu)
 {
   menu->addMenu(this->Camera.get());
   menu->addMenu(this->Model.get());
-  menu->addActions({ this->Ground, this->Onion, this->Before });
+  menu->addActions({ this->Picture, this->Ground, this->Onion, this->Before });
 }
 
 void ViewMenu::setDark(bool dark)
@@ -221,7 +245,7 @@ void ViewMenu::setDark(bool dark)
 void ViewMenu::apply()
 {
   Display& display = this->View->display();
-  display.setShading(this->Settings.shading);
+  display.setShading(this->Settings.shading, this->Picture->isChecked());
   display.setGround(this->Settings.ground);
   this->View->camera()->SetOrbit(
     this->Settings.free ? vtkOversketchInteractorStyle::Trackball : vtkOversketchInteractorStyle::Turntable);
@@ -275,6 +299,7 @@ void ViewMenu::placeOverlays()
 {
   this->Bar->setVisible(!this->View->showsKeys()); // the list is there
   this->Gizmo->setVisible(!this->View->showsKeys());
+  this->Bar->fit(this->View->width() - 2 * barMargin);
   this->Bar->move(barMargin, barMargin);
   const int right = this->View->width() - this->Gizmo->width() - barMargin;
   const bool beside = right > this->Bar->geometry().right() + barMargin;

@@ -35,6 +35,8 @@ public:
   // How many triangles the model has, for the status bar.
   QLabel* triangles() const { return this->Triangles; }
   void setDark(bool dark);
+  // Of the model that is opened next.
+  void setUpAxis(int axis);
 
 signals:
   // What is shown instead of the model, in words; empty: the model again.
@@ -63,7 +65,7 @@ private:
   ViewSettings Settings;
   std::unique_ptr<QMenu> Camera, Model;
   QVector<QAction*> Shadings; // in their order
-  QAction *Parallel, *Free, *Ground, *Onion, *Before;
+  QAction *Parallel, *Free, *UpZ, *Picture, *Ground, *Onion, *Before;
   ViewBar* Bar;
   AxisGizmo* Gizmo;
   QLabel* Triangles;

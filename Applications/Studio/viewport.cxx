@@ -166,6 +166,28 @@ void Viewport::setTool(Tool* tool)
   this->Style->SetKeyList(keyList(*tool, this->findChildren<Tool*>().toVector()).toUtf8().constData());
 }
 
+void Viewport::fitAll()
+{
+  this->fitCamera();
+  emit this->cameraMoves();
+  this->Looks.fitAll(this->Fitted.data());
+  this->renderSoon();
+}
+
+void Viewport::setUpAxis(int axis, bool looksAnew)
+{
+  this->Style->SetUpAxis(axis);
+  const double unit[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
+  if (looksAnew || !this->mesh()) // nothing is lost where there is nothing to be seen
+  {
+    this->fitCamera();
+    this->Looks.lookAtAll(this->mesh() ? this->mesh()->GetBounds() : unit, this->Fitted.data(), axis);
+    this->Style->SaveFirstView();
+    this->Renderer->ResetCameraClippingRange();
+    this->renderSoon();
+  }
+}
+
 void Viewport::setHandCursor(Qt::CursorShape shape)
 {
   this->setDefaultCursor(shape);
@@ -386,7 +408,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   if (reset)
   {
     this->fitCamera();
-    this->Looks.lookAtAll(mesh->GetBounds(), this->Fitted.data());
+    this->Looks.lookAtAll(mesh->GetBounds(), this->Fitted.data(), this->Style->GetUpAxis());
     this->Style->SaveFirstView();
     // Room for what is drawn beside the model.
     this->Renderer->SetSSAORadius(0.1 * mesh->GetLength());

@@ -77,6 +77,10 @@ public:
   void setDark(bool dark);
   // The camera that a stroke was drawn in, or a picture was put into the scene in.
   void lookFrom(vtkPolyData* stroke);
+  // The camera goes so far off, or so near, that all is seen.
+  void fitAll();
+  // The world's axis that is up: 1 for y, 2 for z; it is looked at from the front, or as it was.
+  void setUpAxis(int axis, bool looksAnew);
   void showKeys(bool show);
   bool showsKeys() const;
   // Writes what the window shows; without overlays only the model. Throws Failed.

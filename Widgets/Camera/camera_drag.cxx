@@ -41,8 +41,10 @@ CameraDrag::CameraDrag(Kind kind,
   double y,
   vtkRenderer* in,
   MeshPicker& picker,
-  const FirstView& first)
+  const FirstView& first,
+  int up)
   : What(kind)
+  , Up(up)
   , Button(button)
   , X(x)
   , Y(y)
@@ -82,8 +84,8 @@ void CameraDrag::move(double x, double y, FirstView& first)
       camera.turn(trackballTurn(this->Pivot, this->Anchor, this->Pressed, now).conjugate(), this->Pivot);
       break;
     case Kind::Turntable:
-      camera.turn(
-        turntableTurn(camera, Eigen::Vector2d(x - this->X, y - this->Y) / this->Height), this->Pivot);
+      camera.turn(turntableTurn(camera, Eigen::Vector2d(x - this->X, y - this->Y) / this->Height, this->Up),
+        this->Pivot);
       break;
     case Kind::Pan:
       camera.move(this->Anchor - now.intersectionPoint(planeThrough(camera, this->Anchor)));

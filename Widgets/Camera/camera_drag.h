@@ -28,7 +28,8 @@ public:
     double y,
     vtkRenderer* in,
     MeshPicker& picker,
-    const FirstView& first);
+    const FirstView& first,
+    int up); // the world's axis that is: 1 for y, 2 for z
 
   int button() const { return this->Button; }
   // The hand is at a display position.
@@ -39,7 +40,7 @@ public:
 
 private:
   Kind What;
-  int Button;
+  int Up, Button;
   double X, Y, Height, Zoom; // px
   CameraState AtPress, From; // as it was, and as the drag takes it
   SightLines Sight;

@@ -22,19 +22,19 @@ constexpr double stepDegrees = 5.0, stepOfHeight = 0.05, stepOfZoom = 1.1;
 
 } // namespace
 
-Eigen::Quaterniond turntableTurn(const CameraState& camera, const Eigen::Vector2d& moved)
+Eigen::Quaterniond turntableTurn(const CameraState& camera, const Eigen::Vector2d& moved, int up)
 {
   const Vector3d direction = camera.direction();
   const double upright =
-    camera.up.y() < -1e-9 ? -1.0 : 1.0; // hanging head down the model turns with the hand
+    camera.up[up] < -1e-9 ? -1.0 : 1.0; // hanging head down the model turns with the hand
   double pitch = vtkMath::Pi() * moved[1];
   if (upright > 0.0)
   {
     constexpr double quarter = 0.5 * vtkMath::Pi();
-    const double elevation = std::asin(std::clamp(-direction.y(), -1.0, 1.0));
+    const double elevation = std::asin(std::clamp(-direction[up], -1.0, 1.0));
     pitch = elevation - std::clamp(elevation - pitch, -quarter, quarter);
   }
-  const Eigen::AngleAxisd yaw(-vtkMath::Pi() * moved[0] * upright, Vector3d::UnitY());
+  const Eigen::AngleAxisd yaw(-vtkMath::Pi() * moved[0] * upright, Vector3d::Unit(up));
   return yaw * Eigen::AngleAxisd(pitch, direction.cross(camera.up).normalized());
 }
 
@@ -52,12 +52,13 @@ CameraState straightened(const CameraState& camera, const Vector3d& point, vtkRe
   return straight;
 }
 
-void lookFromSide(CameraState& camera, const Vector3d& point, int axis, bool negative)
+void lookFromSide(CameraState& camera, const Vector3d& point, int axis, bool negative, int up)
 {
   const double distance = (camera.position - camera.focal).norm(), side = negative ? -1.0 : 1.0;
   camera.focal = point;
   camera.position = point + side * distance * Vector3d::Unit(axis);
-  camera.up = axis == 1 ? Vector3d(-side * Vector3d::UnitZ()) : Vector3d::UnitY();
+  const Vector3d back = up == 1 ? Vector3d(-Vector3d::UnitZ()) : Vector3d::UnitY();
+  camera.up = axis == up ? Vector3d(side * back) : Vector3d::Unit(up);
   camera.centre.setZero();
 }
 

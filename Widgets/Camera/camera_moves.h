@@ -13,16 +13,18 @@ namespace oversketch
 {
 
 // How an upright camera turns when the hand moves by so much [heights of the view, up and to the right]:
-// about the world's y and its own right, half a turn for a height, and not beyond the poles.
-Eigen::Quaterniond turntableTurn(const CameraState& camera, const Eigen::Vector2d& moved);
+// about the world's axis that is up (1 for y, 2 for z) and its own right, half a turn for a height, and not
+// beyond the poles.
+Eigen::Quaterniond turntableTurn(const CameraState& camera, const Eigen::Vector2d& moved, int up);
 
 // The camera that looks straight ahead and sees a point where this one sees it, which looks past the middle
 // of its picture (CameraState::centre).
 CameraState straightened(const CameraState& camera, const Eigen::Vector3d& point, vtkRenderer* in);
 
 // The camera looks at a point from the positive or negative side of an axis, upright; from above and below it
-// sees the front, which is that of +z, at the bottom and the top of the picture.
-void lookFromSide(CameraState& camera, const Eigen::Vector3d& point, int axis, bool negative);
+// sees the front, which is that of +z where y is up and that of -y where z is, at the bottom and the top of
+// the picture.
+void lookFromSide(CameraState& camera, const Eigen::Vector3d& point, int axis, bool negative, int up);
 
 // The box of what can be picked in a renderer: the models, without what is drawn about them.
 struct Box

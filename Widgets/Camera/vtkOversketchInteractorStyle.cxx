@@ -186,7 +186,7 @@ void vtkOversketchInteractorStyle::Internals::press(Button button, int state)
                       ? CameraDrag::Kind::Trackball
                       : CameraDrag::Kind::Turntable;
   this->drag = std::make_unique<CameraDrag>(
-    kind, button, at[0], at[1], this->style->CurrentRenderer, this->picker, *first);
+    kind, button, at[0], at[1], this->style->CurrentRenderer, this->picker, *first, this->style->UpAxis);
   this->style->GrabFocus(this->style->EventCallbackCommand);
   this->style->StartState(state);
 }
@@ -308,6 +308,16 @@ void vtkOversketchInteractorStyle::SetOrbit(int orbit)
   }
 }
 
+void vtkOversketchInteractorStyle::SetUpAxis(int axis)
+{
+  const int clamped = std::clamp(axis, 1, 2);
+  if (clamped != this->UpAxis)
+  {
+    this->UpAxis = clamped;
+    this->Modified();
+  }
+}
+
 void vtkOversketchInteractorStyle::TurnBy(double x, double y)
 {
   this->Inner->step(
@@ -315,7 +325,9 @@ void vtkOversketchInteractorStyle::TurnBy(double x, double y)
     {
       const Eigen::Vector3d about = this->Inner->middle(CameraState(first.camera));
       CameraState camera = oversketch::straightened(CameraState(first.camera), about, this->CurrentRenderer);
-      camera.turn(oversketch::turntableTurn(camera, Eigen::Vector2d(x, y) / this->Inner->height()), about);
+      camera.turn(
+        oversketch::turntableTurn(camera, Eigen::Vector2d(x, y) / this->Inner->height(), this->UpAxis),
+        about);
       camera.putInto(first.camera);
     });
 }
@@ -457,7 +469,7 @@ void vtkOversketchInteractorStyle::LookAlong(int axis, bool against)
       const int a = std::clamp(axis, 0, 2);
       camera.position =
         camera.focal - (against ? -1.0 : 1.0) * first.camera->GetDistance() * Eigen::Vector3d::Unit(a);
-      camera.up = Eigen::Vector3d::Unit(a == 1 ? 2 : 1);
+      camera.up = Eigen::Vector3d::Unit(a == this->UpAxis ? 3 - this->UpAxis : this->UpAxis);
       camera.centre.setZero();
       camera.putInto(first.camera);
       first.spin = 0.0;
@@ -470,7 +482,8 @@ void vtkOversketchInteractorStyle::LookFromSide(int axis, bool negative)
     [&](FirstView& first)
     {
       CameraState camera(first.camera);
-      oversketch::lookFromSide(camera, this->Inner->middle(camera), std::clamp(axis, 0, 2), negative);
+      oversketch::lookFromSide(
+        camera, this->Inner->middle(camera), std::clamp(axis, 0, 2), negative, this->UpAxis);
       camera.putInto(first.camera);
       first.spin = 0.0;
     });
@@ -596,6 +609,7 @@ void vtkOversketchInteractorStyle::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "Orbit: " << this->Orbit << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
   os << indent << "ParallelProjection: " << this->GetParallelProjection() << "\n";
   os << indent << "Zoom: " << this->GetZoom() << "\n";
   os << indent << "Spin: " << this->GetSpin() << "\n";

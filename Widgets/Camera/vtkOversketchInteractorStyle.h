@@ -89,13 +89,21 @@ public:
   ///@{
   /**
    * How a drag turns: freely, so that the picked point of the mesh stays under the cursor (Trackball, the
-   * thesis's and the default), or upright, about the world's y and the picture's horizontal, half a turn for
-   * the view's height, about the picked point (Turntable).
+   * thesis's and the default), or upright, about the world's axis that is up and the picture's horizontal,
+   * half a turn for the view's height, about the picked point (Turntable).
    */
   void SetOrbit(int orbit);
   vtkGetMacro(Orbit, int);
   void SetOrbitToTrackball() { this->SetOrbit(Trackball); }
   void SetOrbitToTurntable() { this->SetOrbit(Turntable); }
+  ///@}
+
+  ///@{
+  /**
+   * The world's axis that is up [1 for y, the default, or 2 for z], for upright turns and views from a side.
+   */
+  void SetUpAxis(int axis);
+  vtkGetMacro(UpAxis, int);
   ///@}
 
   ///@{
@@ -173,7 +181,7 @@ public:
 
   /**
    * Looks at the models' middle from the positive or the negative side of an axis, upright: with axis 2 front
-   * and back, 0 right and left, 1 top and bottom.
+   * and back, 0 right and left, 1 top and bottom; where z is up 2 is top and bottom, and 1 back and front.
    */
   void LookFromSide(int axis, bool negative);
 
@@ -222,6 +230,7 @@ private:
 
   int Mode = Navigate;
   int Orbit = Trackball;
+  int UpAxis = 1;
   bool ShowKeys = false;
 
   struct Internals;

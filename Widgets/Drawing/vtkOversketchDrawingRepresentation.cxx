@@ -15,13 +15,17 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRegularPolygonSource.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTexture.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkOversketchDrawingRepresentation);
@@ -47,6 +51,30 @@ Colour lineColour(int role)
     default:
       return { 20, 20, 20, 255 };
   }
+}
+
+constexpr Colour faultColour = { 250, 140, 20, 255 };
+constexpr double ringShare = 0.02; // of the canvas, the radius of the ring about a fault
+constexpr int checksAcross = 32;   // of the longer side
+
+// Of the proportions of a canvas.
+vtkSmartPointer<vtkImageData> checkerboard(double width, double height)
+{
+  const double longest = std::max(width, height);
+  const auto count = [&](double side)
+  { return std::max(1, static_cast<int>(std::lround(checksAcross * side / longest))); };
+  auto board = vtkSmartPointer<vtkImageData>::New();
+  board->SetDimensions(count(width), count(height), 1);
+  board->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* grey = static_cast<unsigned char*>(board->GetScalarPointer());
+  for (int y = 0; y < count(height); ++y)
+  {
+    for (int x = 0; x < count(width); ++x)
+    {
+      *grey++ = (x + y) % 2 == 0 ? 205 : 235;
+    }
+  }
+  return board;
 }
 
 Colour regionColour(int treatment)
@@ -87,8 +115,11 @@ struct vtkOversketchDrawingRepresentation::Internals
 {
   vtkNew<vtkImageActor> picture;
   vtkNew<vtkPlaneSource> canvas;
-  vtkNew<vtkActor> paper, regions, curves;
+  vtkNew<vtkActor> paper, regions, curves, mark;
   vtkNew<vtkPolyDataMapper> regionMapper, curveMapper;
+  vtkNew<vtkRegularPolygonSource> ring;
+  vtkNew<vtkTexture> checks;
+  int fault = -1;
   vtkNew<vtkTextActor> text;
   double box[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 0.0 };
 
@@ -98,6 +129,8 @@ struct vtkOversketchDrawingRepresentation::Internals
     const double longest = std::max(this->box[1] - this->box[0], this->box[3] - this->box[2]);
     this->regions->SetPosition(0.0, 0.0, 1e-3 * longest);
     this->curves->SetPosition(0.0, 0.0, 2e-3 * longest);
+    this->paper->SetPosition(0.0, 0.0, this->picture->GetVisibility() ? -1e-3 * longest : 0.0);
+    this->ring->SetRadius(ringShare * longest);
   }
 };
 
@@ -113,7 +146,17 @@ vtkOversketchDrawingRepresentation::vtkOversketchDrawingRepresentation()
   inner.regions->SetMapper(inner.regionMapper);
   inner.regions->ForceOpaqueOn(); // blended all the same, in the order of RenderOpaqueGeometry
   inner.curves->SetMapper(inner.curveMapper);
-  for (vtkActor* actor : { inner.paper.Get(), inner.regions.Get(), inner.curves.Get() })
+  inner.checks->InterpolateOff();
+  inner.checks->SetColorModeToDirectScalars();
+  inner.ring->SetNumberOfSides(32);
+  inner.ring->GeneratePolygonOff();
+  vtkNew<vtkPolyDataMapper> ring;
+  ring->SetInputConnection(inner.ring->GetOutputPort());
+  inner.mark->SetMapper(ring);
+  inner.mark->GetProperty()->SetColor(faultColour[0] / 255.0, faultColour[1] / 255.0, faultColour[2] / 255.0);
+  inner.mark->GetProperty()->SetLineWidth(4.0f);
+  inner.mark->VisibilityOff();
+  for (vtkActor* actor : { inner.paper.Get(), inner.regions.Get(), inner.curves.Get(), inner.mark.Get() })
   {
     actor->GetProperty()->LightingOff();
     actor->PickableOff();
@@ -136,7 +179,10 @@ void vtkOversketchDrawingRepresentation::SetPicture(vtkImageData* picture)
   Internals& inner = *this->Inner;
   inner.picture->SetInputData(picture);
   inner.picture->SetVisibility(picture != nullptr);
-  inner.paper->SetVisibility(picture == nullptr);
+  const int parts = picture ? picture->GetNumberOfScalarComponents() : 0;
+  const bool isCutOut = parts == 2 || parts == 4;
+  inner.paper->SetVisibility(!picture || isCutOut);
+  inner.paper->SetTexture(nullptr);
   if (picture)
   {
     picture->GetBounds(inner.box);
@@ -145,6 +191,15 @@ void vtkOversketchDrawingRepresentation::SetPicture(vtkImageData* picture)
       inner.box[2 * axis] -= 0.5 * picture->GetSpacing()[axis];
       inner.box[2 * axis + 1] += 0.5 * picture->GetSpacing()[axis];
     }
+  }
+  if (isCutOut)
+  {
+    const double* box = inner.box;
+    inner.canvas->SetOrigin(box[0], box[2], 0.0);
+    inner.canvas->SetPoint1(box[1], box[2], 0.0);
+    inner.canvas->SetPoint2(box[0], box[3], 0.0);
+    inner.checks->SetInputData(checkerboard(box[1] - box[0], box[3] - box[2]));
+    inner.paper->SetTexture(inner.checks);
   }
   this->Inner->layUp();
   this->Modified();
@@ -176,7 +231,8 @@ void vtkOversketchDrawingRepresentation::SetCurves(vtkPolyData* curves)
     {
       curves->GetLines()->GetCellAtId(cell, ids);
       const int role = labelOf(curves, "Role", cell), treatment = labelOf(curves, "Treatment", cell);
-      lines.add(ids, lineColour(role));
+      const bool isFault = inner.fault >= 0 && labelOf(curves, "StrokeId", cell) == inner.fault;
+      lines.add(ids, isFault ? faultColour : lineColour(role));
       if (role == 2 && treatment != 0 && ids->GetNumberOfIds() > 3)
       {
         ids->SetNumberOfIds(ids->GetNumberOfIds() - 1); // the first one once more
@@ -191,6 +247,19 @@ void vtkOversketchDrawingRepresentation::SetCurves(vtkPolyData* curves)
     triangles->Update();
     inner.regionMapper->SetInputData(triangles->GetOutput());
     inner.regions->SetVisibility(regions.cells->GetNumberOfCells() > 0);
+  }
+  this->Modified();
+}
+
+void vtkOversketchDrawingRepresentation::SetFault(int stroke, const double place[2])
+{
+  Internals& inner = *this->Inner;
+  inner.fault = stroke;
+  inner.mark->SetVisibility(place != nullptr);
+  if (place)
+  {
+    inner.ring->SetCenter(place[0], place[1], 0.0);
+    inner.mark->SetPosition(0.0, 0.0, inner.curves->GetPosition()[2]);
   }
   this->Modified();
 }
@@ -225,7 +294,7 @@ void vtkOversketchDrawingRepresentation::ReleaseGraphicsResources(vtkWindow* win
 {
   Internals& inner = *this->Inner;
   inner.picture->ReleaseGraphicsResources(window);
-  for (vtkActor* actor : { inner.paper.Get(), inner.regions.Get(), inner.curves.Get() })
+  for (vtkActor* actor : { inner.paper.Get(), inner.regions.Get(), inner.curves.Get(), inner.mark.Get() })
   {
     actor->ReleaseGraphicsResources(window);
   }
@@ -236,7 +305,7 @@ void vtkOversketchDrawingRepresentation::ReleaseGraphicsResources(vtkWindow* win
 int vtkOversketchDrawingRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
 {
   Internals& inner = *this->Inner;
-  int drawn = 0;
+  int drawn = inner.paper->GetVisibility() ? inner.paper->RenderOpaqueGeometry(viewport) : 0;
   if (inner.picture->GetVisibility())
   {
     inner.picture->Update();
@@ -245,13 +314,13 @@ int vtkOversketchDrawingRepresentation::RenderOpaqueGeometry(vtkViewport* viewpo
                ? inner.picture->RenderTranslucentPolygonalGeometry(viewport)
                : inner.picture->RenderOpaqueGeometry(viewport);
   }
-  drawn += inner.paper->GetVisibility() ? inner.paper->RenderOpaqueGeometry(viewport) : 0;
   drawn += inner.regions->GetVisibility() ? inner.regions->RenderOpaqueGeometry(viewport) : 0;
   if (this->GetText()[0] != '\0')
   {
     inner.text->RenderOpaqueGeometry(viewport); // makes what its overlay shows
   }
-  return drawn + (inner.curves->GetVisibility() ? inner.curves->RenderOpaqueGeometry(viewport) : 0);
+  drawn += inner.curves->GetVisibility() ? inner.curves->RenderOpaqueGeometry(viewport) : 0;
+  return drawn + (inner.mark->GetVisibility() ? inner.mark->RenderOpaqueGeometry(viewport) : 0);
 }
 
 int vtkOversketchDrawingRepresentation::RenderOverlay(vtkViewport* viewport)

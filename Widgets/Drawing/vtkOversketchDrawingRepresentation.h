@@ -3,9 +3,10 @@
  * @brief the picture of vtkOversketchDrawingWidget: canvas or picture, and the curves of the drawing
  *
  * The picture lies at z = 0, its outermost samples drawn whole (vtkImageActor::BorderOn); without one there
- * is a white canvas. Curves lie over it, coloured by what they are: boundaries red, closed features blue,
- * open ones green, rejected ones grey. A region that is to be a hole is shaded dark, one that is to be a
- * tunnel violet. A line of text stands below.
+ * is a white canvas. Under a picture with alpha there are checks, light and dark. Curves lie over it,
+ * coloured by what they are: boundaries red, closed features blue, open ones green, rejected ones grey, one
+ * that is at fault orange with a ring where it is. A region that is to be a hole is shaded dark, one that is
+ * to be a tunnel violet. A line of text stands below.
  *
  * @sa vtkOversketchDrawingWidget
  */
@@ -42,6 +43,12 @@ public:
    * Treatment. Null: none.
    */
   void SetCurves(vtkPolyData* curves);
+
+  /**
+   * A stroke that is at fault (cell array StrokeId of the curves, read by the next SetCurves; -1: none), and
+   * the place where it is [world; null: none that is known].
+   */
+  void SetFault(int stroke, const double place[2]);
 
   ///@{
   /**

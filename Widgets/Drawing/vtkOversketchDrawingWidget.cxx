@@ -36,6 +36,7 @@
 
 #include <cmath>
 #include <limits>
+#include <regex>
 
 using namespace oversketch;
 
@@ -337,8 +338,24 @@ void vtkOversketchDrawingWidget::Classify()
       text = error.what();
     }
   }
+  this->ShowFault(text);
   this->GetDrawingRepresentation()->SetCurves(inner.curves);
   this->Tell(text);
+}
+
+// "Stroke 1 crosses itself near (50, 20)": what steps say of one.
+void vtkOversketchDrawingWidget::ShowFault(const std::string& text)
+{
+  static const std::regex fault("^Stroke (\\d+)(?:[^(\\n]*\\bnear \\(([-+.\\deE]+), ([-+.\\deE]+)\\))?");
+  std::smatch said;
+  if (!std::regex_search(text, said, fault))
+  {
+    this->GetDrawingRepresentation()->SetFault(-1, nullptr);
+    return;
+  }
+  const bool hasPlace = said[2].matched;
+  const double place[2] = { hasPlace ? std::stod(said[2]) : 0.0, hasPlace ? std::stod(said[3]) : 0.0 };
+  this->GetDrawingRepresentation()->SetFault(std::stoi(said[1]), hasPlace ? place : nullptr);
 }
 
 void vtkOversketchDrawingWidget::Tell(const std::string& message)

@@ -163,6 +163,7 @@ private:
   void Show();
   void Classify();
   void Tell(const std::string& message);
+  void ShowFault(const std::string& text);
   void Zoom(double factor);
 
   bool Magnetic = true, Arrange = false;

@@ -69,6 +69,30 @@ std::string operationText(const OperationRow& row)
   return text.str();
 }
 
+std::string operationWords(const OperationRow& row)
+{
+  static const char* const forward[] = { "along the line", "to the side", "outward" };
+  static const char* const backward[] = { "back along the line", "to the other side", "inward" };
+  std::ostringstream words;
+  words.imbue(std::locale::classic());
+  words.precision(2);
+  switch (row.verb)
+  {
+    case Verb::Move:
+      words << "moved " << (row.amount < 0.0 ? backward : forward)[row.axis] << ' ' << std::abs(row.amount);
+      break;
+    case Verb::Scale:
+      words << "scaled " << row.amount << " times";
+      break;
+    case Verb::Rotate:
+      words << "turned " << std::lround(row.amount) << "\u00b0";
+      break;
+    default:
+      break;
+  }
+  return words.str();
+}
+
 std::string operationText(const std::vector<OperationRow>& rows)
 {
   std::string text;

@@ -31,6 +31,8 @@ struct OperationRow
 std::vector<OperationRow> operationRows(const std::string& text);
 std::string operationText(const std::vector<OperationRow>& rows);
 std::string operationText(const OperationRow& row);
+// The same for a person: "moved outward 0.1", "turned 54°".
+std::string operationWords(const OperationRow& row);
 
 // The row of a handle's axis by a further amount: the same axis again changes its row, another one makes one,
 // which takes the place of the handle's pin. A length and an angle add up, a factor multiplies; within what

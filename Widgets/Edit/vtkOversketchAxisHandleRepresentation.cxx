@@ -31,9 +31,11 @@ vtkStandardNewMacro(vtkOversketchAxisHandleRepresentation);
 namespace
 {
 
-constexpr double third = 30.0;      // px of an axis
-constexpr double freeOfKnob = 7.0;  // px, where an axis begins
-constexpr double leastSeen = 0.17;  // sine of the angle to the line of sight
+constexpr double third = 30.0;     // px of an axis
+constexpr double freeOfKnob = 7.0; // px, where an axis begins
+constexpr double leastSeen = 0.17; // sine of the angle to the line of sight
+// px: rings about the knob, in place of an axis that points at the viewer: up and down moves, round turns.
+constexpr double movingRing = 17.0, turningRing = 30.0;
 constexpr double leastFacing = 0.5; // cosine of it, from which on an angle is measured about the axis
 constexpr Colour axisColours[3] = { strokeRed, axisGreen, sectionBlue };
 
@@ -318,6 +320,11 @@ double vtkOversketchAxisHandleRepresentation::GetAmount(int part, int axis, doub
   const Vector2 to(x - corner[0], y - corner[1]);
   const Vector3& origin = inner.held.frame.origin;
   const Vector3& along = directionOf(inner.held.frame, axis);
+  if (part == Move && !Internals::seen(view, inner.held, axis))
+  {
+    const double towards = along.dot(view.towardsViewer(origin)) < 0.0 ? -1.0 : 1.0;
+    return towards * (to[1] - inner.from[1]) * pixelSize(view, origin);
+  }
   const Sight before = sightThrough(view, inner.from, origin), now = sightThrough(view, to, origin);
   if (part != Rotate)
   {
@@ -395,6 +402,19 @@ int vtkOversketchAxisHandleRepresentation::FindGrip(const View& view, double x, 
           found = firstHandle + gripsOfHandle * selected + 1 + 3 * axis + part;
         }
       }
+      else if (view.inFront(handle.frame.origin))
+      {
+        const double far = (place - view.toDisplay(handle.frame.origin).head<2>()).norm();
+        for (const bool moves : { true, false })
+        {
+          const double beside = std::abs(far - (moves ? movingRing : turningRing));
+          if (beside < std::min(least, 0.5 * (turningRing - movingRing)))
+          {
+            least = beside;
+            found = firstHandle + gripsOfHandle * selected + 1 + 3 * axis + (moves ? int(Move) : int(Rotate));
+          }
+        }
+      }
     }
   }
   for (int i = 0; found == 0 && i < this->GetNumberOfHandles(); ++i)
@@ -411,6 +431,19 @@ int vtkOversketchAxisHandleRepresentation::FindGrip(const View& view, double x, 
 
 namespace
 {
+
+void paintRing(Overlay& overlay, const Vector2& at, double radius, const Colour& colour, bool isActive)
+{
+  Polyline ring;
+  for (int i = 0; i <= 48; ++i)
+  {
+    const double a = 2.0 * M_PI * i / 48;
+    ring.push_back(at + radius * Vector2(std::cos(a), std::sin(a)));
+  }
+  const double width = isActive ? 4.5 : 3.0;
+  overlay.line(ring, width + 2.0, paperWhite);
+  overlay.line(ring, width, isActive ? regionOrange : colour);
+}
 
 void paintAxis(Overlay& overlay, const Vector2& from, const Vector2& run, const Colour& colour, int active)
 {
@@ -483,6 +516,12 @@ void vtkOversketchAxisHandleRepresentation::Paint(const View& view, Overlay& ove
       {
         const bool holds = GetHandle(active) == i && GetAxis(active) == axis;
         paintAxis(overlay, at, *run, axisColours[axis], holds ? GetPart(active) : -1);
+      }
+      else
+      {
+        const bool holds = GetHandle(active) == i && GetAxis(active) == axis;
+        paintRing(overlay, at, movingRing, axisColours[axis], holds && GetPart(active) == Move);
+        paintRing(overlay, at, turningRing, axisColours[axis], holds && GetPart(active) == Rotate);
       }
     }
     const bool isActive = active == firstHandle + gripsOfHandle * i;

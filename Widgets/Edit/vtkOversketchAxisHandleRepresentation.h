@@ -5,7 +5,8 @@
  * The line is red where the edit left it, a handle a knob on it. Of the selected one three axes are drawn, 90
  * px long whatever the zoom: t along the line red, w beside it green, n outward blue; on each an arrow in the
  * inner third, a square in the middle one, a ring in the outer one, which move, scale and rotate. An axis
- * that points within 10 degrees at the viewer, or away, is not drawn and cannot be taken hold of.
+ * that points within 10 degrees at the viewer, or away, is two rings about the knob: the inner one moves, by
+ * a drag up towards the viewer, the outer one rotates.
  *
  * @sa vtkOversketchAxisHandleWidget
  */

@@ -194,7 +194,7 @@ void vtkOversketchAxisHandleWidget::PullAxis(const int at[2])
   {
     if (row.verb == static_cast<Verb>(part) && row.t == this->T && row.axis == axis)
     {
-      shown->SetText(operationText(row).c_str());
+      shown->SetText(operationWords(row).c_str());
     }
   }
 }

@@ -113,9 +113,6 @@ void vtkOversketchLayerHandleWidget::Pull(const int at[2])
   {
     shown->PutKnob(shown->GetNumberOfHandles() - 1, at[0], at[1]);
   }
-  LayerList alone;
-  alone.handles = { handle };
-  shown->SetText(layerText(alone).c_str());
 }
 
 bool vtkOversketchLayerHandleWidget::LetGo(bool keep)

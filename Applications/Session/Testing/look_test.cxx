@@ -24,7 +24,8 @@ Look fromTheSide()
     0.7,
     true,
     { 0.3, -1.0 / 7.0 },
-    { { 640, 480 } } };
+    { { 640, 480 } },
+    2 };
 }
 
 // session.json with one text in place of another.

@@ -7,6 +7,7 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
@@ -58,6 +59,23 @@ struct BadHands : Scene
     const QString advice = this->window.findChild<QLabel*>("advice")->text();
     EXPECT_TRUE(advice.contains("did nothing")) << qPrintable(advice);
     expectPlain(advice);
+    // A button does what is asked for; the next pen-down ends what was said.
+    auto* anyway = this->window.findChild<QPushButton*>("anyway");
+    const bool isAsked = nodes[0].failure.find("AllowTorn") != std::string::npos;
+    EXPECT_EQ(anyway->isVisible(), isAsked) << nodes[0].failure;
+    if (isAsked)
+    {
+      anyway->click();
+      const auto& values = this->document->session().nodes[0].step->values;
+      EXPECT_TRUE(values.count("AllowTorn") == 1 && std::get<bool>(values.at("AllowTorn")));
+      this->document->undo();
+      this->wait();
+    }
+    const QPoint corner(20, this->view->height() - 20);
+    QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, corner);
+    EXPECT_FALSE(this->window.findChild<QLabel*>("advice")->text().contains("did nothing"));
+    EXPECT_FALSE(anyway->isVisible());
+    QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, corner);
     this->document->undo();
     this->wait();
     EXPECT_TRUE(this->document->session().nodes.empty());
@@ -114,8 +132,15 @@ TEST(BadHand, IsToldNoNameOfTheCode)
   {
     expectPlain(plainWords(said));
   }
-  EXPECT_TRUE(plainWords("there is no number 3. Lower Candidate.").endsWith("Lower Section that fits."));
+  EXPECT_TRUE(plainWords("there is no number 3. Lower Candidate.").endsWith("Lower Other outline."));
   EXPECT_TRUE(plainWords("turn AllowTorn on.").endsWith("tick Even if it tears."));
+  EXPECT_EQ(askedFor("if that is meant, turn AllowTorn on."), "AllowTorn");
+  EXPECT_EQ(askedFor("Lower Candidate."), "");
+  EXPECT_EQ(briefWords(
+              "The result is not as drawn: the outline misses the stroke by 9 px in the mean and by 36 px at "
+              "worst; what lies up to 82 px beside the stroke moved too, by up to 4 px; 104 edges are folded "
+              "over."),
+    "Not as drawn: the outline is beside the line, parts beside the line moved, too, some of it is folded.");
 }
 
 // A model so coarse that no line, however short, leaves anything of it where it is.

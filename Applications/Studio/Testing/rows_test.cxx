@@ -196,6 +196,40 @@ TEST(Rows, ShowWhatEachStepDidAndAreDragged)
     EXPECT_EQ(scene.list->currentRow(), -1) << focus->metaObject()->className();
   }
 
+  // The focus chooses no row, which Delete would take away.
+  scene.view->setFocus();
+  scene.list->setFocus();
+  EXPECT_EQ(scene.list->currentRow(), -1);
+  // Escape in a box of the form gives the keys to the view; the wheel over one that has them not changes
+  // nothing.
+  scene.list->setCurrentRow(1);
+  auto* form = scene.window.findChild<StepPanel*>()->currentWidget();
+  auto* box = form->findChild<QComboBox*>();
+  const int choice = box->currentIndex();
+  const QPoint middle = box->rect().center();
+  QWheelEvent wheel(middle,
+    box->mapToGlobal(middle),
+    {},
+    { 0, -120 },
+    Qt::NoButton,
+    Qt::NoModifier,
+    Qt::NoScrollPhase,
+    false);
+  QApplication::sendEvent(box, &wheel);
+  EXPECT_EQ(box->currentIndex(), choice);
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_Escape);
+  EXPECT_EQ(scene.list->currentRow(), -1);
+  EXPECT_TRUE(scene.view->hasFocus()) << "keys go nowhere";
+  // A tool that draws no strokes leaves a stroke's row, too.
+  QTest::keyClick(scene.view, Qt::Key_E);
+  scene.list->setCurrentRow(1);
+  scene.view->setFocus();
+  QTest::keyClick(scene.view, Qt::Key_Escape);
+  EXPECT_EQ(scene.list->currentRow(), -1);
+  QTest::keyClick(scene.view, Qt::Key_D);
+  scene.wait();
+
   // Dragged to another place: one step of undo; Escape on the way leaves all as it is.
   const int first = scene.nodes()[0].id, second = scene.nodes()[1].id;
   const std::string digest = scene.document->digest();

@@ -9,6 +9,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
+#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -17,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 using namespace oversketch_session;
@@ -94,6 +96,63 @@ TEST(SharpEdges, StayWhileAHandMovesTheMesh)
   const auto other = shown(boxOf(99)), small = shown(boxOf(4));
   EXPECT_EQ(edges.lookMoved(other), other);
   EXPECT_EQ(edges.lookMoved(small)->GetNumberOfPoints(), SharpEdges().look(small)->GetNumberOfPoints());
+}
+
+// A roof over a line that was drawn on the surface, so steep on both sides; its ridge is one normal a point.
+TEST(SharpEdges, OfLinesDrawnOnTheSurfaceAreSeen)
+{
+  constexpr int n = 8;
+  const auto roof = [](double degrees)
+  {
+    Mesh mesh;
+    for (int y = 0; y <= n; ++y)
+    {
+      for (int x = 0; x <= n; ++x)
+      {
+        mesh.points.emplace_back(x, y, -std::abs(x - n / 2) * std::tan(vtkMath::RadiansFromDegrees(degrees)));
+      }
+    }
+    for (int y = 0; y < n; ++y)
+    {
+      for (int x = 0; x < n; ++x)
+      {
+        const int at = y * (n + 1) + x;
+        mesh.triangles.push_back({ at, at + 1, at + n + 2 });
+        mesh.triangles.push_back({ at, at + n + 2, at + n + 1 });
+      }
+    }
+    auto made = shown(mesh);
+    vtkNew<vtkIntArray> moved;
+    moved->SetName("StellarMoved");
+    for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
+    {
+      moved->InsertNextValue(i % (n + 1) == n / 2 ? 6 : 0);
+    }
+    made->GetPointData()->AddArray(moved);
+    return made;
+  };
+  EXPECT_EQ(split(roof(10.0)), 0);
+  const auto steep = roof(35.0);
+  ASSERT_EQ(split(steep), n + 1) << "each point of the ridge once more";
+  SharpEdges edges;
+  const auto look = edges.look(steep);
+  EXPECT_EQ(edges.lookMoved(steep)->GetNumberOfPoints(), look->GetNumberOfPoints());
+  // Each side is as flat as it is, up to the ridge.
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < look->GetNumberOfCells(); ++cell)
+  {
+    look->GetCellPoints(cell, corners);
+    double place[3][3], flat[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      look->GetPoint(corners->GetId(i), place[i]);
+    }
+    vtkTriangle::ComputeNormal(place[0], place[1], place[2], flat);
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_GT(vtkMath::Dot(flat, look->GetPointData()->GetNormals()->GetTuple3(corners->GetId(i))), 0.9999);
+    }
+  }
 }
 
 TEST(SharpEdges, OfAnimalsAreNotMade)

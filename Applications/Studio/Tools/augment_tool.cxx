@@ -128,7 +128,7 @@ QString AugmentTool::advice(const Situation& situation) const
       "Blue is where the selected line lies. Ctrl + wheel changes its width, Shift + wheel its height, "
       "the profile its shape.");
   }
-  if (situation.empty)
+  if (situation.empty || !situation.holds)
   {
     return tr(
       "Draw a line on the model: it becomes finer there and rises. Orange is its crest and, thin, where it "

@@ -189,6 +189,27 @@ QString DrawingTool::inLines(const QString& text) const
   return translated.join('\n');
 }
 
+// All but a remark on a model that has been made is the tool's to say.
+bool DrawingTool::judges() const
+{
+  const int at = this->node();
+  const auto& states = this->OpenDocument->result().nodes;
+  const bool isMade = at >= 0 && this->Pad && indexOf(at) < states.size() && this->Redrawn < 0 &&
+                      states[indexOf(at)].failure.empty() && !states[indexOf(at)].remark.empty();
+  return !isMade || !this->need().isEmpty() || !this->Pad->text().isEmpty();
+}
+
+bool DrawingTool::isCrossing() const
+{
+  static const QRegularExpression crosses("^(?:(?!\\. ).)*\\bcrosses\\b");
+  return !this->Arranged && this->Pad && crosses.match(this->Pad->text()).hasMatch();
+}
+
+std::string DrawingTool::asked() const
+{
+  return this->isCrossing() ? "turn Arrange on" : std::string();
+}
+
 QString DrawingTool::advice(const Situation&) const
 {
   const int at = this->node();
@@ -211,8 +232,7 @@ QString DrawingTool::advice(const Situation&) const
   const QString wrong = first == all ? all : first + '.';
   if (!wrong.isEmpty())
   {
-    static const QRegularExpression crosses("^(?:(?!\\. ).)*\\bcrosses\\b");
-    return !this->Arranged && crosses.match(this->Pad->text()).hasMatch()
+    return this->isCrossing()
              ? tr("%1 Ctrl+Z takes the last line back; or tick Strokes may cross.").arg(wrong)
              : tr("%1 Ctrl+Z takes the last line back.").arg(wrong);
   }

@@ -33,7 +33,8 @@ public:
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
   QString advice(const Situation& situation) const override;
-  bool judges() const override { return true; }
+  bool judges() const override;
+  std::string asked() const override;
   QString stage(const QString& name) const override;
   std::string system() const override { return oversketch_session::drawingSystem; }
   // The drawing that was selected last, else the first one.
@@ -63,6 +64,7 @@ public:
   void redraw(int stroke) override;
 
 private:
+  bool isCrossing() const; // a line another, or itself, which may be allowed
   // Shows what the document holds.
   void follow();
   // The picture under it has not been read, which is not for the window's thread.

@@ -160,6 +160,28 @@ bool EditHand::isKnown()
   return bool(this->State.before);
 }
 
+// Whether the picture that the offered step's weights are painted in is there, decoded.
+bool EditHand::hasWeights()
+{
+  const Image* image = weightsOf(*this->Offered);
+  if (!image || (this->Weights && *this->Weights->bytes == *image->bytes))
+  {
+    return true;
+  }
+  this->Weights = findDecoded(*image->bytes);
+  if (!this->Weights)
+  {
+    whenDecoded(this,
+      image->bytes,
+      [this](const SharedPicture& made)
+      {
+        this->Weights = made;
+        this->arrangeSoon();
+      });
+  }
+  return bool(this->Weights);
+}
+
 void EditHand::offerNothing()
 {
   this->Offered.reset();
@@ -296,7 +318,7 @@ void EditHand::arrange()
   {
     this->begin();
   }
-  else if (!this->isKnown())
+  else if (!this->isKnown() || !this->hasWeights())
   {
     this->rest();
   }

@@ -4,6 +4,7 @@
 #define oversketch_applications_studio_tools_edit_hand_h
 
 #include "both_sides.h"
+#include "picture_files.h"
 #include "step.h"
 #include "worker.h"
 
@@ -97,6 +98,7 @@ private:
   void arrangeSoon();
   void rest();
   bool isKnown();
+  bool hasWeights();
   void dropLine();
   // An edit that begins on what is shown; one of the region that the offered one leaves.
   void begin();
@@ -128,6 +130,7 @@ private:
   int Mode;
   bool Held = false, Loading = false, Late = false, Buried = false;
   std::optional<Step> Offered;
+  SharedPicture Weights; // of the offered step, decoded; null: it has none, or they are to come
   oversketch_session::Worker::NodeState State; // of the offered step
   int OfferedId = 0, LeftId = 0;               // of steps; the latter the hand is done with
   Work Loaded;

@@ -3,7 +3,6 @@
 #include "drawing_lines.h"
 #include "edit_hand.h"
 #include "edit_step.h"
-#include "texture.h"
 
 #include "vtkOversketchAreaSelectWidget.h"
 #include "vtkOversketchEdit.h"
@@ -88,9 +87,9 @@ void EditHand::loadCurves(const Work& work)
   this->Widget->GetProfilePlaneWidget()->SetProfile(data(profileInput));
   vtkOversketchEdit* edit = this->Widget->GetEdit();
   edit->SetInputDataObject(6, data(handlesInput));
-  const auto weights = work.step.inputs.find(weightsInput);
-  const Image* image = weights == work.step.inputs.end() ? nullptr : std::get_if<Image>(&weights->second);
-  edit->SetInputDataObject(5, image ? oversketch_files::pictureOf(*image->bytes) : nullptr);
+  const bool isPainted = weightsOf(work.step) && this->Weights;
+  edit->SetInputDataObject(5, isPainted ? this->Weights->pixels.Get() : nullptr);
+  this->Weights = isPainted ? this->Weights : nullptr;
   this->Seen = { { lineInput, region->GetReference()->GetMTime() },
     { ringInput, region->GetBoundary()->GetMTime() },
     { areasInput, this->Widget->GetAreaSelectWidget()->GetAreas()->GetMTime() },

@@ -16,6 +16,8 @@ namespace oversketch_studio
 
 class FlatView;
 
+constexpr int panelSide = 240; // px, of a panel that opens
+
 class EditPanel : public QWidget
 {
   Q_OBJECT
@@ -26,6 +28,7 @@ public:
   ~EditPanel() override;
 
   // Its window has an interactor.
+  QSize sizeHint() const override { return { panelSide, panelSide }; }
   vtkRenderer* renderer();
   void setDark(bool dark);
   // Under the picture.

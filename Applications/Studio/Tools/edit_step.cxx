@@ -47,6 +47,12 @@ const SystemRow& editRow()
   return *findSystem(editSystem);
 }
 
+const Image* weightsOf(const Step& step)
+{
+  const auto weights = step.inputs.find(weightsInput);
+  return weights == step.inputs.end() ? nullptr : std::get_if<Image>(&weights->second);
+}
+
 bool isSameInput(const Step& a, const Step& b, const std::string& name)
 {
   const auto one = a.inputs.find(name), other = b.inputs.find(name);

@@ -51,6 +51,8 @@ std::string editText(const oversketch_session::Step& step, const char* property)
 // How long the first stroke of some is [px of its view]; of none, and of a curve of an earlier edit,
 // infinite.
 double pixelsOf(vtkPolyData* strokes);
+// The picture that a step's weights are painted in; null where it has none.
+const oversketch_session::Image* weightsOf(const oversketch_session::Step& step);
 // The last step of a session that has the line and the ring of another; 0 where there is none.
 int idOf(const oversketch_session::Session& session, const oversketch_session::Step& step);
 

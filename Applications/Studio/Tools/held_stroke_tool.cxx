@@ -88,6 +88,18 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
         this->offerNothing();
       }
     });
+  // Another model begins without a mirror plane.
+  connect(document,
+    &Document::begun,
+    this,
+    [this]
+    {
+      if (this->Mirror && this->Mirror->currentIndex() != 0)
+      {
+        this->Mirror->setCurrentIndex(0);
+        this->View->showMirror(std::nullopt);
+      }
+    });
   connect(viewport, &Viewport::cameraMoves, this, [this] { this->MovePreview = nullptr; });
   connect(&this->Section, &PenSection::frameWanted, viewport, &Viewport::renderNow);
 }

@@ -61,7 +61,7 @@ QString OneStrokeTool::advice(const Situation& situation) const
     return tr("Blue is where the selected stroke took hold. Change how it acts on the right, or "
               "redraw it (Ctrl+R).");
   }
-  if (situation.empty)
+  if (situation.empty || !situation.holds)
   {
     return tr("Draw a line beside a limb's outline: the limb follows. The middle button "
               "turns the model, F1 lists the keys.");
@@ -73,7 +73,7 @@ QString OneStrokeTool::advice(const Situation& situation) const
 
 QString OneStrokeTool::remedy() const
 {
-  return tr("Ctrl+Z undoes, F3 takes the next outline that fits, [ and ] move less or more of the body.");
+  return tr("Ctrl+Z undo · F3 other outline · [ ] reach");
 }
 
 QString OneStrokeTool::stage(const QString& name) const

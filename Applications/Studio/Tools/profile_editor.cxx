@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace oversketch_studio
 {
@@ -106,7 +107,10 @@ ProfileEditor::ProfileEditor(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->addWidget(this->Presets);
   column->addWidget(this->Curve, 1);
-  this->setShape({}, creaseSharpness);
+  const auto round = std::find_if(std::begin(presets),
+    std::end(presets),
+    [](const Preset& one) { return std::string(one.name) == "Round"; });
+  this->setShape(round->text, creaseSharpness);
 }
 
 void ProfileEditor::setShape(const std::string& profile, double sharpness)

@@ -20,12 +20,15 @@ class ProfileEditor : public QWidget
 
 public:
   explicit ProfileEditor(QWidget* parent = nullptr);
+  QSize sizeHint() const override { return { side, side }; }
 
   // As vtkOversketchAugment has them: a polyline "x y, x y, ..." from the line (x = 0) to the foot (1), or
   // empty for (1 - x)^sharpness.
   void setShape(const std::string& profile, double sharpness);
   const std::string& profile() const { return this->Text; }
   double sharpness() const { return this->Sharpness; }
+
+  static constexpr int side = 240; // px, of a panel that opens
 
 signals:
   // By the hand; `goesOn` while the same point is dragged.

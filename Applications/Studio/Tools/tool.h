@@ -50,6 +50,7 @@ public:
   {
     bool empty = true;     // no step has been taken
     bool selected = false; // a step is
+    bool holds = false;    // a red line can be dragged
     bool redraws = false;  // what is drawn next replaces the selected step's
   };
   virtual QString advice(const Situation& situation) const = 0;
@@ -94,6 +95,8 @@ public:
 
   // Whether its advice also says why a step of its system did nothing.
   virtual bool judges() const { return false; }
+  // What is wrong with its step (node()), as its system says it; empty where nothing is.
+  virtual std::string asked() const { return {}; }
   // What is drawn on, where that is not the model: a widget beside the viewport, seen while the tool is in
   // the hand; null: the model.
   virtual QWidget* makeCanvas(QWidget*) { return nullptr; }
