@@ -77,8 +77,7 @@ public:
   };
   ///@{
   /**
-   * Strokes lie on the Surface (default), or each is a stretch of the Silhouette drawn anew; then heights are
-   * not read.
+   * Strokes lie on the Surface (default), or each is a stretch of the Silhouette drawn anew, without heights.
    */
   void SetSketchMode(int mode);
   vtkGetMacro(SketchMode, int);
@@ -158,8 +157,7 @@ public:
 
   ///@{
   /**
-   * Longer edges near strokes are split [model length, default 0: a quarter of the radius, an eighth with a
-   * sharpness below 1 or above 2].
+   * Longer edges near strokes are split [model length, default 0: radius / 4, / 8 with sharpness < 1 or > 2].
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);
