@@ -189,7 +189,8 @@ SystemRow augment()
     parameter<System>("OneByOne",
       "one-by-one",
       "One after the other",
-      "draw each stroke on what the one before has made",
+      "draw each stroke on what the one before has made, but for those that neither cross nor lie on each "
+      "other",
       &System::SetOneByOne,
       &System::GetOneByOne),
     parameter<System>("Simplify",

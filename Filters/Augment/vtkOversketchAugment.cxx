@@ -38,7 +38,7 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
   Pipeline& inner = *this->Inner;
   inner.Made = nullptr;
   inner.Counted = std::nullopt;
-  return this->RunSystem(
+  const int done = this->RunSystem(
     [&]
     {
       vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
@@ -47,20 +47,25 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
       {
         return;
       }
-      inner.FeedStrokes(vtkPolyData::GetData(inputs[1]));
+      inner.FeedStrokes(vtkPolyData::GetData(inputs[1]), mesh);
       inner.FeedMesh(mesh);
       inner.Counted.emplace();
       this->SetPasses(inner.PassCount());
       for (std::size_t pass = 0; pass < inner.PassCount(); ++pass)
       {
         inner.FeedPass(pass);
-        inner.RunBase();
-        inner.RunCurves();
+        inner.LayCurves();
         inner.RunFeature();
         inner.AddFigures();
       }
       inner.PutOutput(output);
     });
+  const std::string remark = inner.Remark();
+  if (!remark.empty())
+  {
+    vtkWarningMacro(<< remark);
+  }
+  return done;
 }
 
 bool vtkOversketchAugment::Prepare()
@@ -81,7 +86,7 @@ bool vtkOversketchAugment::Prepare()
     {
       this->Inner->FeedMesh(mesh);
       this->Inner->FeedPass(0);
-      this->Inner->RunBase();
+      this->Inner->RunBase(this->Inner->Mesh);
       this->Inner->PrepareRays();
       return true;
     });
@@ -101,10 +106,10 @@ bool vtkOversketchAugment::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPo
       const bool drawn = stroke->GetNumberOfPoints() > 1;
       if (drawn)
       {
-        this->Inner->FeedStrokes(stroke);
+        this->Inner->FeedStrokes(stroke, mesh);
       }
       this->Inner->FeedPass(0);
-      this->Inner->RunBase();
+      this->Inner->RunBase(this->Inner->Mesh);
       if (!drawn)
       {
         this->Inner->PrepareRays();

@@ -7,8 +7,9 @@
  * mode {Silhouette, Visibility, Sketch}; finer triangles near curves {Refine}, and of a Simplified base or a
  * terrain, whose new points lie where mesh or image is, both again {CurvesOnSource, RefineOnSource}; edges
  * onto them {Snap}, even triangles {Smooth}, the feature {Displace}, what is not needed taken away
- * {Simplify}, which the paper schedules without a rule. Departures are those of each step; AsPublished turns
- * all off.
+ * {Simplify}, which the paper schedules without a rule. Departures are those of each step, and {Even}: where
+ * lines run over long thin triangles, whose shape bisection would keep, the mesh has even ones there first.
+ * AsPublished turns all off.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; a manifold with one orientation, with borders or without. One
  * that is a 4-8 mesh, as an output of this is, goes on from where it is. Points that a reader split for
@@ -21,12 +22,13 @@
  * Output 0: the mesh with its features, points in double, and the arrays of a 4-8 mesh
  * (Filters/Stellar/README.md), so that the next stroke can go on. Other arrays as vtkOversketchStellarBase
  * has them; along texture seams once per side, and points that repeat a place then come after all others, so
- * that welding the output gives the 4-8 mesh with its numbers. A seam's points move along it only. Points
- * that no feature reaches and that were there are bit-identical.
+ * that welding gives the 4-8 mesh with its numbers. A seam's points move along it only. Points that no
+ * feature reaches and that were there are bit-identical; where {Even} worked all have new numbers.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
  * BadStroke where there is no stroke. An empty mesh gives an empty output silently. A run that AbortExecute
- * stopped needs Modified() before the next.
+ * stopped needs Modified() before the next. One warning says what is not as drawn: triangles that newly pass
+ * through others or turned over, a low crest, a feature held back, lines that the mesh does not follow.
  *
  * Demand-driven: another height, sharpness (on the same side of 1 and 2) or profile runs {Displace} and on, a
  * radius {Curves} and {Refine} too, a stroke no {Base}, a changed attribute array no step. Deterministic.
@@ -75,8 +77,7 @@ public:
   };
   ///@{
   /**
-   * Strokes lie on the Surface (default), or each is a stretch of the Silhouette drawn anew; then heights are
-   * not read.
+   * Strokes lie on the Surface (default), or each is a stretch of the Silhouette drawn anew, without heights.
    */
   void SetSketchMode(int mode);
   vtkGetMacro(SketchMode, int);
@@ -156,8 +157,7 @@ public:
 
   ///@{
   /**
-   * Longer edges near strokes are split [model length, default 0: a quarter of the radius, an eighth with a
-   * sharpness below 1 or above 2].
+   * Longer edges near strokes are split [model length, default 0: radius / 4, / 8 with sharpness < 1 or > 2].
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetEdgeLength, double);
@@ -165,8 +165,8 @@ public:
 
   ///@{
   /**
-   * Each stroke is drawn on what the last one has made; off (default), all act at once. Inner outputs are
-   * then the last one's.
+   * Each stroke is drawn on what the last one has made, but for those that neither cross nor come nearer than
+   * a third of the radius; off (default), all act at once. Inner outputs are then the last one's.
    */
   vtkSetMacro(OneByOne, bool);
   vtkGetMacro(OneByOne, bool);
@@ -184,8 +184,7 @@ public:
 
   ///@{
   /**
-   * Turn every departure of every step off, so that strokes sum (Combine), or on (default), all at once;
-   * single ones can be changed afterwards by GetStep.
+   * Turn every departure of every step off, so that strokes sum, or on (default); single ones by GetStep.
    */
   void SetAsPublished(bool published);
   vtkGetMacro(AsPublished, bool);
@@ -195,7 +194,7 @@ public:
   /**
    * Faces that the last run turned by over 90 degrees; 0 after one that failed. And what was counted over all
    * strokes, by name: Crossings, Residual, RefusedMoves ({Smooth}'s too), FacesAdded of {Snap}, FlippedFaces,
-   * IntersectingFaces (with CountIntersections), CrestMean, CrestMinimum of {Displace}, LongestSegment of
+   * IntersectingFaces, CrestMean, CrestMinimum of {Displace}, LongestSegment of
    * curves [model length], SmallestAngle of the output [degrees]; NaN where there is none.
    */
   int GetFlippedFaces();

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
+#include <vector>
 
 using namespace oversketch;
 
@@ -63,6 +65,8 @@ void vtkOversketchAugment::Pipeline::AddFigures()
   sum.RefusedMoves += this->Snap->GetRefused() + this->Smooth->GetRefused();
   sum.FacesAdded += this->Snap->GetFacesAdded();
   sum.FlippedFaces += this->Displace->GetFlippedFaces();
+  sum.HeldBack += this->Displace->GetHeldBack();
+  sum.LeastShare = std::min(sum.LeastShare, this->Displace->GetLeastShare());
   const int cutting = this->Displace->GetIntersectingFaces();
   sum.IntersectingFaces = cutting < 0 || sum.IntersectingFaces < 0 ? -1 : sum.IntersectingFaces + cutting;
   if (const int places = this->Displace->GetCrestPlaces())
@@ -98,4 +102,51 @@ double vtkOversketchAugment::Pipeline::FigureOf(const std::string& name) const
     { "LongestSegment", sum.LongestSegment } };
   const auto found = figures.find(name);
   return found == figures.end() ? none : found->second;
+}
+
+std::string vtkOversketchAugment::Pipeline::Remark() const
+{
+  if (!this->Counted || !this->Made)
+  {
+    return "";
+  }
+  constexpr double lowCrest = 0.75; // of the height; lines over good triangles stay above 0.85
+  constexpr double fewCrossings = 0.01;
+  const vtkOversketchAugmentFigures& sum = *this->Counted;
+  std::vector<std::string> said;
+  const auto count = [&said](int number, const char* one, const char* many)
+  {
+    if (number > 0)
+    {
+      said.push_back(std::to_string(number) + (number == 1 ? one : many));
+    }
+  };
+  count(
+    sum.IntersectingFaces, " triangle newly passes through others", " triangles newly pass through others");
+  count(sum.FlippedFaces, " triangle is turned over", " triangles are turned over");
+  if (sum.CrestPlaces && sum.CrestMinimum < lowCrest)
+  {
+    said.push_back("the crest has " + std::to_string(std::lround(100.0 * sum.CrestMinimum)) +
+                   " % of its height where it is lowest");
+  }
+  if (sum.HeldBack > 0)
+  {
+    said.push_back(
+      "the model is too thin there, or too near, for the height: it stops before the other side, at " +
+      std::to_string(std::lround(100.0 * sum.LeastShare)) + " % of it");
+  }
+  if (sum.Residual > 1 + fewCrossings * sum.Crossings)
+  {
+    said.push_back("at " + std::to_string(sum.Residual) + " of " + std::to_string(sum.Crossings) +
+                   " places where lines cross edges the mesh does not follow them");
+  }
+  std::string text;
+  for (const std::string& part : said)
+  {
+    text += (text.empty() ? "" : "; ") + part;
+  }
+  const std::string remedy = this->Self->SketchMode == Silhouette
+                               ? "Draw nearer to the outline; a limb is pulled by one-stroke."
+                               : "Draw it less high or wider.";
+  return text.empty() ? text : "Not all is as drawn: " + text + ". " + remedy;
 }

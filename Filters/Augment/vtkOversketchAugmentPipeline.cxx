@@ -4,6 +4,7 @@
 #include "vtkOversketchAugmentSeams.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchHierarchy.h"
+#include "vtkOversketchMixable.h"
 #include "vtkOversketchSources.h"
 #include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStepRunner.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <string>
 
@@ -50,6 +52,26 @@ void PutShape(vtkPolyData* mesh, vtkPolyData* shape, MeshKey& seen)
   }
 }
 
+// Whether there are arrays that each step would round.
+bool HasWholeMeasures(vtkPointData* data)
+{
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    const bool stellar = array && array->GetName() &&
+                         std::find_if(std::begin(stellarPointArrays),
+                           std::end(stellarPointArrays),
+                           [array](const char* name)
+                           { return std::string(name) == array->GetName(); }) != std::end(stellarPointArrays);
+    if (array && IsMixable(array) && !stellar && array->GetDataType() != VTK_FLOAT &&
+        array->GetDataType() != VTK_DOUBLE)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
@@ -57,7 +79,9 @@ vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
 {
   this->Thinning->SetInputData(0, this->Strokes);
   this->Chaikin->SetInputConnection(0, this->Thinning->GetOutputPort());
-  this->Base->SetInputData(0, this->Mesh);
+  this->Even->SetInputData(0, this->Uneven);
+  this->Even->SetStageToRestore();
+  this->Even->LimitByDiameterOff();
   this->Curves->SetInputConnection(0, this->Chaikin->GetOutputPort());
   this->Curves->SetInputData(1, this->Shape);
   this->SilhouetteStep->SetInputData(0, this->Shape);
@@ -80,12 +104,14 @@ vtkOversketchAugment::Pipeline::Pipeline(vtkOversketchAugment* self)
   this->Smooth->SetInputConnection(0, this->Snap->GetOutputPort());
   this->Displace->SetInputConnection(0, this->Smooth->GetOutputPort());
   this->Simplify->SetInputConnection(0, this->Displace->GetOutputPort());
+  this->Reshaped->CountIntersectionsOff();
   this->Connect();
 
   self->AddStage("Thinning", this->Thinning, 0.01);
   self->AddStage("Chaikin", this->Chaikin, 0.01);
-  self->AddStage("Base", this->Base, 0.20);
+  self->AddStage("Base", this->Base, 0.15);
   self->AddStage("Curves", this->Curves, 0.08);
+  self->AddStage("Even", this->Even, 0.05);
   self->AddStage("Silhouette", this->SilhouetteStep, 0.05);
   self->AddStage("Visibility", this->Visibility, 0.05);
   self->AddStage("Sketch", this->Sketch, 0.05);
@@ -113,6 +139,7 @@ void vtkOversketchAugment::Pipeline::SetAmendments(bool on)
   this->Snap->SetConnectedOnly(on);
   this->Smooth->SetRings(on ? 2 : -1);
   this->Displace->SetConnectedOnly(on);
+  this->Displace->SetHoldBack(on);
   this->Displace->SetNormals(on ? vtkOversketchStellarDisplace::Base : vtkOversketchStellarDisplace::Current);
   this->Simplify->SetConnectedOnly(on);
 }
@@ -159,7 +186,9 @@ void vtkOversketchAugment::Pipeline::FeedMesh(vtkPolyData* mesh)
   {
     return;
   }
-  const bool known = this->Start->GetNumberOfPoints() > 0 && key() == this->MeshKeySeen;
+  const bool whole = HasWholeMeasures(mesh->GetPointData());
+  const bool known =
+    this->Start->GetNumberOfPoints() > 0 && whole == this->WholeSeen && key() == this->MeshKeySeen;
   this->MeshSeen = { nullptr, 0 };
   if (!known)
   {
@@ -168,7 +197,7 @@ void vtkOversketchAugment::Pipeline::FeedMesh(vtkPolyData* mesh)
     this->Start->Initialize();
     this->Welding = std::make_unique<oversketch::Weld>(this->Plain);
     vtkPolyData* welded = this->Welding->Welded();
-    if (welded->GetPoints() == mesh->GetPoints() && !mesh->GetCellData()->GetNormals())
+    if (welded->GetPoints() == mesh->GetPoints() && !mesh->GetCellData()->GetNormals() && !whole)
     {
       this->Welding = nullptr; // the steps carry arrays themselves
     }
@@ -199,9 +228,10 @@ void vtkOversketchAugment::Pipeline::FeedMesh(vtkPolyData* mesh)
   }
   this->MeshKeySeen = key();
   this->MeshSeen = seen;
+  this->WholeSeen = whole;
 }
 
-void vtkOversketchAugment::Pipeline::FeedStrokes(vtkPolyData* strokes)
+void vtkOversketchAugment::Pipeline::FeedStrokes(vtkPolyData* strokes, vtkPolyData* mesh)
 {
   if (strokes->GetNumberOfPoints() == 0 || strokes->GetNumberOfCells() == 0)
   {
@@ -211,17 +241,18 @@ void vtkOversketchAugment::Pipeline::FeedStrokes(vtkPolyData* strokes)
                      strokes->GetNumberOfLines() > 1 &&
                      strokes->GetNumberOfLines() == strokes->GetNumberOfCells();
   const std::pair<const vtkPolyData*, vtkMTimeType> seen{ strokes, strokes->GetMTime() };
-  if (seen == this->StrokesSeen && split == this->SplitSeen)
+  if (seen == this->StrokesSeen && !split && !this->SplitSeen)
   {
-    return;
+    return; // of several, radius and mesh say which act together
   }
   this->Passes.clear();
   if (split)
   {
-    for (vtkIdType i = 0; i < strokes->GetNumberOfLines(); ++i)
-    {
-      this->Passes.push_back(StrokeAlone(strokes, i));
-    }
+    double box[6];
+    mesh->GetCellsBounds(box);
+    this->Passes = this->PassesOf(strokes,
+      0.5 * Vector3(box[0] + box[1], box[2] + box[3], box[4] + box[5]),
+      this->Self->Radius < 0.0 ? 0.03 * DiagonalOf(mesh) : this->Self->Radius);
   }
   else
   {
@@ -250,6 +281,7 @@ void vtkOversketchAugment::Pipeline::FeedPass(std::size_t pass)
 
 void vtkOversketchAugment::Pipeline::SetShape(vtkOversketchStellarDisplace* step,
   double radius,
+  const std::string& profile,
   double height,
   double sharpness) const
 {
@@ -257,7 +289,7 @@ void vtkOversketchAugment::Pipeline::SetShape(vtkOversketchStellarDisplace* step
   step->SetRadius(radius);
   step->SetHeight(height);
   step->SetSharpness(sharpness);
-  step->SetProfile(self->GetProfile());
+  step->SetProfile(profile.c_str());
   step->SetUsePressure(self->UsePressure);
   step->SetCombine(self->AsPublished ? Sum : self->Combine);
   step->SetDistance(self->Distance);
@@ -278,6 +310,7 @@ void vtkOversketchAugment::Pipeline::SetParameters()
   }
   const double radius = self->Radius < 0.0 ? 0.03 * DiagonalOf(this->Shape) : self->Radius;
   this->PassRadius = radius;
+  this->PassProfile = self->GetProfile();
   double least = radius; // of all strokes
   if (vtkDataArray* own = this->Strokes->GetCellData()->GetArray("Radius"))
   {
@@ -300,7 +333,7 @@ void vtkOversketchAugment::Pipeline::SetParameters()
   this->Snap->SetSnapFoot(!self->AsPublished && self->Distance == Straight);
   this->Snap->SetRadius(radius);
   this->Snap->SetSharpness(this->Refine->GetSharpness());
-  this->SetShape(this->Displace, radius, self->Height, self->Sharpness);
+  this->SetShape(this->Displace, radius, this->PassProfile, self->Height, self->Sharpness);
   this->Simplify->SetRadius(radius);
   this->Simplify->SetDistance(self->Distance);
 }
@@ -322,8 +355,9 @@ void vtkOversketchAugment::Pipeline::SetEdges(vtkOversketchStellarRefine* step, 
   step->SetProfile(follows ? self->GetProfile() : "");
 }
 
-void vtkOversketchAugment::Pipeline::RunBase()
+void vtkOversketchAugment::Pipeline::RunBase(vtkPolyData* mesh)
 {
+  this->Base->SetInputData(0, mesh);
   this->Self->RunStage("Base");
   PutShape(this->Self->StageOutput("Base"), this->Shape, this->ShapeKeySeen);
   this->Connect();
@@ -352,6 +386,43 @@ void vtkOversketchAugment::Pipeline::RunCurves()
   else
   {
     this->Self->RunStage("Curves");
+  }
+  this->WidenDent();
+}
+
+// What hides a dent has to move with it. A bell that ends at 1.6 times as far as that hides it moves all of
+// it far enough where the surface is round: (1 + cos(pi d / r)) / 2 is above 1 - (d / hidden)^2 from r
+// = 1.57.
+void vtkOversketchAugment::Pipeline::WidenDent()
+{
+  constexpr double wide = 1.6;
+  constexpr int steps = 24; // of the bell
+  vtkDataArray* hidden = this->Self->SketchMode == Silhouette
+                           ? this->Sketch->GetOutput()->GetFieldData()->GetArray("Hidden")
+                           : nullptr;
+  const double radius = hidden ? wide * hidden->GetComponent(0, 0) : 0.0;
+  if (radius <= this->PassRadius || this->Strokes->GetCellData()->GetArray("Radius"))
+  {
+    return;
+  }
+  if (this->Self->TargetEdgeLength == 0.0)
+  {
+    this->Refine->SetTargetEdgeLength(0.5 * this->PassRadius);
+  }
+  this->PassRadius = radius;
+  this->Refine->SetRadius(radius);
+  this->Snap->SetRadius(radius);
+  this->Displace->SetRadius(radius);
+  this->Simplify->SetRadius(radius);
+  if (this->PassProfile.empty())
+  {
+    for (int i = 0; i <= steps; ++i)
+    {
+      const double x = static_cast<double>(i) / steps;
+      this->PassProfile +=
+        (i ? ", " : "") + std::to_string(x) + " " + std::to_string(0.5 + 0.5 * std::cos(std::acos(-1.0) * x));
+    }
+    this->Displace->SetProfile(this->PassProfile.c_str());
   }
 }
 
@@ -399,6 +470,7 @@ void vtkOversketchAugment::Pipeline::PutOutput(vtkPolyData* output)
   made->Displaced->ShallowCopy(displaced);
   made->Curves->ShallowCopy(this->Self->StageOutput(this->CurvesName()));
   made->Radius = this->PassRadius;
+  made->Profile = this->PassProfile;
   if (this->Self->SketchMode == Silhouette)
   {
     made->Sketch->ShallowCopy(this->Sketch->GetSketchOutput());
@@ -462,8 +534,9 @@ void vtkOversketchAugment::Pipeline::Reshape(double height, double sharpness, vt
   this->Reshaped->SetInputData(1, this->Made->Curves);
   const bool sketched = this->Made->Sketch->GetNumberOfPoints() > 0;
   this->Reshaped->SetInputData(2, sketched ? this->Made->Sketch.Get() : nullptr);
-  this->SetShape(this->Reshaped, this->Made->Radius, height, sharpness);
+  this->SetShape(this->Reshaped, this->Made->Radius, this->Made->Profile, height, sharpness);
   this->Reshaped->SetConnectedOnly(this->Displace->GetConnectedOnly());
+  this->Reshaped->SetHoldBack(this->Displace->GetHoldBack());
   this->Reshaped->SetNormals(this->Displace->GetNormals());
   StepRunner(this->Reshaped, {}).Run();
   vtkPolyData* shaped = this->Reshaped->GetOutput();

@@ -7,6 +7,8 @@
 
 #include "vtkOversketchChaikin.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
+#include "vtkOversketchRemesh.h"
 #include "vtkOversketchSilhouette.h"
 #include "vtkOversketchSilhouetteSketch.h"
 #include "vtkOversketchStellarBase.h"
@@ -33,10 +35,10 @@
 // Of all passes of a run.
 struct vtkOversketchAugmentFigures
 {
-  int Crossings = 0, Residual = 0, RefusedMoves = 0, FacesAdded = 0, FlippedFaces = 0;
+  int Crossings = 0, Residual = 0, RefusedMoves = 0, FacesAdded = 0, FlippedFaces = 0, HeldBack = 0;
   int IntersectingFaces = 0; // below 0: not counted
   int CrestPlaces = 0;
-  double CrestSum = 0.0, CrestMinimum = 0.0, LongestSegment = 0.0;
+  double LeastShare = 1.0, CrestSum = 0.0, CrestMinimum = 0.0, LongestSegment = 0.0;
 };
 
 struct vtkOversketchAugment::Pipeline
@@ -45,7 +47,11 @@ struct vtkOversketchAugment::Pipeline
 
   // Brings the inner inputs up to date; they change only where what the steps read has changed.
   void FeedMesh(vtkPolyData* mesh);
-  void FeedStrokes(vtkPolyData* strokes);
+  void FeedStrokes(vtkPolyData* strokes, vtkPolyData* mesh);
+  // The strokes one by one, those that neither cross nor lie on each other together.
+  std::vector<vtkSmartPointer<vtkPolyData>> PassesOf(vtkPolyData* strokes,
+    const oversketch::Vector3& centre,
+    double radius) const;
   void FeedPass(std::size_t pass);
   std::size_t PassCount() const { return this->Passes.size(); }
 
@@ -57,12 +63,20 @@ struct vtkOversketchAugment::Pipeline
   // What of the system's parameters the steps have, for a pass's mesh, after {Base}.
   void SetParameters();
   void SetEdges(vtkOversketchStellarRefine* step, double radius) const;
-  void SetShape(vtkOversketchStellarDisplace* step, double radius, double height, double sharpness) const;
+  void SetShape(vtkOversketchStellarDisplace* step,
+    double radius,
+    const std::string& profile,
+    double height,
+    double sharpness) const;
 
-  void RunBase();
+  // {Base} of the present pass's mesh, or of what was made of it.
+  void RunBase(vtkPolyData* mesh);
+  // {Base} and the curves; where those run over long thin triangles, of a mesh with even ones there.
+  void LayCurves();
   // Has the curves' step make what rays need of the present mesh.
   void PrepareRays();
   void RunCurves();
+  void WidenDent();
   void RunFeature();
   // The stage of the curves that RunCurves() makes, and of those that the feature follows.
   const char* DrawnName() const { return this->Self->SketchMode == Silhouette ? "Sketch" : "Curves"; }
@@ -71,6 +85,8 @@ struct vtkOversketchAugment::Pipeline
   // What the steps count, after a pass; see vtkOversketchAugment::GetFigure.
   void AddFigures();
   double FigureOf(const std::string& name) const;
+  // What of them is not as it should be; empty: nothing, or the run failed.
+  std::string Remark() const;
 
   // The user's mesh with what the steps made of it.
   void PutOutput(vtkPolyData* output);
@@ -85,18 +101,22 @@ struct vtkOversketchAugment::Pipeline
   // What the inner pipeline starts from. Start is the mesh that came in, welded where that has repeated
   // points; Mesh that of the present pass; Shape its 4-8 mesh without arrays, so that no step reads normals.
   vtkNew<vtkPolyData> Start, Mesh, Shape, Strokes;
-  vtkNew<vtkPolyData> RefinedShape;          // the same of {Refine}
+  vtkNew<vtkPolyData> RefinedShape;   // the same of {Refine}
+  vtkNew<vtkPolyData> Uneven, Evened; // what {Even} starts from, and makes for EvenedKey; empty: nothing
+  oversketch::StepKey EvenedKey;
   std::unique_ptr<oversketch::Weld> Welding; // null where points and arrays go through the steps themselves
   vtkNew<vtkPolyData> Plain;                 // the mesh that it is of
   oversketch::MeshKey MeshKeySeen, ShapeKeySeen, RefinedKeySeen;
   std::pair<const vtkPolyData*, vtkMTimeType> MeshSeen{ nullptr, 0 }, StrokesSeen{ nullptr, 0 };
-  bool SplitSeen = false;
+  bool SplitSeen = false, WholeSeen = false;
   std::vector<vtkSmartPointer<vtkPolyData>> Passes; // the strokes of each
   long MeshPass = -1, StrokesPass = -1;             // that Mesh and Strokes are of
   double PassRadius = 0.0;
+  std::string PassProfile;
 
   vtkNew<vtkOversketchStrokeThinning> Thinning;
   vtkNew<vtkOversketchChaikin> Chaikin;
+  vtkNew<vtkOversketchRemesh> Even;
   vtkNew<vtkOversketchStellarBase> Base;
   vtkNew<vtkOversketchSurfaceStroke> Curves, CurvesOnSource;
   vtkNew<vtkOversketchSilhouette> SilhouetteStep;
@@ -115,6 +135,7 @@ struct vtkOversketchAugment::Pipeline
   {
     vtkNew<vtkPolyData> Smooth, Displaced, Curves, Sketch, Last;
     double Radius;
+    std::string Profile;
     std::vector<vtkIdType> Numbers;
   };
   std::unique_ptr<Result> Made; // null after a run that failed

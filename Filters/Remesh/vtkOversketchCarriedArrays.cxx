@@ -1,6 +1,7 @@
 #include "vtkOversketchCarriedArrays.h"
 
 #include "vtkOversketchHierarchy.h"
+#include "vtkOversketchMixable.h"
 #include "vtkOversketchRuns.h"
 
 #include "vtkCellArray.h"
@@ -49,11 +50,6 @@ bool IsNamed(vtkAbstractArray* array, const char* name)
   return array->GetName() && std::string(array->GetName()) == name;
 }
 
-bool IsReal(vtkAbstractArray* array)
-{
-  return array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT;
-}
-
 void SetMix(const Mix& mix, vtkIdList* ids, std::vector<double>& weights)
 {
   ids->SetNumberOfIds(static_cast<vtkIdType>(mix.size()));
@@ -68,7 +64,7 @@ void SetMix(const Mix& mix, vtkIdList* ids, std::vector<double>& weights)
 vtkSmartPointer<vtkAbstractArray> CarriedPoints::Array(vtkAbstractArray* array, bool normals) const
 {
   auto carried = LikeArray(array, this->Sources.size());
-  const bool labels = IsNamed(array, this->Labels.c_str()), linear = IsReal(array) && !labels;
+  const bool labels = IsNamed(array, this->Labels.c_str()), linear = IsMixable(array) && !labels;
   const PointMix& mixed = labels && this->OfLabels ? this->OfLabels : this->Mixed;
   auto* directions = normals ? vtkDataArray::SafeDownCast(carried) : nullptr;
   vtkNew<vtkIdList> ids;

@@ -26,16 +26,13 @@ vtkSmartPointer<vtkAbstractArray> LikeArray(vtkAbstractArray* array, std::size_t
 
 bool IsNamed(vtkAbstractArray* array, const char* name);
 
-// Whether an array's numbers are mixed between elements: those of floating kinds.
-bool IsReal(vtkAbstractArray* array);
-
 // The points of the input that a new point is a mean of, and their weights.
 using PointMix = std::function<void(vtkIdType point, vtkIdList* ids, std::vector<double>& weights)>;
 
 void SetMix(const Mix& mix, vtkIdList* ids, std::vector<double>& weights);
 
 // What becomes of an array of points: the input's point that each point is, or -1; those are mixed where the
-// array is of floating type and holds no labels, and take what the point of largest weight has elsewhere;
+// array can be (IsMixable) and holds no labels, and take what the point of largest weight has elsewhere;
 // normals keep length 1.
 struct CarriedPoints
 {

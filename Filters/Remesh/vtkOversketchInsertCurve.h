@@ -19,7 +19,7 @@
  * CurveT. What splits an edge of theirs becomes a point of theirs.
  *
  * Output 0 (Mesh): the mesh: points that stay in their order and bit for bit, then new ones. Point arrays:
- * floating ones mixed (active normals of length 1), others and Region from the point of largest weight; cell
+ * measures mixed (active normals of length 1), labels and Region from the point of largest weight; cell
  * arrays from the triangle that each comes from. Field data is passed. Global ids and the arrays of a 4-8
  * mesh are dropped.
  * Output 1 (Curves): one polyline per curve, in the order of StrokeId; closed ones repeat their first point

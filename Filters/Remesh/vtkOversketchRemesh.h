@@ -47,7 +47,7 @@
  *
  * Output 0 (Mesh): the mesh. Points outside the region come first, in their order and bit for bit; then
  * the region's remaining ones, then new ones. Triangles that could not change come first, in their order.
- * Point arrays: floating ones interpolated (the active normals re-normalised), others, and Region, taken
+ * Point arrays: measures interpolated (the active normals re-normalised), labels, and Region, taken
  * from the vertex of largest weight. Cell arrays: from the input triangle under the middle of each
  * triangle, of the same Chart. Field data is passed. Global ids, which would no longer be unique, and
  * the arrays of a 4-8 mesh are dropped. New arrays:

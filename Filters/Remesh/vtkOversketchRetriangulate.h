@@ -22,7 +22,7 @@
  * Input 3 (Rest, optional): the mesh before the edit, with the same polygons; rule Edit needs it.
  *
  * Output 0 (Mesh): the mesh. Points and triangles that are left come first, in their order; those outside bit
- * for bit. Point arrays: floating ones interpolated (the active normals re-normalised), others from the
+ * for bit. Point arrays: measures interpolated (the active normals re-normalised), labels from the
  * vertex of largest weight; EditRegion is 2 but between two vertices of the boundary. Cell arrays: from the
  * triangle under the middle of each. Field data is passed. Global ids, which would no longer be unique, and
  * the arrays of a 4-8 mesh are dropped. Where nothing is to be done it is the input.

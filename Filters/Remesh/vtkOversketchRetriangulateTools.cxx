@@ -2,6 +2,7 @@
 
 #include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchEditRegion.h"
+#include "vtkOversketchMixable.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -102,7 +103,7 @@ void WriteChains(const Retriangulated& result,
       {
         numbers->SetComponent(point, 0, source.vertex);
       }
-      else if (IsReal(array) && source.t > 0.0)
+      else if (IsMixable(array) && source.t > 0.0)
       {
         carried->InterpolateTuple(point, source.a, array, source.b, array, source.t);
         if (source.closes && IsNamed(array, "CurveT"))

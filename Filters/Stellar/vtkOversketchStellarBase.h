@@ -16,9 +16,9 @@
  *
  * Output 0 (Mesh): the 4-8 mesh: the input's points (Simplified: those that are left), in double, then
  * others; one cell or three for each triangle, newest point first; arrays of Filters/Stellar/README.md. Point
- * arrays of real numbers are mixed at new points (normals to unit length), others taken from a neighbour;
- * cell arrays come from the triangle that the cell lies in. Ids that are to be unique, and arrays that do not
- * hold numbers, are dropped.
+ * arrays are mixed at new points (normals to unit length, whole numbers rounded), ids and labels taken from a
+ * neighbour; cell arrays come from the triangle that the cell lies in. Ids that are to be unique, and arrays
+ * that do not hold numbers, are dropped.
  *
  * Output 1 (Source): Simplified, the mesh that came in with field arrays that lead back to it: SourceFaces
  * (3 ids; the triangles that came up), SourceRecords (per operation flattened points, old and new triangles),

@@ -2,11 +2,13 @@
 
 #include "Stellar/distance.h"
 #include "Stellar/leaves.h"
+#include "vtkOversketchMixable.h"
 #include "vtkOversketchRuns.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -14,6 +16,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -58,11 +61,15 @@ void Normalise(vtkDataArray* values, vtkIdType tuple)
 }
 
 // One tuple between some of `source`.
-void Mix(vtkDataArray* to, vtkIdType tuple, const Binding& between, vtkDataArray* source, bool normals)
+void Mix(vtkDataArray* to,
+  vtkIdType tuple,
+  const Binding& between,
+  vtkDataArray* source,
+  bool mixes,
+  bool normals)
 {
-  const bool real = to->GetDataType() == VTK_DOUBLE || to->GetDataType() == VTK_FLOAT;
   const auto greatest = std::max_element(between.weights.begin(), between.weights.end());
-  if (!real || *greatest == 1.0)
+  if (!mixes || *greatest == 1.0)
   {
     to->SetTuple(tuple, between.vertices[greatest - between.weights.begin()], source);
     return;
@@ -224,7 +231,16 @@ vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bo
   {
     return array;
   }
+  const bool mixes = IsMixable(array);
+  const bool whole = mixes && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
   auto carried = LikeArray(array, this->From.pointFrom.size());
+  const vtkSmartPointer<vtkDataArray> result = carried;
+  if (whole) // means of means are rounded once
+  {
+    carried = vtkSmartPointer<vtkDoubleArray>::New();
+    carried->SetNumberOfComponents(array->GetNumberOfComponents());
+    carried->SetNumberOfTuples(result->GetNumberOfTuples());
+  }
   EachRun(
     this->From.pointFrom,
     [&](vtkIdType first, vtkIdType count, vtkIdType source)
@@ -232,11 +248,18 @@ vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bo
     [](vtkIdType) {});
   for (const auto& [point, between] : this->From.slid)
   {
-    Mix(carried, point, between, array, normals);
+    Mix(carried, point, between, array, mixes, normals);
   }
   for (const auto& [point, between] : this->From.born)
   {
-    Mix(carried, point, between, carried, normals);
+    Mix(carried, point, between, carried, mixes, normals);
+  }
+  for (vtkIdType i = 0; whole && i < result->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < result->GetNumberOfComponents(); ++c)
+    {
+      result->SetComponent(i, c, std::round(carried->GetComponent(i, c)));
+    }
   }
   for (std::size_t i = 0; turns && i < this->Turned.size(); ++i)
   {
@@ -246,7 +269,7 @@ vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bo
     n = turn * n;
     carried->SetTuple(point, n.data());
   }
-  return carried;
+  return result;
 }
 
 vtkSmartPointer<vtkDataArray> CarriedArrays::CarryCells(vtkDataArray* array) const

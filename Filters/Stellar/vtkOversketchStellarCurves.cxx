@@ -12,6 +12,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <limits>
+
 namespace oversketch
 {
 
@@ -19,7 +21,11 @@ namespace
 {
 
 // One curve without what its cell says.
-FeatureCurve CurveOf(vtkPolyData* curves, vtkIdList* ids, vtkDataArray* normals, vtkDataArray* pressure)
+FeatureCurve CurveOf(vtkPolyData* curves,
+  vtkIdList* ids,
+  vtkDataArray* normals,
+  vtkDataArray* pressure,
+  vtkDataArray* room)
 {
   FeatureCurve curve;
   vtkIdType count = ids->GetNumberOfIds();
@@ -44,6 +50,15 @@ FeatureCurve CurveOf(vtkPolyData* curves, vtkIdList* ids, vtkDataArray* normals,
     if (pressure)
     {
       curve.pressure.push_back(pressure->GetComponent(id, 0));
+    }
+    if (room)
+    {
+      const auto length = [&](int side)
+      {
+        const double value = room->GetComponent(id, side);
+        return value >= 0.0 ? value : std::numeric_limits<double>::infinity();
+      };
+      curve.room.push_back({ length(0), length(1) });
     }
   }
   curve.measure();
@@ -76,7 +91,8 @@ FeatureCurves CurvesOf(vtkPolyData* curves, double height)
                                                               "project the stroke again")
                                                           : nullptr;
   };
-  vtkDataArray *normals = ofPoints("Normals", 3), *pressure = ofPoints("Pressure", 1);
+  vtkDataArray *normals = ofPoints("Normals", 3), *pressure = ofPoints("Pressure", 1),
+               *room = ofPoints("Room", 2);
   vtkDataArray *ids = ofCells("CurveId"), *strokes = ofCells("StrokeId"), *radii = ofCells("Radius"),
                *heights = ofCells("Height"), *sharpnesses = ofCells("Sharpness");
   FeatureCurves result;
@@ -90,7 +106,7 @@ FeatureCurves CurvesOf(vtkPolyData* curves, double height)
           " is another number; a filter reordered the curves. Take them from vtkOversketchSurfaceStroke.");
     }
     curves->GetLines()->GetCellAtId(i, points);
-    FeatureCurve curve = CurveOf(curves, points, normals, pressure);
+    FeatureCurve curve = CurveOf(curves, points, normals, pressure, room);
     const auto value = [i](vtkDataArray* array)
     { return array ? std::optional<double>(array->GetComponent(i, 0)) : std::nullopt; };
     curve.stroke = strokes ? static_cast<int>(strokes->GetComponent(i, 0)) : static_cast<int>(i);

@@ -1,23 +1,20 @@
 #include "vtkOversketchStellarDisplace.h"
 
+#include "Intersection/crossing_faces.h"
 #include "Stellar/displace.h"
 #include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
-#include "vtkTriangle.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <vector>
 
 using namespace oversketch;
@@ -39,58 +36,36 @@ vtkStandardNewMacro(vtkOversketchStellarDisplace);
 namespace
 {
 
-// Faces that rose, or that one of those cuts, and that cut a face with which they share no point.
-int CountCuts(vtkPolyData* mesh, const Context& context)
+// Faces in pairs that meet after the displacement and did not before.
+int CountCuts(vtkPolyData* before, vtkPolyData* after, const Context& context)
 {
-  vtkNew<vtkPolyData> shape; // a locator makes links in what it is given
-  shape->SetPoints(mesh->GetPoints());
-  shape->SetPolys(mesh->GetPolys());
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(shape);
-  locator->BuildLocator();
-  vtkDataArray* feature = mesh->GetPointData()->GetArray("Feature");
-  const vtkIdType count = shape->GetNumberOfCells();
-  std::vector<char> cuts(static_cast<std::size_t>(count), 0);
-  vtkNew<vtkIdList> own, other, near;
-  for (vtkIdType f = 0; f < count; ++f)
+  vtkDataArray* feature = after->GetPointData()->GetArray("Feature");
+  Mesh mesh = MeshOf(after);
+  std::vector<char> rose;
+  rose.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
   {
-    if (f % 4096 == 0)
-    {
-      context.checkpoint(static_cast<double>(f) / static_cast<double>(count));
-    }
-    shape->GetCellPoints(f, own);
-    const vtkIdType* ids = own->GetPointer(0);
-    if (std::none_of(ids, ids + 3, [feature](vtkIdType id) { return feature->GetComponent(id, 0) != 0.0; }))
-    {
-      continue;
-    }
-    double box[6], p[3][3], q[3][3];
-    shape->GetCellBounds(f, box);
-    for (int k = 0; k < 3; ++k)
-    {
-      shape->GetPoint(ids[k], p[k]);
-    }
-    locator->FindCellsWithinBounds(box, near);
-    for (vtkIdType i = 0; i < near->GetNumberOfIds(); ++i)
-    {
-      const vtkIdType g = near->GetId(i);
-      shape->GetCellPoints(g, other);
-      const vtkIdType* others = other->GetPointer(0);
-      if (std::find_first_of(ids, ids + 3, others, others + 3) != ids + 3)
-      {
-        continue;
-      }
-      for (int k = 0; k < 3; ++k)
-      {
-        shape->GetPoint(others[k], q[k]);
-      }
-      if (vtkTriangle::TrianglesIntersect(p[0], p[1], p[2], q[0], q[1], q[2]))
-      {
-        cuts[static_cast<std::size_t>(f)] = cuts[static_cast<std::size_t>(g)] = 1;
-      }
-    }
+    rose.push_back(
+      std::any_of(t.begin(), t.end(), [feature](int v) { return feature->GetComponent(v, 0) != 0.0; }));
   }
-  return static_cast<int>(std::count(cuts.begin(), cuts.end(), 1));
+  const std::vector<FacePair> now = crossingFaces(mesh, rose, context);
+  if (now.empty())
+  {
+    return 0;
+  }
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    before->GetPoint(v, mesh.points[v].data());
+  }
+  const std::vector<FacePair> was = crossingFaces(mesh, rose, context);
+  std::vector<FacePair> pairs;
+  std::set_difference(now.begin(), now.end(), was.begin(), was.end(), std::back_inserter(pairs));
+  std::set<int> faces;
+  for (const FacePair& pair : pairs)
+  {
+    faces.insert(pair.begin(), pair.end());
+  }
+  return static_cast<int>(faces.size());
 }
 
 } // namespace
@@ -147,7 +122,8 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
              this->Sharpness,
              static_cast<double>(this->UsePressure),
              static_cast<double>(this->Normals),
-             static_cast<double>(this->Combine) })
+             static_cast<double>(this->Combine),
+             static_cast<double>(this->HoldBack) })
       {
         values.push_back(value);
       }
@@ -188,6 +164,7 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
           options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
           options.connectedOnly = this->ConnectedOnly;
           options.usePressure = this->UsePressure;
+          options.holdBack = this->HoldBack;
           options.along = this->Normals == Current ? RiseAlong::Current : RiseAlong::Base;
           options.combine = this->Combine == Sum ? oversketch::Combine::Sum : oversketch::Combine::Nearest;
           std::vector<std::vector<Vector3>> moves;
@@ -219,6 +196,8 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
           this->Moved = report.moved;
           this->FlippedFaces = report.flipped;
           this->Peak = report.peak;
+          this->HeldBack = report.heldBack;
+          this->LeastShare = report.leastShare;
           this->CrestPlaces = report.crests;
           this->CrestMean = report.crests ? report.crestSum / report.crests : std::nan("");
           this->CrestMinimum = report.crests ? report.crestMinimum : std::nan("");
@@ -236,7 +215,7 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
       else if (this->IntersectingFaces < 0 || cache.Counted != counted)
       {
         this->IntersectingFaces = -1;
-        this->IntersectingFaces = CountCuts(step.output, step.context);
+        this->IntersectingFaces = CountCuts(step.mesh, step.output, step.context);
         cache.Counted = counted;
       }
     });
@@ -254,10 +233,13 @@ void vtkOversketchStellarDisplace::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UsePressure: " << this->UsePressure << "\n";
   os << indent << "Normals: " << this->Normals << "\n";
   os << indent << "Combine: " << this->Combine << "\n";
+  os << indent << "HoldBack: " << this->HoldBack << "\n";
   os << indent << "CountIntersections: " << this->CountIntersections << "\n";
   os << indent << "Moved: " << this->Moved << "\n";
   os << indent << "FlippedFaces: " << this->FlippedFaces << "\n";
   os << indent << "Peak: " << this->Peak << "\n";
+  os << indent << "HeldBack: " << this->HeldBack << "\n";
+  os << indent << "LeastShare: " << this->LeastShare << "\n";
   os << indent << "CrestPlaces: " << this->CrestPlaces << "\n";
   os << indent << "CrestMean: " << this->CrestMean << "\n";
   os << indent << "CrestMinimum: " << this->CrestMinimum << "\n";

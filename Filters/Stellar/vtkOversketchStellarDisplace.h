@@ -5,11 +5,12 @@
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. III-C.2, Eqs. 1 and 2: a
  * vertex at distance d of a curve moves by (1 - d / r)^s times the height and its normal, or times the vector
  * from the curve to the sketch. Departures: vertices rise along the normals that the surface had before the
- * stroke (Normals), and where several curves reach one, the nearest acts alone (Combine).
+ * stroke (Normals), where several curves reach one, the nearest acts alone (Combine), and none goes so far
+ * that it meets another part of the model (HoldBack).
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
- * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
+ * Normals, Pressure and Room are read, and the cell arrays Radius, Height and Sharpness go before parameters.
  * Input 2 (Sketch, optional): output 1 of vtkOversketchSilhouetteSketch, points and cells those of the curves
  * one to one. With it heights are not read.
  *
@@ -161,7 +162,17 @@ public:
 
   ///@{
   /**
-   * Count triangles that cut others which they do not touch [default off; it costs more than all the rest].
+   * Where the curves say how far it is to another part of the model (Room of vtkOversketchSurfaceStroke),
+   * grooves and ridges take two fifths of that and no more [default on; as published: off].
+   */
+  vtkSetMacro(HoldBack, bool);
+  vtkGetMacro(HoldBack, bool);
+  vtkBooleanMacro(HoldBack, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Count triangles that pass through others [default on].
    */
   vtkSetMacro(CountIntersections, bool);
   vtkGetMacro(CountIntersections, bool);
@@ -171,19 +182,23 @@ public:
   ///@{
   /**
    * Of the last displacement: vertices that rose, faces that turned over (by over 90 degrees, and to the
-   * other side of the way they rose: a steep flank over a slope that falls the other way is none), the
-   * greatest Feature.
+   * other side of the way they rose: a steep flank over a falling slope is none), the greatest Feature;
+   * triangles led through others, or others through them: pairs that meet elsewhere than in a common corner,
+   * and did not before; -1 where they were not counted. Points of curves that had less room than the height,
+   * and the least share of it that was left.
    */
   vtkGetMacro(Moved, int);
   vtkGetMacro(FlippedFaces, int);
   vtkGetMacro(Peak, double);
+  vtkGetMacro(IntersectingFaces, int);
+  vtkGetMacro(HeldBack, int);
+  vtkGetMacro(LeastShare, double);
   ///@}
 
   ///@{
   /**
    * Feature on the last displacement's curves, one value every twentieth of a radius but for the ends: 1
-   * where the mesh holds the crest; NaN where curves are shorter than two radii. And how many places that
-   * are.
+   * where the mesh holds the crest; NaN where curves are shorter than two radii. And how many places.
    */
   vtkGetMacro(CrestMean, double);
   vtkGetMacro(CrestMinimum, double);
@@ -192,15 +207,7 @@ public:
 
   ///@{
   /**
-   * Triangles that cut others, -1 where they were not counted.
-   */
-  vtkGetMacro(IntersectingFaces, int);
-  ///@}
-
-  ///@{
-  /**
-   * How many times a mesh has been displaced, and how many times distances were measured for it: executions
-   * that kept results did not answer.
+   * How many times a mesh has been displaced, and distances were measured: not answered by kept results.
    */
   vtkGetMacro(DisplaceCount, vtkIdType);
   vtkGetMacro(DistanceCount, vtkIdType);
@@ -226,8 +233,10 @@ private:
   bool UsePressure = false;
   int Normals = Base;
   int Combine = Nearest;
-  bool CountIntersections = false;
-  int Moved = 0, FlippedFaces = 0, IntersectingFaces = -1;
+  bool HoldBack = true;
+  bool CountIntersections = true;
+  int Moved = 0, FlippedFaces = 0, IntersectingFaces = -1, HeldBack = 0;
+  double LeastShare = 1.0;
   double Peak = 0.0, CrestMean = std::numeric_limits<double>::quiet_NaN(),
          CrestMinimum = std::numeric_limits<double>::quiet_NaN();
   int CrestPlaces = 0;

@@ -6,6 +6,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -189,6 +190,10 @@ int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
             rules,
             ContextOf(this, 0.5, 1.0));
           WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface, strokes, lines, result);
+          vtkNew<vtkDoubleArray> hidden;
+          hidden->SetName("Hidden");
+          hidden->InsertNextValue(sketch.hidden);
+          result->GetFieldData()->AddArray(hidden);
           cache.Sketch->Initialize();
           writeSketch(sketch.sketch, result, cache.Sketch);
         });

@@ -21,12 +21,14 @@
  *
  * Output 0 (Curve): the curve on the mesh, one polyline in world space with the arrays that
  * vtkOversketchSurfaceStroke documents; CurveId and StrokeId are 0. Samples that fall on one place in
- * succession are one point.
- * Output 1 (Sketch): the sketch; points and cell are those of output 0 one to one. Point array ArcLength,
- * double: along the sketch [model length]; cell arrays CurveId, StrokeId.
+ * succession are one point. Field array Hidden, double: of a dent, how far from the curve the surface hides
+ * it along the lines of sight, and has to move with it [model length]; 0 of a bump. Output 1 (Sketch): the
+ * sketch; points and cell are those of output 0 one to one. Point array ArcLength, double: along the sketch
+ * [model length]; cell arrays CurveId, StrokeId.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh; MissingArray; BadStroke when there is not
- * one polyline, it has fewer than two samples, one that is not finite or a length over 1e5 px, an end lies
+ * one polyline, it has fewer than two samples, one that is not finite or a length over 1e5 px, it leads
+ * round the end of a limb (the normals at both ends are over 120 degrees apart; not with Ray), an end lies
  * beside the model and its silhouette, there is no silhouette, its ends and normals span no plane or one that
  * is seen within 5 degrees of edge-on, a step is longer than MaximumStep, or the projection Path finds no one
  * curve between the ends. A stroke or a mesh without points gives empty outputs silently.

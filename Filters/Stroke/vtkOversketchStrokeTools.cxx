@@ -1,5 +1,6 @@
 #include "vtkOversketchStrokeTools.h"
 
+#include "Ray/room.h"
 #include "Stroke/stroke.h"
 #include "vtkOversketchBindings.h"
 
@@ -103,7 +104,7 @@ struct TrianglesAt
 struct CurvePoints
 {
   vtkNew<vtkPoints> points;
-  vtkNew<vtkDoubleArray> arcs, normals;
+  vtkNew<vtkDoubleArray> arcs, normals, room;
   vtkNew<vtkIdTypeArray> cells;
   vtkSmartPointer<vtkDataArray> pressure;
   std::vector<Binding> bindings;
@@ -114,6 +115,8 @@ struct CurvePoints
     this->arcs->SetName("ArcLength");
     this->normals->SetName("Normals");
     this->normals->SetNumberOfComponents(3);
+    this->room->SetName("Room");
+    this->room->SetNumberOfComponents(2);
     this->cells->SetName("MeshCell");
     if (strokesPressure)
     {
@@ -138,6 +141,17 @@ struct CurvePoints
       this->normals->InsertNextTuple((
         normal.norm() > 1e-6 ? Vector3(normal.normalized()) : facetNormal(surface.Mesh().Surface(), triangle))
                                        .data());
+    }
+  }
+
+  void addRoom(const KeptSurface& surface)
+  {
+    for (vtkIdType i = 0; i < this->points->GetNumberOfPoints(); ++i)
+    {
+      const Room found =
+        roomAt(surface.Scene(), Vector3(this->points->GetPoint(i)), Vector3(this->normals->GetTuple3(i)));
+      this->room->InsertNextTuple2(std::isfinite(found.inward) ? found.inward : -1.0,
+        std::isfinite(found.outward) ? found.outward : -1.0);
     }
   }
 
@@ -303,6 +317,7 @@ void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
     }
   }
   to.addNormals(surface);
+  to.addRoom(surface);
   output->SetPoints(to.points);
   output->SetLines(cells);
   vtkPointData* data = output->GetPointData();
@@ -310,6 +325,7 @@ void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
   data->AddArray(to.cells);
   WriteBindings(to.bindings, output);
   data->SetNormals(to.normals);
+  data->AddArray(to.room);
   if (to.pressure)
   {
     data->AddArray(to.pressure);

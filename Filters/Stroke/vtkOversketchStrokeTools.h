@@ -64,6 +64,7 @@ public:
   // The scene of the mesh, made where the last one asked for had other points or triangles.
   const SurfaceRays& Provide(vtkPolyData* mesh, const Context& context);
   const MeshData& Mesh() const { return *this->Data; }
+  const SurfaceRays& Scene() const { return *this->Rays; } // of the last Provide
   // Of some vertices what Mesh().Normals() has, bit for bit: where the mesh brings none along, neither the
   // others' nor the adjacency are made for it.
   std::vector<Vector3> NormalsOf(const std::vector<int>& vertices) const;

@@ -22,6 +22,8 @@
  * - MeshCell, vtkIdType: the triangle that the point lies in,
  * - MeshVertices, vtkIdType[3]: its corners, and MeshWeights, double[3]: their weights, sum 1,
  * - Normals, double[3]: of the surface, unit length,
+ * - Room, double[2]: against the normal and along it, how far it is to where the line leaves the model, and
+ *   to where it enters another part [model length]; -1: nowhere,
  * - Pressure, of the stroke's type: where the strokes have it.
  * Cell arrays:
  * - CurveId, int: 0, 1, ...

@@ -4,6 +4,7 @@
 #include "Mesh/rotation.h"
 #include "Mesh/weld.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchMixable.h"
 #include "vtkOversketchRuns.h"
 #include "vtkOversketchSources.h"
 
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace oversketch
 {
@@ -481,6 +483,16 @@ void Weld::CarryPoints(vtkPolyData* mesh,
     });
   output->SetPoints(points);
   to->InterpolateAllocate(from, count);
+  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> labels;
+  for (int a = 0; a < to->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = to->GetArray(a);
+    vtkDataArray* source = array && array->GetName() ? from->GetArray(array->GetName()) : nullptr;
+    if (source && !IsMixable(array))
+    {
+      labels.emplace_back(source, array);
+    }
+  }
   vtkNew<vtkIdList> ids;
   std::vector<double> weights;
   EachRun(
@@ -496,6 +508,11 @@ void Weld::CarryPoints(vtkPolyData* mesh,
         weights.push_back(weight);
       }
       to->InterpolatePoint(from, i, ids, weights.data());
+      const auto most = std::max_element(weights.begin(), weights.end()) - weights.begin();
+      for (const auto& [source, array] : labels)
+      {
+        array->SetTuple(i, ids->GetId(most), source);
+      }
     });
 }
 

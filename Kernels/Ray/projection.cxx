@@ -1,6 +1,7 @@
 #include "Ray/projection.h"
 
 #include "Mesh/pixel.h"
+#include "Ray/room.h"
 #include "Ray/surface_pieces.h"
 
 #include <algorithm>
@@ -322,6 +323,25 @@ void append(SilhouetteSketch& result, const SurfaceHit& hit, double along, const
   result.sketch.push_back(target);
 }
 
+// See SilhouetteSketch::hidden.
+double hiddenDent(const SurfaceRays& surface,
+  const View& view,
+  const SilhouetteSketch& made,
+  const Vector3& n)
+{
+  double in = 0.0, out = 0.0, hidden = 0.0;
+  for (std::size_t k = 0; k < made.sketch.size(); ++k)
+  {
+    const double way = (made.sketch[k] - made.curve.samples[k].position).dot(n);
+    in = std::max(in, -way);
+    out = std::max(out, way);
+    const Vector2 display = view.toDisplay(made.sketch[k]).head<2>();
+    hidden = std::max(
+      hidden, depthAt(surface, made.sketch[k], lineOfSight(view, display, surface).direction.normalized()));
+  }
+  return in > out ? hidden : 0.0;
+}
+
 } // namespace
 
 Ray lineOfSight(const View& view, const Vector2& display, const SurfaceRays& surface)
@@ -398,6 +418,13 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   }
   const End begin = endOf(surface, view, stroke.front(), silhouette, rules, "begins");
   const End end = endOf(surface, view, stroke.back(), silhouette, rules, "ends");
+  if (rules.projection == SketchProjection::Line && begin.normal.dot(end.normal) < -0.5)
+  {
+    refuseStroke(
+      "The stroke leads round the end of a limb, from one side of it to the other. An outline drawn "
+      "anew is for bumps and dents: begin and end on one side of the limb, or pull the limb itself "
+      "by one-stroke.");
+  }
   const Vector3 n = 0.5 * (begin.normal + end.normal);
   std::vector<Vector3> sketch = sketchInPlane(surface, view, stroke, begin, end, n);
   const std::vector<double> shares = sharesOf(sketch);
@@ -454,14 +481,16 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
         k,
         ", longer than ",
         rules.maximumStep,
-        " (MaximumStep): between the stroke's ends there is no surface for it to follow. Draw along one "
-        "limb, "
-        "or take the projection Path.");
+        " (MaximumStep): between the stroke's ends there is no surface for it to follow. An outline drawn "
+        "anew is "
+        "for bumps and dents: draw nearer to the outline of one part, or pull a limb by one-stroke"
+        " (or take the projection Path).");
     }
     append(result, hit, static_cast<double>(k), sketch[k], k == last);
     before = hit.position;
     context.checkpoint(static_cast<double>(k) / static_cast<double>(last + 1));
   }
+  result.hidden = hiddenDent(surface, view, result, n);
   return result;
 }
 

@@ -78,15 +78,20 @@ struct SilhouetteSketch
 {
   SurfaceCurve curve; // open, one sample for each of the stroke
   std::vector<Vector3> sketch;
+  // Of a dent, how far from the curve the surface hides it along the lines of sight: from there on nothing of
+  // it need move; 0 of a bump [model length].
+  double hidden = 0.0;
 };
 
 // The stroke as a new silhouette between the places where it begins and ends: those of `silhouette`, visible
 // ones where there are any, that are nearest to its ends in the picture if within reach, else nearest to the
 // surface under them. Departure: as published, which the projection Ray does, the surface is asked first; but
 // a pen that presses a pixel beside a limb lies on what is behind it, and would take that one's silhouette.
-// Throws Error(Failure::BadStroke) when there is no silhouette, an end lies too far beside the model, the
-// plane of the sketch is degenerate or seen within 5 degrees of edge-on, the sketch has no length, a step is
-// too long, or, for Path, no one chain joins the ends.
+// Departure: a stroke from one side of a limb round its end to the other is none for the projection Line, as
+// the mean of the normals is no way to go then.
+// Throws Error(Failure::BadStroke) when there is no silhouette, both ends' normals are over 120 degrees
+// apart, an end lies too far beside the model, the plane of the sketch is degenerate or seen within 5 degrees
+// of edge-on, the sketch has no length, a step is too long, or, for Path, no one chain joins the ends.
 SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   const View& view,
   const std::vector<Vector2>& stroke,

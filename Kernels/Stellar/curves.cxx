@@ -56,6 +56,30 @@ double FeatureCurve::pressureAt(double parameter) const
   return (1.0 - t) * this->pressure[segment] + t * this->pressure[this->segmentEnd(segment)];
 }
 
+std::vector<double> FeatureCurve::limits(bool up) const
+{
+  std::vector<double> limits;
+  for (const std::array<double, 2>& both : this->room)
+  {
+    limits.push_back(roomShare * both[up ? 1 : 0]);
+  }
+  const int count = static_cast<int>(limits.size());
+  const auto lower = [&](int from, int to)
+  { limits[to] = std::min(limits[to], limits[from] + (this->points[to] - this->points[from]).norm()); };
+  for (int round = 0; round < (this->closed ? 2 : 1); ++round)
+  {
+    for (int i = this->closed ? 0 : 1; i < count; ++i)
+    {
+      lower(i > 0 ? i - 1 : count - 1, i);
+    }
+    for (int i = count - (this->closed ? 1 : 2); i >= 0; --i)
+    {
+      lower(i + 1 < count ? i + 1 : 0, i);
+    }
+  }
+  return limits;
+}
+
 double FeatureCurve::apart(double s, double t) const
 {
   const double direct = std::abs(s - t);
@@ -90,14 +114,17 @@ void checkCurves(const FeatureCurves& curves)
     }
     const auto fits = [&](std::size_t size) { return size == 0 || size == c.points.size(); };
     if (!fits(c.normals.size()) || !fits(c.pressure.size()) || !fits(c.cells.size()) ||
-        !fits(c.places.size()))
+        !fits(c.places.size()) || !fits(c.room.size()))
     {
       refuse("has arrays that are not of one value a point; project the stroke on the mesh again");
     }
     const auto finite = [](const Vector3& x) { return x.allFinite(); };
     if (!std::all_of(c.points.begin(), c.points.end(), finite) ||
         !std::all_of(c.normals.begin(), c.normals.end(), finite) || !std::isfinite(c.length) ||
-        !std::all_of(c.pressure.begin(), c.pressure.end(), [](double x) { return std::isfinite(x); }))
+        !std::all_of(c.pressure.begin(), c.pressure.end(), [](double x) { return std::isfinite(x); }) ||
+        std::any_of(c.room.begin(),
+          c.room.end(),
+          [](const std::array<double, 2>& r) { return std::isnan(r[0]) || std::isnan(r[1]); }))
     {
       refuse("has values that are not finite numbers; draw the stroke again");
     }

@@ -5,6 +5,7 @@
 #include "Mesh/place.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -24,6 +25,8 @@ struct FeatureCurve
   int stroke = 0;               // StrokeId
   std::vector<Vector3> normals; // of the surface, or empty
   std::vector<double> pressure; // of the pen, or empty
+  // How far the surface goes down and up before it meets another part [model length], or empty.
+  std::vector<std::array<double, 2>> room;
   std::vector<int> cells;       // of the mesh that the stroke was projected on, or empty
   std::vector<Binding> places;  // within those cells, or empty
   std::optional<double> radius; // these go before the properties of a filter
@@ -44,6 +47,11 @@ struct FeatureCurve
   Vector3 position(double parameter) const;
   // Linear between samples.
   double pressureAt(double parameter) const; // 1 where there is none
+  // Per point how far a feature may go, down (up false) or up; empty: as far as it likes. That is roomShare
+  // of the room there, which in a round limb ends before the axis, and rises along the curve by no more
+  // than the way.
+  std::vector<double> limits(bool up) const;
+  static constexpr double roomShare = 0.4;
   // How far apart two parameters are, round a closed curve the shorter way; and what lies half-way.
   double apart(double s, double t) const;
   double between(double s, double t) const;

@@ -42,6 +42,27 @@ TEST(Curves, PositionFollowsArcLengthAndGoesRoundAClosedCurve)
   EXPECT_EQ(closed.between(1.0, 2.0), 1.5);
 }
 
+// Two fifths of the room, and no more than the way from where there is less.
+TEST(Curves, LimitsFollowTheRoom)
+{
+  const double none = std::numeric_limits<double>::infinity();
+  FeatureCurve curve = curveThrough({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 3, 0 } });
+  EXPECT_TRUE(curve.limits(true).empty());
+  curve.room = { { none, 2.0 }, { 0.4, none }, { none, none }, { 1.0, none } };
+  const std::vector<double> down = curve.limits(false), up = curve.limits(true);
+  const double wantedDown[] = { 1.16, 0.16, 1.16, 0.4 }, wantedUp[] = { 0.8, 1.8, 2.8, 5.8 };
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(down[i], wantedDown[i], 1e-12) << i;
+    EXPECT_NEAR(up[i], wantedUp[i], 1e-12) << i;
+  }
+  curve.closed = true;
+  curve.measure();
+  EXPECT_NEAR(curve.limits(true)[3], 0.8 + std::sqrt(13.0), 1e-12);
+  curve.room.assign(4, { none, none });
+  EXPECT_EQ(curve.limits(true)[2], none);
+}
+
 TEST(Curves, NearestIsWhatLookingAtEverySegmentFinds)
 {
   std::mt19937 random(3);

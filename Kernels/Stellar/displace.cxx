@@ -29,6 +29,22 @@ struct Shape
 {
   double radius, height;
   Profile profile;
+  std::vector<double> limits; // per point of the curve, or empty
+
+  // The height at a place of the curve.
+  double heightAt(const FeatureCurve& curve, double parameter, double pressure) const
+  {
+    const double height = pressure * this->height;
+    if (this->limits.empty())
+    {
+      return height;
+    }
+    const auto [segment, t] = curve.at(parameter);
+    // Infinite ones have no mean.
+    const double from = this->limits[segment], to = this->limits[curve.segmentEnd(segment)];
+    const double limit = from == to ? from : (1.0 - t) * from + t * to;
+    return std::abs(height) <= limit ? height : std::copysign(limit, height);
+  }
 };
 
 void refuseShape(int curve, const std::string& what, double value)
@@ -56,7 +72,8 @@ std::vector<Shape> shapesOf(const FeatureCurves& curves, const DisplaceOptions& 
     }
     shapes.push_back({ radius,
       height,
-      options.profile ? *options.profile : Profile(curves[k].sharpness.value_or(options.sharpness)) });
+      options.profile ? *options.profile : Profile(curves[k].sharpness.value_or(options.sharpness)),
+      options.holdBack ? curves[k].limits(height > 0.0) : std::vector<double>() });
   }
   return shapes;
 }
@@ -104,7 +121,7 @@ std::vector<Rise> risesOf(const Forest& forest,
       else
       {
         const double pressure = options.usePressure ? curve.pressureAt(reach.parameter) : 1.0;
-        rise.along = feature * (pressure * shapes[k].height);
+        rise.along = feature * shapes[k].heightAt(curve, reach.parameter, pressure);
       }
       int& id = of[reach.vertex];
       if (id < 0)
@@ -125,6 +142,25 @@ std::vector<Rise> risesOf(const Forest& forest,
     }
   }
   return rises;
+}
+
+// Where the room along the curves holds features back.
+void reportRoom(const FeatureCurves& curves, const DisplaceOptions& options, DisplaceReport& report)
+{
+  const std::vector<Shape> shapes = shapesOf(curves, options);
+  for (std::size_t k = 0; k < curves.size(); ++k)
+  {
+    for (std::size_t i = 0; i < shapes[k].limits.size(); ++i)
+    {
+      const double pressure = options.usePressure ? curves[k].pressureAt(curves[k].arc[i]) : 1.0;
+      const double height = std::abs(pressure * shapes[k].height);
+      if (shapes[k].limits[i] < height)
+      {
+        ++report.heldBack;
+        report.leastShare = std::min(report.leastShare, shapes[k].limits[i] / height);
+      }
+    }
+  }
 }
 
 // The faces around vertices, each once.
@@ -290,6 +326,10 @@ DisplaceReport displace(const Forest& before,
     report.peak = std::max(report.peak, rise.feature);
   }
   report.flipped = turned(after, reached, context);
+  if (!options.sketch)
+  {
+    reportRoom(curves, options, report);
+  }
   report.moved = static_cast<int>(rises.size());
   report.crests = static_cast<int>(reached.crest.size());
   for (const Binding& at : reached.crest)

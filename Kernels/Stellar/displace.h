@@ -38,6 +38,7 @@ struct DisplaceOptions
   double sharpness = 1.5;         // s of Eq. 1, not negative; the curves' own go before it
   std::optional<Profile> profile; // in place of Eq. 1, for all curves
   bool usePressure = false;       // h times the pen's pressure at the nearest point
+  bool holdBack = true; // heights end within the curves' room, see FeatureCurve::limits; off: as published
   RiseAlong along = RiseAlong::Base;
   Combine combine = Combine::Nearest;
   // A point for each point of each curve: vertices move by sketch - curve there, in place of h times a
@@ -52,6 +53,9 @@ struct DisplaceReport
   // a steep flank over relief that falls the other way turns by more than 90 degrees and is sound.
   int flipped = 0;
   double peak = 0.0; // the greatest feature value
+  // Points of curves where the room is less than the height, and the least of that, in shares of the height.
+  int heldBack = 0;
+  double leastShare = 1.0;
   // Feature values along the curves, see crestPlaces: 1 where the mesh holds the crest. `crests`: how many.
   double crestSum = 0.0, crestMinimum = 0.0;
   int crests = 0;

@@ -437,6 +437,44 @@ TEST(Displace, AnotherHeightNeedsNoNewDistances)
     }
 }
 
+TEST(Displace, AFeatureStopsWithinTheRoomOfItsCurve)
+{
+  const double none = std::numeric_limits<double>::infinity();
+  FeatureCurves curves = lineAlongX();
+  curves[0].room = { { none, none }, { 0.2, none }, { none, none } };
+  DisplaceOptions options = shapeOf(0.5, -1.0, 1.0);
+  Forest forest = flatField();
+  DisplaceReport report = displace(forest, curves, options, Context());
+  EXPECT_EQ(report.heldBack, 1);
+  EXPECT_NEAR(report.leastShare, 0.08, 1e-12);
+  for (const Forest::Vertex& v : forest.vertices)
+  {
+    // Along the line 0.08 deep at x = 0.3, and from there deeper by no more than the way.
+    const double depth = std::min(1.0, 0.08 + std::abs(v.position.x() - 0.3));
+    EXPECT_GE(v.position.z(), -depth - 1e-12);
+    if (v.position.y() == 0.0)
+    {
+      EXPECT_NEAR(v.position.z(), -depth, 1e-12);
+    }
+  }
+  // Upwards there is room; as published nothing is asked.
+  options.height = 1.0;
+  forest = flatField();
+  report = displace(forest, curves, options, Context());
+  EXPECT_EQ(report.heldBack, 0);
+  EXPECT_EQ(report.leastShare, 1.0);
+  options.height = -1.0;
+  options.holdBack = false;
+  forest = flatField();
+  EXPECT_EQ(displace(forest, curves, options, Context()).heldBack, 0);
+  EXPECT_EQ(
+    std::min_element(forest.vertices.begin(),
+      forest.vertices.end(),
+      [](const Forest::Vertex& a, const Forest::Vertex& b) { return a.position.z() < b.position.z(); })
+      ->position.z(),
+    -1.0);
+}
+
 TEST(Displace, CanBeCancelled)
 {
   Forest forest = flatField();

@@ -2,7 +2,9 @@
 
 #include "Mesh/context.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace oversketch
 {
@@ -23,6 +25,7 @@ FeaturePreview previewFeature(const FeatureCurve& curve,
       "of "
       "the curve.");
   }
+  const std::vector<double> limits = curve.limits(h > 0.0);
   FeaturePreview preview;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -33,7 +36,9 @@ FeaturePreview previewFeature(const FeatureCurve& curve,
     const Vector3 normal = curve.normals.empty() ? Vector3::Zero() : curve.normals[i].normalized();
     const Vector3 side = r * normal.cross(along).normalized();
     const double pressure = usePressure && !curve.pressure.empty() ? curve.pressure[i] : 1.0;
-    preview.crest.push_back(sketch ? (*sketch)[i] : Vector3(p + pressure * h * normal));
+    const double limit = limits.empty() ? std::numeric_limits<double>::infinity() : limits[i];
+    const double height = std::clamp(pressure * h, -limit, limit);
+    preview.crest.push_back(sketch ? (*sketch)[i] : Vector3(p + height * normal));
     preview.left.push_back(p + side);
     preview.right.push_back(p - side);
   }

@@ -66,7 +66,6 @@ TEST(StellarModels, RealModelsGoAllTheWay)
     chain.refine->SetRadius(-1.0);
     chain.displace->SetRadius(-1.0);
     chain.displace->SetHeight(0.0);
-    chain.displace->CountIntersectionsOn();
     chain.simplify->SetRadius(-1.0);
     chain.curves->Update();
     const auto start = std::chrono::steady_clock::now();

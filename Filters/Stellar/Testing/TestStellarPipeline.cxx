@@ -202,7 +202,6 @@ TEST(StellarPipeline, SketchMovesByItsVectorsAndCutsAreCounted)
   }
   chain.displace->SetSketchData(sketch);
   chain.displace->SetHeight(7.0);
-  chain.displace->CountIntersectionsOn();
   chain.displace->Update();
   vtkPolyData* mesh = chain.displace->GetOutput();
   ASSERT_EQ(chain.displace->GetErrorCode(), 0u);
@@ -214,15 +213,20 @@ TEST(StellarPipeline, SketchMovesByItsVectorsAndCutsAreCounted)
       std::max(off, (Vector3(moved->GetTuple3(i)) - feature->GetComponent(i, 0) * Vector3(0, 0, 0.3)).norm());
   EXPECT_LT(off, 1e-12);
   EXPECT_EQ(chain.displace->GetIntersectingFaces(), 0);
-  // A blade through the whole sphere cuts its far side.
+  // A blade through the whole sphere cuts its far side, unless it is held back.
   chain.displace->SetInputConnection(2, nullptr);
   chain.displace->SetHeight(-2.5);
+  chain.displace->Update();
+  EXPECT_EQ(chain.displace->GetIntersectingFaces(), 0);
+  EXPECT_GT(chain.displace->GetHeldBack(), 2);
+  EXPECT_NEAR(chain.displace->GetLeastShare(), 0.4 * 2.0 / 2.5, 0.01);
+  chain.displace->HoldBackOff();
   chain.displace->Update();
   EXPECT_GT(chain.displace->GetIntersectingFaces(), 10);
   chain.displace->CountIntersectionsOff();
   chain.displace->Update();
   EXPECT_EQ(chain.displace->GetIntersectingFaces(), -1);
-  EXPECT_EQ(chain.displace->GetDisplaceCount(), 2);
+  EXPECT_EQ(chain.displace->GetDisplaceCount(), 3);
 }
 
 TEST(StellarPipeline, AnotherHeightWritesOnlyWhatItChangesAndNothingThatIsHeld)

@@ -343,11 +343,11 @@ TEST(SilhouetteSketch, RefusesABadHandByName)
   const Vector2 rim = eyeAtThree.toDisplay({ std::sqrt(8.0) / 3.0, 0, 1.0 / 3.0 }).head<2>();
   refused(toStroke({ rim, rim + Vector2(60, 0), rim }, eyeAtThree), "span no plane");
   refused(toStroke(std::vector<Vector2>(9, rim), eyeAtThree), "span no plane");
-  // Opposite places: their normals cancel.
+  // Opposite places: their normals cancel, as at both sides of a limb.
   const View parallel = orthographicView({ 0, 0, 1 }, { 0, 1, 0 }, 200.0);
   const auto opposite = toStroke({ { 200, 300 }, { 400, 120 }, { 600, 300 } }, parallel);
   filter->SetSilhouetteData(silhouetteOf(sphere, opposite));
-  refused(opposite, "span no plane");
+  refused(opposite, "round the end of a limb");
   filter->SetInputData(good);
   vtkNew<vtkPolyData> bare;
   bare->DeepCopy(silhouette);

@@ -1,0 +1,98 @@
+// Even triangles for lines that run over long thin ones.
+#include "vtkOversketchAugmentPipeline.h"
+
+#include "Stellar/thin_triangles.h"
+#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchStellarCurves.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+using namespace oversketch;
+
+namespace
+{
+
+// The share of long thin triangles (CurveNeighbourhood) that lines bear: scans and marching cubes stay below.
+constexpr double bearable = 0.06;
+
+// The mesh as vtkOversketchRemesh is to have it: edges of a length in the region.
+void PutRegion(vtkPolyData* mesh, const std::vector<char>& region, double length, vtkPolyData* to)
+{
+  to->ShallowCopy(mesh);
+  RemoveStellarArrays(to);
+  vtkNew<vtkUnsignedCharArray> inside;
+  inside->SetName("Region");
+  inside->SetNumberOfTuples(static_cast<vtkIdType>(region.size()));
+  std::copy(region.begin(), region.end(), inside->GetPointer(0));
+  to->GetPointData()->AddArray(inside);
+  vtkNew<vtkDoubleArray> guide;
+  guide->SetName("GuideLength");
+  guide->InsertNextValue(length);
+  to->GetFieldData()->AddArray(guide);
+}
+
+// Whether vertices are on curves of a stroke that is not ended; the steps refuse such a mesh.
+bool InAStroke(vtkPolyData* mesh)
+{
+  vtkDataArray* curve = mesh->GetPointData()->GetArray("CurveId");
+  for (vtkIdType i = 0; curve && i < curve->GetNumberOfTuples(); ++i)
+  {
+    if (curve->GetComponent(i, 0) >= 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+void vtkOversketchAugment::Pipeline::LayCurves()
+{
+  const auto key = [this]
+  {
+    const vtkOversketchAugment* self = this->Self;
+    return StepKey({ WholeKey(this->Mesh), WholeKey(this->Strokes) },
+      { self->Radius, static_cast<double>(self->SketchMode), static_cast<double>(self->Base) });
+  };
+  const bool known = this->Evened->GetNumberOfPoints() > 0 && key() == this->EvenedKey;
+  this->RunBase(known ? this->Evened : this->Mesh);
+  this->RunCurves();
+  if (known || this->Self->AsPublished || this->Base->GetOutput()->GetFieldData()->GetArray("TerrainGray") ||
+      InAStroke(this->Base->GetOutput()))
+  {
+    return;
+  }
+  this->Evened->Initialize();
+  const FeatureCurves curves = CurvesOf(this->Self->StageOutput(this->DrawnName()));
+  const double done = this->Self->GetDone();
+  const CurveNeighbourhood near =
+    neighbourhoodOf(MeshOf(this->Mesh), curves, this->PassRadius, ContextOf(this->Self, done, done));
+  if (near.thinShare <= bearable)
+  {
+    return;
+  }
+  double length = HUGE_VAL; // the radius of the finest feature, but for one finer than bisection is for
+  for (const FeatureCurve& curve : curves)
+  {
+    length = std::min(length, curve.radius.value_or(this->PassRadius));
+  }
+  PutRegion(this->Mesh, near.vertices, std::max(length, 0.125 * near.meanEdge), this->Uneven);
+  this->Self->RunStage("Even");
+  this->Evened->ShallowCopy(this->Self->StageOutput("Even"));
+  this->Evened->GetPointData()->RemoveArray("Region");
+  this->Evened->GetFieldData()->RemoveArray("GuideLength");
+  for (const char* name : { "SourceCell", "SourceWeights" })
+  {
+    this->Evened->GetCellData()->RemoveArray(name);
+  }
+  this->EvenedKey = key();
+  this->RunBase(this->Evened);
+  this->RunCurves();
+}
