@@ -103,7 +103,8 @@ TEST(Remesh, ASpikeCostsNoMillionsOfTriangles)
     Remeshed stretch(input, vtkOversketchRemesh::Stretch);
     const auto made = stretch.run();
     EXPECT_GT(made->GetNumberOfPolys(), 0);
-    EXPECT_LT(made->GetNumberOfPolys(), 150000);
+    const vtkIdType asked = 64 * mesh.triangleCount() + 20000; // at most, and four times that in passing
+    EXPECT_LE(made->GetNumberOfPolys(), 4 * asked + 20000);
     EXPECT_EQ(stretch.filter->GetTrianglesWanted() > 0.0, isSpiked);
   }
 }
