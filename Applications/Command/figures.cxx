@@ -231,6 +231,8 @@ void addFiguresOf(vtkOversketchOneStroke* stroke, Json::Value& json)
   effect["worst_outline_px"] = jsonNumber(stroke->GetWorstOutlineDistance());
   effect["outline_back_px"] = jsonNumber(stroke->GetOutlineBackDistance());
   effect["new_folds"] = stroke->GetNewFolds();
+  effect["inside_out"] = jsonNumber(stroke->GetInsideOut());
+  effect["new_crossings"] = stroke->GetNewCrossings();
   effect["stretch"] = jsonNumber(stroke->GetStretch());
   effect["roughness_before"] = jsonNumber(stroke->GetRoughnessBefore());
   effect["roughness"] = jsonNumber(stroke->GetRoughness());

@@ -1,6 +1,7 @@
 #include "report.h"
 
 #include "node_json.h"
+#include "terminal.h"
 
 #include "vtkOversketchSystem.h"
 
@@ -57,6 +58,11 @@ Json::Value beginning(const Report& report, const std::string& verb, const Optio
   json["milliseconds"]["read"] = number(report.readMilliseconds);
   json["milliseconds"]["run"] = number(report.runMilliseconds);
   json["milliseconds"]["write"] = number(report.writeMilliseconds);
+  json["warnings"] = Json::arrayValue;
+  for (const std::string& warning : warned())
+  {
+    json["warnings"].append(warning);
+  }
   return json;
 }
 
@@ -111,11 +117,6 @@ std::string Report::json(const Options& options,
   json["options"] = optionsOf(options, step);
   json["backend_used"] = backendWords()[static_cast<std::size_t>(system->GetBackendUsed())];
   json["stage_milliseconds"] = stageTimes(system);
-  json["warnings"] = Json::arrayValue;
-  for (const std::string& warning : this->warnings)
-  {
-    json["warnings"].append(warning);
-  }
   if (mesh)
   {
     json["before"] = countsOf(mesh);

@@ -18,16 +18,16 @@ namespace oversketch_command
 struct Report
 {
   double readMilliseconds = 0.0, runMilliseconds = 0.0, writeMilliseconds = 0.0;
-  std::vector<std::string> warnings; // of the run, such as why a stroke was rejected
 
-  // JSON: files and options; times [ms]; warnings; counts before (where there was a mesh) and after; each
-  // field array of one value that a stage or the system put out; what ran where; and what addFigures adds.
+  // JSON: files and options; times [ms]; all that was warned of; counts before (where there was a mesh) and
+  // after; each field array of one value that a stage or the system put out; what ran where; and what
+  // addFigures adds.
   std::string json(const Options& options,
     const oversketch_session::Step& step,
     vtkOversketchSystem* system,
     vtkPolyData* mesh,
     vtkPolyData* result) const;
-  // The same of an assembled mesh: files and times, what is told of each part, counts.
+  // The same of an assembled mesh: files, times and warnings, what is told of each part, counts.
   std::string assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const;
 };
 

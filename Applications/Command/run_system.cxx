@@ -401,11 +401,7 @@ void runSystem(const Options& options)
   Evaluator::Watch watch;
   watch.cancelled = interrupted;
   watch.progress = [](std::size_t, const std::string& stage, double share) { showProgress(share, stage); };
-  watch.warning = [&](std::size_t, const std::string& message)
-  {
-    report.warnings.push_back(inOptions(message, *options.system));
-    warn(report.warnings.back());
-  };
+  watch.warning = [&](std::size_t, const std::string& message) { warn(inOptions(message, *options.system)); };
   std::vector<Outcome> outcomes;
   begin = Clock::now();
   evaluator.run(session, watch, outcomes);

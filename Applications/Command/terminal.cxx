@@ -2,9 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <set>
 
 namespace oversketch_command
 {
@@ -15,6 +15,8 @@ namespace
 {
 
 volatile std::sig_atomic_t stop = 0;
+
+std::vector<std::string> warnings;
 
 void interrupt(int)
 {
@@ -60,11 +62,16 @@ void say(const std::string& text)
 
 void warn(const std::string& text)
 {
-  static std::set<std::string> said;
-  if (said.insert(text).second)
+  if (std::find(warnings.begin(), warnings.end(), text) == warnings.end())
   {
+    warnings.push_back(text);
     say("warning: " + text);
   }
+}
+
+const std::vector<std::string>& warned()
+{
+  return warnings;
 }
 
 void say(Notes& notes)

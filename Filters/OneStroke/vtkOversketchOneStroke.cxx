@@ -51,7 +51,6 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       {
         return;
       }
-      inner.Match->SetCandidate(this->Candidate);
       inner.MixtureRegion->SetReach(this->Reach);
       vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
       if (stroke->GetNumberOfLines() > 1)
@@ -64,22 +63,7 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       inner.FeedMesh(mesh);
       this->RunStage("Stroke");
       inner.RunCurves();
-      for (const char* name : { "Match", "Targets", "ShapeDiameter", "MixtureRegion", "RegionBorder" })
-      {
-        this->RunStage(name);
-      }
-      inner.Hold->ShallowCopy(this->StageOutput("Match"));
-      if (this->Remesh != RemeshOn)
-      {
-        this->RunStage("Deform");
-        inner.Deformation = inner.Corrected("RegionBorder", "Deform", "Correction", "DeformCorrected");
-      }
-      const bool automatic = this->Remesh == RemeshAuto && !this->AsPublished;
-      if (this->Remesh == RemeshOn || (automatic && inner.WantsRemeshing()))
-      {
-        inner.RunRemeshed();
-      }
-      inner.JudgeEffect();
+      inner.RunBest();
       inner.PutOutput(mesh, output);
     });
   if (!inner.Remark.empty())
@@ -279,6 +263,16 @@ double vtkOversketchOneStroke::GetOutlineBackDistance() const
 int vtkOversketchOneStroke::GetNewFolds() const
 {
   return this->Inner->Effect.folds;
+}
+
+double vtkOversketchOneStroke::GetInsideOut() const
+{
+  return this->Inner->Effect.back;
+}
+
+int vtkOversketchOneStroke::GetNewCrossings() const
+{
+  return this->Inner->Effect.crossings;
 }
 
 double vtkOversketchOneStroke::GetStretch() const

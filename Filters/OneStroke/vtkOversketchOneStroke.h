@@ -18,13 +18,18 @@
  * outline has not left the stroke by 0.5 px more, in the mean and at worst, and no more edges are folded, or
  * if it is nearer to the stroke by 0.5 px at worst and no more than five edges were folded; and never where
  * what moved is rougher (mean angle between triangles over 1.25 times plus 1 degree of the plain one's, or
- * over 0.01 more of the edges' length beyond 40 degrees), since a limb is seen by its shading. Of a remeshed
- * result with more than five edges folded, as of fur that is pressed flat, folds are taken out.
+ * over 0.01 more of the edges' length beyond 40 degrees), since a limb is seen by its shading, nor where more
+ * of it is seen from within (by 0.002 of what is seen) or passes through itself (over ten pairs of triangles
+ * that cross, and more than of the plain one). A plain result that moved what lies beside the stroke and
+ * misses it far, or is most of the surface, is not remeshed. Of a remeshed one with over five folds these are
+ * taken out.
  *
  * Every result is judged before it is handed over, as it is seen by who drew: the outline against the stroke
- * both ways, folded edges, stretch, roughness before and after, the share of the surface that moved and what
- * moved beside the stroke (the figures below). What is not as drawn is said in one warning (vtkWarningMacro;
- * GetRemark repeats it), in words and figures. A result that tears is refused, see AllowTorn.
+ * both ways, folded edges, what is newly seen from within, what newly passes through itself, stretch,
+ * roughness before and after, the share of the surface that moved and what moved beside the stroke (the
+ * figures below). Where that is a wreck another section is tried, see Candidate. What is not as drawn is said
+ * in one warning (vtkWarningMacro; GetRemark repeats it), in words and figures. A result that tears is
+ * refused, see AllowTorn.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or
  * normals are welded for computing (exactly equal positions) and split again in the output. The mesh's
@@ -128,9 +133,9 @@ public:
 
   ///@{
   /**
-   * Which of the sections that fit the stroke is taken, 1 for the one that fits best; default 1. A number
-   * beyond the last one is refused. As published there is but one. GetNumberOfCandidates: how many there were
-   * for the last stroke.
+   * Which of the sections that fit the stroke is taken, 1 (default) for the one that fits best; where that
+   * one turns a limb inside out, or misses far, the next of three that does as drawn. A number beyond the
+   * last is refused; as published there is one. GetNumberOfCandidates: how many the last stroke had.
    */
   vtkSetClampMacro(Candidate, int, 1, VTK_INT_MAX);
   vtkGetMacro(Candidate, int);
@@ -148,9 +153,9 @@ public:
 
   ///@{
   /**
-   * Hand over a result that is torn, with a warning: where one edge in a hundred of what moved is stretched
-   * or squeezed more than 8 times, or more than 0.7 of the surface moved. Default off: it is refused. As
-   * published nothing is refused.
+   * Hand over a result that is torn, with a warning: one edge in a hundred of what moved is stretched or
+   * squeezed more than 8 times and was not remeshed, or that or over 0.7 of the surface moved and the result
+   * is not as drawn. Default off: it is refused. As published nothing is refused.
    */
   vtkSetMacro(AllowTorn, bool);
   vtkGetMacro(AllowTorn, bool);
@@ -160,16 +165,19 @@ public:
   ///@{
   /**
    * What the last result is like: mean and worst distance of the stroke's middle 60 % to the outline, and the
-   * mean distance of the outline between its ends back to it [px]; folded edges that are new; by how much 99
-   * of 100 edges of what moved are stretched or squeezed at most; mean angle between triangles of what moved,
-   * before and after [degrees]; share of the surface that moved [0 to 1]; how far beside the stroke and its
-   * section something moved [px, 0: nothing beyond 25 px], and by how much at most [px]. Zero after a run
-   * that failed, where stretch is 1.
+   * mean distance of the outline between its ends back to it [px]; folded edges that are new; share of what
+   * is seen of the mesh that newly shows its back [0 to 1]; pairs of triangles that newly pass through each
+   * other; by how much 99 of 100 edges of what moved are stretched or squeezed at most; mean angle between
+   * triangles of what moved, before and after [degrees]; share of the surface that moved [0 to 1]; how far
+   * beside the stroke and its section something moved [px, 0: nothing beyond 25 px], and by how much at most
+   * [px]. Zero after a run that failed, where stretch is 1.
    */
   double GetOutlineDistance() const;
   double GetWorstOutlineDistance() const;
   double GetOutlineBackDistance() const;
   int GetNewFolds() const;
+  double GetInsideOut() const;
+  int GetNewCrossings() const;
   double GetStretch() const;
   double GetRoughnessBefore() const;
   double GetRoughness() const;

@@ -9,7 +9,10 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 
 using namespace oversketch;
 
@@ -22,6 +25,9 @@ constexpr int widestViewport = 4092;
 // A stroke without any outline so near was drawn in the void [px].
 constexpr double farthestOutline = 60.0;
 
+// Sections that are tried where the one that fits best turns a limb inside out, that one among them.
+constexpr int mostCandidates = 4;
+
 // The factor of a region with so many vertices takes some hundred MiB: it is kept no longer than a run needs
 // it. What following a hand takes of it is a number for each vertex.
 constexpr vtkIdType manyVertices = 30000;
@@ -33,13 +39,6 @@ void releaseLargeFactor(vtkAlgorithm* step)
   {
     deform->ReleaseFactor();
   }
-}
-
-// One byte per point of a mesh that a step made.
-std::vector<char> RegionOf(vtkPolyData* mesh)
-{
-  const vtkIdType count = mesh->GetNumberOfPoints();
-  return LabelsOf(RequireArray(mesh->GetPointData(), "Region", 1, count, "mesh", "a step made it"));
 }
 
 } // namespace
@@ -220,7 +219,7 @@ bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
 {
   return wantsRemeshing(this->Made("RegionBorder").Data->Surface(),
     this->Made(this->Deformation).Data->Surface(),
-    RegionOf(this->Self->StageOutput("RegionBorder")));
+    this->RegionOf("RegionBorder"));
 }
 
 const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* before,
@@ -265,149 +264,96 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* before,
   return judged.betterThan(plain) ? again : deform;
 }
 
-vtkOversketchOneStroke::Pipeline::MadeMesh& vtkOversketchOneStroke::Pipeline::Made(const char* stage)
-{
-  MadeMesh& made = this->MadeMeshes[stage];
-  if (!made.Data)
-  {
-    made.Data = SharedMesh(this->Self->StageOutput(stage));
-  }
-  return made;
-}
-
-void vtkOversketchOneStroke::Pipeline::JudgeSurface(MadeMesh& made, const char* stage)
-{
-  if (made.Folds)
-  {
-    return;
-  }
-  const std::vector<char> region = RegionOf(this->Self->StageOutput(stage));
-  const auto judge =
-    [&made](const oversketch::Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& inside)
-  {
-    // Side by side: most of either is a walk over the mesh that is not threaded.
-    const auto one = [&](int which)
-    {
-      if (which == 0)
-      {
-        made.Folds = foldedEdges(mesh, adjacency, inside, ThreadsOnly());
-      }
-      else
-      {
-        made.Rough = roughness(mesh, adjacency, inside, ThreadsOnly());
-      }
-    };
-    ThreadsOnly().parallelFor(2,
-      [&one](int begin, int end)
-      {
-        for (int which = begin; which < end; ++which)
-        {
-          one(which);
-        }
-      });
-  };
-  if (this->Self->GetStep(stage) == this->Restore)
-  {
-    // No other step asks for the links of this mesh.
-    const JudgedPart part(made.Data->Surface(), region, ThreadsOnly());
-    judge(part.mesh, part.adjacency, part.region);
-  }
-  else
-  {
-    judge(made.Data->Surface(), made.Data->Neighbours(), region);
-  }
-}
-
-int vtkOversketchOneStroke::Pipeline::Folds(const char* stage)
-{
-  MadeMesh& made = this->Made(stage);
-  this->JudgeSurface(made, stage);
-  return *made.Folds;
-}
-
-const Roughness& vtkOversketchOneStroke::Pipeline::Rough(const char* stage)
-{
-  MadeMesh& made = this->Made(stage);
-  this->JudgeSurface(made, stage);
-  return *made.Rough;
-}
-
-const std::vector<OutlineLoop>& vtkOversketchOneStroke::Pipeline::Contours(const char* stage)
-{
-  MadeMesh& made = this->Made(stage);
-  vtkDataArray* connection = this->Match->GetOutput()->GetFieldData()->GetArray("Candidate");
-  if (!made.Contours && connection && connection->GetComponent(0, 0) == 0.0)
-  {
-    made.Contours = regionContours(made.Data->Surface(),
-      made.Data->Neighbours(),
-      made.Data->Normals(),
-      RegionOf(this->Self->StageOutput(stage)),
-      ViewOf(this->Stroke));
-  }
-  else if (!made.Contours)
-  {
-    made.Contours.emplace(); // the section is of the outline
-  }
-  return *made.Contours;
-}
-
-const StrokeOutline& vtkOversketchOneStroke::Pipeline::OutlineOf(const char* stage)
-{
-  MadeMesh& made = this->Made(stage);
-  if (!made.Outline)
-  {
-    made.Outline.emplace(made.Data->Surface(),
-      ViewOf(this->Stroke),
-      StrokeOf(this->Match->GetOutput(1)),
-      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
-  }
-  return *made.Outline;
-}
-
-Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
-{
-  MadeMesh& made = this->Made(stage);
-  if (!made.OutlineMissed)
-  {
-    made.OutlineMissed = outlineError(this->OutlineOf(stage), this->Contours(stage));
-  }
-  return { *made.OutlineMissed, this->Folds(stage) - foldsBefore, this->Rough(stage) };
-}
-
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
   const int folds = this->Folds("RegionBorder");
-  return this->Judged("Restore", folds).keptAgainst(this->Judged(this->Deformation, folds));
+  Judgement restored = this->Judged("Restore", folds), plain = this->Judged(this->Deformation, folds);
+  restored.back = this->NewBack("Restore");
+  plain.back = restored.back > 0.0 ? this->NewBack(this->Deformation) : 0.0;
+  if (!restored.keptAgainst(plain))
+  {
+    return false;
+  }
+  const int crossings = this->NewCrossings("Restore");
+  return crossings <= StrokeEffect::tolerableCrossings || crossings <= this->NewCrossings(this->Deformation);
 }
 
-void vtkOversketchOneStroke::Pipeline::JudgeEffect()
+bool vtkOversketchOneStroke::Pipeline::BeyondHelp()
 {
-  const char* const before = this->Self->Remeshed ? "Stretch" : "RegionBorder"; // of the deformation
-  const char* const made = this->Self->Remeshed ? "Restore" : this->Deformation;
-  const Judgement judged = this->Judged(made, this->Folds("RegionBorder"));
-  StrokeEffect effect;
-  effect.outline = judged.outline;
-  effect.folds = judged.folds;
-  effect.after = judged.roughness;
-  effect.before = this->Rough("RegionBorder");
-  const oversketch::View view = ViewOf(this->Stroke);
-  const Polyline stroke = StrokeOf(this->Match->GetOutput(1));
-  vtkPolyData* match = this->Self->StageOutput("Match");
-  Polyline section(static_cast<std::size_t>(match->GetNumberOfPoints()));
-  vtkDataArray* displays = match->GetPointData()->GetArray("Display");
-  for (std::size_t i = 0; displays && i < section.size(); ++i)
+  // What it asks for is seldom so, and costs a look at the whole mesh.
+  constexpr double near = 5.0; // px
+  const std::vector<char> region = this->RegionOf("RegionBorder");
+  const auto chosen = std::count_if(region.begin(), region.end(), [](char inside) { return inside != 0; });
+  const bool mayBe = this->Judged(this->Deformation, this->Folds("RegionBorder")).outline.mean > near ||
+                     2 * static_cast<std::size_t>(chosen) > region.size();
+  return mayBe && beyondHelp(this->EffectOf("RegionBorder", this->Deformation));
+}
+
+StrokeEffect vtkOversketchOneStroke::Pipeline::Run(int candidate)
+{
+  vtkOversketchOneStroke* const self = this->Self;
+  this->MadeMeshes.clear();
+  self->Remeshed = false;
+  this->Match->SetCandidate(candidate);
+  for (const char* name : { "Match", "Targets", "ShapeDiameter", "MixtureRegion", "RegionBorder" })
   {
-    displays->GetTuple(static_cast<vtkIdType>(i), section[i].data());
+    self->RunStage(name);
   }
-  effect.outlineBack = outlineBack(this->OutlineOf(made), this->Contours(made));
-  measureMovement(this->Made(before).Data->Surface(),
-    this->Made(this->Deformation).Data->Surface(),
-    RegionOf(this->Self->StageOutput(before)),
-    view,
-    stroke,
-    section,
-    effect,
-    ThreadsOnly());
+  if (self->Remesh != RemeshOn)
+  {
+    self->RunStage("Deform");
+    this->Deformation = this->Corrected("RegionBorder", "Deform", "Correction", "DeformCorrected");
+  }
+  const bool automatic = self->Remesh == RemeshAuto && !self->AsPublished;
+  if (self->Remesh == RemeshOn || (automatic && this->WantsRemeshing() && !this->BeyondHelp()))
+  {
+    this->RunRemeshed();
+  }
+  const char* const made = self->Remeshed ? "Restore" : this->Deformation;
+  StrokeEffect effect = this->EffectOf(self->Remeshed ? "Stretch" : "RegionBorder", made);
+  effect.back = this->NewBack(made);
+  effect.crossings = this->NewCrossings(made);
+  return effect;
+}
+
+void vtkOversketchOneStroke::Pipeline::RunBest()
+{
+  const int asked = this->Self->Candidate;
+  StrokeEffect effect = this->Run(asked);
+  const bool mayChoose = asked == 1 && !this->Self->AsPublished;
+  // Where most of the model moved, another section does no better, and each costs as much.
+  const bool wrecked = effect.movedShare <= StrokeEffect::tornShare &&
+                       (effect.back > Judgement::tolerableBack || beyondHelp(effect));
+  if (mayChoose && wrecked)
+  {
+    const int last = std::min(this->Match->GetNumberOfCandidates(), mostCandidates);
+    bool found = false;
+    for (int candidate = 2; candidate <= last && !found; ++candidate)
+    {
+      try
+      {
+        effect = this->Run(candidate);
+        found = remarks(effect).empty();
+      }
+      catch (const Error& error)
+      {
+        if (error.failure() == Failure::Cancelled)
+        {
+          throw;
+        }
+      }
+    }
+    if (!found && last > 1)
+    {
+      effect = this->Run(asked);
+    }
+  }
+  this->Hold->ShallowCopy(this->Self->StageOutput("Match"));
+  this->Judge(effect);
+}
+
+void vtkOversketchOneStroke::Pipeline::Judge(const StrokeEffect& effect)
+{
   const std::string torn = tornBy(effect);
   if (!torn.empty() && !this->Self->AllowTorn && !this->Self->AsPublished)
   {
@@ -417,9 +363,15 @@ void vtkOversketchOneStroke::Pipeline::JudgeEffect()
   }
   this->Effect = effect;
   std::vector<std::string> said = remarks(effect);
-  if (!torn.empty())
+  if (!torn.empty() && std::find(said.begin(), said.end(), torn) == said.end())
   {
     said.insert(said.begin(), torn);
+  }
+  const double wanted = std::max(this->Stretch->GetTrianglesWanted(), this->Restore->GetTrianglesWanted());
+  if (this->Self->Remeshed && wanted > 0.0)
+  {
+    said.push_back("new triangles are larger than those round them, as " +
+                   std::to_string(std::llround(wanted)) + " would have been needed");
   }
   for (const std::string& one : said)
   {

@@ -5,7 +5,9 @@
 
 #include "vtkOversketchOneStroke.h"
 
+#include "Intersection/crossing_faces.h"
 #include "Silhouette/effect.h"
+#include "Silhouette/facing.h"
 #include "vtkOversketchCorrection.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchFollowers.h"
@@ -57,11 +59,28 @@ struct vtkOversketchOneStroke::Pipeline
   oversketch::Judgement Judged(const char* stage, int foldsBefore);
   int Folds(const char* stage);
   const oversketch::Roughness& Rough(const char* stage);
+  // Share of what is seen of the mesh that shows its back, in the stroke's view.
+  double Back(const char* stage);
+  double NewBack(const char* stage);
+  // Pairs of triangles that pass through each other, one of them at least with a corner in the region.
+  int Crossings(const char* stage);
+  int NewCrossings(const char* stage);
   // What the result is judged by beside its outline: silhouettes of its region where the section is one of
   // them.
   const std::vector<oversketch::OutlineLoop>& Contours(const char* stage);
-  // What the run has done; throws Torn where that is refused.
-  void JudgeEffect();
+  std::vector<oversketch::OutlineLoop> ContoursOf(const char* stage);
+  // What has been done up to a stage, by the deformation of the stage before.
+  oversketch::StrokeEffect EffectOf(const char* before, const char* stage);
+  // True where remeshing could not make the plain deformation what was drawn.
+  bool BeyondHelp();
+  // From the match to the result, with the section of a rank, 1 for the one that fits best; what that has
+  // done.
+  oversketch::StrokeEffect Run(int candidate);
+  // With the section that was asked for. Where that turns a limb inside out, or misses the
+  // stroke far, and was not chosen by the user, the next ones are tried: one that does as drawn is taken.
+  void RunBest();
+  // Says what the run has done; throws Torn where that is refused.
+  void Judge(const oversketch::StrokeEffect& effect);
 
   // The mesh that a step of this run made, held until the run ends, so that it is converted and judged once.
   struct MadeMesh
@@ -71,9 +90,13 @@ struct vtkOversketchOneStroke::Pipeline
     std::optional<oversketch::StrokeOutline> Outline;
     std::optional<oversketch::OutlineError> OutlineMissed;
     std::optional<oversketch::Roughness> Rough; // of its region
+    std::optional<double> Back;
+    std::optional<int> Crossings;
     std::optional<std::vector<oversketch::OutlineLoop>> Contours;
   };
   MadeMesh& Made(const char* stage);
+  // One byte per point of the mesh that a step made.
+  std::vector<char> RegionOf(const char* stage);
   // Its folds and its roughness.
   void JudgeSurface(MadeMesh& made, const char* stage);
   std::map<std::string, MadeMesh> MadeMeshes;

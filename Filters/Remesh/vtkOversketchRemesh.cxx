@@ -208,8 +208,9 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   {
     length *= question.Factor;
   }
-  const std::vector<double> targets =
-    targetLengths(mesh, active, valuesOf(question.Diameters), fitting, sizing);
+  std::vector<double> targets = targetLengths(mesh, active, valuesOf(question.Diameters), fitting, sizing);
+  const TriangleLimit limit = limitTriangles(mesh, active, targets);
+  self->TrianglesWanted = std::min(limit.wanted, 1e15);
   this->Result = remesh({ mesh,
                           mask,
                           targets,
@@ -218,7 +219,8 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
                           self->ProtectSection,
                           self->Iterations,
                           self->KeepSmooth,
-                          self->TakeOutFolds },
+                          self->TakeOutFolds,
+                          limit.most },
     ContextOf(self));
   ++self->RemeshCount;
   self->GuideLength = guide;

@@ -21,6 +21,8 @@
  * than 0.02 target lengths. After the total absolute curvature of N. Dyn, K. Hormann, S.-J. Kim and D. Levin,
  * "Optimizing 3D triangulations using discrete curvature analysis", 2001;
  * - (KeepSmooth) edges of 50 to 100 degrees, as of a box, keep their place (they may be split);
+ * - where the lengths ask for far more triangles than there were, as of one that is far larger than those
+ * round it, they are raised evenly from below (GetTrianglesWanted);
  * - next to edges that cannot change the target goes over to their length, so that no fan of needles forms
  * there;
  * - edges and vertices that carry handles keep their place (edges may be split), so that the section does not
@@ -189,6 +191,13 @@ public:
   vtkGetMacro(Factor, double);
 
   /**
+   * How many triangles the target lengths of the last result asked for, where that was more than are made: 64
+   * times as many as there were and 20,000, or 500,000. The lengths were raised then, the least ones first. 0
+   * where nothing was.
+   */
+  vtkGetMacro(TrianglesWanted, double);
+
+  /**
    * How many times a mesh has really been remeshed, not found again.
    */
   vtkGetMacro(RemeshCount, vtkIdType);
@@ -214,6 +223,7 @@ private:
   double MinimumFactor = 0.2;
   double GuideLength = 0.0;
   double Factor = 1.0;
+  double TrianglesWanted = 0.0;
   vtkIdType RemeshCount = 0;
 
   struct Cache;

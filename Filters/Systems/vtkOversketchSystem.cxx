@@ -198,7 +198,8 @@ void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>
     this->Stages.begin(), this->Stages.end(), [name](const Stage& known) { return known.Name == name; });
   StepRunner::Listener listener;
   const double part = stage->Share / static_cast<double>(this->Passes);
-  listener.progress = [&](double share) { this->UpdateProgress(this->Done + share * part); };
+  // A stage that runs again takes no share of its own.
+  listener.progress = [&](double share) { this->UpdateProgress(std::min(1.0, this->Done + share * part)); };
   listener.warning = [this](const std::string& message)
   {
     if (this->Warnings.insert(message).second) // several steps may say the same
@@ -231,7 +232,7 @@ void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>
   {
     stage->Seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
-  this->Done += part;
+  this->Done = std::min(1.0, this->Done + part);
 }
 
 void vtkOversketchSystem::PrintSelf(ostream& os, vtkIndent indent)

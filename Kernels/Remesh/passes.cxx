@@ -85,7 +85,7 @@ int splitAll(Patch& patch, double longest, Steps& steps)
     [&](const Candidate& edge)
     {
       std::array<int, 4> neighbours;
-      const int found = patch.find(edge.a, edge.b, edge.h);
+      const int found = patch.triangleCount() < steps.mostTriangles ? patch.find(edge.a, edge.b, edge.h) : -1;
       const int m = found >= 0 ? patch.split(found, neighbours) : -1;
       made += m >= 0 ? 1 : 0;
       for (int i = 0; m >= 0 && i < 4; ++i)

@@ -6,6 +6,7 @@
 #include "Remesh/patch.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace oversketch
@@ -18,6 +19,7 @@ struct Steps // the passes of one remeshing, for progress and cancelling
   const Context& context;
   double done = 0.0, each = 0.0;
   int moves = 0;
+  int mostTriangles = std::numeric_limits<int>::max(); // of the patch, gone ones too: then nothing is split
 
   void tick()
   {

@@ -325,6 +325,7 @@ RemeshResult remesh(const RemeshInput& input, const Context& context)
   Relaxation relaxation(patch, context);
   Steps steps{ context };
   steps.each = 1.0 / (input.iterations * 4.0 + 1.0);
+  steps.mostTriangles = input.mostTriangles;
   for (int i = 0; i < input.iterations; ++i)
   {
     splitAll(patch, longest, steps);

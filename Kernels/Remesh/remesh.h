@@ -7,6 +7,7 @@
 #include "Mesh/place.h"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace oversketch
@@ -24,7 +25,8 @@ struct RemeshInput
   // Edges over 50 degrees stay where they are, and are only split; no move makes the surface turn more
   // sharply.
   bool keepSmooth = true;
-  bool takeOutFolds = false; // see unfold()
+  bool takeOutFolds = false;                           // see unfold()
+  int mostTriangles = std::numeric_limits<int>::max(); // that are ever made, see limitTriangles()
 };
 
 struct RemeshResult

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <queue>
 
@@ -362,6 +363,88 @@ std::vector<double> targetLengths(const Mesh& whole,
     result[part.vertices[v]] = std::max(std::min(target[v], shortest), -below[v]);
   }
   return result;
+}
+
+TriangleLimit limitTriangles(const Mesh& mesh, const std::vector<char>& active, std::vector<double>& targets)
+{
+  struct Asking
+  {
+    double area; // in equilateral ones of side 1
+    Triangle corners;
+    double longest; // edge, and its ends
+    int from, to;
+  };
+  std::vector<Asking> asking; // the active triangles
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    if (active[t])
+    {
+      const Triangle& c = mesh.triangles[t];
+      const Vector3 &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
+      Asking one{ 0.5 * (q - p).cross(r - p).norm() / equilateral, c, -1.0, 0, 0 };
+      for (int k = 0; k < 3; ++k)
+      {
+        const double length = (mesh.points[c[k]] - mesh.points[c[(k + 1) % 3]]).norm();
+        if (length > one.longest)
+        {
+          one.longest = length;
+          one.from = c[k];
+          one.to = c[(k + 1) % 3];
+        }
+      }
+      asking.push_back(one);
+    }
+  }
+  const auto asked = [&](double lowest)
+  {
+    double count = 0.0;
+    const auto size = [&](int v) { return std::max(targets[v], lowest); };
+    for (const Asking& one : asking)
+    {
+      double byArea = 0.0;
+      for (const int v : one.corners)
+      {
+        byArea += one.area > 0.0 ? one.area / (3.0 * size(v) * size(v)) : 0.0;
+      }
+      // A needle has as many as its long edge has parts, whose size goes evenly from one end's to the
+      // other's.
+      const double low = std::min(size(one.from), size(one.to)),
+                   high = std::max(size(one.from), size(one.to));
+      const double mean = high > low ? (high - low) / std::log(high / low) : low;
+      count += std::max(byArea, one.longest > 0.0 ? one.longest / mean : 0.0);
+    }
+    return count;
+  };
+  const double present = static_cast<double>(asking.size());
+  const double most = std::max(std::min(64.0 * present + 2e4, 5e5), largestGrowth * present);
+  const double wanted = asked(0.0);
+  const auto limitOf = [](double tooMany, double expected)
+  {
+    // Some are made and taken away again.
+    constexpr double inPassing = 4.0, few = 2e4;
+    return TriangleLimit{ tooMany,
+      static_cast<int>(std::min(inPassing * expected + few, 0.5 * std::numeric_limits<int>::max())) };
+  };
+  if (!(wanted > most))
+  {
+    return limitOf(0.0, std::max(present, wanted));
+  }
+  // Of the longest edge each has one part then.
+  double tooLow = 0.0, enough = 0.0;
+  for (const Asking& one : asking)
+  {
+    enough = std::max(enough, one.longest);
+  }
+  for (int step = 0; step < 60; ++step)
+  {
+    const double middle = 0.5 * (tooLow + enough);
+    (asked(middle) > most ? tooLow : enough) = middle;
+  }
+  for (double& target : targets)
+  {
+    target = std::max(target, enough);
+  }
+  return limitOf(wanted, most);
 }
 
 } // namespace oversketch

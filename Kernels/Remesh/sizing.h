@@ -41,5 +41,16 @@ std::vector<double> targetLengths(const Mesh& mesh,
   const std::vector<double>& fitting,
   const Sizing& sizing);
 
+struct TriangleLimit
+{
+  double wanted = 0.0; // triangles that were asked for, where that is too many; else 0
+  int most = 0;        // that a remeshing to the targets may ever make, the gone ones, too
+};
+
+// So that no triangle that is far larger than those round it costs minutes: raises the targets from below,
+// evenly, where by area and longest edge of the active triangles they ask for more than 64 times as many and
+// 20,000, or 500,000 (but four times as many as there are always pass).
+TriangleLimit limitTriangles(const Mesh& mesh, const std::vector<char>& active, std::vector<double>& targets);
+
 } // namespace oversketch
 #endif

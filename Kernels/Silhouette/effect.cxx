@@ -151,38 +151,39 @@ double backAlong(std::vector<OutlineLoop> loops,
     places.emplace_back(loop.points, loop.closed);
   }
   const std::vector<double> length = arcLengths(stroke);
+  // Of each loop the place nearest to one of the stroke; none where another loop comes 2 px nearer.
   const auto nearestTo = [&](double share)
   {
+    constexpr double asNear = 2.0; // px
     const Vector2 point = placeAt(length, static_cast<int>(stroke.size()), share * length.back()).of(stroke);
-    std::pair<std::size_t, NearestPlace::Answer> found;
-    found.second.distance = unreached;
-    for (std::size_t i = 0; i < places.size(); ++i)
+    std::vector<NearestPlace::Answer> found;
+    double nearest = unreached;
+    for (const NearestPlace& place : places)
     {
-      const NearestPlace::Answer answer = places[i](point, found.second.distance);
-      if (answer.segment >= 0 && answer.distance < found.second.distance)
-      {
-        found = { i, answer };
-      }
+      found.push_back(place(point, nearest + asNear));
+      nearest = found.back().segment >= 0 ? std::min(nearest, found.back().distance) : nearest;
+    }
+    for (NearestPlace::Answer& answer : found)
+    {
+      answer.segment = answer.distance <= nearest + asNear ? answer.segment : -1;
     }
     return found;
   };
-  const auto [loop, first] = nearestTo(0.2);
-  const auto [other, last] = nearestTo(0.8);
+  const std::vector<NearestPlace::Answer> first = nearestTo(0.2), last = nearestTo(0.8);
   double least = unreached;
-  if (first.segment < 0 || last.segment < 0 || loop != other)
-  {
-    return least;
-  }
   const NearestPlace onStroke(stroke);
-  for (const bool forward : { true, false })
+  for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    const NearestPlace::Answer &from = forward ? first : last, &to = forward ? last : first;
-    const bool inOrder = from.segment < to.segment || (from.segment == to.segment && from.t <= to.t);
-    if (inOrder || loops[loop].closed)
+    for (const bool forward : { true, false })
     {
-      constexpr double spacing = 2.0; // px
-      least =
-        std::min(least, onStroke.meanDistance(uniformPolyline(wayAlong(loops[loop], from, to), spacing)));
+      const NearestPlace::Answer &from = forward ? first[i] : last[i], &to = forward ? last[i] : first[i];
+      const bool inOrder = from.segment < to.segment || (from.segment == to.segment && from.t <= to.t);
+      if (from.segment >= 0 && to.segment >= 0 && (inOrder || loops[i].closed))
+      {
+        constexpr double spacing = 2.0; // px
+        least =
+          std::min(least, onStroke.meanDistance(uniformPolyline(wayAlong(loops[i], from, to), spacing)));
+      }
     }
   }
   return least;
@@ -198,7 +199,8 @@ std::string pixels(double value)
 std::string percent(double share)
 {
   std::ostringstream text;
-  text << std::lround(100.0 * share) << " %";
+  const double tenths = std::round(1000.0 * share) / 10.0;
+  text << (tenths < 10.0 ? tenths : std::round(tenths)) << " %";
   return text.str();
 }
 
@@ -272,6 +274,7 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
 {
   constexpr double near = 3.0;      // px in the mean: as near as a result has to come to the stroke's middle
   constexpr double large = 0.45;    // of the surface
+  constexpr double far = 8.0;       // px at worst
   constexpr double leftOver = 10.0; // px of outline beside the stroke that the stroke itself does not meet
   std::vector<std::string> said;
   if (!std::isfinite(effect.outline.mean))
@@ -283,6 +286,10 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
     said.push_back("the outline misses the stroke by " + pixels(effect.outline.mean) +
                    " in the mean and by " + pixels(effect.outline.worst) + " at worst");
   }
+  else if (effect.outline.worst > far)
+  {
+    said.push_back("the outline misses the stroke by " + pixels(effect.outline.worst) + " at worst");
+  }
   else if (!std::isfinite(effect.outlineBack))
   {
     said.emplace_back("no outline leads from one end of the stroke to the other");
@@ -290,6 +297,15 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   else if (effect.outlineBack > leftOver)
   {
     said.push_back("between the stroke's ends the outline runs " + pixels(effect.outlineBack) + " beside it");
+  }
+  if (effect.back > Judgement::tolerableBack)
+  {
+    said.push_back(percent(effect.back) + " of what is seen of the model is turned inside out");
+  }
+  if (effect.crossings > StrokeEffect::tolerableCrossings)
+  {
+    said.push_back(
+      "the surface passes through itself: " + std::to_string(effect.crossings) + " pairs of triangles cross");
   }
   if (effect.strayDistance > 0.0)
   {
@@ -311,16 +327,26 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
 
 std::string tornBy(const StrokeEffect& effect)
 {
+  StrokeEffect beside = effect;
+  beside.movedShare = 0.0;
+  const bool asDrawn = remarks(beside).empty();
   std::ostringstream text;
-  if (effect.stretch > StrokeEffect::tornStretch)
+  if (effect.stretch > StrokeEffect::tornStretch && !(effect.remeshed && asDrawn))
   {
     text << "edges are stretched or squeezed " << std::lround(effect.stretch) << " times";
   }
-  else if (effect.movedShare > StrokeEffect::tornShare)
+  else if (effect.movedShare > StrokeEffect::tornShare && !asDrawn)
   {
     text << percent(effect.movedShare) << " of the surface moved";
   }
   return text.str();
+}
+
+bool beyondHelp(const StrokeEffect& effect)
+{
+  constexpr double hand = 10.0; // px in the mean
+  return effect.strayDistance > 0.0 &&
+         (effect.movedShare > StrokeEffect::tornShare || effect.outline.mean > hand);
 }
 
 } // namespace oversketch

@@ -16,21 +16,26 @@ struct StrokeEffect
   OutlineError outline;     // from the stroke's middle 60 % to the outline
   double outlineBack = 0.0; // px, see below
   int folds = 0;            // folded edges that the mesh before did not have
+  double back = 0.0;        // share of what is seen of the mesh that shows its back, and did not before
+  int crossings = 0;        // pairs of triangles that pass through each other, less those of the mesh before
   Roughness before, after;
   double stretch = 1.0;    // 99 of 100 edges of what moved are stretched or squeezed by no more
+  bool remeshed = false;   // what is stretched was made even again
   double movedShare = 0.0; // of the mesh's surface, 0 to 1
   double strayDistance =
     0.0; // px from the stroke and its section to the farthest place that was moved beside them
   double strayMovement = 0.0; // px that such places were moved by at most
 
   static constexpr double strayLimit = 25.0; // px: what moves nearer to the stroke was meant
+  static constexpr int tolerableCrossings = 10;
   static constexpr double tornStretch = 8.0;
   static constexpr double tornShare = 0.7;
 };
 
 // Mean distance to the stroke of the outline between the places nearest to the ends of the stroke's middle 60
-// % [px]; of a closed loop the way round that lies nearer to the stroke counts. Infinite where no one loop
-// holds both places. `further` lines: see outlineError.
+// % [px]; of a closed loop the way round that lies nearer to the stroke counts, of several loops that come as
+// near as the nearest and 2 px the one whose way does. Infinite where no one loop holds both places.
+// `further` lines: see outlineError.
 double outlineBack(const StrokeOutline& outline, const std::vector<OutlineLoop>& further = {});
 
 // Fills in what the deformation alone tells: stretch, movedShare and the strays. Both meshes have the same
@@ -50,8 +55,13 @@ void measureMovement(const Mesh& before,
 // What is to be said of it, a sentence each, the worst first; none where the stroke did what was drawn.
 std::vector<std::string> remarks(const StrokeEffect& effect);
 
-// Why the result is a wreck; empty where it is none.
+// Why the result is a wreck; empty where it is none. A limb may be drawn many times as long, and a trunk
+// moved as a whole: where triangles were made even again and all else is as drawn, nothing is torn.
 std::string tornBy(const StrokeEffect& effect);
+
+// True where no new triangles can help, so that none need be made: what was moved beside the stroke is most
+// of the surface, or the outline is farther from the stroke than a hand misses by.
+bool beyondHelp(const StrokeEffect& effect);
 
 } // namespace oversketch
 #endif

@@ -104,6 +104,21 @@ TEST(StrokeEffect, AStrokeFromOneOutlineToAnotherHasNoWayBack)
   EXPECT_TRUE(std::isinf(outlineBack({ disks, effectView, { Vector2(200, 410), Vector2(600, 410) } })));
 }
 
+// A limb before another part of the model: the outline is broken there, its own silhouette is not.
+TEST(StrokeEffect, AFurtherLineLeadsBackWhereTheOutlineDoesNot)
+{
+  Mesh disks;
+  addDisk(disks, -150.0);
+  addDisk(disks, 150.0);
+  const Polyline stroke{ Vector2(200, 410), Vector2(600, 410) };
+  OutlineLoop line;
+  line.closed = false;
+  line.points = { Vector2(200, 404), Vector2(600, 404) };
+  EXPECT_NEAR(outlineBack({ disks, effectView, stroke }, { line }), 6.0, 0.1);
+  line.points = { Vector2(200, 380), Vector2(600, 380) }; // the outline is over 2 px nearer to both ends
+  EXPECT_TRUE(std::isinf(outlineBack({ disks, effectView, stroke }, { line })));
+}
+
 TEST(StrokeEffect, WhatMovesBesideTheStrokeIsFoundWithItsDistance)
 {
   const Mesh mesh = square();
@@ -144,12 +159,53 @@ TEST(StrokeEffect, StretchAndShareAreThoseOfTheRegion)
   EXPECT_NEAR(effectOf(mesh, wide, upper).movedShare, 0.25, 1e-9);
   EXPECT_TRUE(tornBy(effectOf(mesh, wide, upper)).empty());
   EXPECT_EQ(tornBy(effectOf(mesh, narrow, upper)), "edges are stretched or squeezed 10 times");
+  // All of the surface may move where nothing but what was meant did.
+  const std::vector<char> all(mesh.points.size(), 1);
+  EXPECT_TRUE(tornBy(effectOf(mesh, mesh, all)).empty());
   EXPECT_EQ(
-    tornBy(effectOf(mesh, mesh, std::vector<char>(mesh.points.size(), 1))), "100 % of the surface moved");
+    tornBy(effectOf(mesh, moved(mesh, -100.0, 100.0, Vector3(0, 20, 0)), all)), "100 % of the surface moved");
   // A vertex of each edge at one place is no division by zero.
   Mesh point = mesh;
   std::fill(point.points.begin(), point.points.end(), Vector3(0, 0, 0));
   EXPECT_NEAR(effectOf(mesh, point, upper).stretch, 1e6, 1.0);
+}
+
+// A limb drawn many times as long: its edges are stretched as often, and new triangles do not show it.
+TEST(StrokeEffect, WhatWasMadeEvenAgainAndIsAsDrawnIsNotTorn)
+{
+  StrokeEffect effect;
+  effect.stretch = 11.0;
+  EXPECT_EQ(tornBy(effect), "edges are stretched or squeezed 11 times");
+  effect.remeshed = true;
+  EXPECT_TRUE(tornBy(effect).empty());
+  effect.movedShare = 0.6;
+  EXPECT_TRUE(tornBy(effect).empty());
+  StrokeEffect wrong = effect;
+  wrong.folds = 11;
+  EXPECT_EQ(tornBy(wrong), "edges are stretched or squeezed 11 times");
+  wrong = effect;
+  wrong.outline = { 3.1, 4.0 };
+  EXPECT_FALSE(tornBy(wrong).empty());
+  wrong = effect;
+  wrong.strayDistance = 26.0;
+  EXPECT_FALSE(tornBy(wrong).empty());
+  wrong = effect;
+  wrong.back = 0.01;
+  EXPECT_FALSE(tornBy(wrong).empty());
+}
+
+TEST(StrokeEffect, OnlyWhatMovedBesideTheStrokeIsBeyondHelp)
+{
+  StrokeEffect effect;
+  effect.outline = { 40.0, 90.0 };
+  effect.movedShare = 0.9;
+  EXPECT_FALSE(beyondHelp(effect));
+  effect.strayDistance = 30.0;
+  EXPECT_TRUE(beyondHelp(effect));
+  effect.outline = { 9.0, 20.0 };
+  EXPECT_TRUE(beyondHelp(effect));
+  effect.movedShare = 0.3;
+  EXPECT_FALSE(beyondHelp(effect));
 }
 
 TEST(StrokeEffect, RemarksNameWhatIsWrongAndNothingElse)
@@ -168,6 +224,18 @@ TEST(StrokeEffect, RemarksNameWhatIsWrongAndNothingElse)
     (std::vector<std::string>{ "the outline misses the stroke by 40 px in the mean and by 62 px at worst",
       "50 % of the surface moved",
       "12 edges are folded over" }));
+  effect = StrokeEffect();
+  effect.outline = { 1.1, 12.8 };
+  effect.back = 0.0124;
+  effect.crossings = 31;
+  EXPECT_EQ(remarks(effect),
+    (std::vector<std::string>{ "the outline misses the stroke by 13 px at worst",
+      "1.2 % of what is seen of the model is turned inside out",
+      "the surface passes through itself: 31 pairs of triangles cross" }));
+  effect.outline = { 1.1, 8.0 };
+  effect.back = 0.002;
+  effect.crossings = 10;
+  EXPECT_TRUE(remarks(effect).empty());
   effect = StrokeEffect();
   effect.outlineBack = 33.0;
   EXPECT_EQ(remarks(effect),

@@ -241,7 +241,8 @@ bool Judgement::keptAgainst(const Judgement& plain) const
                       this->outline.worst <= plain.outline.worst + step;
   const bool nearer = this->folds <= tolerableFolds && this->outline.mean <= plain.outline.mean &&
                       this->outline.worst <= plain.outline.worst - step;
-  return (asGood || nearer) && !rougher(this->roughness, plain.roughness);
+  return (asGood || nearer) && !rougher(this->roughness, plain.roughness) &&
+         this->back <= plain.back + tolerableBack;
 }
 
 bool Judgement::betterThan(const Judgement& first) const

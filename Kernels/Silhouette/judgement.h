@@ -62,13 +62,15 @@ struct Judgement
   OutlineError outline;
   int folds = 0;            // folded edges that the mesh before did not have
   Roughness roughness = {}; // of what moved
+  double back = 0.0;        // share of what is seen of the mesh that shows its back, and did not before
 
   static constexpr int tolerableFolds = 5; // half of what the specification lets a result have (stage 12)
+  static constexpr double tolerableBack = 0.002;
   // For a second deformation against the first: nearer to the stroke without more folds than are tolerable,
   // or fewer of too many folds for at most 2 px of distance.
   bool betterThan(const Judgement& first) const;
   // For a remeshed result against the plain one: no more folds and at most 0.5 px further from the stroke; or
-  // 0.5 px nearer with folds that are tolerable; and no rougher.
+  // 0.5 px nearer with folds that are tolerable; no rougher, and not more turned inside out.
   bool keptAgainst(const Judgement& plain) const;
 };
 

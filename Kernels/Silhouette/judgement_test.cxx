@@ -323,6 +323,14 @@ TEST(Judgement, ARemeshedResultIsKeptWhereItIsAsGood)
   EXPECT_FALSE(kept(1.1, 2.5, 5));
 }
 
+TEST(Judgement, WhatIsTurnedInsideOutIsWorse)
+{
+  const auto shown = [](double worst, double back) { return Judgement{ { 1.0, worst }, 2, {}, back }; };
+  EXPECT_TRUE(shown(3.0, 0.002).keptAgainst(shown(3.0, 0.0)));
+  EXPECT_FALSE(shown(1.0, 0.003).keptAgainst(shown(3.0, 0.0)));
+  EXPECT_TRUE(shown(3.0, 0.003).keptAgainst(shown(3.0, 0.003)));
+}
+
 TEST(Judgement, ARemeshedResultThatIsRougherIsNotKept)
 {
   const Judgement plain{ { 1.0, 3.0 }, 2, { 8.0, 0.02 } };

@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 namespace oversketch
 {
@@ -125,6 +126,7 @@ MatchedSection nearestSection(const std::vector<MatchCandidate>& candidates,
   const std::vector<NearestPlace>& outlines = drawing.outlines;
   MatchedSection best, shadowed; // shadowed: the best of those left to an outline, should no outline qualify
   best.score = shadowed.score = infinity;
+  best.twisted = shadowed.twisted = true;
   for (std::size_t c = 0; c < candidates.size(); ++c)
   {
     context.checkpoint(static_cast<double>(c) / static_cast<double>(candidates.size()));
@@ -136,7 +138,8 @@ MatchedSection nearestSection(const std::vector<MatchCandidate>& candidates,
     const NearestPlace onCandidate(candidate.display, candidate.closed);
     const NearestPlace::Answer start = onCandidate(samples.front()), end = onCandidate(samples.back());
     const double gaps = 0.5 * (start.distance + end.distance);
-    if (rules.amendedScore && gaps >= std::max(best.score, outlines.empty() ? 0.0 : shadowed.score))
+    const auto limit = [](const MatchedSection& rival) { return rival.twisted ? infinity : rival.score; };
+    if (rules.amendedScore && gaps >= std::max(limit(best), outlines.empty() ? 0.0 : limit(shadowed)))
     {
       continue;
     }
@@ -184,9 +187,10 @@ MatchedSection nearestSection(const std::vector<MatchCandidate>& candidates,
         continue;
       }
       match.score = NearestPlace(section).meanDistance(samples) + back + gaps;
+      match.twisted = woundApart(section, samples);
       const bool left = !candidate.outline && !outlines.empty() && runsAlong(sectionSamples, outlines);
       MatchedSection& rival = left ? shadowed : best;
-      if (match.score < rival.score)
+      if (std::tie(match.twisted, match.score) < std::tie(rival.twisted, rival.score))
       {
         rival = std::move(match);
       }
@@ -264,7 +268,7 @@ std::vector<MatchedSection> rankedSections(const std::vector<MatchCandidate>& ca
   constexpr double same = 0.6;
   std::vector<CandidatePart> parts = findShapes(candidates, drawing.samples, context);
   std::optional<CandidatePart> own;
-  if (nearest.candidate >= 0)
+  if (nearest.candidate >= 0 && !nearest.twisted)
   {
     own.emplace();
     own->candidate = nearest.candidate;
@@ -297,6 +301,10 @@ std::vector<MatchedSection> rankedSections(const std::vector<MatchCandidate>& ca
     }
     taken.push_back(isNearest ? *own : part);
     ranked.push_back(std::move(section));
+  }
+  if (nearest.candidate >= 0 && nearest.twisted)
+  {
+    ranked.push_back(nearest); // after all that turn no limb inside out
   }
   return ranked;
 }

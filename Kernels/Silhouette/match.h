@@ -36,14 +36,16 @@ struct MatchedSection
   double begin = 0.0, length = 0.0; // px along the candidate, as in CandidatePart
   double distance = 0.0;            // D of Eq. 3, px
   double score = 0.0;               // what was minimised, px
-  int rivals = 1;                   // sections that fit, this one among them
+  bool twisted = false; // wound apart from the stroke, see woundApart: it would turn the limb inside out
+  int rivals = 1;       // sections that fit, this one among them
 };
 
 // The published rule takes the candidate of least D = mean over the stroke's samples of the distance to the
 // nearest point of the candidate, and of a closed one the arc with the smaller mean distance back to the
 // stroke. The amended rule takes the section (both arcs compete) of least score = mean distance of the stroke
 // to the section + mean distance of the section to the stroke + half the sum of the two end gaps; a
-// silhouette curve that runs along an outline is left to the outline. Sections shorter than the spacing or
+// silhouette curve that runs along an outline is left to the outline, and one that is wound apart from the
+// stroke (woundApart) to those that are not. Sections shorter than the spacing or
 // with fewer than two bound points do not qualify. Throws Error(Failure::NoMatch) when nothing does, and
 // where a gate or the rank asks for what there is not.
 //

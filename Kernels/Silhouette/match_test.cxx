@@ -104,6 +104,29 @@ TEST(ShapeSearch, AShiftedCopyCostsOneAndAHalfTimesItsShift)
   }
 }
 
+TEST(ShapeSearch, LinesRoundALimbAreWoundApartWhereTheirSidesAreExchanged)
+{
+  const Polyline leg = roundLeg(70, Vector2(0, 0)), other = roundLeg(170, Vector2(15, -20));
+  const Polyline back(leg.rbegin(), leg.rend());
+  EXPECT_FALSE(woundApart(leg, leg));
+  EXPECT_FALSE(woundApart(leg, other));
+  EXPECT_TRUE(woundApart(leg, back));
+  EXPECT_TRUE(woundApart(back, other));
+  // Bent over by a half circle it goes round the same way.
+  Polyline bent = leg;
+  for (Vector2& p : bent)
+  {
+    const double angle = (180.0 - p[1]) / 180.0 * 3.14159, radius = 200.0 - p[0];
+    p = Vector2(200.0 - radius * std::cos(angle), 180.0 - radius * std::sin(angle));
+  }
+  EXPECT_FALSE(woundApart(leg, bent));
+  EXPECT_TRUE(woundApart(back, bent));
+  // One side of a limb may be bent either way.
+  const Polyline up = uniformPolyline({ { 0, 0 }, { 50, 40 }, { 100, 0 } }, 2.0),
+                 down = uniformPolyline({ { 0, 0 }, { 50, -40 }, { 100, 0 } }, 2.0);
+  EXPECT_FALSE(woundApart(up, down));
+}
+
 TEST(ShapeSearch, FindsTheShapeWhereverItIs)
 {
   const std::vector<MatchCandidate> candidates{ twoLegs() };
@@ -263,4 +286,27 @@ TEST(ShapeSearch, WhatIsOfTheSameShapeButFarAwayIsNotMeant)
   EXPECT_FALSE(
     findShapes(candidates, roundLeg(170, Vector2(0, -100))).empty()); // of 420 px, 105 are a quarter
   EXPECT_TRUE(findShapes(candidates, roundLeg(170, Vector2(0, -250))).empty());
+}
+
+// A hand that begins a stroke beside the leg's other side: the ends alone would put its left side where the
+// right one was drawn, and turn it inside out.
+TEST(Match, NoSideOfALimbIsTakenForItsOther)
+{
+  const std::vector<MatchCandidate> candidates{ twoLegs() };
+  const Polyline crossed =
+    uniformPolyline({ { 77, 180 }, { 123, 150 }, { 123, 5 }, { 77, 5 }, { 77, 150 }, { 123, 180 } }, 4.0);
+  for (const bool reversed : { false, true })
+  {
+    Polyline stroke = crossed;
+    if (reversed)
+    {
+      std::reverse(stroke.begin(), stroke.end());
+    }
+    const MatchedSection section = matchStroke(candidates, stroke, rules(true));
+    const Polyline line = lineOf(candidates, section);
+    EXPECT_FALSE(woundApart(line, stroke));
+    EXPECT_NEAR(arcLengths(line).back(), 420.0, 60.0); // the whole leg, from its other side
+    EXPECT_NEAR(line.front()[0], reversed ? 70.0 : 130.0, 1.0);
+    EXPECT_NEAR(line.back()[0], reversed ? 130.0 : 70.0, 1.0);
+  }
 }

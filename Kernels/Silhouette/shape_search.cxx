@@ -125,9 +125,39 @@ struct Drawn
 // The steps to each sample of a part.
 using Offsets = std::array<int, sampleCount>;
 
+// The sign of the area between a line, at(0) to at(count - 1), and the chord of its ends; 0 where it goes
+// round next to nothing.
+template <typename At>
+int windingOf(int count, const At& at)
+{
+  constexpr double open = 0.4;   // of its length: its ends are no farther apart
+  constexpr double least = 4e-3; // twice the area, of the length squared: of a limb 1 to 500, about
+  double area = 0.0, length = 0.0;
+  Vector2 last = Vector2::Zero();
+  for (int i = 1; i < count; ++i)
+  {
+    const Vector2 next = at(i) - at(0);
+    area += last[0] * next[1] - last[1] * next[0];
+    length += (next - last).norm();
+    last = next;
+  }
+  const bool goesRound = last.norm() <= open * length && std::abs(area) >= least * length * length;
+  return !goesRound ? 0 : area > 0.0 ? 1 : -1;
+}
+
+int windingOf(const Polyline& line)
+{
+  return windingOf(static_cast<int>(line.size()),
+    [&line](int i) -> const Vector2& { return line[static_cast<std::size_t>(i)]; });
+}
+
 // Mean distance of the stroke to the part that begins at a place, after the shift, and some of the shift;
 // infinite where that is another shape.
-double difference(const Polyline& stroke, double drawn, const Vector2* place, const Offsets& offsets)
+double difference(const Polyline& stroke,
+  double drawn,
+  int winding,
+  const Vector2* place,
+  const Offsets& offsets)
 {
   Vector2 differences[sampleCount], mean = Vector2::Zero();
   for (int i = 0; i < sampleCount; ++i)
@@ -142,7 +172,10 @@ double difference(const Polyline& stroke, double drawn, const Vector2* place, co
     sum += (d - mean).norm();
   }
   const bool isLike =
-    sum / sampleCount <= unlike * drawn && mean.norm() <= std::max(leastReach, reach * drawn);
+    sum / sampleCount <= unlike * drawn && mean.norm() <= std::max(leastReach, reach * drawn) &&
+    winding * windingOf(sampleCount,
+                [&](int i) -> const Vector2& { return place[offsets[static_cast<std::size_t>(i)]]; }) >=
+      0;
   return isLike ? sum / sampleCount + 0.5 * shiftCost * mean.norm() : std::numeric_limits<double>::infinity();
 }
 
@@ -184,13 +217,13 @@ void sweep(const Polyline& stroke,
     offsets[static_cast<std::size_t>(i)] =
       static_cast<int>(std::lround(static_cast<double>(steps) * i / (sampleCount - 1)));
   }
-  const int count = track.count();
+  const int count = track.count(), winding = windingOf(stroke);
   std::vector<double> scores; // of the parts that begin at each place
   scores.reserve(static_cast<std::size_t>(count));
   for (int begin = 0; begin < count; ++begin)
   {
     scores.push_back(
-      track.holds(begin, steps) ? difference(stroke, drawn, track.from(begin), offsets) : infinite);
+      track.holds(begin, steps) ? difference(stroke, drawn, winding, track.from(begin), offsets) : infinite);
   }
   using Scored = std::pair<double, int>; // and where the part begins
   std::vector<Scored> parts, minima;
@@ -239,6 +272,11 @@ void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& st
 {
   const MatchCandidate& candidate = candidates[static_cast<std::size_t>(part.candidate)];
   Drawn(stroke).score(candidate, arcLengths(candidate.display, candidate.closed), part);
+}
+
+bool woundApart(const Polyline& a, const Polyline& b)
+{
+  return windingOf(a) * windingOf(b) < 0;
 }
 
 double likeness(const CandidatePart& a, const CandidatePart& b)

@@ -32,8 +32,9 @@ Blend placeOn(const MatchCandidate& candidate, const std::vector<double>& length
 //
 // Parts begin at equal steps along every candidate, run both ways and are 0.3 to 2.2 times as long as the
 // stroke; those whose shape, less the shift, is nearest to the stroke's are scored, and of those
-// that are better than their neighbours the best. None whose mean distance then is over 0.2 of the stroke's
-// length: a line across the outline looks like no part of it. The best first.
+// that are better than their neighbours the best. None that is wound apart from the stroke, nor whose mean
+// distance then is over 0.2 of the stroke's length: a line across the outline looks like no part of it. The
+// best first.
 std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candidates,
   const Polyline& stroke,
   const Context& context = {});
@@ -49,6 +50,10 @@ void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& st
 Polyline openStroke(const std::vector<MatchCandidate>& candidates,
   const Polyline& stroke,
   const Context& context = {});
+
+// True where both lines go round a limb, with their ends at most 0.4 of their length apart, and the one does
+// so clockwise and the other not: who matches them puts the limb's left side where its right one was drawn.
+bool woundApart(const Polyline& a, const Polyline& b);
 
 // The share of the one scored part that runs within 6 px of the other, the lesser of the two ways round.
 double likeness(const CandidatePart& a, const CandidatePart& b);

@@ -11,6 +11,7 @@ SHARP_ANGLE = 40.0  # degrees, above which it counts as sharp
 # How much rougher than the same stroke's result without remeshing what moved may be: mean angle between neighbours, and share of
 # the edges' length that is sharp.
 ROUGHER, ROUGHER_BY, SHARPER_BY = 1.25, 1.0, 0.01
+INSIDE_OUT = 0.002  # share of what is covered of the picture that may newly show the back of a triangle
 
 
 # ----------------------------------------------------------------------------------------------- the outline
@@ -46,6 +47,23 @@ def outline_distances(view, points, triangles, stroke):
         arc = min(arcs)[2]  # a loop has two ways between two points: the one along the stroke
         back = picture.distance_to(picture.resample(arc, 1.0), [stroke])[0].max()
     return float(distance.mean()), float(distance.max()), float(back)
+
+
+def back_share(view, points, triangles):
+    """The share of the pixels that the mesh covers in which the front triangle shows its back; points must not lie behind the eye."""
+    xy, depth = view.display(points)
+    nearness = -1 / depth if view.perspective else depth  # affine on screen over a plane
+    a, b, c = (xy[triangles[:, k]] for k in range(3))
+    cross = lambda u, v: u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
+    area = cross(b - a, c - a)
+    pixel, t = picture.fragments(xy, triangles, view.width, view.height)
+    pixel, t = pixel[area[t] != 0], t[area[t] != 0]
+    at = np.c_[pixel % view.width, pixel // view.width] + 0.5
+    share = [cross(q[t] - p[t], at - p[t]) / area[t] for p, q in ((b, c), (c, a), (a, b))]
+    near = sum(weight * nearness[triangles[t, k]] for k, weight in enumerate(share))
+    order = np.lexsort((area[t] > 0, near, pixel))
+    front = order[np.diff(pixel[order], append=-1) != 0]  # of each pixel the last, which is the nearest
+    return float((area[t[front]] < 0).mean()) if len(front) else 0.0
 
 
 # ----------------------------------------------------------------------------------------------- the surface
@@ -178,8 +196,9 @@ def judge(before, after, stroke, view, region=None, note=None):
     p1, t1 = changed["points"], changed["triangles"]
     result["mean"], result["worst"], result["back"] = outline_distances(view, p1, t1, stroke)
     if "start" not in before:
-        before["start"] = outline_distances(view, p0, t0, stroke)
+        before["start"] = outline_distances(view, p0, t0, stroke) + (back_share(view, p0, t0),)
     result["mean before"], result["worst before"] = before["start"][:2]
+    result["inside out"] = back_share(view, p1, t1) - before["start"][3]
     result["folds"] = changed["folds"] - before["folds"]
     result["angle"], result["sharp"] = roughness(p1, t1, ~meshes.among(p1, p0))
     stays = meshes.among(p0, p1)
@@ -209,7 +228,7 @@ def judge(before, after, stroke, view, region=None, note=None):
 
 CHECKS = (
     ("mean", lambda v: v <= MEAN), ("worst", lambda v: v <= WORST), ("back", lambda v: v <= BACK),
-    ("folds", lambda v: v <= FOLDS), ("untouched", lambda v: v >= UNTOUCHED), ("closed", bool), ("manifold", bool),
+    ("folds", lambda v: v <= FOLDS), ("inside out", lambda v: v <= INSIDE_OUT), ("untouched", lambda v: v >= UNTOUCHED), ("closed", bool), ("manifold", bool),
     ("degenerate", lambda v: v <= 0), ("outside changed", lambda v: v == 0), ("overlap", lambda v: v >= OVERLAP),
     ("other limbs moved", lambda v: v == 0), ("rougher", lambda v: v <= 0),
 )

@@ -83,6 +83,21 @@ def test_way_back_sees_what_the_way_there_does_not():
     assert worst < 5.1 and back == pytest.approx(30, abs=1.0)  # a sharp tip is cut by the grid
 
 
+@pytest.mark.parametrize("perspective", [False, True])
+def test_the_share_of_backs(perspective):
+    points, triangles = sphere(40)
+    view = picture.View.looking(points, (0.3, 0.5, 0.8), (0, 1, 0), perspective, 0.7)
+    assert judge.back_share(view, points, triangles) == 0
+    assert judge.back_share(view, points, triangles[:, ::-1]) == 1
+    # A smaller one before it, turned inside out: a quarter of the area, more in perspective as it is nearer.
+    near = points * 0.5 + 2 * np.linalg.inv(view.view)[:3, 2]
+    both = np.vstack([points, near]), np.vstack([triangles, triangles[:, ::-1] + len(points)])
+    share = judge.back_share(view, *both)
+    away = -view.display(np.zeros((1, 3)))[1][0]
+    expected = 0.25 * (away ** 2 - 1) / ((away - 2) ** 2 - 0.25) if perspective else 0.25  # spheres seen as circles
+    assert share == pytest.approx(expected, rel=0.01)
+
+
 def test_folded_edges_are_counted():
     points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0.5, 0]], float)
     triangles = np.array([[0, 1, 2], [0, 2, 3], [1, 4, 2]])

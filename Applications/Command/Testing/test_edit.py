@@ -73,8 +73,11 @@ def test_lengths_are_the_models_or_shares_of_its_diagonal(folder, tmp_path):
 def test_an_edit_that_moves_nothing_writes_its_input(folder, tmp_path):
     before = read(folder / "body.vtp")
     for more in ([], ["--move", "0.5,n,0"], ["--pin", "0.3", "--drag", "0,0"]):
-        done = run(*command(folder, tmp_path / "same.vtp", *more))
+        done = run(*command(folder, tmp_path / "same.vtp", "--report", tmp_path / "same.json", *more))
         assert done.returncode == 0 and "warning: nothing has moved" in done.stderr and "edit --help" in done.stderr
+        # The report holds what was warned of, word by word.
+        said = [line.split("warning: ", 1)[1] for line in done.stderr.splitlines() if "warning: " in line]
+        assert json.loads((tmp_path / "same.json").read_text())["warnings"] == said
         assert digest(read(tmp_path / "same.vtp")) == digest(before)
     assert run(*command(folder, tmp_path / "o.vtp", "--move", "0.5,n,2%")).stderr == ""
 

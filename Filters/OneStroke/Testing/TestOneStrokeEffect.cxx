@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -224,6 +225,56 @@ TEST(OneStrokeEffect, AResultThatTearsIsRefusedUnlessItIsAllowed)
   ASSERT_EQ(torn.ear.warnings.size(), 1u);
   EXPECT_NE(torn.ear.warnings[0].find(torn.filter->GetRemark()), std::string::npos);
   EXPECT_NE(std::string(torn.filter->GetRemark()).find("stretched or squeezed"), std::string::npos);
+}
+
+// A limb that is drawn many times as long is stretched as often; its triangles are made anew, so nothing is
+// torn.
+TEST(OneStrokeEffect, AnArmSeveralTimesAsLongIsNotTorn)
+{
+  vtkSmartPointer<vtkPolyData> stroke = shippedStroke("person_longer_arm");
+  const std::vector<Vector2> samples = oversketch::StrokeOf(stroke);
+  const Vector2 base = 0.5 * (samples.front() + samples.back());
+  const Vector2 tip = *std::max_element(samples.begin(),
+    samples.end(),
+    [&](const Vector2& a, const Vector2& b) { return (a - base).norm() < (b - base).norm(); });
+  const double length = (tip - base).norm();
+  const Vector2 along = (tip - base) / length;
+  Drawn arm(put(stroke,
+    [&](const Vector2& p)
+    {
+      const double at = (p - base).dot(along);
+      return Vector2(p + 3.5 * at * std::clamp(at / (0.3 * length), 0.0, 1.0) * along);
+    }));
+  arm.mesh = shippedModel("person");
+  arm.filter->SetInputData(0, arm.mesh);
+  arm.run();
+  ASSERT_EQ(arm.filter->GetErrorCode(), 0u);
+  EXPECT_GT(arm.filter->GetStretch(), 8.0);
+  EXPECT_TRUE(arm.filter->GetRemeshed());
+  EXPECT_STREQ(arm.filter->GetRemark(), "");
+  EXPECT_LT(arm.filter->GetOutlineDistance(), 1.0);
+}
+
+// A tail whose sides cross where they were drawn: taken as the ends of the stroke lie, its left side would go
+// to the right, and the tail be turned inside out.
+TEST(OneStrokeEffect, NoTailIsTurnedInsideOutForASideThatWasDrawnPastTheOther)
+{
+  vtkSmartPointer<vtkPolyData> stroke = shippedStroke("dog_curled_tail");
+  const std::vector<Vector2> samples = oversketch::StrokeOf(stroke);
+  const std::size_t last = samples.size() - 1;
+  // Each sample goes over to the other side but the ends: by 1.6 of the way to the one as far from the other
+  // end.
+  std::vector<Vector2> crossed;
+  for (std::size_t i = 0; i <= last; ++i)
+  {
+    const double share = static_cast<double>(std::min(i, last - i)) / static_cast<double>(last);
+    crossed.push_back(samples[i] + std::min(1.0, share / 0.15) * 0.8 * (samples[last - i] - samples[i]));
+  }
+  Drawn tail(toStroke(crossed, oversketch::ViewOf(stroke)));
+  tail.run();
+  ASSERT_EQ(tail.filter->GetErrorCode(), 0u);
+  EXPECT_LE(tail.filter->GetInsideOut(), 0.002) << tail.filter->GetRemark();
+  EXPECT_LT(tail.filter->GetOutlineDistance(), 3.0);
 }
 
 TEST(OneStrokeEffect, CandidatesAreDifferentSectionsAndABadNumberIsRefused)

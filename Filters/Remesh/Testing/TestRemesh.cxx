@@ -89,6 +89,26 @@ std::string text(const char* format, double a, double b, double c, double d)
 
 } // namespace
 
+// One vertex far away makes triangles that are thousands of times as large as those round them: what they ask
+// for is bounded, and said. Of a mesh without such a one nothing is.
+TEST(Remesh, ASpikeCostsNoMillionsOfTriangles)
+{
+  const Mesh ball = icosphere(2);
+  Mesh spiked = ball;
+  spiked.points[10] *= 65536.0;
+  for (const bool isSpiked : { true, false })
+  {
+    const Mesh& mesh = isSpiked ? spiked : ball;
+    const auto input = withRegion(mesh, [](const Vector3&) { return true; });
+    Remeshed stretch(input, vtkOversketchRemesh::Stretch);
+    const auto made = stretch.run();
+    EXPECT_GT(made->GetNumberOfPolys(), 0);
+    const vtkIdType asked = 64 * mesh.triangleCount() + 20000; // at most, and four times that in passing
+    EXPECT_LE(made->GetNumberOfPolys(), 4 * asked + 20000);
+    EXPECT_EQ(stretch.filter->GetTrianglesWanted() > 0.0, isSpiked);
+  }
+}
+
 TEST(A11_1, MeanEdgeIsLKAfterStretchAndLAfterRestore)
 {
   std::string figures;

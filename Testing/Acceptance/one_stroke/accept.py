@@ -118,7 +118,7 @@ ACCEPTANCE = frame.Run(
     script=__file__,
     title="Acceptance: one stroke deforms a mesh",
     units="px on an 800 x 600 picture: mean and worst distance of the stroke's middle 60 % to the result's outline, back: largest "
-          "distance of the outline between to the stroke; folds: new edges with normals over 100 degrees apart; untouched: share "
+          "distance of the outline between to the stroke; folds: new edges with normals over 100 degrees apart; inside out: share of what is seen that newly shows its back; untouched: share "
           "of the area; overlap: intersection over union of the region and the stroked capsule; angle: mean degrees between "
           "neighbouring triangles of what moved; sharp: share of its edges' length over 40 degrees; rougher: how far these two "
           "are over their bound against remesh off, in degrees or hundredths.",
@@ -127,11 +127,12 @@ ACCEPTANCE = frame.Run(
     usual=("off", "default", "published"),
     counting=("off", "default"),
     bounds={"mean": "mean ≤ 1.0 px", "worst": "worst ≤ 2.5 px", "back": "back ≤ 3 px", "folds": "at most 10 new folds",
+            "inside out": "no more than 0.2 % of what is seen turned inside out",
             "untouched": "half of the area untouched", "closed": "closed stays closed", "manifold": "manifold stays manifold",
             "degenerate": "no new degenerate triangle", "outside changed": "outside the region bit-identical",
             "other limbs moved": "other limbs untouched", "overlap": "region overlaps the capsule by 0.95",
             "rougher": "no rougher than with remesh off: mean angle ≤ 1.25 times + 1 degree, sharp length ≤ 0.01 more"},
-    columns=("mean", "worst", "back", "folds", "untouched", "overlap", "angle", "sharp", "rougher", "seconds"),
+    columns=("mean", "worst", "back", "folds", "inside out", "untouched", "overlap", "angle", "sharp", "rougher", "seconds"),
     make=lambda folder, day: strokes.make_all(folder, [name for name, *_ in frame.tenth(meshes.models(), day)] if day else ()),
     one=run,
 )

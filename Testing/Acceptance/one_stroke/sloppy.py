@@ -112,7 +112,7 @@ def table(rows: List[Row], modes: List[str]) -> str:
     lines = ["# Sloppy strokes", "",
              f"{len(sloppy_rows(rows, 'default'))} sloppy strokes of {len(names)} well-made ones on {models} models, pictures of "
              "800 x 600 px. As meant: the outline lies within 3 px of the stroke's middle 60 %, in the mean, and nothing in the "
-             "picture changed farther than 30 px from the hull of stroke and section.", "",
+             "picture changed farther than 30 px from the hull of stroke and section, nor was turned inside out.", "",
              "| strokes | " + " | ".join(heads) + " |", "|---|" + "---|" * 4 * len(modes), counts("**all**", sloppy, modes)]
     lines += [counts(f"of a {part}", [r for r in sloppy if r["part"] == part], modes) for part in ("limb", "torso")]
     for hand in (*hands.HANDS, "?"):

@@ -1,5 +1,5 @@
 """Judges what a sloppy stroke did: whether the outline follows what was drawn, whether anything changed in the picture far from
-there, whether that was said; and where neither holds, which step went wrong."""
+there or was turned inside out, whether that was said; and where neither holds, which step went wrong."""
 import sys
 from pathlib import Path
 from typing import Dict, List, Tuple
@@ -26,6 +26,7 @@ class Seen:
         covered = np.zeros(view.width * view.height, bool)
         covered[self.pixel] = True
         self.covered = covered.reshape(view.height, view.width)
+        self.back = judge.back_share(view, points, triangles)
 
     def visible(self) -> np.ndarray:
         """Points that nothing is in front of, by more than 1 % of the mesh's depth."""
@@ -103,12 +104,14 @@ def judge_result(before: Seen, after: Tuple[np.ndarray, np.ndarray], pairs: Tupl
         return {"fails": ["not finite"]}
     corners = hull(np.vstack([stroke, section]))
     mean, worst, back = judge.outline_distances(before.view, *after, stroke)
-    edge = changes(before, Seen(before.view, *after), corners)
+    seen = Seen(before.view, *after)
+    edge = changes(before, seen, corners)
     inner = movements(before.view, *pairs, corners)
     result: Dict[str, object] = {"mean": mean, "worst": worst, "back": back, "far pixels": edge["far pixels"],
-                                 "far points": inner["far points"], "moved": inner["moved"],
+                                 "far points": inner["far points"], "moved": inner["moved"], "inside out": seen.back - before.back,
                                  "farthest": max(edge["farthest"], inner["farthest"])}
-    fails = {"outline": mean > MEAN, "far in outline": edge["far pixels"] > 0, "far inside": inner["far points"] > 0}
+    fails = {"outline": mean > MEAN, "far in outline": edge["far pixels"] > 0, "far inside": inner["far points"] > 0,
+             "inside out": seen.back - before.back > judge.INSIDE_OUT}
     result["fails"] = [name for name, failed in fails.items() if failed]
     return result
 
@@ -141,6 +144,8 @@ def cause(result: Dict[str, object], lies: Dict[str, float]) -> str:
         return "wrong section: crotch or other limb" if lies["strays"] > 0.5 else "wrong section: a part of it"
     if lies["strays"] > 0.2:
         return "section runs on elsewhere"
+    if fails == ["inside out"]:
+        return "turned inside out, as drawn otherwise"
     if fails == ["outline"]:
         return "outline misses the stroke, nothing else moved"
     return "region too large" + (", outline misses too" if "outline" in fails else "")

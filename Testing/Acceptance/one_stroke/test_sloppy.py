@@ -220,6 +220,21 @@ def test_a_hull_and_the_distance_to_it():
     assert sloppy_judge.off_hull(np.array([[5.0, 5], [13, 14], [5, -7], [0, 5]]), corners) == pytest.approx([0, 5, 7, 0])
 
 
+def test_what_is_turned_inside_out_is_found():
+    # A strip along the upper edge is laid over the plate, its back in front.
+    points, triangles = plate()
+    before = sloppy_judge.Seen(FLAT, points, triangles)
+    assert before.back == 0
+    xy = before.xy
+    strip = (xy[:, 1] > xy[:, 1].max() - 60) & (np.abs(xy[:, 0] - xy[:, 0].mean()) < 60)
+    now = points.copy()
+    middle = points[strip].mean(0)
+    now[strip] = middle + (points[strip] - middle) * (1, -1, 1) + (0, 0, 0.1)
+    result = sloppy_judge.judge_result(before, (now, triangles), (points, now, before.visible()), STROKE, STROKE)
+    assert result["inside out"] > 0.02 and "inside out" in result["fails"]
+    assert "inside out" not in judged(NOTHING, STROKE)["fails"]
+
+
 def test_thin_changes_are_none():
     rows = np.arange(20)[:, None] + np.zeros(20)
     assert not sloppy_judge.thick((rows > 5) & (rows < 8)).any() and sloppy_judge.thick((rows > 5) & (rows < 9)).sum() == 18

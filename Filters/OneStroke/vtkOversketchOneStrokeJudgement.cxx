@@ -1,0 +1,227 @@
+// What the inner pipeline of vtkOversketchOneStroke has made of a mesh, judged stage by stage.
+#include "vtkOversketchOneStrokePipeline.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+using namespace oversketch;
+
+std::vector<char> vtkOversketchOneStroke::Pipeline::RegionOf(const char* stage)
+{
+  vtkPolyData* mesh = this->Self->StageOutput(stage);
+  return LabelsOf(
+    RequireArray(mesh->GetPointData(), "Region", 1, mesh->GetNumberOfPoints(), "mesh", "a step made it"));
+}
+
+vtkOversketchOneStroke::Pipeline::MadeMesh& vtkOversketchOneStroke::Pipeline::Made(const char* stage)
+{
+  MadeMesh& made = this->MadeMeshes[stage];
+  if (!made.Data)
+  {
+    made.Data = SharedMesh(this->Self->StageOutput(stage));
+  }
+  return made;
+}
+
+void vtkOversketchOneStroke::Pipeline::JudgeSurface(MadeMesh& made, const char* stage)
+{
+  if (made.Folds)
+  {
+    return;
+  }
+  const std::vector<char> region = this->RegionOf(stage);
+  const auto judge =
+    [&made](const oversketch::Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& inside)
+  {
+    // Side by side: most of either is a walk over the mesh that is not threaded.
+    const auto one = [&](int which)
+    {
+      if (which == 0)
+      {
+        made.Folds = foldedEdges(mesh, adjacency, inside, ThreadsOnly());
+      }
+      else
+      {
+        made.Rough = roughness(mesh, adjacency, inside, ThreadsOnly());
+      }
+    };
+    ThreadsOnly().parallelFor(2,
+      [&one](int begin, int end)
+      {
+        for (int which = begin; which < end; ++which)
+        {
+          one(which);
+        }
+      });
+  };
+  if (this->Self->GetStep(stage) == this->Restore)
+  {
+    // No other step asks for the links of this mesh.
+    const JudgedPart part(made.Data->Surface(), region, ThreadsOnly());
+    judge(part.mesh, part.adjacency, part.region);
+  }
+  else
+  {
+    judge(made.Data->Surface(), made.Data->Neighbours(), region);
+  }
+}
+
+int vtkOversketchOneStroke::Pipeline::Folds(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  this->JudgeSurface(made, stage);
+  return *made.Folds;
+}
+
+const Roughness& vtkOversketchOneStroke::Pipeline::Rough(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  this->JudgeSurface(made, stage);
+  return *made.Rough;
+}
+
+double vtkOversketchOneStroke::Pipeline::Back(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  if (!made.Back)
+  {
+    made.Back = backShare(made.Data->Surface(), ViewOf(this->Stroke), ThreadsOnly());
+  }
+  return *made.Back;
+}
+
+double vtkOversketchOneStroke::Pipeline::NewBack(const char* stage)
+{
+  // Of most results nothing shows its back, and then it does not matter what did before.
+  const double after = this->Back(stage);
+  return after > 0.0 ? std::max(0.0, after - this->Back("RegionBorder")) : 0.0;
+}
+
+int vtkOversketchOneStroke::Pipeline::Crossings(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  if (!made.Crossings)
+  {
+    const oversketch::Mesh& mesh = made.Data->Surface();
+    const std::vector<char> region = this->RegionOf(stage);
+    const auto isChanged = [&region](const Triangle& t)
+    { return region[t[0]] || region[t[1]] || region[t[2]]; };
+    Eigen::AlignedBox3d box;
+    for (const Triangle& t : mesh.triangles)
+    {
+      for (int c = 0; c < 3 && isChanged(t); ++c)
+      {
+        box.extend(mesh.points[t[c]]);
+      }
+    }
+    // What lies beside all that changed cannot cross it.
+    oversketch::Mesh near;
+    near.points = mesh.points;
+    std::vector<char> changed;
+    for (const Triangle& t : mesh.triangles)
+    {
+      Eigen::AlignedBox3d own(mesh.points[t[0]]);
+      own.extend(mesh.points[t[1]]).extend(mesh.points[t[2]]);
+      if (box.intersects(own))
+      {
+        near.triangles.push_back(t);
+        changed.push_back(isChanged(t));
+      }
+    }
+    made.Crossings = static_cast<int>(crossingFaces(near, changed, ThreadsOnly()).size());
+  }
+  return *made.Crossings;
+}
+
+int vtkOversketchOneStroke::Pipeline::NewCrossings(const char* stage)
+{
+  const int after = this->Crossings(stage);
+  return after > 0 ? std::max(0, after - this->Crossings("RegionBorder")) : 0;
+}
+
+const std::vector<OutlineLoop>& vtkOversketchOneStroke::Pipeline::Contours(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  vtkDataArray* connection = this->Match->GetOutput()->GetFieldData()->GetArray("Candidate");
+  if (!made.Contours && connection && connection->GetComponent(0, 0) == 0.0)
+  {
+    made.Contours = this->ContoursOf(stage);
+  }
+  else if (!made.Contours)
+  {
+    made.Contours.emplace(); // the section is of the outline
+  }
+  return *made.Contours;
+}
+
+std::vector<OutlineLoop> vtkOversketchOneStroke::Pipeline::ContoursOf(const char* stage)
+{
+  const std::shared_ptr<const MeshData> data = this->Made(stage).Data;
+  return regionContours(
+    data->Surface(), data->Neighbours(), data->Normals(), this->RegionOf(stage), ViewOf(this->Stroke));
+}
+
+const StrokeOutline& vtkOversketchOneStroke::Pipeline::OutlineOf(const char* stage)
+{
+  MadeMesh& made = this->Made(stage);
+  if (!made.Outline)
+  {
+    made.Outline.emplace(made.Data->Surface(),
+      ViewOf(this->Stroke),
+      StrokeOf(this->Match->GetOutput(1)),
+      ContextOf(this->Self, this->Self->GetDone(), this->Self->GetDone()));
+  }
+  return *made.Outline;
+}
+
+Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsBefore)
+{
+  MadeMesh& made = this->Made(stage);
+  if (!made.OutlineMissed)
+  {
+    made.OutlineMissed = outlineError(this->OutlineOf(stage), this->Contours(stage));
+  }
+  return { *made.OutlineMissed, this->Folds(stage) - foldsBefore, this->Rough(stage) };
+}
+
+StrokeEffect vtkOversketchOneStroke::Pipeline::EffectOf(const char* before, const char* stage)
+{
+  const Judgement judged = this->Judged(stage, this->Folds("RegionBorder"));
+  StrokeEffect effect;
+  effect.outline = judged.outline;
+  effect.folds = judged.folds;
+  effect.after = judged.roughness;
+  effect.before = this->Rough("RegionBorder");
+  effect.remeshed = this->Self->Remeshed;
+  const oversketch::View view = ViewOf(this->Stroke);
+  const Polyline stroke = StrokeOf(this->Match->GetOutput(1));
+  vtkPolyData* match = this->Self->StageOutput("Match");
+  Polyline section(static_cast<std::size_t>(match->GetNumberOfPoints()));
+  vtkDataArray* displays = match->GetPointData()->GetArray("Display");
+  for (std::size_t i = 0; displays && i < section.size(); ++i)
+  {
+    displays->GetTuple(static_cast<vtkIdType>(i), section[i].data());
+  }
+  effect.outlineBack = outlineBack(this->OutlineOf(stage), this->Contours(stage));
+  if (!remarks(effect).empty())
+  {
+    // A limb before another part of the model makes no outline there; its own silhouette is what was drawn.
+    const std::vector<OutlineLoop> own = this->ContoursOf(stage);
+    effect.outline = outlineError(this->OutlineOf(stage), own);
+    effect.outlineBack = std::min(effect.outlineBack, outlineBack(this->OutlineOf(stage), own));
+  }
+  measureMovement(this->Made(before).Data->Surface(),
+    this->Made(this->Deformation).Data->Surface(),
+    this->RegionOf(before),
+    view,
+    stroke,
+    section,
+    effect,
+    ThreadsOnly());
+  return effect;
+}
