@@ -8,7 +8,7 @@ ONE_STROKE = ("dinosaur_longer_tail", "dinosaur_raised_neck", "dog_curled_tail",
               "octopus_bent_arm", "octopus_longer_arm", "person_longer_arm", "person_thicker_leg")
 AUGMENT = ("dinosaur_spines", "dog_collar", "hand_palm_lines", "octopus_veins", "person_crest", "valley_river_ridge_road")
 # What is done to the line of each edit [model length]; the dog's cross-section is drawn anew.
-EDIT = {"dinosaur_crest": "move 0.5 n 0.18", "dog_back": "", "hand_palm": "move 0.5 n -0.1", "octopus_mantle": "move 0.5 n 0.07",
+EDIT = {"dinosaur_crest": "move 0.5 n 0.17", "dog_back": "", "hand_palm": "move 0.5 n -0.1", "octopus_mantle": "move 0.5 n 0.07",
         "person_belly": "move 0.5 n 0.11"}
 # The same with further ones that go with the lines and rings, so that each model has layers, painted weights and a cross-section.
 FURTHER = {"dinosaur_crest_painted": "move 0.5 n 0.07", "dinosaur_crest_section": "", "dog_back_layers": "move 0.5 n 0.08",

@@ -121,8 +121,9 @@ void vtkOversketchEdit::Pipeline::SetAmendments(bool on)
     { this->Reference.Fit.Get(), this->Boundary.Fit.Get(), this->Refit.Get() })
   {
     step->SetFitSpace(on ? vtkOversketchNurbsFit::Picture : vtkOversketchNurbsFit::World);
-    step->SetInterpolate(on); // control points cut corners by some px
   }
+  // Control points cut a ring's corners by some px; a line they keep smooth, whose frames turn with it.
+  this->Boundary.Fit->SetInterpolate(on);
   this->Refine->SetEdges(on ? 7.0 : 0.0); // six at least
   this->Boundary.Fit->SetPeriodic(on);
   this->Boundary.Fit->SetCutLoops(on);

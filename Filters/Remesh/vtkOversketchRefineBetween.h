@@ -9,8 +9,8 @@
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with field array MeanEdge (vtkOversketchMeanEdge).
  * Input 1 (Reference, optional): the line on the mesh, polylines with point array MeshCell, the polygon of
- * each point (vtkOversketchProjectCurve). Without line or ring the mesh is passed. Input 2 (Boundary,
- * optional): the ring round it, alike.
+ * each point (vtkOversketchProjectCurve). Without line or ring the mesh is passed.
+ * Input 2 (Boundary, optional): the ring round it, alike.
  *
  * Output 0 (Mesh): the mesh. Where it is fine enough along both curves, the input. Else points are those of
  * the input, then new ones; point arrays: floating ones interpolated (the active normals re-normalised),

@@ -7,9 +7,9 @@ STUDIO = pathlib.Path(os.environ["OVERSKETCH_SOURCE"]) / "Applications" / "Studi
 STRING = r'"(?:[^"\\\n]|\\.)*"'
 TRANSLATED = re.compile(r"(?:\btr\(|\btranslate\(\s*%s,|QT_TRANSLATE_NOOP\(\s*%s,)\s*%s(?:\s*%s)*" % ((STRING,) * 4))
 # What no person reads, or a terminal shows.
-NOT_READ = re.compile(r'setObjectName\(%s\)|fprintf\([^;]*;|#include[^\n]*|(?:create|toString|startsWith|shippedFile)\(%s\)|\{ %s, (?=QT_TR)|== %s|translate\(%s, (?!")|R"\(.*?\)"'
+NOT_READ = re.compile(r'setObjectName\(%s\)|fprintf\([^;]*;|#include[^\n]*|(?:create|toString|startsWith|shippedFile)\(%s\)|\{ %s, (?=QT_TR)|[!=]= %s|const char\* const \w+ = %s|translate\(%s, (?!")|R"\(.*?\)"'
                       r'|(?:change\(|findParameter\(\*\w+, |findSystem\(|HeldStrokeTool\(|\.find\(|values\[|valueOr\(values, |GetInnerOutput\(|GetArray\()%s'
-                      r'|\{ %s, this->|options\.\w+\(%s|length : \{ %s, %s|\{ "\^(?:[^"\\\n]|\\.)*"' % ((STRING,) * 10), re.S)
+                      r'|\{ %s, this->|options\.\w+\(%s|length : \{ %s, %s|\{ "\^(?:[^"\\\n]|\\.)*"' % ((STRING,) * 11), re.S)
 SENTENCE = re.compile(r"[A-Za-z]{2,}[,.:]? [A-Za-z]|^\"[A-Z][a-z]+\"$")
 
 

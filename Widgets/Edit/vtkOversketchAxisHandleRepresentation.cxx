@@ -402,18 +402,16 @@ int vtkOversketchAxisHandleRepresentation::FindGrip(const View& view, double x, 
           found = firstHandle + gripsOfHandle * selected + 1 + 3 * axis + part;
         }
       }
-      else if (view.inFront(handle.frame.origin))
+    }
+    const double far = (place - view.toDisplay(handle.frame.origin).head<2>()).norm();
+    for (int axis = 0; found == 0 && axis < 3; ++axis) // where no other axis is
+    {
+      const bool moves = far < 0.5 * (movingRing + turningRing);
+      const double beside = std::abs(far - (moves ? movingRing : turningRing));
+      if (!Internals::seen(view, handle, axis) && view.inFront(handle.frame.origin) &&
+          beside < std::min(least, 0.5 * (turningRing - movingRing)))
       {
-        const double far = (place - view.toDisplay(handle.frame.origin).head<2>()).norm();
-        for (const bool moves : { true, false })
-        {
-          const double beside = std::abs(far - (moves ? movingRing : turningRing));
-          if (beside < std::min(least, 0.5 * (turningRing - movingRing)))
-          {
-            least = beside;
-            found = firstHandle + gripsOfHandle * selected + 1 + 3 * axis + (moves ? int(Move) : int(Rotate));
-          }
-        }
+        found = firstHandle + gripsOfHandle * selected + 1 + 3 * axis + (moves ? int(Move) : int(Rotate));
       }
     }
   }

@@ -74,7 +74,7 @@ def test_narrow_and_huge_pictures(tmp_path, columns, rows):
 
 
 @pytest.mark.parametrize("what, words", [
-    ("truncated", "icture"), ("header", "icture"), ("text", "PNG or JPEG"), ("nothing", "is empty"), ("absent", "picture.png"), ("folder", "picture.png")])
+    ("truncated", "icture"), ("header", "icture"), ("text", "no PNG, JPEG"), ("nothing", "is empty"), ("absent", "picture.png"), ("folder", "picture.png")])
 def test_what_is_no_picture(tmp_path, what, words):
     path, whole = tmp_path / "picture.png", png(200, 160)
     if what == "folder":
@@ -96,10 +96,10 @@ def test_front_and_back_wear_pictures_of_their_own(tmp_path):
         assert done.returncode == 0, done.stderr
     mesh = read(tmp_path / "made.vtp")
     fields = mesh.GetFieldData()
-    assert vtk_to_numpy(fields.GetAbstractArray("Part0.Texture")).tobytes() == front
-    assert vtk_to_numpy(fields.GetAbstractArray("Part1.Texture")).tobytes() == back
+    worn = [vtk_to_numpy(fields.GetAbstractArray(f"Part{i}.Texture")).tobytes() for i in range(2)]
+    assert is_skin(worn[0], front) and is_skin(worn[1], back) and worn[0] != worn[1]
     parts, sides = (vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("PartId", "Side"))
     assert ((parts == 1) == (sides == -1)).all() and 0 < parts.sum() < len(parts)
     pictures = {path.read_bytes() for path in tmp_path.glob("made*.png")}
-    assert pictures == {front, back}, "the OBJ's materials"
-    assert front in (tmp_path / "made.glb").read_bytes() and back in (tmp_path / "made.glb").read_bytes()
+    assert pictures == set(worn), "the OBJ's materials"
+    assert all(picture in (tmp_path / "made.glb").read_bytes() for picture in worn)

@@ -345,7 +345,6 @@ def test_a_picture_is_drawn_over_and_worn_upright(tmp_path, name, orientation):
     assert kind == ("image/jpeg" if name == "a.jpg" else "image/png")
     worn = tmp_path / ("worn.jpg" if kind == "image/jpeg" else "worn.png")
     worn.write_bytes(part(document, data, document["images"][0]["bufferView"]))
-    assert (worn.read_bytes() == source.read_bytes()) == (orientation == 1 and name in ("a.jpg", "a.png"))
     shown = pixels(worn)
     assert len(shown) == 96 * 64
     shown = shown.reshape(64, 96, 3)[::-1].astype(int)

@@ -38,7 +38,7 @@ def crossing(tmp_path_factory):
      "longer edges (--edge-length) or a larger tolerance, a smaller --radius"),
     (["inflate", FISH, "--hole", "99"], "--hole names stroke 99, but there are"),
     (["inflate", FISH, "--height", "1e13"], "no step takes coordinates beyond 1e+12"),
-    (["augment", DOG, STROKES / "dog_curled_tail.vtp", "--height", "1e20"], "no step takes coordinates beyond 1e+12"),
+    (["augment", DOG, STROKES / "dog_curled_tail.vtp", "--height", "1e20"], "beyond 1e+12, the largest coordinate that is taken"),
     (["inflate", FISH, "--tunnel", "1 x"], '--tunnel is "1 x"; give numbers of strokes'),
     ([*EDIT, "--feather", "3", "--areas", DATA / "Edits" / "person_belly_area.vtp"], "--feather is not within 0 and 1"),
     ([*EDIT, "--move", "0.5,n,1000"], "make a smaller edit, or none of them anew (--rule off).")])

@@ -419,14 +419,14 @@ TEST(Files, PicturesAreDecodedBeforeTheyAreSeen)
   document.open(Document::read(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", 0));
   ASSERT_TRUE(settles());
   EXPECT_FALSE(findDecoded(red) || findDecoded(green)) << "kept for ever";
-  // A drawing's model wears what was drawn over.
+  // A drawing's model wears what was made of the picture that it was drawn over.
   const auto example = examples();
   const auto leaf =
     std::find_if(example.begin(), example.end(), [](const Example& one) { return !one.picture.isEmpty(); });
   ASSERT_NE(leaf, example.end());
   document.open(readExample(*leaf, 0));
   ASSERT_TRUE(settles());
-  EXPECT_TRUE(findDecoded(oversketch_files::wholeFile(leaf->picture.toStdString())));
+  EXPECT_TRUE(findDecoded(oversketch_files::textureOf(document.result().mesh)));
   document.discardAutosave();
 }
 

@@ -207,7 +207,8 @@ bool DrawingTool::isCrossing() const
 
 std::string DrawingTool::asked() const
 {
-  return this->isCrossing() ? "turn Arrange on" : std::string();
+  const char* const crossing = "turn Arrange on"; // as a message asks for it
+  return this->isCrossing() ? crossing : std::string();
 }
 
 QString DrawingTool::advice(const Situation&) const
