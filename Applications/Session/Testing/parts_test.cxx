@@ -6,6 +6,7 @@
 #include "parts.h"
 #include "pieces.h"
 #include "session_file.h"
+#include "skin.h"
 #include "texture.h"
 
 #include "vtkCellData.h"
@@ -132,7 +133,7 @@ TEST(Parts, ADrawingStandsWhereItsBoxIs)
   for (std::size_t i = 0; i < 2; ++i)
   {
     const auto& image = std::get<Image>(session.nodes[i].step->inputs.at("Picture"));
-    EXPECT_TRUE(pieces[i].picture == *image.bytes) << i;
+    EXPECT_TRUE(pieces[i].picture == skinFor(both, static_cast<int>(i), *image.bytes)) << i;
   }
 }
 
@@ -173,7 +174,7 @@ TEST(Parts, ThreeAreCountedOnAndOneThatIsOffIsPassedBy)
   const auto outcomes = madeBy(evaluator, session);
   EXPECT_EQ(partsOf(outcomes[2].mesh), (std::set<int>{ 0, 1 }));
   EXPECT_EQ(oversketch_files::piecesOf(outcomes[2].mesh)[1].picture,
-    *std::get<Image>(session.nodes[2].step->inputs.at("Picture")).bytes);
+    skinFor(outcomes[2].mesh, 1, *std::get<Image>(session.nodes[2].step->inputs.at("Picture")).bytes));
   // One that fails, or is not drawn yet, leaves the others as they are.
   session.nodes[1].on = true;
   session.nodes[1] = changed(session.nodes[1], [](Step& step) { step.values["Holes"] = std::string("7"); });

@@ -138,7 +138,7 @@ TEST(SurfaceStroke, ManyStrokesManyViewsAndTheirArrays)
   EXPECT_EQ(curves->GetCellData()->GetArray("Colour"), nullptr);
   EXPECT_EQ(curves->GetCellData()->GetArray("Height"), nullptr);
   EXPECT_EQ(curves->GetCellData()->GetArray("ViewTransform")->GetNumberOfTuples(), 2);
-  EXPECT_EQ(curves->GetPointData()->GetNumberOfArrays(), 6);
+  EXPECT_EQ(curves->GetPointData()->GetNumberOfArrays(), 7);
 }
 
 TEST(SurfaceStroke, KeepsItsSceneAndWhatItMade)
