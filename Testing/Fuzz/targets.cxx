@@ -192,7 +192,8 @@ void takePicture(const std::string& bytes)
 {
   pictureOf(bytes);
   const std::string upright = uprightPicture(bytes);
-  require(upright.empty() || upright == bytes || pictureOf(upright), "an upright picture that cannot be read");
+  require(
+    upright.empty() || upright == bytes || pictureOf(upright), "an upright picture that cannot be read");
 }
 
 // A grid of heights, and the terrain of it.

@@ -370,7 +370,8 @@ void Hand::answer()
   {
     // A picture of the view may have the name that an export's texture asks for; models and sessions are no
     // pictures.
-    static const QRegularExpression noPicture("(?<!\\.png) is no PNG, JPEG, WebP, BMP or TIFF picture, or a damaged one\\.$");
+    static const QRegularExpression noPicture(
+      "(?<!\\.png) is no PNG, JPEG, WebP, BMP or TIFF picture, or a damaged one\\.$");
     if (box->icon() == QMessageBox::Critical && !box->text().contains(damaged) &&
         !box->text().contains("would replace drawn.png") && !noPicture.match(box->text()).hasMatch())
     {
