@@ -99,7 +99,9 @@ GltfTexture textureNamed(const GltfDocument& document, const Json::Value& materi
   {
     skin.dropped.insert("that its pictures end, or turn round, at their edges (they are repeated)");
   }
-  if (base.get("roughnessFactor", 1.0) != 1.0 || base.get("metallicFactor", 0.0) != 0.0)
+  const auto factor = [&base](const char* name, double without)
+  { return base[name].isNumeric() ? base[name].asDouble() : without; }; // 0 and 0.0 are two values of JSON
+  if (factor("roughnessFactor", 1.0) != 1.0 || factor("metallicFactor", 0.0) != 0.0)
   {
     skin.dropped.insert("metal and gloss");
   }
