@@ -69,8 +69,8 @@ def edited(path, given, folder):
 @pytest.mark.parametrize("path", listing.edits(), ids=lambda path: path.stem)
 def test_result(path, tmp_path):
     mesh, result, report = edited(path, options(path.stem), tmp_path)
-    # Counted in what comes out: at steep places new triangles may fold an edge or two.
-    assert report["folded_edges"] <= 2 and report["moved_points"] > 200
+    # Counted in what comes out: one edge of the dog's steep back is folded by new triangles.
+    assert report["folded_edges"] <= (path.stem == "dog_back") and report["moved_points"] > 200
     assert mesh.GetNumberOfCells() < result.GetNumberOfCells() < 1.2 * mesh.GetNumberOfCells()
     edges = vtk.vtkFeatureEdges()
     edges.SetInputData(result)

@@ -27,7 +27,7 @@ struct Report
     vtkOversketchSystem* system,
     vtkPolyData* mesh,
     vtkPolyData* result) const;
-  // The same of an assembled mesh: files, times and warnings, what is told of each part, counts.
+  // JSON of an assembled mesh: files, times and warnings, what is told of each part, counts.
   std::string assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const;
 };
 

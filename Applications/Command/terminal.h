@@ -21,7 +21,7 @@ void throwIfInterrupted();
 void say(const std::string& text);
 // A warning, once however often it is given.
 void warn(const std::string& text);
-// What was warned of so far.
+// All warnings so far.
 const std::vector<std::string>& warned();
 // Each note a line; they are gone afterwards.
 void say(oversketch_files::Notes& notes);

@@ -399,11 +399,7 @@ void NewFiles::writeText(const std::string& path, const std::string& text)
     {
       std::ofstream stream(temporary, std::ios::binary);
       stream << text;
-      stream.close();
-      if (!stream)
-      {
-        throw Failed(path + ": could not be written (is the disk full?)");
-      }
+      closeWhole(stream, path);
     });
 }
 
@@ -459,6 +455,15 @@ void writeWhole(const std::string& path, const std::function<void(const std::str
   NewFiles files;
   files.write(path, write);
   files.commit();
+}
+
+void closeWhole(std::ofstream& stream, const std::string& path)
+{
+  stream.close();
+  if (!stream)
+  {
+    throw Failed(path + ": could not be written (is the disk full?)");
+  }
 }
 
 void writeText(const std::string& path, const std::string& text)

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -91,6 +92,8 @@ private:
 
 // One file alone.
 void writeWhole(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+// Closes a file that was written. Throws Failed, naming the path, where not all of it has come to the disk.
+void closeWhole(std::ofstream& stream, const std::string& path);
 // Writes text to the path, whole or not at all.
 void writeText(const std::string& path, const std::string& text);
 

@@ -1,5 +1,4 @@
-// What a glTF document's materials leave of themselves in a mesh: the pictures of their base colours, and how
-// these lie on it.
+// The pictures of base colours that a glTF document's materials give to a mesh, and how these lie on it.
 #ifndef oversketch_applications_files_gltf_materials_h
 #define oversketch_applications_files_gltf_materials_h
 

@@ -17,7 +17,7 @@ namespace oversketch_files
 namespace
 {
 
-// What stands for an attribute where a part has none; null where nothing does.
+// The value of an attribute where a part has none; null for the other attributes.
 const double* standIn(const std::string& name)
 {
   static const double white = 1.0, nowhere = -1.0;

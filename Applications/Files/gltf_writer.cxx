@@ -325,11 +325,7 @@ void writeGltf(const std::vector<Piece>& pieces, const std::string& path, bool b
   {
     stream << text << '\n';
   }
-  stream.close();
-  if (!stream)
-  {
-    throw Failed(path + ": could not be written (is the disk full?)");
-  }
+  closeWhole(stream, path);
 }
 
 } // namespace oversketch_files

@@ -123,7 +123,7 @@ vtkSmartPointer<vtkImageData> readTiff(const std::string& name, const std::strin
   const bool isSingle = GDALGetDataTypeSizeBits(type) <= 16 || type == GDT_Float32; // each number of it
   const bool isScaled = (hasScale && scale != 1.0) || (hasOffset && offset != 0.0);
   auto image = raster.samples(isSingle && !isScaled ? VTK_FLOAT : VTK_DOUBLE, bands, fromTop);
-  // What the file has no data for, by a number, by a mask or by transparency.
+  // Samples without data are told by a number, by a mask or by transparency.
   std::vector<unsigned char> known(static_cast<std::size_t>(raster.width()) * raster.height(), 255);
   const bool isMasked = (GDALGetMaskFlags(raster.band(1)) & GMF_ALL_VALID) == 0;
   if (!image || (isMasked && !raster.readBytes(GDALGetMaskBand(raster.band(1)), known.data(), fromTop)))

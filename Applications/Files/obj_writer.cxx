@@ -172,11 +172,7 @@ void writeObj(const std::vector<Piece>& pieces, const std::string& path, const s
     const std::string own = piece.name.empty() ? "texture" : piece.name;
     writePiece(stream, piece.mesh, library.empty() ? "" : own, before);
   }
-  stream.close();
-  if (!stream)
-  {
-    throw Failed(path + ": could not be written (is the disk full?)");
-  }
+  closeWhole(stream, path);
 }
 
 } // namespace oversketch_files

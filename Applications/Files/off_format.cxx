@@ -361,11 +361,7 @@ void writeOff(vtkPolyData* mesh, const std::string& path)
     writeOffColour(stream, ofFaces, it->GetCurrentCellId());
     stream << '\n';
   }
-  stream.close();
-  if (!stream)
-  {
-    throw Failed(path + ": could not be written (is the disk full?)");
-  }
+  closeWhole(stream, path);
 }
 
 } // namespace oversketch_files

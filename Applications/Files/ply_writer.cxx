@@ -314,11 +314,7 @@ void writePly(vtkPolyData* mesh,
   }
   std::ofstream stream(path, std::ios::binary);
   stream << bytes;
-  stream.close();
-  if (!stream)
-  {
-    throw Failed(path + ": could not be written (is the disk full?)");
-  }
+  closeWhole(stream, path);
 }
 
 } // namespace oversketch_files

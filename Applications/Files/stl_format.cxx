@@ -255,11 +255,7 @@ void writeStl(vtkPolyData* mesh, const std::string& path)
   }
   std::ofstream stream(path, std::ios::binary);
   stream << bytes;
-  stream.close();
-  if (!stream)
-  {
-    throw Failed(path + ": could not be written (is the disk full?)");
-  }
+  closeWhole(stream, path);
 }
 
 } // namespace oversketch_files

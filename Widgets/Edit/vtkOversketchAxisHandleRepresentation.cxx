@@ -508,18 +508,21 @@ void vtkOversketchAxisHandleRepresentation::Paint(const View& view, Overlay& ove
       continue;
     }
     const Vector2 at = view.toDisplay(handle.frame.origin).head<2>();
+    const auto held = [this, active, i](int axis)
+    { return GetHandle(active) == i && GetAxis(active) == axis ? GetPart(active) : -1; };
+    for (int axis = 0; i == this->SelectedHandle && axis < 3; ++axis)
+    {
+      if (!Internals::seen(view, handle, axis)) // under the axes, which are taken hold of first
+      {
+        paintRing(overlay, at, movingRing, axisColours[axis], held(axis) == Move);
+        paintRing(overlay, at, turningRing, axisColours[axis], held(axis) == Rotate);
+      }
+    }
     for (int axis = 0; i == this->SelectedHandle && axis < 3; ++axis)
     {
       if (const auto run = Internals::seen(view, handle, axis))
       {
-        const bool holds = GetHandle(active) == i && GetAxis(active) == axis;
-        paintAxis(overlay, at, *run, axisColours[axis], holds ? GetPart(active) : -1);
-      }
-      else
-      {
-        const bool holds = GetHandle(active) == i && GetAxis(active) == axis;
-        paintRing(overlay, at, movingRing, axisColours[axis], holds && GetPart(active) == Move);
-        paintRing(overlay, at, turningRing, axisColours[axis], holds && GetPart(active) == Rotate);
+        paintAxis(overlay, at, *run, axisColours[axis], held(axis));
       }
     }
     const bool isActive = active == firstHandle + gripsOfHandle * i;

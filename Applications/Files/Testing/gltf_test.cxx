@@ -1,4 +1,4 @@
-// What is read of a glTF document's nodes, materials and extensions, and what is said of the rest.
+// Nodes, materials and extensions of glTF documents: read, or named where they are not kept.
 #include "colours.h"
 #include "made_files.h"
 #include "mesh_file.h"
@@ -70,7 +70,8 @@ TEST(GltfMirrored, ANodeOfNegativeScaleTurnsItsFaces)
 
 TEST(GltfTexture, ItsPlacingIsInTheCoordinates)
 {
-  const std::string coordinates = bytesOf<float>({ 1, 0, 0, 1, 0, 0, 0.5F, 0.5F }), picture = onePixel(1);
+  const std::string coordinates = bytesOf<float>({ 1, 0, 0, 1, 0, 0, 0.5F, 0.5F }),
+                    picture = pictureOfGrey(1);
   const auto placed = [&](const std::string& reference)
   {
     Notes notes;

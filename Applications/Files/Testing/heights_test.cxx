@@ -2,6 +2,7 @@
 #include "heights.h"
 
 #include "files.h"
+#include "made_files.h"
 #include "tiffs.h"
 
 #include "vtkDataArray.h"
@@ -22,6 +23,7 @@
 #include <unistd.h>
 
 using namespace oversketch_files;
+using oversketch_files_test::fileOf;
 using namespace oversketch_test;
 
 namespace
@@ -64,19 +66,6 @@ vtkSmartPointer<vtkImageData> ramp()
   return image;
 }
 
-template <typename Writer>
-std::string written(Writer* writer, vtkImageData* image)
-{
-  const std::string path =
-    (std::filesystem::temp_directory_path() / ("heights-" + std::to_string(::getpid()))).string();
-  writer->SetInputData(image);
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  std::string bytes = wholeFile(path);
-  std::filesystem::remove(path);
-  return bytes;
-}
-
 // 4 x 3 samples, 10 i + 100 j - 50 from the lower left, the third of the middle row a gap.
 template <typename T>
 std::string mapSamples(T gap)
@@ -89,7 +78,7 @@ std::string mapSamples(T gap)
       samples.push_back(i == 2 && j == 1 ? gap : static_cast<T>(10 * i + 100 * j - 50));
     }
   }
-  return packed(samples);
+  return bytesOf(samples);
 }
 
 // Cells of 30 x 20; the upper left corner of the upper left one is at (500000, 4600000).
@@ -143,8 +132,8 @@ void expectRamp(const std::string& bytes, const char* format)
 
 TEST(Heights, SixteenBitsComeWholeAndFromTheBottom)
 {
-  expectRamp(written(vtkSmartPointer<vtkPNGWriter>::New().Get(), ramp()), "png");
-  expectRamp(written(vtkSmartPointer<vtkTIFFWriter>::New().Get(), ramp()), "tif");
+  expectRamp(fileOf(ramp(), vtkSmartPointer<vtkPNGWriter>::New().Get()), "png");
+  expectRamp(fileOf(ramp(), vtkSmartPointer<vtkTIFFWriter>::New().Get()), "tif");
   std::string pgm = "P5\n# by hand\n5 3\n65535\n";
   std::string text = "P2 5 3 65535\n", grid = "NCOLS 5\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 2.5\n";
   for (int j = 2; j >= 0; --j)
@@ -165,7 +154,7 @@ TEST(Heights, SixteenBitsComeWholeAndFromTheBottom)
   {
     vtkNew<vtkXMLImageDataWriter> writer;
     writer->SetDataMode(mode);
-    const std::string bytes = written(writer.Get(), ramp());
+    const std::string bytes = fileOf(ramp(), writer.Get());
     expectRamp(bytes, "vti");
     EXPECT_DOUBLE_EQ(parseHeights("file", bytes)->GetSpacing()[1], 3.0);
   }
@@ -242,7 +231,7 @@ TEST(Heights, OtherFormatsLieOnTheirMapsToo)
   const auto placed = ramp();
   placed->SetOrigin(7.0, 8.0, 0.0);
   vtkNew<vtkXMLImageDataWriter> writer;
-  const auto vti = parseHeights("file", written(writer.Get(), placed));
+  const auto vti = parseHeights("file", fileOf(placed, writer.Get()));
   EXPECT_EQ(vti->GetOrigin()[0], 7.0);
   EXPECT_EQ(vti->GetOrigin()[1], 8.0);
 }
@@ -263,8 +252,8 @@ TEST(Heights, WhatIsDamagedIsRefusedInWords)
   says("P5 2 2 70000\nabcdefgh", "range");
   says("P2 1 2 9\n3 12", "range");
   says("P5 2", "breaks off");
-  for (const std::string& bytes : { written(vtkSmartPointer<vtkPNGWriter>::New().Get(), ramp()),
-         written(vtkSmartPointer<vtkTIFFWriter>::New().Get(), ramp()) })
+  for (const std::string& bytes : { fileOf(ramp(), vtkSmartPointer<vtkPNGWriter>::New().Get()),
+         fileOf(ramp(), vtkSmartPointer<vtkTIFFWriter>::New().Get()) })
   {
     for (std::size_t size = 8; size + 12 < bytes.size(); size += 5)
     {
@@ -274,7 +263,7 @@ TEST(Heights, WhatIsDamagedIsRefusedInWords)
   }
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetDataModeToAscii();
-  std::string vti = written(writer.Get(), ramp());
+  std::string vti = fileOf(ramp(), writer.Get());
   const auto with = [&vti](const std::string& old, const std::string& other)
   {
     std::string text = vti;

@@ -1,4 +1,4 @@
-// What files keep of a mesh, and what is said of the rest.
+// Arrays, colours and pictures through each format: kept, or named where they are not.
 #include "colours.h"
 #include "made_files.h"
 #include "mesh_file.h"
@@ -352,7 +352,7 @@ TEST(Ply, ItsPictureComesAndGoesWithIt)
 {
   const Place place;
   Notes notes;
-  const std::string skin = onePixel(10), nose = onePixel(20);
+  const std::string skin = pictureOfGrey(10), nose = pictureOfGrey(20);
   place.put("my skin.png", skin);
   place.put("nose.png", nose);
   // The seam, from 0 to 2, has other coordinates on its two sides.

@@ -11,6 +11,7 @@
 #include "vtkPNGWriter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -103,19 +104,26 @@ inline std::string allOf(const oversketch_files::Notes& notes)
   return text;
 }
 
-inline std::string onePixel(unsigned char grey)
+// The bytes of the file that a writer of VTK makes of an image.
+template <typename Writer>
+std::string fileOf(vtkImageData* image, Writer* writer)
+{
+  const Written file("made", "");
+  writer->SetInputData(image);
+  writer->SetFileName(file.path().c_str());
+  writer->Write();
+  return oversketch_files::wholeFile(file.path());
+}
+
+// The bytes of a picture of one grey.
+template <typename Writer = vtkPNGWriter>
+std::string pictureOfGrey(unsigned char grey, int side = 2)
 {
   vtkNew<vtkImageData> image;
-  image->SetDimensions(1, 1, 1);
+  image->SetDimensions(side, side, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  *static_cast<unsigned char*>(image->GetScalarPointer()) = grey;
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), side * side, grey);
+  return fileOf(image, vtkNew<Writer>().Get());
 }
 
 inline std::vector<double> tuple(vtkDataArray* array, vtkIdType at)

@@ -1,6 +1,7 @@
 // Meshes of parts that wear pictures of their own, written and read again.
 #include "Harness/shapes.h"
 #include "files.h"
+#include "made_files.h"
 #include "mesh_file.h"
 #include "texture.h"
 
@@ -29,6 +30,7 @@
 
 namespace fs = std::filesystem;
 using namespace oversketch_files;
+using oversketch_files_test::pictureOfGrey;
 
 namespace
 {
@@ -48,24 +50,6 @@ public:
 private:
   fs::path Path;
 };
-
-// The bytes of a picture of one grey.
-template <typename Writer = vtkPNGWriter>
-std::string pictureOfGrey(unsigned char grey, int side = 2)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(side, side, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* values = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill(values, values + side * side, grey);
-  vtkNew<Writer> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
-}
 
 // Strips of quads and triangles, one a part, each on the one before it, faces of the parts in turn; parts of
 // an even number wear a picture.

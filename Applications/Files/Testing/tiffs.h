@@ -2,8 +2,9 @@
 #ifndef oversketch_applications_files_testing_tiffs_h
 #define oversketch_applications_files_testing_tiffs_h
 
+#include "made_files.h"
+
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,14 +12,7 @@
 namespace oversketch_test
 {
 
-// Bytes of numbers, the lowest first.
-template <typename T>
-std::string packed(const std::vector<T>& numbers)
-{
-  std::string bytes(numbers.size() * sizeof(T), '\0');
-  std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  return bytes;
-}
+using oversketch_files_test::bytesOf;
 
 struct TiffTag
 {
@@ -29,11 +23,11 @@ struct TiffTag
 
 inline TiffTag shorts(const std::vector<std::uint16_t>& numbers)
 {
-  return { 3, numbers.size(), packed(numbers) };
+  return { 3, numbers.size(), bytesOf(numbers) };
 }
 inline TiffTag doubles(const std::vector<double>& numbers)
 {
-  return { 12, numbers.size(), packed(numbers) };
+  return { 12, numbers.size(), bytesOf(numbers) };
 }
 inline TiffTag text(const std::string& words)
 {
@@ -56,15 +50,17 @@ inline std::string tiffOf(std::uint16_t width,
   add(277, shorts({ 1 }));
   add(278, shorts({ height }));
   add(273, { 4, 1, "" }); // where the strip is
-  add(279, { 4, 1, packed<std::uint32_t>({ static_cast<std::uint32_t>(samples.size()) }) });
+  add(279, { 4, 1, bytesOf<std::uint32_t>({ static_cast<std::uint32_t>(samples.size()) }) });
   const std::size_t room = large ? 8 : 4;
-  const auto offset = [large](std::size_t at) {
-    return large ? packed<std::uint64_t>({ at }) : packed<std::uint32_t>({ static_cast<std::uint32_t>(at) });
+  const auto offset = [large](std::size_t at)
+  {
+    return large ? bytesOf<std::uint64_t>({ at })
+                 : bytesOf<std::uint32_t>({ static_cast<std::uint32_t>(at) });
   };
   const std::size_t head = large ? 16 : 8;
   const std::size_t after = head + (large ? 8 : 2) + tags.size() * (large ? 20 : 12) + room;
   std::string entries, values;
-  tags[273].bytes = packed<std::uint32_t>({ static_cast<std::uint32_t>(after) }); // the samples come first
+  tags[273].bytes = bytesOf<std::uint32_t>({ static_cast<std::uint32_t>(after) }); // the samples come first
   for (const auto& [id, tag] : tags)
   {
     std::string value = tag.bytes;
@@ -74,11 +70,11 @@ inline std::string tiffOf(std::uint16_t width,
       values += tag.bytes;
     }
     value.resize(room, '\0');
-    entries += packed<std::uint16_t>({ id, tag.type }) + offset(tag.count) + value;
+    entries += bytesOf<std::uint16_t>({ id, tag.type }) + offset(tag.count) + value;
   }
-  const std::string count = large ? packed<std::uint64_t>({ tags.size() })
-                                  : packed<std::uint16_t>({ static_cast<std::uint16_t>(tags.size()) });
-  return (large ? "II" + packed<std::uint16_t>({ 43, 8, 0 }) : "II" + packed<std::uint16_t>({ 42 })) +
+  const std::string count = large ? bytesOf<std::uint64_t>({ tags.size() })
+                                  : bytesOf<std::uint16_t>({ static_cast<std::uint16_t>(tags.size()) });
+  return (large ? "II" + bytesOf<std::uint16_t>({ 43, 8, 0 }) : "II" + bytesOf<std::uint16_t>({ 42 })) +
          offset(head) + count + entries + offset(0) + samples + values;
 }
 

@@ -1,4 +1,5 @@
 // Pictures of every kind and orientation: upright, with their colours and their transparency.
+#include "made_files.h"
 #include "tiffs.h"
 #include "upright_picture.h"
 
@@ -24,6 +25,7 @@
 #include <unistd.h>
 
 using namespace oversketch_files;
+using oversketch_files_test::fileOf;
 using namespace oversketch_test;
 
 namespace
@@ -100,19 +102,6 @@ void expectSeen(const std::string& bytes, const Seen& seen, int side, int channe
   }
 }
 
-template <typename Writer>
-std::string fileOf(vtkImageData* image, Writer* writer)
-{
-  const std::string path =
-    (std::filesystem::temp_directory_path() / ("upright-" + std::to_string(::getpid()))).string();
-  writer->SetInputData(image);
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  std::string bytes = wholeFile(path);
-  std::filesystem::remove(path);
-  return bytes;
-}
-
 std::string webpOf(vtkImageData* image)
 {
   GDALRegister_WEBP();
@@ -180,10 +169,10 @@ std::string pngWith(const std::string& png, const std::string& exif)
 std::string webpWith(const std::string& webp, const std::string& exif)
 {
   // Exif data and transparency; 48 x 32 pixels, less one each.
-  const std::string head = "VP8X" + packed<std::uint32_t>({ 10, 0x18 }) + std::string("\x2f\0\0\x1f\0\0", 6);
-  const std::string end = "EXIF" + packed<std::uint32_t>({ static_cast<std::uint32_t>(exif.size()) }) + exif;
+  const std::string head = "VP8X" + bytesOf<std::uint32_t>({ 10, 0x18 }) + std::string("\x2f\0\0\x1f\0\0", 6);
+  const std::string end = "EXIF" + bytesOf<std::uint32_t>({ static_cast<std::uint32_t>(exif.size()) }) + exif;
   const std::string chunks = "WEBP" + head + webp.substr(12) + end;
-  return "RIFF" + packed<std::uint32_t>({ static_cast<std::uint32_t>(chunks.size()) }) + chunks;
+  return "RIFF" + bytesOf<std::uint32_t>({ static_cast<std::uint32_t>(chunks.size()) }) + chunks;
 }
 
 } // namespace
@@ -241,7 +230,8 @@ TEST(UprightPicture, WhatIsUprightStaysToTheByte)
   {
     EXPECT_TRUE(uprightPicture(bytes) == bytes);
   }
-  // What is said and makes no sense: no ninth orientation, an offset beyond the end, data that breaks off.
+  // Orientations that make no sense count as upright: no ninth one, an offset beyond the end, data that
+  // breaks off.
   EXPECT_EQ(orientationOf(jpegWith(jpeg, exifOf(9, true))), 1);
   std::string beyond = exifOf(6, false);
   beyond[7] = '\x7f';
@@ -287,7 +277,8 @@ TEST(UprightPicture, SamplesAreSeenAsTheFileSays)
   EXPECT_EQ(grays(tiffOf(2, 2, four, { { 262, shorts({ 0 }) } })),
     Values({ 255, 255, 255, 191, 191, 191, 127, 127, 127, 0, 0, 0 }))
     << "0 is white";
-  EXPECT_EQ(grays(tiffOf(2, 2, packed<std::uint16_t>({ 0, 257, 32896, 65535 }), { { 258, shorts({ 16 }) } })),
+  EXPECT_EQ(
+    grays(tiffOf(2, 2, bytesOf<std::uint16_t>({ 0, 257, 32896, 65535 }), { { 258, shorts({ 16 }) } })),
     Values({ 0, 1, 128, 255 }));
   EXPECT_EQ(grays(tiffOf(2, 2, "\x40\x80", { { 258, shorts({ 1 }) } })),
     Values({ 0, 0, 0, 255, 255, 255, 255, 255, 255, 0, 0, 0 }));
@@ -305,7 +296,7 @@ TEST(UprightPicture, SamplesAreSeenAsTheFileSays)
     Values({ 255, 255, 255, 255, 0, 255, 255, 255, 255, 255, 0, 255, 0, 0, 0, 255 }));
   EXPECT_TRUE(uprightPicture(
     tiffOf(
-      2, 2, packed<float>({ 0.0F, 0.5F, 1.0F, 9.0F }), { { 258, shorts({ 32 }) }, { 339, shorts({ 3 }) } }))
+      2, 2, bytesOf<float>({ 0.0F, 0.5F, 1.0F, 9.0F }), { { 258, shorts({ 32 }) }, { 339, shorts({ 3 }) } }))
                 .empty())
     << "of real numbers";
 }
