@@ -12,8 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedShortArray.h"
 
-#include <gdal.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -58,94 +56,29 @@ Array* allocated(vtkImageData* image, double width, double height)
   return samples;
 }
 
-// Of 16 bits; raw samples, whatever the file says of gamma. Those of 8 bits are read as pictures are.
+// Of 16 bits, of which VTK's reader makes 8 and a gamma; null for others.
 vtkSmartPointer<vtkImageData> readPng16(const std::string& bytes)
 {
-  const Raster raster(bytes, "PNG");
-  if (!raster.isOpen() || GDALGetRasterDataType(raster.band(1)) != GDT_UInt16)
-  {
-    return nullptr;
-  }
-  return raster.samples(VTK_UNSIGNED_SHORT, raster.bands(), true);
-}
-
-// Number of bands that count: the colours, where the file says that it is of these, else one.
-int heightBands(const Raster& raster)
-{
-  const bool isColour =
-    raster.bands() >= 3 && GDALGetRasterColorInterpretation(raster.band(1)) == GCI_RedBand;
-  return isColour ? 3 : 1;
-}
-
-// Spacing and the place of the lower left sample by the file's geo-transform, in units of its map. A file
-// without one has its rows where `fromTop` says.
-void placeOnMap(const std::string& name, const Raster& raster, bool& fromTop, vtkImageData* image)
-{
-  double map[6]; // of a corner of the first sample: x = map[0] + column map[1] + row map[2], likewise y
-  if (GDALGetGeoTransform(raster.data(), map) != CE_None)
-  {
-    return;
-  }
-  constexpr double slack = 1e-3; // of a cell, over the whole grid
-  if (!(map[1] > 0.0 && std::abs(map[2]) * raster.height() <= slack * map[1] &&
-        std::abs(map[4]) * raster.width() <= slack * std::abs(map[5]) && map[1] < 1e12 &&
-        std::abs(map[5]) < 1e12))
-  {
-    refuse(name,
-      "its grid is turned or mirrored against the axes of its map; lay it along them first (gdalwarp does)");
-  }
-  fromTop = map[5] < 0.0;
-  image->SetSpacing(map[1], std::abs(map[5]), 1.0);
-  image->SetOrigin(map[0] + 0.5 * map[1], map[3] + (fromTop ? raster.height() - 0.5 : 0.5) * map[5], 0.0);
+  constexpr std::size_t depth = 24; // where the head tells it
+  return bytes.size() > depth && bytes[depth] == 16 ? rasterReader().fineSamples(bytes) : nullptr;
 }
 
 // Not vtkTIFFReader: it turns some files upside down, and knows no map.
 vtkSmartPointer<vtkImageData> readTiff(const std::string& name, const std::string& bytes)
 {
-  const std::string fault = "is a damaged TIFF file, or of a kind that is not read, or announces more "
-                            "samples than 16384 a side or than it holds; save it with one gray value a "
-                            "pixel, of 8, 16, 32 or 64 bits";
-  const Raster raster(bytes, "GTiff");
   const int orientation = orientationOf(bytes);
-  if (!raster.isOpen() || GDALDataTypeIsComplex(GDALGetRasterDataType(raster.band(1))) ||
-      (orientation != 1 && orientation != 4))
+  bool isTurned = false;
+  auto image = orientation == 1 || orientation == 4
+                 ? rasterReader().heights(bytes, orientation == 1, isTurned)
+                 : nullptr;
+  if (!image)
   {
-    refuse(name, fault);
-  }
-  bool fromTop = orientation == 1;
-  vtkNew<vtkImageData> place;
-  placeOnMap(name, raster, fromTop, place);
-  const GDALDataType type = GDALGetRasterDataType(raster.band(1));
-  const int bands = heightBands(raster);
-  int hasScale = 0, hasOffset = 0;
-  const double scale = GDALGetRasterScale(raster.band(1), &hasScale);
-  const double offset = GDALGetRasterOffset(raster.band(1), &hasOffset);
-  const bool isSingle = GDALGetDataTypeSizeBits(type) <= 16 || type == GDT_Float32; // each number of it
-  const bool isScaled = (hasScale && scale != 1.0) || (hasOffset && offset != 0.0);
-  auto image = raster.samples(isSingle && !isScaled ? VTK_FLOAT : VTK_DOUBLE, bands, fromTop);
-  // Samples without data are told by a number, by a mask or by transparency.
-  std::vector<unsigned char> known(static_cast<std::size_t>(raster.width()) * raster.height(), 255);
-  const bool isMasked = (GDALGetMaskFlags(raster.band(1)) & GMF_ALL_VALID) == 0;
-  if (!image || (isMasked && !raster.readBytes(GDALGetMaskBand(raster.band(1)), known.data(), fromTop)))
-  {
-    refuse(name, fault);
-  }
-  image->SetSpacing(place->GetSpacing());
-  image->SetOrigin(place->GetOrigin());
-  const char* const kind = GDALGetMetadataItem(raster.band(1), "PIXELTYPE", "IMAGE_STRUCTURE");
-  const bool isSignedByte = kind && std::string(kind) == "SIGNEDBYTE"; // GDAL before 3.7 gives it unsigned
-  vtkDataArray* heights = image->GetPointData()->GetScalars();
-  heights->SetName("Heights");
-  for (std::size_t i = 0; (isMasked || isScaled || isSignedByte) && i < known.size(); ++i)
-  {
-    for (int k = 0; k < bands; ++k)
-    {
-      double value = heights->GetComponent(static_cast<vtkIdType>(i), k);
-      value -= isSignedByte && value > 127.0 ? 256.0 : 0.0;
-      value = isScaled ? offset + scale * value : value;
-      heights->SetComponent(
-        static_cast<vtkIdType>(i), k, known[i] ? value : std::numeric_limits<double>::quiet_NaN());
-    }
+    refuse(name,
+      isTurned ? "its grid is turned or mirrored against the axes of its map; lay it along them first "
+                 "(gdalwarp does)"
+               : "is a damaged TIFF file, or of a kind that is not read, or announces more samples than "
+                 "16384 a side "
+                 "or than it holds; save it with one gray value a pixel, of 8, 16, 32 or 64 bits");
   }
   return image;
 }

@@ -1,4 +1,6 @@
-// Grids of samples in the files that GDAL reads, from bytes in memory.
+// Grids and pictures in the files that GDAL reads, from bytes in memory. GDAL is loaded with the first of
+// them: its libraries take 60 ms and 27 MB to start, and Debian's build of it stands on some that are under
+// the GPL.
 #ifndef oversketch_applications_files_raster_h
 #define oversketch_applications_files_raster_h
 
@@ -13,36 +15,23 @@ namespace oversketch_files
 // GDAL's name of the format that such bytes have, "GTiff", "PNG", "BMP" or "WEBP"; "" for others.
 std::string rasterFormatOf(const std::string& bytes);
 
-// A file that is open as long as this lives, which is on one thread and shorter than its bytes. GDAL says
-// nothing on its own meanwhile.
-class Raster
+// What the module oversketch_raster does. Each function gives null for files that are damaged or of another
+// kind, that say to be larger than 16384 samples a side or than so few bytes can make them, and that have no
+// samples. Rows are from the bottom.
+struct RasterReader
 {
-public:
-  // Nothing but the head is read. `format`: as rasterFormatOf names it.
-  Raster(const std::string& bytes, const char* format);
-  ~Raster();
-  Raster(const Raster&) = delete;
-  Raster& operator=(const Raster&) = delete;
-
-  // False where it is none of that format or damaged, where it says to be larger than 16384 samples a side or
-  // than so few bytes can make it, and where it has no samples.
-  bool isOpen() const { return this->Data != nullptr; }
-  int width() const;
-  int height() const;
-  int bands() const;
-  void* data() const { return this->Data; } // GDALDatasetH
-  void* band(int number) const;             // GDALRasterBandH, from 1
-
-  // The first bands as scalars of VTK's `type`, rows from the bottom; null where the samples are damaged.
-  // `fromTop`: whether the file's first row is the uppermost one.
-  vtkSmartPointer<vtkImageData> samples(int type, int count, bool fromTop) const;
-  // The same of any band that is one byte a sample, such as a mask of the first.
-  bool readBytes(void* band, unsigned char* lowerLeft, bool fromTop) const;
-
-private:
-  std::string Name;
-  void* Data = nullptr;
+  // Heights of a GeoTIFF in units of its map, with its spacing and origin: one band, or three colours as
+  // "Heights", NaN where the file has no data. `fromTop`: where its first row is unless its map says. Null
+  // with `isTurned` where the grid does not lie along the axes of the map.
+  vtkSmartPointer<vtkImageData> (*heights)(const std::string& bytes, bool fromTop, bool& isTurned);
+  // Samples of a PNG of 16 bits, raw.
+  vtkSmartPointer<vtkImageData> (*fineSamples)(const std::string& bytes);
+  // A picture of `format`, which rasterFormatOf names, of 8 bits a channel, as it lies in the file.
+  vtkSmartPointer<vtkImageData> (*pixels)(const std::string& bytes, const char* format);
 };
+
+// Throws Failed where the module cannot be loaded.
+const RasterReader& rasterReader();
 
 } // namespace oversketch_files
 #endif

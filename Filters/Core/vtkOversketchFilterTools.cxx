@@ -82,9 +82,6 @@ vtkIdType FirstRefused(vtkIdType count, const Convert& convert)
   return first;
 }
 
-// Up to here the product of three coordinates fits single precision, in which rays are cast.
-constexpr double LargestCoordinate = 1e12;
-
 std::vector<Vector3> PointsOf(vtkPolyData* polyData)
 {
   std::vector<Vector3> points(static_cast<std::size_t>(polyData->GetNumberOfPoints()));
@@ -262,6 +259,15 @@ MeshWork& MeshWorkDone()
 {
   static MeshWork work;
   return work;
+}
+
+double ReachOf(vtkPolyData* polyData)
+{
+  double bounds[6];
+  polyData->GetPoints()->GetBounds(bounds);
+  const double* const end = bounds + 2 * 3;
+  return std::abs(
+    *std::max_element(bounds, end, [](double a, double b) { return std::abs(a) < std::abs(b); }));
 }
 
 Mesh MeshOf(vtkPolyData* polyData)

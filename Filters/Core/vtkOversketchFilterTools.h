@@ -63,6 +63,16 @@ OVERSKETCHFILTERSCORE_EXPORT void RequirePolygonsOnly(vtkPolyData* polyData);
 OVERSKETCHFILTERSCORE_EXPORT Context ThreadsOnly();
 
 /**
+ * The largest coordinate that is taken: the product of three fits single precision, in which rays are cast.
+ */
+constexpr double LargestCoordinate = 1e12;
+
+/**
+ * The largest coordinate of a mesh with points, without its sign.
+ */
+OVERSKETCHFILTERSCORE_EXPORT double ReachOf(vtkPolyData* polyData);
+
+/**
  * The mesh as kernels see it; vertex i is point i, triangle i is polygon i. Throws Error(BadMesh) naming the
  * first offending cell or point when a polygon is not a triangle, an id is out of range, a point is not
  * finite, or there are lines, vertices or strips besides the polygons (remedy: vtkTriangleFilter).

@@ -128,22 +128,19 @@ vtkMTimeType vtkOversketchSystem::GetMTime()
 namespace
 {
 
-// A result that no filter would take as its input, by vtkOversketchFilterTools, is none.
+// A result that no filter would take as its input is none.
 void requireTaken(vtkPolyData* result)
 {
-  constexpr double largest = 1e12;
   if (!result || result->GetNumberOfPoints() == 0)
   {
     return;
   }
-  const double* const bounds = result->GetPoints()->GetBounds();
-  const double* const widest =
-    std::max_element(bounds, bounds + 6, [](double a, double b) { return std::abs(a) < std::abs(b); });
-  if (!(std::abs(*widest) <= largest))
+  const double reach = ReachOf(result);
+  if (!(reach <= LargestCoordinate))
   {
     std::ostringstream message;
-    message << "The result reaches " << *widest << ", and no step takes coordinates beyond " << largest
-            << "; ask for less, or scale what it is made of.";
+    message << "The result reaches " << reach << ", and no step takes coordinates beyond "
+            << LargestCoordinate << "; ask for less, or scale what it is made of.";
     throw Error(Failure::BadMesh, message.str());
   }
 }

@@ -270,6 +270,19 @@ def test_a_geotiff_lies_on_its_map(tmp_path):
         assert origin.tolist() == [[500000.125, 4600000 - 0.5 * 19.5, 0]], file
 
 
+def test_gdal_is_loaded_with_the_files_that_need_it(tmp_path):
+    """What the program starts with has none of it, and says what is absent where its module cannot be loaded."""
+    started = run("--version", env={**os.environ, "LD_TRACE_LOADED_OBJECTS": "1"}).stdout
+    assert "libvtkCommonCore" in started and "gdal" not in started and "poppler" not in started
+    geotiff(tmp_path / "map.tif", numpy.ones((3, 4)))
+    (tmp_path / "t.pgm").write_bytes(b"P5 3 3 255\n" + bytes(9))
+    (tmp_path / "liboversketch_raster.so").touch()  # which is found first, and is no library
+    without = {**os.environ, "LD_LIBRARY_PATH": str(tmp_path)}
+    assert run("terrain", tmp_path / "t.pgm", "-o", tmp_path / "o.vtp", env=without).returncode == 0
+    said = refuse(1, "terrain", tmp_path / "map.tif", "-o", tmp_path / "p.vtp", env=without)
+    assert "liboversketch_raster.so" in said and "GDAL" in said and not (tmp_path / "p.vtp").exists()
+
+
 def test_heights_that_nothing_reads_are_not_written(tmp_path):
     (tmp_path / "t.asc").write_text("ncols 3\nnrows 3\ncellsize 1\n" + "1 2 3 " * 3)
     said = refuse(1, "terrain", tmp_path / "t.asc", "-o", tmp_path / "p.vtp", "--scale", "1e31")
