@@ -80,7 +80,7 @@ std::string wordsFor(vtkPolyData* mesh, vtkAbstractArray* array)
   {
     return "which part a face is of";
   }
-  return name == "GroupIds" ? "groups" : "the values " + printable(name);
+  return name == "GroupIds" || name == "GroupNames" ? "groups" : "the values " + printable(name);
 }
 
 } // namespace

@@ -218,7 +218,9 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
           coloursOf(mesh),
           mesh->GetFieldData()->GetAbstractArray("MaterialLibraries"),
           mesh->GetFieldData()->GetAbstractArray("MaterialNames"),
-          mesh->GetCellData()->GetArray("MaterialIds") }),
+          mesh->GetCellData()->GetArray("MaterialIds"),
+          mesh->GetFieldData()->GetAbstractArray("GroupNames"),
+          mesh->GetCellData()->GetArray("GroupIds") }),
       notes);
     const bool isNamed = mesh->GetFieldData()->GetAbstractArray("MaterialLibraries") != nullptr;
     const std::vector<Piece> pieces = isNamed ? std::vector<Piece>{ { "", "", mesh } } : piecesOf(mesh);

@@ -8,7 +8,6 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -33,6 +32,8 @@ enum Kind
 };
 constexpr std::array<int, 3> components = { 3, 2, 3 };
 constexpr vtkIdType noId = -1;
+constexpr const char* unnamedMaterial = "NO_MATERIAL"; // of faces before the first usemtl, as VTK calls it
+constexpr const char* unnamedGroup = "default";        // of faces before the first g, as the format calls it
 
 using Corner = std::array<vtkIdType, 3>; // ids of each kind, counted from 0
 
@@ -40,7 +41,24 @@ struct Face
 {
   std::size_t end = 0; // behind its last corner
   int material = 0;
-  float group = 0.0F;
+  int group = 0;
+};
+
+// Names by the order of their first use.
+struct NamesInOrder
+{
+  int numberOf(const std::string& name)
+  {
+    const auto [place, isNew] = this->known.emplace(name, static_cast<int>(this->names.size()));
+    if (isNew)
+    {
+      this->names.push_back(name);
+    }
+    return place->second;
+  }
+
+  std::vector<std::string> names;
+  std::map<std::string, int> known;
 };
 
 class Obj
@@ -76,8 +94,8 @@ public:
   bool opacity = false;
   std::vector<Corner> corners;
   std::vector<Face> faces;
-  std::vector<std::string> libraries, materials; // in the order of their first use
-  bool grouped = false;
+  std::vector<std::string> libraries;
+  NamesInOrder materials, groups;
   vtkIdType others = 0;  // lines and points
   vtkIdType objects = 0; // named
 
@@ -146,12 +164,11 @@ private:
     }
     else if (keyword == "g")
     {
-      this->Group += this->grouped ? 1.0F : 0.0F;
-      this->grouped = true;
+      this->Group = this->groups.numberOf(std::string(restOf(line, words)));
     }
     else if (keyword == "usemtl")
     {
-      this->Material = this->materialNamed(std::string(restOf(line, words)));
+      this->Material = this->materials.numberOf(std::string(restOf(line, words)));
     }
     else if (keyword == "mtllib")
     {
@@ -191,16 +208,6 @@ private:
     return from == std::string_view::npos ? std::string_view() : line.substr(from, to + 1 - from);
   }
 
-  int materialNamed(const std::string& name)
-  {
-    const auto [place, isNew] = this->Known.emplace(name, static_cast<int>(this->materials.size()));
-    if (isNew)
-    {
-      this->materials.push_back(name);
-    }
-    return place->second;
-  }
-
   void readFace(Words& words)
   {
     std::size_t read = 0;
@@ -215,8 +222,11 @@ private:
     }
     if (this->Material < 0)
     {
-      this->Material =
-        this->materialNamed("NO_MATERIAL"); // of faces before the first usemtl, as VTK calls it
+      this->Material = this->materials.numberOf(unnamedMaterial);
+    }
+    if (this->Group < 0)
+    {
+      this->Group = this->groups.numberOf(unnamedGroup);
     }
     this->faces.push_back({ this->corners.size(), this->Material, this->Group });
   }
@@ -288,9 +298,7 @@ private:
 
   std::string Path;
   long Line = 0;
-  int Material = noId;
-  float Group = 0.0F;
-  std::map<std::string, int> Known;
+  int Material = noId, Group = noId;
   std::array<std::pair<long, long>, 3> Most = {
     { { -1, 0 }, { -1, 0 }, { -1, 0 } }
   }; // largest index, its line
@@ -416,35 +424,26 @@ vtkSmartPointer<vtkStringArray> namesOf(const char* name, const List& texts)
   return array;
 }
 
-// Groups, materials and their libraries.
-void setCells(const Obj& obj, vtkPolyData* mesh)
+// Sets a cell array of numbers and a field array of the names that they count, unless all is `unnamed`.
+void setNames(vtkPolyData* mesh,
+  const Obj& obj,
+  const NamesInOrder& used,
+  int Face::*number,
+  const std::string& what,
+  const char* unnamed)
 {
-  const auto count = static_cast<vtkIdType>(obj.faces.size());
-  if (obj.grouped)
-  {
-    const auto groups = arrayOf<vtkFloatArray>("GroupIds", 1, obj.faces.size(), 0.0);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      groups->SetValue(i, obj.faces[static_cast<std::size_t>(i)].group);
-    }
-    mesh->GetCellData()->AddArray(groups);
-  }
-  if (!obj.libraries.empty())
-  {
-    mesh->GetFieldData()->AddArray(namesOf("MaterialLibraries", obj.libraries));
-  }
-  if (obj.materials.empty() || (obj.materials.size() == 1 && obj.materials[0] == "NO_MATERIAL"))
+  if (used.names.empty() || (used.names.size() == 1 && used.names[0] == unnamed))
   {
     return;
   }
-  mesh->GetFieldData()->AddArray(namesOf("MaterialNames", obj.materials));
+  mesh->GetFieldData()->AddArray(namesOf((what + "Names").c_str(), used.names));
   vtkNew<vtkIntArray> ids;
-  ids->SetName("MaterialIds");
-  ids->SetNumberOfValues(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    ids->SetValue(i, obj.faces[static_cast<std::size_t>(i)].material);
-  }
+  ids->SetName((what + "Ids").c_str());
+  ids->SetNumberOfValues(static_cast<vtkIdType>(obj.faces.size()));
+  std::transform(obj.faces.begin(),
+    obj.faces.end(),
+    ids->GetPointer(0),
+    [number](const Face& face) { return face.*number; });
   mesh->GetCellData()->AddArray(ids);
 }
 
@@ -455,7 +454,12 @@ vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes)
   const Obj obj(path);
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   setPoints(obj, path, mesh, notes);
-  setCells(obj, mesh);
+  if (!obj.libraries.empty())
+  {
+    mesh->GetFieldData()->AddArray(namesOf("MaterialLibraries", obj.libraries));
+  }
+  setNames(mesh, obj, obj.groups, &Face::group, "Group", unnamedGroup);
+  setNames(mesh, obj, obj.materials, &Face::material, "Material", unnamedMaterial);
   if (obj.others > 0)
   {
     notes.push_back(path + ": " + std::to_string(obj.others) + " lines and vertices are dropped");

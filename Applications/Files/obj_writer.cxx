@@ -53,6 +53,36 @@ vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
            : nullptr;
 }
 
+// What faces are marked with from a line of the file on: materials or groups.
+class Marks
+{
+public:
+  // `what`: "Material" or "Group", whose arrays of numbers and names the mesh may have.
+  Marks(vtkPolyData* mesh, const std::string& what, const char* keyword)
+    : Keyword(keyword)
+    , Names(vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray((what + "Names").c_str())))
+    , Ids(usable(mesh->GetCellData()->GetArray((what + "Ids").c_str()), 1, mesh->GetNumberOfCells()))
+  {
+  }
+
+  // The line before the cell, where its mark is another than the last one's.
+  void write(std::ostream& stream, vtkIdType cell)
+  {
+    const auto id = this->Names && this->Ids ? static_cast<vtkIdType>(this->Ids->GetComponent(cell, 0)) : -1;
+    if (id != this->Last && id >= 0 && id < this->Names->GetNumberOfValues())
+    {
+      stream << this->Keyword << ' ' << this->Names->GetValue(id) << '\n';
+    }
+    this->Last = id;
+  }
+
+private:
+  const char* Keyword;
+  vtkStringArray* Names;
+  vtkDataArray* Ids;
+  vtkIdType Last = -1;
+};
+
 // What comes before a piece in the file.
 struct Before
 {
@@ -67,11 +97,7 @@ void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& mate
   vtkDataArray* textures = usable(mesh->GetPointData()->GetTCoords(), 2, count);
   vtkDataArray* normals = usable(mesh->GetPointData()->GetNormals(), 3, count);
   vtkDataArray* colours = usable(coloursOf(mesh), 3, count);
-  auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("MaterialNames"));
-  vtkDataArray* materials =
-    names && material.empty()
-      ? usable(mesh->GetCellData()->GetArray("MaterialIds"), 1, mesh->GetNumberOfCells())
-      : nullptr;
+  Marks groups(mesh, "Group", "g"), materials(mesh, "Material", "usemtl");
   std::vector<vtkIdType> position(static_cast<std::size_t>(count));
   std::map<std::array<double, 3>, vtkIdType> known;
   vtkIdType written = before.positions;
@@ -107,18 +133,13 @@ void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& mate
   {
     stream << "usemtl " << material << '\n';
   }
-  vtkIdType last = -1;
   auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
-    if (materials)
+    groups.write(stream, it->GetCurrentCellId());
+    if (material.empty())
     {
-      const auto id = static_cast<vtkIdType>(materials->GetComponent(it->GetCurrentCellId(), 0));
-      if (id != last && id >= 0 && id < names->GetNumberOfValues())
-      {
-        stream << "usemtl " << names->GetValue(id) << '\n';
-      }
-      last = id;
+      materials.write(stream, it->GetCurrentCellId());
     }
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;

@@ -16,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkStringArray.h"
 #include "vtkTriangle.h"
 
 #include <gtest/gtest.h>
@@ -462,4 +463,33 @@ TEST(Notes, SayWhatAUserLosesAndNothingOfASystemsOwn)
     "STL does not keep: the values StellarMoved, the values CurveId, the values CurveParam, the values "
     "Feature, the "
     "values temperature, the values StellarVersion\n");
+}
+
+// Which face is of which group, a name that comes again among them, and faces before the first one.
+TEST(Obj, GroupsComeBackByName)
+{
+  const Place place;
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", face = "f 1 2 3\n";
+  const std::string file = place.put(
+    "in.obj", points + face + "g left arm\n" + face + face + "g head\n" + face + "g left arm\n" + face);
+  const auto groupsOf = [](vtkPolyData* mesh)
+  {
+    auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("GroupNames"));
+    vtkDataArray* ids = mesh->GetCellData()->GetArray("GroupIds");
+    std::vector<std::string> groups;
+    for (vtkIdType i = 0; names && ids && i < mesh->GetNumberOfPolys(); ++i)
+    {
+      groups.push_back(names->GetValue(static_cast<vtkIdType>(ids->GetComponent(i, 0))));
+    }
+    return groups;
+  };
+  Notes notes;
+  const auto mesh = readMesh(file, notes);
+  const std::vector<std::string> told = { "default", "left arm", "left arm", "head", "left arm" };
+  EXPECT_EQ(groupsOf(mesh), told);
+  EXPECT_EQ(groupsOf(through(place, "out.obj", mesh, notes)), told);
+  EXPECT_EQ(notes, Notes());
+  through(place, "out.off", mesh, notes);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("groups"), std::string::npos) << notes[0];
 }
