@@ -265,9 +265,12 @@ double ReachOf(vtkPolyData* polyData)
 {
   double bounds[6];
   polyData->GetPoints()->GetBounds(bounds);
-  const double* const end = bounds + 2 * 3;
-  return std::abs(
-    *std::max_element(bounds, end, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  double reach = 0.0;
+  for (const double bound : bounds)
+  {
+    reach = std::max(reach, std::abs(bound));
+  }
+  return reach;
 }
 
 Mesh MeshOf(vtkPolyData* polyData)
