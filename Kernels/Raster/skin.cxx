@@ -47,44 +47,73 @@ std::vector<std::uint8_t> maskOf(const PictureSamples& picture, const std::vecto
   return mask;
 }
 
-// The inside of what is covered, as of skinOf: 255 where a pixel keeps its colour. Of the mask.
-std::vector<std::uint8_t> insideOf(const PictureSamples& picture,
-  std::vector<std::uint8_t>& mask,
-  const Context& context)
+// Depths below the mask's border [px, to 2 %] where they are less than `deep`; what is farther in is that
+// deep or more. Of tiles that the border passes through or near to alone.
+struct Depths
 {
-  const int width = picture.width, height = picture.height;
-  cv::Mat1f depth;
-  cv::distanceTransform(cv::Mat1b(height, width, mask.data()), depth, cv::DIST_L2, cv::DIST_MASK_5); // to 2 %
-  const float deep = static_cast<float>(std::max(1.0, border * std::max(width, height)));
-  const auto isMiddle = [&](int x, int y)
+  cv::Rect tile, window; // the window round the tile: what decides over its depths
+  cv::Mat1f in;          // the window
+  bool all = false;      // all of the window is covered
+};
+
+void findDepths(const cv::Mat1b& mask, int margin, Depths& depths)
+{
+  const cv::Rect whole(0, 0, mask.cols, mask.rows);
+  const cv::Rect& tile = depths.tile;
+  depths.window =
+    cv::Rect(tile.x - margin, tile.y - margin, tile.width + 2 * margin, tile.height + 2 * margin) & whole;
+  const cv::Mat1b seen = mask(depths.window);
+  depths.all = cv::countNonZero(seen) == depths.window.area();
+  if (!depths.all && cv::countNonZero(mask(tile)) > 0)
   {
-    for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
+    cv::distanceTransform(seen, depths.in, cv::DIST_L2, cv::DIST_MASK_5);
+  }
+}
+
+// Whether none beside it is deeper.
+bool isMiddle(const cv::Mat1f& depth, int x, int y)
+{
+  for (int v = std::max(0, y - 1); v <= std::min(depth.rows - 1, y + 1); ++v)
+  {
+    for (int u = std::max(0, x - 1); u <= std::min(depth.cols - 1, x + 1); ++u)
     {
-      for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u)
+      if (depth(v, u) > depth(y, x))
       {
-        if (depth(v, u) > depth(y, x))
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// The inside of what the mask covers, as of skinOf: 255 where a pixel keeps its colour.
+std::vector<std::uint8_t> insideOf(const PictureSamples& picture, std::vector<std::uint8_t>& mask)
+{
+  constexpr int side = 128; // of a tile
+  const int width = picture.width, height = picture.height;
+  const cv::Mat1b covered(height, width, mask.data());
+  const double deep = std::max(1.0, border * std::max(width, height));
+  std::vector<std::uint8_t> inside(mask.size(), 0);
+  for (int top = 0; top < height; top += side)
+  {
+    for (int left = 0; left < width; left += side)
+    {
+      Depths depths;
+      depths.tile = cv::Rect(left, top, std::min(side, width - left), std::min(side, height - top));
+      findDepths(covered, static_cast<int>(std::ceil(1.1 * deep)) + 2, depths);
+      for (int y = top; y < top + depths.tile.height && (depths.all || !depths.in.empty()); ++y)
+      {
+        for (int x = left; x < left + depths.tile.width; ++x)
         {
-          return false;
+          const std::size_t at = static_cast<std::size_t>(y) * width + x;
+          const int u = x - depths.window.x, v = y - depths.window.y;
+          const bool isIn =
+            depths.all || (mask[at] && (depths.in(v, u) >= deep || isMiddle(depths.in, u, v)));
+          inside[at] = isIn && picture.alpha(at) >= opaque ? 255 : 0;
         }
       }
     }
-    return true;
-  };
-  std::vector<std::uint8_t> inside(mask.size(), 0);
-  context.parallelFor(height,
-    [&](int begin, int end)
-    {
-      for (int y = begin; y < end; ++y)
-      {
-        const std::size_t first = static_cast<std::size_t>(y) * width;
-        const float* row = depth[y];
-        for (int x = 0; x < width; ++x)
-        {
-          const bool isIn = row[x] > 0.0f && picture.alpha(first + x) >= opaque;
-          inside[first + x] = isIn && (row[x] >= deep || isMiddle(x, y)) ? 255 : 0;
-        }
-      }
-    });
+  }
   return inside;
 }
 
@@ -123,7 +152,7 @@ std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
     [&]
     {
       std::vector<std::uint8_t> mask = maskOf(picture, covered);
-      inside = insideOf(picture, mask, context);
+      inside = insideOf(picture, mask);
     });
   context.checkpoint(0.4);
   const std::vector<int> nearest = nearestChosen(inside, picture.width, picture.height, context);
@@ -132,7 +161,7 @@ std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
   const double limit = std::max(1.0, border * longest) + std::max(2.0, reach * longest);
   const auto from = [&](std::size_t at)
   {
-    const bool isLed = nearest[at] >= 0 &&
+    const bool isLed = !inside[at] && nearest[at] >= 0 &&
                        (picture.alpha(at) < opaque ||
                          squaredDistance(picture.width, static_cast<int>(at), nearest[at]) <= limit * limit);
     return isLed ? static_cast<std::size_t>(nearest[at]) : at;
