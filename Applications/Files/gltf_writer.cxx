@@ -1,7 +1,9 @@
 // Why not vtkGLTFWriter: in VTK 9.1 it has no binary container (.glb) and leaves out normals and colours.
 #include "colours.h"
 #include "mesh_file.h"
+#include "point_normals.h"
 #include "precision.h"
+#include "sharp_edges.h"
 #include "texture.h"
 
 #include "vtkBase64Utilities.h"
@@ -9,6 +11,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
+#include "vtk_jsoncpp.h"
 
 #include <algorithm>
 #include <array>
@@ -146,6 +149,14 @@ std::vector<float> positionsOf(vtkPolyData* mesh, const std::array<double, 3>& o
   return values;
 }
 
+// With normals, without which a reader has to show each triangle flat; where the mesh has none, with points
+// of their own for both sides of its sharp edges.
+vtkSmartPointer<vtkPolyData> litMesh(vtkPolyData* mesh)
+{
+  const bool has = mesh->GetPointData()->GetNormals() || mesh->GetNumberOfPolys() == 0;
+  return has ? vtkSmartPointer<vtkPolyData>(mesh) : SharpEdges().look(withPointNormals(mesh));
+}
+
 // The JSON of a primitive with a material, which it says; what it holds goes into the buffer, positions from
 // that origin.
 std::string primitiveOf(Builder& builder,
@@ -240,7 +251,7 @@ bool hasMaterial(const Piece& piece)
 
 // The document's members of materials and pictures, empty where there are none; the pictures go into the
 // buffer.
-std::string looksOf(Builder& builder, const std::vector<Piece>& pieces)
+std::string looksOf(Builder& builder, const std::vector<Piece>& pieces, const std::string& title)
 {
   std::string materials, textures, images;
   std::map<std::string, std::string> known; // the place of a picture: pieces may wear the same one
@@ -264,9 +275,9 @@ std::string looksOf(Builder& builder, const std::vector<Piece>& pieces)
       }
       base = R"("baseColorTexture":{"index":)" + picture->second + "},";
     }
-    const std::string name = piece.name.empty() ? "" : R"("name":")" + piece.name + R"(",)";
-    materials += (materials.empty() ? "{" : ",{") + name;
-    materials += R"("pbrMetallicRoughness":{)" + base + R"("metallicFactor":0}})";
+    const std::string name = piece.name.empty() ? title : '"' + piece.name + '"';
+    materials += (materials.empty() ? R"({"name":)" : R"(,{"name":)") + name;
+    materials += R"(,"pbrMetallicRoughness":{)" + base + R"("metallicFactor":0}})";
   }
   if (materials.empty())
   {
@@ -279,8 +290,12 @@ std::string looksOf(Builder& builder, const std::vector<Piece>& pieces)
 
 } // namespace
 
-void writeGltf(const std::vector<Piece>& pieces, const std::string& path, bool binary)
+void writeGltf(const std::vector<Piece>& pieces,
+  const std::string& name,
+  const std::string& path,
+  bool binary)
 {
+  const std::string title = Json::valueToQuotedString(name.c_str());
   Builder builder;
   std::string primitives;
   std::size_t count = 0; // of materials
@@ -291,16 +306,17 @@ void writeGltf(const std::vector<Piece>& pieces, const std::string& path, bool b
   for (const Piece& piece : pieces)
   {
     const std::string material = hasMaterial(piece) ? R"(,"material":)" + std::to_string(count++) : "";
-    primitives += (primitives.empty() ? "" : ",") + primitiveOf(builder, piece.mesh, origin, material);
+    primitives +=
+      (primitives.empty() ? "" : ",") + primitiveOf(builder, litMesh(piece.mesh), origin, material);
   }
-  const std::string looks = looksOf(builder, pieces);
+  const std::string looks = looksOf(builder, pieces, title);
 
   std::ostringstream json;
   json
-    << R"({"asset":{"version":"2.0","generator":"Oversketch"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0)"
-    << moved << R"(}],"meshes":[{"primitives":[)" << primitives << R"(]}],)" << looks << R"("accessors":[)"
-    << builder.accessors << R"(],"bufferViews":[)" << builder.views << R"(],"buffers":[{"byteLength":)"
-    << builder.buffer.size();
+    << R"({"asset":{"version":"2.0","generator":"Oversketch"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":)"
+    << title << moved << R"(}],"meshes":[{"name":)" << title << R"(,"primitives":[)" << primitives
+    << R"(]}],)" << looks << R"("accessors":[)" << builder.accessors << R"(],"bufferViews":[)"
+    << builder.views << R"(],"buffers":[{"byteLength":)" << builder.buffer.size();
   if (!binary)
   {
     json << R"(,"uri":"data:application/octet-stream;base64,)" << base64(builder.buffer) << '"';

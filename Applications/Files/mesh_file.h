@@ -74,8 +74,12 @@ std::set<vtkAbstractArray*> keptByPly(vtkPolyData* mesh);
 // With the materials of that library, as writeObjMaterials names them, unless it is empty; else with those of
 // the file that the mesh was read from.
 void writeObj(const std::vector<Piece>& pieces, const std::string& path, const std::string& library);
-// One primitive for each piece, with a material where it has a picture or a name.
-void writeGltf(const std::vector<Piece>& pieces, const std::string& path, bool binary);
+// One mesh of that name, with a primitive for each piece, that with a material where it has a picture or a
+// name.
+void writeGltf(const std::vector<Piece>& pieces,
+  const std::string& name,
+  const std::string& path,
+  bool binary);
 
 } // namespace oversketch_files
 #endif

@@ -15,6 +15,7 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 namespace oversketch_files
@@ -275,7 +276,9 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
       "glTF",
       withPictures(mesh, { points->GetTCoords(), points->GetNormals(), coloursOf(mesh) }),
       notes);
-    write = [&](const std::string& file) { writeGltf(piecesOf(mesh), file, extension == ".glb"); };
+    const std::string name = std::filesystem::path(path).stem().string();
+    write = [mesh, name, extension](const std::string& file)
+    { writeGltf(piecesOf(mesh), name, file, extension == ".glb"); };
   }
   else
   {

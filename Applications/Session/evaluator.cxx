@@ -56,52 +56,6 @@ bool isElsewhere(const Node& node, const Outcome& outcome)
          0.5 * std::min(node.committed->length, outcome.section->length);
 }
 
-std::size_t bytesOf(const Outcome& outcome)
-{
-  if (!outcome.failure.empty())
-  {
-    return 0; // a mesh passed by is another outcome's
-  }
-  std::size_t kilobytes = outcome.mesh->GetActualMemorySize();
-  for (const auto& port : outcome.outputs)
-  {
-    kilobytes += port.second->GetActualMemorySize();
-  }
-  std::size_t bytes = 0;
-  if (outcome.details)
-  {
-    kilobytes += outcome.details->region->GetActualMemorySize();
-    const auto& following = outcome.details->following;
-    bytes = following ? following->points.size() * (sizeof(vtkIdType) + sizeof(following->moves[0])) : 0;
-  }
-  return 1024 * kilobytes + bytes;
-}
-
-// The picture's file itself travels with the mesh, or what of it is skin: a filter sees its samples alone.
-void wear(const Step& step, const SystemRow& row, const Outcome& outcome)
-{
-  const auto imageOf = [&](const std::string& name)
-  {
-    const auto given = step.inputs.find(name);
-    return given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
-  };
-  if (!outcome.failure.empty() || !outcome.mesh->GetPointData()->GetTCoords())
-  {
-    return;
-  }
-  const Image *front = imageOf(row.worn), *back = imageOf(row.wornBehind);
-  const auto worn = [&](const Image& image, int part)
-  { return row.skin ? skinFor(outcome.mesh, part, *image.bytes) : *image.bytes; };
-  if (front)
-  {
-    oversketch_files::setTexture(outcome.mesh, worn(*front, 0), back ? "Part0." : "");
-  }
-  if (back)
-  {
-    oversketch_files::setTexture(outcome.mesh, worn(*back, 1), "Part1.");
-  }
-}
-
 // Whether two steps make the same thing, wherever it is put then.
 bool isSameWork(const Step& a, const Step& b)
 {
@@ -170,15 +124,6 @@ Evaluator::Evaluator(std::size_t bytes, const std::vector<SystemRow>& rows)
 
 Evaluator::~Evaluator() = default;
 
-bool Evaluator::Place::operator<(const Place& other) const
-{
-  if (this->made.owner_before(other.made) || other.made.owner_before(this->made))
-  {
-    return this->made.owner_before(other.made);
-  }
-  return std::tie(this->inputs, this->backend) < std::tie(other.inputs, other.backend);
-}
-
 Evaluator::Runner* Evaluator::runner(const std::string& name)
 {
   const SystemRow* row = findSystem(name, this->Rows);
@@ -198,59 +143,6 @@ vtkOversketchSystem* Evaluator::system(const std::string& name)
 {
   Runner* runner = this->runner(name);
   return runner ? runner->steps->system() : nullptr;
-}
-
-std::uint64_t Evaluator::numberOf(const Place& place)
-{
-  const auto [at, isNew] = this->Numbers.insert({ place, this->Last + 1 });
-  if (isNew)
-  {
-    this->Outcomes[++this->Last].place = place;
-  }
-  this->Outcomes.at(at->second).used = this->RunCount;
-  return at->second;
-}
-
-void Evaluator::forget()
-{
-  for (auto it = this->Outcomes.begin(); it != this->Outcomes.end();)
-  {
-    const Place& place = it->second.place;
-    const bool canComeAgain =
-      !place.made.expired() && std::all_of(place.inputs.begin(),
-                                 place.inputs.end(),
-                                 [this](std::uint64_t number) { return this->Outcomes.count(number) > 0; });
-    if (!canComeAgain)
-    {
-      this->Numbers.erase(place);
-    }
-    it = canComeAgain ? std::next(it) : this->Outcomes.erase(it);
-  }
-  for (auto it = this->Pictures.begin(); it != this->Pictures.end();)
-  {
-    it = it->first.expired() ? this->Pictures.erase(it) : std::next(it);
-  }
-}
-
-void Evaluator::giveUp()
-{
-  std::size_t sum = 0;
-  std::vector<Kept*> others; // than those in use
-  for (auto& named : this->Outcomes)
-  {
-    sum += named.second.bytes;
-    if (named.second.outcome && named.second.used != this->RunCount)
-    {
-      others.push_back(&named.second);
-    }
-  }
-  std::sort(others.begin(), others.end(), [](const Kept* a, const Kept* b) { return a->used < b->used; });
-  for (auto it = others.begin(); it != others.end() && sum > this->Budget; ++it)
-  {
-    sum -= (*it)->bytes;
-    (*it)->outcome.reset();
-    (*it)->bytes = 0;
-  }
 }
 
 vtkSmartPointer<vtkImageData> Evaluator::imageOf(const Image& image, SystemInput::Kind kind)
@@ -391,7 +283,12 @@ bool Evaluator::make(Run& run,
   {
     return false;
   }
-  wear(step, *findSystem(step.system, this->Rows), outcome);
+  if (outcome.failure.empty())
+  {
+    const auto decoded = [&](const std::string& name)
+    { return vtkImageData::SafeDownCast(inputs.at(name).Get()); };
+    wearPictures(step, *findSystem(step.system, this->Rows), decoded, outcome.mesh);
+  }
   runner.last = outcome.failure.empty() ? number : 0;
   return true;
 }

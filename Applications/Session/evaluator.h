@@ -106,6 +106,7 @@ private:
 
   Runner* runner(const std::string& name);
   std::uint64_t numberOf(const Place& place);
+  static std::size_t bytesOf(const Outcome& outcome);
   void forget(); // what cannot come again
   void giveUp(); // what is beyond the budget
   bool runNode(Run& run, std::size_t index);

@@ -1,6 +1,7 @@
 #include "models.h"
 
 #include "evaluator.h"
+#include "point_normals.h"
 #include "session_file.h"
 
 #include "vtkOversketchAssemble.h"
@@ -9,10 +10,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <utility>
@@ -48,7 +47,7 @@ MadeModel madeOf(const Session& session)
     vtkNew<vtkPolyData> copy; // the evaluator's own goes with it
     copy->DeepCopy(mesh);
     made.mesh = SharedData(vtkSmartPointer<vtkPolyData>(copy));
-    made.display = withPointNormals(made.mesh);
+    made.display = oversketch_files::withPointNormals(made.mesh);
     made.parts = sourcesOf(session, outcomes);
     made.digest = digestOf(made.mesh);
   }
@@ -223,31 +222,6 @@ bool isShallowCopy(vtkPolyData* a, vtkPolyData* b)
          haveSameArrays([](Data* of) { return of->GetPointData(); }) &&
          haveSameArrays([](Data* of) { return of->GetCellData(); }) &&
          haveSameArrays([](Data* of) { return of->GetFieldData(); });
-}
-
-vtkSmartPointer<vtkPolyData> withPointNormals(vtkPolyData* mesh)
-{
-  auto shown = vtkSmartPointer<vtkPolyData>::New();
-  shown->ShallowCopy(mesh);
-  if (!mesh->GetPointData()->GetNormals())
-  {
-    vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
-    triangles->SetInputData(withOwnPolys(mesh));
-    triangles->Update();
-    const oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
-    const std::vector<oversketch::Vector3> normals =
-      oversketch::vertexNormals(surface, oversketch::trianglesAround(surface), oversketch::ThreadsOnly());
-    vtkNew<vtkFloatArray> array;
-    array->SetName("Normals");
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(mesh->GetNumberOfPoints());
-    for (std::size_t i = 0; i < normals.size(); ++i)
-    {
-      array->SetTuple(static_cast<vtkIdType>(i), normals[i].data());
-    }
-    shown->GetPointData()->SetNormals(array);
-  }
-  return shown;
 }
 
 } // namespace oversketch_session

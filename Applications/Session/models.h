@@ -60,8 +60,6 @@ bool isShallowCopy(vtkPolyData* a, vtkPolyData* b);
 // The same mesh with polygons of its own: filters of VTK leave in them how far they are, and so do those of
 // whoever shows the mesh meanwhile.
 vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh);
-// A mesh with point normals, computed where it has none.
-vtkSmartPointer<vtkPolyData> withPointNormals(vtkPolyData* mesh);
 
 } // namespace oversketch_session
 #endif

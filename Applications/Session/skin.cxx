@@ -1,7 +1,10 @@
 #include "skin.h"
 
+#include "png_picture.h"
+
 #include "Raster/skin.h"
 #include "texture.h"
+#include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -14,32 +17,13 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <png.h>
-#include <stdexcept>
 
 namespace oversketch_session
 {
+
+using namespace oversketch;
 namespace
 {
-
-std::string pngOf(const std::vector<std::uint8_t>& samples, int width, int height, int colours)
-{
-  png_image png = {};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(width);
-  png.height = static_cast<png_uint_32>(height);
-  png.format = colours == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
-  png.flags = PNG_IMAGE_FLAG_FAST;
-  const auto stride = static_cast<png_int_32>(width * colours);
-  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
-  png_alloc_size_t size = bytes.size();
-  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, samples.data(), -stride, nullptr))
-  {
-    throw std::runtime_error(std::string("the picture cannot be written: ") + png.message);
-  }
-  bytes.resize(size);
-  return bytes;
-}
 
 std::string jpegOf(const std::vector<std::uint8_t>& samples, int width, int height, int colours)
 {
@@ -61,10 +45,8 @@ std::string jpegOf(const std::vector<std::uint8_t>& samples, int width, int heig
 
 } // namespace
 
-std::string skinFor(vtkPolyData* mesh, int part, const std::string& bytes)
+std::string skinFor(vtkPolyData* mesh, int part, const std::string& bytes, vtkImageData* image)
 {
-  using namespace oversketch;
-  const vtkSmartPointer<vtkImageData> image = oversketch_files::pictureOf(bytes);
   vtkDataArray* places = mesh->GetPointData()->GetTCoords();
   if (!image || image->GetScalarType() != VTK_UNSIGNED_CHAR || !places)
   {
@@ -95,9 +77,32 @@ std::string skinFor(vtkPolyData* mesh, int part, const std::string& bytes)
     width,
     height,
     image->GetNumberOfScalarComponents() };
-  const std::vector<std::uint8_t> skin = skinOf(picture, covered, Context());
+  const std::vector<std::uint8_t> skin = skinOf(picture, covered, ThreadsOnly());
   return oversketch_files::pictureFormatOf(bytes) == "jpeg" ? jpegOf(skin, width, height, picture.colours())
                                                             : pngOf(skin, width, height, picture.colours());
+}
+
+void wearPictures(const Step& step, const SystemRow& row, const DecodedInput& decoded, vtkPolyData* mesh)
+{
+  const auto imageOf = [&](const std::string& name)
+  {
+    const auto given = step.inputs.find(name);
+    return given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+  };
+  const Image *front = imageOf(row.worn), *back = imageOf(row.wornBehind);
+  const auto put = [&](const Image* image, const std::string& name, int part, const std::string& prefix)
+  {
+    if (image)
+    {
+      oversketch_files::setTexture(
+        mesh, row.skin ? skinFor(mesh, part, *image->bytes, decoded(name)) : *image->bytes, prefix);
+    }
+  };
+  if (mesh->GetPointData()->GetTCoords())
+  {
+    put(front, row.worn, 0, back ? "Part0." : "");
+    put(back, row.wornBehind, 1, "Part1.");
+  }
 }
 
 } // namespace oversketch_session

@@ -2,6 +2,7 @@
 
 #include "drawing_lines.h"
 #include "models.h"
+#include "point_normals.h"
 #include "session_file.h"
 #include "step_lines.h"
 
@@ -333,7 +334,7 @@ void Worker::runGlance(std::uint64_t ticket, const Session& session)
     SharedData display;
     if (made)
     {
-      display = withPointNormals(shared(made));
+      display = oversketch_files::withPointNormals(shared(made));
     }
     this->Report.glanced(std::move(display));
   }
@@ -346,7 +347,7 @@ void Worker::show(vtkPolyData* mesh, Result& result)
   {
     this->Display = nullptr; // before the next one is made
     this->Shown = shared(mesh);
-    this->Display = withPointNormals(this->Shown);
+    this->Display = oversketch_files::withPointNormals(this->Shown);
   }
   result.mesh = shared(this->Shown);
   result.display = shared(this->Display);

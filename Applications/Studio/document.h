@@ -5,12 +5,10 @@
 #include "autosave.h"
 #include "drawing_lines.h"
 #include "history.h"
-#include "picture_files.h"
+#include "opened_file.h"
 #include "worker.h"
 
 #include <QObject>
-#include <QString>
-#include <QStringList>
 
 #include <functional>
 #include <map>
@@ -37,16 +35,7 @@ public:
   explicit Document(QObject* parent = nullptr);
   ~Document() override;
 
-  // A mesh or a session, read and not shown yet.
-  struct Opened
-  {
-    oversketch_session::Session session;
-    std::optional<oversketch_session::Look> look;
-    QString path;                        // of a session's file
-    std::vector<SharedPicture> pictures; // that are seen at once
-    QStringList notes;
-    int upAxis = 1; // of the world: 1 for y, 2 for z
-  };
+  using Opened = OpenedFile;
   // On any thread. Throws Failed.
   static Opened read(const QString& path, int backend);
   int backend() const { return this->Backend; }
@@ -70,11 +59,7 @@ public:
   // Begins a session whose first step makes a mesh of what will be drawn: over a picture, which readDrawing
   // has read on any thread; on an empty canvas. Reading throws Failed for what is no picture.
   using SharedStep = std::shared_ptr<const oversketch_session::Step>;
-  struct ReadDrawing
-  {
-    SharedStep step;
-    SharedPicture picture; // what it is over
-  };
+  using ReadDrawing = OpenedDrawing;
   static ReadDrawing readDrawing(const QString& picture);
   bool beginDrawing(SharedStep step, const QString& name, const std::function<bool()>& mayLeave);
   bool beginDrawing(const std::function<bool()>& mayLeave);
@@ -127,12 +112,11 @@ public:
 
   // Changes of the history, each one step of undo. A step that the hand has made; what it has made of a step
   // that is there: the inputs of another. What the hand knows of it need not be made again.
-  void add(const oversketch_session::Step& step, const std::shared_ptr<oversketch_session::Laid>& known = {});
+  using SharedLaid = std::shared_ptr<oversketch_session::Laid>;
+  void add(const oversketch_session::Step& step, const SharedLaid& known = {});
   void redraw(int node, const oversketch_session::Step& step);
   // The same with its values.
-  void remake(int node,
-    const oversketch_session::Step& step,
-    const std::shared_ptr<oversketch_session::Laid>& known = {});
+  void remake(int node, const oversketch_session::Step& step, const SharedLaid& known = {});
   // The strokes of a step that was given several: one is another, off, gone.
   void setStrokes(int node, const std::vector<oversketch_session::DrawnStroke>& strokes);
   void setParameters(int node,
@@ -217,7 +201,6 @@ signals:
 
 private:
   void start(oversketch_session::Session session, bool saved, std::vector<SharedPicture> pictures);
-  using SharedLaid = std::shared_ptr<oversketch_session::Laid>;
   void commit(oversketch_session::Session session,
     Change change = Change::Edited,
     const SharedLaid& known = {});

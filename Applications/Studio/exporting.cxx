@@ -34,13 +34,13 @@ QVector<Format> formats()
   const auto row = [](const char* suffix, const QString& what, bool keepsPicture = false) {
     return Format{ suffix, QString("%1 (*.%2)").arg(what, suffix), keepsPicture };
   };
-  return { row("ply", ExportTexts::tr("PLY")),
+  return { row("ply", ExportTexts::tr("PLY, with its picture"), true),
     row("obj", ExportTexts::tr("Wavefront OBJ, with its picture"), true),
     row("glb", ExportTexts::tr("glTF in one file, with its picture"), true),
     row("gltf", ExportTexts::tr("glTF, with its picture"), true),
     row("stl", ExportTexts::tr("STL")),
     row("off", ExportTexts::tr("OFF")),
-    row("vtp", ExportTexts::tr("VTK")) };
+    row("vtp", ExportTexts::tr("VTK"), true) };
 }
 
 bool mayReplace(QWidget* parent, const QString& path)
@@ -65,7 +65,7 @@ QString exportPathAsked(QWidget* parent, const QString& name, bool wearsPicture)
     filters << all[i].filter;
     chosen = all[i].suffix == settings.value("exportFormat").toString() ? i : chosen;
   }
-  if (wearsPicture && !all[chosen].keepsPicture)
+  if (wearsPicture && (!settings.contains("exportFormat") || !all[chosen].keepsPicture))
   {
     const auto isOneFile = [](const Format& format) { return format.suffix == "glb"; };
     chosen = static_cast<int>(std::find_if(all.begin(), all.end(), isOneFile) - all.begin());

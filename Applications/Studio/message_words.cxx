@@ -50,7 +50,9 @@ const Plain plain[] = {
     QT_TRANSLATE_NOOP("Messages",
       "The outline lies on several layers of the model here: draw along another.") },
   { "^.*step of \\S+ at sample \\d+, longer than \\S+ \\(MaximumStep\\)",
-    QT_TRANSLATE_NOOP("Messages", "The line leaves the model between its ends: draw it along one limb.") },
+    QT_TRANSLATE_NOOP("Messages",
+      "There is no surface between the line's ends: draw nearer to the outline of one part, or pull a limb "
+      "with the tool Outline (D).") },
   { "^.*more than MaximumFaces \\((\\d+)\\) new triangles",
     QT_TRANSLATE_NOOP("Messages",
       "That needs more than %1 new triangles: make them larger, or the radius smaller.") },

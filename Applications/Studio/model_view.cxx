@@ -26,7 +26,7 @@ struct ModelView::Part
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
   Skin skin;
-  SharpEdges edges;
+  oversketch_files::SharpEdges edges;
   BackFaces backs;
 
   Part()

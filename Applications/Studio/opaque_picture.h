@@ -8,10 +8,8 @@
 namespace oversketch_studio
 {
 
-// The picture (8 bits) without its alpha. What was cut away, and the half-transparent pixels along its rim,
-// have the colour of the next pixel that was opaque: neither a smooth nor a small picture of the texture
-// shows what is under them. A picture without alpha is given back itself; one without an opaque pixel keeps
-// its colours.
+// The picture (8 bits) without its alpha, as opaqueOf of Kernels/Raster/skin.h has it; one without alpha is
+// given back itself.
 vtkSmartPointer<vtkImageData> opaquePicture(vtkImageData* picture);
 
 } // namespace oversketch_studio

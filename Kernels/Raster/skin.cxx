@@ -1,5 +1,6 @@
 #include "Raster/skin.h"
 
+#include "Raster/nearest.h"
 #include "Stroke/with_opencv.h"
 
 #include <opencv2/imgproc.hpp>
@@ -16,9 +17,22 @@ constexpr double border = 1.0 / 300.0, reach = 1.0 / 64.0; // of the longest sid
 constexpr int opaque = 250;
 constexpr int fraction = 4; // binary digits of a pixel
 
-cv::Mat1b maskOf(const PictureSamples& picture, const std::vector<PictureTriangle>& covered)
+std::size_t count(const PictureSamples& picture)
 {
-  cv::Mat1b mask(picture.height, picture.width, std::uint8_t(0));
+  return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+}
+
+int squaredDistance(int width, int a, int b)
+{
+  const int dx = a % width - b % width, dy = a / width - b / width;
+  return dx * dx + dy * dy;
+}
+
+// 255 where the triangles are.
+std::vector<std::uint8_t> maskOf(const PictureSamples& picture, const std::vector<PictureTriangle>& covered)
+{
+  std::vector<std::uint8_t> mask(count(picture), 0);
+  cv::Mat1b image(picture.height, picture.width, mask.data());
   const auto fixed = [](double place)
   { return static_cast<int>(std::lround(std::clamp((place - 0.5), -1e5, 1e5) * (1 << fraction))); };
   for (const PictureTriangle& triangle : covered)
@@ -28,9 +42,103 @@ cv::Mat1b maskOf(const PictureSamples& picture, const std::vector<PictureTriangl
     {
       corners[k] = { fixed(triangle[k][0]), fixed(triangle[k][1]) };
     }
-    cv::fillConvexPoly(mask, corners.data(), 3, cv::Scalar(255), cv::LINE_8, fraction);
+    cv::fillConvexPoly(image, corners.data(), 3, cv::Scalar(255), cv::LINE_8, fraction);
   }
   return mask;
+}
+
+// Depths below the mask's border [px, to 2 %] where they are less than `deep`; what is farther in is that
+// deep or more. Of tiles that the border passes through or near to alone.
+struct Depths
+{
+  cv::Rect tile, window; // the window round the tile: what decides over its depths
+  cv::Mat1f in;          // the window
+  bool all = false;      // all of the window is covered
+};
+
+void findDepths(const cv::Mat1b& mask, int margin, Depths& depths)
+{
+  const cv::Rect whole(0, 0, mask.cols, mask.rows);
+  const cv::Rect& tile = depths.tile;
+  depths.window =
+    cv::Rect(tile.x - margin, tile.y - margin, tile.width + 2 * margin, tile.height + 2 * margin) & whole;
+  const cv::Mat1b seen = mask(depths.window);
+  depths.all = cv::countNonZero(seen) == depths.window.area();
+  if (!depths.all && cv::countNonZero(mask(tile)) > 0)
+  {
+    cv::distanceTransform(seen, depths.in, cv::DIST_L2, cv::DIST_MASK_5);
+  }
+}
+
+// Whether none beside it is deeper.
+bool isMiddle(const cv::Mat1f& depth, int x, int y)
+{
+  for (int v = std::max(0, y - 1); v <= std::min(depth.rows - 1, y + 1); ++v)
+  {
+    for (int u = std::max(0, x - 1); u <= std::min(depth.cols - 1, x + 1); ++u)
+    {
+      if (depth(v, u) > depth(y, x))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// The inside of what the mask covers, as of skinOf: 255 where a pixel keeps its colour.
+std::vector<std::uint8_t> insideOf(const PictureSamples& picture, std::vector<std::uint8_t>& mask)
+{
+  constexpr int side = 128; // of a tile
+  const int width = picture.width, height = picture.height;
+  const cv::Mat1b covered(height, width, mask.data());
+  const double deep = std::max(1.0, border * std::max(width, height));
+  std::vector<std::uint8_t> inside(mask.size(), 0);
+  for (int top = 0; top < height; top += side)
+  {
+    for (int left = 0; left < width; left += side)
+    {
+      Depths depths;
+      depths.tile = cv::Rect(left, top, std::min(side, width - left), std::min(side, height - top));
+      findDepths(covered, static_cast<int>(std::ceil(1.1 * deep)) + 2, depths);
+      for (int y = top; y < top + depths.tile.height && (depths.all || !depths.in.empty()); ++y)
+      {
+        for (int x = left; x < left + depths.tile.width; ++x)
+        {
+          const std::size_t at = static_cast<std::size_t>(y) * width + x;
+          const int u = x - depths.window.x, v = y - depths.window.y;
+          const bool isIn =
+            depths.all || (mask[at] && (depths.in(v, u) >= deep || isMiddle(depths.in, u, v)));
+          inside[at] = isIn && picture.alpha(at) >= opaque ? 255 : 0;
+        }
+      }
+    }
+  }
+  return inside;
+}
+
+// The picture without alpha, each pixel's colour taken from the one that `from` says.
+template <typename From>
+std::vector<std::uint8_t> colouredFrom(const PictureSamples& picture,
+  const From& from,
+  const Context& context)
+{
+  const int colours = picture.colours(), each = picture.components;
+  std::vector<std::uint8_t> made(count(picture) * colours);
+  context.parallelFor(picture.height,
+    [&](int begin, int end)
+    {
+      const std::size_t last = static_cast<std::size_t>(end) * picture.width;
+      for (std::size_t at = static_cast<std::size_t>(begin) * picture.width; at < last; ++at)
+      {
+        const std::uint8_t* source = picture.samples + from(at) * each;
+        for (int k = 0; k < colours; ++k)
+        {
+          made[at * colours + k] = source[k];
+        }
+      }
+    });
+  return made;
 }
 
 } // namespace
@@ -39,74 +147,48 @@ std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
   const std::vector<PictureTriangle>& covered,
   const Context& context)
 {
-  const int width = picture.width, height = picture.height, colours = picture.colours();
-  const double longest = std::max(width, height);
-  cv::Mat1f off; // from the inside
-  cv::Mat1i nearest;
-  std::vector<std::size_t> places{ 0 }; // of an inside pixel by its label
+  std::vector<std::uint8_t> inside;
   withOpenCV("lead colours on past the outline",
     [&]
     {
-      const cv::Mat1b mask = maskOf(picture, covered);
-      cv::Mat1f depth;
-      cv::distanceTransform(mask, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-      context.checkpoint(0.3);
-      cv::Mat1f around;
-      cv::dilate(depth, around, cv::Mat1b::ones(3, 3));
-      const float deep = static_cast<float>(std::max(1.0, border * longest));
-      cv::Mat1b outside(height, width, std::uint8_t(255));
-      context.parallelFor(height,
-        [&](int begin, int end)
-        {
-          for (int y = begin; y < end; ++y)
-          {
-            for (int x = 0; x < width; ++x)
-            {
-              const std::size_t at = static_cast<std::size_t>(y) * width + x;
-              const float t = depth(y, x);
-              const bool seen =
-                !picture.hasAlpha() || picture.samples[at * picture.components + colours] >= opaque;
-              outside(y, x) = seen && t > 0.0f && (t >= deep || t >= around(y, x)) ? 0 : 255;
-            }
-          }
-        });
-      context.checkpoint(0.4);
-      cv::distanceTransform(outside, off, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-      for (int y = 0; y < height; ++y)
-      {
-        for (int x = 0; x < width; ++x)
-        {
-          if (outside(y, x) == 0)
-          {
-            const auto label = static_cast<std::size_t>(nearest(y, x));
-            places.resize(std::max(places.size(), label + 1), 0);
-            places[label] = static_cast<std::size_t>(y) * width + x;
-          }
-        }
-      }
+      std::vector<std::uint8_t> mask = maskOf(picture, covered);
+      inside = insideOf(picture, mask);
     });
+  context.checkpoint(0.4);
+  const std::vector<int> nearest = nearestChosen(inside, picture.width, picture.height, context);
   context.checkpoint(0.8);
-  const bool none = places.size() < 2;
+  const double longest = std::max(picture.width, picture.height);
   const double limit = std::max(1.0, border * longest) + std::max(2.0, reach * longest);
-  std::vector<std::uint8_t> skin(static_cast<std::size_t>(width) * height * colours);
-  context.parallelFor(height,
-    [&](int begin, int end)
-    {
-      for (int y = begin; y < end; ++y)
-      {
-        for (int x = 0; x < width; ++x)
-        {
-          const std::size_t at = static_cast<std::size_t>(y) * width + x;
-          const bool hidden =
-            picture.hasAlpha() && picture.samples[at * picture.components + colours] < opaque;
-          const bool led = !none && (hidden || off(y, x) <= limit);
-          const std::size_t from = led ? places[static_cast<std::size_t>(nearest(y, x))] : at;
-          std::copy_n(picture.samples + from * picture.components, colours, skin.data() + at * colours);
-        }
-      }
-    });
-  context.checkpoint(1.0);
-  return skin;
+  const auto from = [&](std::size_t at)
+  {
+    const bool isLed = !inside[at] && nearest[at] >= 0 &&
+                       (picture.alpha(at) < opaque ||
+                         squaredDistance(picture.width, static_cast<int>(at), nearest[at]) <= limit * limit);
+    return isLed ? static_cast<std::size_t>(nearest[at]) : at;
+  };
+  return colouredFrom(picture, from, context);
+}
+
+std::vector<std::uint8_t> opaqueOf(const PictureSamples& picture, const Context& context)
+{
+  constexpr int half = 128; // below it nothing of a pixel's own colour is meant to be seen
+  constexpr int rim = 4;    // px: what is less opaque so near to nothing is its rim
+  std::vector<std::uint8_t> whole(count(picture)), nothing(count(picture));
+  for (std::size_t at = 0; at < whole.size(); ++at)
+  {
+    whole[at] = picture.alpha(at) >= opaque ? 255 : 0;
+    nothing[at] = picture.alpha(at) < half ? 255 : 0;
+  }
+  const int width = picture.width;
+  const std::vector<int> colour = nearestChosen(whole, width, picture.height, context);
+  const std::vector<int> bare = nearestChosen(nothing, width, picture.height, context);
+  const auto from = [&](std::size_t at)
+  {
+    const bool isRim =
+      !whole[at] && bare[at] >= 0 && squaredDistance(width, static_cast<int>(at), bare[at]) <= rim * rim;
+    return isRim && colour[at] >= 0 ? static_cast<std::size_t>(colour[at]) : at;
+  };
+  return colouredFrom(picture, from, context);
 }
 
 } // namespace oversketch

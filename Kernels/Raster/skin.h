@@ -6,6 +6,7 @@
 #include "Mesh/mesh.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct PictureSamples
   bool hasAlpha() const { return this->components % 2 == 0; }
   // Without alpha.
   int colours() const { return this->components - (this->hasAlpha() ? 1 : 0); }
+  // Of a pixel; 255 without.
+  int alpha(std::size_t pixel) const
+  {
+    const auto each = static_cast<std::size_t>(this->components);
+    return this->hasAlpha() ? this->samples[pixel * each + each - 1] : 255;
+  }
 };
 
 using PictureTriangle = std::array<Vector2, 3>; // px from the lower left corner of the picture
@@ -33,6 +40,11 @@ using PictureTriangle = std::array<Vector2, 3>; // px from the lower left corner
 std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
   const std::vector<PictureTriangle>& covered,
   const Context& context);
+
+// The picture without alpha, all of it worn. What was cut away, and the half-transparent pixels along its
+// rim, have the colour of the nearest pixel that is opaque: neither a smooth nor a small picture of the
+// texture shows what is under them. Without an opaque pixel all keep their colours.
+std::vector<std::uint8_t> opaqueOf(const PictureSamples& picture, const Context& context);
 
 } // namespace oversketch
 #endif

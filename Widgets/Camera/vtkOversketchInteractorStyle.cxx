@@ -298,26 +298,6 @@ void vtkOversketchInteractorStyle::SetMode(int mode)
   }
 }
 
-void vtkOversketchInteractorStyle::SetOrbit(int orbit)
-{
-  const int clamped = std::clamp<int>(orbit, Trackball, Turntable);
-  if (clamped != this->Orbit)
-  {
-    this->Orbit = clamped;
-    this->Modified();
-  }
-}
-
-void vtkOversketchInteractorStyle::SetUpAxis(int axis)
-{
-  const int clamped = std::clamp(axis, 1, 2);
-  if (clamped != this->UpAxis)
-  {
-    this->UpAxis = clamped;
-    this->Modified();
-  }
-}
-
 void vtkOversketchInteractorStyle::TurnBy(double x, double y)
 {
   this->Inner->step(

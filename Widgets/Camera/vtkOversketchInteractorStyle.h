@@ -92,7 +92,7 @@ public:
    * thesis's and the default), or upright, about the world's axis that is up and the picture's horizontal,
    * half a turn for the view's height, about the picked point (Turntable).
    */
-  void SetOrbit(int orbit);
+  vtkSetClampMacro(Orbit, int, Trackball, Turntable);
   vtkGetMacro(Orbit, int);
   void SetOrbitToTrackball() { this->SetOrbit(Trackball); }
   void SetOrbitToTurntable() { this->SetOrbit(Turntable); }
@@ -102,7 +102,7 @@ public:
   /**
    * The world's axis that is up [1 for y, the default, or 2 for z], for upright turns and views from a side.
    */
-  void SetUpAxis(int axis);
+  vtkSetClampMacro(UpAxis, int, 1, 2);
   vtkGetMacro(UpAxis, int);
   ///@}
 

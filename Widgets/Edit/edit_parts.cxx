@@ -1,13 +1,34 @@
 #include "edit_parts.h"
 
+#include "vtkOversketchAreaSelectRepresentation.h"
 #include "vtkOversketchStepRunner.h"
 
 #include "Mesh/context.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
 
 namespace oversketch
 {
+
+void EditParts::showAreas(vtkRenderer* renderer, bool show)
+{
+  if (!renderer)
+  {
+    return;
+  }
+  vtkOversketchAreaSelectRepresentation* shown = this->areas->GetAreaSelectRepresentation();
+  if (show && this->areas->GetAreas()->GetNumberOfLines() > 0)
+  {
+    shown->SetRenderer(renderer);
+    renderer->AddViewProp(shown);
+  }
+  else if (!this->areas->GetEnabled())
+  {
+    renderer->RemoveViewProp(shown);
+  }
+}
 
 std::pair<bool, std::string> ranTold(vtkAlgorithm* system)
 {

@@ -16,6 +16,7 @@
 #include <utility>
 
 class vtkAlgorithm;
+class vtkRenderer;
 
 namespace oversketch
 {
@@ -44,6 +45,8 @@ struct EditParts
       this->disc.layers(),
       this->disc.areas() };
   }
+  // Shows what lassos hold over the model while others than their widget have the hand, or no more.
+  void showAreas(vtkRenderer* renderer, bool show);
 };
 
 // Runs it. Whether that went well, and what it said, which is not printed.

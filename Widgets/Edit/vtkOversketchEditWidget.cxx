@@ -361,6 +361,7 @@ void vtkOversketchEditWidget::FeedWidgets()
   auto* step = vtkOversketchShadingLevels::SafeDownCast(inner.system->GetStep("Shading"));
   shading->SetDisplay(hasAreas ? step->GetDisplayOutput() : nullptr);
   inner.disc.follow(inner.layers, inner.areas);
+  inner.showAreas(inner.watched, this->Mode == Shade);
 }
 
 void vtkOversketchEditWidget::Heard(vtkObject* from, unsigned long event, const char* text)
@@ -448,6 +449,7 @@ void vtkOversketchEditWidget::TakeUp()
     }
   }
   inner.disc.hold(isHeld(Shade), isHeld(Areas));
+  inner.showAreas(inner.watched, this->Mode == Shade);
 }
 
 void vtkOversketchEditWidget::SetDiscRenderer(vtkRenderer* renderer)
@@ -551,6 +553,7 @@ void vtkOversketchEditWidget::SetEnabled(int enabling)
       widget->SetEnabled(0);
     }
     inner.disc.hold(false, false);
+    inner.showAreas(inner.watched, false);
   }
   this->Superclass::SetEnabled(enabling);
   if (before && !this->Enabled)

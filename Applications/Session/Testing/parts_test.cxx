@@ -133,7 +133,9 @@ TEST(Parts, ADrawingStandsWhereItsBoxIs)
   for (std::size_t i = 0; i < 2; ++i)
   {
     const auto& image = std::get<Image>(session.nodes[i].step->inputs.at("Picture"));
-    EXPECT_TRUE(pieces[i].picture == skinFor(both, static_cast<int>(i), *image.bytes)) << i;
+    EXPECT_TRUE(pieces[i].picture ==
+                skinFor(both, static_cast<int>(i), *image.bytes, oversketch_files::pictureOf(*image.bytes)))
+      << i;
   }
 }
 
@@ -173,8 +175,9 @@ TEST(Parts, ThreeAreCountedOnAndOneThatIsOffIsPassedBy)
   session.nodes[1].on = false;
   const auto outcomes = madeBy(evaluator, session);
   EXPECT_EQ(partsOf(outcomes[2].mesh), (std::set<int>{ 0, 1 }));
+  const std::string& hat = *std::get<Image>(session.nodes[2].step->inputs.at("Picture")).bytes;
   EXPECT_EQ(oversketch_files::piecesOf(outcomes[2].mesh)[1].picture,
-    skinFor(outcomes[2].mesh, 1, *std::get<Image>(session.nodes[2].step->inputs.at("Picture")).bytes));
+    skinFor(outcomes[2].mesh, 1, hat, oversketch_files::pictureOf(hat)));
   // One that fails, or is not drawn yet, leaves the others as they are.
   session.nodes[1].on = true;
   session.nodes[1] = changed(session.nodes[1], [](Step& step) { step.values["Holes"] = std::string("7"); });

@@ -40,12 +40,12 @@ struct BadHands : Scene
   {
   }
 
-  void stroke(const std::vector<QPoint>& path)
+  void stroke(const std::vector<QPoint>& path, Qt::KeyboardModifiers atTheEnd = Qt::NoModifier)
   {
     this->settle();
     QTest::mousePress(this->view, Qt::LeftButton, Qt::NoModifier, path.front());
     sweepMouse(this->view, path);
-    QTest::mouseRelease(this->view, Qt::LeftButton, Qt::NoModifier, path.back());
+    QTest::mouseRelease(this->view, Qt::LeftButton, atTheEnd, path.back());
     this->wait();
     QApplication::processEvents();
   }
@@ -79,6 +79,49 @@ struct BadHands : Scene
     this->document->undo();
     this->wait();
     EXPECT_TRUE(this->document->session().nodes.empty());
+  }
+};
+
+// The dog's back as it is seen: where its points are, and the highest of each column between tail and neck.
+struct Back
+{
+  std::vector<QPoint> places;
+  int width = 0, from = 0, to = 0;
+  std::map<int, int> highest; // by columns of 6 px
+
+  explicit Back(BadHands& scene)
+  {
+    const auto mesh = scene.document->result().mesh;
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      this->places.push_back(scene.seen(mesh->GetPoint(i)));
+    }
+    const auto [left, right] = std::minmax_element(this->places.begin(),
+      this->places.end(),
+      [](const QPoint& a, const QPoint& b) { return a.x() < b.x(); });
+    this->width = right->x() - left->x();
+    this->from = left->x() + 3 * this->width / 10;
+    this->to = left->x() + this->width / 2;
+    for (const QPoint& place : this->places)
+    {
+      if (place.x() >= this->from && place.x() <= this->to)
+      {
+        int& top = this->highest.emplace(place.x() / 6, place.y()).first->second;
+        top = std::min(top, place.y());
+      }
+    }
+  }
+  // Above it, by so many px at its ends and more in its middle.
+  std::vector<QPoint> line(double ends, double middle) const
+  {
+    std::vector<QPoint> line;
+    for (const auto& [column, top] : this->highest)
+    {
+      const double along = (6.0 * column + 3.0 - this->from) / (this->to - this->from);
+      line.emplace_back(
+        6 * column + 3, top - static_cast<int>(std::lround(ends + middle * std::sin(3.14159265 * along))));
+    }
+    return line;
   }
 };
 
@@ -134,6 +177,10 @@ TEST(BadHand, IsToldNoNameOfTheCode)
   }
   EXPECT_TRUE(plainWords("there is no number 3. Lower Candidate.").endsWith("Lower Other outline."));
   EXPECT_TRUE(plainWords("turn AllowTorn on.").endsWith("tick Even if it tears."));
+  EXPECT_TRUE(plainWords("The curve under the sketch takes a step of 2.5 at sample 7, longer than 1.2 "
+                         "(MaximumStep): between the stroke's ends there is no surface for it to follow.")
+                .endsWith("or pull a limb with the tool Outline (D)."))
+    << "a limb is not for this tool";
   EXPECT_EQ(askedFor("if that is meant, turn AllowTorn on."), "AllowTorn");
   EXPECT_EQ(askedFor("Lower Candidate."), "");
   EXPECT_EQ(briefWords(
@@ -259,35 +306,49 @@ TEST(BadHand, LinesBesideATailAndInTheBodyMoveNothingElse)
   expectWithin({ QPointF(0, 90), QPointF(320, 260) }); // from the tail's root to the neck, without the legs
 }
 
+// A line's ends that miss the outline by a few pixels meet it: no notch is left. Alt leaves them.
+TEST(BadHand, ALineWhoseEndsMissTheOutlineMeetsIt)
+{
+  BadHands scene;
+  const Back back(scene);
+  const std::vector<QPoint> line = back.line(6.0, 16.0), onIt = back.line(0.0, 0.0);
+  for (const Qt::KeyboardModifiers keys : { Qt::NoModifier, Qt::AltModifier })
+  {
+    scene.stroke(line, keys);
+    const auto& nodes = scene.document->session().nodes;
+    ASSERT_EQ(nodes.size(), 1u);
+    EXPECT_EQ(scene.document->result().nodes[0].failure, "");
+    const vtkSmartPointer<vtkPolyData> stored =
+      std::get<oversketch_session::Lines>(nodes[0].step->inputs.at("Stroke")).own();
+    const auto heightAt = [&](vtkIdType i) { return scene.view->height() - 1 - stored->GetPoint(i)[1]; };
+    const vtkIdType last = stored->GetNumberOfPoints() - 1;
+    const double miss = keys ? 6.0 : 0.0;
+    EXPECT_NEAR(onIt.front().y() - heightAt(0), miss, 2.0);
+    EXPECT_NEAR(onIt.back().y() - heightAt(last), miss, 2.0);
+    double top = heightAt(0), drawn = line.front().y();
+    for (vtkIdType i = 0; i <= last; ++i)
+    {
+      top = std::min(top, heightAt(i));
+    }
+    for (const QPoint& place : line)
+    {
+      drawn = std::min(drawn, double(place.y()));
+    }
+    EXPECT_NEAR(top, drawn, 2.0) << "its middle is where it was drawn";
+    scene.document->undo();
+    scene.wait();
+  }
+}
+
 TEST(BadHand, ALineAlongTheBackTakesNoLimbWithIt)
 {
   BadHands scene;
   const auto before = scene.document->result().mesh;
   const vtkIdType count = before->GetNumberOfPoints();
-  std::vector<QPoint> places;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    places.push_back(scene.seen(before->GetPoint(i)));
-  }
-  const auto [left, right] = std::minmax_element(
-    places.begin(), places.end(), [](const QPoint& a, const QPoint& b) { return a.x() < b.x(); });
-  const int width = right->x() - left->x(), from = left->x() + 3 * width / 10, to = left->x() + width / 2;
-  std::map<int, int> back; // the highest place of each column
-  for (const QPoint& place : places)
-  {
-    if (place.x() >= from && place.x() <= to)
-    {
-      int& highest = back.emplace(place.x() / 6, place.y()).first->second;
-      highest = std::min(highest, place.y());
-    }
-  }
-  std::vector<QPoint> line;
-  for (const auto& [column, highest] : back)
-  {
-    const double along = (6.0 * column + 3.0 - from) / (to - from);
-    line.emplace_back(
-      6 * column + 3, highest - static_cast<int>(std::lround(16.0 * std::sin(3.14159265 * along))));
-  }
+  const Back back(scene);
+  const std::vector<QPoint> line = back.line(0.0, 16.0);
+  const std::vector<QPoint>& places = back.places;
+  const int from = back.from, to = back.to, width = back.width;
   ASSERT_GT(line.size(), 10u);
   scene.stroke(line);
   const auto& result = scene.document->result();

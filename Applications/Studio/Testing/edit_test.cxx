@@ -102,10 +102,26 @@ TEST(Edit, AllOfItIsUndoneAndRedone)
   // A lasso on the model, and a layer of what it holds.
   auto* lasso = scene.window.findChild<QToolButton*>("disc_lasso");
   ASSERT_TRUE(lasso->isEnabled());
+  const auto greens = [&]
+  {
+    const QImage seen = scene.pictureAtRest();
+    int count = 0;
+    for (int y = 0; y < seen.height(); ++y)
+    {
+      for (int x = 0; x < seen.width(); ++x)
+      {
+        const QColor pixel = seen.pixelColor(x, y);
+        count += pixel.green() > pixel.red() + 60 && pixel.green() > pixel.blue() + 40;
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(greens(), 0);
   lasso->click();
   scene.drag(Edits::ring(scene.middle + QPoint(30, 10), 20.0, 14.0));
   ASSERT_EQ(linesOf(scene.step(0), "Areas")->GetNumberOfLines(), 1) << scene.said();
   EXPECT_FALSE(lasso->isChecked());
+  EXPECT_GT(greens(), 100) << "the lasso is seen on the disc alone";
   scene.shot("lasso");
   made.push_back(scene.digest());
   scene.drag(Edits::straight(scene.middle + QPoint(30, 14), scene.middle + QPoint(30, 22)));

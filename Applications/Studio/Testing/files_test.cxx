@@ -17,6 +17,7 @@
 #include "vtkPointData.h"
 
 #include <QAction>
+#include <QBuffer>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -102,6 +103,24 @@ void drawStroke(Scene& scene)
   scene.release();
   scene.wait();
   ASSERT_EQ(scene.document->session().nodes.size(), 1u);
+}
+
+// The shipped model in a picture, as a file of that path.
+QString dressedDog(const std::string& picture, const QString& path)
+{
+  oversketch_files::Notes notes;
+  const auto mesh = oversketch_files::readMesh(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", notes);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("TCoords");
+  coordinates->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    coordinates->InsertNextTuple2(0.5, 0.5);
+  }
+  mesh->GetPointData()->SetTCoords(coordinates);
+  oversketch_files::setTexture(mesh, picture);
+  oversketch_files::writeMesh(mesh, path.toStdString(), notes);
+  return path;
 }
 
 } // namespace
@@ -237,6 +256,20 @@ TEST(Files, AnExportHasASuffixAndRemembersItsFormat)
   exports(folder.filePath("dog.obj"), "*.stl)");
   EXPECT_TRUE(QFile::exists(folder.filePath("dog.obj"))) << "the suffix that was typed counts";
   EXPECT_EQ(QSettings().value("exportFormat").toString(), "obj");
+  // What wears a picture is offered one file with it; PLY has it beside.
+  QSettings().remove("exportFormat");
+  QImage red(8, 8, QImage::Format_RGB32);
+  red.fill(Qt::red);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  red.save(&buffer, "PNG");
+  ASSERT_TRUE(scene.window.open(dressedDog(bytes.toStdString(), folder.filePath("red.glb"))));
+  scene.wait();
+  exports(folder.filePath("red.ply"), "*.ply)");
+  EXPECT_TRUE(offered.contains("*.glb")) << qPrintable(offered);
+  const QString said = scene.window.findChild<QLabel*>("advice")->text();
+  EXPECT_TRUE(said.startsWith("Exported red.ply with its picture.")) << qPrintable(said);
+  EXPECT_EQ(QDir(folder.path()).entryList({ "red*.png" }).size(), 1);
 }
 
 TEST(Files, WhatTakesLongShowsThatAndCanBeGivenUp)
@@ -374,22 +407,7 @@ TEST(Files, PicturesAreDecodedBeforeTheyAreSeen)
     return oversketch_files::wholeFile(path.toStdString());
   };
   const auto dressed = [&](const std::string& bytes, const QString& name)
-  {
-    oversketch_files::Notes notes;
-    const auto mesh = oversketch_files::readMesh(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", notes);
-    vtkNew<vtkFloatArray> coordinates;
-    coordinates->SetName("TCoords");
-    coordinates->SetNumberOfComponents(2);
-    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-    {
-      coordinates->InsertNextTuple2(0.5, 0.5);
-    }
-    mesh->GetPointData()->SetTCoords(coordinates);
-    oversketch_files::setTexture(mesh, bytes);
-    QString path = folder.filePath(name);
-    oversketch_files::writeMesh(mesh, path.toStdString(), notes);
-    return path;
-  };
+  { return dressedDog(bytes, folder.filePath(name)); };
   // Equal bytes are one picture while somebody holds it.
   const std::string red = pictureOf(Qt::red), green = pictureOf(Qt::green);
   {

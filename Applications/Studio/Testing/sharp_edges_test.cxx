@@ -1,13 +1,15 @@
 // Which models are drawn with edges: solids that have some, however finely they are divided, and no animals.
 #include "mesh_file.h"
-#include "models.h"
+#include "point_normals.h"
 #include "sharp_edges.h"
 #include "solids.h"
 
 #include "Harness/data.h"
 #include "Harness/polydata.h"
+#include "Harness/shapes.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
@@ -15,13 +17,19 @@
 #include "vtkPointData.h"
 #include "vtkTriangle.h"
 
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
-using namespace oversketch_session;
+using namespace oversketch_files;
 using namespace oversketch_studio;
 using namespace oversketch_test;
 
@@ -150,6 +158,68 @@ TEST(SharpEdges, OfLinesDrawnOnTheSurfaceAreSeen)
   EXPECT_EQ(edges.lookMoved(steep)->GetNumberOfPoints(), look->GetNumberOfPoints());
   // Each side is as flat as it is, up to the ridge.
   EXPECT_GT(flatness(look), 0.9999);
+}
+
+// Who reads glTF shows a mesh without normals flat, triangle by triangle.
+TEST(SharpEdges, AreInGltfFilesAndAllElseIsSmooth)
+{
+  const QTemporaryDir folder;
+  const auto written = [&](vtkPolyData* mesh)
+  {
+    const QString path = folder.filePath("a \"box\".gltf");
+    oversketch_files::Notes notes;
+    writeMesh(mesh, path.toStdString(), notes);
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    const QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
+    EXPECT_EQ(document["meshes"][0]["name"].toString(), "a \"box\"");
+    return readMesh(path.toStdString(), notes);
+  };
+  const auto box = written(toPolyData(boxOf(4)));
+  ASSERT_TRUE(box->GetPointData()->GetNormals());
+  EXPECT_EQ(box->GetNumberOfPoints(), toPolyData(boxOf(4))->GetNumberOfPoints() + 12 * 3 + 8 * 2);
+  EXPECT_GT(flatness(box), 0.9999);
+
+  // A ball whose points are split along a seam of its texture.
+  const Mesh whole = icosphere(4);
+  Mesh cut = whole;
+  vtkNew<vtkFloatArray> places;
+  places->SetName("TCoords");
+  places->SetNumberOfComponents(2);
+  for (const Vector3& point : cut.points)
+  {
+    places->InsertNextTuple2(0.5, 0.5 + 0.5 * point[1]);
+  }
+  std::map<int, int> copies;
+  for (Triangle& triangle : cut.triangles)
+  {
+    const double x = cut.points[triangle[0]][0] + cut.points[triangle[1]][0] + cut.points[triangle[2]][0];
+    for (int& corner : triangle)
+    {
+      if (x > 0.0)
+      {
+        const auto [copy, isNew] = copies.insert({ corner, static_cast<int>(cut.points.size()) });
+        if (isNew)
+        {
+          const Vector3 point = cut.points[corner];
+          cut.points.push_back(point);
+          places->InsertNextTuple2(0.9, 0.5 + 0.5 * point[1]);
+        }
+        corner = copy->second;
+      }
+    }
+  }
+  const auto seamed = toPolyData(cut);
+  seamed->GetPointData()->SetTCoords(places);
+  const auto ball = written(seamed);
+  ASSERT_TRUE(ball->GetPointData()->GetNormals());
+  for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+  {
+    double normal[3], at[3];
+    ball->GetPointData()->GetNormals()->GetTuple(i, normal);
+    ball->GetPoint(i, at);
+    ASSERT_GT(vtkMath::Dot(normal, at), 0.999) << i << ", at the seam or not";
+  }
 }
 
 TEST(SharpEdges, OfAnimalsAreNotMade)

@@ -5,6 +5,7 @@
 #include "models.h"
 #include "mouse.h"
 #include "opaque_picture.h"
+#include "point_normals.h"
 #include "texture.h"
 #include "viewport.h"
 
@@ -269,8 +270,7 @@ TEST(Skin, APictureThatNobodyHasDecodedComesLater)
 // White paper: nothing of a ball is overexposed, and its form is seen; a black one's without it.
 TEST(Skin, APictureHidesNoForm)
 {
-  const auto ball =
-    oversketch_session::withPointNormals(oversketch_test::toPolyData(oversketch_test::icosphere(4)));
+  const auto ball = withPointNormals(oversketch_test::toPolyData(oversketch_test::icosphere(4)));
   vtkNew<vtkFloatArray> places;
   places->SetName("TCoords");
   places->SetNumberOfComponents(2);

@@ -305,8 +305,10 @@ void HeldStrokeTool::strokeEnds()
   Step step;
   step.system = this->System;
   step.values = this->StrokeValues;
-  step.inputs[this->Input] = Lines(this->Widget->GetStroke());
-  if (this->Widget->IsNew())
+  const bool isNew = this->Widget->IsNew();
+  const vtkSmartPointer<vtkPolyData> drawn = this->Widget->GetStroke();
+  step.inputs[this->Input] = Lines(isNew ? this->finished(drawn) : drawn);
+  if (isNew)
   {
     this->Followed = nullptr; // until it has been run
     step.mirror = this->Mirror ? this->OpenDocument->mirrorPlane(this->Mirror->currentIndex()) : std::nullopt;

@@ -1,7 +1,7 @@
 // Shows the edges of a model that is meant to have some, as a cube, although its points have one normal each;
 // and the creases of lines that were drawn on its surface.
-#ifndef oversketch_applications_studio_sharp_edges_h
-#define oversketch_applications_studio_sharp_edges_h
+#ifndef oversketch_applications_files_sharp_edges_h
+#define oversketch_applications_files_sharp_edges_h
 
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -10,7 +10,7 @@
 class vtkCellArray;
 class vtkPolyData;
 
-namespace oversketch_studio
+namespace oversketch_files
 {
 
 class SharpEdges
@@ -33,5 +33,5 @@ private:
   bool IsSolid = false;                // it has edges all over
 };
 
-} // namespace oversketch_studio
+} // namespace oversketch_files
 #endif

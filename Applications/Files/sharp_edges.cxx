@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace oversketch_studio
+namespace oversketch_files
 {
 
 namespace
@@ -62,7 +62,7 @@ double between(const Vector& a, const Vector& b)
   return lengths > 0.0 ? vtkMath::Dot(a.data(), b.data()) / lengths : 1.0;
 }
 
-struct Face
+struct SharpFace
 {
   vtkIdType count = 0;
   const vtkIdType* points = nullptr;
@@ -81,9 +81,9 @@ struct Surface
     this->points->GetPoint(at, place.data());
     return place;
   }
-  Face face(vtkIdType at) const
+  SharpFace face(vtkIdType at) const
   {
-    Face face;
+    SharpFace face;
     this->faces->GetCellAtId(at, face.count, face.points);
     const Vector first = this->point(face.points[0]);
     Vector last = minus(this->point(face.points[1]), first);
@@ -98,7 +98,7 @@ struct Surface
     return face;
   }
   // How far the normal at one of its points is off a face.
-  double bend(const Face& face, vtkIdType point) const
+  double bend(const SharpFace& face, vtkIdType point) const
   {
     Vector normal;
     this->normals->GetTuple(point, normal.data());
@@ -115,7 +115,7 @@ bool isBentAllOver(const Surface& surface)
   vtkIdType bent = 0, seen = 0;
   for (vtkIdType cell = 0; cell < count; cell += step, ++seen)
   {
-    const Face face = surface.face(cell);
+    const SharpFace face = surface.face(cell);
     const auto isBent = [&](vtkIdType point) { return surface.bend(face, point) < least; };
     bent += std::any_of(face.points, face.points + face.count, isBent);
   }
@@ -133,7 +133,7 @@ std::vector<Edge> edgesOf(const Surface& surface)
   const double least = cosine(0.45 * edge);
   for (vtkIdType cell = 0; cell < count; ++cell)
   {
-    const Face face = surface.face(cell);
+    const SharpFace face = surface.face(cell);
     for (vtkIdType i = 0; i < face.count; ++i)
     {
       if (surface.bend(face, face.points[i]) < least)
@@ -220,16 +220,16 @@ bool isSharp(vtkPolyData* mesh)
 }
 
 // A face at a point, with its other corners there: those that its edges to the point lead to.
-struct Corner
+struct SharpCorner
 {
   vtkIdType point, cell, beside[2];
-  bool operator<(const Corner& other) const { return this->point < other.point; }
+  bool operator<(const SharpCorner& other) const { return this->point < other.point; }
 };
 
 // At the points of lines that were drawn on the surface, in the points' order.
-std::vector<Corner> cornersOnLines(const Surface& surface, vtkDataArray* moved)
+std::vector<SharpCorner> cornersOnLines(const Surface& surface, vtkDataArray* moved)
 {
-  std::vector<Corner> corners;
+  std::vector<SharpCorner> corners;
   for (vtkIdType cell = 0; cell < surface.faces->GetNumberOfCells(); ++cell)
   {
     vtkIdType size = 0;
@@ -250,7 +250,7 @@ std::vector<Corner> cornersOnLines(const Surface& surface, vtkDataArray* moved)
 
 // Whether two faces meet at their point in one smooth piece, without regard to others: they share an edge
 // that is no crease of a line.
-bool areSmooth(const Surface& surface, vtkDataArray* moved, const Corner& a, const Corner& b)
+bool areSmooth(const Surface& surface, vtkDataArray* moved, const SharpCorner& a, const SharpCorner& b)
 {
   for (const vtkIdType end : a.beside)
   {
@@ -274,7 +274,7 @@ vtkSmartPointer<vtkPolyData> splitAlongLines(vtkPolyData* mesh, vtkIdList* from)
   {
     return nullptr;
   }
-  const std::vector<Corner> corners = cornersOnLines(surface, moved);
+  const std::vector<SharpCorner> corners = cornersOnLines(surface, moved);
   struct Piece
   {
     vtkIdType point;
@@ -398,7 +398,7 @@ vtkSmartPointer<vtkFloatArray> normalsOf(const Surface& surface)
   std::vector<Vector> sums(static_cast<std::size_t>(surface.points->GetNumberOfPoints()));
   for (vtkIdType cell = 0; cell < surface.faces->GetNumberOfCells(); ++cell)
   {
-    Face face = surface.face(cell);
+    SharpFace face = surface.face(cell);
     vtkMath::Normalize(face.normal.data());
     for (vtkIdType i = 0; i < face.count; ++i)
     {
@@ -478,4 +478,4 @@ vtkSmartPointer<vtkPolyData> SharpEdges::lookMoved(vtkPolyData* mesh) const
   return moved;
 }
 
-} // namespace oversketch_studio
+} // namespace oversketch_files
